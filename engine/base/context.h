@@ -1,0 +1,56 @@
+// What a long operation is given besides its input: limits, a way to stop it, a way to watch it.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+#include <string_view>
+
+namespace plumb {
+
+/// Bounds on what an operation may use. Readers check a claim against the limits and against the
+/// bytes that are really left *before* they allocate or build a number.
+struct Limits {
+  std::uint64_t max_memory_bytes = std::uint64_t{16} << 30;  ///< working memory, estimated
+  double max_seconds = 0;                                    ///< wall time; 0 = no limit
+  std::uint32_t max_number_digits = 4096;                    ///< digits of one number in a file
+  std::uint32_t max_decimal_exponent = 4096;                 ///< |exponent| with exact decimals
+};
+
+/// Called with a phase name and how much of it is done.
+using ProgressCallback =
+    std::function<void(std::string_view phase, std::uint64_t done, std::uint64_t total)>;
+
+/// Passed by reference down a long operation. Not thread-safe: one Context for one operation.
+class Context {
+ public:
+  explicit Context(Limits limits = {}, std::stop_token stop = {}, ProgressCallback progress = {},
+                   unsigned threads = 1);
+
+  const Limits& limits() const { return limits_; }
+  unsigned threads() const { return threads_; }
+
+  /// Call often (every few thousand steps): reports progress at most 20 times a second; throws
+  /// Error{Cancelled} once a stop was requested, Error{ResourceLimit} once the time is used up.
+  void checkpoint(std::string_view phase, std::uint64_t done, std::uint64_t total);
+
+  /// Throws Error{ResourceLimit} when `bytes` more would pass the memory limit. `what` is named
+  /// in the message. Memory is charged before it is allocated and given back by release().
+  void charge_memory(std::uint64_t bytes, std::string_view what);
+  void release_memory(std::uint64_t bytes);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Limits limits_;
+  std::stop_token stop_;
+  ProgressCallback progress_;
+  unsigned threads_;
+  std::uint64_t charged_bytes_ = 0;
+  Clock::time_point start_;
+  Clock::time_point last_report_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,66 @@
+// The one exception type, and the check that stops the program on a broken invariant.
+//
+// Bad input, limits and cancellation throw Error. Negative answers ("open", "not convex",
+// "not equal") are results, never errors. A broken invariant is a bug: PLUMB_CHECK prints what to
+// report and aborts.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace plumb {
+
+/// Closed set of reasons, numbered in ranges: 1xx input text and files, 2xx resources and
+/// cancellation, 3xx geometry handed in by a caller.
+enum class ErrorCode {
+  CannotOpen = 100,
+  CannotWrite = 101,
+  NotText = 102,
+  Syntax = 103,
+  NumberOutOfRange = 104,
+  CountMismatch = 105,
+  BadIndex = 106,
+  DegenerateFace = 107,
+  UnknownFormat = 108,
+  Usage = 109,
+  ResourceLimit = 200,
+  Cancelled = 201,
+  NotFinite = 300,
+  BadArgument = 301,
+};
+
+/// Where in a text input; 1-based, 0 = unknown.
+struct TextPlace {
+  std::string file;
+  std::size_t line = 0;
+  std::size_t column = 0;
+};
+
+/// Bad input, an exhausted limit, or cancellation. what() is ready to print:
+/// "FILE:LINE:COLUMN: message", "FILE: message" or "message".
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorCode code, std::string message, TextPlace place = {});
+
+  ErrorCode code() const { return code_; }
+  const std::string& message() const { return message_; }
+  const TextPlace& place() const { return place_; }
+
+ private:
+  ErrorCode code_;
+  std::string message_;
+  TextPlace place_;
+};
+
+namespace detail {
+[[noreturn]] void report_broken_invariant(const char* condition, const char* file, int line);
+}
+
+}  // namespace plumb
+
+/// Loud stop on a broken invariant, in every build type.
+#define PLUMB_CHECK(condition)            \
+  ((condition) ? static_cast<void>(0)     \
+               : ::plumb::detail::report_broken_invariant(#condition, __FILE__, __LINE__))

@@ -1,0 +1,2 @@
+// PLACEHOLDER of the sweep's front door (owner: plane)
+#pragma once
