@@ -1,0 +1,27 @@
+# plumb_link_headers(ROOM DIR): <build>/include/plumb/ROOM -> DIR
+function(plumb_link_headers room dir)
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include/plumb)
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${dir} ${PROJECT_BINARY_DIR}/include/plumb/${room} SYMBOLIC)
+endfunction()
+
+# plumb_compile_options(TARGET): what every translation unit of ours is compiled with.
+function(plumb_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  # a*b+c must not become an FMA: the predicates' error bounds are derived without it.
+  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion
+    $<$<BOOL:${PLUMB_WERROR}>:-Werror>)
+  if(PLUMB_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${PLUMB_SANITIZE} -fno-sanitize-recover=all
+      -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=${PLUMB_SANITIZE})
+  endif()
+endfunction()
+
+# plumb_test(NAME SOURCE... [LIBRARIES ...]): a GoogleTest program, one ctest per program.
+function(plumb_test name)
+  cmake_parse_arguments(ARG "" "" "LIBRARIES" ${ARGN})
+  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
+  plumb_compile_options(${name})
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest GTest::gtest_main)
+  add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+endfunction()
