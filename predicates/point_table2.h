@@ -1,5 +1,6 @@
 // Points of the plane as an engine stores them: flat arrays of doubles, and an exact side table for
-// the few that no double can hold (integers beyond 2^53, fractions). Predicates by index.
+// the few that no double can hold (integers beyond 2^53, fractions). Predicates by index, and the
+// crossing of two lines through such points, kept implicit.
 #pragma once
 
 #include <cstddef>
@@ -19,6 +20,14 @@ struct RationalPoint2 {
   friend bool operator==(const RationalPoint2&, const RationalPoint2&) = default;
 };
 
+/// Read-only view of an exact point as integers X : Y : W, W > 0; the point is (X / W, Y / W).
+/// Valid until the table grows.
+struct HomogeneousView2 {
+  mpz_t x;
+  mpz_t y;
+  mpz_t w;
+};
+
 /// Append-only table of exact points. approx(i) is the nearest double point (round to nearest
 /// even); it *is* the point when is_double(i). Exact numbers lie in one limb pool: no allocation
 /// per point. At most 2^32 - 2 points.
@@ -32,15 +41,29 @@ class PointTable2 {
   void push_back(const Rational& x, const Rational& y);
 
   std::size_t size() const { return points_.size(); }
-  bool all_double() const { return exact_index_.empty(); }
-  bool is_double(std::uint32_t i) const;
+  bool all_double() const { return slot_.empty(); }
+  bool is_double(std::uint32_t i) const { return all_double() || slot_[i] == kNoSlot; }
   Point2 approx(std::uint32_t i) const { return points_[i]; }
   RationalPoint2 exact(std::uint32_t i) const;
+  /// Requires !is_double(i).
+  HomogeneousView2 homogeneous(std::uint32_t i) const;
 
  private:
+  static constexpr std::uint32_t kNoSlot = 0xffffffff;
+  /// Three integers, end to end in limbs_; the sign of a size is the sign of its integer (as in
+  /// mpz).
+  struct Entry {
+    std::size_t begin;
+    std::int32_t x_size;
+    std::int32_t y_size;
+    std::int32_t w_size;
+  };
+  std::int32_t append_limbs(mpz_srcptr value);
+
   std::vector<Point2> points_;
-  std::vector<std::uint32_t> exact_index_;  // ascending point indices that have an exact entry
-  // ... the limb pool (owner: point_table2.cpp)
+  std::vector<std::uint32_t> slot_;  ///< empty while all points are doubles, else one per point
+  std::vector<Entry> entries_;
+  std::vector<mp_limb_t> limbs_;
 };
 
 /// Lexicographic order (x, then y) of points i and j.
