@@ -9,6 +9,8 @@ function(plumb_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   # a*b+c must not become an FMA: the predicates' error bounds are derived without it.
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion
+    # g++ 12 warns wrongly about std::string concatenation (GCC bug 105651).
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
     $<$<BOOL:${PLUMB_WERROR}>:-Werror>)
   if(PLUMB_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${PLUMB_SANITIZE} -fno-sanitize-recover=all

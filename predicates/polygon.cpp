@@ -9,12 +9,12 @@ namespace {
 
 // Sum of (p_i - o) x (p_{i+1} - o) with o the first point, and a bound on its error.
 //
-// u = 2^-52 covers every rounding mode. Each term (dx * ey - dy * ex) carries a relative error of at
-// most (3 + small)u of |dx ey| + |dy ex|, as orient2d does; summing n terms adds less than n*u of the
-// sum of the magnitudes. 4 + n covers both with room for the rounding of the bound itself. Gate: with
-// every difference at most 2^500 nothing overflows for n <= 2^20 terms a sum of which stays below
-// 2^1022; flushing and subnormal inputs read as zero change a difference by at most 3 * 2^-1022, a
-// term by less than 2^-518, the sum by less than n * 2^-518, which `floor` covers.
+// u = 2^-52 covers every rounding mode. Each term (dx * ey - dy * ex) carries a relative error of
+// at most (3 + small)u of |dx ey| + |dy ex|, as orient2d does; summing n terms adds less than n*u
+// of the sum of the magnitudes. 4 + n covers both with room for the rounding of the bound itself.
+// Gate: with every difference at most 2^500 nothing overflows for n <= 2^20 terms a sum of which
+// stays below 2^1022; flushing and subnormal inputs read as zero change a difference by at most 3 *
+// 2^-1022, a term by less than 2^-518, the sum by less than n * 2^-518, which `floor` covers.
 FilteredSign area_filter(const PointTable2& points, std::span<const std::uint32_t> polygon) {
   const auto n = static_cast<double>(polygon.size());
   const Point2 o = points.approx(polygon[0]);

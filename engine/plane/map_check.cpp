@@ -25,8 +25,8 @@ void require_well_formed(const Map& map) {
     std::uint32_t previous = cycle.back();
     for (const std::uint32_t v : cycle) {
       if (v >= map.vertex_count()) {
-        throw Error(ErrorCode::BadIndex, face + " uses vertex " + std::to_string(v + 1) +
-                                             " of " + std::to_string(map.vertex_count()));
+        throw Error(ErrorCode::BadIndex, face + " uses vertex " + std::to_string(v + 1) + " of " +
+                                             std::to_string(map.vertex_count()));
       }
       if (v == previous) {
         throw Error(ErrorCode::DegenerateFace,
@@ -126,8 +126,8 @@ void MapChecker::count_matching_defects() {
 
 void MapChecker::sweep_contacts() {
   findings_.components = connect(map(), findings_.edges);
-  findings_.contacts = find_contacts(map(), findings_.edges, findings_.components,
-                                     options_.max_defects, context_);
+  findings_.contacts =
+      find_contacts(map(), findings_.edges, findings_.components, options_.max_defects, context_);
   counts().crossing = findings_.contacts.count;
   report_.vertices = map().vertex_count();
   report_.edges = findings_.edges.edge_count();
@@ -182,7 +182,8 @@ void MapChecker::collect_regions(const std::vector<std::uint32_t>& parent) {
     if (orbits.orbits[orbit_of[c]].counterclockwise) continue;
     const std::uint32_t component = findings_.components.of_vertex[map().cycle(c).front()];
     const std::uint32_t around = parent[component];
-    const bool in_face = around != MapOrbits::kNone && orbits.orbits[around].cycle != MapOrbits::kNone;
+    const bool in_face =
+        around != MapOrbits::kNone && orbits.orbits[around].cycle != MapOrbits::kNone;
     report_.regions[in_face ? region_of[orbits.orbits[around].cycle] : 0].holes.push_back(c);
   }
 }
@@ -196,10 +197,36 @@ MapVerdict MapChecker::verdict() {
   return superposed > 0 ? MapVerdict::Superposed : MapVerdict::Valid;
 }
 
+// Per corner position: the position of the opposite directed edge.
+std::vector<std::uint32_t> twin_positions(const MapEdges& edges) {
+  std::vector<std::uint32_t> corner_of(edges.halfedge_count());
+  for (std::uint32_t i = 0; i < edges.at_corner.size(); ++i) corner_of[edges.at_corner[i]] = i;
+  std::vector<std::uint32_t> twin(edges.at_corner.size());
+  for (std::uint32_t i = 0; i < twin.size(); ++i) twin[i] = corner_of[edges.at_corner[i] ^ 1U];
+  return twin;
+}
+
 }  // namespace
 
 MapReport check_map(Map map, const MapCheckOptions& options, Context& context) {
   return MapChecker(std::move(map), options, context).run();
+}
+
+DcelFromCycles to_dcel(const MapReport& report) {
+  const Map& map = report.map;
+  const MapEdges edges = match_twins(map);
+  const bool complete = edges.extra_uses.empty() && 2 * edges.edge_count() == map.corners.size();
+  if (report.verdict != MapVerdict::Valid || !complete) {
+    throw Error(ErrorCode::BadArgument,
+                "a half-edge structure needs a valid map without open borders");
+  }
+  std::vector<std::uint32_t> face_of_cycle(map.cycle_count(), 0);
+  for (std::uint32_t r = 0; r < report.regions.size(); ++r) {
+    if (report.regions[r].outer) face_of_cycle[*report.regions[r].outer] = r;
+    for (const std::uint32_t hole : report.regions[r].holes) face_of_cycle[hole] = r;
+  }
+  return Dcel::from_cycles(map.vertex_count(), map.corners, map.cycle_begin, twin_positions(edges),
+                           face_of_cycle);
 }
 
 }  // namespace plumb

@@ -6,7 +6,8 @@
 //
 // Main flow of check_map (source: note dcel.pt.txt, with exact and near-linear means):
 //  1. match_twins         bucket the half-edges by their lesser vertex: duplicates, open, twin
-//  2. sweep_map           one Bentley-Ottmann sweep over the undirected edges: every pair that meets
+//  2. sweep_map           one Bentley-Ottmann sweep over the undirected edges: every pair that
+//  meets
 //                         anywhere but at a common vertex, the order of edges around each vertex,
 //                         and for the first vertex of each component the edge below it
 //  3. classify_open       chains of open edges: a gap in the coverage, or a missing outer boundary
@@ -43,8 +44,8 @@ enum class DefectKind { Duplicate, Open, Crossing, Twin, Mixed, Nested };
 
 struct MapCheckOptions {
   OuterRule outer = OuterRule::Listed;
-  bool merge_vertices = false;        ///< vertices with equal coordinates become one first
-  std::uint64_t max_defects = 1000;   ///< how many to describe; counts are always complete
+  bool merge_vertices = false;       ///< vertices with equal coordinates become one first
+  std::uint64_t max_defects = 1000;  ///< how many to describe; counts are always complete
 };
 
 struct MapEdge {
@@ -56,11 +57,11 @@ struct MapEdge {
 /// One defect, with everything a person needs to find and mend it.
 struct MapDefect {
   DefectKind kind;
-  std::vector<std::uint32_t> cycles;   ///< listed cycles concerned, ascending
-  std::vector<MapEdge> edges;          ///< Duplicate, Open: directed; Crossing, Twin: undirected
-  std::optional<RationalPoint2> point; ///< where exactly; the first point of an overlap
-  Point2 near{};                       ///< nearest doubles of that point
-  std::string hint;                    ///< what it is and what to do, one sentence
+  std::vector<std::uint32_t> cycles;    ///< listed cycles concerned, ascending
+  std::vector<MapEdge> edges;           ///< Duplicate, Open: directed; Crossing, Twin: undirected
+  std::optional<RationalPoint2> point;  ///< where exactly; the first point of an overlap
+  Point2 near{};                        ///< nearest doubles of that point
+  std::string hint;                     ///< what it is and what to do, one sentence
 };
 
 /// Numbers of *all* defects, however many are described (definitions: docs/maps.md).
@@ -89,22 +90,24 @@ struct MapRegion {
 
 struct MapReport {
   MapVerdict verdict = MapVerdict::Valid;
-  std::size_t vertices = 0;   ///< as listed
-  std::size_t edges = 0;      ///< undirected
-  std::size_t cycles = 0;     ///< as listed (inferred ones included)
-  std::size_t components = 0; ///< connected parts of the edge graph
+  std::size_t vertices = 0;    ///< as listed
+  std::size_t edges = 0;       ///< undirected
+  std::size_t cycles = 0;      ///< as listed (inferred ones included)
+  std::size_t components = 0;  ///< connected parts of the edge graph
   MapDefectCounts counts;
-  std::vector<MapDefect> defects;     ///< at most max_defects, by kind, then by place in the input
+  std::vector<MapDefect> defects;  ///< at most max_defects, by kind, then by place in the input
   std::vector<MapWarning> warnings;
-  std::vector<MapRegion> regions;     ///< only when valid; the unbounded region first
-  Map map;                            ///< the map that was judged (merged, outer cycles added)
+  std::vector<MapRegion> regions;  ///< only when valid; the unbounded region first
+  Map map;                         ///< the map that was judged (merged, outer cycles added)
 };
 
 /// Judges `map`. Requires at least 3 corners a cycle, no repeated consecutive corner, indices in
 /// range (the reader sees to that; violations throw Error{BadIndex or DegenerateFace}).
 MapReport check_map(Map map, const MapCheckOptions& options, Context& context);
 
-/// The half-edge structure of a valid map, one loop per listed cycle. Requires verdict Valid.
-Dcel to_dcel(const MapReport& report);
+/// The half-edge structure of a valid map: one loop per listed cycle, one face per region (in the
+/// order of report.regions). Vertices of no cycle are not in it. Throws Error{BadArgument} unless
+/// the verdict is Valid and no border is open (OuterRule::Ignore may leave some).
+DcelFromCycles to_dcel(const MapReport& report);
 
 }  // namespace plumb

@@ -108,7 +108,7 @@ class ContactCollector final : public SweepVisitor {
   std::vector<char> is_placed_;      // per component
   std::vector<std::uint32_t> ring_;  // half-edges leaving a vertex, counter-clockwise
   std::vector<Member> members_;
-  std::vector<EndHere> ends_;        // sorted by vertex
+  std::vector<EndHere> ends_;  // sorted by vertex
 };
 
 // ---------------------------------------------------------------- rotation system
@@ -158,7 +158,8 @@ void ContactCollector::gather_members(const SweepEvent& event) {
     const bool from_here = is_here(e.from);
     const bool to_here = is_here(e.to);
     const std::uint32_t vertex = from_here ? e.from : (to_here ? e.to : kNone);
-    members_.push_back({s.value(), incoming, outgoing, vertex, from_here && to_here ? e.to : kNone});
+    members_.push_back(
+        {s.value(), incoming, outgoing, vertex, from_here && to_here ? e.to : kNone});
   };
   for (const SweepIncidence& i : event.incoming) add(i.segment, i.bundle, kNone);
   for (const SweepIncidence& i : event.outgoing) add(i.segment, kNone, i.bundle);
@@ -205,12 +206,12 @@ std::uint64_t ContactCollector::count_contacts() const {
   };
   legal += pairs_in_runs(ends, by([](const EndHere& e) { return e.vertex; }));
   const auto arriving = by([](const EndHere& e) { return std::pair(e.incoming, e.vertex); });
-  const auto first_none = std::find_if(ends.begin(), ends.end(),
-                                       [](const EndHere& e) { return e.incoming == kNone; });
+  const auto first_none =
+      std::find_if(ends.begin(), ends.end(), [](const EndHere& e) { return e.incoming == kNone; });
   legal -= pairs_in_runs(std::vector<EndHere>(ends.begin(), first_none), arriving);
   const auto leaving = by([](const EndHere& e) { return std::pair(e.outgoing, e.vertex); });
-  const auto last_some = std::find_if(ends.begin(), ends.end(),
-                                      [](const EndHere& e) { return e.outgoing == kNone; });
+  const auto last_some =
+      std::find_if(ends.begin(), ends.end(), [](const EndHere& e) { return e.outgoing == kNone; });
   legal -= pairs_in_runs(std::vector<EndHere>(ends.begin(), last_some), leaving);
   return pairs(members_.size()) - legal;
 }
@@ -255,7 +256,8 @@ void ContactCollector::describe_overlaps(const SweepEvent& event) {
   });
   for (std::size_t i = 0; i < leaving.size(); ++i) {
     for (std::size_t j = i + 1; j < leaving.size() && !is_full(); ++j) {
-      if (leaving[j].outgoing != leaving[i].outgoing || leaving[j].vertex != leaving[i].vertex) break;
+      if (leaving[j].outgoing != leaving[i].outgoing || leaving[j].vertex != leaving[i].vertex)
+        break;
       describe_pair(event, leaving[i], leaving[j]);
     }
   }

@@ -10,8 +10,8 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kMaxListedCycles = 16;    // in one mixed defect
-constexpr std::size_t kMaxSpelledVertices = 12; // in one hint
+constexpr std::size_t kMaxListedCycles = 16;     // in one mixed defect
+constexpr std::size_t kMaxSpelledVertices = 12;  // in one hint
 
 std::string number(std::size_t index) { return std::to_string(index + 1); }
 
@@ -73,8 +73,7 @@ class DefectWriter {
 
 void DefectWriter::push(MapDefect defect, RationalPoint2 place) {
   std::sort(defect.cycles.begin(), defect.cycles.end());
-  defect.cycles.erase(std::unique(defect.cycles.begin(), defect.cycles.end()),
-                      defect.cycles.end());
+  defect.cycles.erase(std::unique(defect.cycles.begin(), defect.cycles.end()), defect.cycles.end());
   defect.near = {nearest_double(place.x), nearest_double(place.y)};
   defect.point = std::move(place);
   report_.defects.push_back(std::move(defect));
@@ -127,8 +126,8 @@ void DefectWriter::add_open() {
 
 std::string DefectWriter::open_hint(std::uint32_t h) const {
   const MapEdge e = directed(h);
-  const std::string lead = "no face lists " + edge_name(e.to, e.from) + ", the other side of " +
-                           edge_name(e.from, e.to);
+  const std::string lead =
+      "no face lists " + edge_name(e.to, e.from) + ", the other side of " + edge_name(e.from, e.to);
   const std::string covered = covered_by(h);
   return lead + (covered.empty() ? chain_hint(h ^ 1U) : covered);
 }
@@ -177,8 +176,7 @@ RationalPoint2 DefectWriter::place_of(const EdgeContact& contact) const {
 std::string DefectWriter::crossing_hint(const EdgeContact& contact) const {
   const MapEdge a = undirected(contact.edge_a);
   const MapEdge b = undirected(contact.edge_b);
-  const std::string names =
-      "edges " + edge_name(a.from, a.to) + " and " + edge_name(b.from, b.to);
+  const std::string names = "edges " + edge_name(a.from, a.to) + " and " + edge_name(b.from, b.to);
   switch (contact.kind) {
     case EdgeContact::Kind::Cross:
       return names + " cross: move a vertex, or split both edges at the crossing";
@@ -186,8 +184,9 @@ std::string DefectWriter::crossing_hint(const EdgeContact& contact) const {
       return names + " touch: vertex " + number(contact.vertex) +
              " lies inside one of them; insert it into the faces there";
     case EdgeContact::Kind::Alias:
-      return names + " meet at two vertices with equal coordinates: use one vertex, or "
-                     "--merge-vertices";
+      return names +
+             " meet at two vertices with equal coordinates: use one vertex, or "
+             "--merge-vertices";
     case EdgeContact::Kind::Overlap:
       return names + " overlap from vertex " + number(contact.vertex) +
              " on: insert the vertices of each into the other";
@@ -229,11 +228,10 @@ void DefectWriter::add_mixed() {
         cycles_of_orbit(edges(), findings_.contacts.rotation, orbit.halfedge);
     MapDefect defect{DefectKind::Mixed, {}, {directed(orbit.halfedge)}, {}, {}, {}};
     const bool several = cycles.size() > 1;
-    defect.hint =
-        several ? "one region is bounded by edges of " + std::to_string(cycles.size()) +
-                      " listed faces: they overlap, or are listed the wrong way round"
-                : "face " + number(cycles.front()) +
-                      " is listed the wrong way round for the region it bounds";
+    defect.hint = several ? "one region is bounded by edges of " + std::to_string(cycles.size()) +
+                                " listed faces: they overlap, or are listed the wrong way round"
+                          : "face " + number(cycles.front()) +
+                                " is listed the wrong way round for the region it bounds";
     if (cycles.size() > kMaxListedCycles) cycles.resize(kMaxListedCycles);
     defect.cycles = std::move(cycles);
     push(std::move(defect), points_.exact(edges().origin(orbit.halfedge)));
@@ -269,8 +267,7 @@ std::vector<std::uint32_t> isolated_vertices(const MapFindings& findings) {
   std::vector<std::uint32_t> isolated;
   for (std::uint32_t v = 0; v < findings.components.of_vertex.size(); ++v) {
     const bool has_edges = findings.components.of_vertex[v] != MapComponents::kNoComponent;
-    const bool was_merged =
-        std::binary_search(findings.merged.begin(), findings.merged.end(), v);
+    const bool was_merged = std::binary_search(findings.merged.begin(), findings.merged.end(), v);
     if (!has_edges && !was_merged) isolated.push_back(v);
   }
   return isolated;
@@ -284,10 +281,12 @@ void describe_defects(const MapFindings& findings, std::uint64_t max_defects, Ma
 
 void describe_warnings(const MapFindings& findings, std::uint64_t max_warnings, MapReport& report) {
   spell_out(findings.merged, WarningKind::MergedVertex,
-            " was merged into a lower-numbered vertex with equal coordinates", max_warnings, report);
+            " was merged into a lower-numbered vertex with equal coordinates", max_warnings,
+            report);
   for (const std::uint32_t cycle : findings.inferred) {
     report.warnings.push_back({WarningKind::InferredOuter, cycle,
-                               "outer boundary of " + std::to_string(report.map.cycle(cycle).size()) +
+                               "outer boundary of " +
+                                   std::to_string(report.map.cycle(cycle).size()) +
                                    " edges was inferred as face " + number(cycle)});
   }
   if (!findings.orbits.orbits.empty()) {

@@ -33,8 +33,8 @@ struct MapFindings {
 /// Fills in report.defects (at most max_defects, by kind, then by position). Counts must be set.
 void describe_defects(const MapFindings& findings, std::uint64_t max_defects, MapReport& report);
 
-/// Fills in report.warnings; at most max_warnings of each kind are spelled out, then one line says how
-/// many more there are.
+/// Fills in report.warnings; at most max_warnings of each kind are spelled out, then one line says
+/// how many more there are.
 void describe_warnings(const MapFindings& findings, std::uint64_t max_warnings, MapReport& report);
 
 }  // namespace plumb

@@ -45,11 +45,11 @@ Buckets bucket_by_lesser_vertex(const Map& map) {
   });
   std::partial_sum(buckets.begin.begin(), buckets.begin.end(), buckets.begin.begin());
   buckets.uses.resize(map.corners.size());
-  for_each_corner(map, [&](std::uint32_t corner, std::uint32_t cycle, std::uint32_t from,
-                           std::uint32_t to) {
-    const std::uint32_t slot = buckets.begin[std::min(from, to) + 1]++;
-    buckets.uses[slot] = {std::max(from, to), corner, cycle, from > to};
-  });
+  for_each_corner(
+      map, [&](std::uint32_t corner, std::uint32_t cycle, std::uint32_t from, std::uint32_t to) {
+        const std::uint32_t slot = buckets.begin[std::min(from, to) + 1]++;
+        buckets.uses[slot] = {std::max(from, to), corner, cycle, from > to};
+      });
   buckets.begin.pop_back();
   return buckets;
 }
@@ -92,7 +92,8 @@ std::vector<std::uint32_t> MapEdges::uses(std::uint32_t h) const {
 }
 
 std::uint32_t MapEdges::cycle_on_both_sides(std::uint32_t e) const {
-  if (extra_uses.empty()) return cycle_of[2 * e] == cycle_of[2 * e + 1] ? cycle_of[2 * e] : kNoCycle;
+  if (extra_uses.empty())
+    return cycle_of[2 * e] == cycle_of[2 * e + 1] ? cycle_of[2 * e] : kNoCycle;
   std::vector<std::uint32_t> forward = uses(2 * e);
   std::vector<std::uint32_t> backward = uses(2 * e + 1);
   std::sort(forward.begin(), forward.end());
@@ -143,8 +144,8 @@ MapComponents connect(const Map& map, const MapEdges& edges) {
   for (std::uint32_t v = 0; v < map.vertex_count(); ++v) {
     if (components.of_vertex[v] == MapComponents::kNoComponent) continue;
     const std::uint32_t root = find_root(parent, v);
-    components.of_vertex[v] = root == v ? static_cast<std::uint32_t>(components.count++)
-                                        : components.of_vertex[root];
+    components.of_vertex[v] =
+        root == v ? static_cast<std::uint32_t>(components.count++) : components.of_vertex[root];
   }
   return components;
 }

@@ -22,10 +22,10 @@ struct MapEdges {
     std::uint32_t cycle;
   };
 
-  std::vector<SweepSegment> ends;       ///< per edge; from < to as indices
-  std::vector<std::uint32_t> cycle_of;  ///< per half-edge: the cycle that lists it (first use)
-  std::vector<ExtraUse> extra_uses;     ///< ascending by half-edge, then by position in the input
-  std::vector<std::uint32_t> at_corner; ///< per corner of the listing: its half-edge
+  std::vector<SweepSegment> ends;        ///< per edge; from < to as indices
+  std::vector<std::uint32_t> cycle_of;   ///< per half-edge: the cycle that lists it (first use)
+  std::vector<ExtraUse> extra_uses;      ///< ascending by half-edge, then by position in the input
+  std::vector<std::uint32_t> at_corner;  ///< per corner of the listing: its half-edge
 
   std::size_t edge_count() const { return ends.size(); }
   std::size_t halfedge_count() const { return cycle_of.size(); }

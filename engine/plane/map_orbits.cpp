@@ -31,9 +31,9 @@ class OrbitTracer {
  private:
   // What one walk around an orbit finds.
   struct Walk {
-    std::uint32_t first;      // a half-edge leaving the lexicographically first vertex
-    bool has_outer_corner;    // some corner there looks to the far left: the orbit is an outside
-    bool single_cycle;        // at most one listed cycle has half-edges in it
+    std::uint32_t first;    // a half-edge leaving the lexicographically first vertex
+    bool has_outer_corner;  // some corner there looks to the far left: the orbit is an outside
+    bool single_cycle;      // at most one listed cycle has half-edges in it
     std::uint32_t cycle;
     std::uint32_t length;
   };
@@ -91,14 +91,13 @@ void OrbitTracer::visit_corner(std::uint32_t arriving, std::uint32_t leaving, Wa
     w.first = leaving;
     w.has_outer_corner = false;
   }
-  const Sign turn =
-      orient2d(map_.points, edges_.origin(arriving), corner, edges_.target(leaving));
+  const Sign turn = orient2d(map_.points, edges_.origin(arriving), corner, edges_.target(leaving));
   if (turn != Sign::Positive) w.has_outer_corner = true;
 }
 
 // An orbit is mixed when it is not the boundary its listed cycles claim: a bounded face must be one
-// counter-clockwise cycle, an outside must be clockwise cycles only. (An orbit nobody lists is a gap,
-// told as open edges.)
+// counter-clockwise cycle, an outside must be clockwise cycles only. (An orbit nobody lists is a
+// gap, told as open edges.)
 bool OrbitTracer::is_mixed(const Walk& w) {
   if (w.cycle == kNone) return false;
   if (w.single_cycle && w.length == map_.cycle(w.cycle).size()) return false;  // one and the same
@@ -158,7 +157,8 @@ std::vector<std::uint32_t> nest_components(const MapEdges& edges, const MapCompo
     const std::uint32_t edge = rotation.edge_below[c];
     if (edge == kNone) continue;
     // The half-edge that runs left to right has the face above the edge on its left.
-    const bool forward = rotation.order[edges.ends[edge].from] < rotation.order[edges.ends[edge].to];
+    const bool forward =
+        rotation.order[edges.ends[edge].from] < rotation.order[edges.ends[edge].to];
     const std::uint32_t above = orbits.of_halfedge[2 * edge + (forward ? 0 : 1)];
     const std::uint32_t other = components.of_vertex[edges.ends[edge].from];
     parent[c] = orbits.orbits[above].counterclockwise ? above : parent[other];

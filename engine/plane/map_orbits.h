@@ -19,7 +19,7 @@ struct MapOrbits {
     std::uint32_t halfedge;  ///< one of them, leaving its lexicographically first vertex
     std::uint32_t cycle;     ///< a listed cycle with half-edges in it, or kNone
     bool counterclockwise;
-    bool mixed;              ///< defect: see is_mixed() in map_orbits.cpp
+    bool mixed;  ///< defect: see is_mixed() in map_orbits.cpp
   };
 
   std::vector<Orbit> orbits;
@@ -27,8 +27,8 @@ struct MapOrbits {
   std::vector<std::uint32_t> outside;  ///< per component: its clockwise orbit
 };
 
-/// Requires a map without duplicate uses and without contacts. O(n); exact areas of cycles are taken
-/// only where orbits and listed cycles differ.
+/// Requires a map without duplicate uses and without contacts. O(n); exact areas of cycles are
+/// taken only where orbits and listed cycles differ.
 MapOrbits trace_orbits(const Map& map, const MapEdges& edges, const MapComponents& components,
                        const MapRotation& rotation);
 
@@ -36,7 +36,8 @@ MapOrbits trace_orbits(const Map& map, const MapEdges& edges, const MapComponent
 std::vector<std::uint32_t> cycles_of_orbit(const MapEdges& edges, const MapRotation& rotation,
                                            std::uint32_t halfedge);
 
-/// For each component the orbit it lies in: a counter-clockwise one, or kNone for the unbounded face.
+/// For each component the orbit it lies in: a counter-clockwise one, or kNone for the unbounded
+/// face.
 std::vector<std::uint32_t> nest_components(const MapEdges& edges, const MapComponents& components,
                                            const MapRotation& rotation, const MapOrbits& orbits);
 

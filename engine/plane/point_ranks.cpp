@@ -17,7 +17,8 @@ struct KeyedPoint {
 
 class KeyOrder {
  public:
-  explicit KeyOrder(const PointTable2& points) : points_(points), exact_keys_(points.all_double()) {}
+  explicit KeyOrder(const PointTable2& points)
+      : points_(points), exact_keys_(points.all_double()) {}
 
   Sign compare(const KeyedPoint& p, const KeyedPoint& q) const {
     if (p.x != q.x) return p.x < q.x ? Sign::Negative : Sign::Positive;

@@ -101,14 +101,14 @@ class Sweep {
 
   // The event at hand.
   EventPlace place_;
-  std::vector<std::uint32_t> here_;           // end points
-  std::vector<PendingCrossing> crossings_;    // pending crossings equal to it
-  std::vector<StatusNode> through_;           // bundles through it, bottom to top
-  StatusNode below_;                          // the node next below, if any
+  std::vector<std::uint32_t> here_;         // end points
+  std::vector<PendingCrossing> crossings_;  // pending crossings equal to it
+  std::vector<StatusNode> through_;         // bundles through it, bottom to top
+  StatusNode below_;                        // the node next below, if any
   std::vector<SweepIncidence> incoming_;
   std::vector<SweepIncidence> outgoing_;
   std::vector<SegmentId> starters_;
-  std::vector<SweepIncidence> continuing_;    // above to below, as they leave
+  std::vector<SweepIncidence> continuing_;  // above to below, as they leave
   std::vector<SegmentId> zero_length_;
 };
 
@@ -367,8 +367,8 @@ void Sweep::merge_starters() {
   };
   while (c < continuing_.size() || s < starters_.size()) {
     const SegmentId next = starts_next() ? starters_[s++] : continuing_[c++].segment;
-    const bool joins = !outgoing_.empty() &&
-                       direction_order(outgoing_.back().segment, next) == Sign::Zero;
+    const bool joins =
+        !outgoing_.empty() && direction_order(outgoing_.back().segment, next) == Sign::Zero;
     append_outgoing(next, joins);
   }
 }
@@ -403,8 +403,8 @@ void Sweep::bind_bundle(std::size_t first, std::size_t last, StatusNode node) {
   }
 }
 
-// `lower` lies below `upper` just right of the event. They meet further right if and only if the one
-// that ends first does not end strictly on its own side of the other.
+// `lower` lies below `upper` just right of the event. They meet further right if and only if the
+// one that ends first does not end strictly on its own side of the other.
 void Sweep::test_neighbours(StatusNode below, StatusNode above) {
   if (!below.is_valid() || !above.is_valid()) return;
   const SegmentId lower = status_.segment(below);

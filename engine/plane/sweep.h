@@ -2,13 +2,13 @@
 //
 // It computes, for straight segments between the points of a table, every place where segments
 // start, end, cross, touch or overlap, in lexicographic (x, then y) order, and the order of the
-// segments below, through and above each such place. Decisions are predicates on input points and on
-// implicit crossings; no coordinate is ever rounded, so any degeneracy is an ordinary case.
+// segments below, through and above each such place. Decisions are predicates on input points and
+// on implicit crossings; no coordinate is ever rounded, so any degeneracy is an ordinary case.
 //
 // Notation: a segment runs from its lexicographically lesser end (left) to the greater one (right);
 // a vertical segment runs upward. A bundle is a maximal set of collinear segments that overlap just
-// left (incoming) or just right (outgoing) of an event. The status is the list of bundles met by the
-// sweep line, bottom to top.
+// left (incoming) or just right (outgoing) of an event. The status is the list of bundles met by
+// the sweep line, bottom to top.
 //
 // Main flow of sweep():
 //  1. rank_points         sort the end points once; equal points get equal ranks
@@ -19,16 +19,17 @@
 //  5. take_all_through    other events: walk the status both ways while segments contain the point
 //  6. order_starters      by direction; segments of one direction form a bundle
 //  7. replace_in_status   incoming bundles make room for outgoing ones
-//  8. test_neighbours     two bundles that became neighbours: a crossing is put in the queue, a touch
+//  8. test_neighbours     two bundles that became neighbours: a crossing is put in the queue, a
+//  touch
 //                         at an end point marks that point as not plain
 //  9. on_event            the visitor sees the finished event
 //
-// Invariants: neighbours in the status have been tested (8) since they became neighbours; so an event
-// reached without mark and without crossing is plain, and costs no arithmetic but its own.
+// Invariants: neighbours in the status have been tested (8) since they became neighbours; so an
+// event reached without mark and without crossing is plain, and costs no arithmetic but its own.
 //
-// Cost: O((n + k) log n) expected for n segments and k event-segment incidences, one orientation test
-// per new neighbour pair in the plain case; O(n + pending crossings) memory.
-// Source: Bentley and Ottmann 1979; degeneracies after Mehlhorn and Näher, LEDA (1999), chapter 10.7.
+// Cost: O((n + k) log n) expected for n segments and k event-segment incidences, one orientation
+// test per new neighbour pair in the plain case; O(n + pending crossings) memory. Source: Bentley
+// and Ottmann 1979; degeneracies after Mehlhorn and Näher, LEDA (1999), chapter 10.7.
 #pragma once
 
 #include <cstdint>
@@ -55,12 +56,12 @@ struct SweepIncidence {
 
 /// Everything that happens at one point. The spans are valid during the call only.
 struct SweepEvent {
-  std::span<const std::uint32_t> points;       ///< end points lying here; empty: a mere crossing
-  const Crossing2* crossing = nullptr;         ///< set when points is empty
-  std::span<const SweepIncidence> incoming;    ///< just left of the event, bottom to top
-  std::span<const SweepIncidence> outgoing;    ///< just right of it, bottom to top
-  std::span<const SegmentId> zero_length;      ///< zero-length segments lying here
-  SegmentId below;                             ///< a segment next below the event, if any
+  std::span<const std::uint32_t> points;     ///< end points lying here; empty: a mere crossing
+  const Crossing2* crossing = nullptr;       ///< set when points is empty
+  std::span<const SweepIncidence> incoming;  ///< just left of the event, bottom to top
+  std::span<const SweepIncidence> outgoing;  ///< just right of it, bottom to top
+  std::span<const SegmentId> zero_length;    ///< zero-length segments lying here
+  SegmentId below;                           ///< a segment next below the event, if any
   bool plain = false;  ///< one point, no overlap, every segment here starts or ends at that point
 };
 

@@ -1,8 +1,8 @@
 // The ordered list of bundles under the sweep line: a treap in flat arrays, threaded as a list.
 //
-// Order is positional: nodes are placed next to known neighbours, never compared by a stored key, so
-// the caller's geometry may change (at crossings) as long as it re-places what changes.
-// Cost: expected O(1) for insert and erase next to a known node, O(log n) for a search.
+// Order is positional: nodes are placed next to known neighbours, never compared by a stored key,
+// so the caller's geometry may change (at crossings) as long as it re-places what changes. Cost:
+// expected O(1) for insert and erase next to a known node, O(log n) for a search.
 #pragma once
 
 #include <cstdint>
