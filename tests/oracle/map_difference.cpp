@@ -11,10 +11,6 @@ bool is_directed(DefectKind kind) {
   return kind == DefectKind::Duplicate || kind == DefectKind::Open;
 }
 
-bool names_cycles(DefectKind kind) {
-  return is_directed(kind) || kind == DefectKind::Twin || kind == DefectKind::Mixed;
-}
-
 OracleDefect reduced(const MapDefect& defect) {
   OracleDefect result{defect.kind, {}, {}, std::nullopt};
   if (defect.kind != DefectKind::Mixed && defect.kind != DefectKind::Nested) {
@@ -24,7 +20,7 @@ OracleDefect reduced(const MapDefect& defect) {
     }
     std::sort(result.edges.begin(), result.edges.end());
   }
-  if (names_cycles(defect.kind)) result.cycles = defect.cycles;
+  if (defect.kind != DefectKind::Nested) result.cycles = defect.cycles;
   if (defect.kind == DefectKind::Crossing && defect.point) result.point = exact_of(*defect.point);
   return result;
 }

@@ -39,11 +39,13 @@ class Judge {
   void list_uses();
   void add_use(std::uint32_t cycle);
   void infer_outer();
-  std::optional<Cycle> close_chain(Edge start, std::set<Edge>& missing) const;
+  Cycle close_chain(Edge start, std::set<Edge>& missing) const;
+  Edge before_in_cycle(Edge h) const;
   void count_duplicates();
   void count_open();
   void count_twins();
   void count_crossings();
+  std::vector<std::uint32_t> users(const std::vector<Edge>& edges) const;
   void label_components();
   std::vector<Edge> directed() const;
   std::vector<Edge> around(std::uint32_t vertex) const;
@@ -77,6 +79,8 @@ TestMap merged(const TestMap& map) {
   for (std::uint32_t v = 0; v < map.points.size(); ++v) first.emplace(map.points[v], v);
   for (Cycle& cycle : result.cycles) {
     for (std::uint32_t& v : cycle) v = first.at(map.points[v]);
+    cycle.erase(std::unique(cycle.begin(), cycle.end()), cycle.end());
+    while (cycle.size() > 1 && cycle.back() == cycle.front()) cycle.pop_back();
   }
   return result;
 }
@@ -102,18 +106,22 @@ void Judge::add_use(std::uint32_t c) {
   }
 }
 
-// Missing half-edges are walked as faces of the missing ones alone: at each vertex the first one
-// clockwise from where we came. Chains that close clockwise become cycles.
+// Chains of unlisted half-edges are walked so that they stay with the same faces: around a vertex,
+// through listed faces, to the next border. Those that run clockwise become cycles. With duplicate
+// uses "the face at that side" has no meaning, and nothing is inferred.
 void Judge::infer_outer() {
   std::set<Edge> missing;
   for (const auto& [h, cycles] : uses_) {
+    if (cycles.size() > 1) return;
     if (!uses_.contains(reversed(h))) missing.insert(reversed(h));
   }
-  const std::set<Edge> all = missing;
-  for (const Edge& start : all) {
-    if (!missing.contains(start)) continue;
-    const std::optional<Cycle> chain = close_chain(start, missing);
-    if (chain && doubled_area(*chain) < 0) report_.inferred.push_back(*chain);
+  const std::set<Edge> starts(edges_);
+  for (const Edge& e : starts) {
+    for (const Edge& start : {e, reversed(e)}) {
+      if (!missing.contains(start)) continue;
+      const Cycle chain = close_chain(start, missing);
+      if (doubled_area(chain) < 0) report_.inferred.push_back(chain);
+    }
   }
   for (const Cycle& cycle : report_.inferred) {
     map_.cycles.push_back(cycle);
@@ -121,40 +129,40 @@ void Judge::infer_outer() {
   }
 }
 
-std::optional<Cycle> Judge::close_chain(Edge start, std::set<Edge>& missing) const {
+Cycle Judge::close_chain(Edge start, std::set<Edge>& missing) const {
   Cycle chain;
   Edge h = start;
-  do {
-    missing.erase(h);
+  while (missing.erase(h) > 0) {
     chain.push_back(h.first);
-    std::vector<Edge> candidates;
-    for (const Edge& e : missing) {
-      if (e.first == h.second) candidates.push_back(e);
-    }
-    if (h.second == start.first) candidates.push_back(start);
-    if (candidates.empty()) return std::nullopt;
-    const IntegerPoint& v = at(h.second);
-    const auto before = [&](Edge a, Edge b) {  // a is met before b when turning clockwise
-      const bool a_wraps = !angle_less(v, at(a.second), v, at(h.first));
-      const bool b_wraps = !angle_less(v, at(b.second), v, at(h.first));
-      if (a_wraps != b_wraps) return b_wraps;
-      return angle_less(v, at(b.second), v, at(a.second));
-    };
-    h = *std::min_element(candidates.begin(), candidates.end(), before);
-  } while (h != start);
+    h = reversed(h);
+    while (uses_.contains(h)) h = reversed(before_in_cycle(h));
+  }
   return chain;
+}
+
+// The half-edge before a half-edge that is listed once.
+Edge Judge::before_in_cycle(Edge h) const {
+  const Cycle& cycle = map_.cycles[uses_.at(h).front()];
+  for (std::size_t i = 0; i < cycle.size(); ++i) {
+    const std::size_t next = (i + 1) % cycle.size();
+    const std::size_t second = (i + 2) % cycle.size();
+    if (Edge{cycle[next], cycle[second]} == h) return {cycle[i], cycle[next]};
+  }
+  return h;
 }
 
 ExactPoint Judge::unscaled(const ExactPoint& p) const {
   return {p.x / integers_.denominator, p.y / integers_.denominator};
 }
 
+// One defect per use beyond the first; it names the first user and this one.
 void Judge::count_duplicates() {
   for (const auto& [h, cycles] : uses_) {
-    if (cycles.size() < 2) continue;
-    report_.counts.duplicate += cycles.size() - 1;
-    const std::set<std::uint32_t> users(cycles.begin(), cycles.end());
-    report_.defects.push_back({DefectKind::Duplicate, {h}, ascending(users), std::nullopt});
+    for (std::size_t i = 1; i < cycles.size(); ++i) {
+      ++report_.counts.duplicate;
+      report_.defects.push_back(
+          {DefectKind::Duplicate, {h}, ascending({cycles.front(), cycles[i]}), std::nullopt});
+    }
   }
 }
 
@@ -163,8 +171,7 @@ void Judge::count_open() {
   for (const auto& [h, cycles] : uses_) {
     if (uses_.contains(reversed(h))) continue;
     ++report_.counts.open;
-    const std::set<std::uint32_t> users(cycles.begin(), cycles.end());
-    report_.defects.push_back({DefectKind::Open, {h}, ascending(users), std::nullopt});
+    report_.defects.push_back({DefectKind::Open, {h}, {cycles.front()}, std::nullopt});
   }
 }
 
@@ -173,14 +180,14 @@ void Judge::count_twins() {
     const auto there = uses_.find(e);
     const auto back = uses_.find(reversed(e));
     if (there == uses_.end() || back == uses_.end()) continue;
-    const std::set<std::uint32_t> users(there->second.begin(), there->second.end());
+    const std::set<std::uint32_t> forward(there->second.begin(), there->second.end());
     std::set<std::uint32_t> both;
     for (const std::uint32_t c : back->second) {
-      if (users.contains(c)) both.insert(c);
+      if (forward.contains(c)) both.insert(c);
     }
     if (both.empty()) continue;
     ++report_.counts.twin;
-    report_.defects.push_back({DefectKind::Twin, {e}, ascending(both), std::nullopt});
+    report_.defects.push_back({DefectKind::Twin, {e}, {*both.begin()}, std::nullopt});
   }
 }
 
@@ -191,6 +198,17 @@ bool is_common_vertex(const TestMap& map, Edge e, Edge f, const ExactPoint& p) {
   return false;
 }
 
+std::vector<std::uint32_t> Judge::users(const std::vector<Edge>& edges) const {
+  std::set<std::uint32_t> cycles;
+  for (const Edge& e : edges) {
+    for (const Edge& h : {e, reversed(e)}) {
+      const auto found = uses_.find(h);
+      if (found != uses_.end()) cycles.insert(found->second.begin(), found->second.end());
+    }
+  }
+  return ascending(cycles);
+}
+
 void Judge::count_crossings() {
   for (auto e = edges_.begin(); e != edges_.end(); ++e) {
     for (auto f = std::next(e); f != edges_.end(); ++f) {
@@ -199,7 +217,7 @@ void Judge::count_crossings() {
       const ExactPoint first = unscaled(meeting->first);
       if (meeting->first == meeting->last && is_common_vertex(map_, *e, *f, first)) continue;
       ++report_.counts.crossing;
-      report_.defects.push_back({DefectKind::Crossing, {*e, *f}, {}, first});
+      report_.defects.push_back({DefectKind::Crossing, {*e, *f}, users({*e, *f}), first});
     }
   }
 }
@@ -341,7 +359,8 @@ MapVerdict Judge::verdict() const {
   return superposed ? MapVerdict::Superposed : MapVerdict::Valid;
 }
 
-// A clockwise cycle bounds the face that its component lies in; all others bound their own.
+// A clockwise cycle bounds the face that its component lies in; all others bound their own. What
+// lies in a gap (only under Ignore) goes with the unbounded region.
 void Judge::list_regions() {
   std::map<std::uint32_t, std::vector<std::uint32_t>> holes;
   std::vector<std::uint32_t> unbounded;
@@ -352,8 +371,8 @@ void Judge::list_regions() {
       continue;
     }
     const Orbit* around = innermost_around(component_.at(cycle[0]), cycle[0]);
-    if (!around) unbounded.push_back(c);
-    if (around && !around->cycles.empty()) holes[*around->cycles.begin()].push_back(c);
+    const bool in_face = around && !around->cycles.empty();
+    (in_face ? holes[*around->cycles.begin()] : unbounded).push_back(c);
   }
   report_.regions.push_back({std::nullopt, unbounded});
   for (const auto& [outer, inner] : holes) report_.regions.push_back({outer, inner});

@@ -29,8 +29,10 @@ namespace plumb::testing {
 struct OracleDefect {
   DefectKind kind;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  std::vector<std::uint32_t> cycles;  ///< Duplicate, Open, Twin: users; Mixed: S; ascending
-  std::optional<ExactPoint> point;    ///< Crossing: the least common point, by x, then y
+  /// Ascending. Duplicate: the first user and this one; Open: the first user; Crossing: all users
+  /// of both edges; Twin: the least that uses both directions; Mixed: S; Nested: none.
+  std::vector<std::uint32_t> cycles;
+  std::optional<ExactPoint> point;  ///< Crossing: the least common point, by x, then y
   friend bool operator==(const OracleDefect&, const OracleDefect&) = default;
 };
 bool operator<(const OracleDefect& a, const OracleDefect& b);
@@ -42,7 +44,7 @@ struct OracleReport {
   std::size_t components = 0;
   MapDefectCounts counts;
   std::vector<OracleDefect> defects;  ///< all of them, sorted
-  std::vector<MapRegion> regions;     ///< unbounded first, the others by outer cycle
+  std::vector<MapRegion> regions;     ///< only when valid; unbounded first, then by outer cycle
   std::vector<Cycle> inferred;        ///< cycles added under Infer
 };
 
