@@ -1,10 +1,10 @@
 // Checks a list of regions, builds its half-edge structure, then breaks it and asks what is wrong.
+#include "plumb/plane/map_check.h"
+
 #include <cstdint>
 #include <initializer_list>
 #include <iostream>
 #include <span>
-
-#include "plumb/plane/map_check.h"
 
 namespace {
 
