@@ -1,6 +1,7 @@
 #include "plumb/plane/map_contacts.h"
 
 #include <algorithm>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -89,7 +90,9 @@ class ContactCollector final : public SweepVisitor {
   void collect_contacts(const SweepEvent& event);
   void gather_members(const SweepEvent& event);
   void gather_ends();
-  std::uint64_t count_contacts() const;
+  std::uint64_t count_contacts();
+  template <class Bundle>
+  std::uint64_t pairs_with_common_end(const Bundle& bundle);
   void describe_contacts(const SweepEvent& event);
   void describe_across_vertices(const SweepEvent& event);
   void describe_overlaps(const SweepEvent& event);
@@ -189,31 +192,29 @@ void ContactCollector::gather_ends() {
 
 // is_told_here() summed over all pairs, by counting: two edges share at most one vertex, so
 // "share a vertex and no bundle" is a sum over vertices.
-std::uint64_t ContactCollector::count_contacts() const {
-  std::vector<std::uint32_t> bundles;
-  for (const Member& m : members_) {
-    if (m.incoming != kNone) bundles.push_back(m.incoming);
-  }
-  std::sort(bundles.begin(), bundles.end());
-  const auto itself = [](std::uint32_t bundle) { return bundle; };
-  std::uint64_t legal = pairs_in_runs(bundles, itself);
-
-  std::vector<EndHere> ends = ends_;
-  const auto by = [&](auto key) {
-    std::sort(ends.begin(), ends.end(),
-              [&](const EndHere& p, const EndHere& q) { return key(p) < key(q); });
-    return key;
-  };
-  legal += pairs_in_runs(ends, by([](const EndHere& e) { return e.vertex; }));
-  const auto arriving = by([](const EndHere& e) { return std::pair(e.incoming, e.vertex); });
-  const auto first_none =
-      std::find_if(ends.begin(), ends.end(), [](const EndHere& e) { return e.incoming == kNone; });
-  legal -= pairs_in_runs(std::vector<EndHere>(ends.begin(), first_none), arriving);
-  const auto leaving = by([](const EndHere& e) { return std::pair(e.outgoing, e.vertex); });
-  const auto last_some =
-      std::find_if(ends.begin(), ends.end(), [](const EndHere& e) { return e.outgoing == kNone; });
-  legal -= pairs_in_runs(std::vector<EndHere>(ends.begin(), last_some), leaving);
+std::uint64_t ContactCollector::count_contacts() {
+  const auto arrival = [](const Member& m) { return m.incoming; };
+  std::sort(members_.begin(), members_.end(),
+            [&](const Member& p, const Member& q) { return arrival(p) < arrival(q); });
+  const auto arriving = std::find_if(members_.begin(), members_.end(),
+                                     [](const Member& m) { return m.incoming == kNone; });
+  std::uint64_t legal = pairs_in_runs(std::span(members_.begin(), arriving), arrival);
+  legal += pairs_with_common_end([](const EndHere&) { return 0U; });
+  legal -= pairs_with_common_end([](const EndHere& e) { return e.incoming; });
+  legal -= pairs_with_common_end([](const EndHere& e) { return e.outgoing; });
   return pairs(members_.size()) - legal;
+}
+
+// Pairs of edges that end here in one vertex and have the same bundle; without a bundle (kNone) an
+// edge is in no pair.
+template <class Bundle>
+std::uint64_t ContactCollector::pairs_with_common_end(const Bundle& bundle) {
+  const auto key = [&](const EndHere& e) { return std::pair(bundle(e), e.vertex); };
+  std::sort(ends_.begin(), ends_.end(),
+            [&](const EndHere& p, const EndHere& q) { return key(p) < key(q); });
+  const auto last = std::find_if(ends_.begin(), ends_.end(),
+                                 [&](const EndHere& e) { return bundle(e) == kNone; });
+  return pairs_in_runs(std::span(ends_.begin(), last), key);
 }
 
 // ---------------------------------------------------------------- describing
