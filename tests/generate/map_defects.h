@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,9 @@ struct MapDefectMaker {
   std::string name;
   DefectiveMap (*make)(const TestMap& valid, DefectPlace place);
 };
+
+/// Prints the name (GoogleTest looks for it).
+void PrintTo(const MapDefectMaker& maker, std::ostream* out);
 
 /// drop-face, drop-outer, duplicate-face, flip-face, flip-all, move-vertex, t-junction, t-both,
 /// overlap, island, island-open, far-island, far-island-open, frame, spike, alias-vertex,
