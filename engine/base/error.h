@@ -25,6 +25,7 @@ enum class ErrorCode {
   DegenerateFace = 107,
   UnknownFormat = 108,
   Usage = 109,
+  ClosedPipe = 110,  ///< the reader of our output went away: end quietly
   ResourceLimit = 200,
   Cancelled = 201,
   NotFinite = 300,

@@ -1,0 +1,83 @@
+#include "plumb/io/input.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "plumb/base/error.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t kChunk = std::size_t{1} << 20;
+
+[[noreturn]] void fail(const std::string& path) {
+  throw Error(ErrorCode::CannotOpen, std::strerror(errno), {input_name(path)});
+}
+
+class InputFile {
+ public:
+  explicit InputFile(const std::string& path)
+      : fd_(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)), path_(path) {
+    if (fd_ < 0) fail(path_);
+  }
+  ~InputFile() {
+    if (fd_ != STDIN_FILENO) ::close(fd_);
+  }
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  /// The size if the system knows it: a hint, never trusted.
+  std::size_t expected_size() const {
+    struct stat status {};
+    if (::fstat(fd_, &status) != 0 || !S_ISREG(status.st_mode)) return 0;
+    return static_cast<std::size_t>(status.st_size);
+  }
+
+  /// 0 at the end.
+  std::size_t read(char* to, std::size_t most) const {
+    ssize_t got = 0;
+    do {
+      got = ::read(fd_, to, most);
+    } while (got < 0 && errno == EINTR);
+    if (got < 0) fail(path_);
+    return static_cast<std::size_t>(got);
+  }
+
+ private:
+  int fd_;
+  const std::string& path_;
+};
+
+/// Grows `bytes` to `size`, charged first.
+void grow(std::string& bytes, std::size_t size, const std::string& name, Context& context) {
+  context.charge_memory(size - bytes.size(), name);
+  bytes.resize(size);
+}
+
+}  // namespace
+
+std::string input_name(const std::string& path) { return path == "-" ? "stdin" : path; }
+
+std::string read_input(const std::string& path, Context& context) {
+  const InputFile file(path);
+  const std::string name = input_name(path);
+  std::string bytes;
+  std::size_t used = 0;
+  // One byte more than expected, so that an ordinary file ends without growing again.
+  grow(bytes, file.expected_size() + 1, name, context);
+  while (const std::size_t got = file.read(bytes.data() + used, bytes.size() - used)) {
+    used += got;
+    if (used == bytes.size()) grow(bytes, used + std::max(kChunk, used / 2), name, context);
+    context.checkpoint("load", used, std::max(used, file.expected_size()));
+  }
+  context.release_memory(bytes.size() - used);
+  bytes.resize(used);
+  return bytes;
+}
+
+}  // namespace plumb

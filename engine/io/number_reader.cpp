@@ -1,0 +1,195 @@
+#include "plumb/io/number_reader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "plumb/base/error.h"
+
+namespace plumb {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool all_digits(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
+}
+
+bool is_negative(std::string_view token) { return token.starts_with('-'); }
+
+std::string_view without_sign(std::string_view token) {
+  if (token.starts_with('-') || token.starts_with('+')) token.remove_prefix(1);
+  return token;
+}
+
+/// Digits only; may be empty (zero).
+Integer to_integer(std::string_view digits) {
+  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+  Integer value;
+  if (!digits.empty()) mpz_set_str(value.backend().data(), std::string(digits).c_str(), 10);
+  return value;
+}
+
+Integer power_of_ten(std::uint32_t exponent) {
+  Integer value;
+  mpz_ui_pow_ui(value.backend().data(), 10, exponent);
+  return value;
+}
+
+/// A decimal taken apart; no value yet.
+struct Decimal {
+  std::string_view whole;
+  std::string_view fraction;
+  std::int64_t exponent = 0;  // as written; clamped to +-kFarExponent
+  bool well_formed = false;
+};
+
+constexpr std::int64_t kFarExponent = 1'000'000'000'000;
+
+/// "[+-]digits", not empty. More digits than an int64 holds are clamped: every limit is smaller.
+bool parse_exponent(std::string_view text, std::int64_t& exponent) {
+  const std::string_view digits = without_sign(text);
+  if (!all_digits(digits)) return false;
+  const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+  if (result.ec == std::errc::result_out_of_range) exponent = kFarExponent;
+  exponent = std::min(exponent, kFarExponent);
+  if (is_negative(text)) exponent = -exponent;
+  return true;
+}
+
+Decimal take_apart(std::string_view token) {
+  Decimal decimal;
+  std::string_view body = without_sign(token);
+  if (const std::size_t e = body.find_first_of("eE"); e != body.npos) {
+    if (!parse_exponent(body.substr(e + 1), decimal.exponent)) return decimal;
+    body = body.substr(0, e);
+  }
+  const std::size_t point = body.find('.');
+  decimal.whole = body.substr(0, point);
+  if (point != body.npos) decimal.fraction = body.substr(point + 1);
+  const bool whole_fits = decimal.whole.empty() || all_digits(decimal.whole);
+  const bool fraction_fits = decimal.fraction.empty() || all_digits(decimal.fraction);
+  decimal.well_formed =
+      whole_fits && fraction_fits && !(decimal.whole.empty() && decimal.fraction.empty());
+  return decimal;
+}
+
+struct Magnitude {
+  bool zero = true;
+  std::int64_t exponent = 0;  // |value| lies in [10^(exponent-1), 10^exponent)
+};
+
+Magnitude magnitude(const Decimal& decimal) {
+  const auto whole_size = static_cast<std::int64_t>(decimal.whole.size());
+  if (const auto i = decimal.whole.find_first_not_of('0'); i != std::string_view::npos) {
+    return {false, whole_size - static_cast<std::int64_t>(i) + decimal.exponent};
+  }
+  if (const auto i = decimal.fraction.find_first_not_of('0'); i != std::string_view::npos) {
+    return {false, decimal.exponent - static_cast<std::int64_t>(i)};
+  }
+  return {};
+}
+
+constexpr std::string_view kNumber = "a number";
+
+}  // namespace
+
+void ReadNumber::set(Rational value) {
+  exact_ = std::move(value);
+  is_double_ = false;
+}
+
+NumberReader::NumberReader(const Limits& limits, bool exact_decimals, std::size_t file_bytes)
+    : max_digits_(limits.max_number_digits),
+      max_exponent_(limits.max_decimal_exponent),
+      exact_decimals_(exact_decimals),
+      expansion_left_(4 * static_cast<std::uint64_t>(file_bytes) + 32'000'000) {}
+
+void NumberReader::read(const TextCursor& cursor, std::string_view token, ReadNumber& number) {
+  if (token.size() > std::size_t{max_digits_} + 8) {
+    cursor.fail(ErrorCode::NumberOutOfRange,
+                "a number of " + std::to_string(token.size()) + " characters; at most " +
+                    std::to_string(max_digits_) + " digits are read",
+                token.data());
+  }
+  if (all_digits(without_sign(token))) return read_integer(token, number);
+  if (const std::size_t slash = token.find('/'); slash != token.npos) {
+    return read_fraction(cursor, token, slash, number);
+  }
+  return exact_decimals_ ? read_exact_decimal(cursor, token, number)
+                         : read_nearest(cursor, token, number);
+}
+
+void NumberReader::read_integer(std::string_view token, ReadNumber& number) const {
+  constexpr std::size_t kDoubleDigits = 15;  // 10^15 < 2^53
+  const std::string_view digits = without_sign(token);
+  if (digits.size() <= kDoubleDigits) {
+    std::int64_t value = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return number.set(static_cast<double>(is_negative(token) ? -value : value));
+  }
+  Integer value = to_integer(digits);
+  if (is_negative(token)) value.backend().negate();
+  number.set(Rational(value));
+}
+
+void NumberReader::read_fraction(const TextCursor& cursor, std::string_view token,
+                                 std::size_t slash, ReadNumber& number) const {
+  const std::string_view above = without_sign(token.substr(0, slash));
+  const std::string_view below = token.substr(slash + 1);
+  if (!all_digits(above) || !all_digits(below)) cursor.fail_token(token, kNumber);
+  Integer denominator = to_integer(below);
+  if (denominator == 0) {
+    cursor.fail(ErrorCode::NumberOutOfRange, "the denominator is 0", below.data());
+  }
+  Integer numerator = to_integer(above);
+  if (is_negative(token)) numerator.backend().negate();
+  number.set(Rational(numerator, denominator));
+}
+
+void NumberReader::read_nearest(const TextCursor& cursor, std::string_view token,
+                                ReadNumber& number) const {
+  const std::string_view text = token.starts_with('+') ? token.substr(1) : token;
+  double value = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool complete = end == text.data() + text.size();
+  // from_chars also knows "inf" and "nan"; those are not finite and fall through.
+  if (complete && code == std::errc() && std::isfinite(value)) return number.set(value);
+  const Decimal decimal = take_apart(token);
+  if (!decimal.well_formed) cursor.fail_token(token, kNumber);
+  const Magnitude size = magnitude(decimal);
+  if (!size.zero && size.exponent > 0) {
+    cursor.fail(ErrorCode::NumberOutOfRange, quoted(token) + " is larger than the largest double",
+                token.data());
+  }
+  number.set(0.0);  // too small: the nearest double is 0
+}
+
+void NumberReader::read_exact_decimal(const TextCursor& cursor, std::string_view token,
+                                      ReadNumber& number) {
+  const Decimal decimal = take_apart(token);
+  if (!decimal.well_formed) cursor.fail_token(token, kNumber);
+  if (magnitude(decimal).zero) return number.set(0.0);
+  const std::int64_t shift = decimal.exponent - static_cast<std::int64_t>(decimal.fraction.size());
+  const std::uint64_t distance = static_cast<std::uint64_t>(std::abs(shift));
+  if (static_cast<std::uint64_t>(std::abs(decimal.exponent)) > max_exponent_) {
+    cursor.fail(ErrorCode::NumberOutOfRange,
+                "the exponent of " + quoted(token) + " is too large; exact decimals go to e+-" +
+                    std::to_string(max_exponent_),
+                token.data());
+  }
+  if (distance > expansion_left_) {
+    cursor.fail(ErrorCode::ResourceLimit,
+                "the exact decimals of this file expand to too many digits", token.data());
+  }
+  expansion_left_ -= distance;
+  Integer digits = to_integer(std::string(decimal.whole) + std::string(decimal.fraction));
+  if (is_negative(token)) digits.backend().negate();
+  const Integer power = power_of_ten(static_cast<std::uint32_t>(distance));
+  number.set(shift >= 0 ? Rational(Integer(digits * power)) : Rational(digits, power));
+}
+
+}  // namespace plumb

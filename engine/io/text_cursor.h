@@ -1,0 +1,84 @@
+// Walks a line-oriented text: lines, tokens, and the place of every error.
+//
+// Lines end with LF or CRLF; blanks are spaces and tabs; blank lines and lines whose first
+// non-blank is '#' are skipped. Comments must be UTF-8 without control characters. A byte order
+// mark at the start is skipped. Columns count bytes, from 1.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "plumb/base/error.h"
+
+namespace plumb {
+
+class TextCursor {
+ public:
+  /// `text` must outlive the cursor; `name` is the file in messages.
+  TextCursor(std::string_view text, std::string name);
+
+  /// Moves to the first token of the next line that has one; false at the end of the text.
+  /// Requires the current line to be finished (at_line_end()).
+  bool next_line();
+
+  /// Skips blanks; true when the current line has no more tokens.
+  bool at_line_end() {
+    while (p_ != end_ && (*p_ == ' ' || *p_ == '\t')) ++p_;
+    return p_ == end_ || *p_ == '\n' || (*p_ == '\r' && skip_carriage_return());
+  }
+
+  /// The next token: everything up to a blank or the end of the line. Requires !at_line_end().
+  std::string_view token();
+
+  /// Hot path of readers: a token of 1 to 9 digits goes to `value`. Otherwise false, and nothing is
+  /// consumed: take token() then. Requires !at_line_end().
+  bool short_number(std::uint32_t& value) {
+    const char* q = p_;
+    std::uint32_t v = 0;
+    while (q != end_ && *q >= '0' && *q <= '9' && q - p_ < 9) {
+      v = v * 10 + static_cast<std::uint32_t>(*q++ - '0');
+    }
+    if (q == p_ || (q != end_ && !ends_token(*q))) return false;
+    value = v;
+    p_ = q;
+    return true;
+  }
+
+  const char* position() const { return p_; }
+  std::size_t line() const { return line_; }
+  std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - p_); }
+  std::size_t bytes_read() const { return static_cast<std::size_t>(p_ - begin_); }
+
+  /// Throws Error{code} at `where`, a pointer into the current line (default: the position).
+  [[noreturn]] void fail(ErrorCode code, std::string message, const char* where = nullptr) const;
+
+  /// Throws what is wrong with `token`, a token of the current line: its first byte that is no
+  /// text, else Syntax "expected WHAT, found 'TOKEN'".
+  [[noreturn]] void fail_token(std::string_view token, std::string_view what) const;
+
+  static constexpr bool ends_token(char c) {
+    return c == ' ' || c == '\n' || c == '\r' || c == '\t';
+  }
+
+ private:
+  bool skip_carriage_return();
+  void skip_comment();
+  /// Throws NotText at the first byte of `text` that is no text; `text` lies in this line.
+  void require_text(std::string_view text) const;
+
+  const char* begin_;
+  const char* p_;
+  const char* end_;
+  const char* line_begin_;
+  std::size_t line_ = 0;
+  std::string name_;
+};
+
+/// Length of the longest prefix of `text` that is UTF-8 without control characters but tab.
+std::size_t text_prefix(std::string_view text);
+
+/// `token` as shown in a message: in quotes, shortened to 32 bytes at a character's border.
+std::string quoted(std::string_view token);
+
+}  // namespace plumb
