@@ -150,13 +150,13 @@ void MapChecker::trace_faces() {
   context_.checkpoint("faces", 1, 1);
 }
 
-// A component whose outside nobody lists, in a face that somebody lists.
+// A component whose outside is not all listed, in a face that somebody lists.
 void MapChecker::find_nested(const std::vector<std::uint32_t>& parent) {
   const MapOrbits& orbits = findings_.orbits;
   for (std::uint32_t c = 0; c < parent.size(); ++c) {
     if (parent[c] == MapOrbits::kNone) continue;
     const std::uint32_t container = orbits.orbits[parent[c]].cycle;
-    const bool is_listed = orbits.orbits[orbits.outside[c]].cycle != MapOrbits::kNone;
+    const bool is_listed = orbits.orbits[orbits.outside[c]].complete;
     if (container != MapOrbits::kNone && !is_listed) findings_.nested.push_back({c, container});
   }
   counts().nested = findings_.nested.size();

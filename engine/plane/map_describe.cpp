@@ -243,7 +243,8 @@ void DefectWriter::add_nested() {
     if (is_full()) return;
     const std::uint32_t outside = findings_.orbits.outside[nested.component];
     const std::uint32_t h = findings_.orbits.orbits[outside].halfedge;
-    const std::uint32_t inner = edges().cycle_of[h ^ 1U];
+    const bool inside_is_listed = edges().cycle_of[h ^ 1U] != MapEdges::kNoCycle;
+    const std::uint32_t inner = edges().cycle_of[inside_is_listed ? h ^ 1U : h];
     MapDefect defect{DefectKind::Nested, {nested.container, inner}, {directed(h)}, {}, {}, {}};
     defect.hint = "face " + number(inner) + " lies inside face " + number(nested.container) +
                   ", whose hole is not listed: list the clockwise boundary of the island";

@@ -36,6 +36,7 @@ class OrbitTracer {
     bool single_cycle;      // at most one listed cycle has half-edges in it
     std::uint32_t cycle;
     std::uint32_t length;
+    bool complete;
   };
 
   void trace(std::uint32_t start);
@@ -56,20 +57,22 @@ class OrbitTracer {
 void OrbitTracer::trace(std::uint32_t start) {
   const auto id = static_cast<std::uint32_t>(result_.orbits.size());
   const Walk w = walk(start, id);
-  result_.orbits.push_back({w.first, w.cycle, !w.has_outer_corner, is_mixed(w)});
+  result_.orbits.push_back({w.first, w.cycle, !w.has_outer_corner, is_mixed(w), w.complete});
   if (w.has_outer_corner) {
     result_.outside[components_.of_vertex[edges_.origin(w.first)]] = id;
   }
 }
 
 OrbitTracer::Walk OrbitTracer::walk(std::uint32_t start, std::uint32_t id) {
-  Walk w{start, false, true, kNone, 0};
+  Walk w{start, false, true, kNone, 0, true};
   bool is_first = true;
   for (std::uint32_t h = start; is_first || h != start; is_first = false) {
     result_.of_halfedge[h] = id;
     ++w.length;
     const std::uint32_t cycle = edges_.cycle_of[h];
-    if (cycle != kNone) {
+    if (cycle == kNone) {
+      w.complete = false;
+    } else {
       if (w.cycle != kNone && w.cycle != cycle) w.single_cycle = false;
       w.cycle = std::min(w.cycle, cycle);
     }

@@ -19,7 +19,8 @@ struct MapOrbits {
     std::uint32_t halfedge;  ///< one of them, leaving its lexicographically first vertex
     std::uint32_t cycle;     ///< a listed cycle with half-edges in it, or kNone
     bool counterclockwise;
-    bool mixed;  ///< defect: see is_mixed() in map_orbits.cpp
+    bool mixed;     ///< defect: see is_mixed() in map_orbits.cpp
+    bool complete;  ///< every half-edge of it is listed
   };
 
   std::vector<Orbit> orbits;
