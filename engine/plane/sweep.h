@@ -19,9 +19,8 @@
 //  5. take_all_through    other events: walk the status both ways while segments contain the point
 //  6. order_starters      by direction; segments of one direction form a bundle
 //  7. replace_in_status   incoming bundles make room for outgoing ones
-//  8. test_neighbours     two bundles that became neighbours: a crossing is put in the queue, a
-//  touch
-//                         at an end point marks that point as not plain
+//  8. test_neighbours     two bundles that became neighbours: a crossing is queued, a touch marks
+//                         the end point as not plain
 //  9. on_event            the visitor sees the finished event
 //
 // Invariants: neighbours in the status have been tested (8) since they became neighbours; so an
