@@ -6,15 +6,14 @@
 //
 // Main flow of check_map (source: note dcel.pt.txt, with exact and near-linear means):
 //  1. match_twins         bucket the half-edges by their lesser vertex: duplicates, open, twin
-//  2. sweep_map           one Bentley-Ottmann sweep over the undirected edges: every pair that
-//  meets
-//                         anywhere but at a common vertex, the order of edges around each vertex,
-//                         and for the first vertex of each component the edge below it
-//  3. classify_open       chains of open edges: a gap in the coverage, or a missing outer boundary
-//  4. trace_orbits        faces of the induced planar graph (only when 1 and 2 found nothing):
-//                         orbits of next-around-vertex; those mixed of several cycles
+//  2. classify_open       chains of open edges: a gap in the coverage, or a missing outer boundary
+//  3. find_contacts       one sweep over the undirected edges: every pair that meets anywhere but at
+//                         a common vertex, the order of edges around each vertex, and for the first
+//                         vertex of each component the edge below it
+//  4. trace_orbits        faces of the induced planar graph (only when 1 to 3 found nothing): orbits
+//                         of next-around-vertex; those mixed of several cycles
 //  5. nest_components     each component hangs in the face of the edge below its first vertex
-//  6. describe            defects in a fixed order, exact points, hints
+//  6. describe_defects    in a fixed order, exact points, hints
 //
 // Cost: O((n + k) log n) time for n corners and k crossings, O(n + defects kept) memory.
 #pragma once
