@@ -4,14 +4,23 @@ function(plumb_link_headers room dir)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${dir} ${PROJECT_BINARY_DIR}/include/plumb/${room} SYMBOLIC)
 endfunction()
 
-# plumb_compile_options(TARGET): what every translation unit of ours is compiled with.
+# plumb_compile_options(TARGET): what every translation unit of ours is compiled with. Nothing of it
+# reaches a project that links TARGET, but the language standard and a sanitizer's run time.
 function(plumb_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   # a*b+c must not become an FMA: the predicates' error bounds are derived without it.
-  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion
-    # g++ 12 warns wrongly about std::string concatenation (GCC bug 105651).
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
-    $<$<BOOL:${PLUMB_WERROR}>:-Werror>)
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
+  if(PROJECT_IS_TOP_LEVEL)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion
+      # g++ 12 warns wrongly about std::string concatenation (GCC bug 105651).
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+      $<$<BOOL:${PLUMB_WERROR}>:-Werror>)
+  endif()
+  plumb_sanitize(${target})
+endfunction()
+
+function(plumb_sanitize target)
   if(PLUMB_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${PLUMB_SANITIZE} -fno-sanitize-recover=all
       -fno-omit-frame-pointer)
@@ -20,6 +29,25 @@ function(plumb_compile_options target)
   endif()
   if(PLUMB_LIBFUZZER)
     target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
+endfunction()
+
+# plumb_library(TARGET EXPORT_NAME): what both libraries have in common. The public headers need no
+# export macros: which symbols a shared library shows is said once, in plumb.exports.
+function(plumb_library target name)
+  add_library(plumb::${name} ALIAS ${target})
+  plumb_compile_options(${target})
+  set_target_properties(${target} PROPERTIES
+    EXPORT_NAME ${name}
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    VISIBILITY_INLINES_HIDDEN ON
+    POSITION_INDEPENDENT_CODE ON
+    LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/plumb.exports)
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL SHARED_LIBRARY)
+    target_link_options(${target} PRIVATE
+      LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/plumb.exports)
   endif()
 endfunction()
 

@@ -1,0 +1,24 @@
+# install: libraries, headers, CMake config + version file, plumb.pc, the program.
+include(CMakePackageConfigHelpers)
+
+set(plumb_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/plumb)
+
+install(TARGETS plumb_predicates plumb_plumb EXPORT plumbTargets)
+if(PLUMB_BUILD_PROGRAM AND TARGET plumb_program)
+  install(TARGETS plumb_program)
+endif()
+install(DIRECTORY predicates engine/base engine/dcel engine/plane engine/io engine/picture
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb FILES_MATCHING PATTERN "*.h")
+install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+install(EXPORT plumbTargets NAMESPACE plumb:: DESTINATION ${plumb_config_dir})
+configure_package_config_file(cmake/plumbConfig.cmake.in ${PROJECT_BINARY_DIR}/plumbConfig.cmake
+  INSTALL_DESTINATION ${plumb_config_dir} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/plumbConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)  # below 1.0 a minor version may break
+install(FILES ${PROJECT_BINARY_DIR}/plumbConfig.cmake ${PROJECT_BINARY_DIR}/plumbConfigVersion.cmake
+  cmake/FindPlumbGMP.cmake DESTINATION ${plumb_config_dir})
+
+file(RELATIVE_PATH plumb_pc_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(cmake/plumb.pc.in ${PROJECT_BINARY_DIR}/plumb.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/plumb.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

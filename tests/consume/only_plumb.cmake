@@ -1,0 +1,25 @@
+# What a project that links plumb may see of it: the language standard, the one option its headers
+# need, and nothing of how plumb itself is built.
+function(expect_property target property)
+  get_target_property(value ${target} ${property})
+  if(NOT value)
+    set(value "")
+  endif()
+  if(NOT "${value}" STREQUAL "${ARGN}")
+    message(SEND_ERROR "${target} ${property} is '${value}', expected '${ARGN}'")
+  endif()
+endfunction()
+
+expect_property(plumb::plumb INTERFACE_COMPILE_OPTIONS)
+expect_property(plumb::predicates INTERFACE_COMPILE_OPTIONS
+  "$<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-ffp-contract=off>")
+foreach(target plumb::plumb plumb::predicates)
+  expect_property(${target} INTERFACE_COMPILE_FEATURES cxx_std_20)
+  expect_property(${target} INTERFACE_LINK_OPTIONS)
+endforeach()
+if(NOT "${CMAKE_CXX_FLAGS}${CMAKE_CXX_STANDARD}${CMAKE_COMPILE_WARNING_AS_ERROR}" STREQUAL "")
+  message(SEND_ERROR "plumb changes the settings of the project that embeds it")
+endif()
+if(TARGET plumb_program OR TARGET plumb_testing)
+  message(SEND_ERROR "plumb builds its program or tests inside another project")
+endif()
