@@ -1,25 +1,12 @@
 #include "generate/map_families.h"
 
 #include <cmath>
-#include <random>
 
+#include "generate/dice.h"
 #include "generate/segment_maps.h"
 
 namespace plumb::testing {
 namespace {
-
-// Uniform enough for test data, and the same with every standard library.
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : engine_(seed) {}
-  std::int64_t between(std::int64_t low, std::int64_t high) {
-    const auto width = static_cast<std::uint64_t>(high - low) + 1;
-    return low + static_cast<std::int64_t>(engine_() % width);
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 std::uint32_t root(std::uint32_t faces) {
   return static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(faces))));
