@@ -103,7 +103,8 @@ void OrbitTracer::visit_corner(std::uint32_t arriving, std::uint32_t leaving, Wa
 // gap, told as open edges.)
 bool OrbitTracer::is_mixed(const Walk& w) {
   if (w.cycle == kNone) return false;
-  if (w.single_cycle && w.length == map_.cycle(w.cycle).size()) return false;  // one and the same
+  const bool is_the_cycle = w.complete && w.single_cycle && w.length == map_.cycle(w.cycle).size();
+  if (is_the_cycle) return false;
   const bool is_bounded = !w.has_outer_corner;
   if (is_bounded) return !w.single_cycle || cycle_sign(w.cycle) != Sign::Positive;
   if (w.single_cycle) return cycle_sign(w.cycle) == Sign::Positive;

@@ -100,6 +100,8 @@ std::vector<SmallMap> nesting_cases() {
            "4 4\n5 4\n5 5\n4 5\n1 2 3 4\n4 3 2 1\n5 6 7 8\n8 7 6 5\n"
            "9 10 11 12\n12 11 10 9",
        kListed, false, kValid, 0, 0, 0, 0, 0, 0, 3},
+      {"a slit outside its face, ignored outer cycle as long as the face",
+       "4 1\n1 0\n2 2\n0 2\n0 1\n4 1 2 4 3", kIgnore, false, kSuperposed, 0, 0, 0, 1, 1, 0, 1},
       {"nested twice, ignored",
        "12 3\n" + kRing + "4 4\n5 4\n5 5\n4 5\n1 2 3 4\n5 6 7 8\n9 10 11 12", kIgnore, false,
        kSuperposed, 0, 0, 0, 0, 0, 2, 3},

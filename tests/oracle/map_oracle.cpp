@@ -402,6 +402,9 @@ OracleReport Judge::run() {
     count_mixed();
     if (options_.outer == OuterRule::Ignore) count_nested();
   }
+  for (const Edge& e : edges_) {
+    if (at(e.first) == at(e.second)) report_.has_zero_length_edge = true;
+  }
   report_.verdict = verdict();
   if (report_.verdict == MapVerdict::Valid) list_regions();
   std::sort(report_.defects.begin(), report_.defects.end());
@@ -430,15 +433,6 @@ std::string refusal(const TestMap& map, const OracleOptions& options) {
     if (!reason.empty()) return reason;
   }
   return options.merge_vertices ? refusal(merged(map), {options.outer, false}) : "";
-}
-
-bool has_zero_length_edge(const TestMap& map) {
-  for (const Cycle& cycle : map.cycles) {
-    for (std::size_t i = 0; i < cycle.size(); ++i) {
-      if (map.points[cycle[i]] == map.points[cycle[(i + 1) % cycle.size()]]) return true;
-    }
-  }
-  return false;
 }
 
 OracleReport judge(const TestMap& map, const OracleOptions& options) {
