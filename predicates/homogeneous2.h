@@ -1,48 +1,79 @@
 // Points and lines of the plane as integer triples: the Big rung's arithmetic. Internal.
 //
 // Notation: a point P = (X : Y : W) is (X / W, Y / W); a line L = (A : B : C) is A x + B y + C = 0.
-//   join(P, Q) = P x Q     the line through P and Q, its left side positive when W_P W_Q > 0
+//   join(P, Q) = P x Q     the line through P and Q
 //   meet(L, M) = L x M     the point where L and M meet; W = 0 when they are parallel
 //   dot(L, P)              = orient2d(P1, P2, P) W_1 W_2 W_P for L = join(P1, P2)
-// so that with all W > 0 every predicate is the sign of one dot product or of one 2 x 2
-// determinant.
+//   meet(L, M).W           = (P2 - P1) x (Q2 - Q1) W_1 .. W_4 for the joins of P1 P2 and Q1 Q2
+// so that, input points having W > 0, every predicate is the sign of one dot product or of one 2 x 2
+// determinant, times the sign of the W of a constructed point. No gcd, no division, anywhere.
 #pragma once
+
+#include <array>
 
 #include "plumb/predicates/point_table2.h"
 
 namespace plumb::detail {
 
+/// Three integers somewhere: in a table's limb pool, in a Rational, or in Scratch2.
 struct Triple {
-  Integer x;
-  Integer y;
-  Integer w;
+  mpz_srcptr x;
+  mpz_srcptr y;
+  mpz_srcptr w;
 };
 
-/// W > 0. A double point gets the least common power of two as W.
-Triple triple(Point2 p);
-Triple triple(const PointTable2& points, std::uint32_t i);
+/// The working integers of one thread, kept between calls so that a warm Big rung allocates nothing.
+/// Triples it returns are valid until the next fresh() of that thread.
+class Scratch2 {
+ public:
+  /// This thread's scratch with every slot free.
+  static Scratch2& fresh();
 
-inline Triple cross(const Triple& p, const Triple& q) {
-  return {p.y * q.w - p.w * q.y, p.w * q.x - p.x * q.w, p.x * q.y - p.y * q.x};
-}
-inline Triple join(const Triple& p, const Triple& q) { return cross(p, q); }
-inline Triple meet(const Triple& l, const Triple& m) { return cross(l, m); }
+  Scratch2();
+  ~Scratch2();
+  Scratch2(const Scratch2&) = delete;
+  Scratch2& operator=(const Scratch2&) = delete;
 
-inline Sign integer_sign(const Integer& n) { return sign_of(n.sign()); }
+  Triple point(Point2 p);  ///< W is the least power of two that serves
+  Triple point(const RationalPoint2& p);
+  Triple point(const PointTable2& points, std::uint32_t i);
+  Triple cross(const Triple& p, const Triple& q);
+  Triple line(const PointTable2& points, std::uint32_t i, std::uint32_t j) {
+    return cross(point(points, i), point(points, j));
+  }
+  Triple point(const PointTable2& points, const Crossing2& p) {
+    return cross(line(points, p.a, p.b), line(points, p.c, p.d));
+  }
 
-inline Sign dot_sign(const Triple& l, const Triple& p) {
-  return integer_sign(l.x * p.x + l.y * p.y + l.w * p.w);
-}
+  Sign dot_sign(const Triple& l, const Triple& p);
+  /// Order of p / pw and q / qw; nonzero denominators of any sign.
+  Sign compare_quotients(mpz_srcptr p, mpz_srcptr pw, mpz_srcptr q, mpz_srcptr qw);
+  Sign compare_xy(const Triple& p, const Triple& q);
 
-/// Order of p / pw and q / qw for nonzero denominators of any sign.
-inline Sign compare_quotients(const Integer& p, const Integer& pw, const Integer& q,
-                              const Integer& qw) {
-  return integer_sign(p * qw - q * pw) * integer_sign(pw) * integer_sign(qw);
-}
+ private:
+  struct Slot {
+    mpz_t x, y, w;
+    HomogeneousView2 view;
+  };
+  /// Two crossings take 8 points, 4 lines and themselves.
+  static constexpr std::size_t kSlots = 14;
+  /// Coordinates longer than this make the next fresh() hand the memory back.
+  static constexpr std::size_t kLongLimbs = 64;
 
-inline Sign compare_xy(const Triple& p, const Triple& q) {
-  const Sign by_x = compare_quotients(p.x, p.w, q.x, q.w);
-  return by_x != Sign::Zero ? by_x : compare_quotients(p.y, p.w, q.y, q.w);
-}
+  Slot& next() { return slots_[used_++]; }
+  Triple own(const Slot& slot) { return {slot.x, slot.y, slot.w}; }
+  void note_length(mpz_srcptr n) { is_long_ = is_long_ || mpz_size(n) > kLongLimbs; }
+  void shrink();
+
+  std::array<Slot, kSlots> slots_;
+  mpz_t sum_;
+  std::size_t used_ = 0;
+  bool is_long_ = false;
+};
+
+inline Sign sign_of_mpz(mpz_srcptr n) { return sign_of(mpz_sgn(n)); }
+
+/// n / d as a public number.
+Rational to_rational(mpz_srcptr n, mpz_srcptr d);
 
 }  // namespace plumb::detail
