@@ -5,8 +5,8 @@
 //   meet(L, M) = L x M     the point where L and M meet; W = 0 when they are parallel
 //   dot(L, P)              = orient2d(P1, P2, P) W_1 W_2 W_P for L = join(P1, P2)
 //   meet(L, M).W           = (P2 - P1) x (Q2 - Q1) W_1 .. W_4 for the joins of P1 P2 and Q1 Q2
-// so that, input points having W > 0, every predicate is the sign of one dot product or of one 2 x 2
-// determinant, times the sign of the W of a constructed point. No gcd, no division, anywhere.
+// so that, input points having W > 0, every predicate is the sign of one dot product or of one 2 x
+// 2 determinant, times the sign of the W of a constructed point. No gcd, no division, anywhere.
 #pragma once
 
 #include <array>
@@ -15,15 +15,15 @@
 
 namespace plumb::detail {
 
-/// Three integers somewhere: in a table's limb pool, in a Rational, or in Scratch2.
+/// Three integers somewhere: in a table's limb pool or in Scratch2.
 struct Triple {
   mpz_srcptr x;
   mpz_srcptr y;
   mpz_srcptr w;
 };
 
-/// The working integers of one thread, kept between calls so that a warm Big rung allocates nothing.
-/// Triples it returns are valid until the next fresh() of that thread.
+/// The working integers of one thread, kept between calls so that a warm Big rung allocates
+/// nothing. Triples it returns are valid until the next fresh() of that thread.
 class Scratch2 {
  public:
   /// This thread's scratch with every slot free.

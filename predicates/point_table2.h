@@ -3,22 +3,16 @@
 // crossing of two lines through such points, kept implicit.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "plumb/predicates/point.h"
-#include "plumb/predicates/rational.h"
+#include "plumb/predicates/rational_point.h"
 #include "plumb/predicates/sign.h"
 
 namespace plumb {
-
-/// An exact point for output.
-struct RationalPoint2 {
-  Rational x;
-  Rational y;
-  friend bool operator==(const RationalPoint2&, const RationalPoint2&) = default;
-};
 
 /// Read-only view of an exact point as integers X : Y : W, W > 0; the point is (X / W, Y / W).
 /// Valid until the table grows.
@@ -66,13 +60,16 @@ class PointTable2 {
   std::vector<mp_limb_t> limbs_;
 };
 
-/// Lexicographic order (x, then y) of points i and j.
+/// Lexicographic order (x, then y) of points i and j. compare_xy(i, j) = -compare_xy(j, i);
+/// transitive; Zero iff the points are equal.
 Sign compare_xy(const PointTable2& points, std::uint32_t i, std::uint32_t j);
 
-/// Positive when i, j, k turn left (counter-clockwise), Zero when collinear.
+/// Positive when i, j, k turn left (counter-clockwise), Zero when collinear. Swapping two
+/// arguments flips the sign, a cyclic shift keeps it.
 Sign orient2d(const PointTable2& points, std::uint32_t i, std::uint32_t j, std::uint32_t k);
 
-/// Sign of the cross product (b - a) x (d - c).
+/// Sign of the cross product (b - a) x (d - c): Positive when d - c points left of b - a, Zero when
+/// parallel or either is zero. cross_sign(a, b, a, c) = orient2d(a, b, c).
 Sign cross_sign(const PointTable2& points, std::uint32_t a, std::uint32_t b, std::uint32_t c,
                 std::uint32_t d);
 
@@ -84,17 +81,118 @@ struct Crossing2 {
   double radius;  ///< |exact - approximation| <= radius in both coordinates; may be +inf
 };
 
+/// Never exact arithmetic: about 20 ns.
 Crossing2 make_crossing(const PointTable2& points, std::uint32_t a, std::uint32_t b,
                         std::uint32_t c, std::uint32_t d);
 
-/// Lexicographic order of constructed points.
+/// Lexicographic order of a constructed point and point i, or of two constructed points: one order
+/// with compare_xy(points, i, j), total on the points of both kinds.
 Sign compare_xy(const PointTable2& points, const Crossing2& p, std::uint32_t i);
 Sign compare_xy(const PointTable2& points, const Crossing2& p, const Crossing2& q);
 
-/// Side of the line i -> j on which the crossing lies; Positive = left.
+/// Side of the line i -> j on which the crossing lies; Positive = left. Zero without arithmetic for
+/// the two lines that define it, given by the same indices. Requires points i and j to differ.
 Sign orient2d(const PointTable2& points, std::uint32_t i, std::uint32_t j, const Crossing2& p);
 
 /// The exact coordinates, for output.
 RationalPoint2 exact(const PointTable2& points, const Crossing2& p);
+
+/// The rungs behind the predicates above, each callable on its own. Filters answer from the cached
+/// doubles; Exact rungs compute in fixed-width integers and are Unsure for points that are not
+/// doubles or whose exponents are spread too far; Big rungs always know.
+namespace rung {
+
+FilteredSign compare_xy_filter(const PointTable2& points, std::uint32_t i, std::uint32_t j);
+FilteredSign orient2d_filter(const PointTable2& points, std::uint32_t i, std::uint32_t j,
+                             std::uint32_t k);
+FilteredSign cross_sign_filter(const PointTable2& points, std::uint32_t a, std::uint32_t b,
+                               std::uint32_t c, std::uint32_t d);
+FilteredSign compare_xy_filter(const PointTable2& points, const Crossing2& p, std::uint32_t i);
+FilteredSign compare_xy_filter(const Crossing2& p, const Crossing2& q);
+FilteredSign orient2d_filter(const PointTable2& points, std::uint32_t i, std::uint32_t j,
+                             const Crossing2& p);
+
+FilteredSign compare_xy_exact(const PointTable2& points, const Crossing2& p, std::uint32_t i);
+FilteredSign compare_xy_exact(const PointTable2& points, const Crossing2& p, const Crossing2& q);
+FilteredSign orient2d_exact(const PointTable2& points, std::uint32_t i, std::uint32_t j,
+                            const Crossing2& p);
+
+Sign compare_xy_big(const PointTable2& points, std::uint32_t i, std::uint32_t j);
+Sign orient2d_big(const PointTable2& points, std::uint32_t i, std::uint32_t j, std::uint32_t k);
+Sign cross_sign_big(const PointTable2& points, std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                    std::uint32_t d);
+Sign compare_xy_big(const PointTable2& points, const Crossing2& p, std::uint32_t i);
+Sign compare_xy_big(const PointTable2& points, const Crossing2& p, const Crossing2& q);
+Sign orient2d_big(const PointTable2& points, std::uint32_t i, std::uint32_t j, const Crossing2& p);
+
+}  // namespace rung
+
+namespace detail {
+
+/// The ladders below the inlined filters.
+Sign compare_xy_unsure(const PointTable2& points, std::uint32_t i, std::uint32_t j);
+Sign orient2d_mixed(const PointTable2& points, std::uint32_t i, std::uint32_t j, std::uint32_t k);
+Sign cross_sign_mixed(const PointTable2& points, std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                      std::uint32_t d);
+Sign compare_xy_unsure(const PointTable2& points, const Crossing2& p, std::uint32_t i);
+Sign compare_xy_unsure(const PointTable2& points, const Crossing2& p, const Crossing2& q);
+
+/// Sign of p - q when they are more than `radius` apart. Requires |p| < 2^303 or radius = +inf, and
+/// radius >= 2^-300. The computed difference is off by a factor of 1 + 2^-52 in any rounding mode
+/// and by 2^-1020 under FTZ/DAZ: the factor covers both, and the roundings of `radius`.
+inline FilteredSign compare_apart(double p, double q, double radius) {
+  const double difference = p - q;
+  if (!(std::fabs(difference) > 1.0001 * radius)) return FilteredSign::Unsure;
+  return difference > 0 ? FilteredSign::Positive : FilteredSign::Negative;
+}
+
+}  // namespace detail
+
+/// Rounding to nearest and clamping are monotone, and so is flushing: approximations seen in strict
+/// order prove the points in that order, of whatever kind they are.
+inline FilteredSign rung::compare_xy_filter(const PointTable2& points, std::uint32_t i,
+                                            std::uint32_t j) {
+  const Point2 p = points.approx(i);
+  const Point2 q = points.approx(j);
+  if (p.x < q.x) return FilteredSign::Negative;
+  if (p.x > q.x) return FilteredSign::Positive;
+  return FilteredSign::Unsure;
+}
+
+inline Sign compare_xy(const PointTable2& points, std::uint32_t i, std::uint32_t j) {
+  const FilteredSign f = rung::compare_xy_filter(points, i, j);
+  return is_decided(f) ? decided(f) : detail::compare_xy_unsure(points, i, j);
+}
+
+inline Sign orient2d(const PointTable2& points, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+  return detail::orient2d_mixed(points, i, j, k);
+}
+
+inline Sign cross_sign(const PointTable2& points, std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                       std::uint32_t d) {
+  return detail::cross_sign_mixed(points, a, b, c, d);
+}
+
+/// A coordinate that is no double is within 2^-53 of its size from its approximation, or is clamped
+/// and then further out than any finite radius reaches.
+inline FilteredSign rung::compare_xy_filter(const PointTable2& points, const Crossing2& p,
+                                            std::uint32_t i) {
+  const double x = points.approx(i).x;
+  return plumb::detail::compare_apart(p.x, x, p.radius + 0x1p-52 * std::fabs(x));
+}
+
+inline FilteredSign rung::compare_xy_filter(const Crossing2& p, const Crossing2& q) {
+  return plumb::detail::compare_apart(p.x, q.x, p.radius + q.radius);
+}
+
+inline Sign compare_xy(const PointTable2& points, const Crossing2& p, std::uint32_t i) {
+  const FilteredSign f = rung::compare_xy_filter(points, p, i);
+  return is_decided(f) ? decided(f) : detail::compare_xy_unsure(points, p, i);
+}
+
+inline Sign compare_xy(const PointTable2& points, const Crossing2& p, const Crossing2& q) {
+  const FilteredSign f = rung::compare_xy_filter(p, q);
+  return is_decided(f) ? decided(f) : detail::compare_xy_unsure(points, p, q);
+}
 
 }  // namespace plumb

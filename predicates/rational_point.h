@@ -1,0 +1,23 @@
+// Points with exact rational coordinates, for output, readers and oracles.
+#pragma once
+
+#include "plumb/predicates/rational.h"
+
+namespace plumb {
+
+/// An exact point of the plane.
+struct RationalPoint2 {
+  Rational x;
+  Rational y;
+  friend bool operator==(const RationalPoint2&, const RationalPoint2&) = default;
+};
+
+/// An exact point of space.
+struct RationalPoint3 {
+  Rational x;
+  Rational y;
+  Rational z;
+  friend bool operator==(const RationalPoint3&, const RationalPoint3&) = default;
+};
+
+}  // namespace plumb
