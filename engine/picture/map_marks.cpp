@@ -1,0 +1,194 @@
+#include "plumb/picture/map_marks.h"
+
+#include <cmath>
+#include <set>
+
+#include "plumb/picture/map_style.h"
+#include "plumb/picture/svg_text.h"
+
+namespace plumb {
+namespace {
+
+constexpr double kGroupRadius = 32;  // picture units
+constexpr double kLabelHeight = 24;
+constexpr double kLabelFont = 16;
+constexpr double kNumberFont = 14;
+constexpr double kArrowFrom = 34;  // shortest edge with a direction
+constexpr std::size_t kMaxVertexNumbers = 16;
+
+std::string move_line(Point2 a, Point2 b) {
+  return "M" + svg_number(a.x) + " " + svg_number(a.y) + "L" + svg_number(b.x) + " " +
+         svg_number(b.y);
+}
+
+double distance(Point2 a, Point2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+/// A small arrow head in the middle of a directed edge.
+std::string arrow(Point2 a, Point2 b) {
+  const double length = distance(a, b);
+  if (length < kArrowFrom) return {};
+  const Point2 d = {(b.x - a.x) / length, (b.y - a.y) / length};
+  const Point2 tip = {(a.x + 2 * b.x) / 3 + 5 * d.x, (a.y + 2 * b.y) / 3 + 5 * d.y};
+  const Point2 l = {tip.x - 11 * d.x + 6 * d.y, tip.y - 11 * d.y - 6 * d.x};
+  const Point2 r = {tip.x - 11 * d.x - 6 * d.y, tip.y - 11 * d.y + 6 * d.x};
+  return move_line(l, tip) + "L" + svg_number(r.x) + " " + svg_number(r.y);
+}
+
+bool is_directed(DefectKind kind) {
+  return kind == DefectKind::Duplicate || kind == DefectKind::Open;
+}
+
+Point2 nearest_in(const Rectangle& r, Point2 p) {
+  return {std::clamp(p.x, r.left, r.right), std::clamp(p.y, r.top, r.bottom)};
+}
+
+}  // namespace
+
+std::string group_label(const std::vector<std::size_t>& members) {
+  const std::string first = std::to_string(members.front() + 1);
+  const std::string last = std::to_string(members.back() + 1);
+  if (members.size() == 1) return first;
+  if (members.size() == 2) return first + ", " + last;
+  if (members.back() - members.front() + 1 == members.size()) return first + "\xE2\x80\x93" + last;
+  return first + " +" + std::to_string(members.size() - 1);
+}
+
+MapMarks::MapMarks(const MapReport& report, const Plane& plane)
+    : report_(report), plane_(plane), count_(std::min(report.defects.size(), kMaxMarks)) {}
+
+std::size_t MapMarks::paint(const View& view, Detail detail, LabelPlacer& room,
+                            std::ostream& out) const {
+  paint_edges(view, detail, out);
+  paint_warnings(view, out);
+  paint_symbols(view, detail, room, out);
+  const std::size_t left_out = paint_labels(view, room, out);
+  if (detail == Detail::Closeup) paint_vertex_numbers(view, room, out);
+  return left_out;
+}
+
+void MapMarks::paint_edges(const View& view, Detail detail, std::ostream& out) const {
+  for (const DefectStyle& style : defect_styles()) {
+    std::string path, arrows;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const MapDefect& defect = report_.defects[i];
+      if (defect.kind != style.kind) continue;
+      for (const MapEdge& e : defect.edges) {
+        const auto seen = view.clipped(plane_.at(e.from), plane_.at(e.to));
+        if (!seen) continue;
+        const Point2 a = view.place(seen->first), b = view.place(seen->second);
+        path += move_line(a, b);
+        if (detail == Detail::Closeup && is_directed(style.kind)) arrows += arrow(a, b);
+      }
+    }
+    if (path.empty()) continue;
+    out << "<path class=\"halo\" d=\"" << path << "\"/>\n<path class=\"bad\" stroke=\""
+        << style.colour << "\" d=\"" << path << arrows << "\"/>\n";
+  }
+}
+
+void MapMarks::paint_warnings(const View& view, std::ostream& out) const {
+  std::string inferred;
+  for (std::size_t i = 0; i < std::min(report_.warnings.size(), kMaxMarks); ++i) {
+    const MapWarning& w = report_.warnings[i];
+    if (w.kind == WarningKind::InferredOuter) {
+      if (w.vertex >= report_.map.cycle_count()) continue;
+      const auto ring = plane_.ring(w.vertex);
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const auto seen = view.clipped(ring[k], ring[k + 1 < ring.size() ? k + 1 : 0]);
+        if (!seen) continue;
+        const Point2 a = view.place(seen->first), b = view.place(seen->second);
+        if (distance(a, b) >= 0.5) inferred += move_line(a, b);
+      }
+      continue;
+    }
+    const Point2 p = view.place(plane_.at(w.vertex));
+    if (!view.frame().contains(p)) continue;
+    out << "<circle class=\"warning\" cx=\"" << svg_number(p.x) << "\" cy=\"" << svg_number(p.y)
+        << "\" r=\"5\"/>\n";
+  }
+  if (!inferred.empty()) out << "<path class=\"inferred\" d=\"" << inferred << "\"/>\n";
+}
+
+void MapMarks::paint_symbols(const View& view, Detail detail, LabelPlacer& room,
+                             std::ostream& out) const {
+  const double radius = detail == Detail::Closeup ? 7 : count_ <= 100 ? 6 : 4.5;
+  out << "<g class=\"marks\">\n";
+  for (std::size_t i = count_; i-- > 0;) {  // the first ones on top
+    const Point2 seen = view.place(place(i));
+    const bool is_inside = view.frame().contains(seen);
+    if (!is_inside && detail == Detail::Closeup) continue;
+    const Point2 p = nearest_in(view.frame(), seen);
+    out << symbol(style_of(report_.defects[i].kind), p, radius) << '\n';
+    room.avoid(Rectangle::around(p, radius, radius));
+  }
+  out << "</g>\n";
+}
+
+/// Each defect joins the first group whose anchor is near.
+std::vector<DefectGroup> MapMarks::grouped(const View& view) const {
+  std::vector<DefectGroup> groups;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Point2 p = view.place(place(i));
+    if (!view.frame().contains(p)) continue;
+    const auto is_near = [p](const DefectGroup& g) { return distance(g.anchor, p) < kGroupRadius; };
+    const auto group = std::find_if(groups.begin(), groups.end(), is_near);
+    if (group != groups.end()) {
+      group->members.push_back(i);
+    } else {
+      groups.push_back({p, {i}});
+    }
+  }
+  return groups;
+}
+
+std::string MapMarks::label_colour(const DefectGroup& group) const {
+  const DefectKind kind = report_.defects[group.members.front()].kind;
+  for (const std::size_t i : group.members) {
+    if (report_.defects[i].kind != kind) return kMixedInk;
+  }
+  return style_of(kind).colour;
+}
+
+std::size_t MapMarks::paint_labels(const View& view, LabelPlacer& room, std::ostream& out) const {
+  std::size_t written = 0, left_out = 0;
+  for (const DefectGroup& group : grouped(view)) {
+    const std::string text = group_label(group.members);
+    const double width = text_width(text, kLabelFont) + 14;
+    const auto box =
+        written < kMaxLabels ? room.place(group.anchor, width, kLabelHeight, 13) : std::nullopt;
+    if (!box) {
+      ++left_out;
+      continue;
+    }
+    ++written;
+    const std::string line = move_line(group.anchor, nearest_in(*box, group.anchor));
+    out << "<path class=\"lead\" d=\"" << line << "\"/><rect class=\"tag\" " << svg_box(*box)
+        << " rx=\"6\" fill=\"" << label_colour(group) << "\"/><text class=\"number\" x=\""
+        << svg_number(box->centre().x) << "\" y=\"" << svg_number(box->centre().y + 5.7) << "\">"
+        << text << "</text>\n";
+  }
+  return left_out;
+}
+
+void MapMarks::paint_vertex_numbers(const View& view, LabelPlacer& room, std::ostream& out) const {
+  std::set<std::uint32_t> vertices;
+  for (std::size_t i = 0; i < count_ && vertices.size() < kMaxVertexNumbers; ++i) {
+    for (const MapEdge& e : report_.defects[i].edges) {
+      for (const std::uint32_t v : {e.from, e.to}) {
+        if (view.frame().contains(view.place(plane_.at(v)))) vertices.insert(v);
+      }
+    }
+  }
+  for (const std::uint32_t v : vertices) {
+    const Point2 p = view.place(plane_.at(v));
+    out << "<circle class=\"vertex\" cx=\"" << svg_number(p.x) << "\" cy=\"" << svg_number(p.y)
+        << "\" r=\"2.6\"/>";
+    const std::string text = std::to_string(v + 1);
+    const auto box = room.place(p, text_width(text, kNumberFont), kNumberFont, 6);
+    if (!box) continue;
+    out << "<text class=\"vertex-number\" x=\"" << svg_number(box->centre().x) << "\" y=\""
+        << svg_number(box->centre().y + 5) << "\">" << text << "</text>\n";
+  }
+}
+
+}  // namespace plumb

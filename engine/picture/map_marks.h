@@ -1,0 +1,55 @@
+// Defects and warnings drawn over a view of the map.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "plumb/picture/label_place.h"
+#include "plumb/picture/view.h"
+#include "plumb/plane/map_check.h"
+
+namespace plumb {
+
+inline constexpr std::size_t kMaxMarks = 5000;  // defects drawn
+inline constexpr std::size_t kMaxLabels = 80;   // per view
+
+enum class Detail {
+  Overview,
+  Closeup,  ///< with vertex numbers and the directions of directed edges
+};
+
+/// Numbers of neighbouring defects under one label. Defects are numbered from 1 as in the report.
+struct DefectGroup {
+  Point2 anchor;                     ///< of the first, picture units
+  std::vector<std::size_t> members;  ///< indices into the report, ascending
+};
+
+/// "3", "3-7", "3, 9" or, for many, "3 +6": what is written on the label of a group.
+std::string group_label(const std::vector<std::size_t>& members);
+
+class MapMarks {
+ public:
+  MapMarks(const MapReport& report, const Plane& plane);
+
+  /// Draws all that lies in the view. Returns the number of groups left without a label.
+  std::size_t paint(const View& view, Detail detail, LabelPlacer& room, std::ostream& out) const;
+
+  std::size_t drawn() const { return count_; }
+  Point2 place(std::size_t defect) const { return plane_.at(report_.defects[defect].near); }
+
+ private:
+  void paint_edges(const View& view, Detail detail, std::ostream& out) const;
+  void paint_warnings(const View& view, std::ostream& out) const;
+  void paint_symbols(const View& view, Detail detail, LabelPlacer& room, std::ostream& out) const;
+  void paint_vertex_numbers(const View& view, LabelPlacer& room, std::ostream& out) const;
+  std::size_t paint_labels(const View& view, LabelPlacer& room, std::ostream& out) const;
+  std::string label_colour(const DefectGroup& group) const;
+  std::vector<DefectGroup> grouped(const View& view) const;
+
+  const MapReport& report_;
+  const Plane& plane_;
+  std::size_t count_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,127 @@
+#include "plumb/picture/map_paint.h"
+
+#include <cmath>
+#include <numeric>
+
+#include "plumb/picture/map_style.h"
+#include "plumb/picture/svg_text.h"
+
+namespace plumb {
+namespace {
+
+constexpr double kVisible = 1.2;  // picture units: smaller faces are only a tint
+constexpr double kCell = 2;       // of the tint
+
+double signed_area(const Plane& plane, std::span<const std::uint32_t> cycle) {
+  const Point2 o = plane.at(cycle[0]);
+  double sum = 0;
+  for (std::size_t i = 1; i + 1 < cycle.size(); ++i) {
+    const Point2 p = plane.at(cycle[i]), q = plane.at(cycle[i + 1]);
+    sum += (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
+  }
+  return sum / 2;
+}
+
+/// The picture in small cells; which of them hold faces too small to be drawn.
+class Tint {
+ public:
+  explicit Tint(const Rectangle& frame)
+      : frame_(frame),
+        columns_(static_cast<std::size_t>(frame.width() / kCell) + 1),
+        marked_(columns_ * (static_cast<std::size_t>(frame.height() / kCell) + 1)) {}
+
+  void mark(Point2 p) {
+    if (!frame_.contains(p)) return;
+    const auto x = static_cast<std::size_t>((p.x - frame_.left) / kCell);
+    const auto y = static_cast<std::size_t>((p.y - frame_.top) / kCell);
+    marked_[y * columns_ + x] = true;
+    is_empty_ = false;
+  }
+
+  /// One path of all runs of marked cells.
+  void write(std::ostream& out) const {
+    if (is_empty_) return;
+    out << "<path class=\"tiny\" d=\"";
+    for (std::size_t i = 0; i < marked_.size(); ++i) {
+      if (!marked_[i]) continue;
+      const std::size_t begin = i;
+      while ((i + 1) % columns_ != 0 && marked_[i + 1]) ++i;
+      write_run(begin, i + 1 - begin, out);
+    }
+    out << "\"/>\n";
+  }
+
+ private:
+  void write_run(std::size_t begin, std::size_t length, std::ostream& out) const {
+    const double x = frame_.left + static_cast<double>(begin % columns_) * kCell;
+    const double y = frame_.top + static_cast<double>(begin / columns_) * kCell;
+    out << 'M' << svg_number(x) << ' ' << svg_number(y) << 'h'
+        << svg_number(static_cast<double>(length) * kCell) << "v2h-"
+        << svg_number(static_cast<double>(length) * kCell) << 'z';
+  }
+
+  Rectangle frame_;
+  std::size_t columns_;
+  std::vector<bool> marked_;
+  bool is_empty_ = true;
+};
+
+Rectangle box_of(const std::vector<Point2>& ring) {
+  Rectangle box = Rectangle::around(ring[0], 0, 0);
+  for (const Point2& p : ring) box.include(p);
+  return box;
+}
+
+PathData path_of(const View& view, const std::vector<Point2>& ring) {
+  PathData path;
+  path.move_to(view.place(ring[0]));
+  for (std::size_t i = 1; i < ring.size(); ++i) path.line_to(view.place(ring[i]));
+  path.close();
+  return path;
+}
+
+}  // namespace
+
+Painter::Painter(const Plane& plane)
+    : plane_(plane), colour_(colour_cycles(plane.map())), order_(colour_.size()) {
+  std::vector<double> key(colour_.size());
+  for (std::size_t c = 0; c < key.size(); ++c) {
+    const double area = signed_area(plane, plane.map().cycle(c));
+    // The same cycle listed both ways may get areas that differ by rounding.
+    key[c] = area < 0 ? area * -(1 + 1e-9) : area;
+    if (area < 0) colour_[c] = kTints;
+  }
+  std::iota(order_.begin(), order_.end(), 0U);
+  std::stable_sort(order_.begin(), order_.end(),
+                   [&key](std::uint32_t a, std::uint32_t b) { return key[a] > key[b]; });
+}
+
+PaintCounts Painter::paint(const View& view, const PaintLimits& limits, std::ostream& out) const {
+  PaintCounts counts;
+  Tint tiny(view.frame());
+  std::size_t points = 0;
+  out << "<g class=\"faces\" transform=\"scale(.1)\">\n";
+  for (const std::uint32_t c : order_) {
+    const std::vector<Point2> ring = plane_.ring(c);
+    const Rectangle box = box_of(ring);
+    if (!view.window().overlaps(box)) continue;
+    const double size = std::max(box.width(), box.height()) * view.scale();
+    const bool is_full = points > limits.points || counts.drawn >= limits.polygons;
+    if (size < kVisible || is_full) {
+      ++(size < kVisible ? counts.tiny : counts.left_out);
+      if (colour_[c] != kTints) tiny.mark(view.place(box.centre()));
+      continue;
+    }
+    const std::vector<Point2> seen = view.window().contains(box) ? ring : view.clipped(ring);
+    if (seen.size() < 2) continue;
+    const PathData path = path_of(view, seen);
+    points += path.points();
+    ++counts.drawn;
+    out << "<path class=\"t" << int{colour_[c]} << "\" d=\"" << path.data() << "\"/>\n";
+  }
+  out << "</g>\n";
+  tiny.write(out);
+  return counts;
+}
+
+}  // namespace plumb

@@ -1,0 +1,40 @@
+// Painting the faces of a map into a view.
+#pragma once
+
+#include <cstdint>
+#include <ostream>
+#include <vector>
+
+#include "plumb/picture/view.h"
+
+namespace plumb {
+
+/// What a view may hold.
+struct PaintLimits {
+  std::size_t points = 400000;
+  std::size_t polygons = 60000;
+};
+
+/// What became of the cycles.
+struct PaintCounts {
+  std::size_t drawn = 0;
+  std::size_t tiny = 0;      ///< smaller than can be seen: a grey tint where they lie
+  std::size_t left_out = 0;  ///< beyond the limits: grey tint as well
+};
+
+/// Cycles by decreasing area, a clockwise one before counter-clockwise ones of the same area; with
+/// their tints. Kept for several views.
+class Painter {
+ public:
+  explicit Painter(const Plane& plane);
+
+  /// Writes the faces seen in `view`, clockwise cycles in the colour of the background.
+  PaintCounts paint(const View& view, const PaintLimits& limits, std::ostream& out) const;
+
+ private:
+  const Plane& plane_;
+  std::vector<std::uint8_t> colour_;  ///< kTints: clockwise
+  std::vector<std::uint32_t> order_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,380 @@
+#include "plumb/picture/map_svg.h"
+
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "plumb/picture/map_insets.h"
+#include "plumb/picture/map_marks.h"
+#include "plumb/picture/map_paint.h"
+#include "plumb/picture/map_style.h"
+#include "plumb/picture/svg_text.h"
+
+namespace plumb {
+namespace {
+
+constexpr double kWidth = 1000;
+constexpr double kMargin = 24;
+constexpr double kColumn = kWidth - 2 * kMargin;
+constexpr double kLeastMapHeight = 0.42 * kColumn;
+constexpr double kMostMapHeight = 1.05 * kColumn;
+constexpr double kMapPadding = 22;
+constexpr std::size_t kInsetsInRow = 3;
+constexpr double kInsetGap = 18;
+constexpr double kInsetWidth = (kColumn - 2 * kInsetGap) / 3;
+constexpr double kInsetHeight = 220;
+constexpr double kCaption = 24;
+constexpr double kFont = 17;
+constexpr double kLine = 23;
+
+constexpr PaintLimits kInsetLimits = {40000, 4000};
+
+constexpr const char* kStyle = R"(<style>
+text{font-family:Helvetica,Arial,"Liberation Sans","DejaVu Sans",sans-serif;font-size:17px;fill:#1f2933}
+.title{font-size:30px;font-weight:bold}
+.verdict{font-size:22px;font-weight:bold;fill:#fff;text-anchor:middle}
+.sub{fill:#5b6672}
+.note{font-size:15px;fill:#5b6672}
+.kind{font-weight:bold}
+.faces path{stroke:#76808c;stroke-width:7;stroke-linejoin:round;fill-rule:evenodd}
+.tiny{fill:#dfe3e8}
+.halo{fill:none;stroke:#fff;stroke-width:6;stroke-linecap:round;stroke-opacity:.85}
+.bad{fill:none;stroke-width:3.2;stroke-linecap:round;stroke-linejoin:round}
+.marks polygon{stroke:#fff;stroke-width:1.2;stroke-linejoin:round}
+.warning{fill:#fff;fill-opacity:.6;stroke:#5b6672;stroke-width:1.6}
+.inferred{fill:none;stroke:#5b6672;stroke-width:2.4;stroke-dasharray:7 5}
+.lead{stroke:#1f2933;stroke-width:1.2;fill:none}
+.tag{stroke:#fff;stroke-width:1.5}
+.number{font-size:16px;font-weight:bold;fill:#fff;text-anchor:middle}
+.vertex{fill:#1f2933}
+.vertex-number{font-size:14px;text-anchor:middle;stroke:#fff;stroke-width:3.5px;stroke-linejoin:round;paint-order:stroke}
+.frame{fill:none;stroke:#1f2933;stroke-width:1.4}
+.panel{fill:none;stroke:#c3c9d0;stroke-width:1}
+)";
+
+const char* verdict_text(MapVerdict verdict) {
+  switch (verdict) {
+    case MapVerdict::Valid:
+      return "valid";
+    case MapVerdict::NotAPlanarSubdivision:
+      return "not a planar subdivision";
+    case MapVerdict::Open:
+      return "open";
+    case MapVerdict::Superposed:
+      return "superposed";
+  }
+  return "";
+}
+
+std::string counted(std::uint64_t n, const std::string& one, const std::string& many = "") {
+  return std::to_string(n) + " " + (n == 1 ? one : many.empty() ? one + "s" : many);
+}
+
+/// A close-up and its places in the picture.
+struct Closeup {
+  Inset inset;
+  Rectangle frame;   ///< of the close-up
+  Rectangle source;  ///< on the map
+  bool is_above = false;
+};
+
+class MapSheet {
+ public:
+  MapSheet(const MapReport& report, const MapSvgOptions& options)
+      : report_(report),
+        options_(options),
+        plane_(report.map),
+        painter_(plane_),
+        marks_(report, plane_) {}
+
+  void write(std::ostream& out) {
+    write_header();
+    lay_out_map();
+    write_map();
+    for (std::size_t i = 0; i < closeups_.size(); ++i) write_closeup(i);
+    write_legend();
+    write_list();
+    write_notes();
+    const std::string height = svg_number(y_ + kMargin - 6);
+    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1000 " << height
+        << "\" width=\"1000\" height=\"" << height << "\" role=\"img\">\n<title>"
+        << xml_escaped(heading()) << "</title>\n"
+        << kStyle;
+    for (std::size_t i = 0; i < kTints; ++i) out << ".t" << i << "{fill:" << tint(i) << "}";
+    out << ".t" << kTints << "{fill:" << kPaper << "}\n</style>\n<rect width=\"1000\" height=\""
+        << height << "\" fill=\"" << kPaper << "\"/>\n"
+        << body_.str() << "</svg>\n";
+  }
+
+ private:
+  std::string heading() const {
+    return (options_.title.empty() ? "" : options_.title + ": ") + verdict_text(report_.verdict);
+  }
+
+  void write_header();
+  void write_badge(double right, double top);
+  void lay_out_map();
+  void place_closeups(const std::vector<Inset>& insets, const View& draft);
+  void move_down(double by);
+  void write_map();
+  void write_sources(LabelPlacer& room);
+  void write_leader(const Closeup& c);
+  void write_closeup(std::size_t i);
+  void begin_clip(const Rectangle& frame);
+  void write_legend();
+  void write_warning_legend();
+  void write_item(const std::string& symbol, const std::string& name, const std::string& meaning);
+  void write_list();
+  void write_defect(std::size_t i);
+  void write_notes();
+  void write_line(const char* css, double x, const std::string& text);
+  void note(const std::string& text) { notes_.push_back(text); }
+
+  const MapReport& report_;
+  const MapSvgOptions& options_;
+  Plane plane_;
+  Painter painter_;
+  MapMarks marks_;
+  std::ostringstream body_;
+  std::vector<std::string> notes_;
+  std::vector<Closeup> closeups_;
+  std::optional<View> view_;
+  std::size_t clips_ = 0;
+  std::size_t items_ = 0;  // of the legend
+  double y_ = kMargin;
+};
+
+void MapSheet::write_line(const char* css, double x, const std::string& text) {
+  body_ << "<text class=\"" << css << "\" x=\"" << svg_number(x) << "\" y=\"" << svg_number(y_)
+        << "\">" << xml_escaped(text) << "</text>\n";
+}
+
+// ------------------------------------------------------------------ header
+
+void MapSheet::write_badge(double left, double top) {
+  const bool is_valid = report_.verdict == MapVerdict::Valid;
+  const std::string text = verdict_text(report_.verdict);
+  const Rectangle box = {left, top, left + text_width(text, 22) + 36, top + 40};
+  body_ << "<rect " << svg_box(box) << " rx=\"8\" fill=\"" << (is_valid ? "#00705a" : "#a32020")
+        << "\"/><text class=\"verdict\" x=\"" << svg_number(box.centre().x) << "\" y=\""
+        << svg_number(top + 28) << "\">" << text << "</text>\n";
+}
+
+void MapSheet::write_header() {
+  const std::string& title = options_.title.empty() ? "map" : options_.title;
+  y_ += 28;
+  write_line("title", kMargin, wrapped(title, 31, kColumn, 1).front());
+  y_ += 18;
+  write_badge(kMargin, y_);
+  y_ += 27;
+  const double beside = kMargin + text_width(verdict_text(report_.verdict), 22) + 54;
+  const std::size_t defects = report_.cycles;
+  write_line("sub", beside,
+             counted(report_.vertices, "vertex", "vertices") + ", " +
+                 counted(report_.edges, "edge") + ", " + counted(defects, "listed face") + ", " +
+                 counted(report_.components, "component"));
+  y_ += 30;
+}
+
+// ------------------------------------------------------------------ layout
+
+/// Decides the map's height by its shape, then which close-ups there are and where.
+void MapSheet::lay_out_map() {
+  const Rectangle& e = plane_.extent();
+  const double inside = kColumn - 2 * kMapPadding;
+  const double natural = e.width() > 0 ? inside * (e.height() / e.width()) : kMostMapHeight;
+  const double height = std::clamp(natural + 2 * kMapPadding, kLeastMapHeight, kMostMapHeight);
+  const Rectangle panel = {kMargin, y_, kWidth - kMargin, y_ + height};
+  view_.emplace(panel.grown(-kMapPadding), e);
+  const View draft(panel.grown(-kMapPadding), e);
+  place_closeups(choose_insets(report_, plane_, draft, kInsetWidth / kInsetHeight,
+                               std::min<std::size_t>(options_.max_insets, 2 * kInsetsInRow)),
+                 draft);
+}
+
+/// Up to three below the map; more: the upper places above the map. In each row from left to right,
+/// so that leaders cross little.
+void MapSheet::place_closeups(const std::vector<Inset>& insets, const View& draft) {
+  for (const Inset& i : insets) closeups_.push_back({i, {}, {}, false});
+  const auto at = [&draft](const Closeup& c) { return draft.place(c.inset.window.centre()); };
+  std::stable_sort(closeups_.begin(), closeups_.end(),
+                   [&at](const Closeup& a, const Closeup& b) { return at(a).y < at(b).y; });
+  const std::size_t above = closeups_.size() > kInsetsInRow ? closeups_.size() / 2 : 0;
+  for (std::size_t i = 0; i < above; ++i) closeups_[i].is_above = true;
+  std::stable_sort(closeups_.begin(), closeups_.end(), [&at](const Closeup& a, const Closeup& b) {
+    return a.is_above != b.is_above ? a.is_above : at(a).x < at(b).x;
+  });
+  const double row = kInsetHeight + kCaption + kInsetGap;
+  Rectangle panel = draft.frame().grown(kMapPadding);
+  const double shift = above > 0 ? row : 0;
+  panel = {panel.left, panel.top + shift, panel.right, panel.bottom + shift};
+  view_.emplace(panel.grown(-kMapPadding), plane_.extent());
+  for (std::size_t i = 0; i < closeups_.size(); ++i) {
+    Closeup& c = closeups_[i];
+    const std::size_t column = c.is_above ? i : i - above;
+    const double left = kMargin + static_cast<double>(column) * (kInsetWidth + kInsetGap);
+    const double top = c.is_above ? y_ : panel.bottom + kInsetGap;
+    c.frame = {left, top, left + kInsetWidth, top + kInsetHeight};
+    const View inset(c.frame, c.inset.window);
+    const double half = std::max(9.0, inset.frame().width() / inset.scale() / 2 * view_->scale());
+    c.source = Rectangle::around(view_->place(c.inset.window.centre()), half,
+                                 half / kInsetWidth * kInsetHeight);
+  }
+  y_ = panel.bottom + (closeups_.empty() ? 18 : row + 6);
+}
+
+// ------------------------------------------------------------------ map and close-ups
+
+void MapSheet::begin_clip(const Rectangle& frame) {
+  ++clips_;
+  body_ << "<clipPath id=\"c" << clips_ << "\"><rect " << svg_box(frame)
+        << "/></clipPath><g clip-path=\"url(#c" << clips_ << ")\">\n";
+}
+
+void MapSheet::write_map() {
+  const Rectangle panel = view_->frame().grown(kMapPadding);
+  body_ << "<rect class=\"panel\" " << svg_box(panel) << " rx=\"6\"/>\n";
+  begin_clip(panel);
+  const PaintCounts counts = painter_.paint(*view_, {}, body_);
+  body_ << "</g>\n";
+  if (counts.tiny + counts.left_out > 0) {
+    note(counted(counts.tiny + counts.left_out, "face") +
+         " too small or too many to be drawn one by one: grey tint.");
+  }
+  LabelPlacer room(panel.grown(-3));
+  write_sources(room);
+  if (const std::size_t left_out = marks_.paint(*view_, Detail::Overview, room, body_);
+      left_out > 0) {
+    note("No room for the numbers of " + counted(left_out, "more place") + " on the map.");
+  }
+}
+
+/// Leaders first, so that marks lie over them.
+void MapSheet::write_sources(LabelPlacer& room) {
+  for (const Closeup& c : closeups_) write_leader(c);
+  for (const Closeup& c : closeups_) {
+    body_ << "<rect class=\"frame\" " << svg_box(c.source) << "/>\n";
+    room.avoid(c.source);
+  }
+}
+
+void MapSheet::write_leader(const Closeup& c) {
+  const double from = c.is_above ? c.source.top : c.source.bottom;
+  const double to = c.is_above ? c.frame.bottom + kCaption : c.frame.top;
+  const double x = std::clamp(c.source.centre().x, c.frame.left + 20, c.frame.right - 20);
+  body_ << "<path class=\"frame\" stroke-opacity=\".55\" d=\"M" << svg_number(c.source.centre().x)
+        << ' ' << svg_number(from) << 'L' << svg_number(x) << ' ' << svg_number(to) << "\"/>\n";
+}
+
+void MapSheet::write_closeup(std::size_t i) {
+  const Closeup& c = closeups_[i];
+  const View view(c.frame, c.inset.window);
+  body_ << "<rect " << svg_box(c.frame) << " fill=\"" << kPaper << "\"/>\n";
+  begin_clip(c.frame);
+  painter_.paint(view, kInsetLimits, body_);
+  LabelPlacer room(c.frame.grown(-3));
+  marks_.paint(view, Detail::Closeup, room, body_);
+  body_ << "</g>\n<rect class=\"frame\" " << svg_box(c.frame) << "/>\n";
+  const double zoom = view.scale() / view_->scale();
+  std::ostringstream factor;
+  factor.precision(zoom < 1e6 ? 3 : 2);
+  factor << (zoom < 1000 ? zoom : std::round(zoom));
+  body_ << "<text class=\"note\" x=\"" << svg_number(c.frame.left) << "\" y=\""
+        << svg_number(c.frame.bottom + 18) << "\">\xC3\x97" << factor.str() << ", "
+        << counted(c.inset.defects, "defect") << "</text>\n";
+}
+
+// ------------------------------------------------------------------ legend and list
+
+void MapSheet::write_item(const std::string& symbol, const std::string& name,
+                          const std::string& meaning) {
+  const double x = kMargin + (items_ % 2 == 0 ? 0 : kColumn / 2);
+  if (items_ % 2 == 0) y_ += kLine + 3;
+  ++items_;
+  body_ << "<g transform=\"translate(" << svg_number(x + 10) << ' ' << svg_number(y_ - 6) << ")\">"
+        << symbol << "</g><text x=\"" << svg_number(x + 30) << "\" y=\"" << svg_number(y_)
+        << "\"><tspan class=\"kind\">" << xml_escaped(name) << "</tspan> <tspan class=\"sub\">"
+        << xml_escaped(meaning) << "</tspan></text>\n";
+}
+
+void MapSheet::write_legend() {
+  const MapDefectCounts& n = report_.counts;
+  const std::array<std::uint64_t, 6> counts = {n.duplicate,         n.open,  n.crossing, n.twin,
+                                               n.mixed.value_or(0), n.nested};
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    const DefectStyle& style = defect_styles()[k];
+    if (counts[k] == 0) continue;
+    write_item(symbol(style, {}, 8), std::to_string(counts[k]) + " " + style.name, style.meaning);
+  }
+  write_warning_legend();
+  if (!n.mixed && report_.verdict != MapVerdict::Valid)
+    note("Mixed regions are looked for only when there is no duplicate, open or crossing edge.");
+  y_ += items_ > 0 ? 14 : 0;
+}
+
+void MapSheet::write_warning_legend() {
+  constexpr std::array<const char*, 4> names = {"pinch", "isolated vertex",
+                                                "inferred outer boundary", "merged vertex"};
+  constexpr std::array<const char*, 4> plural = {"pinches", "isolated vertices",
+                                                 "inferred outer boundaries", "merged vertices"};
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto count = static_cast<std::uint64_t>(
+        std::count_if(report_.warnings.begin(), report_.warnings.end(),
+                      [k](const MapWarning& w) { return static_cast<std::size_t>(w.kind) == k; }));
+    if (count == 0) continue;
+    const bool is_line = k == static_cast<std::size_t>(WarningKind::InferredOuter);
+    write_item(is_line ? "<path class=\"inferred\" d=\"M-9 0H10\"/>"
+                       : "<circle class=\"warning\" r=\"5\"/>",
+               counted(count, names[k], plural[k]), "warning, no defect");
+  }
+}
+
+void MapSheet::write_defect(std::size_t i) {
+  const MapDefect& defect = report_.defects[i];
+  const DefectStyle& style = style_of(defect.kind);
+  const std::string number = std::to_string(i + 1);
+  const double width = std::max(34.0, text_width(number, 16) + 14);
+  const Rectangle box = {kMargin, y_ - 18, kMargin + width, y_ + 6};
+  body_ << "<rect " << svg_box(box) << " rx=\"6\" fill=\"" << style.colour
+        << "\"/><text class=\"number\" x=\"" << svg_number(box.centre().x) << "\" y=\""
+        << svg_number(y_) << "\">" << number << "</text>\n"
+        << symbol(style, {box.right + 16, y_ - 6}, 7) << '\n';
+  const double x = kMargin + 76;
+  for (const std::string& line :
+       wrapped(std::string(style.name) + ": " + defect.hint, kFont, kWidth - kMargin - x, 3)) {
+    write_line("item", x, line);
+    y_ += kLine;
+  }
+  y_ += 8;
+}
+
+void MapSheet::write_list() {
+  const std::size_t listed = std::min(options_.max_listed, report_.defects.size());
+  if (listed == 0) return;
+  y_ += 26;
+  for (std::size_t i = 0; i < listed; ++i) write_defect(i);
+  const MapDefectCounts& n = report_.counts;
+  const std::uint64_t all =
+      n.duplicate + n.open + n.crossing + n.twin + n.mixed.value_or(0) + n.nested;
+  if (listed < all)
+    note("The list shows the first " + std::to_string(listed) + " of " + counted(all, "defect") +
+         ".");
+  if (marks_.drawn() < all)
+    note("The map marks the first " + std::to_string(marks_.drawn()) + " of " +
+         counted(all, "defect") + ".");
+}
+
+void MapSheet::write_notes() {
+  for (const std::string& text : notes_) {
+    y_ += 21;
+    write_line("note", kMargin, text);
+  }
+}
+
+}  // namespace
+
+void write_map_svg(std::ostream& out, const MapReport& report, const MapSvgOptions& options) {
+  MapSheet(report, options).write(out);
+}
+
+}  // namespace plumb
