@@ -6,7 +6,7 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kConsidered = 1000;
-constexpr double kVisibleEdge = 90;     // picture units: long enough without an inset
+constexpr double kVisibleEdge = 32;     // picture units: long enough without an inset
 constexpr double kReach = 2.2;          // half the height of a window, in edge lengths
 constexpr double kLeastReach = 1e-150;  // plane units
 

@@ -1,6 +1,7 @@
 #include "plumb/picture/map_marks.h"
 
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "plumb/picture/map_style.h"
@@ -15,6 +16,7 @@ constexpr double kLabelFont = 16;
 constexpr double kNumberFont = 14;
 constexpr double kArrowFrom = 34;  // shortest edge with a direction
 constexpr std::size_t kMaxVertexNumbers = 16;
+constexpr double kSamePlace = 3;  // picture units
 
 std::string move_line(Point2 a, Point2 b) {
   return "M" + svg_number(a.x) + " " + svg_number(a.y) + "L" + svg_number(b.x) + " " +
@@ -34,6 +36,14 @@ std::string arrow(Point2 a, Point2 b) {
   return move_line(l, tip) + "L" + svg_number(r.x) + " " + svg_number(r.y);
 }
 
+void avoid_line(Point2 a, Point2 b, LabelPlacer& room) {
+  const int steps = static_cast<int>(std::min(distance(a, b) / 12, 30.0));
+  for (int i = 1; i < steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    room.avoid(Rectangle::around({a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t}, 4, 4));
+  }
+}
+
 bool is_directed(DefectKind kind) {
   return kind == DefectKind::Duplicate || kind == DefectKind::Open;
 }
@@ -44,13 +54,18 @@ Point2 nearest_in(const Rectangle& r, Point2 p) {
 
 }  // namespace
 
-std::string group_label(const std::vector<std::size_t>& members) {
-  const std::string first = std::to_string(members.front() + 1);
-  const std::string last = std::to_string(members.back() + 1);
-  if (members.size() == 1) return first;
-  if (members.size() == 2) return first + ", " + last;
-  if (members.back() - members.front() + 1 == members.size()) return first + "\xE2\x80\x93" + last;
-  return first + " +" + std::to_string(members.size() - 1);
+std::string group_label(const std::vector<std::size_t>& members, std::size_t long_text) {
+  std::string text;
+  for (std::size_t i = 0; i < members.size();) {
+    std::size_t last = i;
+    while (last + 1 < members.size() && members[last + 1] == members[last] + 1) ++last;
+    if (text.size() > long_text) return text + ", \xE2\x80\xA6";
+    text += (text.empty() ? "" : ", ") + std::to_string(members[i] + 1);
+    if (last > i)
+      text += (last == i + 1 ? ", " : "\xE2\x80\x93") + std::to_string(members[last] + 1);
+    i = last + 1;
+  }
+  return text;
 }
 
 MapMarks::MapMarks(const MapReport& report, const Plane& plane)
@@ -58,32 +73,53 @@ MapMarks::MapMarks(const MapReport& report, const Plane& plane)
 
 std::size_t MapMarks::paint(const View& view, Detail detail, LabelPlacer& room,
                             std::ostream& out) const {
-  paint_edges(view, detail, out);
+  paint_edges(view, detail, room, out);
   paint_warnings(view, out);
   paint_symbols(view, detail, room, out);
-  const std::size_t left_out = paint_labels(view, room, out);
+  const std::size_t left_out = paint_labels(view, detail, room, out);
   if (detail == Detail::Closeup) paint_vertex_numbers(view, room, out);
   return left_out;
 }
 
-void MapMarks::paint_edges(const View& view, Detail detail, std::ostream& out) const {
-  for (const DefectStyle& style : defect_styles()) {
-    std::string path, arrows;
-    for (std::size_t i = 0; i < count_; ++i) {
-      const MapDefect& defect = report_.defects[i];
-      if (defect.kind != style.kind) continue;
-      for (const MapEdge& e : defect.edges) {
-        const auto seen = view.clipped(plane_.at(e.from), plane_.at(e.to));
-        if (!seen) continue;
-        const Point2 a = view.place(seen->first), b = view.place(seen->second);
-        path += move_line(a, b);
-        if (detail == Detail::Closeup && is_directed(style.kind)) arrows += arrow(a, b);
-      }
+/// Lines and arrows of all defects of one kind; their places are kept free of labels.
+std::pair<std::string, std::string> MapMarks::edge_paths(const View& view, DefectKind kind,
+                                                         LabelPlacer& room) const {
+  std::string path, arrows;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const MapDefect& defect = report_.defects[i];
+    if (defect.kind != kind) continue;
+    for (const MapEdge& e : defect.edges) {
+      const auto seen = view.clipped(plane_.at(e.from), plane_.at(e.to));
+      if (!seen) continue;
+      const Point2 a = view.place(seen->first), b = view.place(seen->second);
+      path += move_line(a, b);
+      if (is_directed(kind)) arrows += arrow(a, b);
+      avoid_line(a, b, room);
     }
-    if (path.empty()) continue;
-    out << "<path class=\"halo\" d=\"" << path << "\"/>\n<path class=\"bad\" stroke=\""
-        << style.colour << "\" d=\"" << path << arrows << "\"/>\n";
   }
+  return {path, arrows};
+}
+
+/// Edges of several kinds lie on each other: the later the kind, the thinner.
+void MapMarks::paint_edges(const View& view, Detail detail, LabelPlacer& room,
+                           std::ostream& out) const {
+  std::string halo, bands;
+  for (const DefectStyle& style : defect_styles()) {
+    const auto [path, arrows] = edge_paths(view, style.kind, room);
+    if (path.empty()) continue;
+    halo += path;
+    const double full = 7 - 0.9 * static_cast<double>(style.kind);
+    const double width = detail == Detail::Overview ? 0.6 * full : full;
+    bands += "<path class=\"bad\" stroke-width=\"" + svg_number(width) + "\" stroke=\"" +
+             style.colour + "\" d=\"" + path + "\"/>\n";
+    if (detail == Detail::Overview || arrows.empty()) continue;
+    bands += std::string("<path class=\"bad\" stroke-width=\"3.2\" stroke=\"") + style.colour +
+             "\" d=\"" + arrows + "\"/>\n";
+  }
+  if (!halo.empty())
+    out << "<path class=\"halo\" stroke-width=\"" << (detail == Detail::Overview ? 6 : 10)
+        << "\" d=\"" << halo << "\"/>\n"
+        << bands;
 }
 
 void MapMarks::paint_warnings(const View& view, std::ostream& out) const {
@@ -109,16 +145,22 @@ void MapMarks::paint_warnings(const View& view, std::ostream& out) const {
   if (!inferred.empty()) out << "<path class=\"inferred\" d=\"" << inferred << "\"/>\n";
 }
 
+/// Several kinds at one place stand side by side; a kind is drawn once at a place.
 void MapMarks::paint_symbols(const View& view, Detail detail, LabelPlacer& room,
                              std::ostream& out) const {
   const double radius = detail == Detail::Closeup ? 7 : count_ <= 100 ? 6 : 4.5;
+  std::map<std::pair<long, long>, std::vector<DefectKind>> drawn;
   out << "<g class=\"marks\">\n";
-  for (std::size_t i = count_; i-- > 0;) {  // the first ones on top
+  for (std::size_t i = 0; i < count_; ++i) {
     const Point2 seen = view.place(place(i));
-    const bool is_inside = view.frame().contains(seen);
-    if (!is_inside && detail == Detail::Closeup) continue;
-    const Point2 p = nearest_in(view.frame(), seen);
-    out << symbol(style_of(report_.defects[i].kind), p, radius) << '\n';
+    if (!view.frame().contains(seen) && detail == Detail::Closeup) continue;
+    const Point2 at = nearest_in(view.frame(), seen);
+    auto& kinds = drawn[{std::lround(at.x / kSamePlace), std::lround(at.y / kSamePlace)}];
+    const DefectKind kind = report_.defects[i].kind;
+    if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) continue;
+    const Point2 p = {at.x + 2.1 * radius * static_cast<double>(kinds.size()), at.y};
+    kinds.push_back(kind);
+    out << symbol(style_of(kind), p, radius) << '\n';
     room.avoid(Rectangle::around(p, radius, radius));
   }
   out << "</g>\n";
@@ -149,11 +191,12 @@ std::string MapMarks::label_colour(const DefectGroup& group) const {
   return style_of(kind).colour;
 }
 
-std::size_t MapMarks::paint_labels(const View& view, LabelPlacer& room, std::ostream& out) const {
+std::size_t MapMarks::paint_labels(const View& view, Detail detail, LabelPlacer& room,
+                                   std::ostream& out) const {
   std::size_t written = 0, left_out = 0;
   for (const DefectGroup& group : grouped(view)) {
-    const std::string text = group_label(group.members);
-    const double width = text_width(text, kLabelFont) + 14;
+    const std::string text = group_label(group.members, detail == Detail::Overview ? 6 : 13);
+    const double width = 1.1 * text_width(text, kLabelFont) + 14;  // bold
     const auto box =
         written < kMaxLabels ? room.place(group.anchor, width, kLabelHeight, 13) : std::nullopt;
     if (!box) {

@@ -3,6 +3,7 @@
 
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "plumb/picture/label_place.h"
@@ -25,8 +26,9 @@ struct DefectGroup {
   std::vector<std::size_t> members;  ///< indices into the report, ascending
 };
 
-/// "3", "3-7", "3, 9" or, for many, "3 +6": what is written on the label of a group.
-std::string group_label(const std::vector<std::size_t>& members);
+/// What is written on the label of a group: "3", "3-7" (an en dash), "3, 9"; after `long_text` bytes
+/// only an ellipsis follows.
+std::string group_label(const std::vector<std::size_t>& members, std::size_t long_text);
 
 class MapMarks {
  public:
@@ -39,11 +41,14 @@ class MapMarks {
   Point2 place(std::size_t defect) const { return plane_.at(report_.defects[defect].near); }
 
  private:
-  void paint_edges(const View& view, Detail detail, std::ostream& out) const;
+  std::pair<std::string, std::string> edge_paths(const View& view, DefectKind kind,
+                                                 LabelPlacer& room) const;
+  void paint_edges(const View& view, Detail detail, LabelPlacer& room, std::ostream& out) const;
   void paint_warnings(const View& view, std::ostream& out) const;
   void paint_symbols(const View& view, Detail detail, LabelPlacer& room, std::ostream& out) const;
   void paint_vertex_numbers(const View& view, LabelPlacer& room, std::ostream& out) const;
-  std::size_t paint_labels(const View& view, LabelPlacer& room, std::ostream& out) const;
+  std::size_t paint_labels(const View& view, Detail detail, LabelPlacer& room,
+                           std::ostream& out) const;
   std::string label_colour(const DefectGroup& group) const;
   std::vector<DefectGroup> grouped(const View& view) const;
 

@@ -9,8 +9,9 @@
 namespace plumb {
 namespace {
 
-constexpr double kVisible = 1.2;  // picture units: smaller faces are only a tint
-constexpr double kCell = 2;       // of the tint
+constexpr double kVisible = 1.2;         // picture units: smaller faces are only a tint
+constexpr double kVisibleAmongMany = 4;  // then no more fit into the picture than may be drawn
+constexpr double kCell = 2;              // of the tint
 
 double signed_area(const Plane& plane, std::span<const std::uint32_t> cycle) {
   const Point2 o = plane.at(cycle[0]);
@@ -100,15 +101,20 @@ PaintCounts Painter::paint(const View& view, const PaintLimits& limits, std::ost
   PaintCounts counts;
   Tint tiny(view.frame());
   std::size_t points = 0;
-  out << "<g class=\"faces\" transform=\"scale(.1)\">\n";
+  const double visible = order_.size() > limits.polygons ? kVisibleAmongMany : kVisible;
+  const bool is_fine = limits.fine_from < order_.size();
+  out << "<g class=\"faces" << (is_fine ? " fine" : "") << "\" transform=\"scale(.1)\">\n";
   for (const std::uint32_t c : order_) {
     const std::vector<Point2> ring = plane_.ring(c);
     const Rectangle box = box_of(ring);
-    if (!view.window().overlaps(box)) continue;
+    if (!view.window().overlaps(box)) {
+      ++counts.outside;
+      continue;
+    }
     const double size = std::max(box.width(), box.height()) * view.scale();
     const bool is_full = points > limits.points || counts.drawn >= limits.polygons;
-    if (size < kVisible || is_full) {
-      ++(size < kVisible ? counts.tiny : counts.left_out);
+    if (size < visible || is_full) {
+      ++(size < visible ? counts.tiny : counts.left_out);
       if (colour_[c] != kTints) tiny.mark(view.place(box.centre()));
       continue;
     }

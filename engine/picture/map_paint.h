@@ -13,12 +13,14 @@ namespace plumb {
 struct PaintLimits {
   std::size_t points = 400000;
   std::size_t polygons = 60000;
+  std::size_t fine_from = 1500;  ///< cycles of the map from which on lines are thinner
 };
 
 /// What became of the cycles.
 struct PaintCounts {
   std::size_t drawn = 0;
   std::size_t tiny = 0;      ///< smaller than can be seen: a grey tint where they lie
+  std::size_t outside = 0;   ///< of the view
   std::size_t left_out = 0;  ///< beyond the limits: grey tint as well
 };
 

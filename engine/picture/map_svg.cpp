@@ -21,13 +21,13 @@ constexpr double kMostMapHeight = 1.05 * kColumn;
 constexpr double kMapPadding = 22;
 constexpr std::size_t kInsetsInRow = 3;
 constexpr double kInsetGap = 18;
-constexpr double kInsetWidth = (kColumn - 2 * kInsetGap) / 3;
-constexpr double kInsetHeight = 220;
+constexpr double kInsetAspect = 1.4;
+constexpr double kLeastSource = 9;  // half a width on the map
 constexpr double kCaption = 24;
 constexpr double kFont = 17;
 constexpr double kLine = 23;
 
-constexpr PaintLimits kInsetLimits = {40000, 4000};
+constexpr PaintLimits kInsetLimits = {40000, 4000, static_cast<std::size_t>(-1)};
 
 constexpr const char* kStyle = R"(<style>
 text{font-family:Helvetica,Arial,"Liberation Sans","DejaVu Sans",sans-serif;font-size:17px;fill:#1f2933}
@@ -37,9 +37,10 @@ text{font-family:Helvetica,Arial,"Liberation Sans","DejaVu Sans",sans-serif;font
 .note{font-size:15px;fill:#5b6672}
 .kind{font-weight:bold}
 .faces path{stroke:#76808c;stroke-width:7;stroke-linejoin:round;fill-rule:evenodd}
+.fine path{stroke-width:4;stroke:#98a1ab}
 .tiny{fill:#dfe3e8}
-.halo{fill:none;stroke:#fff;stroke-width:6;stroke-linecap:round;stroke-opacity:.85}
-.bad{fill:none;stroke-width:3.2;stroke-linecap:round;stroke-linejoin:round}
+.halo{fill:none;stroke:#fff;stroke-linecap:round;stroke-opacity:.85}
+.bad{fill:none;stroke-linecap:round;stroke-linejoin:round}
 .marks polygon{stroke:#fff;stroke-width:1.2;stroke-linejoin:round}
 .warning{fill:#fff;fill-opacity:.6;stroke:#5b6672;stroke-width:1.6}
 .inferred{fill:none;stroke:#5b6672;stroke-width:2.4;stroke-dasharray:7 5}
@@ -70,6 +71,29 @@ std::string counted(std::uint64_t n, const std::string& one, const std::string& 
   return std::to_string(n) + " " + (n == 1 ? one : many.empty() ? one + "s" : many);
 }
 
+/// The whole map; but where a few parts lie far off, the core and all defects.
+Rectangle main_window(const MapReport& report, const Plane& plane) {
+  Rectangle core = plane.core();
+  for (const MapDefect& d : report.defects) core.include(plane.at(d.near));
+  const Rectangle& all = plane.extent();
+  const Rectangle window =
+      Rectangle::around(core.centre(), core.width() * .53, core.height() * .53);
+  return window.width() * window.height() < all.width() * all.height() / 2 ? window : all;
+}
+
+/// "x90", "x9200" or "x3e9": two digits.
+std::string zoom_text(double zoom) {
+  std::ostringstream text;
+  text.precision(2);
+  if (zoom < 1e6) {
+    const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(zoom)) - 1));
+    text.precision(7);
+    zoom = zoom < 10 ? std::round(zoom * 10) / 10 : std::round(zoom / unit) * unit;
+  }
+  text << "\xC3\x97" << zoom;
+  return text.str();
+}
+
 /// A close-up and its places in the picture.
 struct Closeup {
   Inset inset;
@@ -85,7 +109,8 @@ class MapSheet {
         options_(options),
         plane_(report.map),
         painter_(plane_),
-        marks_(report, plane_) {}
+        marks_(report, plane_),
+        window_(main_window(report, plane_)) {}
 
   void write(std::ostream& out) {
     write_header();
@@ -114,6 +139,7 @@ class MapSheet {
   void write_header();
   void write_badge(double right, double top);
   void lay_out_map();
+  std::size_t order_closeups(const std::vector<Inset>& insets, const View& draft);
   void place_closeups(const std::vector<Inset>& insets, const View& draft);
   void move_down(double by);
   void write_map();
@@ -135,6 +161,7 @@ class MapSheet {
   Plane plane_;
   Painter painter_;
   MapMarks marks_;
+  Rectangle window_;
   std::ostringstream body_;
   std::vector<std::string> notes_;
   std::vector<Closeup> closeups_;
@@ -180,21 +207,21 @@ void MapSheet::write_header() {
 
 /// Decides the map's height by its shape, then which close-ups there are and where.
 void MapSheet::lay_out_map() {
-  const Rectangle& e = plane_.extent();
+  const Rectangle e = window_;
   const double inside = kColumn - 2 * kMapPadding;
   const double natural = e.width() > 0 ? inside * (e.height() / e.width()) : kMostMapHeight;
   const double height = std::clamp(natural + 2 * kMapPadding, kLeastMapHeight, kMostMapHeight);
   const Rectangle panel = {kMargin, y_, kWidth - kMargin, y_ + height};
   view_.emplace(panel.grown(-kMapPadding), e);
   const View draft(panel.grown(-kMapPadding), e);
-  place_closeups(choose_insets(report_, plane_, draft, kInsetWidth / kInsetHeight,
+  place_closeups(choose_insets(report_, plane_, draft, kInsetAspect,
                                std::min<std::size_t>(options_.max_insets, 2 * kInsetsInRow)),
                  draft);
 }
 
 /// Up to three below the map; more: the upper places above the map. In each row from left to right,
 /// so that leaders cross little.
-void MapSheet::place_closeups(const std::vector<Inset>& insets, const View& draft) {
+std::size_t MapSheet::order_closeups(const std::vector<Inset>& insets, const View& draft) {
   for (const Inset& i : insets) closeups_.push_back({i, {}, {}, false});
   const auto at = [&draft](const Closeup& c) { return draft.place(c.inset.window.centre()); };
   std::stable_sort(closeups_.begin(), closeups_.end(),
@@ -204,23 +231,32 @@ void MapSheet::place_closeups(const std::vector<Inset>& insets, const View& draf
   std::stable_sort(closeups_.begin(), closeups_.end(), [&at](const Closeup& a, const Closeup& b) {
     return a.is_above != b.is_above ? a.is_above : at(a).x < at(b).x;
   });
-  const double row = kInsetHeight + kCaption + kInsetGap;
-  Rectangle panel = draft.frame().grown(kMapPadding);
+  return above;
+}
+
+void MapSheet::place_closeups(const std::vector<Inset>& insets, const View& draft) {
+  const std::size_t above = order_closeups(insets, draft);
+  const std::size_t n = closeups_.size();
+  const double columns = n <= 2 || n == 4 ? 2 : 3;
+  const double width = (kColumn - (columns - 1) * kInsetGap) / columns;
+  const double height = width / kInsetAspect;
+  const double row = height + kCaption + kInsetGap;
   const double shift = above > 0 ? row : 0;
-  panel = {panel.left, panel.top + shift, panel.right, panel.bottom + shift};
-  view_.emplace(panel.grown(-kMapPadding), plane_.extent());
-  for (std::size_t i = 0; i < closeups_.size(); ++i) {
+  const Rectangle map = draft.frame();
+  view_.emplace(Rectangle{map.left, map.top + shift, map.right, map.bottom + shift}, window_);
+  const double bottom = view_->frame().bottom + kMapPadding;
+  for (std::size_t i = 0; i < n; ++i) {
     Closeup& c = closeups_[i];
-    const std::size_t column = c.is_above ? i : i - above;
-    const double left = kMargin + static_cast<double>(column) * (kInsetWidth + kInsetGap);
-    const double top = c.is_above ? y_ : panel.bottom + kInsetGap;
-    c.frame = {left, top, left + kInsetWidth, top + kInsetHeight};
-    const View inset(c.frame, c.inset.window);
-    const double half = std::max(9.0, inset.frame().width() / inset.scale() / 2 * view_->scale());
-    c.source = Rectangle::around(view_->place(c.inset.window.centre()), half,
-                                 half / kInsetWidth * kInsetHeight);
+    const auto column = static_cast<double>(c.is_above ? i : i - above);
+    const double left = kMargin + column * (width + kInsetGap);
+    const double top = c.is_above ? y_ : bottom + kInsetGap;
+    c.frame = {left, top, left + width, top + height};
+    const double half = width / 2 * view_->scale() / View(c.frame, c.inset.window).scale();
+    const double shown = std::max(half, kLeastSource);
+    c.source =
+        Rectangle::around(view_->place(c.inset.window.centre()), shown, shown / kInsetAspect);
   }
-  y_ = panel.bottom + (closeups_.empty() ? 18 : row + 6);
+  y_ = bottom + (n == 0 ? 18 : row + 6);
 }
 
 // ------------------------------------------------------------------ map and close-ups
@@ -240,6 +276,9 @@ void MapSheet::write_map() {
   if (counts.tiny + counts.left_out > 0) {
     note(counted(counts.tiny + counts.left_out, "face") +
          " too small or too many to be drawn one by one: grey tint.");
+  }
+  if (counts.outside > 0) {
+    note("Far from the rest and outside this picture: " + counted(counts.outside, "face") + ".");
   }
   LabelPlacer room(panel.grown(-3));
   write_sources(room);
@@ -275,13 +314,9 @@ void MapSheet::write_closeup(std::size_t i) {
   LabelPlacer room(c.frame.grown(-3));
   marks_.paint(view, Detail::Closeup, room, body_);
   body_ << "</g>\n<rect class=\"frame\" " << svg_box(c.frame) << "/>\n";
-  const double zoom = view.scale() / view_->scale();
-  std::ostringstream factor;
-  factor.precision(zoom < 1e6 ? 3 : 2);
-  factor << (zoom < 1000 ? zoom : std::round(zoom));
   body_ << "<text class=\"note\" x=\"" << svg_number(c.frame.left) << "\" y=\""
-        << svg_number(c.frame.bottom + 18) << "\">\xC3\x97" << factor.str() << ", "
-        << counted(c.inset.defects, "defect") << "</text>\n";
+        << svg_number(c.frame.bottom + 18) << "\">" << zoom_text(view.scale() / view_->scale())
+        << ", " << counted(c.inset.defects, "defect") << "</text>\n";
 }
 
 // ------------------------------------------------------------------ legend and list
@@ -340,9 +375,13 @@ void MapSheet::write_defect(std::size_t i) {
         << svg_number(y_) << "\">" << number << "</text>\n"
         << symbol(style, {box.right + 16, y_ - 6}, 7) << '\n';
   const double x = kMargin + 76;
-  for (const std::string& line :
-       wrapped(std::string(style.name) + ": " + defect.hint, kFont, kWidth - kMargin - x, 3)) {
-    write_line("item", x, line);
+  std::string lead = std::string("<tspan class=\"kind\">") + style.name + "</tspan> ";
+  const std::string room(std::string_view(style.name).size(), 'm');  // the bold name is wide
+  auto lines = wrapped(room + " " + defect.hint, kFont, kWidth - kMargin - x, 3);
+  lines.front().erase(0, room.size() + 1);
+  for (const std::string& line : lines) {
+    body_ << "<text x=\"" << svg_number(x) << "\" y=\"" << svg_number(y_) << "\">"
+          << std::exchange(lead, "") << xml_escaped(line) << "</text>\n";
     y_ += kLine;
   }
   y_ += 8;

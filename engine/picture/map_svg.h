@@ -11,7 +11,7 @@
 namespace plumb {
 
 struct MapSvgOptions {
-  std::string title;            ///< e.g. the file's name; any bytes
+  std::string title = {};       ///< e.g. the file's name; any bytes
   std::size_t max_listed = 20;  ///< defects written out below the map
   std::size_t max_insets = 6;   ///< 0 to 6 close-ups
 };

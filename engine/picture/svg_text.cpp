@@ -96,7 +96,8 @@ double text_width(std::string_view text, double font_size) {
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte >> 6U == 2) continue;  // inside a code point
-    const bool is_narrow = std::string_view(" .,:;!|'il()[]-").find(c) != std::string_view::npos;
+    const bool is_narrow =
+        std::string_view(" .,:;!|'il()[]-trfj").find(c) != std::string_view::npos;
     ems += is_narrow ? 0.38 : 0.62;
   }
   return ems * font_size;

@@ -6,7 +6,8 @@
 namespace plumb {
 namespace {
 
-constexpr double kMargin = 6;            // picture units around the frame that are drawn too
+constexpr double kMargin = 6;  // picture units around the frame that are drawn too
+constexpr std::size_t kSamples = 100000;
 constexpr double kLeastWindow = 1e-200;  // keeps scales finite
 
 double clamped(double value) { return std::isnan(value) ? 0 : std::clamp(value, -2.0, 2.0); }
@@ -67,6 +68,21 @@ void Plane::find_extent() {
   }
   centre_ = extent_.centre();
   extent_ = Rectangle::around({}, extent_.width() / 2, extent_.height() / 2);
+}
+
+Rectangle Plane::core() const {
+  std::vector<double> xs, ys;
+  const std::size_t step = map_.corners.size() / kSamples + 1;
+  for (std::size_t i = 0; i < map_.corners.size(); i += step) {
+    const Point2 p = at(map_.corners[i]);
+    xs.push_back(p.x);
+    ys.push_back(p.y);
+  }
+  if (xs.empty()) return {};
+  std::sort(xs.begin(), xs.end());
+  std::sort(ys.begin(), ys.end());
+  const std::size_t low = xs.size() / 100, high = xs.size() - 1 - low;
+  return {xs[low], ys[low], xs[high], ys[high]};
 }
 
 Point2 Plane::at(Point2 p) const {
