@@ -21,9 +21,8 @@ void Context::checkpoint(std::string_view phase, std::uint64_t done, std::uint64
   const auto now = Clock::now();
   if (limits_.max_seconds > 0 &&
       std::chrono::duration<double>(now - start_).count() > limits_.max_seconds) {
-    throw Error(ErrorCode::ResourceLimit,
-                "the time limit was reached during " + std::string(phase) +
-                    " (raise --limit-seconds)");
+    throw Error(ErrorCode::ResourceLimit, "the time limit was reached during " +
+                                              std::string(phase) + " (raise --limit-seconds)");
   }
   if (progress_ && (now - last_report_ >= std::chrono::milliseconds(50) || done == total)) {
     last_report_ = now;

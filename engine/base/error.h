@@ -62,6 +62,6 @@ namespace detail {
 }  // namespace plumb
 
 /// Loud stop on a broken invariant, in every build type.
-#define PLUMB_CHECK(condition)            \
-  ((condition) ? static_cast<void>(0)     \
+#define PLUMB_CHECK(condition)        \
+  ((condition) ? static_cast<void>(0) \
                : ::plumb::detail::report_broken_invariant(#condition, __FILE__, __LINE__))

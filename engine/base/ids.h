@@ -9,10 +9,10 @@ namespace plumb {
 
 using VertexId = StrongId<struct VertexTag>;
 using HalfedgeId = StrongId<struct HalfedgeTag>;
-using EdgeId = StrongId<struct EdgeTag>;      ///< undirected: half-edges 2e and 2e+1
-using LoopId = StrongId<struct LoopTag>;      ///< one boundary cycle of a face
+using EdgeId = StrongId<struct EdgeTag>;  ///< undirected: half-edges 2e and 2e+1
+using LoopId = StrongId<struct LoopTag>;  ///< one boundary cycle of a face
 using FaceId = StrongId<struct FaceTag>;
-using CycleId = StrongId<struct CycleTag>;    ///< a cycle as listed in the input
+using CycleId = StrongId<struct CycleTag>;  ///< a cycle as listed in the input
 using SegmentId = StrongId<struct SegmentTag>;
 
 }  // namespace plumb
