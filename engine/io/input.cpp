@@ -19,10 +19,22 @@ constexpr std::size_t kChunk = std::size_t{1} << 20;
   throw Error(ErrorCode::CannotOpen, std::strerror(errno), {input_name(path)});
 }
 
+/// Calls `attempt` until it is not interrupted by a signal; signals are how runs are cancelled.
+template <class Attempt>
+auto uninterrupted(Context& context, Attempt attempt) {
+  for (;;) {
+    const auto result = attempt();
+    if (result >= 0 || errno != EINTR) return result;
+    context.checkpoint("load", 0, 0);
+  }
+}
+
 class InputFile {
  public:
-  explicit InputFile(const std::string& path)
-      : fd_(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)), path_(path) {
+  InputFile(const std::string& path, Context& context)
+      : fd_(STDIN_FILENO), path_(path), context_(context) {
+    if (path == "-") return;
+    fd_ = uninterrupted(context_, [&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC); });
     if (fd_ < 0) fail(path_);
   }
   ~InputFile() {
@@ -40,10 +52,7 @@ class InputFile {
 
   /// 0 at the end.
   std::size_t read(char* to, std::size_t most) const {
-    ssize_t got = 0;
-    do {
-      got = ::read(fd_, to, most);
-    } while (got < 0 && errno == EINTR);
+    const ssize_t got = uninterrupted(context_, [&] { return ::read(fd_, to, most); });
     if (got < 0) fail(path_);
     return static_cast<std::size_t>(got);
   }
@@ -51,6 +60,7 @@ class InputFile {
  private:
   int fd_;
   const std::string& path_;
+  Context& context_;
 };
 
 /// Grows `bytes` to `size`, charged first.
@@ -64,7 +74,7 @@ void grow(std::string& bytes, std::size_t size, const std::string& name, Context
 std::string input_name(const std::string& path) { return path == "-" ? "stdin" : path; }
 
 std::string read_input(const std::string& path, Context& context) {
-  const InputFile file(path);
+  const InputFile file(path, context);
   const std::string name = input_name(path);
   std::string bytes;
   std::size_t used = 0;

@@ -37,6 +37,7 @@ class RoundToNearest {
 /// Are all corners of `face` on one line of the plane? Exact; stops at the first turn.
 bool is_on_one_line(const PointTable2& points, std::span<const std::uint32_t> face) {
   const std::uint32_t a = face[0];
+  if (orient2d(points, a, face[1], face[2]) != Sign::Zero) return false;
   const auto b = std::find_if(face.begin() + 1, face.end(), [&](std::uint32_t v) {
     return compare_xy(points, a, v) != Sign::Zero;
   });
