@@ -152,7 +152,9 @@ void NumberReader::read_fraction(const TextCursor& cursor, std::string_view toke
 
 void NumberReader::read_nearest(const TextCursor& cursor, std::string_view token,
                                 ReadNumber& number) const {
-  const std::string_view text = token.starts_with('+') ? token.substr(1) : token;
+  // from_chars does not take a plus sign; "+-1" must not become "-1".
+  const bool has_plus = token.starts_with('+') && !token.starts_with("+-");
+  const std::string_view text = token.substr(has_plus ? 1 : 0);
   double value = 0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool complete = end == text.data() + text.size();

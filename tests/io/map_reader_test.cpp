@@ -1,0 +1,209 @@
+#include "plumb/io/map_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "hostile_maps.h"
+#include "plumb/base/error.h"
+#include "plumb/io/map_writer.h"
+#include "plumb/io/text_output.h"
+
+namespace plumb {
+namespace {
+
+Map read(const std::string& text, bool exact_decimals = false, Limits limits = {}) {
+  Context context(limits);
+  return read_map(text, {"some.map", exact_decimals}, context);
+}
+
+/// A map whose first vertex is (`number`, 0) and which has no faces.
+RationalPoint2 read_number(const std::string& number, bool exact_decimals = false) {
+  return read("1 0\n" + number + " 0\n", exact_decimals).points.exact(0);
+}
+
+std::string written(const Map& map) {
+  std::ostringstream out;
+  write_map(out, map);
+  return out.str();
+}
+
+TEST(MapReader, refuses_hostile_maps_with_their_place) {
+  for (const testing::HostileMap& hostile : testing::hostile_maps()) {
+    SCOPED_TRACE(hostile.name);
+    try {
+      read(hostile.bytes);
+      ADD_FAILURE() << "was read";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.place().file, "some.map");
+      EXPECT_EQ(error.place().line, hostile.line) << error.what();
+      EXPECT_EQ(error.place().column, hostile.column) << error.what();
+      EXPECT_NE(error.message().find(hostile.message), std::string::npos) << error.what();
+      EXPECT_LT(error.message().size(), 200U);
+    }
+  }
+}
+
+TEST(MapReader, accepts_what_the_format_allows) {
+  const std::string plain = "3 2\n0 0\n1 0\n0 1\n1 2 3\n3 2 1\n";
+  const std::vector<std::string> same{
+      plain,
+      "3 2\n0 0\n1 0\n0 1\n1 2 3\n3 2 1",                // no last line break
+      "3 2\r\n0 0\r\n1 0\r\n0 1\r\n1 2 3\r\n3 2 1\r\n",  // CRLF
+      "3 2\r\n0 0\r\n1 0\r\n0 1\r\n1 2 3\r\n3 2 1\r",    // CR at the very end
+      "\xEF\xBB\xBF"
+      "3 2\n0 0\n1 0\n0 1\n1 2 3\n3 2 1\n",  // byte order mark
+      "# gr\xC3\xBC\xC3\x9F\n\n  # b\n3 2\n\n0 0\n1 0\n#\n0 1\n1 2 3\n \t\n3 2 1\n# end",
+      "  3\t 2  \n 0 0 \n\t1 0\n+0 +1\n  1  2\t3\n003 02 1\n",  // blanks, signs, leading zeros
+      "3 2\n-0 -0.0\n1.0 0e5\n.0 1.\n1 2 3\n3 2 1\n",           // decimals
+      "3 2\n0/7 0\n3/3 0\n0 10/10\n1 2 3\n3 2 1\n",             // fractions
+  };
+  for (const std::string& text : same) EXPECT_EQ(written(read(text)), plain) << text;
+}
+
+TEST(MapReader, takes_a_bow_tie_of_area_0_for_a_face) {
+  EXPECT_EQ(read("4 1\n0 0\n1 1\n1 0\n0 1\n1 2 3 4\n").cycle_count(), 1U);
+}
+
+TEST(MapReader, takes_an_empty_map) {
+  EXPECT_EQ(read("0 0\n").vertex_count(), 0U);
+  EXPECT_EQ(read("0 0").cycle_count(), 0U);
+}
+
+TEST(MapReader, reads_integers_and_fractions_exactly) {
+  const std::vector<std::string> numbers{
+      "9007199254740993",
+      "-9007199254740993",
+      "18446744073709551617",
+      "9999999999999999",
+      "1/3",
+      "-22/7",
+      "123456789012345678901234567890123456789/1000000007",
+  };
+  for (const std::string& number : numbers) {
+    EXPECT_EQ(read_number(number).x, Rational(number)) << number;
+  }
+  const std::string digits(4000, '9');
+  EXPECT_EQ(read_number(digits).x, Rational(digits));
+  EXPECT_EQ(read_number("2/4").x, Rational(1, 2));
+  EXPECT_EQ(read_number("0000000000000000000000000000017").x, 17);
+}
+
+TEST(MapReader, reads_decimals_as_the_nearest_double) {
+  const std::vector<std::pair<std::string, double>> numbers{
+      {"0.1", 0.1},
+      {"-1.5e3", -1500},
+      {"1E+2", 100},
+      {"+.5", 0.5},
+      {"9007199254740993.0", 9007199254740992.0},  // a tie goes to even
+      {"9007199254740993.00000000000000000000000000000000001", 9007199254740994.0},
+      {"1.7976931348623157e308", 1.7976931348623157e308},
+      {"4.9406564584124654e-324", 4.9406564584124654e-324},
+      {"2.4703282292062327e-324", 0},  // just below half of the least subnormal
+      {"2.4703282292062328e-324", 4.9406564584124654e-324},
+      {"1e-400", 0},
+      {"-1e-999999999", 0},
+      {"0e999999999", 0},
+      {"0.000e99999999999999999999999", 0},
+  };
+  for (const auto& [text, value] : numbers) EXPECT_EQ(read_number(text).x, Rational(value)) << text;
+}
+
+TEST(MapReader, reads_decimals_exactly_on_request) {
+  EXPECT_EQ(read_number("0.1", true).x, Rational(1, 10));
+  EXPECT_EQ(read_number("-12.50e-1", true).x, Rational(-5, 4));
+  EXPECT_EQ(read_number("1e25", true).x, Rational("10000000000000000000000000"));
+  EXPECT_EQ(read_number(".5e1", true).x, 5);
+  EXPECT_EQ(read_number("0e4097", true).x, 0);
+  EXPECT_EQ(read_number("1e4096", true).x, Rational("1" + std::string(4096, '0')));
+  EXPECT_EQ(read_number("1e-4096", true).x, 1 / Rational("1" + std::string(4096, '0')));
+  EXPECT_THROW(read_number("1e4097", true), Error);
+  EXPECT_THROW(read_number("1e-999999999", true), Error);
+}
+
+TEST(MapReader, stops_exact_decimals_that_expand_too_far) {
+  // Every line is 14 bytes and would take two integers of 13600 bits.
+  std::string text = "40000 0\n";
+  for (int i = 0; i < 40000; ++i) text += "1e4096 1e4096\n";
+  try {
+    read(text, true);
+    ADD_FAILURE() << "was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::ResourceLimit);
+    EXPECT_GT(error.place().line, 1000U);
+  }
+}
+
+TEST(MapReader, rounds_to_nearest_in_every_rounding_mode) {
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    const Map map = read("1 0\n0.1 1.7976931348623157e22\n");
+    EXPECT_EQ(std::fegetround(), mode);
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(map.points.approx(0), (Point2{0.1, 1.7976931348623157e22}));
+  }
+}
+
+TEST(MapReader, mixes_kinds_within_a_vertex) {
+  const RationalPoint2 p = read("1 0\n1/3 0.1\n").points.exact(0);
+  EXPECT_EQ(p.x, Rational(1, 3));
+  EXPECT_EQ(p.y, Rational(0.1));
+}
+
+TEST(MapReader, round_trips_every_kind_of_number) {
+  const std::string text =
+      "7 1\n0.1 -0.3333333333333333\n1/3 -7/2\n9007199254740993 123456789012345678901234567890\n"
+      "5e-324 1.7976931348623157e+308\n36272 119656\n100000 1e+23\n-4611686018427387904 0\n1 2 3 "
+      "4\n";
+  EXPECT_EQ(written(read(written(read(text)))), written(read(text)));
+  const Map once = read(text);
+  const Map twice = read(written(once));
+  for (std::uint32_t i = 0; i < 7; ++i) EXPECT_EQ(once.points.exact(i), twice.points.exact(i)) << i;
+}
+
+TEST(MapReader, keeps_to_the_memory_limit) {
+  std::string text = "20000 0\n";
+  for (int i = 0; i < 20000; ++i) text += "0 0\n";
+  Limits limits;
+  limits.max_memory_bytes = 20000 * sizeof(Point2) + 4;
+  EXPECT_EQ(read(text, false, limits).vertex_count(), 20000U);
+  limits.max_memory_bytes = 20000 * sizeof(Point2) - 4;
+  EXPECT_THROW(read(text, false, limits), Error);
+}
+
+TEST(MapReader, stops_when_asked_to) {
+  std::stop_source source;
+  source.request_stop();
+  Context context({}, source.get_token());
+  try {
+    read_map("1 0\n0 0\n", {}, context);
+    ADD_FAILURE() << "went on";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::Cancelled);
+  }
+}
+
+TEST(MapReader, names_files_it_cannot_open) {
+  Context context;
+  try {
+    read_map_file("no/such.map", {}, context);
+    ADD_FAILURE() << "was opened";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "no/such.map: No such file or directory");
+  }
+  EXPECT_THROW(read_map_file("corpus", {}, context), Error);  // a directory
+}
+
+TEST(FormatDouble, reads_back_and_is_short) {
+  EXPECT_EQ(format_double(100000), "100000");
+  EXPECT_EQ(format_double(-0.5), "-0.5");
+  EXPECT_EQ(format_double(1e22), "1e+22");
+  EXPECT_EQ(format_double(9007199254740992.0), "9007199254740992");
+  EXPECT_EQ(format_double(5e-324), "5e-324");
+}
+
+}  // namespace
+}  // namespace plumb
