@@ -1,0 +1,21 @@
+// What the process promises its surroundings: signals, memory, exit status.
+#pragma once
+
+#include <cstdint>
+#include <stop_token>
+
+namespace plumb::cli {
+
+/// Call once, before anything else.
+///   SIGINT, SIGTERM   the first requests a stop of the returned token; the second ends the process
+///                     with 4 at once, temporary files removed. Left alone where they were ignored
+///   SIGPIPE           ignored: a failed write says so
+///   SIGABRT           a broken invariant, reported already: temporary files removed, exit 70
+///   GMP               throws std::bad_alloc when memory runs out, instead of aborting
+std::stop_token prepare_process();
+
+/// A safety net under the accounts of Context: the address space may grow by `bytes` and a little
+/// more; allocations beyond throw std::bad_alloc.
+void limit_address_space(std::uint64_t bytes);
+
+}  // namespace plumb::cli

@@ -1,0 +1,211 @@
+#include "program.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <iterator>
+#include <memory>
+#include <new>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "command.h"
+#include "plumb/base/error.h"
+#include "process.h"
+#include "session.h"
+#include "suggest.h"
+
+namespace plumb::cli {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+constexpr std::string_view kVersion = PLUMB_VERSION;
+
+[[noreturn]] void fail_usage(const std::string& message) { throw Error(ErrorCode::Usage, message); }
+
+void print(const std::string& text) {
+  Outputs outputs;
+  outputs.add("-", [&](std::ostream& out) { out << text; });
+  outputs.deliver();
+}
+
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(text.size() + 2, width), ' ');
+  return text;
+}
+
+/// Help for all commands, or for those that start with the word `group`.
+std::string overview(std::string_view group = {}) {
+  std::string text = "plumb " + std::string(kVersion) +
+                     " - exact geometry: every decision exact, every result auditable\n\n"
+                     "Usage: plumb COMMAND [ARGUMENTS] [OPTIONS]\n\nCommands:\n";
+  for (const Command& command : commands()) {
+    if (!command.name.starts_with(group)) continue;
+    text += "  " + padded(std::string(command.name) + ' ' + std::string(command.arguments), 18) +
+            std::string(command.summary) + '\n';
+  }
+  text +=
+      "\nOptions of every command:\n"
+      "  --json  -o OUT  --format NAME  --exact-decimals  --threads N  --progress  -q\n"
+      "  --limit-memory MB  --limit-seconds S  --help\n"
+      "  FILE or OUT may be - (standard input, standard output)\n\n"
+      "plumb COMMAND --help says more; plumb --version prints the version.\n"
+      "Exit: 0 yes, 1 no, 2 bad input, 3 limit, 4 cancelled, 70 bug in plumb.\n";
+  return text;
+}
+
+bool is_help(std::string_view word) { return word == "--help" || word == "-h" || word == "help"; }
+
+std::string_view first_word(std::string_view name) { return name.substr(0, name.find(' ')); }
+
+bool is_group(std::string_view word) {
+  return std::any_of(commands().begin(), commands().end(), [&](const Command& command) {
+    return command.name != word && first_word(command.name) == word;
+  });
+}
+
+/// How many of `arguments` spell `name`: all its words, or 0.
+std::size_t words_matched(const Arguments& arguments, std::string_view name) {
+  std::size_t count = 0;
+  while (!name.empty()) {
+    const std::string_view word = first_word(name);
+    if (count == arguments.size() || arguments[count] != word) return 0;
+    name.remove_prefix(std::min(name.size(), word.size() + 1));
+    ++count;
+  }
+  return count;
+}
+
+/// The command that `first`, alone or with `second`, was probably meant to be; or empty.
+std::string guess_command(const std::string& first, const std::string& second) {
+  Arguments names;
+  Arguments last_words;
+  for (const Command& command : commands()) {
+    names.emplace_back(command.name);
+    last_words.emplace_back(command.name.substr(command.name.rfind(' ') + 1));
+  }
+  std::string guess = nearest(second.empty() ? first : first + ' ' + second, names);
+  if (guess.empty()) guess = nearest(first, names);
+  if (!guess.empty()) return guess;
+  const std::string word = nearest(first, last_words);
+  const auto place = std::find(last_words.begin(), last_words.end(), word);
+  return place == last_words.end() ? std::string()
+                                   : names[static_cast<std::size_t>(place - last_words.begin())];
+}
+
+[[noreturn]] void fail_unknown_command(const Arguments& arguments) {
+  std::string given = arguments.front();
+  const bool has_second = arguments.size() > 1 && !arguments[1].starts_with('-');
+  const std::string second = has_second ? arguments[1] : std::string();
+  if (is_group(given) && !has_second) {
+    fail_usage("'" + given + "' needs a second word; plumb " + given + " --help lists them");
+  }
+  const std::string guess = guess_command(given, second);
+  if (is_group(given)) given += ' ' + second;
+  fail_usage("unknown command '" + given + "'" +
+             (guess.empty() ? "; plumb --help lists them" : "; did you mean '" + guess + "'?"));
+}
+
+/// CLI11's message, with the option that was probably meant.
+std::string parse_message(const CLI::App& app, const CLI::ParseError& error) {
+  std::string message = error.what();
+  if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError)) return message;
+  Arguments names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  const std::string given = message.substr(message.find_last_of(' ') + 1);
+  const std::string guess = given.starts_with('-') ? nearest(given, names) : std::string();
+  return guess.empty() ? message : message + "; did you mean '" + guess + "'?";
+}
+
+ExitCode run_command(const Command& command, Arguments arguments, std::stop_token stop) {
+  const std::string name(command.name);
+  CLI::App app(std::string(command.summary), "plumb " + name);
+  app.footer("Example:\n  " + std::string(command.example));
+  const std::unique_ptr<CommandBody> body = command.make();
+  CommonOptions common;
+  body->declare(app);
+  common.declare(app);
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
+  try {
+    app.parse(std::move(arguments));
+  } catch (const CLI::CallForHelp&) {
+    print(app.help());
+    return ExitCode::Yes;
+  } catch (const CLI::ParseError& error) {
+    fail_usage(name + ": " + parse_message(app, error) + "\nplumb " + name + " --help says more");
+  }
+  if (common.limit_memory_mb > 0) limit_address_space(common.limit_memory_mb << 20U);
+  Session session(common, std::move(stop));
+  return body->run(session);
+}
+
+ExitCode dispatch(const Arguments& arguments, std::stop_token stop) {
+  if (arguments.empty()) fail_usage("a command is missing; plumb --help lists them");
+  const std::string& first = arguments.front();
+  if (is_help(first)) {
+    print(overview());
+    return ExitCode::Yes;
+  }
+  if (first == "--version") {
+    print("plumb " + std::string(kVersion) + '\n');
+    return ExitCode::Yes;
+  }
+  for (const Command& command : commands()) {
+    const std::size_t words = words_matched(arguments, command.name);
+    if (words == 0) continue;
+    const auto rest = arguments.begin() + static_cast<std::ptrdiff_t>(words);
+    return run_command(command, Arguments(rest, arguments.end()), std::move(stop));
+  }
+  if (is_group(first) && arguments.size() > 1 && is_help(arguments[1])) {
+    print(overview(first));
+    return ExitCode::Yes;
+  }
+  fail_unknown_command(arguments);
+}
+
+ExitCode exit_code_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::ResourceLimit:
+      return ExitCode::Limit;
+    case ErrorCode::Cancelled:
+      return ExitCode::Cancelled;
+    case ErrorCode::ClosedPipe:
+      return ExitCode::ClosedPipe;
+    default:
+      return ExitCode::BadInput;
+  }
+}
+
+/// Errors with a place are "FILE:LINE:COLUMN: ..." as they are; others get the program's name.
+ExitCode report(const Error& error) {
+  const ExitCode code = exit_code_of(error.code());
+  if (code == ExitCode::ClosedPipe) return code;
+  const char* const prefix = error.place().file.empty() ? "plumb: " : "";
+  std::fprintf(stderr, "%s%s\n", prefix, error.what());
+  return code;
+}
+
+}  // namespace
+
+ExitCode run_program(const Arguments& arguments, std::stop_token stop) noexcept {
+  try {
+    return dispatch(arguments, std::move(stop));
+  } catch (const Error& error) {
+    return report(error);
+  } catch (const std::bad_alloc&) {
+    std::fputs("plumb: out of memory (raise --limit-memory, or use a smaller input)\n", stderr);
+    return ExitCode::Limit;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr,
+                 "plumb: internal error: %s.\nThis is a bug in plumb. Please report it with the "
+                 "input and the command line.\n",
+                 error.what());
+    return ExitCode::Internal;
+  }
+}
+
+}  // namespace plumb::cli

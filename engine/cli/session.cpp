@@ -1,0 +1,92 @@
+#include "session.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+#include "plumb/base/error.h"
+
+namespace plumb::cli {
+namespace {
+
+Limits limits_of(const CommonOptions& options) {
+  Limits limits;
+  if (options.limit_memory_mb > 0) limits.max_memory_bytes = options.limit_memory_mb << 20U;
+  limits.max_seconds = options.limit_seconds;
+  return limits;
+}
+
+bool wants_progress(const CommonOptions& options) {
+  return !options.quiet && (options.progress || ::isatty(STDERR_FILENO) == 1);
+}
+
+}  // namespace
+
+void CommonOptions::declare(CLI::App& app) {
+  constexpr const char* kGroup = "Options of every command";
+  app.add_flag("--json", json, "One JSON object on standard output")->group(kGroup);
+  app.add_option("-o,--output", out, "Write to OUT, format by extension; - needs --format")
+      ->type_name("OUT")
+      ->group(kGroup);
+  app.add_option("--format", format, "Format, whatever the extension of OUT")
+      ->type_name("NAME")
+      ->group(kGroup);
+  app.add_flag("--exact-decimals", exact_decimals, "Read 0.1 as 1/10, not as the nearest double")
+      ->group(kGroup);
+  app.add_option("--threads", threads, "Threads to use (default 1)")
+      ->check(CLI::Range(1U, 1024U).description(""))
+      ->type_name("N")
+      ->group(kGroup);
+  app.add_option("--limit-memory", limit_memory_mb, "Stop (exit 3) beyond MB megabytes")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40U).description(""))
+      ->type_name("MB")
+      ->group(kGroup);
+  app.add_option("--limit-seconds", limit_seconds, "Stop (exit 3) after S seconds")
+      ->check(CLI::Range(1e-9, 1e9).description(""))
+      ->type_name("S")
+      ->group(kGroup);
+  auto* const bar = app.add_flag("--progress", progress, "Show progress on standard error");
+  bar->group(kGroup);
+  app.add_flag("-q,--quiet", quiet, "No progress and no notes")->excludes(bar)->group(kGroup);
+}
+
+void Outputs::add(const std::string& path, Writer writer) {
+  if (path != "-") {
+    files_.push_back({std::make_unique<OutputFile>(path), std::move(writer)});
+    return;
+  }
+  if (to_stdout_) throw Error(ErrorCode::Usage, "only one output can go to standard output");
+  to_stdout_ = std::move(writer);
+}
+
+void Outputs::deliver() {
+  std::vector<std::unique_ptr<OutputFile>> finished;
+  for (Pending& pending : files_) {
+    pending.writer(pending.file->stream());
+    pending.file->finish();
+    finished.push_back(std::move(pending.file));
+  }
+  if (to_stdout_) {
+    DescriptorStream stream(STDOUT_FILENO, "stdout");
+    to_stdout_(stream);
+    stream.flush();
+  }
+  commit_all(finished);
+}
+
+Session::Session(const CommonOptions& options, std::stop_token stop)
+    : options_(options),
+      progress_(wants_progress(options)),
+      context_(limits_of(options), std::move(stop),
+               progress_.is_shown() ? ProgressCallback(std::ref(progress_)) : ProgressCallback(),
+               options.threads) {}
+
+void Session::note(std::string_view text) {
+  if (options_.quiet) return;
+  progress_.clear();
+  std::fprintf(stderr, "%.*s\n", static_cast<int>(text.size()), text.data());
+}
+
+}  // namespace plumb::cli

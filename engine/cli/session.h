@@ -1,0 +1,73 @@
+// What every command is given: the options all commands take, the context, messages, outputs.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/io/output_file.h"
+#include "progress_bar.h"
+
+namespace plumb::cli {
+
+struct CommonOptions {
+  bool json = false;
+  std::string out;     ///< empty: standard output
+  std::string format;  ///< empty: by the extension of `out`
+  unsigned threads = 1;
+  bool progress = false;
+  bool quiet = false;
+  std::uint64_t limit_memory_mb = 0;  ///< 0: none
+  double limit_seconds = 0;           ///< 0: none
+  bool exact_decimals = false;
+
+  void declare(CLI::App& app);
+};
+
+/// Files and standard output of one command, all or nothing: files are opened before the work,
+/// completed under temporary names, then standard output is written, then the files get their
+/// names.
+class Outputs {
+ public:
+  using Writer = std::function<void(std::ostream&)>;
+
+  /// Opens `path` now ("-" is standard output, once); `writer` runs in deliver().
+  void add(const std::string& path, Writer writer);
+  void deliver();
+
+ private:
+  struct Pending {
+    std::unique_ptr<OutputFile> file;
+    Writer writer;
+  };
+  std::vector<Pending> files_;
+  Writer to_stdout_;
+};
+
+class Session {
+ public:
+  Session(const CommonOptions& options, std::stop_token stop);
+
+  const CommonOptions& options() const { return options_; }
+  Context& context() { return context_; }
+  Outputs& outputs() { return outputs_; }
+
+  /// A line on standard error, unless --quiet. Requires no line break in `text`.
+  void note(std::string_view text);
+  void finish_progress() { progress_.clear(); }
+
+ private:
+  CommonOptions options_;
+  ProgressBar progress_;
+  Context context_;
+  Outputs outputs_;
+};
+
+}  // namespace plumb::cli
