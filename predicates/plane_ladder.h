@@ -1,0 +1,54 @@
+// The exact rungs of every sign about planes: the narrowest width that holds the operands, then
+// wider ones, then mpz. A *form* computes the sign from an array of loaded planes of any number
+// type:
+//
+//   form(const std::array<Plane, K>&) -> Sign      Plane = FixedPlane<W> or BigPlane, aligned
+#pragma once
+
+#include <array>
+
+#include "plumb/predicates/plane_exact.h"
+
+namespace plumb::exact3 {
+
+template <std::size_t K>
+std::array<Operand, K> operands(const PlaneTable& table, const std::array<PlaneId, K>& ids) {
+  std::array<Operand, K> result;
+  for (std::size_t i = 0; i < K; ++i) result[i] = operand(table, ids[i]);
+  return result;
+}
+
+template <std::size_t K>
+int width_of(const std::array<Operand, K>& operands) {
+  int width = 0;
+  for (const Operand& o : operands) width = o.width > width ? o.width : width;
+  return width;
+}
+
+/// Unsure when the operands, or their offsets on a common scale, do not fit W.
+template <class W, std::size_t K, class Form>
+FilteredSign fixed_sign(const std::array<Operand, K>& operands, const Form& form) {
+  if (width_of(operands) > W::kIndex) return FilteredSign::Unsure;
+  std::array<FixedPlane<W>, K> planes;
+  for (std::size_t i = 0; i < K; ++i) planes[i] = load<W>(operands[i]);
+  if (!align(planes)) return FilteredSign::Unsure;
+  return filtered(form(planes));
+}
+
+template <std::size_t K, class Form>
+Sign big_sign(const std::array<Operand, K>& operands, const Form& form) {
+  std::array<BigPlane, K> planes;
+  for (std::size_t i = 0; i < K; ++i) planes[i] = load_big(operands[i]);
+  align(planes);
+  return form(planes);
+}
+
+template <std::size_t K, class Form>
+Sign exact_sign(const std::array<Operand, K>& operands, const Form& form) {
+  if (const auto s = fixed_sign<Narrow>(operands, form); is_decided(s)) return decided(s);
+  if (const auto s = fixed_sign<Medium>(operands, form); is_decided(s)) return decided(s);
+  if (const auto s = fixed_sign<Wide>(operands, form); is_decided(s)) return decided(s);
+  return big_sign(operands, form);
+}
+
+}  // namespace plumb::exact3

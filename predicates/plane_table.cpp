@@ -1,0 +1,426 @@
+#include "plumb/predicates/plane_table.h"
+
+#include <tsl/robin_set.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plumb/predicates/decompose.h"
+#include "plumb/predicates/plane_ladder.h"
+#include "plumb/predicates/plane_row.h"
+
+namespace plumb {
+
+using exact3::BigPlane;
+using exact3::kAnyScale;
+
+// --- the index: a hash set of ids that finds planes
+// -----------------------------------------------
+
+namespace {
+
+/// Are two canonical planes the same? n x m = 0 and n_k e = m_k d for a nonzero n_k. Canonical
+/// planes that are parallel run the same way, so m_k is then nonzero too.
+struct SamePlane {
+  template <class Plane>
+  Sign operator()(const std::array<Plane, 2>& planes) const {
+    const auto& [a, b] = planes;
+    std::size_t k = 0;
+    while (k < 2 && exact3::sign_of(a.n[k]) == Sign::Zero) ++k;
+    using Number = typename exact3::Types<Plane>::Det4;
+    for (std::size_t i = k + 1; i < 3; ++i) {
+      if (differ<Number>(a.n[k], b.n[i], b.n[k], a.n[i])) return Sign::Positive;
+    }
+    for (std::size_t i = 0; i < k; ++i) {
+      if (exact3::sign_of(b.n[i]) != Sign::Zero) return Sign::Positive;
+    }
+    const bool same = !differ<Number>(a.n[k], b.d, b.n[k], a.d);
+    return same ? Sign::Zero : Sign::Positive;
+  }
+
+ private:
+  template <class Number, class A, class B>
+  static bool differ(const A& a, const B& b, const A& c, const B& d) {
+    return !(exact3::product<Number>(a, b) == exact3::product<Number>(c, d));
+  }
+};
+
+bool is_same_source(const PlaneSource& a, const PlaneSource& b) {
+  return !a.is_explicit() && a.code == b.code;
+}
+
+/// Equal fingerprints are confirmed here. There is no interval check before: planes that collide
+/// without being equal are too rare for it to pay.
+bool is_same_plane(const PlaneTable& table, const PlaneSource& a, const PlaneSource& b) {
+  if (is_same_source(a, b)) return true;
+  const std::array<exact3::Operand, 2> both = {exact3::operand(table, a),
+                                               exact3::operand(table, b)};
+  return exact3::exact_sign(both, SamePlane{}) == Sign::Zero;
+}
+
+/// A stored plane: its id and the low half of its fingerprint, which is its hash.
+struct Key {
+  std::uint32_t id;
+  std::uint32_t hash;
+};
+
+/// A plane looked for. It equals a key when the planes are equal.
+struct Candidate {
+  const PlaneTable* table;
+  PlaneSource source;
+  Fingerprint fingerprint;
+};
+
+struct Hash {
+  std::size_t operator()(const Key& key) const { return key.hash; }
+  std::size_t operator()(const Candidate& c) const {
+    return static_cast<std::uint32_t>(c.fingerprint);
+  }
+};
+
+struct Equal {
+  using is_transparent = void;
+  bool operator()(const Key& a, const Key& b) const { return a.id == b.id; }
+  bool operator()(const Key& key, const Candidate& c) const {
+    if (key.hash != static_cast<std::uint32_t>(c.fingerprint)) return false;
+    const PlaneId plane{key.id};
+    return c.table->fingerprint(plane) == c.fingerprint &&
+           is_same_plane(*c.table, c.table->source(plane), c.source);
+  }
+  bool operator()(const Candidate& c, const Key& key) const { return operator()(key, c); }
+};
+
+}  // namespace
+
+struct PlaneTable::Index {
+  tsl::robin_set<Key, Hash, Equal> keys;
+};
+
+/// A plane before its interning.
+struct PlaneTable::Draft {
+  bool is_plane;
+  bool is_flipped;
+  PlaneRow row;
+  PlaneSource source;  ///< canonical
+};
+
+PlaneTable::PlaneTable() : index_(std::make_unique<Index>()) {}
+PlaneTable::~PlaneTable() = default;
+PlaneTable::PlaneTable(PlaneTable&&) noexcept = default;
+PlaneTable& PlaneTable::operator=(PlaneTable&&) noexcept = default;
+
+void PlaneTable::reserve(std::size_t planes) {
+  rows_.reserve(planes);
+  fingerprints_.reserve(planes);
+  sources_.reserve(planes);
+  index_->keys.reserve(planes);
+}
+
+InputPointId PlaneTable::add_points(std::span<const Point3> points) {
+  const InputPointId first{points_.size()};
+  points_.insert(points_.end(), points.begin(), points.end());
+  return first;
+}
+
+OrientedPlane PlaneTable::find_or_add(const Draft& draft, Fingerprint fingerprint) {
+  const Candidate candidate{this, draft.source, fingerprint};
+  const auto found = index_->keys.find(candidate);
+  if (found != index_->keys.end()) return {PlaneId(found->id), draft.is_flipped};
+  const PlaneId id{rows_.size()};
+  index_->keys.insert({id.value(), static_cast<std::uint32_t>(fingerprint)});
+  rows_.push_back(draft.row);
+  fingerprints_.push_back(fingerprint);
+  sources_.push_back(draft.source);
+  return {id, draft.is_flipped};
+}
+
+// --- planes through three points
+// -------------------------------------------------------------------
+
+namespace {
+
+using Residues3 = std::array<Residue, 3>;
+
+Residues3 residues(const Point3& p) {
+  return {Residue::of(p.x), Residue::of(p.y), Residue::of(p.z)};
+}
+
+/// (n, d) of the plane through three points, in F_q.
+ResidueRow residues(const Residues3& p, const Residues3& q, const Residues3& r) {
+  const Residue ux = q[0] - p[0], uy = q[1] - p[1], uz = q[2] - p[2];
+  const Residue vx = r[0] - p[0], vy = r[1] - p[1], vz = r[2] - p[2];
+  const Residue a = uy * vz - uz * vy, b = uz * vx - ux * vz, c = ux * vy - uy * vx;
+  return {a, b, c, -(a * p[0] + b * p[1] + c * p[2])};
+}
+
+template <class Plane>
+Sign orientation(const Plane& plane) {
+  for (const auto& n : plane.n) {
+    if (const Sign s = exact3::sign_of(n); s != Sign::Zero) return s;
+  }
+  return Sign::Zero;
+}
+
+template <class Plane>
+void negate(Plane& plane) {
+  for (auto& n : plane.n) n = -n;
+  plane.d = -plane.d;
+}
+
+/// The row of a plane in its canonical orientation, and the orientation it had.
+template <class Plane>
+Sign canonical_row(Plane plane, PlaneRow& row) {
+  const Sign sign = orientation(plane);
+  if (sign == Sign::Zero) return sign;
+  if (sign == Sign::Negative) negate(plane);
+  row = exact_row(plane);
+  return sign;
+}
+
+/// (a, b, c, d) as integers on one scale.
+IntegerRow integer_row(const BigPlane& plane) {
+  const int scale = plane.scale == kAnyScale ? 0 : plane.scale;
+  const int up = std::max(-scale, 0);
+  return {shifted(plane.n[0], up), shifted(plane.n[1], up), shifted(plane.n[2], up),
+          shifted(plane.d, std::max(scale, 0))};
+}
+
+IntegerRow integer_row(const PlaneTable& table, const PlaneSource& source) {
+  return integer_row(exact3::load_big(exact3::operand(table, source)));
+}
+
+}  // namespace
+
+PlaneTable::Draft PlaneTable::draft(const PlaneSource& corners) const {
+  const auto& [p, q, r] = corners.code;
+  const FastRow fast = fast_row(points_[p], points_[q], points_[r]);
+  Draft result{fast.is_good, fast.is_flipped, fast.row, corners};
+  if (!fast.is_good) {
+    const exact3::Operand exact = exact3::operand(*this, corners);
+    const Sign sign = exact.width <= exact3::Medium::kIndex
+                          ? canonical_row(exact3::load<exact3::Medium>(exact), result.row)
+                          : canonical_row(exact3::load_big(exact), result.row);
+    result.is_plane = sign != Sign::Zero;
+    result.is_flipped = sign == Sign::Negative;
+  }
+  if (result.is_flipped) std::swap(result.source.code[1], result.source.code[2]);
+  return result;
+}
+
+OrientedPlane PlaneTable::intern(InputPointId p, InputPointId q, InputPointId r) {
+  OrientedPlane result;
+  const std::array<InputPointId, 3> triangle = {p, q, r};
+  intern_block({&triangle, 1}, {&result, 1});
+  return result;
+}
+
+namespace {
+
+constexpr std::size_t kBlock = 256;  // one inversion for so many triangles; the scratch stays in L1
+
+}  // namespace
+
+void PlaneTable::intern_triangles(std::span<const std::array<InputPointId, 3>> triangles,
+                                  std::span<OrientedPlane> result) {
+  for (std::size_t i = 0; i < triangles.size(); i += kBlock) {
+    const std::size_t count = std::min(kBlock, triangles.size() - i);
+    intern_block(triangles.subspan(i, count), result.subspan(i, count));
+  }
+}
+
+/// Phases: residues, inversion, then row and look-up of each triangle.
+void PlaneTable::intern_block(std::span<const std::array<InputPointId, 3>> triangles,
+                              std::span<OrientedPlane> result) {
+  std::array<ResidueRow, kBlock> rows;
+  std::array<Residue, kBlock> inverses, scratch;
+  const std::size_t count = triangles.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [p, q, r] = triangles[i];
+    rows[i] = residues(residues(point(p)), residues(point(q)), residues(point(r)));
+    inverses[i] = leading(rows[i]);
+  }
+  invert_all(std::span(inverses).first(count), std::span(scratch).first(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [p, q, r] = triangles[i];
+    const Draft plane = draft({{p.value(), q.value(), r.value()}});
+    result[i] = OrientedPlane{};
+    if (!plane.is_plane) continue;
+    const Fingerprint f = inverses[i].is_zero()
+                              ? plumb::fingerprint(integer_row(*this, plane.source))
+                              : plumb::fingerprint(rows[i], inverses[i]);
+    result[i] = find_or_add(plane, f);
+  }
+}
+
+// --- planes from coefficients
+// ------------------------------------------------------------------------
+
+namespace {
+
+/// The coefficients n, d 2^scale without common powers of two; d odd or zero.
+void strip(IntegerRow& row, int& scale) {
+  int low = INT_MAX;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!row[i].is_zero()) low = std::min(low, trailing_zeros(row[i]));
+  }
+  for (std::size_t i = 0; i < 3; ++i) row[i] >>= static_cast<unsigned>(low);
+  const int offset_low = row[3].is_zero() ? 0 : trailing_zeros(row[3]);
+  row[3] >>= static_cast<unsigned>(offset_low);
+  scale += offset_low - low;
+}
+
+BigPlane big_plane(const IntegerRow& row, int scale) {
+  return {{row[0], row[1], row[2]}, row[3], row[3].is_zero() ? kAnyScale : scale};
+}
+
+Fingerprint fingerprint_of(const IntegerRow& row, int scale) {
+  const ResidueRow residues = {Residue::of(row[0]), Residue::of(row[1]), Residue::of(row[2]),
+                               Residue::of(row[3]) * Residue::power_of_two(scale)};
+  return leading(residues).is_zero() ? fingerprint(integer_row(big_plane(row, scale)))
+                                     : fingerprint(residues);
+}
+
+}  // namespace
+
+PlaneSource PlaneTable::push_slot(const IntegerRow& row, int scale,
+                                  std::array<PlaneId, 2> parents) {
+  const int normal_bits = std::max({bit_length(row[0]), bit_length(row[1]), bit_length(row[2])});
+  const int offset_bits = bit_length(row[3]);
+  const int limbs = std::max(normal_bits, offset_bits) / 64 + 1;
+  const auto slot = static_cast<std::uint32_t>(slots_.size());
+  slots_.push_back(
+      {limbs_.size(), static_cast<std::uint32_t>(limbs), scale, normal_bits, offset_bits, parents});
+  for (const Integer& x : row) append_limbs(x, static_cast<std::size_t>(limbs), limbs_);
+  return {{PlaneSource::kExplicit, slot, 0}};
+}
+
+void PlaneTable::pop_slot() {
+  limbs_.resize(slots_.back().first);
+  slots_.pop_back();
+}
+
+OrientedPlane PlaneTable::intern_row(IntegerRow row, int scale, std::array<PlaneId, 2> parents) {
+  BigPlane plane = big_plane(row, scale);
+  const Sign sign = orientation(plane);
+  if (sign == Sign::Zero) return {};
+  strip(row, scale);
+  if (sign == Sign::Negative) {
+    for (Integer& x : row) x = -x;
+  }
+  const Draft draft{true, sign == Sign::Negative, exact_row(big_plane(row, scale)),
+                    push_slot(row, scale, parents)};
+  const std::size_t planes = size();
+  const OrientedPlane result = find_or_add(draft, fingerprint_of(row, scale));
+  if (size() == planes) pop_slot();  // known already
+  return result;
+}
+
+OrientedPlane PlaneTable::intern(double a, double b, double c, double d) {
+  const Grid normal = {a, b, c};
+  const Decomposed offset = decompose(d);
+  return intern_row({to_integer(a, normal.low()), to_integer(b, normal.low()),
+                     to_integer(c, normal.low()), Integer(offset.mantissa)},
+                    offset.exponent - normal.low(), {});
+}
+
+OrientedPlane PlaneTable::intern(const Rational& a, const Rational& b, const Rational& c,
+                                 const Rational& d) {
+  const Integer common =
+      lcm(lcm(denominator(a), denominator(b)), lcm(denominator(c), denominator(d)));
+  const auto whole = [&](const Rational& x) {
+    return Integer(numerator(x) * (common / denominator(x)));
+  };
+  return intern_row({whole(a), whole(b), whole(c), whole(d)}, 0, {});
+}
+
+// --- walls
+// -------------------------------------------------------------------------------------------
+
+OrientedPlane PlaneTable::intern(const Pencil& wall) {
+  const IntegerRow p = coefficients(wall.first), q = coefficients(wall.second);
+  IntegerRow row;
+  for (std::size_t i = 0; i < 4; ++i) row[i] = wall.c_second * p[i] - wall.c_first * q[i];
+  return intern_row(std::move(row), 0, {wall.first, wall.second});
+}
+
+namespace {
+
+/// unit^-1 (n.x + d w) for x on the grid of the given unit; the multiplier of a wall.
+Integer value_at(const IntegerRow& row, const Point3& x, int w) {
+  const int low = Grid{x.x, x.y, x.z}.low();
+  const Integer sum =
+      row[0] * to_integer(x.x, low) + row[1] * to_integer(x.y, low) + row[2] * to_integer(x.z, low);
+  if (w == 0) return sum;
+  return shifted(sum, std::max(low, 0)) + shifted(row[3], std::max(-low, 0));
+}
+
+Pencil wall(const PlaneTable& planes, PlaneId first, PlaneId second, const Point3& x, int w) {
+  return {first, second, value_at(planes.coefficients(first), x, w),
+          value_at(planes.coefficients(second), x, w)};
+}
+
+}  // namespace
+
+Pencil wall_along(const PlaneTable& planes, PlaneId first, PlaneId second,
+                  const Point3& direction) {
+  return wall(planes, first, second, direction, 0);
+}
+
+Pencil wall_through(const PlaneTable& planes, PlaneId first, PlaneId second, const Point3& x) {
+  return wall(planes, first, second, x, 1);
+}
+
+std::optional<std::array<PlaneId, 2>> PlaneTable::parents(PlaneId wall) const {
+  const PlaneSource& s = source(wall);
+  if (!s.is_explicit() || !slot(s).parents[0].is_valid()) return {};
+  return slot(s).parents;
+}
+
+bool PlaneTable::is_wall_of(PlaneId wall, std::span<const PlaneId> planes) const {
+  const auto pair = parents(wall);
+  const auto is_known = [&](PlaneId p) {
+    return std::find(planes.begin(), planes.end(), p) != planes.end();
+  };
+  return pair && is_known((*pair)[0]) && is_known((*pair)[1]);
+}
+
+// --- output and merging
+// --------------------------------------------------------------------------------
+
+IntegerRow PlaneTable::coefficients(PlaneId p) const { return integer_row(*this, source(p)); }
+
+IntegerRow PlaneTable::primitive(PlaneId p) const { return plumb::primitive(coefficients(p)); }
+
+PlaneSource PlaneTable::copy_slot(const PlaneTable& other, const PlaneSlot& slot,
+                                  std::span<const PlaneId> map) {
+  const auto index = static_cast<std::uint32_t>(slots_.size());
+  slots_.push_back(slot);
+  slots_.back().first = limbs_.size();
+  for (PlaneId& parent : slots_.back().parents) {
+    if (parent.is_valid()) parent = map[parent.value()];
+  }
+  const std::uint64_t* from = other.limbs(slot);
+  limbs_.insert(limbs_.end(), from, from + std::size_t{4} * slot.limbs);
+  return {{PlaneSource::kExplicit, index, 0}};
+}
+
+std::vector<PlaneId> PlaneTable::merge(const PlaneTable& other) {
+  const auto shift = add_points(other.points()).value();
+  std::vector<PlaneId> map;
+  map.reserve(other.size());
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    PlaneSource source = other.sources_[i];
+    if (source.is_explicit()) {
+      source = copy_slot(other, other.slot(source), map);
+    } else {
+      for (std::uint32_t& p : source.code) p += shift;
+    }
+    const Draft draft{true, false, other.rows_[i], source};
+    const std::size_t planes = size();
+    map.push_back(find_or_add(draft, other.fingerprints_[i]).plane());
+    if (source.is_explicit() && size() == planes) pop_slot();
+  }
+  return map;
+}
+
+}  // namespace plumb

@@ -1,0 +1,186 @@
+// The planes of space, each stored once: equal planes have equal ids.
+//
+// A plane is the set n.x + d = 0 with its two sides. The table keeps, for every plane,
+//
+//   row          normal and offset in doubles with their errors: what filters read
+//   fingerprint  of the exact homogeneous row (n, d): what interning reads
+//   source       three input points, or a slot of exact limbs: what exact rungs read
+//
+// 60 bytes a plane and no allocation for a plane through three input points. Exact coefficients of
+// such a plane are never stored: rebuilding them costs less than fetching them.
+//
+// Canonical orientation: the first nonzero one of (a, b, c) is positive, so opposite orientations
+// share an id and differ in a bit. Ids number the planes in the order of their first appearance.
+//
+// Const members may be called from many threads at once; interning is exclusive.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "plumb/predicates/fingerprint.h"
+#include "plumb/predicates/point.h"
+#include "plumb/predicates/rational.h"
+#include "plumb/predicates/sign.h"
+#include "plumb/predicates/strong_id.h"
+
+namespace plumb {
+
+using PlaneId = StrongId<struct PlaneTag>;
+/// An input point of space, by its index in the table.
+using InputPointId = StrongId<struct InputPointTag>;
+
+/// A plane with a direction of its normal, in 32 bits. Default-constructed: no plane.
+class OrientedPlane {
+ public:
+  constexpr OrientedPlane() = default;
+  constexpr OrientedPlane(PlaneId plane, bool is_opposite)
+      : code_(plane.value() * 2 + static_cast<std::uint32_t>(is_opposite)) {}
+
+  constexpr bool is_valid() const { return code_ != kInvalid; }
+  /// Requires is_valid().
+  constexpr PlaneId plane() const { return PlaneId(code_ >> 1); }
+  /// Does it run against the canonical orientation?
+  constexpr bool is_opposite() const { return (code_ & 1) != 0; }
+  /// The side of the oriented plane = orientation() * the side of plane().
+  constexpr Sign orientation() const { return is_opposite() ? Sign::Negative : Sign::Positive; }
+  constexpr OrientedPlane opposite() const { return {plane(), !is_opposite()}; }
+  friend constexpr auto operator<=>(OrientedPlane, OrientedPlane) = default;
+
+ private:
+  static constexpr std::uint32_t kInvalid = ~std::uint32_t{0};
+  std::uint32_t code_ = kInvalid;
+};
+
+/// The canonical plane, scaled by a power of two so that 1/2 <= max |n[i]| <= 1, in doubles:
+/// |n[i] - exact| <= normal_error / 2 and |d - exact| <= offset_error / 2. The other halves pay for
+/// the rounding of what is computed from them (plane_signs.cpp). normal_error >= 2^-48;
+/// offset_error may be infinite: no filter then decides.
+struct PlaneRow {
+  std::array<double, 3> n;
+  double d;
+  float normal_error;
+  float offset_error;
+};
+
+/// Where a plane comes from.
+struct PlaneSource {
+  static constexpr std::uint32_t kExplicit = ~std::uint32_t{0};
+  /// Three input points; counter-clockwise seen from the positive side. Or {kExplicit, slot, 0}.
+  std::array<std::uint32_t, 3> code;
+  bool is_explicit() const { return code[0] == kExplicit; }
+  bool has_point(InputPointId p) const {
+    return !is_explicit() && (code[0] == p.value() || code[1] == p.value() || code[2] == p.value());
+  }
+};
+
+/// Exact coefficients n.x + d 2^scale = 0 in the limb pool: 4 integers of `limbs` limbs each, from
+/// `first` on.
+struct PlaneSlot {
+  std::size_t first;
+  std::uint32_t limbs;
+  std::int32_t scale;
+  std::int32_t normal_bits;        ///< |a|, |b|, |c| < 2^normal_bits
+  std::int32_t offset_bits;        ///< |d| < 2^offset_bits
+  std::array<PlaneId, 2> parents;  ///< of a wall; else invalid
+};
+
+/// A wall: the plane c_second * first - c_first * second of the pencil of two planes, with exact
+/// multipliers of their rows PlaneTable::coefficients.
+struct Pencil {
+  PlaneId first;
+  PlaneId second;
+  Integer c_first;
+  Integer c_second;
+};
+
+class PlaneTable {
+ public:
+  PlaneTable();
+  ~PlaneTable();
+  PlaneTable(PlaneTable&&) noexcept;
+  PlaneTable& operator=(PlaneTable&&) noexcept;
+
+  void reserve(std::size_t planes);
+
+  // --- input points ---------------------------------------------------------------------------
+  /// Requires finite coordinates. At most 2^31 - 1 points. Returns the id of the first; the others
+  /// follow. Equal points may be added twice: ids are not merged.
+  InputPointId add_points(std::span<const Point3> points);
+  InputPointId add_point(const Point3& p) { return add_points({&p, 1}); }
+  const Point3& point(InputPointId p) const { return points_[p.value()]; }
+  std::span<const Point3> points() const { return points_; }
+
+  // --- interning ------------------------------------------------------------------------------
+  // The result is not valid exactly when the arguments define no plane (a zero normal). A plane
+  // known already gives its id. At most 2^31 - 2 planes.
+
+  /// The plane through three input points; positive where p, q, r are seen counter-clockwise.
+  /// Cost: ~250 ns (one inversion); use intern_triangles for many.
+  OrientedPlane intern(InputPointId p, InputPointId q, InputPointId r);
+  /// a x + b y + c z + d = 0 with its positive side; finite doubles, taken exactly.
+  OrientedPlane intern(double a, double b, double c, double d);
+  OrientedPlane intern(const Rational& a, const Rational& b, const Rational& c, const Rational& d);
+  /// Known to lie in the pencil ever after: see has_parents.
+  OrientedPlane intern(const Pencil& wall);
+  /// One plane for each triangle: result[i] = intern(triangles[i]...), but with one inversion for
+  /// many. Cost: 50-100 ns a triangle. Requires result.size() == triangles.size().
+  void intern_triangles(std::span<const std::array<InputPointId, 3>> triangles,
+                        std::span<OrientedPlane> result);
+  /// Adds the points and planes of another table: result[i] is its plane i here. Its points follow
+  /// ours in their order. A hash join: nothing is computed anew but the confirmation of equal
+  /// planes.
+  std::vector<PlaneId> merge(const PlaneTable& other);
+
+  // --- reading --------------------------------------------------------------------------------
+  std::size_t size() const { return rows_.size(); }
+  const PlaneRow& row(PlaneId p) const { return rows_[p.value()]; }
+  Fingerprint fingerprint(PlaneId p) const { return fingerprints_[p.value()]; }
+  const PlaneSource& source(PlaneId p) const { return sources_[p.value()]; }
+  const PlaneSlot& slot(const PlaneSource& s) const { return slots_[s.code[1]]; }
+  const std::uint64_t* limbs(const PlaneSlot& s) const { return limbs_.data() + s.first; }
+
+  /// Is `wall` a pencil of two of the given planes, so that it holds their common points?
+  bool is_wall_of(PlaneId wall, std::span<const PlaneId> planes) const;
+  /// The parents of a plane first interned as a wall.
+  std::optional<std::array<PlaneId, 2>> parents(PlaneId wall) const;
+  /// Exact coefficients (a, b, c, d) of the canonical plane; some multiple, always the same one.
+  IntegerRow coefficients(PlaneId p) const;
+  /// The same with gcd 1. For output: costs the gcd.
+  IntegerRow primitive(PlaneId p) const;
+
+ private:
+  struct Index;
+  struct Draft;
+
+  Draft draft(const PlaneSource& corners) const;
+  OrientedPlane find_or_add(const Draft& draft, Fingerprint fingerprint);
+  void intern_block(std::span<const std::array<InputPointId, 3>> triangles,
+                    std::span<OrientedPlane> result);
+  PlaneSource push_slot(const IntegerRow& row, int scale, std::array<PlaneId, 2> parents);
+  PlaneSource copy_slot(const PlaneTable& other, const PlaneSlot& slot,
+                        std::span<const PlaneId> map);
+  void pop_slot();
+  OrientedPlane intern_row(IntegerRow row, int scale, std::array<PlaneId, 2> parents);
+
+  std::vector<Point3> points_;
+  std::vector<PlaneRow> rows_;
+  std::vector<Fingerprint> fingerprints_;
+  std::vector<PlaneSource> sources_;
+  std::vector<PlaneSlot> slots_;
+  std::vector<std::uint64_t> limbs_;
+  std::unique_ptr<Index> index_;  // fingerprint -> id (plane_table.cpp)
+};
+
+/// The wall of two planes through the line they share that holds the direction u, and the one that
+/// holds the point x. (Two planes without a common line give one of the two, or no plane.)
+/// Requires finite doubles. With n1.u, n2.u as multipliers: normal 4b + 7 bits (KERNEL.md 3).
+Pencil wall_along(const PlaneTable& planes, PlaneId first, PlaneId second, const Point3& direction);
+Pencil wall_through(const PlaneTable& planes, PlaneId first, PlaneId second, const Point3& x);
+
+}  // namespace plumb

@@ -1,0 +1,218 @@
+#include "plumb/predicates/point3_exact.h"
+
+#include <algorithm>
+
+namespace plumb::exact3 {
+
+int width_of_bits(int bits) {
+  if (bits <= Narrow::kMaxBits) return Narrow::kIndex;
+  if (bits <= Medium::kMaxBits) return Medium::kIndex;
+  return bits <= Wide::kMaxBits ? Wide::kIndex : Wide::kIndex + 1;
+}
+
+namespace {
+
+void add(Grid& grid, const Point3& p) {
+  grid.add(p.x);
+  grid.add(p.y);
+  grid.add(p.z);
+}
+
+void set_ends(PointOperand& operand, const Point3* a, const Point3* b) {
+  operand.ends = {a, b};
+  add(operand.grid, *a);
+  if (b != nullptr) add(operand.grid, *b);
+  operand.width = width_of_bits(operand.grid.bits());
+}
+
+/// The numbers of a plane type: what coordinates and the values s(y) are held in.
+template <class Plane>
+struct Numbers;
+template <class W>
+struct Numbers<FixedPlane<W>> {
+  using Coordinate = exact3::Coordinate<W>;
+  using Offset = exact3::Offset<W>;
+  static constexpr int kCoordinateBits = W::kMaxBits;
+  static constexpr int kNumeratorBits = 64 * (W::kOffset + 2 * W::kNormal) - 5;
+};
+template <>
+struct Numbers<BigPlane> {
+  using Coordinate = Integer;
+  using Offset = Integer;
+  static constexpr int kCoordinateBits = INT_MAX;
+  static constexpr int kNumeratorBits = INT_MAX;
+};
+
+template <class Number>
+Number on_grid(const Grid& grid, double value) {
+  if constexpr (std::is_same_v<Number, Integer>) {
+    return to_integer(value, grid.low());
+  } else if constexpr (Number::kLimbs == 1) {
+    return Number(grid.to_int64(value));
+  } else {
+    return grid.to_fixed<Number::kLimbs>(value);
+  }
+}
+
+template <class Plane>
+using Coordinates = Vector<typename Numbers<Plane>::Coordinate>;
+
+template <class Plane>
+Coordinates<Plane> on_grid(const Grid& grid, const Point3& p) {
+  using Number = typename Numbers<Plane>::Coordinate;
+  return {on_grid<Number>(grid, p.x), on_grid<Number>(grid, p.y), on_grid<Number>(grid, p.z)};
+}
+
+template <class Plane>
+bool shift_all(Coordinates<Plane>& x, int shift) {
+  return std::all_of(x.begin(), x.end(), [&](auto& c) {
+    return shift_within(c, shift, Numbers<Plane>::kCoordinateBits);
+  });
+}
+
+template <class To, class From>
+To widened(const From& x) {
+  if constexpr (std::is_same_v<To, Integer>) {
+    return x;
+  } else {
+    return x.template resized<To::kLimbs>();
+  }
+}
+
+template <class Plane>
+bool load_three(const PointOperand& operand, PointOf<Plane>& point) {
+  std::array<Plane, 3> planes = {load_as<Plane>(operand.planes[0]),
+                                 load_as<Plane>(operand.planes[1]),
+                                 load_as<Plane>(operand.planes[2])};
+  if (!align(planes)) return false;
+  point = common_point(planes[0], planes[1], planes[2]);
+  return true;
+}
+
+template <class Plane>
+bool load_input(const PointOperand& operand, PointOf<Plane>& point) {
+  const Coordinates<Plane> x = on_grid<Plane>(operand.grid, *operand.ends[0]);
+  using T = Types<Plane>;
+  for (std::size_t i = 0; i < 3; ++i) point.x[i] = widened<typename T::Numerator>(x[i]);
+  point.w = typename T::Det3(1);
+  point.scale = operand.grid.low();
+  return true;
+}
+
+template <class Plane>
+bool load_line(const PointOperand& operand, PointOf<Plane>& point) {
+  using T = Types<Plane>;
+  using Value = typename Numbers<Plane>::Offset;
+  Plane plane = load_as<Plane>(operand.planes[0]);
+  Coordinates<Plane> a = on_grid<Plane>(operand.grid, *operand.ends[0]);
+  Coordinates<Plane> b = on_grid<Plane>(operand.grid, *operand.ends[1]);
+  const int low = operand.grid.low(), scale = std::min(low, plane.scale);
+  if (!shift_all<Plane>(a, low - scale) || !shift_all<Plane>(b, low - scale)) return false;
+  if (plane.scale != kAnyScale && !shift_within(plane.d, plane.scale - scale, offset_bits(plane))) {
+    return false;
+  }
+  const Value at_a = dot<Value>(plane.n, a) + plane.d;
+  const Value at_b = dot<Value>(plane.n, b) + plane.d;
+  for (std::size_t i = 0; i < 3; ++i) {
+    point.x[i] =
+        product<typename T::Numerator>(a[i], at_b) - product<typename T::Numerator>(b[i], at_a);
+  }
+  point.w = widened<typename T::Det3>(at_b) - widened<typename T::Det3>(at_a);
+  point.scale = scale;
+  return true;
+}
+
+}  // namespace
+
+PointOperand operand(const Point3Table& points, const PointSource& source) {
+  const PlaneTable& planes = points.planes();
+  PointOperand result;
+  if (source.is_line()) {
+    set_ends(result, &planes.point(source.end(0)), &planes.point(source.end(1)));
+  }
+  result.plane_count = source.plane_count();
+  for (std::size_t i = 0; i < result.plane_count; ++i) {
+    result.planes[i] = operand(planes, source.plane(i));
+    result.width = std::max(result.width, result.planes[i].width);
+  }
+  return result;
+}
+
+PointOperand operand(const Point3Table& points, SpacePoint point) {
+  if (!point.is_input()) return operand(points, points.source(point));
+  PointOperand result;
+  set_ends(result, &points.planes().point(point.input()), nullptr);
+  return result;
+}
+
+template <class Plane>
+Plane load_as(const Operand& operand) {
+  if constexpr (std::is_same_v<Plane, BigPlane>) {
+    return load_big(operand);
+  } else if constexpr (std::is_same_v<Plane, FixedPlane<Narrow>>) {
+    return load<Narrow>(operand);
+  } else if constexpr (std::is_same_v<Plane, FixedPlane<Medium>>) {
+    return load<Medium>(operand);
+  } else {
+    return load<Wide>(operand);
+  }
+}
+
+template <class Plane>
+bool load_point(const PointOperand& operand, PointOf<Plane>& point) {
+  if (operand.plane_count == 3) return load_three<Plane>(operand, point);
+  return operand.plane_count == 1 ? load_line<Plane>(operand, point)
+                                  : load_input<Plane>(operand, point);
+}
+
+/// The scales are made equal on the side that is coarser.
+template <class Plane>
+FilteredSign side_sign(PointOf<Plane> point, Plane plane) {
+  const int shift = plane.scale == kAnyScale ? 0 : plane.scale - point.scale;
+  if (!shift_within(plane.d, std::max(shift, 0), offset_bits(plane))) return FilteredSign::Unsure;
+  for (auto& x : point.x) {
+    if (!shift_within(x, std::max(-shift, 0), Numbers<Plane>::kNumeratorBits)) {
+      return FilteredSign::Unsure;
+    }
+  }
+  return filtered(det4_sign(point, plane) * sign_of(point.w));
+}
+
+/// x / v - y / w has the sign of (x w - y v) v w. Degree 13.
+template <class Plane>
+FilteredSign axis_order(const PointOf<Plane>& x, const PointOf<Plane>& y, std::size_t axis) {
+  auto a = x.x[axis], b = y.x[axis];
+  const int shift = x.scale - y.scale;
+  if (!shift_within(a, std::max(shift, 0), Numbers<Plane>::kNumeratorBits) ||
+      !shift_within(b, std::max(-shift, 0), Numbers<Plane>::kNumeratorBits)) {
+    return FilteredSign::Unsure;
+  }
+  Sign difference;
+  if constexpr (std::is_same_v<Plane, BigPlane>) {
+    difference = sign_of(Integer(a * y.w - b * x.w));
+  } else {
+    difference = sign_of(multiply(a, y.w) - multiply(b, x.w));
+  }
+  return filtered(difference * sign_of(x.w) * sign_of(y.w));
+}
+
+#define PLUMB_EXACT3_INSTANCE(PLANE)                                                    \
+  template PLANE load_as<PLANE>(const Operand&);                                        \
+  template bool load_point<PLANE>(const PointOperand&, PointOf<PLANE>&);                \
+  template FilteredSign side_sign<PLANE>(PointOf<PLANE>, PLANE);                        \
+  template FilteredSign axis_order<PLANE>(const PointOf<PLANE>&, const PointOf<PLANE>&, \
+                                          std::size_t);
+PLUMB_EXACT3_INSTANCE(FixedPlane<Narrow>)
+PLUMB_EXACT3_INSTANCE(FixedPlane<Medium>)
+PLUMB_EXACT3_INSTANCE(FixedPlane<Wide>)
+PLUMB_EXACT3_INSTANCE(BigPlane)
+#undef PLUMB_EXACT3_INSTANCE
+
+IntegerRow integer_row(const PointOperand& operand) {
+  PointOf<BigPlane> p;
+  load_point<BigPlane>(operand, p);
+  const int up = std::max(p.scale, 0), down = std::max(-p.scale, 0);
+  return {shifted(p.x[0], up), shifted(p.x[1], up), shifted(p.x[2], up), shifted(p.w, down)};
+}
+
+}  // namespace plumb::exact3

@@ -1,0 +1,74 @@
+// Exact homogeneous coordinates of the points of a Point3Table, in fixed widths and mpz, and the
+// forms that compare them. The notation and limits (L) are those of plane_exact.h.
+//
+// Every kind of point meets the bounds of the three-plane point, |x| < 2^(O+2M-5), |w| < 2^(3M-6):
+//   three planes   plane_exact.h
+//   line x plane   with s(y) = n.y + d: x = a s(b) - b s(a), w = s(b) - s(a).
+//                  |s| < 3 2^(M-3) 2^b + 2^(O-2) < 2^(O-1) for (N,D,b) = (1,2,29), (2,3,61),
+//                  (4,6,125), |x| < 2^(b+O), |w| < 2^O
+//   input          x = X, w = 1
+#pragma once
+
+#include <array>
+#include <type_traits>
+
+#include "plumb/predicates/plane_exact.h"
+#include "plumb/predicates/point3_table.h"
+
+namespace plumb::exact3 {
+
+/// A point about to be loaded.
+struct PointOperand {
+  std::array<Operand, 3> planes;  ///< the first plane_count are set
+  std::size_t plane_count = 0;
+  std::array<const Point3*, 2> ends = {};  ///< of the line; or the input point itself, first
+  Grid grid;                               ///< of the ends
+  int width = 0;
+};
+
+PointOperand operand(const Point3Table& points, const PointSource& source);
+PointOperand operand(const Point3Table& points, SpacePoint point);
+
+/// The least width that can hold coordinates of so many bits.
+int width_of_bits(int bits);
+
+/// Loads in the number types of Plane = FixedPlane<W> or BigPlane. Requires operand.width to be at
+/// most that of W. Returns false when a common scale breaks (L).
+template <class Plane>
+bool load_point(const PointOperand& operand, PointOf<Plane>& point);
+
+template <class Plane>
+Plane load_as(const Operand& operand);
+
+/// Sign of n.x + d (times w^2): the side of the point on the plane; Unsure when a scale breaks (L).
+template <class Plane>
+FilteredSign side_sign(PointOf<Plane> point, Plane plane);
+
+/// The order of two points along an axis: the sign of x - y; Unsure as above.
+template <class Plane>
+FilteredSign axis_order(const PointOf<Plane>& x, const PointOf<Plane>& y, std::size_t axis);
+
+// (Instantiated in point3_exact.cpp for the four plane types.)
+
+/// The exact point as integers (x, y, z, w) on one scale.
+IntegerRow integer_row(const PointOperand& operand);
+
+/// Calls question<Plane>() -> FilteredSign from the narrowest type allowed to mpz, which decides.
+template <class Question>
+Sign point_ladder(int width, const Question& question) {
+  if (width <= Narrow::kIndex) {
+    const FilteredSign s = question.template operator()<FixedPlane<Narrow>>();
+    if (is_decided(s)) return decided(s);
+  }
+  if (width <= Medium::kIndex) {
+    const FilteredSign s = question.template operator()<FixedPlane<Medium>>();
+    if (is_decided(s)) return decided(s);
+  }
+  if (width <= Wide::kIndex) {
+    const FilteredSign s = question.template operator()<FixedPlane<Wide>>();
+    if (is_decided(s)) return decided(s);
+  }
+  return decided(question.template operator()<BigPlane>());
+}
+
+}  // namespace plumb::exact3

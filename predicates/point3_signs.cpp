@@ -1,0 +1,284 @@
+#include "plumb/predicates/point3_signs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plumb/predicates/plane_signs.h"
+#include "plumb/predicates/point3_exact.h"
+
+namespace plumb {
+
+using exact3::BigPlane;
+using exact3::FixedPlane;
+using exact3::Operand;
+using exact3::PointOf;
+using exact3::PointOperand;
+
+namespace {
+
+template <class Plane>
+FilteredSign side_in(const PointOperand& x, const Operand& plane) {
+  PointOf<Plane> point;
+  if (!exact3::load_point<Plane>(x, point)) return FilteredSign::Unsure;
+  return exact3::side_sign<Plane>(point, exact3::load_as<Plane>(plane));
+}
+
+template <class Plane>
+FilteredSign order_in(const PointOperand& x, const PointOperand& y, std::size_t axis) {
+  PointOf<Plane> a, b;
+  if (!exact3::load_point<Plane>(x, a) || !exact3::load_point<Plane>(y, b)) {
+    return FilteredSign::Unsure;
+  }
+  return exact3::axis_order<Plane>(a, b, axis);
+}
+
+Sign exact_side(const Point3Table& points, SpacePoint x, PlaneId plane) {
+  const PointOperand point = exact3::operand(points, x);
+  const Operand other = exact3::operand(points.planes(), plane);
+  return exact3::point_ladder(std::max(point.width, other.width),
+                              [&]<class Plane>() { return side_in<Plane>(point, other); });
+}
+
+Sign exact_order(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis) {
+  const PointOperand a = exact3::operand(points, x), b = exact3::operand(points, y);
+  return exact3::point_ladder(std::max(a.width, b.width),
+                              [&]<class Plane>() { return order_in<Plane>(a, b, axis); });
+}
+
+}  // namespace
+
+namespace rung {
+
+/// The difference of two doubles is off by one rounding, 2^-52 of it, and by what flushing
+/// subnormal operands loses: 2^-1000 covers it. The last 2^-50 pay for the rounding of the bound.
+FilteredSign compare_axis_filter(const PointBox& x, const PointBox& y, std::size_t axis) {
+  const double difference = x.mid[axis] - y.mid[axis];
+  const double error = (x.radius + y.radius) * (1 + 0x1p-50) + 0x1p-1000;
+  if (difference * (1 - 0x1p-50) > error) return FilteredSign::Positive;
+  return difference * (1 - 0x1p-50) < -error ? FilteredSign::Negative : FilteredSign::Unsure;
+}
+
+template <class W>
+FilteredSign side_fixed(const Point3Table& points, SpacePoint x, PlaneId plane) {
+  const PointOperand point = exact3::operand(points, x);
+  const Operand other = exact3::operand(points.planes(), plane);
+  if (std::max(point.width, other.width) > W::kIndex) return FilteredSign::Unsure;
+  return side_in<FixedPlane<W>>(point, other);
+}
+
+template <class W>
+FilteredSign compare_axis_fixed(const Point3Table& points, SpacePoint x, SpacePoint y,
+                                std::size_t axis) {
+  const PointOperand a = exact3::operand(points, x), b = exact3::operand(points, y);
+  if (std::max(a.width, b.width) > W::kIndex) return FilteredSign::Unsure;
+  return order_in<FixedPlane<W>>(a, b, axis);
+}
+
+#define PLUMB_POINT3_INSTANCE(W)                                                          \
+  template FilteredSign side_fixed<W>(const Point3Table&, SpacePoint, PlaneId);           \
+  template FilteredSign compare_axis_fixed<W>(const Point3Table&, SpacePoint, SpacePoint, \
+                                              std::size_t);
+PLUMB_POINT3_INSTANCE(exact3::Narrow)
+PLUMB_POINT3_INSTANCE(exact3::Medium)
+PLUMB_POINT3_INSTANCE(exact3::Wide)
+#undef PLUMB_POINT3_INSTANCE
+
+Sign side_big(const Point3Table& points, SpacePoint x, PlaneId plane) {
+  return decided(
+      side_in<BigPlane>(exact3::operand(points, x), exact3::operand(points.planes(), plane)));
+}
+
+Sign compare_axis_big(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis) {
+  return decided(order_in<BigPlane>(exact3::operand(points, x), exact3::operand(points, y), axis));
+}
+
+}  // namespace rung
+
+bool is_known_on(const Point3Table& points, SpacePoint x, PlaneId plane,
+                 std::span<const PlaneId> incident) {
+  const PlaneTable& planes = points.planes();
+  if (std::find(incident.begin(), incident.end(), plane) != incident.end()) return true;
+  if (planes.is_wall_of(plane, incident)) return true;
+  if (x.is_input()) return planes.source(plane).has_point(x.input());
+  const PointSource& source = points.source(x);
+  std::array<PlaneId, 3> own;
+  for (std::size_t i = 0; i < source.plane_count(); ++i) own[i] = source.plane(i);
+  const std::span<const PlaneId> known = std::span(own).first(source.plane_count());
+  return std::find(known.begin(), known.end(), plane) != known.end() ||
+         planes.is_wall_of(plane, known);
+}
+
+Sign side(const Point3Table& points, SpacePoint x, PlaneId plane,
+          std::span<const PlaneId> incident) {
+  if (is_known_on(points, x, plane, incident)) return Sign::Zero;
+  const FilteredSign s = rung::side_filter(points.box(x), points.planes().row(plane));
+  return is_decided(s) ? decided(s) : exact_side(points, x, plane);
+}
+
+Sign compare_axis(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis) {
+  if (x == y) return Sign::Zero;
+  const FilteredSign s = rung::compare_axis_filter(points.box(x), points.box(y), axis);
+  return is_decided(s) ? decided(s) : exact_order(points, x, y, axis);
+}
+
+Sign compare_xyz(const Point3Table& points, SpacePoint x, SpacePoint y) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Sign s = compare_axis(points, x, y, axis);
+    if (s != Sign::Zero) return s;
+  }
+  return Sign::Zero;
+}
+
+namespace {
+
+bool is_apart(const PointBox& x, const PointBox& y) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (is_decided(rung::compare_axis_filter(x, y, axis))) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool equal(const Point3Table& points, SpacePoint x, SpacePoint y) {
+  if (x == y) return true;
+  if (is_apart(points.box(x), points.box(y))) return false;
+  if (fingerprint(points, x) != fingerprint(points, y)) return false;
+  if (y.is_input() || points.source(y).is_line()) std::swap(x, y);
+  if (y.is_input() || points.source(y).is_line()) return compare_xyz(points, x, y) == Sign::Zero;
+  const PointSource& source = points.source(y);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (side(points, x, source.plane(i)) != Sign::Zero) return false;
+  }
+  return true;
+}
+
+// --- order along a line
+// ------------------------------------------------------------------------------
+
+namespace {
+
+/// The axis along which p and q's line surely runs fastest, and the direction's sign there.
+struct Direction {
+  std::size_t axis;
+  Sign sign;
+};
+
+Direction direction_of(const PlaneTable& planes, PlaneId p, PlaneId q) {
+  const auto &a = planes.row(p).n, &b = planes.row(q).n;
+  std::array<std::size_t, 3> axes = {0, 1, 2};
+  const auto run = [&](std::size_t i) {
+    return std::fabs(a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]);
+  };
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (run(axes[i]) > run(axes[0])) std::swap(axes[0], axes[i]);
+  }
+  for (const std::size_t axis : axes) {
+    const Sign sign = minor_sign(planes, p, q, axis);
+    if (sign != Sign::Zero) return {axis, sign};
+  }
+  return {0, Sign::Zero};
+}
+
+}  // namespace
+
+/// With s a plane through y that cuts the line: s(y) = 0 = s(x) + l det3(p, q, s), l = y - x.
+Sign order_along_line(const Point3Table& points, PlaneId p, PlaneId q, SpacePoint x, SpacePoint y) {
+  if (x == y) return Sign::Zero;
+  const Direction along = direction_of(points.planes(), p, q);
+  const FilteredSign s = rung::compare_axis_filter(points.box(y), points.box(x), along.axis);
+  if (is_decided(s)) return decided(s) * along.sign;
+  const std::size_t known = y.is_input() ? 0 : points.source(y).plane_count();
+  for (std::size_t i = 0; i < known; ++i) {
+    const PlaneId cut = points.source(y).plane(i);
+    const Sign slope = det3_sign(points.planes(), p, q, cut);
+    if (slope != Sign::Zero) return -(side(points, x, cut) * slope);
+  }
+  return compare_axis(points, y, x, along.axis) * along.sign;
+}
+
+// --- fingerprints and output
+// ---------------------------------------------------------------------------
+
+namespace {
+
+using Residues3 = std::array<Residue, 3>;
+
+Residues3 residues(const Point3& p) {
+  return {Residue::of(p.x), Residue::of(p.y), Residue::of(p.z)};
+}
+
+Residues3 cross(const Residues3& a, const Residues3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Residue dot(const Residues3& a, const Residues3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Residues3 times(Residue s, const Residues3& a) { return {s * a[0], s * a[1], s * a[2]}; }
+
+Residues3 minus(const Residues3& a, const Residues3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+struct PlaneResidues {
+  Residues3 n;
+  Residue d;
+};
+
+PlaneResidues residues(const PlaneTable& planes, PlaneId id) {
+  const PlaneSource& source = planes.source(id);
+  if (source.is_explicit()) {
+    const IntegerRow row = planes.coefficients(id);
+    return {{Residue::of(row[0]), Residue::of(row[1]), Residue::of(row[2])}, Residue::of(row[3])};
+  }
+  const auto at = [&](std::size_t i) { return residues(planes.points()[source.code[i]]); };
+  const Residues3 p = at(0);
+  const Residues3 n = cross(minus(at(1), p), minus(at(2), p));
+  return {n, -dot(n, p)};
+}
+
+/// The formulas of point3_exact.h in F_q.
+ResidueRow residues(const Point3Table& points, const PointSource& source) {
+  const PlaneTable& planes = points.planes();
+  const PlaneResidues p = residues(planes, source.plane(0));
+  Residues3 x;
+  Residue w;
+  if (source.is_line()) {
+    const Residues3 a = residues(planes.point(source.end(0)));
+    const Residues3 b = residues(planes.point(source.end(1)));
+    const Residue at_a = dot(p.n, a) + p.d, at_b = dot(p.n, b) + p.d;
+    x = minus(times(at_b, a), times(at_a, b));
+    w = at_b - at_a;
+  } else {
+    const PlaneResidues q = residues(planes, source.plane(1)),
+                        r = residues(planes, source.plane(2));
+    const Residues3 qr = cross(q.n, r.n), rp = cross(r.n, p.n), pq = cross(p.n, q.n);
+    for (std::size_t i = 0; i < 3; ++i) x[i] = -(p.d * qr[i] + q.d * rp[i] + r.d * pq[i]);
+    w = dot(pq, r.n);
+  }
+  return {x[0], x[1], x[2], w};
+}
+
+ResidueRow residues(const Point3Table& points, SpacePoint x) {
+  if (!x.is_input()) return residues(points, points.source(x));
+  const Residues3 at = residues(points.planes().point(x.input()));
+  return {at[0], at[1], at[2], Residue::of(std::uint64_t{1})};
+}
+
+}  // namespace
+
+Fingerprint fingerprint(const Point3Table& points, SpacePoint x) {
+  const ResidueRow row = residues(points, x);
+  if (!leading(row).is_zero()) return fingerprint(row);
+  return fingerprint(exact3::integer_row(exact3::operand(points, x)));
+}
+
+RationalPoint3 exact(const Point3Table& points, SpacePoint x) {
+  const IntegerRow row = exact3::integer_row(exact3::operand(points, x));
+  const auto over_w = [&](std::size_t i) { return Rational(row[i], row[3]); };
+  return {over_w(0), over_w(1), over_w(2)};
+}
+
+}  // namespace plumb

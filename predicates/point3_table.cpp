@@ -1,0 +1,150 @@
+// Boxes. eps = 2^-52; e, f are the errors of plane rows (plane_table.h), |n| <= 1.
+//   three planes  w = det3, off by ew = 6 sum e (plane_signs.cpp). x_i = -sum d m_i with minors m_i
+//   off
+//                 by at most e_a + e_b + 6 eps, |m_i| <= 2: off by ex = 4 (sum e)(sum |d|) + 4 sum
+//                 f, where the slack of a factor 2 pays for the roundings.
+//   line x plane  t = s(a) / (s(a) - s(b)), with s off by es (side of an input point,
+//   point3_signs.cpp). quotients     |x/w - x'/w'| <= (ex + |x'/w'| ew) / (|w'| - ew); with ew <=
+//   |w'| / 2 at most
+//                 2 (ex + |x'/w'| ew) / |w'|, and 2 eps |x'/w'| for the division.
+#include "plumb/predicates/point3_table.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <limits>
+
+#include "plumb/predicates/point3_exact.h"
+
+namespace plumb {
+
+namespace {
+
+constexpr double kTooWide = 0x1p-30;  // of the coordinates: then the exact rung gives the box
+constexpr double kRounding = 0x1p-48;
+constexpr double kTiny = 0x1p-960;
+
+double max_abs(const std::array<double, 3>& v) {
+  return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
+}
+
+/// Is the box worth keeping? (False for NaNs.)
+bool is_good(const PointBox& box) {
+  return box.radius <= kTooWide * max_abs(box.mid) && box.radius < 0x1p900;
+}
+
+using Row = std::array<double, 3>;
+
+Row cross(const Row& a, const Row& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double sum(float a, float b, float c) {
+  return static_cast<double>(a) + static_cast<double>(b) + static_cast<double>(c);
+}
+
+/// Not good when the planes do not surely meet in one point.
+PointBox fast_box(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r) {
+  const Row qr = cross(q.n, r.n), rp = cross(r.n, p.n), pq = cross(p.n, q.n);
+  const double w = pq[0] * r.n[0] + pq[1] * r.n[1] + pq[2] * r.n[2];
+  const double e = sum(p.normal_error, q.normal_error, r.normal_error), ew = 6 * e;
+  PointBox box{{}, std::numeric_limits<double>::infinity()};
+  if (!(ew <= std::fabs(w) / 2)) return box;
+  const double inverse = -1 / w;
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.mid[i] = (p.d * qr[i] + q.d * rp[i] + r.d * pq[i]) * inverse;
+  }
+  const double offsets = std::fabs(p.d) + std::fabs(q.d) + std::fabs(r.d);
+  const double ex = 4 * e * offsets + 4 * sum(p.offset_error, q.offset_error, r.offset_error);
+  const double largest = max_abs(box.mid);
+  box.radius =
+      2 * (ex + largest * ew) * std::fabs(inverse) * (1 + kRounding) + kRounding * largest + kTiny;
+  return box;
+}
+
+/// s(a) and its error.
+struct Value {
+  double value;
+  double error;
+};
+
+Value value_at(const PlaneRow& plane, const Point3& a) {
+  const double size = std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);
+  return {plane.n[0] * a.x + plane.n[1] * a.y + plane.n[2] * a.z + plane.d,
+          static_cast<double>(plane.normal_error) * size + static_cast<double>(plane.offset_error)};
+}
+
+/// Not good when the line does not surely cut the plane. |t| <= 2^30 keeps a + t (b - a) tame.
+PointBox fast_box(const Point3& a, const Point3& b, const PlaneRow& plane) {
+  const Value at_a = value_at(plane, a), at_b = value_at(plane, b);
+  const double w = at_a.value - at_b.value;
+  const double ew = at_a.error + at_b.error + kRounding * std::fabs(w);
+  PointBox box{{}, std::numeric_limits<double>::infinity()};
+  if (!(ew <= std::fabs(w) / 2)) return box;
+  const double t = at_a.value / w;
+  const double et = 2 * (at_a.error + std::fabs(t) * ew) / std::fabs(w) + kRounding * std::fabs(t) +
+                    0x1p-1000;  // a flushed t
+  const std::array<double, 3> step = {b.x - a.x, b.y - a.y, b.z - a.z};
+  box.mid = {a.x + t * step[0], a.y + t * step[1], a.z + t * step[2]};
+  const double size = max_abs({a.x, a.y, a.z}) + std::fabs(t) * max_abs(step);
+  box.radius = et * max_abs(step) * (1 + kRounding) + kRounding * size + kTiny;
+  return box;
+}
+
+/// x 2^scale / w; both parts are off by 2^-51 at most.
+template <class X, class W>
+PointBox exact_box(const exact3::Homogeneous<X, W>& p) {
+  const Scaled w = scaled(p.w);
+  PointBox box{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Scaled x = scaled(p.x[i]);
+    const long exponent = static_cast<long>(x.exponent) - w.exponent + p.scale;
+    if (x.mantissa == 0 || exponent < -900) continue;
+    if (exponent > 900) return {{}, std::numeric_limits<double>::infinity()};
+    box.mid[i] = x.mantissa / w.mantissa * power_of_two(static_cast<int>(exponent));
+  }
+  const double largest = max_abs(box.mid);
+  box.radius = kRounding * largest;
+  const bool is_origin = exact3::sign_of(p.x[0]) == Sign::Zero &&
+                         exact3::sign_of(p.x[1]) == Sign::Zero &&
+                         exact3::sign_of(p.x[2]) == Sign::Zero;
+  if (!is_origin) box.radius += 0x1p-890;
+  return box;
+}
+
+/// Zero: the point does not exist (w = 0). The box is set otherwise.
+Sign exact_box(const exact3::PointOperand& operand, PointBox& box) {
+  return exact3::point_ladder(operand.width, [&]<class Plane>() {
+    exact3::PointOf<Plane> point;
+    if (!exact3::load_point<Plane>(operand, point)) return FilteredSign::Unsure;
+    const Sign sign = exact3::sign_of(point.w);
+    if (sign != Sign::Zero) box = exact_box(point);
+    return filtered(sign);
+  });
+}
+
+}  // namespace
+
+void Point3Table::reserve(std::size_t points) {
+  boxes_.reserve(points);
+  sources_.reserve(points);
+}
+
+SpacePoint Point3Table::push(const PointSource& source, const PointBox& fast) {
+  PointBox box = fast;
+  if (!is_good(box) && exact_box(exact3::operand(*this, source), box) == Sign::Zero) return {};
+  boxes_.push_back(box);
+  sources_.push_back(source);
+  return SpacePoint::constructed(size() - 1);
+}
+
+SpacePoint Point3Table::add(PlaneId p, PlaneId q, PlaneId r) {
+  if (p == q || q == r || p == r) return {};
+  return push({p, q, r}, fast_box(planes_->row(p), planes_->row(q), planes_->row(r)));
+}
+
+SpacePoint Point3Table::add(InputPointId a, InputPointId b, PlaneId p) {
+  return push({a, b, p}, fast_box(planes_->point(a), planes_->point(b), planes_->row(p)));
+}
+
+}  // namespace plumb

@@ -1,0 +1,33 @@
+#include "plumb/predicates/scaled.h"
+
+namespace plumb {
+
+Scaled scaled(const Integer& x) {
+  if (x.is_zero()) return {};
+  long exponent = 0;
+  const double mantissa = mpz_get_d_2exp(&exponent, x.backend().data());  // truncates
+  return {mantissa, static_cast<int>(exponent)};
+}
+
+void append_limbs(const Integer& x, std::size_t count, std::vector<std::uint64_t>& limbs) {
+  const std::size_t first = limbs.size();
+  limbs.resize(first + count, 0);
+  mpz_export(limbs.data() + first, nullptr, -1, sizeof(std::uint64_t), 0, 0, x.backend().data());
+  if (x.sign() >= 0) return;
+  std::uint64_t carry = 1;
+  for (std::size_t i = first; i < limbs.size(); ++i) {
+    limbs[i] = ~limbs[i] + carry;
+    carry = static_cast<std::uint64_t>(carry != 0 && limbs[i] == 0);
+  }
+}
+
+Integer integer_from_limbs(const std::uint64_t* limbs, std::size_t count) {
+  Integer result;
+  mpz_import(result.backend().data(), count, -1, sizeof(std::uint64_t), 0, 0, limbs);
+  if (static_cast<std::int64_t>(limbs[count - 1]) < 0) {
+    result -= shifted(Integer(1), static_cast<int>(64 * count));
+  }
+  return result;
+}
+
+}  // namespace plumb

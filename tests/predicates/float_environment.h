@@ -1,0 +1,43 @@
+// The caller's floating-point environment, changed for a scope.
+#pragma once
+
+#include <array>
+#include <cfenv>
+
+#if defined(__x86_64__)
+#include <pmmintrin.h>
+#include <xmmintrin.h>
+#endif
+
+namespace plumb::testing_environment {
+
+struct Setting {
+  const char* name;
+  int rounding;
+  bool flush;
+};
+inline constexpr std::array<Setting, 5> kSettings = {{{"to nearest", FE_TONEAREST, false},
+                                                      {"down", FE_DOWNWARD, true},
+                                                      {"up", FE_UPWARD, false},
+                                                      {"to zero", FE_TOWARDZERO, true},
+                                                      {"to nearest, flushed", FE_TONEAREST, true}}};
+
+class Scope {
+ public:
+  explicit Scope(const Setting& setting) {
+    std::fegetenv(&before_);
+    std::fesetround(setting.rounding);
+#if defined(__x86_64__)
+    _MM_SET_FLUSH_ZERO_MODE(setting.flush ? _MM_FLUSH_ZERO_ON : _MM_FLUSH_ZERO_OFF);
+    _MM_SET_DENORMALS_ZERO_MODE(setting.flush ? _MM_DENORMALS_ZERO_ON : _MM_DENORMALS_ZERO_OFF);
+#endif
+  }
+  ~Scope() { std::fesetenv(&before_); }
+  Scope(const Scope&) = delete;
+  Scope& operator=(const Scope&) = delete;
+
+ private:
+  std::fenv_t before_;
+};
+
+}  // namespace plumb::testing_environment

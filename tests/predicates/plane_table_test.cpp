@@ -1,0 +1,264 @@
+#include "plumb/predicates/plane_table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "float_environment.h"
+#include "space_cases.h"
+#include "space_oracle.h"
+
+namespace plumb {
+namespace {
+
+using oracle::Int;
+using oracle::Row;
+
+Row oracle_row(const IntegerRow& row) {
+  return {Int(row[0].str()), Int(row[1].str()), Int(row[2].str()), Int(row[3].str())};
+}
+
+Row through(const std::vector<Point3>& p, int unit) {
+  return oracle::plane_through(oracle::point_row(p[0], unit), oracle::point_row(p[1], unit),
+                               oracle::point_row(p[2], unit));
+}
+
+/// (a, b, c, d) for points in units of 2^unit, as a plane for points in units of 1.
+Row rescaled(Row plane, int unit) {
+  if (unit > 0) plane[3] <<= unit;
+  for (std::size_t i = 0; i < 3 && unit < 0; ++i) plane[i] <<= -unit;
+  return plane;
+}
+
+/// The law of interning: valid = a plane; same id = proportional rows; orientation as computed;
+/// stored coefficients canonical; row within its errors (checked by the sign tests).
+void expect_interned(const cases::Case& c, const testing_environment::Setting& setting) {
+  PlaneTable table;
+  std::array<OrientedPlane, 4> single, batch;
+  {
+    testing_environment::Scope scope(setting);
+    std::array<std::array<InputPointId, 3>, 4> triangles;
+    const std::size_t first = table.add_points(c.corners).value();
+    for (std::size_t i = 0; i < 4; ++i) {
+      triangles[i] = {InputPointId(first + 3 * i), InputPointId(first + 3 * i + 1),
+                      InputPointId(first + 3 * i + 2)};
+      single[i] = table.intern(triangles[i][0], triangles[i][1], triangles[i][2]);
+    }
+    table.intern_triangles(triangles, batch);
+  }
+  EXPECT_EQ(single, batch);
+  std::array<Row, 4> expected;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::vector<Point3> corners(c.corners.begin() + 3 * static_cast<std::ptrdiff_t>(i),
+                                      c.corners.begin() + 3 * static_cast<std::ptrdiff_t>(i) + 3);
+    const int unit = oracle::unit_of(corners);
+    expected[i] = rescaled(through(corners, unit), unit);
+    ASSERT_EQ(single[i].is_valid(), oracle::is_plane(expected[i])) << c.family;
+    if (!single[i].is_valid()) continue;
+    const Row stored = oracle_row(table.coefficients(single[i].plane()));
+    EXPECT_TRUE(oracle::is_proportional(stored, expected[i])) << c.family;
+    EXPECT_EQ(stored, oracle::canonical(stored)) << c.family;
+    const bool is_canonical = oracle::canonical(expected[i]) == expected[i];
+    EXPECT_EQ(single[i].is_opposite(), !is_canonical) << c.family;
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!single[j].is_valid()) continue;
+      EXPECT_EQ(single[i].plane() == single[j].plane(),
+                oracle::is_proportional(expected[i], expected[j]))
+          << c.family;
+    }
+  }
+}
+
+TEST(PlaneTable, InternsByEqualityOfPlanes) {
+  cases::Random random(11);
+  const std::uint64_t count = cases::count(12000);
+  for (std::uint64_t i = 0; i < count && !HasFailure(); ++i) {
+    const cases::Case c = cases::any(random);
+    expect_interned(c, testing_environment::kSettings[i % testing_environment::kSettings.size()]);
+  }
+}
+
+/// Any three corners of a polygon, in any order, are one plane; odd orders the opposite one.
+TEST(PlaneTable, AnyTripleInAnyOrder) {
+  cases::Random random(12);
+  for (int round = 0; round < 300; ++round) {
+    const Point3 a = cases::grid_point(random, 10, 2), u = cases::grid_point(random, 10, 2),
+                 v = cases::grid_point(random, 10, 2);
+    using cases::operator+;
+    PlaneTable table;
+    std::vector<InputPointId> ids;
+    for (int k = 0; k < 6; ++k) {
+      ids.push_back(table.add_point(a + cases::scaled(u, k) + cases::scaled(v, k * k)));  // convex
+    }
+    const OrientedPlane plane = table.intern(ids[0], ids[1], ids[2]);
+    if (!plane.is_valid()) continue;
+    for (std::size_t i = 0; i < 6; ++i) {
+      for (std::size_t j = 0; j < 6; ++j) {
+        for (std::size_t k = 0; k < 6; ++k) {
+          if (i == j || j == k || i == k) {
+            EXPECT_FALSE(table.intern(ids[i], ids[j], ids[k]).is_valid());
+            continue;
+          }
+          const bool even = (i < j) + (j < k) + (i < k) == 3 || (i < j) + (j < k) + (i < k) == 1;
+          EXPECT_EQ(table.intern(ids[i], ids[j], ids[k]), even ? plane : plane.opposite());
+        }
+      }
+    }
+    EXPECT_EQ(table.size(), 1u);
+  }
+}
+
+TEST(PlaneTable, CoefficientsPointsAndRationalsAgree) {
+  cases::Random random(13);
+  for (int i = 0; i < 2000; ++i) {
+    const cases::Corners c = i % 2 == 0 ? cases::one_point(random) : cases::spread(random);
+    PlaneTable table;
+    table.add_points(c);
+    const OrientedPlane p = table.intern(InputPointId(0), InputPointId(1), InputPointId(2));
+    if (!p.is_valid()) continue;
+    const IntegerRow row = table.coefficients(p.plane());
+    const Rational factor(cases::integer(random, 1, 1000), cases::integer(random, 1, 1000));
+    const Rational s = cases::integer(random, 0, 1) == 0 ? factor : Rational(-factor);
+    const OrientedPlane q = table.intern(Rational(row[0] * s), Rational(row[1] * s),
+                                         Rational(row[2] * s), Rational(row[3] * s));
+    EXPECT_EQ(q.plane(), p.plane());
+    EXPECT_EQ(q.is_opposite(), s < 0);
+    EXPECT_EQ(table.size(), 1u);
+  }
+}
+
+/// Coefficients that are one residue, and a scale of which q is a factor.
+TEST(PlaneTable, CollisionsModuloQAreTold) {
+  PlaneTable table;
+  const Integer q = (Integer(1) << 61) - 1;
+  const auto plane = [&](const Integer& a, const Integer& b, const Integer& c, const Integer& d) {
+    return table.intern(Rational(a), Rational(b), Rational(c), Rational(d));
+  };
+  const OrientedPlane unit = table.intern(1.0, 0.0, 0.0, 1.0);
+  EXPECT_NE(unit, table.intern(1.0, 0.0, 0.0, 0x1p61));
+  EXPECT_NE(unit, table.intern(1.0, 0.0, 0.0, 0x1p-61));
+  EXPECT_NE(unit, table.intern(1.0, 0.0, 0.0, 0x1p610));
+  EXPECT_NE(unit, plane(1, 0, 0, 1 + 3 * q));
+  EXPECT_NE(unit, plane(1, q, 0, 1));
+  EXPECT_NE(plane(1, q, 0, 1), plane(1, 0, q, 1));
+  EXPECT_NE(unit, plane(1, 0, 0, 1 - q));
+  const std::size_t planes = table.size();
+  EXPECT_EQ(planes, 8u);
+  EXPECT_EQ(unit, plane(q, 0, 0, q));
+  EXPECT_EQ(unit.opposite(), plane(-q * q, 0, 0, -q * q));
+  EXPECT_EQ(plane(1, q, 0, 1), plane(q, q * q, 0, q));
+  EXPECT_EQ(table.size(), planes);
+}
+
+/// Corners whose differences are multiples of q: all residues of the normal are 0.
+TEST(PlaneTable, TrianglesWithZeroResidues) {
+  PlaneTable table;
+  const double big = 0x1p61, q_up = 0x1p61 - 0x1p9;  // both doubles; q itself is none
+  const InputPointId o = table.add_point({0, 0, 0});
+  // u = (2^61 - 1) (1, 0, 0) as the sum of doubles on both sides of the origin.
+  const InputPointId a = table.add_point({-1, 0, 0}), b = table.add_point({big - 2, 0, 0});
+  const InputPointId c = table.add_point({q_up, 1, 5});
+  const OrientedPlane p = table.intern(a, b, c), r = table.intern(o, b, c);
+  ASSERT_TRUE(p.is_valid());
+  EXPECT_EQ(p, r);
+  EXPECT_FALSE(table.intern(o, a, b).is_valid());
+}
+
+TEST(PlaneTable, RefusesWhatIsNoPlane) {
+  PlaneTable table;
+  EXPECT_FALSE(table.intern(0.0, 0.0, 0.0, 1.0).is_valid());
+  EXPECT_FALSE(table.intern(Rational(0), Rational(0), Rational(0), Rational(0)).is_valid());
+  EXPECT_EQ(table.size(), 0u);
+}
+
+TEST(PlaneTable, PrimitiveIsCanonicalWithGcdOne) {
+  PlaneTable table;
+  const OrientedPlane p = table.intern(-6.0, 0.0, 9.0, 12.0);
+  EXPECT_TRUE(p.is_opposite());
+  EXPECT_EQ(table.primitive(p.plane()),
+            (IntegerRow{Integer(2), Integer(0), Integer(-3), Integer(-4)}));
+  const OrientedPlane half = table.intern(0.5, 0.0, 0.0, 0.75);
+  EXPECT_EQ(table.primitive(half.plane()),
+            (IntegerRow{Integer(2), Integer(0), Integer(0), Integer(3)}));
+}
+
+TEST(PlaneTable, WallsHoldTheLineAndTheDirectionOrPoint) {
+  cases::Random random(14);
+  for (int i = 0; i < 1000; ++i) {
+    const cases::Corners c =
+        i % 2 == 0 ? cases::random_points(random) : cases::small_integers(random);
+    PlaneTable table;
+    table.add_points(c);
+    const OrientedPlane p = table.intern(InputPointId(0), InputPointId(1), InputPointId(2));
+    const OrientedPlane q = table.intern(InputPointId(3), InputPointId(4), InputPointId(5));
+    if (!p.is_valid() || !q.is_valid() || p.plane() == q.plane()) continue;
+    const Point3 u = c[7];
+    const Row a = oracle_row(table.coefficients(p.plane())),
+              b = oracle_row(table.coefficients(q.plane()));
+    for (const bool is_point : {false, true}) {
+      const Pencil pencil = is_point ? wall_through(table, p.plane(), q.plane(), u)
+                                     : wall_along(table, p.plane(), q.plane(), u);
+      const std::size_t before = table.size();
+      const OrientedPlane wall = table.intern(pencil);
+      if (!wall.is_valid()) {
+        Row n = a, m = b;
+        n[3] = m[3] = 0;
+        EXPECT_TRUE(oracle::is_proportional(n, m) || (pencil.c_first == 0 && pencil.c_second == 0));
+        continue;
+      }
+      const Row w = oracle_row(table.coefficients(wall.plane()));
+      for (std::size_t k = 0; k < 4; ++k) {  // all 3x3 minors of the three rows vanish
+        EXPECT_EQ(oracle::det3(a, b, w, k == 0, k <= 1 ? 2 : 1, k <= 2 ? 3 : 2), 0);
+      }
+      const int unit = oracle::unit_of({u});
+      Row x = oracle::point_row(u, unit);
+      x[3] = is_point ? (unit < 0 ? Int(1) << -unit : Int(1)) : Int(0);
+      if (unit > 0) {
+        for (std::size_t k = 0; k < 3; ++k) x[k] <<= unit;
+      }
+      EXPECT_EQ(oracle::value_at(w, x), 0);
+      const std::array<PlaneId, 2> both = {p.plane(), q.plane()};
+      if (table.size() > before) {
+        EXPECT_TRUE(table.is_wall_of(wall.plane(), both));
+      }
+      EXPECT_FALSE(table.is_wall_of(wall.plane(), std::span(both).first(1)));
+    }
+  }
+}
+
+TEST(PlaneTable, MergeMapsPlanesToEqualPlanes) {
+  cases::Random random(15);
+  for (int round = 0; round < 200; ++round) {
+    PlaneTable a, b;
+    for (PlaneTable* table : {&a, &b}) {
+      const cases::Corners c = cases::small_integers(random);
+      table->add_points(c);
+      for (std::size_t i = 0; i < 12; i += 3) {
+        table->intern(InputPointId(i), InputPointId(i + 1), InputPointId(i + 2));
+      }
+      table->intern(1.0, 0.0, 0.0, double(cases::integer(random, 0, 2)));
+      if (table->size() >= 2) {
+        table->intern(wall_along(*table, PlaneId(0), PlaneId(1), {1, 2, 3}));
+      }
+    }
+    const std::size_t before = a.size();
+    const std::vector<PlaneId> map = a.merge(b);
+    ASSERT_EQ(map.size(), b.size());
+    std::map<PlaneId, int> hits;
+    for (std::size_t i = 0; i < map.size(); ++i) {
+      EXPECT_EQ(a.primitive(map[i]), b.primitive(PlaneId(i)));
+      EXPECT_EQ(a.fingerprint(map[i]), b.fingerprint(PlaneId(i)));
+      EXPECT_EQ(++hits[map[i]], 1);
+    }
+    for (std::size_t i = 0; i < a.size(); ++i) {  // nothing twice
+      for (std::size_t j = 0; j < i; ++j)
+        EXPECT_NE(a.primitive(PlaneId(i)), a.primitive(PlaneId(j)));
+    }
+    EXPECT_LE(before, a.size());
+  }
+}
+
+}  // namespace
+}  // namespace plumb
