@@ -69,7 +69,7 @@ const Symmetry kSymmetries[] = {
 class Symmetries : public ::testing::TestWithParam<Symmetry> {};
 
 TEST_P(Symmetries, KeepAValidMapValid) {
-  expect_law([this] {
+  expect_law([] {
     const TestMap map = any_subdivision();
     const MapReport before = checked(map);
     const MapReport after = checked(GetParam().apply(map));
@@ -82,7 +82,7 @@ TEST_P(Symmetries, KeepAValidMapValid) {
 }
 
 TEST_P(Symmetries, KeepTheCountsOfADefectiveMap) {
-  expect_law([this] {
+  expect_law([] {
     const TestMap map = garbage_map(between(3, 12), between(1, 5), between(1, 8), any_seed());
     const MapReport before = checked(map);
     const MapReport after = checked(GetParam().apply(map));
@@ -109,13 +109,13 @@ class AgreesWithTheTwin : public ::testing::TestWithParam<OuterRule> {
 };
 
 TEST_P(AgreesWithTheTwin, OnGarbage) {
-  expect_law([this] {
+  expect_law([] {
     expect_agreement(garbage_map(between(3, 12), between(1, 6), between(1, 9), any_seed()));
   });
 }
 
 TEST_P(AgreesWithTheTwin, OnSubdivisions) {
-  expect_law([this] { expect_agreement(any_subdivision()); });
+  expect_law([] { expect_agreement(any_subdivision()); });
 }
 
 TEST_P(AgreesWithTheTwin, OnRecombinedSubdivisions) {
@@ -124,14 +124,14 @@ TEST_P(AgreesWithTheTwin, OnRecombinedSubdivisions) {
 }
 
 TEST_P(AgreesWithTheTwin, OnIncompleteSubdivisions) {
-  expect_law([this] {
+  expect_law([] {
     const TestMap map = recombined(any_subdivision(), between(0, 4), any_seed());
     expect_agreement(shuffled_cycles(map, between(1, 6), any_seed()));
   });
 }
 
 TEST_P(AgreesWithTheTwin, OnMovedVertices) {
-  expect_law([this] {
+  expect_law([] {
     expect_agreement(moved_vertices(any_subdivision(), between(1, 4), 20, any_seed()));
   });
 }
