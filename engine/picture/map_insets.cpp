@@ -6,7 +6,10 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kConsidered = 1000;
-constexpr double kVisibleEdge = 32;     // picture units: long enough without an inset
+constexpr double kVisibleEdge = 45;  // picture units: long enough without an inset
+constexpr double kVisibleAmongMany = 12;
+constexpr std::size_t kMany = 100;
+constexpr double kWidestSource = 130;   // picture units: wider windows would hardly be enlarged
 constexpr double kReach = 2.2;          // half the height of a window, in edge lengths
 constexpr double kLeastReach = 1e-150;  // plane units
 
@@ -21,10 +24,11 @@ class InsetChooser {
  public:
   InsetChooser(const MapReport& report, const Plane& plane, const View& overview, double aspect)
       : aspect_(aspect), overview_(overview) {
+    const double visible = report.defects.size() <= kMany ? kVisibleEdge : kVisibleAmongMany;
     for (std::size_t i = 0; i < std::min(report.defects.size(), kConsidered); ++i) {
       const MapDefect& defect = report.defects[i];
       const Spot spot{plane.at(defect.near), shortest_edge(defect, plane)};
-      if (spot.length * overview.scale() < kVisibleEdge) spots_.push_back(spot);
+      if (spot.length * overview.scale() < visible) spots_.push_back(spot);
     }
   }
 
@@ -51,7 +55,9 @@ class InsetChooser {
   }
 
   Rectangle window_at(const Spot& s) const {
-    return Rectangle::around(s.at, aspect_ * kReach * s.length, kReach * s.length);
+    const double widest = kWidestSource / 2.6 / overview_.scale();  // centred() may add 1.3
+    const double half = std::min(aspect_ * kReach * s.length, widest);
+    return Rectangle::around(s.at, half, half / aspect_);
   }
 
   /// Spots that the window shows and that are not far smaller than it.

@@ -16,6 +16,7 @@ constexpr double kLabelFont = 16;
 constexpr double kNumberFont = 14;
 constexpr double kArrowFrom = 34;  // shortest edge with a direction
 constexpr std::size_t kMaxVertexNumbers = 16;
+constexpr double kBeyond = 12;    // where vertices outside the view are marked
 constexpr double kSamePlace = 3;  // picture units
 
 std::string move_line(Point2 a, Point2 b) {
@@ -74,7 +75,7 @@ MapMarks::MapMarks(const MapReport& report, const Plane& plane)
 std::size_t MapMarks::paint(const View& view, Detail detail, LabelPlacer& room,
                             std::ostream& out) const {
   paint_edges(view, detail, room, out);
-  paint_warnings(view, out);
+  paint_warnings(view, detail, out);
   paint_symbols(view, detail, room, out);
   const std::size_t left_out = paint_labels(view, detail, room, out);
   if (detail == Detail::Closeup) paint_vertex_numbers(view, room, out);
@@ -122,7 +123,7 @@ void MapMarks::paint_edges(const View& view, Detail detail, LabelPlacer& room,
         << bands;
 }
 
-void MapMarks::paint_warnings(const View& view, std::ostream& out) const {
+void MapMarks::paint_warnings(const View& view, Detail detail, std::ostream& out) const {
   std::string inferred;
   for (std::size_t i = 0; i < std::min(report_.warnings.size(), kMaxMarks); ++i) {
     const MapWarning& w = report_.warnings[i];
@@ -137,8 +138,9 @@ void MapMarks::paint_warnings(const View& view, std::ostream& out) const {
       }
       continue;
     }
-    const Point2 p = view.place(plane_.at(w.vertex));
-    if (!view.frame().contains(p)) continue;
+    const Point2 seen = view.place(plane_.at(w.vertex));
+    if (detail == Detail::Closeup && !view.frame().contains(seen)) continue;
+    const Point2 p = nearest_in(view.frame().grown(kBeyond), seen);
     out << "<circle class=\"warning\" cx=\"" << svg_number(p.x) << "\" cy=\"" << svg_number(p.y)
         << "\" r=\"5\"/>\n";
   }
@@ -193,17 +195,19 @@ std::string MapMarks::label_colour(const DefectGroup& group) const {
 
 std::size_t MapMarks::paint_labels(const View& view, Detail detail, LabelPlacer& room,
                                    std::ostream& out) const {
-  std::size_t written = 0, left_out = 0;
-  for (const DefectGroup& group : grouped(view)) {
+  std::size_t left_out = 0;
+  const std::vector<DefectGroup> groups = grouped(view);
+  const std::size_t step = (groups.size() + kMaxLabels - 1) / kMaxLabels;  // spread evenly
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const DefectGroup& group = groups[i];
     const std::string text = group_label(group.members, detail == Detail::Overview ? 6 : 13);
     const double width = 1.1 * text_width(text, kLabelFont) + 14;  // bold
     const auto box =
-        written < kMaxLabels ? room.place(group.anchor, width, kLabelHeight, 13) : std::nullopt;
+        i % step == 0 ? room.place(group.anchor, width, kLabelHeight, 13) : std::nullopt;
     if (!box) {
       ++left_out;
       continue;
     }
-    ++written;
     const std::string line = move_line(group.anchor, nearest_in(*box, group.anchor));
     out << "<path class=\"lead\" d=\"" << line << "\"/><rect class=\"tag\" " << svg_box(*box)
         << " rx=\"6\" fill=\"" << label_colour(group) << "\"/><text class=\"number\" x=\""

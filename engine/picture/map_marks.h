@@ -13,7 +13,7 @@
 namespace plumb {
 
 inline constexpr std::size_t kMaxMarks = 5000;  // defects drawn
-inline constexpr std::size_t kMaxLabels = 80;   // per view
+inline constexpr std::size_t kMaxLabels = 48;   // per view
 
 enum class Detail {
   Overview,
@@ -44,7 +44,7 @@ class MapMarks {
   std::pair<std::string, std::string> edge_paths(const View& view, DefectKind kind,
                                                  LabelPlacer& room) const;
   void paint_edges(const View& view, Detail detail, LabelPlacer& room, std::ostream& out) const;
-  void paint_warnings(const View& view, std::ostream& out) const;
+  void paint_warnings(const View& view, Detail detail, std::ostream& out) const;
   void paint_symbols(const View& view, Detail detail, LabelPlacer& room, std::ostream& out) const;
   void paint_vertex_numbers(const View& view, LabelPlacer& room, std::ostream& out) const;
   std::size_t paint_labels(const View& view, Detail detail, LabelPlacer& room,

@@ -11,7 +11,10 @@ namespace {
 
 constexpr double kVisible = 1.2;         // picture units: smaller faces are only a tint
 constexpr double kVisibleAmongMany = 4;  // then no more fit into the picture than may be drawn
-constexpr double kCell = 2;              // of the tint
+constexpr double kLine = 0.7;
+constexpr double kFineLine = 0.45;
+constexpr std::size_t kManyCycles = 1500;
+constexpr double kCell = 2;  // of the tint
 
 double signed_area(const Plane& plane, std::span<const std::uint32_t> cycle) {
   const Point2 o = plane.at(cycle[0]);
@@ -21,6 +24,17 @@ double signed_area(const Plane& plane, std::span<const std::uint32_t> cycle) {
     sum += (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
   }
   return sum / 2;
+}
+
+double perimeter(const Plane& plane, std::span<const std::uint32_t> cycle) {
+  double sum = 0;
+  Point2 last = plane.at(cycle.back());
+  for (const std::uint32_t v : cycle) {
+    const Point2 p = plane.at(v);
+    sum += std::hypot(p.x - last.x, p.y - last.y);
+    last = p;
+  }
+  return sum;
 }
 
 /// The picture in small cells; which of them hold faces too small to be drawn.
@@ -91,10 +105,19 @@ Painter::Painter(const Plane& plane)
     // The same cycle listed both ways may get areas that differ by rounding.
     key[c] = area < 0 ? area * -(1 + 1e-9) : area;
     if (area < 0) colour_[c] = kTints;
+    perimeter_ += perimeter(plane, plane.map().cycle(c));
   }
   std::iota(order_.begin(), order_.end(), 0U);
   std::stable_sort(order_.begin(), order_.end(),
                    [&key](std::uint32_t a, std::uint32_t b) { return key[a] > key[b]; });
+}
+
+/// Lines cover at most about a third of the picture. Those that would be too thin are left out.
+double Painter::line_width(const View& view, const PaintLimits& limits) const {
+  if (!limits.is_overview || perimeter_ == 0) return kLine;
+  const double area = view.frame().width() * view.frame().height();
+  const double width = 0.3 * area / (perimeter_ * view.scale());
+  return width < 0.1 ? 0 : std::min(order_.size() > kManyCycles ? kFineLine : kLine, width);
 }
 
 PaintCounts Painter::paint(const View& view, const PaintLimits& limits, std::ostream& out) const {
@@ -102,8 +125,8 @@ PaintCounts Painter::paint(const View& view, const PaintLimits& limits, std::ost
   Tint tiny(view.frame());
   std::size_t points = 0;
   const double visible = order_.size() > limits.polygons ? kVisibleAmongMany : kVisible;
-  const bool is_fine = limits.fine_from < order_.size();
-  out << "<g class=\"faces" << (is_fine ? " fine" : "") << "\" transform=\"scale(.1)\">\n";
+  out << "<g class=\"faces\" stroke=\"" << kEdgeInk << "\" stroke-width=\""
+      << svg_number(10 * line_width(view, limits)) << "\" transform=\"scale(.1)\">\n";
   for (const std::uint32_t c : order_) {
     const std::vector<Point2> ring = plane_.ring(c);
     const Rectangle box = box_of(ring);

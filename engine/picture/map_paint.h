@@ -13,7 +13,7 @@ namespace plumb {
 struct PaintLimits {
   std::size_t points = 400000;
   std::size_t polygons = 60000;
-  std::size_t fine_from = 1500;  ///< cycles of the map from which on lines are thinner
+  bool is_overview = true;  ///< of the whole map: lines thinner the more of them there are
 };
 
 /// What became of the cycles.
@@ -34,9 +34,12 @@ class Painter {
   PaintCounts paint(const View& view, const PaintLimits& limits, std::ostream& out) const;
 
  private:
+  double line_width(const View& view, const PaintLimits& limits) const;
+
   const Plane& plane_;
   std::vector<std::uint8_t> colour_;  ///< kTints: clockwise
   std::vector<std::uint32_t> order_;
+  double perimeter_ = 0;  ///< of all cycles, plane units
 };
 
 }  // namespace plumb

@@ -27,7 +27,7 @@ constexpr double kCaption = 24;
 constexpr double kFont = 17;
 constexpr double kLine = 23;
 
-constexpr PaintLimits kInsetLimits = {40000, 4000, static_cast<std::size_t>(-1)};
+constexpr PaintLimits kInsetLimits = {40000, 4000, false};
 
 constexpr const char* kStyle = R"(<style>
 text{font-family:Helvetica,Arial,"Liberation Sans","DejaVu Sans",sans-serif;font-size:17px;fill:#1f2933}
@@ -36,8 +36,7 @@ text{font-family:Helvetica,Arial,"Liberation Sans","DejaVu Sans",sans-serif;font
 .sub{fill:#5b6672}
 .note{font-size:15px;fill:#5b6672}
 .kind{font-weight:bold}
-.faces path{stroke:#76808c;stroke-width:7;stroke-linejoin:round;fill-rule:evenodd}
-.fine path{stroke-width:4;stroke:#98a1ab}
+.faces path{stroke-linejoin:round;fill-rule:evenodd}
 .tiny{fill:#dfe3e8}
 .halo{fill:none;stroke:#fff;stroke-linecap:round;stroke-opacity:.85}
 .bad{fill:none;stroke-linecap:round;stroke-linejoin:round}
@@ -253,8 +252,8 @@ void MapSheet::place_closeups(const std::vector<Inset>& insets, const View& draf
     c.frame = {left, top, left + width, top + height};
     const double half = width / 2 * view_->scale() / View(c.frame, c.inset.window).scale();
     const double shown = std::max(half, kLeastSource);
-    c.source =
-        Rectangle::around(view_->place(c.inset.window.centre()), shown, shown / kInsetAspect);
+    c.source = Rectangle::around(view_->place(c.inset.window.centre()), shown, shown / kInsetAspect)
+                   .within(view_->frame().grown(kMapPadding - 2));
   }
   y_ = bottom + (n == 0 ? 18 : row + 6);
 }

@@ -48,6 +48,10 @@ struct Rectangle {
     return left <= o.left && o.right <= right && top <= o.top && o.bottom <= bottom;
   }
   Rectangle grown(double by) const { return {left - by, top - by, right + by, bottom + by}; }
+  Rectangle within(const Rectangle& o) const {
+    return {std::max(left, o.left), std::max(top, o.top), std::min(right, o.right),
+            std::min(bottom, o.bottom)};
+  }
   void include(Point2 p) {
     left = std::min(left, p.x);
     top = std::min(top, p.y);

@@ -81,7 +81,7 @@ Rectangle Plane::core() const {
   if (xs.empty()) return {};
   std::sort(xs.begin(), xs.end());
   std::sort(ys.begin(), ys.end());
-  const std::size_t low = xs.size() / 100, high = xs.size() - 1 - low;
+  const std::size_t low = xs.size() / 40, high = xs.size() - 1 - low;
   return {xs[low], ys[low], xs[high], ys[high]};
 }
 

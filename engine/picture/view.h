@@ -24,7 +24,7 @@ class Plane {
   /// What the vertices in use span; (0, 0) alone if there are none.
   const Rectangle& extent() const { return extent_; }
 
-  /// Where nearly all corners lie: the hundredth part of them at each of the four sides is cut off.
+  /// Where nearly all corners lie: the fortieth part of them at each of the four sides is cut off.
   Rectangle core() const;
 
   std::vector<Point2> ring(std::size_t cycle) const;
