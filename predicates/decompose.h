@@ -95,10 +95,11 @@ class Grid {
     for (const double v : values) add(v);
   }
 
-  constexpr void add(double value) {
+  constexpr void add(double value) {  // no branches: it is the larger part of an Exact rung
     const detail::RawDouble r = detail::raw(value);
-    if (r.magnitude == 0) return;
-    low_ = std::min(low_, r.biased + std::countr_zero(r.magnitude));
+    const int unit = r.biased + std::countr_zero(r.magnitude);
+    low_ = std::min(low_, r.magnitude == 0 ? kNone : unit);
+    // A zero adds 1 here, which no nonzero value falls below.
     high_ = std::max(high_, r.biased + static_cast<int>(std::bit_width(r.magnitude)));
   }
 
@@ -106,15 +107,15 @@ class Grid {
   constexpr int low() const { return is_empty() ? 0 : low_ - detail::kExponentBias; }
   /// The integers' magnitude bits: 53 + spread, less the common trailing zeros; at most 2098.
   constexpr int bits() const { return is_empty() ? 0 : high_ - low_; }
-  constexpr bool is_empty() const { return high_ == 0; }
+  constexpr bool is_empty() const { return low_ == kNone; }
 
   /// value / 2^low(). Requires value to be on the grid and bits() <= 63.
   constexpr std::int64_t to_int64(double value) const {
     const detail::RawDouble r = detail::raw(value);
-    if (r.magnitude == 0) return 0;
-    // magnitude < 2^53, so it may go up by 10 first; the shift back is then never negative, because
+    // magnitude < 2^53, so it may go up by 10 first. The shift back is then never negative, because
     // biased - low_ > 10 would make bits() > 63, and at most 62, because trailing zeros are <= 52.
-    const int down = 10 - (r.biased - low_);
+    // Of a zero any shift is right.
+    const int down = (10 - (r.biased - low_)) & 63;
     return detail::with_sign((r.magnitude << 10) >> down, r.negative);
   }
 
@@ -127,7 +128,8 @@ class Grid {
   }
 
  private:
-  int low_ = std::numeric_limits<int>::max();
+  static constexpr int kNone = std::numeric_limits<int>::max();
+  int low_ = kNone;
   int high_ = 0;
 };
 

@@ -1,0 +1,50 @@
+// Which rung of which predicate decided, counted per thread. Compiled in by PLUMB_COUNT_RUNGS only;
+// otherwise count_rung() is nothing and the counts stay zero.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "plumb/predicates/sign.h"
+
+namespace plumb {
+
+enum class Predicate : std::uint8_t { Orient2d, CrossSign, Orient3d, Incircle, Insphere };
+inline constexpr std::size_t kPredicates = 5;
+
+enum class Rung : std::uint8_t { Filter, Small, Exact, Big };
+inline constexpr std::size_t kRungs = 4;
+
+/// counts[predicate][rung]: calls decided there.
+using RungCounts = std::array<std::array<std::uint64_t, kRungs>, kPredicates>;
+
+#ifdef PLUMB_COUNT_RUNGS
+
+namespace detail {
+inline thread_local constinit RungCounts rung_counts{};
+}
+
+inline void count_rung(Predicate predicate, Rung rung) {
+  ++detail::rung_counts[static_cast<std::size_t>(predicate)][static_cast<std::size_t>(rung)];
+}
+
+/// The calling thread's counts since its last reset.
+inline RungCounts rung_counts() { return detail::rung_counts; }
+inline void reset_rung_counts() { detail::rung_counts = {}; }
+
+#else
+
+inline void count_rung(Predicate, Rung) {}
+inline RungCounts rung_counts() { return {}; }
+inline void reset_rung_counts() {}
+
+#endif
+
+/// Counts the rung and returns its sign. Requires is_decided(sign).
+inline Sign decide(Predicate predicate, Rung rung, FilteredSign sign) {
+  count_rung(predicate, rung);
+  return decided(sign);
+}
+
+}  // namespace plumb
