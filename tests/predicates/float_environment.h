@@ -16,11 +16,14 @@ struct Setting {
   int rounding;
   bool flush;
 };
-inline constexpr std::array<Setting, 5> kSettings = {{{"to nearest", FE_TONEAREST, false},
-                                                      {"down", FE_DOWNWARD, true},
+inline constexpr std::array<Setting, 8> kSettings = {{{"to nearest", FE_TONEAREST, false},
+                                                      {"down", FE_DOWNWARD, false},
                                                       {"up", FE_UPWARD, false},
-                                                      {"to zero", FE_TOWARDZERO, true},
-                                                      {"to nearest, flushed", FE_TONEAREST, true}}};
+                                                      {"to zero", FE_TOWARDZERO, false},
+                                                      {"to nearest, flushed", FE_TONEAREST, true},
+                                                      {"down, flushed", FE_DOWNWARD, true},
+                                                      {"up, flushed", FE_UPWARD, true},
+                                                      {"to zero, flushed", FE_TOWARDZERO, true}}};
 
 class Scope {
  public:
