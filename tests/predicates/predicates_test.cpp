@@ -101,9 +101,9 @@ void check_families(const char* name, Evaluate evaluate) {
   EXPECT_GT(counts.small, counts.cases / 50);
   EXPECT_GT(counts.exact, counts.cases / 3);
   EXPECT_LT(counts.exact, counts.cases);
-  std::cout << name << ": " << counts.cases << " cases x " << testing_environment::kSettings.size() << " modes, "
-            << counts.zero << " zeros; decidable by filter " << counts.filter << ", small "
-            << counts.small << ", exact " << counts.exact << '\n';
+  std::cout << name << ": " << counts.cases << " cases x " << testing_environment::kSettings.size()
+            << " modes, " << counts.zero << " zeros; decidable by filter " << counts.filter
+            << ", small " << counts.small << ", exact " << counts.exact << '\n';
 }
 
 TEST(InputPredicates, Orient2dIsRight) {
