@@ -9,7 +9,7 @@ namespace plumb {
 
 struct Inset {
   Rectangle window;         ///< of the plane
-  std::size_t defects = 0;  ///< that lie in it
+  std::size_t defects = 0;  ///< that it shows and windows chosen earlier do not
 };
 
 /// At most `max` windows, those with most defects first, none overlapping much of another; only

@@ -72,6 +72,12 @@ std::string group_label(const std::vector<std::size_t>& members, std::size_t lon
 MapMarks::MapMarks(const MapReport& report, const Plane& plane)
     : report_(report), plane_(plane), count_(std::min(report.defects.size(), kMaxMarks)) {}
 
+std::size_t MapMarks::count_in(const Rectangle& window) const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < count_; ++i) count += window.contains(place(i)) ? 1 : 0;
+  return count;
+}
+
 std::size_t MapMarks::paint(const View& view, Detail detail, LabelPlacer& room,
                             std::ostream& out) const {
   paint_edges(view, detail, room, out);

@@ -38,6 +38,8 @@ class MapMarks {
   std::size_t paint(const View& view, Detail detail, LabelPlacer& room, std::ostream& out) const;
 
   std::size_t drawn() const { return count_; }
+  /// Defects that lie in a window of the plane.
+  std::size_t count_in(const Rectangle& window) const;
   Point2 place(std::size_t defect) const { return plane_.at(report_.defects[defect].near); }
 
  private:

@@ -315,7 +315,7 @@ void MapSheet::write_closeup(std::size_t i) {
   body_ << "</g>\n<rect class=\"frame\" " << svg_box(c.frame) << "/>\n";
   body_ << "<text class=\"note\" x=\"" << svg_number(c.frame.left) << "\" y=\""
         << svg_number(c.frame.bottom + 18) << "\">" << zoom_text(view.scale() / view_->scale())
-        << ", " << counted(c.inset.defects, "defect") << "</text>\n";
+        << ", " << counted(marks_.count_in(c.inset.window), "defect") << "</text>\n";
 }
 
 // ------------------------------------------------------------------ legend and list
