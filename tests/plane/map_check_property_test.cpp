@@ -131,9 +131,8 @@ TEST_P(AgreesWithTheTwin, OnIncompleteSubdivisions) {
 }
 
 TEST_P(AgreesWithTheTwin, OnMovedVertices) {
-  expect_law([] {
-    expect_agreement(moved_vertices(any_subdivision(), between(1, 4), 20, any_seed()));
-  });
+  expect_law(
+      [] { expect_agreement(moved_vertices(any_subdivision(), between(1, 4), 20, any_seed())); });
 }
 
 std::string name_of_rule(const ::testing::TestParamInfo<OuterRule>& tested) {
