@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/point.h"
 #include "plumb/predicates/rational_point.h"
 #include "plumb/predicates/sign.h"
@@ -165,12 +166,14 @@ inline Sign compare_xy(const PointTable2& points, std::uint32_t i, std::uint32_t
 }
 
 inline Sign orient2d(const PointTable2& points, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-  return detail::orient2d_mixed(points, i, j, k);
+  if (!points.all_double()) return detail::orient2d_mixed(points, i, j, k);
+  return orient2d(points.approx(i), points.approx(j), points.approx(k));
 }
 
 inline Sign cross_sign(const PointTable2& points, std::uint32_t a, std::uint32_t b, std::uint32_t c,
                        std::uint32_t d) {
-  return detail::cross_sign_mixed(points, a, b, c, d);
+  if (!points.all_double()) return detail::cross_sign_mixed(points, a, b, c, d);
+  return cross_sign(points.approx(a), points.approx(b), points.approx(c), points.approx(d));
 }
 
 /// A coordinate that is no double is within 2^-53 of its size from its approximation, or is clamped

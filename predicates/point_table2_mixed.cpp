@@ -67,12 +67,18 @@ Sign detail::compare_xy_unsure(const PointTable2& points, std::uint32_t i, std::
 
 Sign detail::orient2d_mixed(const PointTable2& points, std::uint32_t i, std::uint32_t j,
                             std::uint32_t k) {
+  if (are_doubles(points, {i, j, k})) {
+    return orient2d(points.approx(i), points.approx(j), points.approx(k));
+  }
   const FilteredSign f = rung::orient2d_filter(points, i, j, k);
   return is_decided(f) ? decided(f) : rung::orient2d_big(points, i, j, k);
 }
 
 Sign detail::cross_sign_mixed(const PointTable2& points, std::uint32_t a, std::uint32_t b,
                               std::uint32_t c, std::uint32_t d) {
+  if (are_doubles(points, {a, b, c, d})) {
+    return cross_sign(points.approx(a), points.approx(b), points.approx(c), points.approx(d));
+  }
   const FilteredSign f = rung::cross_sign_filter(points, a, b, c, d);
   return is_decided(f) ? decided(f) : rung::cross_sign_big(points, a, b, c, d);
 }
