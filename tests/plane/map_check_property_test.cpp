@@ -109,13 +109,13 @@ class AgreesWithTheTwin : public ::testing::TestWithParam<OuterRule> {
 };
 
 TEST_P(AgreesWithTheTwin, OnGarbage) {
-  expect_law([] {
+  expect_law([this] {
     expect_agreement(garbage_map(between(3, 12), between(1, 6), between(1, 9), any_seed()));
   });
 }
 
 TEST_P(AgreesWithTheTwin, OnSubdivisions) {
-  expect_law([] { expect_agreement(any_subdivision()); });
+  expect_law([this] { expect_agreement(any_subdivision()); });
 }
 
 TEST_P(AgreesWithTheTwin, OnRecombinedSubdivisions) {
@@ -124,15 +124,16 @@ TEST_P(AgreesWithTheTwin, OnRecombinedSubdivisions) {
 }
 
 TEST_P(AgreesWithTheTwin, OnIncompleteSubdivisions) {
-  expect_law([] {
+  expect_law([this] {
     const TestMap map = recombined(any_subdivision(), between(0, 4), any_seed());
     expect_agreement(shuffled_cycles(map, between(1, 6), any_seed()));
   });
 }
 
 TEST_P(AgreesWithTheTwin, OnMovedVertices) {
-  expect_law(
-      [] { expect_agreement(moved_vertices(any_subdivision(), between(1, 4), 20, any_seed())); });
+  expect_law([this] {
+    expect_agreement(moved_vertices(any_subdivision(), between(1, 4), 20, any_seed()));
+  });
 }
 
 std::string name_of_rule(const ::testing::TestParamInfo<OuterRule>& tested) {
