@@ -35,9 +35,6 @@ extern "C" void on_abort(int) { leave(ExitCode::Internal); }
 /// No SA_RESTART: a read that waits for input ends, and notices the stop.
 void handle(int signal, void (*handler)(int)) {
   struct sigaction action {};
-  ::sigaction(signal, nullptr, &action);
-  if (signal != SIGABRT && action.sa_handler == SIG_IGN) return;
-  action = {};
   action.sa_handler = handler;
   ::sigaction(signal, &action, nullptr);
 }

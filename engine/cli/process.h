@@ -8,7 +8,8 @@ namespace plumb::cli {
 
 /// Call once, before anything else.
 ///   SIGINT, SIGTERM   the first requests a stop of the returned token; the second ends the process
-///                     with 4 at once, temporary files removed. Left alone where they were ignored
+///                     with 4 at once, temporary files removed. Also where they were ignored: a
+///                     shell ignores SIGINT for what it starts in the background
 ///   SIGPIPE           ignored: a failed write says so
 ///   SIGABRT           a broken invariant, reported already: temporary files removed, exit 70
 ///   GMP               throws std::bad_alloc when memory runs out, instead of aborting

@@ -22,6 +22,13 @@ bool wants_progress(const CommonOptions& options) {
   return !options.quiet && (options.progress || ::isatty(STDERR_FILENO) == 1);
 }
 
+/// Empty if `text` is a positive number. (CLI::Range lets nan pass.)
+std::string require_positive(const std::string& text) {
+  double value = 0;
+  const bool is_positive = CLI::detail::lexical_cast(text, value) && value > 0;
+  return is_positive ? std::string() : "a positive number is needed, not " + text;
+}
+
 }  // namespace
 
 void CommonOptions::declare(CLI::App& app) {
@@ -44,7 +51,7 @@ void CommonOptions::declare(CLI::App& app) {
       ->type_name("MB")
       ->group(kGroup);
   app.add_option("--limit-seconds", limit_seconds, "Stop (exit 3) after S seconds")
-      ->check(CLI::Range(1e-9, 1e9).description(""))
+      ->check(require_positive)
       ->type_name("S")
       ->group(kGroup);
   auto* const bar = app.add_flag("--progress", progress, "Show progress on standard error");

@@ -70,6 +70,7 @@ class MapReader {
   std::uint32_t read_count(std::string_view what);
   void read_vertices();
   void read_vertex();
+  void push_exact(const Rational& x, const Rational& y);
   void read_faces();
   void read_face();
   std::uint32_t read_id();
@@ -175,8 +176,19 @@ void MapReader::read_vertex() {
   if (x_.is_double() && y_.is_double()) {
     map_.points.push_back({x_.as_double(), y_.as_double()});
   } else {
-    map_.points.push_back(x_.exact(), y_.exact());
+    push_exact(x_.exact(), y_.exact());
   }
+}
+
+/// The table stores x, y over a common denominator: three integers, each at most as long as a
+/// numerator and the other's denominator together.
+void MapReader::push_exact(const Rational& x, const Rational& y) {
+  const auto limbs = [](const Rational& q) {
+    return mpz_size(mpq_numref(q.backend().data())) + mpz_size(mpq_denref(q.backend().data()));
+  };
+  constexpr std::size_t kEntryBytes = 32;
+  context_.charge_memory(kEntryBytes + 2 * sizeof(mp_limb_t) * (limbs(x) + limbs(y)), "the map");
+  map_.points.push_back(x, y);
 }
 
 void MapReader::read_faces() {

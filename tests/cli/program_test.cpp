@@ -1,0 +1,325 @@
+// The program from outside: exit codes, what goes to which stream, and which files are left.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "../io/hostile_maps.h"
+#include "run_program.h"
+
+namespace plumb::testing {
+namespace {
+
+using Words = std::vector<std::string>;
+
+const std::string kValid = "corpus/maps/us-states.clean.map";
+const std::string kDefective = "corpus/maps/us-counties.map";
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Bad input: nothing on standard output, one message that starts with the place.
+void expect_refusal(const RunResult& result, const std::string& start, const std::string& part) {
+  EXPECT_EQ(result.code, 2);
+  EXPECT_TRUE(result.out.empty()) << result.out.substr(0, 200);
+  EXPECT_TRUE(result.err.starts_with(start)) << result.err;
+  EXPECT_TRUE(contains(result.err, part)) << result.err;
+}
+
+TEST(Program, prints_its_version) {
+  const RunResult result = run({"--version"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_TRUE(result.out.starts_with("plumb ")) << result.out;
+  EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1);
+  EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '.'), 2);
+}
+
+TEST(Program, has_help_on_one_screen) {
+  const RunResult result = run({"--help"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_LE(std::count(result.out.begin(), result.out.end(), '\n'), 24);
+  std::istringstream lines(result.out);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 90U) << line;
+}
+
+TEST(Program, has_help_with_an_example_for_every_command) {
+  for (const Words& command : {Words{"map", "check"}, Words{"demo"}, Words{"self-test"}}) {
+    Words arguments = command;
+    arguments.push_back("--help");
+    const RunResult result = run(arguments);
+    EXPECT_EQ(result.code, 0);
+    std::string name = "./plumb";
+    for (const std::string& word : command) name += ' ' + word;
+    EXPECT_TRUE(contains(result.out, name)) << result.out;
+  }
+}
+
+TEST(Program, examples_of_the_help_work) {
+  const ScratchDirectory scratch;
+  const std::string svg = (scratch / "out.svg").string();
+  EXPECT_EQ(run({"map", "check", kDefective, "--svg", svg}).code, 1);
+  EXPECT_TRUE(read_file(svg).starts_with("<?xml") || read_file(svg).starts_with("<svg"));
+  EXPECT_EQ(run({"self-test"}).code, 0);
+}
+
+TEST(Program, suggests_what_was_meant) {
+  const std::vector<std::pair<Words, std::string>> typos{
+      {{"slef-test"}, "'self-test'"},
+      {{"map", "chekc", "x"}, "'map check'"},
+      {{"check", "x"}, "'map check'"},
+      {{"dmeo"}, "'demo'"},
+      {{"map", "check", "--jsno", "x"}, "'--json'"},
+      {{"map", "check", "--max-defect", "3", "x"}, "--max-defects"},
+  };
+  for (const auto& [arguments, guess] : typos) {
+    const RunResult result = run(arguments);
+    expect_refusal(result, "plumb: ", guess);
+  }
+}
+
+TEST(Program, refuses_wrong_usage) {
+  const std::vector<Words> wrong{
+      {},
+      {"map"},
+      {"qwertyuiop"},
+      {"map", "check"},
+      {"map", "check", kValid, kValid},
+      {"map", "check", kValid, "--outer", "maybe"},
+      {"map", "check", kValid, "--max-defects", "many"},
+      {"map", "check", kValid, "--threads", "0"},
+      {"map", "check", kValid, "--limit-seconds", "-1"},
+      {"map", "check", kValid, "--limit-seconds", "nan"},
+      {"map", "check", kValid, "--limit-memory", "0"},
+      {"map", "check", kValid, "--progress", "--quiet"},
+      {"map", "check", kValid, "-o", "-"},
+      {"map", "check", kValid, "--format", "pdf"},
+      {"map", "check", kValid, "--json", "--svg", "-"},
+      {"map", "check", kValid, "--svg"},
+  };
+  for (const Words& arguments : wrong) {
+    SCOPED_TRACE(::testing::PrintToString(arguments));
+    expect_refusal(run(arguments), "plumb: ", "");
+  }
+  expect_refusal(run({"map", "check", kValid, "-o", "out.pdf"}), "out.pdf: ", "'.pdf'");
+}
+
+TEST(MapCheckProgram, lists_a_valid_map) {
+  const RunResult result = run({"map", "check", kValid});
+  EXPECT_EQ(result.code, 0);
+  const std::string counts = first_line(result.out);
+  EXPECT_EQ(std::count(counts.begin(), counts.end(), ' '), 2) << counts;
+}
+
+TEST(MapCheckProgram, says_what_is_wrong_with_a_defective_map) {
+  const RunResult result = run({"map", "check", kDefective});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_EQ(first_line(result.out), "not a planar subdivision");
+}
+
+TEST(MapCheckProgram, prints_one_json_object) {
+  for (const auto& [file, code] : {std::pair{kValid, 0}, std::pair{kDefective, 1}}) {
+    const RunResult result = run({"map", "check", file, "--json"});
+    EXPECT_EQ(result.code, code);
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["verdict"] == "valid", code == 0);
+  }
+}
+
+TEST(MapCheckProgram, keeps_counts_complete_whatever_is_described) {
+  const auto all = nlohmann::json::parse(run({"map", "check", kDefective, "--json"}).out);
+  const RunResult few = run({"map", "check", kDefective, "--json", "--max-defects", "3"});
+  const auto json = nlohmann::json::parse(few.out);
+  EXPECT_EQ(json["counts"], all["counts"]);
+  EXPECT_EQ(json["defects"].size(), 3U);
+  EXPECT_TRUE(contains(few.err, "3 of")) << few.err;
+}
+
+TEST(MapCheckProgram, reads_standard_input) {
+  RunOptions options;
+  options.in = kDefective;
+  const RunResult piped = run({"map", "check", "-"}, options);
+  EXPECT_EQ(piped.code, 1);
+  EXPECT_EQ(piped.out, run({"map", "check", kDefective}).out);
+}
+
+TEST(MapCheckProgram, writes_what_is_asked_where_it_is_asked) {
+  const ScratchDirectory scratch;
+  const auto path = [&](const char* name) { return (scratch / name).string(); };
+  const RunResult result = run({"map", "check", kDefective, "-o", path("r.json"), "--svg",
+                                path("r.svg"), "--geojson", path("r.geojson")});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(scratch.files(), (Words{"r.geojson", "r.json", "r.svg"}));
+  EXPECT_EQ(read_file(path("r.json")), run({"map", "check", kDefective, "--json"}).out);
+  EXPECT_EQ(nlohmann::json::parse(read_file(path("r.geojson")))["type"], "FeatureCollection");
+  const RunResult svg = run({"map", "check", kDefective, "-o", "-", "--format", "svg"});
+  EXPECT_EQ(svg.out, read_file(path("r.svg")));
+}
+
+TEST(MapCheckProgram, refuses_hostile_maps_and_leaves_no_file) {
+  const ScratchDirectory scratch;
+  const std::string map = (scratch / "bad.map").string();
+  for (const HostileMap& hostile : hostile_maps()) {
+    SCOPED_TRACE(hostile.name);
+    write_file(map, hostile.bytes);
+    const RunResult result =
+        run({"map", "check", map, "--json", "--svg", (scratch / "out.svg").string(), "--geojson",
+             (scratch / "out.geojson").string()});
+    const std::string place =
+        map + ":" + std::to_string(hostile.line) + ":" + std::to_string(hostile.column) + ": ";
+    expect_refusal(result, place, hostile.message);
+    EXPECT_EQ(scratch.files(), Words{"bad.map"});
+  }
+}
+
+TEST(MapCheckProgram, keeps_old_outputs_when_it_fails) {
+  const ScratchDirectory scratch;
+  write_file(scratch / "out.svg", "old");
+  const RunResult result =
+      run({"map", "check", "no/such.map", "--svg", (scratch / "out.svg").string()});
+  expect_refusal(result, "no/such.map: ", "No such file");
+  EXPECT_EQ(read_file(scratch / "out.svg"), "old");
+}
+
+TEST(MapCheckProgram, names_paths_it_cannot_read_or_write) {
+  const ScratchDirectory scratch;
+  const std::string other = (scratch / "other.geojson").string();
+  const auto with_svg = [&](const std::string& svg) {
+    return run({"map", "check", kValid, "--svg", svg, "--geojson", other});
+  };
+  expect_refusal(run({"map", "check", "corpus"}), "corpus: ", "directory");
+  expect_refusal(with_svg("/dev/full"), "/dev/full: ", "No space left");
+  expect_refusal(with_svg((scratch / "no/out.svg").string()), (scratch / "no/out.svg").string(),
+                 "No such file");
+  expect_refusal(with_svg((scratch / "").string()), (scratch / "").string(), "directory");
+  expect_refusal(with_svg("/proc/out.svg"), "/proc/out.svg: ", "");
+  EXPECT_EQ(scratch.files(), Words{});
+}
+
+TEST(MapCheckProgram, reports_a_full_disk_behind_standard_output) {
+  const ScratchDirectory scratch;
+  RunOptions options;
+  options.out = "/dev/full";
+  const RunResult result =
+      run({"map", "check", kValid, "--svg", (scratch / "out.svg").string()}, options);
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(result.err, "stdout: No space left on device\n");
+  EXPECT_EQ(scratch.files(), Words{});
+}
+
+TEST(MapCheckProgram, ends_quietly_when_the_pipe_is_closed) {
+  const ScratchDirectory scratch;
+  const std::string pipe = (scratch / "pipe").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  RunOptions options;
+  options.out = pipe;
+  options.meanwhile = [&](pid_t) { ::close(::open(pipe.c_str(), O_RDONLY)); };
+  const RunResult result =
+      run({"map", "check", kValid, "--svg", (scratch / "out.svg").string()}, options);
+  EXPECT_EQ(result.code, 141);
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(scratch.files(), Words{"pipe"});
+}
+
+TEST(MapCheckProgram, stops_at_its_limits) {
+  const ScratchDirectory scratch;
+  const std::string svg = (scratch / "out.svg").string();
+  const std::vector<Words> limits{{"--limit-memory", "1"}, {"--limit-seconds", "0.000001"}};
+  for (const Words& limit : limits) {
+    Words arguments{"map", "check", kDefective, "--json", "--svg", svg};
+    arguments.insert(arguments.end(), limit.begin(), limit.end());
+    const RunResult result = run(arguments);
+    EXPECT_EQ(result.code, 3) << limit[0];
+    EXPECT_EQ(result.out, "");
+    EXPECT_TRUE(contains(result.err, limit[0])) << result.err;
+    EXPECT_EQ(scratch.files(), Words{});
+  }
+}
+
+TEST(MapCheckProgram, is_cancelled_by_a_signal) {
+  const ScratchDirectory scratch;
+  const std::string pipe = (scratch / "pipe").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    RunOptions options;
+    options.in = pipe;  // opened for both directions: never ends, so the program waits
+    options.meanwhile = [&](pid_t child) {
+      while (scratch.files().size() < 2) std::this_thread::yield();  // its output is open: it runs
+      ::kill(child, signal);
+    };
+    const RunResult result =
+        run({"map", "check", "-", "--svg", (scratch / "out.svg").string()}, options);
+    EXPECT_EQ(result.code, 4);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(scratch.files(), Words{"pipe"});
+  }
+}
+
+/// Exact decimals expand beyond what the reader allows, or have exponents beyond it.
+int expected_code(const std::string& bomb, bool exact) {
+  if (!exact) return 0;
+  return bomb == "exact decimals" ? 3 : bomb == "small exponents" ? 2 : 0;
+}
+
+/// "2 s per MB of input and 10x the file plus 64 MB", on maps of one bomb repeated.
+TEST(MapCheckProgram, bounds_time_and_memory_on_bombs) {
+  const ScratchDirectory scratch;
+  const std::string map = (scratch / "bomb.map").string();
+  const std::string digits(4000, '7');
+  const std::vector<std::pair<const char*, std::string>> lines{
+      {"exact decimals", "1e4096 1e-4096\n"},
+      {"long fractions", digits.substr(2000) + "/" + digits.substr(2001) + "1 " + digits + "\n"},
+      {"long decimals", "0." + digits + " " + digits.substr(9) + ".5\n"},
+      {"small exponents", "1e-999999999 1e-99999\n"},
+      {"fractions", "1/3 2/7\n"},
+      {"large integers", "99999999999999999999 18446744073709551616\n"},
+  };
+  for (const auto& [name, line] : lines) {
+    for (const bool exact : {false, true}) {
+      if (!exact && contains(line, "1e4096")) continue;  // larger than any double
+      const std::size_t count = 1'000'000 / line.size() + 1;
+      std::string text = std::to_string(count) + " 0\n";
+      for (std::size_t i = 0; i < count; ++i) text += line;
+      write_file(map, text);
+      Words arguments{"map", "check", map, "--json"};
+      if (exact) arguments.push_back("--exact-decimals");
+      const RunResult result = run(arguments);
+      const double megabytes = static_cast<double>(text.size()) / 1e6;
+      EXPECT_EQ(result.code, expected_code(name, exact)) << name << exact;
+      EXPECT_LT(result.user_seconds, 2 * megabytes) << name << exact;
+      EXPECT_LT(result.megabytes, 10 * megabytes + 64) << name << exact;
+      RecordProperty(std::string(name) + (exact ? " exact" : ""),
+                     std::to_string(result.user_seconds) + " s, " +
+                         std::to_string(result.megabytes) + " MB, exit " +
+                         std::to_string(result.code));
+    }
+  }
+}
+
+TEST(Demo, leaves_a_page_with_pictures) {
+  const ScratchDirectory scratch;
+  const RunResult result = run({"demo", "-o", (scratch / "demo").string()});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "3759 cycles")) << result.out;
+  const std::string page = read_file(scratch / "demo/index.html");
+  EXPECT_TRUE(contains(page, "<svg"));
+  EXPECT_FALSE(contains(page, "src=\"http"));
+  EXPECT_TRUE(fs::exists(scratch / "demo/us-counties.svg"));
+}
+
+TEST(SelfTest, answers_in_text_and_json) {
+  EXPECT_TRUE(run({"self-test"}).out.starts_with("ok"));
+  EXPECT_EQ(nlohmann::json::parse(run({"self-test", "--json"}).out)["ok"], true);
+}
+
+}  // namespace
+}  // namespace plumb::testing
