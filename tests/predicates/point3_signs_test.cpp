@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "float_environment.h"
+#include "floating_point_modes.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_table.h"
 #include "space_cases.h"
@@ -27,9 +27,8 @@ using exact3::Wide;
 using oracle::Int;
 using oracle::Row;
 using oracle::sgn;
-using testing_environment::kSettings;
-using testing_environment::Scope;
-using testing_environment::Setting;
+
+const std::vector<FloatingPointMode> kModes = floating_point_modes();
 
 /// The answers of all rungs of one question; they are taken in the changed environment and judged
 /// outside of it.
@@ -153,12 +152,12 @@ struct Built {
 
 /// The signs about planes. The rows here and in the oracle are both canonical, so equal up to a
 /// positive factor.
-bool check_planes(const cases::Case& c, const World& w, const Built& b, const Setting& setting,
+bool check_planes(const cases::Case& c, const World& w, const Built& b, FloatingPointMode mode,
                   std::size_t axis, Shares& shares) {
   std::array<Answers, 3> got;
   Sign order, turn, swapped;
   {
-    Scope scope(setting);
+    ModeScope scope(mode);
     got = {det3_answers(b.table, b.id(0), b.id(1), b.id(2)),
            det4_answers(b.table, b.id(0), b.id(1), b.id(2), b.id(3)),
            minor_answers(b.table, b.id(0), b.id(1), axis)};
@@ -203,7 +202,7 @@ struct Points {
 };
 
 /// The signs about points: p q r, p q s, the line of two corners through s, and a corner.
-bool check_points(const cases::Case& c, const World& w, const Built& b, const Setting& setting,
+bool check_points(const cases::Case& c, const World& w, const Built& b, FloatingPointMode mode,
                   std::size_t axis, Shares& shares) {
   Point3Table points(b.table);
   Points x;
@@ -212,7 +211,7 @@ bool check_points(const cases::Case& c, const World& w, const Built& b, const Se
   std::vector<bool> equals;
   std::vector<Sign> along;
   {
-    Scope scope(setting);
+    ModeScope scope(mode);
     x = {points.add(b.id(0), b.id(1), b.id(2)), points.add(b.id(0), b.id(1), b.id(3)),
          points.add(InputPointId(0), InputPointId(4), b.id(3)), SpacePoint(InputPointId(7))};
     ids = {x.three, x.other, x.line, x.input};
@@ -266,17 +265,17 @@ TEST(Point3Signs, AgreeWithIntegersOnAdversarialFamilies) {
   std::uint64_t wrong = 0, used = 0;
   for (std::uint64_t i = 0; i < count && wrong < 10; ++i) {
     const cases::Case c = cases::any(random);
-    const Setting& setting = kSettings[i % kSettings.size()];
+    const FloatingPointMode mode = kModes[i % kModes.size()];
     const World world(c);
     std::optional<Built> built;
     {
-      Scope scope(setting);
+      ModeScope scope(mode);
       built.emplace(c);
     }
     if (!built->has_all_planes()) continue;
     ++used;
-    const bool right = check_planes(c, world, *built, setting, i % 3, shares) &&
-                       check_points(c, world, *built, setting, i % 3, shares);
+    const bool right = check_planes(c, world, *built, mode, i % 3, shares) &&
+                       check_points(c, world, *built, mode, i % 3, shares);
     wrong += right ? 0 : 1;
   }
   std::cout << used << " cases, " << shares.signs << " signs, " << wrong
@@ -296,7 +295,7 @@ TEST(Point3Table, BoxesHoldTheirPoints) {
     std::optional<Point3Table> points;
     std::vector<SpacePoint> ids;
     {
-      Scope scope(kSettings[i % kSettings.size()]);
+      ModeScope scope(kModes[i % kModes.size()]);
       built.emplace(c);
       if (!built->has_all_planes()) continue;
       points.emplace(built->table);
