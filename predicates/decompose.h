@@ -103,6 +103,12 @@ class Grid {
     high_ = std::max(high_, r.biased + static_cast<int>(std::bit_width(r.magnitude)));
   }
 
+  /// The common grid of both sets.
+  constexpr void add(const Grid& other) {
+    low_ = std::min(low_, other.low_);
+    high_ = std::max(high_, other.high_);
+  }
+
   /// Exponent of the grid's unit; 0 for an empty grid.
   constexpr int low() const { return is_empty() ? 0 : low_ - detail::kExponentBias; }
   /// The integers' magnitude bits: 53 + spread, less the common trailing zeros; at most 2098.

@@ -55,6 +55,10 @@ class Residue {
   }
   friend constexpr Residue operator-(Residue a) { return reduced(kModulus - a.value_); }
   friend constexpr Residue operator*(Residue a, Residue b);
+  /// a b - c d, and a b + c d + e f: one reduction each.
+  friend constexpr Residue cross_product(Residue a, Residue b, Residue c, Residue d);
+  friend constexpr Residue sum_of_products(Residue a, Residue b, Residue c, Residue d, Residue e,
+                                           Residue f);
   friend constexpr bool operator==(Residue, Residue) = default;
 
  private:
@@ -98,12 +102,42 @@ constexpr Residue operator*(Residue a, Residue b) {
   const std::uint64_t middle = a1 * b0 + a0 * b1;
   return Residue::of(2 * a1 * b1 + (middle >> 30) + ((middle & kLow30) << 31) + a0 * b0);
 }
+
+constexpr Residue cross_product(Residue a, Residue b, Residue c, Residue d) {
+  return a * b - c * d;
+}
+constexpr Residue sum_of_products(Residue a, Residue b, Residue c, Residue d, Residue e,
+                                  Residue f) {
+  return a * b + c * d + e * f;
+}
 #else
+namespace detail {
+__extension__ typedef unsigned __int128 WideProduct;
+constexpr WideProduct wide_product(std::uint64_t a, std::uint64_t b) {
+  return static_cast<WideProduct>(a) * b;  // < 2^122 for residues
+}
+/// Modulo q, below 2 q + 8: the three 61-bit digits of x < 2^125, the top one below 8.
+constexpr std::uint64_t folded(WideProduct x) {
+  return (static_cast<std::uint64_t>(x) & Residue::kModulus) +
+         (static_cast<std::uint64_t>(x >> Residue::kBits) & Residue::kModulus) +
+         static_cast<std::uint64_t>(x >> (2 * Residue::kBits));
+}
+}  // namespace detail
+
 constexpr Residue operator*(Residue a, Residue b) {
-  __extension__ typedef unsigned __int128 Uint128;
-  const Uint128 product = static_cast<Uint128>(a.value_) * b.value_;  // < 2^122
+  const auto product = detail::wide_product(a.value_, b.value_);
   return Residue::reduced((static_cast<std::uint64_t>(product) & Residue::kModulus) +
                           static_cast<std::uint64_t>(product >> Residue::kBits));
+}
+constexpr Residue cross_product(Residue a, Residue b, Residue c, Residue d) {
+  return Residue::of(detail::folded(detail::wide_product(a.value_, b.value_) +
+                                    detail::wide_product(c.value_, Residue::kModulus - d.value_)));
+}
+constexpr Residue sum_of_products(Residue a, Residue b, Residue c, Residue d, Residue e,
+                                  Residue f) {
+  return Residue::of(detail::folded(detail::wide_product(a.value_, b.value_) +
+                                    detail::wide_product(c.value_, d.value_) +
+                                    detail::wide_product(e.value_, f.value_)));
 }
 #endif
 
@@ -131,8 +165,8 @@ constexpr Residue leading(const ResidueRow& row) {
 constexpr Fingerprint fingerprint(const ResidueRow& row, Residue inverse_of_leading) {
   constexpr std::array<std::uint64_t, 4> kWeights = {0x0b7e151628aed2a6, 0x1f4bf70c11a8a4d1,
                                                      0x18a9e0a1d2c5b3f7, 0x046d1f2a9c83e5b1};
-  Residue sum;
-  for (std::size_t i = 0; i < 4; ++i) sum = sum + row[i] * Residue::of(kWeights[i]);
+  const auto k = [&](std::size_t i) { return Residue::of(kWeights[i]); };
+  const Residue sum = row[0] * k(0) + sum_of_products(row[1], k(1), row[2], k(2), row[3], k(3));
   return (sum * inverse_of_leading).value();
 }
 

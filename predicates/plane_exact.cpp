@@ -12,13 +12,10 @@ std::array<const Point3*, 3> corners(const PlaneTable& table, const PlaneSource&
   return {&points[source.code[0]], &points[source.code[1]], &points[source.code[2]]};
 }
 
-Grid grid_of(const std::array<const Point3*, 3>& corners) {
-  Grid grid;
-  for (const Point3* p : corners) {
-    grid.add(p->x);
-    grid.add(p->y);
-    grid.add(p->z);
-  }
+Grid grid_of(const PlaneTable& table, const PlaneSource& source) {
+  Grid grid = table.grid(InputPointId(source.code[0]));
+  grid.add(table.grid(InputPointId(source.code[1])));
+  grid.add(table.grid(InputPointId(source.code[2])));
   return grid;
 }
 
@@ -100,7 +97,7 @@ BigPlane load_big_corners(int low, const std::array<const Point3*, 3>& at) {
 
 Operand operand(const PlaneTable& table, const PlaneSource& source) {
   if (source.is_explicit()) return {&table, source, Grid{}, slot_width(table.slot(source))};
-  const Grid grid = grid_of(corners(table, source));
+  const Grid grid = grid_of(table, source);
   return {&table, source, grid, grid_width(grid.bits())};
 }
 

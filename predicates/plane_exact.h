@@ -199,7 +199,7 @@ Sign minor_sign(const Plane& p, const Plane& q, std::size_t axis) {
 }
 
 /// The common point of three planes: x 2^scale / w. By Cramer, with n_i.x + d_i = 0:
-/// w = det3, x = -(d_p (q x r) + d_q (r x p) + d_r (p x q)).
+/// x = d_p (q x r) + d_q (r x p) + d_r (p x q), w = -det3.
 template <class Numerator_, class Det3_>
 struct Homogeneous {
   Vector<Numerator_> x;
@@ -222,17 +222,18 @@ PointOf<Plane> common_point(const Plane& p, const Plane& q, const Plane& r) {
     typename T::Numerator sum = product<typename T::Numerator>(p.d, qr[i]);
     sum += product<typename T::Numerator>(q.d, rp[i]);
     sum += product<typename T::Numerator>(r.d, pq[i]);
-    point.x[i] = -sum;
+    point.x[i] = sum;
   }
-  point.w = dot<typename T::Det3>(pq, r.n);
+  point.w = -dot<typename T::Det3>(pq, r.n);
   point.scale = p.scale != kAnyScale ? p.scale : (q.scale != kAnyScale ? q.scale : r.scale);
   if (point.scale == kAnyScale) point.scale = 0;
   return point;
 }
 
-/// n.x + d w of a point on the plane's scale: det4 = this, side = this / w.
+/// The sign of n.x + d w for a point on the plane's scale. The side of the point is this times the
+/// sign of w; for a common_point it is -det4.
 template <class Plane>
-Sign det4_sign(const PointOf<Plane>& point, const Plane& plane) {
+Sign value_sign(const PointOf<Plane>& point, const Plane& plane) {
   using T = Types<Plane>;
   typename T::Det4 value = dot<typename T::Det4>(point.x, plane.n);
   value += product<typename T::Det4>(plane.d, point.w);

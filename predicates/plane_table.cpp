@@ -119,6 +119,8 @@ void PlaneTable::reserve(std::size_t planes) {
 InputPointId PlaneTable::add_points(std::span<const Point3> points) {
   const InputPointId first{points_.size()};
   points_.insert(points_.end(), points.begin(), points.end());
+  grids_.reserve(points_.size());
+  for (const Point3& p : points) grids_.push_back({p.x, p.y, p.z});
   return first;
 }
 
@@ -146,11 +148,12 @@ Residues3 residues(const Point3& p) {
 }
 
 /// (n, d) of the plane through three points, in F_q.
-ResidueRow residues(const Residues3& p, const Residues3& q, const Residues3& r) {
+ResidueRow plane_residues(const Residues3& p, const Residues3& q, const Residues3& r) {
   const Residue ux = q[0] - p[0], uy = q[1] - p[1], uz = q[2] - p[2];
   const Residue vx = r[0] - p[0], vy = r[1] - p[1], vz = r[2] - p[2];
-  const Residue a = uy * vz - uz * vy, b = uz * vx - ux * vz, c = ux * vy - uy * vx;
-  return {a, b, c, -(a * p[0] + b * p[1] + c * p[2])};
+  const Residue a = cross_product(uy, vz, uz, vy), b = cross_product(uz, vx, ux, vz),
+                c = cross_product(ux, vy, uy, vx);
+  return {a, b, c, -sum_of_products(a, p[0], b, p[1], c, p[2])};
 }
 
 template <class Plane>
@@ -207,36 +210,54 @@ PlaneTable::Draft PlaneTable::draft(const PlaneSource& corners) const {
   return result;
 }
 
-OrientedPlane PlaneTable::intern(InputPointId p, InputPointId q, InputPointId r) {
-  OrientedPlane result;
-  const std::array<InputPointId, 3> triangle = {p, q, r};
-  intern_block({&triangle, 1}, {&result, 1});
-  return result;
-}
-
 namespace {
 
 constexpr std::size_t kBlock = 256;  // one inversion for so many triangles; the scratch stays in L1
 
 }  // namespace
 
+/// The residues of input points: kept for all of them while many triangles are interned.
+class PlaneTable::ResidueSource {
+ public:
+  ResidueSource(std::span<const Point3> points, bool keep) : points_(points) {
+    if (!keep) return;
+    kept_.reserve(points.size());
+    for (const Point3& p : points) kept_.push_back(residues(p));
+  }
+  Residues3 of(InputPointId p) const {
+    return kept_.empty() ? residues(points_[p.value()]) : kept_[p.value()];
+  }
+
+ private:
+  std::span<const Point3> points_;
+  std::vector<Residues3> kept_;
+};
+
 void PlaneTable::intern_triangles(std::span<const std::array<InputPointId, 3>> triangles,
                                   std::span<OrientedPlane> result) {
+  const ResidueSource residues(points_, triangles.size() >= points_.size() / 2);
   for (std::size_t i = 0; i < triangles.size(); i += kBlock) {
     const std::size_t count = std::min(kBlock, triangles.size() - i);
-    intern_block(triangles.subspan(i, count), result.subspan(i, count));
+    intern_block(triangles.subspan(i, count), result.subspan(i, count), residues);
   }
+}
+
+OrientedPlane PlaneTable::intern(InputPointId p, InputPointId q, InputPointId r) {
+  OrientedPlane result;
+  const std::array<InputPointId, 3> triangle = {p, q, r};
+  intern_block({&triangle, 1}, {&result, 1}, ResidueSource(points_, false));
+  return result;
 }
 
 /// Phases: residues, inversion, then row and look-up of each triangle.
 void PlaneTable::intern_block(std::span<const std::array<InputPointId, 3>> triangles,
-                              std::span<OrientedPlane> result) {
+                              std::span<OrientedPlane> result, const ResidueSource& residues) {
   std::array<ResidueRow, kBlock> rows;
   std::array<Residue, kBlock> inverses, scratch;
   const std::size_t count = triangles.size();
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [p, q, r] = triangles[i];
-    rows[i] = residues(residues(point(p)), residues(point(q)), residues(point(r)));
+    rows[i] = plane_residues(residues.of(p), residues.of(q), residues.of(r));
     inverses[i] = leading(rows[i]);
   }
   invert_all(std::span(inverses).first(count), std::span(scratch).first(count));

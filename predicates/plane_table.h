@@ -23,6 +23,7 @@
 #include <span>
 #include <vector>
 
+#include "plumb/predicates/decompose.h"
 #include "plumb/predicates/fingerprint.h"
 #include "plumb/predicates/point.h"
 #include "plumb/predicates/rational.h"
@@ -115,6 +116,8 @@ class PlaneTable {
   InputPointId add_point(const Point3& p) { return add_points({&p, 1}); }
   const Point3& point(InputPointId p) const { return points_[p.value()]; }
   std::span<const Point3> points() const { return points_; }
+  /// The grid of the point's coordinates; kept because every exact rung starts from it.
+  const Grid& grid(InputPointId p) const { return grids_[p.value()]; }
 
   // --- interning ------------------------------------------------------------------------------
   // The result is not valid exactly when the arguments define no plane (a zero normal). A plane
@@ -157,11 +160,12 @@ class PlaneTable {
  private:
   struct Index;
   struct Draft;
+  class ResidueSource;
 
   Draft draft(const PlaneSource& corners) const;
   OrientedPlane find_or_add(const Draft& draft, Fingerprint fingerprint);
   void intern_block(std::span<const std::array<InputPointId, 3>> triangles,
-                    std::span<OrientedPlane> result);
+                    std::span<OrientedPlane> result, const ResidueSource& residues);
   PlaneSource push_slot(const IntegerRow& row, int scale, std::array<PlaneId, 2> parents);
   PlaneSource copy_slot(const PlaneTable& other, const PlaneSlot& slot,
                         std::span<const PlaneId> map);
@@ -169,6 +173,7 @@ class PlaneTable {
   OrientedPlane intern_row(IntegerRow row, int scale, std::array<PlaneId, 2> parents);
 
   std::vector<Point3> points_;
+  std::vector<Grid> grids_;  // of each point
   std::vector<PlaneRow> rows_;
   std::vector<Fingerprint> fingerprints_;
   std::vector<PlaneSource> sources_;

@@ -12,16 +12,10 @@ int width_of_bits(int bits) {
 
 namespace {
 
-void add(Grid& grid, const Point3& p) {
-  grid.add(p.x);
-  grid.add(p.y);
-  grid.add(p.z);
-}
-
-void set_ends(PointOperand& operand, const Point3* a, const Point3* b) {
-  operand.ends = {a, b};
-  add(operand.grid, *a);
-  if (b != nullptr) add(operand.grid, *b);
+void set_ends(PointOperand& operand, const PlaneTable& planes, InputPointId a, InputPointId b) {
+  operand.ends = {&planes.point(a), &planes.point(b)};
+  operand.grid = planes.grid(a);
+  operand.grid.add(planes.grid(b));
   operand.width = width_of_bits(operand.grid.bits());
 }
 
@@ -128,7 +122,7 @@ PointOperand operand(const Point3Table& points, const PointSource& source) {
   const PlaneTable& planes = points.planes();
   PointOperand result;
   if (source.is_line()) {
-    set_ends(result, &planes.point(source.end(0)), &planes.point(source.end(1)));
+    set_ends(result, planes, source.end(0), source.end(1));
   }
   result.plane_count = source.plane_count();
   for (std::size_t i = 0; i < result.plane_count; ++i) {
@@ -141,7 +135,7 @@ PointOperand operand(const Point3Table& points, const PointSource& source) {
 PointOperand operand(const Point3Table& points, SpacePoint point) {
   if (!point.is_input()) return operand(points, points.source(point));
   PointOperand result;
-  set_ends(result, &points.planes().point(point.input()), nullptr);
+  set_ends(result, points.planes(), point.input(), point.input());
   return result;
 }
 
@@ -175,7 +169,7 @@ FilteredSign side_sign(PointOf<Plane> point, Plane plane) {
       return FilteredSign::Unsure;
     }
   }
-  return filtered(det4_sign(point, plane) * sign_of(point.w));
+  return filtered(value_sign(point, plane) * sign_of(point.w));
 }
 
 /// x / v - y / w has the sign of (x w - y v) v w. Degree 13.

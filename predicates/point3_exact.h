@@ -21,7 +21,7 @@ namespace plumb::exact3 {
 struct PointOperand {
   std::array<Operand, 3> planes;  ///< the first plane_count are set
   std::size_t plane_count = 0;
-  std::array<const Point3*, 2> ends = {};  ///< of the line; or the input point itself, first
+  std::array<const Point3*, 2> ends = {};  ///< of the line; or twice the input point
   Grid grid;                               ///< of the ends
   int width = 0;
 };

@@ -108,11 +108,10 @@ bool is_known_on(const Point3Table& points, SpacePoint x, PlaneId plane,
          planes.is_wall_of(plane, known);
 }
 
-Sign side(const Point3Table& points, SpacePoint x, PlaneId plane,
-          std::span<const PlaneId> incident) {
+Sign rung::side_without_filter(const Point3Table& points, SpacePoint x, PlaneId plane,
+                               std::span<const PlaneId> incident) {
   if (is_known_on(points, x, plane, incident)) return Sign::Zero;
-  const FilteredSign s = rung::side_filter(points.box(x), points.planes().row(plane));
-  return is_decided(s) ? decided(s) : exact_side(points, x, plane);
+  return exact_side(points, x, plane);
 }
 
 Sign compare_axis(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis) {

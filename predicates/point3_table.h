@@ -58,6 +58,10 @@ class PointSource {
   /// Planes the point lies on by definition: one or three.
   constexpr std::size_t plane_count() const { return is_line() ? 1 : 3; }
   constexpr PlaneId plane(std::size_t i) const { return PlaneId(code_[is_line() ? 2 : i]); }
+  constexpr bool has_plane(PlaneId p) const {
+    return code_[2] == p.value() ||
+           (!is_line() && (code_[0] == p.value() || code_[1] == p.value()));
+  }
 
  private:
   static constexpr std::uint32_t kLine = std::uint32_t{1} << 31;

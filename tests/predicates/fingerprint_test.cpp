@@ -59,6 +59,10 @@ TEST(Fingerprint, FieldArithmetic) {
     EXPECT_EQ(Int((a + b).value()), modulo(Int(x) + y));
     EXPECT_EQ(Int((a - b).value()), modulo(Int(x) - y));
     EXPECT_EQ(Int((-a).value()), modulo(-Int(x)));
+    const std::uint64_t z = any(), t = any();
+    const Residue c = Residue::of(z), d = Residue::of(t);
+    EXPECT_EQ(cross_product(a, b, c, d), a * b - c * d);
+    EXPECT_EQ(sum_of_products(a, b, c, d, a, d), a * b + c * d + a * d);
   }
 }
 
