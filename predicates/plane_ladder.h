@@ -8,6 +8,7 @@
 #include <array>
 
 #include "plumb/predicates/plane_exact.h"
+#include "plumb/predicates/rung_counters.h"
 
 namespace plumb::exact3 {
 
@@ -43,12 +44,18 @@ Sign big_sign(const std::array<Operand, K>& operands, const Form& form) {
   return form(planes);
 }
 
-template <std::size_t K, class Form>
-Sign exact_sign(const std::array<Operand, K>& operands, const Form& form) {
-  if (const auto s = fixed_sign<Narrow>(operands, form); is_decided(s)) return decided(s);
-  if (const auto s = fixed_sign<Medium>(operands, form); is_decided(s)) return decided(s);
-  if (const auto s = fixed_sign<Wide>(operands, form); is_decided(s)) return decided(s);
-  return big_sign(operands, form);
+/// `count(rung)` is told which rung decides.
+template <std::size_t K, class Form, class Count>
+Sign exact_sign(const std::array<Operand, K>& operands, const Form& form, const Count& count) {
+  const auto tell = [&](Rung rung, FilteredSign s) {
+    if (is_decided(s)) count(rung);
+    return s;
+  };
+  FilteredSign s = tell(Rung::Small, fixed_sign<Narrow>(operands, form));
+  if (!is_decided(s)) s = tell(Rung::Exact, fixed_sign<Medium>(operands, form));
+  if (!is_decided(s)) s = tell(Rung::Exact, fixed_sign<Wide>(operands, form));
+  if (!is_decided(s)) s = tell(Rung::Big, filtered(big_sign(operands, form)));
+  return decided(s);
 }
 
 }  // namespace plumb::exact3

@@ -21,7 +21,7 @@ using exact3::operands;
 
 namespace {
 
-FilteredSign decide(double value, double error) {
+FilteredSign beyond(double value, double error) {
   if (value > error) return FilteredSign::Positive;
   return value < -error ? FilteredSign::Negative : FilteredSign::Unsure;
 }
@@ -60,11 +60,11 @@ namespace rung {
 
 FilteredSign minor_filter(const PlaneRow& p, const PlaneRow& q, std::size_t axis) {
   const double errors = static_cast<double>(p.normal_error) + static_cast<double>(q.normal_error);
-  return decide(minor(p, q, axis), 2 * errors);
+  return beyond(minor(p, q, axis), 2 * errors);
 }
 
 FilteredSign det3_filter(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r) {
-  return decide(det3(p, q, r), 6 * sum_of_normal_errors(p, q, r));
+  return beyond(det3(p, q, r), 6 * sum_of_normal_errors(p, q, r));
 }
 
 FilteredSign det4_filter(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r,
@@ -76,7 +76,7 @@ FilteredSign det4_filter(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r
   const double offset_errors =
       static_cast<double>(p.offset_error) + static_cast<double>(q.offset_error) +
       static_cast<double>(r.offset_error) + static_cast<double>(s.offset_error);
-  return decide(value, 8 * normal_errors * offsets + 4 * offset_errors);
+  return beyond(value, 8 * normal_errors * offsets + 4 * offset_errors);
 }
 
 template <class W>
@@ -117,26 +117,44 @@ Sign det4_big(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId
 
 }  // namespace rung
 
+namespace {
+
+/// The ladder of every predicate here.
+template <std::size_t K, class Form>
+Sign climb(Predicate predicate, FilteredSign filter, const PlaneTable& planes,
+           const std::array<PlaneId, K>& ids, const Form& form) {
+  if (is_decided(filter)) return plumb::decide(predicate, Rung::Filter, filter);
+  return exact3::exact_sign(operands<K>(planes, ids), form,
+                            [&](Rung rung) { count_rung(predicate, rung); });
+}
+
+Sign zero_by_identity(Predicate predicate) {
+  count_rung(predicate, Rung::Identity);
+  return Sign::Zero;
+}
+
+}  // namespace
+
 Sign minor_sign(const PlaneTable& planes, PlaneId p, PlaneId q, std::size_t axis) {
-  if (p == q) return Sign::Zero;
-  const FilteredSign s = rung::minor_filter(planes.row(p), planes.row(q), axis);
-  if (is_decided(s)) return decided(s);
-  return exact3::exact_sign(operands<2>(planes, {p, q}), MinorForm{axis});
+  if (p == q) return zero_by_identity(Predicate::PlaneMinor);
+  return climb<2>(Predicate::PlaneMinor, rung::minor_filter(planes.row(p), planes.row(q), axis),
+                  planes, {p, q}, MinorForm{axis});
 }
 
 Sign det3_sign(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r) {
-  if (p == q || q == r || p == r) return Sign::Zero;
-  const FilteredSign s = rung::det3_filter(planes.row(p), planes.row(q), planes.row(r));
-  if (is_decided(s)) return decided(s);
-  return exact3::exact_sign(operands<3>(planes, {p, q, r}), Det3Form{});
+  if (p == q || q == r || p == r) return zero_by_identity(Predicate::PlaneDet3);
+  return climb<3>(Predicate::PlaneDet3,
+                  rung::det3_filter(planes.row(p), planes.row(q), planes.row(r)), planes, {p, q, r},
+                  Det3Form{});
 }
 
 Sign det4_sign(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s) {
-  if (p == q || p == r || p == s || q == r || q == s || r == s) return Sign::Zero;
-  const FilteredSign sign =
-      rung::det4_filter(planes.row(p), planes.row(q), planes.row(r), planes.row(s));
-  if (is_decided(sign)) return decided(sign);
-  return exact3::exact_sign(operands<4>(planes, {p, q, r, s}), Det4Form{});
+  if (p == q || p == r || p == s || q == r || q == s || r == s) {
+    return zero_by_identity(Predicate::PlaneDet4);
+  }
+  return climb<4>(Predicate::PlaneDet4,
+                  rung::det4_filter(planes.row(p), planes.row(q), planes.row(r), planes.row(s)),
+                  planes, {p, q, r, s}, Det4Form{});
 }
 
 /// With X = p q r: s(X) = det4 / det3(p, q, r), and s grows by det3(p, q, s) along the direction.

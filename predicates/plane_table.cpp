@@ -55,7 +55,7 @@ bool is_same_plane(const PlaneTable& table, const PlaneSource& a, const PlaneSou
   if (is_same_source(a, b)) return true;
   const std::array<exact3::Operand, 2> both = {exact3::operand(table, a),
                                                exact3::operand(table, b)};
-  return exact3::exact_sign(both, SamePlane{}) == Sign::Zero;
+  return exact3::exact_sign(both, SamePlane{}, [](Rung) {}) == Sign::Zero;
 }
 
 /// A stored plane: its id and the low half of its fingerprint, which is its hash.
@@ -236,6 +236,8 @@ class PlaneTable::ResidueSource {
 void PlaneTable::intern_triangles(std::span<const std::array<InputPointId, 3>> triangles,
                                   std::span<OrientedPlane> result) {
   const ResidueSource residues(points_, triangles.size() >= points_.size() / 2);
+  index_->keys.reserve(size() +
+                       triangles.size() / 2);  // all planes new: one rehash; none: 12 bytes each
   for (std::size_t i = 0; i < triangles.size(); i += kBlock) {
     const std::size_t count = std::min(kBlock, triangles.size() - i);
     intern_block(triangles.subspan(i, count), result.subspan(i, count), residues);

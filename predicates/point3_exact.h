@@ -14,6 +14,7 @@
 
 #include "plumb/predicates/plane_exact.h"
 #include "plumb/predicates/point3_table.h"
+#include "plumb/predicates/rung_counters.h"
 
 namespace plumb::exact3 {
 
@@ -53,22 +54,26 @@ FilteredSign axis_order(const PointOf<Plane>& x, const PointOf<Plane>& y, std::s
 /// The exact point as integers (x, y, z, w) on one scale.
 IntegerRow integer_row(const PointOperand& operand);
 
-/// Calls question<Plane>() -> FilteredSign from the narrowest type allowed to mpz, which decides.
-template <class Question>
-Sign point_ladder(int width, const Question& question) {
+/// Calls question<Plane>() -> FilteredSign from the narrowest type allowed to mpz, which decides;
+/// `count(rung)` is told which one did.
+template <class Question, class Count>
+Sign point_ladder(int width, const Question& question, const Count& count) {
+  FilteredSign s = FilteredSign::Unsure;
+  const auto tell = [&](Rung rung, FilteredSign sign) {
+    if (is_decided(sign)) count(rung);
+    return sign;
+  };
   if (width <= Narrow::kIndex) {
-    const FilteredSign s = question.template operator()<FixedPlane<Narrow>>();
-    if (is_decided(s)) return decided(s);
+    s = tell(Rung::Small, question.template operator()<FixedPlane<Narrow>>());
   }
-  if (width <= Medium::kIndex) {
-    const FilteredSign s = question.template operator()<FixedPlane<Medium>>();
-    if (is_decided(s)) return decided(s);
+  if (!is_decided(s) && width <= Medium::kIndex) {
+    s = tell(Rung::Exact, question.template operator()<FixedPlane<Medium>>());
   }
-  if (width <= Wide::kIndex) {
-    const FilteredSign s = question.template operator()<FixedPlane<Wide>>();
-    if (is_decided(s)) return decided(s);
+  if (!is_decided(s) && width <= Wide::kIndex) {
+    s = tell(Rung::Exact, question.template operator()<FixedPlane<Wide>>());
   }
-  return decided(question.template operator()<BigPlane>());
+  if (!is_decided(s)) s = tell(Rung::Big, question.template operator()<BigPlane>());
+  return decided(s);
 }
 
 }  // namespace plumb::exact3

@@ -35,14 +35,17 @@ FilteredSign order_in(const PointOperand& x, const PointOperand& y, std::size_t 
 Sign exact_side(const Point3Table& points, SpacePoint x, PlaneId plane) {
   const PointOperand point = exact3::operand(points, x);
   const Operand other = exact3::operand(points.planes(), plane);
-  return exact3::point_ladder(std::max(point.width, other.width),
-                              [&]<class Plane>() { return side_in<Plane>(point, other); });
+  return exact3::point_ladder(
+      std::max(point.width, other.width),
+      [&]<class Plane>() { return side_in<Plane>(point, other); },
+      [](Rung rung) { count_rung(Predicate::SideOfPlane, rung); });
 }
 
 Sign exact_order(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis) {
   const PointOperand a = exact3::operand(points, x), b = exact3::operand(points, y);
-  return exact3::point_ladder(std::max(a.width, b.width),
-                              [&]<class Plane>() { return order_in<Plane>(a, b, axis); });
+  return exact3::point_ladder(
+      std::max(a.width, b.width), [&]<class Plane>() { return order_in<Plane>(a, b, axis); },
+      [](Rung rung) { count_rung(Predicate::CompareAxis, rung); });
 }
 
 }  // namespace
@@ -110,14 +113,18 @@ bool is_known_on(const Point3Table& points, SpacePoint x, PlaneId plane,
 
 Sign rung::side_without_filter(const Point3Table& points, SpacePoint x, PlaneId plane,
                                std::span<const PlaneId> incident) {
-  if (is_known_on(points, x, plane, incident)) return Sign::Zero;
+  if (is_known_on(points, x, plane, incident)) {
+    count_rung(Predicate::SideOfPlane, Rung::Identity);
+    return Sign::Zero;
+  }
   return exact_side(points, x, plane);
 }
 
 Sign compare_axis(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis) {
   if (x == y) return Sign::Zero;
   const FilteredSign s = rung::compare_axis_filter(points.box(x), points.box(y), axis);
-  return is_decided(s) ? decided(s) : exact_order(points, x, y, axis);
+  if (is_decided(s)) return decide(Predicate::CompareAxis, Rung::Filter, s);
+  return exact_order(points, x, y, axis);
 }
 
 Sign compare_xyz(const Point3Table& points, SpacePoint x, SpacePoint y) {

@@ -10,6 +10,7 @@
 #include "plumb/predicates/plane_exact.h"
 #include "plumb/predicates/point3_table.h"
 #include "plumb/predicates/rational_point.h"
+#include "plumb/predicates/rung_counters.h"
 
 namespace plumb {
 
@@ -82,9 +83,13 @@ Sign side_without_filter(const Point3Table& points, SpacePoint x, PlaneId plane,
 
 inline Sign side(const Point3Table& points, SpacePoint x, PlaneId plane,
                  std::span<const PlaneId> incident) {
-  if (!x.is_input() && points.source(x).has_plane(plane)) return Sign::Zero;
+  if (!x.is_input() && points.source(x).has_plane(plane)) {
+    count_rung(Predicate::SideOfPlane, Rung::Identity);
+    return Sign::Zero;
+  }
   const FilteredSign s = rung::side_filter(points.box(x), points.planes().row(plane));
-  return is_decided(s) ? decided(s) : rung::side_without_filter(points, x, plane, incident);
+  if (is_decided(s)) return decide(Predicate::SideOfPlane, Rung::Filter, s);
+  return rung::side_without_filter(points, x, plane, incident);
 }
 
 }  // namespace plumb

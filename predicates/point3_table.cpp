@@ -114,13 +114,16 @@ PointBox exact_box(const exact3::Homogeneous<X, W>& p) {
 
 /// Zero: the point does not exist (w = 0). The box is set otherwise.
 Sign exact_box(const exact3::PointOperand& operand, PointBox& box) {
-  return exact3::point_ladder(operand.width, [&]<class Plane>() {
-    exact3::PointOf<Plane> point;
-    if (!exact3::load_point<Plane>(operand, point)) return FilteredSign::Unsure;
-    const Sign sign = exact3::sign_of(point.w);
-    if (sign != Sign::Zero) box = exact_box(point);
-    return filtered(sign);
-  });
+  return exact3::point_ladder(
+      operand.width,
+      [&]<class Plane>() {
+        exact3::PointOf<Plane> point;
+        if (!exact3::load_point<Plane>(operand, point)) return FilteredSign::Unsure;
+        const Sign sign = exact3::sign_of(point.w);
+        if (sign != Sign::Zero) box = exact_box(point);
+        return filtered(sign);
+      },
+      [](Rung) {});
 }
 
 }  // namespace

@@ -10,11 +10,23 @@
 
 namespace plumb {
 
-enum class Predicate : std::uint8_t { Orient2d, CrossSign, Orient3d, Incircle, Insphere };
-inline constexpr std::size_t kPredicates = 5;
+enum class Predicate : std::uint8_t {
+  Orient2d,
+  CrossSign,
+  Orient3d,
+  Incircle,
+  Insphere,
+  PlaneMinor,
+  PlaneDet3,
+  PlaneDet4,
+  SideOfPlane,
+  CompareAxis
+};
+inline constexpr std::size_t kPredicates = 10;
 
-enum class Rung : std::uint8_t { Filter, Small, Exact, Big };
-inline constexpr std::size_t kRungs = 4;
+/// Identity: answered by ids, without arithmetic (planes and points of space only).
+enum class Rung : std::uint8_t { Filter, Small, Exact, Big, Identity };
+inline constexpr std::size_t kRungs = 5;
 
 /// counts[predicate][rung]: calls decided there.
 using RungCounts = std::array<std::array<std::uint64_t, kRungs>, kPredicates>;
