@@ -20,7 +20,7 @@ namespace plumb::testing {
 namespace {
 
 constexpr std::size_t kRecord = 4;
-constexpr std::size_t kMaxCorners = 72;  // the twin is quadratic
+constexpr std::size_t kMaxCorners = 48;  // the twin is quadratic
 
 struct Record {
   std::uint8_t what, a, b, c;

@@ -48,7 +48,7 @@ class Judge {
   std::vector<std::uint32_t> users(const std::vector<Edge>& edges) const;
   void label_components();
   std::vector<Edge> directed() const;
-  std::vector<Edge> around(std::uint32_t vertex) const;
+  void sort_around_vertices();
   Edge next(Edge h) const;
   Orbit trace(Edge start) const;
   void trace_orbits();
@@ -69,6 +69,7 @@ class Judge {
   std::map<Edge, std::vector<std::uint32_t>> uses_;  // directed edge -> cycle of every use
   std::set<Edge> edges_;                             // undirected
   std::map<std::uint32_t, std::size_t> component_;   // used vertex -> component
+  std::map<std::uint32_t, std::vector<Edge>> around_;
   std::vector<Orbit> orbits_;
   OracleReport report_;
 };
@@ -252,20 +253,19 @@ std::vector<Edge> Judge::directed() const {
   return both;
 }
 
-std::vector<Edge> Judge::around(std::uint32_t vertex) const {
-  std::vector<Edge> leaving;
-  for (const Edge& h : directed()) {
-    if (h.first == vertex) leaving.push_back(h);
+// Half-edges leaving each vertex, counter-clockwise.
+void Judge::sort_around_vertices() {
+  for (const Edge& h : directed()) around_[h.first].push_back(h);
+  for (auto& [vertex, leaving] : around_) {
+    const IntegerPoint& v = at(vertex);
+    std::sort(leaving.begin(), leaving.end(),
+              [&](Edge a, Edge b) { return angle_less(v, at(a.second), v, at(b.second)); });
   }
-  std::sort(leaving.begin(), leaving.end(), [&](Edge a, Edge b) {
-    return angle_less(at(vertex), at(a.second), at(vertex), at(b.second));
-  });
-  return leaving;
 }
 
 // The face to the left of h goes on with the edge just clockwise of h's twin.
 Edge Judge::next(Edge h) const {
-  const std::vector<Edge> leaving = around(h.second);
+  const std::vector<Edge>& leaving = around_.at(h.second);
   const auto twin = std::find(leaving.begin(), leaving.end(), reversed(h));
   return twin == leaving.begin() ? leaving.back() : *std::prev(twin);
 }
@@ -398,6 +398,7 @@ OracleReport Judge::run() {
   count_crossings();
   const MapDefectCounts& n = report_.counts;
   if (n.duplicate == 0 && n.open == 0 && n.crossing == 0) {
+    sort_around_vertices();
     trace_orbits();
     count_mixed();
     if (options_.outer == OuterRule::Ignore) count_nested();
