@@ -2,7 +2,7 @@
 //
 //   map_families [--most FACES] [--limit SLOPE] [FAMILY...]
 //
-// Sizes from 1000 to FACES (default 10^6; a short run: 30000), two a decade; user CPU of check_map
+// Sizes from 1000 to FACES (default 10^6; a short run: 30000), two a decade; CPU time of check_map
 // alone, the least of some repetitions. Prints the times and the fitted exponent with its 95%
 // confidence interval. Exit status 1 when an exponent is above SLOPE (default 1.15).
 #include "generate/map_families.h"
@@ -27,15 +27,15 @@ using testing::MapFamily;
 double seconds_once(const Map& map) {
   Map copy = map;
   Context context;
-  const double start = user_seconds();
+  const double start = cpu_seconds();
   const MapReport report = check_map(std::move(copy), {}, context);
-  const double seconds = user_seconds() - start;
+  const double seconds = cpu_seconds() - start;
   PLUMB_CHECK(report.verdict == MapVerdict::Valid);
   return seconds;
 }
 
-// getrusage ticks in steps of up to 4 ms and other programs disturb caches: short runs are batched to
-// 40 ms or more, and the least of three batches counts.
+// Other programs disturb caches: short runs are batched to 40 ms or more, and the least of three batches
+// counts.
 double seconds_of(const Map& map) {
   double least = 1e300;
   for (int batch = 0; batch < 3; ++batch) {

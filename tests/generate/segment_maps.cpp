@@ -81,6 +81,7 @@ class Planariser {
   void sort_around_vertices();
   void trace();
   bool remove_bridges();
+  std::vector<std::uint32_t> left_to_right() const;
 
   std::vector<IntegerSegment> segments_;
   std::vector<std::vector<PointKey>> points_on_;  // per segment, in order along it
@@ -195,18 +196,37 @@ bool Planariser::remove_bridges() {
   return removed;
 }
 
+double approximate(Int num, Int den) { return static_cast<double>(num) / static_cast<double>(den); }
+
+// The used vertices from left to right, as a map that was digitised strip by strip would list them.
+std::vector<std::uint32_t> Planariser::left_to_right() const {
+  std::vector<bool> used(points_.size(), false);
+  for (const PlaneEdge& e : edges_) used[e.from] = true;
+  std::vector<std::pair<double, std::uint32_t>> order;
+  for (std::uint32_t v = 0; v < points_.size(); ++v) {
+    if (used[v]) order.emplace_back(approximate(points_[v][0], points_[v][1]), v);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::uint32_t> vertices;
+  for (const auto& [x, v] : order) vertices.push_back(v);
+  return vertices;
+}
+
 TestMap Planariser::listed() {
   TestMap map;
   std::vector<std::uint32_t> name(points_.size(), 0);
-  std::vector<bool> used(points_.size(), false);
-  for (const PlaneEdge& e : edges_) used[e.from] = true;
-  for (std::size_t v = 0; v < points_.size(); ++v) {
+  for (const std::uint32_t v : left_to_right()) {
     const auto& [xn, xd, yn, yd] = points_[v];
-    if (used[v]) name[v] = map.add_point(BigRational(xn, xd), BigRational(yn, yd));
+    name[v] = map.add_point(BigRational(xn, xd), BigRational(yn, yd));
   }
   for (Cycle& cycle : cycles_) {
     for (std::uint32_t& v : cycle) v = name[v];
   }
+  const auto least = [](const Cycle& cycle) {
+    return *std::min_element(cycle.begin(), cycle.end());
+  };
+  std::stable_sort(cycles_.begin(), cycles_.end(),
+                   [&](const Cycle& a, const Cycle& b) { return least(a) < least(b); });
   map.cycles = std::move(cycles_);
   return map;
 }
