@@ -1,14 +1,26 @@
-// The floating-point environment the filters are derived for, checked at compile time and on call.
+// The floating-point environment the filters are derived for, checked at compile time
+// (input_filters.h) and on call.
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace plumb {
 
-/// Checks contraction, reassociation, rounding mode and flush-to-zero as they are *now*, in this
-/// build. Returns an empty string when the predicates' derivations hold, else what is wrong.
-/// (Predicates stay right under any rounding mode and FTZ/DAZ; contraction and reassociation are
-/// what a build must not do.)
-std::string self_test();
+/// What self_test() found. `ok` is false exactly when `failures` is not empty.
+struct SelfTestReport {
+  bool ok = true;
+  std::vector<std::string> failures;  ///< the predicates cannot be relied on
+  std::vector<std::string> notes;     ///< unusual, but the predicates stay right
+};
+
+/// Probes arithmetic as it is *now*, in this build and on the calling thread, and runs predicates on
+/// inputs whose signs are known and hard.
+///
+/// Failures: reassociated or extended-precision arithmetic, a predicate with a wrong sign.
+/// Notes: a rounding mode other than to nearest, flush-to-zero, denormals-are-zero, contraction of
+/// a*b+c to a fused multiply-add. The filters' bounds are derived for all of these; other code of the
+/// caller may mind. Leaves the environment as it was.
+SelfTestReport self_test();
 
 }  // namespace plumb

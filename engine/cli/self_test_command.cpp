@@ -7,24 +7,32 @@
 namespace plumb::cli {
 namespace {
 
+void print(std::ostream& stream, const SelfTestReport& report) {
+  if (report.ok) stream << "ok: the predicates' requirements hold in this build\n";
+  for (const std::string& line : report.failures) stream << "failure: " << line << '\n';
+  for (const std::string& line : report.notes) stream << "note: " << line << '\n';
+}
+
 class SelfTest : public CommandBody {
  public:
   void declare(CLI::App&) override {}
 
   ExitCode run(Session& session) override {
-    const std::string problem = self_test();
-    const bool is_fine = problem.empty();
+    const SelfTestReport report = self_test();
     const std::string out = session.options().out.empty() ? "-" : session.options().out;
     session.outputs().add(out, [&](std::ostream& stream) {
       if (session.options().json) {
-        stream << nlohmann::ordered_json{{"ok", is_fine}, {"problem", problem}}.dump() << '\n';
-      } else {
-        stream << (is_fine ? "ok: the predicates' requirements hold in this build" : problem)
+        stream << nlohmann::ordered_json{{"ok", report.ok},
+                                         {"failures", report.failures},
+                                         {"notes", report.notes}}
+                      .dump()
                << '\n';
+      } else {
+        print(stream, report);
       }
     });
     session.outputs().deliver();
-    return is_fine ? ExitCode::Yes : ExitCode::No;
+    return report.ok ? ExitCode::Yes : ExitCode::No;
   }
 };
 
