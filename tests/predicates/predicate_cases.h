@@ -27,6 +27,7 @@ enum class Family {
   Special,     // zeros, extremes and powers of two in one tuple
   Translated,  // exactly degenerate, moved by a rounded translation
   Spread,      // coordinates of one tuple up to 130 binades apart
+  Flush,       // differences around 2^-1022 beside large ones: what FTZ and DAZ change most
   kCount
 };
 
@@ -71,8 +72,10 @@ class Cases {
         return each([&] { return special(); });
       case Family::Translated:
         return translated();
-      default:
+      case Family::Spread:
         return spread();
+      default:
+        return flush();
     }
   }
 
@@ -123,6 +126,15 @@ class Cases {
       for (double& v : p) v = std::ldexp(v, -static_cast<int>(rng_() % unsigned(binades)));
     }
     return t;
+  }
+
+  /// Terms that flushing changes are multiplied by up to M^(n-1), as in the derivation of F.
+  Tuple<N, D> flush() {
+    const double large = std::ldexp(1, static_cast<int>(rng_() % 340));
+    return each([&] {
+      if (rng_() % 3 == 0) return large * static_cast<double>(integer(2));
+      return static_cast<double>(integer(std::int64_t{1} << 53)) * 0x1p-1074;
+    });
   }
 
   /// Integer points of a line or plane through lattice steps, of a circle or sphere of integers.
