@@ -120,8 +120,9 @@ class Grid {
     const detail::RawDouble r = detail::raw(value);
     // magnitude < 2^53, so it may go up by 10 first. The shift back is then never negative, because
     // biased - low_ > 10 would make bits() > 63, and at most 62, because trailing zeros are <= 52.
-    // Of a zero any shift is right.
-    const int down = (10 - (r.biased - low_)) & 63;
+    // Of a zero any shift is right (unsigned: on an empty grid low_ is kNone).
+    const unsigned up = static_cast<unsigned>(r.biased) - static_cast<unsigned>(low_);
+    const unsigned down = (10U - up) & 63U;
     return detail::with_sign((r.magnitude << 10) >> down, r.negative);
   }
 
