@@ -1,7 +1,7 @@
 // The map reader on arbitrary bytes.
 //
 // The first byte chooses exact decimals or nearest doubles; the rest is the file. Either the reader
-// throws an Error that names the file, a line and a column inside it (limits: a plain Error), or
+// throws an Error that names the file, a line and a column inside it, or
 // writing what was read and reading it again gives the same points and cycles. Memory charged to the
 // context stays in proportion to the input.
 

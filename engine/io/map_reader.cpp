@@ -66,6 +66,7 @@ class MapReader {
   }
 
  private:
+  void charge(std::size_t bytes);
   void read_counts();
   std::uint32_t read_count(std::string_view what);
   void read_vertices();
@@ -94,6 +95,15 @@ class MapReader {
   Map map_;
 };
 
+/// Memory limits are told with the place that they were met at, like every other error.
+void MapReader::charge(std::size_t bytes) {
+  try {
+    context_.charge_memory(bytes, "the map");
+  } catch (const Error& error) {
+    cursor_.fail(error.code(), error.message());
+  }
+}
+
 void MapReader::read_counts() {
   if (!cursor_.next_line()) {
     cursor_.fail(ErrorCode::CountMismatch,
@@ -114,7 +124,7 @@ void MapReader::read_counts() {
                      " faces are announced, but the file is too short for them",
                  start);
   }
-  context_.charge_memory(vertices_ * sizeof(Point2) + faces_ * sizeof(std::uint32_t), "the map");
+  charge(vertices_ * sizeof(Point2) + faces_ * sizeof(std::uint32_t));
   map_.points.reserve(vertices_);
   map_.cycle_begin.reserve(std::size_t{faces_} + 1);
 }
@@ -187,7 +197,7 @@ void MapReader::push_exact(const Rational& x, const Rational& y) {
     return mpz_size(mpq_numref(q.backend().data())) + mpz_size(mpq_denref(q.backend().data()));
   };
   constexpr std::size_t kEntryBytes = 32;
-  context_.charge_memory(kEntryBytes + 2 * sizeof(mp_limb_t) * (limbs(x) + limbs(y)), "the map");
+  charge(kEntryBytes + 2 * sizeof(mp_limb_t) * (limbs(x) + limbs(y)));
   map_.points.push_back(x, y);
 }
 
@@ -243,7 +253,7 @@ void MapReader::add_corner(std::uint32_t vertex) {
     if (charged_corners_ > kMostIds - kStep) {
       cursor_.fail(ErrorCode::ResourceLimit, "more than 2^32 corners");
     }
-    context_.charge_memory(kStep * sizeof(std::uint32_t), "the map");
+    charge(kStep * sizeof(std::uint32_t));
     charged_corners_ += kStep;
   }
   map_.corners.push_back(vertex);
