@@ -163,7 +163,7 @@ void check_case(const EightPoints& points, bool in_all_modes, Score& score) {
 class Families : public testing::TestWithParam<PlaneFamily> {};
 
 TEST_P(Families, NoWrongAnswerOnAnyRung) {
-  const std::uint64_t wanted = case_count(60000) / plane_families().size();
+  const std::uint64_t wanted = case_count(600000) / plane_families().size();
   TestRandom random(20250101);
   Score score;
   for (int round = 0; score.asked < wanted; ++round) {
