@@ -12,7 +12,7 @@
 #include <limits>
 #include <optional>
 
-#include "floating_point_modes.h"
+#include "float_environment.h"
 #include "plane_families.h"
 #include "plane_oracle.h"
 #include "plumb/predicates/rounding.h"
@@ -146,10 +146,10 @@ void check_exact_points(const PointTable2& t, const EightPoints& points, const A
 void check_case(const EightPoints& points, bool in_all_modes, Score& score) {
   const Answers answers = ask(PlaneOracle(points));
   const PointTable2 t = table(points);
-  for (const FloatingPointMode mode : floating_point_modes()) {
+  for (const testing_environment::Setting mode : testing_environment::kSettings) {
     Crossing2 p{};
     {
-      const ModeScope scope(mode);
+      const testing_environment::Scope scope(mode);
       check_points(t, answers, score);
       check_crossings(t, answers, score);
       if (answers.first) p = make_crossing(t, 0, 1, 2, 3);

@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-#include "floating_point_modes.h"
+#include "float_environment.h"
 #include "plane_families.h"
 
 namespace plumb {
@@ -91,10 +91,10 @@ bool is_down(const Rational& q, double v) {
   return place(v) <= q && (v == kMax || q < place(neighbour(v, true)));
 }
 
-void check_value(const Rational& q, FloatingPointMode mode) {
+void check_value(const Rational& q, testing_environment::Setting mode) {
   RoundedDouble nearest, down, up;
   {
-    const ModeScope scope(mode);
+    const testing_environment::Scope scope(mode);
     nearest = round_to_double(q);
     down = round_to_double(q, Rounding::Down);
     up = round_to_double(q, Rounding::Up);
@@ -122,7 +122,7 @@ Rational some_value(TestRandom& random) {
 }
 
 TEST(Rounding, IsWhatItsDefinitionSays) {
-  const auto modes = floating_point_modes();
+  const auto modes = testing_environment::kSettings;
   TestRandom random(20250103);
   const std::uint64_t cases = case_count(20000);
   for (std::uint64_t i = 0; i < cases; ++i) {
@@ -133,14 +133,14 @@ TEST(Rounding, IsWhatItsDefinitionSays) {
 
 TEST(Rounding, DoublesAreTheirOwnNearest) {
   TestRandom random(20250104);
-  const auto modes = floating_point_modes();
+  const auto modes = testing_environment::kSettings;
   for (std::size_t i = 0; i < 20000; ++i) {
     double d = std::bit_cast<double>(random());
     if (i % 2 == 0) d = std::bit_cast<double>(random() >> 12);  // a subnormal
     if (!std::isfinite(d)) continue;
     RoundedDouble r;
     {
-      const ModeScope scope(modes[i % modes.size()]);
+      const testing_environment::Scope scope(modes[i % modes.size()]);
       r = round_to_double(exact_rational(d));
     }
     ASSERT_EQ(std::bit_cast<std::uint64_t>(r.value), std::bit_cast<std::uint64_t>(d));

@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "floating_point_modes.h"
+#include "float_environment.h"
 #include "plane_families.h"
 #include "plane_oracle.h"
 #include "plumb/predicates/rounding.h"
@@ -124,11 +124,11 @@ void make_degenerate(TestRandom& random, EightPoints& p) {
   }
 }
 
-void check_case(const EightPoints& points, Score& score, FloatingPointMode mode) {
+void check_case(const EightPoints& points, Score& score, testing_environment::Setting mode) {
   if (points[0] == points[1] || points[2] == points[3]) return;
   const PlaneOracle oracle(points);
   const auto doubles = as_doubles(points);
-  const ModeScope scope(mode);
+  const testing_environment::Scope scope(mode);
   check_segments(oracle, points, score);
   if (doubles) check_segments(oracle, *doubles, score);
 }
@@ -137,7 +137,7 @@ class Families : public testing::TestWithParam<PlaneFamily> {};
 
 TEST_P(Families, NoWrongAnswer) {
   const std::uint64_t wanted = case_count(200000) / plane_families().size();
-  const auto modes = floating_point_modes();
+  const auto modes = testing_environment::kSettings;
   TestRandom random(20250102);
   Score score;
   for (std::size_t round = 0; score.asked < wanted; ++round) {
