@@ -156,7 +156,7 @@ TEST(Segment2, EveryRelationOccurs) {
   for (int i = 0; i < 3000; ++i) {
     EightPoints points = plane_families().front().make(random);
     make_degenerate(random, points);
-    check_case(points, score, {FE_TONEAREST, false});
+    check_case(points, score, testing_environment::kSettings[0]);
   }
   for (const std::uint64_t n : score.relations) EXPECT_GT(n, 10u);
 }
