@@ -1,9 +1,8 @@
 // Crossing2: the Filter rung (make_crossing and the certificates from its box) and the ladders.
 //
 // Notation and bounds, for any rounding mode and under FTZ/DAZ. A hat marks what was computed.
-//   eps = 2^-52   every operation is off by at most eps times its result, and by 2^-1022 on top
-//   when
-//                 it is flushed; a subnormal input may be read as 0, another 2^-1022
+//   eps = 2^-52   every operation is off by at most eps times its result, and by 2^-1022 more
+//                 when it is flushed; a subnormal input may be read as 0, another 2^-1022
 //   M             largest |coordinate|, at most 2^200 (else no box is made)
 //   h             |approx - exact| <= h for the points: 0 when all are doubles, else eps M
 //   a + t u       the crossing: u = b - a, v = d - c, s = c - a, t = num / den, num = s x v, den =

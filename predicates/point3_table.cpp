@@ -1,7 +1,6 @@
 // Boxes. eps = 2^-52; e, f are the errors of plane rows (plane_table.h), |n| <= 1.
-//   three planes  w = det3, off by ew = 6 sum e (plane_signs.cpp). x_i = -sum d m_i with minors m_i
-//   off
-//                 by at most e_a + e_b + 6 eps, |m_i| <= 2: off by ex = 4 (sum e)(sum |d|) + 4 sum
+//   three planes  w = det3, off by ew = 6 sum e (plane_signs.cpp). x_i = -sum d m_i with minors m_i,
+//                 off by at most e_a + e_b + 6 eps, |m_i| <= 2: off by ex = 4 (sum e)(sum |d|) + 4 sum
 //                 f, where the slack of a factor 2 pays for the roundings.
 //   line x plane  t = s(a) / (s(a) - s(b)), with s off by es (side of an input point,
 //   point3_signs.cpp). quotients     |x/w - x'/w'| <= (ex + |x'/w'| ew) / (|w'| - ew); with ew <=

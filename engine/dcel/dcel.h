@@ -5,9 +5,8 @@
 // xor 1.
 //
 //   half-edge h : origin(h), next(h), prev(h), loop(h); its face lies to its left
-//   loop l      : one boundary cycle of a face: first half-edge, or an isolated vertex; next loop
-//   of
-//                 the same face
+//   loop l      : one boundary cycle of a face: first half-edge, or an isolated vertex; next
+//                 loop of the same face
 //   face f      : first loop (which loop is the outer one is geometry, known to the owner)
 //   vertex v    : one half-edge leaving it, or its isolated loop
 //   corner      : a place at a vertex inside a face, where an edge can be attached: the one just
@@ -16,8 +15,8 @@
 // A half-edge knows its loop, a loop its face: merging two faces touches loops, not half-edges.
 //
 // Building (1) and editing (2):
-//  1. Dcel::from_cycles      listed cycles of vertex ids, every directed edge used once, twins
-//  present
+//  1. Dcel::from_cycles      listed cycles of vertex ids, every directed edge used once, with
+//                            its twin
 //  2. Euler operators, each undone by its partner:
 //     add_face/remove_face              a face without any loop (a whole plane or sphere)
 //     add_vertex/remove_vertex          an isolated vertex in a face

@@ -1,11 +1,9 @@
 // Pictures of results. Nothing here decides anything: drawing may round, the engine never does.
 //
 // Notation:
-//   plane coordinates    the map's coordinates, centred and scaled by a power of two so that all
-//   lie
+//   plane coordinates    the map's coordinates, centred and scaled by a power of two to lie
 //                        in [-1, 1]: 1e300 and 5e-324 are ordinary afterwards (Plane)
-//   picture units        SVG user units, y downwards; text, marks and strokes have sizes in these,
-//   so
+//   picture units        SVG user units, y downwards; text, marks and strokes have sizes in these, so
 //                        that they are legible whatever the size of the map
 //   view                 a window of the plane shown in a frame of the picture (View)
 //

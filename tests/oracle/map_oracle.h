@@ -7,8 +7,7 @@
 //   crossing   unordered pairs of distinct undirected edges whose common points are not just the
 //              place of a vertex of both
 //   twin       undirected edges both of whose directions are used by one cycle
-//   mixed      orbits of "next half-edge around vertices"; S = listed cycles on the orbit. A
-//   bounded
+//   mixed      orbits of "next half-edge around vertices"; S = listed cycles on the orbit. A bounded
 //              orbit (positive area) is mixed when |S| > 1, or S = {c} and c has no positive area;
 //              any other orbit when |S| > 1 and not all of S are clockwise, or S = {c} and c has
 //              positive area. Only when duplicate = open = crossing = 0.
