@@ -1,6 +1,7 @@
 #include "plumb/io/input.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -50,8 +51,19 @@ class InputFile {
     return static_cast<std::size_t>(status.st_size);
   }
 
+  /// Waits until something can be read: in slices, so that limits and stops count meanwhile. (A
+  /// signal that arrives just before a read would not interrupt it.)
+  void wait() const {
+    constexpr int kSliceMilliseconds = 50;
+    pollfd request{fd_, POLLIN, 0};
+    do {
+      context_.checkpoint("load", 0, 1);
+    } while (::poll(&request, 1, kSliceMilliseconds) <= 0);
+  }
+
   /// 0 at the end.
   std::size_t read(char* to, std::size_t most) const {
+    wait();
     const ssize_t got = uninterrupted(context_, [&] { return ::read(fd_, to, most); });
     if (got < 0) fail(path_);
     return static_cast<std::size_t>(got);
