@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "floating_point_modes.h"
+#include "float_environment.h"
 #include "space_cases.h"
 #include "space_oracle.h"
 
@@ -34,11 +34,11 @@ Row rescaled(Row plane, int unit) {
 
 /// The law of interning: valid = a plane; same id = proportional rows; orientation as computed;
 /// stored coefficients canonical; row within its errors (checked by the sign tests).
-void expect_interned(const cases::Case& c, FloatingPointMode mode) {
+void expect_interned(const cases::Case& c, testing_environment::Setting mode) {
   PlaneTable table;
   std::array<OrientedPlane, 4> single, batch;
   {
-    ModeScope scope(mode);
+    testing_environment::Scope scope(mode);
     std::array<std::array<InputPointId, 3>, 4> triangles;
     const std::size_t first = table.add_points(c.corners).value();
     for (std::size_t i = 0; i < 4; ++i) {
@@ -74,7 +74,7 @@ void expect_interned(const cases::Case& c, FloatingPointMode mode) {
 TEST(PlaneTable, InternsByEqualityOfPlanes) {
   cases::Random random(11);
   const std::uint64_t count = cases::count(12000);
-  const std::vector<FloatingPointMode> modes = floating_point_modes();
+  const auto modes = testing_environment::kSettings;
   for (std::uint64_t i = 0; i < count && !HasFailure(); ++i) {
     const cases::Case c = cases::any(random);
     expect_interned(c, modes[i % modes.size()]);

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "floating_point_modes.h"
+#include "float_environment.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_table.h"
 #include "space_cases.h"
@@ -28,7 +28,7 @@ using oracle::Int;
 using oracle::Row;
 using oracle::sgn;
 
-const std::vector<FloatingPointMode> kModes = floating_point_modes();
+constexpr auto kModes = testing_environment::kSettings;
 
 /// The answers of all rungs of one question; they are taken in the changed environment and judged
 /// outside of it.
@@ -152,12 +152,12 @@ struct Built {
 
 /// The signs about planes. The rows here and in the oracle are both canonical, so equal up to a
 /// positive factor.
-bool check_planes(const cases::Case& c, const World& w, const Built& b, FloatingPointMode mode,
-                  std::size_t axis, Shares& shares) {
+bool check_planes(const cases::Case& c, const World& w, const Built& b,
+                  testing_environment::Setting mode, std::size_t axis, Shares& shares) {
   std::array<Answers, 3> got;
   Sign order, turn, swapped;
   {
-    ModeScope scope(mode);
+    testing_environment::Scope scope(mode);
     got = {det3_answers(b.table, b.id(0), b.id(1), b.id(2)),
            det4_answers(b.table, b.id(0), b.id(1), b.id(2), b.id(3)),
            minor_answers(b.table, b.id(0), b.id(1), axis)};
@@ -202,8 +202,8 @@ struct Points {
 };
 
 /// The signs about points: p q r, p q s, the line of two corners through s, and a corner.
-bool check_points(const cases::Case& c, const World& w, const Built& b, FloatingPointMode mode,
-                  std::size_t axis, Shares& shares) {
+bool check_points(const cases::Case& c, const World& w, const Built& b,
+                  testing_environment::Setting mode, std::size_t axis, Shares& shares) {
   Point3Table points(b.table);
   Points x;
   std::vector<SpacePoint> ids;
@@ -211,7 +211,7 @@ bool check_points(const cases::Case& c, const World& w, const Built& b, Floating
   std::vector<bool> equals;
   std::vector<Sign> along;
   {
-    ModeScope scope(mode);
+    testing_environment::Scope scope(mode);
     x = {points.add(b.id(0), b.id(1), b.id(2)), points.add(b.id(0), b.id(1), b.id(3)),
          points.add(InputPointId(0), InputPointId(4), b.id(3)), SpacePoint(InputPointId(7))};
     ids = {x.three, x.other, x.line, x.input};
@@ -265,11 +265,11 @@ TEST(Point3Signs, AgreeWithIntegersOnAdversarialFamilies) {
   std::uint64_t wrong = 0, used = 0;
   for (std::uint64_t i = 0; i < count && wrong < 10; ++i) {
     const cases::Case c = cases::any(random);
-    const FloatingPointMode mode = kModes[i % kModes.size()];
+    const testing_environment::Setting mode = kModes[i % kModes.size()];
     const World world(c);
     std::optional<Built> built;
     {
-      ModeScope scope(mode);
+      testing_environment::Scope scope(mode);
       built.emplace(c);
     }
     if (!built->has_all_planes()) continue;
@@ -295,7 +295,7 @@ TEST(Point3Table, BoxesHoldTheirPoints) {
     std::optional<Point3Table> points;
     std::vector<SpacePoint> ids;
     {
-      ModeScope scope(kModes[i % kModes.size()]);
+      testing_environment::Scope scope(kModes[i % kModes.size()]);
       built.emplace(c);
       if (!built->has_all_planes()) continue;
       points.emplace(built->table);
