@@ -177,10 +177,13 @@ void NumberReader::read_exact_decimal(const TextCursor& cursor, std::string_view
   if (magnitude(decimal).zero) return number.set(0.0);
   const std::int64_t shift = decimal.exponent - static_cast<std::int64_t>(decimal.fraction.size());
   const std::uint64_t distance = static_cast<std::uint64_t>(std::abs(shift));
-  if (static_cast<std::uint64_t>(std::abs(decimal.exponent)) > max_exponent_) {
+  const std::size_t digit_count = decimal.whole.size() + decimal.fraction.size();
+  const bool is_far = static_cast<std::uint64_t>(std::abs(decimal.exponent)) > max_exponent_;
+  // Numerator and denominator together: what is read can be written as p/q and read again.
+  if (is_far || digit_count + distance >= max_digits_) {
     cursor.fail(ErrorCode::NumberOutOfRange,
-                "the exponent of " + quoted(token) + " is too large; exact decimals go to e+-" +
-                    std::to_string(max_exponent_),
+                "written out, " + quoted(token) + " has more than " + std::to_string(max_digits_) +
+                    " digits",
                 token.data());
   }
   if (distance > expansion_left_) {
@@ -188,7 +191,7 @@ void NumberReader::read_exact_decimal(const TextCursor& cursor, std::string_view
                 "the exact decimals of this file expand to too many digits", token.data());
   }
   expansion_left_ -= distance;
-  Integer digits = to_integer(std::string(decimal.whole) + std::string(decimal.fraction));
+  Integer digits = to_integer(std::string(decimal.whole).append(decimal.fraction));
   if (is_negative(token)) digits.backend().negate();
   const Integer power = power_of_ten(static_cast<std::uint32_t>(distance));
   number.set(shift >= 0 ? Rational(Integer(digits * power)) : Rational(digits, power));
