@@ -43,8 +43,7 @@ class ReadNumber {
 
 /// Reads the numbers of one file. Numbers written with exponents can be far larger than their
 /// text: the reader keeps an account of the digits they expand to, and stops at 4 digits for each
-/// byte of the file plus 32 million. Doubles are rounded to nearest whatever rounding mode the
-/// caller is in.
+/// byte of the file plus 32 million. Requires the rounding mode to nearest (read_map() sets it).
 class NumberReader {
  public:
   NumberReader(const Limits& limits, bool exact_decimals, std::size_t file_bytes);
