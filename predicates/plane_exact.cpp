@@ -2,6 +2,14 @@
 
 #include "plumb/predicates/decompose.h"
 
+// Inlines everything a function calls. Left to itself g++ calls every product of a determinant with
+// its operands in memory, which costs a tenth of the rung; but Wide gets slower by it (stack traffic).
+#ifdef PLUMB_PORTABLE
+#define PLUMB_FLATTEN
+#else
+#define PLUMB_FLATTEN [[gnu::flatten]]
+#endif
+
 namespace plumb::exact3 {
 
 namespace {
@@ -43,7 +51,7 @@ Vector<Number> difference(const Vector<Number>& a, const Vector<Number>& b) {
 }
 
 template <class W>
-FixedPlane<W> load_corners(const Grid& grid, const std::array<const Point3*, 3>& at) {
+PLUMB_FLATTEN FixedPlane<W> load_corners(const Grid& grid, const std::array<const Point3*, 3>& at) {
   const auto p = on_grid<W::kCoordinate>(grid, *at[0]);
   const auto q = on_grid<W::kCoordinate>(grid, *at[1]);
   const auto r = on_grid<W::kCoordinate>(grid, *at[2]);
@@ -126,6 +134,34 @@ BigPlane load_big(const Operand& operand) {
   plane.d = integer_from_limbs(limbs + std::size_t{3} * slot.limbs, slot.limbs);
   plane.scale = plane.d.is_zero() ? kAnyScale : slot.scale;
   return plane;
+}
+
+template <>
+PLUMB_FLATTEN Determinants<FixedPlane<Narrow>> determinants(const FixedPlane<Narrow>& p,
+                                                            const FixedPlane<Narrow>& q,
+                                                            const FixedPlane<Narrow>& r,
+                                                            const FixedPlane<Narrow>& s) {
+  return expand(p, q, r, s);
+}
+
+template <>
+PLUMB_FLATTEN Determinants<FixedPlane<Medium>> determinants(const FixedPlane<Medium>& p,
+                                                            const FixedPlane<Medium>& q,
+                                                            const FixedPlane<Medium>& r,
+                                                            const FixedPlane<Medium>& s) {
+  return expand(p, q, r, s);
+}
+
+template <>
+Determinants<FixedPlane<Wide>> determinants(const FixedPlane<Wide>& p, const FixedPlane<Wide>& q,
+                                            const FixedPlane<Wide>& r, const FixedPlane<Wide>& s) {
+  return expand(p, q, r, s);
+}
+
+template <>
+Determinants<BigPlane> determinants(const BigPlane& p, const BigPlane& q, const BigPlane& r,
+                                    const BigPlane& s) {
+  return expand(p, q, r, s);
 }
 
 }  // namespace plumb::exact3

@@ -50,7 +50,7 @@ struct Det3Form {
 };
 struct Det4Form {
   Sign operator()(const auto& p) const {
-    return -exact3::value_sign(exact3::common_point(p[0], p[1], p[2]), p[3]);
+    return exact3::sign_of(exact3::determinants(p[0], p[1], p[2], p[3]).det4);
   }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plumb/predicates/plane_ladder.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_exact.h"
 
@@ -16,6 +17,20 @@ using exact3::PointOperand;
 
 namespace {
 
+/// The side of the common point of p[0], p[1], p[2] on p[3]: det4 / det3.
+struct SideForm {
+  template <class Plane>
+  Sign operator()(const std::array<Plane, 4>& p) const {
+    const auto both = exact3::determinants(p[0], p[1], p[2], p[3]);
+    return exact3::sign_of(both.det4) * exact3::sign_of(both.det3);
+  }
+};
+
+std::array<Operand, 4> with_planes(const PointOperand& x, const Operand& plane) {
+  return {x.planes[0], x.planes[1], x.planes[2], plane};
+}
+
+/// Of a point on a line or an input point, in coordinates.
 template <class Plane>
 FilteredSign side_in(const PointOperand& x, const Operand& plane) {
   PointOf<Plane> point;
@@ -65,6 +80,9 @@ template <class W>
 FilteredSign side_fixed(const Point3Table& points, SpacePoint x, PlaneId plane) {
   const PointOperand point = exact3::operand(points, x);
   const Operand other = exact3::operand(points.planes(), plane);
+  if (point.plane_count == 3) {
+    return exact3::fixed_sign<W>(with_planes(point, other), SideForm{});
+  }
   if (std::max(point.width, other.width) > W::kIndex) return FilteredSign::Unsure;
   return side_in<FixedPlane<W>>(point, other);
 }
@@ -87,8 +105,10 @@ PLUMB_POINT3_INSTANCE(exact3::Wide)
 #undef PLUMB_POINT3_INSTANCE
 
 Sign side_big(const Point3Table& points, SpacePoint x, PlaneId plane) {
-  return decided(
-      side_in<BigPlane>(exact3::operand(points, x), exact3::operand(points.planes(), plane)));
+  const PointOperand point = exact3::operand(points, x);
+  const Operand other = exact3::operand(points.planes(), plane);
+  if (point.plane_count == 3) return exact3::big_sign(with_planes(point, other), SideForm{});
+  return decided(side_in<BigPlane>(point, other));
 }
 
 Sign compare_axis_big(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis) {

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "naive_predicates.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/point3_table.h"
@@ -40,17 +41,11 @@ void per_item(benchmark::State& state, std::size_t items) {
 void BM_NaiveOrient3d(benchmark::State& state) {
   const std::vector<Point3> p = random_points(4096, -1, 1);
   for (auto _ : state) {
-    int positive = 0;
+    int sum = 0;
     for (std::size_t i = 0; i + 4 <= p.size(); i += 4) {
-      const Point3 &a = p[i], &b = p[i + 1], &c = p[i + 2], &d = p[i + 3];
-      const double ax = a.x - d.x, ay = a.y - d.y, az = a.z - d.z;
-      const double bx = b.x - d.x, by = b.y - d.y, bz = b.z - d.z;
-      const double cx = c.x - d.x, cy = c.y - d.y, cz = c.z - d.z;
-      const double det =
-          ax * (by * cz - bz * cy) + bx * (cy * az - cz * ay) + cx * (ay * bz - az * by);
-      positive += det > 0 ? 1 : 0;
+      sum += bench::naive_orient3d(p[i], p[i + 1], p[i + 2], p[i + 3]);
     }
-    benchmark::DoNotOptimize(positive);
+    benchmark::DoNotOptimize(sum);
   }
   per_item(state, p.size() / 4);
 }
@@ -142,22 +137,26 @@ Scene scene(const benchmark::State& state) {
   return state.range(0) == 0 ? Scene(1, 2) : Scene(-1, 1);
 }
 
-void count_shares(benchmark::State& state, const Scene& s, std::size_t next) {
+/// What the ladder of side(point i, plane i + 3) takes.
+void count_shares(benchmark::State& state, const Point3Table& points,
+                  const std::vector<SpacePoint>& ids, const std::vector<PlaneId>& planes) {
   std::array<double, 4> share{};
-  for (std::size_t i = 0; i < Scene::kPlanes; ++i) {
-    const SpacePoint x = s.points[i];
-    const PlaneId p = s.at(i + next);
-    if (is_decided(rung::side_filter(s.constructed.box(x), s.table.row(p))))
-      ++share[0];
-    else if (is_decided(rung::side_fixed<exact3::Narrow>(s.constructed, x, p)))
-      ++share[1];
-    else if (is_decided(rung::side_fixed<exact3::Medium>(s.constructed, x, p)))
-      ++share[2];
-    else if (is_decided(rung::side_fixed<exact3::Wide>(s.constructed, x, p)))
-      ++share[3];
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const SpacePoint x = ids[i];
+    const PlaneId p = planes[(i + 3) % planes.size()];
+    const std::array<FilteredSign, 4> rungs = {
+        rung::side_filter(points.box(x), points.planes().row(p)),
+        rung::side_fixed<exact3::Narrow>(points, x, p),
+        rung::side_fixed<exact3::Medium>(points, x, p),
+        rung::side_fixed<exact3::Wide>(points, x, p)};
+    std::size_t k = 0;
+    while (k < 4 && !is_decided(rungs[k])) ++k;
+    if (k < 4) ++share[k];
   }
   constexpr std::array<const char*, 4> kNames = {"filter", "narrow", "medium", "wide"};
-  for (std::size_t k = 0; k < 4; ++k) state.counters[kNames[k]] = share[k] / Scene::kPlanes;
+  for (std::size_t k = 0; k < 4; ++k) {
+    state.counters[kNames[k]] = share[k] / static_cast<double>(ids.size());
+  }
 }
 
 void BM_AddThreePlanePoint(benchmark::State& state) {
@@ -197,7 +196,7 @@ void BM_SideOfCachedPoint(benchmark::State& state) {
     benchmark::DoNotOptimize(sum);
   }
   per_item(state, Scene::kPlanes);
-  count_shares(state, s, 3);
+  count_shares(state, s.constructed, s.points, s.planes);
 }
 BENCHMARK(BM_SideOfCachedPoint)->ArgName("spread")->Arg(0)->Arg(1);
 
@@ -223,7 +222,6 @@ void run_exact(benchmark::State& state, const Scene& s, const Side& side) {
     benchmark::DoNotOptimize(sum);
   }
   per_item(state, Scene::kPlanes);
-  count_shares(state, s, 3);
 }
 
 /// Twelve input points -> four planes -> point -> side, all in integers; nothing cached.
@@ -278,6 +276,7 @@ void BM_FourPlanesThroughOnePoint(benchmark::State& state) {
     benchmark::DoNotOptimize(sum);
   }
   per_item(state, 256);
+  count_shares(state, points, ids, planes);
 }
 BENCHMARK(BM_FourPlanesThroughOnePoint)->ArgName("bits")->Arg(10)->Arg(40);
 
