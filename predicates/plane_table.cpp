@@ -116,6 +116,12 @@ void PlaneTable::reserve(std::size_t planes) {
   index_->keys.reserve(planes);
 }
 
+/// Room for as many planes, in one step; many small calls still grow geometrically.
+void PlaneTable::make_room(std::size_t planes) {
+  const std::size_t needed = size() + planes;
+  if (needed > rows_.capacity()) reserve(std::max(needed, 2 * rows_.capacity()));
+}
+
 InputPointId PlaneTable::add_points(std::span<const Point3> points) {
   const InputPointId first{points_.size()};
   points_.insert(points_.end(), points.begin(), points.end());
@@ -236,8 +242,7 @@ class PlaneTable::ResidueSource {
 void PlaneTable::intern_triangles(std::span<const std::array<InputPointId, 3>> triangles,
                                   std::span<OrientedPlane> result) {
   const ResidueSource residues(points_, triangles.size() >= points_.size() / 2);
-  index_->keys.reserve(size() +
-                       triangles.size() / 2);  // all planes new: one rehash; none: 12 bytes each
+  make_room(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); i += kBlock) {
     const std::size_t count = std::min(kBlock, triangles.size() - i);
     intern_block(triangles.subspan(i, count), result.subspan(i, count), residues);

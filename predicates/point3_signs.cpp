@@ -26,8 +26,15 @@ struct SideForm {
   }
 };
 
-std::array<Operand, 4> with_planes(const PointOperand& x, const Operand& plane) {
-  return {x.planes[0], x.planes[1], x.planes[2], plane};
+bool has_three_planes(const Point3Table& points, SpacePoint x) {
+  return !x.is_input() && !points.source(x).is_line();
+}
+
+/// Requires has_three_planes.
+std::array<Operand, 4> with_planes(const Point3Table& points, SpacePoint x, PlaneId plane) {
+  const PointSource& source = points.source(x);
+  return exact3::operands<4>(points.planes(),
+                             {source.plane(0), source.plane(1), source.plane(2), plane});
 }
 
 /// Of a point on a line or an input point, in coordinates.
@@ -48,12 +55,15 @@ FilteredSign order_in(const PointOperand& x, const PointOperand& y, std::size_t 
 }
 
 Sign exact_side(const Point3Table& points, SpacePoint x, PlaneId plane) {
+  const auto count = [](Rung rung) { count_rung(Predicate::SideOfPlane, rung); };
+  if (has_three_planes(points, x)) {
+    return exact3::exact_sign(with_planes(points, x, plane), SideForm{}, count);
+  }
   const PointOperand point = exact3::operand(points, x);
   const Operand other = exact3::operand(points.planes(), plane);
   return exact3::point_ladder(
       std::max(point.width, other.width),
-      [&]<class Plane>() { return side_in<Plane>(point, other); },
-      [](Rung rung) { count_rung(Predicate::SideOfPlane, rung); });
+      [&]<class Plane>() { return side_in<Plane>(point, other); }, count);
 }
 
 Sign exact_order(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis) {
@@ -78,11 +88,11 @@ FilteredSign compare_axis_filter(const PointBox& x, const PointBox& y, std::size
 
 template <class W>
 FilteredSign side_fixed(const Point3Table& points, SpacePoint x, PlaneId plane) {
+  if (has_three_planes(points, x)) {
+    return exact3::fixed_sign<W>(with_planes(points, x, plane), SideForm{});
+  }
   const PointOperand point = exact3::operand(points, x);
   const Operand other = exact3::operand(points.planes(), plane);
-  if (point.plane_count == 3) {
-    return exact3::fixed_sign<W>(with_planes(point, other), SideForm{});
-  }
   if (std::max(point.width, other.width) > W::kIndex) return FilteredSign::Unsure;
   return side_in<FixedPlane<W>>(point, other);
 }
@@ -105,10 +115,11 @@ PLUMB_POINT3_INSTANCE(exact3::Wide)
 #undef PLUMB_POINT3_INSTANCE
 
 Sign side_big(const Point3Table& points, SpacePoint x, PlaneId plane) {
+  if (has_three_planes(points, x)) {
+    return exact3::big_sign(with_planes(points, x, plane), SideForm{});
+  }
   const PointOperand point = exact3::operand(points, x);
-  const Operand other = exact3::operand(points.planes(), plane);
-  if (point.plane_count == 3) return exact3::big_sign(with_planes(point, other), SideForm{});
-  return decided(side_in<BigPlane>(point, other));
+  return decided(side_in<BigPlane>(point, exact3::operand(points.planes(), plane)));
 }
 
 Sign compare_axis_big(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis) {
