@@ -116,6 +116,14 @@ PLUMB_BUILD_DIR=$machine/elsewhere launch x
 expect "the program is there" [ -x "$machine/elsewhere/plumb" ]
 expect "and ran" nothing_printed_but "ran x"
 
+new_machine "a place that cannot be written"
+PLUMB_BUILD_DIR=$machine/calls/no FAKE_UID=1000 launch x
+expect "packages are asked for first" grep -q "apt-get install" "$machine/err"
+PLUMB_BUILD_DIR=$machine/calls/no launch x
+expect "exit status is 2" [ $status = 2 ]
+expect "says what to do" grep -q PLUMB_BUILD_DIR "$machine/err"
+expect "stdout is empty" nothing_printed_but ""
+
 new_machine "a directory configured from elsewhere"
 mkdir -p "$machine/src/build/release"
 echo "CMAKE_HOME_DIRECTORY:INTERNAL=/gone" >"$machine/src/build/release/CMakeCache.txt"
