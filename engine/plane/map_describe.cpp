@@ -176,7 +176,7 @@ RationalPoint2 DefectWriter::place_of(const EdgeContact& contact) const {
 std::string DefectWriter::crossing_hint(const EdgeContact& contact) const {
   const MapEdge a = undirected(contact.edge_a);
   const MapEdge b = undirected(contact.edge_b);
-  const std::string names = "edges " + edge_name(a.from, a.to) + " and " + edge_name(b.from, b.to);
+  std::string names = "edges " + edge_name(a.from, a.to) + " and " + edge_name(b.from, b.to);
   switch (contact.kind) {
     case EdgeContact::Kind::Cross:
       return names + " cross: move a vertex, or split both edges at the crossing";
