@@ -53,7 +53,9 @@ void Plane::find_scale() {
     largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   }
   if (largest == 0) return;
-  const int exponent = -std::ilogb(largest) - 2;  // then |x| < 1/2, and differences below 1
+  int above = 0;  // |x| < 2^above
+  std::frexp(largest, &above);
+  const int exponent = -1 - above;  // then |x| < 1/2, and differences below 1
   factor_1_ = std::ldexp(1.0, exponent / 2);
   factor_2_ = std::ldexp(1.0, exponent - exponent / 2);
 }
