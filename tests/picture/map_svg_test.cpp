@@ -16,12 +16,20 @@ namespace {
 
 using Xml = boost::property_tree::ptree;
 
+/// start + count * step, without leaving the doubles where the product would.
+double after(double start, double step, std::uint32_t count) {
+  for (; count > 0; --count) start += step;
+  return start;
+}
+
 /// n x n squares of side `step` with lower left corner (x, y), and their outer cycle.
 Map grid(std::uint32_t n, double x = 0, double y = 0, double step = 1) {
   Map map;
   const auto at = [n](std::uint32_t i, std::uint32_t j) { return j * (n + 1) + i; };
   for (std::uint32_t j = 0; j <= n; ++j) {
-    for (std::uint32_t i = 0; i <= n; ++i) map.points.push_back({x + i * step, y + j * step});
+    for (std::uint32_t i = 0; i <= n; ++i) {
+      map.points.push_back({after(x, step, i), after(y, step, j)});
+    }
   }
   std::vector<std::uint32_t> outer;
   for (std::uint32_t j = 0; j < n; ++j) outer.push_back(at(0, j));
