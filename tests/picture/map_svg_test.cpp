@@ -242,6 +242,7 @@ TEST(MapSvg, MapsWithoutWidthOrHeight) {
   for (int i = 0; i < 3; ++i) point.map.points.push_back({1e-5, 3});
   point.map.add_cycle(std::vector<std::uint32_t>{0, 1, 2});
   MapDefect defect;
+  defect.kind = DefectKind::Crossing;
   defect.edges = edges({{0, 1}});
   defect.near = {1e-5, 3};
   point.defects = {defect};
