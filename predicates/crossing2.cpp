@@ -160,6 +160,8 @@ Sign detail::compare_xy_unsure(const PointTable2& points, const Crossing2& p, st
 }
 
 Sign detail::compare_xy_unsure(const PointTable2& points, const Crossing2& p, const Crossing2& q) {
+  // A sweep finds the same crossing again and again: identity before arithmetic.
+  if (p.a == q.a && p.b == q.b && p.c == q.c && p.d == q.d) return Sign::Zero;
   const FilteredSign f = rung::compare_xy_exact(points, p, q);
   return is_decided(f) ? decided(f) : rung::compare_xy_big(points, p, q);
 }

@@ -1,9 +1,7 @@
 #include "plumb/predicates/point_table2.h"
 
 #include <bit>
-#include <cmath>
 #include <cstdlib>
-#include <limits>
 
 #include "plumb/predicates/rounding.h"
 
@@ -15,11 +13,6 @@ namespace {
 double without_negative_zero(double v) {
   constexpr std::uint64_t kNegativeZero = std::uint64_t{1} << 63;
   return std::bit_cast<std::uint64_t>(v) == kNegativeZero ? 0.0 : v;
-}
-
-double clamped(double v) {
-  if (!std::isinf(v)) return v;
-  return std::copysign(std::numeric_limits<double>::max(), v);
 }
 
 }  // namespace
@@ -40,7 +33,7 @@ void PointTable2::push_back(const Rational& x, const Rational& y) {
   }
   slot_.resize(points_.size(), kNoSlot);
   slot_.push_back(static_cast<std::uint32_t>(entries_.size()));
-  points_.push_back({clamped(rx.value), clamped(ry.value)});
+  points_.push_back({clamped_to_finite(rx.value), clamped_to_finite(ry.value)});
   const Integer w = lcm(denominator(x), denominator(y));
   const Integer px = numerator(x) * (w / denominator(x));
   const Integer py = numerator(y) * (w / denominator(y));
@@ -56,6 +49,49 @@ std::int32_t PointTable2::append_limbs(mpz_srcptr value) {
   limbs_.insert(limbs_.end(), limbs, limbs + mpz_size(value));
   const auto size = static_cast<std::int32_t>(mpz_size(value));
   return mpz_sgn(value) < 0 ? -size : size;
+}
+
+/// Copies point i of `other`, which is no double.
+void PointTable2::append_entry(const PointTable2& other, std::uint32_t i) {
+  Entry entry = other.entries_[other.slot_[i]];
+  const std::size_t length = static_cast<std::size_t>(std::abs(entry.x_size)) +
+                             static_cast<std::size_t>(std::abs(entry.y_size)) +
+                             static_cast<std::size_t>(std::abs(entry.w_size));
+  const auto first = other.limbs_.begin() + static_cast<std::ptrdiff_t>(entry.begin);
+  entry.begin = limbs_.size();
+  limbs_.insert(limbs_.end(), first, first + static_cast<std::ptrdiff_t>(length));
+  slot_.resize(points_.size(), kNoSlot);
+  slot_.push_back(static_cast<std::uint32_t>(entries_.size()));
+  points_.push_back(other.points_[i]);
+  entries_.push_back(entry);
+}
+
+void PointTable2::append(const PointTable2& other) {
+  if (other.all_double()) {
+    points_.insert(points_.end(), other.points_.begin(), other.points_.end());
+    if (!slot_.empty()) slot_.resize(points_.size(), kNoSlot);
+    return;
+  }
+  for (std::uint32_t i = 0; i < other.size(); ++i) {
+    if (other.is_double(i)) {
+      push_back(other.points_[i]);
+    } else {
+      append_entry(other, i);
+    }
+  }
+}
+
+PointTable2 PointTable2::subset(std::span<const std::uint8_t> keep) const {
+  PointTable2 kept;
+  for (std::uint32_t i = 0; i < size(); ++i) {
+    if (keep[i] == 0) continue;
+    if (is_double(i)) {
+      kept.push_back(points_[i]);
+    } else {
+      kept.append_entry(*this, i);
+    }
+  }
+  return kept;
 }
 
 HomogeneousView2 PointTable2::homogeneous(std::uint32_t i) const {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "plumb/predicates/input_predicates.h"
@@ -34,6 +35,10 @@ class PointTable2 {
   /// Stored as doubles when both coordinates are exactly doubles. Coordinates that round to
   /// infinity are allowed: approx() then holds +-DBL_MAX.
   void push_back(const Rational& x, const Rational& y);
+  /// Appends all points of `other`, in order. O(size of other).
+  void append(const PointTable2& other);
+  /// The points whose `keep` entry is not 0, in order. Requires one entry per point. O(n).
+  PointTable2 subset(std::span<const std::uint8_t> keep) const;
 
   std::size_t size() const { return points_.size(); }
   bool all_double() const { return slot_.empty(); }
@@ -54,6 +59,7 @@ class PointTable2 {
     std::int32_t w_size;
   };
   std::int32_t append_limbs(mpz_srcptr value);
+  void append_entry(const PointTable2& other, std::uint32_t i);
 
   std::vector<Point2> points_;
   std::vector<std::uint32_t> slot_;  ///< empty while all points are doubles, else one per point

@@ -1,6 +1,7 @@
 #include "plumb/predicates/rounding.h"
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -173,6 +174,11 @@ RoundedDouble round_to_double(const Rational& value, Rounding rounding) {
 }
 
 double nearest_double(const Rational& value) { return round_to_double(value).value; }
+
+double clamped_to_finite(double value) {
+  if (!std::isinf(value)) return value;
+  return std::copysign(std::numeric_limits<double>::max(), value);
+}
 
 Rational exact_rational(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);

@@ -34,6 +34,10 @@ RoundedDouble round_to_double(const Rational& value, Rounding rounding = Roundin
 /// round_to_double(value).value: for pictures, reports and approximate copies.
 double nearest_double(const Rational& value);
 
+/// An infinity becomes the largest finite double of its sign: what tables of points hold for
+/// coordinates beyond all doubles, so that comparing approximations stays monotone.
+double clamped_to_finite(double value);
+
 /// The number a double is, whatever FTZ/DAZ say. Requires finite.
 /// Identity: nearest_double(exact_rational(d)) == d.
 Rational exact_rational(double value);
