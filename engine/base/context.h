@@ -53,4 +53,23 @@ class Context {
   Clock::time_point last_report_;
 };
 
+/// Memory of one piece of work, charged as it grows and released at its end.
+class MemoryCharge {
+ public:
+  explicit MemoryCharge(Context& context) : context_(context) {}
+  ~MemoryCharge() { context_.release_memory(bytes_); }
+  MemoryCharge(const MemoryCharge&) = delete;
+  MemoryCharge& operator=(const MemoryCharge&) = delete;
+
+  /// Throws as Context::charge_memory does.
+  void add(std::uint64_t bytes, std::string_view what) {
+    context_.charge_memory(bytes, what);
+    bytes_ += bytes;
+  }
+
+ private:
+  Context& context_;
+  std::uint64_t bytes_ = 0;
+};
+
 }  // namespace plumb

@@ -26,6 +26,7 @@ enum class ErrorCode {
   UnknownFormat = 108,
   Usage = 109,
   ClosedPipe = 110,  ///< the reader of our output went away: end quietly
+  BadShape = 111,    ///< a ring that is not closed, records that contradict each other
   ResourceLimit = 200,
   Cancelled = 201,
   NotFinite = 300,

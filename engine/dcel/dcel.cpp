@@ -69,13 +69,61 @@ DcelFromCycles Dcel::from_cycles(std::size_t vertex_count, std::span<const std::
     d.new_loop(result.halfedge_of_corner[begin], FaceId(face_of_cycle[c]));
   }
   d.check_targets();
-  for (const auto& [v, f] : isolated) {
-    PLUMB_CHECK(v.value() < vertex_count && !d.vertices_[v.value()].is_valid());
-    d.vertices_[v.value()] = d.new_loop(v, f);
-    ++d.counts_.vertices;
-  }
+  d.place_isolated(isolated);
   d.has_pinches_ = d.find_pinches();
   return result;
+}
+
+Dcel Dcel::from_links(std::size_t vertex_count, std::span<const VertexId> origin,
+                      std::span<const HalfedgeId> next, std::span<const std::uint32_t> loop_of,
+                      std::span<const FaceId> face_of_loop,
+                      std::span<const IsolatedVertex> isolated) {
+  PLUMB_CHECK(origin.size() <= kMaxHalfedges && origin.size() % 2 == 0);
+  PLUMB_CHECK(next.size() == origin.size() && loop_of.size() == origin.size());
+  Dcel d;
+  d.vertices_.resize(vertex_count);
+  d.counts_.edges = origin.size() / 2;
+  d.link_halfedges(origin, next, loop_of);
+  std::size_t faces = 0;
+  for (const FaceId f : face_of_loop) faces = std::max<std::size_t>(faces, f.value() + 1U);
+  for (const auto& i : isolated) faces = std::max<std::size_t>(faces, i.face.value() + 1U);
+  d.faces_.resize(faces);
+  d.counts_.faces = faces;
+  std::vector<HalfedgeId> first(face_of_loop.size());
+  for (std::size_t h = loop_of.size(); h-- > 0;) first[loop_of[h]] = HalfedgeId(h);
+  d.loops_.reserve(face_of_loop.size() + isolated.size());
+  for (std::size_t l = 0; l < first.size(); ++l) {
+    PLUMB_CHECK(first[l].is_valid());
+    d.new_loop(first[l], face_of_loop[l]);
+  }
+  d.check_targets();
+  d.place_isolated(isolated);
+  d.has_pinches_ = d.find_pinches();
+  return d;
+}
+
+void Dcel::link_halfedges(std::span<const VertexId> origin, std::span<const HalfedgeId> next,
+                          std::span<const std::uint32_t> loop_of) {
+  halfedges_.resize(origin.size());
+  for (std::size_t i = 0; i < origin.size(); ++i) {
+    PLUMB_CHECK(next[i].value() < next.size() && origin[i].value() < vertices_.size());
+    halfedges_[i].origin = origin[i];
+    halfedges_[i].next = next[i];
+    halfedges_[i].loop = LoopId(loop_of[i]);
+    halfedges_[next[i].value()].prev = HalfedgeId(i);
+    if (auto& leaving = vertices_[origin[i].value()]; !leaving.is_valid()) {
+      leaving = HalfedgeId(i);
+      ++counts_.vertices;
+    }
+  }
+}
+
+void Dcel::place_isolated(std::span<const IsolatedVertex> isolated) {
+  for (const auto& [v, f] : isolated) {
+    PLUMB_CHECK(v.value() < vertices_.size() && !vertices_[v.value()].is_valid());
+    vertices_[v.value()] = new_loop(v, f);
+    ++counts_.vertices;
+  }
 }
 
 /// The half-edges of one listed cycle; every array entry written is one of this cycle's.

@@ -17,6 +17,7 @@
 // Building (1) and editing (2):
 //  1. Dcel::from_cycles      listed cycles of vertex ids, every directed edge used once, with
 //                            its twin
+//     Dcel::from_links       half-edges that already know their next
 //  2. Euler operators, each undone by its partner:
 //     add_face/remove_face              a face without any loop (a whole plane or sphere)
 //     add_vertex/remove_vertex          an isolated vertex in a face
@@ -181,6 +182,19 @@ class Dcel {
                                     std::span<const std::uint32_t> face_of_cycle,
                                     std::span<const IsolatedVertex> isolated = {});
 
+  /// Builds the structure of linked half-edges, keeping all ids.
+  ///   origin        per half-edge; twins are 2e and 2e + 1
+  ///   next          per half-edge
+  ///   loop_of       per half-edge: its loop, one for each closed chain of next
+  ///   face_of_loop  per loop; loops are 0..max and so are faces
+  ///   isolated      vertices without edges; they become the loops after the others
+  /// The first half-edge of a loop and of a vertex is its least. Requires ids in range, next to end
+  /// where its half-edge's twin begins (checked), and equal loops along next. O(n).
+  static Dcel from_links(std::size_t vertex_count, std::span<const VertexId> origin,
+                         std::span<const HalfedgeId> next, std::span<const std::uint32_t> loop_of,
+                         std::span<const FaceId> face_of_loop,
+                         std::span<const IsolatedVertex> isolated = {});
+
   // --- reading -------------------------------------------------------------------------------
 
   VertexId origin(HalfedgeId h) const { return halfedges_[h.value()].origin; }
@@ -342,6 +356,9 @@ class Dcel {
   }
 
   void fill_cycle(LoopId l, std::span<const std::uint32_t> vertices, const HalfedgeId* halfedges);
+  void link_halfedges(std::span<const VertexId> origin, std::span<const HalfedgeId> next,
+                      std::span<const std::uint32_t> loop_of);
+  void place_isolated(std::span<const IsolatedVertex> isolated);
   void check_targets() const;
   bool find_pinches() const;
 
