@@ -55,7 +55,7 @@ struct MapEdge {
 
 /// One defect, with everything a person needs to find and mend it.
 struct MapDefect {
-  DefectKind kind;
+  DefectKind kind = DefectKind::Duplicate;
   std::vector<std::uint32_t> cycles;    ///< listed cycles concerned, ascending
   std::vector<MapEdge> edges;           ///< Duplicate, Open: directed; Crossing, Twin: undirected
   std::optional<RationalPoint2> point;  ///< where exactly; the first point of an overlap

@@ -1,11 +1,11 @@
-// Lexicographic ranks of the points of a table.
+// Lexicographic ranks of points.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 #include <vector>
 
-#include "plumb/predicates/point_table2.h"
+#include "plumb/predicates/plane_points.h"
 
 namespace plumb {
 
@@ -18,6 +18,6 @@ struct PointRanks {
 };
 
 /// Ranks the points whose `used` entry is set. O(n log n).
-PointRanks rank_points(const PointTable2& points, const std::vector<char>& used);
+PointRanks rank_points(const PlanePointsView& points, const std::vector<char>& used);
 
 }  // namespace plumb

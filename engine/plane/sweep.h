@@ -5,14 +5,18 @@
 // segments below, through and above each such place. Decisions are predicates on input points and
 // on implicit crossings; no coordinate is ever rounded, so any degeneracy is an ordinary case.
 //
-// Notation: a segment runs from its lexicographically lesser end (left) to the greater one (right);
-// a vertical segment runs upward. A bundle is a maximal set of collinear segments that overlap just
+// Notation: a curve is a segment, a ray or a line. It runs from its lexicographically lesser end
+// (left) to the greater one (right); a vertical curve runs upward. Ends at infinity need no
+// coordinates: curves from the left are in the status at the start, steeper ones below; a vertical
+// end at infinity is an event before (after) all points of its x; two curves to the right infinity
+// cross there if and only if the lower is steeper. A bundle is a maximal set of collinear segments that overlap just
 // left (incoming) or just right (outgoing) of an event. The status is the list of bundles met by
 // the sweep line, bottom to top.
 //
 // Main flow of sweep():
 //  1. rank_points         sort the end points once; equal points get equal ranks
 //  2. collect_starts      segments by their left end; zero-length ones are kept apart
+//     start_unbounded     curves from the left infinity fill the status, in one event
 //  3. next_event          the next end point or pending crossing, with everything that equals it
 //  4. take_enders         plain events (one point, nothing passes through, nothing overlaps): the
 //                         segments that end here stand side by side in the status
@@ -22,6 +26,7 @@
 //  8. test_neighbours     two bundles that became neighbours: a crossing is queued, a touch marks
 //                         the end point as not plain
 //  9. on_event            the visitor sees the finished event
+// 10. end_unbounded       what is left in the status ends at the right infinity, in one event
 //
 // Invariants: neighbours in the status have been tested (8) since they became neighbours; so an
 // event reached without mark and without crossing is plain, and costs no arithmetic but its own.
@@ -32,11 +37,12 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "plumb/base/context.h"
 #include "plumb/base/ids.h"
-#include "plumb/predicates/point_table2.h"
+#include "plumb/predicates/plane_points.h"
 
 namespace plumb {
 
@@ -47,26 +53,53 @@ struct SweepSegment {
   std::uint32_t to;
 };
 
-/// A segment at an event; segments of equal `bundle` overlap on that side of the event.
+/// A segment, ray or line: the part of the line a -> b from `from` to `to`. The ends are points of
+/// any kind on that line, in its direction, or kUnbounded; a and b are input points of different
+/// coordinates (unless from and to are equal points: a zero-length segment).
+struct SweepCurve {
+  static constexpr std::uint32_t kUnbounded = std::numeric_limits<std::uint32_t>::max();
+
+  std::uint32_t from;
+  std::uint32_t to;
+  std::uint32_t a;
+  std::uint32_t b;
+};
+
+/// A curve at an event; curves of equal `bundle` overlap on that side of the event.
 struct SweepIncidence {
   SegmentId segment;
   std::uint32_t bundle;  ///< 0, 1, ... from bottom to top
 };
 
-/// Everything that happens at one point. The spans are valid during the call only.
+/// What kind of place an event is. The first and the last come at most once, first and last.
+enum class SweepPlace : std::uint8_t {
+  LeftInfinity,   ///< all curves from the left infinity: outgoing only
+  VerticalStart,  ///< coincident vertical curves from below: outgoing only, one bundle
+  Point,
+  VerticalEnd,    ///< coincident vertical curves go up to infinity: incoming only, one bundle
+  RightInfinity,  ///< all curves to the right infinity: incoming only
+};
+
+/// Everything that happens at one place. The spans are valid during the call only.
 struct SweepEvent {
+  SweepPlace place = SweepPlace::Point;
   std::span<const std::uint32_t> points;     ///< end points lying here; empty: a mere crossing
-  const Crossing2* crossing = nullptr;       ///< set when points is empty
+  const Crossing2* crossing = nullptr;       ///< set when points is empty (and place is Point)
   std::span<const SweepIncidence> incoming;  ///< just left of the event, bottom to top
   std::span<const SweepIncidence> outgoing;  ///< just right of it, bottom to top
   std::span<const SegmentId> zero_length;    ///< zero-length segments lying here
-  SegmentId below;                           ///< a segment next below the event, if any
+  SegmentId below;     ///< the first of the bundle next below the event (as listed when it was
+                       ///< outgoing), if any
   bool plain = false;  ///< one point, no overlap, every segment here starts or ends at that point
 };
+
+class SweepCurves;
 
 class SweepVisitor {
  public:
   virtual ~SweepVisitor() = default;
+  /// Called once before the first event. `curves` stays valid during the sweep.
+  virtual void on_start(const SweepCurves& curves) { static_cast<void>(curves); }
   /// Called once for every event, in lexicographic order. Returning false stops the sweep.
   virtual bool on_event(const SweepEvent& event) = 0;
 };
@@ -74,5 +107,11 @@ class SweepVisitor {
 /// Sweeps all segments. Throws only what the visitor or the context throws.
 void sweep(const PointTable2& points, std::span<const SweepSegment> segments, SweepVisitor& visitor,
            Context& context);
+
+/// Sweeps all curves; each of the points `stops` is an event too, even where nothing starts or
+/// ends. The first curve of a bundle is the same when it is outgoing of one event and incoming of
+/// the next.
+void sweep(const PlanePointsView& points, std::span<const SweepCurve> curves,
+           std::span<const std::uint32_t> stops, SweepVisitor& visitor, Context& context);
 
 }  // namespace plumb

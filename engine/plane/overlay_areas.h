@@ -1,0 +1,26 @@
+// Do the cells of an overlay add up to the regions they were cut from? Exactly.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "plumb/plane/map_overlay.h"
+
+namespace plumb {
+
+struct OverlayAreas {
+  std::vector<Rational> cell;           ///< per face of the complex; 0 for the unbounded one
+  std::vector<Rational> first, second;  ///< per region, of its listed cycles; 0 for region 0
+  /// Bounded regions whose cells do not have their area together. None, or there is a bug.
+  std::vector<std::uint32_t> wrong_first, wrong_second;
+
+  bool add_up() const { return wrong_first.empty() && wrong_second.empty(); }
+};
+
+/// Requires the overlay of these two reports. O(n) exact terms.
+OverlayAreas measure(const MapOverlay& overlay, const MapReport& first, const MapReport& second);
+
+/// The area that the bounded regions of a map cover together.
+Rational sum_of(const std::vector<Rational>& areas);
+
+}  // namespace plumb

@@ -1,0 +1,149 @@
+// Arrangements of segments, rays, lines and points against brute force: every vertex, edge and face,
+// and the curves each edge came from.
+#include "plumb/plane/arrangement.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "generate/curve_scenes.h"
+#include "oracle/arrangement_check.h"
+
+namespace plumb::testing {
+namespace {
+
+Arrangement arranged(const EngineScene& scene) {
+  Context context;
+  return arrange(scene.points, scene.curves, scene.isolated, context);
+}
+
+class Arrangements : public ::testing::TestWithParam<SceneKind> {};
+
+TEST_P(Arrangements, MatchBruteForce) {
+  const bool is_wild = GetParam() == SceneKind::Wild;
+  const std::uint64_t rounds = is_wild ? 20 : 200;
+  for (std::uint64_t seed = 0; seed < rounds && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    const std::uint32_t curves = static_cast<std::uint32_t>(seed) % (is_wild ? 4 : 7);
+    const CurveScene scene = random_curves(GetParam(), curves, seed);
+    EXPECT_EQ(disagreement(scene, seed), "") << to_text(scene);
+  }
+}
+
+// The order in which curves are given only changes their numbers.
+TEST_P(Arrangements, DoNotDependOnTheOrderOfInputs) {
+  for (std::uint64_t seed = 0; seed < 50 && !HasFailure(); ++seed) {
+    CurveScene scene = random_curves(GetParam(), 8, seed);
+    const Arrangement first = arranged(to_engine(scene, seed));
+    std::reverse(scene.curves.begin(), scene.curves.end());
+    const Arrangement second = arranged(to_engine(scene, seed + 1));
+    ASSERT_EQ(first.complex.vertex_count(), second.complex.vertex_count());
+    ASSERT_EQ(first.complex.edge_count(), second.complex.edge_count());
+    ASSERT_EQ(first.complex.face_count(), second.complex.face_count());
+    for (std::size_t h = 0; h < first.complex.dcel.halfedge_count(); ++h) {
+      ASSERT_EQ(first.complex.dcel.next(HalfedgeId(h)), second.complex.dcel.next(HalfedgeId(h)));
+      ASSERT_EQ(first.complex.dcel.face(HalfedgeId(h)), second.complex.dcel.face(HalfedgeId(h)));
+    }
+    for (std::size_t e = 0; e < first.complex.edge_count(); ++e) {
+      std::vector<std::uint32_t> turned;
+      for (const SegmentId s : second.origins_of(EdgeId(e))) {
+        turned.push_back(static_cast<std::uint32_t>(scene.curves.size()) - 1 - s.value());
+      }
+      std::reverse(turned.begin(), turned.end());
+      std::vector<std::uint32_t> origins;
+      for (const SegmentId s : first.origins_of(EdgeId(e))) origins.push_back(s.value());
+      ASSERT_EQ(origins, turned);
+    }
+  }
+}
+
+std::string name_of_kind(const ::testing::TestParamInfo<SceneKind>& tested) {
+  static constexpr const char* kNames[] = {"Grid", "Concurrent", "Fractions", "Wild"};
+  return kNames[static_cast<int>(tested.param)];
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Arrangements, ::testing::ValuesIn(kSceneKinds), name_of_kind);
+
+struct Counts {
+  std::size_t vertices, edges, faces;
+  friend bool operator==(const Counts&, const Counts&) = default;
+};
+
+Counts counts(const Arrangement& a) {
+  return {a.complex.vertex_count(), a.complex.edge_count(), a.complex.face_count()};
+}
+
+TEST(Arrangement, OfNothingIsOneFace) { EXPECT_EQ(counts(arranged({})), (Counts{0, 0, 1})); }
+
+// n lines in general position: n (n - 1) / 2 crossings, n^2 edges, and one face more than both.
+TEST(Arrangement, OfLinesInGeneralPosition) {
+  for (std::uint32_t n = 1; n <= 40; ++n) {
+    EngineScene scene;
+    for (std::uint32_t i = 0; i < n; ++i) {  // y = i x - i^2: tangents of a parabola
+      const double slope = i;
+      scene.points.inputs.push_back({0, -slope * slope});
+      scene.points.inputs.push_back({1, slope - slope * slope});
+      scene.curves.push_back({SweepCurve::kUnbounded, SweepCurve::kUnbounded, 2 * i, 2 * i + 1});
+    }
+    const std::size_t crossings = n * (n - 1) / 2;
+    EXPECT_EQ(counts(arranged(scene)), (Counts{crossings, n * n, crossings + n + 1}));
+  }
+}
+
+// n lines through one point: one vertex, 2 n rays, 2 n faces.
+TEST(Arrangement, OfConcurrentLines) {
+  for (std::uint32_t n = 1; n <= 30; ++n) {
+    EngineScene scene;
+    scene.points.inputs.push_back({7, -3});
+    for (std::uint32_t i = 0; i < n; ++i) {
+      scene.points.inputs.push_back({8, -3 + static_cast<double>(i)});
+      scene.curves.push_back({SweepCurve::kUnbounded, SweepCurve::kUnbounded, 0, i + 1});
+    }
+    const std::size_t two_n = 2 * std::size_t{n};
+    EXPECT_EQ(counts(arranged(scene)), n == 1 ? (Counts{0, 1, 2}) : (Counts{1, two_n, two_n}));
+  }
+}
+
+// Unbounded curves in a box that holds all their crossings are the same inside it: each end at
+// infinity becomes a vertex on the box.
+TEST_P(Arrangements, AreThoseOfCurvesClippedToALargeBox) {
+  if (GetParam() == SceneKind::Wild) GTEST_SKIP() << "no box is large enough to be cheap";
+  for (std::uint64_t seed = 0; seed < 100 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    CurveScene scene = random_curves(GetParam(), 8, seed);
+    const Arrangement open = arranged(to_engine(scene, seed));
+    std::size_t ends = open.complex.dcel.vertex_count() - open.complex.vertex_count();
+    const BigRational left = -power_of_two(40) - BigRational(1, 11);  // no line of the scene meets
+    const BigRational right = power_of_two(40) + BigRational(1, 13);  // a corner
+    const BigRational low = -power_of_two(40) - BigRational(1, 17);
+    const BigRational high = power_of_two(40) + BigRational(1, 19);
+    const std::vector<ExactPoint> box{{left, low}, {right, low}, {right, high}, {left, high}};
+    for (TestCurve& c : scene.curves) {
+      const auto clipped = [&](bool at_end) {
+        std::optional<ExactPoint> best;
+        for (std::size_t i = 0; i < 4; ++i) {
+          const TestCurve side{box[i], box[(i + 1) % 4], box[i], box[(i + 1) % 4]};
+          const auto p = crossing_of(c, side);
+          if (!p || !side.contains(*p)) continue;
+          const bool forward = (c.a < c.b) == at_end;
+          if (!best || (forward ? *best < *p : *p < *best)) best = p;
+        }
+        return best;
+      };
+      const auto from = c.from ? c.from : clipped(false);
+      const auto to = c.to ? c.to : clipped(true);
+      c.from = from;
+      c.to = to;
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      scene.curves.push_back({box[i], box[(i + 1) % 4], box[i], box[(i + 1) % 4]});
+    }
+    const Arrangement boxed = arranged(to_engine(scene, seed));
+    EXPECT_EQ(boxed.complex.vertex_count(), open.complex.vertex_count() + ends + 4);
+    EXPECT_EQ(boxed.complex.edge_count(), open.complex.edge_count() + ends + 4);
+    EXPECT_EQ(boxed.complex.face_count(), open.complex.face_count() + 1);
+  }
+}
+
+}  // namespace
+}  // namespace plumb::testing
