@@ -15,14 +15,10 @@
 #include <string_view>
 
 #include "plumb/base/context.h"
+#include "plumb/io/read_options.h"
 #include "plumb/plane/map.h"
 
 namespace plumb {
-
-struct ReadOptions {
-  std::string name = "input";   ///< the file in messages
-  bool exact_decimals = false;  ///< numbers with a point or exponent exactly as written
-};
 
 /// The map written in `text`. The memory of the map stays charged to `context`.
 Map read_map(std::string_view text, const ReadOptions& options, Context& context);

@@ -1,6 +1,7 @@
 #include "plumb/io/number_reader.h"
 
 #include <algorithm>
+#include <cfenv>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -97,9 +98,31 @@ constexpr std::string_view kNumber = "a number";
 
 }  // namespace
 
+RoundToNearest::RoundToNearest() : before_(std::fegetround()) { std::fesetround(FE_TONEAREST); }
+RoundToNearest::~RoundToNearest() { std::fesetround(before_); }
+
 void ReadNumber::set(Rational value) {
   exact_ = std::move(value);
   is_double_ = false;
+}
+
+/// The table stores x, y over a common denominator: three integers, each at most as long as a
+/// numerator and the other's denominator together.
+std::size_t exact_bytes(const ReadNumber& x, const ReadNumber& y) {
+  if (x.is_double() && y.is_double()) return 0;
+  const auto limbs = [](const Rational& q) {
+    return mpz_size(mpq_numref(q.backend().data())) + mpz_size(mpq_denref(q.backend().data()));
+  };
+  constexpr std::size_t kEntryBytes = 32;
+  return kEntryBytes + 2 * sizeof(mp_limb_t) * (limbs(x.exact()) + limbs(y.exact()));
+}
+
+void push_point(PointTable2& points, const ReadNumber& x, const ReadNumber& y) {
+  if (x.is_double() && y.is_double()) {
+    points.push_back({x.as_double(), y.as_double()});
+  } else {
+    points.push_back(x.exact(), y.exact());
+  }
 }
 
 NumberReader::NumberReader(const Limits& limits, bool exact_decimals, std::size_t file_bytes)

@@ -15,9 +15,22 @@
 
 #include "plumb/base/context.h"
 #include "plumb/io/text_cursor.h"
+#include "plumb/predicates/point_table2.h"
 #include "plumb/predicates/rational.h"
 
 namespace plumb {
+
+/// Decimal text is rounded to nearest, whatever mode the caller is in: readers hold one of these.
+class RoundToNearest {
+ public:
+  RoundToNearest();
+  ~RoundToNearest();
+  RoundToNearest(const RoundToNearest&) = delete;
+  RoundToNearest& operator=(const RoundToNearest&) = delete;
+
+ private:
+  int before_;
+};
 
 /// A number as read: a double when a double holds it exactly (or when that is what was asked for),
 /// else a rational.
@@ -41,9 +54,14 @@ class ReadNumber {
   Rational exact_;
 };
 
+/// The memory that a PointTable2 takes for (x, y) besides its two doubles, at most; 0 if those say
+/// it all.
+std::size_t exact_bytes(const ReadNumber& x, const ReadNumber& y);
+void push_point(PointTable2& points, const ReadNumber& x, const ReadNumber& y);
+
 /// Reads the numbers of one file. Numbers written with exponents can be far larger than their
 /// text: the reader keeps an account of the digits they expand to, and stops at 4 digits for each
-/// byte of the file plus 32 million. Requires the rounding mode to nearest (read_map() sets it).
+/// byte of the file plus 32 million. Requires the rounding mode to nearest (RoundToNearest).
 class NumberReader {
  public:
   NumberReader(const Limits& limits, bool exact_decimals, std::size_t file_bytes);

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 
 namespace plumb {
@@ -90,6 +91,25 @@ std::string_view TextCursor::token() {
   p_ = std::find_if(p_, end_, ends_token);
   if (p_ == first) fail(ErrorCode::NotText, "a carriage return inside a line");
   return {first, static_cast<std::size_t>(p_ - first)};
+}
+
+std::string_view TextCursor::word(std::string_view marks) {
+  const auto is_mark = [&](char c) { return marks.find(c) != marks.npos; };
+  if (is_mark(*p_)) return {p_++, 1};
+  const char* const first = p_;
+  p_ = std::find_if(p_, end_, [&](char c) { return ends_token(c) || is_mark(c); });
+  if (p_ == first) fail(ErrorCode::NotText, "a carriage return inside a line");
+  return {first, static_cast<std::size_t>(p_ - first)};
+}
+
+void TextCursor::move_to(const char* where) {
+  line_ = std::max<std::size_t>(line_, 1);
+  while (const void* found = std::memchr(p_, '\n', static_cast<std::size_t>(where - p_))) {
+    p_ = static_cast<const char*>(found) + 1;
+    line_begin_ = p_;
+    ++line_;
+  }
+  p_ = where;
 }
 
 /// A carriage return belongs to the end of the line when the line ends right after it.

@@ -31,6 +31,14 @@ class TextCursor {
   /// The next token: everything up to a blank or the end of the line. Requires !at_line_end().
   std::string_view token();
 
+  /// The same for formats with punctuation: one of `marks`, or everything up to one of them, a blank
+  /// or the end of the line. Requires !at_line_end().
+  std::string_view word(std::string_view marks);
+
+  /// For texts that something else takes apart: moves to `where`, not before the position, counting
+  /// the line breaks between.
+  void move_to(const char* where);
+
   /// Hot path of readers: a token of 1 to 9 digits goes to `value`. Otherwise false, and nothing is
   /// consumed: take token() then. Requires !at_line_end().
   bool short_number(std::uint32_t& value) {
@@ -46,6 +54,7 @@ class TextCursor {
   }
 
   const char* position() const { return p_; }
+  const char* line_start() const { return line_begin_; }
   std::size_t line() const { return line_; }
   std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - p_); }
   std::size_t bytes_read() const { return static_cast<std::size_t>(p_ - begin_); }

@@ -1,26 +1,17 @@
 // Malformed maps as data: shared by the reader's test and the program's.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "hostile_text.h"
+
 namespace plumb::testing {
-
-struct HostileMap {
-  const char* name;
-  std::string bytes;
-  std::size_t line;
-  std::size_t column;
-  const char* message;  ///< a part of the message
-};
-
-inline std::string bytes_with_nul(const char* text, std::size_t size) { return {text, size}; }
 
 /// A valid triangle with both its faces; cases below break one thing each.
 inline const std::string kTriangle = "3 2\n0 0\n1 0\n0 1\n1 2 3\n3 2 1\n";
 
-inline std::vector<HostileMap> hostile_maps() {
+inline std::vector<HostileText> hostile_maps() {
   const std::string million(1'000'000, '7');
   return {
       {"empty", "", 1, 1, "no content"},

@@ -1,0 +1,15 @@
+// Writes shapes as GeoJSON (RFC 7946).
+#pragma once
+
+#include <ostream>
+
+#include "plumb/io/plane_shapes.h"
+
+namespace plumb {
+
+/// One geometry object on one line: a Point .. MultiPolygon, or a GeometryCollection of those when
+/// dimensions mix or there is nothing. Numbers are the nearest doubles, as format_double(). Throws
+/// what `out` throws.
+void write_geojson(std::ostream& out, const PlaneShapes& shapes);
+
+}  // namespace plumb

@@ -1,0 +1,254 @@
+#include "plumb/io/plane_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "plumb/base/error.h"
+#include "plumb/plane/sweep.h"
+#include "plumb/predicates/rounding.h"
+
+namespace plumb {
+namespace {
+
+void copy_point(const PointTable2& from, std::uint32_t i, PointTable2& to) {
+  if (from.is_double(i)) return to.push_back(from.approx(i));
+  const RationalPoint2 p = from.exact(i);
+  to.push_back(p.x, p.y);
+}
+
+/// Polygon p with a table of points of its own: what a sweep costs depends on the table it is given.
+PlaneShapes single_polygon(const PlaneShapes& shapes, std::size_t p) {
+  PlaneShapes alone;
+  for (std::uint32_t r = shapes.polygon_begin[p]; r < shapes.polygon_begin[p + 1]; ++r) {
+    for (const std::uint32_t corner : shapes.ring(r)) {
+      alone.ring_corners.push_back(static_cast<std::uint32_t>(alone.points.size()));
+      copy_point(shapes.points, corner, alone.points);
+    }
+    alone.end_ring();
+  }
+  alone.end_polygon();
+  return alone;
+}
+
+Nef2 by_rule(const PlaneShapes& shapes, WindingRule rule, Context& context) {
+  return Nef2::polygons(shapes.points, shapes.ring_corners, shapes.ring_begin, rule,
+                        Boundary::Closed, context);
+}
+
+/// The side of a ring on which its polygon lies.
+enum class RingSide : std::uint8_t { Left, Right };
+
+/// Sweeps the rings of one polygon. As long as they meet at corners only, the even-odd rule gives
+/// each edge a side on which the polygon lies; rings that keep it on one side all the way can be
+/// wound so that their winding numbers are 1 inside and 0 outside.
+class RingSides : private SweepVisitor {
+ public:
+  /// The side for every ring, or nothing when the rings cross, overlap or change sides.
+  static std::vector<RingSide> find(const PlaneShapes& polygon, Context& context) {
+    return RingSides(polygon).run(context);
+  }
+
+ private:
+  explicit RingSides(const PlaneShapes& polygon) : polygon_(polygon) {}
+  std::vector<RingSide> run(Context& context);
+  void collect_edges();
+  bool on_event(const SweepEvent& event) override;
+  bool is_corner(const SweepEvent& event);
+  std::vector<RingSide> sides_of_rings() const;
+
+  struct Edge {
+    std::uint32_t ring;
+    bool goes_right;  ///< from its lesser to its greater end
+  };
+
+  const PlaneShapes& polygon_;
+  std::vector<SweepSegment> segments_;
+  std::vector<Edge> edges_;                ///< of segments_
+  std::vector<char> inside_above_;         ///< of segments_ met so far
+  std::vector<std::uint32_t> ended_here_;  ///< of segments_: the event it came into, from 1
+  std::uint32_t event_ = 0;
+  bool crossed_ = false;
+};
+
+std::vector<RingSide> RingSides::run(Context& context) {
+  collect_edges();
+  sweep(polygon_.points, segments_, *this, context);
+  return crossed_ ? std::vector<RingSide>() : sides_of_rings();
+}
+
+void RingSides::collect_edges() {
+  for (std::uint32_t r = 0; r < polygon_.ring_count(); ++r) {
+    const auto ring = polygon_.ring(r);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const SweepSegment segment{ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]};
+      const Sign order = compare_xy(polygon_.points, segment.from, segment.to);
+      if (order == Sign::Zero) continue;  // a repeated corner
+      segments_.push_back(segment);
+      edges_.push_back({r, order == Sign::Negative});
+    }
+  }
+  inside_above_.resize(segments_.size());
+  ended_here_.resize(segments_.size());
+}
+
+bool RingSides::on_event(const SweepEvent& event) {
+  ++event_;
+  if (!is_corner(event)) {
+    crossed_ = true;
+    return false;
+  }
+  bool inside = event.below.is_valid() && inside_above_[event.below.value()] != 0;
+  for (const SweepIncidence& edge : event.outgoing) {
+    inside = !inside;
+    inside_above_[edge.segment.value()] = inside ? 1 : 0;
+  }
+  return true;
+}
+
+/// Does every edge here start or end here, and does none lie on another?
+bool RingSides::is_corner(const SweepEvent& event) {
+  if (event.plain) return true;
+  if (event.points.empty()) return false;
+  const auto same_bundle = [](const SweepIncidence& a, const SweepIncidence& b) {
+    return a.bundle == b.bundle;
+  };
+  for (const auto side : {event.incoming, event.outgoing}) {
+    if (std::adjacent_find(side.begin(), side.end(), same_bundle) != side.end()) return false;
+  }
+  for (const SweepIncidence& edge : event.incoming) ended_here_[edge.segment.value()] = event_;
+  return std::none_of(event.outgoing.begin(), event.outgoing.end(), [&](const auto& edge) {
+    return ended_here_[edge.segment.value()] == event_;
+  });
+}
+
+std::vector<RingSide> RingSides::sides_of_rings() const {
+  std::vector<RingSide> sides(polygon_.ring_count(), RingSide::Left);
+  std::vector<char> known(polygon_.ring_count());
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const auto [ring, goes_right] = edges_[e];
+    const RingSide side = goes_right == (inside_above_[e] != 0) ? RingSide::Left : RingSide::Right;
+#ifndef PLUMB_PLANTED_BUG  // a known bug, to see that fuzz/wkt_reader.cpp finds it
+    if (known[ring] != 0 && sides[ring] != side) return {};
+#endif
+    known[ring] = 1;
+    sides[ring] = side;
+  }
+  return sides;
+}
+
+/// Appends the rings of polygon p, wound so that it lies on their left.
+void append_wound(const PlaneShapes& shapes, std::size_t p, const std::vector<RingSide>& sides,
+                  PlaneShapes& to) {
+  for (std::uint32_t r = shapes.polygon_begin[p]; r < shapes.polygon_begin[p + 1]; ++r) {
+    const auto ring = shapes.ring(r);
+    if (sides[r - shapes.polygon_begin[p]] == RingSide::Left) {
+      to.ring_corners.insert(to.ring_corners.end(), ring.begin(), ring.end());
+    } else {
+      to.ring_corners.insert(to.ring_corners.end(), ring.rbegin(), ring.rend());
+    }
+    to.end_ring();
+  }
+}
+
+void add_polygons(const PlaneShapes& shapes, std::vector<Nef2>& sets, Context& context) {
+  if (shapes.polygon_count() == 1) {
+    sets.push_back(by_rule(shapes, WindingRule::EvenOdd, context));
+    return;
+  }
+  PlaneShapes wound;
+  for (std::size_t p = 0; p < shapes.polygon_count(); ++p) {
+    const PlaneShapes alone = single_polygon(shapes, p);
+    const std::vector<RingSide> sides = RingSides::find(alone, context);
+    if (sides.empty()) {
+      sets.push_back(by_rule(alone, WindingRule::EvenOdd, context));
+    } else {
+      append_wound(shapes, p, sides, wound);
+    }
+  }
+  if (wound.ring_count() == 0) return;
+  sets.push_back(Nef2::polygons(shapes.points, wound.ring_corners, wound.ring_begin,
+                                WindingRule::Positive, Boundary::Closed, context));
+}
+
+/// A point is a line of one corner.
+void add_lines(const PlaneShapes& shapes, std::vector<Nef2>& sets, Context& context) {
+  if (shapes.line_count() == 0 && shapes.single_points.empty()) return;
+  std::vector<std::uint32_t> corners = shapes.line_corners;
+  std::vector<std::uint32_t> begin = shapes.line_begin;
+  for (const std::uint32_t point : shapes.single_points) {
+    corners.push_back(point);
+    begin.push_back(static_cast<std::uint32_t>(corners.size()));
+  }
+  sets.push_back(Nef2::polylines(shapes.points, corners, begin, context));
+}
+
+class ShapesOfParts {
+ public:
+  PlaneShapes convert(const PlaneParts& parts) {
+    for (const PolygonWithHoles2& polygon : parts.polygons) {
+      add_ring(polygon.outer);
+      for (const auto& hole : polygon.holes) add_ring(hole);
+      shapes_.end_polygon();
+    }
+    for (const auto& line : parts.lines) {
+      for (const RationalPoint2& point : line) shapes_.line_corners.push_back(add_point(point));
+      shapes_.end_line();
+    }
+    for (const RationalPoint2& point : parts.points) {
+      shapes_.single_points.push_back(add_point(point));
+    }
+    return std::move(shapes_);
+  }
+
+ private:
+  std::uint32_t add_point(const RationalPoint2& p) {
+    shapes_.points.push_back(p.x, p.y);
+    return static_cast<std::uint32_t>(shapes_.points.size() - 1);
+  }
+  void add_ring(const std::vector<RationalPoint2>& ring) {
+    for (const RationalPoint2& point : ring) shapes_.ring_corners.push_back(add_point(point));
+    shapes_.end_ring();
+  }
+
+  PlaneShapes shapes_;
+};
+
+/// Approximations of a table are clamped where the nearest double is infinite.
+void require_finite(double approx, const Rational& exact) {
+  const bool is_largest = std::fabs(approx) == std::numeric_limits<double>::max();
+  if (!is_largest || std::isfinite(nearest_double(exact))) return;
+  throw Error(ErrorCode::NumberOutOfRange,
+              "a coordinate lies beyond the largest double; .nef2 can hold it");
+}
+
+}  // namespace
+
+Nef2 to_set(const PlaneShapes& shapes, Context& context) {
+  std::vector<Nef2> sets;
+  add_polygons(shapes, sets, context);
+  add_lines(shapes, sets, context);
+  return sets.size() == 1 ? sets.front() : union_of(sets, context);
+}
+
+PlaneShapes to_shapes(const PlaneParts& parts) { return ShapesOfParts().convert(parts); }
+
+PlaneShapes rounded(PlaneShapes shapes) {
+  if (shapes.points.all_double()) return shapes;
+  PointTable2 doubles;
+  doubles.reserve(shapes.points.size());
+  for (std::uint32_t i = 0; i < shapes.points.size(); ++i) {
+    const Point2 p = shapes.points.approx(i);
+    if (!shapes.points.is_double(i)) {
+      const RationalPoint2 exact = shapes.points.exact(i);
+      require_finite(p.x, exact.x);
+      require_finite(p.y, exact.y);
+    }
+    doubles.push_back(p);
+  }
+  shapes.points = std::move(doubles);
+  return shapes;
+}
+
+}  // namespace plumb

@@ -1,0 +1,13 @@
+// What every reader is told besides the text.
+#pragma once
+
+#include <string>
+
+namespace plumb {
+
+struct ReadOptions {
+  std::string name = "input";   ///< the file in messages
+  bool exact_decimals = false;  ///< numbers with a point or exponent exactly as written
+};
+
+}  // namespace plumb

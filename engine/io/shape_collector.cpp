@@ -1,0 +1,67 @@
+#include "plumb/io/shape_collector.h"
+
+#include "plumb/base/error.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::uint32_t kStep = 4096;  // positions between two looks at the context
+constexpr std::uint64_t kMostPositions = 0xffff'fffe - kStep;
+// A position lies in the table, and once or twice as a corner (vectors grow by doubling).
+constexpr std::uint64_t kPositionBytes = sizeof(Point2) + 3 * sizeof(std::uint32_t);
+
+}  // namespace
+
+/// Limits are told with the place that they were met at, like every other error.
+void ShapeCollector::charge(const TextCursor& cursor, std::uint64_t bytes) {
+  try {
+    context_.charge_memory(bytes, "the shapes");
+  } catch (const Error& error) {
+    cursor.fail(error.code(), error.message());
+  }
+}
+
+void ShapeCollector::add_position(const TextCursor& cursor, const ReadNumber& x,
+                                  const ReadNumber& y) {
+  if (position_count() == charged_positions_) {
+    if (charged_positions_ > kMostPositions) {
+      cursor.fail(ErrorCode::ResourceLimit, "more than 2^32 positions");
+    }
+    context_.checkpoint("read", cursor.bytes_read(), total_bytes_);
+    charge(cursor, kStep * kPositionBytes);
+    charged_positions_ += kStep;
+  }
+  if (const std::size_t bytes = exact_bytes(x, y)) charge(cursor, bytes);
+  push_point(shapes_.points, x, y);
+}
+
+std::string ShapeCollector::add_ring(std::uint32_t first, std::uint32_t last) {
+  constexpr std::uint32_t kFewest = 4;
+  if (last - first < kFewest) {
+    return "a ring of " + std::to_string(last - first) +
+           " positions; at least 4 are needed, the last equal to the first";
+  }
+  if (compare_xy(shapes_.points, first, last - 1) != Sign::Zero) {
+    return "the ring does not end with the position that it starts with";
+  }
+  for (std::uint32_t i = first; i + 1 < last; ++i) shapes_.ring_corners.push_back(i);
+  shapes_.end_ring();
+  return {};
+}
+
+std::string ShapeCollector::add_line(std::uint32_t first, std::uint32_t last) {
+  if (last - first < 2) return "a line of one position; at least 2 are needed";
+  for (std::uint32_t i = first; i < last; ++i) shapes_.line_corners.push_back(i);
+  shapes_.end_line();
+  return {};
+}
+
+void ShapeCollector::add_points(std::uint32_t first, std::uint32_t last) {
+  for (std::uint32_t i = first; i < last; ++i) shapes_.single_points.push_back(i);
+}
+
+void ShapeCollector::end_polygon() {
+  if (shapes_.polygon_begin.back() != shapes_.ring_count()) shapes_.end_polygon();
+}
+
+}  // namespace plumb
