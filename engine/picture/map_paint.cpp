@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "plumb/picture/map_style.h"
-#include "plumb/picture/svg_text.h"
+#include "plumb/picture/rings.h"
 
 namespace plumb {
 namespace {
@@ -14,7 +14,6 @@ constexpr double kVisibleAmongMany = 4;  // then no more fit into the picture th
 constexpr double kLine = 0.7;
 constexpr double kFineLine = 0.45;
 constexpr std::size_t kManyCycles = 1500;
-constexpr double kCell = 2;  // of the tint
 
 double signed_area(const Plane& plane, std::span<const std::uint32_t> cycle) {
   const Point2 o = plane.at(cycle[0]);
@@ -35,64 +34,6 @@ double perimeter(const Plane& plane, std::span<const std::uint32_t> cycle) {
     last = p;
   }
   return sum;
-}
-
-/// The picture in small cells; which of them hold faces too small to be drawn.
-class Tint {
- public:
-  explicit Tint(const Rectangle& frame)
-      : frame_(frame),
-        columns_(static_cast<std::size_t>(frame.width() / kCell) + 1),
-        marked_(columns_ * (static_cast<std::size_t>(frame.height() / kCell) + 1)) {}
-
-  void mark(Point2 p) {
-    if (!frame_.contains(p)) return;
-    const auto x = static_cast<std::size_t>((p.x - frame_.left) / kCell);
-    const auto y = static_cast<std::size_t>((p.y - frame_.top) / kCell);
-    marked_[y * columns_ + x] = true;
-    is_empty_ = false;
-  }
-
-  /// One path of all runs of marked cells.
-  void write(std::ostream& out) const {
-    if (is_empty_) return;
-    out << "<path class=\"tiny\" d=\"";
-    for (std::size_t i = 0; i < marked_.size(); ++i) {
-      if (!marked_[i]) continue;
-      const std::size_t begin = i;
-      while ((i + 1) % columns_ != 0 && marked_[i + 1]) ++i;
-      write_run(begin, i + 1 - begin, out);
-    }
-    out << "\"/>\n";
-  }
-
- private:
-  void write_run(std::size_t begin, std::size_t length, std::ostream& out) const {
-    const double x = frame_.left + static_cast<double>(begin % columns_) * kCell;
-    const double y = frame_.top + static_cast<double>(begin / columns_) * kCell;
-    out << 'M' << svg_number(x) << ' ' << svg_number(y) << 'h'
-        << svg_number(static_cast<double>(length) * kCell) << "v2h-"
-        << svg_number(static_cast<double>(length) * kCell) << 'z';
-  }
-
-  Rectangle frame_;
-  std::size_t columns_;
-  std::vector<bool> marked_;
-  bool is_empty_ = true;
-};
-
-Rectangle box_of(const std::vector<Point2>& ring) {
-  Rectangle box = Rectangle::around(ring[0], 0, 0);
-  for (const Point2& p : ring) box.include(p);
-  return box;
-}
-
-PathData path_of(const View& view, const std::vector<Point2>& ring) {
-  PathData path;
-  path.move_to(view.place(ring[0]));
-  for (std::size_t i = 1; i < ring.size(); ++i) path.line_to(view.place(ring[i]));
-  path.close();
-  return path;
 }
 
 }  // namespace
@@ -122,7 +63,7 @@ double Painter::line_width(const View& view, const PaintLimits& limits) const {
 
 PaintCounts Painter::paint(const View& view, const PaintLimits& limits, std::ostream& out) const {
   PaintCounts counts;
-  Tint tiny(view.frame());
+  TinyFaces tiny(view.frame());
   std::size_t points = 0;
   const double visible = order_.size() > limits.polygons ? kVisibleAmongMany : kVisible;
   out << "<g class=\"faces\" stroke=\"" << kEdgeInk << "\" stroke-width=\""
@@ -143,7 +84,8 @@ PaintCounts Painter::paint(const View& view, const PaintLimits& limits, std::ost
     }
     const std::vector<Point2> seen = view.window().contains(box) ? ring : view.clipped(ring);
     if (seen.size() < 2) continue;
-    const PathData path = path_of(view, seen);
+    PathData path;
+    append_ring(placed(view, seen), path);
     points += path.points();
     ++counts.drawn;
     out << "<path class=\"t" << int{colour_[c]} << "\" d=\"" << path.data() << "\"/>\n";

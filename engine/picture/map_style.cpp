@@ -27,14 +27,6 @@ std::vector<Point2> circle() {
           {-1, 0}, {-c, -s}, {-s, -c}, {0, -1}, {s, -c}, {c, -s}};
 }
 
-std::uint8_t first_free(std::uint32_t taken, std::size_t wish) {
-  for (std::size_t i = 0; i < kTints; ++i) {
-    const std::size_t colour = (wish + i) % kTints;
-    if ((taken >> colour & 1U) == 0) return static_cast<std::uint8_t>(colour);
-  }
-  return static_cast<std::uint8_t>(wish);
-}
-
 }  // namespace
 
 const std::vector<DefectStyle>& defect_styles() {
@@ -64,6 +56,14 @@ std::string symbol(const DefectStyle& style, Point2 at, double radius) {
 
 const char* tint(std::size_t colour) { return kTintColours[colour % kTints]; }
 
+std::uint8_t free_colour(std::uint32_t taken, std::size_t wish, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t colour = (wish + i) % count;
+    if ((taken >> colour & 1U) == 0) return static_cast<std::uint8_t>(colour);
+  }
+  return static_cast<std::uint8_t>(wish % count);
+}
+
 // A neighbour's tint is known at both ends of the common edge: tints seen at one end only belong to
 // faces that touch at a vertex, and may be used again.
 std::vector<std::uint8_t> colour_cycles(const Map& map) {
@@ -75,7 +75,7 @@ std::vector<std::uint8_t> colour_cycles(const Map& map) {
     for (std::size_t i = 0; i < cycle.size(); ++i) {
       taken |= seen[cycle[i]] & seen[cycle[i + 1 < cycle.size() ? i + 1 : 0]];
     }
-    colours[c] = first_free(taken, c % kTints);
+    colours[c] = free_colour(taken, c, kTints);
     for (const std::uint32_t v : cycle) {
       seen[v] = static_cast<std::uint16_t>(seen[v] | (1U << colours[c]));
     }

@@ -29,6 +29,10 @@ std::string symbol(const DefectStyle& style, Point2 at, double radius);
 inline constexpr std::size_t kTints = 9;
 const char* tint(std::size_t colour);
 
+/// The first of `count` colours from `wish` on, cyclically, that is not taken (bit c: colour c);
+/// `wish` itself when all are.
+std::uint8_t free_colour(std::uint32_t taken, std::size_t wish, std::size_t count);
+
 inline constexpr const char* kInk = "#1f2933";
 inline constexpr const char* kQuietInk = "#5b6672";
 inline constexpr const char* kPaper = "#ffffff";

@@ -2,19 +2,21 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 #include "plumb/picture/map_insets.h"
 #include "plumb/picture/map_marks.h"
 #include "plumb/picture/map_paint.h"
 #include "plumb/picture/map_style.h"
+#include "plumb/picture/sheet.h"
 #include "plumb/picture/svg_text.h"
 
 namespace plumb {
 namespace {
 
 constexpr double kWidth = 1000;
-constexpr double kMargin = 24;
+constexpr double kMargin = Sheet::kMargin;
 constexpr double kColumn = kWidth - 2 * kMargin;
 constexpr double kLeastMapHeight = 0.42 * kColumn;
 constexpr double kMostMapHeight = 1.05 * kColumn;
@@ -29,14 +31,7 @@ constexpr double kLine = 23;
 
 constexpr PaintLimits kInsetLimits = {40000, 4000, false};
 
-constexpr const char* kStyle = R"(<style>
-text{font-family:Helvetica,Arial,"Liberation Sans","DejaVu Sans",sans-serif;font-size:17px;fill:#1f2933}
-.title{font-size:30px;font-weight:bold}
-.verdict{font-size:22px;font-weight:bold;fill:#fff;text-anchor:middle}
-.sub{fill:#5b6672}
-.note{font-size:15px;fill:#5b6672}
-.kind{font-weight:bold}
-.faces path{stroke-linejoin:round;fill-rule:evenodd}
+constexpr const char* kStyle = R"(.faces path{stroke-linejoin:round;fill-rule:evenodd}
 .tiny{fill:#dfe3e8}
 .halo{fill:none;stroke:#fff;stroke-linecap:round;stroke-opacity:.85}
 .bad{fill:none;stroke-linecap:round;stroke-linejoin:round}
@@ -49,7 +44,6 @@ text{font-family:Helvetica,Arial,"Liberation Sans","DejaVu Sans",sans-serif;font
 .vertex{fill:#1f2933}
 .vertex-number{font-size:14px;text-anchor:middle;stroke:#fff;stroke-width:3.5px;stroke-linejoin:round;paint-order:stroke}
 .frame{fill:none;stroke:#1f2933;stroke-width:1.4}
-.panel{fill:none;stroke:#c3c9d0;stroke-width:1}
 )";
 
 const char* verdict_text(MapVerdict verdict) {
@@ -66,18 +60,11 @@ const char* verdict_text(MapVerdict verdict) {
   return "";
 }
 
-std::string counted(std::uint64_t n, const std::string& one, const std::string& many = "") {
-  return std::to_string(n) + " " + (n == 1 ? one : many.empty() ? one + "s" : many);
-}
-
 /// The whole map; but where a few parts lie far off, the core and all defects.
 Rectangle main_window(const MapReport& report, const Plane& plane) {
   Rectangle core = plane.core();
   for (const MapDefect& d : report.defects) core.include(plane.at(d.near));
-  const Rectangle& all = plane.extent();
-  const Rectangle window =
-      Rectangle::around(core.centre(), core.width() * .53, core.height() * .53);
-  return window.width() * window.height() < all.width() * all.height() / 2 ? window : all;
+  return without_far_parts(core, plane.extent());
 }
 
 /// "x90", "x9200" or "x3e9": two digits.
@@ -118,42 +105,27 @@ class MapSheet {
     for (std::size_t i = 0; i < closeups_.size(); ++i) write_closeup(i);
     write_legend();
     write_list();
-    write_notes();
-    const std::string height = svg_number(y_ + kMargin - 6);
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1000 " << height
-        << "\" width=\"1000\" height=\"" << height << "\" role=\"img\">\n<title>"
-        << xml_escaped(heading()) << "</title>\n"
-        << kStyle;
-    for (std::size_t i = 0; i < kTints; ++i) out << ".t" << i << "{fill:" << tint(i) << "}";
-    out << ".t" << kTints << "{fill:" << kPaper << "}\n</style>\n<rect width=\"1000\" height=\""
-        << height << "\" fill=\"" << kPaper << "\"/>\n"
-        << body_.str() << "</svg>\n";
+    sheet_.write(out, heading(), style());
   }
 
  private:
   std::string heading() const {
     return (options_.title.empty() ? "" : options_.title + ": ") + verdict_text(report_.verdict);
   }
+  std::string style() const;
 
   void write_header();
-  void write_badge(double right, double top);
   void lay_out_map();
   std::size_t order_closeups(const std::vector<Inset>& insets, const View& draft);
   void place_closeups(const std::vector<Inset>& insets, const View& draft);
-  void move_down(double by);
   void write_map();
   void write_sources(LabelPlacer& room);
   void write_leader(const Closeup& c);
   void write_closeup(std::size_t i);
-  void begin_clip(const Rectangle& frame);
   void write_legend();
   void write_warning_legend();
-  void write_item(const std::string& symbol, const std::string& name, const std::string& meaning);
   void write_list();
   void write_defect(std::size_t i);
-  void write_notes();
-  void write_line(const char* css, double x, const std::string& text);
-  void note(const std::string& text) { notes_.push_back(text); }
 
   const MapReport& report_;
   const MapSvgOptions& options_;
@@ -161,45 +133,27 @@ class MapSheet {
   Painter painter_;
   MapMarks marks_;
   Rectangle window_;
-  std::ostringstream body_;
-  std::vector<std::string> notes_;
+  Sheet sheet_{{.width = kWidth}};
   std::vector<Closeup> closeups_;
   std::optional<View> view_;
-  std::size_t clips_ = 0;
-  std::size_t items_ = 0;  // of the legend
-  double y_ = kMargin;
 };
 
-void MapSheet::write_line(const char* css, double x, const std::string& text) {
-  body_ << "<text class=\"" << css << "\" x=\"" << svg_number(x) << "\" y=\"" << svg_number(y_)
-        << "\">" << xml_escaped(text) << "</text>\n";
-}
-
-// ------------------------------------------------------------------ header
-
-void MapSheet::write_badge(double left, double top) {
-  const bool is_valid = report_.verdict == MapVerdict::Valid;
-  const std::string text = verdict_text(report_.verdict);
-  const Rectangle box = {left, top, left + text_width(text, 22) + 36, top + 40};
-  body_ << "<rect " << svg_box(box) << " rx=\"8\" fill=\"" << (is_valid ? "#00705a" : "#a32020")
-        << "\"/><text class=\"verdict\" x=\"" << svg_number(box.centre().x) << "\" y=\""
-        << svg_number(top + 28) << "\">" << text << "</text>\n";
+std::string MapSheet::style() const {
+  std::string style = kStyle;
+  for (std::size_t i = 0; i < kTints; ++i) {
+    style += ".t" + std::to_string(i) + "{fill:" + tint(i) + "}";
+  }
+  return style + ".t" + std::to_string(kTints) + "{fill:" + kPaper + "}\n";
 }
 
 void MapSheet::write_header() {
-  const std::string& title = options_.title.empty() ? "map" : options_.title;
-  y_ += 28;
-  write_line("title", kMargin, wrapped(title, 31, kColumn, 1).front());
-  y_ += 18;
-  write_badge(kMargin, y_);
-  y_ += 27;
-  const double beside = kMargin + text_width(verdict_text(report_.verdict), 22) + 54;
-  const std::size_t defects = report_.cycles;
-  write_line("sub", beside,
-             counted(report_.vertices, "vertex", "vertices") + ", " +
-                 counted(report_.edges, "edge") + ", " + counted(defects, "listed face") + ", " +
-                 counted(report_.components, "component"));
-  y_ += 30;
+  const bool is_valid = report_.verdict == MapVerdict::Valid;
+  sheet_.write_header(options_.title.empty() ? "map" : options_.title,
+                      {verdict_text(report_.verdict), is_valid ? kGoodBadge : kBadBadge},
+                      counted(report_.vertices, "vertex", "vertices") + ", " +
+                          counted(report_.edges, "edge") + ", " +
+                          counted(report_.cycles, "listed face") + ", " +
+                          counted(report_.components, "component"));
 }
 
 // ------------------------------------------------------------------ layout
@@ -210,7 +164,7 @@ void MapSheet::lay_out_map() {
   const double inside = kColumn - 2 * kMapPadding;
   const double natural = e.width() > 0 ? inside * (e.height() / e.width()) : kMostMapHeight;
   const double height = std::clamp(natural + 2 * kMapPadding, kLeastMapHeight, kMostMapHeight);
-  const Rectangle panel = {kMargin, y_, kWidth - kMargin, y_ + height};
+  const Rectangle panel = {kMargin, sheet_.y(), kWidth - kMargin, sheet_.y() + height};
   view_.emplace(panel.grown(-kMapPadding), e);
   const View draft(panel.grown(-kMapPadding), e);
   place_closeups(choose_insets(report_, plane_, draft, kInsetAspect,
@@ -248,42 +202,37 @@ void MapSheet::place_closeups(const std::vector<Inset>& insets, const View& draf
     Closeup& c = closeups_[i];
     const auto column = static_cast<double>(c.is_above ? i : i - above);
     const double left = kMargin + column * (width + kInsetGap);
-    const double top = c.is_above ? y_ : bottom + kInsetGap;
+    const double top = c.is_above ? sheet_.y() : bottom + kInsetGap;
     c.frame = {left, top, left + width, top + height};
     const double half = width / 2 * view_->scale() / View(c.frame, c.inset.window).scale();
     const double shown = std::max(half, kLeastSource);
     c.source = Rectangle::around(view_->place(c.inset.window.centre()), shown, shown / kInsetAspect)
                    .within(view_->frame().grown(kMapPadding - 2));
   }
-  y_ = bottom + (n == 0 ? 18 : row + 6);
+  sheet_.set_y(bottom + (n == 0 ? 18 : row + 6));
 }
 
 // ------------------------------------------------------------------ map and close-ups
 
-void MapSheet::begin_clip(const Rectangle& frame) {
-  ++clips_;
-  body_ << "<clipPath id=\"c" << clips_ << "\"><rect " << svg_box(frame)
-        << "/></clipPath><g clip-path=\"url(#c" << clips_ << ")\">\n";
-}
-
 void MapSheet::write_map() {
   const Rectangle panel = view_->frame().grown(kMapPadding);
-  body_ << "<rect class=\"panel\" " << svg_box(panel) << " rx=\"6\"/>\n";
-  begin_clip(panel);
-  const PaintCounts counts = painter_.paint(*view_, {}, body_);
-  body_ << "</g>\n";
+  sheet_.body() << "<rect class=\"panel\" " << svg_box(panel) << " rx=\"6\"/>\n";
+  sheet_.begin_clip(panel);
+  const PaintCounts counts = painter_.paint(*view_, {}, sheet_.body());
+  sheet_.body() << "</g>\n";
   if (counts.tiny + counts.left_out > 0) {
-    note(counted(counts.tiny + counts.left_out, "face") +
-         " too small or too many to be drawn one by one: grey tint.");
+    sheet_.note(counted(counts.tiny + counts.left_out, "face") +
+                " too small or too many to be drawn one by one: grey tint.");
   }
   if (counts.outside > 0) {
-    note("Far from the rest and outside this picture: " + counted(counts.outside, "face") + ".");
+    sheet_.note("Far from the rest and outside this picture: " + counted(counts.outside, "face") +
+                ".");
   }
   LabelPlacer room(panel.grown(-3));
   write_sources(room);
-  if (const std::size_t left_out = marks_.paint(*view_, Detail::Overview, room, body_);
+  if (const std::size_t left_out = marks_.paint(*view_, Detail::Overview, room, sheet_.body());
       left_out > 0) {
-    note("No room for the numbers of " + counted(left_out, "more place") + " on the map.");
+    sheet_.note("No room for the numbers of " + counted(left_out, "more place") + " on the map.");
   }
 }
 
@@ -291,7 +240,7 @@ void MapSheet::write_map() {
 void MapSheet::write_sources(LabelPlacer& room) {
   for (const Closeup& c : closeups_) write_leader(c);
   for (const Closeup& c : closeups_) {
-    body_ << "<rect class=\"frame\" " << svg_box(c.source) << "/>\n";
+    sheet_.body() << "<rect class=\"frame\" " << svg_box(c.source) << "/>\n";
     room.avoid(c.source);
   }
 }
@@ -300,36 +249,27 @@ void MapSheet::write_leader(const Closeup& c) {
   const double from = c.is_above ? c.source.top : c.source.bottom;
   const double to = c.is_above ? c.frame.bottom + kCaption : c.frame.top;
   const double x = std::clamp(c.source.centre().x, c.frame.left + 20, c.frame.right - 20);
-  body_ << "<path class=\"frame\" stroke-opacity=\".55\" d=\"M" << svg_number(c.source.centre().x)
-        << ' ' << svg_number(from) << 'L' << svg_number(x) << ' ' << svg_number(to) << "\"/>\n";
+  sheet_.body() << "<path class=\"frame\" stroke-opacity=\".55\" d=\"M"
+                << svg_number(c.source.centre().x) << ' ' << svg_number(from) << 'L'
+                << svg_number(x) << ' ' << svg_number(to) << "\"/>\n";
 }
 
 void MapSheet::write_closeup(std::size_t i) {
   const Closeup& c = closeups_[i];
   const View view(c.frame, c.inset.window);
-  body_ << "<rect " << svg_box(c.frame) << " fill=\"" << kPaper << "\"/>\n";
-  begin_clip(c.frame);
-  painter_.paint(view, kInsetLimits, body_);
+  sheet_.body() << "<rect " << svg_box(c.frame) << " fill=\"" << kPaper << "\"/>\n";
+  sheet_.begin_clip(c.frame);
+  painter_.paint(view, kInsetLimits, sheet_.body());
   LabelPlacer room(c.frame.grown(-3));
-  marks_.paint(view, Detail::Closeup, room, body_);
-  body_ << "</g>\n<rect class=\"frame\" " << svg_box(c.frame) << "/>\n";
-  body_ << "<text class=\"note\" x=\"" << svg_number(c.frame.left) << "\" y=\""
-        << svg_number(c.frame.bottom + 18) << "\">" << zoom_text(view.scale() / view_->scale())
-        << ", " << counted(marks_.count_in(c.inset.window), "defect") << "</text>\n";
+  marks_.paint(view, Detail::Closeup, room, sheet_.body());
+  sheet_.body() << "</g>\n<rect class=\"frame\" " << svg_box(c.frame) << "/>\n";
+  sheet_.body() << "<text class=\"note\" x=\"" << svg_number(c.frame.left) << "\" y=\""
+                << svg_number(c.frame.bottom + 18) << "\">"
+                << zoom_text(view.scale() / view_->scale()) << ", "
+                << counted(marks_.count_in(c.inset.window), "defect") << "</text>\n";
 }
 
 // ------------------------------------------------------------------ legend and list
-
-void MapSheet::write_item(const std::string& symbol, const std::string& name,
-                          const std::string& meaning) {
-  const double x = kMargin + (items_ % 2 == 0 ? 0 : kColumn / 2);
-  if (items_ % 2 == 0) y_ += kLine + 3;
-  ++items_;
-  body_ << "<g transform=\"translate(" << svg_number(x + 10) << ' ' << svg_number(y_ - 6) << ")\">"
-        << symbol << "</g><text x=\"" << svg_number(x + 30) << "\" y=\"" << svg_number(y_)
-        << "\"><tspan class=\"kind\">" << xml_escaped(name) << "</tspan> <tspan class=\"sub\">"
-        << xml_escaped(meaning) << "</tspan></text>\n";
-}
 
 void MapSheet::write_legend() {
   const MapDefectCounts& n = report_.counts;
@@ -338,12 +278,14 @@ void MapSheet::write_legend() {
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const DefectStyle& style = defect_styles()[k];
     if (counts[k] == 0) continue;
-    write_item(symbol(style, {}, 8), std::to_string(counts[k]) + " " + style.name, style.meaning);
+    sheet_.write_item(symbol(style, {}, 8), std::to_string(counts[k]) + " " + style.name,
+                      style.meaning);
   }
   write_warning_legend();
   if (!n.mixed && report_.verdict != MapVerdict::Valid)
-    note("Mixed regions are looked for only when there is no duplicate, open or crossing edge.");
-  y_ += items_ > 0 ? 14 : 0;
+    sheet_.note(
+        "Mixed regions are looked for only when there is no duplicate, open or crossing edge.");
+  sheet_.end_legend();
 }
 
 void MapSheet::write_warning_legend() {
@@ -357,9 +299,9 @@ void MapSheet::write_warning_legend() {
                       [k](const MapWarning& w) { return static_cast<std::size_t>(w.kind) == k; }));
     if (count == 0) continue;
     const bool is_line = k == static_cast<std::size_t>(WarningKind::InferredOuter);
-    write_item(is_line ? "<path class=\"inferred\" d=\"M-9 0H10\"/>"
-                       : "<circle class=\"warning\" r=\"5\"/>",
-               counted(count, names[k], plural[k]), "warning, no defect");
+    sheet_.write_item(is_line ? "<path class=\"inferred\" d=\"M-9 0H10\"/>"
+                              : "<circle class=\"warning\" r=\"5\"/>",
+                      counted(count, names[k], plural[k]), "warning, no defect");
   }
 }
 
@@ -368,45 +310,38 @@ void MapSheet::write_defect(std::size_t i) {
   const DefectStyle& style = style_of(defect.kind);
   const std::string number = std::to_string(i + 1);
   const double width = std::max(34.0, text_width(number, 16) + 14);
-  const Rectangle box = {kMargin, y_ - 18, kMargin + width, y_ + 6};
-  body_ << "<rect " << svg_box(box) << " rx=\"6\" fill=\"" << style.colour
-        << "\"/><text class=\"number\" x=\"" << svg_number(box.centre().x) << "\" y=\""
-        << svg_number(y_) << "\">" << number << "</text>\n"
-        << symbol(style, {box.right + 16, y_ - 6}, 7) << '\n';
+  const Rectangle box = {kMargin, sheet_.y() - 18, kMargin + width, sheet_.y() + 6};
+  sheet_.body() << "<rect " << svg_box(box) << " rx=\"6\" fill=\"" << style.colour
+                << "\"/><text class=\"number\" x=\"" << svg_number(box.centre().x) << "\" y=\""
+                << svg_number(sheet_.y()) << "\">" << number << "</text>\n"
+                << symbol(style, {box.right + 16, sheet_.y() - 6}, 7) << '\n';
   const double x = kMargin + 76;
   std::string lead = std::string("<tspan class=\"kind\">") + style.name + "</tspan> ";
   const std::string room(std::string_view(style.name).size(), 'm');  // the bold name is wide
   auto lines = wrapped(room + " " + defect.hint, kFont, kWidth - kMargin - x, 3);
   lines.front().erase(0, room.size() + 1);
   for (const std::string& line : lines) {
-    body_ << "<text x=\"" << svg_number(x) << "\" y=\"" << svg_number(y_) << "\">"
-          << std::exchange(lead, "") << xml_escaped(line) << "</text>\n";
-    y_ += kLine;
+    sheet_.body() << "<text x=\"" << svg_number(x) << "\" y=\"" << svg_number(sheet_.y()) << "\">"
+                  << std::exchange(lead, "") << xml_escaped(line) << "</text>\n";
+    sheet_.move_down(kLine);
   }
-  y_ += 8;
+  sheet_.move_down(8);
 }
 
 void MapSheet::write_list() {
   const std::size_t listed = std::min(options_.max_listed, report_.defects.size());
   if (listed == 0) return;
-  y_ += 26;
+  sheet_.move_down(26);
   for (std::size_t i = 0; i < listed; ++i) write_defect(i);
   const MapDefectCounts& n = report_.counts;
   const std::uint64_t all =
       n.duplicate + n.open + n.crossing + n.twin + n.mixed.value_or(0) + n.nested;
   if (listed < all)
-    note("The list shows the first " + std::to_string(listed) + " of " + counted(all, "defect") +
-         ".");
+    sheet_.note("The list shows the first " + std::to_string(listed) + " of " +
+                counted(all, "defect") + ".");
   if (marks_.drawn() < all)
-    note("The map marks the first " + std::to_string(marks_.drawn()) + " of " +
-         counted(all, "defect") + ".");
-}
-
-void MapSheet::write_notes() {
-  for (const std::string& text : notes_) {
-    y_ += 21;
-    write_line("note", kMargin, text);
-  }
+    sheet_.note("The map marks the first " + std::to_string(marks_.drawn()) + " of " +
+                counted(all, "defect") + ".");
 }
 
 }  // namespace

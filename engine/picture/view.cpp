@@ -41,6 +41,25 @@ std::vector<Point2> cut(const std::vector<Point2>& ring, const Side& side) {
 
 }  // namespace
 
+Rectangle core_of(const std::vector<Point2>& points) {
+  std::vector<double> xs, ys;
+  for (const Point2& p : points) {
+    xs.push_back(p.x);
+    ys.push_back(p.y);
+  }
+  if (xs.empty()) return {};
+  std::sort(xs.begin(), xs.end());
+  std::sort(ys.begin(), ys.end());
+  const std::size_t low = xs.size() / 40, high = xs.size() - 1 - low;
+  return {xs[low], ys[low], xs[high], ys[high]};
+}
+
+Rectangle without_far_parts(const Rectangle& core, const Rectangle& all) {
+  const Rectangle window =
+      Rectangle::around(core.centre(), core.width() * .53, core.height() * .53);
+  return window.width() * window.height() < all.width() * all.height() / 2 ? window : all;
+}
+
 Plane::Plane(const Map& map) : map_(map) {
   find_scale();
   find_extent();
@@ -73,18 +92,12 @@ void Plane::find_extent() {
 }
 
 Rectangle Plane::core() const {
-  std::vector<double> xs, ys;
+  std::vector<Point2> samples;
   const std::size_t step = map_.corners.size() / kSamples + 1;
   for (std::size_t i = 0; i < map_.corners.size(); i += step) {
-    const Point2 p = at(map_.corners[i]);
-    xs.push_back(p.x);
-    ys.push_back(p.y);
+    samples.push_back(at(map_.corners[i]));
   }
-  if (xs.empty()) return {};
-  std::sort(xs.begin(), xs.end());
-  std::sort(ys.begin(), ys.end());
-  const std::size_t low = xs.size() / 40, high = xs.size() - 1 - low;
-  return {xs[low], ys[low], xs[high], ys[high]};
+  return core_of(samples);
 }
 
 Point2 Plane::at(Point2 p) const {

@@ -11,6 +11,14 @@
 
 namespace plumb {
 
+/// Where nearly all of the points lie: the fortieth part of them at each of the four sides is cut
+/// off.
+Rectangle core_of(const std::vector<Point2>& points);
+
+/// The window for a picture of `all`: its core, a little grown, where that leaves out more than
+/// half of it, which few things far off would take up; else `all`.
+Rectangle without_far_parts(const Rectangle& core, const Rectangle& all);
+
 /// A map in plane coordinates (picture.h): y upwards, everything used by a cycle within [-1, 1].
 /// A cycle counts as counter-clockwise by its area in doubles, which is only good for drawing.
 class Plane {
@@ -24,7 +32,7 @@ class Plane {
   /// What the vertices in use span; (0, 0) alone if there are none.
   const Rectangle& extent() const { return extent_; }
 
-  /// Where nearly all corners lie: the fortieth part of them at each of the four sides is cut off.
+  /// Where nearly all corners lie.
   Rectangle core() const;
 
   std::vector<Point2> ring(std::size_t cycle) const;

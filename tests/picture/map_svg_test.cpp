@@ -3,18 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/property_tree/xml_parser.hpp>
-#include <cmath>
-#include <functional>
 #include <limits>
 #include <sstream>
 
 #include "plumb/picture/map_style.h"
+#include "svg_checks.h"
 
 namespace plumb {
 namespace {
 
-using Xml = boost::property_tree::ptree;
+using namespace testing;
 
 /// start + count * step, without leaving the doubles where the product would.
 double after(double start, double step, std::uint32_t count) {
@@ -57,55 +55,6 @@ std::string drawn(const MapReport& report, const MapSvgOptions& options = {}) {
   std::ostringstream out;
   write_map_svg(out, report, options);
   return out.str();
-}
-
-Xml parsed(const std::string& svg) {
-  std::istringstream in(svg);
-  Xml tree;
-  EXPECT_NO_THROW(boost::property_tree::read_xml(in, tree)) << svg.substr(0, 2000);
-  return tree;
-}
-
-void visit(const Xml& tree, const std::function<void(const std::string&, const Xml&)>& see) {
-  for (const auto& [name, child] : tree) {
-    see(name, child);
-    visit(child, see);
-  }
-}
-
-std::string attribute(const Xml& element, const char* name) {
-  return element.get(std::string("<xmlattr>.") + name, "");
-}
-
-/// All numbers of the attributes that hold coordinates.
-std::vector<double> coordinates(const Xml& tree) {
-  std::vector<double> numbers;
-  visit(tree, [&numbers](const std::string&, const Xml& element) {
-    for (const char* name : {"x", "y", "width", "height", "cx", "cy", "r", "points", "d"}) {
-      std::string text = attribute(element, name);
-      for (char& c : text) {
-        if (std::string_view("0123456789.-").find(c) == std::string_view::npos) c = ' ';
-      }
-      for (std::size_t i = 1; i < text.size(); ++i) {
-        if (text[i] == '-' && text[i - 1] != ' ') text.insert(i++, " ");
-      }
-      std::istringstream in(text);
-      for (double x = 0; in >> x;) numbers.push_back(x);
-      EXPECT_TRUE(in.eof()) << name << " " << attribute(element, name);
-    }
-  });
-  return numbers;
-}
-
-void expect_sound(const std::string& svg) {
-  EXPECT_EQ(svg.find("nan"), std::string::npos);
-  EXPECT_EQ(svg.find("inf\""), std::string::npos);
-  const auto numbers = coordinates(parsed(svg));
-  EXPECT_GT(numbers.size(), 10U);
-  for (const double x : numbers) {
-    EXPECT_TRUE(std::isfinite(x));
-    EXPECT_LE(std::abs(x), 100000) << "far outside the picture";
-  }
 }
 
 /// Symbols drawn in a kind's colour, those of the legend and the list not counted.

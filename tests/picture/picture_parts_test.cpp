@@ -10,6 +10,7 @@
 #include "plumb/picture/map_style.h"
 #include "plumb/picture/svg_text.h"
 #include "plumb/picture/view.h"
+#include "svg_checks.h"
 
 namespace plumb {
 namespace {
@@ -50,31 +51,6 @@ TEST(SvgText, WrappingKeepsTheWordsAndTheWidth) {
     EXPECT_LE(text_width(line, 10), 84);
 }
 
-/// Follows relative moves as a viewer does.
-std::vector<Point2> read_back(const std::string& data) {
-  std::vector<Point2> points;
-  double x = 0, y = 0, sx = 0, sy = 0;
-  for (std::size_t i = 0; i < data.size();) {
-    const char command = data[i++];
-    if (command == 'z') {
-      x = sx;
-      y = sy;
-      continue;
-    }
-    const char* begin = data.c_str() + i;
-    char* end = nullptr;
-    x += std::strtod(begin, &end);
-    y += std::strtod(end, &end);
-    i = static_cast<std::size_t>(end - data.c_str());
-    if (command == 'm') {
-      sx = x;
-      sy = y;
-    }
-    points.push_back({x / 10, y / 10});
-  }
-  return points;
-}
-
 TEST(PathData, ErrorsDoNotAddUp) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(0, 900);
@@ -90,7 +66,10 @@ TEST(PathData, ErrorsDoNotAddUp) {
     }
     path.close();
   }
-  const auto seen = read_back(path.data());
+  std::vector<Point2> seen;
+  for (const auto& ring : testing::read_path(path.data())) {
+    seen.insert(seen.end(), ring.begin(), ring.end());
+  }
   ASSERT_EQ(seen.size(), wanted.size());
   for (std::size_t i = 0; i < seen.size(); ++i) {
     EXPECT_NEAR(seen[i].x, wanted[i].x, 0.051);

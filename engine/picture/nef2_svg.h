@@ -1,0 +1,27 @@
+// A set of the plane as a picture: marked faces filled, marked edges solid, unmarked ones dashed;
+// points that belong are dots, points that do not are hollow; what goes on to infinity fades out
+// towards the frame. Self-contained SVG without scripts, y axis upwards.
+//
+// Flow of write_nef2_svg:
+//  1. PlaneWindow     a box around all vertices
+//  2. the set * the open box: every face and edge is bounded then, cut off exactly
+//  3. fill, edges, dots of that, but for what lies on the box
+//  4. axes, legend of what occurs, notes
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include "plumb/plane/nef2.h"
+
+namespace plumb {
+
+struct Nef2SvgOptions {
+  std::string title = {};  ///< e.g. the file's name; any bytes
+};
+
+/// Writes the picture of any set: any exact coordinates, any number of faces; the file stays below
+/// 20 MB, what is left out for that is said in it. Deterministic. O(n log n).
+void write_nef2_svg(std::ostream& out, const Nef2& set, const Nef2SvgOptions& options = {});
+
+}  // namespace plumb
