@@ -33,4 +33,11 @@ struct Command {
 /// In the order of the help.
 std::span<const Command> commands();
 
+/// A first word of so many commands that the help shows it in one line; plumb WORD --help has all.
+struct CommandGroup {
+  std::string_view word;
+  std::string_view summary;
+};
+std::span<const CommandGroup> command_groups();
+
 }  // namespace plumb::cli

@@ -15,7 +15,8 @@ constexpr std::string_view kHead = R"(<!DOCTYPE html>
 <style>
 body { font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 75rem; padding: 0 1rem; }
 figure { margin: 2rem 0; }
-figure svg { width: 100%; height: auto; border: 1px solid #ccc; }
+figure img { width: 100%; height: auto; border: 1px solid #ccc; }
+figure.small img { max-width: 37.5rem; }
 figcaption { color: #444; }
 td { padding: 0.1rem 1rem 0.1rem 0; vertical-align: top; }
 td.time { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
@@ -23,7 +24,8 @@ td.time { text-align: right; white-space: nowrap; font-variant-numeric: tabular-
 </head>
 <body>
 <h1>plumb demo</h1>
-<p>Real county regions, checked exactly: is every point of the plane covered once?</p>
+<p>Real county regions, checked exactly: is every point of the plane covered once? Sets of the plane, open
+or closed along every edge, combined exactly. Two maps laid over each other: areas add up to the last digit.</p>
 )";
 
 std::string escaped(std::string_view text) {
@@ -33,6 +35,8 @@ std::string escaped(std::string_view text) {
       html += "&amp;";
     } else if (c == '<') {
       html += "&lt;";
+    } else if (c == '"') {
+      html += "&quot;";
     } else {
       html += c;
     }
@@ -46,16 +50,29 @@ std::string milliseconds(double seconds) {
   return text;
 }
 
-/// An SVG file without what may stand only at the start of a file.
-std::string_view inline_svg(std::string_view svg) {
-  const std::size_t start = svg.find("<svg");
-  return start == svg.npos ? svg : svg.substr(start);
+/// An SVG file as an address: pictures keep their styles and ids to themselves that way.
+std::string data_uri(std::string_view svg) {
+  static constexpr std::string_view kHex = "0123456789ABCDEF";
+  std::string uri = "data:image/svg+xml,";
+  for (const char c : svg) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = byte > 0x20 && byte < 0x7F &&
+                          std::string_view("\"#%<>&\\^`{|}").find(c) == std::string_view::npos;
+    if (is_plain || c == ' ') {
+      uri += c;
+    } else {
+      uri += {'%', kHex[byte >> 4U], kHex[byte & 15U]};
+    }
+  }
+  return uri;
 }
 
 void write_picture(std::ostream& out, const DemoPicture& picture) {
-  out << "<h2>" << escaped(picture.title) << "</h2>\n<figure>\n"
-      << inline_svg(picture.svg) << "\n<figcaption>" << escaped(picture.caption) << " (<a href=\""
-      << picture.file << "\">" << picture.file << "</a>)</figcaption>\n</figure>\n";
+  out << "<h2>" << escaped(picture.title) << "</h2>\n<figure"
+      << (picture.is_small ? " class=\"small\"" : "") << ">\n<img alt=\"" << escaped(picture.title)
+      << "\" src=\"" << data_uri(picture.svg) << "\">\n<figcaption>" << escaped(picture.caption)
+      << " (<a href=\"" << picture.file << "\">" << picture.file
+      << "</a>)</figcaption>\n</figure>\n";
 }
 
 }  // namespace

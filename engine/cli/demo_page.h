@@ -17,6 +17,7 @@ struct DemoPicture {
   std::string file;  ///< beside the page
   std::string caption;
   std::string svg;
+  bool is_small = false;  ///< need not fill the page
 };
 
 /// One line a step, with its time.

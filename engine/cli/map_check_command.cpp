@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "command.h"
-#include "plumb/base/error.h"
+#include "format_choice.h"
 #include "plumb/io/input.h"
 #include "plumb/io/map_reader.h"
 #include "plumb/io/map_report_json.h"
@@ -43,24 +43,6 @@ constexpr std::array kFormats{
     Format{"svg", ".svg", write_svg},
     Format{"geojson", ".geojson", write_geojson},
 };
-
-const Format& format_named(const std::string& name) {
-  for (const Format& format : kFormats) {
-    if (format.name == name) return format;
-  }
-  throw Error(ErrorCode::Usage, "--format: '" + name + "' is none of text, json, svg, geojson");
-}
-
-const Format& format_of_file(const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  for (const Format& format : kFormats) {
-    if (format.extension == extension) return format;
-  }
-  throw Error(ErrorCode::UnknownFormat,
-              "no format has the extension '" + extension +
-                  "'; use .txt, .json, .svg, .geojson or --format",
-              {path});
-}
 
 /// Requires one of the three names.
 OuterRule outer_rule(std::string_view name) {
@@ -113,24 +95,12 @@ ExitCode MapCheck::run(Session& session) {
 
 /// Before the work, so that a path that cannot be written costs nothing.
 void MapCheck::open_outputs(Session& session) {
-  const CommonOptions& common = session.options();
-  if (common.out == "-" && common.format.empty()) {
-    throw Error(ErrorCode::Usage, "-o - needs --format text, json, svg or geojson");
-  }
-  if (!svg_.empty()) add_output(session, svg_, format_named("svg"));
-  if (!geojson_.empty()) add_output(session, geojson_, format_named("geojson"));
-  const std::string out = common.out.empty() && !common.format.empty() ? "-" : common.out;
-  if (!out.empty()) {
-    const Format& format =
-        common.format.empty() ? format_of_file(out) : format_named(common.format);
-    const bool is_said_twice = common.json && out == "-" && format.name == "json";
-    if (!is_said_twice) add_output(session, out, format);
-  }
-  if (common.json) add_output(session, "-", format_named("json"));
-  const bool is_stdout_free = svg_ != "-" && geojson_ != "-";
-  if (out.empty() && !common.json && is_stdout_free) {
-    add_output(session, "-", format_named("text"));
-  }
+  const auto add = [&](const std::string& path, const Format& format) {
+    add_output(session, path, format);
+  };
+  if (!svg_.empty()) add(svg_, format_named(kFormats, "svg"));
+  if (!geojson_.empty()) add(geojson_, format_named(kFormats, "geojson"));
+  add_outputs(session.options(), kFormats, svg_ != "-" && geojson_ != "-", add);
 }
 
 void MapCheck::add_output(Session& session, const std::string& path, const Format& format) {

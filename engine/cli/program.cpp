@@ -31,8 +31,56 @@ void print(const std::string& text) {
   outputs.deliver();
 }
 
+std::string_view first_word(std::string_view name) { return name.substr(0, name.find(' ')); }
+
 std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(text.size() + 2, width), ' ');
+  text.resize(width, ' ');
+  return text;
+}
+
+/// What to type, and what it does.
+using Row = std::pair<std::string, std::string_view>;
+
+Row row_of(const Command& command) {
+  std::string what(command.name);
+  if (!command.arguments.empty()) what.append(1, ' ').append(command.arguments);
+  return {std::move(what), command.summary};
+}
+
+/// The commands that start with the word `group`.
+std::vector<Row> rows_of(std::string_view group) {
+  std::vector<Row> rows;
+  for (const Command& command : commands()) {
+    if (first_word(command.name) == group) rows.push_back(row_of(command));
+  }
+  return rows;
+}
+
+/// All commands; those of a group share a row.
+std::vector<Row> all_rows() {
+  std::vector<Row> rows;
+  std::string_view last_word;
+  for (const Command& command : commands()) {
+    const std::string_view word = first_word(command.name);
+    const auto group = std::find_if(command_groups().begin(), command_groups().end(),
+                                    [&](const CommandGroup& g) { return g.word == word; });
+    if (group == command_groups().end()) {
+      rows.push_back(row_of(command));
+    } else if (word != last_word) {
+      rows.emplace_back(std::string(word) + " ...", group->summary);
+    }
+    last_word = word;
+  }
+  return rows;
+}
+
+std::string table(const std::vector<Row>& rows) {
+  std::size_t width = 0;
+  for (const auto& [what, summary] : rows) width = std::max(width, what.size() + 2);
+  std::string text;
+  for (const auto& [what, summary] : rows) {
+    text += "  " + padded(what, width) + std::string(summary) + '\n';
+  }
   return text;
 }
 
@@ -41,11 +89,7 @@ std::string overview(std::string_view group = {}) {
   std::string text = "plumb " + std::string(kVersion) +
                      " - exact geometry: every decision exact, every result auditable\n\n"
                      "Usage: plumb COMMAND [ARGUMENTS] [OPTIONS]\n\nCommands:\n";
-  for (const Command& command : commands()) {
-    if (!command.name.starts_with(group)) continue;
-    text += "  " + padded(std::string(command.name) + ' ' + std::string(command.arguments), 18) +
-            std::string(command.summary) + '\n';
-  }
+  text += table(group.empty() ? all_rows() : rows_of(group));
   text +=
       "\nOptions of every command:\n"
       "  --json  -o OUT  --format NAME  --exact-decimals  --threads N  --progress  -q\n"
@@ -57,8 +101,6 @@ std::string overview(std::string_view group = {}) {
 }
 
 bool is_help(std::string_view word) { return word == "--help" || word == "-h" || word == "help"; }
-
-std::string_view first_word(std::string_view name) { return name.substr(0, name.find(' ')); }
 
 bool is_group(std::string_view word) {
   return std::any_of(commands().begin(), commands().end(), [&](const Command& command) {
@@ -121,6 +163,13 @@ std::string parse_message(const CLI::App& app, const CLI::ParseError& error) {
   return guess.empty() ? message : message + "; did you mean '" + guess + "'?";
 }
 
+/// CLI11 knows "-0.5" for a number, but takes "-.5" for options.
+std::string with_digit(std::string argument) {
+  const bool starts_with_point =
+      argument.size() > 2 && argument.starts_with("-.") && argument[2] >= '0' && argument[2] <= '9';
+  return starts_with_point ? argument.insert(1, 1, '0') : argument;
+}
+
 ExitCode run_command(const Command& command, Arguments arguments, std::stop_token stop) {
   const std::string name(command.name);
   CLI::App app(std::string(command.summary), "plumb " + name);
@@ -129,6 +178,7 @@ ExitCode run_command(const Command& command, Arguments arguments, std::stop_toke
   CommonOptions common;
   body->declare(app);
   common.declare(app);
+  std::transform(arguments.begin(), arguments.end(), arguments.begin(), with_digit);
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
   try {
     app.parse(std::move(arguments));

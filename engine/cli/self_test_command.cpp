@@ -19,19 +19,9 @@ class SelfTest : public CommandBody {
 
   ExitCode run(Session& session) override {
     const SelfTestReport report = self_test();
-    const std::string out = session.options().out.empty() ? "-" : session.options().out;
-    session.outputs().add(out, [&](std::ostream& stream) {
-      if (session.options().json) {
-        stream << nlohmann::ordered_json{{"ok", report.ok},
-                                         {"failures", report.failures},
-                                         {"notes", report.notes}}
-                      .dump()
-               << '\n';
-      } else {
-        print(stream, report);
-      }
-    });
-    session.outputs().deliver();
+    const nlohmann::ordered_json json{
+        {"ok", report.ok}, {"failures", report.failures}, {"notes", report.notes}};
+    session.answer(json.dump(), [&](std::ostream& out) { print(out, report); });
     return report.ok ? ExitCode::Yes : ExitCode::No;
   }
 };

@@ -90,6 +90,18 @@ Session::Session(const CommonOptions& options, std::stop_token stop)
                progress_.is_shown() ? ProgressCallback(std::ref(progress_)) : ProgressCallback(),
                options.threads) {}
 
+void Session::answer(const std::string& json, const Outputs::Writer& text) {
+  outputs_.add(options_.out.empty() ? "-" : options_.out, [&](std::ostream& out) {
+    if (options_.json) {
+      out << json << '\n';
+    } else {
+      text(out);
+    }
+  });
+  finish_progress();
+  outputs_.deliver();
+}
+
 void Session::note(std::string_view text) {
   if (options_.quiet) return;
   progress_.clear();

@@ -59,6 +59,10 @@ class Session {
   Context& context() { return context_; }
   Outputs& outputs() { return outputs_; }
 
+  /// The answer of a command that has no other output, to -o or standard output: `text`, or with
+  /// --json the object `json`.
+  void answer(const std::string& json, const Outputs::Writer& text);
+
   /// A line on standard error, unless --quiet. Requires no line break in `text`.
   void note(std::string_view text);
   void finish_progress() { progress_.clear(); }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "../io/hostile_maps.h"
+#include "refusal.h"
 #include "run_program.h"
 
 namespace plumb::testing {
@@ -30,18 +31,6 @@ constexpr bool kMeasuresMemory = true;
 #endif
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-/// Bad input: nothing on standard output, one message that starts with the place.
-void expect_refusal(const RunResult& result, const std::string& start, const std::string& part) {
-  EXPECT_EQ(result.code, 2);
-  EXPECT_TRUE(result.out.empty()) << result.out.substr(0, 200);
-  EXPECT_TRUE(result.err.starts_with(start)) << result.err;
-  EXPECT_TRUE(contains(result.err, part)) << result.err;
-}
 
 TEST(Program, prints_its_version) {
   const RunResult result = run({"--version"});
@@ -177,7 +166,7 @@ TEST(MapCheckProgram, writes_what_is_asked_where_it_is_asked) {
 TEST(MapCheckProgram, refuses_hostile_maps_and_leaves_no_file) {
   const ScratchDirectory scratch;
   const std::string map = (scratch / "bad.map").string();
-  for (const HostileMap& hostile : hostile_maps()) {
+  for (const HostileText& hostile : hostile_maps()) {
     SCOPED_TRACE(hostile.name);
     write_file(map, hostile.bytes);
     const RunResult result =
@@ -324,9 +313,13 @@ TEST(Demo, leaves_a_page_with_pictures) {
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_TRUE(contains(result.out, "3759 cycles")) << result.out;
   const std::string page = read_file(scratch / "demo/index.html");
-  EXPECT_TRUE(contains(page, "<svg"));
+  EXPECT_TRUE(contains(page, "src=\"data:image/svg+xml,%3Csvg"));
   EXPECT_FALSE(contains(page, "src=\"http"));
-  EXPECT_TRUE(fs::exists(scratch / "demo/us-counties.svg"));
+  for (const char* name : {"us-counties.svg", "star-or-quadrant.svg", "star-without-quadrant.svg",
+                           "states-over-counties.svg", "states-over-counties.geojson"}) {
+    EXPECT_TRUE(fs::exists(scratch / (std::string("demo/") + name))) << name;
+    EXPECT_TRUE(contains(page, name) || !std::string_view(name).ends_with(".svg")) << name;
+  }
 }
 
 TEST(SelfTest, answers_in_text_and_json) {

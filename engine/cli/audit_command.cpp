@@ -1,0 +1,87 @@
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "command.h"
+#include "plumb/base/error.h"
+#include "plumb/io/input.h"
+#include "plumb/io/map_reader.h"
+#include "plumb/io/map_report_text.h"
+#include "plumb/io/nef2_reader.h"
+#include "plumb/io/plane_io.h"
+#include "plumb/plane/map_check.h"
+#include "plumb/plane/plane_records.h"
+
+namespace plumb::cli {
+namespace {
+
+using Flaw = std::optional<DcelFlaw>;
+
+/// The records as they stand in the file, not what a reader would accept.
+Flaw audit_nef2(const std::string& text, const ReadOptions& options, Context& context) {
+  const PlaneRecords records = read_nef2_records(text, options, context);
+  try {
+    return audit(from_records(records, context), true);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::BadArgument) throw;
+    return DcelFlaw{error.message(), ""};
+  }
+}
+
+Flaw audit_map(const std::string& text, const ReadOptions& options, Context& context) {
+  const MapReport report = check_map(read_map(text, options, context), {}, context);
+  if (report.verdict != MapVerdict::Valid) {
+    return DcelFlaw{std::string(headline(report.verdict)), report.defects.front().hint};
+  }
+  const Dcel dcel = to_dcel(report).dcel;
+  Flaw flaw = dcel.audit();
+  return flaw ? flaw : dcel.audit_planar();
+}
+
+Flaw audit_text(const std::string& path, const std::string& text, const ReadOptions& options,
+                Context& context) {
+  if (std::filesystem::path(path).extension() == ".map") return audit_map(text, options, context);
+  const PlaneFormat format = plane_format_of(path).value_or(guess_plane_format(text));
+  if (format == PlaneFormat::Nef2) return audit_nef2(text, options, context);
+  return read_plane_set(text, format, options, context).audit();
+}
+
+void write_flaw(std::ostream& out, const Flaw& flaw) {
+  if (!flaw) {
+    out << "ok: every invariant holds\n";
+    return;
+  }
+  out << "broken: " << flaw->invariant << (flaw->place.empty() ? "" : ": ") << flaw->place << '\n';
+}
+
+nlohmann::ordered_json flaw_json(const Flaw& flaw) {
+  if (!flaw) return {{"ok", true}, {"broken", nullptr}, {"place", nullptr}};
+  return {{"ok", false}, {"broken", flaw->invariant}, {"place", flaw->place}};
+}
+
+class Audit : public CommandBody {
+ public:
+  void declare(CLI::App& app) override {
+    app.add_option("FILE", file_, "A set (.nef2, .wkt, .geojson, .json) or a .map; - is stdin")
+        ->required()
+        ->type_name("");
+  }
+
+  ExitCode run(Session& session) override {
+    const ReadOptions options{input_name(file_), session.options().exact_decimals};
+    const std::string text = read_input(file_, session.context());
+    const Flaw flaw = audit_text(file_, text, options, session.context());
+    session.answer(flaw_json(flaw).dump(), [&](std::ostream& out) { write_flaw(out, flaw); });
+    return flaw ? ExitCode::No : ExitCode::Yes;
+  }
+
+ private:
+  std::string file_;
+};
+
+}  // namespace
+
+std::unique_ptr<CommandBody> make_audit() { return std::make_unique<Audit>(); }
+
+}  // namespace plumb::cli

@@ -1,0 +1,185 @@
+// The command `plumb map overlay` from outside.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plumb/predicates/rational.h"
+#include "refusal.h"
+#include "run_program.h"
+
+namespace plumb::testing {
+namespace {
+
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+const std::string kStates = "corpus/maps/us-states.clean.map";
+const std::string kCounties = "corpus/maps/us-counties.clean.map";
+const std::string kDefective = "corpus/maps/us-counties.map";
+
+/// Twice the signed areas of the cycles of a map of integers, in 64 bits: the twin of the engine's.
+std::vector<std::int64_t> twice_cycle_areas(const std::string& file) {
+  std::ifstream in(file);
+  std::size_t n = 0, f = 0;
+  in >> n >> f;
+  std::vector<std::pair<std::int64_t, std::int64_t>> points(n);
+  for (auto& [x, y] : points) in >> x >> y;
+  std::string line;
+  std::getline(in, line);
+  std::vector<std::int64_t> areas;
+  while (areas.size() < f && std::getline(in, line)) {
+    std::istringstream words(line);
+    std::vector<std::size_t> cycle;
+    for (std::size_t v = 0; words >> v;) cycle.push_back(v - 1);
+    if (cycle.empty()) continue;
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i < cycle.size(); ++i) {
+      const auto [ax, ay] = points[cycle[i]];
+      const auto [bx, by] = points[cycle[(i + 1) % cycle.size()]];
+      sum += ax * by - ay * bx;
+    }
+    areas.push_back(sum);
+  }
+  return areas;
+}
+
+/// By the cycle around it (1-based): the area of every bounded region, holes taken off.
+std::map<std::uint64_t, Rational> region_areas(const std::string& file) {
+  const std::vector<std::int64_t> twice = twice_cycle_areas(file);
+  const Json report = Json::parse(run({"map", "check", file, "--json"}).out);
+  std::map<std::uint64_t, Rational> areas;
+  for (const Json& region : report["regions"]) {
+    if (region["outer"].is_null()) continue;
+    const std::uint64_t outer = region["outer"];
+    std::int64_t sum = twice[outer - 1];
+    for (const std::uint64_t hole : region["holes"]) sum += twice[hole - 1];
+    areas[outer] = Rational(sum) / 2;
+  }
+  return areas;
+}
+
+/// The area of a GeoJSON polygon, holes taken off.
+double polygon_area(const Json& rings) {
+  double sum = 0;
+  for (const Json& ring : rings) {
+    EXPECT_EQ(ring.front(), ring.back());
+    const double x0 = ring[0][0], y0 = ring[0][1];
+    for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+      const double ax = ring[i][0], ay = ring[i][1], bx = ring[i + 1][0], by = ring[i + 1][1];
+      sum += (ax - x0) * (by - y0) - (ay - y0) * (bx - x0);
+    }
+  }
+  return sum / 2;
+}
+
+TEST(MapOverlayProgram, areas_of_states_over_counties_add_up_exactly) {
+  const ScratchDirectory scratch;
+  const std::string file = (scratch / "cells.geojson").string();
+  const RunResult result = run({"map", "overlay", kStates, kCounties, "-o", file, "--json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  RecordProperty("seconds", std::to_string(result.user_seconds));
+  const Json summary = Json::parse(result.out);
+  EXPECT_EQ(summary["areas_add_up"], true);
+  const Json cells = Json::parse(read_file(file));
+  EXPECT_EQ(cells["features"].size() + 1, summary["faces"]);
+  std::map<std::string, std::map<std::uint64_t, Rational>> sums;
+  Rational both = 0;
+  for (const Json& cell : cells["features"]) {
+    const Json& properties = cell["properties"];
+    const Rational area(properties["area"]["exact"].get<std::string>());
+    EXPECT_GT(area, 0);
+    for (const char* map : {"a", "b"}) {
+      if (!properties[map].is_null()) sums[map][properties[map].get<std::uint64_t>()] += area;
+    }
+    if (!properties["a"].is_null() && !properties["b"].is_null()) both += area;
+    const double told = properties["area"]["double"];
+    EXPECT_NEAR(polygon_area(cell["geometry"]["coordinates"]), told, 1e-6 * told + 1e-3);
+  }
+  EXPECT_EQ(sums["a"], region_areas(kStates));
+  EXPECT_EQ(sums["b"], region_areas(kCounties));
+  EXPECT_EQ(both, Rational(summary["both"]["area"]["exact"].get<std::string>()));
+}
+
+TEST(MapOverlayProgram, counts_are_the_same_both_ways_round) {
+  const Json ab = Json::parse(run({"map", "overlay", kStates, kCounties, "--json"}).out);
+  const Json ba = Json::parse(run({"map", "overlay", kCounties, kStates, "--json"}).out);
+  for (const char* key : {"vertices", "edges", "faces", "both", "neither"}) {
+    EXPECT_EQ(ab[key], ba[key]) << key;
+  }
+  EXPECT_EQ(ab["a"], ba["b"]);
+  EXPECT_EQ(ab["only_a"], ba["only_b"]);
+}
+
+TEST(MapOverlayProgram, a_map_over_itself_is_itself) {
+  const Json json = Json::parse(run({"map", "overlay", kStates, kStates, "--json"}).out);
+  EXPECT_EQ(json["a"], json["b"]);
+  EXPECT_EQ(json["both"]["cells"], json["a"]["regions"]);
+  EXPECT_EQ(json["both"]["area"], json["a"]["area"]);
+  EXPECT_EQ(json["only_a"]["cells"], 0);
+  EXPECT_EQ(json["only_b"]["cells"], 0);
+}
+
+TEST(MapOverlayProgram, writes_what_is_asked_where_it_is_asked) {
+  const ScratchDirectory scratch;
+  const std::string svg = (scratch / "out.svg").string();
+  const RunResult result = run({"map", "overlay", kStates, kStates, "-o", svg});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.out, "");
+  EXPECT_TRUE(read_file(svg).starts_with("<svg"));
+  const RunResult text = run({"map", "overlay", kStates, kStates});
+  EXPECT_TRUE(contains(text.out, "add up to every region's, exactly")) << text.out;
+  const RunResult piped = run({"map", "overlay", kStates, kStates, "-o", "-", "--format", "svg"});
+  EXPECT_EQ(piped.out, read_file(svg));
+}
+
+TEST(MapOverlayProgram, refuses_what_it_cannot_overlay) {
+  const ScratchDirectory scratch;
+  const std::string out = (scratch / "out.geojson").string();
+  const std::vector<std::pair<Words, std::string>> wrong{
+      {{kStates, kDefective}, kDefective + ": no planar subdivision to overlay: not a planar"},
+      {{kDefective, kStates}, kDefective + ": "},
+      {{kStates, "no/such.map"}, "no/such.map: "},
+      {{kStates}, "plumb: "},
+      {{"-", "-"}, "plumb: only one of the maps"},
+      {{kStates, kStates, "--format", "pdf"}, "plumb: --format: 'pdf' is none of text, json, svg"},
+  };
+  for (const auto& [files, message] : wrong) {
+    Words arguments{"map", "overlay"};
+    arguments.insert(arguments.end(), files.begin(), files.end());
+    arguments.insert(arguments.end(), {"-o", out, "--json"});
+    const RunResult result = run(arguments);
+    EXPECT_EQ(result.code, 2) << message;
+    EXPECT_EQ(result.out, "");
+    EXPECT_TRUE(result.err.starts_with(message)) << result.err;
+    EXPECT_EQ(scratch.files(), Words{});
+  }
+}
+
+TEST(MapOverlayProgram, stops_at_its_limits) {
+  const ScratchDirectory scratch;
+  const RunResult result = run({"map", "overlay", kStates, kCounties, "--limit-seconds", "0.000001",
+                                "-o", (scratch / "out.svg").string()});
+  EXPECT_EQ(result.code, 3);
+  EXPECT_EQ(scratch.files(), Words{});
+}
+
+TEST(MapOverlayProgram, completes_outer_boundaries_on_request) {
+  const ScratchDirectory scratch;
+  const std::string open = (scratch / "open.map").string();
+  write_file(open, "4 1\n0 0\n3 0\n3 1\n0 1\n1 2 3 4\n");
+  EXPECT_EQ(run({"map", "overlay", open, open}).code, 2);
+  const RunResult result = run({"map", "overlay", open, open, "--infer-outer", "--json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(Json::parse(result.out)["both"]["area"]["exact"], "3");
+}
+
+}  // namespace
+}  // namespace plumb::testing
