@@ -2,19 +2,15 @@
 //
 // Input: records of four bytes. The first chooses a map to begin with, {family, size, seed, options};
 // each other one is an edit {what, a, b, c}. The mutator works on records, so every input is a map.
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <random>
-#include <vector>
 
 #include "generate/garbage_maps.h"
 #include "generate/map_defects.h"
 #include "generate/map_families.h"
 #include "oracle_reached.h"
 #include "plane/checked.h"
-
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
+#include "record_mutator.h"
 
 namespace plumb::testing {
 namespace {
@@ -145,57 +141,6 @@ void run(const std::uint8_t* data, std::size_t size) {
   std::abort();
 }
 
-// ---------------------------------------------------------------- mutation
-
-using Bytes = std::vector<std::uint8_t>;
-
-std::uint8_t any_byte(std::minstd_rand& random) { return static_cast<std::uint8_t>(random() >> 8); }
-
-std::ptrdiff_t any_record(const Bytes& bytes, std::minstd_rand& random) {
-  return static_cast<std::ptrdiff_t>(random() % (bytes.size() / kRecord) * kRecord);
-}
-
-void insert_record(Bytes& bytes, std::minstd_rand& random) {
-  const std::uint8_t record[kRecord] = {any_byte(random), any_byte(random), any_byte(random),
-                                        any_byte(random)};
-  const std::ptrdiff_t at = any_record(bytes, random) + static_cast<std::ptrdiff_t>(kRecord);
-  bytes.insert(bytes.begin() + at, record, record + kRecord);
-}
-
-void erase_record(Bytes& bytes, std::minstd_rand& random) {
-  if (bytes.size() <= kRecord) return;
-  const std::ptrdiff_t at = any_record(bytes, random);
-  bytes.erase(bytes.begin() + at, bytes.begin() + at + static_cast<std::ptrdiff_t>(kRecord));
-}
-
-void swap_records(Bytes& bytes, std::minstd_rand& random) {
-  const std::ptrdiff_t at = any_record(bytes, random);
-  std::swap_ranges(bytes.begin() + at, bytes.begin() + at + static_cast<std::ptrdiff_t>(kRecord),
-                   bytes.begin() + any_record(bytes, random));
-}
-
-Bytes mutated(Bytes bytes, std::minstd_rand& random) {
-  bytes.resize(std::max(kRecord, bytes.size() / kRecord * kRecord));
-  switch (random() % 5) {
-    case 0:
-      insert_record(bytes, random);
-      break;
-    case 1:
-      erase_record(bytes, random);
-      break;
-    case 2:
-      swap_records(bytes, random);
-      break;
-    case 3:
-      bytes[random() % kRecord] = any_byte(random);
-      break;
-    default:
-      bytes[random() % bytes.size()] = any_byte(random);
-      break;
-  }
-  return bytes;
-}
-
 }  // namespace
 }  // namespace plumb::testing
 
@@ -204,13 +149,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return 0;
 }
 
-// One time in eight libFuzzer's own mutation, which also draws on its dictionary of comparisons.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t max_size, unsigned seed) {
-  std::minstd_rand random(seed + 1);
-  if (random() % 8 == 0) return LLVMFuzzerMutate(data, size, max_size);
-  const auto bytes = plumb::testing::mutated({data, data + size}, random);
-  const std::size_t kept = std::min(bytes.size(), max_size);
-  std::copy_n(bytes.begin(), kept, data);
-  return kept;
+  return plumb::fuzz::RecordMutator(plumb::testing::kRecord, seed).mutate(data, size, max_size);
 }

@@ -7,11 +7,8 @@
 
 #include "plumb/io/map_reader.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -20,16 +17,13 @@
 #include "oracle_reached.h"
 #include "plumb/base/error.h"
 #include "plumb/io/map_writer.h"
+#include "reader_laws.h"
 
 namespace {
 
 using plumb::Map;
-
-void require(bool holds, const char* law) {
-  if (holds) return;
-  std::fprintf(stderr, "broken: %s\n", law);
-  std::abort();
-}
+using plumb::fuzz::require;
+using plumb::fuzz::require_place;
 
 /// What a map of `bytes` bytes may be charged at most: a vertex line "1/3 2" (6 bytes) takes 16 + 32
 /// + 64 bytes; corners come in steps of 2^18 bytes.
@@ -39,21 +33,10 @@ plumb::Limits limits_for(std::size_t bytes) {
   return limits;
 }
 
-void require_place(const plumb::Error& error, std::string_view text) {
-  const plumb::TextPlace& place = error.place();
-  require(place.file == "fuzzed", "an error names the file");
-  const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
-  require(place.line >= 1 && place.line <= lines, "an error's line is one of the file");
-  std::string_view rest = text;
-  for (std::size_t i = 1; i < place.line; ++i) rest.remove_prefix(rest.find('\n') + 1);
-  const std::size_t length = rest.substr(0, rest.find('\n')).size();
-  require(place.column >= 1 && place.column <= length + 1, "an error's column lies in its line");
-}
-
 std::optional<Map> read(std::string_view text, bool exact_decimals) {
   plumb::Context context(limits_for(text.size()));
   try {
-    return plumb::read_map(text, {"fuzzed", exact_decimals}, context);
+    return plumb::read_map(text, {plumb::fuzz::kFileName, exact_decimals}, context);
   } catch (const plumb::Error& error) {
     const bool is_expansion = error.code() == plumb::ErrorCode::ResourceLimit;
     require(!is_expansion || exact_decimals, "memory charged is in proportion to the input");
