@@ -1,6 +1,7 @@
 // CPU time of this process.
 #pragma once
 
+#include <algorithm>
 #include <ctime>
 
 namespace plumb::bench {
@@ -11,6 +12,21 @@ inline double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+/// Seconds of one run: `once()` works and says how long it took. Other programs disturb caches:
+/// short runs are batched to 40 ms or more, and the least of three batches counts.
+template <class Once>
+double least_seconds(Once once) {
+  double least = 1e300;
+  for (int batch = 0; batch < 3; ++batch) {
+    double sum = 0;
+    int runs = 0;
+    for (; sum < 0.04; ++runs) sum += once();
+    least = std::min(least, sum / runs);
+    if (sum > 4) break;
+  }
+  return least;
 }
 
 }  // namespace plumb::bench

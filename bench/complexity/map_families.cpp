@@ -34,18 +34,8 @@ double seconds_once(const Map& map) {
   return seconds;
 }
 
-// Other programs disturb caches: short runs are batched to 40 ms or more, and the least of three batches
-// counts.
-double seconds_of(const Map& map) {
-  double least = 1e300;
-  for (int batch = 0; batch < 3; ++batch) {
-    double sum = 0;
-    int runs = 0;
-    for (; sum < 0.04; ++runs) sum += seconds_once(map);
-    least = std::min(least, sum / runs);
-    if (sum > 4) break;
-  }
-  return least;
+double least_seconds_of(const Map& map) {
+  return least_seconds([&map] { return seconds_once(map); });
 }
 
 std::vector<std::uint32_t> sizes_up_to(std::uint32_t most) {
@@ -62,7 +52,7 @@ PowerFit measure(const MapFamily& family, std::uint32_t most) {
   for (const std::uint32_t size : sizes_up_to(most)) {
     const testing::TestMap source = family.make(size);
     const auto faces = static_cast<double>(testing::face_count(source));
-    const Sample& s = samples.emplace_back(Sample{faces, seconds_of(to_map(source))});
+    const Sample& s = samples.emplace_back(Sample{faces, least_seconds_of(to_map(source))});
     fmt::print("{:20} {:9.0f} faces {:10.6f} s {:8.1f} ns a face\n", family.name, s.size, s.seconds,
                1e9 * s.seconds / s.size);
   }
