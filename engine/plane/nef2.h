@@ -35,6 +35,7 @@
 #include <vector>
 
 #include "plumb/base/context.h"
+#include "plumb/base/marks.h"
 #include "plumb/plane/map_check.h"
 #include "plumb/plane/plane_complex.h"
 
@@ -55,22 +56,6 @@ struct Line2 {
   /// Error{BadArgument} when a = b = 0.
   static Line2 from_coefficients(const Rational& a, const Rational& b, const Rational& c);
 };
-
-/// A function of two marks: what a point of both, of the first only, ... becomes.
-struct MarkFunction {
-  bool neither = false;
-  bool first_only = false;
-  bool second_only = false;
-  bool both = false;
-
-  constexpr bool operator()(bool first, bool second) const {
-    return first ? (second ? both : first_only) : (second ? second_only : neither);
-  }
-};
-inline constexpr MarkFunction kUnion{false, true, true, true};
-inline constexpr MarkFunction kIntersection{false, false, false, true};
-inline constexpr MarkFunction kDifference{false, true, false, false};
-inline constexpr MarkFunction kSymmetricDifference{false, true, true, false};
 
 /// An affine map: (x, y) -> (xx x + xy y + x0, yx x + yy y + y0).
 struct AffineMap2 {

@@ -1,0 +1,45 @@
+// Functions of marks: what a Boolean operation makes of the marks of its operands.
+//
+// A mark is 0 or 1: does the item belong to the set? kBeyond marks what lies outside the symbolic
+// cube that frames an unbounded set: no operation changes it, so the frame needs no case of its own.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace plumb {
+
+/// A function of two marks: what a point of both, of the first only, ... becomes.
+struct MarkFunction {
+  bool neither = false;
+  bool first_only = false;
+  bool second_only = false;
+  bool both = false;
+
+  constexpr bool operator()(bool first, bool second) const {
+    return first ? (second ? both : first_only) : (second ? second_only : neither);
+  }
+};
+inline constexpr MarkFunction kUnion{false, true, true, true};
+inline constexpr MarkFunction kIntersection{false, false, false, true};
+inline constexpr MarkFunction kDifference{false, true, false, false};
+inline constexpr MarkFunction kSymmetricDifference{false, true, true, false};
+
+/// 0, 1 or kBeyond.
+using Mark = std::uint8_t;
+inline constexpr Mark kBeyond = 2;
+
+/// A MarkFunction on marks that may be kBeyond. Both are beyond or none is.
+class MarkTable {
+ public:
+  constexpr explicit MarkTable(MarkFunction f)
+      : table_{f.neither, f.second_only, kBeyond, f.first_only, f.both,
+               kBeyond,   kBeyond,       kBeyond, kBeyond} {}
+
+  constexpr Mark operator()(Mark first, Mark second) const { return table_[first * 3U + second]; }
+
+ private:
+  std::array<Mark, 9> table_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,41 @@
+// Contacts: every point where a vertex, edge or facet of one complex meets one of another and the two
+// have no common direction there. With the vertices of both these are all places where a Boolean of
+// the two can have a vertex (SPACE.md 0).
+//
+// A pair of items meets in at most one point so: the pair IS the point, and no two constructed points
+// are ever compared.
+//
+//   vertex x vertex, edge, facet        the vertex lies in the other item's relative interior
+//   edge x edge                         not on one line, relative interiors cross
+//   edge x facet                        not in one plane, relative interiors cross
+//
+// Main flow:
+//  1. boxes       one box tree per complex; leaves are facets, free edges, isolated vertices
+//  2. pairs       dual descent: pairs of leaves whose boxes meet
+//  3. test        facets of different planes: each edge of one against the plane of the other;
+//                 facets of one plane: their edges in that plane; the same one dimension down for the rest
+//  4. unique      the same pair is found from every facet around it: sort, unique
+//
+// Cost: O(n log n + pairs of boxes). Memory: 16 bytes a contact found.
+#pragma once
+
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/space/space_complex.h"
+
+namespace plumb {
+
+struct Contact {
+  SpaceItem a;       ///< of the first complex: vertex, edge or facet
+  SpaceItem b;       ///< of the second
+  SpacePoint point;  ///< the vertex's point if one takes part (a's before b's); else constructed
+  friend bool operator==(const Contact&, const Contact&) = default;
+};
+
+/// All contacts, sorted by (a, b), each once. Both complexes refer to `tables`; constructed points are
+/// added to it. Throws what the context throws.
+std::vector<Contact> meet(const SpaceComplex& a, const SpaceComplex& b, SpaceTables& tables,
+                          Context& context);
+
+}  // namespace plumb
