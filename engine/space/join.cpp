@@ -1,0 +1,371 @@
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "plumb/base/error.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/plane_cycles.h"
+#include "plumb/space/space_draft.h"
+#include "plumb/space/volumes.h"
+
+namespace plumb {
+
+namespace {
+
+constexpr std::uint32_t kNone = SphereMap::kNone;
+
+/// Calls visit(half-arc) for those that leave a point, clockwise seen from outside.
+template <class Visit>
+void for_each_clockwise(const SphereMap& map, std::uint32_t point, Visit visit) {
+  const std::uint32_t first = map.first_out[point];
+  if (first == kNone) return;
+  std::uint32_t h = first;
+  do {
+    visit(h);
+    h = map.clockwise(h);
+  } while (h != first);
+}
+
+/// The join in progress: phases in the order of space_draft.h.
+class Joiner {
+ public:
+  Joiner(SpaceDraft& draft, Context& context)
+      : draft_(draft), maps_(draft.maps), context_(context) {}
+
+  SpaceComplex run() {
+    context_.checkpoint("join", 0, 5);
+    splice();
+    make_vertices();
+    make_edges();
+    make_stars();
+    context_.checkpoint("join", 1, 5);
+    link_uses();
+    trace_cycles();
+    context_.checkpoint("join", 2, 5);
+    gather_facets();
+    context_.checkpoint("join", 3, 5);
+    label_volumes(out_, context_);
+    copy_volume_marks();
+    return std::move(out_);
+  }
+
+ private:
+  // ---- vertices and edges
+
+  void splice() {
+    for (std::size_t v = 0; v < draft_.vertex_count(); ++v) {
+      if (draft_.is_passed[v] == 0) continue;
+      const std::uint32_t x = draft_.begin[v].point, y = x + 1;
+      const std::uint32_t a = draft_.twin[x], b = draft_.twin[y];
+      PLUMB_CHECK(a != kNone && b != kNone);
+      draft_.twin[a] = b;
+      draft_.twin[b] = a;
+    }
+  }
+
+  bool is_passed(std::uint32_t point) const {
+    return draft_.is_passed[draft_.vertex_of_point[point].value()] != 0;
+  }
+
+  void make_vertices() {
+    out_.tables = draft_.tables;
+    vertex_number_.resize(draft_.vertex_count());
+    for (std::size_t v = 0; v < draft_.vertex_count(); ++v) {
+      if (draft_.is_passed[v] != 0) continue;
+      vertex_number_[v] = VertexId(out_.vertex_count());
+      out_.vertex_point.push_back(draft_.vertex_point[v]);
+      out_.vertex_mark.push_back(draft_.vertex_mark[v]);
+    }
+    out_.vertex_facet.resize(out_.vertex_count());
+  }
+
+  void make_edges() {
+    halfedge_of_point_.resize(maps_.point_count());
+    for (std::uint32_t i = 0; i < maps_.point_count(); ++i) {
+      const std::uint32_t j = draft_.twin[i];
+      if (is_passed(i) || j < i) continue;
+      PLUMB_CHECK(j != kNone && j != i && maps_.point_mark[i] == maps_.point_mark[j]);
+      const auto e = static_cast<std::uint32_t>(out_.edge_count());
+      halfedge_of_point_[i] = HalfedgeId(2 * e);
+      halfedge_of_point_[j] = HalfedgeId(2 * e + 1);
+      out_.edge_planes.push_back({maps_.direction[i].p, maps_.direction[i].q});
+      out_.edge_mark.push_back(maps_.point_mark[i]);
+      out_.origin.push_back(vertex_number_[draft_.vertex_of_point[i].value()]);
+      out_.origin.push_back(vertex_number_[draft_.vertex_of_point[j].value()]);
+    }
+    out_.edge_use.resize(out_.edge_count());
+  }
+
+  void make_stars() {
+    out_.star_begin.assign(out_.vertex_count() + 1, 0);
+    for (const VertexId v : out_.origin) ++out_.star_begin[v.value() + 1];
+    std::partial_sum(out_.star_begin.begin(), out_.star_begin.end(), out_.star_begin.begin());
+    out_.star.resize(out_.origin.size());
+    std::vector<std::uint32_t> at(out_.star_begin.begin(), out_.star_begin.end() - 1);
+    for (std::uint32_t h = 0; h < out_.origin.size(); ++h) {
+      out_.star[at[out_.origin[h].value()]++] = HalfedgeId(h);
+    }
+  }
+
+  // ---- uses: one for each arc of a vertex that stays
+
+  void link_uses() {
+    use_of_arc_.assign(maps_.arc_count(), UseId());
+    for (std::uint32_t a = 0; a < maps_.arc_count(); ++a) {
+      if (maps_.is_loop(a) || is_passed(maps_.origin[2 * a])) continue;
+      use_of_arc_[a] = UseId(out_.use_count());
+      out_.use_halfedge.push_back(halfedge_of_point_[maps_.origin[2 * a]]);
+      arc_of_use_.push_back(a);
+    }
+    out_.use_next.resize(out_.use_count());
+    out_.use_prev.resize(out_.use_count());
+    out_.use_radial.resize(out_.use_count());
+    for (std::uint32_t i = 0; i < maps_.point_count(); ++i) {
+      if (!is_passed(i) && i < draft_.twin[i] && maps_.first_out[i] != kNone) link_edge(i);
+    }
+  }
+
+  /// Both rings of the edge, matched: half-arcs of one plane, one going out and one coming in.
+  void link_edge(std::uint32_t point) {
+    near_.clear();
+    far_.clear();
+    for_each_clockwise(maps_, point, [this](std::uint32_t h) { near_.push_back(h); });
+    for_each_clockwise(maps_, draft_.twin[point], [this](std::uint32_t h) { far_.push_back(h); });
+    PLUMB_CHECK(near_.size() == far_.size());
+    const std::size_t k = near_.size();
+    // Seen from the other end the same ring runs the other way.
+    std::reverse(far_.begin(), far_.end());
+    std::size_t shift = 0;
+    while (shift < k && !is_mirror(near_[0], far_[shift])) ++shift;
+    PLUMB_CHECK(shift < k);
+    radial_.clear();
+    for (std::size_t i = 0; i < k; ++i) {
+      const std::uint32_t x = near_[i], y = far_[(i + shift) % k];
+      PLUMB_CHECK(is_mirror(x, y));
+      const UseId of_x = use_of_arc_[x / 2], of_y = use_of_arc_[y / 2];
+      // An even half-arc is a corner that starts here: its use leaves along this edge.
+      const UseId leaving = x % 2 == 0 ? of_x : of_y, arriving_at = x % 2 == 0 ? of_y : of_x;
+      out_.use_next[leaving.value()] = arriving_at;
+      out_.use_prev[arriving_at.value()] = leaving;
+      radial_.push_back(leaving);
+    }
+    // `near_` runs clockwise around the half-edge that leaves `point`, which is half-edge 2e.
+    for (std::size_t i = 0; i < k; ++i) {
+      out_.use_radial[radial_[(i + 1) % k].value()] = radial_[i];
+    }
+    out_.edge_use[halfedge_of_point_[point].value() / 2] = radial_[0];
+  }
+
+  bool is_mirror(std::uint32_t x, std::uint32_t y) const {
+    return maps_.circle[x / 2] == maps_.circle[y / 2] && (x ^ y) % 2 == 1;
+  }
+
+  // ---- facets
+
+  /// Walks the cycles and makes each, for now, a facet of its own.
+  void trace_cycles() {
+    out_.use_facet.assign(out_.use_count(), FacetId());
+    for (std::uint32_t u = 0; u < out_.use_count(); ++u) {
+      if (out_.use_facet[u].is_valid()) continue;
+      const FacetId f(first_use_.size());
+      first_use_.push_back(UseId(u));
+      out_.facet_plane.push_back(maps_.circle[arc_of_use_[u]]);
+      for (UseId w(u); !out_.use_facet[w.value()].is_valid(); w = out_.use_next[w.value()]) {
+        out_.use_facet[w.value()] = f;
+      }
+    }
+  }
+
+  /// Cycles and inner vertices of one plane.
+  struct PlaneGroup {
+    std::vector<std::uint32_t> cycles;
+    std::vector<std::uint32_t> loops;  ///< arcs
+  };
+
+  void gather_facets() {
+    const auto cycles = static_cast<std::uint32_t>(first_use_.size());
+    parent_.assign(cycles, kNone);
+    std::vector<std::uint32_t> by_plane(cycles);
+    std::iota(by_plane.begin(), by_plane.end(), 0U);
+    std::stable_sort(by_plane.begin(), by_plane.end(), [this](std::uint32_t i, std::uint32_t j) {
+      return out_.facet_plane[i] < out_.facet_plane[j];
+    });
+    std::vector<std::uint32_t> loops;
+    for (std::uint32_t a = 0; a < maps_.arc_count(); ++a) {
+      if (maps_.is_loop(a)) loops.push_back(a);
+    }
+    std::stable_sort(loops.begin(), loops.end(), [this](std::uint32_t i, std::uint32_t j) {
+      return maps_.circle[i] < maps_.circle[j];
+    });
+    inner_of_cycle_.resize(cycles);
+    for (std::size_t i = 0, l = 0; i < by_plane.size();) {
+      const PlaneId plane = out_.facet_plane[by_plane[i]];
+      PlaneGroup group;
+      for (; i < by_plane.size() && out_.facet_plane[by_plane[i]] == plane; ++i) {
+        group.cycles.push_back(by_plane[i]);
+      }
+      for (; l < loops.size() && maps_.circle[loops[l]] == plane; ++l) {
+        group.loops.push_back(loops[l]);
+      }
+      nest(group);
+    }
+    number_facets();
+  }
+
+  void nest(const PlaneGroup& group) {
+    if (group.cycles.size() == 1 && group.loops.empty()) return;
+    std::vector<std::uint32_t> outer, holes;
+    for (const std::uint32_t c : group.cycles) {
+      (is_outer(out_, first_use_[c]) ? outer : holes).push_back(c);
+    }
+    for (const std::uint32_t c : holes) parent_[c] = container_of_cycle(outer, c);
+    for (const std::uint32_t a : group.loops) {
+      const VertexId v = vertex_of_loop(a);
+      const std::uint32_t c =
+          container(outer, [&](std::uint32_t o) { return is_inside(v, first_use_[o]); });
+      PLUMB_CHECK(c != kNone);
+      inner_of_cycle_[c].push_back(v);
+    }
+  }
+
+  VertexId vertex_of_loop(std::uint32_t arc) const {
+    const auto next =
+        std::upper_bound(draft_.begin.begin(), draft_.begin.end(), arc,
+                         [](std::uint32_t a, const SpaceDraft::Offsets& o) { return a < o.arc; });
+    return vertex_number_[static_cast<std::size_t>(next - draft_.begin.begin()) - 1];
+  }
+
+  bool is_inside(VertexId v, UseId cycle) const {
+    return side_of_cycle(out_, cycle, out_.vertex_point[v.value()]) == CycleSide::Inside;
+  }
+
+  /// Cycles of one plane do not cross, but may share vertices: one strictly inside decides.
+  bool is_inside(UseId cycle, UseId of) const {
+    UseId u = cycle;
+    do {
+      const CycleSide side = side_of_cycle(out_, of, out_.vertex_point[out_.use_origin(u).value()]);
+      if (side != CycleSide::On) return side == CycleSide::Inside;
+      u = out_.use_next[u.value()];
+    } while (u != cycle);
+    return false;
+  }
+
+  /// The innermost of the outer cycles that hold something.
+  template <class Holds>
+  std::uint32_t container(const std::vector<std::uint32_t>& outer, Holds holds) const {
+    std::uint32_t best = kNone;
+    for (const std::uint32_t o : outer) {
+      if (!holds(o)) continue;
+      if (best == kNone || is_inside(first_use_[o], first_use_[best])) best = o;
+    }
+    return best;
+  }
+
+  std::uint32_t container_of_cycle(const std::vector<std::uint32_t>& outer,
+                                   std::uint32_t hole) const {
+    const std::uint32_t c = container(
+        outer, [&](std::uint32_t o) { return is_inside(first_use_[hole], first_use_[o]); });
+    PLUMB_CHECK(c != kNone);
+    return c;
+  }
+
+  void number_facets() {
+    std::vector<std::vector<std::uint32_t>> holes(first_use_.size());
+    for (std::uint32_t c = 0; c < parent_.size(); ++c) {
+      if (parent_[c] != kNone) holes[parent_[c]].push_back(c);
+    }
+    std::vector<PlaneId> plane;
+    plane.swap(out_.facet_plane);
+    std::vector<FacetId> facet_of_cycle(first_use_.size());
+    out_.cycle_begin = {0};
+    out_.inner_begin = {0};
+    for (std::uint32_t c = 0; c < first_use_.size(); ++c) {
+      if (parent_[c] != kNone) continue;
+      const FacetId f(out_.facet_count());
+      const std::uint32_t arc = arc_of_use_[first_use_[c].value()];
+      out_.facet_plane.push_back(plane[c]);
+      out_.facet_mark.push_back(maps_.arc_mark[arc]);
+      out_.facet_origin.push_back(draft_.arc_origin[arc]);
+      facet_of_cycle[c] = f;
+      out_.cycle.push_back(first_use_[c]);
+      for (const std::uint32_t hole : holes[c]) {
+        facet_of_cycle[hole] = f;
+        out_.cycle.push_back(first_use_[hole]);
+      }
+      for (const VertexId v : inner_of_cycle_[c]) {
+        out_.inner.push_back(v);
+        out_.vertex_facet[v.value()] = f;
+      }
+      out_.cycle_begin.push_back(static_cast<std::uint32_t>(out_.cycle.size()));
+      out_.inner_begin.push_back(static_cast<std::uint32_t>(out_.inner.size()));
+    }
+    for (FacetId& f : out_.use_facet) f = facet_of_cycle[f.value()];
+    for (std::uint32_t u = 0; u < out_.use_count(); ++u) {
+      const FacetId f = out_.use_facet[u];
+      PLUMB_CHECK(maps_.arc_mark[arc_of_use_[u]] == out_.facet_mark[f.value()]);
+      std::uint32_t& origin = out_.facet_origin[f.value()];
+      origin = std::min(origin, draft_.arc_origin[arc_of_use_[u]]);
+    }
+  }
+
+  // ---- volumes
+
+  void set_volume_mark(VolumeId volume, Mark mark) {
+    Mark& known = out_.volume_mark[volume.value()];
+    std::uint8_t& is_known = is_marked_[volume.value()];
+    PLUMB_CHECK(is_known == 0 || known == mark);
+    known = mark;
+    is_known = 1;
+  }
+
+  void copy_volume_marks() {
+    is_marked_.assign(out_.volume_count(), 0);
+    for (std::uint32_t u = 0; u < out_.use_count(); ++u) {
+      const auto& volumes = out_.facet_volume[out_.use_facet[u].value()];
+      for (std::uint32_t side = 0; side < 2; ++side) {
+        set_volume_mark(volumes[side], maps_.face_mark[maps_.face[2 * arc_of_use_[u] + side]]);
+      }
+    }
+    for (std::uint32_t i = 0; i < maps_.point_count(); ++i) {
+      if (is_passed(i) || maps_.first_out[i] != kNone) continue;
+      set_volume_mark(out_.edge_volume[halfedge_of_point_[i].value() / 2],
+                      maps_.face_mark[maps_.point_face[i]]);
+    }
+    for (std::size_t v = 0; v < draft_.vertex_count(); ++v) {
+      if (draft_.is_passed[v] != 0) continue;
+      const VolumeId volume = out_.vertex_volume[vertex_number_[v].value()];
+      if (volume.is_valid()) set_volume_mark(volume, maps_.face_mark[draft_.begin[v].face]);
+    }
+  }
+
+  SpaceDraft& draft_;
+  const SphereMap& maps_;
+  Context& context_;
+  SpaceComplex out_;
+
+  std::vector<VertexId> vertex_number_;        // per draft vertex
+  std::vector<HalfedgeId> halfedge_of_point_;  // per point
+  std::vector<UseId> use_of_arc_;              // per arc
+  std::vector<std::uint32_t> arc_of_use_;      // per use
+  std::vector<UseId> first_use_;               // per cycle
+  std::vector<std::uint32_t> parent_;          // per cycle: the outer cycle around a hole
+  std::vector<std::vector<VertexId>> inner_of_cycle_;
+  std::vector<std::uint8_t> is_marked_;  // per volume
+  std::vector<std::uint32_t> near_, far_;
+  std::vector<UseId> radial_;
+};
+
+}  // namespace
+
+SpaceComplex join(SpaceDraft draft, Context& context) {
+  SpaceComplex whole;
+  if (draft.vertex_count() == 0) {
+    whole.tables = draft.tables;
+    whole.star_begin = whole.cycle_begin = whole.inner_begin = {0};
+    whole.volume_mark = {0};
+    return whole;
+  }
+  return Joiner(draft, context).run();
+}
+
+}  // namespace plumb

@@ -1,0 +1,406 @@
+#include "plumb/space/local_maps.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "plumb/base/error.h"
+#include "plumb/predicates/plane_signs.h"
+#include "plumb/sphere/sphere_overlay.h"
+
+namespace plumb {
+
+namespace {
+
+constexpr std::uint32_t kNone = SphereMap::kNone;
+
+void clear(LocalMap& local) {
+  local.map.clear();
+  local.halfedge.clear();
+  local.use.clear();
+  local.facet.clear();
+  local.volume.clear();
+}
+
+SphereDirection direction_of(const SpaceComplex& complex, HalfedgeId h) {
+  const auto& planes = complex.edge_planes[h.value() >> 1U];
+  if (SpaceComplex::is_reverse(h)) return {planes[1], planes[0]};
+  return {planes[0], planes[1]};
+}
+
+void add_point(const SpaceComplex& complex, HalfedgeId h, LocalMap& out) {
+  out.halfedge.push_back(h);
+  out.map.direction.push_back(direction_of(complex, h));
+  out.map.point_mark.push_back(complex.edge_mark[h.value() >> 1U]);
+  out.map.first_out.push_back(kNone);
+  out.map.point_face.push_back(kNone);
+}
+
+/// Adds an arc without points or faces yet.
+void add_arc(const SpaceComplex& complex, FacetId f, UseId use, LocalMap& out) {
+  out.use.push_back(use);
+  out.facet.push_back(f);
+  out.map.circle.push_back(complex.facet_plane[f.value()]);
+  out.map.arc_mark.push_back(complex.facet_mark[f.value()]);
+  out.map.origin.insert(out.map.origin.end(), 2, kNone);
+  const auto half = static_cast<std::uint32_t>(out.map.next.size());
+  out.map.next.insert(out.map.next.end(), {half, half + 1});
+  out.map.face.insert(out.map.face.end(), 2, kNone);
+}
+
+void add_loop(const SpaceComplex& complex, FacetId f, LocalMap& out) {
+  add_arc(complex, f, UseId(), out);
+}
+
+std::uint32_t add_face(const SpaceComplex& complex, VolumeId volume, LocalMap& out) {
+  const bool known = volume.is_valid() && volume.value() < complex.volume_count();
+  out.volume.push_back(volume);
+  out.map.face_mark.push_back(known ? complex.volume_mark[volume.value()] : 0);
+  return static_cast<std::uint32_t>(out.volume.size() - 1);
+}
+
+/// The volume to the left of a half-arc.
+VolumeId volume_left_of(const SpaceComplex& complex, const LocalMap& local, std::uint32_t half) {
+  const FacetId f = local.facet[half / 2];
+  if (complex.facet_volume.empty()) return VolumeId();
+  return complex.facet_volume[f.value()][half & 1U];
+}
+
+/// Half-arcs that leave one point, each the clockwise neighbour of the one after it.
+void link_ring(std::span<const std::uint32_t> counterclockwise, SphereMap& map) {
+  for (std::size_t i = 0; i < counterclockwise.size(); ++i) {
+    const std::uint32_t after = counterclockwise[i + 1 < counterclockwise.size() ? i + 1 : 0];
+    map.next[SphereMap::twin(after)] = counterclockwise[i];
+  }
+}
+
+// ---- edges and facets
+
+void map_facet(const SpaceComplex& complex, FacetId f, LocalMap& out) {
+  add_loop(complex, f, out);
+  for (std::uint32_t side = 0; side < 2; ++side) {
+    out.map.face[side] = add_face(complex, volume_left_of(complex, out, side), out);
+  }
+  out.map.centre_mark = complex.facet_mark[f.value()];
+}
+
+void map_edge(const SpaceComplex& complex, EdgeId e, LocalMap& out) {
+  SphereMap& map = out.map;
+  const HalfedgeId forward(2 * e.value()), backward(2 * e.value() + 1);
+  add_point(complex, forward, out);
+  add_point(complex, backward, out);
+  map.centre_mark = complex.edge_mark[e.value()];
+  const UseId first = complex.edge_use[e.value()];
+  if (!first.is_valid()) {
+    map.point_face[0] = map.point_face[1] = add_face(complex, complex.edge_volume[e.value()], out);
+    return;
+  }
+  std::vector<std::uint32_t> ring, reversed;
+  UseId u = first;
+  do {
+    const bool is_reverse = SpaceComplex::is_reverse(complex.use_halfedge[u.value()]);
+    const auto half = static_cast<std::uint32_t>(2 * out.use.size());
+    add_arc(complex, complex.use_facet[u.value()], u, out);
+    map.origin[half] = is_reverse ? 1 : 0;
+    map.origin[half + 1] = is_reverse ? 0 : 1;
+    ring.push_back(is_reverse ? half + 1 : half);
+    u = complex.use_radial[u.value()];
+  } while (u != first);
+  for (const std::uint32_t half : ring) reversed.push_back(SphereMap::twin(half));
+  std::reverse(reversed.begin(), reversed.end());
+  link_ring(ring, map);
+  link_ring(reversed, map);
+  map.first_out[0] = ring.front();
+  map.first_out[1] = SphereMap::twin(ring.front());
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const std::uint32_t after = ring[i + 1 < ring.size() ? i + 1 : 0];
+    map.face[ring[i]] = map.face[SphereMap::twin(after)] =
+        add_face(complex, volume_left_of(complex, out, ring[i]), out);
+  }
+}
+
+// ---- vertices
+
+/// Arcs by their use, for vertices of many facets by binary search.
+class ArcsByUse {
+ public:
+  explicit ArcsByUse(const std::vector<UseId>& use) : use_(use) {
+    if (use.size() <= kFew) return;
+    order_.resize(use.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    std::sort(order_.begin(), order_.end(),
+              [&use](std::uint32_t i, std::uint32_t j) { return use[i] < use[j]; });
+  }
+
+  std::uint32_t operator()(UseId u) const {
+    if (use_.size() <= kFew) {
+      return static_cast<std::uint32_t>(std::find(use_.begin(), use_.end(), u) - use_.begin());
+    }
+    return *std::lower_bound(order_.begin(), order_.end(), u,
+                             [this](std::uint32_t i, UseId v) { return use_[i] < v; });
+  }
+
+ private:
+  static constexpr std::size_t kFew = 12;
+  const std::vector<UseId>& use_;
+  std::vector<std::uint32_t> order_;
+};
+
+template <class Visit>
+void for_each_use(const SpaceComplex& complex, HalfedgeId h, Visit visit) {
+  const UseId first = complex.edge_use[h.value() >> 1U];
+  if (!first.is_valid()) return;
+  UseId u = first;
+  do {
+    visit(u);
+    u = complex.use_radial[u.value()];
+  } while (u != first);
+}
+
+/// Points and arcs of a vertex with their links, without faces.
+void link_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
+  SphereMap& map = out.map;
+  for (const HalfedgeId h : complex.star_of(v)) add_point(complex, h, out);
+  for (const HalfedgeId h : complex.star_of(v)) {
+    for_each_use(complex, h, [&](UseId u) {
+      if (complex.use_halfedge[u.value()] == h) {
+        add_arc(complex, complex.use_facet[u.value()], u, out);
+      }
+    });
+  }
+  const ArcsByUse arc_of(out.use);
+  std::vector<std::uint32_t> ring;
+  for (std::uint32_t i = 0; i < out.halfedge.size(); ++i) {
+    const HalfedgeId h = out.halfedge[i];
+    ring.clear();
+    for_each_use(complex, h, [&](UseId u) {
+      const bool leaves = complex.use_halfedge[u.value()] == h;
+      const std::uint32_t half =
+          leaves ? 2 * arc_of(u) : 2 * arc_of(complex.use_next[u.value()]) + 1;
+      map.origin[half] = i;
+      ring.push_back(half);
+    });
+    if (ring.empty()) continue;
+    if (SpaceComplex::is_reverse(h)) std::reverse(ring.begin(), ring.end());
+    link_ring(ring, map);
+    map.first_out[i] = ring.front();
+  }
+  const FacetId inside = complex.vertex_facet[v.value()];
+  if (inside.is_valid()) add_loop(complex, inside, out);
+}
+
+/// Numbers the orbits of next; returns how many.
+std::uint32_t trace_orbits(const SphereMap& map, std::vector<std::uint32_t>& orbit) {
+  orbit.assign(map.next.size(), kNone);
+  std::uint32_t count = 0;
+  for (std::uint32_t start = 0; start < orbit.size(); ++start) {
+    if (orbit[start] != kNone) continue;
+    for (std::uint32_t h = start; orbit[h] == kNone; h = map.next[h]) orbit[h] = count;
+    ++count;
+  }
+  return count;
+}
+
+std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+/// Groups the boundary cycles of a map that is not connected into faces. A component is a connected
+/// set of points and arcs; it lies in one boundary cycle of each other component.
+class CycleGroups {
+ public:
+  CycleGroups(const PlaneTable& planes, const SphereMap& map,
+              const std::vector<std::uint32_t>& orbit, std::uint32_t orbit_count)
+      : planes_(planes), map_(map), orbit_(orbit), orbit_count_(orbit_count) {
+    find_components();
+    group();
+  }
+
+  /// Class of an orbit; of the isolated point i: orbit_count + i.
+  std::uint32_t of_cycle(std::uint32_t cycle) { return root(class_, cycle); }
+
+ private:
+  struct Component {
+    std::vector<std::uint32_t> points;
+    std::vector<std::uint32_t> arcs;
+  };
+
+  void find_components() {
+    const auto points = static_cast<std::uint32_t>(map_.point_count());
+    std::vector<std::uint32_t> parent(points);
+    std::iota(parent.begin(), parent.end(), 0U);
+    for (std::uint32_t a = 0; a < map_.arc_count(); ++a) {
+      if (map_.is_loop(a)) continue;
+      parent[root(parent, map_.origin[2 * a])] = root(parent, map_.origin[2 * a + 1]);
+    }
+    std::vector<std::uint32_t> number(points, kNone);
+    for (std::uint32_t i = 0; i < points; ++i) {
+      const std::uint32_t r = root(parent, i);
+      if (number[r] == kNone) {
+        number[r] = static_cast<std::uint32_t>(components_.size());
+        components_.emplace_back();
+      }
+      components_[number[r]].points.push_back(i);
+    }
+    for (std::uint32_t a = 0; a < map_.arc_count(); ++a) {
+      if (map_.is_loop(a)) {
+        components_.push_back({{}, {a}});
+      } else {
+        components_[number[root(parent, map_.origin[2 * a])]].arcs.push_back(a);
+      }
+    }
+  }
+
+  /// A direction on the component.
+  SphereDirection some_direction(const Component& c) const {
+    if (!c.points.empty()) return map_.direction[c.points.front()];
+    const PlaneId circle = map_.circle[c.arcs.front()];
+    for (const PlaneId axis : {kPlaneX, kPlaneY}) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (minor_sign(planes_, circle, axis, i) != Sign::Zero) return {circle, axis};
+      }
+    }
+    PLUMB_CHECK(false);
+    return {};
+  }
+
+  /// The boundary cycle of `c` in whose region the direction lies.
+  std::uint32_t cycle_around(const Component& c, SphereDirection direction) const {
+    if (c.arcs.empty()) return orbit_count_ + c.points.front();
+    SphereMap part;
+    std::vector<std::uint32_t> half_of(map_.next.size(), kNone), point_of(map_.point_count());
+    std::vector<std::uint32_t> cycle_of_face, face_of(orbit_count_, kNone);
+    for (const std::uint32_t i : c.points) {
+      point_of[i] = static_cast<std::uint32_t>(part.point_count());
+      part.direction.push_back(map_.direction[i]);
+      part.point_mark.push_back(0);
+      part.point_face.push_back(kNone);
+    }
+    for (const std::uint32_t a : c.arcs) {
+      for (std::uint32_t h = 2 * a; h < 2 * a + 2; ++h) {
+        half_of[h] = static_cast<std::uint32_t>(part.origin.size());
+        part.origin.push_back(map_.origin[h] == kNone ? kNone : point_of[map_.origin[h]]);
+        if (face_of[orbit_[h]] == kNone) {
+          face_of[orbit_[h]] = static_cast<std::uint32_t>(cycle_of_face.size());
+          cycle_of_face.push_back(orbit_[h]);
+        }
+        part.face.push_back(face_of[orbit_[h]]);
+      }
+      part.circle.push_back(map_.circle[a]);
+      part.arc_mark.push_back(0);
+    }
+    for (const std::uint32_t a : c.arcs) {
+      for (std::uint32_t h = 2 * a; h < 2 * a + 2; ++h) part.next.push_back(half_of[map_.next[h]]);
+    }
+    for (const std::uint32_t i : c.points) part.first_out.push_back(half_of[map_.first_out[i]]);
+    part.face_mark.assign(cycle_of_face.size(), 0);
+    const SphereCell cell = locate(planes_, part, direction);
+    PLUMB_CHECK(cell.kind() == SphereCell::Kind::Face);
+    return cycle_of_face[cell.index()];
+  }
+
+  /// Two components bound a common face unless a third one separates them.
+  void group() {
+    const std::size_t n = components_.size();
+    std::vector<std::uint32_t> around(n * n, kNone);
+    for (std::size_t i = 0; i < n; ++i) {
+      const SphereDirection d = some_direction(components_[i]);
+      for (std::size_t j = 0; j < n; ++j) {
+        if (i != j) around[j * n + i] = cycle_around(components_[j], d);
+      }
+    }
+    class_.resize(orbit_count_ + map_.point_count());
+    std::iota(class_.begin(), class_.end(), 0U);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = i + 1; j < n; ++j) {
+        bool separated = false;
+        for (std::size_t k = 0; k < n && !separated; ++k) {
+          separated = k != i && k != j && around[k * n + i] != around[k * n + j];
+        }
+        if (!separated) class_[root(class_, around[i * n + j])] = root(class_, around[j * n + i]);
+      }
+    }
+  }
+
+  const PlaneTable& planes_;
+  const SphereMap& map_;
+  const std::vector<std::uint32_t>& orbit_;
+  std::uint32_t orbit_count_;
+  std::vector<Component> components_;
+  std::vector<std::uint32_t> class_;
+};
+
+/// Gives each class of boundary cycles a face, with the volume that a cycle of it knows.
+class FaceNumbers {
+ public:
+  FaceNumbers(const SpaceComplex& complex, std::size_t classes, LocalMap& out)
+      : complex_(complex), out_(out), face_(classes, kNone) {}
+
+  std::uint32_t operator()(std::uint32_t cycle_class, VolumeId volume) {
+    if (face_[cycle_class] == kNone) face_[cycle_class] = add_face(complex_, volume, out_);
+    return face_[cycle_class];
+  }
+
+ private:
+  const SpaceComplex& complex_;
+  LocalMap& out_;
+  std::vector<std::uint32_t> face_;
+};
+
+VolumeId volume_of_free_edge(const SpaceComplex& complex, HalfedgeId h) {
+  return complex.edge_volume.empty() ? VolumeId() : complex.edge_volume[h.value() >> 1U];
+}
+
+void map_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
+  SphereMap& map = out.map;
+  map.centre_mark = complex.vertex_mark[v.value()];
+  link_vertex(complex, v, out);
+  if (map.point_count() == 0 && map.arc_count() == 0) {
+    add_face(complex, complex.vertex_volume.empty() ? VolumeId() : complex.vertex_volume[v.value()],
+             out);
+    return;
+  }
+  std::vector<std::uint32_t> orbit;
+  const std::uint32_t orbits = trace_orbits(map, orbit);
+  const auto points = static_cast<std::uint32_t>(map.point_count());
+  FaceNumbers face(complex, orbits + points, out);
+  // Euler: V - E + F is 2 for each component that has both points and arcs.
+  const bool has_lone_parts =
+      complex.vertex_facet[v.value()].is_valid() ||
+      std::find(map.first_out.begin(), map.first_out.end(), kNone) != map.first_out.end();
+  const bool is_connected = !has_lone_parts && points + orbits == map.arc_count() + 2;
+  if (is_connected) {
+    for (std::uint32_t h = 0; h < map.next.size(); ++h) {
+      map.face[h] = face(orbit[h], volume_left_of(complex, out, h));
+    }
+    return;
+  }
+  CycleGroups groups(complex.planes(), map, orbit, orbits);
+  for (std::uint32_t h = 0; h < map.next.size(); ++h) {
+    map.face[h] = face(groups.of_cycle(orbit[h]), volume_left_of(complex, out, h));
+  }
+  for (std::uint32_t i = 0; i < points; ++i) {
+    if (map.first_out[i] != kNone) continue;
+    map.point_face[i] =
+        face(groups.of_cycle(orbits + i), volume_of_free_edge(complex, out.halfedge[i]));
+  }
+}
+
+}  // namespace
+
+void local_map(const SpaceComplex& complex, SpaceItem item, LocalMap& out) {
+  clear(out);
+  switch (item.kind()) {
+    case SpaceItem::Kind::Vertex:
+      return map_vertex(complex, item.vertex(), out);
+    case SpaceItem::Kind::Edge:
+      return map_edge(complex, item.edge(), out);
+    case SpaceItem::Kind::Facet:
+      return map_facet(complex, item.facet(), out);
+    case SpaceItem::Kind::Volume:
+      break;
+  }
+  PLUMB_CHECK(false);
+}
+
+}  // namespace plumb

@@ -1,0 +1,23 @@
+// Boundary cycles of facets in their plane: which run around a facet, which around a hole, and what
+// lies inside what.
+#pragma once
+
+#include "plumb/space/space_complex.h"
+
+namespace plumb {
+
+/// Where a point of a facet's plane lies relative to one boundary cycle.
+enum class CycleSide : std::uint8_t { Outside, On, Inside };
+
+/// Requires a point of the plane. Inside is where the cycle, seen from the positive side of the plane, winds
+/// around the point. O(length). Exact: crossing number along a coordinate line in the plane.
+CycleSide side_of_cycle(const SpaceComplex& complex, UseId cycle, SpacePoint x);
+
+/// Does the cycle bound its facet from outside (rather than a hole)? Decided at its least vertex: there
+/// a corner of more than half a turn belongs to a hole. O(length).
+bool is_outer(const SpaceComplex& complex, UseId cycle);
+
+/// The sign l in n_r x n_s = l (n_p x n_q), of pairs of planes that share the direction of their lines. Not Zero.
+Sign same_direction(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s);
+
+}  // namespace plumb
