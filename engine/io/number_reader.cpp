@@ -146,6 +146,25 @@ void NumberReader::read(const TextCursor& cursor, std::string_view token, ReadNu
                          : read_nearest(cursor, token, number);
 }
 
+/// True and the token taken: an integer that is a double, or a decimal that is to be rounded, of up to
+/// kMost characters. Otherwise nothing has happened.
+bool NumberReader::read_ordinary(TextCursor& cursor, ReadNumber& number) const {
+  constexpr std::size_t kMost = 32;
+  constexpr std::size_t kExact = 15;  // integers of so many digits are doubles
+  if (exact_decimals_) return false;
+  const std::string_view rest = cursor.rest().substr(0, kMost);
+  double value = 0;
+  const auto [end, code] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  const auto size = static_cast<std::size_t>(end - rest.data());
+  // from_chars also knows "inf" and "nan".
+  if (code != std::errc() || !std::isfinite(value)) return false;
+  if (size < rest.size() ? !TextCursor::ends_token(*end) : size == kMost) return false;
+  if (size > kExact && rest.substr(0, size).find('.') == rest.npos) return false;
+  number.set(value);
+  cursor.skip(size);
+  return true;
+}
+
 void NumberReader::read_integer(std::string_view token, ReadNumber& number) const {
   constexpr std::size_t kDoubleDigits = 15;  // 10^15 < 2^53
   const std::string_view digits = without_sign(token);

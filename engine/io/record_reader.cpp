@@ -70,18 +70,20 @@ std::string RecordReader::record_name() const {
   return std::string(record_) + ' ' + std::to_string(std::uint64_t{record_index_} + 1);
 }
 
-void RecordReader::read_point(PointTable2& points) {
-  for (ReadNumber* number : {&x_, &y_}) {
-    if (cursor_.at_line_end()) {
-      cursor_.fail(ErrorCode::Syntax, record_name() + " needs two numbers, x and y");
-    }
-    std::uint32_t small = 0;
-    if (cursor_.short_number(small)) {
-      number->set(small);
-    } else {
-      numbers_.read(cursor_, cursor_.token(), *number);
-    }
+void RecordReader::read_number(ReadNumber& number, std::string_view needs) {
+  if (cursor_.at_line_end()) {
+    cursor_.fail(ErrorCode::Syntax, record_name() + " needs " + std::string(needs));
   }
+  std::uint32_t small = 0;
+  if (cursor_.short_number(small)) {
+    number.set(small);
+  } else {
+    numbers_.read_next(cursor_, number);
+  }
+}
+
+void RecordReader::read_point(PointTable2& points) {
+  for (ReadNumber* number : {&x_, &y_}) read_number(*number, "two numbers, x and y");
   if (!cursor_.at_line_end()) {
     end_line("the end of the line after the two numbers of " + record_name());
   }

@@ -1,4 +1,4 @@
-// Reads files of counted records, one a line: what the map and .nef2 formats share.
+// Reads files of counted records, one a line: what map, OFF, text PLY, .nef2 and .nef share.
 //
 // Claims are held against the bytes that follow before anything is reserved for them; every error,
 // an exhausted memory limit included, is thrown with its place.
@@ -41,6 +41,8 @@ class RecordReader {
   /// "face 3": the record last begun, numbered from 1.
   std::string record_name() const;
 
+  /// The next number of the line; fails with "face 3 needs NEEDS" if there is none.
+  void read_number(ReadNumber& number, std::string_view needs);
   /// Two numbers x y and the end of the line: appended to `points`, exact ones charged.
   void read_point(PointTable2& points);
   /// The number of a `what`: in the text `lowest` to `count`, with a `lowest` of 0 or 1.

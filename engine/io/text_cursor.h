@@ -28,6 +28,14 @@ class TextCursor {
     return p_ == end_ || *p_ == '\n' || (*p_ == '\r' && skip_carriage_return());
   }
 
+  /// The same for formats in which a comment may end a line: it is skipped.
+  bool at_line_end_or_comment() {
+    if (at_line_end()) return true;
+    if (*p_ != '#') return false;
+    skip_comment();
+    return true;
+  }
+
   /// The next token: everything up to a blank or the end of the line. Requires !at_line_end().
   std::string_view token();
 
@@ -54,6 +62,10 @@ class TextCursor {
   }
 
   const char* position() const { return p_; }
+  /// All that follows the position.
+  std::string_view rest() const { return {p_, bytes_left()}; }
+  /// Past `bytes` bytes of the line.
+  void skip(std::size_t bytes) { p_ += bytes; }
   const char* line_start() const { return line_begin_; }
   std::size_t line() const { return line_; }
   std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - p_); }

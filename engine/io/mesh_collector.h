@@ -1,0 +1,88 @@
+// What the readers of mesh files have in common: collects points and faces, charged to a context.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "plumb/base/context.h"
+#include "plumb/base/error.h"
+#include "plumb/io/mesh_file.h"
+#include "plumb/io/number_reader.h"
+#include "plumb/io/text_cursor.h"
+
+namespace plumb {
+
+/// Limits are thrown without a place; readers add it (with_place).
+class MeshCollector {
+ public:
+  explicit MeshCollector(Context& context) : context_(context) {}
+
+  /// Room for so many points and faces, charged at once: for counts that the size of the file bears
+  /// out.
+  void expect(std::uint32_t points, std::uint32_t faces);
+
+  std::uint32_t point_count() const { return static_cast<std::uint32_t>(mesh_.points.size()); }
+  std::size_t face_count() const { return mesh_.face_count(); }
+
+  /// Requires finite coordinates. Negative zeros become zeros.
+  void add_point(const Point3& p) {
+    if (mesh_.points.size() == charged_points_) charge_points();
+    mesh_.points.push_back({p.x + 0.0, p.y + 0.0, p.z + 0.0});
+  }
+  void add_point(const ReadNumber& x, const ReadNumber& y, const ReadNumber& z) {
+    if (x.is_double() && y.is_double() && z.is_double()) {
+      add_point({x.as_double(), y.as_double(), z.as_double()});
+    } else {
+      add_exact_point({x.exact(), y.exact(), z.exact()});
+    }
+  }
+
+  /// The next corner of the face that end_face() ends.
+  void add_corner(std::uint32_t vertex) {
+    if (mesh_.corners.size() == charged_corners_) charge_corners();
+    mesh_.corners.push_back(vertex);
+  }
+  /// Ends a face. Returns what is wrong with it, if anything; it is not added then.
+  std::string end_face() {
+    const std::string flaw = flaw_of_face();
+    if (flaw.empty()) {
+      keep_face();
+    } else {
+      mesh_.corners.resize(mesh_.face_begin.back());
+    }
+    return flaw;
+  }
+
+  void note(std::string sentence) { notes_.push_back(std::move(sentence)); }
+
+  MeshFile take() { return {std::move(mesh_), std::move(notes_)}; }
+
+ private:
+  void add_exact_point(const RationalPoint3& p);
+  std::string flaw_of_face() const;
+  void keep_face();
+  void charge(std::uint64_t bytes) { context_.charge_memory(bytes, "the mesh"); }
+  void charge_points();
+  void charge_corners();
+
+  Context& context_;
+  PolygonMesh mesh_;
+  std::vector<std::string> notes_;
+  std::uint64_t charged_points_ = 0;
+  std::uint64_t charged_corners_ = 0;
+  std::uint64_t charged_faces_ = 0;
+};
+
+/// `read()`, where a limit that is met without a place is told at that of the cursor.
+template <class Read>
+auto with_place(const TextCursor& cursor, Read read) {
+  try {
+    return read();
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::ResourceLimit || !error.place().file.empty()) throw;
+    cursor.fail(error.code(), error.message());
+  }
+}
+
+}  // namespace plumb
