@@ -106,6 +106,15 @@ struct PlaneTable::Draft {
 
 PlaneTable::PlaneTable() : index_(std::make_unique<Index>()) {}
 PlaneTable::~PlaneTable() = default;
+PlaneTable::PlaneTable(const PlaneTable& other)
+    : points_(other.points_),
+      grids_(other.grids_),
+      rows_(other.rows_),
+      fingerprints_(other.fingerprints_),
+      sources_(other.sources_),
+      slots_(other.slots_),
+      limbs_(other.limbs_),
+      index_(std::make_unique<Index>(*other.index_)) {}
 PlaneTable::PlaneTable(PlaneTable&&) noexcept = default;
 PlaneTable& PlaneTable::operator=(PlaneTable&&) noexcept = default;
 
@@ -125,7 +134,7 @@ void PlaneTable::make_room(std::size_t planes) {
 InputPointId PlaneTable::add_points(std::span<const Point3> points) {
   const InputPointId first{points_.size()};
   points_.insert(points_.end(), points.begin(), points.end());
-  grids_.reserve(points_.size());
+  grids_.reserve(points_.capacity());
   for (const Point3& p : points) grids_.push_back({p.x, p.y, p.z});
   return first;
 }
@@ -134,12 +143,17 @@ OrientedPlane PlaneTable::find_or_add(const Draft& draft, Fingerprint fingerprin
   const Candidate candidate{this, draft.source, fingerprint};
   const auto found = index_->keys.find(candidate);
   if (found != index_->keys.end()) return {PlaneId(found->id), draft.is_flipped};
+  return {push(draft.row, fingerprint, draft.source), draft.is_flipped};
+}
+
+/// Requires a plane the table does not hold.
+PlaneId PlaneTable::push(const PlaneRow& row, Fingerprint fingerprint, const PlaneSource& source) {
   const PlaneId id{rows_.size()};
   index_->keys.insert({id.value(), static_cast<std::uint32_t>(fingerprint)});
-  rows_.push_back(draft.row);
+  rows_.push_back(row);
   fingerprints_.push_back(fingerprint);
-  sources_.push_back(draft.source);
-  return {id, draft.is_flipped};
+  sources_.push_back(source);
+  return id;
 }
 
 // --- planes through three points
@@ -424,16 +438,39 @@ PlaneSource PlaneTable::copy_slot(const PlaneTable& other, const PlaneSlot& slot
   const auto index = static_cast<std::uint32_t>(slots_.size());
   slots_.push_back(slot);
   slots_.back().first = limbs_.size();
-  for (PlaneId& parent : slots_.back().parents) {
-    if (parent.is_valid()) parent = map[parent.value()];
-  }
+  auto& parents = slots_.back().parents;
+  if (parents[0].is_valid()) parents = {map[parents[0].value()], map[parents[1].value()]};
+  if (!parents[0].is_valid() || !parents[1].is_valid()) parents = {};
   const std::uint64_t* from = other.limbs(slot);
   limbs_.insert(limbs_.end(), from, from + std::size_t{4} * slot.limbs);
   return {{PlaneSource::kExplicit, index, 0}};
 }
 
+PlaneTable::PlaneTable(const PlaneTable& other, std::span<const PlaneId> plane_map,
+                       std::span<const InputPointId> point_map)
+    : PlaneTable() {
+  for (std::size_t i = 0; i < point_map.size(); ++i) {
+    if (!point_map[i].is_valid()) continue;
+    points_.push_back(other.points_[i]);
+    grids_.push_back(other.grids_[i]);
+  }
+  reserve(static_cast<std::size_t>(
+      std::count_if(plane_map.begin(), plane_map.end(), [](PlaneId p) { return p.is_valid(); })));
+  for (std::size_t i = 0; i < plane_map.size(); ++i) {
+    if (!plane_map[i].is_valid()) continue;
+    PlaneSource source = other.sources_[i];
+    if (source.is_explicit()) {
+      source = copy_slot(other, other.slot(source), plane_map);
+    } else {
+      for (std::uint32_t& p : source.code) p = point_map[p].value();
+    }
+    push(other.rows_[i], other.fingerprints_[i], source);
+  }
+}
+
 std::vector<PlaneId> PlaneTable::merge(const PlaneTable& other) {
   const auto shift = add_points(other.points()).value();
+  make_room(other.size());
   std::vector<PlaneId> map;
   map.reserve(other.size());
   for (std::size_t i = 0; i < other.size(); ++i) {

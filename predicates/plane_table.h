@@ -104,6 +104,13 @@ class PlaneTable {
  public:
   PlaneTable();
   ~PlaneTable();
+  /// A copy with the same ids. Cost: that of copying the arrays; nothing is computed or looked up.
+  explicit PlaneTable(const PlaneTable& other);
+  /// The planes and input points of `other` that the maps give an id, under that id.
+  /// Requires of both maps: one entry for each plane (point), the valid ones 0, 1, 2, ... in order;
+  /// and every corner of a kept plane kept. A wall whose parents are not both kept forgets them.
+  PlaneTable(const PlaneTable& other, std::span<const PlaneId> plane_map,
+             std::span<const InputPointId> point_map);
   PlaneTable(PlaneTable&&) noexcept;
   PlaneTable& operator=(PlaneTable&&) noexcept;
 
@@ -137,7 +144,8 @@ class PlaneTable {
                         std::span<OrientedPlane> result);
   /// Adds the points and planes of another table: result[i] is its plane i here. Its points follow
   /// ours in their order. A hash join: nothing is computed anew but the confirmation of equal
-  /// planes.
+  /// planes. Canonical orientation belongs to the plane, so signs need no translation.
+  /// Requires another table than this one.
   std::vector<PlaneId> merge(const PlaneTable& other);
 
   // --- reading --------------------------------------------------------------------------------
@@ -165,6 +173,7 @@ class PlaneTable {
   void make_room(std::size_t planes);
   Draft draft(const PlaneSource& corners) const;
   OrientedPlane find_or_add(const Draft& draft, Fingerprint fingerprint);
+  PlaneId push(const PlaneRow& row, Fingerprint fingerprint, const PlaneSource& source);
   void intern_block(std::span<const std::array<InputPointId, 3>> triangles,
                     std::span<OrientedPlane> result, const ResidueSource& residues);
   PlaneSource push_slot(const IntegerRow& row, int scale, std::array<PlaneId, 2> parents);

@@ -132,9 +132,13 @@ void Point3Table::reserve(std::size_t points) {
   sources_.reserve(points);
 }
 
-SpacePoint Point3Table::push(const PointSource& source, const PointBox& fast) {
+SpacePoint Point3Table::add_new(const PointSource& source, const PointBox& fast) {
   PointBox box = fast;
   if (!is_good(box) && exact_box(exact3::operand(*this, source), box) == Sign::Zero) return {};
+  return add(source, box);
+}
+
+SpacePoint Point3Table::add(const PointSource& source, const PointBox& box) {
   boxes_.push_back(box);
   sources_.push_back(source);
   return SpacePoint::constructed(size() - 1);
@@ -142,11 +146,24 @@ SpacePoint Point3Table::push(const PointSource& source, const PointBox& fast) {
 
 SpacePoint Point3Table::add(PlaneId p, PlaneId q, PlaneId r) {
   if (p == q || q == r || p == r) return {};
-  return push({p, q, r}, fast_box(planes_->row(p), planes_->row(q), planes_->row(r)));
+  return add_new({p, q, r}, fast_box(planes_->row(p), planes_->row(q), planes_->row(r)));
 }
 
 SpacePoint Point3Table::add(InputPointId a, InputPointId b, PlaneId p) {
-  return push({a, b, p}, fast_box(planes_->point(a), planes_->point(b), planes_->row(p)));
+  return add_new({a, b, p}, fast_box(planes_->point(a), planes_->point(b), planes_->row(p)));
+}
+
+std::uint32_t Point3Table::merge(const Point3Table& other, std::span<const PlaneId> plane_map,
+                                 std::uint32_t input_offset) {
+  const std::size_t offset = size();
+  boxes_.insert(boxes_.end(), other.boxes_.begin(), other.boxes_.end());
+  sources_.reserve(boxes_.capacity());
+  for (const PointSource& source : other.sources_) {
+    sources_.push_back(
+        source.mapped([&](PlaneId p) { return plane_map[p.value()]; },
+                      [&](InputPointId p) { return InputPointId(p.value() + input_offset); }));
+  }
+  return static_cast<std::uint32_t>(offset);
 }
 
 }  // namespace plumb

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "plumb/predicates/plane_table.h"
@@ -62,6 +63,12 @@ class PointSource {
     return code_[2] == p.value() ||
            (!is_line() && (code_[0] == p.value() || code_[1] == p.value()));
   }
+  /// The same point under other ids: plane(PlaneId) -> PlaneId, input(InputPointId) -> InputPointId.
+  template <class PlaneMap, class InputMap>
+  constexpr PointSource mapped(const PlaneMap& plane, const InputMap& input) const {
+    if (is_line()) return {input(end(0)), input(end(1)), plane(this->plane(0))};
+    return {plane(this->plane(0)), plane(this->plane(1)), plane(this->plane(2))};
+  }
 
  private:
   static constexpr std::uint32_t kLine = std::uint32_t{1} << 31;
@@ -72,6 +79,11 @@ class Point3Table {
  public:
   /// The planes must outlive the table and stay where they are; planes may be added at any time.
   explicit Point3Table(const PlaneTable& planes) : planes_(&planes) {}
+  /// The same points on a table that has all the planes and input points of the other under the
+  /// same ids.
+  Point3Table(const PlaneTable& planes, const Point3Table& other) : Point3Table(other) {
+    planes_ = &planes;
+  }
 
   const PlaneTable& planes() const { return *planes_; }
   std::size_t size() const { return boxes_.size(); }
@@ -83,6 +95,13 @@ class Point3Table {
   SpacePoint add(PlaneId p, PlaneId q, PlaneId r);
   /// Where the line of two input points meets the plane. Not valid when it does not, or lies in it.
   SpacePoint add(InputPointId a, InputPointId b, PlaneId p);
+  /// A point known to exist and a box that holds it: one that moves from another table.
+  SpacePoint add(const PointSource& source, const PointBox& box);
+  /// Adds the points of a table whose planes were merged into ours: its plane i is plane_map[i], its
+  /// input point i is i + input_offset. Its constructed point i becomes i + the result. Boxes are
+  /// copied.
+  std::uint32_t merge(const Point3Table& other, std::span<const PlaneId> plane_map,
+                      std::uint32_t input_offset);
 
   /// Requires a constructed point.
   const PointSource& source(SpacePoint p) const { return sources_[p.index()]; }
@@ -94,7 +113,7 @@ class Point3Table {
   }
 
  private:
-  SpacePoint push(const PointSource& source, const PointBox& box);
+  SpacePoint add_new(const PointSource& source, const PointBox& fast);
 
   const PlaneTable* planes_;
   std::vector<PointBox> boxes_;
