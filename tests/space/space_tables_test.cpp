@@ -173,7 +173,7 @@ TEST(SpaceTables, CompactingChangesNoAnswer) {
     const CompactedTables small = compacted(*world.tables, world.planes, world.points);
     const World image = world.image(small.tables, small);
     const SpaceTables& tables = *small.tables;
-    EXPECT_LT(tables.planes.size(), world.tables->planes.size());
+    EXPECT_LE(tables.planes.size(), world.tables->planes.size());
     EXPECT_EQ(small(kPlaneY), kPlaneY);
     ASSERT_EQ(image.points.size(), world.points.size());
     for (std::size_t j = 0; j < world.points.size(); ++j) {
