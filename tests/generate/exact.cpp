@@ -27,6 +27,26 @@ bool operator<(const ExactPoint& a, const ExactPoint& b) {
   return a.x != b.x ? a.x < b.x : a.y < b.y;
 }
 
+bool operator<(const ExactPoint3& a, const ExactPoint3& b) {
+  if (a.x != b.x) return a.x < b.x;
+  return a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+ExactPoint3 operator+(const ExactPoint3& a, const ExactPoint3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+ExactPoint3 operator-(const ExactPoint3& a, const ExactPoint3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+ExactPoint3 operator*(const BigRational& factor, const ExactPoint3& p) {
+  return {factor * p.x, factor * p.y, factor * p.z};
+}
+ExactPoint3 cross(const ExactPoint3& a, const ExactPoint3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+BigRational dot(const ExactPoint3& a, const ExactPoint3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
 BigRational power_of_two(int k) {
   const BigInt power = BigInt(1) << static_cast<unsigned>(std::abs(k));
   return k >= 0 ? BigRational(power) : BigRational(BigInt(1), power);
@@ -41,11 +61,19 @@ BigRational exact_of(double value) {
 
 ExactPoint exact_of(Point2 point) { return {exact_of(point.x), exact_of(point.y)}; }
 
+ExactPoint3 exact_of(const Point3& point) {
+  return {exact_of(point.x), exact_of(point.y), exact_of(point.z)};
+}
+
 BigRational exact_of(const Rational& value) {
   return BigRational(big(numerator(value)), big(denominator(value)));
 }
 
 ExactPoint exact_of(const RationalPoint2& point) { return {exact_of(point.x), exact_of(point.y)}; }
+
+ExactPoint3 exact_of(const RationalPoint3& point) {
+  return {exact_of(point.x), exact_of(point.y), exact_of(point.z)};
+}
 
 Rational to_rational(const BigRational& value) {
   return Rational(Integer(numerator(value).str()), Integer(denominator(value).str()));

@@ -19,16 +19,32 @@ struct ExactPoint {
 };
 bool operator<(const ExactPoint& a, const ExactPoint& b);
 
+/// A point of space, in the same order.
+struct ExactPoint3 {
+  BigRational x;
+  BigRational y;
+  BigRational z;
+  friend bool operator==(const ExactPoint3&, const ExactPoint3&) = default;
+};
+bool operator<(const ExactPoint3& a, const ExactPoint3& b);
+ExactPoint3 operator+(const ExactPoint3& a, const ExactPoint3& b);
+ExactPoint3 operator-(const ExactPoint3& a, const ExactPoint3& b);
+ExactPoint3 operator*(const BigRational& factor, const ExactPoint3& p);
+ExactPoint3 cross(const ExactPoint3& a, const ExactPoint3& b);
+BigRational dot(const ExactPoint3& a, const ExactPoint3& b);
+
 /// 2^k for any k.
 BigRational power_of_two(int k);
 
 /// Exactly the value of a finite double.
 BigRational exact_of(double value);
 ExactPoint exact_of(Point2 point);
+ExactPoint3 exact_of(const Point3& point);
 
 /// Between the independent rationals here and the public ones of plumb; both lossless.
 BigRational exact_of(const Rational& value);
 ExactPoint exact_of(const RationalPoint2& point);
+ExactPoint3 exact_of(const RationalPoint3& point);
 Rational to_rational(const BigRational& value);
 
 /// The double equal to `value`; false when there is none.

@@ -23,28 +23,6 @@ enum What : std::uint8_t {
   kWhats
 };
 
-BigRational value(ProgramValues values, const BigRational& v, bool is_x) {
-  static const BigInt kTen30 = boost::multiprecision::pow(BigInt(10), 30);
-  switch (values) {
-    case ProgramValues::Tenths:
-      return exact_of(0.1 * v.convert_to<double>());
-    case ProgramValues::Thirds:
-      return v / 3;
-    case ProgramValues::Far:
-      return v + power_of_two(60);
-    case ProgramValues::Large:
-      return v * power_of_two(1000);
-    case ProgramValues::Small:
-      return v * power_of_two(-1060);
-    case ProgramValues::Uneven:
-      return v * power_of_two(is_x ? -500 : 500);
-    case ProgramValues::Long:
-      return v * BigRational(kTen30 + 1, kTen30 + 7);
-    default:
-      return v;
-  }
-}
-
 class StackMachine {
  public:
   StackMachine(std::span<const std::uint8_t> program, std::size_t max_lines)
@@ -209,10 +187,32 @@ class SceneProgram {
 
 }  // namespace
 
+BigRational program_value(ProgramValues values, const BigRational& v, int axis) {
+  static const BigInt kTen30 = boost::multiprecision::pow(BigInt(10), 30);
+  switch (values) {
+    case ProgramValues::Tenths:
+      return exact_of(0.1 * v.convert_to<double>());
+    case ProgramValues::Thirds:
+      return v / 3;
+    case ProgramValues::Far:
+      return v + power_of_two(60);
+    case ProgramValues::Large:
+      return v * power_of_two(1000);
+    case ProgramValues::Small:
+      return v * power_of_two(-1060);
+    case ProgramValues::Uneven:
+      return v * power_of_two(axis == 0 ? -500 : axis == 1 ? 500 : 0);
+    case ProgramValues::Long:
+      return v * BigRational(kTen30 + 1, kTen30 + 7);
+    default:
+      return v;
+  }
+}
+
 ExactPoint program_point(ProgramValues values, std::uint8_t byte) {
   const auto x = BigRational(byte & 7U) + BigRational((byte & 8U) == 0 ? 0 : 1, 2);
   const auto y = BigRational((byte >> 4U) & 7U) + BigRational((byte & 128U) == 0 ? 0 : 1, 3);
-  return {value(values, x, true), value(values, y, false)};
+  return {program_value(values, x, 0), program_value(values, y, 1)};
 }
 
 PlaneSetPointer set_of_program(std::span<const std::uint8_t> program, std::size_t max_lines) {

@@ -27,10 +27,13 @@ enum class ProgramValues : std::uint8_t {
   Far,     ///< plus 2^60: no doubles, and their nearest ones are all the same
   Large,   ///< times 2^1000
   Small,   ///< times 2^-1060: subnormal
-  Uneven,  ///< x times 2^-500, y times 2^500
+  Uneven,  ///< x times 2^-500, y times 2^500, z as it is
   Long,    ///< times (10^30 + 1) / (10^30 + 7)
 };
 inline constexpr int kProgramValues = 8;
+
+/// Of axis 0, 1 or 2.
+BigRational program_value(ProgramValues values, const BigRational& v, int axis);
 
 ExactPoint program_point(ProgramValues values, std::uint8_t byte);
 

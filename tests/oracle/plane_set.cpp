@@ -280,66 +280,6 @@ CellMarks marks_of(const PlaneSet& set, const LineCells& cells) {
       set.node);
 }
 
-// ---------------------------------------------------------------- operators
-
-CellMarks complement_of(CellMarks marks) {
-  marks.flip();
-  return marks;
-}
-
-CellMarks interior_of(const LineCells& cells, const CellMarks& marks) {
-  CellMarks result = marks;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    for (const std::size_t d : cells[c].around) result[c] = result[c] && marks[d];
-  }
-  return result;
-}
-
-CellMarks closure_of(const LineCells& cells, const CellMarks& marks) {
-  CellMarks result = marks;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    for (const std::size_t d : cells[c].around) result[c] = result[c] || marks[d];
-  }
-  return result;
-}
-
-namespace {
-
-CellMarks combined(SetOperator op, const CellMarks& first, const CellMarks& second) {
-  CellMarks result(first.size());
-  for (std::size_t c = 0; c < first.size(); ++c) {
-    const bool a = first[c];
-    const bool b = second[c];
-    result[c] = op == SetOperator::Union          ? a || b
-                : op == SetOperator::Intersection ? a && b
-                : op == SetOperator::Difference   ? a && !b
-                                                  : a != b;
-  }
-  return result;
-}
-
-}  // namespace
-
-CellMarks apply(SetOperator op, const LineCells& cells, const CellMarks& first,
-                const CellMarks& second) {
-  switch (op) {
-    case SetOperator::Complement:
-      return complement_of(first);
-    case SetOperator::Interior:
-      return interior_of(cells, first);
-    case SetOperator::Closure:
-      return closure_of(cells, first);
-    case SetOperator::Boundary:
-      return combined(SetOperator::Difference, closure_of(cells, first), interior_of(cells, first));
-    case SetOperator::Exterior:
-      return interior_of(cells, complement_of(first));
-    case SetOperator::Regularization:
-      return closure_of(cells, interior_of(cells, first));
-    default:
-      return combined(op, first, second);
-  }
-}
-
 std::optional<BigRational> area_of(const LineCells& cells, const CellMarks& marks) {
   BigRational sum = 0;
   for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -348,13 +288,6 @@ std::optional<BigRational> area_of(const LineCells& cells, const CellMarks& mark
     sum += cells[c].area;
   }
   return sum;
-}
-
-bool is_bounded(const LineCells& cells, const CellMarks& marks) {
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    if (marks[c] && cells[c].unbounded) return false;
-  }
-  return true;
 }
 
 // ---------------------------------------------------------------- affine maps
@@ -445,12 +378,6 @@ std::string to_text(const std::vector<Chain>& chains) {
 
 std::string to_text(Boundary boundary) {
   return boundary == Boundary::Closed ? "closed " : "open ";
-}
-
-std::string name_of(SetOperator op) {
-  static constexpr const char* kNames[] = {
-      "+", "*", "-", "^", "!", "interior", "closure", "boundary", "exterior", "regularization"};
-  return kNames[static_cast<int>(op)];
 }
 
 }  // namespace

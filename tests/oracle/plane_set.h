@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "oracle/cell_marks.h"
 #include "oracle/line_cells.h"
 #include "plumb/plane/nef2.h"
 
@@ -49,20 +50,6 @@ struct SetPoints {
   std::vector<ExactPoint> points;
 };
 
-enum class SetOperator {
-  Union,
-  Intersection,
-  Difference,
-  SymmetricDifference,  // from here on of one set
-  Complement,
-  Interior,
-  Closure,
-  Boundary,
-  Exterior,
-  Regularization,
-};
-inline bool is_binary(SetOperator op) { return op <= SetOperator::SymmetricDifference; }
-
 struct PlaneSet;
 using PlaneSetPointer = std::shared_ptr<const PlaneSet>;
 
@@ -88,20 +75,11 @@ void add_lines(const PlaneSet& set, std::vector<CellLine>& lines);
 /// All points named in it.
 void add_points(const PlaneSet& set, std::vector<ExactPoint>& points);
 
-/// Of every cell: does it belong to the set? The cells must be those of add_lines (and others).
-using CellMarks = std::vector<bool>;
+/// The cells must be those of add_lines (and others).
 CellMarks marks_of(const PlaneSet& set, const LineCells& cells);
-
-// The operators on marked cells.
-CellMarks apply(SetOperator op, const LineCells& cells, const CellMarks& first,
-                const CellMarks& second);
-CellMarks complement_of(CellMarks marks);
-CellMarks interior_of(const LineCells& cells, const CellMarks& marks);
-CellMarks closure_of(const LineCells& cells, const CellMarks& marks);
 
 /// None when infinite.
 std::optional<BigRational> area_of(const LineCells& cells, const CellMarks& marks);
-bool is_bounded(const LineCells& cells, const CellMarks& marks);
 
 /// The image under an affine map of determinant other than 0.
 PlaneSetPointer transformed(const PlaneSetPointer& set, const AffineMap2& map);
