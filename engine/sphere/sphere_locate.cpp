@@ -1,0 +1,60 @@
+// Where a direction lies in a map, and what a map is around its centre.
+#include "plumb/base/error.h"
+#include "plumb/sphere/sphere_overlay.h"
+#include "plumb/sphere/sphere_path.h"
+
+namespace plumb {
+namespace {
+
+bool is_on_arc(const PlaneTable& planes, const SphereMap& map, std::uint32_t a, SphereDirection u) {
+  const PlaneId c = map.circle[a];
+  return side_of(planes, u, c) == Sign::Zero &&
+         is_inside_arc(planes, map, a, place_on(planes, c, u));
+}
+
+std::uint32_t face_of(const SphereMap& map, SphereSlot slot) {
+  return slot.half_arc != SphereMap::kNone ? map.face[slot.half_arc] : map.point_face[slot.point];
+}
+
+bool all_are(const std::vector<Mark>& marks, Mark mark) {
+  for (const Mark m : marks) {
+    if (m != mark) return false;
+  }
+  return true;
+}
+
+bool is_edge(const PlaneTable& planes, const SphereMap& map) {
+  if (map.point_count() != 2 || !all_are(map.point_mark, map.centre_mark)) return false;
+  for (std::uint32_t a = 0; a < map.arc_count(); ++a) {
+    if (map.is_loop(a) || map.origin[2 * a] == map.origin[2 * a + 1]) return false;
+  }
+  return is_opposite(planes, map.direction[0], map.direction[1]);
+}
+
+}  // namespace
+
+SphereCell locate(const PlaneTable& planes, const SphereMap& map, SphereDirection direction) {
+  for (std::uint32_t v = 0; v < map.point_count(); ++v) {
+    if (is_same(planes, map.direction[v], direction)) return SphereCell::point(v);
+  }
+  for (std::uint32_t a = 0; a < map.arc_count(); ++a) {
+    if (is_on_arc(planes, map, a, direction)) return SphereCell::arc(a);
+  }
+  if (map.arc_count() == 0) return SphereCell::face(0);
+  std::vector<PathHit> hits;
+  walk_to_arc(planes, map, direction, 0, hits);
+  PLUMB_CHECK(!hits.empty() && hits.front().entry.is_valid());
+  return SphereCell::face(face_of(map, hits.front().entry));
+}
+
+PyramidKind classify(const PlaneTable& planes, const SphereMap& map) {
+  if (map.point_count() == 0 && map.arc_count() == 0) {
+    return map.face_mark[0] == map.centre_mark ? PyramidKind::Volume : PyramidKind::Vertex;
+  }
+  if (map.point_count() == 0 && map.arc_count() == 1) {
+    return map.arc_mark[0] == map.centre_mark ? PyramidKind::Facet : PyramidKind::Vertex;
+  }
+  return is_edge(planes, map) ? PyramidKind::Edge : PyramidKind::Vertex;
+}
+
+}  // namespace plumb

@@ -1,0 +1,145 @@
+// Overlays of sphere maps against the cells of all their circles.
+#include "plumb/sphere/sphere_overlay.h"
+
+#include <gtest/gtest.h>
+
+#include "generate/dice.h"
+#include "oracle/sphere_check.h"
+
+namespace plumb::testing {
+namespace {
+
+MarkFunction function_of(unsigned bits) {
+  return {(bits & 1U) != 0, (bits & 2U) != 0, (bits & 4U) != 0, (bits & 8U) != 0};
+}
+
+// A map of the engine beside the twin's marks.
+struct Twins {
+  SphereMap map;
+  SphereMarks marks;
+};
+
+class Family {
+ public:
+  Family(Dice& dice, std::size_t circles, std::int64_t reach)
+      : dice_(dice), normals_(any_normals(circles, reach)), cells_(normals_) {}
+
+  Twins half_sphere() {
+    const CellVector& n = normals_[dice_.below(normals_.size())];
+    const bool closed = dice_.below(2) == 0;
+    const bool other_side = dice_.below(2) == 0;
+    Twins result;
+    const OrientedPlane plane =
+        planes_.intern(to_rational(BigRational(n[0])), to_rational(BigRational(n[1])),
+                       to_rational(BigRational(n[2])), Rational(0));
+    SphereMap& map = result.map;
+    map.circle = {plane.plane()};
+    map.arc_mark = {static_cast<Mark>(closed ? 1 : 0)};
+    map.origin = {SphereMap::kNone, SphereMap::kNone};
+    map.next = {0, 1};
+    map.face = {0, 1};
+    const bool marks_left = plane.is_opposite() == other_side;
+    map.face_mark = {static_cast<Mark>(marks_left ? 1 : 0), static_cast<Mark>(marks_left ? 0 : 1)};
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      const int side = dot(n, cells_[c].sample).sign() * (other_side ? -1 : 1);
+      result.marks.push_back(side > 0 || (closed && side == 0));
+    }
+    return result;
+  }
+
+  Twins combine(const Twins& a, const Twins& b, MarkFunction f) {
+    Twins result;
+    SphereOrigins origins;
+    overlay_.combine(a.map, b.map, MarkTable(f), result.map, origins);
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      result.marks.push_back(f(a.marks[c], b.marks[c]));
+    }
+    EXPECT_EQ(difference(planes_, result.map, cells_, result.marks), "");
+    expect_origins(a.map, b.map, f, result.map, origins);
+    return result;
+  }
+
+  // A random expression of `leaves` half-spheres.
+  Twins any_set(std::size_t leaves) {
+    if (leaves == 1) return half_sphere();
+    const std::size_t left = 1 + dice_.below(leaves - 1);
+    const Twins a = any_set(left);
+    const Twins b = any_set(leaves - left);
+    return combine(a, b, function_of(dice_.below(16)));
+  }
+
+ private:
+  std::vector<CellVector> any_normals(std::size_t count, std::int64_t reach) {
+    std::vector<CellVector> normals;
+    while (normals.size() < count) {
+      const CellVector n{dice_.between(-reach, reach), dice_.between(-reach, reach),
+                         dice_.between(-reach, reach)};
+      if (n != CellVector{0, 0, 0}) normals.push_back(n);
+    }
+    return normals;
+  }
+
+  static Mark mark_of(const SphereMap& map, SphereCell cell) {
+    switch (cell.kind()) {
+      case SphereCell::Kind::Point:
+        return map.point_mark[cell.index()];
+      case SphereCell::Kind::Arc:
+        return map.arc_mark[cell.index()];
+      case SphereCell::Kind::Face:
+        break;
+    }
+    return map.face_mark[cell.index()];
+  }
+
+  void expect_origins(const SphereMap& a, const SphereMap& b, MarkFunction f, const SphereMap& map,
+                      const SphereOrigins& origins) {
+    const auto expect = [&](const std::vector<SphereOrigins::Pair>& pairs,
+                            const std::vector<Mark>& marks) {
+      ASSERT_EQ(pairs.size(), marks.size());
+      for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const Mark in_a = mark_of(a, pairs[i][0]);
+        const Mark in_b = mark_of(b, pairs[i][1]);
+        EXPECT_EQ(marks[i] != 0, f(in_a != 0, in_b != 0));
+      }
+    };
+    expect(origins.point, map.point_mark);
+    expect(origins.arc, map.arc_mark);
+    expect(origins.face, map.face_mark);
+    for (std::size_t v = 0; v < map.point_count(); ++v) {
+      EXPECT_EQ(locate(planes_, a, map.direction[v]), origins.point[v][0]);
+      EXPECT_EQ(locate(planes_, b, map.direction[v]), origins.point[v][1]);
+    }
+  }
+
+  Dice& dice_;
+  std::vector<CellVector> normals_;
+  SphereCells cells_;
+  PlaneTable planes_;
+  SphereOverlay overlay_{planes_};
+};
+
+TEST(SphereCells, OfCoordinateCirclesAreThoseOfAnOctahedron) {
+  const SphereCells cells({});
+  EXPECT_EQ(cells.size(), 6U + 12U + 8U);
+}
+
+TEST(SphereOverlay, OfFewCirclesIsTheTwins) {
+  for (std::uint64_t seed = 0; seed < 400 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    Family family(dice, 1 + dice.below(4), 1);
+    family.any_set(1 + dice.below(10));
+  }
+}
+
+TEST(SphereOverlay, OfMoreCirclesIsTheTwins) {
+  for (std::uint64_t seed = 0; seed < 100 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    Family family(dice, 4 + dice.below(4), 2);
+    family.any_set(4 + dice.below(10));
+  }
+}
+
+}  // namespace
+}  // namespace plumb::testing
