@@ -1,0 +1,64 @@
+// Points of space seen along a coordinate axis, as points of the plane: where questions about points of one
+// plane are asked.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/predicates/point_table2.h"
+
+namespace plumb {
+
+/// The axis to look along, and from which side.
+struct FlatView {
+  std::size_t axis = 2;
+  bool is_mirrored = false;  ///< from -axis: counter-clockwise there is counter-clockwise here
+
+  /// Looks onto the positive side of the (canonical) plane: along the axis that its normal is nearest
+  /// to. Orientations of its points then have the signs seen from its positive side.
+  static FlatView of_plane(const PlaneTable& planes, PlaneId plane);
+  /// The coordinate of space that is x (0) or y (1) of the view.
+  std::size_t coordinate(std::size_t i) const {
+    const bool is_second = (i == 1) != is_mirrored;
+    return (axis + (is_second ? 2 : 1)) % 3;
+  }
+};
+
+/// A list of points in a view. Predicates by index, exact.
+/// Ladder: doubles with the points' boxes; input points go on as orient2d() does, others in rationals.
+class FlatPoints {
+ public:
+  explicit FlatPoints(const Point3Table& points) : points_(points) {}
+
+  void reset(FlatView view);
+  void push_back(SpacePoint p);
+  std::uint32_t size() const { return static_cast<std::uint32_t>(at_.size()); }
+
+  /// Positive: i, j, k turn left.
+  Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const;
+  /// Lexicographic order, x first.
+  Sign compare(std::uint32_t i, std::uint32_t j) const;
+  /// For i, j, k counter-clockwise. Positive: l inside their circle.
+  Sign incircle(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) const;
+  /// The same points in a table of the plane.
+  PointTable2 table() const;
+
+ private:
+  struct Entry {
+    Point2 mid;
+    double radius;
+    SpacePoint point;
+  };
+  Sign compare_along(std::size_t i, std::size_t j, std::size_t side) const;
+  const RationalPoint2& exact_point(std::uint32_t i) const;
+
+  const Point3Table& points_;
+  FlatView view_;
+  std::vector<Entry> at_;
+  mutable std::vector<std::optional<RationalPoint2>> exact_;  // of constructed points, when asked
+};
+
+}  // namespace plumb

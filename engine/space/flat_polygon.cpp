@@ -1,0 +1,106 @@
+#include "plumb/space/flat_polygon.h"
+
+#include <algorithm>
+
+#include "plumb/plane/sweep.h"
+
+namespace plumb {
+namespace {
+
+/// One turn, never back: two changes of lexicographic direction, and no two turns of different signs.
+bool is_convex(const FlatPoints& points, std::span<const std::uint32_t> polygon) {
+  const std::size_t n = polygon.size();
+  Sign turn = Sign::Zero, direction = points.compare(polygon[n - 1], polygon[0]);
+  int changes = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t a = polygon[i], b = polygon[(i + 1) % n], c = polygon[(i + 2) % n];
+    const Sign next = points.compare(a, b), s = points.orient(a, b, c);
+    changes += next != direction ? 1 : 0;
+    direction = next;
+    if (s == Sign::Zero) continue;
+    if (turn != Sign::Zero && s != turn) return false;
+    turn = s;
+  }
+  return changes == 2 && turn != Sign::Zero;
+}
+
+/// Do segments meet in common ends only?
+class TouchVisitor final : public SweepVisitor {
+ public:
+  TouchVisitor(std::span<const SweepSegment> segments) : segments_(segments) {}
+
+  bool on_event(const SweepEvent& event) override {
+    is_crossing_ = event.points.size() != 1 || !ends_here(event.incoming, event.points[0]) ||
+                   !ends_here(event.outgoing, event.points[0]);
+    return !is_crossing_;
+  }
+  bool is_crossing() const { return is_crossing_; }
+
+ private:
+  bool ends_here(std::span<const SweepIncidence> at, std::uint32_t point) const {
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const SweepSegment& s = segments_[at[i].segment.value()];
+      if (s.from != point && s.to != point) return false;
+      if (i > 0 && at[i].bundle == at[i - 1].bundle) return false;
+    }
+    return true;
+  }
+
+  std::span<const SweepSegment> segments_;
+  bool is_crossing_ = false;
+};
+
+bool is_crossing(const FlatPoints& points, std::span<const IndexEdge> edges, Context& context) {
+  std::vector<SweepSegment> segments;
+  for (const IndexEdge& e : edges) segments.push_back({e[0], e[1]});
+  TouchVisitor visitor(segments);
+  sweep(points.table(), segments, visitor, context);
+  return visitor.is_crossing();
+}
+
+bool has_repeats(std::span<const std::uint32_t> polygon) {
+  std::vector<std::uint32_t> sorted(polygon.begin(), polygon.end());
+  std::sort(sorted.begin(), sorted.end());
+  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
+}  // namespace
+
+std::vector<IndexEdge> boundary_of(std::span<const std::uint32_t> polygon) {
+  std::vector<IndexEdge> edges;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    edges.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
+  }
+  // By undirected edge; then those there and those back cancel.
+  const auto key = [](const IndexEdge& e) { return std::minmax(e[0], e[1]); };
+  std::stable_sort(edges.begin(), edges.end(),
+                   [&](const IndexEdge& a, const IndexEdge& b) { return key(a) < key(b); });
+  std::vector<IndexEdge> kept;
+  for (const IndexEdge& e : edges) {
+    if (!kept.empty() && kept.back() == IndexEdge{e[1], e[0]}) {
+      kept.pop_back();
+    } else {
+      kept.push_back(e);
+    }
+  }
+  return kept;
+}
+
+PolygonShape shape_of(const FlatPoints& points, std::span<const std::uint32_t> polygon,
+                      Context& context) {
+  if (is_convex(points, polygon)) return PolygonShape::Simple;
+  const bool is_repeating = has_repeats(polygon);
+  if (is_crossing(points, boundary_of(polygon), context)) return PolygonShape::Crossing;
+  return is_repeating ? PolygonShape::Touching : PolygonShape::Simple;
+}
+
+Sign orientation_of(const FlatPoints& points, std::span<const std::uint32_t> polygon) {
+  const std::size_t n = polygon.size();
+  std::size_t least = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    if (points.compare(polygon[i], polygon[least]) == Sign::Negative) least = i;
+  }
+  return points.orient(polygon[(least + n - 1) % n], polygon[least], polygon[(least + 1) % n]);
+}
+
+}  // namespace plumb

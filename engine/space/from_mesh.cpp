@@ -1,0 +1,78 @@
+#include "plumb/space/from_mesh.h"
+
+#include <utility>
+
+#include "plumb/space/link_facets.h"
+#include "plumb/space/mesh_components.h"
+#include "plumb/space/mesh_facets.h"
+#include "plumb/space/mesh_links.h"
+#include "plumb/space/mesh_vertices.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::uint64_t kBytesPerCorner = 200;
+
+/// Vertices without a facet (corners of faces without area only) go.
+void drop_unused(MeshFacets& facets, MeshLinks& links, MeshVertices& vertices) {
+  std::vector<std::uint32_t> number(vertices.point.size(), 0);
+  for (const std::uint32_t v : facets.corner) number[v] = 1;
+  std::uint32_t count = 0;
+  for (std::uint32_t v = 0; v < number.size(); ++v) {
+    if (number[v] == 0) continue;
+    vertices.point[count] = vertices.point[v];
+    vertices.input[count] = vertices.input[v];
+    number[v] = count++;
+  }
+  if (count == number.size()) return;
+  vertices.point.resize(count);
+  vertices.input.resize(count);
+  for (std::uint32_t& v : facets.corner) v = number[v];
+  for (auto& [a, b] : links.end) {
+    a = number[a];
+    b = number[b];
+  }
+}
+
+void describe_components(const MeshFacets& facets, MeshComplex& result) {
+  MeshComponents components = find_components(result.complex, facets.jump);
+  result.component = std::move(components.of_facet);
+  for (const Sign s : components.volume) {
+    result.is_inside_out.push_back(s == Sign::Negative ? 1 : 0);
+  }
+  std::uint32_t next = 0;
+  for (std::uint32_t f = 0; f < facets.size(); ++f) {
+    if (result.component[f] != next) continue;
+    if (result.is_inside_out[next] != 0) result.report.inside_out.push_back(facets.origin[f]);
+    ++next;
+  }
+}
+
+}  // namespace
+
+MeshComplex complex_of_mesh(const PolygonMesh& mesh, const MeshOptions& options, Context& context) {
+  MeshComplex result;
+  MemoryCharge memory(context);
+  memory.add(kBytesPerCorner * mesh.corners.size(), "a mesh");
+  const auto tables = std::make_shared<SpaceTables>();
+  MeshVertices vertices = merge_equal_points(mesh, *tables);
+  result.report.vertices_merged = vertices.merged;
+  context.checkpoint("reading faces", 0, 1);
+  MeshFacets facets = flatten_mesh(mesh, vertices, *tables, result.report, context);
+  MeshLinks links = link_corners(facets, vertices.point.size());
+  result.report.doubled = merge_doubled(facets, links, vertices.point.size());
+  result.report.borders = trace_borders(facets, links);
+  for (auto& chain : result.report.borders) {
+    for (std::uint32_t& v : chain) v = vertices.input[v];
+  }
+  if (!result.report.is_closed() && !options.surface) return result;
+
+  context.checkpoint("linking facets", 0, 1);
+  drop_unused(facets, links, vertices);
+  result.complex = link_facets(facets, links, vertices.point, tables);
+  describe_components(facets, result);
+  result.jump = std::move(facets.jump);
+  return result;
+}
+
+}  // namespace plumb

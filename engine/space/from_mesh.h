@@ -1,0 +1,76 @@
+// From polygons to a complex in space: everything but volumes and marks.
+//
+// Main flow of complex_of_mesh():
+//  1. merge_equal_points   points of equal coordinates are one vertex; unused ones go
+//  2. flatten_mesh         a plane for every face; faces that are not planar or not simple become triangles,
+//                          faces without area go; each is reported
+//  3. merge_doubled        facets with the same boundary become one; jumps add up
+//  4. trace_borders        every directed edge as often as its reverse? else the border is listed
+//  5. link_facets          edges, uses, radial order, stars
+//  6. orient_components    connected parts and the signs of their volumes
+//  7. find_mesh_crossings  does the mesh meet itself anywhere but in common vertices and edges?
+//
+// What follows is up to the caller: label_volumes(), winding_numbers() of the jumps, marks by a rule,
+// simplification (which merges coplanar neighbours). A mesh that crosses itself must be arranged
+// first: its facets, planes and jumps are here, but its edges do not bound cells.
+//
+// Cost: O(n log n + c) for n corners and c pairs of triangles with common boxes. Memory: about 300
+// bytes a triangle.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/space/polygon_mesh.h"
+#include "plumb/space/space_complex.h"
+
+namespace plumb {
+
+struct MeshOptions {
+  bool surface = false;  ///< an open mesh is its facets (else: no complex, borders listed)
+  std::uint64_t max_listed = 1000;  ///< pairs of crossing faces to list; counts are complete
+};
+
+/// What was found in a mesh. Faces and vertices are numbers in the input, 0-based; lists ascend.
+struct MeshReport {
+  using FacePair = std::pair<std::uint32_t, std::uint32_t>;
+
+  std::uint64_t vertices_merged = 0;  ///< used points that have the coordinates of an earlier one
+  std::vector<std::uint32_t> degenerate;  ///< faces without area: left out
+  std::vector<std::uint32_t> trimmed;     ///< repeated corners and spikes (a b a) were cut off
+  std::vector<std::uint32_t> not_planar;  ///< triangulated
+  /// Not simple polygons: triangulated where their edges meet in common vertices only, else
+  /// replaced by a fan of triangles that winds as often around every point.
+  std::vector<std::uint32_t> not_simple;
+  std::vector<FacePair> doubled;  ///< (face, earlier face with the same boundary): one facet now
+  /// Where faces are missing: closed chains of vertices, in the direction in which a face that
+  /// closes the mesh would run.
+  std::vector<std::vector<std::uint32_t>> borders;
+  std::uint64_t crossing_count =
+      0;                            ///< pairs of facets that meet outside common vertices and edges
+  std::vector<FacePair> crossings;  ///< the first of them, each pair of faces once
+  std::vector<std::uint32_t> inside_out;  ///< components of negative volume, by their least face
+
+  bool is_closed() const { return borders.empty(); }
+  bool crosses_itself() const { return crossing_count > 0; }
+};
+
+/// A complex without volumes and marks (all 0), not minimal, and where its facets come from.
+struct MeshComplex {
+  SpaceComplex complex;  ///< facet_origin: the (least) input face
+  /// Per facet: how much the winding number rises from its negative to its positive side. An input
+  /// face has the outside, 0, where its corners are seen counter-clockwise, and 1 behind it.
+  std::vector<std::int32_t> jump;
+  /// Per facet. Components are closed, joined by edges, numbered by their least facet.
+  std::vector<std::uint32_t> component;
+  std::vector<std::uint8_t> is_inside_out;  ///< per component: negative volume
+  MeshReport report;
+};
+
+/// Throws Error{BadIndex} for a corner that is no vertex, Error{NotFinite}, and what the context
+/// throws. Of an open mesh without options.surface only the report is filled.
+MeshComplex complex_of_mesh(const PolygonMesh& mesh, const MeshOptions& options, Context& context);
+
+}  // namespace plumb

@@ -1,0 +1,234 @@
+#include "plumb/space/link_facets.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plumb/predicates/plane_signs.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/flat_points.h"
+
+namespace plumb {
+namespace {
+
+/// A point straight above or below p, seen along an axis: the other coordinates stay, so that the plane
+/// through p, another point and this one is exactly parallel to the axis. 0 and 1 keep numbers short.
+Point3 moved_along(Point3 p, std::size_t axis) {
+  double& c = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+  c = c == 0 ? 1 : 0;
+  return p;
+}
+
+class Linker {
+ public:
+  Linker(const MeshFacets& facets, const MeshLinks& links, std::span<const SpacePoint> points,
+         SpaceTables& tables)
+      : facets_(facets), links_(links), points_(points), tables_(tables) {}
+
+  SpaceComplex run() {
+    fill_vertices();
+    choose_planes();
+    fill_edges();
+    fill_uses();
+    fill_facets();
+    fill_stars();
+    return std::move(out_);
+  }
+
+ private:
+  void fill_vertices() {
+    const std::size_t n = points_.size();
+    out_.vertex_point.assign(points_.begin(), points_.end());
+    out_.vertex_mark.assign(n, 0);
+    out_.vertex_volume.resize(n);
+    out_.vertex_facet.resize(n);
+  }
+
+  // ---------------------------------------------------------------- planes of edges
+
+  PlaneId plane_of(std::uint32_t use) const { return facets_.plane[links_.facet[use]]; }
+
+  /// Two planes through every edge: of the first use, and the first other one; planes that share
+  /// a line are not parallel. Where there is none, one is made.
+  void choose_planes() {
+    out_.edge_planes.resize(links_.edge_count());
+    for (std::uint32_t e = 0; e < links_.edge_count(); ++e) {
+      const auto uses = links_.uses_of(e);
+      const PlaneId first = plane_of(uses[0]);
+      const auto other =
+          std::ranges::find_if(uses, [&](std::uint32_t u) { return plane_of(u) != first; });
+      out_.edge_planes[e] = {first, other == uses.end() ? PlaneId() : plane_of(*other)};
+      if (other == uses.end()) flat_edges_.push_back(e);
+    }
+    add_auxiliary_planes();
+  }
+
+  void add_auxiliary_planes() {
+    std::vector<std::array<InputPointId, 3>> triples;
+    std::vector<std::uint32_t> edges;
+    for (const std::uint32_t e : flat_edges_) {
+      const std::size_t axis = FlatView::of_plane(tables_.planes, out_.edge_planes[e][0]).axis;
+      const SpacePoint a = points_[links_.end[e][0]], b = points_[links_.end[e][1]];
+      if (a.is_input() && b.is_input()) {
+        const Point3 above = moved_along(tables_.planes.point(a.input()), axis);
+        triples.push_back({a.input(), b.input(), tables_.planes.add_point(above)});
+        edges.push_back(e);
+      } else {
+        out_.edge_planes[e][1] = rational_plane(a, b, axis);
+      }
+    }
+    std::vector<OrientedPlane> planes(triples.size());
+    tables_.planes.intern_triangles(triples, planes);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      out_.edge_planes[edges[i]][1] = planes[i].plane();
+    }
+  }
+
+  PlaneId rational_plane(SpacePoint a, SpacePoint b, std::size_t axis) {
+    const RationalPoint3 p = exact(tables_.points, a), q = exact(tables_.points, b);
+    const std::array<Rational, 3> at{p.x, p.y, p.z};
+    const std::array<Rational, 3> d{q.x - p.x, q.y - p.y, q.z - p.z};
+    const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+    std::array<Rational, 3> n;
+    n[i] = d[j];
+    n[j] = -d[i];
+    return tables_.planes.intern(n[0], n[1], n[2], -(n[i] * at[i] + n[j] * at[j])).plane();
+  }
+
+  // ---------------------------------------------------------------- edges
+
+  /// Half-edge 2e runs along n_p x n_q: from the lesser vertex if the two agree along the axis in
+  /// which the edge is longest.
+  void fill_edges() {
+    const std::size_t n = links_.edge_count();
+    out_.edge_mark.assign(n, 0);
+    out_.edge_volume.resize(n);
+    out_.edge_use.resize(n);
+    out_.origin.resize(2 * n);
+    for (std::uint32_t e = 0; e < n; ++e) {
+      const auto [a, b] = links_.end[e];
+      const std::size_t axis = longest_axis(points_[a], points_[b]);
+      const auto [p, q] = out_.edge_planes[e];
+      const bool is_up = compare_axis(tables_.points, points_[b], points_[a], axis) ==
+                         minor_sign(tables_.planes, p, q, axis);
+      out_.origin[2 * e] = VertexId(is_up ? a : b);
+      out_.origin[2 * e + 1] = VertexId(is_up ? b : a);
+    }
+  }
+
+  /// An axis in which the points differ; where doubles tell, that in which they differ most.
+  std::size_t longest_axis(SpacePoint a, SpacePoint b) const {
+    const auto p = tables_.points.box(a).mid, q = tables_.points.box(b).mid;
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+      if (std::fabs(q[i] - p[i]) > std::fabs(q[best] - p[best])) best = i;
+    }
+    if (q[best] - p[best] != 0) {
+      if (compare_axis(tables_.points, a, b, best) != Sign::Zero) return best;
+    }
+    best = 0;
+    while (compare_axis(tables_.points, a, b, best) == Sign::Zero) ++best;
+    return best;
+  }
+
+  // ---------------------------------------------------------------- uses
+
+  void fill_uses() {
+    const std::size_t n = facets_.corner.size();
+    out_.use_halfedge.resize(n);
+    out_.use_next.resize(n);
+    out_.use_prev.resize(n);
+    out_.use_radial.resize(n);
+    out_.use_facet.resize(n);
+    for (std::uint32_t u = 0; u < n; ++u) {
+      out_.use_next[u] = UseId(links_.next[u]);
+      out_.use_prev[links_.next[u]] = UseId(u);
+      out_.use_facet[u] = FacetId(links_.facet[u]);
+    }
+    for (std::uint32_t e = 0; e < links_.edge_count(); ++e) link_ring(e);
+  }
+
+  void link_ring(std::uint32_t e) {
+    const auto uses = links_.uses_of(e);
+    for (const std::uint32_t u : uses) {
+      const bool is_reverse = out_.origin[2 * e].value() != facets_.corner[u];
+      out_.use_halfedge[u] = HalfedgeId(2 * e + (is_reverse ? 1 : 0));
+    }
+    ring_.assign(uses.begin(), uses.end());
+    if (ring_.size() > 2) sort_ring(e);
+    for (std::size_t i = 0; i < ring_.size(); ++i) {
+      out_.use_radial[ring_[i]] = UseId(ring_[(i + 1) % ring_.size()]);
+    }
+    out_.edge_use[e] = UseId(ring_[0]);
+  }
+
+  /// Uses leave a half-edge's line along n x d (of 2e) or -n x d (of 2e + 1), so that their angles about
+  /// d are those of n and -n. Counted from the plane p = edge_planes[e][0]: 0 along n_p, 1 in the
+  /// half-turn after it, 2 along -n_p, 3 in the other half-turn.
+  void sort_ring(std::uint32_t e) {
+    const auto [p, q] = out_.edge_planes[e];
+    const auto sense = [&](std::uint32_t u) {
+      return SpaceComplex::is_reverse(out_.use_halfedge[u]) ? Sign::Negative : Sign::Positive;
+    };
+    const auto turn = [&](PlaneId m1, PlaneId m2) {
+      return m1 == m2 ? Sign::Zero : turn_about_line(tables_.planes, p, q, m1, m2);
+    };
+    const auto quarter = [&](std::uint32_t u) {
+      const Sign s = turn(p, plane_of(u)) * sense(u);
+      if (s == Sign::Zero) return sense(u) == Sign::Positive ? 0 : 2;
+      return s == Sign::Positive ? 1 : 3;
+    };
+    std::ranges::sort(ring_, [&](std::uint32_t u, std::uint32_t v) {
+      const int i = quarter(u), j = quarter(v);
+      if (i != j) return i < j;
+      const Sign s = turn(plane_of(u), plane_of(v)) * sense(u) * sense(v);
+      return s != Sign::Zero ? s == Sign::Positive : u < v;
+    });
+  }
+
+  // ---------------------------------------------------------------- facets, stars
+
+  void fill_facets() {
+    const std::size_t n = facets_.size();
+    out_.facet_plane = facets_.plane;
+    out_.facet_mark.assign(n, 0);
+    out_.facet_volume.resize(n);
+    out_.facet_origin = facets_.origin;
+    out_.inner_begin.assign(n + 1, 0);
+    for (std::uint32_t f = 0; f < n; ++f) {
+      out_.cycle_begin.push_back(f);
+      out_.cycle.emplace_back(facets_.begin[f]);
+    }
+    out_.cycle_begin.push_back(static_cast<std::uint32_t>(n));
+  }
+
+  void fill_stars() {
+    const std::size_t n = points_.size();
+    std::vector<std::uint32_t> next(n + 1, 0);
+    for (const VertexId v : out_.origin) ++next[v.value() + 1];
+    for (std::size_t v = 0; v < n; ++v) next[v + 1] += next[v];
+    out_.star_begin = next;
+    out_.star.resize(out_.origin.size());
+    for (std::uint32_t h = 0; h < out_.origin.size(); ++h) {
+      out_.star[next[out_.origin[h].value()]++] = HalfedgeId(h);
+    }
+  }
+
+  const MeshFacets& facets_;
+  const MeshLinks& links_;
+  std::span<const SpacePoint> points_;
+  SpaceTables& tables_;
+  SpaceComplex out_;
+  std::vector<std::uint32_t> flat_edges_;  // all facets there are in one plane
+  std::vector<std::uint32_t> ring_;
+};
+
+}  // namespace
+
+SpaceComplex link_facets(const MeshFacets& facets, const MeshLinks& links,
+                         std::span<const SpacePoint> points, std::shared_ptr<SpaceTables> tables) {
+  SpaceComplex complex = Linker(facets, links, points, *tables).run();
+  complex.tables = std::move(tables);
+  return complex;
+}
+
+}  // namespace plumb

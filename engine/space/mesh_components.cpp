@@ -1,0 +1,210 @@
+#include "plumb/space/mesh_components.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "plumb/predicates/point3_signs.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+class Joiner {
+ public:
+  Joiner(const SpaceComplex& complex, std::span<const std::int32_t> jump)
+      : complex_(complex), jump_(jump) {
+    for (std::uint32_t f = 0; f < complex.facet_count(); ++f) parent_.push_back(f);
+  }
+
+  std::vector<std::uint32_t> run(std::size_t& count) {
+    for (const bool is_plain : {true, false}) {
+      for (const UseId u : complex_.edge_use) {
+        const UseId v = complex_.use_radial[u.value()];
+        if ((complex_.use_radial[v.value()] == u) != is_plain) continue;
+        if (is_plain) {
+          unite(facet(u), facet(v));
+        } else {
+          unite_unbalanced(u);
+        }
+      }
+    }
+    return numbers(count);
+  }
+
+ private:
+  std::uint32_t facet(UseId u) const { return complex_.use_facet[u.value()].value(); }
+
+  std::uint32_t find(std::uint32_t f) {
+    while (parent_[f] != f) f = parent_[f] = parent_[parent_[f]];
+    return f;
+  }
+  void unite(std::uint32_t f, std::uint32_t g) {
+    f = find(f);
+    g = find(g);
+    if (f != g) parent_[std::max(f, g)] = std::min(f, g);
+  }
+
+  /// Components that run through the edge more often one way than the other belong together.
+  void unite_unbalanced(UseId first) {
+    sums_.clear();
+    UseId u = first;
+    do {
+      const std::int32_t jump = jump_[facet(u)];
+      const bool is_reverse = SpaceComplex::is_reverse(complex_.use_halfedge[u.value()]);
+      sum_of(find(facet(u))) += is_reverse ? -jump : jump;
+      u = complex_.use_radial[u.value()];
+    } while (u != first);
+    std::uint32_t one = kNone;
+    for (const auto& [root, sum] : sums_) {
+      if (sum == 0) continue;
+      if (one == kNone) one = root;
+      unite(one, root);
+    }
+  }
+  std::int32_t& sum_of(std::uint32_t root) {
+    for (auto& [r, sum] : sums_) {
+      if (r == root) return sum;
+    }
+    return sums_.emplace_back(root, 0).second;
+  }
+
+  std::vector<std::uint32_t> numbers(std::size_t& count) {
+    std::vector<std::uint32_t> number(parent_.size(), kNone);
+    count = 0;
+    for (std::uint32_t f = 0; f < parent_.size(); ++f) {
+      const std::uint32_t root = find(f);
+      if (number[root] == kNone) number[root] = static_cast<std::uint32_t>(count++);
+      number[f] = number[root];
+    }
+    return number;
+  }
+
+  const SpaceComplex& complex_;
+  std::span<const std::int32_t> jump_;
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::pair<std::uint32_t, std::int32_t>> sums_;
+};
+
+// ---------------------------------------------------------------- volumes
+
+/// Six times the volume of the cone over each facet, from the first corner of its component, summed.
+class VolumeSigns {
+ public:
+  VolumeSigns(const SpaceComplex& complex, std::span<const std::int32_t> jump,
+              const MeshComponents& components, std::size_t count)
+      : complex_(complex), jump_(jump), component_(components.of_facet), apex_(count) {}
+
+  std::vector<Sign> run() {
+    std::vector<Sum> sums(apex_.size());
+    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) add(f, sums[component_[f]]);
+    std::vector<Sign> signs;
+    bool is_unsure = false;
+    for (Sum& s : sums) {
+      s.is_sure = std::fabs(s.value) > s.error();  // not where something overflowed
+      is_unsure = is_unsure || !s.is_sure;
+      signs.push_back(sign_of(s.value));
+    }
+    if (is_unsure) decide(sums, signs);
+    return signs;
+  }
+
+ private:
+  struct Sum {
+    double value = 0;
+    double size = 0;   ///< sum of the magnitudes of all products
+    double reach = 1;  ///< of differences of coordinates
+    double terms = 0;
+    bool is_sure = false;
+    /// A term is off by less than 12 roundings of its magnitude, each partial sum by one more;
+    /// flushed subnormals lose less than 2^-1000 times the square of the reach.
+    double error() const { return (terms + 16) * (0x1p-51 * size + 0x1p-990 * reach * reach); }
+  };
+
+  UseId first_use(std::uint32_t f) const { return complex_.cycles_of(FacetId(f))[0]; }
+  UseId next(UseId u) const { return complex_.use_next[u.value()]; }
+
+  /// Calls visit(a, b, c) for a fan of the facet, canonical side out.
+  template <class Visit>
+  void for_fan(std::uint32_t f, const Visit& visit) const {
+    const UseId first = first_use(f);
+    for (UseId u = next(first); next(u) != first; u = next(u)) {
+      visit(point(first), point(u), point(next(u)));
+    }
+  }
+  SpacePoint point(UseId u) const { return complex_.vertex_point[complex_.use_origin(u).value()]; }
+
+  SpacePoint apex(std::uint32_t f) {
+    SpacePoint& p = apex_[component_[f]];
+    if (!p.is_valid()) p = point(first_use(f));
+    return p;
+  }
+
+  void add(std::uint32_t f, Sum& sum) {
+    using Vector3 = std::array<double, 3>;
+    const auto o = complex_.points().box(apex(f)).mid;
+    const auto from_apex = [&](SpacePoint p) {
+      const PointBox box = complex_.points().box(p);
+      const Vector3 d{box.mid[0] - o[0], box.mid[1] - o[1], box.mid[2] - o[2]};
+      // Constructed points are not what their boxes say.
+      if (!p.is_input()) sum.reach = std::numeric_limits<double>::infinity();
+      for (const double x : d) sum.reach = std::max(sum.reach, std::fabs(x));
+      return d;
+    };
+    const double times = -jump_[f];
+    for_fan(f, [&](SpacePoint p, SpacePoint q, SpacePoint r) {
+      const Vector3 a = from_apex(p), b = from_apex(q), c = from_apex(r);
+      double value = 0, size = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double s = b[(k + 1) % 3] * c[(k + 2) % 3], t = b[(k + 2) % 3] * c[(k + 1) % 3];
+        value += a[k] * (s - t);
+        size += std::fabs(a[k]) * (std::fabs(s) + std::fabs(t));
+      }
+      sum.value += times * value;
+      sum.size += std::fabs(times) * size;
+      sum.terms += 1;
+    });
+  }
+
+  void decide(const std::vector<Sum>& sums, std::vector<Sign>& signs) const {
+    std::vector<Rational> exact(sums.size());
+    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
+      if (!sums[component_[f]].is_sure) exact[component_[f]] += exact_cone(f);
+    }
+    for (std::size_t c = 0; c < sums.size(); ++c) {
+      if (!sums[c].is_sure) signs[c] = sign_of(exact[c]);
+    }
+  }
+
+  /// From the origin: the whole is closed.
+  Rational exact_cone(std::uint32_t f) const {
+    Rational sum;
+    for_fan(f, [&](SpacePoint p, SpacePoint q, SpacePoint r) {
+      const RationalPoint3 a = exact(complex_.points(), p), b = exact(complex_.points(), q),
+                           c = exact(complex_.points(), r);
+      sum += a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
+             a.z * (b.x * c.y - b.y * c.x);
+    });
+    return -jump_[f] * sum;
+  }
+
+  const SpaceComplex& complex_;
+  std::span<const std::int32_t> jump_;
+  const std::vector<std::uint32_t>& component_;
+  std::vector<SpacePoint> apex_;  // per component
+};
+
+}  // namespace
+
+MeshComponents find_components(const SpaceComplex& complex, std::span<const std::int32_t> jump) {
+  MeshComponents components;
+  std::size_t count = 0;
+  components.of_facet = Joiner(complex, jump).run(count);
+  components.volume = VolumeSigns(complex, jump, components, count).run();
+  return components;
+}
+
+}  // namespace plumb

@@ -1,0 +1,146 @@
+#include "plumb/space/mesh_vertices.h"
+
+#include <tsl/robin_map.h>
+
+#include <bit>
+#include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "plumb/base/error.h"
+#include "plumb/predicates/rounding.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::uint32_t kNone = MeshVertices::kNone;
+
+/// -0 becomes 0. By the bits: subnormals stay what they are, whatever FTZ/DAZ say.
+double without_negative_zero(double value) {
+  return std::bit_cast<std::uint64_t>(value) << 1U == 0 ? 0.0 : value;
+}
+
+struct Bits {
+  std::uint64_t x, y, z;
+  friend bool operator==(const Bits&, const Bits&) = default;
+};
+
+struct BitsHash {
+  std::size_t operator()(const Bits& b) const {
+    constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15U;
+    std::uint64_t h = b.x * kOdd;
+    h = (h ^ (h >> 29U) ^ b.y) * kOdd;
+    h = (h ^ (h >> 29U) ^ b.z) * kOdd;
+    return h ^ (h >> 32U);
+  }
+};
+
+struct RationalLess {
+  bool operator()(const RationalPoint3& a, const RationalPoint3& b) const {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  }
+};
+
+/// Adds points one after the other, each place once.
+class VertexMaker {
+ public:
+  VertexMaker(const PolygonMesh& mesh, SpaceTables& tables) : mesh_(mesh), tables_(tables) {}
+
+  MeshVertices make() {
+    mark_used();
+    doubles_.reserve(mesh_.points.size());
+    const auto* exact = mesh_.exact.data();
+    const auto* const exact_end = exact + mesh_.exact.size();
+    for (std::uint32_t i = 0; i < mesh_.points.size(); ++i) {
+      while (exact != exact_end && exact->first < i) ++exact;
+      if (result_.of_point[i] == kNone) continue;
+      const bool is_exact = exact != exact_end && exact->first == i;
+      result_.of_point[i] = is_exact ? find_or_add(i, exact->second) : find_or_add(i);
+    }
+    add_points();
+    return std::move(result_);
+  }
+
+ private:
+  void mark_used() {
+    result_.of_point.assign(mesh_.points.size(), kNone);
+    for (const std::uint32_t c : mesh_.corners) {
+      if (c >= mesh_.points.size()) {
+        throw Error(ErrorCode::BadIndex, "a face names vertex " + std::to_string(c) + " of " +
+                                             std::to_string(mesh_.points.size()));
+      }
+      result_.of_point[c] = 0;
+    }
+  }
+
+  std::uint32_t take(std::uint32_t known, std::uint32_t next) {
+    if (known != next) ++result_.merged;
+    return known;
+  }
+
+  std::uint32_t find_or_add(std::uint32_t i) {
+    const Point3& p = mesh_.points[i];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+      throw Error(ErrorCode::NotFinite, "vertex " + std::to_string(i) + " is not finite");
+    }
+    return find_or_add(i, Point3{without_negative_zero(p.x), without_negative_zero(p.y),
+                                 without_negative_zero(p.z)});
+  }
+
+  std::uint32_t find_or_add(std::uint32_t i, const Point3& p) {
+    const std::uint32_t next = count();
+    const Bits key{std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y),
+                   std::bit_cast<std::uint64_t>(p.z)};
+    const auto [at, is_new] = doubles_.try_emplace(key, next);
+    if (is_new) {
+      result_.input.push_back(i);
+      inputs_.push_back(p);
+      result_.point.emplace_back();
+    }
+    return take(at->second, next);
+  }
+
+  std::uint32_t find_or_add(std::uint32_t i, const RationalPoint3& p) {
+    const Point3 near{nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
+    if (is_exactly(near.x, p.x) && is_exactly(near.y, p.y) && is_exactly(near.z, p.z)) {
+      return find_or_add(i, near);
+    }
+    const std::uint32_t next = count();
+    const auto [at, is_new] = rationals_.try_emplace(p, next);
+    if (is_new) {
+      result_.input.push_back(i);
+      result_.point.push_back(add_point(tables_, p));
+    }
+    return take(at->second, next);
+  }
+
+  static bool is_exactly(double near, const Rational& x) {
+    return std::isfinite(near) && exact_rational(near) == x;
+  }
+
+  /// The vertices that are doubles, in one go.
+  void add_points() {
+    std::uint32_t id = tables_.planes.add_points(inputs_).value();
+    for (SpacePoint& p : result_.point) {
+      if (!p.is_valid()) p = SpacePoint(InputPointId(id++));
+    }
+  }
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(result_.input.size()); }
+
+  const PolygonMesh& mesh_;
+  SpaceTables& tables_;
+  MeshVertices result_;
+  std::vector<Point3> inputs_;
+  tsl::robin_map<Bits, std::uint32_t, BitsHash> doubles_;
+  std::map<RationalPoint3, std::uint32_t, RationalLess> rationals_;
+};
+
+}  // namespace
+
+MeshVertices merge_equal_points(const PolygonMesh& mesh, SpaceTables& tables) {
+  return VertexMaker(mesh, tables).make();
+}
+
+}  // namespace plumb

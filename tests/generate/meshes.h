@@ -1,0 +1,32 @@
+// Polygon meshes made by rule.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "plumb/space/polygon_mesh.h"
+
+namespace plumb::testing {
+
+using Face = std::vector<std::uint32_t>;
+
+PolygonMesh make_mesh(std::vector<Point3> points, const std::vector<Face>& faces);
+
+/// The box between two corners: six squares.
+PolygonMesh box_mesh(Point3 low, Point3 high);
+/// Four triangles; corners a, b, c counter-clockwise seen from outside, d behind them.
+PolygonMesh tetrahedron_mesh(Point3 a, Point3 b, Point3 c, Point3 d);
+/// A sphere of 20 * 4^depth triangles.
+PolygonMesh icosphere_mesh(int depth, double radius, Point3 centre);
+/// The prism over a polygon of the plane z = low, counter-clockwise.
+PolygonMesh prism_mesh(const std::vector<Point2>& polygon, double low, double high);
+
+PolygonMesh reversed(PolygonMesh mesh);
+/// Both, one after the other; vertices stay separate.
+PolygonMesh joined(PolygonMesh a, const PolygonMesh& b);
+PolygonMesh moved(PolygonMesh mesh, Point3 by);
+/// Every polygon a fan of triangles.
+PolygonMesh fanned(const PolygonMesh& mesh);
+
+}  // namespace plumb::testing
