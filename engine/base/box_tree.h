@@ -80,6 +80,10 @@ class BoxTree {
   template <class Visit>
   static void for_each_pair(const BoxTree& a, const BoxTree& b, Visit&& visit);
 
+  /// visit(i, j) for every two different boxes that meet; each pair once, in some order.
+  template <class Visit>
+  void for_each_pair_inside(Visit&& visit) const;
+
   /// limit = visit(i, entry) for boxes that the ray can enter at some t <= limit; the first limit is given.
   /// `entry` bounds t from below. Nearer nodes come first, so that a falling limit spares the rest; the
   /// boxes themselves do not come in an exact order.
@@ -115,6 +119,8 @@ class BoxTree {
 
   template <class Visit>
   static void descend(const BoxTree& a, Node m, const BoxTree& b, Node n, Visit& visit);
+  template <class Visit>
+  void descend_inside(Node n, Visit& visit) const;
   template <class Visit>
   static void meet_leaves(const BoxTree& a, Node m, const BoxTree& b, Node n, Visit& visit);
 
@@ -161,6 +167,28 @@ void BoxTree::descend(const BoxTree& a, Node m, const BoxTree& b, Node n, Visit&
       if (a.node(m.child(i)).meets(b.node(n))) descend(a, m.child(i), b, n, visit);
     } else if (a.node(m).meets(b.node(n.child(i)))) {
       descend(a, m, b, n.child(i), visit);
+    }
+  }
+}
+
+template <class Visit>
+void BoxTree::for_each_pair_inside(Visit&& visit) const {
+  if (!is_empty()) descend_inside({top(), 0}, visit);
+}
+
+template <class Visit>
+void BoxTree::descend_inside(Node n, Visit& visit) const {
+  if (!node(n).meets(node(n))) return;  // fills up its level
+  if (n.level > 0) {
+    const Node m = n.child(0), o = n.child(1);
+    descend_inside(m, visit);
+    descend_inside(o, visit);
+    if (node(m).meets(node(o))) descend(*this, m, *this, o, visit);
+    return;
+  }
+  for (std::size_t i = n.at * kLeaf; i < (n.at + 1) * kLeaf; ++i) {
+    for (std::size_t j = i + 1; j < (n.at + 1) * kLeaf; ++j) {
+      if (boxes_[i].meets(boxes_[j])) visit(order_[i], order_[j]);
     }
   }
 }

@@ -1,6 +1,7 @@
 #include "plumb/space/flat_polygon.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "plumb/plane/sweep.h"
 
@@ -66,24 +67,32 @@ bool has_repeats(std::span<const std::uint32_t> polygon) {
 
 }  // namespace
 
+void cancel_reverses(std::vector<IndexEdge>& edges) {
+  const auto key = [](const IndexEdge& e) {
+    return IndexEdge{std::min(e[0], e[1]), std::max(e[0], e[1])};
+  };
+  std::sort(edges.begin(), edges.end(), [&](const IndexEdge& a, const IndexEdge& b) {
+    return std::pair(key(a), a) < std::pair(key(b), b);
+  });
+  // In a run of one undirected edge: first all there, then all back.
+  std::size_t kept = 0;
+  for (const IndexEdge& e : edges) {
+    if (kept > 0 && edges[kept - 1] == IndexEdge{e[1], e[0]}) {
+      --kept;
+    } else {
+      edges[kept++] = e;
+    }
+  }
+  edges.resize(kept);
+}
+
 std::vector<IndexEdge> boundary_of(std::span<const std::uint32_t> polygon) {
   std::vector<IndexEdge> edges;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     edges.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
   }
-  // By undirected edge; then those there and those back cancel.
-  const auto key = [](const IndexEdge& e) { return std::minmax(e[0], e[1]); };
-  std::stable_sort(edges.begin(), edges.end(),
-                   [&](const IndexEdge& a, const IndexEdge& b) { return key(a) < key(b); });
-  std::vector<IndexEdge> kept;
-  for (const IndexEdge& e : edges) {
-    if (!kept.empty() && kept.back() == IndexEdge{e[1], e[0]}) {
-      kept.pop_back();
-    } else {
-      kept.push_back(e);
-    }
-  }
-  return kept;
+  cancel_reverses(edges);
+  return edges;
 }
 
 PolygonShape shape_of(const FlatPoints& points, std::span<const std::uint32_t> polygon,

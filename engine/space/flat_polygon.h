@@ -25,6 +25,9 @@ PolygonShape shape_of(const FlatPoints& points, std::span<const std::uint32_t> p
 /// Requires a Simple polygon that is not all on a line. Positive: counter-clockwise.
 Sign orientation_of(const FlatPoints& points, std::span<const std::uint32_t> polygon);
 
+/// Without those there whose reverse is there too: neither stays. Sorts the others.
+void cancel_reverses(std::vector<IndexEdge>& edges);
+
 /// The directed edges of a polygon without those that it runs there and back.
 std::vector<IndexEdge> boundary_of(std::span<const std::uint32_t> polygon);
 

@@ -1,9 +1,12 @@
 #include "plumb/space/from_mesh.h"
 
+#include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "plumb/space/link_facets.h"
 #include "plumb/space/mesh_components.h"
+#include "plumb/space/mesh_crossings.h"
 #include "plumb/space/mesh_facets.h"
 #include "plumb/space/mesh_links.h"
 #include "plumb/space/mesh_vertices.h"
@@ -48,6 +51,19 @@ void describe_components(const MeshFacets& facets, MeshComplex& result) {
   }
 }
 
+void describe_crossings(const MeshOptions& options, MeshComplex& result, Context& context) {
+  const SpaceComplex& complex = result.complex;
+  std::vector<MeshReport::FacePair> pairs;
+  for (const auto& [f, g] : find_mesh_crossings(complex, context)) {
+    pairs.emplace_back(complex.facet_origin[f.value()], complex.facet_origin[g.value()]);
+  }
+  result.report.crossing_count = pairs.size();
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  pairs.resize(std::min<std::uint64_t>(pairs.size(), options.max_listed));
+  result.report.crossings = std::move(pairs);
+}
+
 }  // namespace
 
 MeshComplex complex_of_mesh(const PolygonMesh& mesh, const MeshOptions& options, Context& context) {
@@ -71,6 +87,7 @@ MeshComplex complex_of_mesh(const PolygonMesh& mesh, const MeshOptions& options,
   drop_unused(facets, links, vertices);
   result.complex = link_facets(facets, links, vertices.point, tables);
   describe_components(facets, result);
+  describe_crossings(options, result, context);
   result.jump = std::move(facets.jump);
   return result;
 }

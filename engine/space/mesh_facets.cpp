@@ -280,10 +280,9 @@ class Flattener {
   /// Constrained Delaunay triangles, wound as the polygon is.
   bool add_delaunay_pieces() {
     std::vector<IndexEdge> edges = boundary_of(local_);
-    if (edges.empty()) return true;
-    if (!triangulate(flat_, edges, {}, pieces_)) {
+    if (!triangulate(flat_, edges, pieces_)) {
       for (IndexEdge& e : edges) std::swap(e[0], e[1]);
-      if (!triangulate(flat_, edges, {}, pieces_)) return false;
+      if (!triangulate(flat_, edges, pieces_)) return false;
       make_delaunay(flat_, edges, pieces_);
       for (IndexTriangle& t : pieces_) std::swap(t[1], t[2]);
       return true;

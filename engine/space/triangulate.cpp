@@ -1,6 +1,7 @@
 #include "plumb/space/triangulate.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -35,10 +36,9 @@ struct ChainPart {
 
 class RegionSweep {
  public:
-  RegionSweep(const FlatPoints& points, std::span<const IndexEdge> edges,
-              std::span<const std::uint32_t> isolated)
+  RegionSweep(const FlatPoints& points, std::span<const IndexEdge> edges)
       : points_(points), status_(Below{this}) {
-    rank_points(edges, isolated);
+    rank_points();
     for (const IndexEdge& e : edges) add_edge(rank_[e[0]], rank_[e[1]]);
     gather_ends();
   }
@@ -72,16 +72,13 @@ class RegionSweep {
 
   // ---------------------------------------------------------------- set-up
 
-  void rank_points(std::span<const IndexEdge> edges, std::span<const std::uint32_t> isolated) {
-    rank_.assign(points_.size(), kNone);
-    for (const IndexEdge& e : edges) rank_[e[0]] = rank_[e[1]] = 0;
-    for (const std::uint32_t i : isolated) rank_[i] = 0;
-    for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      if (rank_[i] != kNone) order_.push_back(i);
-    }
+  void rank_points() {
+    order_.resize(points_.size());
+    std::iota(order_.begin(), order_.end(), 0U);
     std::sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) {
       return points_.compare(i, j) == Sign::Negative;
     });
+    rank_.resize(order_.size());
     for (std::uint32_t r = 0; r < order_.size(); ++r) rank_[order_[r]] = r;
   }
 
@@ -265,8 +262,8 @@ class RegionSweep {
 }  // namespace
 
 bool triangulate(const FlatPoints& points, std::span<const IndexEdge> edges,
-                 std::span<const std::uint32_t> isolated, std::vector<IndexTriangle>& triangles) {
-  return RegionSweep(points, edges, isolated).run(triangles);
+                 std::vector<IndexTriangle>& triangles) {
+  return RegionSweep(points, edges).run(triangles);
 }
 
 // ---------------------------------------------------------------- Delaunay

@@ -18,13 +18,13 @@ namespace plumb {
 using IndexEdge = std::array<std::uint32_t, 2>;
 using IndexTriangle = std::array<std::uint32_t, 3>;
 
-/// Appends triangles, counter-clockwise, whose corners are all given points and whose union is
-/// the region to the left of the edges. Requires all points to be different and edges that meet each other in
-/// common ends only; `isolated` are points inside the region to be used, other points without edges are
-/// not looked at. False, and nothing appended: the edges have no region to their left (somewhere it would
-/// be covered twice, or be left of nothing). O(n log n).
+/// Appends triangles, counter-clockwise, whose corners are given points and whose union is the region to
+/// the left of the edges. Points inside the region are corners too. Requires all points to be
+/// different and edges that meet each other and points in their ends only. False, and nothing appended: the
+/// edges have no region to their left (somewhere it would be covered twice, or less than once).
+/// O(n log n).
 bool triangulate(const FlatPoints& points, std::span<const IndexEdge> edges,
-                 std::span<const std::uint32_t> isolated, std::vector<IndexTriangle>& triangles);
+                 std::vector<IndexTriangle>& triangles);
 
 /// Flips edges that are not among `edges` until every one is locally Delaunay; of four points on a
 /// circle the one with the lowest index is joined. Hence the result is unique. O(n^2) flips at

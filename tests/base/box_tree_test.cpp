@@ -125,6 +125,28 @@ TEST(BoxTree, FindsThePairsOfTwoTrees) {
   }
 }
 
+TEST(BoxTree, FindsThePairsInsideATree) {
+  Random r(6);
+  using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+  for (const Family& family : kFamilies) {
+    for (const std::size_t n : kSizes) {
+      const std::vector<Box3> a = boxes(r, family, n);
+      SCOPED_TRACE(std::string(family.name) + " " + std::to_string(n));
+      Pairs found, expected;
+      BoxTree(a).for_each_pair_inside([&](std::uint32_t i, std::uint32_t j) {
+        found.emplace_back(std::min(i, j), std::max(i, j));
+      });
+      for (std::uint32_t i = 0; i < a.size(); ++i) {
+        for (std::uint32_t j = i + 1; j < a.size(); ++j) {
+          if (a[i].meets(a[j])) expected.emplace_back(i, j);
+        }
+      }
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found, expected);
+    }
+  }
+}
+
 BoxRay ray(const std::array<double, 3>& o, const std::array<double, 3>& d) {
   return {{o, o}, {d, d}};
 }

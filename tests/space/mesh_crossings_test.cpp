@@ -1,0 +1,192 @@
+// The self-test of meshes held against clipping in rationals, and the meshes that people have.
+#include "plumb/space/mesh_crossings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "generate/dice.h"
+#include "generate/meshes.h"
+#include "oracle/facet_contacts.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/from_mesh.h"
+
+namespace plumb::testing {
+namespace {
+
+using FacetPair = std::pair<FacetId, FacetId>;
+
+MeshComplex made(const PolygonMesh& mesh) {
+  Context context;
+  MeshOptions options;
+  options.surface = true;
+  return complex_of_mesh(mesh, options, context);
+}
+
+FacetPolygon polygon_of(const SpaceComplex& complex, FacetId f) {
+  FacetPolygon polygon;
+  const UseId first = complex.cycles_of(f)[0];
+  UseId u = first;
+  do {
+    polygon.push_back(exact(complex.points(), complex.vertex_point[complex.use_origin(u).value()]));
+    u = complex.use_next[u.value()];
+  } while (u != first);
+  return polygon;
+}
+
+std::vector<FacetPair> brute_force(const SpaceComplex& complex) {
+  std::vector<FacetPolygon> polygons;
+  for (std::size_t f = 0; f < complex.facet_count(); ++f) {
+    polygons.push_back(polygon_of(complex, FacetId(f)));
+  }
+  std::vector<FacetPair> pairs;
+  for (std::size_t f = 0; f < polygons.size(); ++f) {
+    for (std::size_t g = f + 1; g < polygons.size(); ++g) {
+      if (meet_elsewhere(polygons[f], polygons[g])) pairs.emplace_back(f, g);
+    }
+  }
+  return pairs;
+}
+
+void expect_as_brute_force(const PolygonMesh& mesh) {
+  const MeshComplex complex = made(mesh);
+  Context context;
+  const auto found = find_mesh_crossings(complex.complex, context);
+  EXPECT_EQ(found, brute_force(complex.complex));
+  EXPECT_EQ(complex.report.crossing_count, found.size());
+}
+
+Point3 random_point(Dice& dice, int size, double unit) {
+  const auto c = [&] { return unit * static_cast<double>(dice.between(0, size)); };
+  return {c(), c(), c()};
+}
+
+PolygonMesh random_triangles(Dice& dice, int size, double unit, std::size_t count) {
+  PolygonMesh mesh;
+  for (std::uint32_t i = 0; i < 3 * count; i += 3) {
+    for (int k = 0; k < 3; ++k) mesh.points.push_back(random_point(dice, size, unit));
+    mesh.add_face(std::array{i, i + 1, i + 2});
+  }
+  return mesh;
+}
+
+// Few places, so that most contacts are degenerate; units that no double holds make points that are nearly
+// on planes.
+TEST(MeshCrossings, TrianglesAsBruteForce) {
+  Dice dice(11);
+  for (const int size : {1, 2, 3, 6}) {
+    for (const double unit : {1.0, 0.1, 1e200 / 3}) {
+      for (int round = 0; round < 20; ++round) {
+        SCOPED_TRACE(std::to_string(size) + " " + std::to_string(unit) + " " +
+                     std::to_string(round));
+        expect_as_brute_force(random_triangles(dice, size, unit, 14));
+      }
+    }
+  }
+}
+
+TEST(MeshCrossings, TrianglesWithFractionsAsBruteForce) {
+  Dice dice(12);
+  for (int round = 0; round < 60; ++round) {
+    PolygonMesh mesh = random_triangles(dice, 2, 1, 10);
+    for (std::uint32_t i = 0; i < mesh.points.size(); ++i) {
+      const Point3& p = mesh.points[i];
+      const Rational third = Rational(1) / 3;
+      if (round % 2 == 0 || p.x < 2) {
+        mesh.exact.emplace_back(i, RationalPoint3{p.x * third, p.y + third, p.z * third});
+      }
+    }
+    expect_as_brute_force(mesh);
+  }
+}
+
+TEST(MeshCrossings, BoxesAsBruteForce) {
+  Dice dice(13);
+  for (int round = 0; round < 25; ++round) {
+    PolygonMesh mesh;
+    for (int i = 0; i < 4; ++i) {
+      Point3 low = random_point(dice, 2, 1), high = low;
+      high.x += static_cast<double>(dice.between(1, 2));
+      high.y += static_cast<double>(dice.between(1, 2));
+      high.z += static_cast<double>(dice.between(1, 2));
+      const PolygonMesh box = box_mesh(low, high);
+      mesh = joined(mesh, i == 3 ? fanned(box) : box);
+    }
+    expect_as_brute_force(mesh);
+  }
+}
+
+struct Case {
+  const char* name;
+  PolygonMesh mesh;
+  bool is_clean;
+};
+
+TEST(MeshCrossings, MeshesThatPeopleHave) {
+  const PolygonMesh cube = box_mesh({0, 0, 0}, {3, 3, 3});
+  const std::vector<Point2> c_shape = {{0, 0}, {3, 0}, {3, 1}, {1, 1},
+                                       {1, 2}, {3, 2}, {3, 3}, {0, 3}};
+  const PolygonMesh tetrahedron = tetrahedron_mesh({0, 0, 0}, {0, 4, 0}, {4, 0, 0}, {0, 0, 4});
+  const std::vector<Case> cases = {
+      {"a cube", cube, true},
+      {"in triangles", fanned(cube), true},
+      {"nested", joined(cube, reversed(box_mesh({1, 1, 1}, {2, 2, 2}))), true},
+      {"apart", joined(cube, moved(cube, {4, 0, 0})), true},
+      {"doubled: one facet each", joined(cube, cube), true},
+      {"a common face", joined(cube, moved(cube, {3, 0, 0})), true},
+      {"a common edge", joined(cube, moved(cube, {3, 3, 0})), true},
+      {"a common corner", joined(cube, moved(cube, {3, 3, 3})), true},
+      {"half a common face", joined(cube, moved(cube, {3, 1, 0})), false},
+      {"half a common edge", joined(cube, moved(cube, {3, 3, 1})), false},
+      {"doubled with another diagonal", joined(cube, fanned(cube)), false},
+      {"two overlapping tetrahedra", joined(tetrahedron, moved(tetrahedron, {1, 1, 1})), false},
+      {"a corner on a face", joined(cube, moved(tetrahedron, {1, 1, 3})), false},
+      {"a corner in a notch",
+       joined(prism_mesh(c_shape, 0, 3), box_mesh({2, 1.25, 1}, {4, 1.75, 2})), true},
+      {"a tongue through a wall",
+       joined(prism_mesh(c_shape, 0, 3), box_mesh({0.5, 1.25, 1}, {4, 1.75, 2})), false},
+      {"touching in the notch",
+       joined(prism_mesh(c_shape, 0, 3), box_mesh({1, 1.25, 1}, {4, 1.75, 2})), false},
+      {"a sphere", icosphere_mesh(3, 0.1, {0.1, 0.1, 0.1}), true},
+      {"two spheres",
+       joined(icosphere_mesh(2, 1, {0, 0, 0}), icosphere_mesh(2, 1, {0.1, 0.1, 0.1})), false},
+  };
+  for (const Case& c : cases) {
+    const MeshReport report = made(c.mesh).report;
+    EXPECT_EQ(report.crosses_itself(), !c.is_clean) << c.name;
+    EXPECT_TRUE(report.is_closed()) << c.name;
+  }
+}
+
+// A vertex in the middle of a neighbour's edge.
+TEST(MeshCrossings, TJunctionsAreFound) {
+  PolygonMesh mesh = tetrahedron_mesh({0, 0, 0}, {0, 2, 0}, {2, 0, 0}, {0, 0, 2});
+  mesh.points.push_back({0, 1, 0});
+  const PolygonMesh split =
+      make_mesh(mesh.points, {{0, 4, 2}, {4, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}, {0, 1, 4}});
+  const MeshReport report = made(split).report;
+  EXPECT_TRUE(report.is_closed());
+  EXPECT_EQ(report.crossings, (std::vector<MeshReport::FacePair>{{0, 2}, {1, 2}}));
+}
+
+// A diagonal of one quad is a side of the other's triangles: they share two vertices and no edge.
+TEST(MeshCrossings, ADiagonalIsNoEdge) {
+  const PolygonMesh mesh = make_mesh({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 3}},
+                                     {{0, 1, 2, 3}, {0, 2, 4}, {1, 3, 4}});
+  EXPECT_EQ(made(mesh).report.crossings,
+            (std::vector<MeshReport::FacePair>{{0, 1}, {0, 2}, {1, 2}}));
+}
+
+TEST(MeshCrossings, ListsAreCutCountsAreNot) {
+  Context context;
+  MeshOptions options;
+  options.max_listed = 3;
+  const PolygonMesh mesh =
+      joined(icosphere_mesh(1, 1, {0, 0, 0}), icosphere_mesh(1, 1, {0.1, 0, 0}));
+  const MeshReport report = complex_of_mesh(mesh, options, context).report;
+  EXPECT_EQ(report.crossings.size(), 3U);
+  EXPECT_GT(report.crossing_count, 3U);
+}
+
+}  // namespace
+}  // namespace plumb::testing
