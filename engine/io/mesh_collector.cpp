@@ -61,6 +61,17 @@ void MeshCollector::add_exact_point(const RationalPoint3& p) {
   add_point({clamped_to_finite(x.value), clamped_to_finite(y.value), clamped_to_finite(z.value)});
 }
 
+MeshFile MeshCollector::take() {
+  MeshFile file{std::move(mesh_), {}};
+  if (passed_.empty()) return file;
+  std::string sentence;
+  for (const std::string_view what : passed_) {
+    sentence.append(sentence.empty() ? "passed over: " : ", ").append(what);
+  }
+  file.notes.push_back(std::move(sentence));
+  return file;
+}
+
 std::string MeshCollector::flaw_of_face() const {
   const std::size_t first = mesh_.face_begin.back();
   const std::size_t count = mesh_.corners.size() - first;

@@ -1,9 +1,12 @@
 // What the readers of mesh files have in common: collects points and faces, charged to a context.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/base/error.h"
@@ -13,7 +16,7 @@
 
 namespace plumb {
 
-/// Limits are thrown without a place; readers add it (with_place).
+/// Strings given to it are literals. Limits are thrown without a place; readers add it (with_place).
 class MeshCollector {
  public:
   explicit MeshCollector(Context& context) : context_(context) {}
@@ -54,9 +57,12 @@ class MeshCollector {
     return flaw;
   }
 
-  void note(std::string sentence) { notes_.push_back(std::move(sentence)); }
+  /// Something in the file that no mesh holds, named as in "normals of vertices". Told once.
+  void pass_over(std::string_view what) {
+    if (std::find(passed_.begin(), passed_.end(), what) == passed_.end()) passed_.push_back(what);
+  }
 
-  MeshFile take() { return {std::move(mesh_), std::move(notes_)}; }
+  MeshFile take();
 
  private:
   void add_exact_point(const RationalPoint3& p);
@@ -68,20 +74,29 @@ class MeshCollector {
 
   Context& context_;
   PolygonMesh mesh_;
-  std::vector<std::string> notes_;
+  std::vector<std::string_view> passed_;
   std::uint64_t charged_points_ = 0;
   std::uint64_t charged_corners_ = 0;
   std::uint64_t charged_faces_ = 0;
 };
 
-/// `read()`, where a limit that is met without a place is told at that of the cursor.
-template <class Read>
-auto with_place(const TextCursor& cursor, Read read) {
+/// For errors that no place in a file can be told of.
+struct WholeFile {
+  const std::string& name;
+  [[noreturn]] void fail(ErrorCode code, const std::string& message) const {
+    throw Error(code, message, {name});
+  }
+};
+
+/// `read()`, where a limit that is met without a place is told at that of `in`: a TextCursor, a
+/// BinaryInput or a WholeFile.
+template <class Input, class Read>
+auto with_place(const Input& in, Read read) {
   try {
     return read();
   } catch (const Error& error) {
     if (error.code() != ErrorCode::ResourceLimit || !error.place().file.empty()) throw;
-    cursor.fail(error.code(), error.message());
+    in.fail(error.code(), error.message());
   }
 }
 

@@ -15,12 +15,6 @@ constexpr std::uint64_t kVertexBytes = 6;
 constexpr std::uint64_t kFaceBytes = 8;
 constexpr std::uint32_t kColourNumbers = 4;
 
-bool take_prefix(std::string_view& word, std::string_view prefix) {
-  if (!word.starts_with(prefix)) return false;
-  word.remove_prefix(prefix.size());
-  return true;
-}
-
 class OffReader {
  public:
   OffReader(std::string_view text, const ReadOptions& options, Context& context)
@@ -151,9 +145,8 @@ void OffReader::read_faces() {
 void OffReader::read_face() {
   const char* const start = cursor().position();
   const std::uint32_t corners = in_.read_count("the number of corners");
-  if (vertices_ == 0 && corners > 0) fail(ErrorCode::BadIndex, "there are no vertices", start);
   for (std::uint32_t i = 0; i < corners; ++i) {
-    mesh_.add_corner(in_.read_id("vertex", vertices_ - 1, 0));
+    mesh_.add_corner(in_.read_index("vertex", vertices_));
   }
   const std::string flaw = mesh_.end_face();
   if (!flaw.empty()) fail(ErrorCode::DegenerateFace, in_.record_name() + ' ' + flaw, start);
@@ -170,10 +163,10 @@ void OffReader::require_end() {
 }
 
 void OffReader::add_notes() {
-  if (has_normal_) mesh_.note("normals of vertices were passed over");
-  if (has_colour_) mesh_.note("colours of vertices were passed over");
-  if (has_texture_) mesh_.note("texture coordinates were passed over");
-  if (has_face_colour_) mesh_.note("colours of faces were passed over");
+  if (has_normal_) mesh_.pass_over("normals of vertices");
+  if (has_colour_) mesh_.pass_over("colours of vertices");
+  if (has_texture_) mesh_.pass_over("texture coordinates");
+  if (has_face_colour_) mesh_.pass_over("colours of faces");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "plumb/io/off_writer.h"
 
-#include "plumb/io/text_output.h"
+#include "plumb/io/mesh_text.h"
 
 namespace plumb {
 namespace {
@@ -11,19 +11,10 @@ void write_vertices(TextOutput& out, const PolygonMesh& mesh, MeshNumbers number
   for (std::uint32_t i = 0; i < mesh.points.size(); ++i) {
     if (exact != mesh.exact.end() && exact->first == i) {
       const RationalPoint3& p = (exact++)->second;
-      out << format_exact(p.x) << ' ' << format_exact(p.y) << ' ' << format_exact(p.z) << '\n';
+      out << format_exact(p.x) << ' ' << format_exact(p.y) << ' ' << format_exact(p.z);
     } else {
-      const Point3& p = mesh.points[i];
-      out << p.x << ' ' << p.y << ' ' << p.z << '\n';
+      write_coordinates(out, mesh.points[i]);
     }
-  }
-}
-
-void write_faces(TextOutput& out, const PolygonMesh& mesh) {
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    out << std::uint64_t{face.size()};
-    for (const std::uint32_t v : face) out << ' ' << v;
     out << '\n';
   }
 }
@@ -31,11 +22,12 @@ void write_faces(TextOutput& out, const PolygonMesh& mesh) {
 }  // namespace
 
 void write_off(std::ostream& stream, const PolygonMesh& mesh, MeshNumbers numbers) {
+  if (numbers == MeshNumbers::Nearest) require_doubles(mesh);
   TextOutput out(stream);
   out << "OFF\n" << std::uint64_t{mesh.points.size()} << ' ' << std::uint64_t{mesh.face_count()};
   out << " 0\n";
   write_vertices(out, mesh, numbers);
-  write_faces(out, mesh);
+  write_face_lines(out, mesh);
   out.flush();
 }
 

@@ -15,7 +15,8 @@ enum class MeshNumbers : std::uint8_t {
 };
 
 /// read_off() of the text gives the same mesh, with MeshNumbers::Nearest but for what `exact` holds.
-/// Throws what `out` throws.
+/// Throws Error{NumberOutOfRange} when a vertex that is to be rounded lies beyond the largest double;
+/// what `out` throws.
 void write_off(std::ostream& out, const PolygonMesh& mesh,
                MeshNumbers numbers = MeshNumbers::Nearest);
 

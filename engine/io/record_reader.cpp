@@ -107,6 +107,12 @@ std::uint32_t RecordReader::read_id(std::string_view what, std::uint32_t count,
                start);
 }
 
+std::uint32_t RecordReader::read_index(std::string_view what, std::uint32_t count) {
+  if (count > 0) return read_id(what, count - 1, 0);
+  cursor_.fail(ErrorCode::BadIndex,
+               record_name() + " names a " + std::string(what) + "; there are none");
+}
+
 /// Ids of any length; those beyond every range become one that is beyond it too.
 std::uint32_t RecordReader::read_long_id(std::string_view token, std::string_view what) const {
   constexpr std::uint32_t kBeyond = kMostIds + 1;

@@ -47,6 +47,8 @@ class RecordReader {
   void read_point(PointTable2& points);
   /// The number of a `what`: in the text `lowest` to `count`, with a `lowest` of 0 or 1.
   std::uint32_t read_id(std::string_view what, std::uint32_t count, std::uint32_t lowest = 1);
+  /// The same for `count` of them numbered from 0.
+  std::uint32_t read_index(std::string_view what, std::uint32_t count);
   /// Fails with `expected` if the line goes on.
   void end_line(const std::string& expected);
 

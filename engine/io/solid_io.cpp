@@ -1,23 +1,88 @@
 #include "plumb/io/solid_io.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <utility>
 
-#include "plumb/base/error.h"
 #include "plumb/io/input.h"
+#include "plumb/io/mesh_text.h"
+#include "plumb/io/obj_reader.h"
+#include "plumb/io/obj_writer.h"
 #include "plumb/io/off_reader.h"
 #include "plumb/io/off_writer.h"
+#include "plumb/io/ply_reader.h"
+#include "plumb/io/ply_writer.h"
+#include "plumb/io/stl_reader.h"
+#include "plumb/io/stl_writer.h"
+#include "plumb/io/text_cursor.h"
 
 namespace plumb {
+namespace {
 
-std::optional<MeshFormat> mesh_format_of(const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  if (extension == ".off") return MeshFormat::Off;
+constexpr std::array<std::pair<std::string_view, MeshFormat>, 7> kNames{{
+    {"off", MeshFormat::Off},
+    {"off-exact", MeshFormat::ExactOff},
+    {"obj", MeshFormat::Obj},
+    {"stl", MeshFormat::Stl},
+    {"stl-binary", MeshFormat::StlBinary},
+    {"ply", MeshFormat::Ply},
+    {"ply-text", MeshFormat::PlyText},
+}};
+
+/// The first word that is no comment.
+std::string_view first_word(std::string_view text) {
+  take_prefix(text, "\xEF\xBB\xBF");
+  for (;;) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    if (!text.starts_with('#')) return text.substr(0, text.find_first_of(" \t\r\n"));
+    text.remove_prefix(std::min(text.find('\n'), text.size()));
+  }
+}
+
+bool begins_off(std::string_view word) {
+  if (!word.empty() && '0' <= word.front() && word.front() <= '9') return true;
+  for (const std::string_view prefix : {"ST", "C", "N", "4", "n"}) take_prefix(word, prefix);
+  return word.starts_with("OFF");
+}
+
+}  // namespace
+
+std::optional<MeshFormat> mesh_format_named(std::string_view name) {
+  for (const auto& [known, format] : kNames) {
+    if (known == name) return format;
+  }
   return {};
 }
 
-MeshFile read_mesh(std::string_view bytes, MeshFormat /*format*/, const ReadOptions& options,
+std::optional<MeshFormat> mesh_format_of(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  const bool is_plain = extension.find('-') == extension.npos;
+  return is_plain && !extension.empty() ? mesh_format_named(extension.substr(1)) : std::nullopt;
+}
+
+MeshFormat guess_mesh_format(std::string_view bytes) {
+  if (is_binary_stl(bytes)) return MeshFormat::Stl;
+  const std::string_view word = first_word(bytes);
+  if (word == "ply") return MeshFormat::Ply;
+  if (word == "solid") return MeshFormat::Stl;
+  return begins_off(word) ? MeshFormat::Off : MeshFormat::Obj;
+}
+
+MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions& options,
                    Context& context) {
-  return read_off(bytes, options, context);
+  switch (format) {
+    case MeshFormat::Obj:
+      return read_obj(bytes, options, context);
+    case MeshFormat::Stl:
+    case MeshFormat::StlBinary:
+      return read_stl(bytes, options, context);
+    case MeshFormat::Ply:
+    case MeshFormat::PlyText:
+      return read_ply(bytes, options, context);
+    default:
+      return read_off(bytes, options, context);
+  }
 }
 
 MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> format,
@@ -25,13 +90,38 @@ MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> forma
   options.name = input_name(path);
   const std::string bytes = read_input(path, context);
   if (!format) format = mesh_format_of(path);
-  MeshFile file = read_mesh(bytes, format.value_or(MeshFormat::Off), options, context);
+  if (!format) format = guess_mesh_format(bytes);
+  MeshFile file = read_mesh(bytes, *format, options, context);
   context.release_memory(bytes.size());
   return file;
 }
 
-void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat /*format*/) {
-  write_off(out, mesh);
+void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format) {
+  switch (format) {
+    case MeshFormat::ExactOff:
+      return write_off(out, mesh, MeshNumbers::Exact);
+    case MeshFormat::Obj:
+      return write_obj(out, mesh);
+    case MeshFormat::Stl:
+      return write_stl_text(out, mesh);
+    case MeshFormat::StlBinary:
+      return write_stl_binary(out, mesh);
+    case MeshFormat::Ply:
+      return write_ply_binary(out, mesh);
+    case MeshFormat::PlyText:
+      return write_ply_text(out, mesh);
+    default:
+      return write_off(out, mesh);
+  }
+}
+
+PolygonMesh as_written(PolygonMesh mesh, MeshFormat format) {
+  if (format == MeshFormat::ExactOff) return mesh;
+  if (format == MeshFormat::Stl || format == MeshFormat::StlBinary) require_triangles(mesh);
+  if (format == MeshFormat::StlBinary) return rounded_to_floats(std::move(mesh));
+  require_doubles(mesh);
+  mesh.exact.clear();
+  return mesh;
 }
 
 }  // namespace plumb

@@ -1,4 +1,7 @@
-// Meshes from files and to files: the one front door to the formats of polygons.
+// Meshes from files and to files: the one front door to OFF, OBJ, STL and PLY.
+//
+// Writing: OFF, OBJ, PLY and text STL hold doubles, binary STL floats; STL holds triangles only. What a
+// reader will get is as_written().
 #pragma once
 
 #include <cstdint>
@@ -13,21 +16,40 @@
 
 namespace plumb {
 
-enum class MeshFormat : std::uint8_t { Off };
+/// STL is read in either form, PLY in any; these say how they are written.
+enum class MeshFormat : std::uint8_t {
+  Off,
+  ExactOff,  ///< with coordinates p/q
+  Obj,
+  Stl,  ///< text: it holds doubles
+  StlBinary,
+  Ply,  ///< binary, little-endian
+  PlyText,
+};
 
-/// By the extension: .off; none for any other.
+/// By the extension: .off, .obj, .stl, .ply; none for any other.
 std::optional<MeshFormat> mesh_format_of(const std::string& path);
+/// By the name: off, off-exact, obj, stl, stl-binary, ply, ply-text; none for any other.
+std::optional<MeshFormat> mesh_format_named(std::string_view name);
 
-/// The mesh in `bytes`. Errors: those of off_reader.h.
+/// By how the file begins: "ply", "solid" or the length of binary STL, "OFF" with its prefixes or a number;
+/// all else is taken for OBJ.
+MeshFormat guess_mesh_format(std::string_view bytes);
+
+/// The mesh in `bytes`. Errors: those of off_reader.h, obj_reader.h, stl_reader.h, ply_reader.h.
 MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions& options,
                    Context& context);
 
 /// The same from a file, or from standard input for "-"; without `format` it is that of the
-/// extension. `options.name` is ignored. The memory of the bytes is given back.
+/// extension, else guessed. `options.name` is ignored. The memory of the bytes is given back.
 MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> format,
                         ReadOptions options, Context& context);
 
-/// Coordinates that are no doubles are rounded. Throws what `out` throws.
+/// Throws, before the first byte, Error{NumberOutOfRange} when a coordinate cannot be rounded,
+/// Error{BadArgument} when STL is to hold other faces than triangles; what `out` throws.
 void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format);
+
+/// The mesh with the coordinates that a reader of the file will get. Throws as write_mesh() does.
+PolygonMesh as_written(PolygonMesh mesh, MeshFormat format);
 
 }  // namespace plumb

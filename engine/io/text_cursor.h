@@ -96,6 +96,13 @@ class TextCursor {
   std::string name_;
 };
 
+/// Takes `prefix` off the front of `text`; false if it is not there.
+inline bool take_prefix(std::string_view& text, std::string_view prefix) {
+  if (!text.starts_with(prefix)) return false;
+  text.remove_prefix(prefix.size());
+  return true;
+}
+
 /// Length of the longest prefix of `text` that is UTF-8 without control characters but tab.
 std::size_t text_prefix(std::string_view text);
 

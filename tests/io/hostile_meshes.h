@@ -79,12 +79,174 @@ inline std::vector<HostileText> hostile_off() {
       {"the first vertex again", with("3 0 2 1", "4 0 2 1 0"), 7, 1, "twice in a row: corner 4"},
       {"five numbers of a colour", with("3 0 2 1", "3 0 2 1 1 2 3 4 5"), 7, 17, "'5'"},
       {"a colour that is none", with("3 0 2 1", "3 0 2 1 red"), 7, 9, "'red'"},
-      {"a face without vertices", "OFF\n0 1 0\n3 0 1 2\n", 3, 1, "no vertices"},
+      {"a face without vertices", "OFF\n0 1 0\n3 0 1 2\n", 3, 2, "there are none"},
       {"normals that are not there", with("OFF", "NOFF"), 3, 6, "lacks numbers"},
       {"more colours than announced", changed(with("OFF", "COFF"), "1 0 0", "1 0 0 1 2 3 4 5"), 4,
        15, "'5'"},
       {"text after the last face", kOffTetrahedron + "end\n", 11, 1, "after the last face"},
       {"Latin-1 in a comment behind a line", with("1 0 0", "1 0 0 # caf\xE9"), 4, 12, "not UTF-8"},
+  };
+}
+
+inline const std::string kObjTetrahedron =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+inline std::vector<HostileText> hostile_obj() {
+  const std::string million(1'000'000, '7');
+  const auto with = [](const std::string& from, const std::string& to) {
+    return changed(kObjTetrahedron, from, to);
+  };
+  return {
+      {"empty", "", 0, 0, "no content"},
+      {"blank lines", "\n \r\n\n", 0, 0, "no content"},
+      {"binary with zero bytes", bytes_with_nul("v\0\0\1\2", 5), 1, 2, "byte 0x00"},
+      {"another format", "OFF\n4 4 6\n", 1, 1, "'OFF'"},
+      {"a statement that is none", kObjTetrahedron + "face 1 2 3\n", 9, 1, "'face'"},
+      {"upper case", with("v 0 0 0", "V 0 0 0"), 1, 1, "'V'"},
+      {"two coordinates", with("v 1 0 0", "v 1 0"), 2, 6, "vertex 2 needs three numbers"},
+      {"five numbers", with("v 1 0 0", "v 1 0 0 1 1"), 2, 12, "vertex 2 needs"},
+      {"eight numbers", with("v 1 0 0", "v 1 0 0 1 1 1 1 1"), 2, 17, "vertex 2 needs"},
+      {"nan", with("v 1 0 0", "v 1 nan 0"), 2, 5, "'nan'"},
+      {"-inf", with("v 1 0 0", "v 1 0 -inf"), 2, 7, "'-inf'"},
+      {"1/0", with("v 1 0 0", "v 1/0 0 0"), 2, 5, "denominator is 0"},
+      {"1e400", with("v 1 0 0", "v 1e400 0 0"), 2, 3, "largest double"},
+      {"1e999999999", with("v 1 0 0", "v 1 0 1e999999999"), 2, 7, "largest double"},
+      {"10^6 digits", with("v 1 0 0", "v 1 " + million + " 0"), 2, 5, "1000000 characters"},
+      {"a weight that is none", with("v 1 0 0", "v 1 0 0 w"), 2, 9, "'w'"},
+      {"no corners", with("f 1 3 2", "f"), 5, 1, "face 1 has 0 corners; at least 3"},
+      {"two corners", with("f 1 3 2", "f 1 3"), 5, 1, "face 1 has 2 corners"},
+      {"two corners on two lines", with("f 1 3 2", "f 1 \\\n 3"), 6, 3, "face 1 has 2 corners"},
+      {"vertex 0", with("f 1 3 2", "f 1 0 2"), 5, 5, "face 1 names vertex '0'; 4 vertices"},
+      {"a vertex beyond the last", with("f 1 3 2", "f 1 5 2"), 5, 5, "names vertex '5'"},
+      {"a vertex before the first", with("f 1 3 2", "f 1 -5 2"), 5, 5, "names vertex '-5'"},
+      {"a vertex that comes later", "v 0 0 0\nf 1 2 3\nv 1 0 0\nv 0 1 0\n", 2, 5,
+       "names vertex '2'; 1 vertex has"},
+      {"vertex 2^64", with("f 1 3 2", "f 1 18446744073709551616 2"), 5, 5, "names vertex"},
+      {"10^6 digits of a vertex", with("f 1 3 2", "f 1 " + million + " 2"), 5, 5, "names vertex"},
+      {"a corner with a point", with("f 1 3 2", "f 1 3.0 2"), 5, 5, "expected a corner"},
+      {"a corner with a plus", with("f 1 3 2", "f 1 +3 2"), 5, 5, "expected a corner"},
+      {"a corner of slashes", with("f 1 3 2", "f 1 // 2"), 5, 5, "expected a corner"},
+      {"a corner that ends with a slash", with("f 1 3 2", "f 1 3/ 2"), 5, 5, "expected a corner"},
+      {"a corner that ends with slashes", with("f 1 3 2", "f 1 3// 2"), 5, 5, "expected a corner"},
+      {"a corner without vertex", with("f 1 3 2", "f 1 /3/2 2"), 5, 5, "expected a corner"},
+      {"a corner of four numbers", with("f 1 3 2", "f 1 3/1/1/1 2"), 5, 5, "expected a corner"},
+      {"a corner with a word", with("f 1 3 2", "f 1 3/x 2"), 5, 5, "'3/x'"},
+      {"a vertex twice", with("f 1 3 2", "f 1 3 3"), 5, 1, "twice in a row: corner 2"},
+      {"the same vertex from both ends", with("f 1 3 2", "f 1 3 -2"), 5, 1, "twice in a row"},
+      {"the first vertex again", with("f 1 3 2", "f 1 3 2 1"), 5, 1, "twice in a row: corner 4"},
+      {"a backslash in a line", with("f 1 3 2", "f 1 \\ 3 2"), 5, 5, "'\\'"},
+      {"a lone carriage return", with("v 1 0 0", "v 1 0\r0"), 2, 6, "carriage return"},
+      {"Latin-1 in a comment", "# caf\xE9\n" + kObjTetrahedron, 1, 6, "not UTF-8"},
+  };
+}
+
+inline const std::string kStlFacet =
+    "facet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 1 0 "
+    "0\nendloop\nendfacet\n";
+inline const std::string kStlTriangle = "solid one\n" + kStlFacet + "endsolid one\n";
+
+inline std::vector<HostileText> hostile_stl() {
+  const std::string million(1'000'000, '7');
+  const auto with = [](const std::string& from, const std::string& to) {
+    return changed(kStlTriangle, from, to);
+  };
+  return {
+      {"empty", "", 0, 0, "no content"},
+      {"blank lines", "\n\n", 0, 0, "neither text"},
+      {"another format", "OFF\n4 4 6\n", 0, 0, "neither text"},
+      {"only the first word", "solid", 1, 6, "found the end of the file"},
+      {"only the first line", "solid one\n", 2, 1, "facet or endsolid, found the end"},
+      {"truncated in a facet", kStlTriangle.substr(0, 40), 3, 11, "expected vertex, found the end"},
+      {"truncated in a vertex", kStlTriangle.substr(0, 50), 4, 10, "a number, found the end"},
+      {"no endsolid", "solid one\n" + kStlFacet, 9, 1, "found the end of the file"},
+      {"another word", with("facet normal", "face normal"), 2, 1, "'face'"},
+      {"no normal", with("facet normal 0 0 -1", "facet 0 0 -1"), 2, 7, "expected normal"},
+      {"two numbers of a normal", with("normal 0 0 -1", "normal 0 0"), 3, 7, "expected outer"},
+      {"two corners", with("vertex 0 1 0\n", ""), 6, 1, "expected vertex, found 'endloop'"},
+      {"four corners", with("vertex 0 1 0\n", "vertex 0 1 0\nvertex 2 2 2\n"), 7, 1,
+       "expected endloop"},
+      {"two coordinates", with("vertex 0 1 0", "vertex 0 1"), 6, 1, "expected a number"},
+      {"four coordinates", with("vertex 0 1 0", "vertex 0 1 0 1"), 5, 14, "expected vertex"},
+      {"nan", with("vertex 0 1 0", "vertex 0 nan 0"), 5, 10, "'nan'"},
+      {"inf", with("vertex 0 1 0", "vertex 0 inf 0"), 5, 10, "'inf'"},
+      {"1/0", with("vertex 0 1 0", "vertex 0 1/0 0"), 5, 12, "denominator is 0"},
+      {"1e39 is fine, 1e400 is not", with("vertex 0 1 0", "vertex 1e39 1e400 0"), 5, 13,
+       "largest double"},
+      {"1e999999999", with("vertex 0 1 0", "vertex 0 1e999999999 0"), 5, 10, "largest double"},
+      {"10^6 digits", with("vertex 0 1 0", "vertex 0 " + million + " 0"), 5, 10,
+       "1000000 characters"},
+      {"more after the end", kStlTriangle + "triangle\n", 10, 1, "expected solid"},
+      {"a solid in a solid", with("endsolid one\n", "solid two\n"), 9, 1, "facet or endsolid"},
+      {"binary cut short", bytes_with_nul("solid\0\0\0\0", 9), 1, 6, "byte 0x00"},
+      {"a lone carriage return", with("vertex 0 1 0", "vertex 0\r1 0"), 5, 9, "carriage return"},
+  };
+}
+
+inline const std::string kPlyHeader =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
+    "property double z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n";
+inline const std::string kPlyTetrahedron =
+    kPlyHeader + "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+
+inline std::vector<HostileText> hostile_ply() {
+  const std::string million(1'000'000, '7');
+  const auto with = [](const std::string& from, const std::string& to) {
+    // Counts may lie a little without the file being too short for them.
+    return changed(kPlyTetrahedron, from, to) + "# ...................................\n";
+  };
+  return {
+      {"empty", "", 1, 1, "'ply'"},
+      {"another format", "OFF\n", 1, 1, "'ply'"},
+      {"a comment first", "# x\nply\n", 2, 1, "'ply'"},
+      {"upper case", with("ply", "PLY"), 1, 1, "'ply'"},
+      {"more in the first line", with("ply\n", "ply 1\n"), 1, 5, "'1'"},
+      {"nothing else", "ply\n", 2, 1, "end_header is missing"},
+      {"a cut header", kPlyHeader.substr(0, kPlyHeader.size() - 11), 9, 1, "end_header is missing"},
+      {"no format", with("format ascii 1.0\n", ""), 8, 11, "names no format"},
+      {"two formats", with("format ascii 1.0\n", "format ascii 1.0\nformat ascii 1.0\n"), 3, 1,
+       "a second format"},
+      {"another encoding", with("format ascii", "format utf8"), 2, 8, "'utf8'"},
+      {"another version", with("1.0", "1.1"), 2, 14, "version '1.1'"},
+      {"another keyword", with("element face", "elements face"), 7, 1, "'elements'"},
+      {"a property without element", with("element vertex 4\n", ""), 3, 1, "before any element"},
+      {"an element without count", with("element vertex 4", "element vertex"), 3, 15,
+       "the number of elements"},
+      {"an element of negative count", with("vertex 4", "vertex -4"), 3, 16, "'-4'"},
+      {"two elements of vertices", with("element face 4", "element vertex 4"), 7, 9,
+       "a second element vertex"},
+      {"another type", with("double x", "long x"), 4, 10, "'long'"},
+      {"a property without name", with("double x", "double"), 4, 16, "the name of a property"},
+      {"two names", with("double x", "double x y"), 4, 19, "'y'"},
+      {"two properties x", with("double y", "double x"), 5, 17, "a second property 'x'"},
+      {"no z", with("property double z\n", ""), 8, 11, "lack one of x, y and z"},
+      {"a list of z", with("double z", "list uchar double z"), 9, 11, "lack one of"},
+      {"a fractional length", with("list uchar", "list float"), 8, 15, "an integer type"},
+      {"fractional vertices", with("uchar int", "uchar float"), 8, 21, "an integer type"},
+      {"faces without corners", with("vertex_indices", "corners"), 9, 11, "no list vertex_indices"},
+      {"corners that are no list", with("list uchar int", "int"), 9, 11, "no list vertex_indices"},
+      {"no vertices", "ply\nformat ascii 1.0\nend_header\n", 3, 11, "names no vertices"},
+      {"2^31 vertices", with("vertex 4", "vertex 2147483648"), 9, 1, "too short"},
+      {"2^32 - 2 faces", with("face 4", "face 4294967294"), 9, 1, "too short"},
+      {"2^32 faces", with("face 4", "face 4294967296"), 7, 14, "at most"},
+      {"more vertices claimed", with("vertex 4", "vertex 5"), 14, 7, "properties of vertex 5"},
+      {"fewer vertices claimed", with("vertex 4", "vertex 3"), 13, 3, "properties of face 1"},
+      {"more faces claimed", with("face 4", "face 5"), 19, 1, "face 5 of 5"},
+      {"fewer faces claimed", with("face 4", "face 3"), 17, 1, "after the last element"},
+      {"two coordinates", with("\n1 0 0\n", "\n1 0\n"), 11, 4, "vertex 2 needs more properties"},
+      {"four coordinates", with("\n1 0 0\n", "\n1 0 0 0\n"), 11, 7, "of vertex 2"},
+      {"nan", with("\n1 0 0\n", "\nnan 0 0\n"), 11, 1, "'nan'"},
+      {"1/0", with("\n1 0 0\n", "\n1/0 0 0\n"), 11, 3, "denominator is 0"},
+      {"1e999999999", with("\n1 0 0\n", "\n1e999999999 0 0\n"), 11, 1, "largest double"},
+      {"10^6 digits", with("\n1 0 0\n", "\n" + million + " 0 0\n"), 11, 1, "1000000 characters"},
+      {"two corners", with("3 0 2 1", "2 0 2"), 14, 1, "face 1 has 2 corners"},
+      {"corners missing", with("3 0 2 1", "4 0 2 1"), 14, 8, "the number of a vertex"},
+      {"2^32 - 2 corners", with("3 0 2 1", "4294967294 0 2 1"), 14, 17, "the number of a vertex"},
+      {"more corners than counted", with("3 0 2 1", "3 0 2 1 3"), 14, 9, "'3'"},
+      {"a vertex beyond the last", with("3 0 2 1", "3 0 2 4"), 14, 7, "ids run from 0 to 3"},
+      {"a negative vertex", with("3 0 2 1", "3 0 -2 1"), 14, 5, "ids run from 0 to 3"},
+      {"a vertex twice", with("3 0 2 1", "3 0 2 2"), 14, 1, "twice in a row: corner 2"},
+      {"more after the end", with("3 1 2 3\n", "3 1 2 3\nend\n"), 18, 1, "after the last element"},
+      {"a lone carriage return", with("end_header\n", "end_header\r"), 9, 11, "carriage return"},
   };
 }
 

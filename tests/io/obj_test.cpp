@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "expect_refusals.h"
+#include "hostile_meshes.h"
+#include "mesh_checks.h"
+#include "plumb/io/obj_reader.h"
+#include "plumb/io/obj_writer.h"
+
+namespace plumb {
+namespace {
+
+using testing::changed;
+using testing::is_same;
+using testing::kObjTetrahedron;
+
+MeshFile read(const std::string& text, bool exact_decimals = false, Limits limits = {}) {
+  Context context(limits);
+  return read_obj(text, {"some.file", exact_decimals}, context);
+}
+
+TEST(ObjReader, refuses_hostile_texts_with_their_place) {
+  testing::expect_refusals(testing::hostile_obj(), [](const std::string& text) { read(text); });
+}
+
+TEST(ObjReader, accepts_what_the_format_allows) {
+  const auto with = [&](const std::string& from, const std::string& to) {
+    return changed(kObjTetrahedron, from, to);
+  };
+  std::string with_crlf;
+  for (const char c : kObjTetrahedron) with_crlf += c == '\n' ? "\r\n" : std::string(1, c);
+  const std::vector<std::string> same{
+      kObjTetrahedron,
+      with_crlf,
+      kObjTetrahedron.substr(0, kObjTetrahedron.size() - 1),
+      "\xEF\xBB\xBF" + kObjTetrahedron,
+      "# first\n\n" + kObjTetrahedron + "\n# last\n",
+      with("v 1 0 0", "  v\t1.0  0e7 -0.0 # second"),
+      with("v 1 0 0", "v 3/3 +0 0"),
+      with("v 1 0 0", "v 1 \\\n0 \\\n\\\n 0"),
+      with("f 1 3 2", "f 1/1 3/2 2/3"),
+      with("f 1 3 2", "f 1//1 3//1 2//1"),
+      with("f 1 3 2", "f 1/1/1 3/-2/-1 2/3/1 # first"),
+      with("f 1 3 2", "f -4 -2 -3"),
+      with("f 1 3 2", "f -4/7 -2//-9 0002"),
+      with("f 1 3 2", "f 1 \\\n3 \\\r\n\\\n2"),
+      with("f 1 3 2", "f 1 3 2 \\\n"),
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -1 -2\nv 0 0 1\nf 1 2 4\nf 1 4 3\nf 2 3 4 \\",
+  };
+  for (const std::string& text : same) {
+    const MeshFile file = read(text);
+    EXPECT_TRUE(is_same(file.mesh, testing::tetrahedron())) << text;
+    EXPECT_TRUE(file.notes.empty()) << text;
+  }
+}
+
+TEST(ObjReader, passes_over_what_no_mesh_holds_and_says_so) {
+  const std::vector<std::pair<std::string, std::string>> statements{
+      {"vn 0 0 nan\n", "normals of vertices"},
+      {"vt 0.5 0.5\n", "texture coordinates"},
+      {"o thing\ng a b c\ns off\nmtllib caf\xE9.mtl\nusemtl a#b\n", "names, groups and materials"},
+      {"l 1 2 \\\n3\n", "lines"},
+      {"p 1\nvn 0 0 1\np 2\n", "points, normals of vertices"},
+      {"cstype bezier\nvp 0.5\ncurv 0 1 1 2\nend\n", "free-form curves and surfaces"},
+      {"lod 3\n", "display attributes"},
+      {"call other.obj\n", "commands"},
+  };
+  for (const auto& [text, passed] : statements) {
+    for (const std::string& all : {kObjTetrahedron + text, text + kObjTetrahedron}) {
+      const MeshFile file = read(all);
+      EXPECT_TRUE(is_same(file.mesh, testing::tetrahedron())) << all;
+      EXPECT_EQ(file.notes, std::vector<std::string>{"passed over: " + passed}) << all;
+    }
+  }
+}
+
+TEST(ObjReader, takes_weights_and_colours_of_vertices) {
+  for (const auto& [more, passed] : std::vector<std::pair<std::string, std::string>>{
+           {" 1", "weights of vertices"},
+           {" 0.5 0.5 0.5", "colours of vertices"},
+           {" 0.5 0.5 0.5 1", "colours of vertices"}}) {
+    const MeshFile file = read(changed(kObjTetrahedron, "v 1 0 0", "v 1 0 0" + more));
+    EXPECT_TRUE(is_same(file.mesh, testing::tetrahedron()));
+    EXPECT_EQ(file.notes, std::vector<std::string>{"passed over: " + passed});
+  }
+}
+
+TEST(ObjReader, reads_numbers_exactly) {
+  const PolygonMesh mesh = read("v 1/3 9007199254740993 0.1\n", true).mesh;
+  ASSERT_EQ(mesh.exact.size(), 1U);
+  EXPECT_EQ(mesh.exact[0].second,
+            (RationalPoint3{Rational(1, 3), Rational("9007199254740993"), Rational(1, 10)}));
+}
+
+TEST(ObjReader, keeps_to_its_limits) {
+  const std::string text = testing::repeated("v 1 2 3\n", 20000);
+  Limits limits;
+  limits.max_memory_bytes = 20000 * sizeof(Point3);
+  EXPECT_THROW(read(text, false, limits), Error);
+  limits.max_memory_bytes *= 3;
+  EXPECT_EQ(read(text, false, limits).mesh.points.size(), 20000U);
+}
+
+TEST(ObjWriter, writes_what_reads_back_as_the_same) {
+  for (PolygonMesh mesh :
+       {testing::tetrahedron(), testing::awkward_mesh(), testing::exact_mesh()}) {
+    std::ostringstream out;
+    write_obj(out, mesh);
+    mesh.exact.clear();
+    EXPECT_TRUE(is_same(read(out.str()).mesh, mesh)) << out.str();
+  }
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,196 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "expect_refusals.h"
+#include "hostile_meshes.h"
+#include "mesh_checks.h"
+#include "plumb/io/merge_points.h"
+#include "plumb/io/stl_reader.h"
+#include "plumb/io/stl_writer.h"
+
+namespace plumb {
+namespace {
+
+using testing::changed;
+using testing::is_same;
+using testing::kStlTriangle;
+
+MeshFile read(const std::string& bytes, Limits limits = {}) {
+  Context context(limits);
+  return read_stl(bytes, {"some.file"}, context);
+}
+
+std::string text_of(const PolygonMesh& mesh) {
+  std::ostringstream out;
+  write_stl_text(out, mesh);
+  return out.str();
+}
+
+std::string binary_of(const PolygonMesh& mesh) {
+  std::ostringstream out;
+  write_stl_binary(out, mesh);
+  return out.str();
+}
+
+/// The number at byte `at` replaced.
+template <class Number>
+std::string with_number(std::string bytes, std::size_t at, Number value) {
+  std::memcpy(bytes.data() + at, &value, sizeof(value));
+  return bytes;
+}
+
+/// The vertices in order of their use by faces, as STL has them.
+PolygonMesh by_first_use(PolygonMesh mesh) {
+  Context context;
+  EXPECT_EQ(merge_equal_points(mesh, context), 0U);
+  return mesh;
+}
+
+void expect_refused(const std::string& bytes, ErrorCode code, const char* message) {
+  try {
+    read(bytes);
+    ADD_FAILURE() << message << ": was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), code) << error.what();
+    EXPECT_EQ(error.place().file, "some.file");
+    EXPECT_NE(error.message().find(message), std::string::npos) << error.what();
+  }
+}
+
+TEST(StlReader, refuses_hostile_texts_with_their_place) {
+  testing::expect_refusals(testing::hostile_stl(), [](const std::string& text) { read(text); });
+}
+
+TEST(StlReader, refuses_hostile_binary_files) {
+  const std::string good = binary_of(testing::tetrahedron());
+  ASSERT_EQ(good.size(), 84U + 4 * 50);
+  constexpr std::size_t kFirstCoordinate = 84 + 12;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinity = std::numeric_limits<float>::infinity();
+  for (const std::size_t size : {1U, 83U, 84U, 100U, 283U}) {
+    EXPECT_THROW(read(good.substr(0, size)), Error) << size;
+  }
+  expect_refused(good.substr(0, 83), ErrorCode::UnknownFormat, "too short");
+  expect_refused(good + '\n', ErrorCode::CountMismatch, "4 triangles are announced, 285 bytes");
+  expect_refused(with_number(good, 80, std::uint32_t{5}), ErrorCode::CountMismatch, "5 triangles");
+  expect_refused(with_number(good, 80, ~std::uint32_t{0}), ErrorCode::CountMismatch,
+                 "4294967295 triangles");
+  expect_refused(with_number(good, kFirstCoordinate, nan), ErrorCode::NumberOutOfRange,
+                 "at byte 96: a coordinate that is not finite");
+  expect_refused(with_number(good, kFirstCoordinate + 54, -infinity), ErrorCode::NumberOutOfRange,
+                 "at byte 150: ");
+}
+
+TEST(StlReader, accepts_what_the_format_allows) {
+  const auto with = [&](const std::string& from, const std::string& to) {
+    return changed(kStlTriangle, from, to);
+  };
+  std::string in_one_line = kStlTriangle;
+  for (std::size_t i = in_one_line.find('\n') + 1; i < in_one_line.size(); ++i) {
+    if (in_one_line[i] == '\n') in_one_line[i] = ' ';
+  }
+  const std::vector<std::string> same{
+      kStlTriangle,
+      in_one_line,
+      "\xEF\xBB\xBF\n " + kStlTriangle,
+      kStlTriangle.substr(0, kStlTriangle.size() - 1),
+      kStlTriangle + "\nsolid two\nendsolid\n",
+      with("solid one", "SOLID caf\xE9 # a b c"),
+      with("facet normal", "FACET Normal"),
+      with("normal 0 0 -1", "normal nan -nan(ind) 1e999"),
+      with("endsolid one", "EndSolid"),
+      with("vertex 0 1 0", "\tvertex  0.0 10e-1 -0.0\r"),
+      binary_of(testing::mesh_of({{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {{0, 1, 2}})),
+  };
+  const PolygonMesh expected = testing::mesh_of({{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {{0, 1, 2}});
+  for (const std::string& text : same) {
+    const MeshFile file = read(text);
+    EXPECT_TRUE(is_same(file.mesh, expected)) << text;
+    EXPECT_TRUE(file.notes.empty()) << text;
+  }
+  EXPECT_TRUE(is_same(read("solid nothing\nendsolid nothing\n").mesh, PolygonMesh{}));
+}
+
+TEST(StlReader, knows_binary_files_that_begin_with_solid) {
+  std::string bytes = binary_of(testing::tetrahedron());
+  bytes.replace(0, 11, "solid thing");
+  EXPECT_TRUE(is_binary_stl(bytes));
+  EXPECT_TRUE(is_same(read(bytes).mesh, by_first_use(testing::tetrahedron())));
+  EXPECT_FALSE(is_binary_stl(kStlTriangle));
+}
+
+TEST(StlReader, tells_of_attributes) {
+  const std::string bytes =
+      with_number(binary_of(testing::tetrahedron()), 84 + 48, std::uint16_t{7});
+  EXPECT_EQ(read(bytes).notes, std::vector<std::string>{"passed over: attributes of triangles"});
+}
+
+TEST(StlReader, leaves_out_triangles_with_equal_corners_and_says_so) {
+  const PolygonMesh mesh =
+      testing::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, 0}, {9, 9, 9}, {2, 0, 0}},
+                       {{0, 3, 1}, {4, 1, 4}, {3, 1, 2}, {0, 1, 5}, {2, 1, 0}});
+  const MeshFile file = read(text_of(mesh));
+  EXPECT_EQ(file.notes, std::vector<std::string>{"2 triangles with two equal corners left out"});
+  // The one whose corners are on one line stays: its edges hold the others together.
+  EXPECT_TRUE(is_same(file.mesh, testing::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}},
+                                                  {{0, 1, 2}, {0, 1, 3}, {2, 1, 0}})));
+}
+
+TEST(StlReader, merges_by_exact_coordinates) {
+  const std::string text =
+      "solid\nfacet normal 0 0 0 outer loop vertex 1/3 0 0 vertex 0 1 0 vertex 0.3333333333333333 "
+      "0 0"
+      " endloop endfacet\nfacet normal 0 0 0 outer loop vertex 2/6 0 0 vertex 0 1 0 vertex 3 3 3"
+      " endloop endfacet\nendsolid\n";
+  const PolygonMesh mesh = read(text).mesh;
+  EXPECT_EQ(mesh.corners, (std::vector<std::uint32_t>{0, 1, 2, 0, 1, 3}));
+  ASSERT_EQ(mesh.exact.size(), 1U);
+  EXPECT_EQ(mesh.exact[0].first, 0U);
+  EXPECT_EQ(mesh.points[0], mesh.points[2]);
+}
+
+TEST(StlReader, keeps_to_its_limits) {
+  const std::string bytes = binary_of(testing::tetrahedron());
+  Limits limits;
+  limits.max_memory_bytes = 4 * 3 * sizeof(Point3);
+  EXPECT_THROW(read(bytes, limits), Error);
+  limits.max_memory_bytes = 100'000;
+  EXPECT_EQ(read(bytes, limits).mesh.face_count(), 4U);
+}
+
+TEST(StlWriter, writes_what_reads_back_as_the_same) {
+  PolygonMesh awkward = testing::awkward_mesh();
+  awkward = testing::mesh_of(awkward.points, {{0, 1, 2}, {2, 1, 3}, {4, 0, 3}});
+  EXPECT_TRUE(is_same(read(text_of(awkward)).mesh, by_first_use(awkward)));
+  const PolygonMesh tetrahedron = by_first_use(testing::tetrahedron());
+  EXPECT_TRUE(is_same(read(text_of(tetrahedron)).mesh, tetrahedron));
+  EXPECT_TRUE(is_same(read(binary_of(tetrahedron)).mesh, tetrahedron));
+  EXPECT_TRUE(is_same(read(binary_of(PolygonMesh{})).mesh, PolygonMesh{}));
+}
+
+TEST(StlWriter, rounds_to_floats) {
+  const PolygonMesh mesh =
+      testing::mesh_of({{0.1, 1.0 / 3, 1e-50}, {16777217, 3e38, 0}, {0, 0, 1e-45}}, {{0, 1, 2}});
+  const PolygonMesh rounded = rounded_to_floats(mesh);
+  EXPECT_EQ(rounded.points[0], (Point3{0.1F, static_cast<double>(1.0F / 3), 0}));
+  EXPECT_EQ(rounded.points[1].x, 16777216);
+  EXPECT_TRUE(is_same(read(binary_of(mesh)).mesh, rounded));
+  EXPECT_THROW(binary_of(testing::mesh_of({{3.5e38, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})),
+               Error);
+}
+
+TEST(StlWriter, holds_triangles_only) {
+  const PolygonMesh square =
+      testing::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
+  EXPECT_THROW(text_of(square), Error);
+  EXPECT_THROW(binary_of(square), Error);
+}
+
+}  // namespace
+}  // namespace plumb
