@@ -17,6 +17,16 @@
 //   det4   sum of 4 d det3             4 2^(O-2) 2^(3M-6)            = 2^(O+3M-6) < 2^(O+3M-1)
 //          x.n + d det3                3 2^(O+3M-8) + 2^(O+3M-8)     = 2^(O+3M-6)
 // Limits on b from 2b+3 <= 64N-3 and 3b+5 <= 64D-2:  N,D = 1,2: 29;  2,3: 61;  4,6: 125.
+//
+// Parts. The offset of a plane of the frame (plane_table.h) is d R, with d in place of a number. A form
+// here is linear in the column of offsets, or does not read it:
+//   det4                  one offset in each of its terms
+//   common point          x = P0 + P1 R, as each component is a sum of d (n x m); w has no offset
+//   side of x on s        n.(P0 + P1 R) + (d0 + d1 R) w
+//   x / w against y / v   (P0 + P1 R) v - (Q0 + Q1 R) w, times the signs of w and v
+// So it is c0 + c1 R, where c1 is the form of the planes with the ordinary offsets set to 0 (the
+// Infinite part), and c0 that with the frame's set to 0 (the Finite part). With R beyond all bounds
+// its sign is that of c1, or if c1 = 0 that of c0. Ordinary planes: c1 = 0, unasked.
 #pragma once
 
 #include <array>
@@ -87,7 +97,28 @@ inline Operand operand(const PlaneTable& table, PlaneId plane) {
   return operand(table, table.source(plane));
 }
 
-/// The exact coefficients. Requires operand.width <= W::kIndex. Loading the same plane in two
+/// What of a number that may depend on the frame.
+enum class Part { Finite, Infinite };
+
+/// Sets the offset to 0 that does not belong to the part.
+template <class Plane>
+void take_part(const Operand& operand, Part part, Plane& plane) {
+  if (operand.source.is_frame() == (part == Part::Infinite)) return;
+  plane.d = decltype(plane.d)(0);
+  plane.scale = kAnyScale;
+}
+
+/// The sign of c0 + c1 R from question(part) -> FilteredSign; `has_frame`: may c1 be nonzero?
+template <class Question>
+FilteredSign by_parts(bool has_frame, const Question& question) {
+  if (has_frame) {
+    const FilteredSign s = question(Part::Infinite);
+    if (s != FilteredSign::Zero) return s;
+  }
+  return question(Part::Finite);
+}
+
+/// The exact coefficients (of the frame: with the multiple of R). Requires operand.width <= W::kIndex. Loading the same plane in two
 /// widths gives the same numbers.
 template <class W>
 FixedPlane<W> load(const Operand& operand);

@@ -3,6 +3,8 @@
 // type:
 //
 //   form(const std::array<Plane, K>&) -> Sign      Plane = FixedPlane<W> or BigPlane, aligned
+//
+// With planes of the frame a form is asked part by part (plane_exact.h).
 #pragma once
 
 #include <array>
@@ -26,22 +28,39 @@ int width_of(const std::array<Operand, K>& operands) {
   return width;
 }
 
+template <std::size_t K>
+bool has_frame(const std::array<Operand, K>& operands) {
+  bool any = false;
+  for (const Operand& o : operands) any |= o.source.is_frame();
+  return any;
+}
+
 /// Unsure when the operands, or their offsets on a common scale, do not fit W.
 template <class W, std::size_t K, class Form>
 FilteredSign fixed_sign(const std::array<Operand, K>& operands, const Form& form) {
   if (width_of(operands) > W::kIndex) return FilteredSign::Unsure;
-  std::array<FixedPlane<W>, K> planes;
-  for (std::size_t i = 0; i < K; ++i) planes[i] = load<W>(operands[i]);
-  if (!align(planes)) return FilteredSign::Unsure;
-  return filtered(form(planes));
+  return by_parts(has_frame(operands), [&](Part part) {
+    std::array<FixedPlane<W>, K> planes;
+    for (std::size_t i = 0; i < K; ++i) {
+      planes[i] = load<W>(operands[i]);
+      take_part(operands[i], part, planes[i]);
+    }
+    if (!align(planes)) return FilteredSign::Unsure;
+    return filtered(form(planes));
+  });
 }
 
 template <std::size_t K, class Form>
 Sign big_sign(const std::array<Operand, K>& operands, const Form& form) {
-  std::array<BigPlane, K> planes;
-  for (std::size_t i = 0; i < K; ++i) planes[i] = load_big(operands[i]);
-  align(planes);
-  return form(planes);
+  return decided(by_parts(has_frame(operands), [&](Part part) {
+    std::array<BigPlane, K> planes;
+    for (std::size_t i = 0; i < K; ++i) {
+      planes[i] = load_big(operands[i]);
+      take_part(operands[i], part, planes[i]);
+    }
+    align(planes);
+    return filtered(form(planes));
+  }));
 }
 
 /// `count(rung)` is told which rung decides.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "plumb/predicates/decompose.h"
 #include "plumb/predicates/plane_ladder.h"
@@ -45,14 +46,25 @@ struct SamePlane {
   }
 };
 
-bool is_same_source(const PlaneSource& a, const PlaneSource& b) {
-  return !a.is_explicit() && a.code == b.code;
+/// Are the planes defined by the same numbers? So they are where tables with a common past are merged.
+bool is_same_definition(const PlaneTable& table, const PlaneSource& a, const PlaneSource& b) {
+  if (a.is_explicit() != b.is_explicit()) return false;
+  if (a.is_explicit()) {
+    const PlaneSlot &s = table.slot(a), &t = table.slot(b);
+    return a.code[2] == b.code[2] && s.scale == t.scale && s.limbs == t.limbs &&
+           std::equal(table.limbs(s), table.limbs(s) + std::size_t{4} * s.limbs, table.limbs(t));
+  }
+  const std::span<const Point3> points = table.points();
+  return std::equal(a.code.begin(), a.code.end(), b.code.begin(), [&](auto i, auto j) {
+    const Point3 &p = points[i], &q = points[j];
+    return i == j || (is_equal(p.x, q.x) && is_equal(p.y, q.y) && is_equal(p.z, q.z));
+  });
 }
 
 /// Equal fingerprints are confirmed here. There is no interval check before: planes that collide
 /// without being equal are too rare for it to pay.
 bool is_same_plane(const PlaneTable& table, const PlaneSource& a, const PlaneSource& b) {
-  if (is_same_source(a, b)) return true;
+  if (is_same_definition(table, a, b)) return true;
   const std::array<exact3::Operand, 2> both = {exact3::operand(table, a),
                                                exact3::operand(table, b)};
   return exact3::exact_sign(both, SamePlane{}, [](Rung) {}) == Sign::Zero;
@@ -114,6 +126,7 @@ PlaneTable::PlaneTable(const PlaneTable& other)
       sources_(other.sources_),
       slots_(other.slots_),
       limbs_(other.limbs_),
+      frame_(other.frame_),
       index_(std::make_unique<Index>(*other.index_)) {}
 PlaneTable::PlaneTable(PlaneTable&&) noexcept = default;
 PlaneTable& PlaneTable::operator=(PlaneTable&&) noexcept = default;
@@ -153,6 +166,7 @@ PlaneId PlaneTable::push(const PlaneRow& row, Fingerprint fingerprint, const Pla
   rows_.push_back(row);
   fingerprints_.push_back(fingerprint);
   sources_.push_back(source);
+  if (source.is_frame()) frame_[source.frame_index()] = id;
   return id;
 }
 
@@ -375,6 +389,27 @@ OrientedPlane PlaneTable::intern(const Rational& a, const Rational& b, const Rat
   return intern_row({whole(a), whole(b), whole(c), whole(d)}, 0, {});
 }
 
+// --- the frame
+// ---------------------------------------------------------------------------------------
+
+std::array<PlaneId, 6> PlaneTable::intern_frame() {
+  for (std::size_t i = 0; i < frame_.size(); ++i) {
+    if (frame_[i].is_valid()) continue;
+    const bool is_above = i % 2 != 0;  // x - R = 0; else x + R = 0
+    IntegerRow row = {0, 0, 0, is_above ? -1 : 1};
+    ResidueRow residues{};
+    residues[3] = is_above ? -kFrameResidue : kFrameResidue;
+    PlaneRow doubles{{}, 0, rounded_up(2 * kUnitError), std::numeric_limits<float>::infinity()};
+    row[i / 2] = 1;
+    residues[i / 2] = Residue::of(std::uint64_t{1});
+    doubles.n[i / 2] = 1;
+    PlaneSource source = push_slot(row, 0, {});
+    source.code[2] = static_cast<std::uint32_t>(i) + 1;
+    push(doubles, plumb::fingerprint(residues), source);
+  }
+  return frame_;
+}
+
 // --- walls
 // -------------------------------------------------------------------------------------------
 
@@ -433,8 +468,9 @@ IntegerRow PlaneTable::coefficients(PlaneId p) const { return integer_row(*this,
 
 IntegerRow PlaneTable::primitive(PlaneId p) const { return plumb::primitive(coefficients(p)); }
 
-PlaneSource PlaneTable::copy_slot(const PlaneTable& other, const PlaneSlot& slot,
+PlaneSource PlaneTable::copy_slot(const PlaneTable& other, const PlaneSource& source,
                                   std::span<const PlaneId> map) {
+  const PlaneSlot& slot = other.slot(source);
   const auto index = static_cast<std::uint32_t>(slots_.size());
   slots_.push_back(slot);
   slots_.back().first = limbs_.size();
@@ -443,7 +479,7 @@ PlaneSource PlaneTable::copy_slot(const PlaneTable& other, const PlaneSlot& slot
   if (!parents[0].is_valid() || !parents[1].is_valid()) parents = {};
   const std::uint64_t* from = other.limbs(slot);
   limbs_.insert(limbs_.end(), from, from + std::size_t{4} * slot.limbs);
-  return {{PlaneSource::kExplicit, index, 0}};
+  return {{PlaneSource::kExplicit, index, source.code[2]}};
 }
 
 PlaneTable::PlaneTable(const PlaneTable& other, std::span<const PlaneId> plane_map,
@@ -460,7 +496,7 @@ PlaneTable::PlaneTable(const PlaneTable& other, std::span<const PlaneId> plane_m
     if (!plane_map[i].is_valid()) continue;
     PlaneSource source = other.sources_[i];
     if (source.is_explicit()) {
-      source = copy_slot(other, other.slot(source), plane_map);
+      source = copy_slot(other, source, plane_map);
     } else {
       for (std::uint32_t& p : source.code) p = point_map[p].value();
     }
@@ -476,7 +512,7 @@ std::vector<PlaneId> PlaneTable::merge(const PlaneTable& other) {
   for (std::size_t i = 0; i < other.size(); ++i) {
     PlaneSource source = other.sources_[i];
     if (source.is_explicit()) {
-      source = copy_slot(other, other.slot(source), map);
+      source = copy_slot(other, source, map);
     } else {
       for (std::uint32_t& p : source.code) p += shift;
     }

@@ -12,6 +12,12 @@
 // Canonical orientation: the first nonzero one of (a, b, c) is positive, so opposite orientations
 // share an id and differ in a bit. Ids number the planes in the order of their first appearance.
 //
+// The frame: six planes x = -R, x = R, y = -R, ... of a cube with R beyond all bounds, for sets that
+// reach to infinity (SPACE.md 5). Their normals are ordinary, their offsets are +R and -R. Only offsets
+// hold R, and never two of them are multiplied, so that every determinant is c0 + c1 R: it has the sign of c1,
+// or if that is zero of c0. Every predicate on planes and points takes them. No other plane equals them, and no
+// doubles bound them: filters are Unsure, and the exact rungs ask twice (plane_exact.h, Part).
+//
 // Const members may be called from many threads at once; interning is exclusive.
 #pragma once
 
@@ -69,12 +75,19 @@ struct PlaneRow {
   float offset_error;
 };
 
+/// What R of the frame is in fingerprints: equal objects stay equal when any number stands for R.
+inline constexpr Residue kFrameResidue = Residue::of(std::uint64_t{0x13198a2e03707344});
+
 /// Where a plane comes from.
 struct PlaneSource {
   static constexpr std::uint32_t kExplicit = ~std::uint32_t{0};
-  /// Three input points; counter-clockwise seen from the positive side. Or {kExplicit, slot, 0}.
+  /// Three input points; counter-clockwise seen from the positive side. Or {kExplicit, slot, 0}. Or
+  /// {kExplicit, slot, 1 + i}: plane i of the frame, whose slot has the multiple of R as its offset.
   std::array<std::uint32_t, 3> code;
   bool is_explicit() const { return code[0] == kExplicit; }
+  bool is_frame() const { return is_explicit() && code[2] != 0; }
+  /// Requires is_frame(). The axis is half of it; odd: at +R.
+  std::size_t frame_index() const { return code[2] - 1; }
   bool has_point(InputPointId p) const {
     return !is_explicit() && (code[0] == p.value() || code[1] == p.value() || code[2] == p.value());
   }
@@ -137,7 +150,11 @@ class PlaneTable {
   OrientedPlane intern(double a, double b, double c, double d);
   OrientedPlane intern(const Rational& a, const Rational& b, const Rational& c, const Rational& d);
   /// Known to lie in the pencil ever after: see has_parents.
+  /// Requires parents that are not of the frame.
   OrientedPlane intern(const Pencil& wall);
+  /// The planes x = -R, x = R, y = -R, y = R, z = -R, z = R; the cube is on the positive side of
+  /// those at -R and on the negative side of those at R.
+  std::array<PlaneId, 6> intern_frame();
   /// One plane for each triangle: result[i] = intern(triangles[i]...), but with one inversion for
   /// many. Cost: ~90 ns a triangle in cache, ~200 ns in a mesh of 2*10^5. Requires result.size() == triangles.size().
   void intern_triangles(std::span<const std::array<InputPointId, 3>> triangles,
@@ -155,12 +172,16 @@ class PlaneTable {
   const PlaneSource& source(PlaneId p) const { return sources_[p.value()]; }
   const PlaneSlot& slot(const PlaneSource& s) const { return slots_[s.code[1]]; }
   const std::uint64_t* limbs(const PlaneSlot& s) const { return limbs_.data() + s.first; }
+  bool is_frame(PlaneId p) const { return source(p).is_frame(); }
+  /// As intern_frame(); not valid where a plane has not been interned.
+  const std::array<PlaneId, 6>& frame() const { return frame_; }
 
   /// Is `wall` a pencil of two of the given planes, so that it holds their common points?
   bool is_wall_of(PlaneId wall, std::span<const PlaneId> planes) const;
   /// The parents of a plane first interned as a wall.
   std::optional<std::array<PlaneId, 2>> parents(PlaneId wall) const;
-  /// Exact coefficients (a, b, c, d) of the canonical plane; some multiple, always the same one.
+  /// Exact coefficients (a, b, c, d) of the canonical plane; some multiple, always the same one. Of a
+  /// plane of the frame: (a, b, c) and the multiple of R that its offset is.
   IntegerRow coefficients(PlaneId p) const;
   /// The same with gcd 1. For output: costs the gcd.
   IntegerRow primitive(PlaneId p) const;
@@ -177,7 +198,7 @@ class PlaneTable {
   void intern_block(std::span<const std::array<InputPointId, 3>> triangles,
                     std::span<OrientedPlane> result, const ResidueSource& residues);
   PlaneSource push_slot(const IntegerRow& row, int scale, std::array<PlaneId, 2> parents);
-  PlaneSource copy_slot(const PlaneTable& other, const PlaneSlot& slot,
+  PlaneSource copy_slot(const PlaneTable& other, const PlaneSource& source,
                         std::span<const PlaneId> map);
   void pop_slot();
   OrientedPlane intern_row(IntegerRow row, int scale, std::array<PlaneId, 2> parents);
@@ -189,6 +210,7 @@ class PlaneTable {
   std::vector<PlaneSource> sources_;
   std::vector<PlaneSlot> slots_;
   std::vector<std::uint64_t> limbs_;
+  std::array<PlaneId, 6> frame_;
   std::unique_ptr<Index> index_;  // fingerprint -> id (plane_table.cpp)
 };
 

@@ -74,30 +74,57 @@ To widened(const From& x) {
 }
 
 template <class Plane>
-bool load_three(const PointOperand& operand, PointOf<Plane>& point) {
-  std::array<Plane, 3> planes = {load_as<Plane>(operand.planes[0]),
-                                 load_as<Plane>(operand.planes[1]),
-                                 load_as<Plane>(operand.planes[2])};
+bool load_three(const PointOperand& operand, Part part, PointOf<Plane>& point) {
+  std::array<Plane, 3> planes = {load_as<Plane>(operand.planes[0], part),
+                                 load_as<Plane>(operand.planes[1], part),
+                                 load_as<Plane>(operand.planes[2], part)};
   if (!align(planes)) return false;
   point = common_point(planes[0], planes[1], planes[2]);
   return true;
 }
 
 template <class Plane>
-bool load_input(const PointOperand& operand, PointOf<Plane>& point) {
-  const Coordinates<Plane> x = on_grid<Plane>(operand.grid, *operand.ends[0]);
+bool load_input(const PointOperand& operand, Part part, PointOf<Plane>& point) {
   using T = Types<Plane>;
+  if (part == Part::Infinite) {
+    for (auto& x : point.x) x = typename T::Numerator(0);
+    point.w = typename T::Det3(1);
+    point.scale = 0;
+    return true;
+  }
+  const Coordinates<Plane> x = on_grid<Plane>(operand.grid, *operand.ends[0]);
   for (std::size_t i = 0; i < 3; ++i) point.x[i] = widened<typename T::Numerator>(x[i]);
   point.w = typename T::Det3(1);
   point.scale = operand.grid.low();
   return true;
 }
 
+/// P1 = (a - b) d; w as in the finite part.
 template <class Plane>
-bool load_line(const PointOperand& operand, PointOf<Plane>& point) {
+void load_line_infinite(const PointOperand& operand, PointOf<Plane>& point) {
   using T = Types<Plane>;
   using Value = typename Numbers<Plane>::Offset;
-  Plane plane = load_as<Plane>(operand.planes[0]);
+  const Plane plane = load_as<Plane>(operand.planes[0], Part::Infinite);
+  const Coordinates<Plane> a = on_grid<Plane>(operand.grid, *operand.ends[0]);
+  const Coordinates<Plane> b = on_grid<Plane>(operand.grid, *operand.ends[1]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    point.x[i] = product<typename T::Numerator>(a[i], plane.d) -
+                 product<typename T::Numerator>(b[i], plane.d);
+  }
+  point.w = widened<typename T::Det3>(dot<Value>(plane.n, b)) -
+            widened<typename T::Det3>(dot<Value>(plane.n, a));
+  point.scale = 0;
+}
+
+template <class Plane>
+bool load_line(const PointOperand& operand, Part part, PointOf<Plane>& point) {
+  using T = Types<Plane>;
+  using Value = typename Numbers<Plane>::Offset;
+  if (part == Part::Infinite) {
+    load_line_infinite<Plane>(operand, point);
+    return true;
+  }
+  Plane plane = load_as<Plane>(operand.planes[0], part);
   Coordinates<Plane> a = on_grid<Plane>(operand.grid, *operand.ends[0]);
   Coordinates<Plane> b = on_grid<Plane>(operand.grid, *operand.ends[1]);
   const int low = operand.grid.low(), scale = std::min(low, plane.scale);
@@ -117,6 +144,12 @@ bool load_line(const PointOperand& operand, PointOf<Plane>& point) {
 }
 
 }  // namespace
+
+bool has_frame(const PointOperand& operand) {
+  const auto end = operand.planes.begin() + static_cast<std::ptrdiff_t>(operand.plane_count);
+  return std::any_of(operand.planes.begin(), end,
+                     [](const Operand& plane) { return plane.source.is_frame(); });
+}
 
 PointOperand operand(const Point3Table& points, const PointSource& source) {
   const PlaneTable& planes = points.planes();
@@ -139,8 +172,10 @@ PointOperand operand(const Point3Table& points, SpacePoint point) {
   return result;
 }
 
+namespace {
+
 template <class Plane>
-Plane load_as(const Operand& operand) {
+Plane load_whole(const Operand& operand) {
   if constexpr (std::is_same_v<Plane, BigPlane>) {
     return load_big(operand);
   } else if constexpr (std::is_same_v<Plane, FixedPlane<Narrow>>) {
@@ -152,11 +187,20 @@ Plane load_as(const Operand& operand) {
   }
 }
 
+}  // namespace
+
 template <class Plane>
-bool load_point(const PointOperand& operand, PointOf<Plane>& point) {
-  if (operand.plane_count == 3) return load_three<Plane>(operand, point);
-  return operand.plane_count == 1 ? load_line<Plane>(operand, point)
-                                  : load_input<Plane>(operand, point);
+Plane load_as(const Operand& operand, Part part) {
+  Plane plane = load_whole<Plane>(operand);
+  take_part(operand, part, plane);
+  return plane;
+}
+
+template <class Plane>
+bool load_point(const PointOperand& operand, Part part, PointOf<Plane>& point) {
+  if (operand.plane_count == 3) return load_three<Plane>(operand, part, point);
+  return operand.plane_count == 1 ? load_line<Plane>(operand, part, point)
+                                  : load_input<Plane>(operand, part, point);
 }
 
 /// The scales are made equal on the side that is coarser.
@@ -191,8 +235,8 @@ FilteredSign axis_order(const PointOf<Plane>& x, const PointOf<Plane>& y, std::s
 }
 
 #define PLUMB_EXACT3_INSTANCE(PLANE)                                                    \
-  template PLANE load_as<PLANE>(const Operand&);                                        \
-  template bool load_point<PLANE>(const PointOperand&, PointOf<PLANE>&);                \
+  template PLANE load_as<PLANE>(const Operand&, Part);                                  \
+  template bool load_point<PLANE>(const PointOperand&, Part, PointOf<PLANE>&);          \
   template FilteredSign side_sign<PLANE>(PointOf<PLANE>, PLANE);                        \
   template FilteredSign axis_order<PLANE>(const PointOf<PLANE>&, const PointOf<PLANE>&, \
                                           std::size_t);
@@ -204,9 +248,31 @@ PLUMB_EXACT3_INSTANCE(BigPlane)
 
 IntegerRow integer_row(const PointOperand& operand) {
   PointOf<BigPlane> p;
-  load_point<BigPlane>(operand, p);
+  load_point<BigPlane>(operand, Part::Finite, p);
   const int up = std::max(p.scale, 0), down = std::max(-p.scale, 0);
   return {shifted(p.x[0], up), shifted(p.x[1], up), shifted(p.x[2], up), shifted(p.w, down)};
+}
+
+/// Both parts have the same w. With g the gcd of all, they are equal rows for equal points up to
+/// their sign, which the leading residue takes away.
+Fingerprint primitive_fingerprint(const PointOperand& operand) {
+  PointOf<BigPlane> finite, infinite;
+  load_point<BigPlane>(operand, Part::Finite, finite);
+  load_point<BigPlane>(operand, Part::Infinite, infinite);
+  const int low = std::min({finite.scale, infinite.scale, 0});
+  Integer w = shifted(finite.w, -low), divisor = w;
+  for (std::size_t i = 0; i < 3; ++i) {
+    finite.x[i] <<= static_cast<unsigned>(finite.scale - low);
+    infinite.x[i] <<= static_cast<unsigned>(infinite.scale - low);
+    divisor = gcd(divisor, gcd(finite.x[i], infinite.x[i]));
+  }
+  ResidueRow row;
+  for (std::size_t i = 0; i < 3; ++i) {
+    row[i] = Residue::of(Integer(finite.x[i] / divisor)) +
+             kFrameResidue * Residue::of(Integer(infinite.x[i] / divisor));
+  }
+  row[3] = Residue::of(Integer(w / divisor));
+  return fingerprint(row);
 }
 
 }  // namespace plumb::exact3

@@ -7,6 +7,10 @@
 //                  |s| < 3 2^(M-3) 2^b + 2^(O-2) < 2^(O-1) for (N,D,b) = (1,2,29), (2,3,61),
 //                  (4,6,125), |x| < 2^(b+O), |w| < 2^O
 //   input          x = X, w = 1
+//
+// Parts of a point x = P0 + P1 R (plane_exact.h). Of a line through a plane of the frame: s(y) = s0(y) + d R
+// with the same d for all y, so that w has no R and P1 = (a - b) d, on scale 0. A point that does not depend on
+// the frame has P1 = 0.
 #pragma once
 
 #include <array>
@@ -27,6 +31,9 @@ struct PointOperand {
   int width = 0;
 };
 
+/// Does the point depend on the frame?
+bool has_frame(const PointOperand& operand);
+
 PointOperand operand(const Point3Table& points, const PointSource& source);
 PointOperand operand(const Point3Table& points, SpacePoint point);
 
@@ -36,10 +43,10 @@ int width_of_bits(int bits);
 /// Loads in the number types of Plane = FixedPlane<W> or BigPlane. Requires operand.width to be at
 /// most that of W. Returns false when a common scale breaks (L).
 template <class Plane>
-bool load_point(const PointOperand& operand, PointOf<Plane>& point);
+bool load_point(const PointOperand& operand, Part part, PointOf<Plane>& point);
 
 template <class Plane>
-Plane load_as(const Operand& operand);
+Plane load_as(const Operand& operand, Part part);
 
 /// Sign of n.x + d (times w^2): the side of the point on the plane; Unsure when a scale breaks (L).
 template <class Plane>
@@ -51,8 +58,11 @@ FilteredSign axis_order(const PointOf<Plane>& x, const PointOf<Plane>& y, std::s
 
 // (Instantiated in point3_exact.cpp for the four plane types.)
 
-/// The exact point as integers (x, y, z, w) on one scale.
+/// The exact point as integers (x, y, z, w) on one scale. Requires a point off the frame.
 IntegerRow integer_row(const PointOperand& operand);
+
+/// The fingerprint of a point whose residues are all zero: of (P0, P1, w) without a common factor.
+Fingerprint primitive_fingerprint(const PointOperand& operand);
 
 /// Calls question<Plane>() -> FilteredSign from the narrowest type allowed to mpz, which decides;
 /// `count(rung)` is told which one did.

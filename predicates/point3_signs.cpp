@@ -12,6 +12,7 @@ namespace plumb {
 using exact3::BigPlane;
 using exact3::FixedPlane;
 using exact3::Operand;
+using exact3::Part;
 using exact3::PointOf;
 using exact3::PointOperand;
 
@@ -40,18 +41,22 @@ std::array<Operand, 4> with_planes(const Point3Table& points, SpacePoint x, Plan
 /// Of a point on a line or an input point, in coordinates.
 template <class Plane>
 FilteredSign side_in(const PointOperand& x, const Operand& plane) {
-  PointOf<Plane> point;
-  if (!exact3::load_point<Plane>(x, point)) return FilteredSign::Unsure;
-  return exact3::side_sign<Plane>(point, exact3::load_as<Plane>(plane));
+  return exact3::by_parts(exact3::has_frame(x) || plane.source.is_frame(), [&](Part part) {
+    PointOf<Plane> point;
+    if (!exact3::load_point<Plane>(x, part, point)) return FilteredSign::Unsure;
+    return exact3::side_sign<Plane>(point, exact3::load_as<Plane>(plane, part));
+  });
 }
 
 template <class Plane>
 FilteredSign order_in(const PointOperand& x, const PointOperand& y, std::size_t axis) {
-  PointOf<Plane> a, b;
-  if (!exact3::load_point<Plane>(x, a) || !exact3::load_point<Plane>(y, b)) {
-    return FilteredSign::Unsure;
-  }
-  return exact3::axis_order<Plane>(a, b, axis);
+  return exact3::by_parts(exact3::has_frame(x) || exact3::has_frame(y), [&](Part part) {
+    PointOf<Plane> a, b;
+    if (!exact3::load_point<Plane>(x, part, a) || !exact3::load_point<Plane>(y, part, b)) {
+      return FilteredSign::Unsure;
+    }
+    return exact3::axis_order<Plane>(a, b, axis);
+  });
 }
 
 Sign exact_side(const Point3Table& points, SpacePoint x, PlaneId plane) {
@@ -147,6 +152,11 @@ Sign rung::side_without_filter(const Point3Table& points, SpacePoint x, PlaneId 
   if (is_known_on(points, x, plane, incident)) {
     count_rung(Predicate::SideOfPlane, Rung::Identity);
     return Sign::Zero;
+  }
+  const PlaneSource& source = points.planes().source(plane);
+  if (source.is_frame() && !points.depends_on_frame(x)) {  // inside the cube
+    count_rung(Predicate::SideOfPlane, Rung::Identity);
+    return source.frame_index() % 2 == 0 ? Sign::Positive : Sign::Negative;
   }
   return exact_side(points, x, plane);
 }
@@ -267,8 +277,10 @@ struct PlaneResidues {
 PlaneResidues residues(const PlaneTable& planes, PlaneId id) {
   const PlaneSource& source = planes.source(id);
   if (source.is_explicit()) {
+    const Residue unit = source.is_frame() ? kFrameResidue : Residue::of(std::uint64_t{1});
     const IntegerRow row = planes.coefficients(id);
-    return {{Residue::of(row[0]), Residue::of(row[1]), Residue::of(row[2])}, Residue::of(row[3])};
+    return {{Residue::of(row[0]), Residue::of(row[1]), Residue::of(row[2])},
+            unit * Residue::of(row[3])};
   }
   const auto at = [&](std::size_t i) { return residues(planes.points()[source.code[i]]); };
   const Residues3 p = at(0);
@@ -309,7 +321,7 @@ ResidueRow residues(const Point3Table& points, SpacePoint x) {
 Fingerprint fingerprint(const Point3Table& points, SpacePoint x) {
   const ResidueRow row = residues(points, x);
   if (!leading(row).is_zero()) return fingerprint(row);
-  return fingerprint(exact3::integer_row(exact3::operand(points, x)));
+  return exact3::primitive_fingerprint(exact3::operand(points, x));
 }
 
 RationalPoint3 exact(const Point3Table& points, SpacePoint x) {

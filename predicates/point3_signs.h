@@ -1,4 +1,4 @@
-// Signs about points of space, input and constructed. Every answer is exact.
+// Signs about points of space, input and constructed, on the frame too. Every answer is exact.
 //
 // Ladder: identity -> rung::*_filter on the cached boxes -> fixed widths -> mpz.
 // Cost: identity ~2 ns, filter 5-12 ns, fixed 100-400 ns for full mantissas, mpz 3-10 us.
@@ -45,7 +45,7 @@ Sign order_along_line(const Point3Table& points, PlaneId p, PlaneId q, SpacePoin
 /// Equal points have equal fingerprints, however they are defined.
 Fingerprint fingerprint(const Point3Table& points, SpacePoint x);
 
-/// The exact coordinates, for output.
+/// The exact coordinates, for output. Requires !points.depends_on_frame(x).
 RationalPoint3 exact(const Point3Table& points, SpacePoint x);
 
 /// The rungs; W: exact3::Narrow, Medium, Wide. A fixed rung is Unsure when its operands do not fit.

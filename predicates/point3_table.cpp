@@ -22,6 +22,7 @@ namespace {
 constexpr double kTooWide = 0x1p-30;  // of the coordinates: then the exact rung gives the box
 constexpr double kRounding = 0x1p-48;
 constexpr double kTiny = 0x1p-960;
+constexpr PointBox kEverywhere = {{}, std::numeric_limits<double>::infinity()};
 
 double max_abs(const std::array<double, 3>& v) {
   return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
@@ -47,7 +48,7 @@ PointBox fast_box(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r) {
   const Row qr = cross(q.n, r.n), rp = cross(r.n, p.n), pq = cross(p.n, q.n);
   const double w = pq[0] * r.n[0] + pq[1] * r.n[1] + pq[2] * r.n[2];
   const double e = sum(p.normal_error, q.normal_error, r.normal_error), ew = 6 * e;
-  PointBox box{{}, std::numeric_limits<double>::infinity()};
+  PointBox box = kEverywhere;
   if (!(ew <= std::fabs(w) / 2)) return box;
   const double inverse = -1 / w;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -78,7 +79,7 @@ PointBox fast_box(const Point3& a, const Point3& b, const PlaneRow& plane) {
   const Value at_a = value_at(plane, a), at_b = value_at(plane, b);
   const double w = at_a.value - at_b.value;
   const double ew = at_a.error + at_b.error + kRounding * std::fabs(w);
-  PointBox box{{}, std::numeric_limits<double>::infinity()};
+  PointBox box = kEverywhere;
   if (!(ew <= std::fabs(w) / 2)) return box;
   const double t = at_a.value / w;
   const double et = 2 * (at_a.error + std::fabs(t) * ew) / std::fabs(w) + kRounding * std::fabs(t) +
@@ -99,7 +100,7 @@ PointBox exact_box(const exact3::Homogeneous<X, W>& p) {
     const Scaled x = scaled(p.x[i]);
     const long exponent = static_cast<long>(x.exponent) - w.exponent + p.scale;
     if (x.mantissa == 0 || exponent < -900) continue;
-    if (exponent > 900) return {{}, std::numeric_limits<double>::infinity()};
+    if (exponent > 900) return kEverywhere;
     box.mid[i] = x.mantissa / w.mantissa * power_of_two(static_cast<int>(exponent));
   }
   const double largest = max_abs(box.mid);
@@ -117,9 +118,11 @@ Sign exact_box(const exact3::PointOperand& operand, PointBox& box) {
       operand.width,
       [&]<class Plane>() {
         exact3::PointOf<Plane> point;
-        if (!exact3::load_point<Plane>(operand, point)) return FilteredSign::Unsure;
+        if (!exact3::load_point<Plane>(operand, exact3::Part::Finite, point)) {
+          return FilteredSign::Unsure;
+        }
         const Sign sign = exact3::sign_of(point.w);
-        if (sign != Sign::Zero) box = exact_box(point);
+        if (sign != Sign::Zero) box = exact3::has_frame(operand) ? kEverywhere : exact_box(point);
         return filtered(sign);
       },
       [](Rung) {});
@@ -151,6 +154,15 @@ SpacePoint Point3Table::add(PlaneId p, PlaneId q, PlaneId r) {
 
 SpacePoint Point3Table::add(InputPointId a, InputPointId b, PlaneId p) {
   return add_new({a, b, p}, fast_box(planes_->point(a), planes_->point(b), planes_->row(p)));
+}
+
+bool Point3Table::depends_on_frame(SpacePoint p) const {
+  if (p.is_input()) return false;
+  const PointSource& s = source(p);
+  for (std::size_t i = 0; i < s.plane_count(); ++i) {
+    if (planes_->is_frame(s.plane(i))) return true;
+  }
+  return false;
 }
 
 std::uint32_t Point3Table::merge(const Point3Table& other, std::span<const PlaneId> plane_map,

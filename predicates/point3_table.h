@@ -39,7 +39,8 @@ class SpacePoint {
   std::uint32_t code_ = ~std::uint32_t{0};
 };
 
-/// |coordinate - mid| <= radius for each of the three; the radius may be infinite.
+/// |coordinate - mid| <= radius for each of the three; the radius may be infinite, and is for every
+/// point that depends on the frame.
 struct PointBox {
   std::array<double, 3> mid;
   double radius;
@@ -111,6 +112,8 @@ class Point3Table {
     const Point3& at = planes_->point(p.input());
     return {{at.x, at.y, at.z}, 0};
   }
+  /// Is one of the planes that define it of the frame? (Its coordinates then grow with R.)
+  bool depends_on_frame(SpacePoint p) const;
 
  private:
   SpacePoint add_new(const PointSource& source, const PointBox& fast);

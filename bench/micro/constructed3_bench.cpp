@@ -280,5 +280,78 @@ void BM_FourPlanesThroughOnePoint(benchmark::State& state) {
 }
 BENCHMARK(BM_FourPlanesThroughOnePoint)->ArgName("bits")->Arg(10)->Arg(40);
 
+/// Points on one plane of the frame against ordinary planes: two asks of an exact rung at most.
+void BM_SideOfFramePoint(benchmark::State& state) {
+  Scene s = scene(state);
+  const std::array<PlaneId, 6> frame = s.table.intern_frame();
+  std::vector<SpacePoint> ids;
+  for (std::size_t i = 0; i < Scene::kPlanes; ++i) {
+    ids.push_back(s.constructed.add(s.at(i), s.at(i + 1), frame[i % 6]));
+  }
+  for (auto _ : state) {
+    int sum = 0;
+    for (std::size_t i = 0; i < Scene::kPlanes; ++i) {
+      sum += static_cast<int>(side(s.constructed, ids[i], s.at(i + 3)));
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+  per_item(state, Scene::kPlanes);
+  count_shares(state, s.constructed, ids, s.planes);
+}
+BENCHMARK(BM_SideOfFramePoint)->ArgName("spread")->Arg(0)->Arg(1);
+
+/// Ordinary points against a plane of the frame.
+void BM_SideOnFramePlane(benchmark::State& state) {
+  Scene s(1, 2);
+  const std::array<PlaneId, 6> frame = s.table.intern_frame();
+  for (auto _ : state) {
+    int sum = 0;
+    for (std::size_t i = 0; i < Scene::kPlanes; ++i) {
+      sum += static_cast<int>(side(s.constructed, s.points[i], frame[i % 6]));
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+  per_item(state, Scene::kPlanes);
+}
+BENCHMARK(BM_SideOnFramePlane);
+
+// --- tables ----------------------------------------------------------------------------------------
+
+void BM_CopyPlaneTable(benchmark::State& state) {
+  const Mesh mesh = height_field(320, false);
+  std::vector<OrientedPlane> planes(mesh.triangles.size());
+  PlaneTable table;
+  table.add_points(mesh.points);
+  table.intern_triangles(mesh.triangles, planes);
+  for (auto _ : state) {
+    PlaneTable other(table);
+    benchmark::DoNotOptimize(other.size());
+  }
+  per_item(state, planes.size());
+}
+BENCHMARK(BM_CopyPlaneTable);
+
+/// The same mesh moved (0) or again (1: all planes equal).
+void BM_MergePlaneTables(benchmark::State& state) {
+  Mesh mesh = height_field(320, false);
+  std::vector<OrientedPlane> planes(mesh.triangles.size());
+  PlaneTable table, other;
+  table.add_points(mesh.points);
+  table.intern_triangles(mesh.triangles, planes);
+  if (state.range(0) == 0) {
+    for (Point3& p : mesh.points) p.z *= 1.5;
+  }
+  other.add_points(mesh.points);
+  other.intern_triangles(mesh.triangles, planes);
+  for (auto _ : state) {
+    state.PauseTiming();
+    PlaneTable both(table);
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(both.merge(other));
+  }
+  per_item(state, planes.size());
+}
+BENCHMARK(BM_MergePlaneTables)->ArgName("equal")->Arg(0)->Arg(1);
+
 }  // namespace
 }  // namespace plumb

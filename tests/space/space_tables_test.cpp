@@ -196,6 +196,40 @@ TEST(SpaceTables, CompactingChangesNoAnswer) {
   }
 }
 
+/// Some planes of the frame and points on them.
+void add_frame(World& world, cases::Random& random) {
+  PlaneTable& planes = world.tables->planes;
+  const std::size_t ordinary = world.planes.size();
+  for (const PlaneId p : planes.intern_frame()) {
+    if (cases::integer(random, 0, 2) != 0) world.planes.push_back(p);
+  }
+  for (std::size_t i = ordinary; i < world.planes.size(); ++i) {
+    const PlaneId p = world.planes[i], q = world.planes[i - 1], r = world.planes[i - 2];
+    add_valid(world, world.tables->points.add(p, q, r));
+    add_valid(world, world.tables->points.add(p, world.planes[i % ordinary], kPlaneY));
+    add_valid(world, world.tables->points.add(InputPointId(i % 11 + 1), InputPointId(0), p));
+  }
+}
+
+TEST(SpaceTables, TheFrameIsTheSameInAllTables) {
+  cases::Random random(34);
+  for (int i = 0; i < 200 && !HasFailure(); ++i) {
+    auto [a, b] = two_worlds(random);
+    add_frame(b, random);
+    if (i % 2 == 0) add_frame(a, random);
+    const auto before = answers(b);
+    const TableMap map = merge(*a.tables, *b.tables);
+    const World merged = b.image(a.tables, map);
+    EXPECT_EQ(answers(merged), before) << b.family;
+    const CompactedTables small = compacted(*a.tables, merged.planes, merged.points);
+    EXPECT_EQ(answers(merged.image(small.tables, small)), before) << b.family;
+    for (std::size_t j = 0; j < 6; ++j) {
+      EXPECT_EQ(map(b.tables->planes.frame()[j]), a.tables->planes.frame()[j]);
+      EXPECT_EQ(small(a.tables->planes.frame()[j]), small.tables->planes.frame()[j]);
+    }
+  }
+}
+
 TEST(SpaceTables, CompactingKeepsJustWhatIsNeeded) {
   SpaceTables tables;
   const InputPointId unused = tables.planes.add_point({9, 9, 9});

@@ -1,0 +1,322 @@
+// Planes and points of the frame against the same with a concrete R = 2^4000, which is beyond
+// everything that the small and medium numbers here can make.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "plumb/predicates/plane_signs.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/predicates/point3_table.h"
+#include "space_cases.h"
+#include "space_oracle.h"
+
+namespace plumb {
+namespace {
+
+using cases::integer;
+using cases::Random;
+using oracle::Int;
+using oracle::Row;
+using oracle::sgn;
+
+const Int kR = Int(1) << 4000;
+
+/// Planes and points, here and in the oracle. Coordinates and offsets of the oracle are in units of
+/// 2^-kUnit.
+constexpr int kUnit = 60;
+
+struct World {
+  World() = default;
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  PlaneTable table;
+  Point3Table points{table};
+  std::vector<PlaneId> planes;
+  std::vector<SpacePoint> ids;
+  std::vector<Row> rows;         ///< of planes, canonical
+  std::vector<Row> coordinates;  ///< of ids
+
+  void add_plane(OrientedPlane p, const Row& row) {
+    if (!p.is_valid()) return;
+    planes.push_back(p.plane());
+    rows.push_back(oracle::canonical(row));
+  }
+  void add_plane(double a, double b, double c, double d) {
+    add_plane(table.intern(a, b, c, d),
+              {oracle::to_int(a, -kUnit), oracle::to_int(b, -kUnit), oracle::to_int(c, -kUnit),
+               oracle::to_int(d, -kUnit) << kUnit});
+  }
+  void add_frame() {
+    const std::array<PlaneId, 6> frame = table.intern_frame();
+    for (std::size_t i = 0; i < 6; ++i) {
+      Row row = {0, 0, 0, i % 2 == 0 ? kR : -kR};
+      row[i / 2] = 1;
+      add_plane({frame[i], false}, row);
+    }
+  }
+  /// Its existence is part of the law.
+  void add_point(std::size_t p, std::size_t q, std::size_t r) {
+    const Row at = oracle::common_point(rows[p], rows[q], rows[r]);
+    const SpacePoint x = points.add(planes[p], planes[q], planes[r]);
+    ASSERT_EQ(x.is_valid(), at[3] != 0);
+    if (x.is_valid()) push(x, at);
+  }
+  void add_point(const Point3& a, const Point3& b, std::size_t p) {
+    const Row at =
+        oracle::line_point(oracle::point_row(a, -kUnit), oracle::point_row(b, -kUnit), rows[p]);
+    const InputPointId first = table.add_points(std::array<Point3, 2>{a, b});
+    const SpacePoint x = points.add(first, InputPointId(first.value() + 1), planes[p]);
+    ASSERT_EQ(x.is_valid(), at[3] != 0);
+    if (x.is_valid()) push(x, at);
+    push(SpacePoint(first), oracle::point_row(a, -kUnit));
+  }
+  void push(SpacePoint x, const Row& at) {
+    ids.push_back(x);
+    coordinates.push_back(at);
+  }
+};
+
+struct Numbers {
+  const char* name;
+  double (*coordinate)(Random&);
+};
+
+/// From a few values, so that parallel and equal planes abound, to what needs every width.
+constexpr std::array<Numbers, 4> kNumbers = {{
+    {"units", [](Random& r) { return double(integer(r, -1, 1)); }},
+    {"small", [](Random& r) { return double(integer(r, -4, 4)); }},
+    {"mantissas",
+     [](Random& r) { return std::ldexp(double(integer(r, -(1 << 30), 1 << 30)), -29); }},
+    {"spread",
+     [](Random& r) {
+       return std::ldexp(double(integer(r, -(1 << 30), 1 << 30)), integer(r, -60, 40));
+     }},
+}};
+
+void add_ordinary_planes(World& world, Random& r, const Numbers& n) {
+  const auto x = [&] { return n.coordinate(r); };
+  world.add_plane(1, -1, 0, 0);  // x = y, x = y + 1: through edges of the frame, and beside
+  world.add_plane(1, -1, 0, -1);
+  world.add_plane(0, 0, 1, x());
+  for (int i = 0; i < 4; ++i) world.add_plane(x(), x(), x(), x());
+  const double a = x(), b = x(), c = x();  // parallel
+  for (int i = 0; i < 2; ++i) world.add_plane(a, b, c, x());
+}
+
+void fill(World& world, Random& r, const Numbers& n) {
+  world.add_frame();
+  add_ordinary_planes(world, r, n);
+  const int last = static_cast<int>(world.planes.size()) - 1;
+  const auto any = [&](int from) { return static_cast<std::size_t>(integer(r, from, last)); };
+  const auto frame = [&] { return static_cast<std::size_t>(integer(r, 0, 5)); };
+  for (int i = 0; i < 3; ++i) {
+    world.add_point(frame(), any(0), any(0));
+    world.add_point(frame(), any(6), any(6));
+    world.add_point(frame(), frame(), any(6));
+    const Point3 a{n.coordinate(r), n.coordinate(r), n.coordinate(r)};
+    const Point3 b{n.coordinate(r), n.coordinate(r), n.coordinate(r)};
+    world.add_point(a, b, i == 0 ? any(6) : frame());
+  }
+  world.add_point(any(6), any(6), any(6));
+  world.add_point(0, 2, 4);
+}
+
+/// Every rung that decides gives the expected sign, and mpz and the ladder do.
+struct Judge {
+  std::uint64_t signs = 0, zeros = 0, narrow = 0, medium = 0, wide = 0;
+
+  void operator()(const char* what, int expected, FilteredSign filter,
+                  const std::array<FilteredSign, 3>& fixed, Sign big, Sign ladder) {
+    ++signs;
+    zeros += expected == 0 ? 1 : 0;
+    const auto right = [&](FilteredSign s) {
+      return !is_decided(s) || static_cast<int>(decided(s)) == expected;
+    };
+    EXPECT_TRUE(right(filter)) << what << " filter";
+    for (const FilteredSign s : fixed) EXPECT_TRUE(right(s)) << what << " fixed";
+    EXPECT_EQ(static_cast<int>(big), expected) << what << " big";
+    EXPECT_EQ(static_cast<int>(ladder), expected) << what;
+    narrow += is_decided(fixed[0]) ? 1 : 0;
+    medium += is_decided(fixed[1]) ? 1 : 0;
+    wide += is_decided(fixed[2]) ? 1 : 0;
+  }
+};
+
+using exact3::Medium;
+using exact3::Narrow;
+using exact3::Wide;
+
+void check_planes(const World& w, Random& r, Judge& judge) {
+  const PlaneTable& t = w.table;
+  const int last = static_cast<int>(w.planes.size()) - 1;
+  for (int i = 0; i < 40; ++i) {
+    std::array<std::size_t, 4> at;
+    for (std::size_t& k : at) k = static_cast<std::size_t>(integer(r, 0, last));
+    std::array<PlaneId, 4> p;
+    for (std::size_t k = 0; k < 4; ++k) p[k] = w.planes[at[k]];
+    const Row &a = w.rows[at[0]], &b = w.rows[at[1]], &c = w.rows[at[2]], &d = w.rows[at[3]];
+    judge("det4", sgn(oracle::det4(a, b, c, d)),
+          rung::det4_filter(t.row(p[0]), t.row(p[1]), t.row(p[2]), t.row(p[3])),
+          {rung::det4_fixed<Narrow>(t, p[0], p[1], p[2], p[3]),
+           rung::det4_fixed<Medium>(t, p[0], p[1], p[2], p[3]),
+           rung::det4_fixed<Wide>(t, p[0], p[1], p[2], p[3])},
+          rung::det4_big(t, p[0], p[1], p[2], p[3]), det4_sign(t, p[0], p[1], p[2], p[3]));
+    judge("det3", sgn(oracle::det3(a, b, c)),
+          rung::det3_filter(t.row(p[0]), t.row(p[1]), t.row(p[2])),
+          {rung::det3_fixed<Narrow>(t, p[0], p[1], p[2]),
+           rung::det3_fixed<Medium>(t, p[0], p[1], p[2]),
+           rung::det3_fixed<Wide>(t, p[0], p[1], p[2])},
+          rung::det3_big(t, p[0], p[1], p[2]), det3_sign(t, p[0], p[1], p[2]));
+  }
+}
+
+void check_sides(const World& w, Judge& judge) {
+  const Point3Table& t = w.points;
+  for (std::size_t i = 0; i < w.ids.size(); ++i) {
+    for (std::size_t j = 0; j < w.planes.size(); ++j) {
+      const SpacePoint x = w.ids[i];
+      const PlaneId p = w.planes[j];
+      judge("side", oracle::side(w.rows[j], w.coordinates[i]),
+            rung::side_filter(t.box(x), w.table.row(p)),
+            {rung::side_fixed<Narrow>(t, x, p), rung::side_fixed<Medium>(t, x, p),
+             rung::side_fixed<Wide>(t, x, p)},
+            rung::side_big(t, x, p), side(t, x, p));
+    }
+  }
+}
+
+void check_orders(const World& w, Judge& judge) {
+  const Point3Table& t = w.points;
+  for (std::size_t i = 0; i < w.ids.size(); ++i) {
+    for (std::size_t j = 0; j < w.ids.size(); ++j) {
+      const SpacePoint x = w.ids[i], y = w.ids[j];
+      const Row &a = w.coordinates[i], &b = w.coordinates[j];
+      const std::size_t axis = (i + j) % 3;
+      judge("compare_axis", oracle::compare_axis(a, b, axis),
+            rung::compare_axis_filter(t.box(x), t.box(y), axis),
+            {rung::compare_axis_fixed<Narrow>(t, x, y, axis),
+             rung::compare_axis_fixed<Medium>(t, x, y, axis),
+             rung::compare_axis_fixed<Wide>(t, x, y, axis)},
+            rung::compare_axis_big(t, x, y, axis), compare_axis(t, x, y, axis));
+      int order = 0;
+      for (std::size_t k = 0; k < 3 && order == 0; ++k) order = oracle::compare_axis(a, b, k);
+      EXPECT_EQ(static_cast<int>(compare_xyz(t, x, y)), order);
+      EXPECT_EQ(equal(t, x, y), order == 0);
+      EXPECT_EQ(fingerprint(t, x) == fingerprint(t, y), order == 0);
+    }
+  }
+}
+
+/// (y - x) . (n_p x n_q) for the points of every line of two planes.
+void check_lines(const World& w, Random& r) {
+  const int last = static_cast<int>(w.planes.size()) - 1;
+  for (int i = 0; i < 40; ++i) {
+    const auto p = static_cast<std::size_t>(integer(r, 0, last));
+    const auto q = static_cast<std::size_t>(integer(r, 0, last));
+    const Row &a = w.rows[p], &b = w.rows[q];
+    const Row direction = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                           a[0] * b[1] - a[1] * b[0], 0};
+    if (direction[0] == 0 && direction[1] == 0 && direction[2] == 0) continue;
+    std::vector<std::size_t> on;
+    for (std::size_t k = 0; k < w.ids.size(); ++k) {
+      if (oracle::side(a, w.coordinates[k]) == 0 && oracle::side(b, w.coordinates[k]) == 0) {
+        on.push_back(k);
+      }
+    }
+    for (const std::size_t x : on) {
+      for (const std::size_t y : on) {
+        const Row &u = w.coordinates[x], &v = w.coordinates[y];
+        Int along = 0;
+        for (std::size_t k = 0; k < 3; ++k) along += direction[k] * (v[k] * u[3] - u[k] * v[3]);
+        EXPECT_EQ(static_cast<int>(
+                      order_along_line(w.points, w.planes[p], w.planes[q], w.ids[x], w.ids[y])),
+                  sgn(along) * sgn(u[3]) * sgn(v[3]));
+      }
+    }
+  }
+}
+
+class Frame : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(Frame, AnswersLikeAHugeNumber) {
+  const Numbers& numbers = kNumbers[GetParam()];
+  Random random(41);
+  Judge judge;
+  const std::uint64_t count = cases::count(60);
+  for (std::uint64_t i = 0; i < count && !HasFailure(); ++i) {
+    World world;
+    fill(world, random, numbers);
+    check_planes(world, random, judge);
+    check_sides(world, judge);
+    check_orders(world, judge);
+    check_lines(world, random);
+  }
+  std::cout << judge.signs << " signs, " << judge.zeros << " zero; narrow decides " << judge.narrow
+            << ", medium " << judge.medium << ", wide " << judge.wide << "\n";
+  EXPECT_GT(judge.zeros, judge.signs / 20);
+  EXPECT_GT(judge.wide, judge.signs / 4);
+}
+
+TEST(FramePlanes, AreSixAndTheSameInEveryTable) {
+  PlaneTable a, b;
+  EXPECT_FALSE(a.frame()[0].is_valid());
+  const PlaneId plain = a.intern(1.0, 0.0, 0.0, 1.0).plane();
+  const std::array<PlaneId, 6> in_a = a.intern_frame();
+  EXPECT_EQ(a.intern_frame(), in_a);
+  EXPECT_EQ(a.frame(), in_a);
+  EXPECT_EQ(a.size(), 7u);
+  EXPECT_FALSE(a.is_frame(plain));
+  const std::array<PlaneId, 6> in_b = b.intern_frame();
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_TRUE(a.is_frame(in_a[i]));
+    EXPECT_EQ(a.source(in_a[i]).frame_index(), i);
+    EXPECT_EQ(a.fingerprint(in_a[i]), b.fingerprint(in_b[i]));
+  }
+  const std::vector<PlaneId> map = b.merge(a);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(map[in_a[i].value()], in_b[i]);
+  EXPECT_EQ(b.size(), 7u);
+  PlaneTable c;
+  const std::vector<PlaneId> to_c = c.merge(a);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(to_c[in_a[i].value()], c.frame()[i]);
+  EXPECT_EQ(PlaneTable(c).frame(), c.frame());
+}
+
+/// No number is R, not even the one that stands for it in fingerprints.
+TEST(FramePlanes, EqualNoOtherPlane) {
+  PlaneTable table;
+  const std::array<PlaneId, 6> frame = table.intern_frame();
+  for (const int sign : {-1, 1}) {
+    const Rational r(sign * Integer(kFrameResidue.value()));
+    const PlaneId p = table.intern(0, 1, 0, r).plane();
+    EXPECT_EQ(table.fingerprint(p), table.fingerprint(frame[sign < 0 ? 3 : 2]));
+    EXPECT_FALSE(table.is_frame(p));
+    EXPECT_EQ(table.intern(0, 2, 0, Rational(2 * r)).plane(), p);
+    EXPECT_FALSE(table.intern(0, 0, 0, r).is_valid());
+  }
+  EXPECT_EQ(table.intern_frame(), frame);
+}
+
+/// Equal points of two tables whose residues vanish in the first: all normals there are multiples
+/// of q, or q divides a common factor.
+TEST(FramePlanes, FingerprintsOfPointsWithZeroResidues) {
+  const Integer q = (Integer(1) << 61) - 1;
+  const auto point = [](const Integer& scale) {
+    PlaneTable table;
+    const PlaneId y = table.intern(0, Rational(scale), 0, Rational(scale)).plane();
+    const PlaneId z = table.intern(0, 0, 1, Rational(5)).plane();
+    Point3Table points(table);
+    return fingerprint(points, points.add(table.intern_frame()[1], y, z));
+  };
+  EXPECT_EQ(point(1), point(q));
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, Frame, testing::Range(std::size_t{0}, kNumbers.size()),
+                         [](const auto& i) { return std::string(kNumbers[i.param].name); });
+
+}  // namespace
+}  // namespace plumb
