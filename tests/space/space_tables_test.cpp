@@ -11,7 +11,7 @@
 
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
-#include "predicates/space_cases.h"
+#include "space_cases.h"
 
 namespace plumb {
 namespace {
