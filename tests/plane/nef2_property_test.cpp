@@ -37,7 +37,7 @@ class RandomSets : public ::testing::TestWithParam<int> {
 };
 
 TEST_P(RandomSets, AreThoseOfTheTwin) {
-  for (std::uint64_t seed = 0; seed < rounds(96) && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 0; seed < rounds(48) && !HasFailure(); ++seed) {
     Dice dice(seed * kProgramValues + static_cast<std::uint64_t>(GetParam()));
     const auto set = any_set(dice, 2 + seed % 9, kMaxLines);
     EXPECT_EQ(disagreement(*set), "") << "seed " << seed;
@@ -241,7 +241,7 @@ std::string name_of_values(const ::testing::TestParamInfo<int>& tested) {
 INSTANTIATE_TEST_SUITE_P(Nef2, RandomSets, ::testing::Range(0, kProgramValues), name_of_values);
 
 TEST(Nef2Programs, OfAnyBytesAreThoseOfTheTwin) {
-  for (std::uint64_t seed = 0; seed < 40 && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 0; seed < 20 && !HasFailure(); ++seed) {
     Dice dice(seed);
     EXPECT_EQ(disagreement(*set_of_program(wild_program(dice, 2 + seed % 8), 10)), "")
         << "seed " << seed;
