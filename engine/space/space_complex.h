@@ -118,6 +118,13 @@ class SpaceItem {
   constexpr SpaceItem(FacetId f) : SpaceItem(Kind::Facet, f.value()) {}
   constexpr SpaceItem(VolumeId v) : SpaceItem(Kind::Volume, v.value()) {}
 
+  /// The item whose code() that is.
+  static constexpr SpaceItem from_code(std::uint32_t code) {
+    SpaceItem item;
+    item.code_ = code;
+    return item;
+  }
+
   constexpr bool is_valid() const { return code_ != ~std::uint32_t{0}; }
   constexpr Kind kind() const { return static_cast<Kind>(code_ >> 30U); }
   constexpr std::uint32_t index() const { return code_ & 0x3fffffffU; }
