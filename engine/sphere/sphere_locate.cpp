@@ -1,5 +1,6 @@
 // Where a direction lies in a map, and what a map is around its centre.
 #include "plumb/base/error.h"
+#include "plumb/predicates/plane_signs.h"
 #include "plumb/sphere/sphere_overlay.h"
 #include "plumb/sphere/sphere_path.h"
 
@@ -14,6 +15,30 @@ bool is_on_arc(const PlaneTable& planes, const SphereMap& map, std::uint32_t a, 
 
 std::uint32_t face_of(const SphereMap& map, SphereSlot slot) {
   return slot.half_arc != SphereMap::kNone ? map.face[slot.half_arc] : map.point_face[slot.point];
+}
+
+bool is_parallel(const PlaneTable& planes, PlaneId p, PlaneId q) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (minor_sign(planes, p, q, axis) != Sign::Zero) return false;
+  }
+  return true;
+}
+
+/// The plane of the map parallel to one that need not pass through the centre, if there is one. Canonical planes
+/// that are parallel have normals of one direction, so either names the same directions.
+PlaneId plane_like(const PlaneTable& planes, const SphereMap& map, PlaneId plane) {
+  PlaneId like = plane;
+  const auto look_at = [&](PlaneId p) {
+    if (like == plane && p != plane && is_parallel(planes, p, plane)) like = p;
+    return p == plane;
+  };
+  for (const PlaneId c : map.circle) {
+    if (look_at(c)) return plane;
+  }
+  for (const SphereDirection& d : map.direction) {
+    if (look_at(d.p) || look_at(d.q)) return plane;
+  }
+  return like;
 }
 
 bool all_are(const std::vector<Mark>& marks, Mark mark) {
@@ -33,7 +58,9 @@ bool is_edge(const PlaneTable& planes, const SphereMap& map) {
 
 }  // namespace
 
+// Planes through the centre are told apart by their ids; the direction's need not be through it.
 SphereCell locate(const PlaneTable& planes, const SphereMap& map, SphereDirection direction) {
+  direction = {plane_like(planes, map, direction.p), plane_like(planes, map, direction.q)};
   for (std::uint32_t v = 0; v < map.point_count(); ++v) {
     if (is_same(planes, map.direction[v], direction)) return SphereCell::point(v);
   }

@@ -57,7 +57,7 @@ class SphereOverlay {
 /// Requires a minimal map.
 PyramidKind classify(const PlaneTable& planes, const SphereMap& map);
 
-/// The item of the map that the direction hits. O(size).
+/// The item of the map that the direction hits. Its planes need not pass through the centre. O(size).
 SphereCell locate(const PlaneTable& planes, const SphereMap& map, SphereDirection direction);
 
 }  // namespace plumb
