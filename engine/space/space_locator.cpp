@@ -1,0 +1,259 @@
+#include "plumb/space/space_locator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "plumb/base/box_tree.h"
+#include "plumb/base/error.h"
+#include "plumb/predicates/query_point3.h"
+#include "plumb/predicates/rounding.h"
+#include "plumb/space/local_maps.h"
+#include "plumb/space/space_boxes.h"
+#include "plumb/space/space_ray.h"
+#include "plumb/sphere/sphere_overlay.h"
+
+namespace plumb {
+namespace {
+
+constexpr SphereDirection kRight{kPlaneY, kPlaneZ};
+constexpr std::size_t kAxisX = 0;
+
+Mark mark_of(const SpaceComplex& complex, SpaceItem item) {
+  switch (item.kind()) {
+    case SpaceItem::Kind::Vertex:
+      return complex.vertex_mark[item.index()];
+    case SpaceItem::Kind::Edge:
+      return complex.edge_mark[item.index()];
+    case SpaceItem::Kind::Facet:
+      return complex.facet_mark[item.index()];
+    case SpaceItem::Kind::Volume:
+      break;
+  }
+  return complex.volume_mark[item.index()];
+}
+
+}  // namespace
+
+struct SpaceLocator::Tree {
+  explicit Tree(const SpaceComplex& used_complex);
+
+  std::optional<RayHit> first_hit(const SpaceRay& ray) const;
+  SpaceItem on_item(const QueryPoint3& p) const;
+  VolumeId volume_of(const QueryPoint3& p) const;
+  SpaceItem locate(const QueryPoint3& p) const;
+
+ private:
+  template <class Id>
+  void add(Id id) {
+    items.push_back(id);
+    boxes.push_back(box_of(complex, id));
+  }
+  void meet(SpaceItem item, const SpaceRay& ray, std::vector<RayHit>& hits) const;
+  SpaceItem on(FacetId f, const QueryPoint3& p) const;
+  SpaceItem on(EdgeId e, const QueryPoint3& p) const;
+  bool is_at(VertexId v, const QueryPoint3& p) const;
+  VolumeId volume_right_of(SpaceItem item) const;
+
+  const SpaceComplex& complex;
+  std::vector<SpaceItem> items;
+  std::vector<Box3> boxes;
+  BoxTree boxes_tree;
+};
+
+// --- the tree
+
+SpaceLocator::Tree::Tree(const SpaceComplex& used_complex) : complex(used_complex) {
+  for (std::size_t f = 0; f < complex.facet_count(); ++f) add(FacetId(f));
+  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
+    if (!complex.edge_use[e].is_valid()) add(EdgeId(e));
+  }
+  for (std::size_t v = 0; v < complex.vertex_count(); ++v) {
+    const bool is_alone =
+        complex.star_of(VertexId(v)).empty() && !complex.vertex_facet[v].is_valid();
+    if (is_alone) add(VertexId(v));
+  }
+  boxes_tree = BoxTree(boxes);
+  boxes = {};
+}
+
+// --- points on items
+
+bool SpaceLocator::Tree::is_at(VertexId v, const QueryPoint3& p) const {
+  const SpacePoint x = complex.vertex_point[v.value()];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (compare_axis(complex.points(), x, p, axis) != Sign::Zero) return false;
+  }
+  return true;
+}
+
+/// On both planes, p lies on the edge's line; it is an end, or strictly between the ends along any
+/// axis.
+SpaceItem SpaceLocator::Tree::on(EdgeId e, const QueryPoint3& p) const {
+  for (const PlaneId plane : complex.edge_planes[e.value()]) {
+    if (side(complex.points(), p, plane) != Sign::Zero) return {};
+  }
+  const HalfedgeId h(2 * std::size_t{e.value()});
+  const VertexId a = complex.origin[h.value()], b = complex.target(h);
+  if (is_at(a, p)) return a;
+  if (is_at(b, p)) return b;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto order = [&](VertexId v) {
+      return compare_axis(complex.points(), complex.vertex_point[v.value()], p, axis);
+    };
+    if (order(a) * order(b) == Sign::Negative) return e;
+  }
+  return {};
+}
+
+/// The axis along which the normal is largest surely cuts the plane: its shadows tell its points apart.
+SpaceItem SpaceLocator::Tree::on(FacetId f, const QueryPoint3& p) const {
+  const PlaneId plane = complex.facet_plane[f.value()];
+  if (side(complex.points(), p, plane) != Sign::Zero) return {};
+  const auto& n = complex.planes().row(plane).n;
+  const auto is_less = [](double x, double y) { return std::fabs(x) < std::fabs(y); };
+  const auto axis =
+      static_cast<std::size_t>(std::max_element(n.begin(), n.end(), is_less) - n.begin());
+  std::vector<RayHit> hits;
+  SpaceRay(complex, p, axis, false).meet(f, hits);
+  return hits.empty() ? SpaceItem() : hits[0].item;
+}
+
+SpaceItem SpaceLocator::Tree::on_item(const QueryPoint3& p) const {
+  SpaceItem found;
+  boxes_tree.for_each_meeting(box_of(p.box()), [&](std::uint32_t i) {
+    const SpaceItem item = items[i];
+    if (found.is_valid() || mark_of(complex, item) == kBeyond) return;
+    if (item.kind() == SpaceItem::Kind::Facet) {
+      found = on(item.facet(), p);
+    } else if (item.kind() == SpaceItem::Kind::Edge) {
+      found = on(item.edge(), p);
+    } else if (is_at(item.vertex(), p)) {
+      found = item;
+    }
+  });
+  return found;
+}
+
+// --- rays
+
+namespace {
+
+/// The distance along the ray is the time.
+BoxRay box_ray(const SpaceRay& ray) {
+  BoxRay result;
+  result.origin = box_of(ray.origin().box());
+  for (std::size_t i = 0; i < 3; ++i) {
+    Ball d = Ball{ray.is_reverse() ? -1.0 : 1.0, 0};
+    if (i != ray.axis()) d = ray.is_axis_parallel() ? Ball{} : ray.slope(i) * d;
+    result.direction.low[i] = d.mid - d.error;
+    result.direction.high[i] = d.mid + d.error;
+  }
+  return result;
+}
+
+}  // namespace
+
+void SpaceLocator::Tree::meet(SpaceItem item, const SpaceRay& ray,
+                              std::vector<RayHit>& hits) const {
+  if (item.kind() == SpaceItem::Kind::Facet) {
+    ray.meet(item.facet(), hits);
+  } else if (item.kind() == SpaceItem::Kind::Edge) {
+    ray.meet(item.edge(), hits);
+  } else {
+    ray.meet(item.vertex(), hits);
+  }
+}
+
+std::optional<RayHit> SpaceLocator::Tree::first_hit(const SpaceRay& ray) const {
+  std::optional<RayHit> best;
+  double limit = Box3::kInfinity;
+  std::vector<RayHit> hits;
+  boxes_tree.for_each_along(box_ray(ray), limit, [&](std::uint32_t i, double) {
+    hits.clear();
+    meet(items[i], ray, hits);
+    for (const RayHit& hit : hits) {
+      if (ray.side(hit) != Sign::Positive) continue;
+      if (best && ray.compare(hit, *best) != Sign::Negative) continue;
+      best = hit;
+      const double bound = hit.distance.upper();
+      if (bound < limit) limit = bound;
+    }
+    return limit;
+  });
+  return best;
+}
+
+// --- volumes
+
+/// The volume that a ray towards -x which ends on the item came through. A canonical plane that the
+/// ray crosses has a positive x component, so the ray comes from its positive side.
+VolumeId SpaceLocator::Tree::volume_right_of(SpaceItem item) const {
+  if (item.kind() == SpaceItem::Kind::Facet) return complex.facet_volume[item.index()][0];
+  LocalMap local;
+  local_map(complex, item, local);
+  const SphereCell cell = plumb::locate(complex.planes(), local.map, kRight);
+  PLUMB_CHECK(cell.kind() == SphereCell::Kind::Face);
+  return local.volume[cell.index()];
+}
+
+VolumeId SpaceLocator::Tree::volume_of(const QueryPoint3& p) const {
+  const std::optional<RayHit> hit = first_hit(SpaceRay(complex, p, kAxisX, true));
+  return hit ? volume_right_of(hit->item) : VolumeId(0);
+}
+
+SpaceItem SpaceLocator::Tree::locate(const QueryPoint3& p) const {
+  const SpaceItem item = on_item(p);
+  return item.is_valid() ? item : SpaceItem(volume_of(p));
+}
+
+// --- the public class
+
+SpaceLocator::SpaceLocator(const SpaceComplex& complex)
+    : complex_(complex), tree_(std::make_unique<Tree>(complex)) {}
+SpaceLocator::~SpaceLocator() = default;
+
+SpaceItem SpaceLocator::on_item(const RationalPoint3& p) const {
+  return tree_->on_item(QueryPoint3(p));
+}
+SpaceItem SpaceLocator::on_item(const Point3& p) const { return tree_->on_item(QueryPoint3(p)); }
+
+VolumeId SpaceLocator::volume_of(const RationalPoint3& p) const {
+  return tree_->volume_of(QueryPoint3(p));
+}
+VolumeId SpaceLocator::volume_of(const Point3& p) const { return tree_->volume_of(QueryPoint3(p)); }
+
+SpaceItem SpaceLocator::locate(const RationalPoint3& p) const {
+  return tree_->locate(QueryPoint3(p));
+}
+SpaceItem SpaceLocator::locate(const Point3& p) const { return tree_->locate(QueryPoint3(p)); }
+
+void SpaceLocator::locate(std::span<const Point3> points, std::span<SpaceItem> items) const {
+  PLUMB_CHECK(points.size() == items.size());
+  for (std::size_t i = 0; i < points.size(); ++i) items[i] = locate(points[i]);
+}
+
+std::optional<SpaceHit> SpaceLocator::shoot(const RationalPoint3& origin,
+                                            const RationalPoint3& direction) const {
+  const QueryPoint3 o(origin);
+  const SpaceRay ray(complex_, o, direction);
+  const std::optional<RayHit> hit = tree_->first_hit(ray);
+  if (!hit || mark_of(complex_, hit->item) == kBeyond) return std::nullopt;
+  return SpaceHit{hit->item, ray.point(*hit)};
+}
+
+std::optional<SpaceHit> SpaceLocator::shoot(const Point3& origin, const Point3& direction) const {
+  const auto exact = [](const Point3& p) {
+    return RationalPoint3{exact_rational(p.x), exact_rational(p.y), exact_rational(p.z)};
+  };
+  return shoot(exact(origin), exact(direction));
+}
+
+SpaceItem SpaceLocator::shoot_left(SpacePoint origin) const {
+  const QueryPoint3 o(complex_.points(), origin);
+  const std::optional<RayHit> hit = tree_->first_hit(SpaceRay(complex_, o, kAxisX, true));
+  return hit ? hit->item : SpaceItem();
+}
+
+}  // namespace plumb

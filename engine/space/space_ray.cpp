@@ -1,0 +1,258 @@
+#include "plumb/space/space_ray.h"
+
+#include <utility>
+
+#include "plumb/base/error.h"
+#include "plumb/predicates/input_predicates.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/predicates/rounding.h"
+
+namespace plumb {
+namespace {
+
+/// A sign by balls, and exactly where they cannot tell: value.operator()<Number>().
+template <class Value>
+Sign sign_by(const Value& value) {
+  const FilteredSign s = value.template operator()<Ball>().sign();
+  if (is_decided(s)) return decided(s);
+  const Rational exact = value.template operator()<Rational>();
+  return static_cast<Sign>(exact.sign());
+}
+
+/// Half a unit in the last place is less than 2^-52 of the value.
+Ball ball_of(const Rational& value) {
+  const double rounded = clamped_to_finite(nearest_double(value));
+  return Ball::about(rounded, std::fabs(rounded) * 0x1p-52);
+}
+
+std::size_t largest_component(const RationalPoint3& d) {
+  std::size_t k = 0;
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (abs(coordinate(d, i)) > abs(coordinate(d, k))) k = i;
+  }
+  return k;
+}
+
+}  // namespace
+
+SpaceRay::SpaceRay(const SpaceComplex& complex, const QueryPoint3& origin, std::size_t axis,
+                   bool is_reverse)
+    : complex_(complex),
+      origin_(origin),
+      k_(axis),
+      is_reverse_(is_reverse),
+      is_axis_parallel_(true) {}
+
+SpaceRay::SpaceRay(const SpaceComplex& complex, const QueryPoint3& origin,
+                   const RationalPoint3& direction)
+    : SpaceRay(complex, origin, largest_component(direction), false) {
+  const Rational& along = coordinate(direction, k_);
+  PLUMB_CHECK(along != 0);
+  is_reverse_ = along < 0;
+  for (std::size_t c = 0; c < 2; ++c) {
+    const std::size_t i = side_axis(c);
+    exact_slope_[i] = coordinate(direction, i) / along;
+    slope_[i] = ball_of(exact_slope_[i]);
+    is_axis_parallel_ = is_axis_parallel_ && exact_slope_[i] == 0;
+  }
+}
+
+// --- quantities, in balls or exactly
+
+/// (v - O) along an axis.
+template <>
+Ball SpaceRay::offset<Ball>(VertexId v, std::size_t axis) const {
+  const PointBox x = complex_.points().box(point_of(v)), &o = origin_.box();
+  return Ball::about(x.mid[axis], x.radius) - Ball::about(o.mid[axis], o.radius);
+}
+
+template <>
+Rational SpaceRay::offset<Rational>(VertexId v, std::size_t axis) const {
+  const RationalPoint3 x = exact(complex_.points(), point_of(v));
+  return coordinate(x, axis) - coordinate(origin_.exact(), axis);
+}
+
+template <>
+Ball SpaceRay::shadow<Ball>(VertexId v, std::size_t c) const {
+  const std::size_t i = side_axis(c);
+  if (is_axis_parallel_) return offset<Ball>(v, i);
+  return offset<Ball>(v, i) - slope_[i] * offset<Ball>(v, k_);
+}
+
+template <>
+Rational SpaceRay::shadow<Rational>(VertexId v, std::size_t c) const {
+  const std::size_t i = side_axis(c);
+  return offset<Rational>(v, i) - exact_slope_[i] * offset<Rational>(v, k_);
+}
+
+/// Where the line meets a plane, along axis k: -s(O) / (n . slope).
+template <>
+Ball SpaceRay::plane_distance<Ball>(PlaneId plane) const {
+  const PlaneRow& row = complex_.planes().row(plane);
+  const auto normal = [&](std::size_t i) { return Ball::about(row.n[i], row.normal_error); };
+  const PointBox& o = origin_.box();
+  Ball value = Ball::about(row.d, row.offset_error), climb = normal(k_);
+  for (std::size_t i = 0; i < 3; ++i) {
+    value = value + normal(i) * Ball::about(o.mid[i], o.radius);
+    if (i != k_ && !is_axis_parallel_) climb = climb + normal(i) * slope_[i];
+  }
+  return -value / climb;
+}
+
+template <>
+Rational SpaceRay::plane_distance<Rational>(PlaneId plane) const {
+  const IntegerRow row = complex_.planes().coefficients(plane);
+  Rational value = row[3], climb = row[k_];
+  for (std::size_t i = 0; i < 3; ++i) {
+    value += row[i] * coordinate(origin_.exact(), i);
+    if (i != k_) climb += row[i] * exact_slope_[i];
+  }
+  return -value / climb;
+}
+
+/// Of an edge: where its shadow passes 0 in a coordinate in which its ends lie on both sides of it.
+template <class Number>
+Number SpaceRay::distance(const RayHit& hit) const {
+  Number along;
+  if (hit.item.kind() == SpaceItem::Kind::Facet) {
+    along = plane_distance<Number>(complex_.facet_plane[hit.item.index()]);
+  } else if (hit.item.kind() == SpaceItem::Kind::Vertex) {
+    along = offset<Number>(hit.a, k_);
+  } else {
+    const Number a = shadow<Number>(hit.a, hit.side_axis), b = shadow<Number>(hit.b, hit.side_axis);
+    along = (offset<Number>(hit.a, k_) * b - offset<Number>(hit.b, k_) * a) / (b - a);
+  }
+  return is_reverse_ ? Number(-along) : along;
+}
+
+// --- signs
+
+Sign SpaceRay::shadow_sign(VertexId v, std::size_t c) const {
+  if (is_axis_parallel_) {
+    return compare_axis(complex_.points(), point_of(v), origin_, side_axis(c));
+  }
+  return sign_by([&]<class Number>() { return shadow<Number>(v, c); });
+}
+
+/// The sign of the cross product of two shadows.
+Sign SpaceRay::turn(VertexId a, VertexId b) const {
+  const PointBox x = complex_.points().box(point_of(a)), y = complex_.points().box(point_of(b));
+  if (is_axis_parallel_ && x.radius == 0 && y.radius == 0 && origin_.is_double()) {
+    const std::size_t i = side_axis(0), j = side_axis(1);
+    const auto& o = origin_.box().mid;
+    return orient2d({x.mid[i], x.mid[j]}, {y.mid[i], y.mid[j]}, {o[i], o[j]});
+  }
+  return sign_by([&]<class Number>() -> Number {
+    return shadow<Number>(a, 0) * shadow<Number>(b, 1) -
+           shadow<Number>(a, 1) * shadow<Number>(b, 0);
+  });
+}
+
+Sign SpaceRay::side(const RayHit& hit) const {
+  const FilteredSign s = hit.distance.sign();
+  if (is_decided(s)) return decided(s);
+  return sign_of(distance<Rational>(hit).sign());
+}
+
+Sign SpaceRay::compare(const RayHit& x, const RayHit& y) const {
+  if (x.item == y.item) return Sign::Zero;
+  const FilteredSign s = (x.distance - y.distance).sign();
+  if (is_decided(s)) return decided(s);
+  return sign_of(distance<Rational>(x).compare(distance<Rational>(y)));
+}
+
+RationalPoint3 SpaceRay::point(const RayHit& hit) const {
+  const Rational t = distance<Rational>(hit);
+  const Rational along = is_reverse_ ? Rational(-t) : t;
+  std::array<Rational, 3> x;
+  for (std::size_t i = 0; i < 3; ++i) {
+    x[i] = coordinate(origin_.exact(), i) + (i == k_ ? along : Rational(along * exact_slope_[i]));
+  }
+  return {x[0], x[1], x[2]};
+}
+
+// --- what the line meets
+
+/// How the shadow of an edge between two points other than the origin passes it. On the right: it crosses the
+/// axis j = 0 at i > 0, points with j = 0 counted as below.
+SpaceRay::Passing SpaceRay::passing(const End& a, const End& b) const {
+  const auto &p = a.place.at, &q = b.place.at;
+  for (std::size_t c = 0; c < 2; ++c) {  // on one side of an axis, and not on the right of it
+    if (p[c] == q[c] && p[c] != Sign::Zero && (c == 1 || p[c] == Sign::Negative)) {
+      return Passing::Aside;
+    }
+  }
+  const bool rises = q[1] == Sign::Positive;
+  const bool crosses = rises != (p[1] == Sign::Positive);
+  if (p[0] == Sign::Positive && q[0] == Sign::Positive) {
+    return crosses ? Passing::OnRight : Passing::Aside;
+  }
+  const Sign t = turn(a.vertex, b.vertex);
+  if (t == Sign::Zero) {
+    const bool is_between = p[0] * q[0] == Sign::Negative || p[1] * q[1] == Sign::Negative;
+    return is_between ? Passing::Through : Passing::Aside;
+  }
+  return crosses && (t == Sign::Positive) == rises ? Passing::OnRight : Passing::Aside;
+}
+
+void SpaceRay::meet(VertexId v, std::vector<RayHit>& hits) const {
+  if (!end(v).place.is_origin()) return;
+  RayHit hit{v, v, {}, 0, {}};
+  hit.distance = distance<Ball>(hit);
+  hits.push_back(hit);
+}
+
+/// Whether the edge passes on the right.
+bool SpaceRay::meet_edge(EdgeId e, const End& a, const End& b, std::vector<RayHit>& hits) const {
+  if (a.place.is_origin() || b.place.is_origin()) return false;
+  const Passing how = passing(a, b);
+  if (how == Passing::Through) {
+    const bool by_first = a.place.at[0] * b.place.at[0] == Sign::Negative;
+    RayHit hit{e, a.vertex, b.vertex, by_first ? 0U : 1U, {}};
+    hit.distance = distance<Ball>(hit);
+    hits.push_back(hit);
+  }
+  return how == Passing::OnRight;
+}
+
+void SpaceRay::meet(EdgeId e, std::vector<RayHit>& hits) const {
+  const HalfedgeId h(2 * std::size_t{e.value()});
+  const VertexId a = complex_.origin[h.value()], b = complex_.target(h);
+  meet(a, hits);
+  meet(b, hits);
+  meet_edge(e, end(a), end(b), hits);
+}
+
+/// Whether the line meets the cycle; turns is_inside over for each edge on the right.
+bool SpaceRay::meet_cycle(UseId first, bool& is_inside, std::vector<RayHit>& hits) const {
+  const std::size_t before = hits.size();
+  const End start = end(complex_.use_origin(first));
+  End a = start;
+  UseId u = first;
+  do {
+    const UseId after = complex_.use_next[u.value()];
+    const End b = after == first ? start : end(complex_.use_origin(after));
+    if (a.place.is_origin()) meet(a.vertex, hits);
+    const EdgeId e = SpaceComplex::edge_of(complex_.use_halfedge[u.value()]);
+    if (meet_edge(e, a, b, hits)) is_inside = !is_inside;
+    a = b;
+    u = after;
+  } while (u != first);
+  return hits.size() > before;
+}
+
+void SpaceRay::meet(FacetId f, std::vector<RayHit>& hits) const {
+  bool is_inside = false, meets_boundary = false;
+  for (const UseId first : complex_.cycles_of(f)) {
+    if (meet_cycle(first, is_inside, hits)) meets_boundary = true;
+  }
+  if (!is_inside && !meets_boundary) return;
+  const std::size_t before = hits.size();
+  for (const VertexId v : complex_.inner_of(f)) meet(v, hits);
+  if (meets_boundary || hits.size() > before) return;
+  RayHit hit{f, {}, {}, 0, {}};
+  hit.distance = distance<Ball>(hit);
+  hits.push_back(hit);
+}
+
+}  // namespace plumb

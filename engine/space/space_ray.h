@@ -1,0 +1,101 @@
+// A ray among the items of a complex (internal to the locator).
+//
+// Notation
+//   O         where the ray starts; k the axis along which it runs fastest; its direction has 1 or -1
+//             there and slope_i = d_i / d_k along the other two, i and j
+//   distance  of a point x: (x - O)_k d_k, how far along the ray it is
+//   shadow    of a point x: (x - O)_i - slope_i (x - O)_k, the same for j: what is seen of x by someone
+//             who looks along the ray, which is itself the origin of the shadows
+//
+// The line of the ray meets a vertex where its shadow is the origin, an edge where its shadow passes the
+// origin, and a facet that it does not run along where the boundary's shadow goes around the origin an odd
+// number of times. Only signs are asked for, each of a filter first, then exactly. The shadows
+// of a facet along the ray are on a line, and the same rules then find what the ray meets of its boundary.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "plumb/predicates/query_point3.h"
+#include "plumb/space/ball.h"
+#include "plumb/space/space_complex.h"
+
+namespace plumb {
+
+/// A vertex, edge or facet that the line of a ray meets in one point.
+struct RayHit {
+  SpaceItem item;
+  VertexId a;             ///< the vertex; or the ends of the edge, whose shadows have
+  VertexId b;             ///< opposite signs in coordinate `side_axis`
+  std::size_t side_axis;  ///< 0: i, 1: j
+  Ball distance;
+};
+
+class SpaceRay {
+ public:
+  /// Along a coordinate axis. The origin must outlive the ray.
+  SpaceRay(const SpaceComplex& complex, const QueryPoint3& origin, std::size_t axis,
+           bool is_reverse);
+  /// Requires a direction that is not zero.
+  SpaceRay(const SpaceComplex& complex, const QueryPoint3& origin, const RationalPoint3& direction);
+
+  // What the whole line meets, in front of the origin or not, is added to `hits`.
+  void meet(FacetId f, std::vector<RayHit>& hits) const;
+  void meet(EdgeId e, std::vector<RayHit>& hits) const;
+  void meet(VertexId v, std::vector<RayHit>& hits) const;
+
+  /// Positive: in front of the origin.
+  Sign side(const RayHit& hit) const;
+  /// The order along the ray.
+  Sign compare(const RayHit& x, const RayHit& y) const;
+  RationalPoint3 point(const RayHit& hit) const;
+
+  std::size_t axis() const { return k_; }
+  bool is_reverse() const { return is_reverse_; }
+  const QueryPoint3& origin() const { return origin_; }
+  /// Along axes other than axis().
+  Ball slope(std::size_t axis) const { return slope_[axis]; }
+  bool is_axis_parallel() const { return is_axis_parallel_; }
+
+ private:
+  /// The signs of a shadow.
+  struct Place {
+    std::array<Sign, 2> at;
+    bool is_origin() const { return at[0] == Sign::Zero && at[1] == Sign::Zero; }
+  };
+  struct End {
+    VertexId vertex;
+    Place place;
+  };
+  enum class Passing { Aside, OnRight, Through };
+
+  std::size_t side_axis(std::size_t c) const { return (k_ + 1 + c) % 3; }
+  SpacePoint point_of(VertexId v) const { return complex_.vertex_point[v.value()]; }
+
+  Sign shadow_sign(VertexId v, std::size_t c) const;
+  Sign turn(VertexId a, VertexId b) const;
+  End end(VertexId v) const { return {v, {{shadow_sign(v, 0), shadow_sign(v, 1)}}}; }
+  Passing passing(const End& a, const End& b) const;
+  bool meet_cycle(UseId first, bool& is_inside, std::vector<RayHit>& hits) const;
+  bool meet_edge(EdgeId e, const End& a, const End& b, std::vector<RayHit>& hits) const;
+
+  template <class Number>
+  Number offset(VertexId v, std::size_t axis) const;
+  template <class Number>
+  Number shadow(VertexId v, std::size_t c) const;
+  template <class Number>
+  Number distance(const RayHit& hit) const;
+  template <class Number>
+  Number plane_distance(PlaneId plane) const;
+
+  const SpaceComplex& complex_;
+  const QueryPoint3& origin_;
+  std::size_t k_;
+  bool is_reverse_;
+  bool is_axis_parallel_;
+  std::array<Ball, 3> slope_;
+  std::array<Rational, 3> exact_slope_;
+};
+
+}  // namespace plumb
