@@ -6,7 +6,6 @@
 #include "plumb/predicates/plane_ladder.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_exact.h"
-#include "plumb/predicates/residues3.h"
 
 namespace plumb {
 
@@ -250,6 +249,45 @@ Sign order_along_line(const Point3Table& points, PlaneId p, PlaneId q, SpacePoin
 
 namespace {
 
+using Residues3 = std::array<Residue, 3>;
+
+Residues3 residues(const Point3& p) {
+  return {Residue::of(p.x), Residue::of(p.y), Residue::of(p.z)};
+}
+
+Residues3 cross(const Residues3& a, const Residues3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Residue dot(const Residues3& a, const Residues3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Residues3 times(Residue s, const Residues3& a) { return {s * a[0], s * a[1], s * a[2]}; }
+
+Residues3 minus(const Residues3& a, const Residues3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+struct PlaneResidues {
+  Residues3 n;
+  Residue d;
+};
+
+PlaneResidues residues(const PlaneTable& planes, PlaneId id) {
+  const PlaneSource& source = planes.source(id);
+  if (source.is_explicit()) {
+    const Residue unit = source.is_frame() ? kFrameResidue : Residue::of(std::uint64_t{1});
+    const IntegerRow row = planes.coefficients(id);
+    return {{Residue::of(row[0]), Residue::of(row[1]), Residue::of(row[2])},
+            unit * Residue::of(row[3])};
+  }
+  const auto at = [&](std::size_t i) { return residues(planes.points()[source.code[i]]); };
+  const Residues3 p = at(0);
+  const Residues3 n = cross(minus(at(1), p), minus(at(2), p));
+  return {n, -dot(n, p)};
+}
+
 /// The formulas of point3_exact.h in F_q.
 ResidueRow residues(const Point3Table& points, const PointSource& source) {
   const PlaneTable& planes = points.planes();
@@ -260,7 +298,7 @@ ResidueRow residues(const Point3Table& points, const PointSource& source) {
     const Residues3 a = residues(planes.point(source.end(0)));
     const Residues3 b = residues(planes.point(source.end(1)));
     const Residue at_a = dot(p.n, a) + p.d, at_b = dot(p.n, b) + p.d;
-    x = at_b * a - at_a * b;
+    x = minus(times(at_b, a), times(at_a, b));
     w = at_b - at_a;
   } else {
     const PlaneResidues q = residues(planes, source.plane(1)),
