@@ -17,6 +17,7 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -151,8 +152,12 @@ using Fingerprint = std::uint64_t;
 /// A homogeneous row modulo q.
 using ResidueRow = std::array<Residue, 4>;
 
+/// The six coordinates of a line modulo q.
+using LineResidues = std::array<Residue, 6>;
+
 /// The first nonzero residue, or zero when there is none.
-constexpr Residue leading(const ResidueRow& row) {
+template <std::size_t N>
+constexpr Residue leading(const std::array<Residue, N>& row) {
   for (const Residue r : row) {
     if (!r.is_zero()) return r;
   }
@@ -173,6 +178,17 @@ constexpr Fingerprint fingerprint(const ResidueRow& row, Residue inverse_of_lead
 /// The same for one row. Requires a nonzero leading residue. Cost: one inversion.
 inline Fingerprint fingerprint(const ResidueRow& row) {
   return fingerprint(row, leading(row).inverse());
+}
+
+/// The same for a line.
+inline Fingerprint fingerprint(const LineResidues& row) {
+  constexpr std::array<std::uint64_t, 6> kWeights = {0x12f8b1a9d3c7e645, 0x0d51c2e7f9a83b64,
+                                                     0x1a6b93f08e2d4c57, 0x07c4e5d1b8f23a9d,
+                                                     0x159e7a3c6d0b84f2, 0x0f3d28c6a1957e4b};
+  const auto k = [&](std::size_t i) { return Residue::of(kWeights[i]); };
+  const Residue sum = sum_of_products(row[0], k(0), row[1], k(1), row[2], k(2)) +
+                      sum_of_products(row[3], k(3), row[4], k(4), row[5], k(5));
+  return (sum * leading(row).inverse()).value();
 }
 
 /// An exact homogeneous row.

@@ -40,7 +40,8 @@ Sign order_along_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r,
 
 /// The turn from n_m1 to n_m2 about the line of p and q: the sign of l in n_m1 x n_m2 =
 /// l (n_p x n_q). Requires p, q not parallel and all four planes parallel to one line. Degree 4.
-/// For facets around an edge: Zero means the same or the opposite half-plane's direction.
+/// For facets around an edge: Zero means the same or the opposite half-plane's direction. For one
+/// line given as p q and as m1 m2: Positive when both run the same way.
 Sign turn_about_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId m1, PlaneId m2);
 
 /// The rungs, for tests and benchmarks. W: exact3::Narrow, Medium, Wide. A fixed rung is Unsure

@@ -9,6 +9,7 @@
 #include "plumb/predicates/decompose.h"
 #include "plumb/predicates/plane_ladder.h"
 #include "plumb/predicates/plane_row.h"
+#include "plumb/predicates/residues3.h"
 
 namespace plumb {
 
@@ -175,21 +176,6 @@ PlaneId PlaneTable::push(const PlaneRow& row, Fingerprint fingerprint, const Pla
 
 namespace {
 
-using Residues3 = std::array<Residue, 3>;
-
-Residues3 residues(const Point3& p) {
-  return {Residue::of(p.x), Residue::of(p.y), Residue::of(p.z)};
-}
-
-/// (n, d) of the plane through three points, in F_q.
-ResidueRow plane_residues(const Residues3& p, const Residues3& q, const Residues3& r) {
-  const Residue ux = q[0] - p[0], uy = q[1] - p[1], uz = q[2] - p[2];
-  const Residue vx = r[0] - p[0], vy = r[1] - p[1], vz = r[2] - p[2];
-  const Residue a = cross_product(uy, vz, uz, vy), b = cross_product(uz, vx, ux, vz),
-                c = cross_product(ux, vy, uy, vx);
-  return {a, b, c, -sum_of_products(a, p[0], b, p[1], c, p[2])};
-}
-
 template <class Plane>
 Sign orientation(const Plane& plane) {
   for (const auto& n : plane.n) {
@@ -292,7 +278,8 @@ void PlaneTable::intern_block(std::span<const std::array<InputPointId, 3>> trian
   const std::size_t count = triangles.size();
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [p, q, r] = triangles[i];
-    rows[i] = plane_residues(residues.of(p), residues.of(q), residues.of(r));
+    const auto [n, d] = plane_residues(residues.of(p), residues.of(q), residues.of(r));
+    rows[i] = {n[0], n[1], n[2], d};
     inverses[i] = leading(rows[i]);
   }
   invert_all(std::span(inverses).first(count), std::span(scratch).first(count));

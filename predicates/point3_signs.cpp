@@ -1,11 +1,13 @@
 #include "plumb/predicates/point3_signs.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "plumb/predicates/plane_ladder.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_exact.h"
+#include "plumb/predicates/residues3.h"
 
 namespace plumb {
 
@@ -161,10 +163,24 @@ Sign rung::side_without_filter(const Point3Table& points, SpacePoint x, PlaneId 
   return exact_side(points, x, plane);
 }
 
+namespace {
+
+/// Is it one double? By its bits: subnormal numbers may compare as zero.
+bool is_same_coordinate(const PointBox& x, const PointBox& y, std::size_t axis) {
+  return x.radius == 0 && y.radius == 0 &&
+         std::bit_cast<std::uint64_t>(x.mid[axis]) == std::bit_cast<std::uint64_t>(y.mid[axis]);
+}
+
+}  // namespace
+
 Sign compare_axis(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis) {
   if (x == y) return Sign::Zero;
-  const FilteredSign s = rung::compare_axis_filter(points.box(x), points.box(y), axis);
+  const PointBox a = points.box(x), b = points.box(y);
+  const FilteredSign s = rung::compare_axis_filter(a, b, axis);
   if (is_decided(s)) return decide(Predicate::CompareAxis, Rung::Filter, s);
+  if (is_same_coordinate(a, b, axis)) {
+    return decide(Predicate::CompareAxis, Rung::Identity, FilteredSign::Zero);
+  }
   return exact_order(points, x, y, axis);
 }
 
@@ -249,45 +265,6 @@ Sign order_along_line(const Point3Table& points, PlaneId p, PlaneId q, SpacePoin
 
 namespace {
 
-using Residues3 = std::array<Residue, 3>;
-
-Residues3 residues(const Point3& p) {
-  return {Residue::of(p.x), Residue::of(p.y), Residue::of(p.z)};
-}
-
-Residues3 cross(const Residues3& a, const Residues3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Residue dot(const Residues3& a, const Residues3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Residues3 times(Residue s, const Residues3& a) { return {s * a[0], s * a[1], s * a[2]}; }
-
-Residues3 minus(const Residues3& a, const Residues3& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-struct PlaneResidues {
-  Residues3 n;
-  Residue d;
-};
-
-PlaneResidues residues(const PlaneTable& planes, PlaneId id) {
-  const PlaneSource& source = planes.source(id);
-  if (source.is_explicit()) {
-    const Residue unit = source.is_frame() ? kFrameResidue : Residue::of(std::uint64_t{1});
-    const IntegerRow row = planes.coefficients(id);
-    return {{Residue::of(row[0]), Residue::of(row[1]), Residue::of(row[2])},
-            unit * Residue::of(row[3])};
-  }
-  const auto at = [&](std::size_t i) { return residues(planes.points()[source.code[i]]); };
-  const Residues3 p = at(0);
-  const Residues3 n = cross(minus(at(1), p), minus(at(2), p));
-  return {n, -dot(n, p)};
-}
-
 /// The formulas of point3_exact.h in F_q.
 ResidueRow residues(const Point3Table& points, const PointSource& source) {
   const PlaneTable& planes = points.planes();
@@ -298,7 +275,7 @@ ResidueRow residues(const Point3Table& points, const PointSource& source) {
     const Residues3 a = residues(planes.point(source.end(0)));
     const Residues3 b = residues(planes.point(source.end(1)));
     const Residue at_a = dot(p.n, a) + p.d, at_b = dot(p.n, b) + p.d;
-    x = minus(times(at_b, a), times(at_a, b));
+    x = at_b * a - at_a * b;
     w = at_b - at_a;
   } else {
     const PlaneResidues q = residues(planes, source.plane(1)),
