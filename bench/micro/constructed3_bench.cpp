@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "naive_predicates.h"
+#include "plumb/predicates/line_signs.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/point3_table.h"
@@ -314,6 +315,44 @@ void BM_SideOnFramePlane(benchmark::State& state) {
   per_item(state, Scene::kPlanes);
 }
 BENCHMARK(BM_SideOnFramePlane);
+
+// --- lines ---------------------------------------------------------------------------------------
+
+void BM_LineFingerprint(benchmark::State& state) {
+  const Scene s(1, 2);
+  for (auto _ : state) {
+    Fingerprint sum = 0;
+    for (std::size_t i = 0; i < Scene::kPlanes; ++i) {
+      sum += line_fingerprint(s.table, s.at(i), s.at(i + 1));
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+  per_item(state, Scene::kPlanes);
+}
+BENCHMARK(BM_LineFingerprint);
+
+/// Three planes of a pencil: through two common corners.
+void BM_HoldsLine(benchmark::State& state) {
+  const std::vector<Point3> corners = random_points(3 * Scene::kPlanes, 1, 2);
+  PlaneTable table;
+  table.add_points(corners);
+  std::vector<PlaneId> planes;
+  for (std::size_t i = 0; i < Scene::kPlanes; ++i) {
+    const std::size_t line = i / 3 * 3;
+    planes.push_back(
+        table.intern(InputPointId(line), InputPointId(line + 1), InputPointId(Scene::kPlanes + i))
+            .plane());
+  }
+  for (auto _ : state) {
+    int sum = 0;
+    for (std::size_t i = 0; i + 2 < planes.size(); i += 3) {
+      sum += holds_line(table, planes[i], planes[i + 1], planes[i + 2]) ? 1 : 0;
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+  per_item(state, planes.size() / 3);
+}
+BENCHMARK(BM_HoldsLine);
 
 // --- tables ----------------------------------------------------------------------------------------
 

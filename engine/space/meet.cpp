@@ -195,6 +195,7 @@ class Meeting {
   template <bool kForward>
   void vertex_in_facet(const MeetLeaves& xs, std::size_t x, VertexId v, const MeetLeaves& ys,
                        std::size_t y) {
+    if (!ys.boxes()[y].meets(box_of(xs.complex(), v))) return;
     const SpacePoint point = xs.complex().vertex_point[v.value()];
     const SpaceItem site = facet_site(ys.complex(), ys[y].facet, point);
     if (!site.is_valid()) return;

@@ -1,10 +1,10 @@
 // Contacts of random and special complexes against all pairs of items in rational coordinates.
+// PLUMB_CASES=n: n random scenes instead of the short run.
 #include "plumb/space/meet.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <functional>
+#include <cstdlib>
 #include <map>
 #include <string>
 
@@ -57,6 +57,11 @@ void check(const Scene& scene, Dice& dice, Census& census) {
     }
     ++census[{name_of(contacts[i].a)[0], name_of(contacts[i].b)[0]}];
   }
+}
+
+std::uint64_t case_count(std::uint64_t fallback) {
+  const char* text = std::getenv("PLUMB_CASES");
+  return text == nullptr ? fallback : std::stoull(text);
 }
 
 ExactPoint3 random_point(Dice& dice, int size) {
@@ -178,7 +183,7 @@ void shear(Scene& scene, Dice& dice) {
 
 TEST(Meet, AgreesWithAllPairsOnRandomShapes) {
   Census census;
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+  for (std::uint64_t seed = 0; seed < case_count(150); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Dice dice(seed);
     const int size = static_cast<int>(dice.between(2, 4));
@@ -195,7 +200,7 @@ TEST(Meet, AgreesWithAllPairsOnRandomShapes) {
 
 TEST(Meet, AgreesWithAllPairsOnSimilarShapes) {
   Census census;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < case_count(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Dice dice(seed);
     const ComplexDraft shape = random_shape(dice, 3);
