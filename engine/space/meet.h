@@ -10,13 +10,16 @@
 //   edge x facet                        not in one plane, relative interiors cross
 //
 // Main flow:
-//  1. boxes       one box tree per complex; leaves are facets, free edges, isolated vertices
-//  2. pairs       dual descent: pairs of leaves whose boxes meet
-//  3. test        facets of different planes: each edge of one against the plane of the other;
-//                 facets of one plane: their edges in that plane; the same one dimension down for the rest
-//  4. unique      the same pair is found from every facet around it: sort, unique
+//  1. leaves      (meet_leaves.h) facets, free edges, isolated vertices within the other complex's box; every
+//                 vertex and edge belongs to one leaf
+//  2. pairs       dual descent of two box trees: pairs of leaves whose boxes meet
+//  3. test        each vertex and edge of one leaf against the facet of the other: side of its plane, then
+//                 (facet_site.h) the facet, edge or vertex where it is hit. meet.cpp says why that finds nearly
+//                 everything; flat edges, free edges and vertices without facets are compared directly
+//  4. unique      some pairs are found from several facets: sort, unique; then points are constructed
 //
-// Cost: O(n log n + pairs of boxes). Memory: 16 bytes a contact found.
+// Cost: O(n log n + pairs of boxes), and O(corners of the facet) for each place located. Memory: ~100 bytes a
+// facet in reach, 8 bytes a contact found.
 #pragma once
 
 #include <vector>
