@@ -246,9 +246,9 @@ PLUMB_EXACT3_INSTANCE(FixedPlane<Wide>)
 PLUMB_EXACT3_INSTANCE(BigPlane)
 #undef PLUMB_EXACT3_INSTANCE
 
-IntegerRow integer_row(const PointOperand& operand) {
+IntegerRow integer_row(const PointOperand& operand, Part part) {
   PointOf<BigPlane> p;
-  load_point<BigPlane>(operand, Part::Finite, p);
+  load_point<BigPlane>(operand, part, p);
   const int up = std::max(p.scale, 0), down = std::max(-p.scale, 0);
   return {shifted(p.x[0], up), shifted(p.x[1], up), shifted(p.x[2], up), shifted(p.w, down)};
 }

@@ -58,8 +58,8 @@ FilteredSign axis_order(const PointOf<Plane>& x, const PointOf<Plane>& y, std::s
 
 // (Instantiated in point3_exact.cpp for the four plane types.)
 
-/// The exact point as integers (x, y, z, w) on one scale. Requires a point off the frame.
-IntegerRow integer_row(const PointOperand& operand);
+/// A part of the exact point as integers (x, y, z, w) on one scale.
+IntegerRow integer_row(const PointOperand& operand, Part part = Part::Finite);
 
 /// The fingerprint of a point whose residues are all zero: of (P0, P1, w) without a common factor.
 Fingerprint primitive_fingerprint(const PointOperand& operand);

@@ -301,10 +301,25 @@ Fingerprint fingerprint(const Point3Table& points, SpacePoint x) {
   return exact3::primitive_fingerprint(exact3::operand(points, x));
 }
 
-RationalPoint3 exact(const Point3Table& points, SpacePoint x) {
-  const IntegerRow row = exact3::integer_row(exact3::operand(points, x));
+namespace {
+
+RationalPoint3 exact_part(const PointOperand& operand, exact3::Part part) {
+  const IntegerRow row = exact3::integer_row(operand, part);
   const auto over_w = [&](std::size_t i) { return Rational(row[i], row[3]); };
   return {over_w(0), over_w(1), over_w(2)};
+}
+
+}  // namespace
+
+RationalPoint3 exact(const Point3Table& points, SpacePoint x) {
+  return exact_part(exact3::operand(points, x), exact3::Part::Finite);
+}
+
+FramedPoint3 exact_parts(const Point3Table& points, SpacePoint x) {
+  const PointOperand operand = exact3::operand(points, x);
+  const RationalPoint3 finite = exact_part(operand, exact3::Part::Finite);
+  if (!exact3::has_frame(operand)) return {finite, {0, 0, 0}};
+  return {finite, exact_part(operand, exact3::Part::Infinite)};
 }
 
 }  // namespace plumb

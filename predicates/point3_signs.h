@@ -48,6 +48,13 @@ Fingerprint fingerprint(const Point3Table& points, SpacePoint x);
 /// The exact coordinates, for output. Requires !points.depends_on_frame(x).
 RationalPoint3 exact(const Point3Table& points, SpacePoint x);
 
+/// The exact coordinates of any point: finite + infinite R.
+struct FramedPoint3 {
+  RationalPoint3 finite;
+  RationalPoint3 infinite;
+};
+FramedPoint3 exact_parts(const Point3Table& points, SpacePoint x);
+
 /// The rungs; W: exact3::Narrow, Medium, Wide. A fixed rung is Unsure when its operands do not fit.
 namespace rung {
 

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "plumb/predicates/input_predicates.h"
-#include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rounding.h"
 
 namespace plumb {
@@ -28,23 +27,25 @@ PointBox rounded_box(const RationalPoint3& p) {
 
 Sign exact_side(const PlaneTable& planes, const RationalPoint3& q, PlaneId plane) {
   const IntegerRow row = planes.coefficients(plane);
+  if (planes.is_frame(plane)) return sign_of(row[3].sign());
   const Rational value = row[0] * q.x + row[1] * q.y + row[2] * q.z + row[3];
   return sign_of(value.sign());
 }
 
 }  // namespace
 
-QueryPoint3::QueryPoint3(const RationalPoint3& p) : box_(rounded_box(p)), exact_(p) {}
+QueryPoint3::QueryPoint3(const RationalPoint3& p)
+    : box_(rounded_box(p)), parts_(FramedPoint3{p, {0, 0, 0}}) {}
 
-const RationalPoint3& QueryPoint3::exact() const {
-  if (exact_) return *exact_;
+const FramedPoint3& QueryPoint3::parts() const {
+  if (parts_) return *parts_;
   if (points_ != nullptr) {
-    exact_ = plumb::exact(*points_, source_);
+    parts_ = exact_parts(*points_, source_);
   } else {
     const auto& m = box_.mid;
-    exact_ = {exact_rational(m[0]), exact_rational(m[1]), exact_rational(m[2])};
+    parts_ = {{exact_rational(m[0]), exact_rational(m[1]), exact_rational(m[2])}, {0, 0, 0}};
   }
-  return *exact_;
+  return *parts_;
 }
 
 Sign side(const Point3Table& points, const QueryPoint3& q, PlaneId plane) {
@@ -64,7 +65,10 @@ Sign compare_axis(const Point3Table& points, SpacePoint x, const QueryPoint3& q,
   if (box.radius == 0 && q.is_double()) return compare(box.mid[axis], q.box().mid[axis]);
   const FilteredSign s = rung::compare_axis_filter(box, q.box(), axis);
   if (is_decided(s)) return decided(s);
-  return sign_of(coordinate(exact(points, x), axis).compare(coordinate(q.exact(), axis)));
+  const FramedPoint3 at = exact_parts(points, x);
+  const Sign infinite = sign_of(coordinate(at.infinite, axis).sign());
+  if (infinite != Sign::Zero) return infinite;
+  return sign_of(coordinate(at.finite, axis).compare(coordinate(q.exact(), axis)));
 }
 
 }  // namespace plumb

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "plumb/predicates/point.h"
+#include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/point3_table.h"
 #include "plumb/predicates/rational_point.h"
 #include "plumb/predicates/sign.h"
@@ -28,13 +29,15 @@ class QueryPoint3 {
   bool is_double() const { return box_.radius == 0; }
   /// Requires is_double().
   Point3 point() const { return {box_.mid[0], box_.mid[1], box_.mid[2]}; }
-  const RationalPoint3& exact() const;
+  /// Requires a point off the frame.
+  const RationalPoint3& exact() const { return parts().finite; }
+  const FramedPoint3& parts() const;
 
  private:
   PointBox box_;
   const Point3Table* points_ = nullptr;
   SpacePoint source_;
-  mutable std::optional<RationalPoint3> exact_;
+  mutable std::optional<FramedPoint3> parts_;
 };
 
 // Points of the table are asked about as points of the table. Others, in doubles against input points:

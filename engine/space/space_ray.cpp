@@ -10,15 +10,6 @@
 namespace plumb {
 namespace {
 
-/// A sign by balls, and exactly where they cannot tell: value.operator()<Number>().
-template <class Value>
-Sign sign_by(const Value& value) {
-  const FilteredSign s = value.template operator()<Ball>().sign();
-  if (is_decided(s)) return decided(s);
-  const Rational exact = value.template operator()<Rational>();
-  return static_cast<Sign>(exact.sign());
-}
-
 /// Half a unit in the last place is less than 2^-52 of the value.
 Ball ball_of(const Rational& value) {
   const double rounded = clamped_to_finite(nearest_double(value));
@@ -67,9 +58,10 @@ Ball SpaceRay::offset<Ball>(VertexId v, std::size_t axis) const {
 }
 
 template <>
-Rational SpaceRay::offset<Rational>(VertexId v, std::size_t axis) const {
-  const RationalPoint3 x = exact(complex_.points(), point_of(v));
-  return coordinate(x, axis) - coordinate(origin_.exact(), axis);
+FramedNumber SpaceRay::offset<FramedNumber>(VertexId v, std::size_t axis) const {
+  const FramedPoint3 x = exact_parts(complex_.points(), point_of(v)), &o = origin_.parts();
+  return {coordinate(x.finite, axis) - coordinate(o.finite, axis),
+          coordinate(x.infinite, axis) - coordinate(o.infinite, axis)};
 }
 
 template <>
@@ -80,49 +72,73 @@ Ball SpaceRay::shadow<Ball>(VertexId v, std::size_t c) const {
 }
 
 template <>
-Rational SpaceRay::shadow<Rational>(VertexId v, std::size_t c) const {
+FramedNumber SpaceRay::shadow<FramedNumber>(VertexId v, std::size_t c) const {
   const std::size_t i = side_axis(c);
-  return offset<Rational>(v, i) - exact_slope_[i] * offset<Rational>(v, k_);
+  return offset<FramedNumber>(v, i) - exact_slope_[i] * offset<FramedNumber>(v, k_);
 }
 
-/// Where the line meets a plane, along axis k: -s(O) / (n . slope).
+/// How fast the line leaves a plane: n . slope.
+Ball SpaceRay::rough_climb(PlaneId plane) const {
+  const PlaneRow& row = complex_.planes().row(plane);
+  Ball climb = Ball::about(row.n[k_], row.normal_error);
+  if (is_axis_parallel_) return climb;
+  for (const std::size_t i : {side_axis(0), side_axis(1)}) {
+    climb = climb + Ball::about(row.n[i], row.normal_error) * slope_[i];
+  }
+  return climb;
+}
+
+Rational SpaceRay::climb(PlaneId plane) const {
+  const IntegerRow row = complex_.planes().coefficients(plane);
+  const std::size_t i = side_axis(0), j = side_axis(1);
+  return row[k_] + row[i] * exact_slope_[i] + row[j] * exact_slope_[j];
+}
+
+/// Where the line meets a plane, along axis k: -s(O) / climb.
 template <>
 Ball SpaceRay::plane_distance<Ball>(PlaneId plane) const {
   const PlaneRow& row = complex_.planes().row(plane);
-  const auto normal = [&](std::size_t i) { return Ball::about(row.n[i], row.normal_error); };
   const PointBox& o = origin_.box();
-  Ball value = Ball::about(row.d, row.offset_error), climb = normal(k_);
+  Ball value = Ball::about(row.d, row.offset_error);
   for (std::size_t i = 0; i < 3; ++i) {
-    value = value + normal(i) * Ball::about(o.mid[i], o.radius);
-    if (i != k_ && !is_axis_parallel_) climb = climb + normal(i) * slope_[i];
+    value = value + Ball::about(row.n[i], row.normal_error) * Ball::about(o.mid[i], o.radius);
   }
-  return -value / climb;
+  return -value / rough_climb(plane);
 }
 
 template <>
-Rational SpaceRay::plane_distance<Rational>(PlaneId plane) const {
+FramedNumber SpaceRay::plane_distance<FramedNumber>(PlaneId plane) const {
   const IntegerRow row = complex_.planes().coefficients(plane);
-  Rational value = row[3], climb = row[k_];
+  FramedNumber value{0, 0};
+  (complex_.planes().is_frame(plane) ? value.infinite : value.finite) = row[3];
   for (std::size_t i = 0; i < 3; ++i) {
-    value += row[i] * coordinate(origin_.exact(), i);
-    if (i != k_) climb += row[i] * exact_slope_[i];
+    value.finite += row[i] * coordinate(origin_.parts().finite, i);
+    value.infinite += row[i] * coordinate(origin_.parts().infinite, i);
   }
-  return -value / climb;
+  return Rational(-1 / climb(plane)) * value;
 }
 
-/// Of an edge: where its shadow passes 0 in a coordinate in which its ends lie on both sides of it.
 template <class Number>
 Number SpaceRay::distance(const RayHit& hit) const {
-  Number along;
-  if (hit.item.kind() == SpaceItem::Kind::Facet) {
-    along = plane_distance<Number>(complex_.facet_plane[hit.item.index()]);
-  } else if (hit.item.kind() == SpaceItem::Kind::Vertex) {
-    along = offset<Number>(hit.a, k_);
-  } else {
-    const Number a = shadow<Number>(hit.a, hit.side_axis), b = shadow<Number>(hit.b, hit.side_axis);
-    along = (offset<Number>(hit.a, k_) * b - offset<Number>(hit.b, k_) * a) / (b - a);
-  }
-  return is_reverse_ ? Number(-along) : along;
+  const Number along = hit.item.kind() == SpaceItem::Kind::Vertex
+                           ? offset<Number>(hit.item.vertex(), k_)
+                           : plane_distance<Number>(hit.plane);
+  return is_reverse_ ? -along : along;
+}
+
+RayHit SpaceRay::hit_of(SpaceItem item, PlaneId plane) const {
+  RayHit hit{item, plane, {}};
+  hit.distance = distance<Ball>(hit);
+  return hit;
+}
+
+/// The one of the edge's planes that the line surely crosses more steeply.
+PlaneId SpaceRay::crossing_plane(EdgeId e) const {
+  const auto& [p, q] = complex_.edge_planes[e.value()];
+  const Ball at_p = rough_climb(p), at_q = rough_climb(q);
+  const auto margin = [](const Ball& b) { return std::fabs(b.mid) - b.error; };
+  if (margin(at_p) > 0 || margin(at_q) > 0) return margin(at_p) < margin(at_q) ? q : p;
+  return climb(p) != 0 ? p : q;
 }
 
 // --- signs
@@ -131,8 +147,25 @@ Sign SpaceRay::shadow_sign(VertexId v, std::size_t c) const {
   if (is_axis_parallel_) {
     return compare_axis(complex_.points(), point_of(v), origin_, side_axis(c));
   }
-  return sign_by([&]<class Number>() { return shadow<Number>(v, c); });
+  const FilteredSign s = shadow<Ball>(v, c).sign();
+  return is_decided(s) ? decided(s) : shadow<FramedNumber>(v, c).sign();
 }
+
+namespace {
+
+/// The sign of a d - b c, a polynomial in R.
+Sign cross_sign(const FramedNumber& a, const FramedNumber& b, const FramedNumber& c,
+                const FramedNumber& d) {
+  const Rational square = a.infinite * d.infinite - b.infinite * c.infinite;
+  if (square != 0) return sign_of(square.sign());
+  const Rational infinite =
+      a.infinite * d.finite + a.finite * d.infinite - b.infinite * c.finite - b.finite * c.infinite;
+  if (infinite != 0) return sign_of(infinite.sign());
+  const Rational finite = a.finite * d.finite - b.finite * c.finite;
+  return sign_of(finite.sign());
+}
+
+}  // namespace
 
 /// The sign of the cross product of two shadows.
 Sign SpaceRay::turn(VertexId a, VertexId b) const {
@@ -142,27 +175,27 @@ Sign SpaceRay::turn(VertexId a, VertexId b) const {
     const auto& o = origin_.box().mid;
     return orient2d({x.mid[i], x.mid[j]}, {y.mid[i], y.mid[j]}, {o[i], o[j]});
   }
-  return sign_by([&]<class Number>() -> Number {
-    return shadow<Number>(a, 0) * shadow<Number>(b, 1) -
-           shadow<Number>(a, 1) * shadow<Number>(b, 0);
-  });
+  const Ball rough =
+      shadow<Ball>(a, 0) * shadow<Ball>(b, 1) - shadow<Ball>(a, 1) * shadow<Ball>(b, 0);
+  if (is_decided(rough.sign())) return decided(rough.sign());
+  return cross_sign(shadow<FramedNumber>(a, 0), shadow<FramedNumber>(a, 1),
+                    shadow<FramedNumber>(b, 0), shadow<FramedNumber>(b, 1));
 }
 
 Sign SpaceRay::side(const RayHit& hit) const {
   const FilteredSign s = hit.distance.sign();
-  if (is_decided(s)) return decided(s);
-  return sign_of(distance<Rational>(hit).sign());
+  return is_decided(s) ? decided(s) : distance<FramedNumber>(hit).sign();
 }
 
 Sign SpaceRay::compare(const RayHit& x, const RayHit& y) const {
   if (x.item == y.item) return Sign::Zero;
   const FilteredSign s = (x.distance - y.distance).sign();
   if (is_decided(s)) return decided(s);
-  return sign_of(distance<Rational>(x).compare(distance<Rational>(y)));
+  return (distance<FramedNumber>(x) - distance<FramedNumber>(y)).sign();
 }
 
 RationalPoint3 SpaceRay::point(const RayHit& hit) const {
-  const Rational t = distance<Rational>(hit);
+  const Rational t = distance<FramedNumber>(hit).finite;
   const Rational along = is_reverse_ ? Rational(-t) : t;
   std::array<Rational, 3> x;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -196,22 +229,14 @@ SpaceRay::Passing SpaceRay::passing(const End& a, const End& b) const {
 }
 
 void SpaceRay::meet(VertexId v, std::vector<RayHit>& hits) const {
-  if (!end(v).place.is_origin()) return;
-  RayHit hit{v, v, {}, 0, {}};
-  hit.distance = distance<Ball>(hit);
-  hits.push_back(hit);
+  if (end(v).place.is_origin()) hits.push_back(hit_of(v, PlaneId()));
 }
 
 /// Whether the edge passes on the right.
 bool SpaceRay::meet_edge(EdgeId e, const End& a, const End& b, std::vector<RayHit>& hits) const {
   if (a.place.is_origin() || b.place.is_origin()) return false;
   const Passing how = passing(a, b);
-  if (how == Passing::Through) {
-    const bool by_first = a.place.at[0] * b.place.at[0] == Sign::Negative;
-    RayHit hit{e, a.vertex, b.vertex, by_first ? 0U : 1U, {}};
-    hit.distance = distance<Ball>(hit);
-    hits.push_back(hit);
-  }
+  if (how == Passing::Through) hits.push_back(hit_of(e, crossing_plane(e)));
   return how == Passing::OnRight;
 }
 
@@ -250,9 +275,7 @@ void SpaceRay::meet(FacetId f, std::vector<RayHit>& hits) const {
   const std::size_t before = hits.size();
   for (const VertexId v : complex_.inner_of(f)) meet(v, hits);
   if (meets_boundary || hits.size() > before) return;
-  RayHit hit{f, {}, {}, 0, {}};
-  hit.distance = distance<Ball>(hit);
-  hits.push_back(hit);
+  hits.push_back(hit_of(f, complex_.facet_plane[f.value()]));
 }
 
 }  // namespace plumb

@@ -26,10 +26,23 @@ namespace plumb {
 /// A vertex, edge or facet that the line of a ray meets in one point.
 struct RayHit {
   SpaceItem item;
-  VertexId a;             ///< the vertex; or the ends of the edge, whose shadows have
-  VertexId b;             ///< opposite signs in coordinate `side_axis`
-  std::size_t side_axis;  ///< 0: i, 1: j
+  PlaneId plane;  ///< of a facet or edge: holds it, and the line crosses it
   Ball distance;
+};
+
+/// finite + infinite R: what grows with the frame (plane_table.h).
+struct FramedNumber {
+  Rational finite;
+  Rational infinite;
+
+  Sign sign() const { return infinite != 0 ? sign_of(infinite.sign()) : sign_of(finite.sign()); }
+  friend FramedNumber operator-(const FramedNumber& a) { return {-a.finite, -a.infinite}; }
+  friend FramedNumber operator-(const FramedNumber& a, const FramedNumber& b) {
+    return {a.finite - b.finite, a.infinite - b.infinite};
+  }
+  friend FramedNumber operator*(const Rational& s, const FramedNumber& a) {
+    return {s * a.finite, s * a.infinite};
+  }
 };
 
 class SpaceRay {
@@ -49,6 +62,7 @@ class SpaceRay {
   Sign side(const RayHit& hit) const;
   /// The order along the ray.
   Sign compare(const RayHit& x, const RayHit& y) const;
+  /// Requires an origin and a hit off the frame.
   RationalPoint3 point(const RayHit& hit) const;
 
   std::size_t axis() const { return k_; }
@@ -80,6 +94,10 @@ class SpaceRay {
   bool meet_cycle(UseId first, bool& is_inside, std::vector<RayHit>& hits) const;
   bool meet_edge(EdgeId e, const End& a, const End& b, std::vector<RayHit>& hits) const;
 
+  RayHit hit_of(SpaceItem item, PlaneId plane) const;
+  PlaneId crossing_plane(EdgeId e) const;
+
+  // Number: Ball or FramedNumber.
   template <class Number>
   Number offset(VertexId v, std::size_t axis) const;
   template <class Number>
@@ -88,6 +106,8 @@ class SpaceRay {
   Number distance(const RayHit& hit) const;
   template <class Number>
   Number plane_distance(PlaneId plane) const;
+  Ball rough_climb(PlaneId plane) const;
+  Rational climb(PlaneId plane) const;
 
   const SpaceComplex& complex_;
   const QueryPoint3& origin_;

@@ -330,6 +330,141 @@ TEST(SpaceLocator, NestedBoxes) {
   }
 }
 
+// --- the frame: a finite cube of size R, far beyond everything else, made symbolic
+
+constexpr int kFar = 1000000;
+
+/// The cube |x|, |y|, |z| <= R cut by planes x = at + slope y, which part it into slabs.
+void add_slabs(SpaceScene& scene, const std::vector<int>& at, const Rational& slope) {
+  std::vector<std::vector<RationalPoint3>> stations;
+  const auto add_station = [&](const Rational& x, const Rational& by_y) {
+    stations.emplace_back();
+    for (const auto& [y, z] :
+         {std::pair{-kFar, -kFar}, {kFar, -kFar}, {kFar, kFar}, {-kFar, kFar}}) {
+      stations.back().push_back({x + by_y * y, y, z});
+    }
+  };
+  add_station(-kFar, 0);
+  for (const int x : at) add_station(x, slope);
+  add_station(kFar, 0);
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    scene.add_facet(stations[i]);
+    for (std::size_t j = 0; j < 4 && i > 0; ++j) {
+      const std::size_t k = (j + 1) % 4;
+      scene.add_facet({stations[i - 1][j], stations[i - 1][k], stations[i][k], stations[i][j]});
+    }
+  }
+}
+
+/// The same complex with R for kFar.
+class Framer {
+ public:
+  explicit Framer(SpaceComplex complex)
+      : out_(std::move(complex)),
+        tables_(copy(*out_.tables)),
+        frame_(tables_->planes.intern_frame()) {
+    map_planes();
+    mark_frame();
+    for (std::size_t v = 0; v < out_.vertex_count(); ++v) {
+      if (out_.vertex_mark[v] == kBeyond) out_.vertex_point[v] = frame_point(VertexId(v));
+    }
+    out_.tables = tables_;
+  }
+  SpaceComplex take() { return std::move(out_); }
+
+ private:
+  PlaneId mapped(PlaneId p) const {
+    const IntegerRow row = tables_->planes.primitive(p);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (row[axis] != 1 || row[(axis + 1) % 3] != 0 || row[(axis + 2) % 3] != 0) continue;
+      if (row[3] == kFar) return frame_[2 * axis];
+      if (row[3] == -kFar) return frame_[2 * axis + 1];
+    }
+    return p;
+  }
+  void map_planes() {
+    for (PlaneId& p : out_.facet_plane) p = mapped(p);
+    for (auto& [p, q] : out_.edge_planes) {
+      p = mapped(p);
+      q = mapped(q);
+    }
+  }
+  void mark_frame() {
+    for (std::size_t u = 0; u < out_.use_count(); ++u) {
+      const FacetId f = out_.use_facet[u];
+      if (!tables_->planes.is_frame(out_.facet_plane[f.value()])) continue;
+      out_.facet_mark[f.value()] = kBeyond;
+      out_.edge_mark[out_.use_halfedge[u].value() / 2] = kBeyond;
+      out_.vertex_mark[out_.use_origin(UseId(u)).value()] = kBeyond;
+    }
+  }
+  /// Of the planes around.
+  SpacePoint frame_point(VertexId v) {
+    std::vector<PlaneId> planes;
+    for (const HalfedgeId h : out_.star_of(v)) {
+      for (const PlaneId p : out_.edge_planes[h.value() / 2]) planes.push_back(p);
+    }
+    for (const PlaneId p : planes) {
+      for (const PlaneId q : planes) {
+        for (const PlaneId r : planes) {
+          const SpacePoint found = tables_->points.add(p, q, r);
+          if (found.is_valid()) return found;
+        }
+      }
+    }
+    ADD_FAILURE() << "no planes";
+    return {};
+  }
+
+  SpaceComplex out_;
+  std::shared_ptr<SpaceTables> tables_;
+  std::array<PlaneId, 6> frame_;
+};
+
+SpaceScene framed_scene(Dice& dice) {
+  SpaceScene scene = random_scene(dice);
+  add_slabs(scene, {-27, 27 + static_cast<int>(dice.below(3))}, Rational(dice.below(3), 4));
+  return scene;
+}
+
+TEST(SpaceLocator, SeesThroughTheFrame) {
+  std::size_t hits = 0, beyond = 0;
+  for (std::uint64_t seed = 3000; seed < 3025; ++seed) {
+    Dice dice(seed);
+    const SpaceComplex finite = complex_of(framed_scene(dice));
+    SpaceComplex complex = Framer(finite).take();
+    Context context;
+    label_volumes(complex, context);
+    ASSERT_EQ(complex.volume_count(), finite.volume_count());
+    EXPECT_EQ(complex.facet_volume, finite.facet_volume);
+    const SpaceLocator locator(complex);
+    const Brute brute(finite);
+    for (std::size_t v = 0; v < complex.vertex_count(); v += 2) {
+      const auto hit = brute.shoot(brute.points()[v], rational_point(-1, 0, 0));
+      const SpaceItem expected = hit ? hit->item : SpaceItem();
+      ASSERT_EQ(locator.shoot_left(complex.vertex_point[v]), expected) << seed << ' ' << v;
+    }
+    for (int i = 0; i < 8; ++i) {
+      const auto near = [&] { return Rational(dice.between(-90, 90), 2); };
+      const RationalPoint3 p{near(), near(), near()}, d{near(), near(), near()};
+      SCOPED_TRACE(::testing::Message() << "seed " << seed << " at " << p << " towards " << d);
+      const SpaceItem on = brute.on_item(p);
+      ASSERT_EQ(locator.on_item(p), on);
+      const SpaceItem expected = on.is_valid() ? on : SpaceItem(brute_volume(finite, brute, p));
+      ASSERT_EQ(locator.locate(p), expected);
+      auto hit = brute.shoot(p, d);
+      const bool is_beyond = hit && (abs(hit->point.x) == kFar || abs(hit->point.y) == kFar ||
+                                     abs(hit->point.z) == kFar);
+      if (is_beyond) hit.reset();
+      expect_equal(locator.shoot(p, d), hit);
+      beyond += is_beyond ? 1 : 0;
+      hits += hit ? 1 : 0;
+    }
+  }
+  EXPECT_GT(beyond, 10U);
+  EXPECT_GT(hits, 10U);
+}
+
 TEST(SpaceLocator, ManyThreadsAskOne) {
   Context context;
   SpaceComplex complex = complex_of_mesh(icosphere_mesh(2, 1, {}), {}, context).complex;
