@@ -36,6 +36,13 @@ class MarkTable {
       : table_{f.neither, f.second_only, kBeyond, f.first_only, f.both,
                kBeyond,   kBeyond,       kBeyond, kBeyond} {}
 
+  /// 1 where the marks differ, also beyond.
+  static constexpr MarkTable unequal() {
+    MarkTable table(kSymmetricDifference);
+    table.table_ = {0, 1, 1, 1, 0, 1, 1, 1, 0};
+    return table;
+  }
+
   constexpr Mark operator()(Mark first, Mark second) const { return table_[first * 3U + second]; }
 
  private:

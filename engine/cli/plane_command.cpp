@@ -10,11 +10,10 @@
 
 #include "command.h"
 #include "format_choice.h"
+#include "number_argument.h"
 #include "plumb/base/error.h"
 #include "plumb/io/input.h"
-#include "plumb/io/number_reader.h"
 #include "plumb/io/plane_io.h"
-#include "plumb/io/text_cursor.h"
 #include "plumb/io/text_output.h"
 #include "plumb/picture/nef2_svg.h"
 #include "plumb/plane/nef2.h"
@@ -42,14 +41,6 @@ Json info_json(const Nef2& set) {
   const PlaneCounts counts = counts_of(set);
   return {{"vertices", counts.vertices}, {"edges", counts.edges},   {"faces", counts.faces},
           {"bounded", set.is_bounded()}, {"empty", set.is_empty()}, {"area", area_json(set)}};
-}
-
-/// Exactly, unless that is longer than a person reads: areas of doubles can have thousands of digits.
-std::string readable(const Rational& value) {
-  constexpr std::size_t kLongest = 60;
-  constexpr int kDigits = 17;
-  const std::string exact = format_exact(value);
-  return exact.size() <= kLongest ? exact : decimal_text(value, kDigits) + " (rounded)";
 }
 
 void write_info(std::ostream& out, const Nef2& set) {
@@ -236,25 +227,6 @@ class PlaneInfo : public CommandBody {
   std::string svg_;
 };
 
-/// A number given as an argument, by the rules for numbers in files.
-Rational read_argument(const std::string& text, const std::string& name, Session& session) {
-  const RoundToNearest rounding;
-  ReadNumber number;
-  try {
-    TextCursor cursor(text, name);
-    const bool is_blank = !cursor.next_line();
-    const std::string_view token = is_blank ? std::string_view() : cursor.token();
-    if (token.size() != text.size()) {
-      throw Error(ErrorCode::Usage, "expected a number, found " + plumb::quoted(text));
-    }
-    NumberReader numbers(session.context().limits(), session.options().exact_decimals, text.size());
-    numbers.read(cursor, token, number);
-  } catch (const Error& error) {
-    throw Error(ErrorCode::Usage, name + ": " + error.message());
-  }
-  return number.exact();
-}
-
 class PlaneLocate : public CommandBody {
  public:
   void declare(CLI::App& app) override {
@@ -266,7 +238,8 @@ class PlaneLocate : public CommandBody {
   }
 
   ExitCode run(Session& session) override {
-    const RationalPoint2 point{read_argument(x_, "X", session), read_argument(y_, "Y", session)};
+    const RationalPoint2 point{read_number_argument(x_, "X", session),
+                               read_number_argument(y_, "Y", session)};
     const PlaneLocation place = read_operand(a_, session).locate(point);
     const std::string on = place.vertex.is_valid() ? "vertex"
                            : place.edge.is_valid() ? "edge"

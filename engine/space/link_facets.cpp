@@ -165,7 +165,7 @@ class Linker {
   /// d are those of n and -n. Counted from the plane p = edge_planes[e][0]: 0 along n_p, 1 in the
   /// half-turn after it, 2 along -n_p, 3 in the other half-turn.
   void sort_ring(std::uint32_t e) {
-    const auto [p, q] = out_.edge_planes[e];
+    const PlaneId p = out_.edge_planes[e][0], q = out_.edge_planes[e][1];
     const auto sense = [&](std::uint32_t u) {
       return SpaceComplex::is_reverse(out_.use_halfedge[u]) ? Sign::Negative : Sign::Positive;
     };

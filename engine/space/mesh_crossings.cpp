@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "plumb/base/box_tree.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rational_predicates.h"
 #include "plumb/space/facet_triangles.h"
+#include "plumb/space/space_boxes.h"
 
 namespace plumb {
 namespace {
@@ -217,18 +217,6 @@ class PairTest {
 
 // ---------------------------------------------------------------- all pairs
 
-/// A sum is off by one rounding, 2^-52 of it, and by what flushing subnormal operands loses.
-Box3 around(const PointBox& point) {
-  if (point.radius == 0) return {point.mid, point.mid};
-  Box3 box;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double slack = 0x1p-50 * (std::fabs(point.mid[i]) + point.radius) + 0x1p-1000;
-    box.low[i] = point.mid[i] - (point.radius + slack);
-    box.high[i] = point.mid[i] + (point.radius + slack);
-  }
-  return box;
-}
-
 class CrossingSearch {
  public:
   CrossingSearch(const SpaceComplex& complex, Context& context)
@@ -288,7 +276,7 @@ class CrossingSearch {
 
   Box3 box_of(const Triangle& t) const {
     Box3 box;
-    for (const Corner& c : t.corner) box.add(around(complex_.points().box(c.point)));
+    for (const Corner& c : t.corner) box.add(plumb::box_of(complex_.points(), c.point));
     return box;
   }
 

@@ -9,7 +9,6 @@ namespace plumb {
 namespace {
 
 using VertexPair = std::array<std::uint32_t, 2>;
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 void link_cycles(const MeshFacets& facets, MeshLinks& links) {
   links.next.resize(facets.corner.size());

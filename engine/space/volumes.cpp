@@ -263,7 +263,7 @@ std::vector<std::int32_t> winding_numbers(const SpaceComplex& complex,
       const std::uint32_t other = sides[is_positive_side ? 1 : 0].value();
       if (is_reached[other] != 0) continue;
       is_reached[other] = 1;
-      winding[other] = winding[v] + (is_positive_side ? jump[facet[i]] : -jump[facet[i]]);
+      winding[other] = winding[v] + (is_positive_side ? -jump[facet[i]] : jump[facet[i]]);
       open.push_back(other);
     }
   }

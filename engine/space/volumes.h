@@ -23,8 +23,8 @@ namespace plumb {
 /// edge, then vertex.
 void label_volumes(SpaceComplex& complex, Context& context);
 
-/// Winding numbers of volumes: 0 in volume 0, rising by jump[f] from the positive to the negative side of
-/// facet f: 1 where the outside is the positive side. Facets link all volumes. O(facets).
+/// Winding numbers of volumes: 0 in volume 0, rising by jump[f] from the negative to the positive side of
+/// facet f. Facets link all volumes. O(facets).
 std::vector<std::int32_t> winding_numbers(const SpaceComplex& complex,
                                           std::span<const std::int32_t> jump);
 

@@ -1,0 +1,87 @@
+#include "plumb/io/solid_sets.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "plumb/base/error.h"
+#include "plumb/io/half_space_reader.h"
+#include "plumb/io/input.h"
+#include "plumb/io/solid_io.h"
+#include "plumb/space/turn.h"
+
+namespace plumb {
+namespace {
+
+/// "3, 8, 11 and 5 more".
+template <class List>
+std::string listed(const List& list) {
+  constexpr std::size_t kMost = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(list.size(), kMost); ++i) {
+    text += (i == 0 ? "" : ", ") + std::to_string(list[i]);
+  }
+  if (list.size() > kMost) text += " and " + std::to_string(list.size() - kMost) + " more";
+  return text;
+}
+
+void add_note(const std::string& what, const std::vector<std::uint32_t>& faces,
+              std::vector<std::string>& notes) {
+  if (!faces.empty()) notes.push_back(what + ": " + listed(faces));
+}
+
+/// Face numbers are 0-based, as in the file.
+void describe(const MeshReport& report, std::vector<std::string>& notes) {
+  add_note("faces without area, left out", report.degenerate, notes);
+  add_note("faces with repeated corners or spikes, trimmed", report.trimmed, notes);
+  add_note("faces that are not planar, triangulated", report.not_planar, notes);
+  add_note("faces that are not simple polygons, triangulated", report.not_simple, notes);
+  std::vector<std::uint32_t> doubled;
+  for (const auto& [face, earlier] : report.doubled) doubled.push_back(face);
+  add_note("faces with the boundary of an earlier one, merged with it", doubled, notes);
+}
+
+void require_closed(const MeshReport& report, bool surface, const std::string& name) {
+  if (surface || report.is_closed()) return;
+  throw Error(ErrorCode::BadShape,
+              "the mesh is open: " + std::to_string(report.borders.size()) +
+                  " border(s), the first along the vertices " + listed(report.borders[0]) +
+                  " (0-based); --surface reads it as the set of its facets",
+              {name});
+}
+
+Nef3 to_set(MeshComplex mesh, const SolidReadOptions& options, std::vector<std::string>& notes,
+            Context& context) {
+  if (options.surface) return Nef3::surface(std::move(mesh), context);
+  if (!options.rule) {
+    add_note("components that were inside out, turned; their first faces",
+             turn_inside_out(mesh, context), notes);
+  }
+  return Nef3::mesh(std::move(mesh), options.rule.value_or(WindingRule::Positive), context);
+}
+
+}  // namespace
+
+SolidRead read_solid_file(const std::string& path, const SolidReadOptions& options,
+                          Context& context) {
+  const ReadOptions text{.exact_decimals = options.exact_decimals};
+  MeshFile file = read_mesh_file(path, std::nullopt, text, context);
+  MeshOptions mesh_options;
+  mesh_options.surface = options.surface;
+  MeshComplex mesh = complex_of_mesh(file.mesh, mesh_options, context);
+  require_closed(mesh.report, options.surface, input_name(path));
+  std::vector<std::string> notes = std::move(file.notes);
+  describe(mesh.report, notes);
+  Nef3 set = to_set(std::move(mesh), options, notes, context);
+  return {std::move(set), std::move(notes)};
+}
+
+std::vector<HalfSpace3> read_half_spaces_file(const std::string& path, ReadOptions options,
+                                              Context& context) {
+  options.name = input_name(path);
+  const std::string text = read_input(path, context);
+  std::vector<HalfSpace3> half_spaces = read_half_spaces(text, options, context);
+  context.release_memory(text.size());
+  return half_spaces;
+}
+
+}  // namespace plumb

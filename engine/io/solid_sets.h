@@ -1,0 +1,42 @@
+// Sets of space from files and to files: the one front door to meshes and .nef.
+//
+// Reading: a mesh is a closed set, its volumes by winding number. Writing: .nef holds every set
+// exactly; meshes hold the closure of the interior, rounded, and what that loses is told.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/io/read_options.h"
+#include "plumb/space/nef3.h"
+
+namespace plumb {
+
+struct SolidReadOptions {
+  /// Which winding numbers are inside. None: Positive, and components of negative volume that no other
+  /// contains are turned.
+  std::optional<WindingRule> rule;
+  bool surface = false;  ///< an open mesh is the set of its facets
+  bool exact_decimals = false;
+};
+
+struct SolidRead {
+  Nef3 set;
+  std::vector<std::string> notes;  ///< what was reported on the way; one sentence each
+};
+
+/// From a file, or standard input for "-". Errors: those of solid_io.h; BadShape for a mesh that is open
+/// (without `surface`), with its border.
+SolidRead read_solid_file(const std::string& path, const SolidReadOptions& options,
+                          Context& context);
+
+/// Lines `a b c d closed|open`: a x + b y + c z + d <= 0 or < 0. From a file or standard input. Errors: Syntax,
+/// NumberOutOfRange, with the place.
+std::vector<HalfSpace3> read_half_spaces_file(const std::string& path, ReadOptions options,
+                                              Context& context);
+
+}  // namespace plumb

@@ -1,0 +1,372 @@
+#include "plumb/space/combine.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "plumb/base/error.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/local_maps.h"
+#include "plumb/space/meet.h"
+#include "plumb/space/plane_cycles.h"
+#include "plumb/space/space_draft.h"
+#include "plumb/space/vertex_labels.h"
+#include "plumb/sphere/sphere_overlay.h"
+
+namespace plumb {
+
+namespace {
+
+constexpr std::uint32_t kNone = SphereMap::kNone;
+
+/// A point of the draft and the line it points along.
+struct LineEnd {
+  std::uint64_t line;   ///< items of a and of b that the half-edge runs in
+  std::uint32_t point;  ///< of the draft
+  Sign sign;            ///< along the line's reference direction or against it
+};
+
+std::uint64_t line_key(SpaceItem a, SpaceItem b) {
+  return (std::uint64_t{a.code()} << 32U) | b.code();
+}
+
+/// Phases 4 to 7, given contacts and labels.
+class Combiner {
+ public:
+  Combiner(std::array<const SpaceComplex*, 2> operands, std::shared_ptr<SpaceTables> tables,
+           std::span<const Contact> contacts, MarkFunction f, Context& context)
+      : operands_(operands),
+        planes_(tables->planes),
+        points_(tables->points),
+        contacts_(contacts),
+        table_(f),
+        context_(context),
+        draft_(tables),
+        overlay_(tables->planes) {}
+
+  /// Contacts make the first vertices of the draft.
+  void overlay_contacts() {
+    std::vector<std::uint32_t> origin_ids;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      if (i % 1024 == 0) context_.checkpoint("overlay", i, contacts_.size());
+      const Contact& c = contacts_[i];
+      local_map(*operands_[0], c.a, local_[0]);
+      local_map(*operands_[1], c.b, local_[1]);
+      overlay_.combine(local_[0].map, local_[1].map, table_, map_, origins_);
+      const PyramidKind kind = classify(planes_, map_);
+      if (kind != PyramidKind::Vertex && kind != PyramidKind::Edge) continue;
+      origin_ids.clear();
+      for (const auto& pair : origins_.arc) origin_ids.push_back(facet_origin(pair));
+      const auto offsets = draft_.add(c.point, map_, kind == PyramidKind::Edge, origin_ids);
+      for (std::uint32_t p = 0; p < map_.point_count(); ++p) add_contact_end(offsets.point + p, p);
+    }
+  }
+
+  /// Vertices of one operand that lie in volumes of the other.
+  void keep_vertices(std::size_t operand, const TouchedComplex& own,
+                     std::span<const VolumeId> labels) {
+    const SpaceComplex& complex = *operands_[operand];
+    std::vector<std::uint32_t> point_of(complex.origin.size(), kNone);
+    for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
+      if (own.is_touched(VertexId(v))) continue;
+      const Mark around = operands_[1 - operand]->volume_mark[labels[v].value()];
+      const std::array<Mark, 3> becomes{combined(operand, 0, around), combined(operand, 1, around),
+                                        kBeyond};
+      // What is constant here dissolves, but for the frame.
+      const bool is_constant = becomes[0] == becomes[1];
+      if (is_constant && complex.vertex_mark[v] != kBeyond) continue;
+      keep_vertex(complex, VertexId(v), becomes, is_constant, point_of);
+    }
+    for (std::uint32_t h = 0; h < point_of.size(); ++h) {
+      if (point_of[h] == kNone) continue;
+      const EdgeId e(h / 2);
+      const std::uint32_t opposite = point_of[h ^ 1U];
+      if (!own.is_touched(e) && opposite != kNone) {
+        draft_.twin[point_of[h]] = opposite;
+        continue;
+      }
+      const VolumeId around = labels[complex.origin[h].value()];
+      const std::uint64_t line = operand == 0 ? line_key(e, around) : line_key(around, e);
+      ends_.push_back({line, point_of[h], h % 2 == 0 ? Sign::Positive : Sign::Negative});
+    }
+  }
+
+  SpaceComplex finish() {
+    pair_ends();
+    SpaceComplex result = join(std::move(draft_), context_);
+    if (result.vertex_count() == 0) {
+      result.volume_mark[0] = table_(operands_[0]->volume_mark[0], operands_[1]->volume_mark[0]);
+    }
+    return result;
+  }
+
+ private:
+  Mark combined(std::size_t operand, Mark own, Mark other) const {
+    return operand == 0 ? table_(own, other) : table_(other, own);
+  }
+
+  void keep_vertex(const SpaceComplex& complex, VertexId v, const std::array<Mark, 3>& becomes,
+                   bool may_dissolve, std::vector<std::uint32_t>& point_of) {
+    LocalMap& local = local_[0];
+    local_map(complex, v, local);
+    local.map.centre_mark = becomes[local.map.centre_mark];
+    for (auto* marks : {&local.map.point_mark, &local.map.arc_mark, &local.map.face_mark}) {
+      for (Mark& m : *marks) m = becomes[m];
+    }
+    if (may_dissolve) return add_simplified(complex, v, point_of);
+    origin_ids_.clear();
+    for (const FacetId f : local.facet) origin_ids_.push_back(complex.facet_origin[f.value()]);
+    const auto offsets = draft_.add(complex.vertex_point[v.value()], local.map, false, origin_ids_);
+    for (std::uint32_t i = 0; i < local.halfedge.size(); ++i) {
+      point_of[local.halfedge[i].value()] = offsets.point + i;
+    }
+  }
+
+  /// Adds the map of v, now in local_[0], in minimal form; nothing if it is no vertex any more.
+  void add_simplified(const SpaceComplex& complex, VertexId v,
+                      std::vector<std::uint32_t>& point_of) {
+    LocalMap& local = local_[0];
+    overlay_.simplify(local.map, &origins_);
+    const PyramidKind kind = classify(planes_, local.map);
+    if (kind != PyramidKind::Vertex && kind != PyramidKind::Edge) return;
+    origin_ids_.clear();
+    for (const auto& cells : origins_.arc) {
+      origin_ids_.push_back(complex.facet_origin[local.facet[cells[0].index()].value()]);
+    }
+    const auto offsets = draft_.add(complex.vertex_point[v.value()], local.map,
+                                    kind == PyramidKind::Edge, origin_ids_);
+    for (std::uint32_t i = 0; i < local.map.point_count(); ++i) {
+      point_of[local.halfedge[origins_.point[i][0].index()].value()] = offsets.point + i;
+    }
+  }
+
+  std::uint32_t facet_origin(const SphereOrigins::Pair& cells) const {
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (!cells[i].is_valid() || cells[i].kind() != SphereCell::Kind::Arc) continue;
+      return operands_[i]->facet_origin[local_[i].facet[cells[i].index()].value()];
+    }
+    PLUMB_CHECK(false);
+    return 0;
+  }
+
+  /// `p` is a point of map_, the current overlay.
+  void add_contact_end(std::uint32_t draft_point, std::uint32_t p) {
+    const SphereOrigins::Pair& cells = origins_.point[p];
+    const SpaceItem a = local_[0].item(cells[0]), b = local_[1].item(cells[1]);
+    ends_.push_back({line_key(a, b), draft_point, sign_on_line(cells, map_.direction[p])});
+  }
+
+  Sign sign_on_line(const SphereOrigins::Pair& cells, SphereDirection direction) const {
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (cells[i].kind() != SphereCell::Kind::Point) continue;
+      const HalfedgeId h = local_[i].halfedge[cells[i].index()];
+      return SpaceComplex::is_reverse(h) ? Sign::Negative : Sign::Positive;
+    }
+    const PlaneId p = local_[0].map.circle[cells[0].index()];
+    const PlaneId q = local_[1].map.circle[cells[1].index()];
+    return same_direction(planes_, p, q, direction.p, direction.q);
+  }
+
+  // ---- pairing
+
+  void pair_ends() {
+    std::sort(ends_.begin(), ends_.end(), [](const LineEnd& x, const LineEnd& y) {
+      return x.line != y.line ? x.line < y.line : x.point < y.point;
+    });
+    for (std::size_t i = 0; i < ends_.size();) {
+      std::size_t end = i + 1;
+      while (end < ends_.size() && ends_[end].line == ends_[i].line) ++end;
+      pair_line(std::span(ends_).subspan(i, end - i));
+      i = end;
+    }
+  }
+
+  void pair_line(std::span<LineEnd> line) {
+    if (line.size() == 2 && line[0].sign != line[1].sign) {
+      face_each_other(line[0].point, line[1].point);
+      return;
+    }
+    sort_along(line);
+    PLUMB_CHECK(line.size() % 2 == 0);
+    for (std::size_t i = 0; i < line.size(); i += 2) {
+      PLUMB_CHECK(line[i].sign == Sign::Positive && line[i + 1].sign == Sign::Negative);
+      face_each_other(line[i].point, line[i + 1].point);
+    }
+  }
+
+  void face_each_other(std::uint32_t p, std::uint32_t q) {
+    draft_.twin[p] = q;
+    draft_.twin[q] = p;
+  }
+
+  /// Along the reference direction of the line; of two ends at one vertex the one that looks back first.
+  void sort_along(std::span<LineEnd> line) {
+    const std::array<PlaneId, 2> planes = planes_of(line[0].line);
+    std::sort(line.begin(), line.end(), [&](const LineEnd& x, const LineEnd& y) {
+      const VertexId v = draft_.vertex_of_point[x.point], w = draft_.vertex_of_point[y.point];
+      if (v == w) return x.sign < y.sign;
+      return order_along_line(points_, planes[0], planes[1], draft_.vertex_point[v.value()],
+                              draft_.vertex_point[w.value()]) == Sign::Positive;
+    });
+  }
+
+  std::array<PlaneId, 2> planes_of(std::uint64_t line) const {
+    const std::array<std::uint32_t, 2> codes{static_cast<std::uint32_t>(line >> 32U),
+                                             static_cast<std::uint32_t>(line)};
+    std::array<PlaneId, 2> facets;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const SpaceItem item = SpaceItem::from_code(codes[i]);
+      if (item.kind() == SpaceItem::Kind::Edge) return operands_[i]->edge_planes[item.index()];
+      if (item.kind() == SpaceItem::Kind::Facet) {
+        facets[i] = operands_[i]->facet_plane[item.index()];
+      }
+    }
+    return facets;
+  }
+
+  std::array<const SpaceComplex*, 2> operands_;
+  const PlaneTable& planes_;
+  const Point3Table& points_;
+  std::span<const Contact> contacts_;
+  MarkTable table_;
+  Context& context_;
+  SpaceDraft draft_;
+  SphereOverlay overlay_;
+  std::vector<LineEnd> ends_;
+  // of the contact at hand
+  std::array<LocalMap, 2> local_;
+  SphereMap map_;
+  SphereOrigins origins_;
+  std::vector<std::uint32_t> origin_ids_;
+};
+
+/// The complex with the ids of merged tables.
+SpaceComplex translated(SpaceComplex complex, const TableMap& map,
+                        std::shared_ptr<const SpaceTables> tables) {
+  for (SpacePoint& p : complex.vertex_point) p = map(p);
+  for (auto& planes : complex.edge_planes) {
+    for (PlaneId& p : planes) p = map(p);
+  }
+  for (PlaneId& p : complex.facet_plane) p = map(p);
+  complex.tables = std::move(tables);
+  return complex;
+}
+
+}  // namespace
+
+SpaceComplex combine(const SpaceComplex& a, const SpaceComplex& b, MarkFunction f,
+                     Context& context) {
+  const std::shared_ptr<SpaceTables> tables = copy(*a.tables);
+  SpaceComplex first = a;
+  first.tables = tables;
+  const bool is_shared = a.tables == b.tables;
+  SpaceComplex second = b;
+  second.tables = tables;
+  if (!is_shared) second = translated(std::move(second), merge(*tables, *b.tables), tables);
+
+  const std::vector<Contact> contacts = meet(first, second, *tables, context);
+  const TouchedComplex touched_first(first, contacts, 0), touched_second(second, contacts, 1);
+  const auto labels_first = label_vertices(touched_first, second, contacts, 0, *tables, context);
+  const auto labels_second = label_vertices(touched_second, first, contacts, 1, *tables, context);
+
+  Combiner combiner({&first, &second}, tables, contacts, f, context);
+  combiner.overlay_contacts();
+  combiner.keep_vertices(0, touched_first, labels_first);
+  combiner.keep_vertices(1, touched_second, labels_second);
+  return combiner.finish();
+}
+
+namespace {
+
+/// A plane as an operand: one facet without boundary, above it volume 0, below it volume 1.
+SpaceComplex plane_operand(std::shared_ptr<const SpaceTables> tables, PlaneId plane, PlaneSet h) {
+  SpaceComplex out;
+  out.tables = std::move(tables);
+  out.star_begin = {0};
+  out.facet_plane = {plane};
+  out.facet_mark = {h == PlaneSet::OpenBelow || h == PlaneSet::OpenAbove ? Mark{0} : Mark{1}};
+  out.facet_volume = {{VolumeId(0), VolumeId(1)}};
+  out.facet_origin = {kNone};
+  const bool is_above = h == PlaneSet::OpenAbove || h == PlaneSet::ClosedAbove;
+  const bool is_below = h == PlaneSet::OpenBelow || h == PlaneSet::ClosedBelow;
+  out.volume_mark = {Mark{is_above}, Mark{is_below}};
+  return out;
+}
+
+/// Where vertices and edges touch the plane; the other vertices lie above or below.
+void meet_plane(const SpaceComplex& a, PlaneId plane, SpaceTables& tables,
+                std::vector<Contact>& contacts, std::vector<VolumeId>& labels) {
+  std::vector<Sign> sides(a.vertex_count());
+  labels.resize(a.vertex_count());
+  for (std::uint32_t v = 0; v < a.vertex_count(); ++v) {
+    sides[v] = side(tables.points, a.vertex_point[v], plane);
+    if (sides[v] == Sign::Zero) {
+      contacts.push_back({VertexId(v), FacetId(0), a.vertex_point[v]});
+    } else {
+      labels[v] = VolumeId(sides[v] == Sign::Positive ? 0 : 1);
+    }
+  }
+  for (std::uint32_t e = 0; e < a.edge_count(); ++e) {
+    const Sign from = sides[a.origin[2 * e].value()], to = sides[a.origin[2 * e + 1].value()];
+    if (from * to != Sign::Negative) continue;
+    const auto& [p, q] = a.edge_planes[e];
+    contacts.push_back({EdgeId(e), FacetId(0), tables.points.add(p, q, plane)});
+  }
+}
+
+}  // namespace
+
+SpaceComplex combine_with_plane(const SpaceComplex& a, OrientedPlane plane, PlaneSet h,
+                                MarkFunction f, std::shared_ptr<SpaceTables> tables,
+                                Context& context) {
+  SpaceComplex first = a;
+  first.tables = tables;
+  if (plane.is_opposite()) h = opposite(h);
+  const SpaceComplex second = plane_operand(tables, plane.plane(), h);
+  std::vector<Contact> contacts;
+  std::vector<VolumeId> labels;
+  meet_plane(first, plane.plane(), *tables, contacts, labels);
+  const TouchedComplex touched(first, contacts, 0);
+  Combiner combiner({&first, &second}, tables, contacts, f, context);
+  combiner.overlay_contacts();
+  combiner.keep_vertices(0, touched, labels);
+  return combiner.finish();
+}
+
+SpaceComplex simplified(const SpaceComplex& complex, Context& context) {
+  SpaceDraft draft(std::const_pointer_cast<SpaceTables>(complex.tables));
+  SphereOverlay overlay(complex.planes());
+  LocalMap local;
+  SphereOrigins kept;
+  std::vector<std::uint32_t> point_of(complex.origin.size(), kNone), origin_ids;
+  bool has_changed = false;
+  for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
+    if (v % 4096 == 0) context.checkpoint("simplify", v, complex.vertex_count());
+    local_map(complex, VertexId(v), local);
+    has_changed |= overlay.simplify(local.map, &kept);
+    const PyramidKind kind = classify(complex.planes(), local.map);
+    if (kind != PyramidKind::Vertex && kind != PyramidKind::Edge) {
+      has_changed = true;
+      continue;
+    }
+    has_changed |= kind == PyramidKind::Edge;
+    origin_ids.clear();
+    for (const auto& cells : kept.arc) {
+      origin_ids.push_back(complex.facet_origin[local.facet[cells[0].index()].value()]);
+    }
+    const auto offsets =
+        draft.add(complex.vertex_point[v], local.map, kind == PyramidKind::Edge, origin_ids);
+    for (std::uint32_t i = 0; i < local.map.point_count(); ++i) {
+      point_of[local.halfedge[kept.point[i][0].index()].value()] = offsets.point + i;
+    }
+  }
+  if (!has_changed) return complex;
+  for (std::uint32_t h = 0; h < point_of.size(); ++h) {
+    if (point_of[h] != kNone) draft.twin[point_of[h]] = point_of[h ^ 1U];
+  }
+  SpaceComplex result = join(std::move(draft), context);
+  if (result.vertex_count() == 0) result.volume_mark[0] = complex.volume_mark[0];
+  return result;
+}
+
+}  // namespace plumb

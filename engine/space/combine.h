@@ -1,0 +1,56 @@
+// Booleans of complexes.
+//
+// Main flow of combine():
+//  1. unite tables    both operands refer to one table of planes and points
+//  2. meet            (meet.h) every place where an item of one touches an item of the other
+//  3. locate          (vertex_labels.h) every other vertex lies in one volume of the other operand
+//  4. overlay         at contacts both sphere maps are laid over each other (sphere_overlay.h); marks
+//  5. select          through the function, minimal form; a vertex in a volume is kept, flipped or gone
+//  6. pair            half-edges that face each other: where nothing touches, the old twins; else those of one
+//                     line, in order. The line of a half-edge is named by the items (of a, of b) it runs in
+//  7. join            (space_draft.h)
+//
+// Cost: O((n + m + c) log(n + m + c)) for n + m items, c pairs of boxes that meet, besides the overlays:
+// the product of degrees at a contact of two vertices. Source: Hachenberger, Kettner, Mehlhorn, CGTA 38
+// (2007); SPACE.md.
+#pragma once
+
+#include "plumb/base/context.h"
+#include "plumb/base/marks.h"
+#include "plumb/space/space_complex.h"
+
+namespace plumb {
+
+/// f(a, b) in minimal form. Both have a frame or none has.
+SpaceComplex combine(const SpaceComplex& a, const SpaceComplex& b, MarkFunction f,
+                     Context& context);
+
+/// A half-space or plane as an operand. Below: n.x + d < 0 for the oriented plane.
+enum class PlaneSet : std::uint8_t { OpenBelow, ClosedBelow, OpenAbove, ClosedAbove, Plane };
+
+constexpr PlaneSet opposite(PlaneSet h) {
+  switch (h) {
+    case PlaneSet::OpenBelow:
+      return PlaneSet::OpenAbove;
+    case PlaneSet::ClosedBelow:
+      return PlaneSet::ClosedAbove;
+    case PlaneSet::OpenAbove:
+      return PlaneSet::OpenBelow;
+    case PlaneSet::ClosedAbove:
+      return PlaneSet::ClosedBelow;
+    case PlaneSet::Plane:
+      break;
+  }
+  return PlaneSet::Plane;
+}
+
+/// f(a, h), `tables` being a copy of a's that holds the plane. O(size) besides the join. Requires a frame,
+/// or that f of the mark of a's volume 0 does not depend on h.
+SpaceComplex combine_with_plane(const SpaceComplex& a, OrientedPlane plane, PlaneSet h,
+                                MarkFunction f, std::shared_ptr<SpaceTables> tables,
+                                Context& context);
+
+/// The same set in minimal form, after marks were changed. O(n).
+SpaceComplex simplified(const SpaceComplex& complex, Context& context);
+
+}  // namespace plumb

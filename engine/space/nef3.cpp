@@ -1,0 +1,357 @@
+#include "plumb/space/nef3.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "plumb/base/error.h"
+#include "plumb/space/combine.h"
+#include "plumb/space/frame.h"
+#include "plumb/space/local_maps.h"
+#include "plumb/space/nef3_state.h"
+#include "plumb/space/same_complex.h"
+#include "plumb/space/transform.h"
+#include "plumb/space/volumes.h"
+
+namespace plumb {
+namespace {
+
+SpaceComplex without_boundary(Mark mark) {
+  SpaceComplex complex;
+  complex.tables = std::make_shared<SpaceTables>();
+  complex.star_begin = complex.cycle_begin = complex.inner_begin = {0};
+  complex.volume_mark = {mark};
+  return complex;
+}
+
+/// Sets all marks but those of the frame.
+void fill(std::vector<Mark>& marks, Mark value) {
+  for (Mark& m : marks) {
+    if (m != kBeyond) m = value;
+  }
+}
+
+void fill_boundary(SpaceComplex& complex, Mark value) {
+  fill(complex.vertex_mark, value);
+  fill(complex.edge_mark, value);
+  fill(complex.facet_mark, value);
+}
+
+/// Only the planes and points in use, where that saves at least half.
+SpaceComplex with_tidy_tables(SpaceComplex complex) {
+  const SpaceTables& tables = *complex.tables;
+  std::vector<std::uint8_t> is_used(tables.planes.size(), 0);
+  const auto use = [&is_used](PlaneId p) { is_used[p.value()] = 1; };
+  for (const PlaneId p : complex.facet_plane) use(p);
+  for (const auto& planes : complex.edge_planes) std::for_each(planes.begin(), planes.end(), use);
+  const auto used = static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1));
+  const std::size_t points = tables.points.size() + tables.planes.points().size();
+  if (tables.planes.size() <= 2 * used + 64 && points <= 4 * complex.vertex_count() + 64) {
+    return complex;
+  }
+  std::vector<PlaneId> planes;
+  for (std::size_t p = 0; p < is_used.size(); ++p) {
+    if (is_used[p] != 0) planes.push_back(PlaneId(p));
+  }
+  const CompactedTables kept = compacted(tables, planes, complex.vertex_point);
+  for (SpacePoint& p : complex.vertex_point) p = kept(p);
+  for (PlaneId& p : complex.facet_plane) p = kept(p);
+  for (auto& pair : complex.edge_planes) pair = {kept(pair[0]), kept(pair[1])};
+  complex.tables = kept.tables;
+  return complex;
+}
+
+SpaceComplex framed(const SpaceComplex& complex, Context& context) {
+  return has_frame(complex) ? complex : with_frame(complex, copy(*complex.tables), context);
+}
+
+SpaceComplex combine_any(const SpaceComplex& a, const SpaceComplex& b, MarkFunction f,
+                         Context& context) {
+  SpaceComplex result = has_frame(a) == has_frame(b)
+                            ? combine(a, b, f, context)
+                            : combine(framed(a, context), framed(b, context), f, context);
+  return with_tidy_tables(without_idle_frame(std::move(result), context));
+}
+
+/// With marks 0 where the selector does not accept.
+SpaceComplex selected(SpaceComplex complex, const SpaceSelector& select, Context& context) {
+  const auto clear = [](auto id, const auto& accepts, std::vector<Mark>& marks) {
+    using Id = decltype(id);
+    for (std::size_t i = 0; accepts && i < marks.size(); ++i) {
+      if (marks[i] == 1 && !accepts(Id(i))) marks[i] = 0;
+    }
+  };
+  clear(VertexId(), select.vertex, complex.vertex_mark);
+  clear(EdgeId(), select.edge, complex.edge_mark);
+  clear(FacetId(), select.facet, complex.facet_mark);
+  clear(VolumeId(), select.volume, complex.volume_mark);
+  return without_idle_frame(simplified(complex, context), context);
+}
+
+std::size_t standard_count(const std::vector<Mark>& marks) {
+  return static_cast<std::size_t>(
+      std::count_if(marks.begin(), marks.end(), [](Mark m) { return m != kBeyond; }));
+}
+
+}  // namespace
+
+// ---------------------------------------------------------------- holding
+
+Nef3::Nef3() : Nef3(without_boundary(0)) {}
+
+Nef3::Nef3(SpaceComplex minimal) : state_(std::make_shared<const State>(std::move(minimal))) {}
+
+Nef3 Nef3::space() { return Nef3(without_boundary(1)); }
+
+Nef3 Nef3::from_complex(SpaceComplex complex, Context& context) {
+  return Nef3(with_tidy_tables(without_idle_frame(simplified(complex, context), context)));
+}
+
+const SpaceComplex& Nef3::complex() const { return state_->complex; }
+
+Nef3 Nef3::with_marks(const SpaceMarks& marks, Context& context) const {
+  SpaceComplex changed = complex();
+  const auto set = [](std::vector<Mark>& to, const std::vector<Mark>& from) {
+    if (to.size() != from.size()) {
+      throw Error(ErrorCode::BadArgument,
+                  "one mark is needed for each vertex, edge, facet, volume");
+    }
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      if (to[i] != kBeyond) to[i] = from[i] != 0 ? 1 : 0;
+    }
+  };
+  set(changed.vertex_mark, marks.vertex);
+  set(changed.edge_mark, marks.edge);
+  set(changed.facet_mark, marks.facet);
+  set(changed.volume_mark, marks.volume);
+  return from_complex(std::move(changed), context);
+}
+
+// ---------------------------------------------------------------- reading
+
+SpaceCounts Nef3::counts() const {
+  const SpaceComplex& c = complex();
+  SpaceCounts counts;
+  counts.vertices = standard_count(c.vertex_mark);
+  counts.edges = standard_count(c.edge_mark);
+  counts.facets = standard_count(c.facet_mark);
+  counts.volumes = standard_count(c.volume_mark);
+  counts.marked_volumes =
+      static_cast<std::size_t>(std::count(c.volume_mark.begin(), c.volume_mark.end(), 1));
+  return counts;
+}
+
+bool Nef3::is_empty() const {
+  return complex().vertex_count() == 0 && complex().volume_mark[0] == 0;
+}
+
+bool Nef3::is_space() const {
+  return complex().vertex_count() == 0 && complex().volume_mark[0] == 1;
+}
+
+bool Nef3::is_bounded() const {
+  const SpaceComplex& c = complex();
+  if (!has_frame(c)) return c.volume_mark[0] == 0;
+  for (std::size_t f = 0; f < c.facet_count(); ++f) {
+    if (c.facet_mark[f] != kBeyond) continue;
+    for (const VolumeId v : c.facet_volume[f]) {
+      if (c.volume_mark[v.value()] == 1) return false;
+    }
+  }
+  for (std::size_t u = 0; u < c.use_count(); ++u) {
+    const bool is_framed = c.edge_mark[c.use_halfedge[u].value() / 2] == kBeyond;
+    if (is_framed && c.facet_mark[c.use_facet[u].value()] == 1) return false;
+  }
+  for (std::size_t h = 0; h < c.origin.size(); ++h) {
+    if (c.edge_mark[h / 2] == 1 && c.vertex_mark[c.origin[h].value()] == kBeyond) return false;
+  }
+  return true;
+}
+
+bool Nef3::is_closed() const {
+  const SpaceComplex& c = complex();
+  const auto has_open = [](const std::vector<Mark>& marks) {
+    return std::find(marks.begin(), marks.end(), 0) != marks.end();
+  };
+  return !has_open(c.vertex_mark) && !has_open(c.edge_mark) && !has_open(c.facet_mark);
+}
+
+bool Nef3::is_open() const {
+  const SpaceComplex& c = complex();
+  const auto has_closed = [](const std::vector<Mark>& marks) {
+    return std::find(marks.begin(), marks.end(), 1) != marks.end();
+  };
+  return !has_closed(c.vertex_mark) && !has_closed(c.edge_mark) && !has_closed(c.facet_mark);
+}
+
+namespace {
+
+/// Are all uses around the half-edge of standard facets, and two?
+bool has_two_facets(const SpaceComplex& c, HalfedgeId h) {
+  const UseId first = c.edge_use[h.value() / 2];
+  if (!first.is_valid()) return false;
+  const UseId second = c.use_radial[first.value()];
+  return second != first && c.use_radial[second.value()] == first;
+}
+
+/// One cycle of corners: as many arcs as points, two faces.
+bool is_on_one_cone(const SpaceComplex& c, VertexId v, LocalMap& local) {
+  if (c.vertex_facet[v.value()].is_valid() || c.star_of(v).empty()) return false;
+  local_map(c, v, local);
+  return local.map.face_count() == 2;
+}
+
+}  // namespace
+
+bool Nef3::is_simple() const {
+  const SpaceComplex& c = complex();
+  for (std::size_t f = 0; f < c.facet_count(); ++f) {
+    const auto& [above, below] = c.facet_volume[f];
+    if (c.volume_mark[above.value()] == c.volume_mark[below.value()]) return false;
+  }
+  for (std::size_t e = 0; e < c.edge_count(); ++e) {
+    if (c.edge_mark[e] != kBeyond && !has_two_facets(c, HalfedgeId(2 * e))) return false;
+  }
+  LocalMap local;
+  for (std::size_t v = 0; v < c.vertex_count(); ++v) {
+    if (c.vertex_mark[v] != kBeyond && !is_on_one_cone(c, VertexId(v), local)) return false;
+  }
+  return true;
+}
+
+const SpaceLocator& Nef3::locator() const {
+  std::call_once(state_->locator_made,
+                 [this] { state_->locator = std::make_unique<SpaceLocator>(state_->complex); });
+  return *state_->locator;
+}
+
+namespace {
+
+SpaceLocation location(const SpaceComplex& c, SpaceItem item) {
+  switch (item.kind()) {
+    case SpaceItem::Kind::Vertex:
+      return {item, c.vertex_mark[item.index()] == 1};
+    case SpaceItem::Kind::Edge:
+      return {item, c.edge_mark[item.index()] == 1};
+    case SpaceItem::Kind::Facet:
+      return {item, c.facet_mark[item.index()] == 1};
+    case SpaceItem::Kind::Volume:
+      break;
+  }
+  return {item, c.volume_mark[item.index()] == 1};
+}
+
+}  // namespace
+
+SpaceLocation Nef3::locate(const RationalPoint3& p) const {
+  return location(complex(), locator().locate(p));
+}
+
+SpaceLocation Nef3::locate(const Point3& p) const {
+  if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+    throw Error(ErrorCode::NotFinite, "the coordinates of a point must be finite");
+  }
+  return location(complex(), locator().locate(p));
+}
+
+// ---------------------------------------------------------------- operations
+
+Nef3 Nef3::operator!() const {
+  SpaceComplex c = complex();
+  for (auto* marks : {&c.vertex_mark, &c.edge_mark, &c.facet_mark, &c.volume_mark}) {
+    for (Mark& m : *marks) m = m == kBeyond ? m : static_cast<Mark>(1 - m);
+  }
+  return Nef3(std::move(c));
+}
+
+Nef3 Nef3::interior() const {
+  Context context;
+  SpaceComplex c = complex();
+  fill_boundary(c, 0);
+  return from_complex(std::move(c), context);
+}
+
+Nef3 Nef3::closure() const {
+  Context context;
+  SpaceComplex c = complex();
+  fill_boundary(c, 1);
+  return from_complex(std::move(c), context);
+}
+
+Nef3 Nef3::boundary() const {
+  Context context;
+  SpaceComplex c = complex();
+  fill_boundary(c, 1);
+  fill(c.volume_mark, 0);
+  return from_complex(std::move(c), context);
+}
+
+Nef3 Nef3::transformed(const AffineMap3& map) const {
+  Context context;
+  return Nef3(plumb::transformed(complex(), map, context));
+}
+
+Nef3 combine(const Nef3& a, const Nef3& b, MarkFunction f, Context& context) {
+  return Nef3::from_minimal(combine_any(a.complex(), b.complex(), f, context));
+}
+
+Nef3 combine(const Nef3& a, const SpaceSelector& select_a, const Nef3& b,
+             const SpaceSelector& select_b, MarkFunction f, Context& context) {
+  return Nef3::from_minimal(combine_any(selected(a.complex(), select_a, context),
+                                        selected(b.complex(), select_b, context), f, context));
+}
+
+Nef3 combine(const Nef3& a, const Plane3& plane, Section section, MarkFunction f,
+             Context& context) {
+  const SpaceComplex& c = a.complex();
+  const MarkTable table(f);
+  const Mark outside = c.volume_mark[0];
+  const bool needs_frame = !has_frame(c) && table(outside, 0) != table(outside, 1);
+  const std::shared_ptr<SpaceTables> tables = copy(*c.tables);
+  const SpaceComplex first = needs_frame ? with_frame(c, tables, context) : c;
+  const OrientedPlane p = tables->planes.intern(plane.a, plane.b, plane.c, plane.d);
+  if (!p.is_valid()) throw Error(ErrorCode::BadArgument, "a plane needs a normal that is not zero");
+  const PlaneSet h = section == Section::PlaneOnly         ? PlaneSet::Plane
+                     : section == Section::ClosedHalfSpace ? PlaneSet::ClosedBelow
+                                                           : PlaneSet::OpenBelow;
+  SpaceComplex result = combine_with_plane(first, p, h, f, tables, context);
+  return Nef3::from_minimal(with_tidy_tables(without_idle_frame(std::move(result), context)));
+}
+
+namespace {
+
+Nef3 combined(const Nef3& a, const Nef3& b, MarkFunction f) {
+  Context context;
+  return combine(a, b, f, context);
+}
+
+/// Pairwise, neighbours first: every set takes part in O(log n) operations.
+Nef3 combine_all(std::span<const Nef3> sets, MarkFunction f, Context& context) {
+  if (sets.size() == 1) return sets[0];
+  const std::size_t half = sets.size() / 2;
+  return combine(combine_all(sets.first(half), f, context),
+                 combine_all(sets.subspan(half), f, context), f, context);
+}
+
+}  // namespace
+
+Nef3 operator+(const Nef3& a, const Nef3& b) { return combined(a, b, kUnion); }
+Nef3 operator*(const Nef3& a, const Nef3& b) { return combined(a, b, kIntersection); }
+Nef3 operator-(const Nef3& a, const Nef3& b) { return combined(a, b, kDifference); }
+Nef3 operator^(const Nef3& a, const Nef3& b) { return combined(a, b, kSymmetricDifference); }
+
+bool operator==(const Nef3& a, const Nef3& b) {
+  return a.state_ == b.state_ || is_same(a.complex(), b.complex());
+}
+
+bool operator<=(const Nef3& a, const Nef3& b) { return (a - b).is_empty(); }
+
+Nef3 union_of(std::span<const Nef3> sets, Context& context) {
+  return sets.empty() ? Nef3::empty() : combine_all(sets, kUnion, context);
+}
+
+Nef3 intersection_of(std::span<const Nef3> sets, Context& context) {
+  return sets.empty() ? Nef3::space() : combine_all(sets, kIntersection, context);
+}
+
+}  // namespace plumb

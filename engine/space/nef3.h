@@ -1,0 +1,208 @@
+// Nef polyhedra in space: every set that unions, intersections and complements make from open and
+// closed half-spaces. Open or closed at every facet, edge and vertex, bounded or not, with dangling
+// facets and edges, isolated points, parts that touch along edges or at vertices.
+//
+// A set is held as its unique minimal complex (space_complex.h): vertices, edges, facets and volumes,
+// each with a mark that says whether it belongs to the set. Around every vertex the complex is a
+// sphere map (sphere_map.h), and all operations work on these.
+//
+// Main flow of a Boolean (combine.h):
+//  1. meet      where items of one operand touch items of the other; exact, found by boxes
+//  2. locate    the other vertices lie in volumes of the other operand: flood, or one ray
+//  3. overlay   of two sphere maps at each contact, marks through the function, minimal form
+//  4. join      half-edges paired along lines, corners to cycles, cycles to facets, shells to volumes
+// Unary topology operators re-mark and simplify in O(n).
+//
+// A Nef3 is an immutable value: copies share what they hold and cost O(1); const members may be called
+// from several threads at once. Every operation gives the strong guarantee. Booleans add no planes:
+// numbers never grow, whatever the number of operations.
+//
+// Cost: Booleans O((n + m + c) log(n + m + c)) for c pairs of boxes that meet; unary operations
+// O(n). Errors: Error{NotFinite}, Error{BadArgument} where said; ResourceLimit and Cancelled by the
+// Context. Source: Nef 1978; Hachenberger, Kettner, Mehlhorn, CGTA 38 (2007) 64-99.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/base/marks.h"
+#include "plumb/plane/nef2.h"
+#include "plumb/predicates/rational_point.h"
+#include "plumb/space/from_mesh.h"
+#include "plumb/space/space_complex.h"
+
+namespace plumb {
+
+/// a x + b y + c z + d = 0 with (a, b, c) not zero. Below: a x + b y + c z + d < 0.
+struct Plane3 {
+  Rational a;
+  Rational b;
+  Rational c;
+  Rational d;
+};
+
+struct HalfSpace3 {
+  Plane3 plane;  ///< the half-space lies below
+  Boundary boundary = Boundary::Closed;
+};
+
+/// x -> matrix x + offset.
+struct AffineMap3 {
+  std::array<std::array<Rational, 3>, 3> matrix;
+  std::array<Rational, 3> offset;
+};
+
+/// Where a point lies.
+struct SpaceLocation {
+  SpaceItem item;  ///< vertex, edge, facet or volume
+  bool marked = false;
+};
+
+/// Marks of a complex, one for each item that is not beyond.
+struct SpaceMarks {
+  std::vector<Mark> vertex;
+  std::vector<Mark> edge;
+  std::vector<Mark> facet;
+  std::vector<Mark> volume;
+};
+
+/// Items that a user sees: those of the frame are left out.
+struct SpaceCounts {
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  std::size_t facets = 0;
+  std::size_t volumes = 0;  ///< with the unbounded ones
+  std::size_t marked_volumes = 0;
+  friend bool operator==(const SpaceCounts&, const SpaceCounts&) = default;
+};
+
+class SpaceLocator;
+
+class Nef3 {
+ public:
+  // --- sets to start from ---------------------------------------------------------------------
+
+  Nef3();  ///< the empty set
+  static Nef3 empty() { return Nef3(); }
+  static Nef3 space();
+
+  /// Below the plane. Throws Error{BadArgument} when a = b = c = 0.
+  static Nef3 half_space(const Plane3& plane, Boundary boundary);
+  /// The side of the plane on which `kept` lies. Also throws when it lies on the plane.
+  static Nef3 half_space(const Plane3& plane, const RationalPoint3& kept, Boundary boundary);
+  static Nef3 plane(const Plane3& plane);
+  /// The intersection of any number of half-spaces; of none: the whole space.
+  static Nef3 intersection(std::span<const HalfSpace3> half_spaces, Context& context);
+
+  /// The volumes of a closed mesh that does not cross itself, with their boundary: those with a winding
+  /// number inside the rule. Throws Error{BadShape} for an open mesh or one that crosses itself: look at
+  /// the report of complex_of_mesh() first.
+  static Nef3 mesh(const PolygonMesh& mesh, WindingRule rule, Context& context);
+  static Nef3 mesh(MeshComplex mesh, WindingRule rule, Context& context);
+  /// The facets of a mesh, open or closed, with their boundary. Same errors.
+  static Nef3 surface(MeshComplex mesh, Context& context);
+  /// A closed polygon in a plane. Throws Error{BadShape} unless it is planar and simple.
+  static Nef3 facet(std::span<const Point3> corners);
+  static Nef3 segment(const RationalPoint3& a, const RationalPoint3& b);
+  static Nef3 polyline(std::span<const RationalPoint3> points, Context& context);
+  static Nef3 point(const RationalPoint3& at);
+  static Nef3 points(std::span<const RationalPoint3> points, Context& context);
+
+  /// Any complex, brought into minimal form. Requires audit(complex, false) to be clean.
+  static Nef3 from_complex(SpaceComplex complex, Context& context);
+  /// A complex in minimal form: nothing is done or checked. audit() tells.
+  static Nef3 from_minimal(SpaceComplex complex) { return Nef3(std::move(complex)); }
+  /// This set's complex with other marks (sizes must agree: Error{BadArgument}); those of the frame are
+  /// not changed. O(n).
+  Nef3 with_marks(const SpaceMarks& marks, Context& context) const;
+
+  // --- reading --------------------------------------------------------------------------------
+
+  const SpaceComplex& complex() const;
+  SpaceCounts counts() const;
+
+  bool is_empty() const;
+  bool is_space() const;
+  bool is_bounded() const;
+  /// Is it its own closure (its own interior)? O(n).
+  bool is_closed() const;
+  bool is_open() const;
+  /// Is the boundary a 2-manifold with the set on one side: no dangling parts, every edge between two
+  /// facets, every vertex on one cone? Marks of the boundary do not matter. O(n).
+  bool is_simple() const;
+
+  bool contains(const RationalPoint3& p) const { return locate(p).marked; }
+  bool contains(const Point3& p) const { return locate(p).marked; }
+  SpaceLocation locate(const RationalPoint3& p) const;
+  /// Throws Error{NotFinite}.
+  SpaceLocation locate(const Point3& p) const;
+
+  // --- operations -----------------------------------------------------------------------------
+
+  Nef3 operator!() const;
+  Nef3 interior() const;
+  Nef3 closure() const;
+  Nef3 boundary() const;
+  /// The interior of the complement.
+  Nef3 exterior() const { return (!*this).interior(); }
+  /// The image under an invertible map. Throws Error{BadArgument} for a singular matrix, and when a facet
+  /// or edge reaches to infinity (complements of bounded sets are fine).
+  Nef3 transformed(const AffineMap3& map) const;
+  /// The closure of the interior.
+  Nef3 regularization() const { return interior().closure(); }
+
+  Nef3& operator+=(const Nef3& other) { return *this = *this + other; }
+  Nef3& operator*=(const Nef3& other) { return *this = *this * other; }
+  Nef3& operator-=(const Nef3& other) { return *this = *this - other; }
+  Nef3& operator^=(const Nef3& other) { return *this = *this ^ other; }
+  friend Nef3 operator+(const Nef3& a, const Nef3& b);
+  friend Nef3 operator*(const Nef3& a, const Nef3& b);
+  friend Nef3 operator-(const Nef3& a, const Nef3& b);
+  friend Nef3 operator^(const Nef3& a, const Nef3& b);
+
+  /// The same set? Expected O(n): minimal complexes are compared vertex by vertex.
+  friend bool operator==(const Nef3& a, const Nef3& b);
+  /// Inclusion.
+  friend bool operator<=(const Nef3& a, const Nef3& b);
+  friend bool operator<(const Nef3& a, const Nef3& b) { return a <= b && !(a == b); }
+  friend bool operator>=(const Nef3& a, const Nef3& b) { return b <= a; }
+  friend bool operator>(const Nef3& a, const Nef3& b) { return b < a; }
+
+ private:
+  struct State;
+  explicit Nef3(SpaceComplex minimal);
+  const SpaceLocator& locator() const;
+
+  std::shared_ptr<const State> state_;
+};
+
+/// Which marks take part in an operation: those of the items accepted; others count as unmarked. An
+/// empty function accepts all.
+struct SpaceSelector {
+  std::function<bool(VertexId)> vertex;
+  std::function<bool(EdgeId)> edge;
+  std::function<bool(FacetId)> facet;
+  std::function<bool(VolumeId)> volume;
+};
+
+/// The points p with f(p in a, p in b). With kUnion, kIntersection, ... what + * - ^ do.
+Nef3 combine(const Nef3& a, const Nef3& b, MarkFunction f, Context& context);
+/// The same, with the items of each operand that a selector accepts.
+Nef3 combine(const Nef3& a, const SpaceSelector& select_a, const Nef3& b,
+             const SpaceSelector& select_b, MarkFunction f, Context& context);
+/// f(a, half-space below the plane) or, for PlaneOnly, f(a, plane): work near the plane alone.
+enum class Section : std::uint8_t { ClosedHalfSpace, OpenHalfSpace, PlaneOnly };
+Nef3 combine(const Nef3& a, const Plane3& plane, Section section, MarkFunction f, Context& context);
+/// Union (intersection) of any number of sets, pairwise in a balanced tree. Of none: the empty set (the
+/// whole space).
+Nef3 union_of(std::span<const Nef3> sets, Context& context);
+Nef3 intersection_of(std::span<const Nef3> sets, Context& context);
+
+}  // namespace plumb

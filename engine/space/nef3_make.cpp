@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "plumb/base/error.h"
+#include "plumb/space/combine.h"
+#include "plumb/space/frame.h"
+#include "plumb/space/nef3.h"
+#include "plumb/space/space_draft.h"
+#include "plumb/space/volumes.h"
+
+namespace plumb {
+namespace {
+
+bool is_inside(std::int32_t winding, WindingRule rule) {
+  switch (rule) {
+    case WindingRule::NonZero:
+      return winding != 0;
+    case WindingRule::EvenOdd:
+      return winding % 2 != 0;
+    case WindingRule::Positive:
+      break;
+  }
+  return winding > 0;
+}
+
+/// Facets, edges and vertices belong to the set if a volume beside them does.
+void close_volumes(SpaceComplex& c) {
+  c.facet_mark.assign(c.facet_count(), 0);
+  c.edge_mark.assign(c.edge_count(), 0);
+  c.vertex_mark.assign(c.vertex_count(), 0);
+  for (std::size_t f = 0; f < c.facet_count(); ++f) {
+    const auto& [above, below] = c.facet_volume[f];
+    c.facet_mark[f] = c.volume_mark[above.value()] | c.volume_mark[below.value()];
+  }
+  for (std::size_t u = 0; u < c.use_count(); ++u) {
+    if (c.facet_mark[c.use_facet[u].value()] == 0) continue;
+    const HalfedgeId h = c.use_halfedge[u];
+    c.edge_mark[h.value() / 2] = 1;
+    c.vertex_mark[c.origin[h.value()].value()] = 1;
+  }
+}
+
+void require_usable(const MeshReport& report, bool is_surface) {
+  if (!is_surface && !report.is_closed()) {
+    throw Error(ErrorCode::BadShape,
+                "the mesh is open: " + std::to_string(report.borders.size()) + " border chain(s)");
+  }
+  if (report.crosses_itself()) {
+    throw Error(
+        ErrorCode::BadShape,
+        "the mesh crosses itself: " + std::to_string(report.crossing_count) + " pair(s) of facets");
+  }
+}
+
+/// Two planes through a and b, different points, such that n_p x n_q runs from a to b.
+SphereDirection line_through(PlaneTable& planes, const RationalPoint3& a, const RationalPoint3& b) {
+  const std::array<Rational, 3> from{a.x, a.y, a.z}, d{b.x - a.x, b.y - a.y, b.z - a.z};
+  std::size_t i = 0;
+  while (i < 3 && d[i] == 0) ++i;
+  PLUMB_CHECK(i < 3);
+  // d x e_j and d x e_k; their product is d (d . (e_j x e_k)) = d d_i for (i, j, k) in cyclic order.
+  std::array<OrientedPlane, 2> sides;
+  for (std::size_t s = 0; s < 2; ++s) {
+    const std::size_t j = (i + 1 + s) % 3, k = (j + 1) % 3, l = (j + 2) % 3;
+    std::array<Rational, 3> n;
+    n[j] = 0;
+    n[k] = d[l];
+    n[l] = -d[k];
+    const Rational offset = -(n[0] * from[0] + n[1] * from[1] + n[2] * from[2]);
+    sides[s] = planes.intern(n[0], n[1], n[2], offset);
+  }
+  const Sign turn = sign_of(d[i]) * sides[0].orientation() * sides[1].orientation();
+  const SphereDirection direction{sides[0].plane(), sides[1].plane()};
+  return turn == Sign::Positive ? direction : direction.opposite();
+}
+
+/// A marked vertex with one marked free edge, or none.
+SphereMap lone_map(const SphereDirection* direction) {
+  SphereMap map;
+  map.centre_mark = 1;
+  map.face_mark = {0};
+  if (direction == nullptr) return map;
+  map.direction = {*direction};
+  map.point_mark = {1};
+  map.first_out = {SphereMap::kNone};
+  map.point_face = {0};
+  return map;
+}
+
+}  // namespace
+
+Nef3 Nef3::half_space(const Plane3& plane, Boundary boundary) {
+  Context context;
+  const Section section =
+      boundary == Boundary::Closed ? Section::ClosedHalfSpace : Section::OpenHalfSpace;
+  return combine(empty(), plane, section, kUnion, context);
+}
+
+Nef3 Nef3::half_space(const Plane3& plane, const RationalPoint3& kept, Boundary boundary) {
+  const Sign side =
+      sign_of(Rational(plane.a * kept.x + plane.b * kept.y + plane.c * kept.z + plane.d));
+  if (side == Sign::Zero) {
+    throw Error(ErrorCode::BadArgument, "the point that says which side to keep is on the plane");
+  }
+  if (side == Sign::Negative) return half_space(plane, boundary);
+  return half_space({-plane.a, -plane.b, -plane.c, -plane.d}, boundary);
+}
+
+Nef3 Nef3::plane(const Plane3& plane) {
+  Context context;
+  return combine(empty(), plane, Section::PlaneOnly, kUnion, context);
+}
+
+Nef3 Nef3::intersection(std::span<const HalfSpace3> half_spaces, Context& context) {
+  std::vector<Nef3> sets;
+  for (const HalfSpace3& h : half_spaces) sets.push_back(half_space(h.plane, h.boundary));
+  return intersection_of(sets, context);
+}
+
+Nef3 Nef3::mesh(const PolygonMesh& mesh, WindingRule rule, Context& context) {
+  return Nef3::mesh(complex_of_mesh(mesh, {}, context), rule, context);
+}
+
+Nef3 Nef3::mesh(MeshComplex mesh, WindingRule rule, Context& context) {
+  require_usable(mesh.report, false);
+  SpaceComplex& c = mesh.complex;
+  if (c.volume_mark.empty()) label_volumes(c, context);
+  const std::vector<std::int32_t> winding = winding_numbers(c, mesh.jump);
+  for (std::size_t v = 0; v < winding.size(); ++v) {
+    c.volume_mark[v] = is_inside(winding[v], rule) ? 1 : 0;
+  }
+  close_volumes(c);
+  return from_complex(std::move(c), context);
+}
+
+Nef3 Nef3::surface(MeshComplex mesh, Context& context) {
+  require_usable(mesh.report, true);
+  SpaceComplex& c = mesh.complex;
+  label_volumes(c, context);
+  c.facet_mark.assign(c.facet_count(), 1);
+  c.edge_mark.assign(c.edge_count(), 1);
+  c.vertex_mark.assign(c.vertex_count(), 1);
+  return from_complex(std::move(c), context);
+}
+
+Nef3 Nef3::facet(std::span<const Point3> corners) {
+  PolygonMesh mesh;
+  mesh.points.assign(corners.begin(), corners.end());
+  std::vector<std::uint32_t> face;
+  for (std::uint32_t i = 0; i < corners.size(); ++i) face.push_back(i);
+  mesh.add_face(face);
+  Context context;
+  MeshOptions options;
+  options.surface = true;
+  MeshComplex made = complex_of_mesh(mesh, options, context);
+  const MeshReport& report = made.report;
+  if (!report.not_planar.empty() || !report.not_simple.empty() || !report.degenerate.empty()) {
+    throw Error(ErrorCode::BadShape, "a facet must be a simple polygon in one plane");
+  }
+  return surface(std::move(made), context);
+}
+
+Nef3 Nef3::segment(const RationalPoint3& a, const RationalPoint3& b) {
+  if (a.x == b.x && a.y == b.y && a.z == b.z) return point(a);
+  Context context;
+  const auto tables = std::make_shared<SpaceTables>();
+  SpaceDraft draft(tables);
+  const SphereDirection to_b = line_through(tables->planes, a, b), to_a = to_b.opposite();
+  draft.add(add_point(*tables, a), lone_map(&to_b), false, {});
+  draft.add(add_point(*tables, b), lone_map(&to_a), false, {});
+  draft.twin = {1, 0};
+  return Nef3(join(std::move(draft), context));
+}
+
+Nef3 Nef3::polyline(std::span<const RationalPoint3> points, Context& context) {
+  if (points.empty()) return empty();
+  if (points.size() == 1) return point(points[0]);
+  std::vector<Nef3> segments;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    segments.push_back(segment(points[i], points[i + 1]));
+  }
+  return union_of(segments, context);
+}
+
+Nef3 Nef3::point(const RationalPoint3& at) {
+  Context context;
+  const auto tables = std::make_shared<SpaceTables>();
+  SpaceDraft draft(tables);
+  draft.add(add_point(*tables, at), lone_map(nullptr), false, {});
+  return Nef3(join(std::move(draft), context));
+}
+
+Nef3 Nef3::points(std::span<const RationalPoint3> points, Context& context) {
+  std::vector<Nef3> sets;
+  for (const RationalPoint3& p : points) sets.push_back(point(p));
+  return union_of(sets, context);
+}
+
+}  // namespace plumb

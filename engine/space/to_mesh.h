@@ -1,0 +1,78 @@
+// From a complex with volumes and marks to polygons: the boundary of the closure of its interior.
+//
+// Main flow of mesh_of_complex():
+//  1. boundary_sides   facets between a marked and an unmarked volume, the marked one behind them
+//  2. count_dropped    marked items that are not in the closure of the interior, unmarked ones that are
+//  3. mesh_of_sides    corners around each vertex join to cones; vertices; polygons and triangles
+//
+// Triangles have vertices of the complex for corners only, and no vertex on a side: no T-junctions.
+// Cost: O(n log n); ~5 us for each constructed vertex, which is rounded exactly.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/space/polygon_mesh.h"
+#include "plumb/space/space_complex.h"
+
+namespace plumb {
+
+enum class MeshFaces : std::uint8_t {
+  /// Facets that are simple polygons and whose corners are doubles stay polygons; others are cut.
+  PlanarPolygons,
+  Polygons,  ///< all facets that are simple polygons; rounded corners may leave their planes
+  Triangles,
+};
+
+struct ToMeshOptions {
+  MeshFaces faces = MeshFaces::PlanarPolygons;
+  /// Where several cones of the solid meet in a vertex, each gets a vertex of its own (with equal
+  /// coordinates). Edges with more than two faces then fall apart too.
+  bool split_vertices = false;
+};
+
+/// A facet as seen from outside: from its positive side, or reversed.
+struct FacetSide {
+  FacetId facet;
+  bool is_reversed;
+  friend bool operator==(const FacetSide&, const FacetSide&) = default;
+};
+
+struct ItemCounts {
+  std::uint64_t facets = 0;
+  std::uint64_t edges = 0;
+  std::uint64_t vertices = 0;
+  std::uint64_t total() const { return facets + edges + vertices; }
+};
+
+struct ToMeshReport {
+  bool is_unbounded = false;  ///< a marked volume reaches to infinity: no mesh
+  ItemCounts dropped;         ///< marked, with no marked volume around: dangling
+  ItemCounts filled;          ///< not marked, but in the closure of marked volumes: openness
+  std::uint64_t non_manifold_edges = 0;     ///< more than two faces
+  std::uint64_t non_manifold_vertices = 0;  ///< more than one cone
+  bool is_soup() const { return non_manifold_edges + non_manifold_vertices > 0; }
+};
+
+struct MeshOfComplex {
+  PolygonMesh mesh;  ///< points: correctly rounded; exact: the coordinates that were rounded
+  std::vector<FacetId> facet;  ///< per face
+  ToMeshReport report;
+};
+
+/// Requires volumes and marks. Items beyond the frame are not looked at.
+MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& options,
+                              Context& context);
+
+/// The boundary of the closure of the interior, by facet.
+std::vector<FacetSide> boundary_sides(const SpaceComplex& complex);
+
+/// Any sides as a mesh, for instance a shell. Requires each at most once, and around every edge as many with
+/// the solid before them as after them. Of the report, the last two counts are filled.
+MeshOfComplex mesh_of_sides(const SpaceComplex& complex, std::span<const FacetSide> sides,
+                            const ToMeshOptions& options, Context& context);
+
+}  // namespace plumb

@@ -1,0 +1,341 @@
+// Sets of space whose numbers can be argued by hand: the examples of the Nef note, the mistakes that an
+// implementation makes first (SPACE.md 9), and what was seen to go wrong elsewhere.
+
+#include "plumb/space/nef3.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "plumb/base/error.h"
+#include "plumb/space/frame.h"
+
+namespace plumb {
+namespace {
+
+using Range = std::array<double, 2>;
+
+PolygonMesh box_mesh(Range x, Range y, Range z) {
+  PolygonMesh mesh;
+  for (std::size_t i = 0; i < 8; ++i)
+    mesh.points.push_back({x[i & 1U], y[(i >> 1U) & 1U], z[i >> 2U]});
+  using Quad = std::array<std::uint32_t, 4>;
+  for (const Quad& face : {Quad{0, 2, 3, 1}, Quad{4, 5, 7, 6}, Quad{0, 1, 5, 4}, Quad{2, 6, 7, 3},
+                           Quad{0, 4, 6, 2}, Quad{1, 3, 7, 5}}) {
+    mesh.add_face(face);
+  }
+  return mesh;
+}
+
+Nef3 solid(const PolygonMesh& mesh) {
+  Context context;
+  return Nef3::mesh(mesh, WindingRule::Positive, context);
+}
+
+Nef3 box(Range x, Range y, Range z) { return solid(box_mesh(x, y, z)); }
+
+Nef3 half_space(int a, int b, int c, int d, Boundary boundary = Boundary::Closed) {
+  return Nef3::half_space({a, b, c, d}, boundary);
+}
+
+Nef3 box_of_half_spaces(std::array<int, 2> x, std::array<int, 2> y, std::array<int, 2> z,
+                        Boundary boundary = Boundary::Closed) {
+  Context context;
+  return intersection_of(
+      std::array{half_space(-1, 0, 0, x[0], boundary), half_space(1, 0, 0, -x[1], boundary),
+                 half_space(0, -1, 0, y[0], boundary), half_space(0, 1, 0, -y[1], boundary),
+                 half_space(0, 0, -1, z[0], boundary), half_space(0, 0, 1, -z[1], boundary)},
+      context);
+}
+
+Nef3 rectangle(Range x, Range y, double z) {
+  return Nef3::facet(std::array{Point3{x[0], y[0], z}, Point3{x[1], y[0], z}, Point3{x[1], y[1], z},
+                                Point3{x[0], y[1], z}});
+}
+
+::testing::AssertionResult has(const Nef3& set, SpaceCounts counts) {
+  const SpaceCounts seen = set.counts();
+  if (seen == counts) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure()
+         << seen.vertices << " vertices, " << seen.edges << " edges, " << seen.facets << " facets, "
+         << seen.volumes << " volumes, " << seen.marked_volumes << " marked";
+}
+
+bool contains(const Nef3& set, double x, double y, double z) {
+  return set.contains(Point3{x, y, z});
+}
+
+// ---------------------------------------------------------------- the examples of the note
+
+TEST(NefNote, TwoCubes) {
+  const Nef3 a = box_of_half_spaces({0, 5}, {0, 5}, {0, 5});
+  const Nef3 b = box_of_half_spaces({3, 8}, {3, 8}, {3, 8});
+  EXPECT_TRUE(contains(a, 2, 2, 2));
+  EXPECT_FALSE(contains(a, 6, 6, 6));
+  EXPECT_TRUE(has(a * b, {8, 12, 6, 2, 1}));
+  EXPECT_TRUE(has(a + b, {20, 30, 12, 2, 1}));
+  EXPECT_TRUE(has(a - b, {14, 21, 9, 2, 1}));
+  EXPECT_TRUE((a + b).is_bounded());
+}
+
+TEST(NefNote, ThreeCubes) {
+  const Nef3 a = box_of_half_spaces({0, 4}, {0, 4}, {0, 4});
+  const Nef3 b = box_of_half_spaces({2, 6}, {0, 4}, {0, 4});
+  const Nef3 c = box_of_half_spaces({0, 4}, {2, 6}, {0, 4});
+  const Nef3 result = (a + b) * c;
+  EXPECT_TRUE(has(result, {8, 12, 6, 2, 1}));
+  EXPECT_EQ(result.complex().volume_mark, (std::vector<Mark>{0, 1}));
+  EXPECT_TRUE(result == result.regularization());
+}
+
+// ---------------------------------------------------------------- whole and half space
+
+TEST(Nef3, EmptyAndWhole) {
+  EXPECT_TRUE(Nef3::empty().is_empty());
+  EXPECT_TRUE((!Nef3::empty()).is_space());
+  const Nef3 a = box({0, 1}, {0, 1}, {0, 1});
+  EXPECT_TRUE((a ^ Nef3::space()) == !a);
+  EXPECT_TRUE((a + Nef3::space()).is_space());
+  EXPECT_TRUE((a * Nef3::empty()).is_empty());
+  EXPECT_TRUE(has(!a, {8, 12, 6, 2, 1}));
+  EXPECT_FALSE((!a).is_bounded());
+  EXPECT_FALSE(has_frame((!a).complex()));
+}
+
+TEST(Nef3, HalfSpaces) {
+  const Nef3 h = half_space(1, 0, 0, 1), k = half_space(0, 0, 1, 1);
+  EXPECT_TRUE(has(h, {0, 0, 1, 2, 1}));
+  EXPECT_TRUE(has(h * k, {0, 1, 2, 2, 1}));
+  EXPECT_TRUE(has(h + k, {0, 1, 2, 2, 1}));
+  EXPECT_TRUE(has(h ^ k, {0, 1, 4, 4, 2}));
+  EXPECT_TRUE((h + !h).is_space());
+  EXPECT_TRUE((h * !h).is_empty());
+  EXPECT_TRUE(has(h * half_space(-1, 0, 0, -1), {0, 0, 1, 2, 0})) << "the plane x = -1";
+  EXPECT_TRUE((h * half_space(-1, 0, 0, -1, Boundary::Open)).is_empty());
+  EXPECT_TRUE((h * half_space(1, 0, 0, 5)) == half_space(1, 0, 0, 5));
+  EXPECT_TRUE(half_space(2, 0, 0, 2) == h);
+  EXPECT_FALSE(half_space(1, 0, 0, 1, Boundary::Open) == h);
+  EXPECT_TRUE(Nef3::half_space({1, 0, 0, 1}, {-7, 0, 0}, Boundary::Closed) == h);
+  EXPECT_TRUE(Nef3::half_space({-1, 0, 0, -1}, {-7, 0, 0}, Boundary::Closed) == h);
+  EXPECT_TRUE(h.interior() == half_space(1, 0, 0, 1, Boundary::Open));
+  EXPECT_TRUE(h.boundary() == Nef3::plane({1, 0, 0, 1}));
+}
+
+TEST(Nef3, ParallelAndDiagonalPlanes) {
+  const Nef3 diagonal = Nef3::plane({1, -1, 0, 0}), next = Nef3::plane({1, -1, 0, -1});
+  EXPECT_TRUE(has(diagonal + next, {0, 0, 2, 3, 0}));
+  EXPECT_TRUE((diagonal * next).is_empty());
+  EXPECT_TRUE(has(diagonal * Nef3::plane({1, 1, 0, 0}), {0, 1, 0, 1, 0})) << "a line";
+  const Nef3 slab = half_space(1, -1, 0, -1) - half_space(1, -1, 0, 0);
+  EXPECT_TRUE(has(slab, {0, 0, 2, 3, 1}));
+  EXPECT_FALSE(slab.is_bounded());
+  EXPECT_TRUE(has(slab * Nef3::plane({0, 0, 1, 0}), {0, 2, 1, 1, 0}));
+}
+
+TEST(Nef3, BoxesOfHalfSpacesAreBoxes) {
+  const Nef3 of_planes = box_of_half_spaces({0, 1}, {0, 1}, {0, 1});
+  EXPECT_FALSE(has_frame(of_planes.complex()));
+  EXPECT_TRUE(of_planes == box({0, 1}, {0, 1}, {0, 1}));
+  const Nef3 open = box_of_half_spaces({0, 1}, {0, 1}, {0, 1}, Boundary::Open);
+  EXPECT_TRUE(open == of_planes.interior());
+  EXPECT_TRUE(open.closure() == of_planes);
+  EXPECT_TRUE(open < of_planes);
+}
+
+// ---------------------------------------------------------------- pieces of lower dimension
+
+TEST(Nef3, SegmentsAndPoints) {
+  const Nef3 b = box({0, 2}, {0, 2}, {0, 2}), s = Nef3::segment({-1, 1, 1}, {3, 1, 1});
+  EXPECT_TRUE(has(s, {2, 1, 0, 1, 0}));
+  EXPECT_TRUE(has(b + s, {12, 14, 6, 2, 1}));
+  EXPECT_TRUE(has(s - b, {4, 2, 0, 1, 0}));
+  EXPECT_TRUE(has(b - s, {10, 13, 6, 2, 1}));
+  EXPECT_TRUE(has(Nef3::point({1, 1, 1}) * b, {1, 0, 0, 1, 0}));
+  EXPECT_TRUE(has(b - Nef3::point({1, 1, 1}), {9, 12, 6, 2, 1}));
+  EXPECT_TRUE(has(b - Nef3::point({1, 1, 2}), {9, 12, 6, 2, 1}));
+  EXPECT_TRUE(b + Nef3::point({1, 1, 2}) == b);
+  EXPECT_TRUE((b - Nef3::point({1, 1, 1})).closure() == b);
+  EXPECT_TRUE((b + s).regularization() == b);
+}
+
+TEST(Nef3, CrossingSegments) {
+  Context context;
+  const std::vector<RationalPoint3> zigzag{{0, 0, 0}, {2, 2, 2}, {2, 0, 0}, {0, 2, 2}};
+  EXPECT_TRUE(has(Nef3::polyline(zigzag, context), {5, 5, 0, 1, 0}));
+  const Nef3 half = Nef3::segment({0, 0, 0}, {1, 1, 1}), rest = Nef3::segment({1, 1, 1}, {3, 3, 3});
+  EXPECT_TRUE(half + rest == Nef3::segment({0, 0, 0}, {3, 3, 3}));
+}
+
+TEST(Nef3, SheetsJoinAndCross) {
+  const Nef3 a = rectangle({0, 1}, {0, 1}, 0), b = rectangle({1, 2}, {0, 1}, 0);
+  EXPECT_TRUE(has(a, {4, 4, 1, 1, 0}));
+  EXPECT_TRUE(a + b == rectangle({0, 2}, {0, 1}, 0));
+  EXPECT_TRUE(has(a * b, {2, 1, 0, 1, 0}));
+  const Nef3 upright = Nef3::facet(std::array{Point3{0.5, 0.25, -1}, Point3{0.5, 0.75, -1},
+                                              Point3{0.5, 0.75, 1}, Point3{0.5, 0.25, 1}});
+  EXPECT_TRUE(has(a + upright, {10, 11, 3, 1, 0}));
+}
+
+// ---------------------------------------------------------------- mistakes made first (SPACE.md 9)
+
+/// Two tetrahedra that share the apex (0, 0, 0).
+Nef3 bow_tie(double size) {
+  PolygonMesh mesh;
+  for (const double s : {size, -size}) {
+    const auto base = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.insert(mesh.points.end(), {{0, 0, 0}, {s, s, s}, {-s, s, s}, {0, -s, s}});
+    using Triangle = std::array<std::uint32_t, 3>;
+    for (const Triangle& t :
+         {Triangle{0, 1, 2}, Triangle{0, 2, 3}, Triangle{0, 3, 1}, Triangle{3, 2, 1}}) {
+      mesh.add_face(std::array{base + t[0], base + t[s > 0 ? 2 : 1], base + t[s > 0 ? 1 : 2]});
+    }
+  }
+  Context context;
+  return Nef3::mesh(mesh, WindingRule::NonZero, context);
+}
+
+TEST(Nef3, BowTieVoid) {
+  const Nef3 tie = bow_tie(1), b = box({-2, 2}, {-2, 2}, {-2, 2});
+  EXPECT_TRUE(has(tie, {7, 12, 8, 3, 2}));
+  EXPECT_FALSE(tie.is_simple());
+  EXPECT_TRUE(has(b - tie, {15, 24, 14, 4, 1}));
+  EXPECT_TRUE(b - (b - tie) == tie);
+}
+
+TEST(Nef3, FlapOnABox) {
+  const Nef3 b = box({0, 2}, {0, 2}, {0, 2});
+  const Nef3 flap = Nef3::facet(
+      std::array{Point3{2, 0.5, 1}, Point3{3, 0.5, 1}, Point3{3, 1.5, 1}, Point3{2, 1.5, 1}});
+  const Nef3 both = b + flap;
+  EXPECT_TRUE(has(both, {12, 16, 7, 2, 1}));
+  EXPECT_FALSE(both.is_simple());
+  EXPECT_TRUE(both.regularization() == b);
+  const Nef3 inner =
+      Nef3::facet(std::array{Point3{2, 0, 2}, Point3{3, 0, 2}, Point3{3, 2, 2}, Point3{2, 2, 2}});
+  EXPECT_TRUE(has(b + inner, {10, 15, 7, 2, 1}))
+      << "along an edge of the box, in the plane of its top";
+}
+
+TEST(Nef3, RingPlateAndRod) {
+  const Nef3 plate = box({-3, 3}, {-3, 3}, {0, 1}) - box({-1, 1}, {-1, 1}, {-1, 2});
+  EXPECT_TRUE(has(plate, {16, 24, 10, 2, 1}));
+  const Nef3 rod = box({-0.5, 0.5}, {-0.5, 0.5}, {-5, 5});
+  EXPECT_TRUE(has(plate + rod, {24, 36, 16, 3, 2}));
+  EXPECT_TRUE((plate * rod).is_empty());
+  const Nef3 wide = box({-2, 2}, {-2, 2}, {-5, 5});
+  EXPECT_TRUE(plate - wide == box({-3, 3}, {-3, 3}, {0, 1}) - box({-2, 2}, {-2, 2}, {-5, 5}));
+}
+
+TEST(Nef3, AntennaThroughASheet) {
+  const Nef3 sheet = rectangle({0, 2}, {0, 2}, 0), antenna = Nef3::segment({1, 1, -1}, {1, 1, 1});
+  EXPECT_TRUE(has(sheet + antenna, {7, 6, 1, 1, 0}));
+  EXPECT_TRUE(has(sheet - antenna, {5, 4, 1, 1, 0}));
+  EXPECT_TRUE((sheet - antenna).closure() == sheet);
+  const Nef3 edge = Nef3::segment({0, 1, -1}, {0, 1, 1});
+  EXPECT_TRUE(has(sheet + edge, {7, 7, 1, 1, 0}));
+}
+
+TEST(Nef3, SplitFlatFaceWeldsAgain) {
+  const Nef3 b = box({0, 2}, {0, 2}, {0, 2});
+  const Nef3 left = box({0, 1}, {0, 2}, {0, 2}), right = box({1, 2}, {0, 2}, {0, 2});
+  EXPECT_TRUE(left + right == b);
+  EXPECT_TRUE(has(left + right, {8, 12, 6, 2, 1}));
+  EXPECT_TRUE(has(left.interior() + right.interior(), {12, 20, 11, 3, 2}));
+  EXPECT_TRUE((left.interior() + right.interior()).closure() == b);
+}
+
+TEST(Nef3, GrowsFromCToRing) {
+  const Nef3 c = box({0, 3}, {0, 3}, {0, 1}) - box({1, 3}, {1, 2}, {-1, 2});
+  const Nef3 ring = c + box({2, 3}, {1, 2}, {0, 1});
+  EXPECT_TRUE(has(c, {16, 24, 10, 2, 1}));
+  EXPECT_TRUE(has(ring, {16, 24, 10, 2, 1}));
+  const Nef3 whole = box({0, 3}, {0, 3}, {0, 1}) - box({1, 2}, {1, 2}, {-1, 2});
+  EXPECT_TRUE(ring.closure() == whole.closure());
+  EXPECT_TRUE(ring.interior() == whole.interior());
+}
+
+TEST(Nef3, RidgeOnATable) {
+  PolygonMesh roof;
+  roof.points = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 1, -1}, {2, 1, -1}};
+  for (const std::vector<std::uint32_t>& face :
+       {std::vector<std::uint32_t>{0, 1, 2, 3}, {0, 4, 5, 1}, {2, 5, 4, 3}, {0, 3, 4}, {1, 5, 2}}) {
+    roof.add_face(face);
+  }
+  const Nef3 table = box({-1, 3}, {-1, 3}, {-3, -1});
+  const Nef3 both = table + solid(roof);
+  EXPECT_TRUE(has(both, {14, 21, 11, 3, 2})) << "the ridge lies in the table's top";
+}
+
+TEST(Nef3, ThousandFacetsAtAVertex) {
+  constexpr std::uint32_t kSides = 1000;
+  PolygonMesh cone;
+  cone.points.push_back({0, 0, 1});
+  std::vector<std::uint32_t> base;
+  for (std::uint32_t i = 0; i < kSides; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / kSides;
+    cone.points.push_back({std::cos(angle), std::sin(angle), 0});
+    base.insert(base.begin(), i + 1);
+    cone.add_face(std::array{0U, i + 1, (i + 1) % kSides + 1});
+  }
+  cone.add_face(base);
+  const Nef3 a = solid(cone), b = box({-1, 0}, {-2, 2}, {0, 1});
+  EXPECT_TRUE(has(a, {kSides + 1, 2 * kSides, kSides + 1, 2, 1}));
+  EXPECT_TRUE((a - b) + (a * b) == a);
+  EXPECT_TRUE((a * b).contains(Point3{0, 0, 1}));
+}
+
+TEST(Nef3, MirroredTwice) {
+  const Nef3 a = box({0, 2}, {0, 1}, {0, 3}) + Nef3::segment({0, 0, 0}, {-1, -1, -2});
+  const AffineMap3 mirror{{{{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {5, 0, 0}};
+  EXPECT_FALSE(a.transformed(mirror) == a);
+  EXPECT_TRUE(a.transformed(mirror).transformed(mirror) == a);
+  EXPECT_TRUE(box({0, 2}, {0, 1}, {0, 3}).transformed(mirror) == box({3, 5}, {0, 1}, {0, 3}));
+  const AffineMap3 shear{{{{1, 2, 0}, {0, 1, 0}, {0, 3, -1}}}, {Rational(1) / 3, 0, 7}};
+  const AffineMap3 back{{{{1, -2, 0}, {0, 1, 0}, {0, 3, -1}}}, {Rational(-1) / 3, 0, 7}};
+  EXPECT_TRUE(a.transformed(shear).transformed(back) == a);
+  EXPECT_THROW(a.transformed({{{{1, 0, 0}, {1, 0, 0}, {0, 0, 1}}}, {0, 0, 0}}), Error);
+}
+
+// ---------------------------------------------------------------- seen to go wrong elsewhere
+
+TEST(Nef3, WedgesNeverStop) {
+  const Nef3 wedge = half_space(1, 0, 0, 1) * half_space(0, 0, 1, 1);
+  EXPECT_TRUE(contains(wedge, -1, 5, -1));
+  EXPECT_FALSE(contains(wedge, 0, 5, -1));
+  const Nef3 corner = wedge * half_space(0, 1, 0, 0);
+  EXPECT_TRUE(has(corner, {1, 3, 3, 2, 1}));
+  EXPECT_TRUE(has(corner * half_space(-1, -1, -1, -3), {4, 6, 4, 2, 1})) << "a tetrahedron";
+  EXPECT_TRUE((corner * half_space(-1, -1, -1, -3)).is_bounded());
+}
+
+TEST(Nef3, SolidsTouchEverywhere) {
+  const Nef3 a = box({0, 1}, {0, 1}, {0, 1});
+  EXPECT_TRUE(a + box({1, 2}, {0, 1}, {0, 1}) == box({0, 2}, {0, 1}, {0, 1}));
+  EXPECT_TRUE(has(a + box({1, 2}, {1, 2}, {0, 1}), {14, 23, 12, 3, 2})) << "along an edge";
+  EXPECT_TRUE(has(a + box({1, 2}, {1, 2}, {1, 2}), {15, 24, 12, 3, 2})) << "at a vertex";
+  EXPECT_TRUE(has(a * box({1, 2}, {1, 2}, {1, 2}), {1, 0, 0, 1, 0}));
+  EXPECT_TRUE(has(a * box({1, 2}, {1, 2}, {0, 1}), {2, 1, 0, 1, 0}));
+  EXPECT_TRUE(has(a * box({1, 2}, {0, 1}, {0, 1}), {4, 4, 1, 1, 0}));
+  EXPECT_TRUE((a - a).is_empty());
+  EXPECT_TRUE((a ^ a).is_empty());
+  EXPECT_TRUE(a + a == a);
+}
+
+TEST(Nef3, VoidsInVoids) {
+  const Nef3 shell = box({0, 9}, {0, 9}, {0, 9}) - box({1, 8}, {1, 8}, {1, 8});
+  const Nef3 inner = box({2, 7}, {2, 7}, {2, 7}) - box({3, 6}, {3, 6}, {3, 6});
+  EXPECT_TRUE(has(shell, {16, 24, 12, 3, 1}));
+  EXPECT_TRUE(has(shell + inner, {32, 48, 24, 5, 2}));
+  EXPECT_TRUE((shell + inner) * box({2, 7}, {2, 7}, {2, 7}) == inner);
+}
+
+TEST(Nef3, GiantAndTinyTogether) {
+  const Nef3 giant = box({-1e300, 1e300}, {-1e300, 1e300}, {-1e300, 1e300});
+  const Nef3 tiny = box({0, 1e-300}, {0, 1e-300}, {0, 1e-300});
+  EXPECT_TRUE(giant * tiny == tiny);
+  EXPECT_TRUE(giant + tiny == giant);
+  EXPECT_TRUE(has(giant - tiny, {16, 24, 12, 3, 1}));
+}
+
+}  // namespace
+}  // namespace plumb

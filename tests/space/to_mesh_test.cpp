@@ -1,0 +1,295 @@
+// Meshes of complexes: round trips keep the solid, and what a mesh cannot hold is said.
+#include "plumb/space/to_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "generate/meshes.h"
+#include "plumb/space/from_mesh.h"
+#include "plumb/space/rounded_mesh.h"
+#include "space/complex_links.h"
+
+namespace plumb::testing {
+namespace {
+
+using Faces = std::vector<std::uint32_t>;
+
+MeshComplex complex_of(const PolygonMesh& mesh) {
+  Context context;
+  MeshComplex result = complex_of_mesh(mesh, {}, context);
+  EXPECT_TRUE(result.report.is_closed());
+  EXPECT_FALSE(result.report.crosses_itself());
+  return result;
+}
+
+/// Volume 1 is the solid: behind all faces. (Which volumes are one makes no difference to a mesh.)
+SpaceComplex marked(const MeshComplex& mesh) {
+  SpaceComplex complex = mesh.complex;
+  complex.volume_mark = {0, 1};
+  for (std::size_t f = 0; f < complex.facet_count(); ++f) {
+    const VolumeId outside(0), solid(1);
+    complex.facet_volume[f] = {mesh.jump[f] > 0 ? solid : outside,
+                               mesh.jump[f] < 0 ? solid : outside};
+    if (mesh.jump[f] == 0) complex.facet_volume[f] = {solid, solid};
+  }
+  std::ranges::fill(complex.facet_mark, Mark{1});
+  std::ranges::fill(complex.edge_mark, Mark{1});
+  std::ranges::fill(complex.vertex_mark, Mark{1});
+  return complex;
+}
+
+MeshOfComplex mesh_of(const SpaceComplex& complex, ToMeshOptions options = {}) {
+  Context context;
+  return mesh_of_complex(complex, options, context);
+}
+
+RoundingReport rounding_of(const PolygonMesh& mesh) {
+  Context context;
+  return check_rounding(mesh, 100, context);
+}
+
+const PolygonMesh kCube = box_mesh({0, 0, 0}, {3, 3, 3});
+const std::vector<Point2> kLetterC = {{0, 0}, {3, 0}, {3, 1}, {1, 1},
+                                      {1, 2}, {3, 2}, {3, 3}, {0, 3}};
+
+struct Case {
+  const char* name;
+  PolygonMesh mesh;
+};
+
+std::vector<Case> solids() {
+  return {{"cube", kCube},
+          {"in triangles", fanned(kCube)},
+          {"cavity", joined(kCube, reversed(box_mesh({1, 1, 1}, {2, 2, 2})))},
+          {"letter", prism_mesh(kLetterC, -1, 0.1)},
+          {"sphere", icosphere_mesh(2, 0.7, {0.1, 0.2, 0.3})},
+          {"at an edge", joined(kCube, moved(kCube, {3, 3, 0}))},
+          {"at a corner", joined(kCube, moved(kCube, {3, 3, 3}))},
+          {"touching hole",
+           prism_mesh({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 2}, {2, 2}, {2, 1}}, 0, 1)}};
+}
+
+TEST(ToMesh, RoundTripsKeepTheSolid) {
+  for (const Case& c : solids()) {
+    const MeshComplex given = complex_of(c.mesh);
+    for (const MeshFaces faces :
+         {MeshFaces::Polygons, MeshFaces::PlanarPolygons, MeshFaces::Triangles}) {
+      for (const bool is_split : {false, true}) {
+        SCOPED_TRACE(std::string(c.name) + " " + std::to_string(static_cast<int>(faces)));
+        const MeshOfComplex out = mesh_of(marked(given), {faces, is_split});
+        EXPECT_EQ(out.report.dropped.total() + out.report.filled.total(), 0U);
+        EXPECT_EQ(out.facet.size(), out.mesh.face_count());
+        EXPECT_TRUE(out.mesh.exact.empty());
+        const MeshComplex again = complex_of(out.mesh);
+        EXPECT_EQ(enclosed_volume(again.complex, again.jump),
+                  enclosed_volume(given.complex, given.jump));
+        EXPECT_EQ(again.complex.vertex_count(), given.complex.vertex_count());
+        if (faces == MeshFaces::Triangles) {
+          EXPECT_EQ(out.mesh.corners.size(), 3 * out.mesh.face_count());
+        } else {
+          EXPECT_EQ(again.complex.facet_count(), given.complex.facet_count());
+        }
+        EXPECT_EQ(again.report.vertices_merged,
+                  out.mesh.points.size() - given.complex.vertex_count());
+      }
+    }
+  }
+}
+
+TEST(ToMesh, NonManifoldPlacesAreCountedAndSplit) {
+  const SpaceComplex at_edge = marked(complex_of(joined(kCube, moved(kCube, {3, 3, 0}))));
+  const MeshOfComplex soup = mesh_of(at_edge);
+  EXPECT_EQ(soup.report.non_manifold_edges, 1U);
+  EXPECT_EQ(soup.report.non_manifold_vertices, 2U);
+  EXPECT_EQ(soup.mesh.points.size(), 14U);
+  ToMeshOptions split;
+  split.split_vertices = true;
+  EXPECT_EQ(mesh_of(at_edge, split).mesh.points.size(), 16U);
+  const MeshOfComplex corner = mesh_of(marked(complex_of(joined(kCube, moved(kCube, {3, 3, 3})))));
+  EXPECT_EQ(corner.report.non_manifold_edges, 0U);
+  EXPECT_EQ(corner.report.non_manifold_vertices, 1U);
+  EXPECT_FALSE(mesh_of(marked(complex_of(kCube))).report.is_soup());
+}
+
+/// Facet `inside` lies in facet `around`, in the same plane: cuts it out.
+void cut_out(SpaceComplex& complex, std::uint32_t around, std::uint32_t inside) {
+  const UseId first = complex.cycles_of(FacetId(inside))[0];
+  UseId u = first;
+  do {
+    const std::uint32_t i = u.value();
+    u = complex.use_next[i];
+    complex.use_halfedge[i] = SpaceComplex::twin(complex.use_halfedge[i]);
+    std::swap(complex.use_next[i], complex.use_prev[i]);
+    complex.use_facet[i] = FacetId(around);
+  } while (u != first);
+  ASSERT_EQ(inside + 1, complex.facet_count());  // the last one, so that no id changes
+  complex.facet_plane.pop_back();
+  complex.facet_mark.pop_back();
+  complex.facet_volume.pop_back();
+  complex.facet_origin.pop_back();
+  complex.cycle.pop_back();
+  complex.cycle_begin.pop_back();
+  complex.inner_begin.pop_back();
+  complex.cycle.insert(complex.cycle.begin() + complex.cycle_begin[around + 1], first);
+  for (std::size_t f = around + 1; f < complex.cycle_begin.size(); ++f) ++complex.cycle_begin[f];
+}
+
+// A pit dug into the top of a cube.
+TEST(ToMesh, FacetsWithHolesAreCut) {
+  PolygonMesh pit = reversed(box_mesh({1, 1, 1}, {2, 2, 3}));
+  PolygonMesh last_is_lid;
+  last_is_lid.points = pit.points;
+  for (const std::size_t f : {0U, 2U, 3U, 4U, 5U, 1U}) last_is_lid.add_face(pit.face(f));
+  Context context;
+  const MeshComplex overlapping = complex_of_mesh(joined(kCube, last_is_lid), {}, context);
+  SpaceComplex complex = marked(overlapping);
+  cut_out(complex, 1, 11);
+  ASSERT_EQ(broken_link(complex), "");
+  for (const MeshFaces faces : {MeshFaces::Polygons, MeshFaces::Triangles}) {
+    const MeshOfComplex out = mesh_of(complex, {faces, false});
+    EXPECT_EQ(out.mesh.points.size(), 16U);
+    EXPECT_EQ(std::ranges::count(out.facet, FacetId(1)), 8);
+    const MeshComplex again = complex_of(out.mesh);
+    EXPECT_EQ(enclosed_volume(again.complex, again.jump), 6 * (27 - 2));
+  }
+}
+
+TEST(ToMesh, WhatIsDroppedAndFilledIsCounted) {
+  SpaceComplex open = marked(complex_of(kCube));
+  std::ranges::fill(open.facet_mark, Mark{0});
+  open.edge_mark[5] = 0;
+  open.vertex_mark[1] = 0;
+  MeshOfComplex out = mesh_of(open);
+  EXPECT_EQ(out.report.filled.facets, 6U);
+  EXPECT_EQ(out.report.filled.edges, 1U);
+  EXPECT_EQ(out.report.filled.vertices, 1U);
+  EXPECT_EQ(out.mesh.face_count(), 6U);
+
+  SpaceComplex shell = marked(complex_of(kCube));  // a marked surface around nothing
+  shell.volume_mark = {0, 0};
+  out = mesh_of(shell);
+  EXPECT_EQ(out.report.dropped.facets, 6U);
+  EXPECT_EQ(out.report.dropped.edges, 12U);
+  EXPECT_EQ(out.report.dropped.vertices, 8U);
+  EXPECT_EQ(out.mesh.face_count(), 0U);
+
+  SpaceComplex outside = marked(complex_of(kCube));
+  outside.volume_mark = {1, 0};
+  out = mesh_of(outside);
+  EXPECT_TRUE(out.report.is_unbounded);
+  EXPECT_EQ(out.mesh.face_count(), 0U);
+}
+
+// A wall between two chambers is filled, not part of the boundary.
+TEST(ToMesh, WallsInsideTheSolidAreNoFaces) {
+  const MeshComplex chambers = complex_of(joined(kCube, moved(kCube, {3, 0, 0})));
+  const MeshOfComplex out = mesh_of(marked(chambers));
+  EXPECT_EQ(out.mesh.face_count(), 10U);
+  EXPECT_FALSE(out.report.is_soup());
+  const MeshComplex again = complex_of(out.mesh);
+  EXPECT_EQ(enclosed_volume(again.complex, again.jump), 6 * 54);
+}
+
+TEST(ToMesh, BothSidesOfASheet) {
+  Context context;
+  const SpaceComplex cube = complex_of(kCube).complex;
+  std::vector<FacetSide> sides;
+  for (const bool is_reversed : {false, true}) {
+    sides.push_back({FacetId(0), is_reversed});
+    sides.push_back({FacetId(2), is_reversed});
+  }
+  const MeshOfComplex out = mesh_of_sides(cube, sides, {}, context);
+  EXPECT_EQ(out.mesh.face_count(), 4U);
+  EXPECT_EQ(out.report.non_manifold_edges, 1U);  // where the two squares meet
+  EXPECT_TRUE(complex_of_mesh(out.mesh, {}, context).report.is_closed());
+}
+
+// ---------------------------------------------------------------- rounding
+
+PolygonMesh scaled(PolygonMesh mesh, const Rational& by) {
+  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+    const Point3& p = mesh.points[v];
+    mesh.exact.emplace_back(v, RationalPoint3{p.x * by, p.y * by, p.z * by});
+  }
+  return mesh;
+}
+
+TEST(ToMesh, CoordinatesAreRoundedAndKept) {
+  const MeshComplex thirds = complex_of(scaled(kCube, Rational(1) / 30));
+  for (const MeshFaces faces : {MeshFaces::Polygons, MeshFaces::PlanarPolygons}) {
+    const MeshOfComplex out = mesh_of(marked(thirds), {faces, false});
+    EXPECT_EQ(out.mesh.exact.size(), 7U);  // all but the origin
+    EXPECT_EQ(out.mesh.points[6], (Point3{0.1, 0.1, 0.1}));
+    EXPECT_EQ(out.mesh.face_count(), faces == MeshFaces::Polygons ? 6U : 12U);
+    const MeshComplex again = complex_of(out.mesh);
+    EXPECT_EQ(enclosed_volume(again.complex, again.jump), 6 * Rational(1) / 1000);
+    EXPECT_TRUE(rounding_of(out.mesh).is_sound());
+    EXPECT_EQ(rounding_of(out.mesh).rounded_vertices, 7U);
+  }
+}
+
+TEST(RoundedMesh, DoublesAreNotLookedAt) {
+  EXPECT_TRUE(rounding_of(joined(kCube, moved(kCube, {1, 1, 1}))).is_sound());
+}
+
+TEST(RoundedMesh, WhatBreaksIsNamed) {
+  const Rational tiny = Rational(1) / (Integer(1) << 200), third = Rational(1) / 3;
+  // Two boxes with a gap that no double sees: corners and faces fall together.
+  PolygonMesh boxes = joined(kCube, moved(kCube, {3, 0, 0}));
+  for (std::uint32_t v = 8; v < 16; ++v) {
+    const Point3& p = boxes.points[v];
+    boxes.exact.emplace_back(v, RationalPoint3{p.x + tiny, p.y, p.z});
+  }
+  RoundingReport report = rounding_of(boxes);
+  EXPECT_EQ(report.vertices_merged, 4U);
+  EXPECT_EQ(report.doubled.size(), 1U);
+  EXPECT_FALSE(report.is_sound());
+
+  // Half a face apart: they touch now.
+  boxes = joined(kCube, moved(kCube, {3, 1, 1}));
+  for (std::uint32_t v = 8; v < 16; ++v) {
+    const Point3& p = boxes.points[v];
+    boxes.exact.emplace_back(v, RationalPoint3{p.x + tiny, p.y, p.z});
+  }
+  report = rounding_of(boxes);
+  EXPECT_EQ(report.vertices_merged, 0U);
+  EXPECT_GT(report.crossing_count, 0U);
+
+  // A flat tetrahedron.
+  PolygonMesh flat = tetrahedron_mesh({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0});
+  flat.exact = {{3, {third, third, tiny}}};
+  flat.points[3] = {1.0 / 3, 1.0 / 3, 0};
+  report = rounding_of(flat);
+  EXPECT_GT(report.crossing_count, 0U);  // its faces overlap
+  EXPECT_TRUE(report.vertices_merged == 0 && report.degenerate.empty());
+
+  // A vertex next to an edge falls on it, or across it.
+  PolygonMesh needle = tetrahedron_mesh({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0.25, 0.25, 1});
+  needle.points[1] = {0.5, 0, 0};
+  needle.exact = {{1, {Rational(1) / 2, tiny, 0}}};
+  report = rounding_of(needle);
+  EXPECT_EQ(report.degenerate, Faces{0});
+  EXPECT_FALSE(report.is_sound());
+}
+
+TEST(RoundedMesh, TurnedFacesAreNamed) {
+  // a = (1/3, 1/3 + tiny) is left of the line from the origin to (1, 1) and rounds onto it; with the line's other end
+  // moved by less than rounding moves a, the face turns over.
+  const Rational third = Rational(1) / 3, tiny = Rational(1) / (Integer(1) << 70);
+  PolygonMesh mesh =
+      make_mesh({{0, 0, 0}, {1, 0x1.0000000000001p0, 0}, {1.0 / 3, 1.0 / 3, 0}}, {{0, 1, 2}});
+  mesh.exact = {{1, {Rational(1), 1 + 2 * tiny, 0}}, {2, {third, third + tiny, 0}}};
+  const RoundingReport report = rounding_of(mesh);
+  EXPECT_EQ(report.flipped, Faces{0});
+}
+
+TEST(RoundedMesh, CoordinatesBeyondDoubles) {
+  const Rational huge = Rational(Integer(1) << 1100);
+  const MeshComplex complex = complex_of(scaled(kCube, huge));
+  const MeshOfComplex out = mesh_of(marked(complex));
+  EXPECT_EQ(rounding_of(out.mesh).beyond_doubles.size(), 7U);
+}
+
+}  // namespace
+}  // namespace plumb::testing
