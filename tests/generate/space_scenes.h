@@ -52,6 +52,14 @@ void add_tetrahedron(SpaceScene& scene, const std::array<RationalPoint3, 4>& cor
 /// A box with a square shaft from bottom to top; two facets have a hole.
 void add_frame_box(SpaceScene& scene, const RationalPoint3& low, const RationalPoint3& high);
 
+/// What stands for the frame's R in finite scenes.
+inline constexpr int kFar = 1000000;
+/// The cube |x|, |y|, |z| <= kFar cut by planes x = at + slope y, which part it into slabs.
+void add_slabs(SpaceScene& scene, const std::vector<int>& at, const Rational& slope);
+/// The same complex with R for kFar; what lies on the cube gets the mark kBeyond. Every vertex there must be
+/// the common point of planes of its edges.
+SpaceComplex framed(SpaceComplex complex);
+
 /// A scene of disjoint pieces with small rational coordinates: boxes, tetrahedra, boxes in boxes,
 /// boxes with a shaft, polygons, chains and points; everything shifted and sheared the same way.
 SpaceScene random_scene(Dice& dice);

@@ -330,96 +330,7 @@ TEST(SpaceLocator, NestedBoxes) {
   }
 }
 
-// --- the frame: a finite cube of size R, far beyond everything else, made symbolic
-
-constexpr int kFar = 1000000;
-
-/// The cube |x|, |y|, |z| <= R cut by planes x = at + slope y, which part it into slabs.
-void add_slabs(SpaceScene& scene, const std::vector<int>& at, const Rational& slope) {
-  std::vector<std::vector<RationalPoint3>> stations;
-  const auto add_station = [&](const Rational& x, const Rational& by_y) {
-    stations.emplace_back();
-    for (const auto& [y, z] :
-         {std::pair{-kFar, -kFar}, {kFar, -kFar}, {kFar, kFar}, {-kFar, kFar}}) {
-      stations.back().push_back({x + by_y * y, y, z});
-    }
-  };
-  add_station(-kFar, 0);
-  for (const int x : at) add_station(x, slope);
-  add_station(kFar, 0);
-  for (std::size_t i = 0; i < stations.size(); ++i) {
-    scene.add_facet(stations[i]);
-    for (std::size_t j = 0; j < 4 && i > 0; ++j) {
-      const std::size_t k = (j + 1) % 4;
-      scene.add_facet({stations[i - 1][j], stations[i - 1][k], stations[i][k], stations[i][j]});
-    }
-  }
-}
-
-/// The same complex with R for kFar.
-class Framer {
- public:
-  explicit Framer(SpaceComplex complex)
-      : out_(std::move(complex)),
-        tables_(copy(*out_.tables)),
-        frame_(tables_->planes.intern_frame()) {
-    map_planes();
-    mark_frame();
-    for (std::size_t v = 0; v < out_.vertex_count(); ++v) {
-      if (out_.vertex_mark[v] == kBeyond) out_.vertex_point[v] = frame_point(VertexId(v));
-    }
-    out_.tables = tables_;
-  }
-  SpaceComplex take() { return std::move(out_); }
-
- private:
-  PlaneId mapped(PlaneId p) const {
-    const IntegerRow row = tables_->planes.primitive(p);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (row[axis] != 1 || row[(axis + 1) % 3] != 0 || row[(axis + 2) % 3] != 0) continue;
-      if (row[3] == kFar) return frame_[2 * axis];
-      if (row[3] == -kFar) return frame_[2 * axis + 1];
-    }
-    return p;
-  }
-  void map_planes() {
-    for (PlaneId& p : out_.facet_plane) p = mapped(p);
-    for (auto& [p, q] : out_.edge_planes) {
-      p = mapped(p);
-      q = mapped(q);
-    }
-  }
-  void mark_frame() {
-    for (std::size_t u = 0; u < out_.use_count(); ++u) {
-      const FacetId f = out_.use_facet[u];
-      if (!tables_->planes.is_frame(out_.facet_plane[f.value()])) continue;
-      out_.facet_mark[f.value()] = kBeyond;
-      out_.edge_mark[out_.use_halfedge[u].value() / 2] = kBeyond;
-      out_.vertex_mark[out_.use_origin(UseId(u)).value()] = kBeyond;
-    }
-  }
-  /// Of the planes around.
-  SpacePoint frame_point(VertexId v) {
-    std::vector<PlaneId> planes;
-    for (const HalfedgeId h : out_.star_of(v)) {
-      for (const PlaneId p : out_.edge_planes[h.value() / 2]) planes.push_back(p);
-    }
-    for (const PlaneId p : planes) {
-      for (const PlaneId q : planes) {
-        for (const PlaneId r : planes) {
-          const SpacePoint found = tables_->points.add(p, q, r);
-          if (found.is_valid()) return found;
-        }
-      }
-    }
-    ADD_FAILURE() << "no planes";
-    return {};
-  }
-
-  SpaceComplex out_;
-  std::shared_ptr<SpaceTables> tables_;
-  std::array<PlaneId, 6> frame_;
-};
+// --- the frame
 
 SpaceScene framed_scene(Dice& dice) {
   SpaceScene scene = random_scene(dice);
@@ -432,7 +343,7 @@ TEST(SpaceLocator, SeesThroughTheFrame) {
   for (std::uint64_t seed = 3000; seed < 3025; ++seed) {
     Dice dice(seed);
     const SpaceComplex finite = complex_of(framed_scene(dice));
-    SpaceComplex complex = Framer(finite).take();
+    SpaceComplex complex = framed(finite);
     Context context;
     label_volumes(complex, context);
     ASSERT_EQ(complex.volume_count(), finite.volume_count());
