@@ -8,6 +8,7 @@
 #include "generate/meshes.h"
 #include "plumb/space/from_mesh.h"
 #include "plumb/space/rounded_mesh.h"
+#include "plumb/space/volumes.h"
 #include "space/complex_links.h"
 
 namespace plumb::testing {
@@ -94,6 +95,27 @@ TEST(ToMesh, RoundTripsKeepTheSolid) {
                   out.mesh.points.size() - given.complex.vertex_count());
       }
     }
+  }
+}
+
+// What the engine makes of a mesh before marks: one winding number a volume.
+TEST(ToMesh, WindingNumbersOfMeshes) {
+  const PolygonMesh inner = box_mesh({1, 1, 1}, {2, 2, 2});
+  const std::vector<std::pair<PolygonMesh, std::vector<std::int32_t>>> cases = {
+      {kCube, {0, 1}},
+      {reversed(kCube), {0, -1}},
+      {joined(kCube, kCube), {0, 2}},
+      {joined(kCube, reversed(inner)), {0, 1, 0}},
+      {joined(kCube, inner), {0, 1, 2}},
+      {joined(kCube, moved(kCube, {3, 0, 0})), {0, 1, 1}},
+      {joined(kCube, moved(kCube, {3, 3, 3})), {0, 1, 1}},
+      {joined(kCube, moved(kCube, {9, 0, 0})), {0, 1, 1}},
+  };
+  for (const auto& [mesh, expected] : cases) {
+    MeshComplex made = complex_of(mesh);
+    Context context;
+    label_volumes(made.complex, context);
+    EXPECT_EQ(winding_numbers(made.complex, made.jump), expected);
   }
 }
 
