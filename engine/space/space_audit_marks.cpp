@@ -1,0 +1,183 @@
+// Step 5 of audit(): volumes, the frame, the minimal form.
+#include <algorithm>
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/space/local_maps.h"
+#include "plumb/space/space_audit_parts.h"
+#include "plumb/space/volumes.h"
+#include "plumb/sphere/sphere_overlay.h"
+
+namespace plumb {
+namespace {
+
+class MarkAudit : SpaceAuditPart {
+ public:
+  explicit MarkAudit(const SpaceComplex& complex)
+      : SpaceAuditPart(complex), overlay_(complex.planes()) {}
+
+  std::optional<SpaceFlaw> run(bool minimal) {
+    static_cast<void>(has_right_volumes() && has_sane_frame() &&
+                      (!minimal || (is_minimal() && has_needed_frame())));
+    return flaw_;
+  }
+
+ private:
+  // ---- volumes
+
+  bool has_right_volumes() {
+    SpaceComplex again = c_;
+    Context context;
+    label_volumes(again, context);
+    if (!require(again.volume_count() == c_.volume_count(),
+                 "volumes are the connected parts between facets")) {
+      return false;
+    }
+    forth_.assign(c_.volume_count(), VolumeId());
+    back_.assign(c_.volume_count(), VolumeId());
+    forth_[0] = back_[0] = VolumeId(0);
+    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
+      for (std::size_t s = 0; s < 2; ++s) {
+        if (!has_same_volume(c_.facet_volume[f][s], again.facet_volume[f][s], FacetId(f)))
+          return false;
+      }
+    }
+    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
+      if (!has_same_volume(c_.edge_volume[e], again.edge_volume[e], EdgeId(e))) return false;
+    }
+    for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
+      if (!has_same_volume(c_.vertex_volume[v], again.vertex_volume[v], VertexId(v))) return false;
+    }
+    return true;
+  }
+  /// Up to a renumbering that keeps volume 0.
+  template <class Id>
+  bool has_same_volume(VolumeId here, VolumeId there, Id at) {
+    if (!here.is_valid() && !there.is_valid()) return true;
+    bool same = here.is_valid() && there.is_valid();
+    if (same) {
+      VolumeId& to = forth_[here.value()];
+      VolumeId& from = back_[there.value()];
+      if (!to.is_valid() && !from.is_valid()) {
+        to = there;
+        from = here;
+      }
+      same = to == there && from == here;
+    }
+    return require(same, "volumes are the connected parts between facets", at);
+  }
+
+  // ---- the frame
+
+  static bool is_beyond(Mark m) { return m == kBeyond; }
+  bool is_beyond(FacetId f) const { return is_beyond(c_.facet_mark[f.value()]); }
+  bool has_frame() const { return is_beyond(c_.volume_mark[0]); }
+
+  bool has_sane_frame() {
+    for (std::uint32_t v = 1; v < c_.volume_count(); ++v) {
+      if (!require(!is_beyond(c_.volume_mark[v]), "only volume 0 is beyond", VolumeId(v)))
+        return false;
+    }
+    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
+      const auto [above, below] = c_.facet_volume[f];
+      const bool at_frame = has_frame() && (above == VolumeId(0)) != (below == VolumeId(0));
+      const bool in_beyond = has_frame() && above == VolumeId(0) && below == VolumeId(0);
+      if (!require(!in_beyond && at_frame == is_beyond(FacetId(f)),
+                   "facets of the frame, and no others, have the beyond on one side", FacetId(f)) ||
+          !require(is_beyond(FacetId(f)) == c_.planes().is_frame(plane(FacetId(f))),
+                   "facets of the frame, and no others, lie in its planes", FacetId(f))) {
+        return false;
+      }
+    }
+    return has_sane_frame_edges() && has_sane_frame_vertices();
+  }
+  bool has_sane_frame_edges() {
+    for (std::uint32_t i = 0; i < c_.edge_count(); ++i) {
+      const EdgeId e(i);
+      if (!require(!(has_frame() && c_.edge_volume[i] == VolumeId(0)), "nothing is in the beyond",
+                   e) ||
+          !require(is_beyond(c_.edge_mark[i]) == has_facet_of_frame(e),
+                   "edges of the frame, and no others, bound its facets", e)) {
+        return false;
+      }
+    }
+    return true;
+  }
+  bool has_facet_of_frame(EdgeId e) const {
+    const UseId first = c_.edge_use[e.value()];
+    return first.is_valid() && !all_of_ring(first, [&](UseId u) { return !is_beyond(facet(u)); });
+  }
+  template <class Visit>
+  bool all_of_ring(UseId first, Visit visit) const {
+    UseId u = first;
+    do {
+      if (!visit(u)) return false;
+      u = c_.use_radial[u.value()];
+    } while (u != first);
+    return true;
+  }
+  bool has_sane_frame_vertices() {
+    for (std::uint32_t i = 0; i < c_.vertex_count(); ++i) {
+      const VertexId v(i);
+      const auto star = c_.star_of(v);
+      const bool at_frame = std::any_of(star.begin(), star.end(), [&](HalfedgeId h) {
+        return is_beyond(c_.edge_mark[h.value() / 2]);
+      });
+      const FacetId inside = c_.vertex_facet[i];
+      if (!require(!(has_frame() && c_.vertex_volume[i] == VolumeId(0)), "nothing is in the beyond",
+                   v) ||
+          !require(is_beyond(c_.vertex_mark[i]) ==
+                       (at_frame || (inside.is_valid() && is_beyond(inside))),
+                   "vertices of the frame, and no others, are ends of its edges", v)) {
+        return false;
+      }
+    }
+    return true;
+  }
+  /// A facet or an edge of the set reaches the frame.
+  bool has_needed_frame() {
+    bool needed = !has_frame();
+    for (std::uint32_t e = 0; e < c_.edge_count() && !needed; ++e) {
+      const UseId first = c_.edge_use[e];
+      const bool at_frame = is_beyond(c_.edge_mark[e]);
+      needed = at_frame ? !all_of_ring(first, [&](UseId u) { return is_beyond(facet(u)); })
+                        : is_beyond(c_.vertex_mark[c_.origin[2 * e].value()]) ||
+                              is_beyond(c_.vertex_mark[c_.origin[2 * e + 1].value()]);
+    }
+    return require(needed, "a frame is there only if something reaches it");
+  }
+
+  // ---- the minimal form
+
+  template <class Id>
+  bool is_needed(Id item, PyramidKind kind) {
+    local_map(c_, item, local_);
+    return require(!overlay_.simplify(local_.map) && classify(c_.planes(), local_.map) == kind,
+                   "no item can go without changing the set", item);
+  }
+  bool is_minimal() {
+    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
+      if (!is_needed(FacetId(f), PyramidKind::Facet)) return false;
+    }
+    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
+      if (!is_needed(EdgeId(e), PyramidKind::Edge)) return false;
+    }
+    for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
+      if (!is_needed(VertexId(v), PyramidKind::Vertex)) return false;
+    }
+    return true;
+  }
+
+  SphereOverlay overlay_;
+  LocalMap local_;
+  std::vector<VolumeId> forth_;
+  std::vector<VolumeId> back_;
+};
+
+}  // namespace
+
+std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex, bool minimal) {
+  return MarkAudit(complex).run(minimal);
+}
+
+}  // namespace plumb

@@ -1,0 +1,72 @@
+// The steps of audit() (space_audit.h). Internal.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "plumb/space/space_audit.h"
+
+namespace plumb {
+
+/// What the steps have in common: the complex, and the first flaw.
+class SpaceAuditPart {
+ protected:
+  explicit SpaceAuditPart(const SpaceComplex& complex) : c_(complex) {}
+
+  static std::string name(VertexId v) { return "vertex " + std::to_string(v.value()); }
+  static std::string name(EdgeId e) { return "edge " + std::to_string(e.value()); }
+  static std::string name(HalfedgeId h) { return "half-edge " + std::to_string(h.value()); }
+  static std::string name(UseId u) { return "use " + std::to_string(u.value()); }
+  static std::string name(FacetId f) { return "facet " + std::to_string(f.value()); }
+  static std::string name(VolumeId v) { return "volume " + std::to_string(v.value()); }
+
+  /// Notes a flaw; returns false.
+  bool fail(const char* invariant, std::string place) {
+    flaw_ = SpaceFlaw{invariant, std::move(place)};
+    return false;
+  }
+  template <class... Ids>
+  bool require(bool holds, const char* invariant, Ids... ids) {
+    if (holds) return true;
+    std::string place;
+    ((place += (place.empty() ? "" : ", ") + name(ids)), ...);
+    return fail(invariant, place.empty() ? "complex" : place);
+  }
+
+  SpacePoint at(VertexId v) const { return c_.vertex_point[v.value()]; }
+  HalfedgeId halfedge(UseId u) const { return c_.use_halfedge[u.value()]; }
+  /// Against the corner of u: the half-edge where it ends.
+  HalfedgeId corner_end(UseId u) const {
+    return SpaceComplex::twin(halfedge(c_.use_prev[u.value()]));
+  }
+  FacetId facet(UseId u) const { return c_.use_facet[u.value()]; }
+  PlaneId plane(FacetId f) const { return c_.facet_plane[f.value()]; }
+  PlaneId plane(UseId u) const { return plane(facet(u)); }
+  template <class Visit>
+  bool all_of_cycle(UseId first, Visit visit) const {
+    UseId u = first;
+    do {
+      if (!visit(u)) return false;
+      u = c_.use_next[u.value()];
+    } while (u != first);
+    return true;
+  }
+
+  const SpaceComplex& c_;
+  std::optional<SpaceFlaw> flaw_;
+};
+
+/// Does the cycle go around x an odd number of times? Requires a point of the facet's plane that is not on
+/// the cycle, in `points`: those of the complex, or a copy with more.
+bool goes_around(const SpaceComplex& complex, UseId cycle, const Point3Table& points, SpacePoint x);
+/// The same, of all cycles of a facet together: does x lie in the facet?
+bool contains(const SpaceComplex& complex, FacetId f, const Point3Table& points, SpacePoint x);
+
+std::optional<SpaceFlaw> audit_links(const SpaceComplex& complex);
+std::optional<SpaceFlaw> audit_places(const SpaceComplex& complex);
+std::optional<SpaceFlaw> audit_cycles(const SpaceComplex& complex);
+std::optional<SpaceFlaw> audit_meeting(const SpaceComplex& complex);
+std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex, bool minimal);
+
+}  // namespace plumb
