@@ -98,15 +98,18 @@ class LeafMaker {
     if (low == high || coordinate(normal, axis()) == 0) return std::nullopt;
     return prism({p_[0], p_[1], p_[2]}, axis(), low, high);
   }
-  // Nested, crossing or repeated, the second inside out or not.
+  // The second inside the first, beside it or the same, and the other way out or not.
   std::optional<MeshLeaf> two_boxes() const {
     std::optional<MeshLeaf> first = box_at(0);
-    std::optional<MeshLeaf> second = box_at(2);
-    if (!first || !second) return first ? first : second;
-    if (how_ / 2 % 2 != 0) *second = inside_out(*second);
-    MeshLeaf both = together(*first, *second);
-    both.rule = static_cast<MeshRule>(how_ / 4 % 3);
-    return both;
+    if (!first) return first;
+    const ExactPoint3 quarter = BigRational(1, 4) * (p_[1] - p_[0]);
+    const int where = how_ / 16 % 3;
+    MeshLeaf second = where == 0   ? box(p_[0] + quarter, p_[1] - quarter)
+                      : where == 1 ? moved(*first, 5 * quarter)
+                                   : *first;
+    if (how_ / 2 % 2 != 0) second = inside_out(std::move(second));
+    first->rule = static_cast<MeshRule>(how_ / 4 % 3);
+    return together(std::move(*first), second);
   }
   SpaceSetPointer solid(std::optional<MeshLeaf> mesh) const {
     if (!mesh) return nullptr;
