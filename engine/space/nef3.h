@@ -65,7 +65,7 @@ struct SpaceLocation {
   bool marked = false;
 };
 
-/// Marks of a complex, one for each item that is not beyond.
+/// Marks of a complex, one for each item; those of the frame are not read.
 struct SpaceMarks {
   std::vector<Mark> vertex;
   std::vector<Mark> edge;
