@@ -1,0 +1,125 @@
+// What a mesh that was read from a file keeps on its way through the formats: for fuzz targets.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "oracle_reached.h"
+#include "plumb/io/merge_points.h"
+#include "plumb/io/solid_io.h"
+#include "plumb/predicates/rounding.h"
+#include "reader_laws.h"
+
+namespace plumb::fuzz {
+
+inline bool is_same(const PolygonMesh& a, const PolygonMesh& b) {
+  return a.points == b.points && a.exact == b.exact && a.face_begin == b.face_begin &&
+         a.corners == b.corners;
+}
+
+inline void require_sound_points(const PolygonMesh& mesh) {
+  for (const Point3& p : mesh.points) {
+    for (const double value : {p.x, p.y, p.z}) {
+      require(std::isfinite(value), "coordinates are finite");
+      require(value != 0 || !std::signbit(value), "zeros are not negative");
+    }
+  }
+  std::uint64_t least = 0;
+  for (const auto& [vertex, exact] : mesh.exact) {
+    require(vertex >= least && vertex < mesh.points.size(), "exact vertices are in order");
+    least = std::uint64_t{vertex} + 1;
+    const Point3 nearest{clamped_to_finite(nearest_double(exact.x)),
+                         clamped_to_finite(nearest_double(exact.y)),
+                         clamped_to_finite(nearest_double(exact.z))};
+    require(mesh.points[vertex] == nearest, "points are the nearest doubles");
+  }
+}
+
+inline void require_sound_faces(const PolygonMesh& mesh) {
+  require(mesh.face_begin.front() == 0 && mesh.face_begin.back() == mesh.corners.size(),
+          "faces are all corners");
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    require(mesh.face_begin[f] + 3 <= mesh.face_begin[f + 1], "faces have three corners or more");
+    const auto face = mesh.face(f);
+    std::uint32_t before = face.back();
+    for (const std::uint32_t v : face) {
+      require(v < mesh.points.size(), "corners are vertices");
+      require(v != before, "no vertex is twice in a row");
+      before = v;
+    }
+  }
+}
+
+inline bool has_triangles_only(const PolygonMesh& mesh) {
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.face(f).size() != 3) return false;
+  }
+  return true;
+}
+
+/// Written and read again it is what as_written() says; STL numbers vertices by their use.
+inline void require_round(const PolygonMesh& mesh, MeshFormat format) {
+  const bool is_stl = format == MeshFormat::Stl || format == MeshFormat::StlBinary;
+  if (is_stl && !has_triangles_only(mesh)) return;
+  Context context;
+  try {
+    PolygonMesh expected = as_written(mesh, format);
+    std::ostringstream out;
+    write_mesh(out, mesh, format);
+    if (is_stl) merge_equal_points(expected, context);
+    const MeshFile copy = read_mesh(out.str(), format, {"written"}, context);
+    require(is_same(copy.mesh, expected), "a mesh survives its formats");
+  } catch (const Error& error) {
+    require(error.code() == ErrorCode::NumberOutOfRange && format != MeshFormat::ExactOff,
+            "only far coordinates cannot be written");
+  }
+}
+
+/// In text with a line and a column inside the file; elsewhere with the file at least.
+inline void require_mesh_place(const Error& error, std::string_view bytes) {
+  if (error.place().line != 0) return require_place(error, bytes);
+  require(error.place().file == kFileName, "an error names the file");
+}
+
+/// What a file of `bytes` bytes may be charged at most: records come in steps; "1/3 0 0" (8 bytes with
+/// its line break) takes 48 + 208 + 192 + 48, and 96 while vertices are merged.
+inline Limits mesh_limits_for(std::size_t bytes) {
+  Limits limits;
+  limits.max_memory_bytes = 80 * bytes + (std::size_t{1} << 19U);
+  return limits;
+}
+
+inline std::optional<MeshFile> mesh_of(std::string_view bytes, MeshFormat format,
+                                       bool exact_decimals) {
+  Context context(mesh_limits_for(bytes.size()));
+  try {
+    return read_mesh(bytes, format, {kFileName, exact_decimals}, context);
+  } catch (const Error& error) {
+    require(error.code() != ErrorCode::ResourceLimit || exact_decimals,
+            "memory charged is in proportion to the input");
+    require_mesh_place(error, bytes);
+    return {};
+  }
+}
+
+/// A reader on arbitrary bytes: the first says how decimals are read, the rest is the file. `formats` are
+/// those it can be written in again, the first the one it is read as.
+inline void judge_mesh_reader(std::initializer_list<MeshFormat> formats, const std::uint8_t* data,
+                              std::size_t size) {
+  if (size == 0) return;
+  const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
+  const auto file = mesh_of(bytes, *formats.begin(), (data[0] & 1U) != 0);
+  if (!file) return;
+  oracle_reached();
+  require_sound_points(file->mesh);
+  require_sound_faces(file->mesh);
+  for (const MeshFormat format : formats) require_round(file->mesh, format);
+}
+
+}  // namespace plumb::fuzz
