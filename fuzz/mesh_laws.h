@@ -11,8 +11,8 @@
 #include <string_view>
 
 #include "oracle_reached.h"
-#include "plumb/io/merge_points.h"
 #include "plumb/io/solid_io.h"
+#include "plumb/io/weld_vertices.h"
 #include "plumb/predicates/rounding.h"
 #include "reader_laws.h"
 
@@ -72,7 +72,7 @@ inline void require_round(const PolygonMesh& mesh, MeshFormat format) {
     PolygonMesh expected = as_written(mesh, format);
     std::ostringstream out;
     write_mesh(out, mesh, format);
-    if (is_stl) merge_equal_points(expected, context);
+    if (is_stl) weld_vertices(expected, context);
     const MeshFile copy = read_mesh(out.str(), format, {"written"}, context);
     require(is_same(copy.mesh, expected), "a mesh survives its formats");
   } catch (const Error& error) {

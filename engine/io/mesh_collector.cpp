@@ -1,5 +1,6 @@
 #include "plumb/io/mesh_collector.h"
 
+#include "plumb/base/error.h"
 #include "plumb/predicates/rounding.h"
 
 namespace plumb {

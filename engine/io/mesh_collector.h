@@ -9,14 +9,13 @@
 #include <vector>
 
 #include "plumb/base/context.h"
-#include "plumb/base/error.h"
 #include "plumb/io/mesh_file.h"
 #include "plumb/io/number_reader.h"
-#include "plumb/io/text_cursor.h"
 
 namespace plumb {
 
-/// Strings given to it are literals. Limits are thrown without a place; readers add it (with_place).
+/// Strings given to it are literals. Limits are thrown without a place; readers add it
+/// (with_place.h).
 class MeshCollector {
  public:
   explicit MeshCollector(Context& context) : context_(context) {}
@@ -79,25 +78,5 @@ class MeshCollector {
   std::uint64_t charged_corners_ = 0;
   std::uint64_t charged_faces_ = 0;
 };
-
-/// For errors that no place in a file can be told of.
-struct WholeFile {
-  const std::string& name;
-  [[noreturn]] void fail(ErrorCode code, const std::string& message) const {
-    throw Error(code, message, {name});
-  }
-};
-
-/// `read()`, where a limit that is met without a place is told at that of `in`: a TextCursor, a
-/// BinaryInput or a WholeFile.
-template <class Input, class Read>
-auto with_place(const Input& in, Read read) {
-  try {
-    return read();
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::ResourceLimit || !error.place().file.empty()) throw;
-    in.fail(error.code(), error.message());
-  }
-}
 
 }  // namespace plumb

@@ -11,8 +11,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::string_view kMagic = "plumb-nef2";
-constexpr std::string_view kVersion = "1";
 // The shortest lines, each with its line break: "0 0", "1 2 3 4", "1 0", "0 0 1 2 0 0 0".
 constexpr std::uint64_t kPointBytes = 4;
 constexpr std::uint64_t kCrossingBytes = 8;
@@ -29,7 +27,6 @@ class Nef2Reader {
   std::size_t line_of(const RecordError& error) const;
 
  private:
-  void read_magic();
   void read_counts();
   void read_points();
   void read_crossings();
@@ -60,7 +57,7 @@ std::size_t Nef2Reader::line_of(const RecordError& error) const {
 }
 
 PlaneRecords Nef2Reader::read() {
-  read_magic();
+  in_.read_magic("plumb-nef2", "1");
   read_counts();
   read_points();
   read_crossings();
@@ -72,20 +69,6 @@ PlaneRecords Nef2Reader::read() {
                                                 " announces how many there are");
   }
   return std::move(records_);
-}
-
-void Nef2Reader::read_magic() {
-  const bool has_content = cursor().next_line();
-  if (!has_content || cursor().line() != 1 || cursor().token() != kMagic) {
-    cursor().fail(ErrorCode::Syntax, "the first line is not 'plumb-nef2 1'",
-                  has_content && cursor().line() == 1 ? cursor().line_start() : nullptr);
-  }
-  const std::string_view version = cursor().at_line_end() ? std::string_view() : cursor().token();
-  if (version != kVersion) {
-    cursor().fail(ErrorCode::UnknownFormat,
-                  "version " + quoted(version) + " of the format; this program reads 1");
-  }
-  in_.end_line("the end of the line after 'plumb-nef2 1'");
 }
 
 void Nef2Reader::read_counts() {

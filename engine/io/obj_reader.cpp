@@ -11,6 +11,7 @@
 #include "plumb/io/mesh_collector.h"
 #include "plumb/io/number_reader.h"
 #include "plumb/io/text_cursor.h"
+#include "plumb/io/with_place.h"
 
 namespace plumb {
 namespace {

@@ -6,6 +6,7 @@
 #include "plumb/base/error.h"
 #include "plumb/io/mesh_collector.h"
 #include "plumb/io/record_reader.h"
+#include "plumb/io/with_place.h"
 
 namespace plumb {
 namespace {

@@ -13,6 +13,7 @@
 #include "plumb/io/mesh_collector.h"
 #include "plumb/io/ply_header.h"
 #include "plumb/io/record_reader.h"
+#include "plumb/io/with_place.h"
 
 namespace plumb {
 namespace {

@@ -28,6 +28,22 @@ void RecordReader::charge(std::uint64_t bytes) {
   }
 }
 
+void RecordReader::read_magic(std::string_view magic, std::string_view version) {
+  const std::string line = std::string(magic) + ' ' + std::string(version);
+  const bool has_content = cursor_.next_line();
+  if (!has_content || cursor_.line() != 1 || cursor_.token() != magic) {
+    cursor_.fail(ErrorCode::Syntax, "the first line is not '" + line + "'",
+                 has_content && cursor_.line() == 1 ? cursor_.line_start() : nullptr);
+  }
+  const std::string_view found = cursor_.at_line_end() ? std::string_view() : cursor_.token();
+  if (found != version) {
+    cursor_.fail(
+        ErrorCode::UnknownFormat,
+        "version " + quoted(found) + " of the format; this program reads " + std::string(version));
+  }
+  end_line("the end of the line after '" + line + "'");
+}
+
 std::uint32_t RecordReader::read_count(std::string_view what) {
   if (cursor_.at_line_end()) {
     cursor_.fail(ErrorCode::Syntax,

@@ -31,6 +31,8 @@ class RecordReader {
   /// Charges the context; a limit is met at the place of the cursor.
   void charge(std::uint64_t bytes);
 
+  /// The first line, `MAGIC VERSION`. Errors: Syntax, UnknownFormat for another version.
+  void read_magic(std::string_view magic, std::string_view version);
   /// A number of records: 0 or more, at most kMostIds.
   std::uint32_t read_count(std::string_view what);
   /// Fails at `start` unless as many bytes follow as `announced` needs at least.

@@ -8,10 +8,11 @@
 
 #include "plumb/base/error.h"
 #include "plumb/io/binary_input.h"
-#include "plumb/io/merge_points.h"
 #include "plumb/io/mesh_collector.h"
 #include "plumb/io/number_reader.h"
 #include "plumb/io/text_cursor.h"
+#include "plumb/io/weld_vertices.h"
+#include "plumb/io/with_place.h"
 
 namespace plumb {
 namespace {
@@ -215,7 +216,7 @@ MeshFile read_stl(std::string_view bytes, const ReadOptions& options, Context& c
   const RoundToNearest rounding;
   MeshFile file = read_triangles(bytes, options, context);
   const std::size_t dropped =
-      with_place(WholeFile{options.name}, [&] { return merge_equal_points(file.mesh, context); });
+      with_place(WholeFile{options.name}, [&] { return weld_vertices(file.mesh, context); });
   if (dropped > 0) {
     file.notes.push_back(std::to_string(dropped) + (dropped == 1 ? " triangle" : " triangles") +
                          " with two equal corners left out");

@@ -4,7 +4,7 @@
 //      than 7 GB can be one); else a file that begins with "solid" is text
 //   2. text: any number of solids, words and numbers with any blanks and line breaks between, keywords in
 //      any case; binary: n triangles of floats
-//   3. equal points become one vertex (merge_points.h)
+//   3. equal points become one vertex (weld_vertices.h)
 //
 // Normals of facets are not looked at. Triangles with two equal corners are left out, and told.
 //

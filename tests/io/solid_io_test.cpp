@@ -10,7 +10,7 @@
 #include "hostile_meshes.h"
 #include "mesh_checks.h"
 #include "plumb/base/error.h"
-#include "plumb/io/merge_points.h"
+#include "plumb/io/weld_vertices.h"
 
 namespace plumb {
 namespace {
@@ -42,7 +42,7 @@ TEST(SolidIo, reads_what_it_said_it_would_write) {
   for (const MeshFormat format : kFormats) {
     PolygonMesh expected = as_written(mesh, format);
     Context context;
-    if (is_stl(format)) merge_equal_points(expected, context);
+    if (is_stl(format)) weld_vertices(expected, context);
     EXPECT_TRUE(is_same(read(written(mesh, format), format), expected));
   }
 }
@@ -85,7 +85,7 @@ TEST(SolidIo, reads_the_corpus_alike_in_every_format) {
   }
   Context context;
   PolygonMesh off = read_mesh_file("corpus/solids/tetrahedron.off", {}, {}, context).mesh;
-  merge_equal_points(off, context);
+  weld_vertices(off, context);
   for (const std::string file : {"tetrahedron.stl", "tetrahedron.binary.stl"}) {
     EXPECT_TRUE(is_same(read_mesh_file("corpus/solids/" + file, {}, {}, context).mesh, off));
   }

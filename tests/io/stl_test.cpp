@@ -10,9 +10,9 @@
 #include "expect_refusals.h"
 #include "hostile_meshes.h"
 #include "mesh_checks.h"
-#include "plumb/io/merge_points.h"
 #include "plumb/io/stl_reader.h"
 #include "plumb/io/stl_writer.h"
+#include "plumb/io/weld_vertices.h"
 
 namespace plumb {
 namespace {
@@ -48,7 +48,7 @@ std::string with_number(std::string bytes, std::size_t at, Number value) {
 /// The vertices in order of their use by faces, as STL has them.
 PolygonMesh by_first_use(PolygonMesh mesh) {
   Context context;
-  EXPECT_EQ(merge_equal_points(mesh, context), 0U);
+  EXPECT_EQ(weld_vertices(mesh, context), 0U);
   return mesh;
 }
 
