@@ -84,6 +84,11 @@ class Nef3Reader {
   PlaneId read_plane_id() { return PlaneId(read_index(planes_, "plane")); }
   Mark read_mark() { return static_cast<Mark>(in_.read_id("mark", kBeyond, 0)); }
   TextCursor& cursor() { return in_.cursor(); }
+  /// Where it begins, or the end of the line.
+  const char* next_token() {
+    cursor().at_line_end();
+    return cursor().position();
+  }
   [[noreturn]] void fail(ErrorCode code, std::string message, const char* where = nullptr) {
     cursor().fail(code, std::move(message), where);
   }
@@ -199,7 +204,7 @@ void Nef3Reader::read_point() {
 void Nef3Reader::read_input_point() {
   std::array<double, 3> at{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const char* const start = cursor().position();
+    const char* const start = next_token();
     in_.read_number(number_[i], "three numbers, x, y and z");
     at[i] = double_of(number_[i], start) + 0.0;  // no negative zeros
   }
@@ -225,9 +230,10 @@ void Nef3Reader::read_plane_point(const char* start) {
 void Nef3Reader::read_line_point(const char* start) {
   std::array<InputPointId, 2> ends;
   for (InputPointId& end : ends) {
+    const char* const where = next_token();
     const std::uint32_t index = read_index(points_, "point");
     if (index >= point_.size() || !point_[index].is_input()) {
-      fail(ErrorCode::BadIndex, in_.record_name() + " names a point that is no i before it", start);
+      fail(ErrorCode::BadIndex, in_.record_name() + " names a point that is no i before it", where);
     }
     end = point_[index].input();
   }
@@ -316,7 +322,7 @@ void Nef3Reader::read_facet(std::uint32_t f) {
 }
 
 void Nef3Reader::read_inner(FacetId f) {
-  const char* const start = cursor().position();
+  const char* const start = next_token();
   const VertexId v(read_index(vertices_, "vertex"));
   if (c_.vertex_facet[v.value()].is_valid()) {
     fail(ErrorCode::BadShape, "vertex " + std::to_string(v.value() + 1) + " is in two facets",

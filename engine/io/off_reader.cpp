@@ -74,7 +74,7 @@ void OffReader::read_keyword() {
   const bool has_four = take_prefix(word, "4");
   const bool has_dimension = take_prefix(word, "n");
   if (!take_prefix(word, "OFF")) {
-    const bool is_number = '0' <= token.front() && token.front() <= '9';
+    const bool is_number = !token.empty() && '0' <= token.front() && token.front() <= '9';
     if (!is_number) cursor().fail_token(cursor().token(), "OFF");
     has_texture_ = has_colour_ = has_normal_ = false;
     return;

@@ -27,6 +27,7 @@ inline std::vector<HostileText> hostile_off() {
       {"empty", "", 1, 1, "no content"},
       {"only comments", "# x\n\n# y\n", 4, 1, "no content"},
       {"binary with zero bytes", bytes_with_nul("\0\0\0\1\2", 5), 1, 1, "byte 0x00"},
+      {"a lone carriage return first", "\rOFF\n" + kOffTetrahedron, 1, 1, "carriage return"},
       {"another word", with("OFF", "PLY"), 1, 1, "expected OFF"},
       {"lower case", with("OFF", "off"), 1, 1, "expected OFF"},
       {"OFF and a word", with("OFF", "OFFSET"), 1, 4, "'SET'"},
