@@ -1,4 +1,4 @@
-// Functions of marks: what a Boolean operation makes of the marks of its operands.
+// Marks, and functions of marks: what a Boolean operation makes of the marks of its operands.
 //
 // A mark is 0 or 1: does the item belong to the set? kBeyond marks what lies outside the symbolic
 // cube that frames an unbounded set: no operation changes it, so the frame needs no case of its own.
@@ -8,6 +8,9 @@
 #include <cstdint>
 
 namespace plumb {
+
+/// Does a set contain its boundary?
+enum class Boundary : std::uint8_t { Open, Closed };
 
 /// A function of two marks: what a point of both, of the first only, ... becomes.
 struct MarkFunction {

@@ -41,9 +41,6 @@
 
 namespace plumb {
 
-/// Does a set contain its boundary?
-enum class Boundary : std::uint8_t { Open, Closed };
-
 /// Which winding numbers are inside.
 enum class WindingRule : std::uint8_t { NonZero, EvenOdd, Positive };
 

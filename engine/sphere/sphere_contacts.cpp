@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "plumb/sphere/sphere_boxes.h"
+
 namespace plumb {
 
 namespace {
@@ -34,66 +36,110 @@ void SphereContacts::number_circles(const SphereMap& map, std::size_t k) {
   }
 }
 
-void SphereContacts::find_sides(std::size_t k) {
-  sides_[k].clear();
-  for (const SphereDirection u : map_[k]->direction) {
-    for (const PlaneId c : circles_[1 - k]) sides_[k].push_back(side_of(*planes_, u, c));
-  }
+Sign SphereContacts::compute_side(std::size_t k, std::uint32_t point, std::uint32_t circle) const {
+  return side_of(*planes_, map_[k]->direction[point], circles_[1 - k][circle]);
 }
 
-void SphereContacts::find_crossings(std::size_t k) {
+Sign SphereContacts::side(std::size_t k, std::uint32_t point, std::uint32_t circle) const {
+  return is_tabled_ ? sides_[k][point * circles_[1 - k].size() + circle]
+                    : compute_side(k, point, circle);
+}
+
+ArcCrossings SphereContacts::compute_crossings(std::size_t k, std::uint32_t arc,
+                                               std::uint32_t circle) const {
   const SphereMap& map = *map_[k];
-  const auto count = static_cast<std::uint32_t>(circles_[1 - k].size());
-  crossings_[k].clear();
-  for (std::uint32_t a = 0; a < map.arc_count(); ++a) {
-    for (std::uint32_t c = 0; c < count; ++c) {
-      const PlaneId d = circles_[1 - k][c];
-      const bool asks = map.circle[a] != d && !map.is_loop(a);
-      const Sign from = asks ? side(k, map.origin[2 * a], c) : Sign::Zero;
-      const Sign to = asks ? side(k, map.origin[2 * a + 1], c) : Sign::Zero;
-      crossings_[k].push_back(map.circle[a] == d ? ArcCrossings{}
-                                                 : crossings(*planes_, map, a, d, from, to));
+  const PlaneId d = circles_[1 - k][circle];
+  if (map.circle[arc] == d) return {};
+  if (map.is_loop(arc)) return {true, true};
+  return crossings(*planes_, map, arc, d, side(k, map.origin[2 * arc], circle),
+                   side(k, map.origin[2 * arc + 1], circle));
+}
+
+ArcCrossings SphereContacts::crossings_of(std::size_t k, std::uint32_t arc,
+                                          std::uint32_t circle) const {
+  return is_tabled_ ? crossings_[k][arc * circles_[1 - k].size() + circle]
+                    : compute_crossings(k, arc, circle);
+}
+
+void SphereContacts::make_tables() {
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto count = static_cast<std::uint32_t>(circles_[1 - k].size());
+    sides_[k].clear();
+    crossings_[k].clear();
+    for (std::uint32_t v = 0; v < map_[k]->point_count(); ++v) {
+      for (std::uint32_t c = 0; c < count; ++c) sides_[k].push_back(compute_side(k, v, c));
+    }
+    for (std::uint32_t a = 0; a < map_[k]->arc_count(); ++a) {
+      for (std::uint32_t c = 0; c < count; ++c) crossings_[k].push_back(compute_crossings(k, a, c));
     }
   }
 }
 
-std::uint32_t SphereContacts::find_equal(std::uint32_t point_of_b) const {
-  const std::uint32_t h = map_[1]->first_out[point_of_b];
-  for (std::uint32_t v = 0; v < map_[0]->point_count(); ++v) {
-    if (h != kNone && side(0, v, circle_of_[1][h / 2]) != Sign::Zero) continue;
-    if (is_same(*planes_, map_[0]->direction[v], map_[1]->direction[point_of_b])) return v;
+void SphereContacts::find_pairs() {
+  for (std::size_t k = 0; k < 2; ++k) boxes_of(*planes_, *map_[k], boxes_[k]);
+  for (std::vector<Pair>& pairs : pairs_) pairs.clear();
+  const auto points_a = static_cast<std::uint32_t>(map_[0]->point_count());
+  const auto points_b = static_cast<std::uint32_t>(map_[1]->point_count());
+  const BoxTree a(boxes_[0]);
+  const BoxTree b(boxes_[1]);
+  BoxTree::for_each_pair(a, b, [&](std::uint32_t i, std::uint32_t j) {
+    const std::size_t kind = (i < points_a ? 0U : 2U) + (j < points_b ? 0U : 1U);
+    pairs_[kind].push_back({i < points_a ? i : i - points_a, j < points_b ? j : j - points_b});
+  });
+  for (std::vector<Pair>& pairs : pairs_) std::sort(pairs.begin(), pairs.end());
+}
+
+template <class Visit>
+void SphereContacts::for_each_pair(PairKind kind, Visit visit) const {
+  if (!is_tabled_) {
+    for (const auto& [i, j] : pairs_[kind]) visit(i, j);
+    return;
   }
-  return kNone;
+  const bool is_point_a = kind == PointPoint || kind == PointArc;
+  const bool is_point_b = kind == PointPoint || kind == ArcPoint;
+  const std::size_t count_a = is_point_a ? map_[0]->point_count() : map_[0]->arc_count();
+  const std::size_t count_b = is_point_b ? map_[1]->point_count() : map_[1]->arc_count();
+  for (std::uint32_t i = 0; i < count_a; ++i) {
+    for (std::uint32_t j = 0; j < count_b; ++j) visit(i, j);
+  }
 }
 
 void SphereContacts::join_points() {
+  equal_.assign(map_[1]->point_count(), kNone);
+  for_each_pair(PointPoint, [&](std::uint32_t v, std::uint32_t w) {
+    const std::uint32_t h = map_[1]->first_out[w];
+    if (h != kNone && side(0, v, circle_of_[1][h / 2]) != Sign::Zero) return;
+    if (is_same(*planes_, map_[0]->direction[v], map_[1]->direction[w])) equal_[w] = v;
+  });
   for (std::uint32_t v = 0; v < map_[0]->point_count(); ++v) {
     point_of[0].push_back(add(map_[0]->direction[v], SphereCell::point(v), {}));
   }
-  for (std::uint32_t v = 0; v < map_[1]->point_count(); ++v) {
-    const std::uint32_t equal = find_equal(v);
-    if (equal == kNone) {
-      point_of[1].push_back(add(map_[1]->direction[v], {}, SphereCell::point(v)));
+  for (std::uint32_t w = 0; w < map_[1]->point_count(); ++w) {
+    if (equal_[w] == kNone) {
+      point_of[1].push_back(add(map_[1]->direction[w], {}, SphereCell::point(w)));
     } else {
-      point_of[1].push_back(equal);
-      cell[equal][1] = SphereCell::point(v);
+      point_of[1].push_back(equal_[w]);
+      cell[equal_[w]][1] = SphereCell::point(w);
     }
   }
 }
 
-/// Points of map k on arcs of the other.
+/// Points of map k on arcs of the other; a point lies on one at most.
 void SphereContacts::add_points_on(std::size_t k) {
   const std::size_t other = 1 - k;
   const SphereMap& arcs = *map_[other];
-  for (std::uint32_t v = 0; v < map_[k]->point_count(); ++v) {
+  const auto test = [&](std::uint32_t v, std::uint32_t a) {
     const std::uint32_t p = point_of[k][v];
-    for (std::uint32_t a = 0; a < arcs.arc_count() && !cell[p][other].is_valid(); ++a) {
-      if (side(k, v, circle_of_[other][a]) != Sign::Zero) continue;
-      const CirclePlace place = place_on(*planes_, arcs.circle[a], direction[p]);
-      if (!is_inside_arc(*planes_, arcs, a, place)) continue;
-      cell[p][other] = SphereCell::arc(a);
-      stops[other].push_back({a, p, place});
-    }
+    if (cell[p][other].is_valid() || side(k, v, circle_of_[other][a]) != Sign::Zero) return;
+    const CirclePlace place = place_on(*planes_, arcs.circle[a], direction[p]);
+    if (!is_inside_arc(*planes_, arcs, a, place)) return;
+    cell[p][other] = SphereCell::arc(a);
+    stops[other].push_back({a, p, place});
+  };
+  if (k == 0) {
+    for_each_pair(PointArc, test);
+  } else {
+    for_each_pair(ArcPoint, [&](std::uint32_t a, std::uint32_t v) { test(v, a); });
   }
 }
 
@@ -107,20 +153,17 @@ void SphereContacts::add_crossing(std::uint32_t a, std::uint32_t b, bool is_oppo
 }
 
 void SphereContacts::add_crossings() {
-  const std::size_t count_a = circles_[0].size();
-  const std::size_t count_b = circles_[1].size();
-  for (std::uint32_t a = 0; a < map_[0]->arc_count(); ++a) {
-    for (std::uint32_t b = 0; b < map_[1]->arc_count(); ++b) {
-      const ArcCrossings on_a = crossings_[0][a * count_b + circle_of_[1][b]];
-      const ArcCrossings on_b = crossings_[1][b * count_a + circle_of_[0][a]];
-      const ArcCrossings both = on_a & on_b.swapped();
-      if (both.ahead) add_crossing(a, b, false);
-      if (both.behind) add_crossing(a, b, true);
-    }
-  }
+  for_each_pair(ArcArc, [&](std::uint32_t a, std::uint32_t b) {
+    const ArcCrossings on_a = crossings_of(0, a, circle_of_[1][b]);
+    if (!on_a.ahead && !on_a.behind) return;
+    const ArcCrossings both = on_a & crossings_of(1, b, circle_of_[0][a]).swapped();
+    if (both.ahead) add_crossing(a, b, false);
+    if (both.behind) add_crossing(a, b, true);
+  });
 }
 
-void SphereContacts::find(const PlaneTable& planes, const SphereMap& a, const SphereMap& b) {
+void SphereContacts::find(const PlaneTable& planes, const SphereMap& a, const SphereMap& b,
+                          std::size_t most_tabled) {
   planes_ = &planes;
   map_ = {&a, &b};
   direction.clear();
@@ -131,8 +174,12 @@ void SphereContacts::find(const PlaneTable& planes, const SphereMap& a, const Sp
     number_circles(*map_[k], k);
   }
   shares_circles = have_common(circles_[0], circles_[1]);
-  for (std::size_t k = 0; k < 2; ++k) find_sides(k);
-  for (std::size_t k = 0; k < 2; ++k) find_crossings(k);
+  is_tabled_ = (a.point_count() + a.arc_count()) * (b.point_count() + b.arc_count()) <= most_tabled;
+  if (is_tabled_) {
+    make_tables();
+  } else {
+    find_pairs();
+  }
   join_points();
   for (std::size_t k = 0; k < 2; ++k) add_points_on(k);
   add_crossings();

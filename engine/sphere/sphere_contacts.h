@@ -1,19 +1,22 @@
 // Phase "cross" of an overlay: every place where two maps meet. Internal to engine/sphere.
 //
 // Main flow of find():
-//  1. number_circles  the circles of each map, each once
-//  2. find_sides      each point of one map against each circle of the other: the only det3 of the
-//                     phase but those that order points within one half-circle
-//  3. join_points     equal points of both maps become one
-//  4. add_points_on   points of one map strictly inside arcs of the other
-//  5. add_crossings   arcs of different circles: both must hold the same one of the two points of
-//                     their circles strictly inside, which the sides of their ends tell
+//  1. make_tables    small maps: each point of one map against each circle of the other; these are the
+//                    only det3 of the phase but those that order points within one half-circle
+//     find_pairs     large maps: pairs of items whose boxes meet; signs are then asked one by one
+//  2. join_points    equal points of both maps become one
+//  3. add_points_on  points of one map strictly inside arcs of the other
+//  4. add_crossings  arcs of different circles: both must hold the same one of the two points of
+//                    their circles strictly inside, which the sides of their ends tell
 // Arcs of one circle need nothing more: where they overlap, ends of one lie inside the other.
+// Cost: O(n m) for small maps; O((n + m) log(n + m) + pairs) for large ones.
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
+#include "plumb/base/box_tree.h"
 #include "plumb/sphere/sphere_arcs.h"
 
 namespace plumb {
@@ -28,7 +31,11 @@ class SphereContacts {
     CirclePlace place;    ///< on the arc's circle
   };
 
-  void find(const PlaneTable& planes, const SphereMap& a, const SphereMap& b);
+  /// Pairs of items up to which tables are faster than boxes: about 64 arcs with their points each.
+  static constexpr std::size_t kMostTabled = 128 * 128;
+
+  void find(const PlaneTable& planes, const SphereMap& a, const SphereMap& b,
+            std::size_t most_tabled = kMostTabled);
 
   // Per point of the overlay: those of a, those of b only, crossings.
   std::vector<SphereDirection> direction;
@@ -40,25 +47,38 @@ class SphereContacts {
   bool shares_circles = false;
 
  private:
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;
+  /// Kinds of pairs: an item of a, an item of b.
+  enum PairKind : std::size_t { PointPoint, PointArc, ArcPoint, ArcArc };
+
   void number_circles(const SphereMap& map, std::size_t k);
-  void find_sides(std::size_t k);
-  void find_crossings(std::size_t k);
+  void make_tables();
+  void find_pairs();
+  template <class Visit>
+  void for_each_pair(PairKind kind, Visit visit) const;
+
   void join_points();
-  std::uint32_t find_equal(std::uint32_t point_of_b) const;
   void add_points_on(std::size_t k);
   void add_crossings();
   void add_crossing(std::uint32_t a, std::uint32_t b, bool is_opposite);
   std::uint32_t add(SphereDirection u, SphereCell in_a, SphereCell in_b);
-  Sign side(std::size_t k, std::uint32_t point, std::uint32_t circle) const {
-    return sides_[k][point * circles_[1 - k].size() + circle];
-  }
+
+  Sign side(std::size_t k, std::uint32_t point, std::uint32_t circle) const;
+  Sign compute_side(std::size_t k, std::uint32_t point, std::uint32_t circle) const;
+  ArcCrossings crossings_of(std::size_t k, std::uint32_t arc, std::uint32_t circle) const;
+  ArcCrossings compute_crossings(std::size_t k, std::uint32_t arc, std::uint32_t circle) const;
 
   const PlaneTable* planes_ = nullptr;
   std::array<const SphereMap*, 2> map_{};
   std::array<std::vector<PlaneId>, 2> circles_;          // each once, by id
   std::array<std::vector<std::uint32_t>, 2> circle_of_;  // per arc: into circles_
-  std::array<std::vector<Sign>, 2> sides_;               // points of k x circles of the other
-  std::array<std::vector<ArcCrossings>, 2> crossings_;   // arcs of k x circles of the other
+  std::vector<std::uint32_t> equal_;                     // per point of b: that of a, or kNone
+
+  bool is_tabled_ = false;
+  std::array<std::vector<Sign>, 2> sides_;              // points of k x circles of the other
+  std::array<std::vector<ArcCrossings>, 2> crossings_;  // arcs of k x circles of the other
+  std::array<std::vector<Box3>, 2> boxes_;
+  std::array<std::vector<Pair>, 4> pairs_;  // per PairKind
 };
 
 }  // namespace plumb

@@ -1,32 +1,11 @@
 #include "plumb/sphere/sphere_labels.h"
 
 #include <algorithm>
-#include <numeric>
-
-#include "plumb/base/error.h"
 
 namespace plumb {
 namespace {
 
 constexpr std::uint32_t kNone = SphereMap::kNone;
-
-std::uint32_t find(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
-/// False: they were one already.
-bool unite(std::vector<std::uint32_t>& parent, std::uint32_t i, std::uint32_t j) {
-  i = find(parent, i);
-  j = find(parent, j);
-  parent[std::max(i, j)] = std::min(i, j);
-  return i != j;
-}
-
-void restart(std::vector<std::uint32_t>& parent, std::size_t count) {
-  parent.resize(count);
-  std::iota(parent.begin(), parent.end(), std::uint32_t{0});
-}
 
 SphereCell face_cell(std::uint32_t face) {
   return face == kNone ? SphereCell() : SphereCell::face(face);
@@ -98,58 +77,17 @@ void SphereLabels::flood(std::size_t k) {
 
 // ---------------------------------------------------------------- connected parts
 
-std::uint32_t SphereLabels::part_of_piece(std::uint32_t piece) {
-  return find(part_, static_cast<std::uint32_t>(pieces_->map.point_count()) + piece);
-}
-
-std::uint32_t SphereLabels::part_of(SphereSlot slot) {
-  return slot.half_arc != kNone ? part_of_piece(slot.half_arc / 2) : find(part_, slot.point);
-}
-
 std::uint32_t SphereLabels::cycle_of(SphereSlot slot) const {
   return slot.half_arc != kNone ? pieces_->map.face[slot.half_arc]
                                 : pieces_->map.point_face[slot.point];
 }
 
-void SphereLabels::part() {
-  const SphereMap& map = pieces_->map;
-  const auto points = static_cast<std::uint32_t>(map.point_count());
-  restart(part_, points + map.arc_count());
-  for (std::uint32_t h = 0; h < map.origin.size(); ++h) {
-    if (map.origin[h] != kNone) unite(part_, map.origin[h], points + h / 2);
+void SphereLabels::join_cycles() {
+  make_singles(class_, pieces_->cycle_count + pieces_->map.point_count());
+  for (const SphereParts::Link& l : parts_.links()) {
+    unite(class_, cycle_of(l.first), cycle_of(l.second));
   }
-}
-
-void SphereLabels::link(SphereSlot first, SphereSlot second) {
-  if (!first.is_valid() || !second.is_valid()) return;
-  unite(class_, cycle_of(first), cycle_of(second));
-  links_.push_back({first, second});
-}
-
-void SphereLabels::walk_from(std::uint32_t point, std::uint32_t root_arc) {
-  hits_.clear();
-  walk_to_arc(*planes_, pieces_->map, pieces_->map.direction[point], root_arc, hits_);
-  for (std::size_t i = 0; i + 1 < hits_.size(); ++i) link(hits_[i].exit, hits_[i + 1].entry);
-}
-
-/// Loops are never walked from: two of them would cross, so the only one is the goal.
-void SphereLabels::join_parts() {
-  const SphereMap& map = pieces_->map;
-  links_.clear();
-  restart(class_, pieces_->cycle_count + map.point_count());
-  if (map.arc_count() == 0) {
-    std::fill(class_.begin(), class_.end(), 0U);
-    return;
-  }
-  std::uint32_t root = 0;
-  for (std::uint32_t a = 0; a < map.arc_count(); ++a) {
-    if (map.is_loop(a)) root = a;
-  }
-  const std::uint32_t root_part = part_of_piece(root);
-  for (std::uint32_t v = 0; v < map.point_count(); ++v) {
-    // The least point is the root of its part.
-    if (find(part_, v) == v && v != root_part) walk_from(v, root);
-  }
+  if (pieces_->map.arc_count() == 0) std::fill(class_.begin(), class_.end(), 0U);
 }
 
 SphereCell SphereLabels::half_cell(std::size_t k, std::uint32_t half) const {
@@ -169,19 +107,19 @@ std::uint32_t SphereLabels::face_at(std::size_t k, SphereSlot slot) const {
 }
 
 bool SphereLabels::pass_label(std::size_t k, SphereSlot from, SphereSlot to) {
-  std::uint32_t& label = part_label_[k][part_of(to)];
+  std::uint32_t& label = part_label_[k][parts_.of(to)];
   if (label != kNone || face_at(k, to) != kNone) return false;
   label = face_at(k, from);
-  if (label == kNone) label = part_label_[k][part_of(from)];
+  if (label == kNone) label = part_label_[k][parts_.of(from)];
   return label != kNone;
 }
 
 /// Parts that touch nothing of map k get the face of those that they are linked with.
 void SphereLabels::label_parts(std::size_t k) {
-  part_label_[k].assign(part_.size(), kNone);
+  part_label_[k].assign(parts_.bound(), kNone);
   for (bool goes_on = true; goes_on;) {
     goes_on = false;
-    for (const Link& l : links_) {
+    for (const SphereParts::Link& l : parts_.links()) {
       if (pass_label(k, l.first, l.second)) goes_on = true;
       if (pass_label(k, l.second, l.first)) goes_on = true;
     }
@@ -198,13 +136,13 @@ void SphereLabels::number_faces(SphereOrigins& cells) {
   SphereMap& map = pieces_->map;
   face_number_.assign(class_.size() + 1, kNone);
   const auto number = [&](SphereSlot slot) {
-    std::uint32_t& face = face_number_[find(class_, cycle_of(slot))];
+    std::uint32_t& face = face_number_[find_root(class_, cycle_of(slot))];
     if (face == kNone) {
       face = static_cast<std::uint32_t>(cells.face.size());
       SphereOrigins::Pair pair;
       for (std::size_t k = 0; k < 2; ++k) {
         const std::uint32_t f = face_at(k, slot);
-        pair[k] = SphereCell::face(f != kNone ? f : part_label_[k][part_of(slot)]);
+        pair[k] = SphereCell::face(f != kNone ? f : part_label_[k][parts_.of(slot)]);
       }
       cells.face.push_back(pair);
     }
@@ -222,7 +160,7 @@ void SphereLabels::fill_cells(SphereOrigins& cells) {
   for (std::uint32_t v = 0; v < map.point_count(); ++v) {
     SphereOrigins::Pair pair = point_cell_[v];
     for (std::size_t k = 0; k < 2; ++k) {
-      if (!pair[k].is_valid()) pair[k] = SphereCell::face(part_label_[k][find(part_, v)]);
+      if (!pair[k].is_valid()) pair[k] = SphereCell::face(part_label_[k][parts_.of_point(v)]);
     }
     cells.point.push_back(pair);
   }
@@ -233,7 +171,7 @@ void SphereLabels::fill_cells(SphereOrigins& cells) {
       const std::uint32_t face = label_[k][i];
       pair[k] = a != kNone
                     ? SphereCell::arc(a)
-                    : SphereCell::face(face != kNone ? face : part_label_[k][part_of_piece(i)]);
+                    : SphereCell::face(face != kNone ? face : part_label_[k][parts_.of_arc(i)]);
     }
     cells.arc.push_back(pair);
   }
@@ -247,8 +185,8 @@ void SphereLabels::build(const PlaneTable& planes, const SphereMap& a, const Sph
   pieces_ = &pieces;
   for (auto* pairs : {&cells.point, &cells.arc, &cells.face}) pairs->clear();
   take_known(contacts);
-  part();
-  join_parts();
+  parts_.find(planes, pieces.map);
+  join_cycles();
   for (std::size_t k = 0; k < 2; ++k) label_parts(k);
   number_faces(cells);
   fill_cells(cells);

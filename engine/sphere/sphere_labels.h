@@ -5,10 +5,9 @@
 //  1. label_around   at a point of both maps the ring says in which face of the one the pieces of the
 //                    other run
 //  2. flood          that face holds along pieces, over points that the other map does not touch
-//  3. part           connected parts of the overlay
-//  4. join_parts     each part walks to the first one: cycles that follow each other on the way bound
-//                    one face, and tell a part that touches nothing of a map where in it it lies
-//  5. number_faces   classes of cycles
+//  3. label_parts    connected parts that touch nothing of a map learn from parts beside them in which
+//                    face of it they lie (sphere_parts.h)
+//  4. number_faces   classes of cycles that bound one face
 // Cost: O(n), and a walk of O(n log n) for each part but one.
 #pragma once
 
@@ -16,7 +15,7 @@
 #include <vector>
 
 #include "plumb/sphere/sphere_overlay.h"
-#include "plumb/sphere/sphere_path.h"
+#include "plumb/sphere/sphere_parts.h"
 #include "plumb/sphere/sphere_pieces.h"
 
 namespace plumb {
@@ -29,19 +28,11 @@ class SphereLabels {
              const SphereContacts& contacts, SpherePieces& pieces, SphereOrigins& cells);
 
  private:
-  struct Link {
-    SphereSlot first;
-    SphereSlot second;
-  };
-
   void take_known(const SphereContacts& contacts);
   void label_around(std::size_t k, std::uint32_t point);
   void set_label(std::size_t k, std::uint32_t half, std::uint32_t face);
   void flood(std::size_t k);
-  void part();
-  void join_parts();
-  void walk_from(std::uint32_t point, std::uint32_t root_arc);
-  void link(SphereSlot first, SphereSlot second);
+  void join_cycles();
   void label_parts(std::size_t k);
   bool pass_label(std::size_t k, SphereSlot from, SphereSlot to);
   void number_faces(SphereOrigins& cells);
@@ -49,23 +40,19 @@ class SphereLabels {
 
   SphereCell half_cell(std::size_t k, std::uint32_t half) const;
   std::uint32_t face_at(std::size_t k, SphereSlot slot) const;
-  std::uint32_t part_of(SphereSlot slot);
   std::uint32_t cycle_of(SphereSlot slot) const;
-  std::uint32_t part_of_piece(std::uint32_t piece);
 
   const PlaneTable* planes_ = nullptr;
   std::array<const SphereMap*, 2> map_{};
   SpherePieces* pieces_ = nullptr;
-  std::vector<std::array<SphereCell, 2>> point_cell_;     // not valid: not known
-  std::array<std::vector<std::uint32_t>, 2> label_;       // per piece that is no part of an
-                                                          // arc of map k: its face there
-  std::vector<std::uint32_t> stack_;                      // pieces to flood from
-  std::vector<std::uint32_t> part_;                       // union-find: points, then pieces
-  std::array<std::vector<std::uint32_t>, 2> part_label_;  // per root in part_
+  std::vector<std::array<SphereCell, 2>> point_cell_;  // not valid: not known
+  std::array<std::vector<std::uint32_t>, 2> label_;    // per piece that is no part of an
+                                                       // arc of map k: its face there
+  std::vector<std::uint32_t> stack_;                   // pieces to flood from
+  SphereParts parts_;
+  std::array<std::vector<std::uint32_t>, 2> part_label_;  // per part
   std::vector<std::uint32_t> class_;                      // union-find: cycles
   std::vector<std::uint32_t> face_number_;                // per root in class_
-  std::vector<Link> links_;
-  std::vector<PathHit> hits_;
 };
 
 }  // namespace plumb

@@ -7,11 +7,7 @@ namespace {
 bool as_doubles(const std::vector<ExactPoint3>& points, std::vector<Point3>& result) {
   result.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const ExactPoint3& p = points[i];
-    if (!as_double(p.x, result[i].x) || !as_double(p.y, result[i].y) ||
-        !as_double(p.z, result[i].z)) {
-      return false;
-    }
+    if (!as_double(points[i], result[i])) return false;
   }
   return true;
 }

@@ -94,4 +94,9 @@ bool as_double(const BigRational& value, double& result) {
   return true;
 }
 
+bool as_double(const ExactPoint3& point, Point3& result) {
+  return as_double(point.x, result.x) && as_double(point.y, result.y) &&
+         as_double(point.z, result.z);
+}
+
 }  // namespace plumb::testing

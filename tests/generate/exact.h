@@ -49,5 +49,6 @@ Rational to_rational(const BigRational& value);
 
 /// The double equal to `value`; false when there is none.
 bool as_double(const BigRational& value, double& result);
+bool as_double(const ExactPoint3& point, Point3& result);
 
 }  // namespace plumb::testing

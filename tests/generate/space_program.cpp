@@ -98,18 +98,25 @@ class LeafMaker {
     if (low == high || coordinate(normal, axis()) == 0) return std::nullopt;
     return prism({p_[0], p_[1], p_[2]}, axis(), low, high);
   }
-  // The second inside the first, beside it or the same, and the other way out or not.
+  // The second inside the first, beside it or the same, and the other way out or not. Just the first
+  // where doubles do not say where they are: such meshes are convex (engine_nef3.cpp).
   std::optional<MeshLeaf> two_boxes() const {
     std::optional<MeshLeaf> first = box_at(0);
     if (!first) return first;
     const ExactPoint3 quarter = BigRational(1, 4) * (p_[1] - p_[0]);
-    const int where = how_ / 16 % 3;
+    const unsigned where = how_ / 16 % 3;
     MeshLeaf second = where == 0   ? box(p_[0] + quarter, p_[1] - quarter)
                       : where == 1 ? moved(*first, 5 * quarter)
                                    : *first;
     if (how_ / 2 % 2 != 0) second = inside_out(std::move(second));
-    first->rule = static_cast<MeshRule>(how_ / 4 % 3);
-    return together(std::move(*first), second);
+    MeshLeaf both = together(*first, second);
+    both.rule = static_cast<MeshRule>(how_ / 4 % 3);
+    return has_double_coordinates(both) ? both : first;
+  }
+  static bool has_double_coordinates(const MeshLeaf& mesh) {
+    Point3 rounded;
+    return std::all_of(mesh.points.begin(), mesh.points.end(),
+                       [&](const ExactPoint3& p) { return as_double(p, rounded); });
   }
   SpaceSetPointer solid(std::optional<MeshLeaf> mesh) const {
     if (!mesh) return nullptr;

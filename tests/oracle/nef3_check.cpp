@@ -93,7 +93,7 @@ class Checker {
             to_text(expected, twin_[c]);
       }
       Point3 rounded;
-      if (as_double(p.x, rounded.x) && as_double(p.y, rounded.y) && as_double(p.z, rounded.z)) {
+      if (as_double(p, rounded)) {
         expect(engine_.locate(rounded).item == got.item, "locate by doubles" + where);
       }
     }

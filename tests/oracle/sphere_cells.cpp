@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
 
 namespace plumb::testing {
 namespace {
@@ -39,6 +40,7 @@ SphereCells::SphereCells(const std::vector<CellVector>& normals) {
   for (const CellVector& n : normals) normals_.push_back(undirected(n));
   std::sort(normals_.begin(), normals_.end());
   normals_.erase(std::unique(normals_.begin(), normals_.end()), normals_.end());
+  if (normals_.size() > kMaxCircles) throw std::length_error("too many circles");
   add_points();
   for (std::size_t i = 0; i < normals_.size(); ++i) add_arcs_of(i);
   const std::size_t count = cells_.size();
@@ -50,9 +52,12 @@ SphereCells::SphereCells(const std::vector<CellVector>& normals) {
 
 SphereCells::Signs SphereCells::signs_at(const CellVector& direction) const {
   Signs signs;
+  std::uint64_t bit = 1;
   for (const CellVector& n : normals_) {
-    const BigInt d = dot(n, direction);
-    signs.push_back(static_cast<signed char>(d.sign()));
+    const int sign = dot(n, direction).sign();
+    if (sign > 0) signs.positive |= bit;
+    if (sign < 0) signs.negative |= bit;
+    bit <<= 1U;
   }
   return signs;
 }
@@ -65,7 +70,7 @@ void SphereCells::add(int dimension, const CellVector& sample, std::size_t circl
   const auto [at, is_new] = index_.emplace(signs_at(sample), cells_.size());
   if (!is_new) return;
   cells_.push_back({dimension, reduced(sample), circle, {}});
-  signs_.push_back(&at->first);
+  signs_.push_back(at->first);
 }
 
 void SphereCells::add_points() {
@@ -105,16 +110,16 @@ void SphereCells::add_faces_beside(std::size_t arc) {
   add(2, scaled_sum(widest + 1, sample, -1, n), 0);
 }
 
+bool SphereCells::is_in_closure(std::size_t c, std::size_t d) const {
+  return (signs_[c].positive & ~signs_[d].positive) == 0 &&
+         (signs_[c].negative & ~signs_[d].negative) == 0;
+}
+
 void SphereCells::link() {
-  const auto in_closure = [&](std::size_t c, std::size_t d) {
-    for (std::size_t i = 0; i < normals_.size(); ++i) {
-      if ((*signs_[c])[i] != 0 && (*signs_[c])[i] != (*signs_[d])[i]) return false;
-    }
-    return true;
-  };
   for (std::size_t c = 0; c < cells_.size(); ++c) {
+    if (cells_[c].dimension == 2) continue;
     for (std::size_t d = 0; d < cells_.size(); ++d) {
-      if (cells_[d].dimension > cells_[c].dimension && in_closure(c, d)) {
+      if (cells_[d].dimension > cells_[c].dimension && is_in_closure(c, d)) {
         cells_[c].around.push_back(d);
       }
     }
@@ -126,7 +131,7 @@ namespace {
 // Cells joined when they belong to one item.
 class Merger {
  public:
-  Merger(const SphereCells& cells, const SphereMarks& marks)
+  Merger(const SphereCells& cells, const CellMarks& marks)
       : cells_(cells), marks_(marks), parent_(cells.size()), dimension_(cells.size()) {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
@@ -184,14 +189,14 @@ class Merger {
   }
 
   const SphereCells& cells_;
-  const SphereMarks& marks_;
+  const CellMarks& marks_;
   std::vector<std::size_t> parent_;
   std::vector<int> dimension_;  // of the item that a cell belongs to
 };
 
 }  // namespace
 
-SphereItems minimal_items(const SphereCells& cells, const SphereMarks& marks) {
+SphereItems minimal_items(const SphereCells& cells, const CellMarks& marks) {
   return Merger(cells, marks).run();
 }
 

@@ -8,10 +8,12 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <vector>
 
 #include "generate/exact.h"
+#include "oracle/cell_marks.h"
 
 namespace plumb::testing {
 
@@ -31,7 +33,9 @@ class SphereCells {
     std::vector<std::size_t> around{};  ///< cells of higher dimension whose closure holds this one
   };
 
-  /// The circles orthogonal to these normals, given repeatedly and in any direction.
+  static constexpr std::size_t kMaxCircles = 64;
+
+  /// Throws std::length_error for more than kMaxCircles. The circles orthogonal to these normals, given repeatedly and in any direction.
   explicit SphereCells(const std::vector<CellVector>& normals);
 
   const std::vector<CellVector>& normals() const { return normals_; }
@@ -41,10 +45,16 @@ class SphereCells {
   std::size_t cell_of(const CellVector& direction) const;
 
  private:
-  using Signs = std::vector<signed char>;
+  /// One bit for each circle.
+  struct Signs {
+    std::uint64_t positive = 0;
+    std::uint64_t negative = 0;
+    friend auto operator<=>(const Signs&, const Signs&) = default;
+  };
 
   Signs signs_at(const CellVector& direction) const;
   void add(int dimension, const CellVector& sample, std::size_t circle);
+  bool is_in_closure(std::size_t c, std::size_t d) const;
   void add_points();
   void add_arcs_of(std::size_t circle);
   void add_faces_beside(std::size_t arc);
@@ -52,12 +62,9 @@ class SphereCells {
 
   std::vector<CellVector> normals_;
   std::vector<Cell> cells_;
-  std::vector<const Signs*> signs_;  ///< of each cell
+  std::vector<Signs> signs_;  ///< of each cell
   std::map<Signs, std::size_t> index_;
 };
-
-/// Of every cell: does it belong to the set?
-using SphereMarks = std::vector<bool>;
 
 /// The items of the minimal form: what the cells merge into.
 struct SphereItems {
@@ -69,6 +76,6 @@ struct SphereItems {
   std::vector<Item> item_of;           ///< per cell
   std::array<std::size_t, 3> count{};  ///< points, arcs (loops too), faces
 };
-SphereItems minimal_items(const SphereCells& cells, const SphereMarks& marks);
+SphereItems minimal_items(const SphereCells& cells, const CellMarks& marks);
 
 }  // namespace plumb::testing

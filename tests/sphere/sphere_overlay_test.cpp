@@ -16,7 +16,7 @@ MarkFunction function_of(unsigned bits) {
 // A map of the engine beside the twin's marks.
 struct Twins {
   SphereMap map;
-  SphereMarks marks;
+  CellMarks marks;
 };
 
 class Family {
