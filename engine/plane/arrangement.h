@@ -1,7 +1,8 @@
 // The arrangement of segments, rays and lines: every vertex, edge and face they cut the plane into,
 // and which inputs each edge came from.
 //
-// Main flow of arrange(): sweep (sweep.h) -> PlaneBuilder keeps every piece -> PlaneAssembler.
+// Main flow of arrange(): renumber along the sweep (scene_order.h) -> sweep (sweep.h) -> PlaneBuilder
+// keeps every piece, and takes the old numbers back -> PlaneAssembler.
 // Cost: O((n + k) log n) for n curves and k crossings.
 #pragma once
 

@@ -107,6 +107,9 @@ class PlaneBuilder final : public SweepVisitor {
   }
   bool on_event(const SweepEvent& event) override;
 
+  /// After the sweep of a renumbered scene: `to` per input point the number it has in `points` of
+  /// build().
+  void rename_points(std::span<const std::uint32_t> to);
   /// After the sweep. Label of each ordinary face in `labels`, if the rule keeps them.
   PlaneComplex build(PlanePoints points, std::vector<Label>* labels = nullptr);
 
@@ -426,6 +429,20 @@ PlaneFaceClasses PlaneBuilder<Rule>::class_loops(const PlaneLoops& loops,
     if (least[l] == o.vertex) classes.of_loop[l] = class_of(o.support);
   }
   return classes;
+}
+
+template <class Rule>
+void PlaneBuilder<Rule>::rename_points(std::span<const std::uint32_t> to) {
+  for (std::uint32_t& p : draft_.vertex_point) {
+    if (p < to.size()) p = to[p];
+  }
+  for (PlaneLine& l : draft_.line) l = {to[l.a], to[l.b]};
+  for (Crossing2& c : new_crossings_) {
+    c.a = to[c.a];
+    c.b = to[c.b];
+    c.c = to[c.c];
+    c.d = to[c.d];
+  }
 }
 
 template <class Rule>
