@@ -9,14 +9,33 @@
 #include "plumb/io/map_reader.h"
 #include "plumb/io/map_report_text.h"
 #include "plumb/io/nef2_reader.h"
+#include "plumb/io/nef3_reader.h"
 #include "plumb/io/plane_io.h"
+#include "plumb/io/solid_io.h"
+#include "plumb/io/solid_sets.h"
 #include "plumb/plane/map_check.h"
 #include "plumb/plane/plane_records.h"
+#include "plumb/space/space_audit.h"
 
 namespace plumb::cli {
 namespace {
 
 using Flaw = std::optional<DcelFlaw>;
+
+Flaw audit_nef3(const std::string& text, const ReadOptions& options, Context& context) {
+  const auto flaw = audit(read_nef3(text, options, context), true);
+  if (!flaw) return std::nullopt;
+  return DcelFlaw{flaw->invariant, flaw->place};
+}
+
+/// A mesh as the set it describes.
+Flaw audit_mesh(const std::string& path, const ReadOptions& options, Context& context) {
+  SolidReadOptions solid;
+  solid.exact_decimals = options.exact_decimals;
+  const auto flaw = audit(read_solid_file(path, solid, context).set.complex(), true);
+  if (!flaw) return std::nullopt;
+  return DcelFlaw{flaw->invariant, flaw->place};
+}
 
 /// The records as they stand in the file, not what a reader would accept.
 Flaw audit_nef2(const std::string& text, const ReadOptions& options, Context& context) {
@@ -42,6 +61,7 @@ Flaw audit_map(const std::string& text, const ReadOptions& options, Context& con
 Flaw audit_text(const std::string& path, const std::string& text, const ReadOptions& options,
                 Context& context) {
   if (std::filesystem::path(path).extension() == ".map") return audit_map(text, options, context);
+  if (is_nef_text(text)) return audit_nef3(text, options, context);
   const PlaneFormat format = plane_format_of(path).value_or(guess_plane_format(text));
   if (format == PlaneFormat::Nef2) return audit_nef2(text, options, context);
   return read_plane_set(text, format, options, context).audit();
@@ -63,20 +83,25 @@ nlohmann::ordered_json flaw_json(const Flaw& flaw) {
 class Audit : public CommandBody {
  public:
   void declare(CLI::App& app) override {
-    app.add_option("FILE", file_, "A set (.nef2, .wkt, .geojson, .json) or a .map; - is stdin")
+    app.add_option("FILE", file_, "A set (.nef, .nef2, .off, .wkt ...) or a .map; - is stdin")
         ->required()
         ->type_name("");
   }
 
   ExitCode run(Session& session) override {
     const ReadOptions options{input_name(file_), session.options().exact_decimals};
+    if (mesh_format_of(file_))
+      return answer(audit_mesh(file_, options, session.context()), session);
     const std::string text = read_input(file_, session.context());
-    const Flaw flaw = audit_text(file_, text, options, session.context());
+    return answer(audit_text(file_, text, options, session.context()), session);
+  }
+
+ private:
+  static ExitCode answer(const Flaw& flaw, Session& session) {
     session.answer(flaw_json(flaw).dump(), [&](std::ostream& out) { write_flaw(out, flaw); });
     return flaw ? ExitCode::No : ExitCode::Yes;
   }
 
- private:
   std::string file_;
 };
 

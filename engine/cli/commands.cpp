@@ -17,6 +17,21 @@ std::unique_ptr<CommandBody> make_plane_boundary();
 std::unique_ptr<CommandBody> make_plane_regularize();
 std::unique_ptr<CommandBody> make_plane_info();
 std::unique_ptr<CommandBody> make_plane_locate();
+std::unique_ptr<CommandBody> make_solid_union();
+std::unique_ptr<CommandBody> make_solid_intersection();
+std::unique_ptr<CommandBody> make_solid_difference();
+std::unique_ptr<CommandBody> make_solid_symmetric_difference();
+std::unique_ptr<CommandBody> make_solid_eval();
+std::unique_ptr<CommandBody> make_solid_complement();
+std::unique_ptr<CommandBody> make_solid_interior();
+std::unique_ptr<CommandBody> make_solid_closure();
+std::unique_ptr<CommandBody> make_solid_boundary();
+std::unique_ptr<CommandBody> make_solid_regularize();
+std::unique_ptr<CommandBody> make_solid_section();
+std::unique_ptr<CommandBody> make_solid_halfspaces();
+std::unique_ptr<CommandBody> make_solid_info();
+std::unique_ptr<CommandBody> make_solid_locate();
+std::unique_ptr<CommandBody> make_solid_compare();
 std::unique_ptr<CommandBody> make_audit();
 std::unique_ptr<CommandBody> make_demo();
 std::unique_ptr<CommandBody> make_self_test();
@@ -59,6 +74,56 @@ std::span<const Command> commands() {
               "./plumb plane info corpus/plane/star.wkt --json", make_plane_info},
       Command{"plane locate", "A X Y", "Is the point on a vertex, an edge, a face; in A?",
               "./plumb plane locate corpus/plane/quadrant.nef2 0 -1/3", make_plane_locate},
+      Command{
+          "solid union", "A B", "What lies in either solid",
+          "./plumb solid union corpus/solids/l-block.off corpus/solids/tetrahedron.obj -o out.off",
+          make_solid_union},
+      Command{"solid intersection", "A B", "What lies in both solids",
+              "./plumb solid intersection corpus/solids/l-block.off corpus/solids/tetrahedron.obj "
+              "-o out.nef",
+              make_solid_intersection},
+      Command{"solid difference", "A B", "What lies in A and not in B",
+              "./plumb solid difference corpus/solids/l-block.off corpus/solids/tetrahedron.obj -o "
+              "out.nef",
+              make_solid_difference},
+      Command{"solid symmetric-difference", "A B", "What lies in one of the solids only",
+              "./plumb solid symmetric-difference corpus/solids/l-block.off "
+              "corpus/solids/tetrahedron.obj -o out.nef",
+              make_solid_symmetric_difference},
+      Command{"solid eval", "EXPR NAME=FILE...",
+              "An expression: + union, * intersection, - difference, ^, ! complement",
+              "./plumb solid eval 'A - B * !C' A=corpus/solids/l-block.off "
+              "B=corpus/solids/tetrahedron.obj C=corpus/solids/l-block.off -o out.nef",
+              make_solid_eval},
+      Command{"solid complement", "A", "What does not lie in A",
+              "./plumb solid complement corpus/solids/l-block.off -o out.nef",
+              make_solid_complement},
+      Command{"solid interior", "A", "A without its boundary",
+              "./plumb solid interior corpus/solids/l-block.off -o out.nef", make_solid_interior},
+      Command{"solid closure", "A", "A with its boundary",
+              "./plumb solid closure corpus/solids/l-block.off -o out.nef", make_solid_closure},
+      Command{"solid boundary", "A", "The boundary of A",
+              "./plumb solid boundary corpus/solids/l-block.off -o out.nef", make_solid_boundary},
+      Command{"solid regularize", "A", "The closure of the interior of A",
+              "./plumb solid regularize corpus/solids/l-block.off -o out.off",
+              make_solid_regularize},
+      Command{"solid section", "A",
+              "A cut by a plane: closed or open half-space, or the plane alone",
+              "./plumb solid section corpus/solids/l-block.off --plane 1,0,0,-1/2 --side closed -o "
+              "out.off",
+              make_solid_section},
+      Command{"solid halfspaces", "FILE", "The intersection of half-spaces",
+              "./plumb solid halfspaces corpus/solids/octahedron.txt -o out.off",
+              make_solid_halfspaces},
+      Command{"solid info", "A",
+              "Numbers of its items, exact volume; bounded? empty? simple? convex?",
+              "./plumb solid info corpus/solids/l-block.off --json", make_solid_info},
+      Command{"solid locate", "A X Y Z",
+              "Is the point on a vertex, edge, facet, in a volume; in A?",
+              "./plumb solid locate corpus/solids/l-block.off 1/2 1/2 1/2", make_solid_locate},
+      Command{"solid compare", "A B", "Equal? One in the other? Disjoint?",
+              "./plumb solid compare corpus/solids/l-block.off corpus/solids/l-block.off",
+              make_solid_compare},
       Command{"audit", "FILE", "Does every invariant of the structure in FILE hold?",
               "./plumb audit corpus/plane/quadrant.nef2", make_audit},
       Command{"demo", "", "Real maps checked and overlaid, sets combined, pictured; index.html",
@@ -72,6 +137,7 @@ std::span<const Command> commands() {
 std::span<const CommandGroup> command_groups() {
   static constexpr std::array kGroups{
       CommandGroup{"plane", "Sets of the plane, exactly: union ... regularize, info, locate"},
+      CommandGroup{"solid", "Sets of space, exactly: union ... section, info, compare"},
   };
   return kGroups;
 }

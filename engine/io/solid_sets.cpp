@@ -6,7 +6,9 @@
 #include "plumb/base/error.h"
 #include "plumb/io/half_space_reader.h"
 #include "plumb/io/input.h"
+#include "plumb/io/nef3_reader.h"
 #include "plumb/io/solid_io.h"
+#include "plumb/space/space_audit.h"
 #include "plumb/space/turn.h"
 
 namespace plumb {
@@ -61,10 +63,29 @@ Nef3 to_set(MeshComplex mesh, const SolidReadOptions& options, std::vector<std::
 
 }  // namespace
 
+namespace {
+
+SolidRead read_nef_set(const std::string& bytes, const ReadOptions& text, Context& context) {
+  SpaceComplex complex = read_nef3(bytes, text, context);
+  if (const auto flaw = audit(complex, true)) {
+    throw Error(ErrorCode::BadShape, "no set of space: " + flaw->invariant + ": " + flaw->place,
+                {text.name});
+  }
+  return {Nef3::from_minimal(std::move(complex)), {}};
+}
+
+}  // namespace
+
+bool is_nef_text(std::string_view bytes) { return bytes.starts_with("plumb-nef3"); }
+
 SolidRead read_solid_file(const std::string& path, const SolidReadOptions& options,
                           Context& context) {
-  const ReadOptions text{.exact_decimals = options.exact_decimals};
-  MeshFile file = read_mesh_file(path, std::nullopt, text, context);
+  const ReadOptions text{input_name(path), options.exact_decimals};
+  const std::string bytes = read_input(path, context);
+  const std::optional<MeshFormat> format = mesh_format_of(path);
+  if (!format && is_nef_text(bytes)) return read_nef_set(bytes, text, context);
+  MeshFile file = read_mesh(bytes, format.value_or(guess_mesh_format(bytes)), text, context);
+  context.release_memory(bytes.size());
   MeshOptions mesh_options;
   mesh_options.surface = options.surface;
   MeshComplex mesh = complex_of_mesh(file.mesh, mesh_options, context);

@@ -29,7 +29,10 @@ struct SolidRead {
   std::vector<std::string> notes;  ///< what was reported on the way; one sentence each
 };
 
-/// From a file, or standard input for "-". Errors: those of solid_io.h; BadShape for a mesh that is open
+/// Does the text begin as .nef does?
+bool is_nef_text(std::string_view bytes);
+
+/// From a file, or standard input for "-". Errors: those of solid_io.h; BadShape for a .nef that its audit rejects and for a mesh that is open
 /// (without `surface`), with its border.
 SolidRead read_solid_file(const std::string& path, const SolidReadOptions& options,
                           Context& context);

@@ -10,6 +10,7 @@
 #include "plumb/space/local_maps.h"
 #include "plumb/space/nef3_state.h"
 #include "plumb/space/same_complex.h"
+#include "plumb/space/space_convexity.h"
 #include "plumb/space/transform.h"
 #include "plumb/space/volumes.h"
 
@@ -218,6 +219,8 @@ bool Nef3::is_simple() const {
   }
   return true;
 }
+
+bool Nef3::is_convex() const { return plumb::is_convex(complex()); }
 
 const SpaceLocator& Nef3::locator() const {
   std::call_once(state_->locator_made,

@@ -137,6 +137,9 @@ class Nef3 {
   /// Is the boundary a 2-manifold with the set on one side: no dangling parts, every edge between two
   /// facets, every vertex on one cone? Marks of the boundary do not matter. O(n).
   bool is_simple() const;
+  /// Does it hold the segment between any two of its points? Open, closed, unbounded, flat: any set; the
+  /// empty one does. Expected O(n).
+  bool is_convex() const;
 
   bool contains(const RationalPoint3& p) const { return locate(p).marked; }
   bool contains(const Point3& p) const { return locate(p).marked; }

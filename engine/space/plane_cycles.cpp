@@ -91,9 +91,17 @@ CycleSide side_of_cycle(const SpaceComplex& complex, UseId cycle, SpacePoint x) 
   return winding != 0 ? CycleSide::Inside : CycleSide::Outside;
 }
 
+Sign corner_sign(const SpaceComplex& complex, UseId u) {
+  const PlaneId plane = complex.facet_plane[complex.use_facet[u.value()].value()];
+  const UseId before = complex.use_prev[u.value()];
+  const HalfedgeId back = SpaceComplex::twin(complex.use_halfedge[before.value()]);
+  const DirectionInPlane d1 = direction_in_plane(complex, plane, complex.use_halfedge[u.value()]);
+  const DirectionInPlane d2 = direction_in_plane(complex, plane, back);
+  return d1.sign * d2.sign * det3_sign(complex.planes(), plane, d1.m, d2.m);
+}
+
 bool is_outer(const SpaceComplex& complex, UseId cycle) {
   const Point3Table& points = complex.points();
-  const PlaneId plane = complex.facet_plane[complex.use_facet[cycle.value()].value()];
   VertexId least = complex.use_origin(cycle);
   for (UseId u = complex.use_next[cycle.value()]; u != cycle; u = complex.use_next[u.value()]) {
     const VertexId v = complex.use_origin(u);
@@ -104,16 +112,7 @@ bool is_outer(const SpaceComplex& complex, UseId cycle) {
   }
   UseId u = cycle;
   do {
-    if (complex.use_origin(u) == least) {
-      const UseId before = complex.use_prev[u.value()];
-      const HalfedgeId back = SpaceComplex::twin(complex.use_halfedge[before.value()]);
-      const DirectionInPlane d1 =
-          direction_in_plane(complex, plane, complex.use_halfedge[u.value()]);
-      const DirectionInPlane d2 = direction_in_plane(complex, plane, back);
-      if (d1.sign * d2.sign * det3_sign(complex.planes(), plane, d1.m, d2.m) != Sign::Positive) {
-        return false;
-      }
-    }
+    if (complex.use_origin(u) == least && corner_sign(complex, u) != Sign::Positive) return false;
     u = complex.use_next[u.value()];
   } while (u != cycle);
   return true;

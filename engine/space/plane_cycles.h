@@ -13,6 +13,10 @@ enum class CycleSide : std::uint8_t { Outside, On, Inside };
 /// around the point. O(length). Exact: crossing number along a coordinate line in the plane.
 CycleSide side_of_cycle(const SpaceComplex& complex, UseId cycle, SpacePoint x);
 
+/// The sign of the sine of the corner of the use: Positive below half a turn, Negative above, Zero at
+/// half a turn and at a full one (at the end of a slit).
+Sign corner_sign(const SpaceComplex& complex, UseId u);
+
 /// Does the cycle bound its facet from outside (rather than a hole)? Decided at its least vertex: there
 /// a corner of more than half a turn belongs to a hole. O(length).
 bool is_outer(const SpaceComplex& complex, UseId cycle);

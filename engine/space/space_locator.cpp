@@ -39,7 +39,7 @@ Mark mark_of(const SpaceComplex& complex, SpaceItem item) {
 struct SpaceLocator::Tree {
   explicit Tree(const SpaceComplex& used_complex);
 
-  std::optional<RayHit> first_hit(const SpaceRay& ray) const;
+  std::optional<SpaceRayHit> first_hit(const SpaceRay& ray) const;
   SpaceItem on_item(const QueryPoint3& p) const;
   VolumeId volume_of(const QueryPoint3& p) const;
   SpaceItem locate(const QueryPoint3& p) const;
@@ -50,7 +50,7 @@ struct SpaceLocator::Tree {
     items.push_back(id);
     boxes.push_back(box_of(complex, id));
   }
-  void meet(SpaceItem item, const SpaceRay& ray, std::vector<RayHit>& hits) const;
+  void meet(SpaceItem item, const SpaceRay& ray, std::vector<SpaceRayHit>& hits) const;
   SpaceItem on(FacetId f, const QueryPoint3& p) const;
   SpaceItem on(EdgeId e, const QueryPoint3& p) const;
   bool is_at(VertexId v, const QueryPoint3& p) const;
@@ -115,7 +115,7 @@ SpaceItem SpaceLocator::Tree::on(FacetId f, const QueryPoint3& p) const {
   const auto is_less = [](double x, double y) { return std::fabs(x) < std::fabs(y); };
   const auto axis =
       static_cast<std::size_t>(std::max_element(n.begin(), n.end(), is_less) - n.begin());
-  std::vector<RayHit> hits;
+  std::vector<SpaceRayHit> hits;
   SpaceRay(complex, p, axis, false).meet(f, hits);
   return hits.empty() ? SpaceItem() : hits[0].item;
 }
@@ -156,7 +156,7 @@ BoxRay box_ray(const SpaceRay& ray) {
 }  // namespace
 
 void SpaceLocator::Tree::meet(SpaceItem item, const SpaceRay& ray,
-                              std::vector<RayHit>& hits) const {
+                              std::vector<SpaceRayHit>& hits) const {
   if (item.kind() == SpaceItem::Kind::Facet) {
     ray.meet(item.facet(), hits);
   } else if (item.kind() == SpaceItem::Kind::Edge) {
@@ -166,14 +166,14 @@ void SpaceLocator::Tree::meet(SpaceItem item, const SpaceRay& ray,
   }
 }
 
-std::optional<RayHit> SpaceLocator::Tree::first_hit(const SpaceRay& ray) const {
-  std::optional<RayHit> best;
+std::optional<SpaceRayHit> SpaceLocator::Tree::first_hit(const SpaceRay& ray) const {
+  std::optional<SpaceRayHit> best;
   double limit = Box3::kInfinity;
-  std::vector<RayHit> hits;
+  std::vector<SpaceRayHit> hits;
   boxes_tree.for_each_along(box_ray(ray), limit, [&](std::uint32_t i, double) {
     hits.clear();
     meet(items[i], ray, hits);
-    for (const RayHit& hit : hits) {
+    for (const SpaceRayHit& hit : hits) {
       if (ray.side(hit) != Sign::Positive) continue;
       if (best && ray.compare(hit, *best) != Sign::Negative) continue;
       best = hit;
@@ -199,7 +199,7 @@ VolumeId SpaceLocator::Tree::volume_right_of(SpaceItem item) const {
 }
 
 VolumeId SpaceLocator::Tree::volume_of(const QueryPoint3& p) const {
-  const std::optional<RayHit> hit = first_hit(SpaceRay(complex, p, kAxisX, true));
+  const std::optional<SpaceRayHit> hit = first_hit(SpaceRay(complex, p, kAxisX, true));
   return hit ? volume_right_of(hit->item) : VolumeId(0);
 }
 
@@ -238,7 +238,7 @@ std::optional<SpaceHit> SpaceLocator::shoot(const RationalPoint3& origin,
                                             const RationalPoint3& direction) const {
   const QueryPoint3 o(origin);
   const SpaceRay ray(complex_, o, direction);
-  const std::optional<RayHit> hit = tree_->first_hit(ray);
+  const std::optional<SpaceRayHit> hit = tree_->first_hit(ray);
   if (!hit || mark_of(complex_, hit->item) == kBeyond) return std::nullopt;
   return SpaceHit{hit->item, ray.point(*hit)};
 }
@@ -252,7 +252,7 @@ std::optional<SpaceHit> SpaceLocator::shoot(const Point3& origin, const Point3& 
 
 SpaceItem SpaceLocator::shoot_left(SpacePoint origin) const {
   const QueryPoint3 o(complex_.points(), origin);
-  const std::optional<RayHit> hit = tree_->first_hit(SpaceRay(complex_, o, kAxisX, true));
+  const std::optional<SpaceRayHit> hit = tree_->first_hit(SpaceRay(complex_, o, kAxisX, true));
   return hit ? hit->item : SpaceItem();
 }
 

@@ -119,15 +119,15 @@ FramedNumber SpaceRay::plane_distance<FramedNumber>(PlaneId plane) const {
 }
 
 template <class Number>
-Number SpaceRay::distance(const RayHit& hit) const {
+Number SpaceRay::distance(const SpaceRayHit& hit) const {
   const Number along = hit.item.kind() == SpaceItem::Kind::Vertex
                            ? offset<Number>(hit.item.vertex(), k_)
                            : plane_distance<Number>(hit.plane);
   return is_reverse_ ? -along : along;
 }
 
-RayHit SpaceRay::hit_of(SpaceItem item, PlaneId plane) const {
-  RayHit hit{item, plane, {}};
+SpaceRayHit SpaceRay::hit_of(SpaceItem item, PlaneId plane) const {
+  SpaceRayHit hit{item, plane, {}};
   hit.distance = distance<Ball>(hit);
   return hit;
 }
@@ -182,19 +182,19 @@ Sign SpaceRay::turn(VertexId a, VertexId b) const {
                     shadow<FramedNumber>(b, 0), shadow<FramedNumber>(b, 1));
 }
 
-Sign SpaceRay::side(const RayHit& hit) const {
+Sign SpaceRay::side(const SpaceRayHit& hit) const {
   const FilteredSign s = hit.distance.sign();
   return is_decided(s) ? decided(s) : distance<FramedNumber>(hit).sign();
 }
 
-Sign SpaceRay::compare(const RayHit& x, const RayHit& y) const {
+Sign SpaceRay::compare(const SpaceRayHit& x, const SpaceRayHit& y) const {
   if (x.item == y.item) return Sign::Zero;
   const FilteredSign s = (x.distance - y.distance).sign();
   if (is_decided(s)) return decided(s);
   return (distance<FramedNumber>(x) - distance<FramedNumber>(y)).sign();
 }
 
-RationalPoint3 SpaceRay::point(const RayHit& hit) const {
+RationalPoint3 SpaceRay::point(const SpaceRayHit& hit) const {
   const Rational t = distance<FramedNumber>(hit).finite;
   const Rational along = is_reverse_ ? Rational(-t) : t;
   std::array<Rational, 3> x;
@@ -228,19 +228,20 @@ SpaceRay::Passing SpaceRay::passing(const End& a, const End& b) const {
   return crosses && (t == Sign::Positive) == rises ? Passing::OnRight : Passing::Aside;
 }
 
-void SpaceRay::meet(VertexId v, std::vector<RayHit>& hits) const {
+void SpaceRay::meet(VertexId v, std::vector<SpaceRayHit>& hits) const {
   if (end(v).place.is_origin()) hits.push_back(hit_of(v, PlaneId()));
 }
 
 /// Whether the edge passes on the right.
-bool SpaceRay::meet_edge(EdgeId e, const End& a, const End& b, std::vector<RayHit>& hits) const {
+bool SpaceRay::meet_edge(EdgeId e, const End& a, const End& b,
+                         std::vector<SpaceRayHit>& hits) const {
   if (a.place.is_origin() || b.place.is_origin()) return false;
   const Passing how = passing(a, b);
   if (how == Passing::Through) hits.push_back(hit_of(e, crossing_plane(e)));
   return how == Passing::OnRight;
 }
 
-void SpaceRay::meet(EdgeId e, std::vector<RayHit>& hits) const {
+void SpaceRay::meet(EdgeId e, std::vector<SpaceRayHit>& hits) const {
   const HalfedgeId h(2 * std::size_t{e.value()});
   const VertexId a = complex_.origin[h.value()], b = complex_.target(h);
   meet(a, hits);
@@ -249,7 +250,7 @@ void SpaceRay::meet(EdgeId e, std::vector<RayHit>& hits) const {
 }
 
 /// Whether the line meets the cycle; turns is_inside over for each edge on the right.
-bool SpaceRay::meet_cycle(UseId first, bool& is_inside, std::vector<RayHit>& hits) const {
+bool SpaceRay::meet_cycle(UseId first, bool& is_inside, std::vector<SpaceRayHit>& hits) const {
   const std::size_t before = hits.size();
   const End start = end(complex_.use_origin(first));
   End a = start;
@@ -266,7 +267,7 @@ bool SpaceRay::meet_cycle(UseId first, bool& is_inside, std::vector<RayHit>& hit
   return hits.size() > before;
 }
 
-void SpaceRay::meet(FacetId f, std::vector<RayHit>& hits) const {
+void SpaceRay::meet(FacetId f, std::vector<SpaceRayHit>& hits) const {
   bool is_inside = false, meets_boundary = false;
   for (const UseId first : complex_.cycles_of(f)) {
     if (meet_cycle(first, is_inside, hits)) meets_boundary = true;

@@ -24,7 +24,7 @@
 namespace plumb {
 
 /// A vertex, edge or facet that the line of a ray meets in one point.
-struct RayHit {
+struct SpaceRayHit {
   SpaceItem item;
   PlaneId plane;  ///< of a facet or edge: holds it, and the line crosses it
   Ball distance;
@@ -54,16 +54,16 @@ class SpaceRay {
   SpaceRay(const SpaceComplex& complex, const QueryPoint3& origin, const RationalPoint3& direction);
 
   // What the whole line meets, in front of the origin or not, is added to `hits`.
-  void meet(FacetId f, std::vector<RayHit>& hits) const;
-  void meet(EdgeId e, std::vector<RayHit>& hits) const;
-  void meet(VertexId v, std::vector<RayHit>& hits) const;
+  void meet(FacetId f, std::vector<SpaceRayHit>& hits) const;
+  void meet(EdgeId e, std::vector<SpaceRayHit>& hits) const;
+  void meet(VertexId v, std::vector<SpaceRayHit>& hits) const;
 
   /// Positive: in front of the origin.
-  Sign side(const RayHit& hit) const;
+  Sign side(const SpaceRayHit& hit) const;
   /// The order along the ray.
-  Sign compare(const RayHit& x, const RayHit& y) const;
+  Sign compare(const SpaceRayHit& x, const SpaceRayHit& y) const;
   /// Requires an origin and a hit off the frame.
-  RationalPoint3 point(const RayHit& hit) const;
+  RationalPoint3 point(const SpaceRayHit& hit) const;
 
   std::size_t axis() const { return k_; }
   bool is_reverse() const { return is_reverse_; }
@@ -91,10 +91,10 @@ class SpaceRay {
   Sign turn(VertexId a, VertexId b) const;
   End end(VertexId v) const { return {v, {{shadow_sign(v, 0), shadow_sign(v, 1)}}}; }
   Passing passing(const End& a, const End& b) const;
-  bool meet_cycle(UseId first, bool& is_inside, std::vector<RayHit>& hits) const;
-  bool meet_edge(EdgeId e, const End& a, const End& b, std::vector<RayHit>& hits) const;
+  bool meet_cycle(UseId first, bool& is_inside, std::vector<SpaceRayHit>& hits) const;
+  bool meet_edge(EdgeId e, const End& a, const End& b, std::vector<SpaceRayHit>& hits) const;
 
-  RayHit hit_of(SpaceItem item, PlaneId plane) const;
+  SpaceRayHit hit_of(SpaceItem item, PlaneId plane) const;
   PlaneId crossing_plane(EdgeId e) const;
 
   // Number: Ball or FramedNumber.
@@ -103,7 +103,7 @@ class SpaceRay {
   template <class Number>
   Number shadow(VertexId v, std::size_t c) const;
   template <class Number>
-  Number distance(const RayHit& hit) const;
+  Number distance(const SpaceRayHit& hit) const;
   template <class Number>
   Number plane_distance(PlaneId plane) const;
   Ball rough_climb(PlaneId plane) const;

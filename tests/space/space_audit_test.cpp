@@ -446,8 +446,7 @@ SpaceComplex raw_facets(const std::vector<Chain3>& faces) {
     std::vector<std::uint32_t> corners;
     for (const ExactPoint3& p : face) {
       corners.push_back(static_cast<std::uint32_t>(mesh.points.size()));
-      Point3& at = mesh.points.emplace_back();
-      EXPECT_TRUE(as_double(p.x, at.x) && as_double(p.y, at.y) && as_double(p.z, at.z));
+      EXPECT_TRUE(as_double(p, mesh.points.emplace_back()));
     }
     mesh.add_face(corners);
   }
