@@ -35,7 +35,8 @@ endfunction()
 
 # plumb_precompile(TARGET KIND [HEADER...]): with PLUMB_PRECOMPILE, the headers that do not change, ours
 # excepted, are parsed once for all targets of a KIND: the first one's, so flags have to agree. They are half
-# of an unoptimised build. A file that leans on them without including them fails in builds without.
+# of an unoptimised build. A file of the libraries that leans on them without including them fails in the
+# builds that embed plumb (tests/consume), which do without.
 function(plumb_precompile target kind)
   if(NOT PLUMB_PRECOMPILE)
     return()
@@ -73,11 +74,13 @@ function(plumb_library target name)
   endif()
 endfunction()
 
-# plumb_test(NAME SOURCE... [LIBRARIES ...]): a GoogleTest program, one ctest per program.
+# plumb_test(NAME SOURCE... [LIBRARIES ...]): a GoogleTest program, one ctest per program. Compiling it takes
+# longer than running it, so that little is spent on optimising it; the libraries it tests are what they are.
 function(plumb_test name)
   cmake_parse_arguments(ARG "" "" "LIBRARIES" ${ARGN})
   add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
   plumb_compile_options(${name})
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   plumb_precompile(${name} test <gtest/gtest.h>)
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest GTest::gtest_main)
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})

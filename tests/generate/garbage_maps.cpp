@@ -73,7 +73,8 @@ TestMap garbage_map(std::uint32_t points, std::uint32_t cycles, std::int64_t ran
   Dice dice(seed);
   TestMap map;
   for (std::uint32_t i = 0; i < points; ++i) {
-    map.add_point(dice.between(0, range), dice.between(0, range));
+    const std::int64_t x = dice.between(0, range);
+    map.add_point(x, dice.between(0, range));
   }
   for (std::uint32_t i = 0; i < cycles; ++i) map.cycles.push_back(garbage_cycle(points, dice));
   return map;

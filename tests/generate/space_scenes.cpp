@@ -436,8 +436,8 @@ class Piece {
 
   SpaceScene boxes() {
     SpaceScene s;
-    const RationalPoint3 low =
-        at(static_cast<int>(dice_.between(0, 1)), static_cast<int>(dice_.between(0, 1)), 0);
+    const int x = static_cast<int>(dice_.between(0, 1));
+    const RationalPoint3 low = at(x, static_cast<int>(dice_.between(0, 1)), 0);
     add_box(s, low, low + at(static_cast<int>(dice_.between(1, 2)), 2, 1));
     return s;
   }

@@ -11,7 +11,8 @@
 namespace plumb::testing {
 
 inline std::string any_position(Dice& dice) {
-  return std::to_string(dice.between(0, 6)) + ' ' + std::to_string(dice.between(0, 6));
+  const std::string x = std::to_string(dice.between(0, 6));
+  return x + ' ' + std::to_string(dice.between(0, 6));
 }
 
 /// A closed ring of 3 to 6 corners anywhere: it crosses itself more often than not.

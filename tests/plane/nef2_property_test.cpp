@@ -139,7 +139,10 @@ TEST_P(RandomSets, HaveOneStructureHoweverTheyAreMade) {
 // ---------------------------------------------------------------- more operations
 
 AffineMap2 any_map(Dice& dice) {
-  const auto number = [&] { return Rational(dice.between(-3, 3)) / dice.between(1, 3); };
+  const auto number = [&] {
+    const Rational numerator = dice.between(-3, 3);
+    return Rational(numerator / dice.between(1, 3));
+  };
   AffineMap2 map;
   do {
     map = {number(), number(), number(), number(), number(), number()};

@@ -169,7 +169,9 @@ constexpr Make kShapes[] = {random_tetrahedron, random_box,   random_prism, rand
 
 ComplexDraft random_shape(Dice& dice, int size) {
   const Make make = kShapes[dice.below(std::size(kShapes))];
-  return moved(turned(make(dice, size), dice.below(3)), random_point(dice, 1));
+  ComplexDraft shape = make(dice, size);
+  shape = turned(std::move(shape), dice.below(3));
+  return moved(std::move(shape), random_point(dice, 1));
 }
 
 /// The same linear map for both: nothing stays parallel to an axis, or is a double.

@@ -95,7 +95,8 @@ class SegmentOracle {
     for (std::size_t i = 0; i < limit; ++i) {
       const std::size_t a = inside_[i / 2 % inside_.size()];
       const std::size_t b = i % 2 == 0 ? any_of(inside_, dice) : any_of(mates_of(a, dice), dice);
-      if (!holds_segment(random_point(a, dice), random_point(b, dice))) return false;
+      const CellPoint3 p = random_point(a, dice);
+      if (!holds_segment(p, random_point(b, dice))) return false;
     }
     return true;
   }
@@ -341,7 +342,8 @@ Pair random_base(Dice& dice) {
     const auto number = [&dice] { return static_cast<int>(dice.between(-1, 1)); };
     const Ints n{number(), number(), number()};
     const int a = n == Ints{} ? 1 : n[0];
-    return below(a, n[1], n[2], static_cast<int>(dice.between(-2, 0)), dice.below(2) == 0);
+    const int d = static_cast<int>(dice.between(-2, 0));
+    return below(a, n[1], n[2], d, dice.below(2) == 0);
   };
   switch (dice.below(5)) {
     case 0:
