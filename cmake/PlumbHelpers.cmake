@@ -35,10 +35,10 @@ endfunction()
 
 # plumb_precompile(TARGET KIND [HEADER...]): with PLUMB_PRECOMPILE, the headers that do not change, ours
 # excepted, are parsed once for all targets of a KIND: the first one's, so flags have to agree. They are half
-# of an unoptimised build. A file of the libraries that leans on them without including them fails in the
-# builds that embed plumb (tests/consume), which do without.
+# of an unoptimised build. Optimising g++ takes precompiled standard headers for ours and warns of them, so that
+# it compiles the libraries without; there a file that leans on a header it does not include fails.
 function(plumb_precompile target kind)
-  if(NOT PLUMB_PRECOMPILE)
+  if(NOT PLUMB_PRECOMPILE OR (kind STREQUAL library AND CMAKE_CXX_COMPILER_ID STREQUAL GNU))
     return()
   endif()
   get_property(first GLOBAL PROPERTY PLUMB_PRECOMPILED_${kind})

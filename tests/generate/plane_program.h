@@ -1,9 +1,5 @@
-// Expressions over sets of the plane from bytes: a little stack machine, so that any bytes are an
-// expression and neighbouring bytes are similar ones.
-//
-// Records of eight bytes. The first is {values, last operation, ...}; each other one pushes a set or
-// operates on the sets pushed: {what, how, six points}. A point is a byte, x its low and y its high
-// four bits. In the end all sets left are combined.
+// Expressions over sets of the plane from bytes (set_program.h): any bytes are an expression and
+// neighbouring bytes are similar ones. A point is a byte, x its low and y its high four bits.
 #pragma once
 
 #include <cstdint>
@@ -11,29 +7,10 @@
 #include <vector>
 
 #include "generate/curve_scenes.h"
-#include "generate/dice.h"
+#include "generate/set_program.h"
 #include "oracle/plane_set.h"
 
 namespace plumb::testing {
-
-inline constexpr std::size_t kProgramRecord = 8;
-
-/// What coordinates 0 to 7, some with a half or a third, are turned into. Lines stay lines, except
-/// under Tenths.
-enum class ProgramValues : std::uint8_t {
-  Plain,
-  Tenths,  ///< times 0.1, rounded: nothing is collinear any more
-  Thirds,  ///< no doubles
-  Far,     ///< plus 2^60: no doubles, and their nearest ones are all the same
-  Large,   ///< times 2^1000
-  Small,   ///< times 2^-1060: subnormal
-  Uneven,  ///< x times 2^-500, y times 2^500, z as it is
-  Long,    ///< times (10^30 + 1) / (10^30 + 7)
-};
-inline constexpr int kProgramValues = 8;
-
-/// Of axis 0, 1 or 2.
-BigRational program_value(ProgramValues values, const BigRational& v, int axis);
 
 ExactPoint program_point(ProgramValues values, std::uint8_t byte);
 

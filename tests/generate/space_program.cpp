@@ -7,8 +7,6 @@
 namespace plumb::testing {
 namespace {
 
-using Record = std::span<const std::uint8_t>;
-
 // What a record does.
 enum What : std::uint8_t {
   kHalfSpace,
@@ -22,10 +20,7 @@ enum What : std::uint8_t {
   kRectangle,
   kChain,
   kPoints,
-  kFirstOperation,
-  kCopy = kFirstOperation + kSetOperators,  // the operations are those of SetOperator
-  kSwap,
-  kWhats
+  kFirstOperation
 };
 
 bool are_collinear(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c) {
@@ -35,7 +30,7 @@ bool are_collinear(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3
 // One leaf; null when it has no extent.
 class LeafMaker {
  public:
-  LeafMaker(ProgramValues values, Record record) : how_(record[1]) {
+  LeafMaker(ProgramValues values, ProgramRecord record) : how_(record[1]) {
     for (std::size_t i = 0; i < 6; ++i) p_[i] = space_program_point(values, record[2 + i]);
   }
 
@@ -144,79 +139,21 @@ class LeafMaker {
   std::array<ExactPoint3, 6> p_;
 };
 
-class StackMachine {
- public:
-  StackMachine(std::span<const std::uint8_t> program, std::size_t max_planes)
-      : program_(program), max_planes_(max_planes) {}
+// Sets of space as SetProgram wants them.
+struct SpaceLanguage {
+  using Set = SpaceSetPointer;
+  using Carrier = CellPlane;
+  static constexpr int kLeafKinds = kFirstOperation;
 
-  SpaceSetPointer run() {
-    if (program_.size() >= 2) {
-      values_ = static_cast<ProgramValues>(program_[0] % kProgramValues);
-    }
-    for (std::size_t i = kProgramRecord; i + kProgramRecord <= program_.size();
-         i += kProgramRecord) {
-      if (!step(program_.subspan(i, kProgramRecord))) break;
-    }
-    return folded();
+  static SpaceSetPointer leaf(ProgramValues values, int what, ProgramRecord record) {
+    return LeafMaker(values, record).make(what);
   }
-
- private:
-  bool step(Record r) {
-    const int what = r[0] % kWhats;
-    if (what < kFirstOperation) return push(LeafMaker(values_, r).make(what));
-    if (what == kCopy) {
-      if (!stack_.empty()) stack_.push_back(stack_[r[1] % stack_.size()]);
-    } else if (what == kSwap) {
-      if (stack_.size() >= 2) std::swap(stack_.back(), stack_[stack_.size() - 2]);
-    } else {
-      operate(static_cast<SetOperator>(what - kFirstOperation));
-    }
-    return stack_.size() <= 16;
-  }
-
-  bool push(const SpaceSetPointer& set) {
-    if (!set) return true;
-    std::vector<CellPlane> planes = planes_;
-    add_planes(*set, planes);
+  static SpaceSetPointer nothing() { return empty_space(); }
+  static void add_carriers(const SpaceSet& set, std::vector<CellPlane>& planes) {
+    add_planes(set, planes);
     for (CellPlane& plane : planes) plane = unoriented(plane);
-    std::sort(planes.begin(), planes.end());
-    planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
-    if (planes.size() > max_planes_) return false;
-    planes_ = std::move(planes);
-    stack_.push_back(set);
-    return true;
   }
-
-  void operate(SetOperator op) {
-    if (stack_.size() < (is_binary(op) ? 2U : 1U)) return;
-    SpaceSetPointer last = std::move(stack_.back());
-    stack_.pop_back();
-    if (!is_binary(op)) {
-      stack_.push_back(apply(op, std::move(last)));
-    } else {
-      stack_.back() = apply(op, stack_.back(), std::move(last));
-    }
-  }
-
-  SpaceSetPointer folded() {
-    const auto op = static_cast<SetOperator>(program_.size() < 2 ? 0 : program_[1] % 4);
-    while (stack_.size() > 1) operate(op);
-    return stack_.empty() ? empty_space() : stack_.back();
-  }
-
-  std::span<const std::uint8_t> program_;
-  std::size_t max_planes_;
-  ProgramValues values_ = ProgramValues::Plain;
-  std::vector<CellPlane> planes_;
-  std::vector<SpaceSetPointer> stack_;
 };
-
-std::uint8_t any_byte(Dice& dice) { return static_cast<std::uint8_t>(dice.below(256)); }
-
-std::uint8_t any_grid_point(Dice& dice) {
-  const std::uint8_t mask = dice.below(16) == 0 ? 0xff : 0x3f;
-  return any_byte(dice) & mask;
-}
 
 }  // namespace
 
@@ -230,22 +167,12 @@ ExactPoint3 space_program_point(ProgramValues values, std::uint8_t byte) {
 
 SpaceSetPointer space_set_of_program(std::span<const std::uint8_t> program,
                                      std::size_t max_planes) {
-  return StackMachine(program, max_planes).run();
+  return SetProgram<SpaceLanguage>(program, max_planes).run();
 }
 
 std::vector<std::uint8_t> random_space_program(Dice& dice, ProgramValues values,
                                                std::size_t records) {
-  std::vector<std::uint8_t> program{static_cast<std::uint8_t>(values), any_byte(dice)};
-  program.resize(kProgramRecord);
-  for (std::size_t i = 0; i < records; ++i) {
-    const bool is_leaf = i < 2 || dice.below(5) < 3;
-    program.push_back(static_cast<std::uint8_t>(
-        is_leaf ? dice.below(kFirstOperation)
-                : kFirstOperation + dice.below(kWhats - kFirstOperation)));
-    program.push_back(any_byte(dice));
-    for (int p = 0; p < 6; ++p) program.push_back(any_grid_point(dice));
-  }
-  return program;
+  return random_set_program(dice, values, records, kFirstOperation, 0x3f);
 }
 
 }  // namespace plumb::testing

@@ -1,19 +1,13 @@
-// Sets of space from bytes: any sequence of bytes is an expression, and one with fewer records is a
-// simpler one. For random tests and the fuzz target.
-//
-// A program is a stack machine of records of eight bytes. The first says how numbers are meant and
-// how what is left is combined: {values, operator, unused...}; each later one pushes a set or
-// operates on the sets pushed: {what, how, six points}. A point is a byte, two bits for each of x, y, z and
-// two that move it between the grid points. What has no area or volume pushes nothing. In the end all
-// sets left are combined.
+// Sets of space from bytes (set_program.h): any sequence of bytes is an expression, and one with fewer
+// records is a simpler one. For random tests and the fuzz target. A point is a byte, two bits for each
+// of x, y, z and two that move it between the grid points.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "generate/dice.h"
-#include "generate/plane_program.h"
+#include "generate/set_program.h"
 #include "oracle/space_set.h"
 
 namespace plumb::testing {

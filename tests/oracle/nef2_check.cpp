@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
+#include "oracle/twin_check.h"
 #include "plumb/plane/plane_records.h"
 
 namespace plumb::testing {
 namespace {
-
-std::string yes_or_no(bool b) { return b ? "yes" : "no"; }
 
 PlaneLocation location_of(const GraphMatch& match, const PlaneGraph::Element& element, bool mark) {
   PlaneLocation location;
@@ -30,28 +29,17 @@ std::string to_text(const PlaneLocation& l) {
 class Checker {
  public:
   Checker(const LineCells& cells, const TwoSets& sets)
-      : cells_(cells), engine_(sets.engine), twin_(sets.twin) {}
+      : cells_(cells), sets_(sets), engine_(sets.engine), twin_(sets.twin) {}
 
   std::string run(bool deeply) {
-    try {
+    return first_difference([&] {
       check_complex();
       check_answers();
       if (deeply) check_deeply();
-    } catch (const std::string& difference) {
-      return difference;
-    }
-    return "";
+    });
   }
 
  private:
-  static void expect(bool right, const std::string& what) {
-    if (!right) throw what;
-  }
-  static void expect_same(bool engine, bool twin, const std::string& what) {
-    if (engine == twin) return;
-    throw what + ": engine " + yes_or_no(engine) + ", twin " + yes_or_no(twin);
-  }
-
   void check_complex() {
     const std::optional<DcelFlaw> flaw = engine_.audit();
     if (flaw) throw "audit: " + flaw->invariant + " at " + flaw->place;
@@ -77,7 +65,7 @@ class Checker {
   void check_deeply() const {
     check_locations();
     check_rays();
-    check_operators();
+    check_operators(cells_, sets_);
     check_parts();
     check_records();
     check_marks();
@@ -155,17 +143,6 @@ class Checker {
   }
 
   // ---------------------------------------------------------------- derived sets
-
-  void check_operators() const {
-    for (int op = static_cast<int>(SetOperator::Complement);
-         op <= static_cast<int>(SetOperator::Regularization); ++op) {
-      const auto which = static_cast<SetOperator>(op);
-      const TwoSets result{testing::apply(which, engine_, Nef2()),
-                           testing::apply(which, cells_, twin_, CellMarks())};
-      const std::string wrong = difference(cells_, result);
-      if (!wrong.empty()) throw "operator " + std::to_string(op) + ": " + wrong;
-    }
-  }
 
   static Chain chain_of(const std::vector<RationalPoint2>& points) {
     Chain chain;
@@ -265,48 +242,11 @@ class Checker {
   }
 
   const LineCells& cells_;
+  const TwoSets& sets_;
   const Nef2& engine_;
   const CellMarks& twin_;
   PlaneGraph graph_;
   GraphMatch match_;
-};
-
-// Both at once, and every node looked at.
-class TreeChecker {
- public:
-  explicit TreeChecker(const PlaneSet& root) : root_(root), cells_(cells_of(root)) {}
-
-  std::string run() {
-    try {
-      const TwoSets sets = build(root_);
-      return explained(deep_difference(cells_, sets), root_);
-    } catch (const std::string& difference) {
-      return difference;
-    }
-  }
-
- private:
-  static std::string explained(const std::string& difference, const PlaneSet& set) {
-    return difference.empty() ? "" : difference + "\nin " + testing::to_text(set);
-  }
-
-  TwoSets build(const PlaneSet& set) {
-    const auto* operation = std::get_if<SetOperation>(&set.node);
-    TwoSets sets = operation ? build(*operation) : TwoSets{to_nef(set), marks_of(set, cells_)};
-    const std::string wrong = explained(difference(cells_, sets), set);
-    if (!wrong.empty()) throw wrong;
-    return sets;
-  }
-
-  TwoSets build(const SetOperation& o) {
-    const TwoSets first = build(*o.first);
-    const TwoSets second = o.second ? build(*o.second) : TwoSets{};
-    return {testing::apply(o.op, first.engine, second.engine),
-            testing::apply(o.op, cells_, first.twin, second.twin)};
-  }
-
-  const PlaneSet& root_;
-  LineCells cells_;
 };
 
 }  // namespace
@@ -319,7 +259,10 @@ std::string deep_difference(const LineCells& cells, const TwoSets& sets) {
   return Checker(cells, sets).run(true);
 }
 
-std::string disagreement(const PlaneSet& set) { return TreeChecker(set).run(); }
+std::string disagreement(const PlaneSet& set) {
+  const LineCells cells = cells_of(set);
+  return TreeCheck<SetOperation, TwoSets, PlaneSet, LineCells>(set, cells).run();
+}
 
 LineCells cells_of(const PlaneSet& set) {
   std::vector<CellLine> lines;

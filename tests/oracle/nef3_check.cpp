@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
+#include "oracle/twin_check.h"
 #include "plumb/space/space_audit.h"
 #include "plumb/space/space_measure.h"
 
 namespace plumb::testing {
 namespace {
-
-std::string yes_or_no(bool b) { return b ? "yes" : "no"; }
 
 std::string to_text(SpaceItem item, bool marked) {
   static constexpr const char* kKinds[] = {"vertex ", "edge ", "facet ", "volume "};
@@ -27,28 +26,17 @@ std::size_t number_marked(const Items& items) {
 class Checker {
  public:
   Checker(const SpaceCells& cells, const TwoSpaceSets& sets)
-      : cells_(cells), engine_(sets.engine), twin_(sets.twin) {}
+      : cells_(cells), sets_(sets), engine_(sets.engine), twin_(sets.twin) {}
 
   std::string run(bool deeply) {
-    try {
+    return first_difference([&] {
       check_complex();
       check_answers();
       if (deeply) check_deeply();
-    } catch (const std::string& difference) {
-      return difference;
-    }
-    return "";
+    });
   }
 
  private:
-  static void expect(bool right, const std::string& what) {
-    if (!right) throw what;
-  }
-  static void expect_same(bool engine, bool twin, const std::string& what) {
-    if (engine == twin) return;
-    throw what + ": engine " + yes_or_no(engine) + ", twin " + yes_or_no(twin);
-  }
-
   void check_complex() {
     graph_ = minimal_graph(cells_, twin_);
     match_ = match(engine_.complex(), graph_, cells_);
@@ -78,7 +66,7 @@ class Checker {
 
   void check_deeply() const {
     check_locations();
-    check_operators();
+    check_operators(cells_, sets_);
     check_marks();
   }
 
@@ -96,17 +84,6 @@ class Checker {
       if (as_double(p, rounded)) {
         expect(engine_.locate(rounded).item == got.item, "locate by doubles" + where);
       }
-    }
-  }
-
-  void check_operators() const {
-    for (int op = static_cast<int>(SetOperator::Complement);
-         op <= static_cast<int>(SetOperator::Regularization); ++op) {
-      const auto which = static_cast<SetOperator>(op);
-      const TwoSpaceSets result{testing::apply(which, engine_, Nef3()),
-                                testing::apply(which, cells_, twin_, CellMarks())};
-      const std::string wrong = difference(cells_, result);
-      if (!wrong.empty()) throw name_of(which) + ": " + wrong;
     }
   }
 
@@ -131,49 +108,11 @@ class Checker {
   }
 
   const SpaceCells& cells_;
+  const TwoSpaceSets& sets_;
   const Nef3& engine_;
   const CellMarks& twin_;
   SpaceGraph graph_;
   SpaceMatch match_;
-};
-
-// Both at once, and every node looked at.
-class TreeChecker {
- public:
-  explicit TreeChecker(const SpaceSet& root) : root_(root), cells_(cells_of(root)) {}
-
-  std::string run() {
-    try {
-      const TwoSpaceSets sets = build(root_);
-      return explained(deep_difference(cells_, sets), root_);
-    } catch (const std::string& difference) {
-      return difference;
-    }
-  }
-
- private:
-  static std::string explained(const std::string& difference, const SpaceSet& set) {
-    return difference.empty() ? "" : difference + "\nin " + testing::to_text(set);
-  }
-
-  TwoSpaceSets build(const SpaceSet& set) {
-    const auto* operation = std::get_if<SpaceOperation>(&set.node);
-    TwoSpaceSets sets =
-        operation ? build(*operation) : TwoSpaceSets{to_nef(set), marks_of(set, cells_)};
-    const std::string wrong = explained(difference(cells_, sets), set);
-    if (!wrong.empty()) throw wrong;
-    return sets;
-  }
-
-  TwoSpaceSets build(const SpaceOperation& o) {
-    const TwoSpaceSets first = build(*o.first);
-    const TwoSpaceSets second = o.second ? build(*o.second) : TwoSpaceSets{};
-    return {testing::apply(o.op, first.engine, second.engine),
-            testing::apply(o.op, cells_, first.twin, second.twin)};
-  }
-
-  const SpaceSet& root_;
-  SpaceCells cells_;
 };
 
 }  // namespace
@@ -186,6 +125,9 @@ std::string deep_difference(const SpaceCells& cells, const TwoSpaceSets& sets) {
   return Checker(cells, sets).run(true);
 }
 
-std::string disagreement(const SpaceSet& set) { return TreeChecker(set).run(); }
+std::string disagreement(const SpaceSet& set) {
+  const SpaceCells cells = cells_of(set);
+  return TreeCheck<SpaceOperation, TwoSpaceSets, SpaceSet, SpaceCells>(set, cells).run();
+}
 
 }  // namespace plumb::testing
