@@ -9,6 +9,7 @@
 #include "plumb/space/local_maps.h"
 #include "plumb/space/meet.h"
 #include "plumb/space/plane_cycles.h"
+#include "plumb/space/simplify.h"
 #include "plumb/space/space_draft.h"
 #include "plumb/space/vertex_labels.h"
 #include "plumb/sphere/sphere_overlay.h"
@@ -66,7 +67,7 @@ class Combiner {
   void keep_vertices(std::size_t operand, const TouchedComplex& own,
                      std::span<const VolumeId> labels) {
     const SpaceComplex& complex = *operands_[operand];
-    std::vector<std::uint32_t> point_of(complex.origin.size(), kNone);
+    VertexCarrier carrier(complex, draft_, overlay_);
     for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
       if (own.is_touched(VertexId(v))) continue;
       const Mark around = operands_[1 - operand]->volume_mark[labels[v].value()];
@@ -75,8 +76,9 @@ class Combiner {
       // What is constant here dissolves, but for the frame.
       const bool is_constant = becomes[0] == becomes[1];
       if (is_constant && complex.vertex_mark[v] != kBeyond) continue;
-      keep_vertex(complex, VertexId(v), becomes, is_constant, point_of);
+      keep_vertex(complex, VertexId(v), becomes, is_constant, carrier);
     }
+    const std::vector<std::uint32_t>& point_of = carrier.point_of();
     for (std::uint32_t h = 0; h < point_of.size(); ++h) {
       if (point_of[h] == kNone) continue;
       const EdgeId e(h / 2);
@@ -106,37 +108,17 @@ class Combiner {
   }
 
   void keep_vertex(const SpaceComplex& complex, VertexId v, const std::array<Mark, 3>& becomes,
-                   bool may_dissolve, std::vector<std::uint32_t>& point_of) {
+                   bool may_dissolve, VertexCarrier& carrier) {
     LocalMap& local = local_[0];
     local_map(complex, v, local);
     local.map.centre_mark = becomes[local.map.centre_mark];
     for (auto* marks : {&local.map.point_mark, &local.map.arc_mark, &local.map.face_mark}) {
       for (Mark& m : *marks) m = becomes[m];
     }
-    if (may_dissolve) return add_simplified(complex, v, point_of);
-    origin_ids_.clear();
-    for (const FacetId f : local.facet) origin_ids_.push_back(complex.facet_origin[f.value()]);
-    const auto offsets = draft_.add(complex.vertex_point[v.value()], local.map, false, origin_ids_);
-    for (std::uint32_t i = 0; i < local.halfedge.size(); ++i) {
-      point_of[local.halfedge[i].value()] = offsets.point + i;
-    }
-  }
-
-  /// Adds the map of v, now in local_[0], in minimal form; nothing if it is no vertex any more.
-  void add_simplified(const SpaceComplex& complex, VertexId v,
-                      std::vector<std::uint32_t>& point_of) {
-    LocalMap& local = local_[0];
-    overlay_.simplify(local.map, &origins_);
-    const PyramidKind kind = classify(planes_, local.map);
-    if (kind != PyramidKind::Vertex && kind != PyramidKind::Edge) return;
-    origin_ids_.clear();
-    for (const auto& cells : origins_.arc) {
-      origin_ids_.push_back(complex.facet_origin[local.facet[cells[0].index()].value()]);
-    }
-    const auto offsets = draft_.add(complex.vertex_point[v.value()], local.map,
-                                    kind == PyramidKind::Edge, origin_ids_);
-    for (std::uint32_t i = 0; i < local.map.point_count(); ++i) {
-      point_of[local.halfedge[origins_.point[i][0].index()].value()] = offsets.point + i;
+    if (may_dissolve) {
+      carrier.add_simplified(v, local);
+    } else {
+      carrier.add(v, local);
     }
   }
 
@@ -237,7 +219,6 @@ class Combiner {
   std::array<LocalMap, 2> local_;
   SphereMap map_;
   SphereOrigins origins_;
-  std::vector<std::uint32_t> origin_ids_;
 };
 
 /// The complex with the ids of merged tables.
@@ -331,42 +312,6 @@ SpaceComplex combine_with_plane(const SpaceComplex& a, OrientedPlane plane, Plan
   combiner.overlay_contacts();
   combiner.keep_vertices(0, touched, labels);
   return combiner.finish();
-}
-
-SpaceComplex simplified(const SpaceComplex& complex, Context& context) {
-  SpaceDraft draft(std::const_pointer_cast<SpaceTables>(complex.tables));
-  SphereOverlay overlay(complex.planes());
-  LocalMap local;
-  SphereOrigins kept;
-  std::vector<std::uint32_t> point_of(complex.origin.size(), kNone), origin_ids;
-  bool has_changed = false;
-  for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
-    if (v % 4096 == 0) context.checkpoint("simplify", v, complex.vertex_count());
-    local_map(complex, VertexId(v), local);
-    has_changed |= overlay.simplify(local.map, &kept);
-    const PyramidKind kind = classify(complex.planes(), local.map);
-    if (kind != PyramidKind::Vertex && kind != PyramidKind::Edge) {
-      has_changed = true;
-      continue;
-    }
-    has_changed |= kind == PyramidKind::Edge;
-    origin_ids.clear();
-    for (const auto& cells : kept.arc) {
-      origin_ids.push_back(complex.facet_origin[local.facet[cells[0].index()].value()]);
-    }
-    const auto offsets =
-        draft.add(complex.vertex_point[v], local.map, kind == PyramidKind::Edge, origin_ids);
-    for (std::uint32_t i = 0; i < local.map.point_count(); ++i) {
-      point_of[local.halfedge[kept.point[i][0].index()].value()] = offsets.point + i;
-    }
-  }
-  if (!has_changed) return complex;
-  for (std::uint32_t h = 0; h < point_of.size(); ++h) {
-    if (point_of[h] != kNone) draft.twin[point_of[h]] = point_of[h ^ 1U];
-  }
-  SpaceComplex result = join(std::move(draft), context);
-  if (result.vertex_count() == 0) result.volume_mark[0] = complex.volume_mark[0];
-  return result;
 }
 
 }  // namespace plumb

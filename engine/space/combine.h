@@ -50,7 +50,4 @@ SpaceComplex combine_with_plane(const SpaceComplex& a, OrientedPlane plane, Plan
                                 MarkFunction f, std::shared_ptr<SpaceTables> tables,
                                 Context& context);
 
-/// The same set in minimal form, after marks were changed. O(n).
-SpaceComplex simplified(const SpaceComplex& complex, Context& context);
-
 }  // namespace plumb

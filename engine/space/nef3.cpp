@@ -10,6 +10,7 @@
 #include "plumb/space/local_maps.h"
 #include "plumb/space/nef3_state.h"
 #include "plumb/space/same_complex.h"
+#include "plumb/space/simplify.h"
 #include "plumb/space/space_convexity.h"
 #include "plumb/space/transform.h"
 #include "plumb/space/volumes.h"
@@ -86,7 +87,7 @@ SpaceComplex selected(SpaceComplex complex, const SpaceSelector& select, Context
   clear(EdgeId(), select.edge, complex.edge_mark);
   clear(FacetId(), select.facet, complex.facet_mark);
   clear(VolumeId(), select.volume, complex.volume_mark);
-  return without_idle_frame(simplified(complex, context), context);
+  return without_idle_frame(simplified(std::move(complex), context), context);
 }
 
 std::size_t standard_count(const std::vector<Mark>& marks) {
@@ -105,7 +106,8 @@ Nef3::Nef3(SpaceComplex minimal) : state_(std::make_shared<const State>(std::mov
 Nef3 Nef3::space() { return Nef3(without_boundary(1)); }
 
 Nef3 Nef3::from_complex(SpaceComplex complex, Context& context) {
-  return Nef3(with_tidy_tables(without_idle_frame(simplified(complex, context), context)));
+  return Nef3(
+      with_tidy_tables(without_idle_frame(simplified(std::move(complex), context), context)));
 }
 
 const SpaceComplex& Nef3::complex() const { return state_->complex; }

@@ -1,0 +1,111 @@
+#include "plumb/space/simplify.h"
+
+namespace plumb {
+
+namespace {
+
+constexpr std::uint32_t kNone = SphereMap::kNone;
+
+/// Step 1.
+class MinimalForm {
+ public:
+  explicit MinimalForm(const SpaceComplex& complex)
+      : complex_(complex), overlay_(complex.planes()) {}
+
+  bool holds(Context& context) {
+    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
+      if (dissolves(FacetId(f))) return false;
+    }
+    for (std::uint32_t e = 0; e < complex_.edge_count(); ++e) {
+      if (dissolves(EdgeId(e))) return false;
+    }
+    for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
+      if (v % 4096 == 0) context.checkpoint("simplify", v, complex_.vertex_count());
+      if (dissolves(VertexId(v))) return false;
+    }
+    return true;
+  }
+
+ private:
+  bool dissolves(FacetId f) const {
+    const auto& [above, below] = complex_.facet_volume[f.value()];
+    const Mark own = complex_.facet_mark[f.value()];
+    return complex_.volume_mark[above.value()] == own && complex_.volume_mark[below.value()] == own;
+  }
+
+  /// Facets stay: an edge goes if it lies inside one, or in a volume.
+  bool dissolves(EdgeId e) const {
+    const Mark own = complex_.edge_mark[e.value()];
+    const UseId first = complex_.edge_use[e.value()];
+    if (!first.is_valid()) {
+      return complex_.volume_mark[complex_.edge_volume[e.value()].value()] == own;
+    }
+    const UseId second = complex_.use_radial[first.value()];
+    if (second == first || complex_.use_radial[second.value()] != first) return false;
+    const std::uint32_t f = complex_.use_facet[first.value()].value();
+    const std::uint32_t g = complex_.use_facet[second.value()].value();
+    return complex_.facet_plane[f] == complex_.facet_plane[g] && complex_.facet_mark[f] == own &&
+           complex_.facet_mark[g] == own;
+  }
+
+  /// Edges stay: only where there are none, or two, can a vertex be a place inside something else.
+  bool dissolves(VertexId v) {
+    const std::size_t degree = complex_.star_of(v).size();
+    if (degree != 0 && degree != 2) return false;
+    local_map(complex_, v, local_);
+    return overlay_.simplify(local_.map) ||
+           classify(complex_.planes(), local_.map) != PyramidKind::Vertex;
+  }
+
+  const SpaceComplex& complex_;
+  SphereOverlay overlay_;
+  LocalMap local_;
+};
+
+}  // namespace
+
+void VertexCarrier::add(VertexId v, const LocalMap& local) {
+  origin_ids_.clear();
+  for (const FacetId f : local.facet) origin_ids_.push_back(complex_.facet_origin[f.value()]);
+  const auto offsets = draft_.add(complex_.vertex_point[v.value()], local.map, false, origin_ids_);
+  for (std::uint32_t i = 0; i < local.halfedge.size(); ++i) {
+    point_of_[local.halfedge[i].value()] = offsets.point + i;
+  }
+}
+
+void VertexCarrier::add_simplified(VertexId v, LocalMap& local) {
+  overlay_.simplify(local.map, &kept_);
+  const PyramidKind kind = classify(complex_.planes(), local.map);
+  if (kind != PyramidKind::Vertex && kind != PyramidKind::Edge) return;
+  origin_ids_.clear();
+  for (const auto& cells : kept_.arc) {
+    origin_ids_.push_back(complex_.facet_origin[local.facet[cells[0].index()].value()]);
+  }
+  const auto offsets = draft_.add(complex_.vertex_point[v.value()], local.map,
+                                  kind == PyramidKind::Edge, origin_ids_);
+  for (std::uint32_t i = 0; i < local.map.point_count(); ++i) {
+    point_of_[local.halfedge[kept_.point[i][0].index()].value()] = offsets.point + i;
+  }
+}
+
+SpaceComplex simplified(SpaceComplex complex, Context& context) {
+  if (MinimalForm(complex).holds(context)) return complex;
+  SpaceDraft draft(std::const_pointer_cast<SpaceTables>(complex.tables));
+  SphereOverlay overlay(complex.planes());
+  VertexCarrier carrier(complex, draft, overlay);
+  LocalMap local;
+  for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
+    if (v % 4096 == 0) context.checkpoint("simplify", v, complex.vertex_count());
+    local_map(complex, VertexId(v), local);
+    carrier.add_simplified(VertexId(v), local);
+  }
+  const std::vector<std::uint32_t>& point_of = carrier.point_of();
+  for (std::uint32_t h = 0; h < point_of.size(); ++h) {
+    if (point_of[h] != kNone) draft.twin[point_of[h]] = point_of[h ^ 1U];
+  }
+  SpaceComplex result = join(std::move(draft), context);
+  if (result.vertex_count() == 0) result.volume_mark[0] = complex.volume_mark[0];
+  return result;
+}
+
+}  // namespace plumb
