@@ -28,10 +28,12 @@ constexpr const char* kSetHelp = "A solid: .off, .obj, .stl, .ply, .nef; - is st
 class MeshRule {
  public:
   void declare(CLI::App& app) {
-    app.add_option("--rule", rule_, "Winding numbers inside: positive (default), nonzero, odd")
+    app.add_option("--rule", rule_,
+                   "Winding numbers inside: positive, nonzero, odd (default: positive, and "
+                   "components inside out are turned)")
         ->type_name("RULE")
         ->check(CLI::IsMember({"positive", "nonzero", "odd"}));
-    app.add_flag("--surface", surface_, "Read an open mesh as the set of its facets");
+    app.add_flag("--surface", surface_, "Read a mesh, open or not, as the set of its facets");
   }
 
   Nef3 read(const std::string& file, Session& session) const {

@@ -14,13 +14,16 @@
 namespace plumb {
 namespace {
 
+std::string text_of(std::uint32_t number) { return std::to_string(number); }
+std::string text_of(const std::string& text) { return text; }
+
 /// "3, 8, 11 and 5 more".
 template <class List>
 std::string listed(const List& list) {
   constexpr std::size_t kMost = 5;
   std::string text;
   for (std::size_t i = 0; i < std::min(list.size(), kMost); ++i) {
-    text += (i == 0 ? "" : ", ") + std::to_string(list[i]);
+    text += (i == 0 ? "" : ", ") + text_of(list[i]);
   }
   if (list.size() > kMost) text += " and " + std::to_string(list.size() - kMost) + " more";
   return text;
@@ -29,6 +32,15 @@ std::string listed(const List& list) {
 void add_note(const std::string& what, const std::vector<std::uint32_t>& faces,
               std::vector<std::string>& notes) {
   if (!faces.empty()) notes.push_back(what + ": " + listed(faces));
+}
+
+std::string crossings_of(const MeshReport& report) {
+  std::vector<std::string> pairs;
+  for (const auto& [f, g] : report.crossings) {
+    pairs.push_back(std::to_string(f) + " and " + std::to_string(g));
+  }
+  return "the mesh crosses itself and is cut there; " + std::to_string(report.crossing_count) +
+         " pair(s) of faces, the first: " + listed(pairs);
 }
 
 /// Face numbers are 0-based, as in the file.
@@ -40,6 +52,7 @@ void describe(const MeshReport& report, std::vector<std::string>& notes) {
   std::vector<std::uint32_t> doubled;
   for (const auto& [face, earlier] : report.doubled) doubled.push_back(face);
   add_note("faces with the boundary of an earlier one, merged with it", doubled, notes);
+  if (report.crosses_itself()) notes.push_back(crossings_of(report));
 }
 
 void require_closed(const MeshReport& report, bool surface, const std::string& name) {

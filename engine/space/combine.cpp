@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 
 #include "plumb/base/error.h"
 #include "plumb/predicates/point3_signs.h"
@@ -35,12 +34,14 @@ std::uint64_t line_key(SpaceItem a, SpaceItem b) {
 class Combiner {
  public:
   Combiner(std::array<const SpaceComplex*, 2> operands, std::shared_ptr<SpaceTables> tables,
-           std::span<const Contact> contacts, MarkFunction f, Context& context)
+           std::span<const Contact> contacts, MarkFunction f, const CommonOrigin& origin,
+           Context& context)
       : operands_(operands),
         planes_(tables->planes),
         points_(tables->points),
         contacts_(contacts),
         table_(f),
+        common_origin_(origin),
         context_(context),
         draft_(tables),
         overlay_(tables->planes) {}
@@ -123,12 +124,15 @@ class Combiner {
   }
 
   std::uint32_t facet_origin(const SphereOrigins::Pair& cells) const {
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (!cells[i].is_valid() || cells[i].kind() != SphereCell::Kind::Arc) continue;
+    const auto is_facet = [&](std::size_t i) {
+      return cells[i].is_valid() && cells[i].kind() == SphereCell::Kind::Arc;
+    };
+    const auto origin_in = [&](std::size_t i) {
       return operands_[i]->facet_origin[local_[i].facet[cells[i].index()].value()];
-    }
-    PLUMB_CHECK(false);
-    return 0;
+    };
+    if (is_facet(0)) return is_facet(1) ? common_origin_(origin_in(0), origin_in(1)) : origin_in(0);
+    PLUMB_CHECK(is_facet(1));
+    return origin_in(1);
   }
 
   /// `p` is a point of map_, the current overlay.
@@ -211,6 +215,7 @@ class Combiner {
   const Point3Table& points_;
   std::span<const Contact> contacts_;
   MarkTable table_;
+  const CommonOrigin& common_origin_;
   Context& context_;
   SpaceDraft draft_;
   SphereOverlay overlay_;
@@ -220,6 +225,8 @@ class Combiner {
   SphereMap map_;
   SphereOrigins origins_;
 };
+
+std::uint32_t origin_of_first(std::uint32_t first, std::uint32_t /*second*/) { return first; }
 
 /// The complex with the ids of merged tables.
 SpaceComplex translated(SpaceComplex complex, const TableMap& map,
@@ -244,16 +251,21 @@ SpaceComplex combine(const SpaceComplex& a, const SpaceComplex& b, MarkFunction 
   SpaceComplex second = b;
   second.tables = tables;
   if (!is_shared) second = translated(std::move(second), merge(*tables, *b.tables), tables);
+  return combine_on(tables, first, second, f, origin_of_first, context);
+}
 
-  const std::vector<Contact> contacts = meet(first, second, *tables, context);
-  const TouchedComplex touched_first(first, contacts, 0), touched_second(second, contacts, 1);
-  const auto labels_first = label_vertices(touched_first, second, contacts, 0, *tables, context);
-  const auto labels_second = label_vertices(touched_second, first, contacts, 1, *tables, context);
+SpaceComplex combine_on(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
+                        const SpaceComplex& b, MarkFunction f, const CommonOrigin& origin,
+                        Context& context) {
+  const std::vector<Contact> contacts = meet(a, b, *tables, context);
+  const TouchedComplex touched_a(a, contacts, 0), touched_b(b, contacts, 1);
+  const auto labels_a = label_vertices(touched_a, b, contacts, 0, *tables, context);
+  const auto labels_b = label_vertices(touched_b, a, contacts, 1, *tables, context);
 
-  Combiner combiner({&first, &second}, tables, contacts, f, context);
+  Combiner combiner({&a, &b}, tables, contacts, f, origin, context);
   combiner.overlay_contacts();
-  combiner.keep_vertices(0, touched_first, labels_first);
-  combiner.keep_vertices(1, touched_second, labels_second);
+  combiner.keep_vertices(0, touched_a, labels_a);
+  combiner.keep_vertices(1, touched_b, labels_b);
   return combiner.finish();
 }
 
@@ -308,7 +320,8 @@ SpaceComplex combine_with_plane(const SpaceComplex& a, OrientedPlane plane, Plan
   std::vector<VolumeId> labels;
   meet_plane(first, plane.plane(), *tables, contacts, labels);
   const TouchedComplex touched(first, contacts, 0);
-  Combiner combiner({&first, &second}, tables, contacts, f, context);
+  const CommonOrigin origin = origin_of_first;
+  Combiner combiner({&first, &second}, tables, contacts, f, origin, context);
   combiner.overlay_contacts();
   combiner.keep_vertices(0, touched, labels);
   return combiner.finish();

@@ -15,15 +15,28 @@
 // (2007); SPACE.md.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <memory>
+
 #include "plumb/base/context.h"
 #include "plumb/base/marks.h"
 #include "plumb/space/space_complex.h"
 
 namespace plumb {
 
-/// f(a, b) in minimal form. Both have a frame or none has.
+/// f(a, b) in minimal form. Both have a frame or none has. A facet in facets of both has the facet_origin
+/// of a's.
 SpaceComplex combine(const SpaceComplex& a, const SpaceComplex& b, MarkFunction f,
                      Context& context);
+
+/// What facet_origin a facet gets that lies in facets of both operands, by theirs.
+using CommonOrigin = std::function<std::uint32_t(std::uint32_t of_a, std::uint32_t of_b)>;
+
+/// combine() of operands that both refer to `tables`; new points are added there.
+SpaceComplex combine_on(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
+                        const SpaceComplex& b, MarkFunction f, const CommonOrigin& origin,
+                        Context& context);
 
 /// A half-space or plane as an operand. Below: n.x + d < 0 for the oriented plane.
 enum class PlaneSet : std::uint8_t { OpenBelow, ClosedBelow, OpenAbove, ClosedAbove, Plane };

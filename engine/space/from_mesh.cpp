@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plumb/space/link_facets.h"
+#include "plumb/space/mesh_borders.h"
 #include "plumb/space/mesh_components.h"
 #include "plumb/space/mesh_crossings.h"
 #include "plumb/space/mesh_facets.h"
@@ -54,7 +55,8 @@ void describe_components(const MeshFacets& facets, MeshComplex& result) {
 void describe_crossings(const MeshOptions& options, MeshComplex& result, Context& context) {
   const SpaceComplex& complex = result.complex;
   std::vector<MeshReport::FacePair> pairs;
-  for (const auto& [f, g] : find_mesh_crossings(complex, context)) {
+  result.crossings = find_mesh_crossings(complex, context);
+  for (const auto& [f, g] : result.crossings) {
     pairs.emplace_back(complex.facet_origin[f.value()], complex.facet_origin[g.value()]);
   }
   result.report.crossing_count = pairs.size();
@@ -77,7 +79,7 @@ MeshComplex complex_of_mesh(const PolygonMesh& mesh, const MeshOptions& options,
   MeshFacets facets = flatten_mesh(mesh, vertices, *tables, result.report, context);
   MeshLinks links = link_corners(facets, vertices.point.size());
   result.report.doubled = merge_doubled(facets, links, vertices.point.size());
-  result.report.borders = trace_borders(facets, links);
+  result.report.borders = trace_borders(facets, links, vertices.point, tables->points);
   for (auto& chain : result.report.borders) {
     for (std::uint32_t& v : chain) v = vertices.input[v];
   }

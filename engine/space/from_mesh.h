@@ -5,20 +5,22 @@
 //  2. flatten_mesh         a plane for every face; faces that are not planar or not simple become triangles,
 //                          faces without area go; each is reported
 //  3. merge_doubled        facets with the same boundary become one; jumps add up
-//  4. trace_borders        every directed edge as often as its reverse? else the border is listed
+//  4. trace_borders        every directed edge as often as its reverse, edges cut at vertices on them? else
+//                          the border is listed
 //  5. link_facets          edges, uses, radial order, stars
 //  6. orient_components    connected parts and the signs of their volumes
 //  7. find_mesh_crossings  does the mesh meet itself anywhere but in common vertices and edges?
 //
-// What follows is up to the caller: label_volumes(), winding_numbers() of the jumps, marks by a rule,
-// simplification (which merges coplanar neighbours). A mesh that crosses itself must be arranged
-// first: its facets, planes and jumps are here, but its edges do not bound cells.
+// What follows is up to the caller: arrange() (mesh_arrangement.h), winding_numbers() of the jumps, marks by
+// a rule, simplification (which merges coplanar neighbours). The facets of a mesh that crosses itself are
+// no cells before they are arranged.
 //
 // Cost: O(n log n + c) for n corners and c pairs of triangles with common boxes. Memory: about 300
 // bytes a triangle.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -57,16 +59,28 @@ struct MeshReport {
   bool crosses_itself() const { return crossing_count > 0; }
 };
 
-/// A complex without volumes and marks (all 0), not minimal, and where its facets come from.
+/// A complex without volumes and marks (all 0), not minimal, and where its facets come from. A sheet is a facet
+/// before the mesh is arranged.
 struct MeshComplex {
   SpaceComplex complex;  ///< facet_origin: the (least) input face
-  /// Per facet: how much the winding number rises from its negative to its positive side. An input
+  /// Per sheet: how much the winding number rises from its negative to its positive side. An input
   /// face has the outside, 0, where its corners are seen counter-clockwise, and 1 behind it.
   std::vector<std::int32_t> jump;
-  /// Per facet. Components are closed, joined by edges, numbered by their least facet.
+  /// Per sheet. Components are closed, joined by edges, numbered by their least sheet.
   std::vector<std::uint32_t> component;
   std::vector<std::uint8_t> is_inside_out;  ///< per component: negative volume
+  /// Sheets that meet outside common vertices and edges, each pair once.
+  std::vector<std::pair<FacetId, FacetId>> crossings;
+  // Filled by arrange().
+  std::vector<std::uint32_t> sheet_begin;  ///< facet_count() + 1 entries into sheet
+  std::vector<std::uint32_t> sheet;        ///< those that a facet lies in, ascending
   MeshReport report;
+
+  bool is_arranged() const { return !sheet_begin.empty(); }
+  std::span<const std::uint32_t> sheets_of(FacetId f) const {
+    return std::span(sheet).subspan(sheet_begin[f.value()],
+                                    sheet_begin[f.value() + 1] - sheet_begin[f.value()]);
+  }
 };
 
 /// Throws Error{BadIndex} for a corner that is no vertex, Error{NotFinite}, and what the context

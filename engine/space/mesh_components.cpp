@@ -32,6 +32,8 @@ class Joiner {
         }
       }
     }
+    std::uint32_t open = kNone;
+    for (const UseId u : complex_.edge_use) open = unite_unbalanced(u, open);
     return numbers(count);
   }
 
@@ -48,8 +50,9 @@ class Joiner {
     if (f != g) parent_[std::max(f, g)] = std::min(f, g);
   }
 
-  /// Components that run through the edge more often one way than the other belong together.
-  void unite_unbalanced(UseId first) {
+  /// Components that run through the edge more often one way than the other belong together, and to
+  /// `one`. Returns one of them.
+  std::uint32_t unite_unbalanced(UseId first, std::uint32_t one = kNone) {
     sums_.clear();
     UseId u = first;
     do {
@@ -58,12 +61,12 @@ class Joiner {
       sum_of(find(facet(u))) += is_reverse ? -jump : jump;
       u = complex_.use_radial[u.value()];
     } while (u != first);
-    std::uint32_t one = kNone;
     for (const auto& [root, sum] : sums_) {
       if (sum == 0) continue;
       if (one == kNone) one = root;
       unite(one, root);
     }
+    return one;
   }
   std::int32_t& sum_of(std::uint32_t root) {
     for (auto& [r, sum] : sums_) {

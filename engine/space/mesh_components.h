@@ -16,7 +16,8 @@ struct MeshComponents {
 };
 
 /// Facets that share an edge with no others are joined; where more meet, those whose component would
-/// not be closed there. Requires facets with one cycle. Volumes of components that are not closed
+/// not be closed there. What is open even so (closed by vertices on edges, faces without area) is one
+/// component. Requires facets with one cycle. Volumes of components that are not closed
 /// (surfaces) are meaningless. O(n alpha(n)).
 MeshComponents find_components(const SpaceComplex& complex, std::span<const std::int32_t> jump);
 

@@ -1,8 +1,6 @@
 #include "plumb/space/mesh_links.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <map>
 #include <utility>
 
 namespace plumb {
@@ -148,86 +146,6 @@ std::vector<MeshReport::FacePair> merge_doubled(MeshFacets& facets, MeshLinks& l
     links = link_corners(facets, vertex_count);
   }
   return doubled;
-}
-
-// ---------------------------------------------------------------- borders
-
-namespace {
-
-/// How often edges are run through upward, less how often downward, where that is not 0.
-std::vector<std::pair<VertexPair, std::int32_t>> imbalances(const MeshFacets& facets,
-                                                            const MeshLinks& links) {
-  std::map<VertexPair, std::int32_t> surplus;
-  for (std::size_t e = 0; e < links.edge_count(); ++e) {
-    std::int32_t sum = 0;
-    for (const std::uint32_t u : links.uses_of(e)) {
-      const std::int32_t times = -facets.jump[links.facet[u]];  // in the canonical direction
-      sum += links.is_forward(facets, u) ? times : -times;
-    }
-    if (sum != 0) surplus[links.end[e]] += sum;
-  }
-  for (const VertexPair& e : facets.loose) {
-    surplus[{std::min(e[0], e[1]), std::max(e[0], e[1])}] += e[0] < e[1] ? 1 : -1;
-  }
-  std::erase_if(surplus, [](const auto& s) { return s.second == 0; });
-  return {surplus.begin(), surplus.end()};
-}
-
-/// Walks directed edges, as many into every vertex as out of it, and cuts loops off the walk.
-class ChainWalker {
- public:
-  void add(std::uint32_t from, std::uint32_t to) { targets_[from].push_back(to); }
-
-  std::vector<std::vector<std::uint32_t>> chains() {
-    for (auto& [start, targets] : targets_) {
-      while (!targets.empty()) walk(start);
-    }
-    return std::move(chains_);
-  }
-
- private:
-  /// Ends where it started, there being as many ways out as in.
-  void walk(std::uint32_t start) {
-    path_ = {start};
-    place_ = {{start, 0}};
-    do {
-      std::vector<std::uint32_t>& ways = targets_[path_.back()];
-      const std::uint32_t to = ways.back();
-      ways.pop_back();
-      const auto [seen, is_new] = place_.try_emplace(to, path_.size());
-      if (is_new) {
-        path_.push_back(to);
-      } else {
-        cut_loop(seen->second);
-      }
-    } while (path_.size() > 1);
-  }
-
-  void cut_loop(std::size_t from) {
-    const auto begin = path_.begin() + static_cast<std::ptrdiff_t>(from);
-    chains_.emplace_back(begin, path_.end());
-    for (std::size_t i = from + 1; i < path_.size(); ++i) place_.erase(path_[i]);
-    path_.resize(from + 1);
-  }
-
-  std::map<std::uint32_t, std::vector<std::uint32_t>> targets_;
-  std::vector<std::uint32_t> path_;
-  std::map<std::uint32_t, std::size_t> place_;
-  std::vector<std::vector<std::uint32_t>> chains_;
-};
-
-}  // namespace
-
-std::vector<std::vector<std::uint32_t>> trace_borders(const MeshFacets& facets,
-                                                      const MeshLinks& links) {
-  ChainWalker walker;
-  for (const auto& [edge, surplus] : imbalances(facets, links)) {
-    const bool is_up = surplus < 0;  // run downward too often
-    for (std::int32_t i = 0; i < std::abs(surplus); ++i) {
-      walker.add(edge[is_up ? 0 : 1], edge[is_up ? 1 : 0]);
-    }
-  }
-  return walker.chains();
 }
 
 }  // namespace plumb

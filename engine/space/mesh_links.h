@@ -37,9 +37,4 @@ MeshLinks link_corners(const MeshFacets& facets, std::size_t vertex_count);
 std::vector<MeshReport::FacePair> merge_doubled(MeshFacets& facets, MeshLinks& links,
                                                 std::size_t vertex_count);
 
-/// Where directed edges and their reverses do not balance: closed chains of vertices, in the direction
-/// that would balance them.
-std::vector<std::vector<std::uint32_t>> trace_borders(const MeshFacets& facets,
-                                                      const MeshLinks& links);
-
 }  // namespace plumb

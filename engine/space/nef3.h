@@ -101,15 +101,16 @@ class Nef3 {
   /// The intersection of any number of half-spaces; of none: the whole space.
   static Nef3 intersection(std::span<const HalfSpace3> half_spaces, Context& context);
 
-  /// The volumes of a closed mesh that does not cross itself, with their boundary: those with a winding
-  /// number inside the rule. Throws Error{BadShape} for an open mesh or one that crosses itself: look at
-  /// the report of complex_of_mesh() first.
+  /// The volumes of a closed mesh with a winding number inside the rule, with their boundary. The mesh may
+  /// cross itself, overlap, be doubled or inside out: a soup whose directed edges cancel. Throws
+  /// Error{BadShape} for an open mesh: look at the report of complex_of_mesh() first.
   static Nef3 mesh(const PolygonMesh& mesh, WindingRule rule, Context& context);
   static Nef3 mesh(MeshComplex mesh, WindingRule rule, Context& context);
-  /// The facets of a mesh, open or closed, with their boundary. Same errors.
+  /// The facets of a mesh, open or closed, crossing or not, with their boundary.
   static Nef3 surface(MeshComplex mesh, Context& context);
   /// A closed polygon in a plane. Throws Error{BadShape} unless it is planar and simple.
   static Nef3 facet(std::span<const Point3> corners);
+  static Nef3 facet(std::span<const RationalPoint3> corners);
   static Nef3 segment(const RationalPoint3& a, const RationalPoint3& b);
   static Nef3 polyline(std::span<const RationalPoint3> points, Context& context);
   static Nef3 point(const RationalPoint3& at);

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include "plumb/base/error.h"
 #include "plumb/space/combine.h"
 #include "plumb/space/frame.h"
+#include "plumb/space/mesh_arrangement.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/space_draft.h"
 #include "plumb/space/volumes.h"
@@ -39,18 +41,26 @@ void close_volumes(SpaceComplex& c) {
     c.edge_mark[h.value() / 2] = 1;
     c.vertex_mark[c.origin[h.value()].value()] = 1;
   }
+  for (std::size_t f = 0; f < c.facet_count(); ++f) {
+    if (c.facet_mark[f] == 0) continue;
+    for (const VertexId v : c.inner_of(FacetId(f))) c.vertex_mark[v.value()] = 1;
+  }
 }
 
-void require_usable(const MeshReport& report, bool is_surface) {
-  if (!is_surface && !report.is_closed()) {
-    throw Error(ErrorCode::BadShape,
-                "the mesh is open: " + std::to_string(report.borders.size()) + " border chain(s)");
+/// The polygon through all points.
+Nef3 only_facet(PolygonMesh mesh) {
+  std::vector<std::uint32_t> face(mesh.points.size());
+  std::iota(face.begin(), face.end(), 0U);
+  mesh.add_face(face);
+  Context context;
+  MeshOptions options;
+  options.surface = true;
+  MeshComplex made = complex_of_mesh(mesh, options, context);
+  const MeshReport& report = made.report;
+  if (!report.not_planar.empty() || !report.not_simple.empty() || !report.degenerate.empty()) {
+    throw Error(ErrorCode::BadShape, "a facet must be a simple polygon in one plane");
   }
-  if (report.crosses_itself()) {
-    throw Error(
-        ErrorCode::BadShape,
-        "the mesh crosses itself: " + std::to_string(report.crossing_count) + " pair(s) of facets");
-  }
+  return Nef3::surface(std::move(made), context);
 }
 
 /// Two planes through a and b, different points, such that n_p x n_q runs from a to b.
@@ -123,10 +133,14 @@ Nef3 Nef3::mesh(const PolygonMesh& mesh, WindingRule rule, Context& context) {
 }
 
 Nef3 Nef3::mesh(MeshComplex mesh, WindingRule rule, Context& context) {
-  require_usable(mesh.report, false);
+  if (!mesh.report.is_closed()) {
+    throw Error(
+        ErrorCode::BadShape,
+        "the mesh is open: " + std::to_string(mesh.report.borders.size()) + " border chain(s)");
+  }
+  arrange(mesh, context);
   SpaceComplex& c = mesh.complex;
-  if (c.volume_mark.empty()) label_volumes(c, context);
-  const std::vector<std::int32_t> winding = winding_numbers(c, mesh.jump);
+  const std::vector<std::int32_t> winding = winding_numbers(c, facet_jumps(mesh));
   for (std::size_t v = 0; v < winding.size(); ++v) {
     c.volume_mark[v] = is_inside(winding[v], rule) ? 1 : 0;
   }
@@ -135,9 +149,11 @@ Nef3 Nef3::mesh(MeshComplex mesh, WindingRule rule, Context& context) {
 }
 
 Nef3 Nef3::surface(MeshComplex mesh, Context& context) {
-  require_usable(mesh.report, true);
+  if (!mesh.complex.tables) {
+    throw Error(ErrorCode::BadShape, "the mesh is open and was not read as a surface");
+  }
+  arrange(mesh, context);
   SpaceComplex& c = mesh.complex;
-  label_volumes(c, context);
   c.facet_mark.assign(c.facet_count(), 1);
   c.edge_mark.assign(c.edge_count(), 1);
   c.vertex_mark.assign(c.vertex_count(), 1);
@@ -147,18 +163,14 @@ Nef3 Nef3::surface(MeshComplex mesh, Context& context) {
 Nef3 Nef3::facet(std::span<const Point3> corners) {
   PolygonMesh mesh;
   mesh.points.assign(corners.begin(), corners.end());
-  std::vector<std::uint32_t> face;
-  for (std::uint32_t i = 0; i < corners.size(); ++i) face.push_back(i);
-  mesh.add_face(face);
-  Context context;
-  MeshOptions options;
-  options.surface = true;
-  MeshComplex made = complex_of_mesh(mesh, options, context);
-  const MeshReport& report = made.report;
-  if (!report.not_planar.empty() || !report.not_simple.empty() || !report.degenerate.empty()) {
-    throw Error(ErrorCode::BadShape, "a facet must be a simple polygon in one plane");
-  }
-  return surface(std::move(made), context);
+  return only_facet(std::move(mesh));
+}
+
+Nef3 Nef3::facet(std::span<const RationalPoint3> corners) {
+  PolygonMesh mesh;
+  mesh.points.resize(corners.size());  // not read
+  for (std::uint32_t i = 0; i < corners.size(); ++i) mesh.exact.emplace_back(i, corners[i]);
+  return only_facet(std::move(mesh));
 }
 
 Nef3 Nef3::segment(const RationalPoint3& a, const RationalPoint3& b) {

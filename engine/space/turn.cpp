@@ -2,30 +2,57 @@
 
 #include <algorithm>
 
-#include "plumb/space/volumes.h"
+#include "plumb/space/mesh_arrangement.h"
 
 namespace plumb {
+namespace {
+
+/// Per component: does it border on volume 0? Alone somewhere, or, where several lie upon each other,
+/// with others none of which does so alone.
+std::vector<std::uint8_t> find_outermost(const MeshComplex& mesh) {
+  const auto component_of = [&](std::uint32_t sheet) { return mesh.component[sheet]; };
+  std::vector<std::uint8_t> is_outermost(mesh.is_inside_out.size(), 0);
+  std::vector<std::uint32_t> shared;  // facets
+  for (std::uint32_t f = 0; f < mesh.complex.facet_count(); ++f) {
+    const auto& sides = mesh.complex.facet_volume[f];
+    if (sides[0] != VolumeId(0) && sides[1] != VolumeId(0)) continue;
+    const auto sheets = mesh.sheets_of(FacetId(f));
+    const std::uint32_t first = component_of(sheets[0]);
+    if (std::ranges::all_of(sheets, [&](auto s) { return component_of(s) == first; })) {
+      is_outermost[first] = 1;
+    } else {
+      shared.push_back(f);
+    }
+  }
+  std::vector<std::uint8_t> result = is_outermost;
+  for (const std::uint32_t f : shared) {
+    const auto sheets = mesh.sheets_of(FacetId(f));
+    if (std::ranges::any_of(sheets, [&](auto s) { return is_outermost[component_of(s)] != 0; })) {
+      continue;
+    }
+    for (const std::uint32_t s : sheets) result[component_of(s)] = 1;
+  }
+  return result;
+}
+
+}  // namespace
 
 std::vector<std::uint32_t> turn_inside_out(MeshComplex& mesh, Context& context) {
-  const SpaceComplex& c = mesh.complex;
-  label_volumes(mesh.complex, context);
-  // A component that lies in no other one has a facet towards volume 0.
-  std::vector<std::uint8_t> is_turned(mesh.is_inside_out.size(), 0);
-  for (std::size_t f = 0; f < c.facet_count(); ++f) {
-    const auto& sides = c.facet_volume[f];
-    const bool is_outermost = sides[0] == VolumeId(0) || sides[1] == VolumeId(0);
-    if (is_outermost && mesh.is_inside_out[mesh.component[f]] != 0)
-      is_turned[mesh.component[f]] = 1;
+  std::vector<std::uint32_t> turned;
+  if (mesh.report.inside_out.empty()) return turned;
+  arrange(mesh, context);
+  std::vector<std::uint8_t> is_turned = find_outermost(mesh);
+  auto face = mesh.report.inside_out.begin();  // of inside-out components in order
+  for (std::size_t c = 0; c < is_turned.size(); ++c) {
+    if (mesh.is_inside_out[c] == 0) {
+      is_turned[c] = 0;
+      continue;
+    }
+    if (is_turned[c] != 0) turned.push_back(*face);
+    ++face;
   }
-  std::vector<std::uint32_t> first_face(is_turned.size(), ~std::uint32_t{0}), turned;
-  for (std::size_t f = 0; f < c.facet_count(); ++f) {
-    if (is_turned[mesh.component[f]] == 0) continue;
-    mesh.jump[f] = -mesh.jump[f];
-    std::uint32_t& first = first_face[mesh.component[f]];
-    first = std::min(first, c.facet_origin[f]);
-  }
-  for (std::size_t i = 0; i < is_turned.size(); ++i) {
-    if (is_turned[i] != 0) turned.push_back(first_face[i]);
+  for (std::size_t s = 0; s < mesh.jump.size(); ++s) {
+    if (is_turned[mesh.component[s]] != 0) mesh.jump[s] = -mesh.jump[s];
   }
   return turned;
 }

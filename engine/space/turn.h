@@ -9,9 +9,10 @@
 
 namespace plumb {
 
-/// Turns the components of negative volume that lie in no other component: the jumps of their
-/// facets change sign. Returns the least face of each. Labels the volumes. Requires a closed mesh
-/// that does not cross itself.
+/// Turns the components of negative volume that the others do not enclose: the jumps of their sheets change
+/// sign. Enclosed is one that nowhere borders on the unbounded volume but where it lies upon others that
+/// do elsewhere; a component that crosses the only one around it sticks out and is turned. Returns the
+/// least face of each. Arranges the mesh, which must be closed.
 std::vector<std::uint32_t> turn_inside_out(MeshComplex& mesh, Context& context);
 
 }  // namespace plumb

@@ -267,6 +267,10 @@ std::vector<std::int32_t> winding_numbers(const SpaceComplex& complex,
       open.push_back(other);
     }
   }
+  for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
+    const auto& [above, below] = complex.facet_volume[f];
+    PLUMB_CHECK(winding[above.value()] - winding[below.value()] == jump[f]);
+  }
   return winding;
 }
 

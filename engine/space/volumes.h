@@ -24,7 +24,8 @@ namespace plumb {
 void label_volumes(SpaceComplex& complex, Context& context);
 
 /// Winding numbers of volumes: 0 in volume 0, rising by jump[f] from the negative to the positive side of
-/// facet f. Facets link all volumes. O(facets).
+/// facet f. Facets link all volumes. Jumps that are not those of a closed surface stop the program.
+/// O(facets).
 std::vector<std::int32_t> winding_numbers(const SpaceComplex& complex,
                                           std::span<const std::int32_t> jump);
 

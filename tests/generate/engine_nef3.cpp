@@ -4,14 +4,6 @@
 namespace plumb::testing {
 namespace {
 
-bool as_doubles(const std::vector<ExactPoint3>& points, std::vector<Point3>& result) {
-  result.resize(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!as_double(points[i], result[i])) return false;
-  }
-  return true;
-}
-
 WindingRule rule_of(MeshRule rule) {
   if (rule == MeshRule::Positive) return WindingRule::Positive;
   return rule == MeshRule::Odd ? WindingRule::EvenOdd : WindingRule::NonZero;
@@ -29,37 +21,22 @@ struct ToNef {
   }
   Nef3 operator()(const PlaneLeaf& p) const { return Nef3::plane(to_plane(p.plane)); }
 
-  // Coordinates that are no doubles: what is below all its faces. Such meshes are convex here.
   Nef3 operator()(const MeshLeaf& m) const {
     Context context;
     PolygonMesh mesh;
-    if (as_doubles(m.points, mesh.points)) {
-      for (const auto& face : m.faces) add_face(face, mesh);
-      return Nef3::mesh(mesh, rule_of(m.rule), context);
+    mesh.points.resize(m.points.size());
+    for (std::uint32_t i = 0; i < m.points.size(); ++i) {
+      if (!as_double(m.points[i], mesh.points[i])) {
+        mesh.exact.emplace_back(i, to_rational(m.points[i]));
+      }
     }
-    std::vector<HalfSpace3> below;
-    for (const auto& face : m.faces) {
-      below.push_back(
-          {to_plane(plane_through(m.points[face[0]], m.points[face[1]], m.points[face[2]]))});
-    }
-    return Nef3::intersection(below, context);
+    for (const auto& face : m.faces) add_face(face, mesh);
+    return Nef3::mesh(mesh, rule_of(m.rule), context);
   }
-
-  // The same: convex ones, as their plane between planes through their edges.
   Nef3 operator()(const PolygonLeaf& p) const {
-    std::vector<Point3> corners;
-    if (as_doubles(p.corners, corners)) return Nef3::facet(corners);
-    const ExactPoint3 &a = p.corners[0], &b = p.corners[1], &c = p.corners[2];
-    const CellPlane plane = plane_through(a, b, c);
-    const ExactPoint3 normal = cross(b - a, c - a);
-    Nef3 result = Nef3::plane(to_plane(plane));
-    for (std::size_t i = 0; i < p.corners.size(); ++i) {
-      const ExactPoint3& from = p.corners[i];
-      const ExactPoint3& to = p.corners[(i + 1) % p.corners.size()];
-      const CellPlane side = plane_at(from, cross(to - from, normal));
-      result *= Nef3::half_space(to_plane(side), Boundary::Closed);
-    }
-    return result;
+    std::vector<RationalPoint3> corners;
+    for (const ExactPoint3& c : p.corners) corners.push_back(to_rational(c));
+    return Nef3::facet(std::span<const RationalPoint3>(corners));
   }
 
   Nef3 operator()(const ChainsLeaf& c) const {

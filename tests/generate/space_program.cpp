@@ -44,11 +44,11 @@ class LeafMaker {
       case kBox:
         return solid(box_at(0));
       case kTetrahedron:
-        return solid(tetrahedron_of_points());
+        return solid(tetrahedron_at(0));
       case kPrism:
         return solid(prism_of_points());
       case kTwoBoxes:
-        return solid(two_boxes());
+        return solid(how_ < 128 ? two_boxes() : soup());
       case kTriangle:
         return are_collinear(p_[0], p_[1], p_[2]) ? nullptr : flat({{p_[0], p_[1], p_[2]}});
       case kRectangle:
@@ -83,9 +83,10 @@ class LeafMaker {
     if (p.x == q.x || p.y == q.y || p.z == q.z) return std::nullopt;
     return box(p, q);
   }
-  std::optional<MeshLeaf> tetrahedron_of_points() const {
-    if (dot(cross(p_[1] - p_[0], p_[2] - p_[0]), p_[3] - p_[0]) == 0) return std::nullopt;
-    return tetrahedron(p_[0], p_[1], p_[2], p_[3]);
+  std::optional<MeshLeaf> tetrahedron_at(std::size_t i) const {
+    const ExactPoint3 &a = p_[i], &b = p_[i + 1], &c = p_[i + 2], &d = p_[i + 3];
+    if (dot(cross(b - a, c - a), d - a) == 0) return std::nullopt;
+    return tetrahedron(a, b, c, d);
   }
   std::optional<MeshLeaf> prism_of_points() const {
     const auto [low, high] = std::minmax(coordinate(p_[3], axis()), coordinate(p_[4], axis()));
@@ -93,8 +94,7 @@ class LeafMaker {
     if (low == high || coordinate(normal, axis()) == 0) return std::nullopt;
     return prism({p_[0], p_[1], p_[2]}, axis(), low, high);
   }
-  // The second inside the first, beside it or the same, and the other way out or not. Just the first
-  // where doubles do not say where they are: such meshes are convex (engine_nef3.cpp).
+  // The second inside the first, beside it or the same, and the other way out or not.
   std::optional<MeshLeaf> two_boxes() const {
     std::optional<MeshLeaf> first = box_at(0);
     if (!first) return first;
@@ -106,12 +106,33 @@ class LeafMaker {
     if (how_ / 2 % 2 != 0) second = inside_out(std::move(second));
     MeshLeaf both = together(*first, second);
     both.rule = static_cast<MeshRule>(how_ / 4 % 3);
-    return has_double_coordinates(both) ? both : first;
+    return both;
   }
-  static bool has_double_coordinates(const MeshLeaf& mesh) {
-    Point3 rounded;
-    return std::all_of(mesh.points.begin(), mesh.points.end(),
-                       [&](const ExactPoint3& p) { return as_double(p, rounded); });
+  // One mesh that crosses itself, or two that may cross each other, by all six points.
+  std::optional<MeshLeaf> soup() const {
+    const bool is_of_boxes = how_ / 4 % 2 != 0;
+    std::optional<MeshLeaf> mesh = how_ / 2 % 2 == 0 ? bipyramid()
+                                   : is_of_boxes     ? box_at(0)
+                                                     : tetrahedron_at(0);
+    if (mesh && how_ / 2 % 2 != 0) {
+      std::optional<MeshLeaf> second = how_ / 8 % 2 == 0 ? box_at(4) : tetrahedron_at(2);
+      if (!second) return second;
+      if (how_ / 16 % 2 != 0) second = inside_out(std::move(*second));
+      mesh = together(std::move(*mesh), *second);
+    }
+    if (mesh) mesh->rule = static_cast<MeshRule>(how_ / 32 % 3);
+    return mesh;
+  }
+  // Faces like those of an octahedron, wherever its points are.
+  std::optional<MeshLeaf> bipyramid() const {
+    MeshLeaf mesh{{p_.begin(), p_.end()}, {}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t next = (i + 1) % 4;
+      if (are_collinear(p_[i], p_[next], p_[4]) || are_collinear(p_[i], p_[next], p_[5])) return {};
+      mesh.faces.push_back({i, next, 4});
+      mesh.faces.push_back({next, i, 5});
+    }
+    return mesh;
   }
   SpaceSetPointer solid(std::optional<MeshLeaf> mesh) const {
     if (!mesh) return nullptr;

@@ -1,0 +1,103 @@
+// Sets from mesh files: what is turned, what is cut, what is told, and what is refused.
+#include "plumb/io/solid_sets.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "generate/meshes.h"
+#include "plumb/base/error.h"
+#include "plumb/io/solid_io.h"
+
+namespace plumb::testing {
+namespace {
+
+/// A file that is gone with the object.
+class MeshFile {
+ public:
+  explicit MeshFile(const PolygonMesh& mesh) {
+    std::ofstream out(path_);
+    write_mesh(out, mesh, MeshFormat::Off);
+  }
+  ~MeshFile() { std::filesystem::remove(path_); }
+  MeshFile(const MeshFile&) = delete;
+  MeshFile& operator=(const MeshFile&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_ = (std::filesystem::temp_directory_path() /
+                       ("plumb-solid-sets-" + std::to_string(::getpid()) + ".off"))
+                          .string();
+};
+
+SolidRead read(const PolygonMesh& mesh, const SolidReadOptions& options = {}) {
+  const MeshFile file(mesh);
+  Context context;
+  return read_solid_file(file.path(), options, context);
+}
+
+Nef3 solid(const PolygonMesh& mesh, WindingRule rule = WindingRule::Positive) {
+  Context context;
+  return Nef3::mesh(mesh, rule, context);
+}
+
+bool has_note(const SolidRead& read, const std::string& part) {
+  return std::ranges::any_of(
+      read.notes, [&](const std::string& note) { return note.find(part) != std::string::npos; });
+}
+
+const PolygonMesh kCube = box_mesh({0, 0, 0}, {2, 2, 2});
+const PolygonMesh kOther = box_mesh({1, 1, 1}, {3, 3, 3});
+
+TEST(SolidSets, TwoOverlappingSolidsInOneFileAreTheirUnion) {
+  Context context;
+  const SolidRead read = read_solid_file("corpus/solids/two-tetrahedra.off", {}, context);
+  const Nef3 one = solid(tetrahedron_mesh({0, 0, 0}, {0, 3, 0}, {3, 0, 0}, {0, 0, 3}));
+  const Nef3 two = solid(tetrahedron_mesh({1, 0, 0}, {1, 3, 0}, {4, 0, 0}, {1, 0, 3}));
+  EXPECT_TRUE(read.set == one + two);
+  EXPECT_TRUE(has_note(read, "crosses itself"));
+  EXPECT_FALSE(has_note(read, "turned"));
+}
+
+TEST(SolidSets, CrossingsAreToldNotRefused) {
+  const SolidRead crossing = read(joined(kCube, kOther));
+  EXPECT_TRUE(crossing.set == solid(kCube) + solid(kOther));
+  EXPECT_TRUE(has_note(crossing, "the mesh crosses itself and is cut there; 6 pair(s) of faces"));
+  EXPECT_TRUE(read(kCube).notes.empty());
+  EXPECT_FALSE(has_note(read(joined(kCube, moved(kCube, {2, 2, 0}))), "crosses"));
+}
+
+TEST(SolidSets, WithoutARuleComponentsAreTurned) {
+  const PolygonMesh mesh = joined(kCube, reversed(kOther));
+  const SolidRead turned = read(mesh);
+  EXPECT_TRUE(turned.set == solid(kCube) + solid(kOther));
+  EXPECT_TRUE(has_note(turned, "components that were inside out, turned; their first faces: 6"));
+  for (const WindingRule rule :
+       {WindingRule::Positive, WindingRule::NonZero, WindingRule::EvenOdd}) {
+    SolidReadOptions options;
+    options.rule = rule;
+    const SolidRead kept = read(mesh, options);
+    EXPECT_TRUE(kept.set == solid(mesh, rule));
+    EXPECT_FALSE(has_note(kept, "turned"));
+  }
+}
+
+TEST(SolidSets, OpenMeshesAreRefusedOrSurfaces) {
+  PolygonMesh open = joined(kCube, kOther);
+  open.face_begin.pop_back();
+  open.corners.resize(open.face_begin.back());
+  EXPECT_THROW(read(open), Error);
+  SolidReadOptions options;
+  options.surface = true;
+  const SolidRead surface = read(open, options);
+  EXPECT_TRUE(has_note(surface, "crosses itself"));
+  EXPECT_EQ(surface.set.counts().marked_volumes, 0U);
+  EXPECT_TRUE(surface.set.contains(Point3{1, 2, 1.5}));  // where faces cross
+  EXPECT_FALSE(surface.set.contains(Point3{0.5, 0.5, 0.5}));
+}
+
+}  // namespace
+}  // namespace plumb::testing
