@@ -1,17 +1,16 @@
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "command.h"
 #include "plumb/base/error.h"
+#include "plumb/io/file_kind.h"
 #include "plumb/io/input.h"
 #include "plumb/io/map_reader.h"
 #include "plumb/io/map_report_text.h"
 #include "plumb/io/nef2_reader.h"
 #include "plumb/io/nef3_reader.h"
 #include "plumb/io/plane_io.h"
-#include "plumb/io/solid_io.h"
 #include "plumb/io/solid_sets.h"
 #include "plumb/plane/map_check.h"
 #include "plumb/plane/plane_records.h"
@@ -29,10 +28,11 @@ Flaw audit_nef3(const std::string& text, const ReadOptions& options, Context& co
 }
 
 /// A mesh as the set it describes.
-Flaw audit_mesh(const std::string& path, const ReadOptions& options, Context& context) {
+Flaw audit_mesh(const std::string& path, const std::string& bytes, const ReadOptions& options,
+                Context& context) {
   SolidReadOptions solid;
   solid.exact_decimals = options.exact_decimals;
-  const auto flaw = audit(read_solid_file(path, solid, context).set.complex(), true);
+  const auto flaw = audit(read_solid(path, bytes, solid, context).set.complex(), true);
   if (!flaw) return std::nullopt;
   return DcelFlaw{flaw->invariant, flaw->place};
 }
@@ -60,8 +60,12 @@ Flaw audit_map(const std::string& text, const ReadOptions& options, Context& con
 
 Flaw audit_text(const std::string& path, const std::string& text, const ReadOptions& options,
                 Context& context) {
-  if (std::filesystem::path(path).extension() == ".map") return audit_map(text, options, context);
-  if (is_nef_text(text)) return audit_nef3(text, options, context);
+  const FileKind kind = kind_of_file(path, text);
+  if (kind == FileKind::Map) return audit_map(text, options, context);
+  if (kind == FileKind::Solid) {
+    return is_nef_file(path, text) ? audit_nef3(text, options, context)
+                                   : audit_mesh(path, text, options, context);
+  }
   const PlaneFormat format = plane_format_of(path).value_or(guess_plane_format(text));
   if (format == PlaneFormat::Nef2) return audit_nef2(text, options, context);
   return read_plane_set(text, format, options, context).audit();
@@ -90,8 +94,6 @@ class Audit : public CommandBody {
 
   ExitCode run(Session& session) override {
     const ReadOptions options{input_name(file_), session.options().exact_decimals};
-    if (mesh_format_of(file_))
-      return answer(audit_mesh(file_, options, session.context()), session);
     const std::string text = read_input(file_, session.context());
     return answer(audit_text(file_, text, options, session.context()), session);
   }

@@ -19,12 +19,13 @@ std::string names_of(const Table& formats) {
   return names;
 }
 
-/// ".txt, .json, .svg".
+/// ".txt, .json, .svg", each once.
 template <class Table>
 std::string extensions_of(const Table& formats) {
   std::string names;
   for (const auto& format : formats) {
-    names += (names.empty() ? "" : ", ") + std::string(format.extension);
+    if (names.find(format.extension) == names.npos)
+      names += (names.empty() ? "" : ", ") + std::string(format.extension);
   }
   return names;
 }

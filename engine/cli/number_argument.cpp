@@ -1,5 +1,7 @@
 #include "number_argument.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "plumb/base/error.h"
@@ -32,7 +34,12 @@ std::string readable(const Rational& value) {
   constexpr std::size_t kLongest = 60;
   constexpr int kDigits = 17;
   const std::string exact = format_exact(value);
-  return exact.size() <= kLongest ? exact : decimal_text(value, kDigits) + " (rounded)";
+  if (exact.size() <= kLongest) return exact;
+  const double nearest = nearest_double(value);
+  const bool is_ordinary = std::isnormal(nearest);
+  const auto digits = std::ranges::count_if(exact, [](char c) { return '0' <= c && c <= '9'; });
+  return (is_ordinary ? format_double(nearest) : decimal_text(value, kDigits)) +
+         " (rounded; the exact number has " + std::to_string(digits) + " digits, --json has them)";
 }
 
 }  // namespace plumb::cli

@@ -1,6 +1,7 @@
 #include "plumb/io/solid_sets.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "plumb/base/error.h"
@@ -8,6 +9,7 @@
 #include "plumb/io/input.h"
 #include "plumb/io/nef3_reader.h"
 #include "plumb/io/solid_io.h"
+#include "plumb/io/text_cursor.h"
 #include "plumb/space/space_audit.h"
 #include "plumb/space/turn.h"
 
@@ -89,16 +91,18 @@ SolidRead read_nef_set(const std::string& bytes, const ReadOptions& text, Contex
 
 }  // namespace
 
-bool is_nef_text(std::string_view bytes) { return bytes.starts_with("plumb-nef3"); }
+bool is_nef_file(const std::string& path, std::string_view bytes) {
+  if (std::filesystem::path(path).extension() == ".nef") return true;
+  take_prefix(bytes, "\xEF\xBB\xBF");
+  return !mesh_format_of(path) && bytes.starts_with("plumb-nef3");
+}
 
-SolidRead read_solid_file(const std::string& path, const SolidReadOptions& options,
-                          Context& context) {
+SolidRead read_solid(const std::string& path, const std::string& bytes,
+                     const SolidReadOptions& options, Context& context) {
   const ReadOptions text{input_name(path), options.exact_decimals};
-  const std::string bytes = read_input(path, context);
+  if (is_nef_file(path, bytes)) return read_nef_set(bytes, text, context);
   const std::optional<MeshFormat> format = mesh_format_of(path);
-  if (!format && is_nef_text(bytes)) return read_nef_set(bytes, text, context);
   MeshFile file = read_mesh(bytes, format.value_or(guess_mesh_format(bytes)), text, context);
-  context.release_memory(bytes.size());
   MeshOptions mesh_options;
   mesh_options.surface = options.surface;
   MeshComplex mesh = complex_of_mesh(file.mesh, mesh_options, context);
@@ -107,6 +111,14 @@ SolidRead read_solid_file(const std::string& path, const SolidReadOptions& optio
   describe(mesh.report, notes);
   Nef3 set = to_set(std::move(mesh), options, notes, context);
   return {std::move(set), std::move(notes)};
+}
+
+SolidRead read_solid_file(const std::string& path, const SolidReadOptions& options,
+                          Context& context) {
+  const std::string bytes = read_input(path, context);
+  SolidRead read = read_solid(path, bytes, options, context);
+  context.release_memory(bytes.size());
+  return read;
 }
 
 std::vector<HalfSpace3> read_half_spaces_file(const std::string& path, ReadOptions options,

@@ -29,13 +29,16 @@ struct SolidRead {
   std::vector<std::string> notes;  ///< what was reported on the way; one sentence each
 };
 
-/// Does the text begin as .nef does?
-bool is_nef_text(std::string_view bytes);
+/// A .nef: by its extension, or, where that names no format, by how it begins.
+bool is_nef_file(const std::string& path, std::string_view bytes);
 
-/// From a file, or standard input for "-". Errors: those of solid_io.h; BadShape for a .nef that its audit rejects and for a mesh that is open
+/// From a file, or standard input for "-". Errors: those of solid_io.h and nef3_reader.h; BadShape for a .nef that its audit rejects and for a mesh that is open
 /// (without `surface`), with its border.
 SolidRead read_solid_file(const std::string& path, const SolidReadOptions& options,
                           Context& context);
+/// The same, when the bytes of the file have been read.
+SolidRead read_solid(const std::string& path, const std::string& bytes,
+                     const SolidReadOptions& options, Context& context);
 
 /// Lines `a b c d closed|open`: a x + b y + c z + d <= 0 or < 0. From a file or standard input. Errors: Syntax,
 /// NumberOutOfRange, with the place.
