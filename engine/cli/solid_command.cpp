@@ -12,118 +12,88 @@
 #include "number_argument.h"
 #include "plumb/base/error.h"
 #include "plumb/base/set_expression.h"
-#include "plumb/io/input.h"
 #include "plumb/io/solid_sets.h"
+#include "plumb/io/solid_text.h"
+#include "plumb/io/text_output.h"
+#include "plumb/picture/sheet.h"
+#include "plumb/predicates/rounding.h"
 #include "plumb/space/nef3.h"
-#include "solid_output.h"
+#include "plumb/space/space_measure.h"
+#include "set_command.h"
+#include "solid_input.h"
 
 namespace plumb::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kSetHelp = "A solid: .off, .obj, .stl, .ply, .nef; - is standard input";
-
-/// How meshes are read as sets: the same options for all operands.
-class MeshRule {
- public:
-  void declare(CLI::App& app) {
-    app.add_option("--rule", rule_,
-                   "Winding numbers inside: positive, nonzero, odd (default: positive, and "
-                   "components inside out are turned)")
-        ->type_name("RULE")
-        ->check(CLI::IsMember({"positive", "nonzero", "odd"}));
-    app.add_flag("--surface", surface_, "Read a mesh, open or not, as the set of its facets");
-  }
-
-  Nef3 read(const std::string& file, Session& session) const {
-    SolidReadOptions options;
-    options.exact_decimals = session.options().exact_decimals;
-    options.surface = surface_;
-    if (!rule_.empty()) {
-      options.rule = rule_ == "odd"       ? WindingRule::EvenOdd
-                     : rule_ == "nonzero" ? WindingRule::NonZero
-                                          : WindingRule::Positive;
-    }
-    SolidRead solid = read_solid_file(file, options, session.context());
-    for (const std::string& note : solid.notes) session.note(input_name(file) + ": " + note);
-    return std::move(solid.set);
-  }
-
- private:
-  std::string rule_;
-  bool surface_ = false;
-};
-
-class SolidOperation : public CommandBody {
- public:
-  void declare(CLI::App& app) override {
-    declare_operands(app);
-    rule_.declare(app);
-    app.add_flag("--strict", strict_,
-                 "Exit 2 instead of writing a file that leaves something out or is reshaped by "
-                 "rounding");
-  }
-
-  ExitCode run(Session& session) override {
-    output_.open(session);
-    const Nef3 result = compute(session);
-    output_.prepare(result, strict_, session);
-    output_.deliver(session);
-    return ExitCode::Yes;
-  }
-
- protected:
-  virtual void declare_operands(CLI::App& app) = 0;
-  virtual Nef3 compute(Session& session) = 0;
-  Nef3 read(const std::string& file, Session& session) const { return rule_.read(file, session); }
-
- private:
-  MeshRule rule_;
-  bool strict_ = false;
-  SolidOutput output_;
-};
-
-void require_one_stdin(const std::string& a, const std::string& b) {
-  if (a == "-" && b == "-") {
-    throw Error(ErrorCode::Usage, "only one of the sets can come from standard input");
-  }
+Json info_json(const Nef3& set) {
+  const SpaceCounts counts = set.counts();
+  const std::optional<Rational> volume = marked_volume(set.complex());
+  Json volume_json = nullptr;
+  if (volume) volume_json = {{"exact", format_exact(*volume)}, {"double", nearest_double(*volume)}};
+  return {{"vertices", counts.vertices},
+          {"edges", counts.edges},
+          {"facets", counts.facets},
+          {"volumes", counts.volumes},
+          {"marked_volumes", counts.marked_volumes},
+          {"bounded", set.is_bounded()},
+          {"empty", set.is_empty()},
+          {"simple", set.is_simple()},
+          {"convex", set.is_convex()},
+          {"volume", volume_json}};
 }
 
-class BinaryOperation : public SolidOperation {
- public:
-  explicit BinaryOperation(MarkFunction function) : function_(function) {}
+void write_info_text(std::ostream& out, const Nef3& set) {
+  const SpaceCounts counts = set.counts();
+  out << counted(counts.vertices, "vertex", "vertices") << ", " << counted(counts.edges, "edge")
+      << ", " << counted(counts.facets, "facet") << ", " << counted(counts.volumes, "volume")
+      << " (" << counts.marked_volumes << " marked)\n"
+      << (set.is_bounded() ? "bounded" : "unbounded") << (set.is_empty() ? ", empty" : "")
+      << (set.is_simple() ? ", simple" : ", not simple")
+      << (set.is_convex() ? ", convex\n" : ", not convex\n");
+  const std::optional<Rational> volume = marked_volume(set.complex());
+  if (volume) out << "volume " << readable(*volume) << '\n';
+}
 
- private:
-  void declare_operands(CLI::App& app) override {
-    app.add_option("A", a_, kSetHelp)->required()->type_name("");
-    app.add_option("B", b_, "The other set")->required()->type_name("");
+const char* name_of(SpaceItem::Kind kind) {
+  switch (kind) {
+    case SpaceItem::Kind::Vertex:
+      return "vertex";
+    case SpaceItem::Kind::Edge:
+      return "edge";
+    case SpaceItem::Kind::Facet:
+      return "facet";
+    case SpaceItem::Kind::Volume:
+      break;
   }
-  Nef3 compute(Session& session) override {
-    require_one_stdin(a_, b_);
-    const Nef3 a = read(a_, session);
-    return combine(a, read(b_, session), function_, session.context());
-  }
+  return "volume";
+}
 
-  MarkFunction function_;
-  std::string a_;
-  std::string b_;
+/// Sets of space, for set_command.h. Without a name for the format: .nef.
+struct Solid {
+  using Set = Nef3;
+  using Input = SolidInput;
+  static constexpr const char* kHelp = "A solid: .off, .obj, .stl, .ply, .nef; - is standard input";
+  static constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"};
+
+  static std::span<const SolidFormat> formats() { return solid_formats(); }
+  static ReadyFile ready(const Nef3& set, const SetOutput& output, Context& context) {
+    const SolidFormat& format = output.format()
+                                    ? formats()[static_cast<std::size_t>(*output.format())]
+                                    : format_named(formats(), "nef");
+    const auto text = std::make_shared<SolidText>(set, format, context);
+    return {[text](std::ostream& out) { text->write(out); }, text->losses()};
+  }
+  static Json info(const Nef3& set) { return info_json(set); }
+  static void write_info(std::ostream& out, const Nef3& set) { write_info_text(out, set); }
+  static std::pair<const char*, bool> locate(const Nef3& set, const std::array<Rational, 3>& p) {
+    const SpaceLocation place = set.locate(RationalPoint3{p[0], p[1], p[2]});
+    return {name_of(place.item.kind()), place.marked};
+  }
 };
 
-class UnaryOperation : public SolidOperation {
- public:
-  using Function = Nef3 (Nef3::*)() const;
-  explicit UnaryOperation(Function function) : function_(function) {}
-
- private:
-  void declare_operands(CLI::App& app) override {
-    app.add_option("A", a_, kSetHelp)->required()->type_name("");
-  }
-  Nef3 compute(Session& session) override { return (read(a_, session).*function_)(); }
-
-  Function function_;
-  std::string a_;
-};
+using SolidOperation = SetOperation<Solid>;
 
 // ---------------------------------------------------------------- expressions
 
@@ -195,7 +165,7 @@ class Evaluation : public SolidOperation {
 class SectionOperation : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
-    app.add_option("A", a_, kSetHelp)->required()->type_name("");
+    declare_first<Solid>(app, a_);
     app.add_option("--plane", plane_, "a,b,c,d of a x + b y + c z + d")
         ->required()
         ->type_name("a,b,c,d");
@@ -255,78 +225,16 @@ class HalfSpaces : public SolidOperation {
   std::string file_;
 };
 
-// ---------------------------------------------------------------- questions
-
-class SolidInfo : public CommandBody {
- public:
-  void declare(CLI::App& app) override {
-    app.add_option("A", a_, kSetHelp)->required()->type_name("");
-    rule_.declare(app);
-  }
-  ExitCode run(Session& session) override {
-    const Nef3 set = rule_.read(a_, session);
-    session.answer(solid_json(set).dump(), [&](std::ostream& out) { write_solid_info(out, set); });
-    return ExitCode::Yes;
-  }
-
- private:
-  std::string a_;
-  MeshRule rule_;
-};
-
-const char* name_of(SpaceItem::Kind kind) {
-  switch (kind) {
-    case SpaceItem::Kind::Vertex:
-      return "vertex";
-    case SpaceItem::Kind::Edge:
-      return "edge";
-    case SpaceItem::Kind::Facet:
-      return "facet";
-    case SpaceItem::Kind::Volume:
-      break;
-  }
-  return "volume";
-}
-
-class SolidLocate : public CommandBody {
- public:
-  void declare(CLI::App& app) override {
-    app.add_option("A", a_, kSetHelp)->required()->type_name("");
-    app.add_option("X", x_, "The point: 3, -1/7, 2.5")->required()->type_name("");
-    app.add_option("Y", y_)->required()->type_name("");
-    app.add_option("Z", z_)->required()->type_name("");
-    rule_.declare(app);
-  }
-  ExitCode run(Session& session) override {
-    const RationalPoint3 point{read_number_argument(x_, "X", session),
-                               read_number_argument(y_, "Y", session),
-                               read_number_argument(z_, "Z", session)};
-    const SpaceLocation place = rule_.read(a_, session).locate(point);
-    const std::string on = name_of(place.item.kind());
-    session.answer(Json{{"on", on}, {"marked", place.marked}}.dump(), [&](std::ostream& out) {
-      out << on << (place.marked ? ", in the set\n" : ", not in the set\n");
-    });
-    return ExitCode::Yes;
-  }
-
- private:
-  std::string a_;
-  std::string x_;
-  std::string y_;
-  std::string z_;
-  MeshRule rule_;
-};
-
 class SolidCompare : public CommandBody {
  public:
   void declare(CLI::App& app) override {
-    app.add_option("A", a_, kSetHelp)->required()->type_name("");
-    app.add_option("B", b_, "The other set")->required()->type_name("");
-    rule_.declare(app);
+    declare_first<Solid>(app, a_);
+    declare_second(app, b_);
+    input_.declare(app);
   }
   ExitCode run(Session& session) override {
     require_one_stdin(a_, b_);
-    const Nef3 a = rule_.read(a_, session), b = rule_.read(b_, session);
+    const Nef3 a = input_.read(a_, session), b = input_.read(b_, session);
     const bool is_equal = a == b, a_in_b = is_equal || a <= b, b_in_a = is_equal || b <= a;
     const bool is_disjoint = combine(a, b, kIntersection, session.context()).is_empty();
     const Json json{
@@ -345,43 +253,43 @@ class SolidCompare : public CommandBody {
  private:
   std::string a_;
   std::string b_;
-  MeshRule rule_;
+  SolidInput input_;
 };
 
 }  // namespace
 
 std::unique_ptr<CommandBody> make_solid_union() {
-  return std::make_unique<BinaryOperation>(kUnion);
+  return std::make_unique<BinaryOperation<Solid>>(kUnion);
 }
 std::unique_ptr<CommandBody> make_solid_intersection() {
-  return std::make_unique<BinaryOperation>(kIntersection);
+  return std::make_unique<BinaryOperation<Solid>>(kIntersection);
 }
 std::unique_ptr<CommandBody> make_solid_difference() {
-  return std::make_unique<BinaryOperation>(kDifference);
+  return std::make_unique<BinaryOperation<Solid>>(kDifference);
 }
 std::unique_ptr<CommandBody> make_solid_symmetric_difference() {
-  return std::make_unique<BinaryOperation>(kSymmetricDifference);
+  return std::make_unique<BinaryOperation<Solid>>(kSymmetricDifference);
 }
 std::unique_ptr<CommandBody> make_solid_eval() { return std::make_unique<Evaluation>(); }
 std::unique_ptr<CommandBody> make_solid_complement() {
-  return std::make_unique<UnaryOperation>(&Nef3::operator!);
+  return std::make_unique<UnaryOperation<Solid>>(&Nef3::operator!);
 }
 std::unique_ptr<CommandBody> make_solid_interior() {
-  return std::make_unique<UnaryOperation>(&Nef3::interior);
+  return std::make_unique<UnaryOperation<Solid>>(&Nef3::interior);
 }
 std::unique_ptr<CommandBody> make_solid_closure() {
-  return std::make_unique<UnaryOperation>(&Nef3::closure);
+  return std::make_unique<UnaryOperation<Solid>>(&Nef3::closure);
 }
 std::unique_ptr<CommandBody> make_solid_boundary() {
-  return std::make_unique<UnaryOperation>(&Nef3::boundary);
+  return std::make_unique<UnaryOperation<Solid>>(&Nef3::boundary);
 }
 std::unique_ptr<CommandBody> make_solid_regularize() {
-  return std::make_unique<UnaryOperation>(&Nef3::regularization);
+  return std::make_unique<UnaryOperation<Solid>>(&Nef3::regularization);
 }
 std::unique_ptr<CommandBody> make_solid_section() { return std::make_unique<SectionOperation>(); }
 std::unique_ptr<CommandBody> make_solid_halfspaces() { return std::make_unique<HalfSpaces>(); }
-std::unique_ptr<CommandBody> make_solid_info() { return std::make_unique<SolidInfo>(); }
-std::unique_ptr<CommandBody> make_solid_locate() { return std::make_unique<SolidLocate>(); }
+std::unique_ptr<CommandBody> make_solid_info() { return std::make_unique<SetInfo<Solid>>(); }
+std::unique_ptr<CommandBody> make_solid_locate() { return std::make_unique<SetLocate<Solid>>(); }
 std::unique_ptr<CommandBody> make_solid_compare() { return std::make_unique<SolidCompare>(); }
 
 }  // namespace plumb::cli

@@ -1,0 +1,165 @@
+// What `plumb plane ...` and `plumb solid ...` have in common. A kind of sets is a class with
+//   Set                        Nef2 or Nef3
+//   Input                      declare(app), read(file, session): how operands are read
+//   kHelp, kAxes               the first operand in the help; names of the coordinates
+//   formats()                  what can be written (format_choice.h)
+//   ready(set, output, context)  the set as a file of the output's format
+//   info(set), write_info(out, set)
+//   locate(set, coordinates)   what the point lies on, and whether it belongs to the set
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "command.h"
+#include "number_argument.h"
+#include "plumb/base/error.h"
+#include "plumb/base/marks.h"
+#include "set_output.h"
+
+namespace plumb::cli {
+
+inline void require_one_stdin(const std::string& a, const std::string& b) {
+  if (a == "-" && b == "-") {
+    throw Error(ErrorCode::Usage, "only one of the sets can come from standard input");
+  }
+}
+
+template <class Kind>
+void declare_first(CLI::App& app, std::string& a) {
+  app.add_option("A", a, Kind::kHelp)->required()->type_name("");
+}
+
+inline void declare_second(CLI::App& app, std::string& b) {
+  app.add_option("B", b, "The other set")->required()->type_name("");
+}
+
+/// A command whose answer is a set.
+template <class Kind>
+class SetOperation : public CommandBody {
+ public:
+  using Set = typename Kind::Set;
+
+  void declare(CLI::App& app) override {
+    declare_operands(app);
+    input_.declare(app);
+    app.add_flag("--strict", strict_,
+                 "Exit 2 instead of writing a file that leaves something out or is reshaped by "
+                 "rounding");
+  }
+
+  ExitCode run(Session& session) override {
+    output_.open(Kind::formats(), session);
+    const Set result = compute(session);
+    output_.prepare([&] { return Kind::info(result); },
+                    [&] { return Kind::ready(result, output_, session.context()); }, strict_,
+                    session);
+    output_.deliver(session);
+    return ExitCode::Yes;
+  }
+
+ protected:
+  virtual void declare_operands(CLI::App& app) = 0;
+  virtual Set compute(Session& session) = 0;
+  Set read(const std::string& file, Session& session) const { return input_.read(file, session); }
+
+ private:
+  typename Kind::Input input_;
+  bool strict_ = false;
+  SetOutput output_;
+};
+
+template <class Kind>
+class BinaryOperation : public SetOperation<Kind> {
+ public:
+  explicit BinaryOperation(MarkFunction function) : function_(function) {}
+
+ private:
+  void declare_operands(CLI::App& app) override {
+    declare_first<Kind>(app, a_);
+    declare_second(app, b_);
+  }
+  typename Kind::Set compute(Session& session) override {
+    require_one_stdin(a_, b_);
+    const auto a = this->read(a_, session);
+    return combine(a, this->read(b_, session), function_, session.context());
+  }
+
+  MarkFunction function_;
+  std::string a_;
+  std::string b_;
+};
+
+template <class Kind>
+class UnaryOperation : public SetOperation<Kind> {
+ public:
+  using Function = typename Kind::Set (Kind::Set::*)() const;
+  explicit UnaryOperation(Function function) : function_(function) {}
+
+ private:
+  void declare_operands(CLI::App& app) override { declare_first<Kind>(app, a_); }
+  typename Kind::Set compute(Session& session) override {
+    return (this->read(a_, session).*function_)();
+  }
+
+  Function function_;
+  std::string a_;
+};
+
+template <class Kind>
+class SetInfo : public CommandBody {
+ public:
+  void declare(CLI::App& app) override {
+    declare_first<Kind>(app, a_);
+    input_.declare(app);
+  }
+  ExitCode run(Session& session) override {
+    const auto set = input_.read(a_, session);
+    prepare(set, a_, session);
+    session.answer(Kind::info(set).dump(), [&](std::ostream& out) { Kind::write_info(out, set); });
+    return ExitCode::Yes;
+  }
+
+ protected:
+  /// Further outputs.
+  virtual void prepare(const typename Kind::Set&, const std::string&, Session&) {}
+
+ private:
+  std::string a_;
+  typename Kind::Input input_;
+};
+
+template <class Kind>
+class SetLocate : public CommandBody {
+ public:
+  void declare(CLI::App& app) override {
+    declare_first<Kind>(app, a_);
+    for (std::size_t i = 0; i < texts_.size(); ++i) {
+      app.add_option(Kind::kAxes[i], texts_[i], i == 0 ? "The point: 3, -1/7, 2.5" : "")
+          ->required()
+          ->type_name("");
+    }
+    input_.declare(app);
+  }
+  ExitCode run(Session& session) override {
+    std::array<Rational, Kind::kAxes.size()> point;
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      point[i] = read_number_argument(texts_[i], Kind::kAxes[i], session);
+    }
+    const auto [on, is_marked] = Kind::locate(input_.read(a_, session), point);
+    const nlohmann::ordered_json json{{"on", on}, {"marked", is_marked}};
+    session.answer(json.dump(), [&, on = on, is_marked = is_marked](std::ostream& out) {
+      out << on << (is_marked ? ", in the set\n" : ", not in the set\n");
+    });
+    return ExitCode::Yes;
+  }
+
+ private:
+  std::string a_;
+  std::array<std::string, Kind::kAxes.size()> texts_;
+  typename Kind::Input input_;
+};
+
+}  // namespace plumb::cli

@@ -1,0 +1,40 @@
+#include "solid_input.h"
+
+#include <utility>
+
+#include "plumb/io/input.h"
+#include "plumb/io/solid_sets.h"
+
+namespace plumb::cli {
+
+void SolidInput::declare(CLI::App& app) {
+  app.add_option("--rule", rule_,
+                 "Winding numbers inside: positive, nonzero, odd (default: positive, and "
+                 "components inside out are turned)")
+      ->type_name("RULE")
+      ->check(CLI::IsMember({"positive", "nonzero", "odd"}).description(""));
+  app.add_flag("--surface", surface_, "Read a mesh, open or not, as the set of its facets");
+}
+
+Nef3 SolidInput::read(const std::string& file, Session& session) const {
+  const std::string bytes = read_input(file, session.context());
+  Nef3 set = read(file, bytes, session);
+  session.context().release_memory(bytes.size());
+  return set;
+}
+
+Nef3 SolidInput::read(const std::string& file, const std::string& bytes, Session& session) const {
+  SolidReadOptions options;
+  options.exact_decimals = session.options().exact_decimals;
+  options.surface = surface_;
+  if (!rule_.empty()) {
+    options.rule = rule_ == "odd"       ? WindingRule::EvenOdd
+                   : rule_ == "nonzero" ? WindingRule::NonZero
+                                        : WindingRule::Positive;
+  }
+  SolidRead solid = read_solid(file, bytes, options, session.context());
+  for (const std::string& note : solid.notes) session.note(input_name(file) + ": " + note);
+  return std::move(solid.set);
+}
+
+}  // namespace plumb::cli

@@ -1,0 +1,25 @@
+// How commands read solids.
+#pragma once
+
+#include <string>
+
+#include "plumb/space/nef3.h"
+#include "session.h"
+
+namespace plumb::cli {
+
+/// How meshes are read as sets: the same options for all operands of a command.
+class SolidInput {
+ public:
+  void declare(CLI::App& app);
+  /// What is remarkable is noted.
+  Nef3 read(const std::string& file, Session& session) const;
+  /// The same, when the bytes of the file have been read.
+  Nef3 read(const std::string& file, const std::string& bytes, Session& session) const;
+
+ private:
+  std::string rule_;
+  bool surface_ = false;
+};
+
+}  // namespace plumb::cli

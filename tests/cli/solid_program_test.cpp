@@ -1,0 +1,230 @@
+// The commands `plumb solid ...` from outside.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "plumb/predicates/rational.h"
+#include "refusal.h"
+#include "run_program.h"
+
+namespace plumb::testing {
+namespace {
+
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+const std::string kBlock = "corpus/solids/l-block.off";
+const std::string kCorner = "corpus/solids/tetrahedron.off";
+
+const Words kBinary{"union", "intersection", "difference", "symmetric-difference"};
+const Words kUnary{"complement", "interior", "closure", "boundary", "regularize"};
+
+Json parsed(const RunResult& result) {
+  EXPECT_EQ(result.code, 0) << result.err;
+  return Json::parse(result.out);
+}
+
+Json info(const std::string& file) { return parsed(run({"solid", "info", file, "--json"})); }
+
+bool is_equal(const std::string& a, const std::string& b) {
+  const RunResult result = run({"solid", "compare", a, b, "--json"});
+  const bool equal = Json::parse(result.out)["equal"];
+  EXPECT_EQ(result.code, equal ? 0 : 1);
+  return equal;
+}
+
+Rational volume(const Json& json) { return Rational(json["volume"]["exact"].get<std::string>()); }
+
+/// Any command, with a file of its own for the result.
+class SolidProgram : public ::testing::Test {
+ protected:
+  std::string file(const std::string& name) const { return (scratch_ / name).string(); }
+  std::string made(Words words, const std::string& name) const {
+    words.insert(words.begin(), "solid");
+    words.insert(words.end(), {"-o", file(name)});
+    const RunResult result = run(words);
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.out, "");
+    return file(name);
+  }
+  std::string holding(const std::string& text, const std::string& name) const {
+    write_file(scratch_ / name, text);
+    return file(name);
+  }
+  bool exists(const std::string& name) const { return fs::exists(scratch_ / name); }
+
+  const ScratchDirectory scratch_;
+};
+
+TEST_F(SolidProgram, examples_of_the_help_work) {
+  std::istringstream list(run({"solid", "--help"}).out);
+  std::size_t count = 0;
+  for (std::string line; std::getline(list, line);) {
+    if (!line.starts_with("  solid ")) continue;
+    const std::string name = line.substr(8, line.find(' ', 8) - 8);
+    const std::string text = run({"solid", name, "--help"}).out;
+    const std::size_t start = text.find("  ./plumb solid " + name);
+    ASSERT_NE(start, std::string::npos) << text;
+    // By a shell, as a user does: an expression is quoted.
+    const std::string example = text.substr(start + 10, text.find('\n', start) - start - 10);
+    const std::string root = fs::current_path().string();
+    std::string command = "root='" + root + "'; cd '" + file(".") +
+                          "' && ln -sfn \"$root/corpus\" corpus && '" + PLUMB_PROGRAM + "' " +
+                          example + " >/dev/null 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0) << example;
+    ++count;
+  }
+  EXPECT_EQ(count, kBinary.size() + kUnary.size() + 6);
+}
+
+/// What is written is what is read, in every format; .nef says all, meshes the closure.
+TEST_F(SolidProgram, every_format_goes_in_and_out) {
+  const std::string exact = made({"difference", kBlock, kCorner}, "exact.nef");
+  const std::string closed = made({"closure", exact}, "closed.nef");
+  EXPECT_FALSE(is_equal(exact, closed));
+  for (const std::string name : {"a.off", "a.obj", "a.stl", "a.ply", "a.nef"}) {
+    const std::string copy = made({"closure", exact}, name);
+    EXPECT_TRUE(is_equal(copy, closed)) << name;
+    EXPECT_EQ(info(copy)["volume"]["exact"], "17/6") << name;
+    EXPECT_EQ(run({"audit", copy}).code, 0) << name;
+    RunOptions from_file;
+    from_file.in = copy;
+    const RunResult piped = run({"solid", "info", "-", "--json"}, from_file);
+    EXPECT_EQ(piped.out, run({"solid", "info", copy, "--json"}).out) << name;
+  }
+  for (const std::string format :
+       {"off", "off-exact", "obj", "stl", "stl-text", "ply", "ply-text", "nef"}) {
+    const RunResult result = run({"solid", "closure", exact, "-o", "-", "--format", format});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_TRUE(is_equal(holding(result.out, "copy"), closed)) << format;
+  }
+}
+
+TEST_F(SolidProgram, binary_commands_read_each_format_beside_each) {
+  const std::string nef = made({"interior", kBlock}, "a.nef");
+  for (const std::string& other :
+       {std::string("corpus/solids/l-block.obj"), std::string("corpus/solids/l-block.ply"), nef}) {
+    for (const std::string& command : kBinary) {
+      const std::string out = made({command, nef, other}, "out.nef");
+      EXPECT_EQ(info(out)["marked_volumes"],
+                command == "union" || command == "intersection" ? 1 : 0);
+    }
+  }
+  EXPECT_TRUE(is_equal(made({"union", nef, kBlock}, "u.nef"), kBlock));
+  EXPECT_TRUE(is_equal(made({"intersection", nef, kBlock}, "i.nef"), nef));
+}
+
+/// |A + B| = |A| + |B| - |A * B|, exactly, through files.
+TEST_F(SolidProgram, volumes_add_up) {
+  const auto of = [](const std::string& command) {
+    return volume(parsed(run({"solid", command, kBlock, kCorner, "--json"})));
+  };
+  EXPECT_EQ(of("union"), volume(info(kBlock)) + volume(info(kCorner)) - of("intersection"));
+  EXPECT_EQ(of("difference"), volume(info(kBlock)) - of("intersection"));
+  EXPECT_EQ(of("symmetric-difference"), of("union") - of("intersection"));
+}
+
+TEST_F(SolidProgram, unbounded_sets_need_nef) {
+  for (const std::string name : {"out.off", "out.obj", "out.stl", "out.ply"}) {
+    for (const Words& more : {Words{}, Words{"--json"}, Words{"--strict"}}) {
+      Words words{"solid", "complement", kBlock, "-o", file(name)};
+      words.insert(words.end(), more.begin(), more.end());
+      expect_refusal(run(words), file(name) + ": ", "reaches to infinity");
+      EXPECT_FALSE(exists(name));
+    }
+  }
+  expect_refusal(run({"solid", "complement", kBlock, "--format", "off"}), "stdout: ", ".nef can");
+  const std::string rest = made({"complement", kBlock, "--strict"}, "rest.nef");
+  EXPECT_EQ(info(rest)["bounded"], false);
+  EXPECT_EQ(info(rest)["volume"], nullptr);
+  EXPECT_TRUE(contains(run({"solid", "info", rest}).out, "unbounded"));
+  EXPECT_TRUE(is_equal(made({"interior", made({"complement", rest}, "again.nef")}, "in.nef"),
+                       made({"interior", kBlock}, "open.nef")));
+}
+
+TEST_F(SolidProgram, a_half_space_has_one_facet) {
+  const std::string half = holding("1 0 0 0 open\n", "half.txt");
+  const Json json = info(made({"halfspaces", half}, "half.nef"));
+  EXPECT_EQ(json,
+            Json::parse(R"({"vertices":0,"edges":0,"facets":1,"volumes":2,"marked_volumes":1,)"
+                        R"("bounded":false,"empty":false,"simple":true,"convex":true,)"
+                        R"("volume":null})"));
+  const auto locate = [&](const char* x) {
+    return parsed(run({"solid", "locate", file("half.nef"), x, "0", "0", "--json"}));
+  };
+  EXPECT_EQ(locate("0"), Json::parse(R"({"on":"facet","marked":false})"));
+  EXPECT_EQ(locate("-1/3"), Json::parse(R"({"on":"volume","marked":true})"));
+}
+
+TEST_F(SolidProgram, what_a_mesh_cannot_say_is_told) {
+  const RunResult open = run({"solid", "interior", kBlock, "-o", file("a.off")});
+  EXPECT_EQ(open.code, 0);
+  EXPECT_TRUE(contains(open.err, "warning: the set is not closed")) << open.err;
+  EXPECT_TRUE(is_equal(file("a.off"), kBlock));
+  const RunResult flat = run({"solid", "boundary", kBlock, "-o", file("b.off")});
+  EXPECT_TRUE(contains(flat.err, "8 facets, 18 edges, 12 vertices")) << flat.err;
+  expect_refusal(run({"solid", "interior", kBlock, "-o", file("c.off"), "--strict"}), file("c.off"),
+                 "--strict: the set is not closed");
+  expect_refusal(run({"solid", "boundary", kBlock, "-o", file("c.off"), "--strict"}), file("c.off"),
+                 "--strict: left out");
+  EXPECT_FALSE(exists("c.off"));
+  EXPECT_EQ(run({"solid", "interior", kBlock, "-o", file("c.nef"), "--strict"}).code, 0);
+}
+
+/// The exact volume of rounded coordinates has hundreds of digits: text does not print them, JSON does.
+TEST_F(SolidProgram, long_numbers_are_for_programs) {
+  const std::string mesh = holding(
+      "OFF\n4 4 0\n0.1 0.2 0.3\n1e20 0.7 1e-9\n0.3 1e-20 1e10\n0.9 1e18 0.11\n"
+      "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n",
+      "long.off");
+  const std::string text = run({"solid", "info", mesh}).out;
+  const std::string exact = info(mesh)["volume"]["exact"];
+  const auto digits = exact.size() - (contains(exact, "/") ? 1 : 0);
+  EXPECT_GT(digits, 100U);
+  EXPECT_FALSE(contains(text, exact.substr(0, 40))) << text;
+  EXPECT_TRUE(contains(text, "the exact number has " + std::to_string(digits) + " digits")) << text;
+  EXPECT_TRUE(contains(run({"solid", "info", kBlock}).out, "\nvolume 3\n"));
+}
+
+/// A file called .nef is one, whatever it begins with; without a name, its beginning tells.
+TEST_F(SolidProgram, nef_files_are_told_by_name_or_by_their_beginning) {
+  const std::string nef = made({"complement", kBlock}, "a.nef");
+  const std::string text = read_file(nef);
+  EXPECT_EQ(info(holding("\xEF\xBB\xBF" + text, "mark.nef")), info(nef));
+  EXPECT_EQ(info(holding("\xEF\xBB\xBF" + text, "mark")), info(nef));
+  EXPECT_EQ(info(holding(text, "noname")), info(nef));
+  for (const std::string wrong : {"v 0 0 0\n", "garbage", "plumb-nef2 1\n", "OFF\n"}) {
+    const std::string bad = holding(wrong, "bad.nef");
+    for (const Words& words : {Words{"solid", "info", bad}, Words{"audit", bad}}) {
+      expect_refusal(run(words), bad + ":1:1: ", "plumb-nef3");
+    }
+  }
+  expect_refusal(run({"solid", "info", holding(text, "a.off")}), file("a.off") + ":1:1: ", "OFF");
+}
+
+TEST_F(SolidProgram, wrong_usage_is_refused) {
+  const auto refuse = [](Words words, const std::string& part) {
+    words.insert(words.begin(), "solid");
+    expect_refusal(run(words), "", part);
+  };
+  refuse({"union", "-", "-"}, "only one of the sets");
+  refuse({"compare", "-", "-"}, "only one of the sets");
+  refuse({"eval", "A+B", "A=-", "B=-"}, "only one of the sets");
+  refuse({"union", kBlock, kBlock, "-o", "-"}, "needs --format");
+  refuse({"union", kBlock, kBlock, "-o", file("a.txt")},
+         "use .off, .obj, .stl, .ply, .nef or --format");
+  refuse({"eval", "A+", "A=" + kBlock}, "expression:1:3");
+  refuse({"eval", "A+B", "A=" + kBlock}, "no file for 'B'");
+  refuse({"section", kBlock, "--plane", "0,0,0,1", "--side", "open"}, "all zero");
+  refuse({"section", kBlock, "--plane", "1,0,0", "--side", "open"}, "four numbers");
+  refuse({"locate", kBlock, "1", "x", "2"}, "Y: expected a number");
+  refuse({"info", "no-such.nef"}, "No such file");
+  EXPECT_TRUE(scratch_.files().empty());
+}
+
+}  // namespace
+}  // namespace plumb::testing
