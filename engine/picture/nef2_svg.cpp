@@ -95,16 +95,6 @@ std::string facts_of(const Nef2& set) {
          ", " + counted(c.face_count(), "face") + ", " + area_text(set);
 }
 
-/// The part of the set inside the window.
-Nef2 cut(const Nef2& set, const PlaneWindow& window) {
-  constexpr std::uint32_t kCorners[] = {0, 1, 2, 3};
-  constexpr std::uint32_t kChain[] = {0, 4};
-  Context context;
-  const Nef2 box = Nef2::polygons(window.corners(), kCorners, kChain, WindingRule::NonZero,
-                                  Boundary::Open, context);
-  return combine(set, box, kIntersection, context);
-}
-
 class SetSheet {
  public:
   SetSheet(const Nef2& set, const Nef2SvgOptions& options)
@@ -112,7 +102,7 @@ class SetSheet {
         options_(options),
         fades_(set.complex().has_frame() || set.complex().mark(FaceId(0))),
         window_(set.complex(), fades_ ? kFadingMargin : kBoundedMargin),
-        shown_(cut(set, window_)),
+        shown_(cut_at(set, window_)),
         complex_(shown_.complex()) {}
 
   void write(std::ostream& out) {

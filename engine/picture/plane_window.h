@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plumb/picture/picture.h"
+#include "plumb/plane/nef2.h"
 #include "plumb/plane/plane_complex.h"
 
 namespace plumb {
@@ -46,5 +47,8 @@ class PlaneWindow {
   bool is_plain_ = false;                // doubles are good enough
   double plain_x_ = 0, plain_y_ = 0, plain_half_ = 1;
 };
+
+/// The part of the set inside the window, which is open. O(n log n).
+Nef2 cut_at(const Nef2& set, const PlaneWindow& window);
 
 }  // namespace plumb

@@ -1,0 +1,190 @@
+#include "plumb/picture/render.h"
+
+#include <limits>
+
+namespace plumb {
+namespace {
+
+constexpr Colour kPaper{255, 255, 255};
+constexpr std::uint32_t kSamples = 2;  // along each side of a pixel
+constexpr double kMargin = 0.06;       // of the picture, on every side
+constexpr double kLineWidth = 2;       // pixels
+constexpr double kFreeLineWidth = 3.2;
+constexpr double kDotRadius = 5;
+constexpr double kInkedPart = 0.12;  // of the picture: more lines get thinner
+constexpr double kVeil = 0.35;
+constexpr std::size_t kManyDots = 300;
+
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+Point3 unit(const Point3& p) {
+  const double length = std::sqrt(dot(p, p));
+  return {p.x / length, p.y / length, p.z / length};
+}
+
+/// From the right, in front and above; z points up.
+std::array<Point3, 3> axes_of(bool is_flat) {
+  if (is_flat) return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const Point3 viewer = unit({0.55, -0.9, 0.62});
+  const Point3 right = unit({-viewer.y, viewer.x, 0});
+  return {{right,
+           {viewer.y * right.z - viewer.z * right.y, viewer.z * right.x - viewer.x * right.z,
+            viewer.x * right.y - viewer.y * right.x},
+           viewer}};
+}
+
+Colour scaled(Colour colour, double by) {
+  for (std::uint8_t& part : colour) {
+    part = static_cast<std::uint8_t>(std::lround(std::clamp(part * by, 0., 255.)));
+  }
+  return colour;
+}
+
+Colour mixed(Colour under, Colour over, double part) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    under[i] = static_cast<std::uint8_t>(std::lround(under[i] + (over[i] - under[i]) * part));
+  }
+  return under;
+}
+
+class Renderer {
+ public:
+  Renderer(const Scene& scene, const RenderOptions& options)
+      : scene_(scene),
+        canvas_(kSamples * options.width, kSamples * options.height, kPaper),
+        camera_(scene, canvas_.width(), canvas_.height()) {
+    for (const Point3& p : scene.points) spots_.push_back(camera_.place(p));
+  }
+
+  Image run() {
+    for (const Scene::Triangle& t : scene_.triangles) fill(t);
+    for (const Scene::Triangle& t : scene_.triangles) veil(t);
+    draw_lines();
+    draw_dots();
+    return canvas_.finish(kSamples);
+  }
+
+ private:
+  template <class Visit>
+  void for_samples(const Scene::Triangle& t, const Visit& visit) const {
+    canvas_.for_triangle(spots_[t.corners[0]], spots_[t.corners[1]], spots_[t.corners[2]], visit);
+  }
+  double strength(const Spot& spot) const {
+    return scene_.fades ? scene_.strength(camera_.point_at(spot)) : 1;
+  }
+
+  /// Lit from above on the left, whichever side is seen.
+  Colour lit(const Scene::Patch& patch) const {
+    const Colour colour = style_of(patch.paint).colour;
+    if (scene_.is_flat) return colour;
+    Point3 n = patch.normal;
+    if (dot(n, camera_.viewer()) < 0) n = {-n.x, -n.y, -n.z};
+    const Point3 v = camera_.viewer(), u = camera_.up(), r = camera_.right();
+    const Point3 light =
+        unit({v.x + .9 * u.x - .5 * r.x, v.y + .9 * u.y - .5 * r.y, v.z + .9 * u.z - .5 * r.z});
+    return scaled(colour, .74 + .36 * std::max(dot(n, light), 0.));
+  }
+
+  void fill(const Scene::Triangle& t) {
+    const Scene::Patch& patch = scene_.patches[t.patch];
+    if (patch.paint == Paint::Cut) return;
+    const Colour colour = lit(patch);
+    for_samples(t, [&](std::size_t sample, const Spot& spot) {
+      canvas_.put(sample, spot.z, t.patch,
+                  scene_.fades ? mixed(kPaper, colour, strength(spot)) : colour);
+    });
+  }
+
+  /// Where the window cuts a volume one looks through the cut into it.
+  void veil(const Scene::Triangle& t) {
+    const Scene::Patch& patch = scene_.patches[t.patch];
+    if (patch.paint != Paint::Cut || dot(patch.normal, camera_.viewer()) <= 0) return;
+    const Colour colour = lit(patch);
+    for_samples(t, [&](std::size_t sample, const Spot& spot) {
+      if (spot.z > canvas_.depth(sample)) canvas_.blend(sample, colour, kVeil);
+    });
+  }
+
+  /// Lines cover a small part of the picture: many of them get thin, then pale.
+  void draw_lines() {
+    double length = 1;
+    for (const Scene::Line& l : scene_.lines) {
+      const Spot &a = spots_[l.ends[0]], &b = spots_[l.ends[1]];
+      length += std::hypot(a.x - b.x, a.y - b.y);
+    }
+    const double room = kInkedPart * canvas_.width() * canvas_.height() / length / kSamples;
+    const double width = std::min(kLineWidth, std::max(room, .5));
+    const double part = std::min(1., std::max(room / .5, .15));
+    for (const Paint paint : {Paint::Edge, Paint::OpenEdge, Paint::FreeEdge, Paint::Defect}) {
+      for (const Scene::Line& l : scene_.lines) {
+        if (l.paint != paint) continue;
+        const bool is_plain = paint == Paint::Edge || paint == Paint::OpenEdge;
+        const double own = is_plain ? width : std::min(kFreeLineWidth, 1.6 * width);
+        canvas_.line(spots_[l.ends[0]], spots_[l.ends[1]], kSamples * own, l.patches,
+                     style_of(paint).colour,
+                     [&](const Spot& spot) { return part * strength(spot); });
+      }
+    }
+  }
+
+  void draw_dots() {
+    const double radius = kSamples * (scene_.dots.size() > kManyDots ? kDotRadius / 2 : kDotRadius);
+    for (const Scene::Dot& d : scene_.dots) {
+      const Spot& spot = spots_[d.at];
+      canvas_.dot(spot, radius, style_of(d.paint).colour, d.paint == Paint::OpenPoint,
+                  strength(spot));
+    }
+  }
+
+  const Scene& scene_;
+  Canvas canvas_;
+  Camera camera_;
+  std::vector<Spot> spots_;
+};
+
+}  // namespace
+
+Camera::Camera(const Scene& scene, double width, double height) : axes_(axes_of(scene.is_flat)) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::array<double, 2> low{kFar, kFar}, high{-kFar, -kFar};
+  const auto see = [&](const Point3& p) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      low[i] = std::min(low[i], dot(axes_[i], p));
+      high[i] = std::max(high[i], dot(axes_[i], p));
+    }
+  };
+  for (const Point3& p : scene.points) see(p);
+  if (scene.points.empty() || scene.fades) {
+    for (const double x : {-1, 1}) {
+      for (const double y : {-1, 1}) {
+        for (const double z : {-1, 1}) see({x * scene.half.x, y * scene.half.y, z * scene.half.z});
+      }
+    }
+  }
+  constexpr double kLeast = 1e-3;
+  const double x = std::max(high[0] - low[0], kLeast), y = std::max(high[1] - low[1], kLeast);
+  scale_ = (1 - 2 * kMargin) * std::min(width / x, height / y);
+  middle_ = {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, 0};
+  shift_ = {width / 2, height / 2, 0};
+}
+
+Spot Camera::place(const Point3& p) const {
+  return {shift_.x + scale_ * (dot(axes_[0], p) - middle_.x),
+          shift_.y - scale_ * (dot(axes_[1], p) - middle_.y), scale_ * dot(axes_[2], p)};
+}
+
+Point3 Camera::point_at(const Spot& spot) const {
+  const double x = middle_.x + (spot.x - shift_.x) / scale_;
+  const double y = middle_.y - (spot.y - shift_.y) / scale_;
+  const double z = spot.z / scale_;
+  const auto along = [&](double Point3::*c) {
+    return x * (axes_[0].*c) + y * (axes_[1].*c) + z * (axes_[2].*c);
+  };
+  return {along(&Point3::x), along(&Point3::y), along(&Point3::z)};
+}
+
+Image rendered(const Scene& scene, const RenderOptions& options) {
+  return Renderer(scene, options).run();
+}
+
+}  // namespace plumb

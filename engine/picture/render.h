@@ -1,0 +1,38 @@
+// A scene as an image: every sample shows the nearest facet, lit from one side; lines and dots over what does not
+// hide them.
+#pragma once
+
+#include "plumb/picture/canvas.h"
+#include "plumb/picture/scene.h"
+
+namespace plumb {
+
+/// Looks at a scene from far away, along a fixed direction (from above, for a flat one), so that all of it
+/// fits into the picture. Parallel lines stay parallel.
+class Camera {
+ public:
+  Camera(const Scene& scene, double width, double height);
+
+  Spot place(const Point3& p) const;
+  /// The point of the scene at a spot.
+  Point3 point_at(const Spot& spot) const;
+  /// Towards the viewer, of length 1.
+  const Point3& viewer() const { return axes_[2]; }
+  const Point3& right() const { return axes_[0]; }
+  const Point3& up() const { return axes_[1]; }
+
+ private:
+  std::array<Point3, 3> axes_;  // to the right, up, towards the viewer
+  double scale_ = 1;
+  Spot middle_{}, shift_{};
+};
+
+struct RenderOptions {
+  std::uint32_t width = 1200;
+  std::uint32_t height = 900;
+};
+
+/// Deterministic. O(pixels + triangles).
+Image rendered(const Scene& scene, const RenderOptions& options = {});
+
+}  // namespace plumb

@@ -1,0 +1,57 @@
+#include "plumb/picture/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb {
+namespace {
+
+constexpr double kFullUntil = 0.6;  // of the way to the sides
+
+constexpr std::array<PaintStyle, kPaints> kStyles{{
+    {{0xa9, 0xc8, 0xe6}, "facet", "part of the set"},
+    {{0xf2, 0xae, 0x62}, "open facet", "not part of the set"},
+    {{0x8c, 0xcf, 0x9d}, "sheet", "part of the set, without thickness"},
+    {{0xcf, 0xe2, 0xf3}, "fading", "goes on to infinity"},
+    {{0x12, 0x38, 0x5c}, "edge", "part of the set"},
+    {{0xc4, 0x4e, 0x00}, "open edge", "not part of the set"},
+    {{0x0f, 0x7a, 0x36}, "line", "part of the set, no facet beside it"},
+    {{0x0f, 0x7a, 0x36}, "point", "part of the set"},
+    {{0xc4, 0x4e, 0x00}, "hollow", "a point that is not"},
+    {{0xc0, 0x1c, 0x28}, "defect", "plumb map check describes it"},
+    {{0xd5, 0xe5, 0xf3}, "", ""},
+    {{0xf6, 0xe3, 0xc5}, "", ""},
+    {{0xd9, 0xec, 0xd2}, "", ""},
+    {{0xf3, 0xd9, 0xdc}, "", ""},
+    {{0xe4, 0xdc, 0xf0}, "", ""},
+    {{0xe9, 0xe6, 0xd3}, "", ""},
+}};
+
+}  // namespace
+
+const PaintStyle& style_of(Paint paint) { return kStyles[static_cast<std::size_t>(paint)]; }
+
+std::string hex(Colour colour) {
+  static constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text = "#";
+  for (const std::uint8_t part : colour) text += {kDigits[part >> 4U], kDigits[part & 15U]};
+  return text;
+}
+
+std::array<bool, kPaints> Scene::paints() const {
+  std::array<bool, kPaints> occurs{};
+  const auto see = [&occurs](Paint paint) { occurs[static_cast<std::size_t>(paint)] = true; };
+  for (const Patch& p : patches) see(p.paint);
+  for (const Line& l : lines) see(l.paint);
+  for (const Dot& d : dots) see(d.paint);
+  return occurs;
+}
+
+double Scene::strength(const Point3& p) const {
+  if (!fades) return 1;
+  const double side = std::max(
+      {std::fabs(p.x) / half.x, std::fabs(p.y) / half.y, is_flat ? 0 : std::fabs(p.z) / half.z});
+  return std::clamp((1 - side) / (1 - kFullUntil), 0.0, 1.0);
+}
+
+}  // namespace plumb

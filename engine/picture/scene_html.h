@@ -1,0 +1,21 @@
+// A scene as one HTML file: turned around, moved and enlarged by mouse, finger and keys. Nothing is loaded from
+// anywhere; it needs WebGL and says so where there is none.
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include "plumb/picture/scene.h"
+
+namespace plumb {
+
+struct SceneText {
+  std::string title;
+  std::string kind;   ///< a few words
+  std::string facts;  ///< a line
+};
+
+/// O(n), ~170 bytes a triangle.
+void write_scene_html(std::ostream& out, const Scene& scene, const SceneText& text);
+
+}  // namespace plumb

@@ -1,0 +1,31 @@
+// A set of space as a page: what it is, its picture, a legend of what occurs. Self-contained SVG without
+// scripts.
+//
+// The picture is an image inside the page, not facets in an order: which facet hides which is then right at
+// every sample, also where no order of whole facets is, and the file stays small whatever the number of
+// facets. The image is encoded by whoever calls, so that the library needs nothing that writes PNG.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include "plumb/picture/render.h"
+#include "plumb/picture/scene.h"
+#include "plumb/space/nef3.h"
+
+namespace plumb {
+
+/// What to render for the page: the place for it has these proportions.
+inline constexpr RenderOptions kPageImage{1104, 828};
+
+/// "12 vertices, 18 edges, 8 facets, 2 volumes; volume 3".
+std::string facts_of(const Nef3& set);
+/// "bounded, closed".
+std::string kind_of(const Nef3& set);
+
+/// `scene` is that of the set, `png` the file of its image. O(size of the image).
+void write_space_svg(std::ostream& out, const Nef3& set, const Scene& scene, std::string_view png,
+                     const std::string& title);
+
+}  // namespace plumb

@@ -1,0 +1,232 @@
+// Scenes of sets of space, and their images.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <sstream>
+
+#include "plumb/picture/base64.h"
+#include "plumb/picture/render.h"
+#include "plumb/picture/scene_html.h"
+#include "plumb/picture/space_scene.h"
+#include "plumb/picture/space_svg.h"
+#include "plumb/space/space_measure.h"
+#include "svg_checks.h"
+
+namespace plumb {
+namespace {
+
+using testing::expect_sound;
+
+Nef3 cube(double low, double high, Boundary boundary = Boundary::Closed) {
+  const std::vector<HalfSpace3> sides = {{{-1, 0, 0, low}, boundary}, {{1, 0, 0, -high}, boundary},
+                                         {{0, -1, 0, low}, boundary}, {{0, 1, 0, -high}, boundary},
+                                         {{0, 0, -1, low}, boundary}, {{0, 0, 1, -high}, boundary}};
+  Context context;
+  return Nef3::intersection(sides, context);
+}
+
+Scene scene(const Nef3& set) {
+  Context context;
+  return scene_of(set, context);
+}
+
+std::size_t count(const Scene& scene, Paint paint) {
+  const auto is = [paint](const auto& item) { return item.paint == paint; };
+  return static_cast<std::size_t>(std::ranges::count_if(scene.patches, is) +
+                                  std::ranges::count_if(scene.lines, is) +
+                                  std::ranges::count_if(scene.dots, is));
+}
+
+/// What the triangles enclose, in the coordinates of the set.
+double volume(const Scene& scene) {
+  double sum = 0;
+  for (const Scene::Triangle& t : scene.triangles) {
+    const Point3 &a = scene.points[t.corners[0]], &b = scene.points[t.corners[1]],
+                 &c = scene.points[t.corners[2]];
+    sum += a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
+           a.z * (b.x * c.y - b.y * c.x);
+  }
+  return sum / 6 * std::pow(4 * scene.quarter_scale, 3);
+}
+
+TEST(SpaceScene, facets_enclose_the_volume_of_the_set) {
+  for (const Nef3& set : {cube(-1, 3), cube(0, 3) - cube(1, 2), cube(1e6, 1e6 + 1),
+                          cube(0, 2) + cube(1, 3), cube(0, 3, Boundary::Open)}) {
+    const double exact = static_cast<double>(*marked_volume(set.complex()));
+    EXPECT_NEAR(volume(scene(set)), exact, 1e-9 * exact);
+  }
+}
+
+TEST(SpaceScene, tells_what_belongs_to_the_set) {
+  const Scene closed = scene(cube(0, 1)), open = scene(cube(0, 1, Boundary::Open));
+  EXPECT_EQ(count(closed, Paint::ClosedFacet), 6U);
+  EXPECT_EQ(count(closed, Paint::Edge), 12U);
+  EXPECT_EQ(count(open, Paint::OpenFacet), 6U);
+  EXPECT_EQ(count(open, Paint::OpenEdge), 12U);
+  EXPECT_TRUE(closed.dots.empty() && open.dots.empty()) << "corners as their edges are";
+  const Scene bitten = scene(cube(0, 2) - cube(1, 3));
+  EXPECT_EQ(count(bitten, Paint::OpenFacet), 3U);
+  EXPECT_EQ(count(bitten, Paint::OpenEdge), 9U);
+  const Scene skin = scene(cube(0, 1).boundary());
+  EXPECT_EQ(count(skin, Paint::Sheet), 6U);
+  const Scene parts = scene(Nef3::segment({0, 0, 0}, {1, 0, 0}) + Nef3::point({2, 2, 2}) +
+                            (cube(4, 5) - Nef3::point({4, 4, 4})));
+  EXPECT_EQ(count(parts, Paint::FreeEdge), 1U);
+  EXPECT_EQ(count(parts, Paint::Point), 1U);
+  EXPECT_EQ(count(parts, Paint::OpenPoint), 1U);
+}
+
+TEST(SpaceScene, cuts_what_has_no_end) {
+  const Nef3 half = Nef3::half_space({1, 2, 2, -900}, Boundary::Closed);
+  const Scene shown = scene(half);
+  EXPECT_TRUE(shown.fades);
+  EXPECT_EQ(count(shown, Paint::ClosedFacet), 1U);
+  EXPECT_GE(count(shown, Paint::Cut), 3U);
+  EXPECT_TRUE(shown.lines.empty()) << "no edge belongs to the set";
+  const Scene wedge = scene(half * Nef3::half_space({1, -1, 0, 0}, Boundary::Open));
+  EXPECT_EQ(count(wedge, Paint::OpenFacet), 1U);
+  EXPECT_EQ(count(wedge, Paint::OpenEdge), 1U);
+  const Scene rest = scene(!cube(0, 1));
+  EXPECT_EQ(count(rest, Paint::OpenFacet), 6U);
+  EXPECT_EQ(count(rest, Paint::Cut), 6U);
+  const Scene plane = scene(Nef3::plane({0, 0, 1, 0}));
+  EXPECT_EQ(count(plane, Paint::Sheet), 1U);
+  EXPECT_EQ(count(plane, Paint::Cut), 0U);
+}
+
+TEST(SpaceScene, stays_in_its_box_whatever_the_coordinates) {
+  for (const Nef3& set :
+       {cube(-1e300, 1e300), cube(0, 5e-324), cube(1e15, 1e15 + 0.125), Nef3(), Nef3::space(),
+        Nef3::point({7, 8, 9}), !cube(1e200, 1e201), Nef3::plane({1, 1, 1, -1e100})}) {
+    for (const Point3& p : scene(set).points) {
+      for (const double x : {p.x, p.y, p.z}) EXPECT_LE(std::fabs(x), 1.000001);
+    }
+  }
+}
+
+/// The depth of the nearest triangle at every sample, found by trying all.
+TEST(Canvas, shows_what_is_nearest) {
+  std::mt19937_64 random(20);
+  std::uniform_real_distribution<double> in(-5, 45);
+  const auto spot = [&] {
+    const double x = in(random), y = in(random), z = in(random);
+    return Spot{x, y, z};
+  };
+  std::vector<std::array<Spot, 3>> triangles;
+  Canvas canvas(40, 30, {255, 255, 255});
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    const Spot a = spot(), b = spot(), c = spot();
+    triangles.push_back({a, b, c});
+    canvas.for_triangle(a, b, c, [&](std::size_t sample, const Spot& at) {
+      canvas.put(sample, at.z, i, {0, 0, 0});
+    });
+  }
+  const auto area = [](const Spot& a, const Spot& b, double x, double y) {
+    return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
+  };
+  for (std::uint32_t j = 0; j < 30; ++j) {
+    for (std::uint32_t i = 0; i < 40; ++i) {
+      double nearest = -std::numeric_limits<double>::infinity();
+      for (const auto& [a, b, c] : triangles) {
+        const double x = i + .5, y = j + .5, all = area(a, b, c.x, c.y);
+        const double u = area(b, c, x, y) / all, v = area(c, a, x, y) / all, w = 1 - u - v;
+        if (std::min({u, v, w}) >= 0) nearest = std::max(nearest, u * a.z + v * b.z + w * c.z);
+      }
+      const double got = canvas.depth(j * 40 + i);
+      EXPECT_TRUE(got == nearest || std::fabs(got - nearest) < 1e-3) << i << ' ' << j;
+    }
+  }
+}
+
+/// Neighbours share their side without a gap and without a sample twice.
+TEST(Canvas, triangles_meet_without_gaps) {
+  Canvas canvas(64, 64, {255, 255, 255});
+  std::vector<int> visits(64 * 64);
+  const Spot middle{31.7, 30.2, 0};
+  const std::vector<Spot> ring{{0, 0, 0}, {64, 0, 0}, {64, 64, 0}, {0, 64, 0}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    canvas.for_triangle(middle, ring[i], ring[(i + 1) % 4],
+                        [&](std::size_t sample, const Spot&) { ++visits[sample]; });
+  }
+  EXPECT_TRUE(std::ranges::all_of(visits, [](int n) { return n == 1; }));
+}
+
+TEST(Canvas, lines_are_hidden_by_what_is_nearer) {
+  const auto inked = [](double depth) {
+    Canvas canvas(40, 40, {255, 255, 255});
+    canvas.for_triangle({0, 0, 10}, {80, 0, 10}, {0, 80, 10}, [&](std::size_t s, const Spot& at) {
+      canvas.put(s, at.z, 0, {200, 200, 200});
+    });
+    const std::array<std::uint32_t, 2> none{Scene::kNoPatch, Scene::kNoPatch};
+    canvas.line({5, 20, depth}, {35, 20, depth}, 3, none, {0, 0, 0},
+                [](const Spot&) { return 1.; });
+    const Image image = canvas.finish(1);
+    return std::ranges::count(image.rgb, 0) / 3;
+  };
+  EXPECT_GE(inked(20), 60) << "two samples wide at least";
+  EXPECT_EQ(inked(0), 0);
+}
+
+TEST(Render, a_camera_undoes_itself) {
+  const Scene shown = scene(cube(0, 1) + cube(3, 4));
+  const Camera camera(shown, 800, 600);
+  for (const Point3& p : shown.points) {
+    const Spot spot = camera.place(p);
+    EXPECT_TRUE(spot.x > 0 && spot.x < 800 && spot.y > 0 && spot.y < 600);
+    const Point3 back = camera.point_at(spot);
+    EXPECT_NEAR(back.x, p.x, 1e-12);
+    EXPECT_NEAR(back.y, p.y, 1e-12);
+    EXPECT_NEAR(back.z, p.z, 1e-12);
+  }
+}
+
+/// An image of an open set is orange where that of the closed one is blue, and the same elsewhere.
+TEST(Render, marks_are_colours) {
+  const auto reds = [](const Nef3& set) {
+    const Image image = rendered(scene(set), {120, 90});
+    EXPECT_EQ(image.rgb.size(), 3U * 120 * 90);
+    std::size_t red = 0, blue = 0;
+    for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+      red += image.rgb[i] > image.rgb[i + 2] + 20 ? 1 : 0;
+      blue += image.rgb[i + 2] > image.rgb[i] + 20 ? 1 : 0;
+    }
+    return std::pair(red, blue);
+  };
+  const auto [open_red, open_blue] = reds(cube(0, 1, Boundary::Open));
+  const auto [red, blue] = reds(cube(0, 1));
+  EXPECT_EQ(red, 0U);
+  EXPECT_EQ(open_blue, 0U);
+  EXPECT_GT(blue, 2000U);
+  EXPECT_GT(open_red, 2000U);
+}
+
+TEST(SpaceSvg, is_sound_and_says_what_the_set_is) {
+  for (const Nef3& set : {cube(0, 1), !cube(0, 1), Nef3(), Nef3::space(), cube(0, 1).boundary()}) {
+    std::ostringstream out;
+    write_space_svg(out, set, scene(set), "no image", "a <set>");
+    expect_sound(out.str());
+    EXPECT_NE(out.str().find(kind_of(set)), std::string::npos);
+    EXPECT_NE(out.str().find("a &lt;set&gt;"), std::string::npos);
+  }
+  EXPECT_EQ(kind_of(cube(0, 1) - cube(0, .5)), "bounded, partly open");
+  EXPECT_EQ(facts_of(cube(0, 1)), "8 vertices, 12 edges, 6 facets, 2 volumes, volume 1");
+}
+
+/// The test vectors of RFC 4648.
+TEST(Base64, is_that_of_the_standard) {
+  const std::vector<std::pair<std::string, std::string>> cases{{"", ""},
+                                                               {"f", "Zg=="},
+                                                               {"fo", "Zm8="},
+                                                               {"foo", "Zm9v"},
+                                                               {"foob", "Zm9vYg=="},
+                                                               {"fooba", "Zm9vYmE="},
+                                                               {"foobar", "Zm9vYmFy"},
+                                                               {"\xff\xfe", "//4="}};
+  for (const auto& [bytes, text] : cases) EXPECT_EQ(base64(bytes), text);
+}
+
+}  // namespace
+}  // namespace plumb
