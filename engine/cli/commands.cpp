@@ -32,6 +32,7 @@ std::unique_ptr<CommandBody> make_solid_halfspaces();
 std::unique_ptr<CommandBody> make_solid_info();
 std::unique_ptr<CommandBody> make_solid_locate();
 std::unique_ptr<CommandBody> make_solid_compare();
+std::unique_ptr<CommandBody> make_view();
 std::unique_ptr<CommandBody> make_audit();
 std::unique_ptr<CommandBody> make_demo();
 std::unique_ptr<CommandBody> make_self_test();
@@ -124,6 +125,8 @@ std::span<const Command> commands() {
       Command{"solid compare", "A B", "Equal? One in the other? Disjoint?",
               "./plumb solid compare corpus/solids/l-block.off corpus/solids/l-block.off",
               make_solid_compare},
+      Command{"view", "FILE", "A picture of a map, a set or a solid: .png, .svg, .html, .glb",
+              "./plumb view corpus/solids/square-hole.off -o out.html", make_view},
       Command{"audit", "FILE", "Does every invariant of the structure in FILE hold?",
               "./plumb audit corpus/plane/quadrant.nef2", make_audit},
       Command{"demo", "", "Real maps checked and overlaid, sets combined, pictured; index.html",

@@ -1,0 +1,85 @@
+#include "picture_files.h"
+
+#include <sstream>
+
+#include "plumb/picture/map_svg.h"
+#include "plumb/picture/nef2_svg.h"
+#include "plumb/picture/plane_html.h"
+#include "plumb/picture/plane_scene.h"
+#include "plumb/picture/render.h"
+#include "plumb/picture/scene_glb.h"
+#include "plumb/picture/scene_html.h"
+#include "plumb/picture/space_scene.h"
+#include "plumb/picture/space_svg.h"
+#include "png_bytes.h"
+
+namespace plumb::cli {
+namespace {
+
+template <class Write>
+std::string written(const Write& write) {
+  std::ostringstream out;
+  write(out);
+  return std::move(out).str();
+}
+
+/// A page with text is drawn as SVG; triangles and images come from the scene.
+template <class Result>
+std::string flat_picture(const Result& result, const std::string& svg, Picture picture,
+                         const std::string& title) {
+  return written([&](std::ostream& out) {
+    switch (picture) {
+      case Picture::Png:
+        out << png_bytes(rendered(scene_of(result)));
+        break;
+      case Picture::Svg:
+        out << svg;
+        break;
+      case Picture::Html:
+        write_plane_html(out, svg, title);
+        break;
+      case Picture::Glb:
+        write_scene_glb(out, scene_of(result), title);
+        break;
+    }
+  });
+}
+
+}  // namespace
+
+std::string picture_of(const Nef3& set, Picture picture, const std::string& title,
+                       Context& context) {
+  const Scene scene = scene_of(set, context);
+  return written([&](std::ostream& out) {
+    switch (picture) {
+      case Picture::Png:
+        out << png_bytes(rendered(scene));
+        break;
+      case Picture::Svg:
+        write_space_svg(out, set, scene, png_bytes(rendered(scene, kPageImage)), title);
+        break;
+      case Picture::Html:
+        write_scene_html(out, scene, {title, kind_of(set), facts_of(set)});
+        break;
+      case Picture::Glb:
+        write_scene_glb(out, scene, title);
+        break;
+    }
+  });
+}
+
+std::string picture_of(const Nef2& set, Picture picture, const std::string& title) {
+  const bool has_text = picture == Picture::Svg || picture == Picture::Html;
+  std::ostringstream svg;
+  if (has_text) write_nef2_svg(svg, set, {.title = title});
+  return flat_picture(set, svg.str(), picture, title);
+}
+
+std::string picture_of(const MapReport& report, Picture picture, const std::string& title) {
+  const bool has_text = picture == Picture::Svg || picture == Picture::Html;
+  std::ostringstream svg;
+  if (has_text) write_map_svg(svg, report, {.title = title});
+  return flat_picture(report, svg.str(), picture, title);
+}
+
+}  // namespace plumb::cli

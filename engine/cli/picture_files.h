@@ -1,0 +1,21 @@
+// Pictures of results as the bytes of a file.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "plumb/base/context.h"
+#include "plumb/plane/map_check.h"
+#include "plumb/plane/nef2.h"
+#include "plumb/space/nef3.h"
+
+namespace plumb::cli {
+
+enum class Picture : std::uint8_t { Png, Svg, Html, Glb };
+
+std::string picture_of(const Nef3& set, Picture picture, const std::string& title,
+                       Context& context);
+std::string picture_of(const Nef2& set, Picture picture, const std::string& title);
+std::string picture_of(const MapReport& report, Picture picture, const std::string& title);
+
+}  // namespace plumb::cli

@@ -1,0 +1,108 @@
+// plumb view FILE: a picture of whatever the file holds.
+
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "command.h"
+#include "format_choice.h"
+#include "picture_files.h"
+#include "plumb/io/file_kind.h"
+#include "plumb/io/input.h"
+#include "plumb/io/map_reader.h"
+#include "plumb/io/plane_io.h"
+#include "plumb/plane/map_check.h"
+#include "solid_input.h"
+
+namespace plumb::cli {
+namespace {
+
+struct Format {
+  std::string_view name;
+  std::string_view extension;
+  Picture picture;
+};
+
+constexpr std::array kFormats{
+    Format{"png", ".png", Picture::Png},
+    Format{"svg", ".svg", Picture::Svg},
+    Format{"html", ".html", Picture::Html},
+    Format{"glb", ".glb", Picture::Glb},
+};
+
+class View : public CommandBody {
+ public:
+  void declare(CLI::App& app) override {
+    app.add_option("FILE", file_, "A map, a set of the plane, a solid; - is standard input")
+        ->required()
+        ->type_name("");
+    input_.declare(app);
+  }
+
+  ExitCode run(Session& session) override {
+    const Format& format = open_outputs(session);
+    const std::string bytes = read_input(file_, session.context());
+    const FileKind kind = kind_of_file(file_, bytes);
+    picture_ = draw(kind, bytes, format.picture, session);
+    if (session.options().json) json_ = answer(kind, format);
+    session.finish_progress();
+    session.outputs().deliver();
+    return ExitCode::Yes;
+  }
+
+ private:
+  /// Before the work, so that a path that cannot be written costs nothing.
+  const Format& open_outputs(Session& session) {
+    const CommonOptions& common = session.options();
+    if (common.format.empty() && (common.out.empty() || common.out == "-")) {
+      throw Error(ErrorCode::Usage, "view needs -o OUT (" + extensions_of(kFormats) +
+                                        ") or --format " + names_of(kFormats));
+    }
+    const Format& format = common.format.empty() ? format_of_file(kFormats, common.out)
+                                                 : format_named(kFormats, common.format);
+    session.outputs().add(common.out.empty() ? "-" : common.out,
+                          [this](std::ostream& out) { out << picture_; });
+    if (common.json) {
+      session.outputs().add("-", [this](std::ostream& out) { out << json_ << '\n'; });
+    }
+    return format;
+  }
+
+  std::string draw(FileKind kind, const std::string& bytes, Picture picture,
+                   Session& session) const {
+    Context& context = session.context();
+    const std::string title = std::filesystem::path(input_name(file_)).filename().string();
+    const ReadOptions options{input_name(file_), session.options().exact_decimals};
+    switch (kind) {
+      case FileKind::Map:
+        return picture_of(check_map(read_map(bytes, options, context), {}, context), picture,
+                          title);
+      case FileKind::PlaneSet: {
+        const PlaneFormat format = plane_format_of(file_).value_or(guess_plane_format(bytes));
+        return picture_of(read_plane_set(bytes, format, options, context), picture, title);
+      }
+      case FileKind::Solid:
+        break;
+    }
+    return picture_of(input_.read(file_, bytes, session), picture, title, context);
+  }
+
+  static std::string answer(FileKind kind, const Format& format) {
+    static constexpr std::array kKinds{"map", "plane", "solid"};
+    return nlohmann::ordered_json{{"kind", kKinds[static_cast<std::size_t>(kind)]},
+                                  {"format", std::string(format.name)}}
+        .dump();
+  }
+
+  std::string file_;
+  SolidInput input_;
+  std::string picture_;
+  std::string json_;
+};
+
+}  // namespace
+
+std::unique_ptr<CommandBody> make_view() { return std::make_unique<View>(); }
+
+}  // namespace plumb::cli

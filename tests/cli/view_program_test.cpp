@@ -1,0 +1,186 @@
+// The command `plumb view` from outside: every kind of file as every kind of picture.
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "refusal.h"
+#include "run_program.h"
+
+namespace plumb::testing {
+namespace {
+
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+const std::string kBlock = "corpus/solids/l-block.off";
+
+struct Sample {
+  std::string file;
+  std::string kind;
+};
+
+const std::vector<Sample> kSamples{
+    {"corpus/maps/world-countries.clean.map", "map"},
+    {"corpus/maps/world-countries.map", "map"},
+    {"corpus/plane/star.wkt", "plane"},
+    {"corpus/plane/frame.geojson", "plane"},
+    {"corpus/plane/quadrant.nef2", "plane"},
+    {kBlock, "solid"},
+    {"corpus/solids/l-block.obj", "solid"},
+    {"corpus/solids/l-block.ply", "solid"},
+    {"corpus/solids/tetrahedron.stl", "solid"},
+    {"corpus/solids/tetrahedron.binary.stl", "solid"},
+};
+
+std::uint32_t word_at(const std::string& bytes, std::size_t at) {
+  std::uint32_t word = 0;
+  std::memcpy(&word, bytes.data() + at, sizeof word);
+  return word;
+}
+
+/// The two chunks of a GLB, and that the header tells their sizes.
+std::pair<Json, std::string> chunks_of(const std::string& glb) {
+  EXPECT_EQ(glb.substr(0, 4), "glTF");
+  EXPECT_EQ(word_at(glb, 4), 2U);
+  EXPECT_EQ(word_at(glb, 8), glb.size());
+  const std::uint32_t text = word_at(glb, 12);
+  EXPECT_EQ(glb.substr(16, 4), "JSON");
+  EXPECT_EQ(text % 4, 0U);
+  const Json json = Json::parse(glb.substr(20, text));
+  if (20 + text == glb.size()) return {json, ""};
+  const std::uint32_t data = word_at(glb, 20 + text);
+  EXPECT_EQ(glb.substr(24 + text, 4), std::string_view("BIN\0", 4));
+  EXPECT_EQ(28 + text + data, glb.size());
+  return {json, glb.substr(28 + text)};
+}
+
+/// Accessors lie in their views, views in the buffer, indices below the number of vertices.
+void expect_glb(const std::string& glb) {
+  const auto [json, data] = chunks_of(glb);
+  EXPECT_EQ(json["asset"]["version"], "2.0");
+  EXPECT_LE(json["buffers"][0]["byteLength"], data.size());
+  for (const Json& primitive : json["meshes"][0]["primitives"]) {
+    const Json& position =
+        json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+    const Json& index = json["accessors"][primitive["indices"].get<std::size_t>()];
+    EXPECT_EQ(position["min"].size(), 3U);
+    const bool has_triangles = primitive["mode"] == 4;
+    EXPECT_EQ(has_triangles, primitive["attributes"].contains("NORMAL"));
+    EXPECT_EQ(index["count"].get<std::size_t>() % (has_triangles ? 3 : 2), 0U);
+    const Json& view = json["bufferViews"][index["bufferView"].get<std::size_t>()];
+    EXPECT_EQ(view["byteLength"], 4 * index["count"].get<std::size_t>());
+    const std::size_t begin = view["byteOffset"];
+    for (std::size_t i = 0; i < index["count"]; ++i) {
+      EXPECT_LT(word_at(data, begin + 4 * i), position["count"].get<std::uint32_t>());
+    }
+  }
+}
+
+void expect_html(const std::string& html, const std::string& title) {
+  EXPECT_TRUE(html.starts_with("<!DOCTYPE html>"));
+  EXPECT_TRUE(html.ends_with("</html>\n"));
+  EXPECT_TRUE(contains(html, "<title>" + title + "</title>"));
+  for (const std::string foreign : {"src=\"http", "href=\"http", "url(http", "@import", "fetch("}) {
+    EXPECT_FALSE(contains(html, foreign)) << foreign;
+  }
+}
+
+class ViewProgram : public ::testing::Test {
+ protected:
+  std::string drawn(const std::string& file, const std::string& name,
+                    const Words& more = {}) const {
+    Words words{"view", file, "-o", (scratch_ / name).string()};
+    words.insert(words.end(), more.begin(), more.end());
+    const RunResult result = run(words);
+    EXPECT_EQ(result.code, 0) << file << ": " << result.err;
+    return read_file(scratch_ / name);
+  }
+  std::string made(Words words, const std::string& name) const {
+    words.insert(words.end(), {"-o", (scratch_ / name).string()});
+    EXPECT_EQ(run(words).code, 0);
+    return (scratch_ / name).string();
+  }
+
+  const ScratchDirectory scratch_;
+};
+
+TEST_F(ViewProgram, draws_every_kind_of_file) {
+  for (const auto& [file, kind] : kSamples) {
+    const std::string title = fs::path(file).filename();
+    EXPECT_TRUE(drawn(file, "a.png").starts_with("\x89PNG\r\n\x1a\n")) << file;
+    const std::string svg = drawn(file, "a.svg");
+    EXPECT_TRUE(svg.starts_with("<svg") && contains(svg, title)) << file;
+    expect_html(drawn(file, "a.html"), title);
+    expect_glb(drawn(file, "a.glb"));
+    const RunResult told = run({"view", file, "-o", (scratch_ / "a.svg").string(), "--json"});
+    EXPECT_EQ(Json::parse(told.out), Json({{"kind", kind}, {"format", "svg"}})) << file;
+  }
+}
+
+/// What comes from standard input is told by how it begins.
+TEST_F(ViewProgram, tells_what_standard_input_is) {
+  for (const auto& [file, kind] : kSamples) {
+    RunOptions from_file;
+    from_file.in = file;
+    const RunResult told =
+        run({"view", "-", "-o", (scratch_ / "a.svg").string(), "--json"}, from_file);
+    EXPECT_EQ(told.code, 0) << file << told.err;
+    EXPECT_EQ(Json::parse(told.out)["kind"], kind) << file;
+  }
+}
+
+TEST_F(ViewProgram, draws_sets_that_are_no_solids) {
+  const std::string open = made({"solid", "interior", kBlock}, "open.nef");
+  EXPECT_TRUE(contains(drawn(open, "a.svg"), "open facet"));
+  const std::string flat = made({"solid", "boundary", kBlock}, "flat.nef");
+  EXPECT_TRUE(contains(drawn(flat, "a.svg"), "sheet"));
+  const std::string rest = made({"solid", "complement", kBlock}, "rest.nef");
+  EXPECT_TRUE(contains(drawn(rest, "a.svg"), "goes on to infinity"));
+  const std::string nothing = made({"solid", "difference", kBlock, kBlock}, "nothing.nef");
+  EXPECT_TRUE(contains(drawn(nothing, "a.svg"), "no point at all"));
+  const std::string all = made({"solid", "union", rest, kBlock}, "all.nef");
+  EXPECT_TRUE(contains(drawn(all, "a.svg"), "every point"));
+  for (const std::string& file : {open, flat, rest, nothing, all}) {
+    EXPECT_TRUE(drawn(file, "a.png").starts_with("\x89PNG"));
+    expect_html(drawn(file, "a.html"), fs::path(file).filename());
+    EXPECT_EQ(drawn(file, "a.glb").substr(0, 4), "glTF");
+  }
+}
+
+TEST_F(ViewProgram, sheets_need_no_volume) {
+  write_file(scratch_ / "open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const std::string file = (scratch_ / "open.off").string();
+  expect_refusal(run({"view", file, "-o", (scratch_ / "a.svg").string()}), file, "--surface");
+  EXPECT_FALSE(fs::exists(scratch_ / "a.svg"));
+  EXPECT_TRUE(contains(drawn(file, "a.svg", {"--surface"}), "sheet"));
+}
+
+/// Names and coordinates as nobody should choose them.
+TEST_F(ViewProgram, survives_odd_names_and_places) {
+  const std::string name = "<b>&\"' \xff.off";
+  write_file(scratch_ / name,
+             "OFF\n4 4 0\n1e300 0 0\n-1e300 5e-324 0\n0 1e300 0\n0 0 1e-300\n"
+             "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+  for (const std::string picture : {"a.png", "a.svg", "a.html", "a.glb"}) {
+    const std::string bytes = drawn((scratch_ / name).string(), picture);
+    EXPECT_FALSE(picture != "a.glb" && contains(bytes, "<b>&")) << picture;
+    EXPECT_FALSE(contains(bytes, ":nan") || contains(bytes, "null,")) << picture;
+  }
+}
+
+TEST_F(ViewProgram, wrong_usage_is_refused) {
+  expect_refusal(run({"view", kBlock}), "plumb: ", "view needs -o OUT");
+  expect_refusal(run({"view", kBlock, "-o", "-"}), "plumb: ", "--format png, svg, html, glb");
+  expect_refusal(run({"view", kBlock, "-o", (scratch_ / "a.off").string()}), "", "use .png");
+  expect_refusal(run({"view", "no-such.off", "-o", (scratch_ / "a.svg").string()}), "no-such.off",
+                 "No such file");
+  EXPECT_TRUE(scratch_.files().empty());
+  EXPECT_TRUE(run({"view", kBlock, "-o", "-", "--format", "glb"}).out.starts_with("glTF"));
+}
+
+}  // namespace
+}  // namespace plumb::testing
