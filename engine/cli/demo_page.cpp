@@ -25,7 +25,8 @@ td.time { text-align: right; white-space: nowrap; font-variant-numeric: tabular-
 <body>
 <h1>plumb demo</h1>
 <p>Real county regions, checked exactly: is every point of the plane covered once? Sets of the plane, open
-or closed along every edge, combined exactly. Two maps laid over each other: areas add up to the last digit.</p>
+or closed along every edge, combined exactly. Two maps laid over each other: areas add up to the last digit.
+Two solids, united, intersected and subtracted: volumes add up to the last digit.</p>
 )";
 
 std::string escaped(std::string_view text) {

@@ -317,7 +317,9 @@ TEST(Demo, leaves_a_page_with_pictures) {
   EXPECT_TRUE(contains(page, "src=\"data:image/svg+xml,%3Csvg"));
   EXPECT_FALSE(contains(page, "src=\"http"));
   for (const char* name : {"us-counties.svg", "star-or-quadrant.svg", "star-without-quadrant.svg",
-                           "states-over-counties.svg", "states-over-counties.geojson"}) {
+                           "states-over-counties.svg", "states-over-counties.geojson",
+                           "bunny-or-ball.svg", "bunny-and-ball.svg", "bunny-without-ball.svg",
+                           "mould.svg", "bunny-without-ball.nef", "bunny-without-ball.off"}) {
     EXPECT_TRUE(fs::exists(scratch / (std::string("demo/") + name))) << name;
     EXPECT_TRUE(contains(page, name) || !std::string_view(name).ends_with(".svg")) << name;
   }

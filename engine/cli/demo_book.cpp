@@ -1,0 +1,58 @@
+#include "demo_book.h"
+
+#include <cstdlib>
+#include <ostream>
+#include <system_error>
+#include <utility>
+
+#include "plumb/base/error.h"
+
+namespace plumb::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+}  // namespace
+
+DemoBook::DemoBook(fs::path directory, Session& session)
+    : directory_(std::move(directory)), session_(session) {
+  std::error_code error;
+  fs::create_directories(directory_, error);
+  if (error) throw Error(ErrorCode::CannotWrite, error.message(), {directory_.string()});
+}
+
+/// $PLUMB_ROOT, else where this program was built from.
+std::string DemoBook::bundled(const std::string& file) {
+  const char* const root = std::getenv("PLUMB_ROOT");
+  const bool is_set = root != nullptr && *root != '\0';
+  return (fs::path(is_set ? root : PLUMB_SOURCE_DIR) / "corpus" / file).string();
+}
+
+void DemoBook::step(const std::string& what) {
+  const auto now = Clock::now();
+  steps_.push_back({what, std::chrono::duration<double>(now - step_start_).count()});
+  step_start_ = now;
+}
+
+void DemoBook::write(const std::string& name, std::string bytes) {
+  session_.outputs().add((directory_ / name).string(),
+                         [bytes = std::move(bytes)](std::ostream& out) { out << bytes; });
+}
+
+void DemoBook::add(DemoPicture picture) {
+  write(picture.file, picture.svg);
+  pictures_.push_back(std::move(picture));
+}
+
+void DemoBook::finish() {
+  session_.outputs().add((directory_ / "index.html").string(),
+                         [this](std::ostream& out) { write_demo_page(out, steps_, pictures_); });
+  session_.outputs().add("-", [this](std::ostream& out) {
+    write_demo_steps(out, steps_);
+    out << "open " << (directory_ / "index.html").string() << '\n';
+  });
+  session_.finish_progress();
+  session_.outputs().deliver();
+}
+
+}  // namespace plumb::cli

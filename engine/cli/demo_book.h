@@ -1,0 +1,44 @@
+// What `plumb demo` leaves behind: files in a directory, the steps that made them, one page with all of it.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "demo_page.h"
+#include "session.h"
+
+namespace plumb::cli {
+
+class DemoBook {
+ public:
+  /// Makes the directory. Errors: CannotWrite.
+  DemoBook(std::filesystem::path directory, Session& session);
+
+  Session& session() { return session_; }
+  /// A file of the bundled data.
+  static std::string bundled(const std::string& file);
+
+  /// Says what was done since the last step, and how long it took.
+  void step(const std::string& what);
+  void write(const std::string& name, std::string bytes);
+  /// A picture for the page, and a file of its own.
+  void add(DemoPicture picture);
+  /// index.html and the list of steps on standard output.
+  void finish();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::filesystem::path directory_;
+  Session& session_;
+  Clock::time_point step_start_ = Clock::now();
+  std::vector<DemoStep> steps_;
+  std::vector<DemoPicture> pictures_;
+};
+
+/// The chapter on solids.
+void demonstrate_solids(DemoBook& book);
+
+}  // namespace plumb::cli
