@@ -26,7 +26,7 @@ p.help{margin:.3rem 0 0;color:#4a5560;font-size:.85rem}
 
 inline constexpr std::string_view kScenePageProgram = R"JS(
 const canvas = document.querySelector('canvas');
-const gl = canvas.getContext('webgl', {antialias: true});
+const gl = canvas.getContext('webgl', {antialias: true, alpha: false});
 if (!gl) document.getElementById('none').hidden = false;
 
 const bytes = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
