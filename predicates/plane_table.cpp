@@ -65,6 +65,7 @@ bool is_same_definition(const PlaneTable& table, const PlaneSource& a, const Pla
 /// Equal fingerprints are confirmed here. There is no interval check before: planes that collide
 /// without being equal are too rare for it to pay.
 bool is_same_plane(const PlaneTable& table, const PlaneSource& a, const PlaneSource& b) {
+  if (a.is_frame() != b.is_frame()) return false;
   if (is_same_definition(table, a, b)) return true;
   const std::array<exact3::Operand, 2> both = {exact3::operand(table, a),
                                                exact3::operand(table, b)};
@@ -167,7 +168,8 @@ PlaneId PlaneTable::push(const PlaneRow& row, Fingerprint fingerprint, const Pla
   rows_.push_back(row);
   fingerprints_.push_back(fingerprint);
   sources_.push_back(source);
-  if (source.is_frame()) frame_[source.frame_index()] = id;
+  const bool is_of_cube = source.is_frame() && source.frame_index() < frame_.size();
+  if (is_of_cube) frame_[source.frame_index()] = id;
   return id;
 }
 
@@ -386,7 +388,10 @@ std::array<PlaneId, 6> PlaneTable::intern_frame() {
     IntegerRow row = {0, 0, 0, is_above ? -1 : 1};
     ResidueRow residues{};
     residues[3] = is_above ? -kFrameResidue : kFrameResidue;
-    PlaneRow doubles{{}, 0, rounded_up(2 * kUnitError), std::numeric_limits<float>::infinity()};
+    PlaneRow doubles{{},
+                     is_above ? -1.0 : 1.0,
+                     rounded_up(2 * kUnitError),
+                     std::numeric_limits<float>::infinity()};
     row[i / 2] = 1;
     residues[i / 2] = Residue::of(std::uint64_t{1});
     doubles.n[i / 2] = 1;
@@ -404,7 +409,27 @@ OrientedPlane PlaneTable::intern(const Pencil& wall) {
   const IntegerRow p = coefficients(wall.first), q = coefficients(wall.second);
   IntegerRow row;
   for (std::size_t i = 0; i < 4; ++i) row[i] = wall.c_second * p[i] - wall.c_first * q[i];
-  return intern_row(std::move(row), 0, {wall.first, wall.second});
+  if (!is_frame(wall.first) && !is_frame(wall.second)) {
+    return intern_row(std::move(row), 0, {wall.first, wall.second});
+  }
+  // A far plane: the offset is a multiple of R.
+  intern_frame();  // it may be one of those
+  const Sign sign = orientation(big_plane(row, 0));
+  if (sign == Sign::Zero) return {};
+  row = plumb::primitive(row);
+  if (sign == Sign::Negative) {
+    for (Integer& x : row) x = -x;
+  }
+  const ResidueRow residues = {Residue::of(row[0]), Residue::of(row[1]), Residue::of(row[2]),
+                               Residue::of(row[3]) * kFrameResidue};
+  Draft draft{true, sign == Sign::Negative, exact_row(big_plane(row, 0)), push_slot(row, 0, {})};
+  draft.row.d = row[3].sign();
+  draft.row.offset_error = std::numeric_limits<float>::infinity();
+  draft.source.code[2] = static_cast<std::uint32_t>(frame_.size()) + 1;
+  const std::size_t planes = size();
+  const OrientedPlane result = find_or_add(draft, plumb::fingerprint(residues));
+  if (size() == planes) pop_slot();  // known already
+  return result;
 }
 
 namespace {

@@ -67,7 +67,7 @@ class OrientedPlane {
 /// The canonical plane, scaled by a power of two so that 1/2 <= max |n[i]| <= 1, in doubles:
 /// |n[i] - exact| <= normal_error / 2 and |d - exact| <= offset_error / 2. The other halves pay for
 /// the rounding of what is computed from them (plane_signs.cpp). normal_error >= 2^-48;
-/// offset_error may be infinite: no filter then decides.
+/// offset_error may be infinite: no filter then decides. With d R for an offset: d is its sign.
 struct PlaneRow {
   std::array<double, 3> n;
   double d;
@@ -82,11 +82,11 @@ inline constexpr Residue kFrameResidue = Residue::of(std::uint64_t{0x13198a2e037
 struct PlaneSource {
   static constexpr std::uint32_t kExplicit = ~std::uint32_t{0};
   /// Three input points; counter-clockwise seen from the positive side. Or {kExplicit, slot, 0}. Or
-  /// {kExplicit, slot, 1 + i}: plane i of the frame, whose slot has the multiple of R as its offset.
+  /// {kExplicit, slot, 1 + i}: plane i of the frame, i = 6 any other plane n.x + d R = 0; the slot has d.
   std::array<std::uint32_t, 3> code;
   bool is_explicit() const { return code[0] == kExplicit; }
   bool is_frame() const { return is_explicit() && code[2] != 0; }
-  /// Requires is_frame(). The axis is half of it; odd: at +R.
+  /// Requires is_frame(). Of the frame's six the axis is half of it; odd: at +R.
   std::size_t frame_index() const { return code[2] - 1; }
   bool has_point(InputPointId p) const {
     return !is_explicit() && (code[0] == p.value() || code[1] == p.value() || code[2] == p.value());
@@ -150,7 +150,7 @@ class PlaneTable {
   OrientedPlane intern(double a, double b, double c, double d);
   OrientedPlane intern(const Rational& a, const Rational& b, const Rational& c, const Rational& d);
   /// Known to lie in the pencil ever after: see has_parents.
-  /// Requires parents that are not of the frame.
+  /// Of two planes of the frame, or a far one and one through the origin: a far plane (PlaneSource).
   OrientedPlane intern(const Pencil& wall);
   /// The planes x = -R, x = R, y = -R, y = R, z = -R, z = R; the cube is on the positive side of
   /// those at -R and on the negative side of those at R.

@@ -158,7 +158,7 @@ Sign rung::side_without_filter(const Point3Table& points, SpacePoint x, PlaneId 
   const PlaneSource& source = points.planes().source(plane);
   if (source.is_frame() && !points.depends_on_frame(x)) {  // inside the cube
     count_rung(Predicate::SideOfPlane, Rung::Identity);
-    return source.frame_index() % 2 == 0 ? Sign::Positive : Sign::Negative;
+    return sign_of(points.planes().row(plane).d);
   }
   return exact_side(points, x, plane);
 }

@@ -123,6 +123,7 @@ class Combiner {
     }
   }
 
+  /// Where facets of both lie on each other, what common_origin_ makes of their ids.
   std::uint32_t facet_origin(const SphereOrigins::Pair& cells) const {
     const auto is_facet = [&](std::size_t i) {
       return cells[i].is_valid() && cells[i].kind() == SphereCell::Kind::Arc;
@@ -226,7 +227,9 @@ class Combiner {
   SphereOrigins origins_;
 };
 
-std::uint32_t origin_of_first(std::uint32_t first, std::uint32_t /*second*/) { return first; }
+std::uint32_t lesser_origin(std::uint32_t first, std::uint32_t second) {
+  return std::min(first, second);
+}
 
 /// The complex with the ids of merged tables.
 SpaceComplex translated(SpaceComplex complex, const TableMap& map,
@@ -251,7 +254,7 @@ SpaceComplex combine(const SpaceComplex& a, const SpaceComplex& b, MarkFunction 
   SpaceComplex second = b;
   second.tables = tables;
   if (!is_shared) second = translated(std::move(second), merge(*tables, *b.tables), tables);
-  return combine_on(tables, first, second, f, origin_of_first, context);
+  return combine_on(tables, first, second, f, lesser_origin, context);
 }
 
 SpaceComplex combine_on(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
@@ -271,18 +274,38 @@ SpaceComplex combine_on(const std::shared_ptr<SpaceTables>& tables, const SpaceC
 
 namespace {
 
+/// On the plane, above it, below it.
+std::array<Mark, 3> marks_of(PlaneSet h) {
+  switch (h) {
+    case PlaneSet::OpenBelow:
+      return {0, 0, 1};
+    case PlaneSet::ClosedBelow:
+      return {1, 0, 1};
+    case PlaneSet::OpenAbove:
+      return {0, 1, 0};
+    case PlaneSet::ClosedAbove:
+      return {1, 1, 0};
+    case PlaneSet::BeyondBelow:
+      return {kBeyond, 0, kBeyond};
+    case PlaneSet::BeyondAbove:
+      return {kBeyond, kBeyond, 0};
+    case PlaneSet::Plane:
+      break;
+  }
+  return {1, 0, 0};
+}
+
 /// A plane as an operand: one facet without boundary, above it volume 0, below it volume 1.
 SpaceComplex plane_operand(std::shared_ptr<const SpaceTables> tables, PlaneId plane, PlaneSet h) {
   SpaceComplex out;
   out.tables = std::move(tables);
   out.star_begin = {0};
   out.facet_plane = {plane};
-  out.facet_mark = {h == PlaneSet::OpenBelow || h == PlaneSet::OpenAbove ? Mark{0} : Mark{1}};
   out.facet_volume = {{VolumeId(0), VolumeId(1)}};
   out.facet_origin = {kNone};
-  const bool is_above = h == PlaneSet::OpenAbove || h == PlaneSet::ClosedAbove;
-  const bool is_below = h == PlaneSet::OpenBelow || h == PlaneSet::ClosedBelow;
-  out.volume_mark = {Mark{is_above}, Mark{is_below}};
+  const auto [on, above, below] = marks_of(h);
+  out.facet_mark = {on};
+  out.volume_mark = {above, below};
   return out;
 }
 
@@ -320,7 +343,7 @@ SpaceComplex combine_with_plane(const SpaceComplex& a, OrientedPlane plane, Plan
   std::vector<VolumeId> labels;
   meet_plane(first, plane.plane(), *tables, contacts, labels);
   const TouchedComplex touched(first, contacts, 0);
-  const CommonOrigin origin = origin_of_first;
+  const CommonOrigin origin = lesser_origin;
   Combiner combiner({&first, &second}, tables, contacts, f, origin, context);
   combiner.overlay_contacts();
   combiner.keep_vertices(0, touched, labels);

@@ -25,8 +25,8 @@
 
 namespace plumb {
 
-/// f(a, b) in minimal form. Both have a frame or none has. A facet in facets of both has the facet_origin
-/// of a's.
+/// f(a, b) in minimal form. Both have a frame or none has. A facet in facets of both has the lesser
+/// facet_origin.
 SpaceComplex combine(const SpaceComplex& a, const SpaceComplex& b, MarkFunction f,
                      Context& context);
 
@@ -38,8 +38,17 @@ SpaceComplex combine_on(const std::shared_ptr<SpaceTables>& tables, const SpaceC
                         const SpaceComplex& b, MarkFunction f, const CommonOrigin& origin,
                         Context& context);
 
-/// A half-space or plane as an operand. Below: n.x + d < 0 for the oriented plane.
-enum class PlaneSet : std::uint8_t { OpenBelow, ClosedBelow, OpenAbove, ClosedAbove, Plane };
+/// A half-space or plane as an operand. Below: n.x + d < 0 for the oriented plane. Beyond: the plane and what
+/// lies on that side have the mark kBeyond, the rest 0.
+enum class PlaneSet : std::uint8_t {
+  OpenBelow,
+  ClosedBelow,
+  OpenAbove,
+  ClosedAbove,
+  Plane,
+  BeyondBelow,
+  BeyondAbove
+};
 
 constexpr PlaneSet opposite(PlaneSet h) {
   switch (h) {
@@ -51,6 +60,10 @@ constexpr PlaneSet opposite(PlaneSet h) {
       return PlaneSet::OpenBelow;
     case PlaneSet::ClosedAbove:
       return PlaneSet::ClosedBelow;
+    case PlaneSet::BeyondBelow:
+      return PlaneSet::BeyondAbove;
+    case PlaneSet::BeyondAbove:
+      return PlaneSet::BeyondBelow;
     case PlaneSet::Plane:
       break;
   }

@@ -96,6 +96,16 @@ bool has_frame(const SpaceComplex& complex) {
   return !complex.volume_mark.empty() && complex.volume_mark[0] == kBeyond;
 }
 
+std::vector<std::uint8_t> unbounded_volumes(const SpaceComplex& complex) {
+  std::vector<std::uint8_t> is_far(complex.volume_count(), 0);
+  if (!is_far.empty()) is_far[0] = 1;
+  for (std::size_t f = 0; f < complex.facet_count(); ++f) {
+    if (complex.facet_mark[f] != kBeyond) continue;
+    for (const VolumeId v : complex.facet_volume[f]) is_far[v.value()] = 1;
+  }
+  return is_far;
+}
+
 SpaceComplex with_frame(const SpaceComplex& complex, std::shared_ptr<SpaceTables> tables,
                         Context& context) {
   SpaceDraft draft(std::move(tables));

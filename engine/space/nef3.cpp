@@ -1,7 +1,6 @@
 #include "plumb/space/nef3.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "plumb/base/error.h"
@@ -12,6 +11,8 @@
 #include "plumb/space/same_complex.h"
 #include "plumb/space/simplify.h"
 #include "plumb/space/space_convexity.h"
+#include "plumb/space/space_memory.h"
+#include "plumb/space/tidy_tables.h"
 #include "plumb/space/transform.h"
 #include "plumb/space/volumes.h"
 
@@ -37,30 +38,6 @@ void fill_boundary(SpaceComplex& complex, Mark value) {
   fill(complex.vertex_mark, value);
   fill(complex.edge_mark, value);
   fill(complex.facet_mark, value);
-}
-
-/// Only the planes and points in use, where that saves at least half.
-SpaceComplex with_tidy_tables(SpaceComplex complex) {
-  const SpaceTables& tables = *complex.tables;
-  std::vector<std::uint8_t> is_used(tables.planes.size(), 0);
-  const auto use = [&is_used](PlaneId p) { is_used[p.value()] = 1; };
-  for (const PlaneId p : complex.facet_plane) use(p);
-  for (const auto& planes : complex.edge_planes) std::for_each(planes.begin(), planes.end(), use);
-  const auto used = static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1));
-  const std::size_t points = tables.points.size() + tables.planes.points().size();
-  if (tables.planes.size() <= 2 * used + 64 && points <= 4 * complex.vertex_count() + 64) {
-    return complex;
-  }
-  std::vector<PlaneId> planes;
-  for (std::size_t p = 0; p < is_used.size(); ++p) {
-    if (is_used[p] != 0) planes.push_back(PlaneId(p));
-  }
-  const CompactedTables kept = compacted(tables, planes, complex.vertex_point);
-  for (SpacePoint& p : complex.vertex_point) p = kept(p);
-  for (PlaneId& p : complex.facet_plane) p = kept(p);
-  for (auto& pair : complex.edge_planes) pair = {kept(pair[0]), kept(pair[1])};
-  complex.tables = kept.tables;
-  return complex;
 }
 
 SpaceComplex framed(const SpaceComplex& complex, Context& context) {
@@ -130,6 +107,25 @@ Nef3 Nef3::with_marks(const SpaceMarks& marks, Context& context) const {
   return from_complex(std::move(changed), context);
 }
 
+Nef3 Nef3::with_origins(std::span<const std::uint32_t> facet_origin) const {
+  SpaceComplex changed = complex();
+  if (facet_origin.size() != changed.facet_count()) {
+    throw Error(ErrorCode::BadArgument, "one origin is needed for each facet");
+  }
+  changed.facet_origin.assign(facet_origin.begin(), facet_origin.end());
+  return Nef3(std::move(changed));
+}
+
+Nef3 Nef3::with_bounded_volumes() const {
+  Context context;
+  SpaceComplex c = complex();
+  const std::vector<std::uint8_t> is_far = unbounded_volumes(c);
+  for (std::size_t v = 0; v < c.volume_count(); ++v) {
+    if (is_far[v] == 0) c.volume_mark[v] = 1;
+  }
+  return from_complex(std::move(c), context);
+}
+
 // ---------------------------------------------------------------- reading
 
 SpaceCounts Nef3::counts() const {
@@ -144,6 +140,8 @@ SpaceCounts Nef3::counts() const {
   return counts;
 }
 
+std::size_t Nef3::bytes() const { return memory_bytes(complex()); }
+
 bool Nef3::is_empty() const {
   return complex().vertex_count() == 0 && complex().volume_mark[0] == 0;
 }
@@ -154,12 +152,9 @@ bool Nef3::is_space() const {
 
 bool Nef3::is_bounded() const {
   const SpaceComplex& c = complex();
-  if (!has_frame(c)) return c.volume_mark[0] == 0;
-  for (std::size_t f = 0; f < c.facet_count(); ++f) {
-    if (c.facet_mark[f] != kBeyond) continue;
-    for (const VolumeId v : c.facet_volume[f]) {
-      if (c.volume_mark[v.value()] == 1) return false;
-    }
+  const std::vector<std::uint8_t> is_far = unbounded_volumes(c);
+  for (std::size_t v = 0; v < c.volume_count(); ++v) {
+    if (is_far[v] != 0 && c.volume_mark[v] == 1) return false;
   }
   for (std::size_t u = 0; u < c.use_count(); ++u) {
     const bool is_framed = c.edge_mark[c.use_halfedge[u].value() / 2] == kBeyond;
@@ -223,41 +218,6 @@ bool Nef3::is_simple() const {
 }
 
 bool Nef3::is_convex() const { return plumb::is_convex(complex()); }
-
-const SpaceLocator& Nef3::locator() const {
-  std::call_once(state_->locator_made,
-                 [this] { state_->locator = std::make_unique<SpaceLocator>(state_->complex); });
-  return *state_->locator;
-}
-
-namespace {
-
-SpaceLocation location(const SpaceComplex& c, SpaceItem item) {
-  switch (item.kind()) {
-    case SpaceItem::Kind::Vertex:
-      return {item, c.vertex_mark[item.index()] == 1};
-    case SpaceItem::Kind::Edge:
-      return {item, c.edge_mark[item.index()] == 1};
-    case SpaceItem::Kind::Facet:
-      return {item, c.facet_mark[item.index()] == 1};
-    case SpaceItem::Kind::Volume:
-      break;
-  }
-  return {item, c.volume_mark[item.index()] == 1};
-}
-
-}  // namespace
-
-SpaceLocation Nef3::locate(const RationalPoint3& p) const {
-  return location(complex(), locator().locate(p));
-}
-
-SpaceLocation Nef3::locate(const Point3& p) const {
-  if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
-    throw Error(ErrorCode::NotFinite, "the coordinates of a point must be finite");
-  }
-  return location(complex(), locator().locate(p));
-}
 
 // ---------------------------------------------------------------- operations
 

@@ -37,6 +37,7 @@
 #include "plumb/predicates/rational_point.h"
 #include "plumb/space/from_mesh.h"
 #include "plumb/space/space_complex.h"
+#include "plumb/space/space_locator.h"
 
 namespace plumb {
 
@@ -83,8 +84,6 @@ struct SpaceCounts {
   friend bool operator==(const SpaceCounts&, const SpaceCounts&) = default;
 };
 
-class SpaceLocator;
-
 class Nef3 {
  public:
   // --- sets to start from ---------------------------------------------------------------------
@@ -123,6 +122,12 @@ class Nef3 {
   /// This set's complex with other marks (sizes must agree: Error{BadArgument}); those of the frame are
   /// not changed. O(n).
   Nef3 with_marks(const SpaceMarks& marks, Context& context) const;
+  /// This set with other facet_origin ids (one for each facet of complex(): Error{BadArgument}). They
+  /// follow facets through operations: a facet has the least id among those at its corners
+  /// of the facets it came from, and pieces of one plane side by side are one facet. Not compared by ==.
+  Nef3 with_origins(std::span<const std::uint32_t> facet_origin) const;
+  /// All bounded volumes belong to it, too: what its boundary encloses. O(n).
+  Nef3 with_bounded_volumes() const;
 
   // --- reading --------------------------------------------------------------------------------
 
@@ -147,6 +152,27 @@ class Nef3 {
   SpaceLocation locate(const RationalPoint3& p) const;
   /// Throws Error{NotFinite}.
   SpaceLocation locate(const Point3& p) const;
+  /// marked[i] = contains(points[i]); for many threads, give each a part. Throws Error{BadArgument} unless
+  /// the sizes agree, Error{NotFinite}.
+  void contains(std::span<const Point3> points, std::span<Mark> marked) const;
+  /// Is it a point of the boundary: on a vertex, edge or facet?
+  bool has_on_boundary(const RationalPoint3& p) const;
+  bool has_on_boundary(const Point3& p) const;
+
+  /// The first item that the ray from p meets and `accepts` takes, and where: the item that holds p at p;
+  /// a volume, or a facet or edge that the ray runs along, where the ray enters it. Throws
+  /// Error{BadArgument} when the direction is zero. A few locations for each item passed.
+  std::optional<SpaceHit> shoot(const RationalPoint3& p, const RationalPoint3& direction,
+                                const std::function<bool(SpaceItem)>& accepts) const;
+  /// The first item of the set. (The point need not belong to it: a volume begins beyond it.)
+  std::optional<SpaceHit> shoot_to_marked(const RationalPoint3& p,
+                                          const RationalPoint3& direction) const;
+  /// The first vertex, edge or facet.
+  std::optional<SpaceHit> shoot_to_boundary(const RationalPoint3& p,
+                                            const RationalPoint3& direction) const;
+
+  /// Memory of the complex and its tables, in bytes, without the locator. Copies share it. O(planes).
+  std::size_t bytes() const;
 
   // --- operations -----------------------------------------------------------------------------
 
@@ -156,8 +182,7 @@ class Nef3 {
   Nef3 boundary() const;
   /// The interior of the complement.
   Nef3 exterior() const { return (!*this).interior(); }
-  /// The image under an invertible map. Throws Error{BadArgument} for a singular matrix, and when a facet
-  /// or edge reaches to infinity (complements of bounded sets are fine).
+  /// The image under an invertible map. Throws Error{BadArgument} for a singular matrix. O(n) (transform.h).
   Nef3 transformed(const AffineMap3& map) const;
   /// The closure of the interior.
   Nef3 regularization() const { return interior().closure(); }

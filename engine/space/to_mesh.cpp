@@ -368,4 +368,33 @@ MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& 
   return result;
 }
 
+bool is_unbounded(const SpaceComplex& complex, FacetId f) {
+  bool is_far = false;
+  for_uses(complex, f, [&](UseId u) {
+    is_far |= complex.vertex_mark[complex.use_origin(u).value()] == kBeyond;
+  });
+  return is_far;
+}
+
+MeshOfComplex soup_of_complex(const SpaceComplex& complex, const ToMeshOptions& options,
+                              Context& context) {
+  std::vector<FacetSide> sides;
+  bool has_far = false;
+  for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
+    if (complex.facet_mark[f] == kBeyond) continue;
+    if (is_unbounded(complex, FacetId(f))) {
+      has_far = true;
+      continue;
+    }
+    const Mark above = complex.volume_mark[complex.facet_volume[f][0].value()];
+    const Mark below = complex.volume_mark[complex.facet_volume[f][1].value()];
+    sides.push_back({FacetId(f), above == 1 && below != 1});
+  }
+  MeshOfComplex result = mesh_of_sides(complex, sides, options, context);
+  ClosureCount(complex, result.report).run();
+  result.report.dropped.facets = 0;
+  result.report.is_unbounded = has_far;
+  return result;
+}
+
 }  // namespace plumb

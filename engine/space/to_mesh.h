@@ -49,9 +49,10 @@ struct ItemCounts {
 };
 
 struct ToMeshReport {
-  bool is_unbounded = false;  ///< a marked volume reaches to infinity: no mesh
-  ItemCounts dropped;         ///< marked, with no marked volume around: dangling
-  ItemCounts filled;          ///< not marked, but in the closure of marked volumes: openness
+  /// A marked volume reaches to infinity: no mesh. Of a soup: facets that do are left out.
+  bool is_unbounded = false;
+  ItemCounts dropped;  ///< marked, with no marked volume around: dangling
+  ItemCounts filled;   ///< not marked, but in the closure of marked volumes: openness
   std::uint64_t non_manifold_edges = 0;     ///< more than two faces
   std::uint64_t non_manifold_vertices = 0;  ///< more than one cone
   bool is_soup() const { return non_manifold_edges + non_manifold_vertices > 0; }
@@ -66,6 +67,15 @@ struct MeshOfComplex {
 /// Requires volumes and marks. Items beyond the frame are not looked at.
 MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& options,
                               Context& context);
+
+/// All facets of any set as polygons: those of boundary_sides() from outside, others (dangling ones, cuts in a solid)
+/// once, from their positive side. No solid has to be behind them; what is not a facet is dropped. Facets that reach
+/// to infinity are left out: report.is_unbounded. Dropped: marked edges and vertices without a marked volume.
+MeshOfComplex soup_of_complex(const SpaceComplex& complex, const ToMeshOptions& options,
+                              Context& context);
+
+/// Does the facet reach the frame?
+bool is_unbounded(const SpaceComplex& complex, FacetId f);
 
 /// The boundary of the closure of the interior, by facet.
 std::vector<FacetSide> boundary_sides(const SpaceComplex& complex);

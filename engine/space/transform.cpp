@@ -1,37 +1,39 @@
 #include "plumb/space/transform.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
 
 #include "plumb/base/error.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/space/far_box.h"
 #include "plumb/space/frame.h"
+#include "plumb/space/tidy_tables.h"
 
 namespace plumb {
 namespace {
 
-using Row = std::array<Rational, 3>;
-using Matrix = std::array<Row, 3>;
-
-Rational dot(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Row cross(const Row& a, const Row& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+RationalRow image_of_normal(const RationalRow& n, const RationalMatrix& cofactors,
+                            const Rational& determinant) {
+  RationalRow image;
+  for (std::size_t k = 0; k < 3; ++k) image[k] = dot(n, cofactors[k]) / determinant;
+  return image;
 }
 
 /// Points go to M x + t, and a plane n.x + d = 0 to (n M^-1).x + d - (n M^-1).t = 0. Of M^-1 the columns are
-/// the cross products of rows of M, divided by the determinant.
+/// the cross products of rows of M, divided by the determinant. R goes to `far_scale` R, and far planes
+/// are not shifted (far_box.h).
 class Images {
  public:
-  Images(const SpaceComplex& complex, const AffineMap3& map)
-      : complex_(complex), map_(map), tables_(std::make_shared<SpaceTables>()) {
-    const Matrix& m = map.matrix;
-    cofactors_ = {cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
-    determinant_ = dot(m[0], cofactors_[0]);
-    if (determinant_ == 0) throw Error(ErrorCode::BadArgument, "the matrix of the map is singular");
-    planes_.resize(complex.planes().size());
-  }
+  Images(const SpaceComplex& complex, const AffineMap3& map, Rational far_scale)
+      : complex_(complex),
+        map_(map),
+        far_scale_(std::move(far_scale)),
+        tables_(std::make_shared<SpaceTables>()),
+        cofactors_(cofactors(map.matrix)),
+        determinant_(plumb::determinant(map.matrix)),
+        planes_(complex.planes().size()) {}
 
   Sign determinant() const { return sign_of(determinant_); }
   std::shared_ptr<SpaceTables> tables() const { return tables_; }
@@ -52,7 +54,7 @@ class Images {
                                  (*this)(source.plane(2)).plane());
     }
     const RationalPoint3 at = exact(points, p);
-    const Row from{at.x, at.y, at.z};
+    const RationalRow from{at.x, at.y, at.z};
     return add_point(*tables_, {dot(map_.matrix[0], from) + map_.offset[0],
                                 dot(map_.matrix[1], from) + map_.offset[1],
                                 dot(map_.matrix[2], from) + map_.offset[2]});
@@ -61,17 +63,20 @@ class Images {
  private:
   OrientedPlane image_of(PlaneId p) {
     const IntegerRow row = complex_.planes().primitive(p);
-    const Row n{Rational(row[0]), Rational(row[1]), Rational(row[2])};
-    Row image;
-    for (std::size_t k = 0; k < 3; ++k) image[k] = dot(n, cofactors_[k]) / determinant_;
+    const RationalRow n{Rational(row[0]), Rational(row[1]), Rational(row[2])};
+    const RationalRow image = image_of_normal(n, cofactors_, determinant_);
+    if (complex_.planes().is_frame(p)) {
+      return far_plane(tables_->planes, image, row[3] * far_scale_);
+    }
     const Rational d = Rational(row[3]) - dot(image, map_.offset);
     return tables_->planes.intern(image[0], image[1], image[2], d);
   }
 
   const SpaceComplex& complex_;
   const AffineMap3& map_;
+  Rational far_scale_;
   std::shared_ptr<SpaceTables> tables_;
-  Matrix cofactors_;
+  RationalMatrix cofactors_;
   Rational determinant_;
   std::vector<OrientedPlane> planes_;
 };
@@ -91,18 +96,11 @@ void reverse_radial(SpaceComplex& c) {
   c.use_radial = std::move(before);
 }
 
-}  // namespace
-
 // An edge along d = n_p x n_q goes to M d, and (M^-T n_p) x (M^-T n_q) = M d / det M. A facet lies to the left
 // of d, in the direction n x d, as seen from n; its image is seen from M^-T n, and
 // ((M^-T n) x (M d)).(M (n x d)) has the sign of det M: the same side if the image of n is the canonical
 // normal and the map keeps orientation, or neither.
-SpaceComplex transformed(const SpaceComplex& complex, const AffineMap3& map, Context& context) {
-  if (has_frame(complex)) {
-    throw Error(ErrorCode::BadArgument,
-                "facets or edges that reach to infinity cannot be mapped yet");
-  }
-  Images image(complex, map);
+SpaceComplex image_of(const SpaceComplex& complex, Images image, Context& context) {
   SpaceComplex out = complex;
   out.tables = image.tables();
   context.checkpoint("transform", 0, 3);
@@ -126,6 +124,44 @@ SpaceComplex transformed(const SpaceComplex& complex, const AffineMap3& map, Con
   reverse_uses(out, is_reversed);
   if (image.determinant() == Sign::Negative) reverse_radial(out);
   return out;
+}
+
+/// The scale of R under which the image of a far box encloses the cube: the cube itself if it can be, else
+/// twice as large as needed.
+Rational enclosing_scale(const FarBox& box, const AffineMap3& map) {
+  const RationalMatrix dual = cofactors(map.matrix);
+  const Rational det = determinant(map.matrix);
+  Rational largest = 0;
+  bool is_cube = true;
+  for (const RationalRow& n : box.normal) {
+    const RationalRow image = image_of_normal(n, dual, det);
+    const Rational reach = sum_of_magnitudes(image);
+    is_cube &= std::count(image.begin(), image.end(), 0) == 2 && (largest == 0 || largest == reach);
+    largest = std::max(largest, reach);
+  }
+  return (is_cube ? 1 : 2) * largest / box.size;
+}
+
+bool is_linear(const AffineMap3& map) {
+  return std::count(map.offset.begin(), map.offset.end(), 0) == 3;
+}
+
+SpaceComplex framed_image(const SpaceComplex& complex, const AffineMap3& map, Context& context) {
+  const FarBox box = is_linear(map) ? frame_box() : general_box(complex);
+  const SpaceComplex cut = inside(complex, box, copy(*complex.tables), context);
+  SpaceComplex image = image_of(cut, Images(cut, map, enclosing_scale(box, map)), context);
+  const auto tables = std::const_pointer_cast<SpaceTables>(image.tables);
+  return with_used_tables(inside(std::move(image), frame_box(), tables, context));
+}
+
+}  // namespace
+
+SpaceComplex transformed(const SpaceComplex& complex, const AffineMap3& map, Context& context) {
+  if (determinant(map.matrix) == 0) {
+    throw Error(ErrorCode::BadArgument, "the matrix of the map is singular");
+  }
+  if (has_frame(complex)) return framed_image(complex, map, context);
+  return image_of(complex, Images(complex, map, 1), context);
 }
 
 }  // namespace plumb

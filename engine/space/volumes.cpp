@@ -7,6 +7,7 @@
 #include "plumb/base/error.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/local_maps.h"
+#include "plumb/space/shell_nodes.h"
 #include "plumb/space/space_locator.h"
 #include "plumb/sphere/sphere_overlay.h"
 
@@ -17,118 +18,28 @@ namespace {
 constexpr SphereDirection kLeft{kPlaneZ, kPlaneY};  // -x
 constexpr SphereDirection kRight{kPlaneY, kPlaneZ};
 
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  /// The root of both is the lesser one.
-  void unite(std::uint32_t i, std::uint32_t j) {
-    i = root(i);
-    j = root(j);
-    if (i < j) std::swap(i, j);
-    parent_[i] = j;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
-/// Nodes: side s of facet f is 2f + s; the only face of the map of a vertex v without facets is 2F + v.
 class Labeller {
  public:
   Labeller(SpaceComplex& complex, Context& context)
       : complex_(complex),
         context_(context),
-        shells_(2 * complex.facet_count() + complex.vertex_count()),
+        shells_(cleared(complex)),
         pieces_(complex.vertex_count()) {}
 
   void run() {
-    clear_volumes();
-    join_around_edges();
-    join_at_irregular_vertices();
     find_pieces();
     nest_pieces();
     number_volumes();
   }
 
  private:
-  std::uint32_t vertex_node(VertexId v) const {
-    return static_cast<std::uint32_t>(2 * complex_.facet_count()) + v.value();
-  }
-  std::uint32_t node_before(UseId u) const { return node_after(u) ^ 1U; }
-  std::uint32_t node_after(UseId u) const {
-    const std::uint32_t side = complex_.use_halfedge[u.value()].value() & 1U;
-    return 2 * complex_.use_facet[u.value()].value() + side;
-  }
-
-  void clear_volumes() {
-    complex_.volume_mark.clear();
-    complex_.facet_volume.assign(complex_.facet_count(), {});
-    complex_.edge_volume.assign(complex_.edge_count(), {});
-    complex_.vertex_volume.assign(complex_.vertex_count(), {});
-  }
-
-  // ---- shells
-
-  void join_around_edges() {
-    for (std::uint32_t u = 0; u < complex_.use_count(); ++u) {
-      shells_.unite(node_after(UseId(u)), node_before(complex_.use_radial[u]));
-    }
-  }
-
-  /// Vertices whose sphere map is not connected, has a loop or points without arcs.
-  std::vector<VertexId> irregular_vertices() const {
-    UnionFind link(complex_.origin.size());  // half-edges of one vertex, joined by corners
-    for (std::uint32_t u = 0; u < complex_.use_count(); ++u) {
-      const HalfedgeId back =
-          SpaceComplex::twin(complex_.use_halfedge[complex_.use_prev[u].value()]);
-      link.unite(complex_.use_halfedge[u].value(), back.value());
-    }
-    std::vector<VertexId> irregular;
-    for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
-      const auto star = complex_.star_of(VertexId(v));
-      bool is_regular = !star.empty() && !complex_.vertex_facet[v].is_valid() &&
-                        complex_.edge_use[star[0].value() / 2].is_valid();
-      for (std::size_t i = 1; i < star.size() && is_regular; ++i) {
-        is_regular = link.root(star[i].value()) == link.root(star[0].value());
-      }
-      if (!is_regular) irregular.push_back(VertexId(v));
-    }
-    return irregular;
-  }
-
-  /// A node for each face of a map; faces without arcs have the vertex's own.
-  void face_nodes(const LocalMap& local, std::uint32_t lone_node,
-                  std::vector<std::uint32_t>& node) const {
-    node.assign(local.map.face_count(), lone_node);
-    for (std::uint32_t h = 0; h < local.map.face.size(); ++h) {
-      node[local.map.face[h]] = 2 * local.facet[h / 2].value() + (h & 1U);
-    }
-  }
-
-  void join_at_irregular_vertices() {
-    LocalMap local;
-    std::vector<std::uint32_t> node;
-    free_node_.assign(complex_.edge_count(), SphereMap::kNone);
-    for (const VertexId v : irregular_vertices()) {
-      local_map(complex_, v, local);
-      face_nodes(local, vertex_node(v), node);
-      for (std::uint32_t h = 0; h < local.map.face.size(); ++h) {
-        shells_.unite(node[local.map.face[h]], 2 * local.facet[h / 2].value() + (h & 1U));
-      }
-      for (std::size_t i = 0; i < local.halfedge.size(); ++i) {
-        if (local.map.first_out[i] != SphereMap::kNone) continue;
-        std::uint32_t& known = free_node_[local.halfedge[i].value() / 2];
-        const std::uint32_t here = node[local.map.point_face[i]];
-        if (known == SphereMap::kNone) known = here;
-        shells_.unite(known, here);
-      }
-    }
+  /// Without volumes.
+  static const SpaceComplex& cleared(SpaceComplex& complex) {
+    complex.volume_mark.clear();
+    complex.facet_volume.assign(complex.facet_count(), {});
+    complex.edge_volume.assign(complex.edge_count(), {});
+    complex.vertex_volume.assign(complex.vertex_count(), {});
+    return complex;
   }
 
   // ---- connected pieces
@@ -159,15 +70,10 @@ class Labeller {
   /// The node that faces a direction at an item.
   std::uint32_t node_towards(SpaceItem item, SphereDirection direction) {
     local_map(complex_, item, local_);
-    const bool is_vertex = item.kind() == SpaceItem::Kind::Vertex;
-    const std::uint32_t lone_node = is_vertex ? vertex_node(item.vertex())
-                                    : item.kind() == SpaceItem::Kind::Edge
-                                        ? free_node_[item.index()]
-                                        : SphereMap::kNone;
     std::vector<std::uint32_t> node;
-    face_nodes(local_, lone_node, node);
+    shells_.face_nodes(local_, item, node);
     const SphereCell cell = locate(complex_.planes(), local_.map, direction);
-    PLUMB_CHECK(cell.kind() == SphereCell::Kind::Face && node[cell.index()] != SphereMap::kNone);
+    PLUMB_CHECK(cell.kind() == SphereCell::Kind::Face && node[cell.index()] != ShellNodes::kNone);
     return node[cell.index()];
   }
 
@@ -194,7 +100,7 @@ class Labeller {
   // ---- numbering
 
   void number_volumes() {
-    std::vector<VolumeId> number(2 * complex_.facet_count() + complex_.vertex_count());
+    std::vector<VolumeId> number(shells_.size());
     std::uint32_t count = 0;
     const auto volume_of = [&](std::uint32_t node) {
       VolumeId& volume = number[shells_.root(node)];
@@ -206,12 +112,13 @@ class Labeller {
       complex_.facet_volume[f] = {volume_of(2 * f), volume_of(2 * f + 1)};
     }
     for (std::uint32_t e = 0; e < complex_.edge_count(); ++e) {
-      if (free_node_[e] != SphereMap::kNone) complex_.edge_volume[e] = volume_of(free_node_[e]);
+      const std::uint32_t node = shells_.free_node(EdgeId(e));
+      if (node != ShellNodes::kNone) complex_.edge_volume[e] = volume_of(node);
     }
     for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
       const bool is_alone = complex_.star_of(VertexId(v)).empty();
       if (is_alone && !complex_.vertex_facet[v].is_valid()) {
-        complex_.vertex_volume[v] = volume_of(vertex_node(VertexId(v)));
+        complex_.vertex_volume[v] = volume_of(shells_.vertex_node(VertexId(v)));
       }
     }
     complex_.volume_mark.assign(count, 0);
@@ -219,10 +126,9 @@ class Labeller {
 
   SpaceComplex& complex_;
   Context& context_;
-  UnionFind shells_;
+  ShellNodes shells_;
   UnionFind pieces_;
   std::vector<VertexId> least_;           // per piece
-  std::vector<std::uint32_t> free_node_;  // per free edge
   std::vector<std::uint32_t> outermost_;  // nodes of volume 0
   LocalMap local_;
 };

@@ -1,0 +1,14 @@
+// How much memory a complex takes.
+#pragma once
+
+#include <cstddef>
+
+#include "plumb/space/space_complex.h"
+
+namespace plumb {
+
+/// The arrays of a complex and its tables in bytes; of the index over planes, an estimate. Copies of a set
+/// share all of it. O(planes).
+std::size_t memory_bytes(const SpaceComplex& complex);
+
+}  // namespace plumb
