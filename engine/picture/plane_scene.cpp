@@ -35,7 +35,7 @@ class FlatScene {
     std::vector<std::uint32_t> used;
     for (const IndexRing& ring : rings) used.insert(used.end(), ring.begin(), ring.end());
     std::ranges::sort(used);
-    used.erase(std::ranges::unique(used).begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
     flat_.reset({});
     for (const std::uint32_t i : used) flat_.push_back(points_[i]);
     const auto number = [&used](std::uint32_t i) {
@@ -112,7 +112,7 @@ void add_borders(const MapReport& report, FlatScene& flat) {
     }
   }
   std::ranges::sort(edges);
-  edges.erase(std::ranges::unique(edges).begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   for (const auto& [a, b] : edges) flat.add_line(a, b, Paint::Edge);
 }
 
