@@ -3,41 +3,21 @@
 //
 // Input: a program of records of eight bytes (tests/generate/plane_program.h). The mutator works on
 // records; every input is an expression.
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-
 #include "generate/plane_program.h"
 #include "oracle/nef2_check.h"
-#include "oracle_reached.h"
-#include "record_mutator.h"
+#include "record_target.h"
 
 namespace plumb::testing {
 namespace {
 
 constexpr std::size_t kMaxLines = 12;  // the twin is quadratic in their crossings
-constexpr std::size_t kMaxBytes = 40 * kProgramRecord;
 
-void run(std::span<const std::uint8_t> program) {
-  if (program.size() < 2 * kProgramRecord || program.size() > kMaxBytes) return;
-  const PlaneSetPointer set = set_of_program(program, kMaxLines);
-  fuzz::oracle_reached();
-  const std::string wrong = disagreement(*set);
-  if (wrong.empty()) return;
-  std::fprintf(stderr, "Nef2 and its twin disagree: %s\n", wrong.c_str());
-  std::abort();
+std::string difference_of(std::span<const std::uint8_t> program) {
+  return disagreement(*set_of_program(program, kMaxLines));
 }
 
 }  // namespace
 }  // namespace plumb::testing
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  plumb::testing::run({data, size});
-  return 0;
-}
-
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
-                                               std::size_t max_size, unsigned seed) {
-  return plumb::fuzz::RecordMutator(plumb::testing::kProgramRecord, seed)
-      .mutate(data, size, max_size);
-}
+const plumb::fuzz::RecordTarget plumb::fuzz::kTarget{plumb::testing::kProgramRecord, 40,
+                                                     plumb::testing::difference_of};

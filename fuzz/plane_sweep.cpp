@@ -2,42 +2,23 @@
 // and origin.
 //
 // Input: a program of records of eight bytes (tests/generate/plane_program.h), one for each curve.
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-
 #include "generate/plane_program.h"
 #include "oracle/arrangement_check.h"
-#include "oracle_reached.h"
-#include "record_mutator.h"
+#include "record_target.h"
 
 namespace plumb::testing {
 namespace {
 
 constexpr std::size_t kMaxCurves = 8;  // the twin is quadratic in their crossings
-constexpr std::size_t kMaxBytes = 40 * kProgramRecord;
 
-void run(std::span<const std::uint8_t> program) {
-  if (program.size() < 2 * kProgramRecord || program.size() > kMaxBytes) return;
+std::string difference_of(std::span<const std::uint8_t> program) {
   const CurveScene scene = scene_of_program(program, kMaxCurves);
-  fuzz::oracle_reached();
   const std::string wrong = disagreement(scene, program[1]);
-  if (wrong.empty()) return;
-  std::fprintf(stderr, "the arrangement and its twin disagree: %s\n%s", wrong.c_str(),
-               to_text(scene).c_str());
-  std::abort();
+  return wrong.empty() ? wrong : wrong + '\n' + to_text(scene);
 }
 
 }  // namespace
 }  // namespace plumb::testing
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  plumb::testing::run({data, size});
-  return 0;
-}
-
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
-                                               std::size_t max_size, unsigned seed) {
-  return plumb::fuzz::RecordMutator(plumb::testing::kProgramRecord, seed)
-      .mutate(data, size, max_size);
-}
+const plumb::fuzz::RecordTarget plumb::fuzz::kTarget{plumb::testing::kProgramRecord, 40,
+                                                     plumb::testing::difference_of};

@@ -1,0 +1,22 @@
+#include "record_target.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "oracle_reached.h"
+#include "record_mutator.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using plumb::fuzz::kTarget;
+  if (size < 2 * kTarget.record || size > kTarget.max_records * kTarget.record) return 0;
+  plumb::fuzz::oracle_reached();
+  const std::string wrong = kTarget.difference({data, size});
+  if (wrong.empty()) return 0;
+  std::fprintf(stderr, "the engine and its twin disagree: %s\n", wrong.c_str());
+  std::abort();
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t max_size, unsigned seed) {
+  return plumb::fuzz::RecordMutator(plumb::fuzz::kTarget.record, seed).mutate(data, size, max_size);
+}
