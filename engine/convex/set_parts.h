@@ -1,0 +1,27 @@
+// A set taken apart by dimension: what is cut into convex pieces one by one.
+//
+// Main flow of parts_of():
+//  1. own     each marked facet, edge and vertex beside marked volumes is given to one of them; else a marked
+//             edge and vertex to a marked facet beside it; else a vertex to an edge
+//  2. remark  the set's complex with the marks of one owner's items, in minimal form
+//
+// The parts are disjoint and their union is the set. Cost: O(n) for one part, O(n) a part besides.
+#pragma once
+
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/space/nef3.h"
+
+namespace plumb {
+
+/// One part of one dimension.
+struct SetPart {
+  Nef3 set;
+  int dimension = 3;  ///< 3: one marked volume, 2: one facet, 1: one edge, 0: a point
+};
+
+/// By dimension, downwards; empty for the empty set. Origins of facets are kept.
+std::vector<SetPart> parts_of(const Nef3& set, Context& context);
+
+}  // namespace plumb
