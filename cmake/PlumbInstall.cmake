@@ -7,8 +7,8 @@ install(TARGETS plumb_predicates plumb_plumb EXPORT plumbTargets)
 if(PLUMB_BUILD_PROGRAM AND TARGET plumb_program)
   install(TARGETS plumb_program)
 endif()
-install(DIRECTORY predicates engine/base engine/dcel engine/plane engine/sphere engine/space engine/convex engine/io
-  engine/picture
+install(DIRECTORY predicates engine/base engine/dcel engine/plane engine/sphere engine/space engine/convex
+  engine/surface engine/io engine/picture
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb FILES_MATCHING PATTERN "*.h")
 install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

@@ -1,0 +1,111 @@
+// Boolean operations between polygons drawn on a triangle mesh, exact.
+//
+// A shape is a sum of closed polygons: an integer 1-cycle. Its label is the integer function on cells that
+// grows by one from the right to the left of a polygon. It exists if and only if the shape is zero in the homology
+// of the surface relative to its border; otherwise a cycle of cells proves that it does not.
+//
+// Main flow of SurfaceDivision:
+//  1. slice       polygons against each other in every face they touch (surface_arrangement.h): nodes, arcs
+//                 with the signed multiplicities of polygons, pieces of faces
+//  2. cells       pieces and faces with no arc between them; the graph of cells (surface_cells.h)
+//  3. labels      of polygons and of shapes, as potentials on that graph (surface_labels.h)
+// Of a Boolean:
+//  4. select      cells whose labels satisfy an expression over shapes
+//  5. borders     of the selected cells, as polygons again (surface_borders.h)
+//
+// Nothing is snapped; equal rationals are one point. Ties are ordinary: control points on edges and vertices,
+// segments along edges, touching, overlapping, doubled and backtracking ones.
+//
+// Cost: after O(n) for n faces, O((s + k) log (s + k)) for s segments and k crossings plus pairs of segments
+// of one face whose boxes meet; labels O(sum of their lengths). Errors: Error{BadArgument}, Error{BadIndex} for
+// what scene() says; ResourceLimit and Cancelled by the Context.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/base/set_expression.h"
+#include "plumb/plane/nef2.h"
+#include "plumb/surface/surface_ids.h"
+#include "plumb/surface/surface_mesh.h"
+#include "plumb/surface/surface_path.h"
+
+namespace plumb {
+
+struct SurfaceScene {
+  std::shared_ptr<const SurfaceMesh> mesh;
+  SurfacePolygons polygons;  ///< over that mesh
+  /// Polygons that add up to each shape; empty: one shape per polygon.
+  std::vector<std::vector<std::uint32_t>> shapes;
+  FaceId
+      outside;  ///< labels are zero in its cell (that of its first corner, if it has several); may be invalid
+};
+
+struct SurfaceCounts {
+  std::size_t triangles = 0;  ///< of the mesh
+  std::size_t segments = 0;   ///< of polygons, those of length zero not counted
+  std::size_t crossings = 0;  ///< points where more than two arcs end
+  std::size_t cells = 0;
+  std::size_t cell_edges = 0;  ///< different (pair of cells, signed polygons between them)
+};
+
+/// Does a label exist?
+struct Separation {
+  bool over_z = true;
+  bool mod_2 = true;
+  /// If not over Z: cells, each next to the one before and the last to the first, around which the label
+  /// would change.
+  std::vector<CellId> cycle;
+};
+
+/// The cells an expression selects.
+struct SurfaceRegion {
+  std::vector<std::uint8_t> is_selected;  ///< per cell
+  std::vector<std::uint32_t>
+      generators;  ///< polygons of the shapes that the expression names, ascending
+  std::size_t cells = 0;
+  double area = 0;
+};
+
+/// What a Boolean gives: valid input again.
+struct SurfaceResult {
+  SurfaceRegion region;
+  SurfacePolygons
+      borders;  ///< one polygon a loop, the region to its left; the mesh border is no loop
+};
+
+class SurfaceDivision {
+ public:
+  SurfaceDivision(SurfaceScene scene, Context& context);
+  ~SurfaceDivision();
+  SurfaceDivision(SurfaceDivision&&) noexcept;
+  SurfaceDivision& operator=(SurfaceDivision&&) noexcept;
+
+  const SurfaceScene& scene() const;
+  const SurfaceMesh& mesh() const { return *scene().mesh; }
+  SurfaceCounts counts() const;
+  std::size_t cell_count() const;
+  std::size_t shape_count() const;
+
+  const Separation& polygon_separation(std::uint32_t polygon) const;
+  const Separation& shape_separation(std::uint32_t shape) const;
+  /// (shape, value), ascending, without zeros. Of a shape that separates modulo 2 only, values are 0 and 1; of
+  /// one that does not separate there are none.
+  std::span<const SignedEntry> labels(CellId c) const;
+  double area(CellId c) const;
+
+  /// Names A, B, C ... or s0, s1 ... are shapes. Throws Error{BadArgument} for other names, and for shapes that do
+  /// not separate (modulo 2 is enough for EvenOdd).
+  SurfaceRegion select(const SetExpression& expression, WindingRule rule) const;
+  SurfacePolygons borders(const SurfaceRegion& region) const;
+  SurfaceResult evaluate(const SetExpression& expression, WindingRule rule) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace plumb
