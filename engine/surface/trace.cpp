@@ -1,0 +1,160 @@
+#include "plumb/surface/trace.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "plumb/base/error.h"
+#include "plumb/surface/unfolded_strip.h"
+
+namespace plumb {
+namespace {
+
+constexpr double kShorter = 1 - 0x1p-48;
+
+std::vector<Point3> scaled_positions(const SurfaceMesh& mesh) {
+  double largest = 0;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    const Point3& p = mesh.point(VertexId(v));
+    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  }
+  int above = 0;
+  std::frexp(largest, &above);
+  std::vector<Point3> positions;
+  positions.reserve(mesh.vertex_count());
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    const Point3& p = mesh.point(VertexId(v));
+    positions.push_back(
+        {std::ldexp(p.x, -above), std::ldexp(p.y, -above), std::ldexp(p.z, -above)});
+  }
+  return positions;
+}
+
+/// An order of points that does not depend on who asks first; equal ones are the same point.
+bool is_lower(const SurfacePointTable& points, SurfacePointId a, SurfacePointId b) {
+  const auto index = [&points](SurfacePointId p) {
+    return points.place(p) == SurfacePlace::Vertex ? points.vertex(p).value()
+           : points.place(p) == SurfacePlace::Edge ? points.edge(p).value()
+                                                   : points.face(p).value();
+  };
+  if (points.place(a) != points.place(b)) return points.place(a) < points.place(b);
+  if (index(a) != index(b)) return index(a) < index(b);
+  const RationalPoint2 p = points.exact(a), q = points.exact(b);
+  return p.x != q.x ? p.x < q.x : p.y < q.y;
+}
+
+StripEnd end_at(const SurfacePointTable& points, SurfacePointId p, FaceId f,
+                const std::vector<Point3>& positions) {
+  const std::array<double, 3> weights = weights_in(points, p, f);
+  Point3 at;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point3& corner = positions[points.mesh().corner(f, k).value()];
+    at = {at.x + weights[k] * corner.x, at.y + weights[k] * corner.y, at.z + weights[k] * corner.z};
+  }
+  return {&points, p, at};
+}
+
+/// Leads the strip around the other side of bends, from the last to the first; of two that share more than a
+/// face the latter. False when nothing changed.
+bool flip(const SurfaceMesh& mesh, const std::vector<StripTurn>& turns, FaceStrip& strip) {
+  bool has_changed = false;
+  std::size_t free_until = strip.doors.size();
+  for (auto turn = turns.rbegin(); turn != turns.rend(); ++turn) {
+    if (turn->last > free_until) continue;
+    const HalfedgeId door = strip.doors[turn->first];
+    const HalfedgeId leaving = turn->is_left ? SurfaceMesh::next(door) : door;
+    const FaceId to = SurfaceMesh::face(mesh.twin(strip.doors[turn->last - 1]));
+    const auto doors = doors_around(mesh, leaving, to, turn->is_left);
+    if (!doors) continue;
+    const auto at = [&](std::uint32_t i) { return strip.doors.begin() + i; };
+    strip.doors.insert(strip.doors.erase(at(turn->first), at(turn->last)), doors->begin(),
+                       doors->end());
+    free_until = turn->first;
+    has_changed = true;
+  }
+  return has_changed;
+}
+
+void keep_sharpest(std::vector<StripTurn>& turns) {
+  if (turns.empty()) return;
+  turns = {*std::ranges::max_element(turns, {}, &StripTurn::gain)};
+}
+
+/// The point of a stop, added to the table. Both t and 1 - t are doubles: that makes signs cheap.
+SurfacePointId point_at(const StripStop& stop, const SurfaceMesh& mesh, const FaceStrip& strip,
+                        SurfacePointTable& points) {
+  if (stop.vertex.is_valid()) return points.add_vertex(stop.vertex);
+  const HalfedgeId door = strip.doors[stop.door];
+  return points.add_on_edge(mesh.edge(door),
+                            mesh.is_upward(door) ? 1 - (1 - stop.part) : 1 - stop.part);
+}
+
+SurfacePath read_off(const std::vector<StripStop>& stops, const SurfaceMesh& mesh,
+                     const FaceStrip& strip, SurfacePointId a, SurfacePointId b,
+                     SurfacePointTable& points) {
+  std::vector<FaceId> faces{strip.first};
+  for (const HalfedgeId door : strip.doors) faces.push_back(SurfaceMesh::face(mesh.twin(door)));
+  SurfacePath path{{a}, {}};
+  for (std::size_t i = 1; i < stops.size(); ++i) {
+    path.points.push_back(i + 1 == stops.size() ? b : point_at(stops[i], mesh, strip, points));
+    path.faces.push_back(faces[std::max(stops[i - 1].first, stops[i].first)]);
+  }
+  return path;
+}
+
+}  // namespace
+
+Tracer::Tracer(const SurfaceMesh& mesh)
+    : mesh_(mesh), positions_(scaled_positions(mesh)), finder_(mesh, positions_) {}
+
+std::optional<SurfacePath> Tracer::trace(SurfacePointTable& points, SurfacePointId a,
+                                         SurfacePointId b, Context& context) {
+  if (points.is_same(a, b)) return SurfacePath{{a}, {}};
+  if (is_lower(points, a, b)) return trace_upward(points, a, b, context);
+  std::optional<SurfacePath> path = trace_upward(points, b, a, context);
+  if (path) {
+    std::ranges::reverse(path->points);
+    std::ranges::reverse(path->faces);
+  }
+  return path;
+}
+
+std::optional<SurfacePath> Tracer::trace_upward(SurfacePointTable& points, SurfacePointId a,
+                                                SurfacePointId b, Context& context) {
+  const std::vector<FaceId> near_a = faces_at(points, a), near_b = faces_at(points, b);
+  if (near_a.empty() || near_b.empty()) return {};
+  if (mesh_.component(near_a.front()) != mesh_.component(near_b.front())) return {};
+  for (const FaceId f : near_a) {
+    if (points.is_in(b, f)) return SurfacePath{{a, b}, {f}};
+  }
+  const StripEnd from = end_at(points, a, near_a.front(), positions_);
+  const StripEnd to = end_at(points, b, near_b.front(), positions_);
+  const FaceStrip strip = tightened(from, to, context);
+  const UnfoldedStrip unfolded(mesh_, positions_, strip, from, to);
+  return read_off(unfolded.stops(), mesh_, strip, a, b, points);
+}
+
+FaceStrip Tracer::tightened(const StripEnd& from, const StripEnd& to, Context& context) {
+  std::optional<FaceStrip> found = finder_.find(from, to, context);
+  PLUMB_CHECK(found.has_value());
+  FaceStrip strip = std::move(*found);
+  finder_.shorten(strip, from, to);
+  for (bool all_at_once = true;;) {
+    context.checkpoint("trace", 0, 1);
+    const UnfoldedStrip unfolded(mesh_, positions_, strip, from, to);
+    std::vector<StripTurn> turns = unfolded.turns();
+    if (!all_at_once) keep_sharpest(turns);
+    FaceStrip other = strip;
+    if (!flip(mesh_, turns, other)) return strip;
+    finder_.shorten(other, from, to);
+    const UnfoldedStrip flipped(mesh_, positions_, other, from, to);
+    if (flipped.path_length() < kShorter * unfolded.path_length()) {
+      strip = std::move(other);
+    } else if (!std::exchange(all_at_once, false)) {
+      return strip;
+    }
+  }
+}
+
+}  // namespace plumb

@@ -1,0 +1,242 @@
+#include "plumb/surface/unfolded_strip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace plumb {
+namespace {
+
+constexpr double kClose =
+    0x1p-40;                    // of a side's length: so near to a vertex a path passes through it
+constexpr double kFlat = 1e-9;  // radians: a bend so little short of half a turn stays
+
+Point2 operator-(Point2 a, Point2 b) { return {a.x - b.x, a.y - b.y}; }
+double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
+double dot(Point2 a, Point2 b) { return a.x * b.x + a.y * b.y; }
+double length(Point2 a) { return std::hypot(a.x, a.y); }
+double angle(Point2 a, Point2 b) { return std::fabs(std::atan2(cross(a, b), dot(a, b))); }
+
+Point3 operator-(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Point3 cross(const Point3& a, const Point3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+double length(const Point3& a) { return std::sqrt(dot(a, a)); }
+
+Point2 combined(const std::array<Point2, 3>& p, const std::array<double, 3>& w) {
+  return {w[0] * p[0].x + w[1] * p[1].x + w[2] * p[2].x,
+          w[0] * p[0].y + w[1] * p[1].y + w[2] * p[2].y};
+}
+
+}  // namespace
+
+std::array<double, 3> weights_in(const SurfacePointTable& table, SurfacePointId p, FaceId f) {
+  const Point2 at = table.approx(p);
+  if (table.place(p) == SurfacePlace::Face) return {1 - at.x - at.y, at.x, at.y};
+  const SurfaceMesh& mesh = table.mesh();
+  const bool is_vertex = table.place(p) == SurfacePlace::Vertex;
+  const VertexId low = is_vertex ? table.vertex(p) : mesh.lower(table.edge(p));
+  const VertexId high = is_vertex ? low : mesh.upper(table.edge(p));
+  std::array<double, 3> weights{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const VertexId v = mesh.corner(f, k);
+    weights[k] = v == low ? 1 - at.x : v == high ? at.x : 0;
+  }
+  return weights;
+}
+
+UnfoldedStrip::UnfoldedStrip(const SurfaceMesh& mesh, std::span<const Point3> positions,
+                             const FaceStrip& strip, const StripEnd& from, const StripEnd& to)
+    : mesh_(mesh), positions_(positions), strip_(strip) {
+  lay_out(from, to);
+  pull();
+}
+
+// ---------------------------------------------------------------- laying out
+
+/// To the right of the line from a to b.
+Point2 UnfoldedStrip::third_corner(Point2 a, Point2 b, VertexId va, VertexId vb,
+                                   VertexId vc) const {
+  const Point3 along = positions_[vb.value()] - positions_[va.value()];
+  const Point3 to = positions_[vc.value()] - positions_[va.value()];
+  const double square = dot(along, along);
+  if (square == 0) return {a.x + length(to), a.y};
+  const double s = dot(along, to) / square, h = length(cross(along, to)) / square;
+  const Point2 d = b - a;
+  return {a.x + s * d.x + h * d.y, a.y + s * d.y - h * d.x};
+}
+
+UnfoldedStrip::Corners UnfoldedStrip::first_corners(FaceId f) const {
+  const VertexId a = mesh_.corner(f, 0), b = mesh_.corner(f, 1), c = mesh_.corner(f, 2);
+  const Point2 pa{0, 0}, pb{length(positions_[b.value()] - positions_[a.value()]), 0};
+  return {pa, pb, third_corner(pb, pa, b, a, c)};
+}
+
+void UnfoldedStrip::lay_out(const StripEnd& from, const StripEnd& to) {
+  FaceId f = strip_.first;
+  Corners corners = first_corners(f);
+  StripStop start, end;
+  start.at = combined(corners, weights_in(*from.table, from.point, f));
+  for (const HalfedgeId door : strip_.doors) {
+    const std::size_t side = SurfaceMesh::side(door);
+    const Point2 right = corners[side], left = corners[(side + 1) % 3];
+    right_.push_back(right);
+    left_.push_back(left);
+    const HalfedgeId twin = mesh_.twin(door);
+    const std::size_t k = SurfaceMesh::side(twin);
+    f = SurfaceMesh::face(twin);
+    corners[k] = left;
+    corners[(k + 1) % 3] = right;
+    corners[(k + 2) % 3] = third_corner(right, left, mesh_.origin(door), mesh_.target(door),
+                                        mesh_.corner(f, (k + 2) % 3));
+  }
+  end.at = combined(corners, weights_in(*to.table, to.point, f));
+  end.door = end.first = end.last = static_cast<std::uint32_t>(strip_.doors.size());
+  bends_ = {start, end};
+}
+
+// ---------------------------------------------------------------- the funnel
+
+StripStop UnfoldedStrip::vertex_stop(std::size_t door, bool is_left) const {
+  StripStop stop;
+  stop.at = is_left ? left_[door] : right_[door];
+  stop.vertex = is_left ? left_vertex(door) : right_vertex(door);
+  stop.is_left = is_left;
+  std::size_t first = door, last = door;
+  while (first > 0 && has(first - 1, stop.vertex)) --first;
+  while (last + 1 < right_.size() && has(last + 1, stop.vertex)) ++last;
+  stop.door = static_cast<std::uint32_t>(door);
+  stop.first = static_cast<std::uint32_t>(first);
+  stop.last = static_cast<std::uint32_t>(last + 1);
+  return stop;
+}
+
+/// The funnel: what can be seen from the apex, between a left and a right ray. Where one of them would cross the
+/// other, the path bends, and looking goes on from there.
+void UnfoldedStrip::pull() {
+  const StripStop end = bends_.back();
+  bends_.pop_back();
+  const std::size_t doors = right_.size();
+  Point2 apex = bends_.front().at, left = apex, right = apex;
+  std::size_t left_door = 0, right_door = 0;
+  const auto bend = [&](std::size_t& i, std::size_t door, bool is_left) {
+    bends_.push_back(vertex_stop(door, is_left));
+    apex = left = right = bends_.back().at;
+    left_door = right_door = i = door;
+  };
+  for (std::size_t i = 0; i <= doors; ++i) {
+    const Point2 r = i < doors ? right_[i] : end.at, l = i < doors ? left_[i] : end.at;
+    if (right == apex || cross(right - apex, r - apex) >= 0) {
+      if (right != apex && left != apex && cross(left - apex, r - apex) > 0) {
+        bend(i, left_door, true);
+        continue;
+      }
+      right = r;
+      right_door = i;
+    }
+    if (left == apex || cross(left - apex, l - apex) <= 0) {
+      if (left != apex && right != apex && cross(right - apex, l - apex) < 0) {
+        bend(i, right_door, false);
+        continue;
+      }
+      left = l;
+      left_door = i;
+    }
+  }
+  bends_.push_back(end);
+}
+
+double UnfoldedStrip::path_length() const {
+  double sum = 0;
+  for (std::size_t i = 1; i < bends_.size(); ++i) sum += length(bends_[i].at - bends_[i - 1].at);
+  return sum;
+}
+
+// ---------------------------------------------------------------- turns
+
+/// The faces in which the path comes to a bend and leaves it.
+std::array<std::uint32_t, 2> UnfoldedStrip::faces_at(std::size_t i) const {
+  const StripStop& v = bends_[i];
+  return {std::clamp(bends_[i - 1].first, v.first, v.last),
+          std::clamp(bends_[i + 1].first, v.first, v.last)};
+}
+
+/// On the side of the strip, between the path to a bend and from it on.
+double UnfoldedStrip::strip_angle(std::size_t i) const {
+  const StripStop &a = bends_[i - 1], &v = bends_[i], &b = bends_[i + 1];
+  const auto [first, last] = faces_at(i);
+  const auto other = [&](std::size_t door) {
+    return (left_vertex(door) == v.vertex ? right_[door] : left_[door]) - v.at;
+  };
+  double sum = angle(a.at - v.at, other(first));
+  for (std::size_t d = first; d + 1 < last; ++d) sum += angle(other(d), other(d + 1));
+  return sum + angle(other(last - 1), b.at - v.at);
+}
+
+double UnfoldedStrip::full_angle(VertexId v) const {
+  double sum = 0;
+  const Point3& p = positions_[v.value()];
+  for_halfedges_from(mesh_, v, [&](HalfedgeId h) {
+    if (mesh_.is_border(h) || mesh_.is_border(SurfaceMesh::prev(h))) {
+      sum = std::numeric_limits<double>::infinity();
+    }
+    const Point3 a = positions_[mesh_.target(h).value()] - p;
+    const Point3 b = positions_[mesh_.origin(SurfaceMesh::prev(h)).value()] - p;
+    sum += std::atan2(length(cross(a, b)), dot(a, b));
+  });
+  return sum;
+}
+
+std::vector<StripTurn> UnfoldedStrip::turns() const {
+  std::vector<StripTurn> turns;
+  for (std::size_t i = 1; i + 1 < bends_.size(); ++i) {
+    const auto [first, last] = faces_at(i);
+    if (last <= first) continue;
+    const StripStop& v = bends_[i];
+    const double gain = std::numbers::pi - (full_angle(v.vertex) - strip_angle(i));
+    if (gain > kFlat) turns.push_back({v.vertex, first, last, v.is_left, gain});
+  }
+  return turns;
+}
+
+// ---------------------------------------------------------------- stops
+
+double UnfoldedStrip::part_on(std::size_t door, Point2 a, Point2 b) const {
+  const double right = cross(b - a, right_[door] - a), left = cross(b - a, left_[door] - a);
+  return left > right ? std::clamp(-right / (left - right), 0., 1.) : 0;
+}
+
+/// Those after a up to b, itself included.
+void UnfoldedStrip::add_stops(const StripStop& a, const StripStop& b,
+                              std::vector<StripStop>& stops) const {
+  for (std::uint32_t door = a.last; door < b.first; ++door) {
+    const double part = part_on(door, a.at, b.at);
+    if (part >= kClose && part <= 1 - kClose) continue;
+    const StripStop between = vertex_stop(door, part > .5);
+    add_stops(a, between, stops);
+    add_stops(between, b, stops);
+    return;
+  }
+  for (std::uint32_t door = a.last; door < b.first; ++door) {
+    const double part = part_on(door, a.at, b.at);
+    const Point2 &r = right_[door], &l = left_[door];
+    stops.push_back({{r.x + part * (l.x - r.x), r.y + part * (l.y - r.y)},
+                     VertexId(),
+                     door,
+                     part,
+                     door,
+                     door + 1,
+                     false});
+  }
+  stops.push_back(b);
+}
+
+std::vector<StripStop> UnfoldedStrip::stops() const {
+  std::vector<StripStop> stops{bends_.front()};
+  for (std::size_t i = 1; i < bends_.size(); ++i) add_stops(bends_[i - 1], bends_[i], stops);
+  return stops;
+}
+
+}  // namespace plumb
