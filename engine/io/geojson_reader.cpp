@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "plumb/base/error.h"
+#include "plumb/io/json_places.h"
 #include "plumb/io/number_reader.h"
 #include "plumb/io/shape_collector.h"
-#include "plumb/io/text_cursor.h"
 
 namespace plumb {
 namespace {
@@ -23,7 +22,6 @@ using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std:
                                   std::uint64_t, long double>;
 
 constexpr std::size_t kMostNested = 64;
-constexpr std::uint32_t kTokensPerCheckpoint = 4096;
 
 /// Members that mean something; the first half says what an object holds.
 enum class Member : std::uint8_t { Coordinates, Geometries, Geometry, Features, Type, Other };
@@ -96,48 +94,15 @@ struct Object {
   bool has(Member m) const { return (seen & bit(m)) != 0; }
 };
 
-/// Walks a text and tells how far the parser has read.
-struct WatchedIterator {
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = const char&;
-
-  const char* at;
-  const char** read_to;
-
-  reference operator*() const { return *at; }
-  WatchedIterator& operator++() {
-    *read_to = ++at;
-    return *this;
-  }
-  WatchedIterator operator++(int) {
-    const WatchedIterator old = *this;
-    ++*this;
-    return old;
-  }
-  friend bool operator==(const WatchedIterator& a, const WatchedIterator& b) {
-    return a.at == b.at;
-  }
-};
-
 class GeoJsonHandler : public nlohmann::json_sax<Json> {
  public:
   GeoJsonHandler(std::string_view text, const ReadOptions& options, Context& context)
-      : text_(text),
-        name_(options.name),
-        cursor_(text, options.name),
+      : places_(text, options.name, context),
         numbers_(context.limits(), options.exact_decimals, text.size()),
-        shapes_(context, text.size()),
-        context_(context),
-        read_to_(cursor_.position()),
-        token_end_(cursor_.position()) {}
+        shapes_(context, text.size()) {}
 
   PlaneShapes read() {
-    const char* const begin = text_.data();
-    Json::sax_parse(WatchedIterator{begin, &read_to_},
-                    WatchedIterator{begin + text_.size(), &read_to_}, this);
+    Json::sax_parse(places_.begin(), places_.end(), this);
     return shapes_.take();
   }
 
@@ -159,8 +124,6 @@ class GeoJsonHandler : public nlohmann::json_sax<Json> {
  private:
   enum class Expected : std::uint8_t { Object, ObjectOrNull, Array, String, Anything };
 
-  void find_token();
-  void find_number();
   Expected expected() const;
   [[noreturn]] void fail_expected() const;
   bool take_scalar(Expected kind);
@@ -179,70 +142,22 @@ class GeoJsonHandler : public nlohmann::json_sax<Json> {
   void require_good(const std::string& flaw, const char* where) const {
     if (!flaw.empty()) fail(ErrorCode::BadShape, flaw, where);
   }
-  /// Fails anywhere before the position of the parser.
-  [[noreturn]] void fail(ErrorCode code, const std::string& message, const char* where) const;
+  [[noreturn]] void fail(ErrorCode code, const std::string& message, const char* where) const {
+    places_.fail(code, message, where);
+  }
 
-  std::string_view text_;
-  std::string name_;
-  TextCursor cursor_;
+  JsonPlaces places_;
   NumberReader numbers_;
   ShapeCollector shapes_;
-  Context& context_;
-  const char* read_to_;
-  const char* token_ = nullptr;  // the token of the current event
-  const char* token_end_;
-  std::uint32_t tokens_ = 0;
   std::vector<Object> objects_;     // open ones
   std::size_t skipped_ = 0;         // open lists and objects that mean nothing
   bool is_in_coordinates_ = false;  // of the innermost object
   ReadNumber x_, y_;
 };
 
-// ---------------------------------------------------------------- tokens and places
-
-/// The token of an event starts behind the last one, blanks and separators, and ends where the
-/// parser stands.
-void GeoJsonHandler::find_token() {
-  constexpr std::string_view kBetween = " \t\r\n,:";
-  token_ =
-      std::find_if(token_end_, read_to_, [&](char c) { return kBetween.find(c) == kBetween.npos; });
-  token_end_ = read_to_;
-  if (tokens_++ % kTokensPerCheckpoint == 0) {
-    context_.checkpoint("read", static_cast<std::size_t>(token_ - text_.data()), text_.size());
-  }
-}
-
-/// The parser sees that a number has ended by looking at what follows it.
-void GeoJsonHandler::find_number() {
-  constexpr std::string_view kNumber = "+-.0123456789Ee";
-  find_token();
-  token_end_ =
-      std::find_if(token_, read_to_, [&](char c) { return kNumber.find(c) == kNumber.npos; });
-}
-
-void GeoJsonHandler::fail(ErrorCode code, const std::string& message, const char* where) const {
-  TextCursor cursor(text_, name_);
-  if (where > cursor.position()) cursor.move_to(where);
-  cursor.fail(code, message);
-}
-
 bool GeoJsonHandler::parse_error(std::size_t position, const std::string&,
                                  const nlohmann::detail::exception& error) {
-  constexpr int kOverflow = 406;
-  const std::size_t last = std::min(position - std::min<std::size_t>(position, 1), text_.size());
-  if (error.id == kOverflow) {
-    fail(ErrorCode::NumberOutOfRange, "a number too large to be read", text_.data() + last);
-  }
-  // "[..] parse error at line 1, column 2: syntax error while parsing value - WHY; last read: '..';
-  // expected .."
-  const std::string_view what = error.what();
-  const std::size_t start = what.find(" - ");
-  std::string why(what.substr(start == what.npos ? 0 : start + 3));
-  if (const std::size_t read = why.find("; last read: '"); read != why.npos) {
-    const std::size_t end = why.rfind("'; expected");
-    why.erase(read, end == why.npos ? end : end + 1 - read);
-  }
-  fail(ErrorCode::Syntax, "not JSON: " + why, text_.data() + last);
+  places_.fail_syntax(position, error.id, error.what());
 }
 
 // ---------------------------------------------------------------- structure
@@ -268,11 +183,11 @@ void GeoJsonHandler::fail_expected() const {
   message +=
       is_in_coordinates_ ? "a number or an array" : kNames[static_cast<std::size_t>(expected())];
   if (!objects_.empty()) message += " in " + quoted_name(objects_.back().member);
-  fail(ErrorCode::Syntax, message, token_);
+  fail(ErrorCode::Syntax, message, places_.token());
 }
 
 bool GeoJsonHandler::take_scalar(Expected kind) {
-  find_token();
+  places_.find_token();
   if (skipped_ > 0) return true;
   const Expected wanted = expected();
   if (is_in_coordinates_ || (wanted != kind && wanted != Expected::Anything)) fail_expected();
@@ -286,7 +201,7 @@ bool GeoJsonHandler::string(string_t& value) {
 }
 
 bool GeoJsonHandler::take_number() {
-  find_number();
+  places_.find_number();
   if (skipped_ > 0) return true;
   if (is_in_coordinates_) {
     add_number();
@@ -300,13 +215,14 @@ void GeoJsonHandler::set_type(const std::string& name) {
   const auto found = std::find_if(kTypes.begin(), kTypes.end(),
                                   [&](const Type& type) { return type.name == name; });
   if (found == kTypes.end()) {
-    fail(ErrorCode::Syntax, "the type is none of GeoJSON's: Point .. FeatureCollection", token_);
+    fail(ErrorCode::Syntax, "the type is none of GeoJSON's: Point .. FeatureCollection",
+         places_.token());
   }
   objects_.back().type = &*found;
 }
 
 bool GeoJsonHandler::start_object(std::size_t) {
-  find_token();
+  places_.find_token();
   const Expected wanted = expected();
   if (skipped_ > 0 || (!is_in_coordinates_ && wanted == Expected::Anything)) {
     ++skipped_;
@@ -316,30 +232,30 @@ bool GeoJsonHandler::start_object(std::size_t) {
     fail_expected();
   }
   if (objects_.size() > kMostNested) {
-    fail(ErrorCode::Syntax, "objects nested more than 64 deep", token_);
+    fail(ErrorCode::Syntax, "objects nested more than 64 deep", places_.token());
   }
   const Role role = objects_.empty()                             ? Role::Any
                     : objects_.back().member == Member::Features ? Role::Feature
                                                                  : Role::Geometry;
-  objects_.push_back({token_, role});
+  objects_.push_back({places_.token(), role});
   return true;
 }
 
 bool GeoJsonHandler::key(string_t& name) {
-  find_token();
+  places_.find_token();
   if (skipped_ > 0) return true;
   Object& object = objects_.back();
   object.member = member_named(name);
   if (object.member == Member::Other) return true;
   if (object.has(object.member)) {
-    fail(ErrorCode::Syntax, quoted_name(object.member) + " is given twice", token_);
+    fail(ErrorCode::Syntax, quoted_name(object.member) + " is given twice", places_.token());
   }
   object.seen |= Object::bit(object.member);
   return true;
 }
 
 bool GeoJsonHandler::end_object() {
-  find_token();
+  places_.find_token();
   if (skipped_ > 0) {
     --skipped_;
     return true;
@@ -350,7 +266,7 @@ bool GeoJsonHandler::end_object() {
 }
 
 bool GeoJsonHandler::start_array(std::size_t) {
-  find_token();
+  places_.find_token();
   const Expected wanted = expected();
   if (skipped_ > 0 || (!is_in_coordinates_ && wanted == Expected::Anything)) {
     ++skipped_;
@@ -360,7 +276,7 @@ bool GeoJsonHandler::start_array(std::size_t) {
     fail_expected();
   } else if (objects_.back().member == Member::Coordinates) {
     is_in_coordinates_ = true;
-    objects_.back().coordinates.place = token_;
+    objects_.back().coordinates.place = places_.token();
     objects_.back().coordinates.first = shapes_.position_count();
     open_list();
   } else {
@@ -370,7 +286,7 @@ bool GeoJsonHandler::start_array(std::size_t) {
 }
 
 bool GeoJsonHandler::end_array() {
-  find_token();
+  places_.find_token();
   if (skipped_ > 0) {
     --skipped_;
   } else if (is_in_coordinates_) {
@@ -384,7 +300,7 @@ bool GeoJsonHandler::end_array() {
 // ---------------------------------------------------------------- coordinates
 
 void GeoJsonHandler::fail_uneven() const {
-  fail(ErrorCode::BadShape, "coordinates are nested unevenly", token_);
+  fail(ErrorCode::BadShape, "coordinates are nested unevenly", places_.token());
 }
 
 void GeoJsonHandler::open_list() {
@@ -402,20 +318,19 @@ void GeoJsonHandler::add_number() {
   if (c.level != c.depth || c.deepest > c.depth) fail_uneven();
   ++c.numbers;
   if (c.numbers > 2) return;
-  cursor_.move_to(token_);
-  const std::string_view token(token_, static_cast<std::size_t>(token_end_ - token_));
-  numbers_.read(cursor_, token, c.numbers == 1 ? x_ : y_);
+  numbers_.read(places_.cursor_at_token(), places_.token_text(), c.numbers == 1 ? x_ : y_);
 }
 
 void GeoJsonHandler::close_list() {
   Coordinates& c = objects_.back().coordinates;
   const std::uint32_t count = shapes_.position_count();
   if (c.level == c.depth) {
-    if (c.numbers < 2) fail(ErrorCode::BadShape, "a position needs two numbers, x and y", token_);
-    shapes_.add_position(cursor_, x_, y_);
+    if (c.numbers < 2)
+      fail(ErrorCode::BadShape, "a position needs two numbers, x and y", places_.token());
+    shapes_.add_position(places_.cursor_at_token(), x_, y_);
   } else if (c.level + 1 == c.depth) {
     const std::uint32_t before = c.lists.empty() ? c.first : c.lists.back().position;
-    if (count != before) c.lists.push_back({count, token_});
+    if (count != before) c.lists.push_back({count, places_.token()});
   } else if (c.level + 2 == c.depth) {
     c.polygons.push_back(c.lists.size());
   }
