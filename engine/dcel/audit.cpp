@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "plumb/base/union_find.h"
 #include "plumb/dcel/dcel.h"
 
 namespace plumb {
@@ -165,28 +166,6 @@ class DcelAudit {
 
 namespace {
 
-/// Disjoint sets with path halving and the lower number as representative.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) {
-    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-  }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  /// False if they were one set already.
-  bool unite(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 /// Components of the structure: sets of edges that next and twin connect, and isolated vertices.
 /// Fans that only share a pinch are different components.
 class Components {
@@ -200,12 +179,12 @@ class Components {
 
   std::uint32_t of(Corner c) {
     const auto isolated = static_cast<std::uint32_t>(d_.edge_slots() + c.other().value());
-    return sets_.find(c.is_halfedge() ? edge_of(c.halfedge()).value() : isolated);
+    return sets_.root(c.is_halfedge() ? edge_of(c.halfedge()).value() : isolated);
   }
 
   /// Does number i represent a component?
   bool contains(std::size_t i) {
-    if (sets_.find(static_cast<std::uint32_t>(i)) != i) return false;
+    if (sets_.root(static_cast<std::uint32_t>(i)) != i) return false;
     if (i < d_.edge_slots()) return d_.contains(EdgeId(i));
     const VertexId v(i - d_.edge_slots());
     return d_.contains(v) && d_.is_isolated(v);
@@ -244,7 +223,7 @@ class Components {
   }
 
   const Dcel& d_;
-  DisjointSets sets_;
+  UnionFind sets_;
 };
 
 }  // namespace
@@ -261,7 +240,7 @@ std::optional<DcelFlaw> Dcel::audit_planar() const {
     if (sums[i] != 2) return DcelFlaw{"rings - edges + loops = 2", components.name(i)};
   }
   // Faces and components, joined by loops, must be a tree: no circle, and all connected.
-  DisjointSets nodes(sums.size() + face_slots());
+  UnionFind nodes(sums.size() + face_slots());
   std::size_t joined = 0;
   for (std::size_t i = 0; i < loop_slots(); ++i) {
     if (!contains(LoopId(i))) continue;

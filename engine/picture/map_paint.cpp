@@ -1,5 +1,6 @@
 #include "plumb/picture/map_paint.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -15,14 +16,22 @@ constexpr double kLine = 0.7;
 constexpr double kFineLine = 0.45;
 constexpr std::size_t kManyCycles = 1500;
 
+/// Summed from the least vertex towards its lesser neighbour, whichever way the cycle is listed: both
+/// ways give one number but for the sign.
 double signed_area(const Plane& plane, std::span<const std::uint32_t> cycle) {
-  const Point2 o = plane.at(cycle[0]);
+  const std::size_t n = cycle.size();
+  const auto least = static_cast<std::size_t>(std::ranges::min_element(cycle) - cycle.begin());
+  const bool is_forward = cycle[(least + 1) % n] <= cycle[(least + n - 1) % n];
+  const auto at = [&](std::size_t i) {
+    return plane.at(cycle[(is_forward ? least + i : least + n - i) % n]);
+  };
+  const Point2 o = at(0);
   double sum = 0;
-  for (std::size_t i = 1; i + 1 < cycle.size(); ++i) {
-    const Point2 p = plane.at(cycle[i]), q = plane.at(cycle[i + 1]);
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const Point2 p = at(i), q = at(i + 1);
     sum += (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
   }
-  return sum / 2;
+  return (is_forward ? sum : -sum) / 2;
 }
 
 double perimeter(const Plane& plane, std::span<const std::uint32_t> cycle) {
@@ -43,14 +52,17 @@ Painter::Painter(const Plane& plane)
   std::vector<double> key(colour_.size());
   for (std::size_t c = 0; c < key.size(); ++c) {
     const double area = signed_area(plane, plane.map().cycle(c));
-    // The same cycle listed both ways may get areas that differ by rounding.
-    key[c] = area < 0 ? area * -(1 + 1e-9) : area;
+    key[c] = std::abs(area);
     if (area < 0) colour_[c] = kTints;
     perimeter_ += perimeter(plane, plane.map().cycle(c));
   }
   std::iota(order_.begin(), order_.end(), 0U);
-  std::stable_sort(order_.begin(), order_.end(),
-                   [&key](std::uint32_t a, std::uint32_t b) { return key[a] > key[b]; });
+  // Where a cycle is listed both ways, the outside first.
+  const auto is_below = [&](std::uint32_t a, std::uint32_t b) {
+    if (key[a] != key[b]) return key[a] > key[b];
+    return colour_[a] == kTints && colour_[b] != kTints;
+  };
+  std::stable_sort(order_.begin(), order_.end(), is_below);
 }
 
 /// Lines cover at most about a third of the picture. Those that would be too thin are left out.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <sstream>
 
+#include "plumb/io/map_report_text.h"
 #include "plumb/picture/map_insets.h"
 #include "plumb/picture/map_marks.h"
 #include "plumb/picture/map_paint.h"
@@ -45,20 +46,6 @@ constexpr const char* kStyle = R"(.faces path{stroke-linejoin:round;fill-rule:ev
 .vertex-number{font-size:14px;text-anchor:middle;stroke:#fff;stroke-width:3.5px;stroke-linejoin:round;paint-order:stroke}
 .frame{fill:none;stroke:#1f2933;stroke-width:1.4}
 )";
-
-const char* verdict_text(MapVerdict verdict) {
-  switch (verdict) {
-    case MapVerdict::Valid:
-      return "valid";
-    case MapVerdict::NotAPlanarSubdivision:
-      return "not a planar subdivision";
-    case MapVerdict::Open:
-      return "open";
-    case MapVerdict::Superposed:
-      return "superposed";
-  }
-  return "";
-}
 
 /// The whole map; but where a few parts lie far off, the core and all defects.
 Rectangle main_window(const MapReport& report, const Plane& plane) {
@@ -110,7 +97,8 @@ class MapSheet {
 
  private:
   std::string heading() const {
-    return (options_.title.empty() ? "" : options_.title + ": ") + verdict_text(report_.verdict);
+    return (options_.title.empty() ? "" : options_.title + ": ") +
+           std::string(headline(report_.verdict));
   }
   std::string style() const;
 
@@ -149,7 +137,7 @@ std::string MapSheet::style() const {
 void MapSheet::write_header() {
   const bool is_valid = report_.verdict == MapVerdict::Valid;
   sheet_.write_header(options_.title.empty() ? "map" : options_.title,
-                      {verdict_text(report_.verdict), is_valid ? kGoodBadge : kBadBadge},
+                      {std::string(headline(report_.verdict)), is_valid ? kGoodBadge : kBadBadge},
                       counted(report_.vertices, "vertex", "vertices") + ", " +
                           counted(report_.edges, "edge") + ", " +
                           counted(report_.cycles, "listed face") + ", " +

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "plumb/base/union_find.h"
 #include "plumb/predicates/point3_signs.h"
 
 namespace plumb {
@@ -16,9 +17,7 @@ constexpr std::uint32_t kNone = ~std::uint32_t{0};
 class Joiner {
  public:
   Joiner(const SpaceComplex& complex, std::span<const std::int32_t> jump)
-      : complex_(complex), jump_(jump) {
-    for (std::uint32_t f = 0; f < complex.facet_count(); ++f) parent_.push_back(f);
-  }
+      : complex_(complex), jump_(jump), classes_(complex.facet_count()) {}
 
   std::vector<std::uint32_t> run(std::size_t& count) {
     for (const bool is_plain : {true, false}) {
@@ -26,7 +25,7 @@ class Joiner {
         const UseId v = complex_.use_radial[u.value()];
         if ((complex_.use_radial[v.value()] == u) != is_plain) continue;
         if (is_plain) {
-          unite(facet(u), facet(v));
+          classes_.unite(facet(u), facet(v));
         } else {
           unite_unbalanced(u);
         }
@@ -40,16 +39,6 @@ class Joiner {
  private:
   std::uint32_t facet(UseId u) const { return complex_.use_facet[u.value()].value(); }
 
-  std::uint32_t find(std::uint32_t f) {
-    while (parent_[f] != f) f = parent_[f] = parent_[parent_[f]];
-    return f;
-  }
-  void unite(std::uint32_t f, std::uint32_t g) {
-    f = find(f);
-    g = find(g);
-    if (f != g) parent_[std::max(f, g)] = std::min(f, g);
-  }
-
   /// Components that run through the edge more often one way than the other belong together, and to
   /// `one`. Returns one of them.
   std::uint32_t unite_unbalanced(UseId first, std::uint32_t one = kNone) {
@@ -58,13 +47,13 @@ class Joiner {
     do {
       const std::int32_t jump = jump_[facet(u)];
       const bool is_reverse = SpaceComplex::is_reverse(complex_.use_halfedge[u.value()]);
-      sum_of(find(facet(u))) += is_reverse ? -jump : jump;
+      sum_of(classes_.root(facet(u))) += is_reverse ? -jump : jump;
       u = complex_.use_radial[u.value()];
     } while (u != first);
     for (const auto& [root, sum] : sums_) {
       if (sum == 0) continue;
       if (one == kNone) one = root;
-      unite(one, root);
+      classes_.unite(one, root);
     }
     return one;
   }
@@ -76,10 +65,10 @@ class Joiner {
   }
 
   std::vector<std::uint32_t> numbers(std::size_t& count) {
-    std::vector<std::uint32_t> number(parent_.size(), kNone);
+    std::vector<std::uint32_t> number(classes_.size(), kNone);
     count = 0;
-    for (std::uint32_t f = 0; f < parent_.size(); ++f) {
-      const std::uint32_t root = find(f);
+    for (std::uint32_t f = 0; f < classes_.size(); ++f) {
+      const std::uint32_t root = classes_.root(f);
       if (number[root] == kNone) number[root] = static_cast<std::uint32_t>(count++);
       number[f] = number[root];
     }
@@ -88,7 +77,7 @@ class Joiner {
 
   const SpaceComplex& complex_;
   std::span<const std::int32_t> jump_;
-  std::vector<std::uint32_t> parent_;
+  UnionFind classes_;
   std::vector<std::pair<std::uint32_t, std::int32_t>> sums_;
 };
 

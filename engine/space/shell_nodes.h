@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "plumb/base/union_find.h"
 #include "plumb/space/local_maps.h"
 #include "plumb/space/space_complex.h"
-#include "plumb/space/union_find.h"
 
 namespace plumb {
 

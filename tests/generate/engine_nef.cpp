@@ -1,5 +1,6 @@
 // Expressions of the tests into the engine.
 #include "generate/curve_scenes.h"
+#include "oracle/apply_to_sets.h"
 #include "oracle/plane_set.h"
 
 namespace plumb::testing {
@@ -57,28 +58,7 @@ struct ToNef {
 RationalPoint2 to_rational(const ExactPoint& p) { return {to_rational(p.x), to_rational(p.y)}; }
 
 Nef2 apply(SetOperator op, const Nef2& first, const Nef2& second) {
-  switch (op) {
-    case SetOperator::Union:
-      return first + second;
-    case SetOperator::Intersection:
-      return first * second;
-    case SetOperator::Difference:
-      return first - second;
-    case SetOperator::SymmetricDifference:
-      return first ^ second;
-    case SetOperator::Complement:
-      return !first;
-    case SetOperator::Interior:
-      return first.interior();
-    case SetOperator::Closure:
-      return first.closure();
-    case SetOperator::Boundary:
-      return first.boundary();
-    case SetOperator::Exterior:
-      return first.exterior();
-    default:
-      return first.regularization();
-  }
+  return apply_to_sets(op, first, second);
 }
 
 Nef2 to_nef(const PlaneSet& set) { return std::visit(ToNef(), set.node); }

@@ -1,4 +1,5 @@
 // Expressions of the tests into the engine.
+#include "oracle/apply_to_sets.h"
 #include "oracle/nef3_check.h"
 
 namespace plumb::testing {
@@ -72,28 +73,7 @@ RationalPoint3 to_rational(const ExactPoint3& p) {
 }
 
 Nef3 apply(SetOperator op, const Nef3& first, const Nef3& second) {
-  switch (op) {
-    case SetOperator::Union:
-      return first + second;
-    case SetOperator::Intersection:
-      return first * second;
-    case SetOperator::Difference:
-      return first - second;
-    case SetOperator::SymmetricDifference:
-      return first ^ second;
-    case SetOperator::Complement:
-      return !first;
-    case SetOperator::Interior:
-      return first.interior();
-    case SetOperator::Closure:
-      return first.closure();
-    case SetOperator::Boundary:
-      return first.boundary();
-    case SetOperator::Exterior:
-      return first.exterior();
-    default:
-      return first.regularization();
-  }
+  return apply_to_sets(op, first, second);
 }
 
 Nef3 to_nef(const SpaceSet& set) { return std::visit(ToNef(), set.node); }

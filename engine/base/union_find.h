@@ -8,6 +8,8 @@
 
 namespace plumb {
 
+/// Path halving; the least number of a class is its root, so that roots do not depend on the order
+/// of the unions. Amortised O(log n) each.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t size) : parent_(size) {
@@ -18,12 +20,13 @@ class UnionFind {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  /// The root of both is the lesser one.
-  void unite(std::uint32_t i, std::uint32_t j) {
+  /// False if they were in one class already.
+  bool unite(std::uint32_t i, std::uint32_t j) {
     i = root(i);
     j = root(j);
     if (i < j) std::swap(i, j);
     parent_[i] = j;
+    return i != j;
   }
 
  private:
