@@ -157,4 +157,19 @@ FaceStrip Tracer::tightened(const StripEnd& from, const StripEnd& to, Context& c
   }
 }
 
+std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
+                                              std::span<const SurfacePointId> control,
+                                              SurfacePolygons& polygons, Context& context) {
+  std::vector<SurfacePath> legs;
+  for (std::size_t i = 0; i < control.size(); ++i) {
+    const SurfacePointId next = control[i + 1 < control.size() ? i + 1 : 0];
+    std::optional<SurfacePath> leg = tracer.trace(polygons.points, control[i], next, context);
+    if (!leg) return i;
+    legs.push_back(std::move(*leg));
+  }
+  for (const SurfacePath& leg : legs) polygons.add_leg(leg);
+  polygons.close();
+  return {};
+}
+
 }  // namespace plumb

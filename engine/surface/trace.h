@@ -15,7 +15,9 @@
 // again. On a mesh where several paths are locally shortest, any of them may be chosen; always the same one.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "plumb/base/context.h"
@@ -50,5 +52,11 @@ class Tracer {
   std::vector<Point3> positions_;
   StripFinder finder_;
 };
+
+/// Appends the closed polygon through control points of `polygons.points`, joined by traced paths. Returns the
+/// first of them from which no path leads to the next; then the polygon has not been appended.
+std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
+                                              std::span<const SurfacePointId> control,
+                                              SurfacePolygons& polygons, Context& context);
 
 }  // namespace plumb

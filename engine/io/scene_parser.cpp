@@ -1,0 +1,352 @@
+// Step 1 of scene_reader.h: the text as JSON, member by member.
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plumb/base/error.h"
+#include "plumb/io/json_places.h"
+#include "plumb/io/number_reader.h"
+#include "plumb/io/scene_reader.h"
+#include "plumb/io/with_place.h"
+#include "plumb/predicates/rounding.h"
+
+namespace plumb {
+namespace {
+
+// Numbers are read from the text again; the parser only must not find one too large.
+using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
+                                  std::uint64_t, long double>;
+
+enum class Member : std::uint8_t { Model, Points, Polygons, Shapes, Outside, Other };
+constexpr std::array<std::string_view, 5> kMemberNames{"model", "points", "polygons", "shapes",
+                                                       "outside"};
+constexpr double kClear = 0x1p-40;  // so far from the sides rounding a weight changes nothing
+constexpr std::uint64_t kBytesPerIndex = 2 * (sizeof(std::uint32_t) + sizeof(std::size_t));
+constexpr std::uint64_t kBytesPerPoint = 2 * (sizeof(Point2) + 2 * sizeof(std::size_t));
+constexpr std::uint32_t kMost = 0x3fff'ffff;
+
+std::string quoted_name(Member member) {
+  return '"' + std::string(kMemberNames[static_cast<std::size_t>(member)]) + '"';
+}
+
+const Rational& tiny() {
+  static const Rational value = exact_rational(0x1p-52);
+  return value;
+}
+
+class SceneHandler : public nlohmann::json_sax<Json> {
+ public:
+  SceneHandler(std::string_view text, const ReadOptions& options, Context& context)
+      : begin_(text.data()),
+        places_(text, options.name, context),
+        nearest_(context.limits(), options.exact_decimals, text.size()),
+        exact_(context.limits(), true, text.size()),
+        exact_decimals_(options.exact_decimals),
+        context_(context) {}
+
+  SceneText read() {
+    Json::sax_parse(places_.begin(), places_.end(), this);
+    check_members();
+    check_indices(scene_.polygons, scene_.point_face.size(), "point");
+    check_indices(scene_.shapes, scene_.polygons.size(), "polygon");
+    return std::move(scene_);
+  }
+
+  bool null() override { return take_other(); }
+  bool boolean(bool) override { return take_other(); }
+  bool number_integer(number_integer_t) override { return take_number({}); }
+  bool number_unsigned(number_unsigned_t value) override { return take_number(value); }
+  bool number_float(number_float_t, const string_t&) override { return take_number({}); }
+  bool binary(binary_t&) override { return false; }  // not in texts
+  bool string(string_t& value) override;
+  bool start_object(std::size_t) override;
+  bool key(string_t& name) override;
+  bool end_object() override;
+  bool start_array(std::size_t) override;
+  bool end_array() override;
+  bool parse_error(std::size_t position, const std::string&,
+                   const nlohmann::detail::exception& error) override {
+    places_.fail_syntax(position, error.id, error.what());
+  }
+
+ private:
+  std::size_t place() const { return static_cast<std::size_t>(places_.token() - begin_); }
+  [[noreturn]] void fail(ErrorCode code, const std::string& message) const {
+    places_.fail(code, message, places_.token());
+  }
+  [[noreturn]] void fail_expected(const std::string& what) const {
+    fail(ErrorCode::Syntax, "expected " + what + (is_open_ ? " in " + quoted_name(member_) : ""));
+  }
+  bool means_something() const { return skipped_ == 0; }
+  std::string expected() const;
+  bool take_other();
+  bool take_number(std::optional<std::uint64_t> value);
+  void read_weight(std::string_view token);
+  std::uint32_t index_of(std::optional<std::uint64_t> value) const;
+  void add_index(SceneText::Lists& lists, std::uint32_t index);
+  void end_list(SceneText::Lists& lists);
+  void add_point();
+  void add_near_side(const std::array<Rational, 2>& weights);
+  SceneText::Lists& lists() {
+    return member_ == Member::Polygons ? scene_.polygons : scene_.shapes;
+  }
+  void check_members() const;
+  void check_indices(const SceneText::Lists& lists, std::size_t count, const char* what) const;
+
+  const char* begin_;
+  JsonPlaces places_;
+  NumberReader nearest_, exact_;
+  bool exact_decimals_;
+  Context& context_;
+  SceneText scene_;
+
+  bool is_open_ = false;  // the object, and a member of it
+  Member member_ = Member::Other;
+  std::array<bool, kMemberNames.size()> seen_{};
+  int depth_ = 0;            // of lists open in the member
+  std::size_t skipped_ = 0;  // open lists and objects that mean nothing
+
+  // Of the point being read.
+  std::size_t numbers_ = 0;
+  std::size_t point_place_ = 0;
+  std::uint32_t face_ = 0;
+  std::array<std::string_view, 2> tokens_;
+  std::array<ReadNumber, 2> weights_;
+};
+
+// ---------------------------------------------------------------- structure
+
+bool is_list(Member member) {
+  return member == Member::Points || member == Member::Polygons || member == Member::Shapes;
+}
+
+std::string SceneHandler::expected() const {
+  if (!is_open_) return "an object";
+  if (member_ == Member::Model) return "a file name";
+  if (member_ == Member::Outside) return "the index of a face";
+  if (depth_ == 0) return "a list";
+  if (member_ != Member::Points) return depth_ == 1 ? "a list of indices" : "an index";
+  if (depth_ == 1) return "a point [face, u, v]";
+  return numbers_ == 0 ? "the index of a face" : "a number or a fraction";
+}
+
+bool SceneHandler::take_other() {
+  places_.find_token();
+  if (means_something() && (!is_open_ || member_ != Member::Other)) fail_expected(expected());
+  return true;
+}
+
+bool SceneHandler::start_object(std::size_t) {
+  places_.find_token();
+  if (!means_something() || (is_open_ && member_ == Member::Other)) {
+    ++skipped_;
+  } else if (is_open_) {
+    fail_expected(expected());
+  } else {
+    is_open_ = true;
+  }
+  return true;
+}
+
+bool SceneHandler::key(string_t& name) {
+  places_.find_token();
+  if (!means_something()) return true;
+  const auto found = std::find(kMemberNames.begin(), kMemberNames.end(), name);
+  member_ = static_cast<Member>(found - kMemberNames.begin());
+  if (member_ == Member::Other) return true;
+  if (std::exchange(seen_[static_cast<std::size_t>(member_)], true)) {
+    fail(ErrorCode::Syntax, quoted_name(member_) + " is given twice");
+  }
+  return true;
+}
+
+bool SceneHandler::end_object() {
+  places_.find_token();
+  if (skipped_ > 0) --skipped_;
+  return true;
+}
+
+bool SceneHandler::start_array(std::size_t) {
+  places_.find_token();
+  if (!means_something() || (is_open_ && member_ == Member::Other)) {
+    ++skipped_;
+    return true;
+  }
+  if (!is_open_ || !is_list(member_) || depth_ == 2) fail_expected(expected());
+  ++depth_;
+  if (depth_ == 2) point_place_ = place();
+  numbers_ = 0;
+  return true;
+}
+
+bool SceneHandler::end_array() {
+  places_.find_token();
+  if (skipped_ > 0) {
+    --skipped_;
+    return true;
+  }
+  if (depth_ == 2) {
+    if (member_ == Member::Points) {
+      add_point();
+    } else {
+      end_list(lists());
+    }
+  }
+  --depth_;
+  return true;
+}
+
+void SceneHandler::check_members() const {
+  for (const Member m : {Member::Model, Member::Points, Member::Polygons}) {
+    if (seen_[static_cast<std::size_t>(m)]) continue;
+    places_.fail(ErrorCode::Syntax, "a scene needs " + quoted_name(m), begin_);
+  }
+}
+
+void SceneHandler::check_indices(const SceneText::Lists& lists, std::size_t count,
+                                 const char* what) const {
+  for (std::size_t i = 0; i < lists.items.size(); ++i) {
+    if (lists.items[i] < count) continue;
+    places_.fail(ErrorCode::BadIndex,
+                 "no " + std::string(what) + ' ' + std::to_string(lists.items[i]) + ": there are " +
+                     std::to_string(count) + ", counted from 0",
+                 begin_ + lists.places[i]);
+  }
+}
+
+// ---------------------------------------------------------------- values
+
+bool SceneHandler::string(string_t& value) {
+  places_.find_token();
+  if (!means_something() || (is_open_ && member_ == Member::Other)) return true;
+  if (is_open_ && member_ == Member::Model) {
+    if (value.empty() || value.find('\0') != value.npos) fail_expected("a file name");
+    scene_.model = value;
+    scene_.model_place = place();
+    return true;
+  }
+  const bool is_weight = is_open_ && member_ == Member::Points && depth_ == 2 && numbers_ > 0;
+  if (!is_weight) fail_expected(expected());
+  const std::string_view token = places_.token_text();
+  if (token.size() < 3 || token.substr(1, token.size() - 2) != value ||
+      value.find(' ') != value.npos) {
+    fail_expected(expected());
+  }
+  read_weight(token.substr(1, token.size() - 2));
+  return true;
+}
+
+bool SceneHandler::take_number(std::optional<std::uint64_t> value) {
+  places_.find_number();
+  if (!means_something() || (is_open_ && member_ == Member::Other)) return true;
+  if (is_open_ && member_ == Member::Outside) {
+    scene_.outside = index_of(value);
+    scene_.outside_place = place();
+  } else if (!is_open_ || depth_ < 2) {
+    fail_expected(expected());
+  } else if (member_ != Member::Points) {
+    add_index(lists(), index_of(value));
+  } else if (numbers_ == 0) {
+    face_ = index_of(value);
+    numbers_ = 1;
+  } else {
+    read_weight(places_.token_text());
+  }
+  return true;
+}
+
+std::uint32_t SceneHandler::index_of(std::optional<std::uint64_t> value) const {
+  if (!value) fail_expected(member_ == Member::Points ? expected() : "an index");
+  if (*value > kMost) fail(ErrorCode::BadIndex, "an index too large for any scene");
+  return static_cast<std::uint32_t>(*value);
+}
+
+void SceneHandler::add_index(SceneText::Lists& lists, std::uint32_t index) {
+  with_place(places_.cursor_at_token(),
+             [&] { context_.charge_memory(kBytesPerIndex, "the scene"); });
+  lists.items.push_back(index);
+  lists.places.push_back(place());
+}
+
+void SceneHandler::end_list(SceneText::Lists& lists) {
+  with_place(places_.cursor_at_token(),
+             [&] { context_.charge_memory(kBytesPerIndex, "the scene"); });
+  lists.begin.push_back(static_cast<std::uint32_t>(lists.items.size()));
+}
+
+// ---------------------------------------------------------------- points
+
+void SceneHandler::read_weight(std::string_view token) {
+  if (numbers_ > 2) fail(ErrorCode::Syntax, "a point is [face, u, v]: too many numbers");
+  nearest_.read(places_.cursor_at_token(), token, weights_[numbers_ - 1]);
+  tokens_[numbers_ - 1] = token;
+  ++numbers_;
+}
+
+void SceneHandler::add_point() {
+  if (numbers_ < 3) fail(ErrorCode::Syntax, "a point is [face, u, v]: too few numbers");
+  with_place(places_.cursor_at_token(), [&] {
+    context_.charge_memory(kBytesPerPoint + exact_bytes(weights_[0], weights_[1]), "the scene");
+  });
+  scene_.point_face.push_back(face_);
+  scene_.point_place.push_back(point_place_);
+  const auto is_decimal = [](std::string_view token) {
+    return token.find_first_of(".eE") != token.npos;
+  };
+  scene_.point_rounds.push_back(
+      !exact_decimals_ && (is_decimal(tokens_[0]) || is_decimal(tokens_[1])) ? 1 : 0);
+  if (weights_[0].is_double() && weights_[1].is_double()) {
+    const double u = weights_[0].as_double(), v = weights_[1].as_double();
+    if (u > kClear && v > kClear && u + v < 1 - kClear) {
+      scene_.point_weights.push_back({u, v});
+      return;
+    }
+  }
+  std::array<Rational, 2> weights;
+  for (std::size_t i = 0; i < 2; ++i) {
+    ReadNumber number;
+    exact_.read(places_.cursor_at_token(), tokens_[i], number);
+    weights[i] = number.exact();
+  }
+  add_near_side(weights);
+}
+
+/// On a side or near one: exactly as written, but for what decimals may be rounded to.
+void SceneHandler::add_near_side(const std::array<Rational, 2>& weights) {
+  auto [u, v] = weights;
+  const Rational rest = 1 - u - v;
+  if (u < -tiny() || v < -tiny() || rest < -tiny()) {
+    places_.fail(ErrorCode::BadShape, "a point outside its face: u, v and 1 - u - v are weights",
+                 begin_ + point_place_);
+  }
+  if (u < 0) u = 0;
+  if (v < 0) v = 0;
+  if (u + v > 1) {
+    u = u > 1 ? Rational(1) : u;
+    v = 1 - u;
+  }
+  if (scene_.point_rounds.back() != 0 && u > 0 && v > 0 && u + v < 1) {
+    const double x = nearest_double(u), y = nearest_double(v);
+    if (x > 0 && y > 0 && exact_rational(x) + exact_rational(y) < 1) {
+      scene_.point_weights.push_back({x, y});
+      return;
+    }
+  }
+  scene_.point_weights.push_back(u, v);
+}
+
+}  // namespace
+
+SceneText parse_scene(std::string_view text, const ReadOptions& options, Context& context) {
+  const RoundToNearest rounding;
+  return SceneHandler(text, options, context).read();
+}
+
+}  // namespace plumb

@@ -1,0 +1,176 @@
+#include "plumb/io/scene_reader.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "plumb/base/error.h"
+#include "plumb/io/input.h"
+#include "plumb/io/number_reader.h"
+#include "plumb/io/solid_io.h"
+#include "plumb/io/text_cursor.h"
+#include "plumb/predicates/rounding.h"
+#include "plumb/surface/trace.h"
+
+namespace plumb {
+namespace {
+
+/// Where decimals were written at the nearest double, if that is a place inside the edge.
+SurfacePointId add_on_edge(SurfacePointTable& points, HalfedgeId h,
+                           const Rational& weight_of_target, bool rounds) {
+  const SurfaceMesh& mesh = points.mesh();
+  const Rational t = mesh.is_upward(h) ? weight_of_target : Rational(1 - weight_of_target);
+  const double rounded = nearest_double(t);
+  if (rounds && rounded > 0 && rounded < 1) return points.add_on_edge(mesh.edge(h), rounded);
+  return points.add_on_edge(mesh.edge(h), t);
+}
+
+class SceneMaker {
+ public:
+  SceneMaker(const SceneText& scene, std::shared_ptr<const SurfaceMesh> mesh, std::string_view text,
+             const ReadOptions& options, Context& context)
+      : in_(scene), mesh_(std::move(mesh)), text_(text), name_(options.name), context_(context) {}
+
+  SurfaceScene run() {
+    SurfaceScene scene{mesh_, SurfacePolygons(*mesh_), {}, {}};
+    for (std::uint32_t i = 0; i < in_.point_face.size(); ++i) add_point(i, scene.polygons.points);
+    trace(scene.polygons);
+    for (std::size_t s = 0; s < in_.shapes.size(); ++s) {
+      scene.shapes.emplace_back(in_.shapes.items.begin() + in_.shapes.begin[s],
+                                in_.shapes.items.begin() + in_.shapes.begin[s + 1]);
+    }
+    if (in_.outside) {
+      require_face(*in_.outside, in_.outside_place);
+      scene.outside = FaceId(*in_.outside);
+    }
+    return scene;
+  }
+
+ private:
+  [[noreturn]] void fail(ErrorCode code, const std::string& message, std::size_t place) const {
+    TextCursor cursor(text_, name_);
+    cursor.move_to(text_.data() + place);
+    cursor.fail(code, message);
+  }
+
+  void require_face(std::uint32_t face, std::size_t place) const {
+    if (face < mesh_->face_count()) return;
+    fail(ErrorCode::BadIndex,
+         "no face " + std::to_string(face) + ": the model has " +
+             std::to_string(mesh_->face_count()) + " triangles, counted from 0",
+         place);
+  }
+
+  /// Its id is its index.
+  void add_point(std::uint32_t i, SurfacePointTable& points) const {
+    require_face(in_.point_face[i], in_.point_place[i]);
+    const FaceId f(in_.point_face[i]);
+    const bool is_flipped = mesh_->is_flipped(f), rounds = in_.point_rounds[i] != 0;
+    const Point2 near = in_.point_weights.approx(i);
+    if (in_.point_weights.is_double(i) && near.x > 0 && near.y > 0 && near.x + near.y < 1) {
+      points.add_in_face(f, is_flipped ? near.y : near.x, is_flipped ? near.x : near.y);
+      return;
+    }
+    auto [u, v] = in_.point_weights.exact(i);
+    if (is_flipped) std::swap(u, v);
+    const bool is_inside = u > 0 && v > 0 && u + v < 1;
+    const bool is_vertex = (u == 0 || u == 1) && (v == 0 || v == 1);
+    if (is_inside || is_vertex) {
+      points.add_in_face(f, u, v);
+    } else if (v == 0) {
+      add_on_edge(points, SurfaceMesh::halfedge(f, 0), u, rounds);
+    } else if (u == 0) {
+      add_on_edge(points, SurfaceMesh::halfedge(f, 2), 1 - v, rounds);
+    } else {
+      add_on_edge(points, SurfaceMesh::halfedge(f, 1), v, rounds);
+    }
+  }
+
+  void trace(SurfacePolygons& polygons) const {
+    Tracer tracer(*mesh_);
+    std::vector<SurfacePointId> control;
+    for (std::size_t p = 0; p < in_.polygons.size(); ++p) {
+      context_.checkpoint("trace", p, in_.polygons.size());
+      control.clear();
+      for (std::uint32_t i = in_.polygons.begin[p]; i < in_.polygons.begin[p + 1]; ++i) {
+        control.push_back(SurfacePointId(in_.polygons.items[i]));
+      }
+      const auto torn = add_traced_polygon(tracer, control, polygons, context_);
+      if (torn) fail_torn(p, *torn);
+    }
+  }
+
+  [[noreturn]] void fail_torn(std::size_t polygon, std::size_t leg) const {
+    const std::uint32_t begin = in_.polygons.begin[polygon];
+    const std::size_t size = in_.polygons.begin[polygon + 1] - begin;
+    const std::size_t a = begin + leg, b = begin + (leg + 1) % size;
+    const auto where = [&](std::size_t i) {
+      const std::uint32_t point = in_.polygons.items[i];
+      return "point " + std::to_string(point) + " (face " + std::to_string(in_.point_face[point]) +
+             ')';
+    };
+    fail(ErrorCode::BadShape,
+         "polygon " + std::to_string(polygon) + ": no path joins " + where(a) + " and " + where(b) +
+             ", which lie on different components of the model",
+         in_.polygons.places[a]);
+  }
+
+  const SceneText& in_;
+  std::shared_ptr<const SurfaceMesh> mesh_;
+  std::string_view text_;
+  const std::string& name_;
+  Context& context_;
+};
+
+/// What the mesh has wrong is told with the name of its file.
+SurfaceMesh surface_in(const PolygonMesh& mesh, const std::string& name, Context& context) {
+  context.charge_memory(std::uint64_t{60} * (mesh.corners.size() - 2 * mesh.face_count()),
+                        "the surface");
+  try {
+    return fanned_surface(mesh);
+  } catch (const Error& error) {
+    throw Error(error.code(), error.message(), {name});
+  }
+}
+
+std::size_t turned_faces(const SurfaceMesh& mesh) {
+  std::size_t turned = 0;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) turned += mesh.is_flipped(FaceId(f));
+  return turned;
+}
+
+}  // namespace
+
+SurfaceScene make_scene(const SceneText& scene, std::shared_ptr<const SurfaceMesh> mesh,
+                        std::string_view text, const ReadOptions& options, Context& context) {
+  return SceneMaker(scene, std::move(mesh), text, options, context).run();
+}
+
+SurfaceMesh fanned_surface(const PolygonMesh& mesh) {
+  std::vector<SurfaceTriangle> triangles;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t k = 2; k < face.size(); ++k) {
+      triangles.push_back({face[0], face[k - 1], face[k]});
+    }
+  }
+  return {mesh.points, std::move(triangles)};
+}
+
+SceneFile read_scene_file(const std::string& path, ReadOptions options, Context& context) {
+  namespace fs = std::filesystem;
+  options.name = input_name(path);
+  const std::string text = read_input(path, context);
+  const SceneText scene = parse_scene(text, options, context);
+  const fs::path folder = path == "-" ? fs::path() : fs::path(path).parent_path();
+  std::string model = (folder / scene.model).string();
+  if (model == "-") model = "./-";
+  MeshFile file = read_mesh_file(model, {}, options, context);
+  const auto mesh = std::make_shared<const SurfaceMesh>(surface_in(file.mesh, model, context));
+  if (const std::size_t turned = turned_faces(*mesh); turned > 0) {
+    file.notes.push_back(std::to_string(turned) +
+                         " faces turned around to agree with their component");
+  }
+  return {make_scene(scene, mesh, text, options, context), model, std::move(file.notes)};
+}
+
+}  // namespace plumb

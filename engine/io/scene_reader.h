@@ -1,0 +1,82 @@
+// Reads scenes: polygons on a mesh (docs/formats.md, "Scenes").
+//
+//   {"model": FILE, "points": [[face, u, v], ..], "polygons": [[point, ..], ..],
+//    "shapes"?: [[polygon, ..], ..], "outside"?: face}
+//
+// Indices count from 0; u, v are the weights of the second and the third vertex of the face, as the model lists
+// them, larger polygons cut into fans in order. FILE is sought beside the scene. A weight is a JSON number or
+// a string with a fraction: "1/3". Members of other names mean nothing.
+//
+// Main flow of read_scene_file:
+//  1. parse      the text, each index and weight with its place
+//  2. model      by any reader of meshes (solid_io.h); triangles; SurfaceMesh
+//  3. points     on a vertex, an edge or in a face, exactly (below)
+//  4. trace      polygons from point to point (trace.h)
+//
+// Where a point lies is decided by the numbers as they are written, decimals too: [f, 0.3, 0.7] is on the edge,
+// and the same as [g, 0.7, 0] across it, though no doubles add up to that. Then what a decimal gave is rounded to
+// the nearest double, once, unless that would move the point off its edge, onto one, or out of its face. What lies
+// outside by no more than 2^-52, as far as the sum of two doubles may, lies on the edge.
+//
+// Cost: O(bytes), and the tracing. Errors, with their place: those of JSON and of the model; BadIndex; BadShape
+// for a point outside its face, and for control points that no path joins; ResourceLimit; Cancelled.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/io/read_options.h"
+#include "plumb/predicates/point_table2.h"
+#include "plumb/space/polygon_mesh.h"
+#include "plumb/surface/surface.h"
+
+namespace plumb {
+
+/// A scene as it is written; indices of points and of polygons are right.
+struct SceneText {
+  /// A list of lists of indices, flat, with the place of each index in the text.
+  struct Lists {
+    std::vector<std::uint32_t> begin = {0};
+    std::vector<std::uint32_t> items;
+    std::vector<std::size_t> places;
+    std::size_t size() const { return begin.size() - 1; }
+  };
+
+  std::string model;
+  std::size_t model_place = 0;
+  std::vector<std::uint32_t> point_face;
+  PointTable2 point_weights;               ///< (u, v), not outside of any face
+  std::vector<std::uint8_t> point_rounds;  ///< written in decimals: may be rounded
+  std::vector<std::size_t> point_place;
+  Lists polygons;
+  Lists shapes;  ///< none: one shape per polygon
+  std::optional<std::uint32_t> outside;
+  std::size_t outside_place = 0;
+};
+
+/// Step 1.
+SceneText parse_scene(std::string_view text, const ReadOptions& options, Context& context);
+
+/// Steps 3 and 4. `text` is what was parsed.
+SurfaceScene make_scene(const SceneText& scene, std::shared_ptr<const SurfaceMesh> mesh,
+                        std::string_view text, const ReadOptions& options, Context& context);
+
+/// Polygons as fans of triangles, in order. Errors: those of SurfaceMesh.
+SurfaceMesh fanned_surface(const PolygonMesh& mesh);
+
+struct SceneFile {
+  SurfaceScene scene;
+  std::string model;               ///< its path
+  std::vector<std::string> notes;  ///< of the reader of the mesh, for people
+};
+
+/// The whole of it; "-" is standard input. `options.name` is ignored.
+SceneFile read_scene_file(const std::string& path, ReadOptions options, Context& context);
+
+}  // namespace plumb

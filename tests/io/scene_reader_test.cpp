@@ -1,0 +1,247 @@
+// Scenes: what they say, where their points lie, and what is refused.
+
+#include "plumb/io/scene_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "expect_refusals.h"
+#include "generate/surface_meshes.h"
+#include "plumb/base/error.h"
+
+namespace plumb::testing {
+namespace {
+
+const ReadOptions kOptions{"some.file", false};
+const ReadOptions kExact{"some.file", true};
+
+SurfaceScene made(const std::string& text, const ReadOptions& options = kOptions,
+                  SurfaceMesh mesh = grid_surface(2)) {
+  Context context;
+  return make_scene(parse_scene(text, options, context),
+                    std::make_shared<const SurfaceMesh>(std::move(mesh)), text, options, context);
+}
+
+/// A scene of points on the grid of 2 x 2 squares, with one polygon.
+std::string scene(const std::string& points, const std::string& polygon) {
+  return R"({"model": "m.off", "points": [)" + points + R"(], "polygons": [[)" + polygon + "]]}";
+}
+
+TEST(scene_reader, says_what_is_written) {
+  Context context;
+  const SceneText text = parse_scene(
+      R"({"model": "a/b.obj", "name": {"x": [1, {}]}, "outside": 7, "shapes": [[1, 0], []],
+          "points": [[0, 0.25, 0.5], [1, 0, 1], [2, "1/3", "1/3"]], "polygons": [[0, 1, 2], [2]]})",
+      kOptions, context);
+  EXPECT_EQ(text.model, "a/b.obj");
+  EXPECT_EQ(text.outside, 7U);
+  EXPECT_EQ(text.point_face, (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(text.point_weights.approx(0), (Point2{.25, .5}));
+  EXPECT_EQ(text.point_weights.exact(2).x, Rational(1) / 3);
+  EXPECT_EQ(text.polygons.items, (std::vector<std::uint32_t>{0, 1, 2, 2}));
+  EXPECT_EQ(text.polygons.begin, (std::vector<std::uint32_t>{0, 3, 4}));
+  EXPECT_EQ(text.shapes.begin, (std::vector<std::uint32_t>{0, 2, 2}));
+}
+
+TEST(scene_reader, points_lie_on_vertices_edges_and_in_faces) {
+  const SurfaceScene s = made(scene(
+      "[0, 0, 0], [0, 1, 0], [0, 0.0, 1e0], [0, 0.3, 0.7], [0, 0, 0.5], [0, 0.5, 0], [0, 0.2, 0.2]",
+      "0"));
+  const SurfacePointTable& p = s.polygons.points;
+  ASSERT_EQ(p.size(), 7U);
+  const std::vector<SurfacePlace> places{
+      SurfacePlace::Vertex, SurfacePlace::Vertex, SurfacePlace::Vertex, SurfacePlace::Edge,
+      SurfacePlace::Edge,   SurfacePlace::Edge,   SurfacePlace::Face};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    EXPECT_EQ(p.place(SurfacePointId(i)), places[i]) << i;
+  }
+  EXPECT_EQ(p.vertex(SurfacePointId(2)), VertexId(4));
+}
+
+/// Faces 0 and 1 of the grid share the diagonal from vertex 0 to vertex 4: (w, 0, u) and (1 - u, u, 0).
+TEST(scene_reader, one_point_from_two_faces) {
+  for (int tenths = 1; tenths < 10; ++tenths) {
+    const std::string t = "0." + std::to_string(tenths), rest = "0." + std::to_string(10 - tenths);
+    const SurfaceScene s =
+        made(scene("[0, 0, " + t + "], [1, " + t + ", 0], [2, 0.3, " + rest + "e-3], [0, " + t +
+                       ", " + rest + "], [3, 0.1, " + rest + "e-2]",
+                   "0"));
+    const SurfacePointTable& p = s.polygons.points;
+    EXPECT_TRUE(p.is_same(SurfacePointId(0), SurfacePointId(1))) << t;
+    EXPECT_EQ(p.place(SurfacePointId(3)), SurfacePlace::Edge) << t;
+  }
+}
+
+/// Face 0 is (0, 1, 4) and face 3 is (1, 5, 4): they share the edge from 1 to 4, given by its other end.
+TEST(scene_reader, decimals_that_no_doubles_add_up_to) {
+  for (const ReadOptions& options : {kOptions, kExact}) {
+    for (int hundredths = 1; hundredths < 100; ++hundredths) {
+      const auto decimal = [](int n) { return (n < 10 ? "0.0" : "0.") + std::to_string(n); };
+      const std::string t = decimal(hundredths), rest = decimal(100 - hundredths);
+      const SurfaceScene s =
+          made(scene("[0, " + rest + ", " + t + "], [3, 0, " + t + "]", "0, 1"), options);
+      const SurfacePointTable& p = s.polygons.points;
+      EXPECT_EQ(p.place(SurfacePointId(0)), SurfacePlace::Edge);
+      EXPECT_TRUE(p.is_same(SurfacePointId(0), SurfacePointId(1))) << t;
+      EXPECT_EQ(s.polygons.point.size(), 0U);
+    }
+  }
+}
+
+TEST(scene_reader, a_hair_inside_is_inside) {
+  const SurfaceScene s =
+      made(scene("[0, 1e-300, 0.5], [0, 0.5, 0.4999999999999999999999], [0, 1e-17, 1e-17]", "0"));
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(s.polygons.points.place(SurfacePointId(i)), SurfacePlace::Face) << i;
+  }
+  const SurfaceScene beyond = made(scene("[0, 0.58, 0.42000000000000004], [0, -1e-17, 0.5]", "0"));
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(beyond.polygons.points.place(SurfacePointId(i)), SurfacePlace::Edge) << i;
+  }
+}
+
+TEST(scene_reader, faces_that_were_turned_around) {
+  const std::vector<Point3> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const SurfaceMesh mesh(points, {{0, 1, 2}, {0, 3, 2}});
+  ASSERT_TRUE(mesh.is_flipped(FaceId(1)));
+  const SurfaceScene s = made(scene("[1, 0.25, 0.5], [1, 0, 0.125], [0, 0, 0.125]", "0"), kOptions,
+                              SurfaceMesh(points, {{0, 1, 2}, {0, 3, 2}}));
+  const Point3 at = s.polygons.points.position(SurfacePointId(0));
+  EXPECT_EQ(at, (Point3{.5, .75, 0}));
+  EXPECT_TRUE(s.polygons.points.is_same(SurfacePointId(1), SurfacePointId(2)));
+}
+
+TEST(scene_reader, polygons_are_traced) {
+  const SurfaceScene s =
+      made(scene("[0, 0.5, 0.25], [7, 0.5, 0.25], [5, 0.25, 0.5]", "0, 1, 2, 2"));
+  EXPECT_NO_THROW(require_valid(s.polygons));
+  std::size_t controls = 0;
+  for (const std::uint8_t is_control : s.polygons.is_control) controls += is_control;
+  EXPECT_EQ(controls, 3U);
+}
+
+TEST(scene_reader, reads_the_model_beside_the_scene) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / "plumb-scene-test";
+  fs::create_directories(folder / "meshes");
+  std::ofstream(folder / "meshes" / "square.obj")
+      << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+  std::ofstream(folder / "a.json")
+      << R"({"model": "meshes/square.obj", "points": [[0, 0.5, 0.25], [1, 0.5, 0.25]], "polygons": [[0, 1]]})";
+  Context context;
+  const SceneFile file = read_scene_file((folder / "a.json").string(), {}, context);
+  EXPECT_EQ(file.scene.mesh->face_count(), 2U);
+  EXPECT_EQ(file.scene.polygons.size(), 1U);
+  std::ofstream(folder / "b.json") << R"({"model": "gone.obj", "points": [], "polygons": []})";
+  try {
+    read_scene_file((folder / "b.json").string(), {}, context);
+    ADD_FAILURE() << "read a model that is not there";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::CannotOpen);
+  }
+  std::ofstream(folder / "meshes" / "three.obj")
+      << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 1 2 4\nf 1 2 5\n";
+  std::ofstream(folder / "c.json")
+      << R"({"model": "meshes/three.obj", "points": [], "polygons": []})";
+  try {
+    read_scene_file((folder / "c.json").string(), {}, context);
+    ADD_FAILURE() << "read what is no manifold";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place().file, (folder / "meshes/three.obj").string());
+  }
+  fs::remove_all(folder);
+}
+
+std::vector<HostileText> hostile_scenes() {
+  const std::string head = R"({"model": "m", )";
+  const std::string triangle = R"("points": [[0, 0.1, 0.1], [1, 0.1, 0.1], [2, 0.1, 0.1]], )";
+  return {
+      {"empty", "", 1, 1, "not JSON"},
+      {"a list", "[]", 1, 1, "expected an object"},
+      {"a number", " 7", 1, 2, "expected an object"},
+      {"no model", R"({"points": [], "polygons": []})", 1, 1, "needs \"model\""},
+      {"no points", head + R"("polygons": []})", 1, 1, "needs \"points\""},
+      {"no polygons", head + R"("points": []})", 1, 1, "needs \"polygons\""},
+      {"cut off", head + R"("points": [[0, 0.)", 1, 33, "not JSON"},
+      {"twice", head + "\n\"model\": \"n\"}", 2, 1, "given twice"},
+      {"model no name", R"({"model": 7})", 1, 11, "expected a file name"},
+      {"model empty", R"({"model": ""})", 1, 11, "expected a file name"},
+      {"points no list", head + "\n\"points\": 3}", 2, 11, "expected a list"},
+      {"point no list", head + "\n\"points\": [3]}", 2, 12, "expected a point"},
+      {"point too short", head + "\n\"points\": [[3, 0.5]]}", 2, 19, "too few"},
+      {"point too long", head + "\n\"points\": [[3, 0.5, 0.1, 0.2]]}", 2, 26, "too many"},
+      {"face no integer", head + "\n\"points\": [[3.5, 0, 0]]}", 2, 13, "index of a face"},
+      {"face negative", head + "\n\"points\": [[-3, 0, 0]]}", 2, 13, "index of a face"},
+      {"face huge", head + "\n\"points\": [[99999999999, 0, 0]]}", 2, 13, "too large"},
+      {"weight no number", head + "\n\"points\": [[3, true, 0]]}", 2, 16, "expected a number"},
+      {"weight no fraction", head + "\n\"points\": [[3, \"x\", 0]]}", 2, 17, "expected"},
+      {"weight over zero", head + "\n\"points\": [[3, \"1/0\", 0]]}", 2, 19, "denominator is 0"},
+      {"outside below", head + "\n\"points\": [[3, -0.1, 0]]}", 2, 12, "outside its face"},
+      {"outside above", head + "\n\"points\": [[3, 0.6, 0.6]]}", 2, 12, "outside its face"},
+      {"outside far", head + "\n\"points\": [[3, 1e300, 1e300]]}", 2, 12, "outside its face"},
+      {"number bomb", head + "\n\"points\": [[3, 1e999999999, 0]]}", 2, 26, "too large"},
+      {"no face", head + "\n" + R"("points": [[8, 0, 0]], "polygons": []})", 2, 12, "no face 8"},
+      {"no point", head + triangle + "\n\"polygons\": [[0, 3]]}", 2, 18, "no point 3"},
+      {"index nested", head + triangle + "\n\"polygons\": [[[0]]]}", 2, 15, "expected an index"},
+      {"index a string", head + triangle + "\n\"polygons\": [[\"0\"]]}", 2, 15,
+       "expected an index"},
+      {"index a decimal", head + triangle + "\n\"polygons\": [[0.0]]}", 2, 15, "expected an index"},
+      {"no polygon", head + triangle + "\"polygons\": [[0]],\n\"shapes\": [[0, 1]]}", 2, 16,
+       "no polygon 1"},
+      {"outside no face", head + triangle + "\"polygons\": [],\n\"outside\": 8}", 2, 12,
+       "no face 8"},
+      {"deep", head + "\n\"points\": " + repeated("[", 100000), 2, 13, "index of a face"},
+      {"not text", std::string("{\"model\": \"\xff\"}"), 1, 12, "not JSON"},
+      {"after the end", head + triangle + "\"polygons\": []}\n}", 2, 1, "not JSON"},
+  };
+}
+
+TEST(scene_reader, refuses_with_places) {
+  expect_refusals(hostile_scenes(), [](const std::string& text) { made(text); });
+}
+
+TEST(scene_reader, deep_lists_in_members_without_meaning_are_passed_over) {
+  const std::string deep = repeated("[", 50000) + repeated("]", 50000);
+  EXPECT_NO_THROW(made(R"({"x": )" + deep + R"(, "model": "m", "points": [], "polygons": []})"));
+}
+
+TEST(scene_reader, control_points_on_two_components) {
+  const std::vector<Point3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                                   {5, 0, 0}, {6, 0, 0}, {5, 1, 0}};
+  const SurfaceMesh mesh(points, {{0, 1, 2}, {3, 4, 5}});
+  const std::string text = R"({"model": "m", "points": [[0, 0.5, 0.25], [1, 0.5, 0.25]],)"
+                           "\n"
+                           R"("polygons": [[0, 0], [0, 0, 1]]})";
+  try {
+    made(text, kOptions, mesh);
+    ADD_FAILURE() << "traced from one component to another";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::BadShape);
+    EXPECT_EQ(error.place().line, 2U);
+    EXPECT_NE(error.message().find("point 0 (face 0) and point 1 (face 1)"), std::string::npos)
+        << error.message();
+  }
+}
+
+TEST(scene_reader, memory_is_limited) {
+  std::string points = "[0,0.1,0.1]";
+  for (int i = 0; i < 2000; ++i) points += ",[0,0.1,0.1]";
+  Limits limits;
+  limits.max_memory_bytes = 20000;
+  Context context(limits);
+  try {
+    parse_scene(scene(points, "0"), kOptions, context);
+    ADD_FAILURE() << "read beyond the limit";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::ResourceLimit);
+    EXPECT_EQ(error.place().line, 1U);
+  }
+}
+
+}  // namespace
+}  // namespace plumb::testing
