@@ -77,6 +77,9 @@ struct SurfaceResult {
       borders;  ///< one polygon a loop, the region to its left; the mesh border is no loop
 };
 
+struct SurfaceArrangement;
+struct SurfaceCells;
+
 class SurfaceDivision {
  public:
   SurfaceDivision(SurfaceScene scene, Context& context);
@@ -96,6 +99,10 @@ class SurfaceDivision {
   /// one that does not separate there are none.
   std::span<const SignedEntry> labels(CellId c) const;
   double area(CellId c) const;
+
+  /// What the stages made, for pictures and audits.
+  const SurfaceArrangement& arrangement() const;
+  const SurfaceCells& cells() const;
 
   /// Names A, B, C ... or s0, s1 ... are shapes. Throws Error{BadArgument} for other names, and for shapes that do
   /// not separate (modulo 2 is enough for EvenOdd).

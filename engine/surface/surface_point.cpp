@@ -142,6 +142,11 @@ void SurfacePointTable::append_local(SurfacePointId p, FaceId f, PointTable2& to
     to.push_back(approx(p));
     return;
   }
+  if (place(p) == SurfacePlace::Vertex) {
+    const SurfaceTriangle& t = mesh_->corners(f);
+    to.push_back(Point2{t[1] == index(p) ? 1.0 : 0.0, t[2] == index(p) ? 1.0 : 0.0});
+    return;
+  }
   const RationalPoint2 at = exact_in(p, f);
   to.push_back(at.x, at.y);
 }

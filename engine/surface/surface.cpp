@@ -1,0 +1,203 @@
+#include "plumb/surface/surface.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "plumb/base/error.h"
+#include "plumb/surface/surface_borders.h"
+#include "plumb/surface/surface_cells.h"
+#include "plumb/surface/surface_labels.h"
+
+namespace plumb {
+namespace {
+
+void require_sane(const SurfaceScene& scene) {
+  if (scene.mesh == nullptr) throw Error(ErrorCode::BadArgument, "a scene without a mesh");
+  if (&scene.polygons.points.mesh() != scene.mesh.get()) {
+    throw Error(ErrorCode::BadArgument, "polygons over another mesh");
+  }
+  require_valid(scene.polygons);
+  for (std::size_t s = 0; s < scene.shapes.size(); ++s) {
+    for (const std::uint32_t p : scene.shapes[s]) {
+      if (p < scene.polygons.size()) continue;
+      throw Error(ErrorCode::BadIndex,
+                  "shape " + std::to_string(s) + ": no polygon " + std::to_string(p));
+    }
+  }
+  if (scene.outside.is_valid() && scene.outside.value() >= scene.mesh->face_count()) {
+    throw Error(ErrorCode::BadIndex, "no face " + std::to_string(scene.outside.value()));
+  }
+}
+
+/// "A" ... "Z", or "s0", "s1", ...
+std::optional<std::uint32_t> shape_named(const std::string& name) {
+  if (name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z') {
+    return static_cast<std::uint32_t>(name[0] - 'A');
+  }
+  std::uint32_t number = 0;
+  const char* end = name.data() + name.size();
+  if (name.size() < 2 || name[0] != 's') return std::nullopt;
+  const auto [at, error] = std::from_chars(name.data() + 1, end, number);
+  if (error != std::errc{} || at != end) return std::nullopt;
+  return number;
+}
+
+bool is_inside(std::int32_t label, WindingRule rule) {
+  switch (rule) {
+    case WindingRule::EvenOdd:
+      return label % 2 != 0;
+    case WindingRule::Positive:
+      return label > 0;
+    case WindingRule::NonZero:
+      break;
+  }
+  return label != 0;
+}
+
+bool apply(SetOperator op, bool a, bool b) {
+  switch (op) {
+    case SetOperator::Intersection:
+      return a && b;
+    case SetOperator::Union:
+      return a || b;
+    case SetOperator::Difference:
+      return a && !b;
+    default:
+      return a != b;
+  }
+}
+
+}  // namespace
+
+struct SurfaceDivision::State {
+  SurfaceScene scene;
+  SurfaceArrangement arrangement;
+  SurfaceCells cells;
+  CellLabels polygon_labels;  // of shapes, too, if they are the polygons
+  CellLabels shape_labels;
+  std::size_t crossings = 0;
+
+  State(SurfaceScene given, Context& context)
+      : scene(std::move(given)),
+        arrangement(slice(scene.polygons, context)),
+        cells(make_cells(*scene.mesh, arrangement, context)) {
+    count_crossings();
+    CellId outside;
+    if (scene.outside.is_valid()) outside = cell_at_corner(arrangement, cells, scene.outside);
+    const CellJumps jumps = jumps_of_polygons(arrangement, cells);
+    polygon_labels = label_cells(cells, jumps, scene.polygons.size(), outside, context);
+    if (scene.shapes.empty()) return;
+    shape_labels = label_cells(cells, jumps_of_shapes(jumps, scene.shapes), scene.shapes.size(),
+                               outside, context);
+  }
+
+  const CellLabels& labels() const { return scene.shapes.empty() ? polygon_labels : shape_labels; }
+
+  void count_crossings() {
+    std::vector<std::uint8_t> ends(arrangement.node_count());
+    for (std::uint32_t i = 0; i < arrangement.arc_count(); ++i) {
+      const HalfedgeId h = arrangement.arc_halfedge[i];
+      for (const NodeId n : {arrangement.origin[h.value()], arrangement.target(h)}) {
+        std::uint8_t& count = ends[n.value()];
+        if (count < 3 && ++count == 3) ++crossings;
+      }
+    }
+  }
+
+  /// The shape of each name. Throws for names that are no shapes, and shapes without labels.
+  std::vector<std::uint32_t> shapes_of(const SetExpression& expression, WindingRule rule) const {
+    std::vector<std::uint32_t> shapes;
+    for (const std::string& name : expression.names) {
+      const auto shape = shape_named(name);
+      if (!shape || *shape >= labels().separation.size()) {
+        throw Error(ErrorCode::BadArgument, "no shape is named " + name);
+      }
+      const Separation& s = labels().separation[*shape];
+      if (!s.over_z && !(s.mod_2 && rule == WindingRule::EvenOdd)) {
+        throw Error(ErrorCode::BadArgument,
+                    "shape " + name + " does not separate the surface: it has no inside");
+      }
+      shapes.push_back(*shape);
+    }
+    return shapes;
+  }
+
+  std::vector<std::uint32_t> polygons_of(const std::vector<std::uint32_t>& shapes) const {
+    std::vector<std::uint32_t> polygons;
+    for (const std::uint32_t s : shapes) {
+      if (scene.shapes.empty()) {
+        polygons.push_back(s);
+      } else {
+        polygons.insert(polygons.end(), scene.shapes[s].begin(), scene.shapes[s].end());
+      }
+    }
+    std::sort(polygons.begin(), polygons.end());
+    polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
+    return polygons;
+  }
+};
+
+SurfaceDivision::SurfaceDivision(SurfaceScene scene, Context& context) {
+  require_sane(scene);
+  state_ = std::make_unique<State>(std::move(scene), context);
+}
+SurfaceDivision::~SurfaceDivision() = default;
+SurfaceDivision::SurfaceDivision(SurfaceDivision&&) noexcept = default;
+SurfaceDivision& SurfaceDivision::operator=(SurfaceDivision&&) noexcept = default;
+
+const SurfaceScene& SurfaceDivision::scene() const { return state_->scene; }
+const SurfaceArrangement& SurfaceDivision::arrangement() const { return state_->arrangement; }
+const SurfaceCells& SurfaceDivision::cells() const { return state_->cells; }
+
+SurfaceCounts SurfaceDivision::counts() const {
+  return {mesh().face_count(), state_->arrangement.segments, state_->crossings,
+          state_->cells.size(), state_->cells.edges.size()};
+}
+
+std::size_t SurfaceDivision::cell_count() const { return state_->cells.size(); }
+std::size_t SurfaceDivision::shape_count() const { return state_->labels().separation.size(); }
+
+const Separation& SurfaceDivision::polygon_separation(std::uint32_t polygon) const {
+  return state_->polygon_labels.separation[polygon];
+}
+const Separation& SurfaceDivision::shape_separation(std::uint32_t shape) const {
+  return state_->labels().separation[shape];
+}
+std::span<const SignedEntry> SurfaceDivision::labels(CellId c) const { return state_->labels()[c]; }
+double SurfaceDivision::area(CellId c) const { return state_->cells.area[c.value()]; }
+
+SurfaceRegion SurfaceDivision::select(const SetExpression& expression, WindingRule rule) const {
+  const std::vector<std::uint32_t> shapes = state_->shapes_of(expression, rule);
+  SurfaceRegion region;
+  region.generators = state_->polygons_of(shapes);
+  std::vector<std::uint8_t> is_in(shape_count());
+  for (std::uint32_t c = 0; c < cell_count(); ++c) {
+    const auto label = labels(CellId(c));
+    for (const SignedEntry& e : label) is_in[e.id] = is_inside(e.value, rule) ? 1 : 0;
+    const bool is_selected = plumb::evaluate<bool>(
+        expression, [&](std::uint32_t name) { return is_in[shapes[name]] != 0; },
+        [](bool a) { return !a; }, apply);
+    for (const SignedEntry& e : label) is_in[e.id] = 0;
+    region.is_selected.push_back(is_selected ? 1 : 0);
+    if (!is_selected) continue;
+    ++region.cells;
+    region.area += area(CellId(c));
+  }
+  return region;
+}
+
+SurfacePolygons SurfaceDivision::borders(const SurfaceRegion& region) const {
+  return trace_borders(scene().polygons, state_->arrangement, state_->cells, region.is_selected,
+                       region.generators);
+}
+
+SurfaceResult SurfaceDivision::evaluate(const SetExpression& expression, WindingRule rule) const {
+  SurfaceRegion region = select(expression, rule);
+  SurfacePolygons loops = borders(region);
+  return {std::move(region), std::move(loops)};
+}
+
+}  // namespace plumb

@@ -1,0 +1,54 @@
+#include "plumb/surface/surface_arrangement.h"
+
+#include <algorithm>
+
+#include "plumb/predicates/segment2.h"
+
+namespace plumb {
+
+bool SurfaceBundles::add_sum(std::span<SignedEntry> terms) {
+  std::sort(terms.begin(), terms.end());
+  const std::size_t before = entries_.size();
+  for (std::size_t i = 0; i < terms.size();) {
+    SignedEntry sum{terms[i].id, 0};
+    for (; i < terms.size() && terms[i].id == sum.id; ++i) sum.value += terms[i].value;
+    if (sum.value != 0) entries_.push_back(sum);
+  }
+  if (entries_.size() == before) return false;
+  begin_.push_back(static_cast<std::uint32_t>(entries_.size()));
+  return true;
+}
+
+RationalPoint2 exact_crossing(const SurfaceArrangement& arrangement,
+                              const SurfacePointTable& points, const SurfaceCrossing& c) {
+  const auto at = [&](std::size_t i) {
+    return points.exact_in(arrangement.node_point[c.ends[i].value()], c.face);
+  };
+  return crossing_point(RationalSegment2{at(0), at(1)}, RationalSegment2{at(2), at(3)});
+}
+
+SurfacePointId add_node_point(const SurfaceArrangement& arrangement,
+                              const SurfacePointTable& points, NodeId node, SurfacePointTable& to) {
+  if (arrangement.is_crossing(node)) {
+    const SurfaceCrossing& c = arrangement.crossing(node);
+    const RationalPoint2 at = exact_crossing(arrangement, points, c);
+    return to.add_in_face(c.face, at.x, at.y);
+  }
+  const std::uint32_t i = node.value();
+  if (i >= arrangement.node_point.size()) {
+    return to.add_vertex(arrangement.corner_vertex[i - arrangement.node_point.size()]);
+  }
+  const SurfacePointId p = arrangement.node_point[i];
+  switch (points.place(p)) {
+    case SurfacePlace::Vertex:
+      return to.add_vertex(points.vertex(p));
+    case SurfacePlace::Edge:
+      return to.add_on_edge(points.edge(p), points.exact(p).x);
+    case SurfacePlace::Face:
+      break;
+  }
+  const RationalPoint2 at = points.exact(p);
+  return to.add_in_face(points.face(p), at.x, at.y);
+}
+
+}  // namespace plumb

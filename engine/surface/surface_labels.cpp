@@ -1,0 +1,305 @@
+#include "plumb/surface/surface_labels.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace plumb {
+namespace {
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+/// Appends a + sign b, both ascending.
+void append_sum(std::span<const SignedEntry> a, std::span<const SignedEntry> b, std::int32_t sign,
+                std::vector<SignedEntry>& out) {
+  auto i = a.begin();
+  auto j = b.begin();
+  while (i != a.end() || j != b.end()) {
+    if (j == b.end() || (i != a.end() && i->id < j->id)) {
+      out.push_back(*i++);
+    } else if (i == a.end() || j->id < i->id) {
+      out.push_back({j->id, sign * j->value});
+      ++j;
+    } else {
+      const std::int32_t sum = i->value + sign * j->value;
+      if (sum != 0) out.push_back({i->id, sum});
+      ++i;
+      ++j;
+    }
+  }
+}
+
+class Labeller {
+ public:
+  Labeller(const SurfaceCells& cells, const CellJumps& jumps, std::size_t shapes, CellId outside,
+           Context& context)
+      : cells_(cells), jumps_(jumps), outside_(outside), context_(context) {
+    labels_.separation.resize(shapes);
+  }
+
+  CellLabels run() {
+    gather_edges();
+    grow_trees();
+    spread();
+    for (std::uint32_t e = 0; e < cells_.edges.size(); ++e) check(e);
+    drop_failed();
+    shift();
+    return std::move(labels_);
+  }
+
+ private:
+  struct Step {
+    CellId cell;
+    std::uint32_t edge;  ///< from its parent; kNone at roots
+  };
+  struct Place {
+    std::uint32_t begin;
+    std::uint32_t end;
+  };
+
+  CellId across(std::uint32_t e, CellId c) const {
+    const CellEdge& edge = cells_.edges[e];
+    return edge.from == c ? edge.to : edge.from;
+  }
+
+  void gather_edges() {
+    edges_begin_.assign(cells_.size() + 2, 0);
+    for (const CellEdge& e : cells_.edges) {
+      ++edges_begin_[e.from.value() + 2];
+      ++edges_begin_[e.to.value() + 2];
+    }
+    for (std::size_t c = 2; c < edges_begin_.size(); ++c) edges_begin_[c] += edges_begin_[c - 1];
+    edges_of_.resize(2 * cells_.edges.size());
+    for (std::uint32_t e = 0; e < cells_.edges.size(); ++e) {
+      edges_of_[edges_begin_[cells_.edges[e].from.value() + 1]++] = e;
+      edges_of_[edges_begin_[cells_.edges[e].to.value() + 1]++] = e;
+    }
+  }
+
+  // ---------------------------------------------------------------- potential
+
+  bool is_better_root(CellId c, CellId than) const {
+    if (!than.is_valid()) return true;
+    if (c == outside_ || than == outside_) return c == outside_;
+    const auto rank = [&](CellId d) {
+      return std::pair(cells_.is_at_border[d.value()], cells_.area[d.value()]);
+    };
+    return rank(c) > rank(than);
+  }
+
+  void grow_trees() {
+    std::vector<CellId> root;
+    for (std::uint32_t i = 0; i < cells_.size(); ++i) {
+      const std::uint32_t component = cells_.component[i];
+      if (component >= root.size()) root.resize(component + std::size_t{1});
+      if (is_better_root(CellId(i), root[component])) root[component] = CellId(i);
+    }
+    parent_edge_.assign(cells_.size(), kNone);
+    std::vector<std::uint8_t> is_seen(cells_.size());
+    for (const CellId r : root) {
+      if (!r.is_valid()) continue;
+      std::size_t at = order_.size();
+      order_.push_back({r, kNone});
+      is_seen[r.value()] = 1;
+      for (; at < order_.size(); ++at) {
+        const CellId c = order_[at].cell;
+        for (std::uint32_t i = edges_begin_[c.value()]; i < edges_begin_[c.value() + 1]; ++i) {
+          const std::uint32_t e = edges_of_[i];
+          const CellId d = across(e, c);
+          if (is_seen[d.value()] != 0) continue;
+          is_seen[d.value()] = 1;
+          parent_edge_[d.value()] = e;
+          order_.push_back({d, e});
+        }
+      }
+    }
+  }
+
+  void spread() {
+    place_.resize(cells_.size());
+    for (const Step& s : order_) {
+      const auto begin = static_cast<std::uint32_t>(raw_.size());
+      if (s.edge != kNone) {
+        const Place from = place_[across(s.edge, s.cell).value()];
+        // raw_ grows: copy the parent's entries out of its way.
+        scratch_.assign(raw_.begin() + from.begin, raw_.begin() + from.end);
+        append_sum(scratch_, jumps_[s.edge], cells_.edges[s.edge].to == s.cell ? 1 : -1, raw_);
+      }
+      place_[s.cell.value()] = {begin, static_cast<std::uint32_t>(raw_.size())};
+      if ((begin & 0xfffU) == 0) context_.checkpoint("labels", raw_.size(), raw_.size());
+    }
+  }
+  std::span<const SignedEntry> raw(CellId c) const {
+    const Place p = place_[c.value()];
+    return std::span(raw_).subspan(p.begin, p.end - p.begin);
+  }
+
+  // ---------------------------------------------------------------- check
+
+  void check(std::uint32_t e) {
+    const CellEdge& edge = cells_.edges[e];
+    if (parent_edge_[edge.from.value()] == e || parent_edge_[edge.to.value()] == e) return;
+    scratch_.clear();
+    append_sum(raw(edge.to), raw(edge.from), -1, scratch_);
+    error_.clear();
+    append_sum(scratch_, jumps_[e], -1, error_);
+    for (const SignedEntry& wrong : error_) {
+      Separation& s = labels_.separation[wrong.id];
+      if (s.over_z) s.cycle = cycle_of(e);
+      s.over_z = false;
+      if (wrong.value % 2 != 0) s.mod_2 = false;
+    }
+  }
+
+  std::vector<CellId> to_root(CellId c) const {
+    std::vector<CellId> path = {c};
+    while (parent_edge_[c.value()] != kNone) {
+      c = across(parent_edge_[c.value()], c);
+      path.push_back(c);
+    }
+    return path;
+  }
+  /// Along the tree from one end of the edge to the other.
+  std::vector<CellId> cycle_of(std::uint32_t e) const {
+    std::vector<CellId> up = to_root(cells_.edges[e].from), down = to_root(cells_.edges[e].to);
+    while (up.size() > 1 && down.size() > 1 && up[up.size() - 2] == down[down.size() - 2]) {
+      up.pop_back();
+      down.pop_back();
+    }
+    if (up.size() == 1 && down.size() == 1) return up;  // the edge leads back to its cell
+    up.insert(up.end(), down.rbegin() + 1, down.rend());
+    return up;
+  }
+
+  /// Shapes that separate modulo 2 only keep their parity, the others nothing.
+  void drop_failed() {
+    std::uint32_t kept = 0;
+    for (const Step& s : order_) {
+      Place& p = place_[s.cell.value()];
+      const std::uint32_t begin = kept;
+      for (std::uint32_t i = p.begin; i < p.end; ++i) {
+        SignedEntry entry = raw_[i];
+        const Separation& how = labels_.separation[entry.id];
+        if (!how.over_z) entry.value = how.mod_2 ? entry.value & 1 : 0;
+        if (entry.value != 0) raw_[kept++] = entry;
+      }
+      p = {begin, kept};
+    }
+    raw_.resize(kept);
+  }
+
+  // ---------------------------------------------------------------- zero
+
+  /// Cells of a component whose least label counts: those at the border, if there are any.
+  struct Range {
+    std::size_t begin;
+    std::size_t end;  ///< of order_
+    bool has_border;
+  };
+
+  /// What to add to the labels of a component, ascending. Its root is where they are zero now.
+  std::vector<SignedEntry> shift_of(const Range& r) {
+    if (order_[r.begin].cell == outside_) return {};
+    std::vector<SignedEntry> least;  // of those that are listed somewhere
+    for (std::size_t i = r.begin; i < r.end; ++i) {
+      const CellId c = order_[i].cell;
+      if (r.has_border && cells_.is_at_border[c.value()] == 0) continue;
+      for (const SignedEntry& e : raw(c)) {
+        if (e.value < 0 && labels_.separation[e.id].over_z) least.push_back(e);
+      }
+    }
+    std::sort(least.begin(), least.end());
+    std::vector<SignedEntry> shift;
+    for (const SignedEntry& e : least) {
+      if (shift.empty() || shift.back().id != e.id) shift.push_back({e.id, -e.value});
+    }
+    return shift;
+  }
+
+  void shift() {
+    labels_.begin.assign(cells_.size() + 1, 0);
+    std::vector<SignedEntry> shifted;
+    std::vector<Place> places(cells_.size());
+    for (std::size_t i = 0, j = 0; i < order_.size(); i = j) {
+      Range r{i, i + 1, false};
+      while (r.end < order_.size() && order_[r.end].edge != kNone) ++r.end;
+      j = r.end;
+      for (std::size_t k = i; k < j; ++k) {
+        if (cells_.is_at_border[order_[k].cell.value()] != 0) r.has_border = true;
+      }
+      const std::vector<SignedEntry> by = shift_of(r);
+      for (std::size_t k = i; k < j; ++k) {
+        const CellId c = order_[k].cell;
+        const auto begin = static_cast<std::uint32_t>(shifted.size());
+        append_sum(raw(c), by, 1, shifted);
+        places[c.value()] = {begin, static_cast<std::uint32_t>(shifted.size())};
+      }
+    }
+    labels_.entries.reserve(shifted.size());
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      labels_.entries.insert(labels_.entries.end(), shifted.begin() + places[c].begin,
+                             shifted.begin() + places[c].end);
+      labels_.begin[c + 1] = static_cast<std::uint32_t>(labels_.entries.size());
+    }
+  }
+
+  const SurfaceCells& cells_;
+  const CellJumps& jumps_;
+  CellId outside_;
+  Context& context_;
+  std::vector<std::uint32_t> edges_begin_;  // per cell
+  std::vector<std::uint32_t> edges_of_;
+  std::vector<Step> order_;  // cells, parents first, component by component
+  std::vector<std::uint32_t> parent_edge_;
+  std::vector<Place> place_;      // per cell, in raw_
+  std::vector<SignedEntry> raw_;  // labels with zero at the root
+  std::vector<SignedEntry> scratch_;
+  std::vector<SignedEntry> error_;
+  CellLabels labels_;
+};
+
+}  // namespace
+
+CellJumps jumps_of_polygons(const SurfaceArrangement& arrangement, const SurfaceCells& cells) {
+  CellJumps jumps;
+  for (const CellEdge& e : cells.edges) {
+    for (const SignedEntry& m : arrangement.bundles[e.bundle]) {
+      jumps.entries.push_back({m.id, m.value * e.sign});
+    }
+    jumps.begin.push_back(static_cast<std::uint32_t>(jumps.entries.size()));
+  }
+  return jumps;
+}
+
+CellJumps jumps_of_shapes(const CellJumps& polygons,
+                          std::span<const std::vector<std::uint32_t>> shapes) {
+  std::vector<std::vector<std::uint32_t>> shapes_of;
+  for (std::uint32_t s = 0; s < shapes.size(); ++s) {
+    for (const std::uint32_t p : shapes[s]) {
+      if (p >= shapes_of.size()) shapes_of.resize(p + std::size_t{1});
+      shapes_of[p].push_back(s);
+    }
+  }
+  SurfaceBundles sums;
+  CellJumps jumps;
+  std::vector<SignedEntry> terms;
+  for (std::size_t e = 0; e + 1 < polygons.begin.size(); ++e) {
+    terms.clear();
+    for (const SignedEntry& m : polygons[e]) {
+      if (m.id >= shapes_of.size()) continue;
+      for (const std::uint32_t s : shapes_of[m.id]) terms.push_back({s, m.value});
+    }
+    if (sums.add_sum(terms)) {
+      const auto sum = sums[sums.size() - 1];
+      jumps.entries.insert(jumps.entries.end(), sum.begin(), sum.end());
+    }
+    jumps.begin.push_back(static_cast<std::uint32_t>(jumps.entries.size()));
+  }
+  return jumps;
+}
+
+CellLabels label_cells(const SurfaceCells& cells, const CellJumps& jumps, std::size_t shapes,
+                       CellId outside, Context& context) {
+  return Labeller(cells, jumps, shapes, outside, context).run();
+}
+
+}  // namespace plumb

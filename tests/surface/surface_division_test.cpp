@@ -1,0 +1,624 @@
+// Polygons on surfaces of every kind: known answers, and the laws.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "generate/dice.h"
+#include "generate/surface_scenes.h"
+#include "plumb/base/error.h"
+#include "plumb/surface/surface_arrangement.h"
+#include "plumb/surface/surface_audit.h"
+
+namespace plumb::testing {
+namespace {
+
+SurfaceDivision divide(const SurfaceDrawing& drawing) {
+  Context context;
+  SurfaceDivision division(drawing.scene, context);
+  EXPECT_EQ(audit(division).value_or(""), "");
+  return division;
+}
+
+struct Answer {
+  const char* expression;
+  double area;
+  std::size_t loops;
+};
+
+void expect_answers(const SurfaceDivision& d, std::initializer_list<Answer> answers,
+                    WindingRule rule = WindingRule::EvenOdd) {
+  for (const Answer& a : answers) {
+    SCOPED_TRACE(a.expression);
+    const SurfaceResult r = d.evaluate(parse_set_expression(a.expression), rule);
+    EXPECT_NEAR(r.region.area, a.area, 1e-9);
+    EXPECT_EQ(r.borders.size(), a.loops);
+    require_valid(r.borders);
+  }
+}
+
+Rational tenth(std::int64_t n) { return Rational(n) / 10; }
+RationalPoint2 tenths(std::int64_t x, std::int64_t y) { return {tenth(x), tenth(y)}; }
+
+// ---------------------------------------------------------------- disks
+
+TEST(SurfaceDivision, TwoBoxes) {
+  SurfaceDrawing s(grid_mesh(20, 20, 5));
+  s.add_box(tenths(23, 22), tenths(103, 102));
+  s.add_box(tenths(64, 63), tenths(144, 143));
+  const SurfaceDivision d = divide(s);
+  EXPECT_EQ(d.cell_count(), 4U);
+  EXPECT_EQ(d.counts().crossings, 2U);
+  expect_answers(
+      d, {{"A + B", 112.79, 1}, {"A * B", 15.21, 1}, {"A - B", 48.79, 1}, {"A ^ B", 97.58, 2}});
+}
+
+TEST(SurfaceDivision, BoxesEqualReversedNestedSharing) {
+  struct Case {
+    const char* name;
+    RationalPoint2 low, high;  // of the second box
+    bool is_reversed;
+    std::size_t cells;
+    std::array<Answer, 4> answers;
+  };
+  const Case cases[] = {
+      {"nested",
+       tenths(42, 42),
+       tenths(82, 82),
+       false,
+       3,
+       {{{"A + B", 64, 1}, {"A * B", 16, 1}, {"A - B", 48, 2}, {"A ^ B", 48, 2}}}},
+      {"equal",
+       tenths(22, 22),
+       tenths(102, 102),
+       false,
+       2,
+       {{{"A + B", 64, 1}, {"A * B", 64, 1}, {"A - B", 0, 0}, {"A ^ B", 0, 0}}}},
+      {"reversed",
+       tenths(22, 22),
+       tenths(102, 102),
+       true,
+       2,
+       {{{"A + B", 64, 1}, {"A * B", 64, 1}, {"A - B", 0, 0}, {"A ^ B", 0, 0}}}},
+      {"a side",
+       tenths(102, 22),
+       tenths(142, 102),
+       false,
+       3,
+       {{{"A + B", 96, 1}, {"A * B", 0, 0}, {"A - B", 64, 1}, {"A ^ B", 96, 1}}}},
+      {"half a side",
+       tenths(102, 42),
+       tenths(142, 142),
+       false,
+       3,
+       {{{"A + B", 104, 1}, {"A * B", 0, 0}, {"A - B", 64, 1}, {"A ^ B", 104, 1}}}},
+      {"a corner",
+       tenths(102, 102),
+       tenths(142, 142),
+       false,
+       3,
+       {{{"A + B", 80, 2}, {"A * B", 0, 0}, {"A - B", 64, 1}, {"A ^ B", 80, 2}}}},
+      {"a touching corner inside",
+       tenths(22, 42),
+       tenths(62, 82),
+       false,
+       3,
+       {{{"A + B", 64, 1}, {"A * B", 16, 1}, {"A - B", 48, 1}, {"A ^ B", 48, 1}}}},
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.name);
+    SurfaceDrawing s(grid_mesh(20, 20));
+    s.add_box(tenths(22, 22), tenths(102, 102));
+    if (c.is_reversed) {
+      const RationalPoint2 back[] = {c.low, {c.low.x, c.high.y}, c.high, {c.high.x, c.low.y}};
+      s.add_flat_polygon(back);
+    } else {
+      s.add_box(c.low, c.high);
+    }
+    const SurfaceDivision d = divide(s);
+    EXPECT_EQ(d.cell_count(), c.cells);
+    for (const Answer& a : c.answers) expect_answers(d, {a});
+  }
+}
+
+TEST(SurfaceDivision, OnMeshLinesInOneTriangleAndBarelyOverAnEdge) {
+  {
+    SurfaceDrawing s(grid_mesh(8, 8));
+    s.add_box({1, 1}, {4, 4});
+    s.add_box({2, 2}, {6, 6});
+    const SurfaceDivision d = divide(s);
+    EXPECT_EQ(d.cell_count(), 4U);
+    expect_answers(d, {{"A + B", 21, 1}, {"A * B", 4, 1}, {"A ^ B", 17, 2}});
+  }
+  {
+    SurfaceDrawing s(grid_mesh(2, 2));
+    s.add_box(tenths(5, 1), tenths(7, 3));
+    s.add_box(tenths(6, 2), tenths(8, 4));
+    const SurfaceDivision d = divide(s);
+    EXPECT_EQ(d.cell_count(), 4U);
+    expect_answers(d, {{"A + B", 0.07, 1}, {"A * B", 0.01, 1}});
+  }
+  {
+    SurfaceDrawing s(grid_mesh(4, 4));
+    const Rational tiny = Rational(1) / 100000000;
+    s.add_box({tenth(12), tenth(12)}, {2 + tiny, tenth(18)});
+    s.add_box({2 - tiny, tenth(12)}, {tenth(28), tenth(18)});
+    const SurfaceDivision d = divide(s);
+    EXPECT_EQ(d.cell_count(), 4U);
+    EXPECT_NEAR(d.select(parse_set_expression("A * B"), WindingRule::EvenOdd).area, 2e-8 * 0.6,
+                1e-15);
+  }
+}
+
+TEST(SurfaceDivision, FigureEight) {
+  SurfaceDrawing s(grid_mesh(20, 20));
+  const RationalPoint2 eight[] = {tenths(32, 32), tenths(122, 122), tenths(122, 32),
+                                  tenths(32, 122)};
+  s.add_flat_polygon(eight);
+  const SurfaceDivision d = divide(s);
+  EXPECT_EQ(d.cell_count(), 3U);
+  EXPECT_EQ(d.counts().crossings, 1U);
+  std::vector<std::int32_t> values;
+  for (std::uint32_t c = 0; c < 3; ++c) {
+    const auto label = d.labels(CellId(c));
+    values.push_back(label.empty() ? 0 : label[0].value);
+  }
+  std::sort(values.begin(), values.end());
+  EXPECT_EQ(values, (std::vector<std::int32_t>{-1, 0, 1}));
+  expect_answers(d, {{"A", 40.5, 2}});
+  expect_answers(d, {{"A", 20.25, 1}}, WindingRule::Positive);
+  expect_answers(d, {{"A", 40.5, 2}}, WindingRule::NonZero);
+}
+
+TEST(SurfaceDivision, SpikesAndPointsAreNotThere) {
+  SurfaceDrawing s(grid_mesh(6, 6));
+  const RationalPoint2 spiked[] = {{1, 1}, tenths(45, 10), tenths(45, 52), tenths(45, 10),
+                                   {5, 1}, {5, 1},         {5, 5},         {1, 5}};
+  s.add_flat_polygon(spiked);
+  const RationalPoint2 point[] = {tenths(22, 23)};
+  s.add_flat_polygon(point);
+  s.add_flat_polygon({});
+  const RationalPoint2 back_and_forth[] = {tenths(2, 3), tenths(57, 48)};
+  s.add_flat_polygon(back_and_forth);
+  const SurfaceDivision d = divide(s);
+  EXPECT_EQ(d.cell_count(), 2U);
+  EXPECT_EQ(d.counts().crossings, 0U);
+  expect_answers(d, {{"A", 16, 1}, {"A + B + C + D", 16, 1}, {"!A", 20, 1}});
+}
+
+// ---------------------------------------------------------------- tori and other surfaces
+
+std::vector<std::uint32_t> meridian(std::uint32_t i, std::uint32_t minor,
+                                    bool is_reversed = false) {
+  std::vector<std::uint32_t> v(minor);
+  std::iota(v.begin(), v.end(), i * minor);
+  if (is_reversed) std::reverse(v.begin(), v.end());
+  return v;
+}
+std::vector<std::uint32_t> longitude(std::uint32_t j, std::uint32_t major, std::uint32_t minor) {
+  std::vector<std::uint32_t> v;
+  for (std::uint32_t i = 0; i < major; ++i) v.push_back(i * minor + j);
+  return v;
+}
+
+TEST(SurfaceDivision, MeridiansOfATorus) {
+  struct Case {
+    const char* name;
+    std::vector<int> meridians;  // negative: reversed
+    bool is_one_shape;
+    std::size_t cells;
+    bool over_z, mod_2;
+  };
+  const Case cases[] = {
+      {"one", {3}, true, 1, false, false},
+      {"two opposite", {3, -9}, true, 2, true, true},
+      {"two equal", {3, 9}, true, 2, false, true},
+      {"three equal", {3, 9, 12}, true, 3, false, false},
+      {"two", {3, 9}, false, 2, false, false},
+      {"one there and back", {3, -3}, true, 1, true, true},
+      {"the same twice", {3, 3}, true, 1, false, true},
+  };
+  constexpr std::uint32_t kMajor = 16, kMinor = 8;
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.name);
+    SurfaceDrawing s(torus_mesh(kMajor, kMinor));
+    for (const int m : c.meridians) {
+      s.add_vertex_polygon(meridian(static_cast<std::uint32_t>(std::abs(m)), kMinor, m < 0));
+    }
+    if (c.is_one_shape) {
+      std::vector<std::uint32_t> all(c.meridians.size());
+      std::iota(all.begin(), all.end(), 0U);
+      s.scene.shapes = {all};
+    }
+    const SurfaceDivision d = divide(s);
+    EXPECT_EQ(d.cell_count(), c.cells);
+    EXPECT_EQ(d.shape_separation(0).over_z, c.over_z);
+    EXPECT_EQ(d.shape_separation(0).mod_2, c.mod_2);
+    EXPECT_FALSE(d.polygon_separation(0).over_z);
+    EXPECT_EQ(d.shape_separation(0).cycle.empty(), c.over_z);
+  }
+}
+
+TEST(SurfaceDivision, AreasBetweenOppositeMeridians) {
+  SurfaceDrawing s(torus_mesh(48, 24));
+  s.add_vertex_polygon(meridian(10, 24));
+  s.add_vertex_polygon(meridian(25, 24, true));
+  s.scene.shapes = {{0, 1}};
+  const SurfaceDivision d = divide(s);
+  const double whole = d.area(CellId(0)) + d.area(CellId(1));
+  const SurfaceResult r = d.evaluate(parse_set_expression("A"), WindingRule::NonZero);
+  EXPECT_TRUE(std::abs(r.region.area / whole - 15.0 / 48) < 1e-9 ||
+              std::abs(r.region.area / whole - 33.0 / 48) < 1e-9);
+  EXPECT_EQ(r.borders.size(), 2U);
+}
+
+TEST(SurfaceDivision, MeridianAndLongitude) {
+  SurfaceDrawing s(torus_mesh(9, 6));
+  s.add_vertex_polygon(meridian(4, 6));
+  s.add_vertex_polygon(longitude(2, 9, 6));
+  const SurfaceDivision d = divide(s);
+  EXPECT_EQ(d.cell_count(), 1U);
+  EXPECT_EQ(d.counts().cell_edges, 2U);
+  for (std::uint32_t p : {0U, 1U}) {
+    EXPECT_FALSE(d.polygon_separation(p).mod_2);
+    EXPECT_EQ(d.polygon_separation(p).cycle, std::vector<CellId>{CellId(0)});
+  }
+  EXPECT_THROW(d.select(parse_set_expression("A"), WindingRule::EvenOdd), Error);
+}
+
+TEST(SurfaceDivision, HandlesOfGenusTwo) {
+  constexpr std::uint32_t kMajor = 12, kMinor = 6;
+  const MeshPointer mesh = chain_of_tori(2, kMajor, kMinor);
+  EXPECT_EQ(static_cast<long>(mesh->vertex_count()) - static_cast<long>(mesh->edge_count()) +
+                static_cast<long>(mesh->face_count()),
+            -2);
+  // Two loops around the first handle: together they cut off the rest, where the second handle is.
+  for (const bool is_opposite : {true, false}) {
+    SurfaceDrawing s(mesh);
+    s.add_vertex_polygon(meridian(3, kMinor));
+    s.add_vertex_polygon(meridian(9, kMinor, is_opposite));
+    s.scene.shapes = {{0, 1}, {0}, {1}};
+    const SurfaceDivision d = divide(s);
+    EXPECT_EQ(d.cell_count(), 2U);
+    EXPECT_EQ(d.shape_separation(0).over_z, is_opposite);
+    EXPECT_TRUE(d.shape_separation(0).mod_2);
+    EXPECT_FALSE(d.shape_separation(1).mod_2);
+    EXPECT_FALSE(d.shape_separation(2).mod_2);
+  }
+}
+
+TEST(SurfaceDivision, CoresOfACylinder) {
+  SurfaceDrawing s(cylinder_mesh(10, 25));
+  for (const std::uint32_t up : {6U, 16U}) {
+    std::vector<std::uint32_t> ring(10);
+    std::iota(ring.begin(), ring.end(), up * 10);
+    s.add_vertex_polygon(ring);
+  }
+  const SurfaceDivision d = divide(s);
+  EXPECT_EQ(d.cell_count(), 3U);
+  EXPECT_TRUE(d.shape_separation(0).over_z);
+  double whole = 0;
+  for (std::uint32_t c = 0; c < 3; ++c) whole += d.area(CellId(c));
+  // Inside is above: both run counter-clockwise seen from there.
+  expect_answers(d, {{"A + B", .76 * whole, 1},
+                     {"A * B", .36 * whole, 1},
+                     {"A - B", .4 * whole, 2},
+                     {"A ^ B", .4 * whole, 2}});
+}
+
+TEST(SurfaceDivision, BeltsOfACube) {
+  SurfaceDrawing s(cube_mesh());
+  // A face has corners (axis 0; u = y, v = z) ...: belts as boxes of edge points, z = 2/5 and x = 3/10.
+  const auto vertex_at = [&](double x, double y, double z) {
+    for (std::uint32_t v = 0; v < s.scene.mesh->vertex_count(); ++v) {
+      if (s.scene.mesh->point(VertexId(v)) == Point3{x, y, z}) return v;
+    }
+    return ~0U;
+  };
+  const auto belt = [&](std::size_t axis, const Rational& height, bool is_reversed) {
+    // Points of all edges that cross the height, in the order of faces around the axis.
+    const auto corner = [&](double u, double v, double h) {
+      std::array<double, 3> p{};
+      p[axis] = h;
+      p[(axis + 1) % 3] = u;
+      p[(axis + 2) % 3] = v;
+      return vertex_at(p[0], p[1], p[2]);
+    };
+    const std::array<std::array<double, 2>, 4> ring = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    std::vector<SurfacePointId> points;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto [u, v] = ring[i];
+      const auto [w, x] = ring[(i + 1) % 4];
+      points.push_back(s.on_edge(corner(u, v, 0), corner(u, v, 1), height));
+      try {
+        points.push_back(s.on_edge(corner(u, v, 0), corner(w, x, 1), height));
+      } catch (const Error&) {
+        points.push_back(s.on_edge(corner(w, x, 0), corner(u, v, 1), height));
+      }
+    }
+    if (is_reversed) std::reverse(points.begin(), points.end());
+    s.add_polygon(points);
+  };
+  belt(2, tenth(4), false);
+  belt(0, tenth(3), false);
+  const SurfaceDivision d = divide(s);
+  EXPECT_EQ(d.cell_count(), 4U);
+  EXPECT_EQ(d.counts().crossings, 2U);
+  // z > .4 and x > .3, whichever way the belts run: on a sphere the lesser label is outside.
+  std::vector<double> areas;
+  for (std::uint32_t c = 0; c < 4; ++c) areas.push_back(d.area(CellId(c)));
+  std::sort(areas.begin(), areas.end());
+  const double expected[] = {.94, 1.26, 1.66, 2.14};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(areas[i], expected[i], 1e-12);
+  expect_answers(d,
+                 {{"A + B", 5.06, 1}, {"A * B", 2.14, 1}, {"A - B", 1.26, 1}, {"A ^ B", 2.92, 2}});
+}
+
+TEST(SurfaceDivision, TwoComponents) {
+  const MeshPointer parts[] = {grid_mesh(6, 6), torus_mesh(8, 6)};
+  SurfaceDrawing s(joined_meshes(parts));
+  s.add_box({1, 1}, {3, 3});
+  // Around a vertex of the torus.
+  const std::uint32_t first = 49, i = 3, j = 2, minor = 6;
+  const auto id = [&](std::uint32_t a, std::uint32_t b) { return first + a * minor + b; };
+  const std::uint32_t ring[] = {id(i + 1, j), id(i + 1, j + 1), id(i, j + 1),
+                                id(i - 1, j), id(i - 1, j - 1), id(i, j - 1)};
+  s.add_vertex_polygon(ring);
+  const SurfaceDivision d = divide(s);
+  EXPECT_EQ(d.cell_count(), 4U);
+  EXPECT_TRUE(d.shape_separation(0).over_z && d.shape_separation(1).over_z);
+  const double b = d.select(parse_set_expression("B"), WindingRule::EvenOdd).area;
+  expect_answers(d, {{"A + B", 4 + b, 2}, {"A * B", 0, 0}, {"A - B", 4, 1}, {"A ^ B", 4 + b, 2}});
+}
+
+// ---------------------------------------------------------------- laws
+
+/// A closed random walk on edges of a mesh.
+std::vector<std::uint32_t> random_walk(const SurfaceMesh& mesh, Dice& dice, std::size_t length) {
+  std::vector<std::uint32_t> walk = {dice.below(mesh.vertex_count())};
+  std::vector<std::uint32_t> parent;  // breadth first from the start
+  const auto neighbours = [&](std::uint32_t v) {
+    std::vector<std::uint32_t> found;
+    const HalfedgeId begin = mesh.halfedge(VertexId(v));
+    for (HalfedgeId h = begin; h.is_valid();) {
+      found.push_back(mesh.target(h).value());
+      const HalfedgeId in = SurfaceMesh::prev(h);
+      if (mesh.is_border(in)) found.push_back(mesh.origin(in).value());
+      h = mesh.twin(in);
+      if (h == begin) break;
+    }
+    return found;
+  };
+  while (walk.size() < length) {
+    const auto next = neighbours(walk.back());
+    walk.push_back(next[dice.below(next.size())]);
+  }
+  // Home along a shortest way.
+  std::vector<std::uint32_t> queue = {walk.front()};
+  parent.assign(mesh.vertex_count(), ~0U);
+  parent[walk.front()] = walk.front();
+  for (std::size_t at = 0; at < queue.size(); ++at) {
+    for (const std::uint32_t v : neighbours(queue[at])) {
+      if (parent[v] != ~0U) continue;
+      parent[v] = queue[at];
+      queue.push_back(v);
+    }
+  }
+  for (std::uint32_t v = parent[walk.back()]; v != walk.front(); v = parent[v]) walk.push_back(v);
+  return walk;
+}
+
+void expect_euler(const SurfaceDivision& d) {
+  double sum = 0, whole = 0;
+  for (std::uint32_t c = 0; c < d.cell_count(); ++c) sum += d.area(CellId(c));
+  const SurfaceMesh& m = d.mesh();
+  for (std::uint32_t f = 0; f < m.face_count(); ++f) {
+    const Point3 a = m.point(m.corner(FaceId(f), 0)), b = m.point(m.corner(FaceId(f), 1)),
+                 c = m.point(m.corner(FaceId(f), 2));
+    const Point3 u{b.x - a.x, b.y - a.y, b.z - a.z}, v{c.x - a.x, c.y - a.y, c.z - a.z};
+    const Point3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+    whole += std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) / 2;
+  }
+  EXPECT_NEAR(sum, whole, 1e-9 * whole);
+  // V - E + F of the arrangement where faces were cut, of the mesh elsewhere.
+  const SurfaceArrangement& a = d.arrangement();
+  std::size_t twins = 0, border = 0, outer = 0;
+  for (std::size_t h = 0; h < a.halfedge_count(); ++h) {
+    if (a.twin[h].is_valid()) ++twins;
+  }
+  std::size_t untouched = 0;
+  for (std::uint32_t f = 0; f < m.face_count(); ++f) {
+    if (a.slot_of_face[f] == SurfaceArrangement::kNone) ++untouched;
+    for (std::size_t s = 0; s < 3; ++s) {
+      const HalfedgeId h = SurfaceMesh::halfedge(FaceId(f), s);
+      const bool is_touched = a.slot_of_face[f] != SurfaceArrangement::kNone;
+      if (m.is_border(h) || is_touched) continue;
+      ++outer;  // sides of whole faces, each edge seen from a whole face once or twice
+      if (a.slot_of_face[SurfaceMesh::face(m.twin(h)).value()] != SurfaceArrangement::kNone)
+        ++border;
+    }
+  }
+  std::size_t mesh_border = 0;
+  for (std::uint32_t h = 0; h < 3 * m.face_count(); ++h)
+    mesh_border += m.is_border(HalfedgeId(h)) ? 1 : 0;
+  if (mesh_border > 0) return;  // closed meshes only
+  std::size_t unused_vertices = m.vertex_count() - a.corner_vertex.size();
+  for (const SurfacePointId p : a.node_point) {
+    if (d.scene().polygons.points.place(p) == SurfacePlace::Vertex) --unused_vertices;
+  }
+  std::size_t loops_more = 0;  // pieces with holes are no disks
+  for (std::size_t p = 0; p < a.piece_count(); ++p) {
+    loops_more += a.loop_begin[p + 1] - a.loop_begin[p] - 1;
+  }
+  const auto edges = static_cast<long>(twins / 2 + (outer + border) / 2);
+  const auto characteristic = static_cast<long>(m.vertex_count()) -
+                              static_cast<long>(m.edge_count()) + static_cast<long>(m.face_count());
+  // Nodes that no half-edge uses (points of polygons that are not there) are no vertices.
+  std::vector<std::uint8_t> is_used(a.node_count());
+  for (const NodeId n : a.origin) is_used[n.value()] = 1;
+  const auto vertices = std::accumulate(is_used.begin(), is_used.end(), 0L);
+  EXPECT_EQ(vertices + static_cast<long>(unused_vertices) - edges +
+                static_cast<long>(a.piece_count() + untouched) - static_cast<long>(loops_more),
+            characteristic);
+}
+
+TEST(SurfaceDivision, RandomWalksObeyTheLaws) {
+  const MeshPointer meshes[] = {torus_mesh(6, 5), sphere_mesh(3), chain_of_tori(3, 6, 4),
+                                cylinder_mesh(7, 5), grid_mesh(5, 4, 9)};
+  for (std::uint64_t seed = 0; seed < 60 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    const MeshPointer& mesh = meshes[seed % 5];
+    SurfaceDrawing s(mesh);
+    for (int p = 0; p < 4; ++p) s.add_vertex_polygon(random_walk(*mesh, dice, 3 + seed % 12));
+    const SurfaceDivision d = divide(s);
+    expect_euler(d);
+    if (seed % 5 == 1) {
+      for (std::uint32_t p = 0; p < 4; ++p) EXPECT_TRUE(d.polygon_separation(p).over_z);
+    }
+  }
+}
+
+// The walk of a surface, pushed off its vertices: through edge points around each vertex. In general position.
+TEST(SurfaceDivision, CellsOfASphereFollowFromCrossings) {
+  for (std::uint64_t seed = 0; seed < 40 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    SurfaceDrawing s(sphere_mesh(2 + static_cast<std::uint32_t>(seed % 3)));
+    const SurfaceMesh& m = *s.scene.mesh;
+    const int polygons = 1 + static_cast<int>(seed % 6);
+    for (int p = 0; p < polygons; ++p) {
+      // From face to face over random edges until the first comes again.
+      FaceId f(dice.below(m.face_count()));
+      const FaceId start = f;
+      std::vector<SurfacePointId> points;
+      HalfedgeId last;
+      for (int step = 0; step < 400; ++step) {
+        HalfedgeId h;
+        do {
+          h = SurfaceMesh::halfedge(f, dice.below(3));
+        } while (h == last);
+        const Rational t = Rational(dice.between(1, 99999)) / 100000;
+        points.push_back(s.scene.polygons.points.add_on_edge(m.edge(h), t));
+        last = m.twin(h);
+        f = SurfaceMesh::face(last);
+        if (f == start && points.size() > 2 &&
+            s.scene.polygons.points.edge(points.front()) !=
+                s.scene.polygons.points.edge(points.back())) {
+          break;
+        }
+      }
+      if (f != start) continue;
+      if (s.scene.polygons.points.edge(points.front()) ==
+          s.scene.polygons.points.edge(points.back())) {
+        continue;
+      }
+      s.add_polygon(points);
+    }
+    const SurfaceDivision d = divide(s);
+    // Curves that cross are one component.
+    const SurfaceArrangement& a = d.arrangement();
+    std::vector<std::uint32_t> part(s.scene.polygons.size());
+    std::iota(part.begin(), part.end(), 0U);
+    const auto root = [&](std::uint32_t i) {
+      while (part[i] != i) i = part[i];
+      return i;
+    };
+    std::vector<std::uint32_t> first_at(a.node_count(), ~0U);
+    for (std::uint32_t i = 0; i < a.arc_count(); ++i) {
+      const std::uint32_t p = a.multiplicities(ArcId(i)).front().id;
+      const HalfedgeId h = a.arc_halfedge[i];
+      for (const NodeId n : {a.origin[h.value()], a.target(h)}) {
+        if (first_at[n.value()] == ~0U) first_at[n.value()] = p;
+        part[root(p)] = root(first_at[n.value()]);
+      }
+    }
+    std::size_t components = 0;
+    for (std::uint32_t p = 0; p < part.size(); ++p) components += part[p] == p ? 1 : 0;
+    EXPECT_EQ(d.cell_count(), d.counts().crossings + components + 1);
+    for (std::uint32_t p = 0; p < part.size(); ++p) EXPECT_TRUE(d.polygon_separation(p).over_z);
+    expect_euler(d);
+  }
+}
+
+TEST(SurfaceDivision, OutsideIsWhereItIsSaid) {
+  SurfaceDrawing s(grid_mesh(6, 6));
+  s.add_box({1, 1}, {5, 5});
+  s.add_box({2, 2}, {4, 4});
+  const SurfacePointId inner = s.at(Rational(31) / 10, Rational(32) / 10);
+  s.scene.outside = s.scene.polygons.points.face(inner);
+  const SurfaceDivision d = divide(s);
+  expect_answers(d, {{"A", 20, 1}, {"B", 32, 1}}, WindingRule::NonZero);
+}
+
+TEST(SurfaceDivision, RefusesWhatIsNoScene) {
+  SurfaceDrawing s(grid_mesh(2, 2));
+  s.add_box(tenths(1, 1), tenths(5, 2));
+  Context context;
+  SurfaceScene broken = s.scene;
+  broken.shapes = {{0, 7}};
+  EXPECT_THROW(SurfaceDivision(broken, context), Error);
+  broken = s.scene;
+  broken.polygons.face[1] = FaceId(7);
+  EXPECT_THROW(SurfaceDivision(broken, context), Error);
+  broken = s.scene;
+  broken.outside = FaceId(99);
+  EXPECT_THROW(SurfaceDivision(broken, context), Error);
+  const SurfaceDivision d = divide(s);
+  EXPECT_THROW(d.select(parse_set_expression("A + B"), WindingRule::EvenOdd), Error);
+  EXPECT_THROW(d.select(parse_set_expression("s1x"), WindingRule::EvenOdd), Error);
+  EXPECT_EQ(d.select(parse_set_expression("s0"), WindingRule::EvenOdd).generators,
+            std::vector<std::uint32_t>{0});
+}
+
+// ---------------------------------------------------------------- meshes
+
+TEST(SurfaceMesh, RefusesWhatIsNoOrientableManifold) {
+  const std::vector<Point3> points(12);
+  using Triangles = std::vector<SurfaceTriangle>;
+  const auto refusal = [&](const Triangles& triangles) {
+    try {
+      SurfaceMesh(points, triangles);
+    } catch (const Error& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal({{0, 1, 2}, {1, 0, 3}}), "");
+  EXPECT_NE(refusal({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}).find("edge 0-1 (faces 0 1 2)"),
+            std::string::npos);
+  EXPECT_NE(refusal({{0, 1, 2}, {0, 3, 4}}).find("vertex 0"), std::string::npos);
+  EXPECT_NE(refusal({{0, 1, 12}}).find("face 0: no vertex 12"), std::string::npos);
+  EXPECT_NE(refusal({{0, 1, 1}}).find("face 0: a repeated vertex"), std::string::npos);
+  // A strip of five triangles, joined with half a turn.
+  EXPECT_NE(refusal({{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}}).find("not orientable"),
+            std::string::npos);
+}
+
+TEST(SurfaceMesh, TurnsFacesToAgree) {
+  const MeshPointer plain = sphere_mesh(3);
+  std::vector<Point3> points;
+  std::vector<SurfaceTriangle> triangles;
+  for (std::uint32_t v = 0; v < plain->vertex_count(); ++v)
+    points.push_back(plain->point(VertexId(v)));
+  for (std::uint32_t f = 0; f < plain->face_count(); ++f) {
+    SurfaceTriangle t = plain->corners(FaceId(f));
+    if (f > 0 && f % 3 == 1) std::swap(t[1], t[2]);
+    triangles.push_back(t);
+  }
+  const SurfaceMesh mesh(points, triangles);
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    EXPECT_EQ(mesh.corners(FaceId(f)), plain->corners(FaceId(f)));
+    EXPECT_EQ(mesh.is_flipped(FaceId(f)), f > 0 && f % 3 == 1);
+  }
+  for (std::uint32_t h = 0; h < 3 * mesh.face_count(); ++h) {
+    const HalfedgeId t = mesh.twin(HalfedgeId(h));
+    EXPECT_EQ(mesh.twin(t), HalfedgeId(h));
+    EXPECT_EQ(mesh.origin(t), mesh.target(HalfedgeId(h)));
+    EXPECT_EQ(mesh.edge(t), mesh.edge(HalfedgeId(h)));
+  }
+}
+
+}  // namespace
+}  // namespace plumb::testing
