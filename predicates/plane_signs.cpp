@@ -13,6 +13,7 @@
 #include <cmath>
 #include <utility>
 
+#include "plumb/predicates/frame_filters.h"
 #include "plumb/predicates/plane_ladder.h"
 
 namespace plumb {
@@ -77,6 +78,19 @@ FilteredSign det4_filter(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r
       static_cast<double>(p.offset_error) + static_cast<double>(q.offset_error) +
       static_cast<double>(r.offset_error) + static_cast<double>(s.offset_error);
   return beyond(value, 8 * normal_errors * offsets + 4 * offset_errors);
+}
+
+FilteredSign far_det4_filter(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s) {
+  const auto is_frame = [&](PlaneId plane) { return planes.is_frame(plane); };
+  if (!is_frame(p) && !is_frame(q) && !is_frame(r) && !is_frame(s)) return FilteredSign::Unsure;
+  return det4_filter(far_row(planes, p), far_row(planes, q), far_row(planes, r),
+                     far_row(planes, s));
+}
+
+FilteredSign near_det4_filter(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r,
+                              PlaneId s) {
+  return det4_filter(near_row(planes, p), near_row(planes, q), near_row(planes, r),
+                     near_row(planes, s));
 }
 
 template <class W>
@@ -152,9 +166,14 @@ Sign det4_sign(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneI
   if (p == q || p == r || p == s || q == r || q == s || r == s) {
     return zero_by_identity(Predicate::PlaneDet4);
   }
-  return climb<4>(Predicate::PlaneDet4,
-                  rung::det4_filter(planes.row(p), planes.row(q), planes.row(r), planes.row(s)),
-                  planes, {p, q, r, s}, Det4Form{});
+  FilteredSign filter =
+      rung::det4_filter(planes.row(p), planes.row(q), planes.row(r), planes.row(s));
+  if (!is_decided(filter)) filter = rung::far_det4_filter(planes, p, q, r, s);
+  if (is_decided(filter)) return plumb::decide(Predicate::PlaneDet4, Rung::Filter, filter);
+  return exact3::exact_sign(
+      operands<4>(planes, {p, q, r, s}), Det4Form{},
+      [&] { return rung::near_det4_filter(planes, p, q, r, s); },
+      [](Rung rung) { count_rung(Predicate::PlaneDet4, rung); });
 }
 
 /// With X = p q r: s(X) = det4 / det3(p, q, r), and s grows by det3(p, q, s) along the direction.

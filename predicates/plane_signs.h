@@ -52,6 +52,9 @@ FilteredSign minor_filter(const PlaneRow& p, const PlaneRow& q, std::size_t axis
 FilteredSign det3_filter(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r);
 FilteredSign det4_filter(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r,
                          const PlaneRow& s);
+/// The parts of a frame's determinant (frame_filters.h).
+FilteredSign far_det4_filter(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s);
+FilteredSign near_det4_filter(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s);
 
 template <class W>
 FilteredSign minor_fixed(const PlaneTable& planes, PlaneId p, PlaneId q, std::size_t axis);

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "plumb/predicates/frame_filters.h"
 #include "plumb/predicates/plane_ladder.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_exact.h"
@@ -64,7 +65,8 @@ FilteredSign order_in(const PointOperand& x, const PointOperand& y, std::size_t 
 Sign exact_side(const Point3Table& points, SpacePoint x, PlaneId plane) {
   const auto count = [](Rung rung) { count_rung(Predicate::SideOfPlane, rung); };
   if (has_three_planes(points, x)) {
-    return exact3::exact_sign(with_planes(points, x, plane), SideForm{}, count);
+    const auto near = [&] { return rung::near_side_filter(points, x, plane); };
+    return exact3::exact_sign(with_planes(points, x, plane), SideForm{}, near, count);
   }
   const PointOperand point = exact3::operand(points, x);
   const Operand other = exact3::operand(points.planes(), plane);
@@ -91,6 +93,30 @@ FilteredSign compare_axis_filter(const PointBox& x, const PointBox& y, std::size
   const double error = (x.radius + y.radius) * (1 + 0x1p-50) + 0x1p-1000;
   if (difference * (1 - 0x1p-50) > error) return FilteredSign::Positive;
   return difference * (1 - 0x1p-50) < -error ? FilteredSign::Negative : FilteredSign::Unsure;
+}
+
+FilteredSign far_side_filter(const Point3Table& points, SpacePoint x, PlaneId plane) {
+  if (x.is_input()) return FilteredSign::Unsure;
+  const PointBox box = points.box(x);
+  if (!is_far(box)) return FilteredSign::Unsure;
+  return side_filter(far_box(box), far_row(points.planes(), plane));
+}
+
+FilteredSign near_side_filter(const Point3Table& points, SpacePoint x, PlaneId plane) {
+  return side_filter(points.near_box(x), near_row(points.planes(), plane));
+}
+
+FilteredSign far_compare_axis_filter(const Point3Table& points, SpacePoint x, SpacePoint y,
+                                     std::size_t axis) {
+  const PointBox a = points.box(x), b = points.box(y);
+  const auto is_known = [](const PointBox& p) { return is_far(p) || !std::isinf(p.radius); };
+  if (!(is_far(a) || is_far(b)) || !is_known(a) || !is_known(b)) return FilteredSign::Unsure;
+  const PointBox u = far_box(a), v = far_box(b);
+  // The signs of u and v are exact: 0 is one as well.
+  if (v.mid[axis] == 0 && u.mid[axis] != 0) return filtered(sign_of(u.mid[axis]));
+  if (u.mid[axis] == 0 && v.mid[axis] != 0) return filtered(-sign_of(v.mid[axis]));
+  if (u.mid[axis] != 0) return compare_axis_filter(u, v, axis);
+  return compare_axis_filter(points.near_box(x), points.near_box(y), axis);
 }
 
 template <class W>
@@ -151,6 +177,8 @@ bool is_known_on(const Point3Table& points, SpacePoint x, PlaneId plane,
 
 Sign rung::side_without_filter(const Point3Table& points, SpacePoint x, PlaneId plane,
                                std::span<const PlaneId> incident) {
+  const FilteredSign s = far_side_filter(points, x, plane);
+  if (is_decided(s)) return decide(Predicate::SideOfPlane, Rung::Filter, s);
   if (is_known_on(points, x, plane, incident)) {
     count_rung(Predicate::SideOfPlane, Rung::Identity);
     return Sign::Zero;
@@ -171,14 +199,27 @@ bool is_same_coordinate(const PointBox& x, const PointBox& y, std::size_t axis) 
          std::bit_cast<std::uint64_t>(x.mid[axis]) == std::bit_cast<std::uint64_t>(y.mid[axis]);
 }
 
+/// Are both on one plane of the cube across the axis, by definition?
+bool share_wall(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis) {
+  if (x.is_input() || y.is_input()) return false;
+  const auto& frame = points.planes().frame();
+  return std::any_of(&frame[2 * axis], &frame[2 * axis] + 2, [&](PlaneId wall) {
+    return points.source(x).has_plane(wall) && points.source(y).has_plane(wall);
+  });
+}
+
+FilteredSign rough_order(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis) {
+  const FilteredSign s = rung::compare_axis_filter(points.box(x), points.box(y), axis);
+  return is_decided(s) ? s : rung::far_compare_axis_filter(points, x, y, axis);
+}
+
 }  // namespace
 
 Sign compare_axis(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis) {
   if (x == y) return Sign::Zero;
-  const PointBox a = points.box(x), b = points.box(y);
-  const FilteredSign s = rung::compare_axis_filter(a, b, axis);
+  const FilteredSign s = rough_order(points, x, y, axis);
   if (is_decided(s)) return decide(Predicate::CompareAxis, Rung::Filter, s);
-  if (is_same_coordinate(a, b, axis)) {
+  if (is_same_coordinate(points.box(x), points.box(y), axis) || share_wall(points, x, y, axis)) {
     return decide(Predicate::CompareAxis, Rung::Identity, FilteredSign::Zero);
   }
   return exact_order(points, x, y, axis);
@@ -194,9 +235,9 @@ Sign compare_xyz(const Point3Table& points, SpacePoint x, SpacePoint y) {
 
 namespace {
 
-bool is_apart(const PointBox& x, const PointBox& y) {
+bool is_apart(const Point3Table& points, SpacePoint x, SpacePoint y) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (is_decided(rung::compare_axis_filter(x, y, axis))) return true;
+    if (is_decided(rough_order(points, x, y, axis))) return true;
   }
   return false;
 }
@@ -205,7 +246,7 @@ bool is_apart(const PointBox& x, const PointBox& y) {
 
 bool equal(const Point3Table& points, SpacePoint x, SpacePoint y) {
   if (x == y) return true;
-  if (is_apart(points.box(x), points.box(y))) return false;
+  if (is_apart(points, x, y)) return false;
   if (fingerprint(points, x) != fingerprint(points, y)) return false;
   if (y.is_input() || points.source(y).is_line()) std::swap(x, y);
   if (y.is_input() || points.source(y).is_line()) return compare_xyz(points, x, y) == Sign::Zero;
@@ -249,7 +290,7 @@ Direction direction_of(const PlaneTable& planes, PlaneId p, PlaneId q) {
 Sign order_along_line(const Point3Table& points, PlaneId p, PlaneId q, SpacePoint x, SpacePoint y) {
   if (x == y) return Sign::Zero;
   const Direction along = direction_of(points.planes(), p, q);
-  const FilteredSign s = rung::compare_axis_filter(points.box(y), points.box(x), along.axis);
+  const FilteredSign s = rough_order(points, y, x, along.axis);
   if (is_decided(s)) return decided(s) * along.sign;
   const std::size_t known = y.is_input() ? 0 : points.source(y).plane_count();
   for (std::size_t i = 0; i < known; ++i) {

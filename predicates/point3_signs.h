@@ -73,6 +73,14 @@ inline FilteredSign side_filter(const PointBox& x, const PlaneRow& plane) {
 
 FilteredSign compare_axis_filter(const PointBox& x, const PointBox& y, std::size_t axis);
 
+/// Of points of the frame (one of them at least), by their directions (frame_filters.h). With
+/// 0 for the larger part of a difference it goes on to the smaller one.
+FilteredSign far_side_filter(const Point3Table& points, SpacePoint x, PlaneId plane);
+FilteredSign far_compare_axis_filter(const Point3Table& points, SpacePoint x, SpacePoint y,
+                                     std::size_t axis);
+/// Where the part with R is 0.
+FilteredSign near_side_filter(const Point3Table& points, SpacePoint x, PlaneId plane);
+
 template <class W>
 FilteredSign side_fixed(const Point3Table& points, SpacePoint x, PlaneId plane);
 template <class W>

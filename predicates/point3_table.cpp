@@ -6,6 +6,10 @@
 //   point3_signs.cpp). quotients     |x/w - x'/w'| <= (ex + |x'/w'| ew) / (|w'| - ew); with ew <=
 //   |w'| / 2 at most
 //                 2 (ex + |x'/w'| ew) / |w'|, and 2 eps |x'/w'| for the division.
+//
+// The direction u of a point of the frame is the point of the planes' rows in units of R (frame_filters.h), so
+// that the first and last of these hold for it as they stand. Of a line from a to b it is d (a - b) / n.(b - a),
+// and n is an axis: quotients of two differences, each off by 3 eps of itself at most.
 #include "plumb/predicates/point3_table.h"
 
 #include <algorithm>
@@ -13,13 +17,15 @@
 #include <cmath>
 #include <limits>
 
+#include "plumb/predicates/frame_filters.h"
 #include "plumb/predicates/point3_exact.h"
 
 namespace plumb {
 
 namespace {
 
-constexpr double kTooWide = 0x1p-30;  // of the coordinates: then the exact rung gives the box
+constexpr double kTooWide =
+    kDirectionError;  // of the coordinates: then the exact rung gives the box
 constexpr double kRounding = 0x1p-48;
 constexpr double kTiny = 0x1p-960;
 constexpr PointBox kEverywhere = {{}, std::numeric_limits<double>::infinity()};
@@ -31,6 +37,12 @@ double max_abs(const std::array<double, 3>& v) {
 /// Is the box worth keeping? (False for NaNs.)
 bool is_good(const PointBox& box) {
   return box.radius <= kTooWide * max_abs(box.mid) && box.radius < 0x1p900;
+}
+
+/// Of a point of the frame, from a box around its direction.
+PointBox far_from(const PointBox& direction) {
+  if (!is_good(direction)) return kEverywhere;
+  return {direction.mid, std::numeric_limits<double>::infinity()};
 }
 
 using Row = std::array<double, 3>;
@@ -91,6 +103,29 @@ PointBox fast_box(const Point3& a, const Point3& b, const PlaneRow& plane) {
   return box;
 }
 
+/// The direction of the line where the planes of the cube cut it. Not good where a difference may have lost bits
+/// to underflow or overflow.
+PointBox fast_direction(const Point3& a, const Point3& b, const PlaneRow& far) {
+  const std::array<double, 3> step = {b.x - a.x, b.y - a.y, b.z - a.z};
+  const double climb = far.n[0] * step[0] + far.n[1] * step[1] + far.n[2] * step[2];
+  if (std::isinf(far.offset_error) || !(std::fabs(climb) >= 0x1p-900)) return kEverywhere;
+  PointBox box{{-far.d * step[0] / climb, -far.d * step[1] / climb, -far.d * step[2] / climb}, 0};
+  box.radius = kRounding * max_abs(box.mid);
+  return box;
+}
+
+/// Good only if the signs of all coordinates are sure, too.
+PointBox fast_direction(const PlaneTable& planes, const PointSource& source) {
+  const auto row = [&](std::size_t i) { return far_row(planes, source.plane(i)); };
+  PointBox box = source.is_line() ? fast_direction(planes.point(source.end(0)),
+                                                   planes.point(source.end(1)), row(0))
+                                  : fast_box(row(0), row(1), row(2));
+  for (const double u : box.mid) {
+    if (!(std::fabs(u) > box.radius)) box.radius = kEverywhere.radius;
+  }
+  return box;
+}
+
 /// x 2^scale / w; both parts are off by 2^-51 at most.
 template <class X, class W>
 PointBox exact_box(const exact3::Homogeneous<X, W>& p) {
@@ -112,17 +147,27 @@ PointBox exact_box(const exact3::Homogeneous<X, W>& p) {
   return box;
 }
 
-/// Zero: the point does not exist (w = 0). The box is set otherwise.
+/// Has each coordinate the sign it should have? Those below 2^-900 became 0.
+template <class X, class W>
+bool has_exact_signs(const exact3::Homogeneous<X, W>& p, const PointBox& box) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if ((exact3::sign_of(p.x[i]) == Sign::Zero) != (box.mid[i] == 0)) return false;
+  }
+  return true;
+}
+
+/// Zero: the point does not exist (w = 0). The box is set otherwise; of a point of the frame around u.
 Sign exact_box(const exact3::PointOperand& operand, PointBox& box) {
+  const bool is_framed = exact3::has_frame(operand);
+  const auto part = is_framed ? exact3::Part::Infinite : exact3::Part::Finite;
   return exact3::point_ladder(
       operand.width,
       [&]<class Plane>() {
         exact3::PointOf<Plane> point;
-        if (!exact3::load_point<Plane>(operand, exact3::Part::Finite, point)) {
-          return FilteredSign::Unsure;
-        }
+        if (!exact3::load_point<Plane>(operand, part, point)) return FilteredSign::Unsure;
         const Sign sign = exact3::sign_of(point.w);
-        if (sign != Sign::Zero) box = exact3::has_frame(operand) ? kEverywhere : exact_box(point);
+        if (sign != Sign::Zero) box = exact_box(point);
+        if (is_framed && sign != Sign::Zero && !has_exact_signs(point, box)) box = kEverywhere;
         return filtered(sign);
       },
       [](Rung) {});
@@ -137,7 +182,11 @@ void Point3Table::reserve(std::size_t points) {
 
 SpacePoint Point3Table::add_new(const PointSource& source, const PointBox& fast) {
   PointBox box = fast;
+  if (is_good(box)) return add(source, box);
+  const bool is_framed = depends_on_frame(source);
+  if (is_framed) box = fast_direction(*planes_, source);
   if (!is_good(box) && exact_box(exact3::operand(*this, source), box) == Sign::Zero) return {};
+  if (is_framed) box = far_from(box);
   return add(source, box);
 }
 
@@ -156,9 +205,19 @@ SpacePoint Point3Table::add(InputPointId a, InputPointId b, PlaneId p) {
   return add_new({a, b, p}, fast_box(planes_->point(a), planes_->point(b), planes_->row(p)));
 }
 
-bool Point3Table::depends_on_frame(SpacePoint p) const {
-  if (p.is_input()) return false;
+PointBox Point3Table::near_box(SpacePoint p) const {
+  if (p.is_input() || !is_far(box(p))) return box(p);
   const PointSource& s = source(p);
+  const auto row = [&](std::size_t i) { return near_row(*planes_, s.plane(i)); };
+  if (!s.is_line()) return fast_box(row(0), row(1), row(2));
+  return fast_box(planes_->point(s.end(0)), planes_->point(s.end(1)), row(0));
+}
+
+bool Point3Table::depends_on_frame(SpacePoint p) const {
+  return !p.is_input() && depends_on_frame(source(p));
+}
+
+bool Point3Table::depends_on_frame(const PointSource& s) const {
   for (std::size_t i = 0; i < s.plane_count(); ++i) {
     if (planes_->is_frame(s.plane(i))) return true;
   }

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -40,11 +41,19 @@ class SpacePoint {
 };
 
 /// |coordinate - mid| <= radius for each of the three; the radius may be infinite, and is for every
-/// point that depends on the frame.
+/// point P0 + u R that depends on the frame. There mid is u, if that is known: each coordinate is off by
+/// at most kDirectionError max |u| and has the sign of u's; else 0.
 struct PointBox {
   std::array<double, 3> mid;
   double radius;
 };
+inline constexpr double kDirectionError = 0x1p-30;
+
+/// Is it the box of a point of the frame with a known u?
+inline bool is_far(const PointBox& box) {
+  return !(box.radius < std::numeric_limits<double>::infinity()) &&
+         (box.mid[0] != 0 || box.mid[1] != 0 || box.mid[2] != 0);
+}
 
 /// Three planes, or a line of two input points and a plane.
 class PointSource {
@@ -112,10 +121,13 @@ class Point3Table {
     const Point3& at = planes_->point(p.input());
     return {{at.x, at.y, at.z}, 0};
   }
+  /// Around P0, the point with 0 for R; of a point without R its box. Cost: ~25 ns if there is R.
+  PointBox near_box(SpacePoint p) const;
   /// Is one of the planes that define it of the frame? (Its coordinates then grow with R.)
   bool depends_on_frame(SpacePoint p) const;
 
  private:
+  bool depends_on_frame(const PointSource& source) const;
   SpacePoint add_new(const PointSource& source, const PointBox& fast);
 
   const PlaneTable* planes_;

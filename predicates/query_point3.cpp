@@ -65,6 +65,7 @@ Sign compare_axis(const Point3Table& points, SpacePoint x, const QueryPoint3& q,
   if (box.radius == 0 && q.is_double()) return compare(box.mid[axis], q.box().mid[axis]);
   const FilteredSign s = rung::compare_axis_filter(box, q.box(), axis);
   if (is_decided(s)) return decided(s);
+  if (is_far(box) && box.mid[axis] != 0) return sign_of(box.mid[axis]);
   const FramedPoint3 at = exact_parts(points, x);
   const Sign infinite = sign_of(coordinate(at.infinite, axis).sign());
   if (infinite != Sign::Zero) return infinite;

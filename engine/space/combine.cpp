@@ -30,7 +30,19 @@ std::uint64_t line_key(SpaceItem a, SpaceItem b) {
   return (std::uint64_t{a.code()} << 32U) | b.code();
 }
 
-/// Phases 4 to 7, given contacts and labels.
+/// What is joined; `outside` is the mark of everything if nothing is left.
+struct Draft {
+  SpaceDraft vertices;
+  Mark outside;
+};
+
+SpaceComplex joined(Draft draft, Context& context) {
+  SpaceComplex result = join(std::move(draft.vertices), context);
+  if (result.vertex_count() == 0) result.volume_mark[0] = draft.outside;
+  return result;
+}
+
+/// Phases 4 to 6, given contacts and labels.
 class Combiner {
  public:
   Combiner(std::array<const SpaceComplex*, 2> operands, std::shared_ptr<SpaceTables> tables,
@@ -68,12 +80,11 @@ class Combiner {
   void keep_vertices(std::size_t operand, const TouchedComplex& own,
                      std::span<const VolumeId> labels) {
     const SpaceComplex& complex = *operands_[operand];
+    reserve(operand, own, labels);
     VertexCarrier carrier(complex, draft_, overlay_);
     for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
       if (own.is_touched(VertexId(v))) continue;
-      const Mark around = operands_[1 - operand]->volume_mark[labels[v].value()];
-      const std::array<Mark, 3> becomes{combined(operand, 0, around), combined(operand, 1, around),
-                                        kBeyond};
+      const std::array<Mark, 3> becomes = marks_in(operand, labels[v]);
       // What is constant here dissolves, but for the frame.
       const bool is_constant = becomes[0] == becomes[1];
       if (is_constant && complex.vertex_mark[v] != kBeyond) continue;
@@ -94,18 +105,34 @@ class Combiner {
     }
   }
 
-  SpaceComplex finish() {
+  Draft finish() {
     pair_ends();
-    SpaceComplex result = join(std::move(draft_), context_);
-    if (result.vertex_count() == 0) {
-      result.volume_mark[0] = table_(operands_[0]->volume_mark[0], operands_[1]->volume_mark[0]);
-    }
-    return result;
+    return {std::move(draft_), table_(operands_[0]->volume_mark[0], operands_[1]->volume_mark[0])};
   }
 
  private:
   Mark combined(std::size_t operand, Mark own, Mark other) const {
     return operand == 0 ? table_(own, other) : table_(other, own);
+  }
+
+  /// What each mark of one operand becomes in a volume of the other.
+  std::array<Mark, 3> marks_in(std::size_t operand, VolumeId volume) const {
+    const Mark around = operands_[1 - operand]->volume_mark[volume.value()];
+    return {combined(operand, 0, around), combined(operand, 1, around), kBeyond};
+  }
+
+  /// Makes room for the vertices that stay: in most sets each has as many corners as edges, and two volumes.
+  void reserve(std::size_t operand, const TouchedComplex& own, std::span<const VolumeId> labels) {
+    const SpaceComplex& complex = *operands_[operand];
+    std::size_t vertices = 0, points = 0;
+    for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
+      if (own.is_touched(VertexId(v))) continue;
+      const std::array<Mark, 3> becomes = marks_in(operand, labels[v]);
+      if (becomes[0] == becomes[1]) continue;
+      ++vertices;
+      points += complex.star_of(VertexId(v)).size();
+    }
+    draft_.reserve_more(vertices, points, points, 2 * vertices);
   }
 
   void keep_vertex(const SpaceComplex& complex, VertexId v, const std::array<Mark, 3>& becomes,
@@ -232,34 +259,29 @@ std::uint32_t lesser_origin(std::uint32_t first, std::uint32_t second) {
 }
 
 /// The complex with the ids of merged tables.
-SpaceComplex translated(SpaceComplex complex, const TableMap& map,
-                        std::shared_ptr<const SpaceTables> tables) {
+void translate(SpaceComplex& complex, const TableMap& map) {
   for (SpacePoint& p : complex.vertex_point) p = map(p);
   for (auto& planes : complex.edge_planes) {
     for (PlaneId& p : planes) p = map(p);
   }
   for (PlaneId& p : complex.facet_plane) p = map(p);
-  complex.tables = std::move(tables);
-  return complex;
 }
 
-}  // namespace
-
-SpaceComplex combine(const SpaceComplex& a, const SpaceComplex& b, MarkFunction f,
-                     Context& context) {
-  const std::shared_ptr<SpaceTables> tables = copy(*a.tables);
-  SpaceComplex first = a;
-  first.tables = tables;
+/// One table for both: that of a, where nobody else needs it as it is.
+std::shared_ptr<SpaceTables> unite_tables(SpaceComplex& a, SpaceComplex& b) {
   const bool is_shared = a.tables == b.tables;
-  SpaceComplex second = b;
-  second.tables = tables;
-  if (!is_shared) second = translated(std::move(second), merge(*tables, *b.tables), tables);
-  return combine_on(tables, first, second, f, lesser_origin, context);
+  if (is_shared) b.tables.reset();
+  const auto tables =
+      a.tables.use_count() == 1 ? std::const_pointer_cast<SpaceTables>(a.tables) : copy(*a.tables);
+  if (!is_shared) translate(b, merge(*tables, *b.tables));
+  a.tables = b.tables = tables;
+  return tables;
 }
 
-SpaceComplex combine_on(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
-                        const SpaceComplex& b, MarkFunction f, const CommonOrigin& origin,
-                        Context& context) {
+/// Phases 2 to 6.
+Draft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
+               const SpaceComplex& b, MarkFunction f, const CommonOrigin& origin,
+               Context& context) {
   const std::vector<Contact> contacts = meet(a, b, *tables, context);
   const TouchedComplex touched_a(a, contacts, 0), touched_b(b, contacts, 1);
   const auto labels_a = label_vertices(touched_a, b, contacts, 0, *tables, context);
@@ -270,6 +292,21 @@ SpaceComplex combine_on(const std::shared_ptr<SpaceTables>& tables, const SpaceC
   combiner.keep_vertices(0, touched_a, labels_a);
   combiner.keep_vertices(1, touched_b, labels_b);
   return combiner.finish();
+}
+
+}  // namespace
+
+SpaceComplex combine(SpaceComplex a, SpaceComplex b, MarkFunction f, Context& context) {
+  const std::shared_ptr<SpaceTables> tables = unite_tables(a, b);
+  Draft draft = draft_of(tables, a, b, f, lesser_origin, context);
+  a = b = {};  // the peak of memory is yet to come
+  return joined(std::move(draft), context);
+}
+
+SpaceComplex combine_on(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
+                        const SpaceComplex& b, MarkFunction f, const CommonOrigin& origin,
+                        Context& context) {
+  return joined(draft_of(tables, a, b, f, origin, context), context);
 }
 
 namespace {
@@ -347,7 +384,7 @@ SpaceComplex combine_with_plane(const SpaceComplex& a, OrientedPlane plane, Plan
   Combiner combiner({&first, &second}, tables, contacts, f, origin, context);
   combiner.overlay_contacts();
   combiner.keep_vertices(0, touched, labels);
-  return combiner.finish();
+  return joined(combiner.finish(), context);
 }
 
 }  // namespace plumb

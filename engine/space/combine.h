@@ -26,9 +26,8 @@
 namespace plumb {
 
 /// f(a, b) in minimal form. Both have a frame or none has. A facet in facets of both has the lesser
-/// facet_origin.
-SpaceComplex combine(const SpaceComplex& a, const SpaceComplex& b, MarkFunction f,
-                     Context& context);
+/// facet_origin. Tables that only `a` refers to are used as they are; the operands go before the result is made.
+SpaceComplex combine(SpaceComplex a, SpaceComplex b, MarkFunction f, Context& context);
 
 /// What facet_origin a facet gets that lies in facets of both operands, by theirs.
 using CommonOrigin = std::function<std::uint32_t(std::uint32_t of_a, std::uint32_t of_b)>;

@@ -26,6 +26,29 @@ void for_each_clockwise(const SphereMap& map, std::uint32_t point, Visit visit) 
   } while (h != first);
 }
 
+/// Items in the order of their planes, as they came within each.
+class ByPlane {
+ public:
+  ByPlane(const std::vector<std::uint32_t>& items, const std::vector<PlaneId>& plane,
+          std::size_t planes) {
+    if (items.empty()) return;
+    begin_.assign(planes + 2, 0);
+    for (const std::uint32_t i : items) ++begin_[plane[i].value() + 2];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    item_.resize(items.size());
+    for (const std::uint32_t i : items) item_[begin_[plane[i].value() + 1]++] = i;
+  }
+
+  std::span<const std::uint32_t> of(PlaneId p) const {
+    if (item_.empty()) return {};
+    return std::span(item_).subspan(begin_[p.value()], begin_[p.value() + 1] - begin_[p.value()]);
+  }
+
+ private:
+  std::vector<std::uint32_t> begin_;
+  std::vector<std::uint32_t> item_;
+};
+
 /// The join in progress: phases in the order of space_draft.h.
 class Joiner {
  public:
@@ -38,11 +61,14 @@ class Joiner {
     make_vertices();
     make_edges();
     make_stars();
+    release(draft_.vertex_point, draft_.vertex_mark, draft_.maps.direction);
     context_.checkpoint("join", 1, 5);
     link_uses();
+    release(draft_.maps.next, draft_.twin, use_of_arc_);
     trace_cycles();
     context_.checkpoint("join", 2, 5);
     gather_facets();
+    release(draft_.maps.origin, draft_.maps.circle, draft_.arc_origin, parent_, first_use_);
     context_.checkpoint("join", 3, 5);
     label_volumes(out_, context_);
     copy_volume_marks();
@@ -50,6 +76,12 @@ class Joiner {
   }
 
  private:
+  /// Gives memory back: the peak comes with the volumes.
+  template <class... Arrays>
+  static void release(Arrays&... arrays) {
+    ((arrays = Arrays()), ...);
+  }
+
   // ---- vertices and edges
 
   void splice() {
@@ -81,6 +113,9 @@ class Joiner {
 
   void make_edges() {
     halfedge_of_point_.resize(maps_.point_count());
+    out_.edge_planes.reserve(maps_.point_count() / 2);
+    out_.edge_mark.reserve(maps_.point_count() / 2);
+    out_.origin.reserve(maps_.point_count());
     for (std::uint32_t i = 0; i < maps_.point_count(); ++i) {
       const std::uint32_t j = draft_.twin[i];
       if (is_passed(i) || j < i) continue;
@@ -111,6 +146,8 @@ class Joiner {
 
   void link_uses() {
     use_of_arc_.assign(maps_.arc_count(), UseId());
+    out_.use_halfedge.reserve(maps_.arc_count());
+    arc_of_use_.reserve(maps_.arc_count());
     for (std::uint32_t a = 0; a < maps_.arc_count(); ++a) {
       if (maps_.is_loop(a) || is_passed(maps_.origin[2 * a])) continue;
       use_of_arc_[a] = UseId(out_.use_count());
@@ -120,7 +157,7 @@ class Joiner {
     out_.use_next.resize(out_.use_count());
     out_.use_prev.resize(out_.use_count());
     out_.use_radial.resize(out_.use_count());
-    for (std::uint32_t i = 0; i < maps_.point_count(); ++i) {
+    for (std::uint32_t i = 0; i < halfedge_of_point_.size(); ++i) {
       if (!is_passed(i) && i < draft_.twin[i] && maps_.first_out[i] != kNone) link_edge(i);
     }
   }
@@ -176,55 +213,42 @@ class Joiner {
     }
   }
 
-  /// Cycles and inner vertices of one plane.
+  /// Cycles and arcs of inner vertices of one plane.
   struct PlaneGroup {
-    std::vector<std::uint32_t> cycles;
-    std::vector<std::uint32_t> loops;  ///< arcs
+    std::span<const std::uint32_t> cycles;
+    std::span<const std::uint32_t> loops;
   };
 
   void gather_facets() {
     const auto cycles = static_cast<std::uint32_t>(first_use_.size());
     parent_.assign(cycles, kNone);
-    std::vector<std::uint32_t> by_plane(cycles);
-    std::iota(by_plane.begin(), by_plane.end(), 0U);
-    std::stable_sort(by_plane.begin(), by_plane.end(), [this](std::uint32_t i, std::uint32_t j) {
-      return out_.facet_plane[i] < out_.facet_plane[j];
-    });
-    std::vector<std::uint32_t> loops;
+    std::vector<std::uint32_t> all_cycles(cycles), all_loops;
+    std::iota(all_cycles.begin(), all_cycles.end(), 0U);
     for (std::uint32_t a = 0; a < maps_.arc_count(); ++a) {
-      if (maps_.is_loop(a)) loops.push_back(a);
+      if (maps_.is_loop(a)) all_loops.push_back(a);
     }
-    std::stable_sort(loops.begin(), loops.end(), [this](std::uint32_t i, std::uint32_t j) {
-      return maps_.circle[i] < maps_.circle[j];
-    });
-    inner_of_cycle_.resize(cycles);
-    for (std::size_t i = 0, l = 0; i < by_plane.size();) {
-      const PlaneId plane = out_.facet_plane[by_plane[i]];
-      PlaneGroup group;
-      for (; i < by_plane.size() && out_.facet_plane[by_plane[i]] == plane; ++i) {
-        group.cycles.push_back(by_plane[i]);
-      }
-      for (; l < loops.size() && maps_.circle[loops[l]] == plane; ++l) {
-        group.loops.push_back(loops[l]);
-      }
-      nest(group);
+    const ByPlane by_cycle(all_cycles, out_.facet_plane, draft_.tables->planes.size());
+    const ByPlane by_loop(all_loops, maps_.circle, draft_.tables->planes.size());
+    for (std::uint32_t p = 0; p < draft_.tables->planes.size(); ++p) {
+      nest({by_cycle.of(PlaneId(p)), by_loop.of(PlaneId(p))});
     }
     number_facets();
   }
 
   void nest(const PlaneGroup& group) {
-    if (group.cycles.size() == 1 && group.loops.empty()) return;
-    std::vector<std::uint32_t> outer, holes;
+    if (group.cycles.size() <= 1 && group.loops.empty()) return;
+    outer_.clear();
+    holes_.clear();
     for (const std::uint32_t c : group.cycles) {
-      (is_outer(out_, first_use_[c]) ? outer : holes).push_back(c);
+      (is_outer(out_, first_use_[c]) ? outer_ : holes_).push_back(c);
     }
-    for (const std::uint32_t c : holes) parent_[c] = container_of_cycle(outer, c);
+    for (const std::uint32_t c : holes_) parent_[c] = container_of_cycle(outer_, c);
     for (const std::uint32_t a : group.loops) {
       const VertexId v = vertex_of_loop(a);
       const std::uint32_t c =
-          container(outer, [&](std::uint32_t o) { return is_inside(v, first_use_[o]); });
+          container(outer_, [&](std::uint32_t o) { return is_inside(v, first_use_[o]); });
       PLUMB_CHECK(c != kNone);
-      inner_of_cycle_[c].push_back(v);
+      inner_of_cycle_.emplace_back(c, v);
     }
   }
 
@@ -269,36 +293,40 @@ class Joiner {
     return c;
   }
 
+  /// A facet for each outer cycle, in their order, with its holes and inner vertices.
   void number_facets() {
-    std::vector<std::vector<std::uint32_t>> holes(first_use_.size());
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> holes;
     for (std::uint32_t c = 0; c < parent_.size(); ++c) {
-      if (parent_[c] != kNone) holes[parent_[c]].push_back(c);
+      if (parent_[c] != kNone) holes.emplace_back(parent_[c], c);
     }
-    std::vector<PlaneId> plane;
-    plane.swap(out_.facet_plane);
+    std::sort(holes.begin(), holes.end());
+    std::stable_sort(inner_of_cycle_.begin(), inner_of_cycle_.end(),
+                     [](const auto& x, const auto& y) { return x.first < y.first; });
+    reserve_facets(first_use_.size() - holes.size());
     std::vector<FacetId> facet_of_cycle(first_use_.size());
-    out_.cycle_begin = {0};
-    out_.inner_begin = {0};
+    auto hole = holes.begin();
+    auto inner = inner_of_cycle_.begin();
     for (std::uint32_t c = 0; c < first_use_.size(); ++c) {
       if (parent_[c] != kNone) continue;
-      const FacetId f(out_.facet_count());
+      const FacetId f(facet_count_);
       const std::uint32_t arc = arc_of_use_[first_use_[c].value()];
-      out_.facet_plane.push_back(plane[c]);
+      out_.facet_plane[facet_count_++] = out_.facet_plane[c];  // never behind c
       out_.facet_mark.push_back(maps_.arc_mark[arc]);
       out_.facet_origin.push_back(draft_.arc_origin[arc]);
       facet_of_cycle[c] = f;
       out_.cycle.push_back(first_use_[c]);
-      for (const std::uint32_t hole : holes[c]) {
-        facet_of_cycle[hole] = f;
-        out_.cycle.push_back(first_use_[hole]);
+      for (; hole != holes.end() && hole->first == c; ++hole) {
+        facet_of_cycle[hole->second] = f;
+        out_.cycle.push_back(first_use_[hole->second]);
       }
-      for (const VertexId v : inner_of_cycle_[c]) {
-        out_.inner.push_back(v);
-        out_.vertex_facet[v.value()] = f;
+      for (; inner != inner_of_cycle_.end() && inner->first == c; ++inner) {
+        out_.inner.push_back(inner->second);
+        out_.vertex_facet[inner->second.value()] = f;
       }
       out_.cycle_begin.push_back(static_cast<std::uint32_t>(out_.cycle.size()));
       out_.inner_begin.push_back(static_cast<std::uint32_t>(out_.inner.size()));
     }
+    out_.facet_plane.resize(facet_count_);
     for (FacetId& f : out_.use_facet) f = facet_of_cycle[f.value()];
     for (std::uint32_t u = 0; u < out_.use_count(); ++u) {
       const FacetId f = out_.use_facet[u];
@@ -306,6 +334,16 @@ class Joiner {
       std::uint32_t& origin = out_.facet_origin[f.value()];
       origin = std::min(origin, draft_.arc_origin[arc_of_use_[u]]);
     }
+  }
+
+  void reserve_facets(std::size_t n) {
+    out_.facet_mark.reserve(n);
+    out_.facet_origin.reserve(n);
+    out_.cycle.reserve(first_use_.size());
+    out_.cycle_begin.reserve(n + 1);
+    out_.inner_begin.reserve(n + 1);
+    out_.cycle_begin = {0};
+    out_.inner_begin = {0};
   }
 
   // ---- volumes
@@ -326,12 +364,12 @@ class Joiner {
         set_volume_mark(volumes[side], maps_.face_mark[maps_.face[2 * arc_of_use_[u] + side]]);
       }
     }
-    for (std::uint32_t i = 0; i < maps_.point_count(); ++i) {
+    for (std::uint32_t i = 0; i < halfedge_of_point_.size(); ++i) {
       if (is_passed(i) || maps_.first_out[i] != kNone) continue;
       set_volume_mark(out_.edge_volume[halfedge_of_point_[i].value() / 2],
                       maps_.face_mark[maps_.point_face[i]]);
     }
-    for (std::size_t v = 0; v < draft_.vertex_count(); ++v) {
+    for (std::size_t v = 0; v < vertex_number_.size(); ++v) {
       if (draft_.is_passed[v] != 0) continue;
       const VolumeId volume = out_.vertex_volume[vertex_number_[v].value()];
       if (volume.is_valid()) set_volume_mark(volume, maps_.face_mark[draft_.begin[v].face]);
@@ -349,9 +387,10 @@ class Joiner {
   std::vector<std::uint32_t> arc_of_use_;      // per use
   std::vector<UseId> first_use_;               // per cycle
   std::vector<std::uint32_t> parent_;          // per cycle: the outer cycle around a hole
-  std::vector<std::vector<VertexId>> inner_of_cycle_;
+  std::vector<std::pair<std::uint32_t, VertexId>> inner_of_cycle_;
+  std::size_t facet_count_ = 0;
   std::vector<std::uint8_t> is_marked_;  // per volume
-  std::vector<std::uint32_t> near_, far_;
+  std::vector<std::uint32_t> near_, far_, outer_, holes_;
   std::vector<UseId> radial_;
 };
 

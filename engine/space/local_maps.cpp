@@ -168,33 +168,43 @@ void link_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
     });
   }
   const ArcsByUse arc_of(out.use);
-  std::vector<std::uint32_t> ring;
   for (std::uint32_t i = 0; i < out.halfedge.size(); ++i) {
     const HalfedgeId h = out.halfedge[i];
-    ring.clear();
+    const bool is_reverse = SpaceComplex::is_reverse(h);
+    std::uint32_t first = kNone, last = kNone;
+    // Around half-edge 2e the uses come counter-clockwise, around its reverse clockwise.
+    const auto link = [&](std::uint32_t half, std::uint32_t after) {
+      if (is_reverse) std::swap(half, after);
+      map.next[SphereMap::twin(after)] = half;
+    };
     for_each_use(complex, h, [&](UseId u) {
       const bool leaves = complex.use_halfedge[u.value()] == h;
       const std::uint32_t half =
           leaves ? 2 * arc_of(u) : 2 * arc_of(complex.use_next[u.value()]) + 1;
       map.origin[half] = i;
-      ring.push_back(half);
+      if (first == kNone) {
+        first = half;
+      } else {
+        link(last, half);
+      }
+      last = half;
     });
-    if (ring.empty()) continue;
-    if (SpaceComplex::is_reverse(h)) std::reverse(ring.begin(), ring.end());
-    link_ring(ring, map);
-    map.first_out[i] = ring.front();
+    if (first == kNone) continue;
+    link(last, first);
+    map.first_out[i] = is_reverse ? last : first;
   }
   const FacetId inside = complex.vertex_facet[v.value()];
   if (inside.is_valid()) add_loop(complex, inside, out);
 }
 
-/// Numbers the orbits of next; returns how many.
-std::uint32_t trace_orbits(const SphereMap& map, std::vector<std::uint32_t>& orbit) {
-  orbit.assign(map.next.size(), kNone);
+/// Makes each orbit of next a face, with the volume of its first half-arc; returns how many.
+std::uint32_t add_orbits(const SpaceComplex& complex, LocalMap& out) {
+  SphereMap& map = out.map;
   std::uint32_t count = 0;
-  for (std::uint32_t start = 0; start < orbit.size(); ++start) {
-    if (orbit[start] != kNone) continue;
-    for (std::uint32_t h = start; orbit[h] == kNone; h = map.next[h]) orbit[h] = count;
+  for (std::uint32_t start = 0; start < map.next.size(); ++start) {
+    if (map.face[start] != kNone) continue;
+    const std::uint32_t face = add_face(complex, volume_left_of(complex, out, start), out);
+    for (std::uint32_t h = start; map.face[h] == kNone; h = map.next[h]) map.face[h] = face;
     ++count;
   }
   return count;
@@ -360,21 +370,17 @@ void map_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
              out);
     return;
   }
-  std::vector<std::uint32_t> orbit;
-  const std::uint32_t orbits = trace_orbits(map, orbit);
+  const std::uint32_t orbits = add_orbits(complex, out);
   const auto points = static_cast<std::uint32_t>(map.point_count());
-  FaceNumbers face(complex, orbits + points, out);
   // Euler: V - E + F is 2 for each component that has both points and arcs.
   const bool has_lone_parts =
       complex.vertex_facet[v.value()].is_valid() ||
       std::find(map.first_out.begin(), map.first_out.end(), kNone) != map.first_out.end();
-  const bool is_connected = !has_lone_parts && points + orbits == map.arc_count() + 2;
-  if (is_connected) {
-    for (std::uint32_t h = 0; h < map.next.size(); ++h) {
-      map.face[h] = face(orbit[h], volume_left_of(complex, out, h));
-    }
-    return;
-  }
+  if (!has_lone_parts && points + orbits == map.arc_count() + 2) return;  // connected
+  const std::vector<std::uint32_t> orbit = map.face;
+  out.volume.clear();
+  map.face_mark.clear();
+  FaceNumbers face(complex, orbits + points, out);
   CycleGroups groups(complex.planes(), map, orbit, orbits);
   for (std::uint32_t h = 0; h < map.next.size(); ++h) {
     map.face[h] = face(groups.of_cycle(orbit[h]), volume_left_of(complex, out, h));

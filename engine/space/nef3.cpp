@@ -1,6 +1,8 @@
 #include "plumb/space/nef3.h"
 
 #include <algorithm>
+#include <atomic>
+#include <optional>
 #include <utility>
 
 #include "plumb/base/error.h"
@@ -40,15 +42,17 @@ void fill_boundary(SpaceComplex& complex, Mark value) {
   fill(complex.facet_mark, value);
 }
 
-SpaceComplex framed(const SpaceComplex& complex, Context& context) {
-  return has_frame(complex) ? complex : with_frame(complex, copy(*complex.tables), context);
+SpaceComplex framed(SpaceComplex complex, Context& context) {
+  return has_frame(complex) ? std::move(complex)
+                            : with_frame(complex, copy(*complex.tables), context);
 }
 
-SpaceComplex combine_any(const SpaceComplex& a, const SpaceComplex& b, MarkFunction f,
-                         Context& context) {
-  SpaceComplex result = has_frame(a) == has_frame(b)
-                            ? combine(a, b, f, context)
-                            : combine(framed(a, context), framed(b, context), f, context);
+SpaceComplex combine_any(SpaceComplex a, SpaceComplex b, MarkFunction f, Context& context) {
+  if (has_frame(a) != has_frame(b)) {
+    a = framed(std::move(a), context);
+    b = framed(std::move(b), context);
+  }
+  SpaceComplex result = combine(std::move(a), std::move(b), f, context);
   return with_tidy_tables(without_idle_frame(std::move(result), context));
 }
 
@@ -78,7 +82,7 @@ std::size_t standard_count(const std::vector<Mark>& marks) {
 
 Nef3::Nef3() : Nef3(without_boundary(0)) {}
 
-Nef3::Nef3(SpaceComplex minimal) : state_(std::make_shared<const State>(std::move(minimal))) {}
+Nef3::Nef3(SpaceComplex minimal) : state_(std::make_shared<State>(std::move(minimal))) {}
 
 Nef3 Nef3::space() { return Nef3(without_boundary(1)); }
 
@@ -88,6 +92,13 @@ Nef3 Nef3::from_complex(SpaceComplex complex, Context& context) {
 }
 
 const SpaceComplex& Nef3::complex() const { return state_->complex; }
+
+SpaceComplex Nef3::taken() && {
+  const std::shared_ptr<const State> state = std::move(state_);
+  if (state.use_count() > 1) return state->complex;
+  std::atomic_thread_fence(std::memory_order_acquire);  // whoever shared it has read it before
+  return std::move(const_cast<State&>(*state).complex);
+}
 
 Nef3 Nef3::with_marks(const SpaceMarks& marks, Context& context) const {
   SpaceComplex changed = complex();
@@ -256,8 +267,29 @@ Nef3 Nef3::transformed(const AffineMap3& map) const {
   return Nef3(plumb::transformed(complex(), map, context));
 }
 
-Nef3 combine(const Nef3& a, const Nef3& b, MarkFunction f, Context& context) {
-  return Nef3::from_minimal(combine_any(a.complex(), b.complex(), f, context));
+namespace {
+
+/// The operation f(m, m) or f(m, mark) of one set: itself, its complement, or nothing but a mark.
+Nef3 with_marks(const Nef3& set, bool of_outside, bool of_inside) {
+  if (of_outside == of_inside) return of_inside ? Nef3::space() : Nef3::empty();
+  return of_inside ? set : !set;
+}
+
+/// Where each mark of one operand has but one partner, nothing has to meet: one of them is empty or the whole
+/// space, or they are the same.
+std::optional<Nef3> combine_marks(const Nef3& a, const Nef3& b, MarkFunction f) {
+  const bool in_a = a.is_space(), in_b = b.is_space();
+  if (in_b || b.is_empty()) return with_marks(a, f(false, in_b), f(true, in_b));
+  if (in_a || a.is_empty()) return with_marks(b, f(in_a, false), f(in_a, true));
+  if (!is_identical(a.complex(), b.complex())) return {};
+  return with_marks(a, f(false, false), f(true, true));
+}
+
+}  // namespace
+
+Nef3 combine(Nef3 a, Nef3 b, MarkFunction f, Context& context) {
+  if (const std::optional<Nef3> known = combine_marks(a, b, f)) return *known;
+  return Nef3::from_minimal(combine_any(std::move(a).taken(), std::move(b).taken(), f, context));
 }
 
 Nef3 combine(const Nef3& a, const SpaceSelector& select_a, const Nef3& b,

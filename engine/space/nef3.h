@@ -132,6 +132,8 @@ class Nef3 {
   // --- reading --------------------------------------------------------------------------------
 
   const SpaceComplex& complex() const;
+  /// The complex of a set that is given up; copied if another set shares it.
+  SpaceComplex taken() &&;
   SpaceCounts counts() const;
 
   bool is_empty() const;
@@ -221,8 +223,9 @@ struct SpaceSelector {
   std::function<bool(VolumeId)> volume;
 };
 
-/// The points p with f(p in a, p in b). With kUnion, kIntersection, ... what + * - ^ do.
-Nef3 combine(const Nef3& a, const Nef3& b, MarkFunction f, Context& context);
+/// The points p with f(p in a, p in b). With kUnion, kIntersection, ... what + * - ^ do. Sets that are moved
+/// in give their memory to the result.
+Nef3 combine(Nef3 a, Nef3 b, MarkFunction f, Context& context);
 /// The same, with the items of each operand that a selector accepts.
 Nef3 combine(const Nef3& a, const SpaceSelector& select_a, const Nef3& b,
              const SpaceSelector& select_b, MarkFunction f, Context& context);

@@ -102,4 +102,62 @@ bool is_same(const SpaceComplex& a, const SpaceComplex& b) {
   return a.vertex_count() == 0 || Comparison(a, b)();
 }
 
+namespace {
+
+bool has_same_planes(const PlaneTable& a, const PlaneTable& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const PlaneId p(i);
+    if (a.source(p).is_explicit() != b.source(p).is_explicit()) return false;
+    if (!a.source(p).is_explicit() && a.source(p).code != b.source(p).code) return false;
+    if (!a.source(p).is_explicit()) continue;
+    if (a.is_frame(p) != b.is_frame(p) || a.coefficients(p) != b.coefficients(p)) return false;
+  }
+  return true;
+}
+
+bool is_same_source(const PointSource& a, const PointSource& b) {
+  if (a.is_line() != b.is_line()) return false;
+  for (std::size_t i = 0; a.is_line() && i < 2; ++i) {
+    if (a.end(i) != b.end(i)) return false;
+  }
+  for (std::size_t i = 0; i < a.plane_count(); ++i) {
+    if (a.plane(i) != b.plane(i)) return false;
+  }
+  return true;
+}
+
+bool has_same_points(const SpaceTables& a, const SpaceTables& b) {
+  if (a.points.size() != b.points.size()) return false;
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    const SpacePoint p = SpacePoint::constructed(i);
+    if (!is_same_source(a.points.source(p), b.points.source(p))) return false;
+  }
+  const auto is_equal_point = [](const Point3& p, const Point3& q) {
+    return is_equal(p.x, q.x) && is_equal(p.y, q.y) && is_equal(p.z, q.z);
+  };
+  return std::ranges::equal(a.planes.points(), b.planes.points(), is_equal_point);
+}
+
+bool has_same_tables(const SpaceTables& a, const SpaceTables& b) {
+  return &a == &b || (has_same_points(a, b) && has_same_planes(a.planes, b.planes));
+}
+
+}  // namespace
+
+bool is_identical(const SpaceComplex& a, const SpaceComplex& b) {
+  if (&a == &b) return true;
+  return a.vertex_point == b.vertex_point && a.vertex_mark == b.vertex_mark &&
+         a.vertex_volume == b.vertex_volume && a.vertex_facet == b.vertex_facet &&
+         a.star_begin == b.star_begin && a.star == b.star && a.edge_planes == b.edge_planes &&
+         a.edge_mark == b.edge_mark && a.edge_use == b.edge_use && a.edge_volume == b.edge_volume &&
+         a.origin == b.origin && a.use_halfedge == b.use_halfedge && a.use_next == b.use_next &&
+         a.use_prev == b.use_prev && a.use_radial == b.use_radial && a.use_facet == b.use_facet &&
+         a.facet_plane == b.facet_plane && a.facet_mark == b.facet_mark &&
+         a.facet_volume == b.facet_volume && a.facet_origin == b.facet_origin &&
+         a.cycle_begin == b.cycle_begin && a.cycle == b.cycle && a.inner_begin == b.inner_begin &&
+         a.inner == b.inner && a.volume_mark == b.volume_mark &&
+         has_same_tables(*a.tables, *b.tables);
+}
+
 }  // namespace plumb

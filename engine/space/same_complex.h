@@ -10,4 +10,8 @@ namespace plumb {
 /// O(n) besides merging tables.
 bool is_same(const SpaceComplex& a, const SpaceComplex& b);
 
+/// Are the arrays equal, and what the tables say of planes and points? So they are of sets made in the same way.
+/// False says nothing of the sets. O(n) comparisons of numbers, few if it is false.
+bool is_identical(const SpaceComplex& a, const SpaceComplex& b);
+
 }  // namespace plumb

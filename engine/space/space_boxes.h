@@ -8,7 +8,8 @@ namespace plumb {
 
 /// Around a point. Infinite when nothing is known of it.
 Box3 box_of(const PointBox& point);
-inline Box3 box_of(const Point3Table& points, SpacePoint p) { return box_of(points.box(p)); }
+/// A point of the frame is beyond all numbers along the axes along which R moves it.
+Box3 box_of(const Point3Table& points, SpacePoint p);
 
 inline Box3 box_of(const SpaceComplex& complex, VertexId v) {
   return box_of(complex.points(), complex.vertex_point[v.value()]);

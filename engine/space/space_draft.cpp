@@ -49,4 +49,17 @@ SpaceDraft::Offsets SpaceDraft::add(SpacePoint at, const SphereMap& map, bool pa
   return offsets;
 }
 
+void SpaceDraft::reserve_more(std::size_t vertices, std::size_t point_count, std::size_t arcs,
+                              std::size_t faces) {
+  const auto reserve = [](std::size_t more, auto&... arrays) {
+    (arrays.reserve(arrays.size() + more), ...);
+  };
+  reserve(vertices, vertex_point, vertex_mark, is_passed, begin);
+  reserve(point_count, maps.direction, maps.point_mark, maps.first_out, maps.point_face,
+          vertex_of_point, twin);
+  reserve(arcs, maps.circle, maps.arc_mark, arc_origin);
+  reserve(2 * arcs, maps.origin, maps.next, maps.face);
+  reserve(faces, maps.face_mark);
+}
+
 }  // namespace plumb

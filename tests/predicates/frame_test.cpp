@@ -59,6 +59,12 @@ struct World {
       add_plane({frame[i], false}, row);
     }
   }
+  /// c_q p - c_p q of two planes of the cube.
+  void add_far_plane(std::size_t p, std::size_t q, int c_p, int c_q) {
+    Row row;
+    for (std::size_t i = 0; i < 4; ++i) row[i] = c_q * rows[p][i] - c_p * rows[q][i];
+    add_plane(table.intern(Pencil{planes[p], planes[q], c_p, c_q}), row);
+  }
   /// Its existence is part of the law.
   void add_point(std::size_t p, std::size_t q, std::size_t r) {
     const Row at = oracle::common_point(rows[p], rows[q], rows[r]);
@@ -87,9 +93,15 @@ struct Numbers {
 };
 
 /// From a few values, so that parallel and equal planes abound, to what needs every width.
-constexpr std::array<Numbers, 4> kNumbers = {{
+constexpr std::array<Numbers, 5> kNumbers = {{
     {"units", [](Random& r) { return double(integer(r, -1, 1)); }},
     {"small", [](Random& r) { return double(integer(r, -4, 4)); }},
+    // Directions closer to each other than the filters can tell, and not quite so close.
+    {"close",
+     [](Random& r) {
+       const double units = integer(r, -1, 1), by = integer(r, -2, 2);
+       return units + std::ldexp(by, integer(r, -36, -24));
+     }},
     {"mantissas",
      [](Random& r) { return std::ldexp(double(integer(r, -(1 << 30), 1 << 30)), -29); }},
     {"spread",
@@ -111,6 +123,8 @@ void add_ordinary_planes(World& world, Random& r, const Numbers& n) {
 void fill(World& world, Random& r, const Numbers& n) {
   world.add_frame();
   add_ordinary_planes(world, r, n);
+  world.add_far_plane(1, 3, 2, 1);
+  world.add_far_plane(0, 5, -3, 1);
   const int last = static_cast<int>(world.planes.size()) - 1;
   const auto any = [&](int from) { return static_cast<std::size_t>(integer(r, from, last)); };
   const auto frame = [&] { return static_cast<std::size_t>(integer(r, 0, 5)); };
@@ -128,19 +142,20 @@ void fill(World& world, Random& r, const Numbers& n) {
 
 /// Every rung that decides gives the expected sign, and mpz and the ladder do.
 struct Judge {
-  std::uint64_t signs = 0, zeros = 0, narrow = 0, medium = 0, wide = 0;
+  std::uint64_t signs = 0, zeros = 0, far = 0, narrow = 0, medium = 0, wide = 0;
 
-  void operator()(const char* what, int expected, FilteredSign filter,
+  void operator()(const char* what, int expected, const std::array<FilteredSign, 2>& filters,
                   const std::array<FilteredSign, 3>& fixed, Sign big, Sign ladder) {
     ++signs;
     zeros += expected == 0 ? 1 : 0;
     const auto right = [&](FilteredSign s) {
       return !is_decided(s) || static_cast<int>(decided(s)) == expected;
     };
-    EXPECT_TRUE(right(filter)) << what << " filter";
+    for (const FilteredSign s : filters) EXPECT_TRUE(right(s)) << what << " filter";
     for (const FilteredSign s : fixed) EXPECT_TRUE(right(s)) << what << " fixed";
     EXPECT_EQ(static_cast<int>(big), expected) << what << " big";
     EXPECT_EQ(static_cast<int>(ladder), expected) << what;
+    far += is_decided(filters[1]) ? 1 : 0;
     narrow += is_decided(fixed[0]) ? 1 : 0;
     medium += is_decided(fixed[1]) ? 1 : 0;
     wide += is_decided(fixed[2]) ? 1 : 0;
@@ -161,13 +176,14 @@ void check_planes(const World& w, Random& r, Judge& judge) {
     for (std::size_t k = 0; k < 4; ++k) p[k] = w.planes[at[k]];
     const Row &a = w.rows[at[0]], &b = w.rows[at[1]], &c = w.rows[at[2]], &d = w.rows[at[3]];
     judge("det4", sgn(oracle::det4(a, b, c, d)),
-          rung::det4_filter(t.row(p[0]), t.row(p[1]), t.row(p[2]), t.row(p[3])),
+          {rung::det4_filter(t.row(p[0]), t.row(p[1]), t.row(p[2]), t.row(p[3])),
+           rung::far_det4_filter(t, p[0], p[1], p[2], p[3])},
           {rung::det4_fixed<Narrow>(t, p[0], p[1], p[2], p[3]),
            rung::det4_fixed<Medium>(t, p[0], p[1], p[2], p[3]),
            rung::det4_fixed<Wide>(t, p[0], p[1], p[2], p[3])},
           rung::det4_big(t, p[0], p[1], p[2], p[3]), det4_sign(t, p[0], p[1], p[2], p[3]));
     judge("det3", sgn(oracle::det3(a, b, c)),
-          rung::det3_filter(t.row(p[0]), t.row(p[1]), t.row(p[2])),
+          {rung::det3_filter(t.row(p[0]), t.row(p[1]), t.row(p[2])), FilteredSign::Unsure},
           {rung::det3_fixed<Narrow>(t, p[0], p[1], p[2]),
            rung::det3_fixed<Medium>(t, p[0], p[1], p[2]),
            rung::det3_fixed<Wide>(t, p[0], p[1], p[2])},
@@ -182,7 +198,7 @@ void check_sides(const World& w, Judge& judge) {
       const SpacePoint x = w.ids[i];
       const PlaneId p = w.planes[j];
       judge("side", oracle::side(w.rows[j], w.coordinates[i]),
-            rung::side_filter(t.box(x), w.table.row(p)),
+            {rung::side_filter(t.box(x), w.table.row(p)), rung::far_side_filter(t, x, p)},
             {rung::side_fixed<Narrow>(t, x, p), rung::side_fixed<Medium>(t, x, p),
              rung::side_fixed<Wide>(t, x, p)},
             rung::side_big(t, x, p), side(t, x, p));
@@ -198,7 +214,8 @@ void check_orders(const World& w, Judge& judge) {
       const Row &a = w.coordinates[i], &b = w.coordinates[j];
       const std::size_t axis = (i + j) % 3;
       judge("compare_axis", oracle::compare_axis(a, b, axis),
-            rung::compare_axis_filter(t.box(x), t.box(y), axis),
+            {rung::compare_axis_filter(t.box(x), t.box(y), axis),
+             rung::far_compare_axis_filter(t, x, y, axis)},
             {rung::compare_axis_fixed<Narrow>(t, x, y, axis),
              rung::compare_axis_fixed<Medium>(t, x, y, axis),
              rung::compare_axis_fixed<Wide>(t, x, y, axis)},
@@ -256,10 +273,12 @@ TEST_P(Frame, AnswersLikeAHugeNumber) {
     check_orders(world, judge);
     check_lines(world, random);
   }
-  std::cout << judge.signs << " signs, " << judge.zeros << " zero; narrow decides " << judge.narrow
-            << ", medium " << judge.medium << ", wide " << judge.wide << "\n";
+  std::cout << judge.signs << " signs, " << judge.zeros << " zero; far filters decide " << judge.far
+            << ", narrow " << judge.narrow << ", medium " << judge.medium << ", wide " << judge.wide
+            << "\n";
   EXPECT_GT(judge.zeros, judge.signs / 20);
   EXPECT_GT(judge.wide, judge.signs / 4);
+  EXPECT_GT(judge.far, judge.signs / 4);
 }
 
 TEST(FramePlanes, AreSixAndTheSameInEveryTable) {

@@ -121,6 +121,53 @@ TEST(Nef3, HalfSpaces) {
   EXPECT_TRUE(h.boundary() == Nef3::plane({1, 0, 0, 1}));
 }
 
+/// Where nothing has to meet: against the empty set, the whole space, and a set made in the same way.
+TEST(Nef3, TrivialOperandsOfEveryFunction) {
+  const Nef3 a = box({0, 2}, {0, 2}, {0, 2}), same = box({0, 2}, {0, 2}, {0, 2});
+  const Nef3 wedge = half_space(1, 1, 0, 0) * half_space(1, -1, 0, 0, Boundary::Open);
+  const Nef3 none = Nef3::empty(), all = Nef3::space();
+  Context context;
+  for (unsigned code = 0; code < 16; ++code) {
+    const MarkFunction f{(code & 1U) != 0, (code & 2U) != 0, (code & 4U) != 0, (code & 8U) != 0};
+    const auto by_laws = [&](const Nef3& x, const Nef3& y) {  // of x and y, of not x and y, ...
+      Nef3 sum = f.both ? x * y : none;
+      sum += f.first_only ? x - y : none;
+      sum += f.second_only ? y - x : none;
+      return f.neither ? sum + !(x + y) : sum;
+    };
+    for (const Nef3& set : {a, wedge, none, all}) {
+      for (const Nef3& trivial : {none, all}) {
+        EXPECT_EQ(combine(set, trivial, f, context).contains(Point3{1, 1, 1}),
+                  f(set.contains(Point3{1, 1, 1}), !trivial.is_empty()));
+        EXPECT_EQ(combine(trivial, set, f, context).contains(Point3{-9, 1, 1}),
+                  f(!trivial.is_empty(), set.contains(Point3{-9, 1, 1})));
+        EXPECT_EQ(combine(set, trivial, f, context), by_laws(set, trivial)) << code;
+      }
+    }
+    // Moved a little and back it is another complex of the same set.
+    const auto moved_by = [](int x) {
+      return AffineMap3{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {x, 0, 0}};
+    };
+    const Nef3 other = a.transformed(moved_by(1)).transformed(moved_by(-1));
+    EXPECT_EQ(combine(a, same, f, context), combine(a, other, f, context)) << code;
+    EXPECT_EQ(combine(a, a, f, context), combine(a, other, f, context)) << code;
+  }
+}
+
+TEST(Nef3, OperandsThatAreGivenAway) {
+  Context context;
+  const auto cross = [&] { return box({0, 3}, {1, 2}, {1, 2}) + box({1, 2}, {0, 3}, {1, 2}); };
+  const Nef3 tool = box({1, 4}, {1, 4}, {0, 3});
+  const Nef3 expected = combine(cross(), tool, kDifference, context);
+  Nef3 a = cross();
+  const Nef3 sharer = a;
+  EXPECT_EQ(combine(std::move(a), tool, kDifference, context), expected);
+  EXPECT_EQ(sharer, cross());
+  Nef3 alone = cross(), given = box({1, 4}, {1, 4}, {0, 3});
+  EXPECT_EQ(combine(std::move(alone), std::move(given), kDifference, context), expected);
+  EXPECT_EQ(combine(cross(), cross(), kUnion, context), cross());
+}
+
 TEST(Nef3, ParallelAndDiagonalPlanes) {
   const Nef3 diagonal = Nef3::plane({1, -1, 0, 0}), next = Nef3::plane({1, -1, 0, -1});
   EXPECT_TRUE(has(diagonal + next, {0, 0, 2, 3, 0}));
