@@ -106,28 +106,37 @@ class Linker {
     out_.origin.resize(2 * n);
     for (std::uint32_t e = 0; e < n; ++e) {
       const auto [a, b] = links_.end[e];
-      const std::size_t axis = longest_axis(points_[a], points_[b]);
+      const auto [axis, runs] = longest_axis(points_[a], points_[b]);
       const auto [p, q] = out_.edge_planes[e];
-      const bool is_up = compare_axis(tables_.points, points_[b], points_[a], axis) ==
-                         minor_sign(tables_.planes, p, q, axis);
+      const bool is_up = runs == minor_sign(tables_.planes, p, q, axis);
       out_.origin[2 * e] = VertexId(is_up ? a : b);
       out_.origin[2 * e + 1] = VertexId(is_up ? b : a);
     }
   }
 
-  /// An axis in which the points differ; where doubles tell, that in which they differ most.
-  std::size_t longest_axis(SpacePoint a, SpacePoint b) const {
+  struct Run {
+    std::size_t axis;
+    Sign sign;
+  };
+
+  /// An axis in which the points differ; where doubles tell, that in which they differ most. And which way b
+  /// is from a.
+  Run longest_axis(SpacePoint a, SpacePoint b) const {
     const auto p = tables_.points.box(a).mid, q = tables_.points.box(b).mid;
     std::size_t best = 0;
     for (std::size_t i = 1; i < 3; ++i) {
       if (std::fabs(q[i] - p[i]) > std::fabs(q[best] - p[best])) best = i;
     }
+    if (a.is_input() && b.is_input() && q[best] - p[best] != 0) {
+      return {best, sign_of(q[best] - p[best])};  // a difference of doubles has the right sign
+    }
     if (q[best] - p[best] != 0) {
-      if (compare_axis(tables_.points, a, b, best) != Sign::Zero) return best;
+      const Sign sign = compare_axis(tables_.points, b, a, best);
+      if (sign != Sign::Zero) return {best, sign};
     }
     best = 0;
     while (compare_axis(tables_.points, a, b, best) == Sign::Zero) ++best;
-    return best;
+    return {best, compare_axis(tables_.points, b, a, best)};
   }
 
   // ---------------------------------------------------------------- uses

@@ -135,12 +135,18 @@ class VolumeSigns {
     return p;
   }
 
+  using Vector3 = std::array<double, 3>;
+
+  Vector3 middle(SpacePoint p) const {
+    if (!p.is_input()) return complex_.points().box(p).mid;
+    const Point3& at = complex_.planes().point(p.input());
+    return {at.x, at.y, at.z};
+  }
+
   void add(std::uint32_t f, Sum& sum) {
-    using Vector3 = std::array<double, 3>;
-    const auto o = complex_.points().box(apex(f)).mid;
+    const Vector3 o = middle(apex(f));
     const auto from_apex = [&](SpacePoint p) {
-      const PointBox box = complex_.points().box(p);
-      const Vector3 d{box.mid[0] - o[0], box.mid[1] - o[1], box.mid[2] - o[2]};
+      const Vector3 m = middle(p), d{m[0] - o[0], m[1] - o[1], m[2] - o[2]};
       // Constructed points are not what their boxes say.
       if (!p.is_input()) sum.reach = std::numeric_limits<double>::infinity();
       for (const double x : d) sum.reach = std::max(sum.reach, std::fabs(x));

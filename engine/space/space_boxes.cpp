@@ -28,7 +28,7 @@ Box3 box_of(const PointBox& point) {
   return box;
 }
 
-Box3 box_of(const Point3Table& points, SpacePoint p) {
+Box3 box_of_constructed(const Point3Table& points, SpacePoint p) {
   const PointBox point = points.box(p);
   if (!is_far(point)) return box_of(point);
   Box3 box = box_of(points.near_box(p));

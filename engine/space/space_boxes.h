@@ -9,7 +9,12 @@ namespace plumb {
 /// Around a point. Infinite when nothing is known of it.
 Box3 box_of(const PointBox& point);
 /// A point of the frame is beyond all numbers along the axes along which R moves it.
-Box3 box_of(const Point3Table& points, SpacePoint p);
+Box3 box_of_constructed(const Point3Table& points, SpacePoint p);
+inline Box3 box_of(const Point3Table& points, SpacePoint p) {
+  if (!p.is_input()) return box_of_constructed(points, p);
+  const Point3& at = points.planes().point(p.input());
+  return {{at.x, at.y, at.z}, {at.x, at.y, at.z}};
+}
 
 inline Box3 box_of(const SpaceComplex& complex, VertexId v) {
   return box_of(complex.points(), complex.vertex_point[v.value()]);
