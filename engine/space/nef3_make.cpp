@@ -6,6 +6,7 @@
 #include "plumb/base/error.h"
 #include "plumb/space/combine.h"
 #include "plumb/space/frame.h"
+#include "plumb/space/half_space_hull.h"
 #include "plumb/space/mesh_arrangement.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/space_draft.h"
@@ -123,8 +124,12 @@ Nef3 Nef3::plane(const Plane3& plane) {
 }
 
 Nef3 Nef3::intersection(std::span<const HalfSpace3> half_spaces, Context& context) {
+  HalfSpaceHull hull = hull_of_half_spaces(half_spaces, context);
+  if (hull.polytope) return Nef3(std::move(*hull.polytope));
   std::vector<Nef3> sets;
-  for (const HalfSpace3& h : half_spaces) sets.push_back(half_space(h.plane, h.boundary));
+  for (const std::uint32_t i : hull.needed) {
+    sets.push_back(half_space(half_spaces[i].plane, half_spaces[i].boundary));
+  }
   return intersection_of(sets, context);
 }
 
