@@ -7,6 +7,7 @@
 #include "plumb/picture/view.h"
 #include "plumb/plane/plane_measure.h"
 #include "plumb/space/space_tables.h"
+#include "plumb/space/flat_points.h"
 #include "plumb/space/triangulate.h"
 
 namespace plumb {

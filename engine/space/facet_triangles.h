@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "plumb/space/flat_points.h"
 #include "plumb/space/space_complex.h"
 #include "plumb/space/triangulate.h"
 

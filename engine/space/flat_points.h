@@ -9,6 +9,7 @@
 
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/point_table2.h"
+#include "plumb/space/planar_points.h"
 
 namespace plumb {
 
@@ -29,20 +30,16 @@ struct FlatView {
 
 /// A list of points in a view. Predicates by index, exact.
 /// Ladder: doubles with the points' boxes; input points go on as orient2d() does, others in rationals.
-class FlatPoints {
+class FlatPoints final : public PlanarPoints {
  public:
   explicit FlatPoints(const Point3Table& points) : points_(points) {}
 
   void reset(FlatView view);
   void push_back(SpacePoint p);
-  std::uint32_t size() const { return static_cast<std::uint32_t>(at_.size()); }
-
-  /// Positive: i, j, k turn left.
-  Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const;
-  /// Lexicographic order, x first.
-  Sign compare(std::uint32_t i, std::uint32_t j) const;
-  /// For i, j, k counter-clockwise. Positive: l inside their circle.
-  Sign incircle(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) const;
+  std::uint32_t size() const override { return static_cast<std::uint32_t>(at_.size()); }
+  Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const override;
+  Sign compare(std::uint32_t i, std::uint32_t j) const override;
+  Sign incircle(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) const override;
   /// The same points in a table of the plane.
   PointTable2 table() const;
 

@@ -7,6 +7,7 @@
 
 #include "plumb/base/context.h"
 #include "plumb/predicates/sign.h"
+#include "plumb/space/flat_points.h"
 #include "plumb/space/triangulate.h"
 
 namespace plumb {

@@ -36,7 +36,7 @@ struct ChainPart {
 
 class RegionSweep {
  public:
-  RegionSweep(const FlatPoints& points, std::span<const IndexEdge> edges)
+  RegionSweep(const PlanarPoints& points, std::span<const IndexEdge> edges)
       : points_(points), status_(Below{this}) {
     rank_points();
     for (const IndexEdge& e : edges) add_edge(rank_[e[0]], rank_[e[1]]);
@@ -246,7 +246,7 @@ class RegionSweep {
     set_chain(below, low.outer, high.outer, node);
   }
 
-  const FlatPoints& points_;
+  const PlanarPoints& points_;
   std::vector<std::uint32_t> order_;  // per rank: index
   std::vector<std::uint32_t> rank_;   // per index
   std::vector<SweepEdge> edges_;
@@ -261,7 +261,7 @@ class RegionSweep {
 
 }  // namespace
 
-bool triangulate(const FlatPoints& points, std::span<const IndexEdge> edges,
+bool triangulate(const PlanarPoints& points, std::span<const IndexEdge> edges,
                  std::vector<IndexTriangle>& triangles) {
   return RegionSweep(points, edges).run(triangles);
 }
@@ -273,7 +273,7 @@ namespace {
 /// Sides 3 t + i of triangles: from corner i to the next.
 class DelaunayFlips {
  public:
-  DelaunayFlips(const FlatPoints& points, std::span<const IndexEdge> edges,
+  DelaunayFlips(const PlanarPoints& points, std::span<const IndexEdge> edges,
                 std::span<IndexTriangle> triangles)
       : points_(points), triangles_(triangles) {
     pair_sides(edges);
@@ -355,14 +355,14 @@ class DelaunayFlips {
     if (t != kNone) other_[t] = s;
   }
 
-  const FlatPoints& points_;
+  const PlanarPoints& points_;
   std::span<IndexTriangle> triangles_;
   std::vector<std::uint32_t> other_;  // per side: across; none at given edges
 };
 
 }  // namespace
 
-void make_delaunay(const FlatPoints& points, std::span<const IndexEdge> edges,
+void make_delaunay(const PlanarPoints& points, std::span<const IndexEdge> edges,
                    std::span<IndexTriangle> triangles) {
   DelaunayFlips(points, edges, triangles).run();
 }

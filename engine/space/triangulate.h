@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "plumb/space/flat_points.h"
+#include "plumb/space/planar_points.h"
 
 namespace plumb {
 
@@ -23,13 +23,13 @@ using IndexTriangle = std::array<std::uint32_t, 3>;
 /// different and edges that meet each other and points in their ends only. False, and nothing appended: the
 /// edges have no region to their left (somewhere it would be covered twice, or less than once).
 /// O(n log n).
-bool triangulate(const FlatPoints& points, std::span<const IndexEdge> edges,
+bool triangulate(const PlanarPoints& points, std::span<const IndexEdge> edges,
                  std::vector<IndexTriangle>& triangles);
 
 /// Flips edges that are not among `edges` until every one is locally Delaunay; of four points on a
 /// circle the one with the lowest index is joined. Hence the result is unique. O(n^2) flips at
 /// worst, O(n) as a rule.
-void make_delaunay(const FlatPoints& points, std::span<const IndexEdge> edges,
+void make_delaunay(const PlanarPoints& points, std::span<const IndexEdge> edges,
                    std::span<IndexTriangle> triangles);
 
 }  // namespace plumb
