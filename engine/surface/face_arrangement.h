@@ -10,13 +10,15 @@
 // Equal crossings are found where they are neighbours on a segment: whatever else runs through the point meets
 // that segment there, too. So only the order along segments is ever asked, never equality of two points anywhere.
 //
-// Cost: O(k log k) for k pieces, plus pairs of boxes that meet, plus (parts without boundary) x k.
+// Cost: O(k log k) for k pieces, plus pairs of boxes that meet, plus for each part without boundary the arcs whose
+// boxes are below its leftmost point.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "plumb/base/box_tree.h"
 #include "plumb/predicates/plane_points.h"
 #include "plumb/surface/surface_arrangement.h"
 
@@ -93,6 +95,7 @@ class FaceArrangement {
   void find_contacts();
   void meet(std::uint32_t s, std::uint32_t t);
   bool is_inside(std::uint32_t point, const FaceSegment& s) const;
+  void sharpen();
   void split();
   std::uint32_t representative(std::uint32_t point) const;
   void unite(std::uint32_t i, std::uint32_t j);
@@ -101,7 +104,9 @@ class FaceArrangement {
   bool turns_before(std::uint32_t g, std::uint32_t h) const;
   void trace_loops();
   void nest();
-  void group_parts();
+  void find_islands();
+  void index_arcs();
+  Box3 box_around(std::uint32_t point) const;
   std::uint32_t halfedge_below(std::uint32_t point) const;
   bool is_below(std::uint32_t h, std::uint32_t point) const;
   bool is_lower(std::uint32_t g, std::uint32_t h) const;
@@ -111,9 +116,11 @@ class FaceArrangement {
   std::vector<std::uint32_t> same_;       // per crossing: an equal point, or itself
   std::vector<std::uint32_t> out_begin_;  // per point
   std::vector<std::uint32_t> out_;        // half-edges of arcs by origin, counter-clockwise
-  std::vector<std::uint32_t> part_;       // per point: union-find
-  std::vector<std::uint32_t> loop_of_;    // per half-edge
-  std::vector<std::uint32_t> loop_piece_;
+  std::vector<std::uint32_t>
+      islands_;              // the leftmost point of each part without boundary, in order
+  std::vector<Box3> boxes_;  // of segments; of arcs, if there are many islands
+  BoxTree arc_tree_;
+  std::vector<std::uint32_t> loop_of_;  // per half-edge
   std::vector<SignedEntry> terms_;
 };
 

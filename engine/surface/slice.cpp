@@ -263,7 +263,8 @@ class Slicer {
         out_.crossings.push_back(
             {out_.slot_face[slot],
              {node_of_local_[c.a], node_of_local_[c.b], node_of_local_[c.c], node_of_local_[c.d]},
-             {c.x, c.y}});
+             {c.x, c.y},
+             c.radius});
       }
     }
   }

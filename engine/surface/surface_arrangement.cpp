@@ -27,6 +27,18 @@ RationalPoint2 exact_crossing(const SurfaceArrangement& arrangement,
   return crossing_point(RationalSegment2{at(0), at(1)}, RationalSegment2{at(2), at(3)});
 }
 
+RationalPoint2 exact_node(const SurfaceArrangement& arrangement, const SurfacePointTable& points,
+                          NodeId node, FaceId f) {
+  if (arrangement.is_crossing(node)) {
+    return exact_crossing(arrangement, points, arrangement.crossing(node));
+  }
+  const std::size_t inputs = arrangement.node_point.size();
+  if (node.value() < inputs) return points.exact_in(arrangement.node_point[node.value()], f);
+  const VertexId v = arrangement.corner_vertex[node.value() - inputs];
+  const SurfaceMesh& mesh = points.mesh();
+  return {mesh.corner(f, 1) == v ? 1 : 0, mesh.corner(f, 2) == v ? 1 : 0};
+}
+
 SurfacePointId add_node_point(const SurfaceArrangement& arrangement,
                               const SurfacePointTable& points, NodeId node, SurfacePointTable& to) {
   if (arrangement.is_crossing(node)) {

@@ -31,6 +31,7 @@ struct SurfaceCrossing {
   FaceId face;
   std::array<NodeId, 4> ends;  ///< of the first segment, and of the second
   Point2 approx;               ///< (u, v), rounded
+  double radius;               ///< both are that near; may be infinite
 };
 
 /// Sparse vectors over polygons, end to end. Equal ones may occur more than once.
@@ -109,6 +110,10 @@ SurfaceArrangement slice(const SurfacePolygons& polygons, Context& context);
 /// (u, v) of a crossing.
 RationalPoint2 exact_crossing(const SurfaceArrangement& arrangement,
                               const SurfacePointTable& points, const SurfaceCrossing& crossing);
+
+/// (u, v) of any node in a face it lies in.
+RationalPoint2 exact_node(const SurfaceArrangement& arrangement, const SurfacePointTable& points,
+                          NodeId node, FaceId f);
 
 /// A point for output: that of the node, appended to a table over the same mesh.
 SurfacePointId add_node_point(const SurfaceArrangement& arrangement,

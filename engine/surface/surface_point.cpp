@@ -143,12 +143,24 @@ void SurfacePointTable::append_local(SurfacePointId p, FaceId f, PointTable2& to
     return;
   }
   if (place(p) == SurfacePlace::Vertex) {
-    const SurfaceTriangle& t = mesh_->corners(f);
-    to.push_back(Point2{t[1] == index(p) ? 1.0 : 0.0, t[2] == index(p) ? 1.0 : 0.0});
+    to.push_back(approx_in(p, f));
     return;
   }
   const RationalPoint2 at = exact_in(p, f);
   to.push_back(at.x, at.y);
+}
+
+Point2 SurfacePointTable::approx_in(SurfacePointId p, FaceId f) const {
+  if (place(p) == SurfacePlace::Face) return approx(p);
+  if (place(p) == SurfacePlace::Vertex) {
+    const SurfaceTriangle& t = mesh_->corners(f);
+    return {t[1] == index(p) ? 1.0 : 0.0, t[2] == index(p) ? 1.0 : 0.0};
+  }
+  const HalfedgeId h = side_in(p, f);
+  const double t = approx(p).x, weight = mesh_->is_upward(h) ? t : 1 - t;
+  const std::size_t side = SurfaceMesh::side(h);
+  if (side == 0) return {weight, 0};
+  return {side == 1 ? 1 - weight : 0, side == 1 ? weight : 1 - weight};
 }
 
 RationalPoint2 SurfacePointTable::exact_in(SurfacePointId p, FaceId f) const {

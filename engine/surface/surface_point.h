@@ -49,6 +49,8 @@ class SurfacePointTable {
   bool is_in(SurfacePointId p, FaceId f) const;
   /// Appends its (u, v) in a face it lies in.
   void append_local(SurfacePointId p, FaceId f, PointTable2& to) const;
+  /// The same, rounded: each within 2^-52.
+  Point2 approx_in(SurfacePointId p, FaceId f) const;
   RationalPoint2 exact_in(SurfacePointId p, FaceId f) const;
   /// In space, rounded.
   Point3 position(SurfacePointId p) const;

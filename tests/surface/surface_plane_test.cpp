@@ -1,7 +1,9 @@
 // Divided surfaces against engine/plane, on flat meshes: random polygons in all degenerate positions.
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include "generate/dice.h"
+#include "generate/surface_program.h"
 #include "oracle/surface_oracle.h"
 
 namespace plumb::testing {
@@ -74,6 +76,28 @@ TEST(OnPlaneCrowded, ManySegmentsInOneFace) {
                                 {low.x + shift, low.y + height}});
     }
     EXPECT_EQ(disagreement_on_plane(scene, seed), "") << to_text(scene);
+  }
+}
+
+// ---------------------------------------------------------------- any bytes, shrunk when they fail
+
+TEST(OnPlaneAnything, AnyProgramAgrees) {
+  const bool holds = rc::check("programs agree", [](const std::vector<std::uint8_t>& bytes) {
+    RC_ASSERT(disagreement_on_surface(bytes) == "");
+  });
+  EXPECT_TRUE(holds);
+}
+
+// Meshes and paths that nobody has checked: refused, or sound.
+TEST(OnPlaneAnything, RawScenes) {
+  for (std::uint64_t seed = 0; seed < 3000 && !HasFailure(); ++seed) {
+    Dice dice(seed);
+    std::vector<std::uint8_t> bytes = {7, static_cast<std::uint8_t>(seed), 0};
+    const std::size_t records = 2 + seed % 14;
+    for (std::size_t i = 0; i < 3 * records; ++i) {
+      bytes.push_back(static_cast<std::uint8_t>(dice.below(256)));
+    }
+    EXPECT_EQ(disagreement_on_surface(bytes), "") << "seed " << seed;
   }
 }
 
