@@ -6,8 +6,8 @@
 #include "plumb/picture/plane_window.h"
 #include "plumb/picture/view.h"
 #include "plumb/plane/plane_measure.h"
-#include "plumb/space/space_tables.h"
 #include "plumb/space/flat_points.h"
+#include "plumb/space/space_tables.h"
 #include "plumb/space/triangulate.h"
 
 namespace plumb {
