@@ -1,0 +1,145 @@
+#include "plumb/convex/choose_plane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "plumb/predicates/point3_table.h"
+
+namespace plumb {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+Vector operator-(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+constexpr std::size_t kMostKept = 6;
+constexpr std::size_t kAllVertices =
+    48;  // pieces of no more reflex edges look at all their vertices
+
+}  // namespace
+
+std::uint32_t CutChooser::end_of(VertexId v) {
+  if (end_stamp_[v.value()] != stamp_) {
+    end_stamp_[v.value()] = stamp_;
+    end_index_[v.value()] = static_cast<std::uint32_t>(ends_.size());
+    ends_.push_back(s_.points().box(s_.point[v.value()]).mid);
+    end_vertex_.push_back(v);
+  }
+  return end_index_[v.value()];
+}
+
+void CutChooser::gather(std::span<const FaceId> faces, std::span<const HalfedgeId> reflex) {
+  ++stamp_;
+  end_stamp_.resize(s_.point.size(), 0);
+  end_index_.resize(s_.point.size());
+  edges_.clear();
+  ends_.clear();
+  end_vertex_.clear();
+  const auto normal = [this](HalfedgeId h) {
+    const OrientedPlane plane = s_.plane_of(h);
+    Vector n = s_.planes().row(plane.plane()).n;
+    const double scale = (plane.is_opposite() ? -1 : 1) / std::sqrt(dot(n, n));
+    for (double& x : n) x *= scale;
+    return n;
+  };
+  for (const HalfedgeId h : reflex) {
+    const std::uint32_t a = end_of(s_.half(h).origin);
+    const std::uint32_t b = end_of(s_.target(h));
+    edges_.push_back({h, a, b, normal(h), normal(s_.half(h).twin)});
+  }
+  signs_.resize(ends_.size());
+  targets_ = end_vertex_;
+  if (reflex.size() <= kAllVertices) {
+    for (const FaceId f : faces) {
+      s_.for_each_half(f, [this](HalfedgeId h) {
+        const VertexId v = s_.half(h).origin;
+        if (end_stamp_[v.value()] == stamp_) return;
+        end_stamp_[v.value()] = stamp_;
+        targets_.push_back(v);
+      });
+    }
+  }
+  std::erase_if(targets_, [this](VertexId v) { return !s_.point[v.value()].is_input(); });
+  double size = 0;
+  for (const Vector& p : ends_) {
+    for (const double x : p) size = std::max(size, std::abs(x));
+  }
+  tolerance_ = size * 1e-11;
+}
+
+void CutChooser::judge(const Row& row, CutCandidate candidate) {
+  for (std::size_t i = 0; i < ends_.size(); ++i) {
+    const double at = row[0] * ends_[i][0] + row[1] * ends_[i][1] + row[2] * ends_[i][2] + row[3];
+    signs_[i] = static_cast<signed char>((at > tolerance_ ? 1 : 0) - (at < -tolerance_ ? 1 : 0));
+  }
+  for (const Edge& edge : edges_) {
+    const int a = signs_[edge.a], b = signs_[edge.b];
+    if (a * b < 0) ++candidate.score;
+    if (a == 0 && b == 0) ++candidate.resolved;
+  }
+  candidate.score -= candidate.resolved;
+  const auto is_better = [](const CutCandidate& a, const CutCandidate& b) {
+    return std::tuple(a.score, -a.resolved) < std::tuple(b.score, -b.resolved);
+  };
+  best_.insert(std::upper_bound(best_.begin(), best_.end(), candidate, is_better), candidate);
+  if (best_.size() > kMostKept) best_.pop_back();
+}
+
+/// In the reflex wedge: one face on either side, so that m = c1 n1 + c2 n2 with c1 c2 <= 0.
+void CutChooser::propose(const Edge& edge, std::size_t budget) {
+  const auto row_of = [this](PlaneId p) {
+    const PlaneRow& row = s_.planes().row(p);
+    return Row{row.n[0], row.n[1], row.n[2], row.d};
+  };
+  const CutSurface::Half& half = s_.half(edge.half);
+  for (const HalfedgeId h : {edge.half, half.twin}) {
+    const PlaneId p = s_.plane_of(h).plane();
+    judge(row_of(p), {edge.half, p, {}, 0, 0});
+  }
+  if (!half.line[0].is_valid()) return;
+  const Vector a = ends_[edge.a], along = ends_[edge.b] - a, w = cross(edge.n1, edge.n2);
+  const std::size_t step =
+      std::max<std::size_t>(1, targets_.size() / std::max<std::size_t>(1, budget));
+  for (std::size_t i = 0; i < targets_.size(); i += step) {
+    const InputPointId v = s_.point[targets_[i].value()].input();
+    const Point3& at = s_.planes().point(v);
+    Vector m = cross(along, Vector{at.x, at.y, at.z} - a);
+    const double length = std::sqrt(dot(m, m));
+    if (!(length > 0)) continue;
+    for (double& x : m) x /= length;
+    const double c2 = -dot(cross(m, edge.n1), w), c1 = dot(cross(m, edge.n2), w);
+    if (c1 * c2 > 0) continue;
+    if (std::abs(c1) < 1e-12 || std::abs(c2) < 1e-12) continue;  // a face's plane
+    judge({m[0], m[1], m[2], -dot(m, a)}, {edge.half, {}, v, 0, 0});
+  }
+}
+
+std::span<const CutCandidate> CutChooser::candidates(std::span<const FaceId> faces,
+                                                     std::span<const HalfedgeId> reflex) {
+  gather(faces, reflex);
+  best_.clear();
+  const std::size_t affordable = 60000 / (ends_.size() + 8);  // candidates
+  const std::size_t edges = std::min(edges_.size(), std::max<std::size_t>(4, affordable / 8));
+  const std::size_t budget = std::max<std::size_t>(4, affordable / edges);
+  for (std::size_t i = 0; i < edges; ++i) propose(edges_[i * edges_.size() / edges], budget);
+  const HalfedgeId first = edges_[0].half;
+  best_.push_back({first, s_.plane_of(first).plane(), {}, 0, 0});
+  best_.push_back({first, s_.plane_of(s_.half(first).twin).plane(), {}, 0, 0});
+  return best_;
+}
+
+PlaneId CutChooser::intern(const CutCandidate& candidate) {
+  if (candidate.plane.is_valid()) return candidate.plane;
+  const auto& [a, b] = s_.half(candidate.seed).line;
+  const OrientedPlane plane = s_.tables->planes.intern(a, b, candidate.through);
+  return plane.is_valid() ? plane.plane() : PlaneId();
+}
+
+}  // namespace plumb

@@ -1,0 +1,65 @@
+// Which plane cuts a piece: candidates through its reflex edges, the best first.
+//
+// Main flow of CutChooser::candidates():
+//  1. gather    the reflex edges of the piece, their ends in doubles
+//  2. propose   for an edge: the planes of its faces; the planes through it and the end of another reflex edge
+//               (or any vertex, in small pieces) that lie in its reflex wedge, so that one cut resolves it
+//  3. judge     how many reflex edges lie in the plane (resolved), how many it crosses (doubled)
+//
+// All of this is about the number of pieces alone and may be done in doubles: a plane is interned from input points
+// or from planes, and the cut asks exact signs. Cost: one product an end for each candidate; their number is bounded
+// so that a cut costs O(size of the piece) but for small pieces.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "plumb/convex/cut_surface.h"
+
+namespace plumb {
+
+struct CutCandidate {
+  HalfedgeId seed;       ///< a reflex edge in the plane
+  PlaneId plane;         ///< of a face of the seed; else not valid:
+  InputPointId through;  ///< the plane holds this point
+  int score = 0;         ///< reflex edges crossed, less those in the plane: the least is best
+  int resolved = 0;
+};
+
+class CutChooser {
+ public:
+  explicit CutChooser(CutSurface& surface) : s_(surface) {}
+
+  /// The best candidates, in order; the last ones are the planes of the faces of one edge, which always do.
+  /// Requires a reflex edge.
+  std::span<const CutCandidate> candidates(std::span<const FaceId> faces,
+                                           std::span<const HalfedgeId> reflex);
+  /// The candidate's plane. Not valid when it is none.
+  PlaneId intern(const CutCandidate& candidate);
+
+ private:
+  using Row = std::array<double, 4>;
+  struct Edge {
+    HalfedgeId half;
+    std::uint32_t a, b;            // ends, into ends_
+    std::array<double, 3> n1, n2;  // outward normals of the faces
+  };
+
+  void gather(std::span<const FaceId> faces, std::span<const HalfedgeId> reflex);
+  std::uint32_t end_of(VertexId v);
+  void propose(const Edge& edge, std::size_t budget);
+  void judge(const Row& row, CutCandidate candidate);
+
+  CutSurface& s_;
+  std::vector<Edge> edges_;
+  std::vector<VertexId> end_vertex_;
+  std::vector<std::array<double, 3>> ends_;
+  std::vector<signed char> signs_;
+  std::vector<std::uint32_t> end_stamp_, end_index_;  // per vertex
+  std::uint32_t stamp_ = 0;
+  std::vector<VertexId> targets_;  // what planes may go through, besides
+  std::vector<CutCandidate> best_;
+  double tolerance_ = 0;
+};
+
+}  // namespace plumb

@@ -1,0 +1,69 @@
+#include <numeric>
+#include <utility>
+
+#include "plumb/convex/choose_plane.h"
+#include "plumb/convex/cuts.h"
+#include "plumb/convex/plane_cut.h"
+
+namespace plumb {
+namespace {
+
+class SolidCutter {
+ public:
+  SolidCutter(CutSurface& surface, Context& context)
+      : s_(surface), context_(context), cut_(surface), chooser_(surface) {}
+
+  std::vector<std::vector<FaceId>> run() {
+    std::vector<FaceId> all;
+    for (std::size_t f = 0; f < s_.faces.size(); ++f) all.push_back(FaceId(f));
+    std::vector<std::vector<FaceId>> left{std::move(all)}, done;
+    while (!left.empty()) {
+      std::vector<FaceId> piece = std::move(left.back());
+      left.pop_back();
+      context_.checkpoint("cutting", done.size(), done.size() + left.size() + 1);
+      find_reflex(piece);
+      if (reflex_.empty()) {
+        done.push_back(std::move(piece));
+        continue;
+      }
+      CutPieces parts = cut(piece);
+      if (parts.empty()) return {};
+      for (std::size_t i = parts.size(); i-- > 0;) left.push_back(std::move(parts[i]));
+    }
+    return done;
+  }
+
+ private:
+  void find_reflex(std::span<const FaceId> piece) {
+    reflex_.clear();
+    for (const FaceId f : piece) {
+      s_.for_each_half(f, [this](HalfedgeId h) {
+        if (s_.half(h).is_reflex && h < s_.half(h).twin) reflex_.push_back(h);
+      });
+    }
+  }
+
+  CutPieces cut(std::span<const FaceId> piece) {
+    for (const CutCandidate& candidate : chooser_.candidates(piece, reflex_)) {
+      const PlaneId plane = chooser_.intern(candidate);
+      if (!plane.is_valid()) continue;
+      CutPieces parts = cut_.run(piece, plane, candidate.seed);
+      if (!parts.empty()) return parts;
+    }
+    return {};
+  }
+
+  CutSurface& s_;
+  Context& context_;
+  PlaneCut cut_;
+  CutChooser chooser_;
+  std::vector<HalfedgeId> reflex_;
+};
+
+}  // namespace
+
+std::vector<std::vector<FaceId>> cut_solid(CutSurface& surface, Context& context) {
+  return SolidCutter(surface, context).run();
+}
+
+}  // namespace plumb
