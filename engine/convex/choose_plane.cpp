@@ -74,35 +74,43 @@ void CutChooser::gather(std::span<const FaceId> faces, std::span<const HalfedgeI
   tolerance_ = size * 1e-11;
 }
 
-void CutChooser::judge(const Row& row, CutCandidate candidate) {
+CutCandidate CutChooser::judged(const Row& row, CutCandidate candidate) {
   for (std::size_t i = 0; i < ends_.size(); ++i) {
     const double at = row[0] * ends_[i][0] + row[1] * ends_[i][1] + row[2] * ends_[i][2] + row[3];
     signs_[i] = static_cast<signed char>((at > tolerance_ ? 1 : 0) - (at < -tolerance_ ? 1 : 0));
   }
+  int spared = 0;
   for (const Edge& edge : edges_) {
     const int a = signs_[edge.a], b = signs_[edge.b];
-    if (a * b < 0) ++candidate.score;
-    if (a == 0 && b == 0) ++candidate.resolved;
+    if (a * b < 0) ++candidate.crossed;
+    if (a != 0 || b != 0) continue;
+    ++candidate.resolved;
+    spared += 1 + edge.alone;
   }
-  candidate.score -= candidate.resolved;
+  // With the plane on both sides of its edges, each stretch of the section between two of them is a cut.
+  const int cuts = candidate.sheets == 1 ? 1 : candidate.resolved + 1;
+  candidate.score = cuts + candidate.crossed - spared;
+  return candidate;
+}
+
+void CutChooser::keep(const CutCandidate& candidate) {
   const auto is_better = [](const CutCandidate& a, const CutCandidate& b) {
-    return std::tuple(a.score, -a.resolved) < std::tuple(b.score, -b.resolved);
+    return std::tuple(a.score, a.sheets, -a.resolved) < std::tuple(b.score, b.sheets, -b.resolved);
   };
   best_.insert(std::upper_bound(best_.begin(), best_.end(), candidate, is_better), candidate);
   if (best_.size() > kMostKept) best_.pop_back();
 }
 
-/// In the reflex wedge: one face on either side, so that m = c1 n1 + c2 n2 with c1 c2 <= 0.
-void CutChooser::propose(const Edge& edge, std::size_t budget) {
-  const auto row_of = [this](PlaneId p) {
-    const PlaneRow& row = s_.planes().row(p);
-    return Row{row.n[0], row.n[1], row.n[2], row.d};
-  };
+CutCandidate CutChooser::judged_face(const Edge& edge, bool is_first) {
+  const HalfedgeId twin = s_.half(edge.half).twin;
+  const PlaneId p = s_.plane_of(is_first ? edge.half : twin).plane();
+  const PlaneRow& row = s_.planes().row(p);
+  return judged({row.n[0], row.n[1], row.n[2], row.d}, {edge.half, p, {}});
+}
+
+/// m = c1 n1 + c2 n2; one face on either side of the plane: c1 c2 <= 0.
+void CutChooser::propose_points(const Edge& edge, std::size_t budget) {
   const CutSurface::Half& half = s_.half(edge.half);
-  for (const HalfedgeId h : {edge.half, half.twin}) {
-    const PlaneId p = s_.plane_of(h).plane();
-    judge(row_of(p), {edge.half, p, {}, 0, 0});
-  }
   if (!half.line[0].is_valid()) return;
   const Vector a = ends_[edge.a], along = ends_[edge.b] - a, w = cross(edge.n1, edge.n2);
   const std::size_t step =
@@ -115,9 +123,8 @@ void CutChooser::propose(const Edge& edge, std::size_t budget) {
     if (!(length > 0)) continue;
     for (double& x : m) x /= length;
     const double c2 = -dot(cross(m, edge.n1), w), c1 = dot(cross(m, edge.n2), w);
-    if (c1 * c2 > 0) continue;
     if (std::abs(c1) < 1e-12 || std::abs(c2) < 1e-12) continue;  // a face's plane
-    judge({m[0], m[1], m[2], -dot(m, a)}, {edge.half, {}, v, 0, 0});
+    keep(judged({m[0], m[1], m[2], -dot(m, a)}, {edge.half, {}, v, c1 * c2 > 0 ? 2 : 1}));
   }
 }
 
@@ -126,12 +133,24 @@ std::span<const CutCandidate> CutChooser::candidates(std::span<const FaceId> fac
   gather(faces, reflex);
   best_.clear();
   const std::size_t affordable = 60000 / (ends_.size() + 8);  // candidates
-  const std::size_t edges = std::min(edges_.size(), std::max<std::size_t>(4, affordable / 8));
-  const std::size_t budget = std::max<std::size_t>(4, affordable / edges);
-  for (std::size_t i = 0; i < edges; ++i) propose(edges_[i * edges_.size() / edges], budget);
+  const std::size_t seeds = std::min(edges_.size(), std::max<std::size_t>(4, affordable / 8));
+  const std::size_t budget = std::max<std::size_t>(4, affordable / seeds);
+  const bool is_small = edges_.size() <= 2 * kAllVertices;
+  for (Edge& edge : edges_) {
+    if (!is_small) break;
+    edge.alone = std::min(judged_face(edge, true).crossed, judged_face(edge, false).crossed);
+  }
+  for (std::size_t i = 0; i < (is_small ? edges_.size() : seeds); ++i) {
+    const Edge& edge = edges_[is_small ? i : i * edges_.size() / seeds];
+    keep(judged_face(edge, true));
+    keep(judged_face(edge, false));
+  }
+  for (std::size_t i = 0; i < seeds; ++i) {
+    propose_points(edges_[i * edges_.size() / seeds], budget);
+  }
   const HalfedgeId first = edges_[0].half;
-  best_.push_back({first, s_.plane_of(first).plane(), {}, 0, 0});
-  best_.push_back({first, s_.plane_of(s_.half(first).twin).plane(), {}, 0, 0});
+  best_.push_back({first, s_.plane_of(first).plane(), {}});
+  best_.push_back({first, s_.plane_of(s_.half(first).twin).plane(), {}});
   return best_;
 }
 

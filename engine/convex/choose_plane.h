@@ -4,7 +4,8 @@
 //  1. gather    the reflex edges of the piece, their ends in doubles
 //  2. propose   for an edge: the planes of its faces; the planes through it and the end of another reflex edge
 //               (or any vertex, in small pieces) that lie in its reflex wedge, so that one cut resolves it
-//  3. judge     how many reflex edges lie in the plane (resolved), how many it crosses (doubled)
+//  3. judge     how many reflex edges lie in the plane (resolved), how many it crosses (doubled), against what the
+//               planes of its own faces would do for each edge in it
 //
 // All of this is about the number of pieces alone and may be done in doubles: a plane is interned from input points
 // or from planes, and the cut asks exact signs. Cost: one product an end for each candidate; their number is bounded
@@ -22,8 +23,10 @@ struct CutCandidate {
   HalfedgeId seed;       ///< a reflex edge in the plane
   PlaneId plane;         ///< of a face of the seed; else not valid:
   InputPointId through;  ///< the plane holds this point
-  int score = 0;         ///< reflex edges crossed, less those in the plane: the least is best
-  int resolved = 0;
+  int sheets = 1;        ///< of the plane at the seed, inside the solid: 1 or 2
+  int crossed = 0;       ///< reflex edges
+  int resolved = 0;      ///< reflex edges in the plane
+  int score = 0;         ///< cuts made and caused, less those spared: the least is best
 };
 
 class CutChooser {
@@ -43,12 +46,15 @@ class CutChooser {
     HalfedgeId half;
     std::uint32_t a, b;            // ends, into ends_
     std::array<double, 3> n1, n2;  // outward normals of the faces
+    int alone = 0;                 // edges that the better of its faces' planes crosses
   };
 
   void gather(std::span<const FaceId> faces, std::span<const HalfedgeId> reflex);
   std::uint32_t end_of(VertexId v);
-  void propose(const Edge& edge, std::size_t budget);
-  void judge(const Row& row, CutCandidate candidate);
+  CutCandidate judged_face(const Edge& edge, bool is_first);
+  void propose_points(const Edge& edge, std::size_t budget);
+  CutCandidate judged(const Row& row, CutCandidate candidate);
+  void keep(const CutCandidate& candidate);
 
   CutSurface& s_;
   std::vector<Edge> edges_;

@@ -17,6 +17,10 @@ class SolidCutter {
     std::vector<FaceId> all;
     for (std::size_t f = 0; f < s_.faces.size(); ++f) all.push_back(FaceId(f));
     std::vector<std::vector<FaceId>> left{std::move(all)}, done;
+    // Every cut takes from the angle at its edge, and planes through it are few; never seen to be many.
+    std::size_t cuts = 0;
+    find_reflex(left[0]);
+    const std::size_t most = 64 + 4 * (reflex_.size() + 1) * (reflex_.size() + 1);
     while (!left.empty()) {
       std::vector<FaceId> piece = std::move(left.back());
       left.pop_back();
@@ -27,7 +31,7 @@ class SolidCutter {
         continue;
       }
       CutPieces parts = cut(piece);
-      if (parts.empty()) return {};
+      if (parts.empty() || ++cuts > most) return {};
       for (std::size_t i = parts.size(); i-- > 0;) left.push_back(std::move(parts[i]));
     }
     return done;

@@ -13,11 +13,16 @@
 #include "plumb/base/context.h"
 #include "plumb/convex/cut_surface.h"
 #include "plumb/convex/decompose.h"
+#include "plumb/convex/set_parts.h"
 #include "plumb/space/nef3.h"
 
 namespace plumb {
 
 /// Divides the surface; the faces of each convex piece. Empty: a piece could not be cut this way.
 std::vector<std::vector<FaceId>> cut_solid(CutSurface& surface, Context& context);
+
+/// The convex pieces of one part of any kind, by Booleans with half-spaces. A cut divides all that the plane meets.
+/// Cost: a few Booleans near the plane and O(size) a cut.
+std::vector<Nef3> cut_set(const SetPart& part, Context& context);
 
 }  // namespace plumb

@@ -57,8 +57,8 @@ class PlaneSection {
 
   explicit PlaneSection(CutSurface& surface) : s_(surface) {}
 
-  /// The segments of the part that bounds `seed`. False: the section does not reach the seed, or its
-  /// parts could not be told apart.
+  /// The segments of the part that bounds `seed`. False: the section does not reach the seed, its parts could not
+  /// be told apart, or a vertex of the surface touches the part from one side.
   bool find(std::span<const FaceId> faces, PlaneId plane, HalfedgeId seed);
 
   bool is_selected(const Segment& segment) const { return is_selected_[segment.cycle] != 0; }
@@ -83,6 +83,7 @@ class PlaneSection {
   std::uint32_t clockwise_next(const Segment& in, std::span<const std::uint32_t> out) const;
   bool select(HalfedgeId seed);
   bool select_part(std::uint32_t seed_cycle);
+  bool is_punctured() const;
   std::vector<RingSide> ring_of(std::uint32_t first) const;
 
   Sign side_of(VertexId v) const { return side_[v.value()]; }
@@ -96,8 +97,9 @@ class PlaneSection {
   std::vector<std::uint8_t> is_selected_;  // per cycle
   std::vector<Sign> side_;                 // per vertex, where stamped
   std::vector<std::uint32_t> vertex_stamp_, half_stamp_;
-  std::vector<VertexId> crossing_;  // per half, where stamped
-  std::vector<std::uint32_t> outgoing_;
+  std::vector<VertexId> crossing_;       // per half, where stamped
+  std::vector<VertexId> zeros_;          // vertices in T
+  std::vector<std::uint32_t> outgoing_;  // segments by where they leave
   std::uint32_t stamp_ = 0;
 };
 

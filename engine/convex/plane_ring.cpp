@@ -22,7 +22,7 @@ bool is_hole(const CutSurface& surface, OrientedPlane plane, std::span<const Rin
     const RingSide& before = ring[i == 0 ? ring.size() - 1 : i - 1];
     const Sign turn = det3_sign(surface.planes(), plane.plane(), before.other, ring[i].other) *
                       before.along * ring[i].along * plane.orientation();
-    if (turn == Sign::Negative) return true;
+    if (turn != Sign::Positive) return true;  // Zero: there and back, inside another ring
   }
   return false;
 }

@@ -18,7 +18,7 @@ bool PlaneSection::find(std::span<const FaceId> faces, PlaneId plane, HalfedgeId
   find_sides();
   find_segments();
   link_cycles();
-  return select(seed);
+  return select(seed) && !is_punctured();
 }
 
 // ---------------------------------------------------------------- sides
@@ -26,7 +26,9 @@ bool PlaneSection::find(std::span<const FaceId> faces, PlaneId plane, HalfedgeId
 void PlaneSection::find_sides() {
   side_.resize(s_.point.size());
   vertex_stamp_.resize(s_.point.size(), 0);
+  zeros_.clear();
   const auto set = [this](VertexId v, Sign sign) {
+    if (sign == Sign::Zero && vertex_stamp_[v.value()] != stamp_) zeros_.push_back(v);
     side_[v.value()] = sign;
     vertex_stamp_[v.value()] = stamp_;
   };
@@ -96,7 +98,8 @@ void PlaneSection::add_corner(FaceId f, HalfedgeId h) {
   const std::uint8_t in = class_of(f, before, s_.half(before).origin, true);
   const auto turn = [out](std::uint8_t to) { return (to + 4U - out) % 4U; };
   unsigned sector = turn(in);
-  if (sector == 0 && s_.turn_at(h) == Sign::Negative) sector = 4;
+  if (sector == 0 && s_.turn_at(h) != Sign::Positive)
+    sector = 4;  // no turn: the tip of an edge inside
   const auto holds = [&](std::uint8_t to) { return turn(to) > 0 && turn(to) < sector; };
   const bool starts = holds(0), ends = holds(2);
   if (starts || ends) events_.push_back({h, half.origin, false, starts, ends, out, {}});
@@ -291,6 +294,29 @@ bool PlaneSection::select_part(std::uint32_t seed_cycle) {
     if (hole[c] != 0 && lies_in(c, outer) && around(c) == outer) is_selected_[c] = 1;
   }
   return is_clear;
+}
+
+/// Does the surface touch the plane in a single point within the part? What is cut there would touch itself in
+/// a point that one of its faces does not know.
+bool PlaneSection::is_punctured() const {
+  const auto is_on_segment = [this](VertexId v) {
+    const auto at =
+        std::lower_bound(outgoing_.begin(), outgoing_.end(), v,
+                         [this](std::uint32_t i, VertexId w) { return segments_[i].from < w; });
+    return at != outgoing_.end() && segments_[*at].from == v;
+  };
+  for (const VertexId v : zeros_) {
+    if (is_on_segment(v)) continue;
+    bool is_inside = false;
+    for (std::size_t c = 0; c < first_of_cycle_.size(); ++c) {
+      if (is_selected_[c] == 0) continue;
+      const RingPlace place = place_in(s_, plane_, ring_of(first_of_cycle_[c]), v);
+      if (place == RingPlace::On) return true;
+      is_inside ^= place == RingPlace::Inside;
+    }
+    if (is_inside) return true;
+  }
+  return false;
 }
 
 }  // namespace plumb

@@ -1,0 +1,208 @@
+// Cuts of any set, by Booleans with half-spaces: what no surface can hold (cuts.h).
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "plumb/base/error.h"
+#include "plumb/convex/convexity.h"
+#include "plumb/convex/cuts.h"
+#include "plumb/convex/set_parts.h"
+#include "plumb/predicates/plane_signs.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/plane_cycles.h"
+
+namespace plumb {
+namespace {
+
+/// The relative interior of a part: its own facet, or volume, alone.
+Nef3 relative_interior(const SetPart& part, Context& context) {
+  if (part.dimension == 3) return part.set.interior();
+  const SpaceComplex& c = part.set.complex();
+  return part.set.with_marks({std::vector<Mark>(c.vertex_count(), 0),
+                              std::vector<Mark>(c.edge_count(), 0), c.facet_mark, c.volume_mark},
+                             context);
+}
+
+/// A plane that divides a set which is not convex: of those of its items that stand in the way.
+class DividingPlane {
+ public:
+  DividingPlane(const SpaceComplex& complex, int dimension) : c_(complex), dimension_(dimension) {}
+
+  /// None: points are taken out, by no planes (plane_through_lone_vertex()).
+  std::optional<Plane3> find() {
+    if (dimension_ == 3) {
+      gather_in_space();
+    } else {
+      gather_in_plane();
+    }
+    if (planes_.empty()) gather_vertices();
+    if (planes_.empty()) return std::nullopt;
+    std::sort(planes_.begin(), planes_.end());
+    planes_.erase(std::unique(planes_.begin(), planes_.end()), planes_.end());
+    const PlaneId best = best_of(planes_);
+    const IntegerRow row = c_.planes().primitive(best);
+    return Plane3{Rational(row[0]), Rational(row[1]), Rational(row[2]), Rational(row[3])};
+  }
+
+ private:
+  void gather_in_space() {
+    for (const EdgeId e : reflex_edges(c_)) {
+      edges_.push_back(e);
+      const UseId first = c_.edge_use[e.value()];
+      if (!first.is_valid()) {
+        for (const PlaneId p : c_.edge_planes[e.value()]) take(p);
+        continue;
+      }
+      UseId u = first;
+      do {
+        take(c_.facet_plane[c_.use_facet[u.value()].value()]);
+        u = c_.use_radial[u.value()];
+      } while (u != first);
+    }
+  }
+
+  /// Lines of sides that end in a corner of more than half a turn, or run into the facet.
+  void gather_in_plane() {
+    const FacetId f = marked_facet();
+    flat_ = c_.facet_plane[f.value()];
+    for (const UseId cycle : c_.cycles_of(f)) {
+      UseId u = cycle;
+      do {
+        const UseId before = c_.use_prev[u.value()];
+        const EdgeId e = SpaceComplex::edge_of(c_.use_halfedge[u.value()]);
+        const bool is_slit = e == SpaceComplex::edge_of(c_.use_halfedge[before.value()]);
+        if (c_.vertex_mark[c_.use_origin(u).value()] != kBeyond &&
+            (is_slit || corner_sign(c_, u) == Sign::Negative)) {
+          for (const PlaneId p : c_.edge_planes[e.value()]) take(p);
+        }
+        u = c_.use_next[u.value()];
+      } while (u != cycle);
+    }
+  }
+
+  /// Points taken out: a plane that defines them, or one through them parallel to an axis's.
+  void gather_vertices() {
+    for (std::size_t v = 0; v < c_.vertex_count() && planes_.empty(); ++v) {
+      if (c_.vertex_mark[v] == kBeyond || !c_.star_of(VertexId(v)).empty()) continue;
+      const SpacePoint x = c_.vertex_point[v];
+      if (!x.is_input()) {
+        const PointSource& source = c_.points().source(x);
+        for (std::size_t i = 0; i < source.plane_count(); ++i) take(source.plane(i));
+      }
+    }
+  }
+
+  FacetId marked_facet() const {
+    const auto f = std::find(c_.facet_mark.begin(), c_.facet_mark.end(), Mark{1});
+    return FacetId(static_cast<std::size_t>(f - c_.facet_mark.begin()));
+  }
+
+  void take(PlaneId p) {
+    if (p != flat_ && !c_.planes().is_frame(p)) planes_.push_back(p);
+  }
+
+  /// Crosses the fewest of the edges in the way, less those it holds.
+  PlaneId best_of(const std::vector<PlaneId>& planes) const {
+    constexpr std::size_t kMost = 64;
+    PlaneId best;
+    long best_score = 0;
+    const std::size_t step = 1 + planes.size() / kMost;
+    for (std::size_t i = 0; i < planes.size(); i += step) {
+      long score = 0;
+      for (const EdgeId e : edges_) {
+        const Sign a = side_of_end(2 * e.value(), planes[i]),
+                   b = side_of_end(2 * e.value() + 1, planes[i]);
+        if (a * b == Sign::Negative) ++score;
+        if (a == Sign::Zero && b == Sign::Zero) --score;
+      }
+      if (!best.is_valid() || score < best_score)
+        std::tie(best, best_score) = std::pair(planes[i], score);
+    }
+    return best;
+  }
+  Sign side_of_end(std::size_t h, PlaneId p) const {
+    return side(c_.points(), c_.vertex_point[c_.origin[h].value()], p);
+  }
+
+  const SpaceComplex& c_;
+  int dimension_;
+  PlaneId flat_;
+  std::vector<PlaneId> planes_;
+  std::vector<EdgeId> edges_;
+};
+
+/// The plane through a lone vertex parallel to x = 0, or y = 0 where the set lies in the former.
+std::optional<Plane3> plane_through_lone_vertex(const SetPart& part) {
+  const SpaceComplex& c = part.set.complex();
+  for (std::size_t v = 0; v < c.vertex_count(); ++v) {
+    if (c.vertex_mark[v] == kBeyond || !c.star_of(VertexId(v)).empty()) continue;
+    if (!c.vertex_point[v].is_input()) continue;
+    const Point3& at = c.points().planes().point(c.vertex_point[v].input());
+    const FacetId f = c.vertex_facet[v];
+    const bool is_flat =
+        part.dimension == 2 && f.is_valid() &&
+        minor_sign(c.planes(), c.facet_plane[f.value()], kPlaneX, 1) == Sign::Zero &&
+        minor_sign(c.planes(), c.facet_plane[f.value()], kPlaneX, 2) == Sign::Zero;
+    if (is_flat) return Plane3{0, 1, 0, -Rational(at.y)};
+    return Plane3{1, 0, 0, -Rational(at.x)};
+  }
+  return std::nullopt;
+}
+
+class SetCutter {
+ public:
+  explicit SetCutter(Context& context) : context_(context) {}
+
+  std::vector<Nef3> run(SetPart part) {
+    std::vector<SetPart> left{std::move(part)};
+    std::vector<Nef3> done;
+    while (!left.empty()) {
+      context_.checkpoint("cutting", done.size(), done.size() + left.size());
+      const SetPart next = std::move(left.back());
+      left.pop_back();
+      const Nef3 inside = next.dimension < 2 ? Nef3() : relative_interior(next, context_);
+      if (next.dimension < 2 || inside.is_convex()) {
+        done.push_back(next.set);
+      } else {
+        divide(next, plane_of({inside, next.dimension}), left);
+      }
+    }
+    return done;
+  }
+
+ private:
+  static Plane3 plane_of(const SetPart& inside) {
+    std::optional<Plane3> plane = DividingPlane(inside.set.complex(), inside.dimension).find();
+    if (!plane) plane = plane_through_lone_vertex(inside);
+    PLUMB_CHECK(plane.has_value());
+    return *plane;
+  }
+
+  /// What the lower side keeps of the plane is what its interior reaches; the rest goes to the upper side.
+  void divide(const SetPart& part, const Plane3& plane, std::vector<SetPart>& left) {
+    Nef3 low = combine(part.set, plane, Section::ClosedHalfSpace, kIntersection, context_);
+    Nef3 high = combine(part.set, plane, Section::ClosedHalfSpace, kDifference, context_);
+    std::vector<SetPart> below = parts_of(low, context_);
+    for (const SetPart& p : below) {
+      if (p.dimension < part.dimension) high = combine(high, p.set, kUnion, context_);
+    }
+    std::vector<SetPart> above = parts_of(high, context_);
+    std::erase_if(below, [&](const SetPart& p) { return p.dimension < part.dimension; });
+    PLUMB_CHECK(!below.empty() && !above.empty());
+    std::move(above.rbegin(), above.rend(), std::back_inserter(left));
+    std::move(below.rbegin(), below.rend(), std::back_inserter(left));
+  }
+
+  Context& context_;
+};
+
+}  // namespace
+
+std::vector<Nef3> cut_set(const SetPart& part, Context& context) {
+  return SetCutter(context).run(part);
+}
+
+}  // namespace plumb
