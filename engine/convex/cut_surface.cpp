@@ -170,7 +170,8 @@ class SurfaceReader {
 
 std::optional<CutSurface> cut_surface_of(const SpaceComplex& part) {
   const auto& marks = part.volume_mark;
-  if (has_frame(part) || std::count(marks.begin(), marks.end(), Mark{1}) != 1) return std::nullopt;
+  if (has_frame(part) || part.volume_mark[0] == 1) return std::nullopt;  // not bounded
+  if (std::count(marks.begin(), marks.end(), Mark{1}) != 1) return std::nullopt;
   const auto body = std::find(marks.begin(), marks.end(), Mark{1});
   return SurfaceReader(part, VolumeId(static_cast<std::size_t>(body - marks.begin()))).run();
 }

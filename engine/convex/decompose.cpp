@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "plumb/base/error.h"
 #include "plumb/convex/convexity.h"
 #include "plumb/convex/cuts.h"
 #include "plumb/convex/merge_pieces.h"
@@ -39,6 +40,9 @@ void add_pieces(const SetPart& part, const DecomposeOptions& options, Context& c
 }  // namespace
 
 ConvexPieces decompose(const Nef3& set, const DecomposeOptions& options, Context& context) {
+  if (options.method == DecomposeMethod::Walls) {
+    throw Error(ErrorCode::BadArgument, "no decomposition by walls yet");
+  }
   const Nef3 whole = without_wall_origins(set);
   ConvexPieces result;
   result.reflex_edges = reflex_edges(whole.complex()).size();

@@ -2,8 +2,9 @@
 //
 // Main flow of decompose():
 //  1. parts_of    (set_parts.h) the set by dimension: each marked volume with the boundary it owns, what dangles
-//  2. cut         planes through reflex edges, until nothing is reflex (cuts.h); or vertical walls (walls.h)
-//  3. merge       (merge_pieces.h) Best only: neighbours whose union is convex become one
+//  2. cut_solid   (cuts.h) planes through reflex edges, until nothing is reflex; cut_set() where a part is no solid
+//                 with one connected surface
+//  3. merge_pieces (merge_pieces.h) Best only: neighbours whose union is convex become one
 //
 // Any set: open, closed, half-open, unbounded, not a manifold, with voids, several components, dangling facets, edges
 // and points. Each piece is of one dimension and convex but for points of its boundary: its relative interior is
@@ -31,8 +32,8 @@ namespace plumb {
 
 enum class DecomposeMethod : std::uint8_t {
   Cuts,   ///< planes through reflex edges, each through the whole piece
-  Walls,  ///< vertical walls through reflex edges: O(r^2) pieces
-  Best,   ///< the one with fewer pieces, then merged
+  Walls,  ///< vertical walls through reflex edges: O(r^2) pieces. Not here yet: Error{BadArgument}
+  Best,   ///< Cuts, then merged
 };
 
 struct DecomposeOptions {

@@ -1,0 +1,106 @@
+#include "oracle/pieces_check.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/space_audit.h"
+#include "plumb/space/space_measure.h"
+
+namespace plumb::testing {
+namespace {
+
+std::vector<RationalPoint3> finite_vertices(const SpaceComplex& c) {
+  std::vector<RationalPoint3> vertices;
+  for (std::size_t v = 0; v < c.vertex_count(); ++v) {
+    const SpacePoint x = c.vertex_point[v];
+    if (c.vertex_mark[v] == kBeyond) continue;
+    vertices.push_back(exact(c.points(), x));
+  }
+  return vertices;
+}
+
+/// n.x + d of the facet's canonical plane.
+Rational height(const SpaceComplex& c, FacetId f, const RationalPoint3& p) {
+  const IntegerRow row = c.planes().coefficients(c.facet_plane[f.value()]);
+  return Rational(row[0]) * p.x + Rational(row[1]) * p.y + Rational(row[2]) * p.z +
+         Rational(row[3]);
+}
+
+/// Of a piece with a volume: every vertex behind every facet.
+bool is_supported(const SpaceComplex& c) {
+  const std::vector<RationalPoint3> vertices = finite_vertices(c);
+  for (std::size_t f = 0; f < c.facet_count(); ++f) {
+    if (c.facet_mark[f] == kBeyond) continue;
+    const auto& [above, below] = c.facet_volume[f];
+    const bool is_above = c.volume_mark[above.value()] == 1;
+    if (is_above == (c.volume_mark[below.value()] == 1)) return false;
+    for (const RationalPoint3& p : vertices) {
+      const Rational h = height(c, FacetId(f), p);
+      if (is_above ? h < 0 : h > 0) return false;
+    }
+  }
+  return true;
+}
+
+std::size_t count(const std::vector<Mark>& marks) {
+  return static_cast<std::size_t>(std::count(marks.begin(), marks.end(), Mark{1}));
+}
+
+/// Of one dimension and, without its boundary, convex.
+bool is_one_cell(const Nef3& piece) {
+  const SpaceComplex& c = piece.complex();
+  Context context;
+  if (count(c.volume_mark) > 0) {
+    if (count(c.volume_mark) > 1 || !piece.interior().is_convex()) return false;
+    return piece <= piece.regularization() && is_supported(c);
+  }
+  if (count(c.facet_mark) > 0) {
+    const SpaceMarks open{std::vector<Mark>(c.vertex_count(), 0),
+                          std::vector<Mark>(c.edge_count(), 0), c.facet_mark, c.volume_mark};
+    const Nef3 inside = piece.with_marks(open, context);
+    return count(c.facet_mark) == 1 && inside.is_convex() && piece <= inside.closure();
+  }
+  if (count(c.edge_mark) > 0) return count(c.edge_mark) == 1 && piece.closure().is_convex();
+  return count(c.vertex_mark) == 1;
+}
+
+std::string name(const std::string& what, std::size_t piece) {
+  return what + ": piece " + std::to_string(piece);
+}
+
+std::string overlap(const std::vector<Nef3>& pieces, bool closed) {
+  constexpr std::size_t kMost = 40;  // pairs of all
+  for (std::size_t i = 0; i < std::min(pieces.size(), kMost); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Nef3 common =
+          closed ? pieces[i].interior() * pieces[j].interior() : pieces[i] * pieces[j];
+      if (!common.is_empty()) return name("overlaps piece " + std::to_string(j), i);
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string flaw_of_pieces(const Nef3& set, const ConvexPieces& result, bool closed) {
+  const std::vector<Nef3>& pieces = result.pieces;
+  Rational volume = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const SpaceComplex& c = pieces[i].complex();
+    if (const auto flaw = audit(c, true)) return name(flaw->invariant + " at " + flaw->place, i);
+    if (!is_one_cell(pieces[i])) return name("not one convex cell", i);
+    if (set.is_bounded()) volume += *marked_volume(c);
+  }
+  if (set.is_bounded() && volume != *marked_volume(set.complex())) return "volumes do not add up";
+  Context context;
+  const Nef3 all = union_of(pieces, context);
+  if (!(all == (closed ? set.closure() : set))) return "the union is another set";
+  return overlap(pieces, closed);
+}
+
+std::size_t bound_of_cuts(std::size_t components, std::size_t r) {
+  return components + (r * r + r) / 2;
+}
+
+}  // namespace plumb::testing
