@@ -12,7 +12,8 @@ namespace plumb {
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
-constexpr std::size_t kFewSegments = 32;  // fewer are all compared with each other
+constexpr std::size_t kFewSegments = 32;     // fewer are all compared with each other
+constexpr std::uint64_t kContactBytes = 64;  // and its share of a crossing
 constexpr double kRough = 0x1p-44;
 constexpr std::size_t kFewIslands = 8;  // fewer look at every arc
 
@@ -36,9 +37,9 @@ void FaceArrangement::clear() {
   arcs.clear();
 }
 
-void FaceArrangement::run(SurfaceBundles& bundles) {
+void FaceArrangement::run(SurfaceBundles& bundles, Context& context) {
   orient_segments();
-  find_contacts();
+  find_contacts(context);
   split();
   if (overlaps_) merge_overlaps(bundles);
   link();
@@ -57,14 +58,22 @@ void FaceArrangement::orient_segments() {
 }
 
 /// Rounding is monotone: boxes of rounded points that are apart prove their segments apart.
-void FaceArrangement::find_contacts() {
+void FaceArrangement::find_contacts(Context& context) {
   const auto n = static_cast<std::uint32_t>(segments.size());
   boxes_.clear();
   if (n > 1) {
     for (const FaceSegment& s : segments) boxes_.push_back(box_of(points, s));
   }
   if (n > kFewSegments) {
-    BoxTree(boxes_).for_each_pair_inside([&](std::uint32_t s, std::uint32_t t) { meet(s, t); });
+    MemoryCharge charge(context);
+    std::size_t pairs = 0, charged = 0;
+    BoxTree(boxes_).for_each_pair_inside([&](std::uint32_t s, std::uint32_t t) {
+      meet(s, t);
+      if (++pairs % 4096 != 0) return;
+      context.checkpoint("contacts in a face", pairs, pairs);
+      charge.add(kContactBytes * (contacts_.size() - charged), "contacts in a face");
+      charged = contacts_.size();
+    });
     return;
   }
   for (std::uint32_t s = 0; s < n; ++s) {

@@ -50,7 +50,8 @@ class FaceArrangement {
   std::vector<FaceSegment> segments;
 
   void clear();
-  void run(SurfaceBundles& bundles);
+  /// Errors: Cancelled, ResourceLimit.
+  void run(SurfaceBundles& bundles, Context& context);
 
   // Output. Half-edge r < ring_size runs from point r along the boundary; ring_size + 2 a and the one
   // after it are arc a and its reverse.
@@ -92,7 +93,7 @@ class FaceArrangement {
   std::uint32_t reverse(std::uint32_t h) const { return ((h - ring_size) ^ 1U) + ring_size; }
 
   void orient_segments();
-  void find_contacts();
+  void find_contacts(Context& context);
   void meet(std::uint32_t s, std::uint32_t t);
   bool is_inside(std::uint32_t point, const FaceSegment& s) const;
   void sharpen();

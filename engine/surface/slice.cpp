@@ -11,6 +11,9 @@ namespace plumb {
 namespace {
 
 constexpr std::uint32_t kNone = SurfaceArrangement::kNone;
+constexpr std::uint64_t kArcBytes = 160;    // with its half-edges, nodes and pieces
+constexpr std::uint64_t kEntryBytes = 600;  // of a polygon
+constexpr std::uint64_t kFaceBytes = 24;
 
 /// A polygon along something between two numbers: a piece of an edge (edge, interval), or a segment of a
 /// face between two nodes. `value`: +1 upwards (from the lower node to the higher).
@@ -54,9 +57,8 @@ class Slicer {
       : polygons_(polygons), mesh_(polygons.points.mesh()), context_(context), charge_(context) {}
 
   SurfaceArrangement run() {
-    charge_.add(
-        std::uint64_t{600} * polygons_.point.size() + std::uint64_t{24} * mesh_.face_count(),
-        "an arrangement on a surface");
+    charge_.add(kEntryBytes * polygons_.point.size() + kFaceBytes * mesh_.face_count(),
+                "an arrangement on a surface");
     nodes_ = make_nodes(polygons_);
     gather_uses();
     runs_ = add_up(run_uses_, out_.bundles);
@@ -181,7 +183,8 @@ class Slicer {
         face_.segments.push_back(
             {add_point(NodeId(s.low), f), add_point(NodeId(s.high), f), s.bundle, 1});
       }
-      face_.run(out_.bundles);
+      face_.run(out_.bundles, context_);
+      charge_.add(kArcBytes * face_.arcs.size(), "an arrangement on a surface");
       emit(slot);
     }
     out_.piece_begin.push_back(PieceId(out_.piece_slot.size()));

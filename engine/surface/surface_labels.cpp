@@ -7,6 +7,9 @@ namespace plumb {
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
+constexpr std::uint64_t kLabelBytes =
+    3 * sizeof(SignedEntry);  // before, while and after they are shifted
+constexpr std::size_t kChargeStep = 65536;
 
 /// Appends a + sign b, both ascending.
 void append_sum(std::span<const SignedEntry> a, std::span<const SignedEntry> b, std::int32_t sign,
@@ -32,7 +35,7 @@ class Labeller {
  public:
   Labeller(const SurfaceCells& cells, const CellJumps& jumps, std::size_t shapes, CellId outside,
            Context& context)
-      : cells_(cells), jumps_(jumps), outside_(outside), context_(context) {
+      : cells_(cells), jumps_(jumps), outside_(outside), context_(context), charge_(context) {
     labels_.separation.resize(shapes);
   }
 
@@ -40,7 +43,10 @@ class Labeller {
     gather_edges();
     grow_trees();
     spread();
-    for (std::uint32_t e = 0; e < cells_.edges.size(); ++e) check(e);
+    for (std::uint32_t e = 0; e < cells_.edges.size(); ++e) {
+      if (e % 4096 == 0) context_.checkpoint("labels", e, cells_.edges.size());
+      check(e);
+    }
     drop_failed();
     shift();
     return std::move(labels_);
@@ -116,6 +122,7 @@ class Labeller {
 
   void spread() {
     place_.resize(cells_.size());
+    std::size_t charged = 0;
     for (const Step& s : order_) {
       const auto begin = static_cast<std::uint32_t>(raw_.size());
       if (s.edge != kNone) {
@@ -125,7 +132,10 @@ class Labeller {
         append_sum(scratch_, jumps_[s.edge], cells_.edges[s.edge].to == s.cell ? 1 : -1, raw_);
       }
       place_[s.cell.value()] = {begin, static_cast<std::uint32_t>(raw_.size())};
-      if ((begin & 0xfffU) == 0) context_.checkpoint("labels", raw_.size(), raw_.size());
+      if (raw_.size() - charged < kChargeStep) continue;
+      context_.checkpoint("labels", raw_.size(), raw_.size());
+      charge_.add(kLabelBytes * (raw_.size() - charged), "labels");
+      charged = raw_.size();
     }
   }
   std::span<const SignedEntry> raw(CellId c) const {
@@ -246,6 +256,7 @@ class Labeller {
   const CellJumps& jumps_;
   CellId outside_;
   Context& context_;
+  MemoryCharge charge_;
   std::vector<std::uint32_t> edges_begin_;  // per cell
   std::vector<std::uint32_t> edges_of_;
   std::vector<Step> order_;  // cells, parents first, component by component
