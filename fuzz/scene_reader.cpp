@@ -45,7 +45,7 @@ void require_canonical(SurfacePolygons& polygons, SurfacePointId a, SurfacePoint
   }
 }
 
-void judge(SurfaceScene scene, const SceneText& text, Context& context) {
+void judge(SurfaceScene scene, const ParsedScene& text, Context& context) {
   oracle_reached();
   require_valid(scene.polygons);
   require(scene.polygons.size() == text.polygons.size(), "every polygon is there");
@@ -69,7 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const ReadOptions options{kFileName, (data[0] & 4U) != 0};
   Context context;
   try {
-    const SceneText parsed = parse_scene(text, options, context);
+    const ParsedScene parsed = parse_scene(text, options, context);
     judge(make_scene(parsed, mesh_number(data[0] & 3U), text, options, context), parsed, context);
   } catch (const Error& error) {
     require_place(error, text);

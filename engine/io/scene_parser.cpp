@@ -51,7 +51,7 @@ class SceneHandler : public nlohmann::json_sax<Json> {
         exact_decimals_(options.exact_decimals),
         context_(context) {}
 
-  SceneText read() {
+  ParsedScene read() {
     Json::sax_parse(places_.begin(), places_.end(), this);
     check_members();
     check_indices(scene_.polygons, scene_.point_face.size(), "point");
@@ -90,22 +90,22 @@ class SceneHandler : public nlohmann::json_sax<Json> {
   bool take_number(std::optional<std::uint64_t> value);
   void read_weight(std::string_view token);
   std::uint32_t index_of(std::optional<std::uint64_t> value) const;
-  void add_index(SceneText::Lists& lists, std::uint32_t index);
-  void end_list(SceneText::Lists& lists);
+  void add_index(ParsedScene::Lists& lists, std::uint32_t index);
+  void end_list(ParsedScene::Lists& lists);
   void add_point();
   void add_near_side(const std::array<Rational, 2>& weights);
-  SceneText::Lists& lists() {
+  ParsedScene::Lists& lists() {
     return member_ == Member::Polygons ? scene_.polygons : scene_.shapes;
   }
   void check_members() const;
-  void check_indices(const SceneText::Lists& lists, std::size_t count, const char* what) const;
+  void check_indices(const ParsedScene::Lists& lists, std::size_t count, const char* what) const;
 
   const char* begin_;
   JsonPlaces places_;
   NumberReader nearest_, exact_;
   bool exact_decimals_;
   Context& context_;
-  SceneText scene_;
+  ParsedScene scene_;
 
   bool is_open_ = false;  // the object, and a member of it
   Member member_ = Member::Other;
@@ -210,7 +210,7 @@ void SceneHandler::check_members() const {
   }
 }
 
-void SceneHandler::check_indices(const SceneText::Lists& lists, std::size_t count,
+void SceneHandler::check_indices(const ParsedScene::Lists& lists, std::size_t count,
                                  const char* what) const {
   for (std::size_t i = 0; i < lists.items.size(); ++i) {
     if (lists.items[i] < count) continue;
@@ -268,14 +268,14 @@ std::uint32_t SceneHandler::index_of(std::optional<std::uint64_t> value) const {
   return static_cast<std::uint32_t>(*value);
 }
 
-void SceneHandler::add_index(SceneText::Lists& lists, std::uint32_t index) {
+void SceneHandler::add_index(ParsedScene::Lists& lists, std::uint32_t index) {
   with_place(places_.cursor_at_token(),
              [&] { context_.charge_memory(kBytesPerIndex, "the scene"); });
   lists.items.push_back(index);
   lists.places.push_back(place());
 }
 
-void SceneHandler::end_list(SceneText::Lists& lists) {
+void SceneHandler::end_list(ParsedScene::Lists& lists) {
   with_place(places_.cursor_at_token(),
              [&] { context_.charge_memory(kBytesPerIndex, "the scene"); });
   lists.begin.push_back(static_cast<std::uint32_t>(lists.items.size()));
@@ -344,7 +344,7 @@ void SceneHandler::add_near_side(const std::array<Rational, 2>& weights) {
 
 }  // namespace
 
-SceneText parse_scene(std::string_view text, const ReadOptions& options, Context& context) {
+ParsedScene parse_scene(std::string_view text, const ReadOptions& options, Context& context) {
   const RoundToNearest rounding;
   return SceneHandler(text, options, context).read();
 }

@@ -26,8 +26,8 @@ SurfacePointId add_on_edge(SurfacePointTable& points, HalfedgeId h,
 
 class SceneMaker {
  public:
-  SceneMaker(const SceneText& scene, std::shared_ptr<const SurfaceMesh> mesh, std::string_view text,
-             const ReadOptions& options, Context& context)
+  SceneMaker(const ParsedScene& scene, std::shared_ptr<const SurfaceMesh> mesh,
+             std::string_view text, const ReadOptions& options, Context& context)
       : in_(scene), mesh_(std::move(mesh)), text_(text), name_(options.name), context_(context) {}
 
   SurfaceScene run() {
@@ -114,7 +114,7 @@ class SceneMaker {
          in_.polygons.places[a]);
   }
 
-  const SceneText& in_;
+  const ParsedScene& in_;
   std::shared_ptr<const SurfaceMesh> mesh_;
   std::string_view text_;
   const std::string& name_;
@@ -140,7 +140,7 @@ std::size_t turned_faces(const SurfaceMesh& mesh) {
 
 }  // namespace
 
-SurfaceScene make_scene(const SceneText& scene, std::shared_ptr<const SurfaceMesh> mesh,
+SurfaceScene make_scene(const ParsedScene& scene, std::shared_ptr<const SurfaceMesh> mesh,
                         std::string_view text, const ReadOptions& options, Context& context) {
   return SceneMaker(scene, std::move(mesh), text, options, context).run();
 }
@@ -160,7 +160,7 @@ SceneFile read_scene_file(const std::string& path, ReadOptions options, Context&
   namespace fs = std::filesystem;
   options.name = input_name(path);
   const std::string text = read_input(path, context);
-  const SceneText scene = parse_scene(text, options, context);
+  const ParsedScene scene = parse_scene(text, options, context);
   const fs::path folder = path == "-" ? fs::path() : fs::path(path).parent_path();
   std::string model = (folder / scene.model).string();
   if (model == "-") model = "./-";

@@ -39,7 +39,7 @@
 namespace plumb {
 
 /// A scene as it is written; indices of points and of polygons are right.
-struct SceneText {
+struct ParsedScene {
   /// A list of lists of indices, flat, with the place of each index in the text.
   struct Lists {
     std::vector<std::uint32_t> begin = {0};
@@ -61,10 +61,10 @@ struct SceneText {
 };
 
 /// Step 1.
-SceneText parse_scene(std::string_view text, const ReadOptions& options, Context& context);
+ParsedScene parse_scene(std::string_view text, const ReadOptions& options, Context& context);
 
 /// Steps 3 and 4. `text` is what was parsed.
-SurfaceScene make_scene(const SceneText& scene, std::shared_ptr<const SurfaceMesh> mesh,
+SurfaceScene make_scene(const ParsedScene& scene, std::shared_ptr<const SurfaceMesh> mesh,
                         std::string_view text, const ReadOptions& options, Context& context);
 
 /// Polygons as fans of triangles, in order. Errors: those of SurfaceMesh.

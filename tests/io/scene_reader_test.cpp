@@ -34,7 +34,7 @@ std::string scene(const std::string& points, const std::string& polygon) {
 
 TEST(scene_reader, says_what_is_written) {
   Context context;
-  const SceneText text = parse_scene(
+  const ParsedScene text = parse_scene(
       R"({"model": "a/b.obj", "name": {"x": [1, {}]}, "outside": 7, "shapes": [[1, 0], []],
           "points": [[0, 0.25, 0.5], [1, 0, 1], [2, "1/3", "1/3"]], "polygons": [[0, 1, 2], [2]]})",
       kOptions, context);
