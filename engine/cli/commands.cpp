@@ -32,6 +32,9 @@ std::unique_ptr<CommandBody> make_solid_halfspaces();
 std::unique_ptr<CommandBody> make_solid_info();
 std::unique_ptr<CommandBody> make_solid_locate();
 std::unique_ptr<CommandBody> make_solid_compare();
+std::unique_ptr<CommandBody> make_surface_cells();
+std::unique_ptr<CommandBody> make_surface_boolean();
+std::unique_ptr<CommandBody> make_surface_draw();
 std::unique_ptr<CommandBody> make_view();
 std::unique_ptr<CommandBody> make_audit();
 std::unique_ptr<CommandBody> make_demo();
@@ -125,6 +128,16 @@ std::span<const Command> commands() {
       Command{"solid compare", "A B", "Equal? One in the other? Disjoint?",
               "./plumb solid compare corpus/solids/l-block.off corpus/solids/l-block.off",
               make_solid_compare},
+      Command{"surface cells", "SCENE", "The cells that polygons on a mesh make, and their labels",
+              "./plumb surface cells corpus/scenes/torus.json --json", make_surface_cells},
+      Command{"surface boolean", "SCENE --op EXPR",
+              "What an expression over shapes selects: area, border loops",
+              "./plumb surface boolean corpus/scenes/torus.json --op 'A + B * !C' -o out.obj",
+              make_surface_boolean},
+      Command{"surface draw", "SCENE --what WHAT",
+              "polygons, slices, cells, labels or a result: .png, .svg, .html, .glb",
+              "./plumb surface draw corpus/scenes/torus.json --what labels -o out.html",
+              make_surface_draw},
       Command{"view", "FILE", "A picture of a map, a set or a solid: .png, .svg, .html, .glb",
               "./plumb view corpus/solids/square-hole.off -o out.html", make_view},
       Command{"audit", "FILE", "Does every invariant of the structure in FILE hold?",
@@ -141,6 +154,7 @@ std::span<const CommandGroup> command_groups() {
   static constexpr std::array kGroups{
       CommandGroup{"plane", "Sets of the plane, exactly: union ... regularize, info, locate"},
       CommandGroup{"solid", "Sets of space, exactly: union ... section, info, compare"},
+      CommandGroup{"surface", "Polygons on meshes, exactly: cells, boolean, draw"},
   };
   return kGroups;
 }

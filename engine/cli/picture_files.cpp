@@ -68,6 +68,35 @@ std::string picture_of(const Nef3& set, Picture picture, const std::string& titl
   });
 }
 
+std::string picture_of(const SurfaceDivision& division, const SurfaceResult* result,
+                       SurfaceLayer shown, Picture picture, const std::string& title,
+                       Context& context) {
+  const SurfaceTriangulation triangles = triangulate_surface(division, context);
+  Scene scene = scene_of(division, triangles, result);
+  scene.shown = bit(shown);
+  const SceneText text{title, scene.layers[static_cast<std::size_t>(shown)].name,
+                       facts_of(division)};
+  return written([&](std::ostream& out) {
+    switch (picture) {
+      case Picture::Png:
+        out << png_bytes(rendered(scene));
+        break;
+      case Picture::Svg: {
+        const Rendering rendering = rendered_without_text(scene, kPageImage);
+        const std::string png = png_bytes(rendering.image);
+        write_scene_svg(out, scene, {text, png, rendering.texts, ""});
+        break;
+      }
+      case Picture::Html:
+        write_scene_html(out, scene, text);
+        break;
+      case Picture::Glb:
+        write_scene_glb(out, scene, title);
+        break;
+    }
+  });
+}
+
 std::string picture_of(const Nef2& set, Picture picture, const std::string& title) {
   const bool has_text = picture == Picture::Svg || picture == Picture::Html;
   std::ostringstream svg;

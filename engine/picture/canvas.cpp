@@ -63,6 +63,14 @@ void Canvas::dot(Spot at, double radius, Colour colour, bool is_hollow, double p
   if (is_hollow) stamp(at, radius * .6, kWhite, part);
 }
 
+void Canvas::stroke(Point2 a, Point2 b, double width, Colour colour) {
+  const auto steps = static_cast<std::uint32_t>(std::ceil(std::hypot(b.x - a.x, b.y - a.y))) + 1;
+  for (std::uint32_t i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    stamp({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), 0}, width / 2, colour, 1);
+  }
+}
+
 Image Canvas::finish(std::uint32_t samples) {
   for (std::size_t s = 0; s < ink_.size(); ++s) {
     if (ink_[s].part != 0) blend(s, ink_[s].colour, ink_[s].part / 255.);

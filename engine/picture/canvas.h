@@ -53,6 +53,11 @@ class Canvas {
   /// A disc, or a ring around white.
   void dot(Spot at, double radius, Colour colour, bool is_hollow, double part);
 
+  /// A line over everything, with round ends.
+  void stroke(Point2 a, Point2 b, double width, Colour colour);
+  /// The patch seen at each sample; Scene::kNoPatch.
+  const std::vector<std::uint32_t>& patches() const { return patch_; }
+
   /// The mean of each `samples` x `samples` block.
   Image finish(std::uint32_t samples);
 

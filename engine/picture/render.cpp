@@ -1,11 +1,16 @@
 #include "plumb/picture/render.h"
 
+#include <algorithm>
 #include <limits>
+#include <utility>
+
+#include "plumb/picture/stroke_font.h"
 
 namespace plumb {
 namespace {
 
 constexpr Colour kPaper{255, 255, 255};
+constexpr Colour kInk{0x12, 0x1a, 0x24};
 constexpr std::uint32_t kSamples = 2;  // along each side of a pixel
 constexpr double kMargin = 0.06;       // of the picture, on every side
 constexpr double kLineWidth = 2;       // pixels
@@ -14,6 +19,7 @@ constexpr double kDotRadius = 5;
 constexpr double kInkedPart = 0.12;  // of the picture: more lines get thinner
 constexpr double kVeil = 0.35;
 constexpr std::size_t kManyDots = 300;
+constexpr double kLeastText = 11;  // pixels
 
 double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
@@ -52,19 +58,52 @@ class Renderer {
   Renderer(const Scene& scene, const RenderOptions& options)
       : scene_(scene),
         canvas_(kSamples * options.width, kSamples * options.height, kPaper),
-        camera_(scene, canvas_.width(), canvas_.height()) {
+        camera_(scene, canvas_.width(), canvas_.height()),
+        text_height_(options.text_height) {
     for (const Point3& p : scene.points) spots_.push_back(camera_.place(p));
   }
 
   Image run() {
+    draw();
+    for (const PlacedText& text : texts()) write(text);
+    return canvas_.finish(kSamples);
+  }
+  Rendering run_without_text() {
+    draw();
+    std::vector<PlacedText> placed = texts();
+    for (PlacedText& text : placed) {
+      text = {
+          {text.middle.x / kSamples, text.middle.y / kSamples}, text.height / kSamples, text.text};
+    }
+    return {canvas_.finish(kSamples), std::move(placed)};
+  }
+
+ private:
+  void draw() {
+    for (const Scene::Patch& patch : scene_.patches) colours_.push_back(lit(patch));
     for (const Scene::Triangle& t : scene_.triangles) fill(t);
     for (const Scene::Triangle& t : scene_.triangles) veil(t);
     draw_lines();
     draw_dots();
-    return canvas_.finish(kSamples);
   }
 
- private:
+  std::vector<PlacedText> texts() const {
+    if (!scene_.shows_text()) return {};
+    return place_texts(scene_, canvas_, kSamples * kLeastText, kSamples * text_height_);
+  }
+  /// Dark letters with a light rim: legible on any ground.
+  void write(const PlacedText& text) {
+    const std::vector<TextStroke> strokes = strokes_of(text.text);
+    const auto place = [&text](Point2 p) {
+      return Point2{text.middle.x + text.height * p.x, text.middle.y + text.height * p.y};
+    };
+    for (const auto& [width, colour] : {std::pair(.34, kPaper), std::pair(.13, kInk)}) {
+      for (const auto& [a, b] : strokes) {
+        canvas_.stroke(place(a), place(b), width * text.height, colour);
+      }
+    }
+  }
+
   template <class Visit>
   void for_samples(const Scene::Triangle& t, const Visit& visit) const {
     canvas_.for_triangle(spots_[t.corners[0]], spots_[t.corners[1]], spots_[t.corners[2]], visit);
@@ -75,7 +114,7 @@ class Renderer {
 
   /// Lit from above on the left, whichever side is seen.
   Colour lit(const Scene::Patch& patch) const {
-    const Colour colour = style_of(patch.paint).colour;
+    const Colour colour = scene_.colour_of(patch);
     if (scene_.is_flat) return colour;
     Point3 n = patch.normal;
     if (dot(n, camera_.viewer()) < 0) n = {-n.x, -n.y, -n.z};
@@ -88,7 +127,7 @@ class Renderer {
   void fill(const Scene::Triangle& t) {
     const Scene::Patch& patch = scene_.patches[t.patch];
     if (patch.paint == Paint::Cut) return;
-    const Colour colour = lit(patch);
+    const Colour colour = colours_[t.patch];
     for_samples(t, [&](std::size_t sample, const Spot& spot) {
       canvas_.put(sample, spot.z, t.patch,
                   scene_.fades ? mixed(kPaper, colour, strength(spot)) : colour);
@@ -99,7 +138,7 @@ class Renderer {
   void veil(const Scene::Triangle& t) {
     const Scene::Patch& patch = scene_.patches[t.patch];
     if (patch.paint != Paint::Cut || dot(patch.normal, camera_.viewer()) <= 0) return;
-    const Colour colour = lit(patch);
+    const Colour colour = colours_[t.patch];
     for_samples(t, [&](std::size_t sample, const Spot& spot) {
       if (spot.z > canvas_.depth(sample)) canvas_.blend(sample, colour, kVeil);
     });
@@ -109,27 +148,39 @@ class Renderer {
   void draw_lines() {
     double length = 1;
     for (const Scene::Line& l : scene_.lines) {
+      if (!scene_.is_shown(l) || is_curve(l.paint)) continue;
       const Spot &a = spots_[l.ends[0]], &b = spots_[l.ends[1]];
       length += std::hypot(a.x - b.x, a.y - b.y);
     }
     const double room = kInkedPart * canvas_.width() * canvas_.height() / length / kSamples;
     const double width = std::min(kLineWidth, std::max(room, .5));
     const double part = std::min(1., std::max(room / .5, .15));
-    for (const Paint paint : {Paint::Edge, Paint::OpenEdge, Paint::FreeEdge, Paint::Defect}) {
-      for (const Scene::Line& l : scene_.lines) {
-        if (l.paint != paint) continue;
-        const bool is_plain = paint == Paint::Edge || paint == Paint::OpenEdge;
-        const double own = is_plain ? width : std::min(kFreeLineWidth, 1.6 * width);
-        canvas_.line(spots_[l.ends[0]], spots_[l.ends[1]], kSamples * own, l.patches,
-                     style_of(paint).colour,
-                     [&](const Spot& spot) { return part * strength(spot); });
-      }
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < scene_.lines.size(); ++i) {
+      if (scene_.is_shown(scene_.lines[i])) order.push_back(i);
+    }
+    const auto rank = [this](std::uint32_t i) {
+      const Paint paint = scene_.lines[i].paint;
+      return paint == Paint::Wire ? 0 : static_cast<int>(paint);
+    };
+    std::ranges::stable_sort(order, {}, rank);
+    for (const std::uint32_t i : order) {
+      const Scene::Line& l = scene_.lines[i];
+      const bool is_plain =
+          l.paint == Paint::Edge || l.paint == Paint::OpenEdge || l.paint == Paint::Wire;
+      const double own = is_curve(l.paint) ? kFreeLineWidth
+                         : is_plain        ? width
+                                           : std::min(kFreeLineWidth, 1.6 * width);
+      canvas_.line(
+          spots_[l.ends[0]], spots_[l.ends[1]], kSamples * own, l.patches, style_of(l.paint).colour,
+          [&](const Spot& spot) { return (is_curve(l.paint) ? 1 : part) * strength(spot); });
     }
   }
 
   void draw_dots() {
     const double radius = kSamples * (scene_.dots.size() > kManyDots ? kDotRadius / 2 : kDotRadius);
     for (const Scene::Dot& d : scene_.dots) {
+      if (!scene_.is_shown(d)) continue;
       const Spot& spot = spots_[d.at];
       canvas_.dot(spot, radius, style_of(d.paint).colour, d.paint == Paint::OpenPoint,
                   strength(spot));
@@ -139,7 +190,9 @@ class Renderer {
   const Scene& scene_;
   Canvas canvas_;
   Camera camera_;
+  double text_height_;
   std::vector<Spot> spots_;
+  std::vector<Colour> colours_;  // per patch, lit
 };
 
 }  // namespace
@@ -185,6 +238,10 @@ Point3 Camera::point_at(const Spot& spot) const {
 
 Image rendered(const Scene& scene, const RenderOptions& options) {
   return Renderer(scene, options).run();
+}
+
+Rendering rendered_without_text(const Scene& scene, const RenderOptions& options) {
+  return Renderer(scene, options).run_without_text();
 }
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 
 #include "plumb/picture/canvas.h"
 #include "plumb/picture/scene.h"
+#include "plumb/picture/text_places.h"
 
 namespace plumb {
 
@@ -30,9 +31,18 @@ class Camera {
 struct RenderOptions {
   std::uint32_t width = 1200;
   std::uint32_t height = 900;
+  double text_height = 24;  ///< of capitals, in pixels, where there is room
+};
+
+/// An image, and the texts that are not in it: places and heights in pixels.
+struct Rendering {
+  Image image;
+  std::vector<PlacedText> texts;
 };
 
 /// Deterministic. O(pixels + triangles).
 Image rendered(const Scene& scene, const RenderOptions& options = {});
+/// The same with text apart, for pages that have fonts.
+Rendering rendered_without_text(const Scene& scene, const RenderOptions& options = {});
 
 }  // namespace plumb

@@ -25,6 +25,16 @@ constexpr std::array<PaintStyle, kPaints> kStyles{{
     {{0xf3, 0xd9, 0xdc}, "", ""},
     {{0xe4, 0xdc, 0xf0}, "", ""},
     {{0xe9, 0xe6, 0xd3}, "", ""},
+    {{0xdf, 0xe3, 0xe8}, "", ""},
+    {{0x6f, 0x7a, 0x86}, "side", "of a triangle"},
+    {{0x1d, 0x27, 0x33}, "control point", "of a polygon"},
+    {{0xd0, 0x1c, 0x28}, "crossing", "of polygons"},
+    {{0x1f, 0x4f, 0xb4}, "", ""},
+    {{0xc4, 0x4e, 0x00}, "", ""},
+    {{0x0f, 0x7a, 0x36}, "", ""},
+    {{0xa1, 0x1c, 0x7c}, "", ""},
+    {{0x00, 0x7c, 0x8c}, "", ""},
+    {{0x6b, 0x4b, 0x1c}, "", ""},
 }};
 
 }  // namespace
@@ -38,13 +48,36 @@ std::string hex(Colour colour) {
   return text;
 }
 
-std::array<bool, kPaints> Scene::paints() const {
+std::array<bool, kPaints> Scene::paints(std::uint8_t layers_seen) const {
   std::array<bool, kPaints> occurs{};
   const auto see = [&occurs](Paint paint) { occurs[static_cast<std::size_t>(paint)] = true; };
   for (const Patch& p : patches) see(p.paint);
-  for (const Line& l : lines) see(l.paint);
-  for (const Dot& d : dots) see(d.paint);
+  for (const Line& l : lines) {
+    if ((l.layers & layers_seen) != 0) see(l.paint);
+  }
+  for (const Dot& d : dots) {
+    if ((d.layers & layers_seen) != 0) see(d.paint);
+  }
   return occurs;
+}
+
+const Scene::Layer* Scene::tinted() const {
+  for (std::size_t i = layers.size(); i-- > 0;) {
+    if (is_shown(i) && !layers[i].tints.empty()) return &layers[i];
+  }
+  return nullptr;
+}
+
+Colour Scene::colour_of(const Patch& patch) const {
+  const Layer* const layer = tinted();
+  return layer == nullptr ? style_of(patch.paint).colour : layer->tints[patch.group];
+}
+
+bool Scene::shows_text() const {
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (is_shown(i) && layers[i].has_text) return true;
+  }
+  return false;
 }
 
 double Scene::strength(const Point3& p) const {

@@ -2,7 +2,8 @@
 // with the paint that says what it is. Drawing may round; the engine never does.
 //
 // Flow from a set to a file:
-//  1. scene_of           (space_scene.h, plane_scene.h) the boundary of a set, cut at a window if it is unbounded
+//  1. scene_of           (space_scene.h, plane_scene.h) the boundary of a set, cut at a window if it is unbounded;
+//                        (surface_scene.h) a divided surface, in layers
 //  2. rendered           (render.h) the scene seen from one side as an image, or
 //     write_scene_glb    (scene_glb.h) for other programs, or
 //     write_scene_html   (scene_html.h) to be turned around in a browser
@@ -36,8 +37,27 @@ enum class Paint : std::uint8_t {
   Region4,
   Region5,
   Region6,
+  Surface,   ///< of a mesh that is drawn on, where no layer says otherwise
+  Wire,      ///< a side of a triangle
+  Control,   ///< a control point of a polygon
+  Crossing,  ///< where polygons meet
+  Curve,     ///< of a polygon; with the next ones, so that shapes differ
+  Curve2,
+  Curve3,
+  Curve4,
+  Curve5,
+  Curve6,
 };
-inline constexpr std::size_t kPaints = 16;
+inline constexpr std::size_t kPaints = 26;
+inline constexpr bool is_curve(Paint paint) { return paint >= Paint::Curve; }
+inline constexpr bool is_dot(Paint paint) {
+  return paint == Paint::Point || paint == Paint::OpenPoint || paint == Paint::Control ||
+         paint == Paint::Crossing;
+}
+inline constexpr bool is_line(Paint paint) {
+  return (paint >= Paint::Edge && paint <= Paint::FreeEdge) || paint == Paint::Defect ||
+         paint == Paint::Wire || is_curve(paint);
+}
 
 using Colour = std::array<std::uint8_t, 3>;
 
@@ -51,9 +71,12 @@ const PaintStyle& style_of(Paint paint);
 std::string hex(Colour colour);
 
 struct Scene {
+  static constexpr std::uint8_t kAllLayers = 0xff;
+
   struct Patch {
     Point3 normal;  ///< of length 1
     Paint paint;
+    std::uint32_t group = 0;
   };
   struct Triangle {
     std::array<std::uint32_t, 3> corners;  ///< counter-clockwise seen against the normal
@@ -63,10 +86,23 @@ struct Scene {
     std::array<std::uint32_t, 2> ends;
     Paint paint;
     std::array<std::uint32_t, 2> patches;  ///< two of those beside it; kNoPatch
+    std::uint8_t layers = kAllLayers;      ///< a bit for each layer it is in
   };
   struct Dot {
     std::uint32_t at;
     Paint paint;
+    std::uint8_t layers = kAllLayers;
+  };
+  /// Patches that belong together.
+  struct Group {
+    std::string name;
+    std::string text;  ///< to be written on it
+  };
+  /// What can be shown or not. Colours of patches are those of the last layer shown that has any.
+  struct Layer {
+    std::string name;
+    std::vector<Colour> tints;  ///< per group, or none
+    bool has_text = false;
   };
   static constexpr std::uint32_t kNoPatch = ~std::uint32_t{0};
 
@@ -75,6 +111,9 @@ struct Scene {
   std::vector<Triangle> triangles;
   std::vector<Line> lines;
   std::vector<Dot> dots;
+  std::vector<Group> groups;        ///< of sets: none
+  std::vector<Layer> layers;        ///< of sets: none, all of it is shown
+  std::uint8_t shown = kAllLayers;  ///< a bit for each layer
 
   bool is_flat = false;     ///< in the plane z = 0: looked at from above
   bool fades = false;       ///< towards the sides of the box +-half
@@ -83,8 +122,18 @@ struct Scene {
   Point3 quarter_centre = {0, 0, 0};
   double quarter_scale = .25;
 
-  /// Which paints occur.
-  std::array<bool, kPaints> paints() const;
+  template <class Item>
+  bool is_shown(const Item& item) const {
+    return (item.layers & shown) != 0;
+  }
+  bool is_shown(std::size_t layer) const { return (shown >> layer & 1U) != 0; }
+  /// The layer whose tints are shown, if any.
+  const Layer* tinted() const;
+  Colour colour_of(const Patch& patch) const;
+  bool shows_text() const;
+
+  /// Which paints occur in some layers.
+  std::array<bool, kPaints> paints(std::uint8_t layers_seen = kAllLayers) const;
   /// 1 well inside the box, 0 at its sides when the scene fades.
   double strength(const Point3& p) const;
 };

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
+#include <utility>
 
 namespace plumb {
 namespace {
@@ -41,8 +43,13 @@ class GlbWriter {
   }
 
   void write(std::ostream& out, const std::string& title) {
-    for (std::size_t i = 0; i < kPaints; ++i) add_triangles(static_cast<Paint>(i));
+    if (scene_.groups.empty()) {
+      for (std::size_t i = 0; i < kPaints; ++i) add_triangles(static_cast<Paint>(i));
+    } else {
+      add_groups();
+    }
     for (std::size_t i = 0; i < kPaints; ++i) add_lines(static_cast<Paint>(i));
+    if (!primitives_.empty()) end_mesh(title);
     finish(title);
     const auto padded = [](std::string bytes, char pad) {
       bytes.resize((bytes.size() + 3) / 4 * 4, pad);
@@ -109,11 +116,15 @@ class GlbWriter {
   }
 
   std::size_t add_material(Paint paint, bool is_line) {
+    return add_material(style_of(paint).colour, std::string(style_of(paint).name), is_line);
+  }
+
+  std::size_t add_material(Colour tint, const std::string& name, bool is_line) {
     Json colour = Json::array();
-    for (const std::uint8_t c : style_of(paint).colour) colour.push_back(linear(c));
+    for (const std::uint8_t c : tint) colour.push_back(linear(c));
     colour.push_back(1);
     Json material = {
-        {"name", std::string(style_of(paint).name)},
+        {"name", name},
         {"doubleSided", true},
         {"pbrMetallicRoughness",
          {{"baseColorFactor", colour}, {"metallicFactor", 0}, {"roughnessFactor", 0.9}}}};
@@ -122,38 +133,62 @@ class GlbWriter {
     return json_["materials"].size() - 1;
   }
 
-  /// A vertex for each patch and corner.
   void add_triangles(Paint paint) {
     if (paint == Paint::Cut) return;
+    std::vector<std::uint32_t> chosen;
+    for (std::uint32_t t = 0; t < scene_.triangles.size(); ++t) {
+      if (scene_.patches[scene_.triangles[t].patch].paint == paint) chosen.push_back(t);
+    }
+    if (!chosen.empty()) add_triangles(chosen, add_material(paint, false));
+  }
+
+  /// A mesh for each group; one material for each colour.
+  void add_groups() {
+    std::vector<std::vector<std::uint32_t>> chosen(scene_.groups.size());
+    for (std::uint32_t t = 0; t < scene_.triangles.size(); ++t) {
+      chosen[scene_.patches[scene_.triangles[t].patch].group].push_back(t);
+    }
+    std::map<Colour, std::size_t> materials;
+    for (std::size_t g = 0; g < chosen.size(); ++g) {
+      if (chosen[g].empty()) continue;
+      const Scene::Patch& patch = scene_.patches[scene_.triangles[chosen[g].front()].patch];
+      const Colour colour = scene_.colour_of(patch);
+      const auto [place, is_new] = materials.emplace(colour, 0);
+      if (is_new) place->second = add_material(colour, hex(colour), false);
+      add_triangles(chosen[g], place->second);
+      end_mesh(scene_.groups[g].name);
+    }
+  }
+
+  /// A vertex for each patch and corner.
+  void add_triangles(const std::vector<std::uint32_t>& chosen, std::size_t material) {
     std::vector<Point3> points, normals;
     std::vector<std::uint32_t> indices;
     std::unordered_map<std::uint64_t, std::uint32_t> numbers;
-    for (const Scene::Triangle& t : scene_.triangles) {
-      const Scene::Patch& patch = scene_.patches[t.patch];
-      if (patch.paint != paint) continue;
+    for (const std::uint32_t triangle : chosen) {
+      const Scene::Triangle& t = scene_.triangles[triangle];
       for (const std::uint32_t corner : t.corners) {
         const auto next = static_cast<std::uint32_t>(points.size());
         const auto [place, is_new] = numbers.emplace(std::uint64_t{t.patch} << 32U | corner, next);
         if (is_new) {
           points.push_back(scene_.points[corner]);
-          normals.push_back(patch.normal);
+          normals.push_back(scene_.patches[t.patch].normal);
         }
         indices.push_back(place->second);
       }
     }
-    if (indices.empty()) return;
     const std::size_t position = add_vectors(points, true), normal = add_vectors(normals, false);
     primitives_.push_back({{"mode", kTriangles},
                            {"attributes", {{"POSITION", position}, {"NORMAL", normal}}},
                            {"indices", add_indices(indices)},
-                           {"material", add_material(paint, false)}});
+                           {"material", material}});
   }
 
   void add_lines(Paint paint) {
     std::vector<Point3> points;
     std::vector<std::uint32_t> indices;
     for (const Scene::Line& line : scene_.lines) {
-      if (line.paint != paint) continue;
+      if (line.paint != paint || !scene_.is_shown(line)) continue;
       for (const std::uint32_t end : line.ends) {
         indices.push_back(static_cast<std::uint32_t>(points.size()));
         points.push_back(scene_.points[end]);
@@ -167,18 +202,41 @@ class GlbWriter {
                            {"material", add_material(paint, true)}});
   }
 
+  void end_mesh(const std::string& name) {
+    Json mesh = named(name);
+    mesh["primitives"] = std::exchange(primitives_, Json::array());
+    meshes_.push_back(std::move(mesh));
+  }
+
   /// Floats hold scene coordinates; the node has those of the set, if a float can.
   Json node() const {
     const double scale = 4 * scene_.quarter_scale;
     const Point3& c = scene_.quarter_centre;
     const double most = 4 * std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)});
     const double turned = std::sqrt(.5);
-    Json node = {{"mesh", 0}, {"rotation", {-turned, 0, 0, turned}}};  // z up becomes y up
+    Json node = {{"rotation", {-turned, 0, 0, turned}}};  // z up becomes y up
     if (scale > 1e-30 && scale < 1e30 && most < 1e30) {
       node["scale"] = {scale, scale, scale};
       node["translation"] = {4 * c.x, 4 * c.z, -4 * c.y};
     }
     return node;
+  }
+
+  /// One for one mesh; of several each has its own, below one that places them all.
+  Json nodes(const std::string& title) const {
+    Json root = node();
+    if (meshes_.size() == 1) {
+      root["mesh"] = 0;
+      return Json::array({std::move(root)});
+    }
+    root["name"] = title;
+    Json list = Json::array({Json::object()});
+    for (std::size_t i = 0; i < meshes_.size(); ++i) {
+      root["children"].push_back(i + 1);
+      list.push_back({{"name", meshes_[i]["name"]}, {"mesh", i}});
+    }
+    list[0] = std::move(root);
+    return list;
   }
 
   static Json named(const std::string& title) {
@@ -190,14 +248,12 @@ class GlbWriter {
   void finish(const std::string& title) {
     json_["scene"] = 0;
     if (has_lines_) json_["extensionsUsed"] = Json::array({"KHR_materials_unlit"});
-    if (primitives_.empty()) {  // glTF has no empty lists
+    if (meshes_.empty()) {  // glTF has no empty lists
       for (const char* list : {"bufferViews", "accessors", "materials"}) json_.erase(list);
       json_["nodes"] = Json::array({named(title)});
     } else {
-      Json mesh = named(title);
-      mesh["primitives"] = std::move(primitives_);
-      json_["meshes"] = Json::array({std::move(mesh)});
-      json_["nodes"] = Json::array({node()});
+      json_["nodes"] = nodes(title);
+      json_["meshes"] = std::move(meshes_);
       Json buffer = Json::object();
       buffer["byteLength"] = bytes_.size();
       json_["buffers"] = Json::array({std::move(buffer)});
@@ -210,6 +266,7 @@ class GlbWriter {
   const Scene& scene_;
   Json json_;
   Json primitives_;
+  Json meshes_ = Json::array();
   std::string bytes_;
   bool has_lines_ = false;
 };

@@ -63,7 +63,9 @@ Json line_widths() {
   Json list = Json::array();
   for (std::size_t i = 0; i < kPaints; ++i) {
     const auto paint = static_cast<Paint>(i);
-    list.push_back(paint == Paint::FreeEdge || paint == Paint::Defect ? 3.2 : 2);
+    list.push_back(paint == Paint::FreeEdge || paint == Paint::Defect || is_curve(paint) ? 3.2
+                   : paint == Paint::Wire                                                ? 1.4
+                                                                                         : 2);
   }
   return list;
 }
@@ -80,9 +82,11 @@ Json first_turn(const Scene& scene) {
   return columns;
 }
 
+/// Of those that get thinner when there are many.
 double length_of_lines(const Scene& scene) {
   double sum = 0;
   for (const Scene::Line& l : scene.lines) {
+    if (is_curve(l.paint)) continue;
     const Point3 &a = scene.points[l.ends[0]], &b = scene.points[l.ends[1]];
     sum += std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
   }
@@ -95,6 +99,24 @@ double reach_of(const Scene& scene) {
   return reach > 0 ? reach : 1;
 }
 
+Json layers_json(const Scene& scene) {
+  Json list = Json::array();
+  for (const Scene::Layer& layer : scene.layers) {
+    list.push_back({{"name", layer.name},
+                    {"text", layer.has_text},
+                    {"tints", numbers(layer.tints, [](Numbers& out, const Colour& colour) {
+                       for (const std::uint8_t part : colour) out.add(part);
+                     })}});
+  }
+  return list;
+}
+
+Json groups_json(const Scene& scene) {
+  Json list = Json::array();
+  for (const Scene::Group& group : scene.groups) list.push_back({{"text", group.text}});
+  return list;
+}
+
 Json scene_json(const Scene& scene) {
   Json json = {{"flat", scene.is_flat},
                {"fades", scene.fades},
@@ -105,11 +127,21 @@ Json scene_json(const Scene& scene) {
                {"cut", code(Paint::Cut)},
                {"hollow", code(Paint::OpenPoint)},
                {"colours", colours()},
-               {"wide", line_widths()}};
+               {"wide", line_widths()},
+               {"shown", scene.shown},
+               {"layers", layers_json(scene)},
+               {"groups", groups_json(scene)}};
   json["points"] = numbers(scene.points, [](Numbers& out, const Point3& p) { out.add(p); });
   json["normals"] = numbers(scene.patches, [](Numbers& out, const auto& p) { out.add(p.normal); });
   json["patchPaint"] =
       numbers(scene.patches, [](Numbers& out, const auto& p) { out.add(code(p.paint)); });
+  if (!scene.layers.empty()) {
+    json["patchGroup"] =
+        numbers(scene.patches, [](Numbers& out, const auto& p) { out.add(p.group); });
+    json["lineLayers"] =
+        numbers(scene.lines, [](Numbers& out, const auto& l) { out.add(l.layers); });
+    json["dotLayers"] = numbers(scene.dots, [](Numbers& out, const auto& d) { out.add(d.layers); });
+  }
   json["corners"] = numbers(scene.triangles, [](Numbers& out, const auto& t) {
     for (const std::uint32_t c : t.corners) out.add(c);
   });
@@ -133,11 +165,10 @@ void write_legend(std::ostream& out, const Scene& scene) {
     const auto paint = static_cast<Paint>(i);
     const PaintStyle& style = style_of(paint);
     if (!occurs[i] || style.name.empty()) continue;
-    const bool is_dot = paint >= Paint::Point, is_line = !is_dot && paint >= Paint::Edge;
     out << "<li><i class=\""
-        << (is_dot    ? "dot"
-            : is_line ? "line"
-                      : "")
+        << (is_dot(paint) || paint == Paint::Defect ? "dot"
+            : is_line(paint)                        ? "line"
+                                                    : "")
         << "\" style=\"background:" << (paint == Paint::OpenPoint ? "#fff" : hex(style.colour))
         << ";border-color:" << hex(style.colour) << "\"></i><b>" << style.name << "</b> "
         << style.meaning << "</li>\n";
@@ -161,6 +192,7 @@ void write_scene_html(std::ostream& out, const Scene& scene, const SceneText& te
       << "\"></canvas><p id=\"none\" hidden>This browser has no WebGL, which the picture needs."
          "</p></div>\n<footer>\n";
   write_legend(out, scene);
+  if (!scene.layers.empty()) out << "<div id=\"layers\"></div>\n";
   out << "<p class=\"help\">Drag to " << (scene.is_flat ? "move" : "turn")
       << ", wheel or two fingers to enlarge, " << (scene.is_flat ? "" : "shift-drag to move, ")
       << "double-click to go back.</p>\n</footer>\n<script>\n'use strict';\nconst scene = "

@@ -20,6 +20,8 @@ ul{list-style:none;margin:0;padding:0;display:flex;flex-wrap:wrap;gap:.2rem 1.2r
 li i{display:inline-block;width:1.2em;height:.8em;margin-right:.4em;vertical-align:-.05em}
 li i.line{height:.2em;vertical-align:.25em}
 li i.dot{width:.7em;height:.7em;border-radius:50%;border:2px solid;box-sizing:border-box}
+#layers{display:flex;flex-wrap:wrap;gap:.2rem 1.2rem;margin-top:.4rem}
+#layers label{cursor:pointer}
 p.help{margin:.3rem 0 0;color:#4a5560;font-size:.85rem}
 </style>
 )";
@@ -55,14 +57,14 @@ const lineVertex = `attribute vec3 at; attribute vec3 other; attribute float sid
     vec2 d = ((turn * other).xy * move.xy + move.zw - a) / pixel;
     d = dot(d, d) > 0. ? normalize(d) : vec2(1., 0.);
     colour = paint; place = at;
-    gl_Position = vec4(a + vec2(-d.y, d.x) * side * wide * pixel, -p.z * .25 - .002, 1.); }`;
+    gl_Position = vec4(a + vec2(-d.y, d.x) * side * wide * pixel, -p.z * .25 - .005, 1.); }`;
 const lineFragment = common + `uniform float part;
   void main() { gl_FragColor = vec4(colour, part * strength()); }`;
 const dotVertex = `attribute vec3 at; attribute vec3 paint; attribute float hollow;
   uniform mat3 turn; uniform vec4 move; uniform float size;
   varying vec3 place; varying vec3 colour; varying float ring;
   void main() { vec3 p = turn * at; colour = paint; place = at; ring = hollow; gl_PointSize = size;
-    gl_Position = vec4(p.xy * move.xy + move.zw, -p.z * .25 - .004, 1.); }`;
+    gl_Position = vec4(p.xy * move.xy + move.zw, -p.z * .25 - .016, 1.); }`;
 const dotFragment = common + `varying float ring;
   void main() { float r = length(gl_PointCoord - .5); if (r > .5) discard;
     gl_FragColor = vec4(ring > .5 && r < .3 ? vec3(1.) : colour, strength()); }`;
@@ -94,7 +96,17 @@ function batch(p, count, attributes) {
 const point = i => [points[3 * i], points[3 * i + 1], points[3 * i + 2]];
 const list = values => new Float32Array(values.flat());
 
-function facets(p, wanted) {
+// Layers: what is shown, and which of them colours the facets.
+let shown = scene.shown;
+const isShown = (layers, i) => !layers || (layers[i] & shown) !== 0;
+const tints = scene.layers.map(layer => bytes(layer.tints));
+const tinted = () => {
+  for (let i = tints.length; i-- > 0;) if (shown >> i & 1 && tints[i].length) return tints[i];
+};
+
+function facets(p, wanted, ownColour) {
+  const tint = tinted(), group = tint && new Uint32Array(bytes(scene.patchGroup).buffer);
+  const colourOf = i => tint ? [0, 1, 2].map(k => tint[3 * group[i] + k] / 255) : colours[paint[i]];
   const corners = new Uint32Array(bytes(scene.corners).buffer);
   const patch = new Uint32Array(bytes(scene.patch).buffer);
   const normals = floats(scene.normals), paint = bytes(scene.patchPaint);
@@ -102,17 +114,23 @@ function facets(p, wanted) {
   for (let t = 0; t < patch.length; ++t) if (wanted(paint[patch[t]])) chosen.push(t);
   const at = new Float32Array(9 * chosen.length), normal = at.slice(), colour = at.slice();
   chosen.forEach((t, i) => {
+    const own = (ownColour || colourOf)(patch[t]);
     for (let k = 0; k < 3; ++k) {
       at.set(points.subarray(3 * corners[3 * t + k], 3 * corners[3 * t + k] + 3), 9 * i + 3 * k);
       normal.set(normals.subarray(3 * patch[t], 3 * patch[t] + 3), 9 * i + 3 * k);
-      colour.set(colours[paint[patch[t]]], 9 * i + 3 * k);
+      colour.set(own, 9 * i + 3 * k);
     }
   });
   return batch(p, 3 * chosen.length, {at: [3, at], normal: [3, normal], paint: [3, colour]});
 }
 
 function lines(p) {
-  const ends = new Uint32Array(bytes(scene.ends).buffer), paint = bytes(scene.linePaint);
+  let ends = new Uint32Array(bytes(scene.ends).buffer), paint = bytes(scene.linePaint);
+  if (scene.lineLayers) {
+    const layers = bytes(scene.lineLayers);
+    ends = ends.filter((_, i) => isShown(layers, i >> 1));
+    paint = paint.filter((_, i) => isShown(layers, i));
+  }
   const n = paint.length, at = new Float32Array(18 * n), other = at.slice(), colour = at.slice();
   const side = new Float32Array(6 * n), wide = side.slice();
   for (let i = 0; i < n; ++i) {
@@ -129,9 +147,95 @@ function lines(p) {
 }
 
 function dots(p) {
-  const at = [...new Uint32Array(bytes(scene.dots).buffer)], paint = [...bytes(scene.dotPaint)];
+  const layers = scene.dotLayers && bytes(scene.dotLayers), keep = (_, i) => isShown(layers, i);
+  const at = [...new Uint32Array(bytes(scene.dots).buffer)].filter(keep);
+  const paint = [...bytes(scene.dotPaint)].filter(keep);
   return batch(p, at.length, {at: [3, list(at.map(point))], paint: [3, list(paint.map(i => colours[i]))],
                               hollow: [1, list(paint.map(i => i === scene.hollow ? 1 : 0))]});
+}
+
+// Text: the groups are drawn once more, small, each in a colour that is its number; a text goes where what is
+// seen of its group is widest.
+const over = document.createElement('canvas'), pen = over.getContext('2d');
+over.style.pointerEvents = 'none';
+const showsText = () => scene.layers.some((layer, i) => layer.text && shown >> i & 1);
+const SMALL = 2;  // pixels of the page for one of the small picture
+
+function numbered(p) {
+  if (!showsText()) return {count: 0};
+  const group = new Uint32Array(bytes(scene.patchGroup).buffer);
+  return facets(p, () => true, i => [1, 2, 3].map(k => ((group[i] + 1) >> 8 * (3 - k) & 255) / 255));
+}
+
+let small;
+function smallTarget(w, h) {
+  if (small && small.w === w && small.h === h) return small;
+  if (small) [gl.deleteFramebuffer(small.frame), gl.deleteTexture(small.texture), gl.deleteRenderbuffer(small.depth)];
+  small = {w, h, frame: gl.createFramebuffer(), texture: gl.createTexture(), depth: gl.createRenderbuffer()};
+  gl.bindTexture(gl.TEXTURE_2D, small.texture);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, w, h, 0, gl.RGBA, gl.UNSIGNED_BYTE, null);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+  for (const side of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, side, gl.CLAMP_TO_EDGE);
+  gl.bindRenderbuffer(gl.RENDERBUFFER, small.depth);
+  gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT16, w, h);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, small.frame);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, small.texture, 0);
+  gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, small.depth);
+  return small;
+}
+
+function groupsSeen(w, h, uniforms) {
+  const target = smallTarget(w, h), pixels = new Uint8Array(4 * w * h), group = new Int32Array(w * h);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
+  gl.viewport(0, 0, w, h);
+  gl.clearColor(0, 0, 0, 1);
+  gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  gl.disable(gl.BLEND);
+  show(shapes.numbered, gl.TRIANGLES, {...uniforms, flatness: 1, veil: 0});
+  gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  for (let i = 0; i < group.length; ++i) group[i] = (pixels[4 * i] << 16 | pixels[4 * i + 1] << 8 | pixels[4 * i + 2]) - 1;
+  return group;
+}
+
+// For each group the place farthest from others: two passes over the neighbours.
+function widest(group, w, h) {
+  const far = new Float32Array(group.length).fill(w + h);
+  const look = (x, y, dx, dy, step) => {
+    const i = y * w + x, u = x + dx, v = y + dy, j = v * w + u;
+    const edge = u < 0 || v < 0 || u >= w || v >= h || group[i] !== group[j];
+    far[i] = Math.min(far[i], edge ? step : far[j] + step);
+  };
+  for (let y = 0; y < h; ++y) for (let x = 0; x < w; ++x) {
+    look(x, y, -1, 0, 1); look(x, y, 0, -1, 1); look(x, y, -1, -1, Math.SQRT2); look(x, y, 1, -1, Math.SQRT2);
+  }
+  for (let y = h; y-- > 0;) for (let x = w; x-- > 0;) {
+    look(x, y, 1, 0, 1); look(x, y, 0, 1, 1); look(x, y, 1, 1, Math.SQRT2); look(x, y, -1, 1, Math.SQRT2);
+  }
+  const best = new Map();
+  group.forEach((g, i) => {
+    if (g >= 0 && !(best.has(g) && far[best.get(g)] >= far[i])) best.set(g, i);
+  });
+  return [...best].map(([g, i]) => ({g, x: i % w + .5, y: Math.floor(i / w) + .5, room: far[i]}));
+}
+
+function writeTexts(w, h, dense, uniforms) {
+  [over.width, over.height] = [canvas.width, canvas.height];
+  if (!showsText()) return;
+  const sw = Math.ceil(w / SMALL), sh = Math.ceil(h / SMALL);
+  pen.scale(dense, dense);
+  Object.assign(pen, {textAlign: 'center', textBaseline: 'middle', lineJoin: 'round', strokeStyle: '#fff',
+                      fillStyle: '#121a24'});
+  for (const {g, x, y, room} of widest(groupsSeen(sw, sh, uniforms), sw, sh)) {
+    const text = scene.groups[g].text, half = Math.hypot(.36 * text.length, .4);
+    const size = Math.min(18, 2 * SMALL * room / half / 2);
+    if (size < 5) continue;
+    pen.font = `600 ${Math.max(size, 10)}px system-ui, sans-serif`;
+    pen.lineWidth = Math.max(size, 10) * .3;
+    const at = [x / sw * w, h - y / sh * h];
+    pen.strokeText(text, ...at);
+    pen.fillText(text, ...at);
+  }
 }
 
 function multiply(a, b) {  // columns, as WebGL has them
@@ -151,11 +255,24 @@ let turn, zoom, shift, frame = 0;
 function reset() { turn = scene.turn.slice(); zoom = 1; shift = [0, 0]; redraw(); }
 function redraw() { if (gl && !frame) frame = requestAnimationFrame(draw); }
 
-let shapes;
+let shapes, programs;
 function prepare() {
-  const facet = program(facetVertex, facetFragment);
-  shapes = {solid: facets(facet, paint => paint !== CUT), cut: facets(facet, paint => paint === CUT),
-            lines: lines(program(lineVertex, lineFragment)), dots: dots(program(dotVertex, dotFragment))};
+  programs ??= {facet: program(facetVertex, facetFragment), line: program(lineVertex, lineFragment),
+                dot: program(dotVertex, dotFragment)};
+  shapes = {solid: facets(programs.facet, paint => paint !== CUT), cut: facets(programs.facet, paint => paint === CUT),
+            lines: lines(programs.line), dots: dots(programs.dot),
+            numbered: numbered(programs.facet)};
+}
+
+function offerLayers() {
+  scene.layers.forEach((layer, i) => {
+    const label = document.createElement('label'), box = document.createElement('input');
+    box.type = 'checkbox';
+    box.checked = shown >> i & 1;
+    box.addEventListener('change', () => { shown ^= 1 << i; prepare(); redraw(); });
+    label.append(box, ' ' + layer.name);
+    document.getElementById('layers').append(label);
+  });
 }
 
 function show(shape, mode, uniforms) {
@@ -211,6 +328,7 @@ function draw() {
   show(shapes.cut, gl.TRIANGLES, {...shared, flatness: 0, veil: .3});
   gl.disable(gl.CULL_FACE);
   gl.depthMask(true);
+  if (scene.layers.length) writeTexts(w, h, dense, shared);
 }
 
 function rotate(x, y) { turn = multiply(about(1, 2, y), multiply(about(2, 0, x), turn)); redraw(); }
@@ -265,7 +383,9 @@ canvas.addEventListener('keydown', e => {
   e.preventDefault();
 });
 if (gl) {
+  if (scene.layers.length) canvas.after(over);
   prepare();
+  offerLayers();
   new ResizeObserver(redraw).observe(canvas);
   reset();
 }

@@ -19,10 +19,12 @@ namespace {
 constexpr double kWidth = 600;  // text stays legible on a telephone
 constexpr double kAxis = 30;
 constexpr std::size_t kLongNumber = 24;
+constexpr double kCapital = 1.4;  // size of a font, in heights of its capitals
 
 constexpr const char* kStyle = R"(.axis{stroke:#5b6672;stroke-width:2;stroke-linecap:round}
 .letter{font-size:14px;fill:#5b6672;text-anchor:middle}
 .middle{text-anchor:middle;fill:#5b6672}
+.label{text-anchor:middle;font-weight:600;fill:#121a24;stroke:#fff;stroke-width:.3em;stroke-linejoin:round;paint-order:stroke}
 )";
 
 std::string volume_text(const Nef3& set) {
@@ -55,9 +57,9 @@ void write_symbol(Sheet& sheet, Paint paint) {
   const PaintStyle& style = style_of(paint);
   const std::string colour = hex(style.colour);
   std::string symbol;
-  if (paint <= Paint::Cut) {
+  if (!is_line(paint) && !is_dot(paint)) {
     symbol = "<rect x=\"-11\" y=\"-8\" width=\"22\" height=\"16\" fill=\"" + colour + "\"/>";
-  } else if (paint <= Paint::FreeEdge) {
+  } else if (is_line(paint)) {
     symbol = "<path stroke-width=\"3\" stroke=\"" + colour + "\" d=\"M-11 0H11\"/>";
   } else {
     const bool is_hollow = paint == Paint::OpenPoint;
@@ -68,7 +70,7 @@ void write_symbol(Sheet& sheet, Paint paint) {
 }
 
 void write_legend(Sheet& sheet, const Scene& scene) {
-  std::array<bool, kPaints> occurs = scene.paints();
+  std::array<bool, kPaints> occurs = scene.paints(scene.shown);
   occurs[static_cast<std::size_t>(Paint::Cut)] = scene.fades;
   for (std::size_t i = 0; i < kPaints; ++i) {
     if (occurs[i] && !style_of(static_cast<Paint>(i)).name.empty()) {
@@ -95,22 +97,35 @@ std::string kind_of(const Nef3& set) {
 
 void write_space_svg(std::ostream& out, const Nef3& set, const Scene& scene, std::string_view png,
                      const std::string& title) {
+  ScenePage page{{title.empty() ? "set" : title, kind_of(set), facts_of(set)}, png, {}, ""};
+  if (set.is_empty()) page.middle = "no point at all";
+  if (set.is_space()) page.middle = "every point";
+  write_scene_svg(out, scene, page);
+}
+
+void write_scene_svg(std::ostream& out, const Scene& scene, const ScenePage& page) {
   Sheet sheet{{.width = kWidth}};
-  const std::string heading = title.empty() ? "set" : title;
-  sheet.write_header(heading, {kind_of(set), kPlainBadge}, facts_of(set));
-  const double height = sheet.column() * kPageImage.height / kPageImage.width;
-  const Rectangle frame{Sheet::kMargin, sheet.y(), sheet.right(), sheet.y() + height};
-  sheet.body() << "<image " << svg_box(frame) << " href=\"data:image/png;base64," << base64(png)
-               << "\"/>\n<rect class=\"panel\" " << svg_box(frame) << "/>\n";
+  sheet.write_header(page.text.title, {page.text.kind, kPlainBadge}, page.text.facts);
+  const double scale = sheet.column() / kPageImage.width;
+  const Rectangle frame{Sheet::kMargin, sheet.y(), sheet.right(),
+                        sheet.y() + scale * kPageImage.height};
+  sheet.body() << "<image " << svg_box(frame) << " href=\"data:image/png;base64,"
+               << base64(page.png) << "\"/>\n<rect class=\"panel\" " << svg_box(frame) << "/>\n";
   write_axes(sheet, scene, frame);
-  if (set.is_empty() || set.is_space()) {
+  for (const PlacedText& text : page.texts) {
+    const double size = kCapital * scale * text.height;
+    sheet.body() << "<text class=\"label\" font-size=\"" << svg_number(size) << "\" x=\""
+                 << svg_number(frame.left + scale * text.middle.x) << "\" y=\""
+                 << svg_number(frame.top + scale * (text.middle.y + text.height / 2)) << "\">"
+                 << xml_escaped(text.text) << "</text>\n";
+  }
+  if (!page.middle.empty()) {
     sheet.body() << "<text class=\"middle\" x=\"" << svg_number(frame.centre().x) << "\" y=\""
-                 << svg_number(frame.centre().y) << "\">"
-                 << (set.is_empty() ? "no point at all" : "every point") << "</text>\n";
+                 << svg_number(frame.centre().y) << "\">" << page.middle << "</text>\n";
   }
   sheet.set_y(frame.bottom + 6);
   write_legend(sheet, scene);
-  sheet.write(out, heading + ": " + kind_of(set), kStyle);
+  sheet.write(out, page.text.title + ": " + page.text.kind, kStyle);
 }
 
 }  // namespace plumb

@@ -9,9 +9,11 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "plumb/picture/render.h"
 #include "plumb/picture/scene.h"
+#include "plumb/picture/scene_html.h"
 #include "plumb/space/nef3.h"
 
 namespace plumb {
@@ -27,5 +29,16 @@ std::string kind_of(const Nef3& set);
 /// `scene` is that of the set, `png` the file of its image. O(size of the image).
 void write_space_svg(std::ostream& out, const Nef3& set, const Scene& scene, std::string_view png,
                      const std::string& title);
+
+/// What a page shows besides the legend of the scene.
+struct ScenePage {
+  SceneText text;
+  std::string_view png;           ///< of kPageImage's size
+  std::vector<PlacedText> texts;  ///< over the image, in its pixels
+  std::string middle;             ///< in place of a picture, if there is nothing to be seen
+};
+
+/// The same page for any scene.
+void write_scene_svg(std::ostream& out, const Scene& scene, const ScenePage& page);
 
 }  // namespace plumb
