@@ -267,7 +267,8 @@ void translate(SpaceComplex& complex, const TableMap& map) {
   for (PlaneId& p : complex.facet_plane) p = map(p);
 }
 
-/// One table for both: that of a, where nobody else needs it as it is.
+}  // namespace
+
 std::shared_ptr<SpaceTables> unite_tables(SpaceComplex& a, SpaceComplex& b) {
   const bool is_shared = a.tables == b.tables;
   if (is_shared) b.tables.reset();
@@ -277,6 +278,8 @@ std::shared_ptr<SpaceTables> unite_tables(SpaceComplex& a, SpaceComplex& b) {
   a.tables = b.tables = tables;
   return tables;
 }
+
+namespace {
 
 /// Phases 2 to 6.
 Draft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,

@@ -25,6 +25,10 @@
 
 namespace plumb {
 
+/// Makes both refer to one table: that of a, where nobody else needs it as it is, else a copy. b's ids become those
+/// there.
+std::shared_ptr<SpaceTables> unite_tables(SpaceComplex& a, SpaceComplex& b);
+
 /// f(a, b) in minimal form. Both have a frame or none has. A facet in facets of both has the lesser
 /// facet_origin. Tables that only `a` refers to are used as they are; the operands go before the result is made.
 SpaceComplex combine(SpaceComplex a, SpaceComplex b, MarkFunction f, Context& context);

@@ -18,6 +18,7 @@
 #include "plumb/base/box_tree.h"
 #include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/space/box_frame.h"
 #include "plumb/space/facet_site.h"
 #include "plumb/space/meet_leaves.h"
 #include "plumb/space/space_boxes.h"
@@ -290,6 +291,39 @@ SpacePoint contact_point(SpaceTables& tables, const SpaceComplex& a, SpaceItem x
 
 }  // namespace
 
+namespace {
+
+std::vector<Box3> turned_boxes(const MeetLeaves& leaves, const BoxFrame& frame) {
+  std::vector<Box3> boxes;
+  boxes.reserve(leaves.boxes().size());
+  for (std::size_t i = 0; i < leaves.boxes().size(); ++i) {
+    Box3 box;
+    if (leaves[i].facet.is_valid()) box = frame.box_of(leaves.complex(), leaves[i].facet);
+    for (const VertexId v : leaves.vertices(i)) box.add(frame.box_of(leaves.complex(), v));
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+/// Leaves whose boxes meet, along the axes and in a frame that has fewer pairs, if there are many.
+template <class Visit>
+void for_each_close_pair(const MeetLeaves& xs, const MeetLeaves& ys, const Visit& visit) {
+  const double pairs = expected_pairs(xs.boxes(), ys.boxes());
+  if (has_many_pairs(pairs, xs.boxes().size() + ys.boxes().size())) {
+    const BoxFrame frame = BoxFrame::of_edges(std::array{&xs.complex(), &ys.complex()});
+    const std::vector<Box3> a = turned_boxes(xs, frame), b = turned_boxes(ys, frame);
+    if (is_better_frame(expected_pairs(a, b), pairs)) {
+      BoxTree::for_each_pair(BoxTree(a), BoxTree(b), [&](std::uint32_t x, std::uint32_t y) {
+        if (xs.boxes()[x].meets(ys.boxes()[y])) visit(x, y);
+      });
+      return;
+    }
+  }
+  BoxTree::for_each_pair(BoxTree(xs.boxes()), BoxTree(ys.boxes()), visit);
+}
+
+}  // namespace
+
 std::vector<Contact> meet(const SpaceComplex& a, const SpaceComplex& b, SpaceTables& tables,
                           Context& context) {
   constexpr std::size_t kBytesAnItem = 100;
@@ -297,8 +331,7 @@ std::vector<Contact> meet(const SpaceComplex& a, const SpaceComplex& b, SpaceTab
   memory.add((a.edge_count() + b.edge_count()) * kBytesAnItem, "box trees");
   const MeetLeaves xs(a, box_of(b)), ys(b, box_of(a));
   Meeting meeting(xs, ys, context);
-  BoxTree::for_each_pair(BoxTree(xs.boxes()), BoxTree(ys.boxes()),
-                         [&](std::uint32_t x, std::uint32_t y) { meeting.test(x, y); });
+  for_each_close_pair(xs, ys, [&](std::uint32_t x, std::uint32_t y) { meeting.test(x, y); });
   std::vector<Contact> contacts;
   contacts.reserve(meeting.keys().size());
   for (const std::uint64_t key : meeting.keys()) {

@@ -6,8 +6,8 @@
 #include "plumb/base/box_tree.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rational_predicates.h"
+#include "plumb/space/box_frame.h"
 #include "plumb/space/facet_triangles.h"
-#include "plumb/space/space_boxes.h"
 
 namespace plumb {
 namespace {
@@ -225,10 +225,7 @@ class CrossingSearch {
   std::vector<std::pair<FacetId, FacetId>> run() {
     memory_.add(kBytesPerCorner * complex_.use_count(), "boxes of triangles");
     gather_triangles();
-    std::vector<Box3> boxes;
-    boxes.reserve(triangles_.size());
-    for (const Triangle& t : triangles_) boxes.push_back(box_of(t));
-    const BoxTree tree(boxes);
+    const BoxTree tree(boxes_of_triangles());
     tree.for_each_pair_inside([&](std::uint32_t i, std::uint32_t j) { visit(i, j); });
     std::sort(found_.begin(), found_.end());
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
@@ -274,10 +271,20 @@ class CrossingSearch {
     }
   }
 
-  Box3 box_of(const Triangle& t) const {
-    Box3 box;
-    for (const Corner& c : t.corner) box.add(plumb::box_of(complex_.points(), c.point));
-    return box;
+  /// Along the axes, or in a frame where fewer of them meet.
+  std::vector<Box3> boxes_of_triangles() const {
+    std::vector<Box3> boxes = boxes_in(BoxFrame());
+    const double pairs = expected_pairs(boxes, boxes);
+    if (!has_many_pairs(pairs, boxes.size())) return boxes;
+    std::vector<Box3> turned = boxes_in(BoxFrame::of_edges(std::array{&complex_}));
+    return is_better_frame(expected_pairs(turned, turned), pairs) ? turned : boxes;
+  }
+  std::vector<Box3> boxes_in(const BoxFrame& frame) const {
+    std::vector<Box3> boxes(triangles_.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      for (const Corner& c : triangles_[i].corner) boxes[i].add(frame.box_of(complex_, c.vertex));
+    }
+    return boxes;
   }
 
   void visit(std::uint32_t i, std::uint32_t j) {

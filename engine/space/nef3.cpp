@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/space/append.h"
 #include "plumb/space/combine.h"
 #include "plumb/space/frame.h"
 #include "plumb/space/local_maps.h"
@@ -270,9 +271,9 @@ Nef3 Nef3::transformed(const AffineMap3& map) const {
 namespace {
 
 /// The operation f(m, m) or f(m, mark) of one set: itself, its complement, or nothing but a mark.
-Nef3 with_marks(const Nef3& set, bool of_outside, bool of_inside) {
+Nef3 with_marks(Nef3 set, bool of_outside, bool of_inside) {
   if (of_outside == of_inside) return of_inside ? Nef3::space() : Nef3::empty();
-  return of_inside ? set : !set;
+  return of_inside ? std::move(set) : !set;
 }
 
 /// Where each mark of one operand has but one partner, nothing has to meet: one of them is empty or the whole
@@ -285,10 +286,26 @@ std::optional<Nef3> combine_marks(const Nef3& a, const Nef3& b, MarkFunction f) 
   return with_marks(a, f(false, false), f(true, true));
 }
 
+/// Bounded boundaries apart: all of one lies in volume 0 of the other.
+Nef3 combine_apart(Nef3 a, Nef3 b, MarkFunction f) {
+  const bool of_a = a.complex().volume_mark[0] != 0, of_b = b.complex().volume_mark[0] != 0;
+  a = with_marks(std::move(a), f(false, of_b), f(true, of_b));
+  b = with_marks(std::move(b), f(of_a, false), f(of_a, true));
+  if (b.complex().vertex_count() == 0) return a;
+  if (a.complex().vertex_count() == 0) return b;
+  return Nef3::from_minimal(with_tidy_tables(appended(std::move(a).taken(), std::move(b).taken())));
+}
+
+bool are_apart(const Nef3& a, const Nef3& b) {
+  return !has_frame(a.complex()) && !has_frame(b.complex()) &&
+         plumb::are_apart(a.complex(), b.complex());
+}
+
 }  // namespace
 
 Nef3 combine(Nef3 a, Nef3 b, MarkFunction f, Context& context) {
   if (const std::optional<Nef3> known = combine_marks(a, b, f)) return *known;
+  if (are_apart(a, b)) return combine_apart(std::move(a), std::move(b), f);
   return Nef3::from_minimal(combine_any(std::move(a).taken(), std::move(b).taken(), f, context));
 }
 

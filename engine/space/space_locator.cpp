@@ -1,6 +1,7 @@
 #include "plumb/space/space_locator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "plumb/base/error.h"
 #include "plumb/predicates/query_point3.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/space/box_frame.h"
 #include "plumb/space/local_maps.h"
 #include "plumb/space/space_boxes.h"
 #include "plumb/space/space_ray.h"
@@ -50,6 +52,8 @@ struct SpaceLocator::Tree {
     items.push_back(id);
     boxes.push_back(box_of(complex, id));
   }
+  void choose_frame();
+  BoxRay box_ray(const SpaceRay& ray) const;
   void meet(SpaceItem item, const SpaceRay& ray, std::vector<SpaceRayHit>& hits) const;
   SpaceItem on(FacetId f, const QueryPoint3& p) const;
   SpaceItem on(EdgeId e, const QueryPoint3& p) const;
@@ -59,6 +63,7 @@ struct SpaceLocator::Tree {
   const SpaceComplex& complex;
   std::vector<SpaceItem> items;
   std::vector<Box3> boxes;
+  BoxFrame frame;
   BoxTree boxes_tree;
 };
 
@@ -74,8 +79,28 @@ SpaceLocator::Tree::Tree(const SpaceComplex& used_complex) : complex(used_comple
         complex.star_of(VertexId(v)).empty() && !complex.vertex_facet[v].is_valid();
     if (is_alone) add(VertexId(v));
   }
+  choose_frame();
   boxes_tree = BoxTree(boxes);
   boxes = {};
+}
+
+void SpaceLocator::Tree::choose_frame() {
+  const double pairs = expected_pairs(boxes, boxes);
+  if (!has_many_pairs(pairs, boxes.size())) return;
+  const BoxFrame other = BoxFrame::of_edges(std::array{&complex});
+  std::vector<Box3> turned;
+  for (const SpaceItem item : items) {
+    if (item.kind() == SpaceItem::Kind::Facet) {
+      turned.push_back(other.box_of(complex, item.facet()));
+    } else if (item.kind() == SpaceItem::Kind::Edge) {
+      turned.push_back(other.box_of(complex, item.edge()));
+    } else {
+      turned.push_back(other.box_of(complex, item.vertex()));
+    }
+  }
+  if (!is_better_frame(expected_pairs(turned, turned), pairs)) return;
+  boxes = std::move(turned);
+  frame = other;
 }
 
 // --- points on items
@@ -122,7 +147,7 @@ SpaceItem SpaceLocator::Tree::on(FacetId f, const QueryPoint3& p) const {
 
 SpaceItem SpaceLocator::Tree::on_item(const QueryPoint3& p) const {
   SpaceItem found;
-  boxes_tree.for_each_meeting(box_of(p.box()), [&](std::uint32_t i) {
+  boxes_tree.for_each_meeting(frame.turned(box_of(p.box())), [&](std::uint32_t i) {
     const SpaceItem item = items[i];
     if (found.is_valid() || mark_of(complex, item) == kBeyond) return;
     if (item.kind() == SpaceItem::Kind::Facet) {
@@ -138,22 +163,17 @@ SpaceItem SpaceLocator::Tree::on_item(const QueryPoint3& p) const {
 
 // --- rays
 
-namespace {
-
 /// The distance along the ray is the time.
-BoxRay box_ray(const SpaceRay& ray) {
-  BoxRay result;
-  result.origin = box_of(ray.origin().box());
+BoxRay SpaceLocator::Tree::box_ray(const SpaceRay& ray) const {
+  Box3 direction;
   for (std::size_t i = 0; i < 3; ++i) {
     Ball d = Ball{ray.is_reverse() ? -1.0 : 1.0, 0};
     if (i != ray.axis()) d = ray.is_axis_parallel() ? Ball{} : ray.slope(i) * d;
-    result.direction.low[i] = d.mid - d.error;
-    result.direction.high[i] = d.mid + d.error;
+    direction.low[i] = d.mid - d.error;
+    direction.high[i] = d.mid + d.error;
   }
-  return result;
+  return {frame.turned(box_of(ray.origin().box())), frame.turned(direction)};
 }
-
-}  // namespace
 
 void SpaceLocator::Tree::meet(SpaceItem item, const SpaceRay& ray,
                               std::vector<SpaceRayHit>& hits) const {

@@ -183,6 +183,32 @@ void shear(Scene& scene, Dice& dice) {
   }
 }
 
+/// Thin tetrahedra along a diagonal, so many that their boxes are compared in a frame of their own.
+ComplexDraft needles(Dice& dice, int count) {
+  ComplexDraft draft;
+  while (count > 0) {
+    const int x = static_cast<int>(dice.between(0, 8)), y = static_cast<int>(dice.between(0, 8));
+    const ExactPoint3 base{x, y, -x - y};
+    const ExactPoint3 p = base + random_point(dice, 1), q = base + random_point(dice, 2);
+    const ExactPoint3 r = base + random_point(dice, 2), tip = base + ExactPoint3{60, 60, 60};
+    if (dot(cross(q - p, r - p), tip - p) == 0) continue;
+    draft.add(testing::tetrahedron_draft({p, q, r, tip}));
+    --count;
+  }
+  return draft;
+}
+
+TEST(Meet, AgreesWithAllPairsOnNeedles) {
+  Census census;
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    Dice dice(seed);
+    Scene scene{needles(dice, 14), needles(dice, 14)};
+    if (seed == 2) scene.b.add(random_chain(dice, 9));
+    check(scene, dice, census);
+  }
+  EXPECT_GT(census["ef"] + census["fe"], 10);
+}
+
 TEST(Meet, AgreesWithAllPairsOnRandomShapes) {
   Census census;
   const std::uint64_t cases = case_count(240);

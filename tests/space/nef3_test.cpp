@@ -9,6 +9,7 @@
 
 #include "plumb/base/error.h"
 #include "plumb/space/frame.h"
+#include "plumb/space/space_audit.h"
 
 namespace plumb {
 namespace {
@@ -151,6 +152,66 @@ TEST(Nef3, TrivialOperandsOfEveryFunction) {
     const Nef3 other = a.transformed(moved_by(1)).transformed(moved_by(-1));
     EXPECT_EQ(combine(a, same, f, context), combine(a, other, f, context)) << code;
     EXPECT_EQ(combine(a, a, f, context), combine(a, other, f, context)) << code;
+    EXPECT_EQ(combine(a, a, f, context),
+              combine(a, SpaceSelector{}, a, SpaceSelector{}, f, context));
+  }
+}
+
+/// Boxes apart: as general Booleans have it, which selectors that accept all lead to.
+TEST(Nef3, OperandsThatLieApart) {
+  const auto odd_set = [](double x) {
+    const Nef3 solid = box({x, x + 6}, {0, 6}, {0, 6}) - box({x + 1, x + 3}, {1, 3}, {1, 3});
+    const Nef3 inner = box({x + 1.5, x + 2}, {2, 2.5}, {2, 2.5}).interior();
+    const Nef3 loose = rectangle({x + 1, x + 9}, {4, 5}, 4) + Nef3::point({Rational(x + 7), 1, 1}) +
+                       Nef3::segment({Rational(x + 8), 0, 0}, {Rational(x + 9), 6, 6});
+    return solid + inner + loose;
+  };
+  Context context;
+  for (const Nef3& a : {odd_set(0), !odd_set(0)}) {
+    for (const Nef3& b : {odd_set(20), !odd_set(20)}) {
+      for (unsigned code = 0; code < 16; ++code) {
+        const MarkFunction f{(code & 1U) != 0, (code & 2U) != 0, (code & 4U) != 0,
+                             (code & 8U) != 0};
+        const Nef3 set = combine(a, b, f, context);
+        EXPECT_EQ(set, combine(a, SpaceSelector{}, b, SpaceSelector{}, f, context)) << code;
+        EXPECT_FALSE(audit(set.complex(), true)) << code;
+      }
+    }
+  }
+  Nef3 row;
+  for (int i = 0; i < 5; ++i) row = combine(std::move(row), odd_set(20 * i), kUnion, context);
+  EXPECT_EQ(row.counts().facets, 5 * odd_set(0).counts().facets);
+  EXPECT_EQ(row * box({-1, 39}, {-1, 9}, {-1, 9}), odd_set(0) + odd_set(20));
+}
+
+/// So many thin tetrahedra along a diagonal that trees of boxes get a frame of their own, for rays as well.
+TEST(Nef3, NeedlesAlongADiagonal) {
+  const auto needles = [](double shift) {
+    PolygonMesh mesh;
+    for (int i = 0; i < 64; ++i) {
+      const double x = 4 * (i % 8) + shift, y = 4 * (i / 8) + shift;
+      const auto n = static_cast<std::uint32_t>(mesh.points.size());
+      for (const Point3& by : {Point3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {99, 99, 99}}) {
+        mesh.points.push_back({x + by.x, y - x + by.y, by.z});
+      }
+      using Face = std::array<std::uint32_t, 3>;
+      for (const Face& f : {Face{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) {
+        mesh.add_face(Face{n + f[0], n + f[1], n + f[2]});
+      }
+    }
+    return solid(mesh);
+  };
+  const Nef3 a = needles(0), b = needles(2), both = a + b;
+  EXPECT_TRUE(has(a, {256, 384, 256, 65, 64}));
+  EXPECT_TRUE(has(both, {512, 768, 512, 129, 128}));
+  EXPECT_FALSE(audit(both.complex(), true));
+  EXPECT_TRUE((a * b).is_empty());
+  EXPECT_EQ(both - b, a);
+  for (int i = 0; i < 64; ++i) {
+    const double x = 4 * (i % 8), y = 4 * (i / 8) - x;
+    EXPECT_TRUE(both.contains(Point3{x + 10.25, y + 10.25, 10}));
+    EXPECT_FALSE(b.contains(Point3{x + 10.25, y + 10.25, 10}));
+    EXPECT_FALSE(both.contains(Point3{x + 10.25, y + 10.25, 11.5}));
   }
 }
 
