@@ -40,5 +40,7 @@ class DemoBook {
 
 /// The chapter on solids.
 void demonstrate_solids(DemoBook& book);
+/// The chapter on polygons drawn on meshes.
+void demonstrate_surfaces(DemoBook& book);
 
 }  // namespace plumb::cli

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -108,7 +109,8 @@ class SurfaceSceneMaker {
   }
 
   void add_layers() {
-    Scene::Layer cells{"cells", {}, false}, labels{"labels", {}, true};
+    Scene::Layer cells{layer_name(SurfaceLayer::Cells), {}, false};
+    Scene::Layer labels{layer_name(SurfaceLayer::Labels), {}, true};
     std::map<std::string, Colour> known{{label_text({}), kNothing}};
     for (std::size_t c = 0; c < scene_.groups.size(); ++c) {
       cells.tints.push_back(tint(c));
@@ -119,7 +121,7 @@ class SurfaceSceneMaker {
     scene_.layers = {
         {"polygons", {}, false}, {"slices", {}, false}, std::move(cells), std::move(labels)};
     if (result_ == nullptr) return;
-    Scene::Layer layer{"result", {}, false};
+    Scene::Layer layer{layer_name(SurfaceLayer::Result), {}, false};
     for (const std::uint8_t is_selected : result_->region.is_selected) {
       layer.tints.push_back(is_selected != 0 ? kSelected : kNothing);
     }
@@ -221,6 +223,12 @@ class SurfaceSceneMaker {
 Scene scene_of(const SurfaceDivision& division, const SurfaceTriangulation& triangles,
                const SurfaceResult* result) {
   return SurfaceSceneMaker(division, triangles, result).run();
+}
+
+std::string layer_name(SurfaceLayer layer) {
+  static constexpr std::array<std::string_view, 5> kNames{"polygons", "slices", "cells", "labels",
+                                                          "result"};
+  return std::string(kNames[static_cast<std::size_t>(layer)]);
 }
 
 std::string facts_of(const SurfaceDivision& division) {

@@ -22,6 +22,9 @@ inline constexpr std::uint8_t bit(SurfaceLayer layer) {
   return static_cast<std::uint8_t>(1U << static_cast<unsigned>(layer));
 }
 
+/// "polygons", "slices" and so on.
+std::string layer_name(SurfaceLayer layer);
+
 /// All layers; that of a result only if there is one. What is shown is left to the caller. Patches are grouped
 /// by cells. O(n log n).
 Scene scene_of(const SurfaceDivision& division, const SurfaceTriangulation& triangles,
