@@ -32,6 +32,9 @@ std::unique_ptr<CommandBody> make_solid_halfspaces();
 std::unique_ptr<CommandBody> make_solid_info();
 std::unique_ptr<CommandBody> make_solid_locate();
 std::unique_ptr<CommandBody> make_solid_compare();
+std::unique_ptr<CommandBody> make_convex_check();
+std::unique_ptr<CommandBody> make_convex_decompose();
+std::unique_ptr<CommandBody> make_convex_report();
 std::unique_ptr<CommandBody> make_surface_cells();
 std::unique_ptr<CommandBody> make_surface_boolean();
 std::unique_ptr<CommandBody> make_surface_draw();
@@ -128,6 +131,14 @@ std::span<const Command> commands() {
       Command{"solid compare", "A B", "Equal? One in the other? Disjoint?",
               "./plumb solid compare corpus/solids/l-block.off corpus/solids/l-block.off",
               make_solid_compare},
+      Command{"convex check", "A",
+              "Is it convex? Reflex edges, and faces with vertices on both sides",
+              "./plumb convex check corpus/solids/ball.off", make_convex_check},
+      Command{"convex decompose", "A", "Convex pieces of any set; -o DIR: a file each",
+              "./plumb convex decompose corpus/solids/l-block.off --json", make_convex_decompose},
+      Command{"convex report", "FILE...", "Solids tested, cut and tested again, one line a check",
+              "./plumb convex report corpus/polyhedra/test_zero.off corpus/polyhedra/test_one.off",
+              make_convex_report},
       Command{"surface cells", "SCENE", "The cells that polygons on a mesh make, and their labels",
               "./plumb surface cells corpus/scenes/torus.json --json", make_surface_cells},
       Command{"surface boolean", "SCENE --op EXPR",
@@ -154,6 +165,7 @@ std::span<const CommandGroup> command_groups() {
   static constexpr std::array kGroups{
       CommandGroup{"plane", "Sets of the plane, exactly: union ... regularize, info, locate"},
       CommandGroup{"solid", "Sets of space, exactly: union ... section, info, compare"},
+      CommandGroup{"convex", "Convexity, convex pieces: check, decompose, report"},
       CommandGroup{"surface", "Polygons on meshes, exactly: cells, boolean, draw"},
   };
   return kGroups;

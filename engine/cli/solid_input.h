@@ -12,6 +12,8 @@ namespace plumb::cli {
 class SolidInput {
  public:
   void declare(CLI::App& app);
+  /// Was nothing said of how meshes are read?
+  bool is_plain() const { return rule_.empty() && !surface_; }
   /// What is remarkable is noted.
   Nef3 read(const std::string& file, Session& session) const;
   /// The same, when the bytes of the file have been read.
