@@ -143,9 +143,12 @@ class SurfaceAudit {
       if (p.x <= 0 || p.y <= 0 || p.x + p.y >= 1) return "a crossing outside its face";
       in_face[c.face].push_back(p);
     }
+    // Points of polygons that are not there may lie anywhere.
+    std::vector<std::uint8_t> is_used(a_.node_count());
+    for (const NodeId n : a_.origin) is_used[n.value()] = 1;
     for (std::size_t n = 0; n < a_.node_point.size(); ++n) {
       const SurfacePointTable& points = d_.scene().polygons.points;
-      if (points.place(a_.node_point[n]) != SurfacePlace::Face) continue;
+      if (is_used[n] == 0 || points.place(a_.node_point[n]) != SurfacePlace::Face) continue;
       in_face[points.face(a_.node_point[n])].push_back(points.exact(a_.node_point[n]));
     }
     for (auto& [face, list] : in_face) {

@@ -51,58 +51,57 @@ std::vector<std::uint32_t> random_walk(const SurfaceMesh& mesh, Dice& dice, std:
   return walk;
 }
 
-void expect_euler(const SurfaceDivision& d) {
-  double sum = 0, whole = 0;
-  for (std::uint32_t c = 0; c < d.cell_count(); ++c) sum += d.area(CellId(c));
-  const SurfaceMesh& m = d.mesh();
+double mesh_area(const SurfaceMesh& m) {
+  double whole = 0;
   for (std::uint32_t f = 0; f < m.face_count(); ++f) {
     const Point3 a = m.point(m.corner(FaceId(f), 0)), b = m.point(m.corner(FaceId(f), 1)),
                  c = m.point(m.corner(FaceId(f), 2));
     const Point3 u{b.x - a.x, b.y - a.y, b.z - a.z}, v{c.x - a.x, c.y - a.y, c.z - a.z};
-    const Point3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-    whole += std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) / 2;
+    whole += std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2;
   }
-  EXPECT_NEAR(sum, whole, 1e-9 * whole);
-  // V - E + F of the arrangement where faces were cut, of the mesh elsewhere.
+  return whole;
+}
+
+/// V - E + F of the arrangement where faces are touched, of the mesh elsewhere. Of closed meshes.
+long characteristic(const SurfaceDivision& d) {
   const SurfaceArrangement& a = d.arrangement();
-  std::size_t twins = 0, border = 0, outer = 0;
-  for (std::size_t h = 0; h < a.halfedge_count(); ++h) {
-    if (a.twin[h].is_valid()) ++twins;
-  }
-  std::size_t untouched = 0;
-  for (std::uint32_t f = 0; f < m.face_count(); ++f) {
-    if (a.slot_of_face[f] == SurfaceArrangement::kNone) ++untouched;
-    for (std::size_t s = 0; s < 3; ++s) {
-      const HalfedgeId h = SurfaceMesh::halfedge(FaceId(f), s);
-      const bool is_touched = a.slot_of_face[f] != SurfaceArrangement::kNone;
-      if (m.is_border(h) || is_touched) continue;
-      ++outer;  // sides of whole faces, each edge seen from a whole face once or twice
-      if (a.slot_of_face[SurfaceMesh::face(m.twin(h)).value()] != SurfaceArrangement::kNone)
-        ++border;
-    }
-  }
-  std::size_t mesh_border = 0;
-  for (std::uint32_t h = 0; h < 3 * m.face_count(); ++h)
-    mesh_border += m.is_border(HalfedgeId(h)) ? 1 : 0;
-  if (mesh_border > 0) return;  // closed meshes only
-  std::size_t unused_vertices = m.vertex_count() - a.corner_vertex.size();
+  const SurfaceMesh& m = d.mesh();
+  const auto is_whole = [&](HalfedgeId h) {
+    return a.slot_of_face[SurfaceMesh::face(h).value()] == SurfaceArrangement::kNone;
+  };
+  // Nodes that no half-edge starts in, points of polygons that are not there, do not count.
+  std::vector<std::uint8_t> is_node(a.node_count());
+  for (const NodeId n : a.origin) is_node[n.value()] = 1;
+  long vertices = std::accumulate(is_node.begin(), is_node.end(), 0L);
+  vertices += static_cast<long>(m.vertex_count() - a.corner_vertex.size());
   for (const SurfacePointId p : a.node_point) {
-    if (d.scene().polygons.points.place(p) == SurfacePlace::Vertex) --unused_vertices;
+    if (d.scene().polygons.points.place(p) == SurfacePlace::Vertex) --vertices;
   }
-  std::size_t loops_more = 0;  // pieces with holes are no disks
-  for (std::size_t p = 0; p < a.piece_count(); ++p) {
-    loops_more += a.loop_begin[p + 1] - a.loop_begin[p] - 1;
+  long edges = static_cast<long>(
+      std::count_if(a.twin.begin(), a.twin.end(), [](HalfedgeId t) { return t.is_valid(); }) / 2);
+  for (std::uint32_t e = 0; e < m.edge_count(); ++e) {
+    const HalfedgeId h = m.halfedge(EdgeId(e));
+    if (is_whole(h) || is_whole(m.twin(h))) ++edges;
   }
-  const auto edges = static_cast<long>(twins / 2 + (outer + border) / 2);
-  const auto characteristic = static_cast<long>(m.vertex_count()) -
-                              static_cast<long>(m.edge_count()) + static_cast<long>(m.face_count());
-  // Nodes that no half-edge uses (points of polygons that are not there) are no vertices.
-  std::vector<std::uint8_t> is_used(a.node_count());
-  for (const NodeId n : a.origin) is_used[n.value()] = 1;
-  const auto vertices = std::accumulate(is_used.begin(), is_used.end(), 0L);
-  EXPECT_EQ(vertices + static_cast<long>(unused_vertices) - edges +
-                static_cast<long>(a.piece_count() + untouched) - static_cast<long>(loops_more),
-            characteristic);
+  // A piece with holes is no disk.
+  long faces = static_cast<long>(2 * a.piece_count()) - static_cast<long>(a.loop.size());
+  for (const std::uint32_t slot : a.slot_of_face) {
+    if (slot == SurfaceArrangement::kNone) ++faces;
+  }
+  return vertices - edges + faces;
+}
+
+void expect_euler(const SurfaceDivision& d) {
+  double sum = 0;
+  for (std::uint32_t c = 0; c < d.cell_count(); ++c) sum += d.area(CellId(c));
+  EXPECT_NEAR(sum, mesh_area(d.mesh()), 1e-9 * sum);
+  const SurfaceMesh& m = d.mesh();
+  for (std::uint32_t h = 0; h < 3 * m.face_count(); ++h) {
+    if (m.is_border(HalfedgeId(h))) return;
+  }
+  EXPECT_EQ(characteristic(d), static_cast<long>(m.vertex_count()) -
+                                   static_cast<long>(m.edge_count()) +
+                                   static_cast<long>(m.face_count()));
 }
 
 TEST(SurfaceDivision, RandomWalksObeyTheLaws) {
