@@ -9,7 +9,9 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kMaxFaces = 0xffffffffU / 3;
+// SurfacePointTable has 30 bits for vertices and for edges.
+constexpr std::size_t kMaxVertices = 0x3fffffffU;
+constexpr std::size_t kMaxFaces = kMaxVertices / 3;
 
 /// The first few places where a mesh is no orientable manifold.
 class Places {
@@ -69,7 +71,7 @@ SurfaceMesh::SurfaceMesh(std::vector<Point3> points, std::vector<SurfaceTriangle
 }
 
 void SurfaceMesh::check_corners() const {
-  if (corners_.size() > kMaxFaces || points_.size() >= VertexId::kInvalid) {
+  if (corners_.size() > kMaxFaces || points_.size() > kMaxVertices) {
     throw Error(ErrorCode::ResourceLimit, "a mesh of more faces than ids");
   }
   for (std::size_t f = 0; f < corners_.size(); ++f) {
