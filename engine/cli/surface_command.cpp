@@ -14,9 +14,7 @@
 #include "format_choice.h"
 #include "picture_files.h"
 #include "plumb/base/error.h"
-#include "plumb/base/set_expression.h"
 #include "plumb/io/input.h"
-#include "plumb/io/scene_reader.h"
 #include "plumb/io/surface_writer.h"
 #include "plumb/io/text_output.h"
 #include "plumb/picture/scene_glb.h"
@@ -24,6 +22,7 @@
 #include "plumb/picture/surface_scene.h"
 #include "plumb/surface/surface_arrangement.h"
 #include "plumb/surface/surface_cells.h"
+#include "surface_input.h"
 
 namespace plumb::cli {
 namespace {
@@ -31,60 +30,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // ---------------------------------------------------------------- what all of them do
-
-/// A scene, divided.
-struct Divided {
-  SurfaceDivision division;
-  std::string model;
-};
-
-/// Reads the scene, and the expression if there is to be one.
-class SurfaceInput {
- public:
-  void declare(CLI::App& app) {
-    app.add_option("SCENE", file_, "A scene: .json; - is standard input")
-        ->required()
-        ->type_name("");
-  }
-  void declare_expression(CLI::App& app, bool is_required) {
-    CLI::Option* const op =
-        app.add_option("--op", expression_,
-                       "+ union, * intersection, - difference, ^ symmetric, ! complement of shapes "
-                       "A, B .. or s0, s1 ..")
-            ->type_name("EXPR");
-    if (is_required) op->required();
-    app.add_option("--rule", rule_, "Labels inside: evenodd (default), nonzero, positive")
-        ->type_name("RULE")
-        ->check(CLI::IsMember({"evenodd", "nonzero", "positive"}).description(""));
-  }
-
-  bool has_expression() const { return !expression_.empty(); }
-  const std::string& file() const { return file_; }
-
-  Divided read(Session& session) const {
-    SceneFile file = read_scene_file(file_, {.exact_decimals = session.options().exact_decimals},
-                                     session.context());
-    for (const std::string& note : file.notes) session.note(file.model + ": " + note);
-    return {SurfaceDivision(std::move(file.scene), session.context()), file.model};
-  }
-
-  SurfaceResult evaluate(const SurfaceDivision& division) const {
-    const WindingRule rule = rule_ == "nonzero"    ? WindingRule::NonZero
-                             : rule_ == "positive" ? WindingRule::Positive
-                                                   : WindingRule::EvenOdd;
-    try {
-      return division.evaluate(parse_set_expression(expression_), rule);
-    } catch (const Error& error) {
-      if (error.code() != ErrorCode::BadArgument && error.code() != ErrorCode::Syntax) throw;
-      throw Error(ErrorCode::Usage, "--op '" + expression_ + "': " + error.message());
-    }
-  }
-
- private:
-  std::string file_;
-  std::string expression_;
-  std::string rule_;
-};
 
 Json entries_json(std::span<const SignedEntry> entries) {
   Json list = Json::array();
@@ -145,7 +90,7 @@ class SurfaceCommand : public CommandBody {
     }
   }
 
-  void fill(const Divided& in, const SurfaceResult* result, Session& session) {
+  void fill(const DividedScene& in, const SurfaceResult* result, Session& session) {
     if (!format_) return;
     const SurfaceDivision& division = in.division;
     CellChoice chosen;
@@ -212,14 +157,14 @@ class CellsCommand : public SurfaceCommand {
 
   ExitCode run(Session& session) override {
     open(kCellFormats, session);
-    const Divided in = input_.read(session);
+    const DividedScene in = input_.read(session);
     fill(in, nullptr, session);
-    return deliver(session.options().json ? json_of(in.division) : Json(), text_of(in.division),
-                   session);
+    return deliver(session.options().json ? json_of(in) : Json(), text_of(in.division), session);
   }
 
  private:
-  static Json json_of(const SurfaceDivision& division) {
+  static Json json_of(const DividedScene& in) {
+    const SurfaceDivision& division = in.division;
     const SurfaceCounts counts = division.counts();
     Json polygons = Json::array(), shapes = Json::array(), labels = Json::array(),
          areas = Json::array(), graph = Json::array();
@@ -245,11 +190,17 @@ class CellsCommand : public SurfaceCommand {
                        {"sign", e.sign},
                        {"polygons", entries_json(division.arrangement().bundles[e.bundle])}});
     }
-    return {{"triangles", counts.triangles},   {"segments", counts.segments},
-            {"crossings", counts.crossings},   {"cells", counts.cells},
-            {"cell_edges", counts.cell_edges}, {"polygons", std::move(polygons)},
-            {"shapes", std::move(shapes)},     {"labels", std::move(labels)},
-            {"areas", std::move(areas)},       {"graph", std::move(graph)}};
+    Json repairs = Json::array();
+    for (const SurfaceRepair& r : in.repairs) {
+      repairs.push_back({{"shape", r.shape}, {"class", r.homology}, {"polygons", r.polygons}});
+    }
+    Json json{{"triangles", counts.triangles},   {"segments", counts.segments},
+              {"crossings", counts.crossings},   {"cells", counts.cells},
+              {"cell_edges", counts.cell_edges}, {"polygons", std::move(polygons)},
+              {"shapes", std::move(shapes)},     {"labels", std::move(labels)},
+              {"areas", std::move(areas)},       {"graph", std::move(graph)}};
+    if (!repairs.empty()) json["repairs"] = std::move(repairs);
+    return json;
   }
 
   static std::string text_of(const SurfaceDivision& division) {
@@ -289,7 +240,7 @@ class BooleanCommand : public SurfaceCommand {
 
   ExitCode run(Session& session) override {
     open(kResultFormats, session);
-    const Divided in = input_.read(session);
+    const DividedScene in = input_.read(session);
     const SurfaceResult result = input_.evaluate(in.division);
     fill(in, &result, session);
     const std::size_t loops = result.borders.size();
@@ -333,7 +284,7 @@ class DrawCommand : public CommandBody {
 
   ExitCode run(Session& session) override {
     const PictureFormat& format = open(session);
-    const Divided in = input_.read(session);
+    const DividedScene in = input_.read(session);
     std::optional<SurfaceResult> result;
     if (input_.has_expression()) result = input_.evaluate(in.division);
     const std::string title = std::filesystem::path(input_name(input_.file())).filename().string();

@@ -256,6 +256,25 @@ TEST_F(SurfaceProgram, meridians_of_a_torus) {
   EXPECT_EQ(cells(scene(both))["cells"], 1);
 }
 
+TEST_F(SurfaceProgram, repairs_on_request_what_does_not_separate) {
+  SceneBuilder s("torus.obj");
+  add_meridian(s, 2, true);
+  add_longitude(s, 3);
+  s.add_polygon({0, 1, 2, 3, 4, 5, 6, 7});
+  s.set("shapes", {{0}, {1}, {0, 1}});
+  const std::string file = scene(s);
+  const Json json = answer({"surface", "cells", file, "--repair"});
+  ASSERT_EQ(json["repairs"].size(), 3U);
+  for (const Json& shape : json["shapes"]) EXPECT_EQ(shape["separates"], true);
+  for (const Json& repair : json["repairs"]) {
+    EXPECT_EQ(repair["class"].size(), 2U);
+    EXPECT_FALSE(repair["polygons"].empty());
+  }
+  EXPECT_EQ(run({"surface", "boolean", file, "--op", "A * B"}).code, 2);
+  EXPECT_EQ(run({"surface", "boolean", file, "--op", "A * B", "--repair"}).code, 0);
+  EXPECT_FALSE(answer({"surface", "cells", two_boxes(), "--repair"}).contains("repairs"));
+}
+
 TEST_F(SurfaceProgram, a_box_on_each_of_two_tori) {
   SceneBuilder s("tori.obj");
   const int second = 2 * kRing * kTube;
