@@ -92,12 +92,27 @@ bool is_beyond(const SpaceComplex& complex, const Box3& box) {
 
 }  // namespace
 
-bool are_apart(const SpaceComplex& a, const SpaceComplex& b) {
-  if (a.vertex_count() == 0 || b.vertex_count() == 0) return false;
-  const Box3 of_a = box_of(a), of_b = box_of(b);
-  if (!of_a.meets(of_b)) return true;
-  const bool is_a_larger = a.facet_count() > b.facet_count();
-  return is_a_larger ? is_beyond(a, of_b) : is_beyond(b, of_a);
+namespace {
+
+bool is_beyond(std::span<const Box3> parts, const Box3& box) {
+  Ways ways(box);
+  return std::ranges::all_of(parts, [&](const Box3& part) { return ways.obstruct(part); });
+}
+
+Box3 around(std::span<const Box3> parts) {
+  Box3 all;
+  for (const Box3& part : parts) all.add(part);
+  return all;
+}
+
+}  // namespace
+
+bool are_apart(const BoxedComplex& a, const BoxedComplex& b) {
+  if (a.complex.vertex_count() == 0 || b.complex.vertex_count() == 0) return false;
+  const Box3 of_a = around(a.parts), of_b = around(b.parts);
+  if (!of_a.meets(of_b) || is_beyond(a.parts, of_b) || is_beyond(b.parts, of_a)) return true;
+  const bool is_a_larger = a.complex.facet_count() > b.complex.facet_count();
+  return is_a_larger ? is_beyond(a.complex, of_b) : is_beyond(b.complex, of_a);
 }
 
 SpaceComplex appended(SpaceComplex a, SpaceComplex b) {

@@ -286,26 +286,29 @@ std::optional<Nef3> combine_marks(const Nef3& a, const Nef3& b, MarkFunction f) 
   return with_marks(a, f(false, false), f(true, true));
 }
 
+}  // namespace
+
 /// Bounded boundaries apart: all of one lies in volume 0 of the other.
-Nef3 combine_apart(Nef3 a, Nef3 b, MarkFunction f) {
+std::optional<Nef3> Nef3::combined_apart(Nef3& a, Nef3& b, MarkFunction f) {
+  if (has_frame(a.complex()) || has_frame(b.complex())) return {};
+  std::vector<Box3> parts = a.state_->boxes();
+  const std::vector<Box3> others = b.state_->boxes();
+  if (!are_apart({a.complex(), parts}, {b.complex(), others})) return {};
   const bool of_a = a.complex().volume_mark[0] != 0, of_b = b.complex().volume_mark[0] != 0;
-  a = with_marks(std::move(a), f(false, of_b), f(true, of_b));
-  b = with_marks(std::move(b), f(of_a, false), f(of_a, true));
+  a = plumb::with_marks(std::move(a), f(false, of_b), f(true, of_b));
+  b = plumb::with_marks(std::move(b), f(of_a, false), f(of_a, true));
   if (b.complex().vertex_count() == 0) return a;
   if (a.complex().vertex_count() == 0) return b;
-  return Nef3::from_minimal(with_tidy_tables(appended(std::move(a).taken(), std::move(b).taken())));
+  parts.insert(parts.end(), others.begin(), others.end());
+  Nef3 both;
+  both.state_ = std::make_shared<State>(
+      with_tidy_tables(appended(std::move(a).taken(), std::move(b).taken())), std::move(parts));
+  return both;
 }
-
-bool are_apart(const Nef3& a, const Nef3& b) {
-  return !has_frame(a.complex()) && !has_frame(b.complex()) &&
-         plumb::are_apart(a.complex(), b.complex());
-}
-
-}  // namespace
 
 Nef3 combine(Nef3 a, Nef3 b, MarkFunction f, Context& context) {
   if (const std::optional<Nef3> known = combine_marks(a, b, f)) return *known;
-  if (are_apart(a, b)) return combine_apart(std::move(a), std::move(b), f);
+  if (std::optional<Nef3> both = Nef3::combined_apart(a, b, f)) return std::move(*both);
   return Nef3::from_minimal(combine_any(std::move(a).taken(), std::move(b).taken(), f, context));
 }
 

@@ -209,6 +209,8 @@ class Nef3 {
  private:
   struct State;
   explicit Nef3(SpaceComplex minimal);
+  friend Nef3 combine(Nef3 a, Nef3 b, MarkFunction f, Context& context);
+  static std::optional<Nef3> combined_apart(Nef3& a, Nef3& b, MarkFunction f);
   const SpaceLocator& locator() const;
 
   std::shared_ptr<const State> state_;

@@ -4,16 +4,24 @@
 #include <memory>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include "plumb/space/nef3.h"
+#include "plumb/space/space_boxes.h"
 #include "plumb/space/space_locator.h"
 
 namespace plumb {
 
 struct Nef3::State {
-  explicit State(SpaceComplex c) : complex(std::move(c)) {}
+  explicit State(SpaceComplex c, std::vector<Box3> known_parts = {})
+      : complex(std::move(c)), parts(std::move(known_parts)) {}
+  /// Around the boundary; its box where they are not known.
+  std::vector<Box3> boxes() const {
+    return parts.empty() ? std::vector<Box3>{box_of(complex)} : parts;
+  }
 
   SpaceComplex complex;
+  std::vector<Box3> parts;  ///< BoxedComplex; empty: not known
   mutable std::once_flag locator_made;
   mutable std::unique_ptr<SpaceLocator> locator;
 };
