@@ -138,7 +138,7 @@ std::span<const CutCandidate> CutChooser::candidates(std::span<const FaceId> fac
   const bool is_small = edges_.size() <= 2 * kAllVertices;
   for (Edge& edge : edges_) {
     if (!is_small) break;
-    edge.alone = std::min(judged_face(edge, true).crossed, judged_face(edge, false).crossed);
+    edge.alone = std::max(judged_face(edge, true).crossed, judged_face(edge, false).crossed);
   }
   for (std::size_t i = 0; i < (is_small ? edges_.size() : seeds); ++i) {
     const Edge& edge = edges_[is_small ? i : i * edges_.size() / seeds];

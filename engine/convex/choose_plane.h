@@ -46,7 +46,7 @@ class CutChooser {
     HalfedgeId half;
     std::uint32_t a, b;            // ends, into ends_
     std::array<double, 3> n1, n2;  // outward normals of the faces
-    int alone = 0;                 // edges that the better of its faces' planes crosses
+    int alone = 0;                 // edges that the worse of its faces' planes crosses
   };
 
   void gather(std::span<const FaceId> faces, std::span<const HalfedgeId> reflex);
