@@ -22,7 +22,6 @@ struct Use {
   std::uint32_t low;
   std::uint32_t high;
   SignedEntry polygon;
-  friend bool operator==(const Use&, const Use&) = default;
   bool is_with(const Use& u) const { return item == u.item && low == u.low && high == u.high; }
   friend bool operator<(const Use& a, const Use& b) {
     return std::tie(a.item, a.low, a.high, a.polygon) < std::tie(b.item, b.low, b.high, b.polygon);
