@@ -1,0 +1,82 @@
+// A closed bounded convex set of dimension 0 to 3 by its vertices, edges and facets: what Minkowski sums are made of.
+//
+// Notation
+//   facet    a cycle of vertices, counter-clockwise seen from outside, and an outer normal. A polygon has two
+//            facets, one for each side; segments and points have none
+//   edge     from end[0] to end[1]; side[0] is the facet to its left seen from outside, side[1] that to its
+//            right (none: of a segment)
+//
+// Every number is known exactly and, for filters, as a ball of doubles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "plumb/predicates/rational_point.h"
+#include "plumb/space/ball.h"
+#include "plumb/space/space_complex.h"
+
+namespace plumb {
+
+/// A vector of space.
+struct BallVector {
+  std::array<Ball, 3> at;
+
+  friend BallVector operator-(const BallVector& a, const BallVector& b) {
+    return {{a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2]}};
+  }
+};
+inline Ball dot(const BallVector& a, const BallVector& b) {
+  return a.at[0] * b.at[0] + a.at[1] * b.at[1] + a.at[2] * b.at[2];
+}
+inline BallVector cross(const BallVector& a, const BallVector& b) {
+  return {{a.at[1] * b.at[2] - a.at[2] * b.at[1], a.at[2] * b.at[0] - a.at[0] * b.at[2],
+           a.at[0] * b.at[1] - a.at[1] * b.at[0]}};
+}
+
+inline RationalPoint3 operator-(const RationalPoint3& a, const RationalPoint3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Rational dot(const RationalPoint3& a, const RationalPoint3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline RationalPoint3 cross(const RationalPoint3& a, const RationalPoint3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+struct ConvexBody {
+  struct Edge {
+    std::array<std::uint32_t, 2> end;
+    std::array<std::uint32_t, 2> side;
+  };
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+  unsigned dimension = 0;
+  std::vector<RationalPoint3> point;
+  std::vector<BallVector> rough_point;
+  std::vector<std::uint32_t> star_begin;  ///< per vertex: entries into neighbour
+  std::vector<std::uint32_t> neighbour;
+  std::vector<Edge> edge;
+  std::vector<std::uint32_t> facet_begin = {0};
+  std::vector<std::uint32_t> corner;
+  std::vector<RationalPoint3> normal;
+  std::vector<BallVector> rough_normal;
+
+  std::size_t facet_count() const { return normal.size(); }
+  std::span<const std::uint32_t> corners(std::size_t f) const {
+    return std::span(corner).subspan(facet_begin[f], facet_begin[f + 1] - facet_begin[f]);
+  }
+  std::span<const std::uint32_t> star(std::uint32_t v) const {
+    return std::span(neighbour).subspan(star_begin[v], star_begin[v + 1] - star_begin[v]);
+  }
+};
+
+/// The closure of a bounded convex set that is not empty, by its complex. Requires the minimal complex of a
+/// closed convex set. O(n).
+ConvexBody convex_body_of(const SpaceComplex& complex);
+/// A point, a segment or a triangle: one to three points, not on a line.
+ConvexBody convex_body_of(std::span<const RationalPoint3> points);
+
+}  // namespace plumb

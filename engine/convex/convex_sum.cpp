@@ -1,0 +1,243 @@
+#include "plumb/convex/convex_sum.h"
+
+#include <tsl/robin_map.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "plumb/base/error.h"
+#include "plumb/convex/fan_walk.h"
+#include "plumb/space/link_facets.h"
+#include "plumb/space/mesh_links.h"
+
+namespace plumb {
+namespace {
+
+/// Steps 3 and 4: facets by the faces of the operands, in one complex.
+class SumBuilder {
+ public:
+  SumBuilder(const ConvexBody& a, const ConvexBody& b)
+      : a_(a), b_(b), tables_(std::make_shared<SpaceTables>()) {}
+
+  void add_facet(const FacetDirection& d) {
+    cycle_.clear();
+    merge(d);
+    const auto [i, j] = names_[cycle_[0]];
+    const Rational offset = -(dot(d.normal, a_.point[i]) + dot(d.normal, b_.point[j]));
+    const OrientedPlane plane = tables_->planes.intern(d.normal.x, d.normal.y, d.normal.z, offset);
+    PLUMB_CHECK(plane.is_valid() && cycle_.size() >= 3);
+    // Cycles are kept as seen from the positive side of the plane.
+    if (plane.is_opposite()) std::reverse(cycle_.begin(), cycle_.end());
+    std::rotate(cycle_.begin(), std::min_element(cycle_.begin(), cycle_.end()), cycle_.end());
+    facets_.corner.insert(facets_.corner.end(), cycle_.begin(), cycle_.end());
+    facets_.begin.push_back(static_cast<std::uint32_t>(facets_.corner.size()));
+    facets_.plane.push_back(plane.plane());
+    facets_.jump.push_back(0);
+    facets_.origin.push_back(static_cast<std::uint32_t>(facets_.origin.size()));
+    outer_side_.push_back(plane.is_opposite() ? 1 : 0);
+  }
+
+  Nef3 finish(bool is_flat, SumMarks marks) {
+    make_points(is_flat);
+    const MeshLinks links = link_corners(facets_, names_.size());
+    SpaceComplex c = link_facets(facets_, links, point_, tables_);
+    const VolumeId outside(0), inside(is_flat ? 0U : 1U);
+    c.volume_mark.assign(is_flat ? 1 : 2, 1);
+    c.volume_mark[0] = 0;
+    for (std::size_t f = 0; f < c.facet_count(); ++f) {
+      c.facet_volume[f][outer_side_[f]] = outside;
+      c.facet_volume[f][1U - outer_side_[f]] = inside;
+    }
+    const Mark boundary = marks == SumMarks::Closed ? 1 : 0;
+    std::fill(c.facet_mark.begin(), c.facet_mark.end(), is_flat ? Mark{1} : boundary);
+    std::fill(c.edge_mark.begin(), c.edge_mark.end(), boundary);
+    std::fill(c.vertex_mark.begin(), c.vertex_mark.end(), boundary);
+    return Nef3::from_minimal(std::move(c));
+  }
+
+ private:
+  using Name = std::pair<std::uint32_t, std::uint32_t>;
+
+  std::uint32_t vertex(std::uint32_t i, std::uint32_t j) {
+    const auto next = static_cast<std::uint32_t>(names_.size());
+    // A dense key: the table's hash is the identity, and many pairs share one of the two.
+    const auto [at, is_new] = number_.try_emplace(i * b_.point.size() + j, next);
+    if (is_new) names_.emplace_back(i, j);
+    return at->second;
+  }
+
+  // ---- merging two cycles
+
+  /// The corner that is least in lexicographic order: both cycles begin with one direction there.
+  static std::size_t least(const ConvexBody& body, std::span<const std::uint32_t> cycle) {
+    const auto is_less = [&](std::uint32_t v, std::uint32_t w) {
+      const RationalPoint3 &p = body.point[v], &q = body.point[w];
+      if (p.x != q.x) return p.x < q.x;
+      return p.y != q.y ? p.y < q.y : p.z < q.z;
+    };
+    return static_cast<std::size_t>(std::min_element(cycle.begin(), cycle.end(), is_less) -
+                                    cycle.begin());
+  }
+
+  /// Corners in order, counter-clockwise seen along the normal: each step takes the edge that comes first
+  /// in angle, or both.
+  void merge(const FacetDirection& direction) {
+    const std::span<const std::uint32_t> a = direction.face_a, b = direction.face_b;
+    const std::size_t first_a = least(a_, a), first_b = least(b_, b);
+    const std::size_t edges_a = a.size() == 1 ? 0 : a.size();
+    const std::size_t edges_b = b.size() == 1 ? 0 : b.size();
+    const auto at = [](std::span<const std::uint32_t> cycle, std::size_t first, std::size_t i) {
+      return cycle[(first + i) % cycle.size()];
+    };
+    std::size_t i = 0, j = 0;
+    while (i < edges_a || j < edges_b) {
+      const std::uint32_t v = at(a, first_a, i), w = at(b, first_b, j);
+      cycle_.push_back(vertex(v, w));
+      Sign turn = i == edges_a ? Sign::Negative : Sign::Positive;
+      if (i < edges_a && j < edges_b) {
+        turn = turn_of(direction, {v, at(a, first_a, i + 1)}, {w, at(b, first_b, j + 1)});
+      }
+      if (turn != Sign::Negative) ++i;
+      if (turn != Sign::Positive) ++j;
+    }
+  }
+
+  /// From an edge of a to an edge of b, about the normal.
+  Sign turn_of(const FacetDirection& direction, Name of_a, Name of_b) const {
+    const BallVector d = a_.rough_point[of_a.second] - a_.rough_point[of_a.first];
+    const BallVector e = b_.rough_point[of_b.second] - b_.rough_point[of_b.first];
+    const FilteredSign s = dot(direction.rough_normal, cross(d, e)).sign();
+    if (is_decided(s)) return decided(s);
+    return sign_of(dot(direction.normal, cross(a_.point[of_a.second] - a_.point[of_a.first],
+                                               b_.point[of_b.second] - b_.point[of_b.first])));
+  }
+
+  // ---- vertices
+
+  void make_points(bool is_flat) {
+    const Incidence facets(facets_, names_.size());
+    for (std::uint32_t v = 0; v < names_.size(); ++v) {
+      point_.push_back(make_point(v, is_flat ? std::span<const std::uint32_t>() : facets.of(v)));
+    }
+  }
+
+  /// The facets at each vertex.
+  class Incidence {
+   public:
+    Incidence(const MeshFacets& facets, std::size_t vertices) : begin_(vertices + 1, 0) {
+      for (const std::uint32_t v : facets.corner) ++begin_[v + 1];
+      for (std::size_t v = 0; v < vertices; ++v) begin_[v + 1] += begin_[v];
+      facet_.resize(facets.corner.size());
+      std::vector<std::uint32_t> at(begin_.begin(), begin_.end() - 1);
+      for (std::uint32_t f = 0; f < facets.size(); ++f) {
+        for (const std::uint32_t v : facets.corners(f)) facet_[at[v]++] = f;
+      }
+    }
+    std::span<const std::uint32_t> of(std::uint32_t v) const {
+      return std::span(facet_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
+    }
+
+   private:
+    std::vector<std::uint32_t> begin_, facet_;
+  };
+
+  /// An input point where doubles hold the sum, else the common point of three facets around.
+  SpacePoint make_point(std::uint32_t v, std::span<const std::uint32_t> facets) {
+    const auto [i, j] = names_[v];
+    const RationalPoint3 &p = a_.point[i], &q = b_.point[j];
+    const RationalPoint3 sum{p.x + q.x, p.y + q.y, p.z + q.z};
+    if (facets.empty() || is_double(sum)) return add_point(*tables_, sum);
+    const std::vector<PlaneId>& plane = facets_.plane;
+    for (std::size_t k = 2; k < facets.size(); ++k) {
+      const SpacePoint x =
+          tables_->points.add(plane[facets[0]], plane[facets[1]], plane[facets[k]]);
+      if (x.is_valid()) return x;
+    }
+    PLUMB_CHECK(!"three planes meet in a vertex");
+    return {};
+  }
+
+  static bool is_double(const RationalPoint3& p) {
+    const auto is = [](const Rational& x) { return Rational(x.convert_to<double>()) == x; };
+    return is(p.x) && is(p.y) && is(p.z);
+  }
+
+  const ConvexBody& a_;
+  const ConvexBody& b_;
+  std::shared_ptr<SpaceTables> tables_;
+  tsl::robin_map<std::uint64_t, std::uint32_t> number_;
+  std::vector<Name> names_;  // vertices of a and b
+  std::vector<SpacePoint> point_;
+  MeshFacets facets_;
+  std::vector<std::uint32_t> outer_side_;  // per facet: 0 positive
+  std::vector<std::uint32_t> cycle_;
+};
+
+RationalPoint3 sum_of(const RationalPoint3& p, const RationalPoint3& q) {
+  return {p.x + q.x, p.y + q.y, p.z + q.z};
+}
+
+/// Of two points, or a segment and a point, or parallel segments.
+Nef3 thin_sum(const ConvexBody& a, const ConvexBody& b, SumMarks marks) {
+  std::vector<RationalPoint3> points;
+  for (const RationalPoint3& p : a.point) {
+    for (const RationalPoint3& q : b.point) points.push_back(sum_of(p, q));
+  }
+  const auto is_less = [](const RationalPoint3& p, const RationalPoint3& q) {
+    if (p.x != q.x) return p.x < q.x;
+    return p.y != q.y ? p.y < q.y : p.z < q.z;
+  };
+  const auto [least, greatest] = std::minmax_element(points.begin(), points.end(), is_less);
+  if (*least == *greatest) return Nef3::point(*least);
+  SpaceComplex c = Nef3::segment(*least, *greatest).complex();
+  if (marks == SumMarks::Open) c.vertex_mark.assign(c.vertex_count(), 0);
+  return Nef3::from_minimal(std::move(c));
+}
+
+bool is_zero(const RationalPoint3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+
+/// The normal of the plane that holds both when moved there, or zero.
+RationalPoint3 common_normal(const ConvexBody& a, const ConvexBody& b) {
+  if (a.dimension == 3 || b.dimension == 3) return {0, 0, 0};
+  if (a.dimension < 2 && b.dimension < 2) {
+    if (a.dimension == 0 || b.dimension == 0) return {0, 0, 0};
+    return cross(a.point[1] - a.point[0], b.point[1] - b.point[0]);
+  }
+  const ConvexBody& flat = a.dimension == 2 ? a : b;
+  const ConvexBody& other = a.dimension == 2 ? b : a;
+  const RationalPoint3& n = flat.normal[0];
+  for (const RationalPoint3& p : other.point) {
+    if (dot(n, p - other.point[0]) != 0) return {0, 0, 0};
+  }
+  return n;
+}
+
+/// All of an operand in a plane: its face in the direction of the plane's normal, counter-clockwise about it.
+std::vector<std::uint32_t> flat_face(const ConvexBody& body, const RationalPoint3& normal) {
+  if (body.dimension == 0) return {0};
+  if (body.dimension == 1) return {0, 1};
+  const std::size_t f = dot(body.normal[0], normal) > 0 ? 0 : 1;
+  return {body.corners(f).begin(), body.corners(f).end()};
+}
+
+}  // namespace
+
+Nef3 convex_sum(const ConvexBody& a, const ConvexBody& b, SumMarks marks, Context& context) {
+  context.checkpoint("convex sum", 0, 1);
+  const RationalPoint3 normal = common_normal(a, b);
+  const bool is_flat = !is_zero(normal);
+  if (a.dimension < 2 && b.dimension < 2 && !is_flat) return thin_sum(a, b, marks);
+  SumBuilder builder(a, b);
+  if (is_flat) {
+    const auto face_a = flat_face(a, normal), face_b = flat_face(b, normal);
+    const BallVector unknown{{Ball::unknown(), Ball::unknown(), Ball::unknown()}};
+    builder.add_facet({normal, unknown, face_a, face_b});
+  } else {
+    for_each_direction(
+        a, b, [&](const FacetDirection& d) { builder.add_facet(d); }, context);
+  }
+  return builder.finish(is_flat, marks);
+}
+
+}  // namespace plumb

@@ -1,0 +1,191 @@
+#include "plumb/convex/minkowski.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "plumb/base/error.h"
+#include "plumb/convex/convex_sum.h"
+#include "plumb/convex/decompose.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/facet_triangles.h"
+
+namespace plumb {
+namespace {
+
+/// A convex part of an operand: its closure, and whether that or its relative interior is meant.
+struct ConvexPart {
+  ConvexBody body;
+  bool is_closed = false;
+  bool is_maximal = false;  ///< in the boundary of no other part of its set
+};
+
+bool has_mark(const std::vector<Mark>& marks, Mark mark) {
+  return std::find(marks.begin(), marks.end(), mark) != marks.end();
+}
+
+/// Is a convex set its own relative interior?
+bool is_relatively_open(const SpaceComplex& c) {
+  if (has_mark(c.volume_mark, 1)) {
+    return !has_mark(c.facet_mark, 1) && !has_mark(c.edge_mark, 1) && !has_mark(c.vertex_mark, 1);
+  }
+  if (has_mark(c.facet_mark, 1)) return !has_mark(c.edge_mark, 1) && !has_mark(c.vertex_mark, 1);
+  return !has_mark(c.edge_mark, 1) || !has_mark(c.vertex_mark, 1);
+}
+
+ConvexBody body_of(const Nef3& convex) { return convex_body_of(convex.closure().complex()); }
+
+/// The relatively open parts of one convex piece: its body and the marked items of its boundary.
+class OpenParts {
+ public:
+  OpenParts(const Nef3& piece, std::vector<ConvexPart>& parts)
+      : piece_(piece), c_(piece.complex()), parts_(parts) {}
+
+  void run() {
+    const bool has_body = has_mark(c_.volume_mark, 1);
+    if (has_body) parts_.push_back({body_of(piece_.interior()), false, true});
+    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
+      if (c_.facet_mark[f] == 1) add_facet(FacetId(f), !has_body);
+    }
+    const bool has_facet = has_mark(c_.facet_mark, 1);
+    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
+      if (c_.edge_mark[e] != 1) continue;
+      add({point(c_.origin[2 * e]), point(c_.origin[2 * e + 1])}, !has_body && !has_facet);
+    }
+    const bool has_edge = has_mark(c_.edge_mark, 1);
+    for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
+      if (c_.vertex_mark[v] != 1) continue;
+      add({point(VertexId(v))}, !has_body && !has_facet && !has_edge);
+    }
+  }
+
+ private:
+  /// Open triangles and the open diagonals between them.
+  void add_facet(FacetId f, bool is_maximal) {
+    std::map<std::array<std::uint32_t, 2>, int> times;
+    FacetTriangles(c_).for_each(f, [&](VertexId a, VertexId b, VertexId c) {
+      add({point(a), point(b), point(c)}, is_maximal);
+      for (const auto& [v, w] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}}) {
+        ++times[{std::min(v, w).value(), std::max(v, w).value()}];
+      }
+    });
+    for (const auto& [ends, count] : times) {
+      if (count < 2) continue;
+      add({point(VertexId(ends[0])), point(VertexId(ends[1]))}, false);
+    }
+  }
+
+  void add(const std::vector<RationalPoint3>& points, bool is_maximal) {
+    parts_.push_back({convex_body_of(points), false, is_maximal});
+  }
+  RationalPoint3 point(VertexId v) const { return exact(c_.points(), c_.vertex_point[v.value()]); }
+
+  const Nef3& piece_;
+  const SpaceComplex& c_;
+  std::vector<ConvexPart>& parts_;
+};
+
+std::vector<Nef3> convex_pieces(const Nef3& set, bool closed, Context& context) {
+  if (set.is_convex()) return {set};
+  return decompose(set, {DecomposeMethod::Best, closed}, context).pieces;
+}
+
+/// Step 1.
+std::vector<ConvexPart> parts_of_operand(const Nef3& set, bool is_sum_closed, Context& context) {
+  std::vector<ConvexPart> parts;
+  for (const Nef3& piece : convex_pieces(set, is_sum_closed, context)) {
+    if (is_sum_closed || is_relatively_open(piece.complex())) {
+      parts.push_back({body_of(piece), is_sum_closed, true});
+    } else {
+      OpenParts(piece, parts).run();
+    }
+  }
+  return parts;
+}
+
+/// A sum with an open body does not change when the other operand is replaced by a dense part of it.
+bool is_needed(const ConvexPart& a, const ConvexPart& b) {
+  if (a.body.dimension == 3 && a.is_maximal && !b.is_maximal) return false;
+  return !(b.body.dimension == 3 && b.is_maximal && !a.is_maximal);
+}
+
+void require_bounded(const Nef3& set) {
+  if (set.is_bounded()) return;
+  throw Error(ErrorCode::BadArgument, "a Minkowski sum needs bounded operands");
+}
+
+// ---- erosion
+
+AffineMap3 scaling(int factor) {
+  AffineMap3 map;
+  for (std::size_t i = 0; i < 3; ++i) map.matrix[i][i] = factor;
+  return map;
+}
+
+/// The range of a coordinate over a bounded set that is not empty.
+std::array<Rational, 2> range_of(const Nef3& set, std::size_t axis) {
+  const SpaceComplex& c = set.complex();
+  SpacePoint low = c.vertex_point[0], high = low;
+  for (const SpacePoint p : c.vertex_point) {
+    if (compare_axis(c.points(), p, low, axis) == Sign::Negative) low = p;
+    if (compare_axis(c.points(), p, high, axis) == Sign::Positive) high = p;
+  }
+  const auto coordinate = [&](SpacePoint p) {
+    const RationalPoint3 at = exact(c.points(), p);
+    return axis == 0 ? at.x : axis == 1 ? at.y : at.z;
+  };
+  return {coordinate(low), coordinate(high)};
+}
+
+/// A closed box around A where it can hold x + B for x in the box around A - B, and more.
+Nef3 room_around(const Nef3& a, const Nef3& b, Context& context) {
+  std::vector<HalfSpace3> sides;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [low_a, high_a] = range_of(a, axis);
+    const auto [low_b, high_b] = range_of(b, axis);
+    const Rational margin = high_b - low_b + 1;
+    for (const int sign : {-1, 1}) {
+      std::array<Rational, 3> n;
+      n[axis] = sign;
+      const Rational at = sign < 0 ? Rational(low_a - margin) : Rational(high_a + margin);
+      sides.push_back({{n[0], n[1], n[2], Rational(-sign * at)}, Boundary::Closed});
+    }
+  }
+  return Nef3::intersection(sides, context);
+}
+
+}  // namespace
+
+Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context) {
+  if (a.is_empty() || b.is_empty()) return Nef3::empty();
+  require_bounded(a);
+  require_bounded(b);
+  const bool is_closed = a.is_closed() && b.is_closed();
+  const auto parts_a = parts_of_operand(a, is_closed, context);
+  const auto parts_b = parts_of_operand(b, is_closed, context);
+  std::vector<Nef3> sums;
+  const SumMarks marks = is_closed ? SumMarks::Closed : SumMarks::Open;
+  for (const ConvexPart& p : parts_a) {
+    for (const ConvexPart& q : parts_b) {
+      if (is_needed(p, q)) sums.push_back(convex_sum(p.body, q.body, marks, context));
+    }
+  }
+  return union_of(sums, context);
+}
+
+Nef3 minkowski_erosion(const Nef3& a, const Nef3& b, Context& context) {
+  require_bounded(b);
+  if (b.is_empty()) return Nef3::space();
+  const Nef3 mirrored = b.transformed(scaling(-1));
+  if (!a.is_bounded()) return !minkowski_sum(!a, mirrored, context);
+  if (a.is_empty()) return a;
+  // x + B in A for one point of B at least: x in the translate of A. There x + B stays in the room.
+  const Nef3 lost = minkowski_sum(combine(room_around(a, b, context), a, kDifference, context),
+                                  mirrored, context);
+  const Nef3 candidates = minkowski_sum(a, mirrored, context);
+  return combine(candidates, lost, kDifference, context);
+}
+
+}  // namespace plumb
