@@ -46,6 +46,13 @@ class MarkTable {
     return table;
   }
 
+  /// Of a set (first) and walls: kBeyond where a wall lies in the set. What was beyond stays it.
+  static constexpr MarkTable walled() {
+    MarkTable table(kDifference);
+    table.table_ = {0, 0, kBeyond, 1, kBeyond, kBeyond, kBeyond, kBeyond, kBeyond};
+    return table;
+  }
+
   constexpr Mark operator()(Mark first, Mark second) const { return table_[first * 3U + second]; }
 
  private:

@@ -46,7 +46,7 @@ SpaceComplex joined(Draft draft, Context& context) {
 class Combiner {
  public:
   Combiner(std::array<const SpaceComplex*, 2> operands, std::shared_ptr<SpaceTables> tables,
-           std::span<const Contact> contacts, MarkFunction f, const CommonOrigin& origin,
+           std::span<const Contact> contacts, const MarkTable& f, const CommonOrigin& origin,
            Context& context)
       : operands_(operands),
         planes_(tables->planes),
@@ -283,7 +283,7 @@ namespace {
 
 /// Phases 2 to 6.
 Draft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
-               const SpaceComplex& b, MarkFunction f, const CommonOrigin& origin,
+               const SpaceComplex& b, const MarkTable& f, const CommonOrigin& origin,
                Context& context) {
   const std::vector<Contact> contacts = meet(a, b, *tables, context);
   const TouchedComplex touched_a(a, contacts, 0), touched_b(b, contacts, 1);
@@ -301,13 +301,13 @@ Draft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a
 
 SpaceComplex combine(SpaceComplex a, SpaceComplex b, MarkFunction f, Context& context) {
   const std::shared_ptr<SpaceTables> tables = unite_tables(a, b);
-  Draft draft = draft_of(tables, a, b, f, lesser_origin, context);
+  Draft draft = draft_of(tables, a, b, MarkTable(f), lesser_origin, context);
   a = b = {};  // the peak of memory is yet to come
   return joined(std::move(draft), context);
 }
 
 SpaceComplex combine_on(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
-                        const SpaceComplex& b, MarkFunction f, const CommonOrigin& origin,
+                        const SpaceComplex& b, const MarkTable& f, const CommonOrigin& origin,
                         Context& context) {
   return joined(draft_of(tables, a, b, f, origin, context), context);
 }
@@ -384,7 +384,7 @@ SpaceComplex combine_with_plane(const SpaceComplex& a, OrientedPlane plane, Plan
   meet_plane(first, plane.plane(), *tables, contacts, labels);
   const TouchedComplex touched(first, contacts, 0);
   const CommonOrigin origin = lesser_origin;
-  Combiner combiner({&first, &second}, tables, contacts, f, origin, context);
+  Combiner combiner({&first, &second}, tables, contacts, MarkTable(f), origin, context);
   combiner.overlay_contacts();
   combiner.keep_vertices(0, touched, labels);
   return joined(combiner.finish(), context);

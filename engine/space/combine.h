@@ -36,9 +36,10 @@ SpaceComplex combine(SpaceComplex a, SpaceComplex b, MarkFunction f, Context& co
 /// What facet_origin a facet gets that lies in facets of both operands, by theirs.
 using CommonOrigin = std::function<std::uint32_t(std::uint32_t of_a, std::uint32_t of_b)>;
 
-/// combine() of operands that both refer to `tables`; new points are added there.
+/// combine() of operands that both refer to `tables`; new points are added there. With MarkTable::walled() the first
+/// may have a frame and the second none.
 SpaceComplex combine_on(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
-                        const SpaceComplex& b, MarkFunction f, const CommonOrigin& origin,
+                        const SpaceComplex& b, const MarkTable& f, const CommonOrigin& origin,
                         Context& context);
 
 /// A half-space or plane as an operand. Below: n.x + d < 0 for the oriented plane. Beyond: the plane and what

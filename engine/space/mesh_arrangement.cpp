@@ -43,9 +43,17 @@ class Bundles {
   }
 
  private:
+  /// Many pairs share a number: the identity, the standard's hash, would put these into one place.
+  struct Hash {
+    std::size_t operator()(std::uint64_t key) const {
+      key *= 0x9e3779b97f4a7c15U;
+      return key ^ key >> 32U;
+    }
+  };
+
   std::uint32_t sheets_;
   std::vector<std::array<std::uint32_t, 2>> pairs_;
-  tsl::robin_map<std::uint64_t, std::uint32_t> numbers_;
+  tsl::robin_map<std::uint64_t, std::uint32_t, Hash> numbers_;
   std::vector<std::uint32_t> open_;
 };
 
@@ -86,7 +94,7 @@ class Arranger {
     const std::size_t middle = first + (last - first) / 2;
     const SpaceComplex a = overlay(first, middle), b = overlay(middle, last);
     return combine_on(
-        tables_, a, b, kUnion,
+        tables_, a, b, MarkTable(kUnion),
         [this](std::uint32_t i, std::uint32_t j) { return bundles_.of_both(i, j); }, context_);
   }
 

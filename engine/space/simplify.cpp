@@ -64,11 +64,24 @@ class MinimalForm {
 
 }  // namespace
 
+void VertexCarrier::start(SpaceDraft& draft) {
+  for (const HalfedgeId h : carried_) point_of_[h.value()] = kNone;
+  carried_.clear();
+  draft_ = &draft;
+}
+
+void VertexCarrier::face_ends() {
+  for (const HalfedgeId h : carried_) {
+    draft_->twin[point_of_[h.value()]] = point_of_[SpaceComplex::twin(h).value()];
+  }
+}
+
 void VertexCarrier::add(VertexId v, const LocalMap& local) {
   origin_ids_.clear();
   for (const FacetId f : local.facet) origin_ids_.push_back(complex_.facet_origin[f.value()]);
-  const auto offsets = draft_.add(complex_.vertex_point[v.value()], local.map, false, origin_ids_);
+  const auto offsets = draft_->add(complex_.vertex_point[v.value()], local.map, false, origin_ids_);
   for (std::uint32_t i = 0; i < local.halfedge.size(); ++i) {
+    carried_.push_back(local.halfedge[i]);
     point_of_[local.halfedge[i].value()] = offsets.point + i;
   }
 }
@@ -81,10 +94,11 @@ void VertexCarrier::add_simplified(VertexId v, LocalMap& local) {
   for (const auto& cells : kept_.arc) {
     origin_ids_.push_back(complex_.facet_origin[local.facet[cells[0].index()].value()]);
   }
-  const auto offsets = draft_.add(complex_.vertex_point[v.value()], local.map,
-                                  kind == PyramidKind::Edge, origin_ids_);
+  const auto offsets = draft_->add(complex_.vertex_point[v.value()], local.map,
+                                   kind == PyramidKind::Edge, origin_ids_);
   for (std::uint32_t i = 0; i < local.map.point_count(); ++i) {
-    point_of_[local.halfedge[kept_.point[i][0].index()].value()] = offsets.point + i;
+    carried_.push_back(local.halfedge[kept_.point[i][0].index()]);
+    point_of_[carried_.back().value()] = offsets.point + i;
   }
 }
 
@@ -99,10 +113,7 @@ SpaceComplex simplified(SpaceComplex complex, Context& context) {
     local_map(complex, VertexId(v), local);
     carrier.add_simplified(VertexId(v), local);
   }
-  const std::vector<std::uint32_t>& point_of = carrier.point_of();
-  for (std::uint32_t h = 0; h < point_of.size(); ++h) {
-    if (point_of[h] != kNone) draft.twin[point_of[h]] = point_of[h ^ 1U];
-  }
+  carrier.face_ends();
   SpaceComplex result = join(std::move(draft), context);
   if (result.vertex_count() == 0) result.volume_mark[0] = complex.volume_mark[0];
   return result;

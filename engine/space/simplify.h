@@ -22,14 +22,17 @@ namespace plumb {
 /// The same set in minimal form. O(n); a minimal complex is given back as it is.
 SpaceComplex simplified(SpaceComplex complex, Context& context);
 
-/// Carries vertices of a complex into a draft and remembers where their half-edges went.
+/// Carries vertices of a complex into drafts and remembers where their half-edges went.
 class VertexCarrier {
  public:
   VertexCarrier(const SpaceComplex& complex, SpaceDraft& draft, SphereOverlay& overlay)
       : complex_(complex),
-        draft_(draft),
+        draft_(&draft),
         overlay_(overlay),
         point_of_(complex.origin.size(), SphereMap::kNone) {}
+
+  /// Forgets what was carried, in time proportional to that, and goes on with another draft.
+  void start(SpaceDraft& draft);
 
   /// Adds `local`, the map of v with other marks; it must be minimal.
   void add(VertexId v, const LocalMap& local);
@@ -37,14 +40,18 @@ class VertexCarrier {
   /// edge if it is that.
   void add_simplified(VertexId v, LocalMap& local);
 
+  /// Lets the two ends of every edge carried face each other.
+  void face_ends();
+
   /// Per half-edge: the point of the draft it became, or kNone.
   const std::vector<std::uint32_t>& point_of() const { return point_of_; }
 
  private:
   const SpaceComplex& complex_;
-  SpaceDraft& draft_;
+  SpaceDraft* draft_;
   SphereOverlay& overlay_;
   std::vector<std::uint32_t> point_of_;
+  std::vector<HalfedgeId> carried_;  // those with an entry there
   std::vector<std::uint32_t> origin_ids_;
   SphereOrigins kept_;
 };

@@ -1,0 +1,85 @@
+#include "plumb/convex/walls.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "plumb/base/error.h"
+#include "plumb/convex/vertical.h"
+#include "plumb/convex/wall_complex.h"
+#include "plumb/convex/wall_direction.h"
+#include "plumb/convex/wall_sector.h"
+#include "plumb/convex/wall_spread.h"
+#include "plumb/space/space_tables.h"
+
+namespace plumb {
+namespace {
+
+/// Edges around which a marked volume spans more than half a turn.
+std::uint64_t count_reflex_edges(const SpaceComplex& complex) {
+  const SectorTest test(complex);
+  std::vector<Sector> sectors;
+  std::uint64_t count = 0;
+  for (std::uint32_t e = 0; e < complex.edge_count(); ++e) {
+    sectors_of(complex, EdgeId(e), sectors);
+    count += std::any_of(sectors.begin(), sectors.end(),
+                         [&](const Sector& s) { return test.is_reflex(s); });
+  }
+  return count;
+}
+
+using Step = std::vector<WallPolygon> (*)(const SpaceComplex&, SpaceTables&, Vertical&, Context&);
+
+SpaceComplex after(Step step, SpaceComplex complex, const VerticalDirection& up, Context& context) {
+  const std::shared_ptr<SpaceTables> tables = copy(*complex.tables);
+  complex.tables = tables;
+  Vertical vertical(up, *tables);
+  const std::vector<WallPolygon> walls = step(complex, *tables, vertical, context);
+  return with_walls(std::move(complex), tables, walls, context);
+}
+
+/// Walls got a mark of their own.
+void mark_walls(SpaceComplex& complex) {
+  for (auto* marks : {&complex.vertex_mark, &complex.edge_mark, &complex.facet_mark}) {
+    std::replace(marks->begin(), marks->end(), kBeyond, Mark{1});
+  }
+}
+
+}  // namespace
+
+SpaceComplex wall_subdivision(const Nef3& set, const std::optional<VerticalDirection>& up,
+                              Context& context) {
+  if (!set.is_bounded()) throw Error(ErrorCode::BadArgument, "vertical walls need a bounded set");
+  SpaceComplex complex = set.complex();
+  const VerticalDirection chosen = up ? *up : choose_vertical(complex);
+  // Once, but where a cell winds around and lies above itself: then walls may have ended too early.
+  std::uint64_t left = count_reflex_edges(complex);
+  while (left > 0) {
+    complex = after(sight_walls, std::move(complex), chosen, context);
+    complex = after(spread_walls, std::move(complex), chosen, context);
+    left = count_reflex_edges(complex);
+  }
+  mark_walls(complex);
+  return complex;
+}
+
+ConvexPieces decompose_by_walls(const Nef3& set, const DecomposeOptions& options,
+                                Context& context) {
+  DecomposeOptions cuts = options;
+  cuts.method = DecomposeMethod::Cuts;
+  if (!set.is_bounded()) return decompose(set, cuts, context);
+  ConvexPieces result;
+  result.method = DecomposeMethod::Walls;
+  result.reflex_edges = count_reflex_edges(set.complex());
+  result.pieces = volumes_as_sets(wall_subdivision(set, {}, context), context);
+  if (options.closed) {
+    for (Nef3& piece : result.pieces) piece = piece.closure();
+  }
+  const Nef3 rest = without_volumes(set, context);
+  if (!rest.is_empty()) {
+    ConvexPieces thin = decompose(rest, cuts, context);
+    std::move(thin.pieces.begin(), thin.pieces.end(), std::back_inserter(result.pieces));
+  }
+  return result;
+}
+
+}  // namespace plumb

@@ -1,0 +1,243 @@
+// Vertical walls: pieces are convex, disjoint, and make up the set; how many there are; which facets are walls.
+#include "plumb/convex/walls.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generate/dice.h"
+#include "generate/meshes.h"
+#include "plumb/base/error.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/space_audit.h"
+#include "plumb/space/space_measure.h"
+
+namespace plumb::testing {
+namespace {
+
+Nef3 solid(const PolygonMesh& mesh) {
+  Context context;
+  return Nef3::mesh(mesh, WindingRule::Positive, context);
+}
+Nef3 box(Point3 low, Point3 high) { return solid(box_mesh(low, high)); }
+
+// ---------------------------------------------------------------- the oracle
+
+/// Support test in rationals: is every vertex of a piece on one side of each of its facets' planes? With one volume
+/// that is convexity of its closure.
+bool is_supported(const Nef3& piece) {
+  const SpaceComplex& c = piece.complex();
+  for (std::size_t f = 0; f < c.facet_count(); ++f) {
+    const IntegerRow row = c.planes().coefficients(c.facet_plane[f]);
+    bool is_above = false, is_below = false;
+    for (const SpacePoint p : c.vertex_point) {
+      const RationalPoint3 at = exact(c.points(), p);
+      const Rational value = row[0] * at.x + row[1] * at.y + row[2] * at.z + row[3];
+      is_above = is_above || value > 0;
+      is_below = is_below || value < 0;
+    }
+    if (is_above && is_below) return false;
+  }
+  return c.volume_count() <= 2;
+}
+
+/// Empty, or what is wrong with the pieces of a bounded set.
+std::string fault(const Nef3& set, const std::vector<Nef3>& pieces) {
+  Context context;
+  Rational volume = 0;
+  for (const Nef3& piece : pieces) {
+    if (audit(piece.complex(), true)) return "a piece fails its audit";
+    if (!is_supported(piece)) return "a piece is not convex";
+    volume += *marked_volume(piece.complex());
+  }
+  if (volume != *marked_volume(set.complex())) return "volumes do not add up";
+  if (!(union_of(pieces, context) == set)) return "the union is another set";
+  for (std::size_t i = 0; i < pieces.size() && pieces.size() < 12; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!(pieces[i] * pieces[j]).is_empty()) return "pieces overlap";
+    }
+  }
+  return {};
+}
+
+std::string fault(const Nef3& set) {
+  Context context;
+  return fault(set, decompose_by_walls(set, {DecomposeMethod::Walls, false}, context).pieces);
+}
+
+std::size_t piece_count(const Nef3& set) {
+  Context context;
+  return decompose_by_walls(set, {DecomposeMethod::Walls, false}, context).pieces.size();
+}
+
+// ---------------------------------------------------------------- families
+
+/// A slab with V-shaped grooves along x on top, and with them along y below: every upper wall crosses every
+/// lower one.
+Nef3 crossed_grooves(int count) {
+  Nef3 set = box({0, 0, 0}, {static_cast<double>(4 * count), static_cast<double>(4 * count), 10});
+  for (int i = 0; i < count; ++i) {
+    const double at = 4 * i + 2, end = 4 * count + 1;
+    const auto groove = [&](double low, double high, bool along_x) {
+      std::vector<Point3> p;
+      for (const double t : {-1.0, end}) {
+        for (const auto& [s, z] : {std::pair{at - 1, high}, {at + 1, high}, {at, low}}) {
+          p.push_back(along_x ? Point3{t, s, z} : Point3{s, t, z});
+        }
+      }
+      Context context;
+      return Nef3::mesh(
+          make_mesh(p, {{0, 1, 2}, {5, 4, 3}, {0, 3, 4, 1}, {1, 4, 5, 2}, {2, 5, 3, 0}}),
+          WindingRule::NonZero, context);
+    };
+    set -= groove(6, 11, true);
+    set -= groove(4, -1, false);
+  }
+  return set;
+}
+
+/// A star-shaped prism with `rays` points.
+Nef3 star(int rays) {
+  std::vector<Point2> outline;
+  for (int i = 0; i < 2 * rays; ++i) {
+    const double angle = M_PI * i / rays, radius = i % 2 == 0 ? 8 : 3;
+    outline.push_back({std::round(64 * radius * std::cos(angle)) / 64,
+                       std::round(64 * radius * std::sin(angle)) / 64});
+  }
+  return solid(prism_mesh(outline, 0, 1));
+}
+
+Nef3 permuted(const Nef3& set, std::array<std::size_t, 3> axes) {
+  AffineMap3 map;
+  for (std::size_t i = 0; i < 3; ++i) map.matrix[i][axes[i]] = 1;
+  return set.transformed(map);
+}
+
+TEST(Walls, LeaveAConvexSetAlone) {
+  EXPECT_EQ(piece_count(box({0, 0, 0}, {1, 2, 3})), 1U);
+  EXPECT_EQ(piece_count(box({0, 0, 0}, {1, 2, 3}).interior()), 1U);
+  EXPECT_EQ(piece_count(Nef3::empty()), 0U);
+}
+
+TEST(Walls, CutAnLBlockInTwo) {
+  const Nef3 block = box({0, 0, 0}, {2, 2, 1}) - box({1, 1, -1}, {3, 3, 2});
+  EXPECT_EQ(fault(block), "");
+  EXPECT_EQ(piece_count(block), 2U);
+  EXPECT_EQ(fault(block.closure()), "");
+  EXPECT_EQ(fault(block.interior()), "");
+}
+
+TEST(Walls, GoBothWaysFromEveryGroove) {
+  for (int n = 1; n <= 4; ++n) {
+    const Nef3 set = crossed_grooves(n);
+    const auto k = static_cast<std::size_t>(n);
+    EXPECT_LE(piece_count(set), (k + 1) * (k + 1)) << n;
+    EXPECT_EQ(fault(set), "") << n;
+  }
+}
+
+TEST(Walls, DoNotDependOnTheOrderOfAxes) {
+  const Nef3 grooves = crossed_grooves(3), rays = star(7);
+  std::array<std::size_t, 3> axes{0, 1, 2};
+  do {
+    EXPECT_EQ(piece_count(permuted(grooves, axes)), 8U);
+    EXPECT_EQ(piece_count(permuted(rays, axes)), 8U);
+  } while (std::next_permutation(axes.begin(), axes.end()));
+}
+
+TEST(Walls, MakeAtMostOnePieceMoreForEachRay) {
+  for (const int n : {3, 4, 5, 8}) {
+    EXPECT_LE(piece_count(star(n)), static_cast<std::size_t>(n) + 1) << n;
+    EXPECT_EQ(fault(star(n)), "") << n;
+  }
+}
+
+TEST(Walls, AreToldFromFacets) {
+  Context context;
+  const Nef3 block = box({0, 0, 0}, {2, 2, 1}) - box({1, 1, -1}, {3, 3, 2});
+  const SpaceComplex cut = wall_subdivision(block, {}, context);
+  EXPECT_FALSE(audit(cut, false).has_value());
+  std::size_t walls = 0;
+  for (std::size_t f = 0; f < cut.facet_count(); ++f) {
+    const auto& [above, below] = cut.facet_volume[f];
+    const bool is_between =
+        cut.volume_mark[above.value()] == 1 && cut.volume_mark[below.value()] == 1;
+    EXPECT_EQ(is_wall(cut, FacetId(f)), is_between);
+    walls += is_between;
+  }
+  EXPECT_EQ(walls, 1U);
+  EXPECT_EQ(Nef3::from_complex(cut, context), block);
+}
+
+TEST(Walls, CutVoidsComponentsAndPartsThatTouch) {
+  const Nef3 hollow = box({0, 0, 0}, {6, 6, 6}) - box({2, 2, 2}, {4, 4, 4});
+  EXPECT_EQ(fault(hollow), "");
+  EXPECT_EQ(fault(hollow + box({7, 0, 0}, {8, 1, 1})), "");
+  // Two boxes on a common edge, and two on a common corner: nothing is reflex but in the ring around.
+  const Nef3 on_edge = box({0, 0, 0}, {1, 1, 1}) + box({1, 1, 0}, {2, 2, 1});
+  EXPECT_EQ(piece_count(on_edge), 2U);
+  EXPECT_EQ(fault(on_edge), "");
+  EXPECT_EQ(fault(box({0, 0, 0}, {1, 1, 1}) + box({1, 1, 1}, {2, 2, 2})), "");
+  // A ring: facets with holes, which CGAL once made an empty piece of.
+  EXPECT_EQ(fault(box({0, 0, 0}, {6, 6, 2}) - box({2, 2, -1}, {4, 4, 3})), "");
+  EXPECT_EQ(fault(box({0, 0, 0}, {6, 6, 2}) + box({2, 2, 2}, {4, 4, 3})), "");
+}
+
+TEST(Walls, GoThroughSlits) {
+  const Nef3 cube = box({0, 0, 0}, {4, 4, 4});
+  const std::vector<RationalPoint3> flat{{1, 1, 2}, {3, 1, 2}, {2, 3, 2}};
+  const std::vector<RationalPoint3> upright{{1, 1, 1}, {3, 2, 1}, {2, Rational(3, 2), 3}};
+  EXPECT_EQ(fault(cube - Nef3::facet(flat)), "");
+  EXPECT_EQ(fault(cube - Nef3::facet(upright)), "");
+  EXPECT_EQ(fault(cube - Nef3::segment({1, 1, 1}, {2, 2, 2})), "");
+  EXPECT_EQ(fault(cube - Nef3::segment({1, 1, 1}, {1, 1, 2})), "");
+  EXPECT_EQ(fault(cube - Nef3::segment({1, 1, 1}, {1, 1, 4})), "");
+  EXPECT_EQ(fault(cube - Nef3::point({1, 2, 1}) - Nef3::point({1, 1, 1})), "");
+}
+
+TEST(Walls, KeepMarks) {
+  Context context;
+  const Nef3 block = box({0, 0, 0}, {2, 2, 1}) - box({1, 1, -1}, {3, 3, 2});
+  const Nef3 half_open =
+      block * Nef3::half_space({0, 0, 1, -1}, Boundary::Open) - Nef3::segment({0, 0, 0}, {2, 0, 0});
+  EXPECT_EQ(fault(half_open), "");
+  const auto closed = decompose_by_walls(half_open, {DecomposeMethod::Walls, true}, context).pieces;
+  for (const Nef3& piece : closed) EXPECT_TRUE(piece.is_closed() && piece.is_convex());
+  EXPECT_EQ(union_of(closed, context), half_open.closure());
+}
+
+TEST(Walls, NeedABoundedSet) {
+  Context context;
+  EXPECT_THROW(wall_subdivision(Nef3::space(), {}, context), Error);
+}
+
+TEST(Walls, MakeConvexPiecesOfRandomSolids) {
+  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
+    Dice dice(seed);
+    const auto corner = [&] { return static_cast<double>(dice.between(0, 4)); };
+    Nef3 set = box({0, 0, 0}, {4, 4, 4});
+    for (int i = 0; i < 3; ++i) {
+      std::vector<Point3> p;
+      for (int k = 0; k < 4; ++k) {
+        const double x = corner();
+        const double y = corner();
+        const double z = corner();
+        p.push_back({x, y, z});
+      }
+      Context context;
+      const Nef3 cut = Nef3::mesh(make_mesh(p, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}),
+                                  WindingRule::NonZero, context);
+      set = dice.below(3) == 0 ? set ^ cut : dice.below(2) == 0 ? set - cut : set - cut.interior();
+    }
+    RC_ASSERT(fault(set) == "");
+  }));
+}
+
+}  // namespace
+}  // namespace plumb::testing
