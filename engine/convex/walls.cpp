@@ -14,6 +14,8 @@
 namespace plumb {
 namespace {
 
+constexpr int kMaxRounds = 64;
+
 /// Edges around which a marked volume spans more than half a turn.
 std::uint64_t count_reflex_edges(const SpaceComplex& complex) {
   const SectorTest test(complex);
@@ -52,11 +54,10 @@ SpaceComplex wall_subdivision(const Nef3& set, const std::optional<VerticalDirec
   SpaceComplex complex = set.complex();
   const VerticalDirection chosen = up ? *up : choose_vertical(complex);
   // Once, but where a cell winds around and lies above itself: then walls may have ended too early.
-  std::uint64_t left = count_reflex_edges(complex);
-  while (left > 0) {
+  for (int round = 0; count_reflex_edges(complex) > 0; ++round) {
+    PLUMB_CHECK(round < kMaxRounds);
     complex = after(sight_walls, std::move(complex), chosen, context);
     complex = after(spread_walls, std::move(complex), chosen, context);
-    left = count_reflex_edges(complex);
   }
   mark_walls(complex);
   return complex;
