@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "plumb/base/error.h"
 #include "plumb/convex/convexity.h"
 #include "plumb/convex/cuts.h"
 #include "plumb/convex/merge_pieces.h"
 #include "plumb/convex/set_parts.h"
+#include "plumb/convex/walls.h"
 
 namespace plumb {
 namespace {
@@ -40,10 +40,8 @@ void add_pieces(const SetPart& part, const DecomposeOptions& options, Context& c
 }  // namespace
 
 ConvexPieces decompose(const Nef3& set, const DecomposeOptions& options, Context& context) {
-  if (options.method == DecomposeMethod::Walls) {
-    throw Error(ErrorCode::BadArgument, "no decomposition by walls yet");
-  }
   const Nef3 whole = without_wall_origins(set);
+  if (options.method == DecomposeMethod::Walls) return decompose_by_walls(whole, options, context);
   ConvexPieces result;
   result.reflex_edges = reflex_edges(whole.complex()).size();
   for (const SetPart& part : parts_of(whole, context)) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/convex/convexity.h"
 #include "plumb/convex/vertical.h"
 #include "plumb/convex/wall_complex.h"
 #include "plumb/convex/wall_direction.h"
@@ -16,17 +17,16 @@ namespace {
 
 constexpr int kMaxRounds = 64;
 
-/// Edges around which a marked volume spans more than half a turn.
-std::uint64_t count_reflex_edges(const SpaceComplex& complex) {
+/// Does a marked volume span more than half a turn around some edge? Of a complex that need not be minimal.
+bool has_reflex_edges(const SpaceComplex& complex) {
   const SectorTest test(complex);
   std::vector<Sector> sectors;
-  std::uint64_t count = 0;
   for (std::uint32_t e = 0; e < complex.edge_count(); ++e) {
     sectors_of(complex, EdgeId(e), sectors);
-    count += std::any_of(sectors.begin(), sectors.end(),
-                         [&](const Sector& s) { return test.is_reflex(s); });
+    const auto is_reflex = [&](const Sector& s) { return test.is_reflex(s); };
+    if (std::any_of(sectors.begin(), sectors.end(), is_reflex)) return true;
   }
-  return count;
+  return false;
 }
 
 using Step = std::vector<WallPolygon> (*)(const SpaceComplex&, SpaceTables&, Vertical&, Context&);
@@ -54,7 +54,7 @@ SpaceComplex wall_subdivision(const Nef3& set, const std::optional<VerticalDirec
   SpaceComplex complex = set.complex();
   const VerticalDirection chosen = up ? *up : choose_vertical(complex);
   // Once, but where a cell winds around and lies above itself: then walls may have ended too early.
-  for (int round = 0; count_reflex_edges(complex) > 0; ++round) {
+  for (int round = 0; has_reflex_edges(complex); ++round) {
     PLUMB_CHECK(round < kMaxRounds);
     complex = after(sight_walls, std::move(complex), chosen, context);
     complex = after(spread_walls, std::move(complex), chosen, context);
@@ -70,7 +70,7 @@ ConvexPieces decompose_by_walls(const Nef3& set, const DecomposeOptions& options
   if (!set.is_bounded()) return decompose(set, cuts, context);
   ConvexPieces result;
   result.method = DecomposeMethod::Walls;
-  result.reflex_edges = count_reflex_edges(set.complex());
+  result.reflex_edges = reflex_edges(set.complex()).size();
   result.pieces = volumes_as_sets(wall_subdivision(set, {}, context), context);
   if (options.closed) {
     for (Nef3& piece : result.pieces) piece = piece.closure();

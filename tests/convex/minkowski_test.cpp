@@ -6,7 +6,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
-#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -257,6 +257,43 @@ TEST(MinkowskiSum, LeavesAFacetOpenWhereEitherOperandIs) {
   EXPECT_FALSE(both.contains(RationalPoint3{2, Rational(3, 2), 1}));
 }
 
+/// Two of these make the operands.
+std::vector<Nef3> not_convex() {
+  Context context;
+  const Nef3 block = box({0, 0, 0}, {2, 2, 1}) - box({1, 1, -1}, {3, 3, 2}).interior();
+  const std::vector<RationalPoint3> bent{{0, 0, 0}, {2, 0, 0}, {2, 1, 1}};
+  const Nef3 ring = box({0, 0, 0}, {3, 3, 1}) - box({1, 1, -1}, {2, 2, 2}).interior();
+  return {block, block.interior(), Nef3::polyline(bent, context), ring,
+          box({0, 0, 0}, {1, 1, 1}) + Nef3::segment({1, 1, 1}, {2, 2, 2}) + Nef3::point({3, 0, 0})};
+}
+
+TEST(MinkowskiSum, HoldsTheSumsOfAnyTwoSets) {
+  const std::vector<Nef3> sets = not_convex();
+  const Nef3 wedge = Nef3::intersection(std::vector<HalfSpace3>{{{1, 1, 1, -1}, Boundary::Closed},
+                                                                {{-1, 0, 0, 0}, Boundary::Open},
+                                                                {{0, -1, 0, 0}, Boundary::Closed},
+                                                                {{0, 0, -1, 0}, Boundary::Closed}},
+                                        *std::make_unique<Context>());
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    Dice dice(i);
+    const Nef3& other = i % 2 == 0 ? sets[(i + 3) % sets.size()] : wedge;
+    const Nef3 both = sum(sets[i], other);
+    EXPECT_EQ(wrong_place(both, sets[i], other, dice, 40), "") << i;
+    EXPECT_EQ(both.is_closed(), sets[i].is_closed() && other.is_closed()) << i;
+  }
+}
+
+TEST(MinkowskiSum, ObeysItsLaws) {
+  const std::vector<Nef3> sets = not_convex();
+  const Nef3 cube = box({0, 0, 0}, {1, 1, 1}), slant = Nef3::segment({0, 0, 0}, {1, 2, 1});
+  for (const Nef3& set : sets) {
+    EXPECT_EQ(sum(set, Nef3::point({1, 2, 3})), translated(set, {1, 2, 3}));
+    EXPECT_EQ(sum(set, slant), sum(slant, set));
+  }
+  EXPECT_EQ(sum(sets[0] + sets[2], cube), sum(sets[0], cube) + sum(sets[2], cube));
+  EXPECT_EQ(sum(sum(sets[3], slant), cube), sum(sets[3], sum(slant, cube)));
+}
+
 TEST(MinkowskiSum, OfNothingIsNothing) {
   EXPECT_TRUE(sum(Nef3::empty(), box({0, 0, 0}, {1, 1, 1})).is_empty());
   EXPECT_TRUE(sum(Nef3::point({0, 0, 0}), Nef3::empty()).is_empty());
@@ -283,8 +320,12 @@ TEST(Erosion, UndoesASumOfConvexSets) {
   Context context;
   const Nef3 a = box({0, 0, 0}, {3, 2, 2}), b = polyhedral_ball(1, 0, context);
   EXPECT_EQ(minkowski_erosion(sum(a, b), b, context), a);
-  EXPECT_EQ(minkowski_erosion(sum(a, b).interior(), b, context), a.interior());
   EXPECT_TRUE(minkowski_erosion(b, a, context).is_empty());
+  EXPECT_EQ(minkowski_erosion(!a, b, context), !sum(a, b));
+  const Nef3 block = not_convex()[0], cube = box({0, 0, 0}, {0.5, 0.5, 0.5});
+  EXPECT_EQ(minkowski_erosion(sum(a, cube).interior(), cube, context), a.interior());
+  EXPECT_EQ(minkowski_erosion(block, cube, context),
+            box({0, 0, 0}, {1.5, 1.5, 0.5}) - box({0.5, 0.5, -1}, {2, 2, 1}).interior());
   EXPECT_TRUE(minkowski_erosion(a, Nef3::empty(), context).is_space());
 }
 

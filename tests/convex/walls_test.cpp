@@ -214,6 +214,9 @@ TEST(Walls, KeepMarks) {
 
 TEST(Walls, NeedABoundedSet) {
   Context context;
+  const Nef3 wedge = !(Nef3::half_space({1, 0, 0, 0}, Boundary::Closed) *
+                       Nef3::half_space({0, 1, 0, 0}, Boundary::Closed));
+  EXPECT_EQ(piece_count(wedge), 2U);  // by planes
   EXPECT_THROW(wall_subdivision(Nef3::space(), {}, context), Error);
 }
 
