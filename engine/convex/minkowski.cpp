@@ -105,11 +105,24 @@ std::vector<ConvexPart> parts_of_operand(const Nef3& set, bool is_sum_closed, Co
   return parts;
 }
 
-/// A sum with an open body does not change when the other operand is replaced by a dense part of it.
-bool is_needed(const ConvexPart& a, const ConvexPart& b) {
-  if (a.body.dimension == 3 && a.is_maximal && !b.is_maximal) return false;
-  return !(b.body.dimension == 3 && b.is_maximal && !a.is_maximal);
-}
+/// Which pairs matter. A sum with an open operand does not change when the other one is replaced by a dense part of it; an
+/// open body is such an operand.
+class PairFilter {
+ public:
+  PairFilter(const Nef3& a, const Nef3& b) : is_open_{a.is_open(), b.is_open()} {}
+
+  bool needs(const ConvexPart& a, const ConvexPart& b) const {
+    if ((is_open_[0] || is_body(a)) && !b.is_maximal) return false;
+    return !((is_open_[1] || is_body(b)) && !a.is_maximal);
+  }
+
+ private:
+  static bool is_body(const ConvexPart& part) {
+    return part.body.dimension == 3 && part.is_maximal;
+  }
+
+  std::array<bool, 2> is_open_;
+};
 
 void require_bounded(const Nef3& set) {
   if (set.is_bounded()) return;
@@ -139,8 +152,10 @@ std::array<Rational, 2> range_of(const Nef3& set, std::size_t axis) {
   return {coordinate(low), coordinate(high)};
 }
 
-/// A closed box around A where it can hold x + B for x in the box around A - B, and more.
+/// A box around A where it can hold x + B for x in the box around A - B, and more; open if A is closed, so that what A
+/// leaves of it is open, else closed.
 Nef3 room_around(const Nef3& a, const Nef3& b, Context& context) {
+  const Boundary boundary = a.is_closed() ? Boundary::Open : Boundary::Closed;
   std::vector<HalfSpace3> sides;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto [low_a, high_a] = range_of(a, axis);
@@ -150,7 +165,7 @@ Nef3 room_around(const Nef3& a, const Nef3& b, Context& context) {
       std::array<Rational, 3> n;
       n[axis] = sign;
       const Rational at = sign < 0 ? Rational(low_a - margin) : Rational(high_a + margin);
-      sides.push_back({{n[0], n[1], n[2], Rational(-sign * at)}, Boundary::Closed});
+      sides.push_back({{n[0], n[1], n[2], Rational(-sign * at)}, boundary});
     }
   }
   return Nef3::intersection(sides, context);
@@ -165,11 +180,12 @@ Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context) {
   const bool is_closed = a.is_closed() && b.is_closed();
   const auto parts_a = parts_of_operand(a, is_closed, context);
   const auto parts_b = parts_of_operand(b, is_closed, context);
+  const PairFilter filter(a, b);
   std::vector<Nef3> sums;
   const SumMarks marks = is_closed ? SumMarks::Closed : SumMarks::Open;
   for (const ConvexPart& p : parts_a) {
     for (const ConvexPart& q : parts_b) {
-      if (is_needed(p, q)) sums.push_back(convex_sum(p.body, q.body, marks, context));
+      if (filter.needs(p, q)) sums.push_back(convex_sum(p.body, q.body, marks, context));
     }
   }
   return union_of(sums, context);
