@@ -89,7 +89,8 @@ class Decomposition : public CommandBody {
  public:
   void declare(CLI::App& app) override {
     app.add_option("A", file_, kHelp)->required()->type_name("");
-    app.add_option("--method", method_, "cuts: planes through reflex edges; best: merged, too")
+    app.add_option("--method", method_,
+                   "cuts: planes through reflex edges; walls: vertical ones; best: cuts, merged")
         ->type_name("METHOD")
         ->check(CLI::IsMember({"cuts", "walls", "best"}).description(""));
     app.add_flag("--closed", closed_, "Closures of the pieces");

@@ -31,8 +31,8 @@
 namespace plumb {
 
 enum class DecomposeMethod : std::uint8_t {
-  Cuts,   ///< planes through reflex edges, each through the whole piece
-  Walls,  ///< vertical walls through reflex edges: O(r^2) pieces. Not here yet: Error{BadArgument}
+  Cuts,   ///< planes through reflex edges, each along one part of its section
+  Walls,  ///< vertical walls through reflex edges: O(r^2) pieces (walls.h)
   Best,   ///< Cuts, then merged
 };
 
