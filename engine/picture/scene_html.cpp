@@ -82,17 +82,6 @@ Json first_turn(const Scene& scene) {
   return columns;
 }
 
-/// Of those that get thinner when there are many.
-double length_of_lines(const Scene& scene) {
-  double sum = 0;
-  for (const Scene::Line& l : scene.lines) {
-    if (is_curve(l.paint)) continue;
-    const Point3 &a = scene.points[l.ends[0]], &b = scene.points[l.ends[1]];
-    sum += std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
-  }
-  return sum;
-}
-
 double reach_of(const Scene& scene) {
   double reach = 0;
   for (const Point3& p : scene.points) reach = std::max(reach, std::hypot(p.x, p.y, p.z));
@@ -123,7 +112,7 @@ Json scene_json(const Scene& scene) {
                {"half", {scene.half.x, scene.half.y, scene.half.z}},
                {"turn", first_turn(scene)},
                {"reach", reach_of(scene)},
-               {"length", length_of_lines(scene)},
+               {"curve", code(Paint::Curve)},
                {"cut", code(Paint::Cut)},
                {"hollow", code(Paint::OpenPoint)},
                {"colours", colours()},

@@ -124,13 +124,15 @@ function facets(p, wanted, ownColour) {
   return batch(p, 3 * chosen.length, {at: [3, at], normal: [3, normal], paint: [3, colour]});
 }
 
-function lines(p) {
+function lines(p, wanted) {
   let ends = new Uint32Array(bytes(scene.ends).buffer), paint = bytes(scene.linePaint);
   if (scene.lineLayers) {
     const layers = bytes(scene.lineLayers);
     ends = ends.filter((_, i) => isShown(layers, i >> 1));
     paint = paint.filter((_, i) => isShown(layers, i));
   }
+  ends = ends.filter((_, i) => wanted(paint[i >> 1]));
+  paint = paint.filter(wanted);
   const n = paint.length, at = new Float32Array(18 * n), other = at.slice(), colour = at.slice();
   const side = new Float32Array(6 * n), wide = side.slice();
   for (let i = 0; i < n; ++i) {
@@ -143,7 +145,13 @@ function lines(p) {
       wide[6 * i + k] = scene.wide[paint[i]];
     });
   }
-  return batch(p, 6 * n, {at: [3, at], other: [3, other], paint: [3, colour], side: [1, side], wide: [1, wide]});
+  let length = 0;
+  for (let i = 0; i < n; ++i) {
+    const a = point(ends[2 * i]), b = point(ends[2 * i + 1]);
+    length += Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  }
+  const lines = batch(p, 6 * n, {at: [3, at], other: [3, other], paint: [3, colour], side: [1, side], wide: [1, wide]});
+  return {...lines, length};
 }
 
 function dots(p) {
@@ -260,7 +268,8 @@ function prepare() {
   programs ??= {facet: program(facetVertex, facetFragment), line: program(lineVertex, lineFragment),
                 dot: program(dotVertex, dotFragment)};
   shapes = {solid: facets(programs.facet, paint => paint !== CUT), cut: facets(programs.facet, paint => paint === CUT),
-            lines: lines(programs.line), dots: dots(programs.dot),
+            lines: lines(programs.line, paint => paint < scene.curve),
+            curves: lines(programs.line, paint => paint >= scene.curve), dots: dots(programs.dot),
             numbered: numbered(programs.facet)};
 }
 
@@ -318,11 +327,12 @@ function draw() {
   show(shapes.solid, gl.TRIANGLES, {...shared, flatness: scene.flat ? 1 : 0, veil: 0});
   gl.enable(gl.BLEND);
   gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
-  const length = scene.length * s, room = .12 * w * h / Math.max(length, 1);
+  const length = shapes.lines.length * s, room = .12 * w * h / Math.max(length, 1);
   const thin = Math.min(1, Math.max(room, .5) / 2);
   show(shapes.lines, gl.TRIANGLES, {...shared, pixel: [thin / w, thin / h],
                                     part: Math.min(1, Math.max(room / .5, .15))});
-  show(shapes.dots, gl.POINTS, {...shared, size: 10 * dense});
+  show(shapes.curves, gl.TRIANGLES, {...shared, pixel: [1 / w, 1 / h], part: 1});
+  show(shapes.dots, gl.POINTS, {...shared, size: (shapes.dots.count > 40 ? 6 : 10) * dense});
   gl.depthMask(false);
   gl.enable(gl.CULL_FACE);
   show(shapes.cut, gl.TRIANGLES, {...shared, flatness: 0, veil: .3});
