@@ -170,5 +170,6 @@ int main(int argc, char** argv) {
   app.add_option("--slack", slack, "added to every limit");
   app.add_option("families", names, "only these families");
   CLI11_PARSE(app, argc, argv);
+  plumb::bench::keep_freed_memory();
   return plumb::bench::run(most, slack, names);
 }

@@ -1,5 +1,6 @@
 // plumb convex ...: is a set convex? Convex pieces of it; the run of the course notes.
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -132,23 +133,40 @@ class Decomposition : public CommandBody {
             {"volume_matches", matches}};
   }
 
-  /// OFF; what no mesh can hold as .nef. One after the other: a set may have more pieces than files may be open.
+  /// In the format asked for; else OFF, and .nef for what no mesh can hold. One after the other: a set may have more
+  /// pieces than files may be open.
   void write_files(const ConvexPieces& pieces, Session& session) {
     const std::string& directory = session.options().out;
     if (directory.empty()) return;
     if (directory == "-") throw Error(ErrorCode::Usage, "-o needs a directory");
     make_directory(directory);
+    std::size_t changed = 0;
+    std::vector<std::string> worst;  // a file's name and what it does not say
     for (const Nef3& piece : pieces.pieces) {
-      const bool is_mesh = piece.is_bounded() && piece.counts().marked_volumes > 0;
-      const std::string extension = is_mesh ? "off" : "nef";
-      const SolidText text(piece, format_named(solid_formats(), extension), session.context());
+      const SolidFormat& format = format_of(piece, session.options().format);
+      const SolidText text(piece, format, session.context());
       std::string number = std::to_string(files_.size() + 1);
       if (number.size() < 4) number.insert(0, 4 - number.size(), '0');
-      const auto path = std::filesystem::path(directory) / ("piece_" + number + "." + extension);
+      const std::string name = "piece_" + number + std::string(format.extension);
+      const auto path = std::filesystem::path(directory) / name;
+      if (!text.losses().empty()) ++changed;
+      if (text.losses().size() + 1 > std::max<std::size_t>(worst.size(), 1)) {
+        worst = text.losses();
+        worst.insert(worst.begin(), name);
+      }
       files_.push_back(std::make_unique<OutputFile>(path.string()));
       text.write(files_.back()->stream());
       files_.back()->finish();
     }
+    if (changed == 0) return;
+    session.note(directory + ": warning: " + std::to_string(changed) + " of " +
+                 counted(pieces.pieces.size(), "file") +
+                 " do not say all (--format nef does); of " + worst.front() + ": " + worst.back());
+  }
+  static const SolidFormat& format_of(const Nef3& piece, const std::string& asked) {
+    if (!asked.empty()) return format_named(solid_formats(), asked);
+    const bool is_mesh = piece.is_bounded() && piece.counts().marked_volumes > 0;
+    return format_named(solid_formats(), is_mesh ? "off" : "nef");
   }
   static void make_directory(const std::string& directory) {
     std::error_code failed;
