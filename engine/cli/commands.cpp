@@ -35,6 +35,7 @@ std::unique_ptr<CommandBody> make_solid_compare();
 std::unique_ptr<CommandBody> make_convex_check();
 std::unique_ptr<CommandBody> make_convex_decompose();
 std::unique_ptr<CommandBody> make_convex_report();
+std::unique_ptr<CommandBody> make_convex_minkowski();
 std::unique_ptr<CommandBody> make_surface_cells();
 std::unique_ptr<CommandBody> make_surface_boolean();
 std::unique_ptr<CommandBody> make_surface_draw();
@@ -139,6 +140,10 @@ std::span<const Command> commands() {
       Command{"convex report", "FILE...", "Solids tested, cut and tested again, one line a check",
               "./plumb convex report corpus/polyhedra/test_zero.off corpus/polyhedra/test_one.off",
               make_convex_report},
+      Command{
+          "convex minkowski", "A B", "Their Minkowski sum: all sums of a point of A and one of B",
+          "./plumb convex minkowski corpus/solids/l-block.off corpus/solids/ball.off -o sum.off",
+          make_convex_minkowski},
       Command{"surface cells", "SCENE", "The cells that polygons on a mesh make, and their labels",
               "./plumb surface cells corpus/scenes/torus.json --json", make_surface_cells},
       Command{"surface boolean", "SCENE --op EXPR",
@@ -165,7 +170,7 @@ std::span<const CommandGroup> command_groups() {
   static constexpr std::array kGroups{
       CommandGroup{"plane", "Sets of the plane, exactly: union ... regularize, info, locate"},
       CommandGroup{"solid", "Sets of space, exactly: union ... section, info, compare"},
-      CommandGroup{"convex", "Convexity, convex pieces: check, decompose, report"},
+      CommandGroup{"convex", "Convexity, convex pieces: check, decompose, report, minkowski"},
       CommandGroup{"surface", "Polygons on meshes, exactly: cells, boolean, draw"},
   };
   return kGroups;

@@ -12,6 +12,7 @@
 #include "number_argument.h"
 #include "plumb/base/error.h"
 #include "plumb/base/set_expression.h"
+#include "plumb/convex/minkowski.h"
 #include "plumb/io/solid_sets.h"
 #include "plumb/io/solid_text.h"
 #include "plumb/io/text_output.h"
@@ -94,6 +95,24 @@ struct Solid {
 };
 
 using SolidOperation = SetOperation<Solid>;
+
+// ---------------------------------------------------------------- sums of points
+
+class MinkowskiSum : public SolidOperation {
+ private:
+  void declare_operands(CLI::App& app) override {
+    declare_first<Solid>(app, a_);
+    declare_second(app, b_);
+  }
+  Nef3 compute(Session& session) override {
+    require_one_stdin(a_, b_);
+    const Nef3 a = read(a_, session), b = read(b_, session);
+    return minkowski_sum(a, b, session.context());
+  }
+
+  std::string a_;
+  std::string b_;
+};
 
 // ---------------------------------------------------------------- expressions
 
@@ -291,5 +310,6 @@ std::unique_ptr<CommandBody> make_solid_halfspaces() { return std::make_unique<H
 std::unique_ptr<CommandBody> make_solid_info() { return std::make_unique<SetInfo<Solid>>(); }
 std::unique_ptr<CommandBody> make_solid_locate() { return std::make_unique<SetLocate<Solid>>(); }
 std::unique_ptr<CommandBody> make_solid_compare() { return std::make_unique<SolidCompare>(); }
+std::unique_ptr<CommandBody> make_convex_minkowski() { return std::make_unique<MinkowskiSum>(); }
 
 }  // namespace plumb::cli

@@ -87,5 +87,12 @@ TEST(ConvexProgram, refuses_what_it_cannot_do) {
   }
 }
 
+TEST(ConvexProgram, minkowski_adds_two_solids) {
+  const RunResult result = run({"convex", "minkowski", kBlock, polyhedron("zero"), "--json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(Json::parse(result.out)["bounded"], true);
+  EXPECT_EQ(run({"convex", "minkowski", kBlock, "no-such-file.off"}).code, 2);
+}
+
 }  // namespace
 }  // namespace plumb::testing
