@@ -36,10 +36,13 @@ endfunction()
 # plumb_precompile(TARGET KIND [HEADER...]): with PLUMB_PRECOMPILE, the headers that do not change, ours
 # excepted, are parsed once for all targets of a KIND: the first one's, so flags have to agree. They are half
 # of an unoptimised build. g++ takes precompiled standard headers for ours and warns wrongly of copies in
-# std::string (GCC bug 105651): it compiles the libraries without, which shows a header that was not included,
-# and the rest without those warnings.
+# std::string (GCC bug 105651): where we are the project, it compiles the libraries without, which shows a header
+# that was not included, and the rest without those warnings.
 function(plumb_precompile target kind)
-  if(NOT PLUMB_PRECOMPILE OR (kind STREQUAL library AND CMAKE_CXX_COMPILER_ID STREQUAL GNU))
+  if(kind STREQUAL library AND CMAKE_CXX_COMPILER_ID STREQUAL GNU AND PROJECT_IS_TOP_LEVEL)
+    return()
+  endif()
+  if(NOT PLUMB_PRECOMPILE)
     return()
   endif()
   target_compile_options(${target} PRIVATE

@@ -149,13 +149,12 @@ class SumBuilder {
     const RationalPoint3 sum{p.x + q.x, p.y + q.y, p.z + q.z};
     if (facets.empty() || is_double(sum)) return add_point(*tables_, sum);
     const std::vector<PlaneId>& plane = facets_.plane;
-    for (std::size_t k = 2; k < facets.size(); ++k) {
-      const SpacePoint x =
-          tables_->points.add(plane[facets[0]], plane[facets[1]], plane[facets[k]]);
-      if (x.is_valid()) return x;
+    SpacePoint x;
+    for (std::size_t k = 2; k < facets.size() && !x.is_valid(); ++k) {
+      x = tables_->points.add(plane[facets[0]], plane[facets[1]], plane[facets[k]]);
     }
-    PLUMB_CHECK(!"three planes meet in a vertex");
-    return {};
+    PLUMB_CHECK(x.is_valid());  // three planes meet in a vertex
+    return x;
   }
 
   static bool is_double(const RationalPoint3& p) {

@@ -191,10 +191,9 @@ void number_as_input(std::vector<FailingFace>& faces, const PolygonMesh& mesh,
     failing.face = c.facet_origin[failing.face];
     failing.vertex = std::lower_bound(inputs.begin(), inputs.end(), key)->second;
   }
-  const auto face = [](const FailingFace& f) { return f.face; };
-  std::ranges::stable_sort(faces, {}, face);
-  const auto rest = std::ranges::unique(faces, {}, face);
-  faces.erase(rest.begin(), rest.end());
+  std::ranges::stable_sort(faces, {}, [](const FailingFace& f) { return f.face; });
+  const auto is_same = [](const FailingFace& f, const FailingFace& g) { return f.face == g.face; };
+  faces.erase(std::unique(faces.begin(), faces.end(), is_same), faces.end());
 }
 
 }  // namespace

@@ -43,17 +43,18 @@ OrientedPlane Vertical::through(const std::array<PlaneId, 2>& line) {
 PlaneId Vertical::through(SpacePoint x, PlaneId avoided) {
   const RationalPoint3 at = exact(tables_.points, x);
   const std::array<Integer, 3>& d = direction_;
-  for (std::size_t i = 0; i < 3; ++i) {
+  PlaneId other;
+  for (std::size_t i = 0; i < 3 && !other.is_valid(); ++i) {
     // d x e_i
     std::array<Rational, 3> n;
     n[(i + 1) % 3] = d[(i + 2) % 3];
     n[(i + 2) % 3] = -d[(i + 1) % 3];
     const Rational offset = -(n[0] * at.x + n[1] * at.y + n[2] * at.z);
     const OrientedPlane plane = tables_.planes.intern(n[0], n[1], n[2], offset);
-    if (plane.is_valid() && plane.plane() != avoided) return plane.plane();
+    if (plane.is_valid() && plane.plane() != avoided) other = plane.plane();
   }
-  PLUMB_CHECK(!"two vertical planes go through every point");
-  return {};
+  PLUMB_CHECK(other.is_valid());  // two vertical planes go through every point
+  return other;
 }
 
 double Vertical::slope(std::size_t axis) const {

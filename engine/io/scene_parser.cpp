@@ -297,11 +297,13 @@ void SceneHandler::add_point() {
   });
   scene_.point_face.push_back(face_);
   scene_.point_place.push_back(point_place_);
-  const auto is_decimal = [](std::string_view token) {
-    return token.find_first_of(".eE") != token.npos;
+  const auto any_has = [this](const char* characters) {
+    return tokens_[0].find_first_of(characters) != std::string_view::npos ||
+           tokens_[1].find_first_of(characters) != std::string_view::npos;
   };
-  scene_.point_rounds.push_back(
-      !exact_decimals_ && (is_decimal(tokens_[0]) || is_decimal(tokens_[1])) ? 1 : 0);
+  // A fraction means itself: a decimal beside it is rounded by itself, then, whatever it adds up to.
+  const bool is_fraction = any_has("/");
+  scene_.point_rounds.push_back(!exact_decimals_ && !is_fraction && any_has(".eE") ? 1 : 0);
   if (weights_[0].is_double() && weights_[1].is_double()) {
     const double u = weights_[0].as_double(), v = weights_[1].as_double();
     if (u > kClear && v > kClear && u + v < 1 - kClear) {
@@ -311,9 +313,8 @@ void SceneHandler::add_point() {
   }
   std::array<Rational, 2> weights;
   for (std::size_t i = 0; i < 2; ++i) {
-    ReadNumber number;
-    exact_.read(places_.cursor_at_token(), tokens_[i], number);
-    weights[i] = number.exact();
+    if (!is_fraction) exact_.read(places_.cursor_at_token(), tokens_[i], weights_[i]);
+    weights[i] = weights_[i].exact();
   }
   add_near_side(weights);
 }

@@ -284,7 +284,8 @@ void FaceArrangement::find_islands() {
   });
   // The first of each part is its leftmost.
   std::vector<std::uint8_t> is_seen(points.size());
-  std::erase_if(islands_, [&](std::uint32_t p) { return is_seen[parts.root(p)]++ != 0; });
+  std::erase_if(islands_,
+                [&](std::uint32_t p) { return std::exchange(is_seen[parts.root(p)], 1) != 0; });
 }
 
 void FaceArrangement::nest() {

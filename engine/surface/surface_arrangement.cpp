@@ -10,9 +10,10 @@ bool SurfaceBundles::add_sum(std::span<SignedEntry> terms) {
   std::sort(terms.begin(), terms.end());
   const std::size_t before = entries_.size();
   for (std::size_t i = 0; i < terms.size();) {
-    SignedEntry sum{terms[i].id, 0};
-    for (; i < terms.size() && terms[i].id == sum.id; ++i) sum.value += terms[i].value;
-    if (sum.value != 0) entries_.push_back(sum);
+    const std::uint32_t id = terms[i].id;
+    std::int64_t sum = 0;
+    for (; i < terms.size() && terms[i].id == id; ++i) sum += terms[i].value;
+    if (sum != 0) entries_.push_back({id, entry_value(sum)});
   }
   if (entries_.size() == before) return false;
   begin_.push_back(static_cast<std::uint32_t>(entries_.size()));

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
+#include "plumb/base/error.h"
 #include "plumb/base/ids.h"
 
 namespace plumb {
@@ -18,5 +20,15 @@ struct SignedEntry {
   std::int32_t value;
   friend auto operator<=>(const SignedEntry&, const SignedEntry&) = default;
 };
+
+/// A sum as the value of an entry. Its negative is one, too. Throws Error{NumberOutOfRange} beyond.
+inline std::int32_t entry_value(std::int64_t sum) {
+  constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
+  if (sum > kMost || sum < -kMost) {
+    throw Error(ErrorCode::NumberOutOfRange,
+                "a polygon or shape winds around a cell 2^31 times or more");
+  }
+  return static_cast<std::int32_t>(sum);
+}
 
 }  // namespace plumb

@@ -23,8 +23,8 @@ void append_sum(std::span<const SignedEntry> a, std::span<const SignedEntry> b, 
       out.push_back({j->id, sign * j->value});
       ++j;
     } else {
-      const std::int32_t sum = i->value + sign * j->value;
-      if (sum != 0) out.push_back({i->id, sum});
+      const std::int64_t sum = std::int64_t{i->value} + sign * std::int64_t{j->value};
+      if (sum != 0) out.push_back({i->id, entry_value(sum)});
       ++i;
       ++j;
     }

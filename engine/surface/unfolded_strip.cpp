@@ -208,29 +208,42 @@ double UnfoldedStrip::part_on(std::size_t door, Point2 a, Point2 b) const {
   return left > right ? std::clamp(-right / (left - right), 0., 1.) : 0;
 }
 
-/// Those after a up to b, itself included.
+std::uint32_t UnfoldedStrip::first_vertex_door(const StripStop& a, const StripStop& b) const {
+  std::uint32_t door = a.last;
+  for (; door < b.first; ++door) {
+    const double part = part_on(door, a.at, b.at);
+    if (part < kClose || part > 1 - kClose) break;
+  }
+  return door;
+}
+
+/// Those after a up to b, itself included. A leg along a mesh line passes as many vertices as the line has: no
+/// recursion.
 void UnfoldedStrip::add_stops(const StripStop& a, const StripStop& b,
                               std::vector<StripStop>& stops) const {
-  for (std::uint32_t door = a.last; door < b.first; ++door) {
-    const double part = part_on(door, a.at, b.at);
-    if (part >= kClose && part <= 1 - kClose) continue;
-    const StripStop between = vertex_stop(door, part > .5);
-    add_stops(a, between, stops);
-    add_stops(between, b, stops);
-    return;
+  std::vector<StripStop> ahead{b};
+  for (StripStop at = a; !ahead.empty();) {
+    const StripStop to = ahead.back();
+    const std::uint32_t close = first_vertex_door(at, to);
+    if (close < to.first) {
+      ahead.push_back(vertex_stop(close, part_on(close, at.at, to.at) > .5));
+      continue;
+    }
+    for (std::uint32_t door = at.last; door < to.first; ++door) {
+      const double part = part_on(door, at.at, to.at);
+      const Point2 &r = right_[door], &l = left_[door];
+      stops.push_back({{r.x + part * (l.x - r.x), r.y + part * (l.y - r.y)},
+                       VertexId(),
+                       door,
+                       part,
+                       door,
+                       door + 1,
+                       false});
+    }
+    stops.push_back(to);
+    ahead.pop_back();
+    at = to;
   }
-  for (std::uint32_t door = a.last; door < b.first; ++door) {
-    const double part = part_on(door, a.at, b.at);
-    const Point2 &r = right_[door], &l = left_[door];
-    stops.push_back({{r.x + part * (l.x - r.x), r.y + part * (l.y - r.y)},
-                     VertexId(),
-                     door,
-                     part,
-                     door,
-                     door + 1,
-                     false});
-  }
-  stops.push_back(b);
 }
 
 std::vector<StripStop> UnfoldedStrip::stops() const {

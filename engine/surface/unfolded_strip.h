@@ -61,6 +61,8 @@ class UnfoldedStrip {
   StripStop vertex_stop(std::size_t door, bool is_left) const;
   /// The part of a door on the line from a to b.
   double part_on(std::size_t door, Point2 a, Point2 b) const;
+  /// The first door from a to b that the straight line between them passes at a vertex; b.first if none.
+  std::uint32_t first_vertex_door(const StripStop& a, const StripStop& b) const;
   void add_stops(const StripStop& a, const StripStop& b, std::vector<StripStop>& stops) const;
   std::array<std::uint32_t, 2> faces_at(std::size_t bend) const;
   double strip_angle(std::size_t bend) const;

@@ -93,6 +93,20 @@ TEST(scene_reader, decimals_that_no_doubles_add_up_to) {
   }
 }
 
+/// A fraction means itself, whatever is written beside it.
+TEST(scene_reader, fractions_beside_decimals) {
+  const SurfaceScene s =
+      made(scene(R"([0, "1/3", 0.25], [0, "1/3", "1/4"], [0, 0, "1/3"], [1, "1/3", 0.0],
+                                       [0, 0.1, "1/3"], [0, "2/3", "1/3"])",
+                 "0"));
+  const SurfacePointTable& p = s.polygons.points;
+  EXPECT_TRUE(p.is_same(SurfacePointId(0), SurfacePointId(1)));
+  EXPECT_TRUE(p.is_same(SurfacePointId(2), SurfacePointId(3)));
+  EXPECT_EQ(p.exact(SurfacePointId(4)).x, Rational(0.1));
+  EXPECT_EQ(p.exact(SurfacePointId(4)).y, Rational(1, 3));
+  EXPECT_EQ(p.place(SurfacePointId(5)), SurfacePlace::Edge);
+}
+
 TEST(scene_reader, a_hair_inside_is_inside) {
   const SurfaceScene s =
       made(scene("[0, 1e-300, 0.5], [0, 0.5, 0.4999999999999999999999], [0, 1e-17, 1e-17]", "0"));

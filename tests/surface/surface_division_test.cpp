@@ -141,6 +141,22 @@ TEST(SurfaceDivision, OnMeshLinesInOneTriangleAndBarelyOverAnEdge) {
   }
 }
 
+/// More nodes in one part of one face than a byte counts.
+TEST(SurfaceDivision, ManyCornersInOneTriangle) {
+  for (const std::int64_t n : {300, 513}) {
+    SurfaceDrawing s(grid_mesh(1, 1));
+    std::vector<RationalPoint2> ring;  // of a parabola, within the lower triangle
+    for (std::int64_t k = 0; k < n; ++k) {
+      const Rational part = Rational(k) / n;
+      ring.push_back({(2 + part) / 4, (1 + 2 * part * part) / 16});
+    }
+    s.add_flat_polygon(ring);
+    const SurfaceDivision d = divide(s);
+    EXPECT_EQ(d.cell_count(), 2U);
+    EXPECT_EQ(d.counts().crossings, 0U);
+  }
+}
+
 TEST(SurfaceDivision, FigureEight) {
   SurfaceDrawing s(grid_mesh(20, 20));
   const RationalPoint2 eight[] = {tenths(32, 32), tenths(122, 122), tenths(122, 32),
@@ -431,6 +447,21 @@ TEST(SurfaceDivision, StopsAtLimits) {
   Context stopped({}, stop.get_token());
   EXPECT_THROW(SurfaceDivision(s.scene, stopped), Error);
   divide(s);
+}
+
+TEST(SurfaceDivision, RefusesToWindBeyondItsNumbers) {
+  SurfaceDrawing s(grid_mesh(2, 2));
+  std::vector<RationalPoint2> round;
+  for (int i = 0; i < 1 << 11; ++i) {
+    for (const RationalPoint2& p : {tenths(5, 1), tenths(7, 1), tenths(6, 2)}) round.push_back(p);
+  }
+  s.add_flat_polygon(round);
+  s.scene.shapes = {std::vector<std::uint32_t>(1 << 20, 0)};
+  Context context;
+  EXPECT_THROW(SurfaceDivision(s.scene, context), Error);
+  s.scene.shapes = {std::vector<std::uint32_t>((1 << 20) - 1, 0)};
+  const SurfaceDivision d(s.scene, context);
+  EXPECT_EQ(d.cell_count(), 2U);
 }
 
 TEST(SurfaceDivision, RefusesWhatIsNoScene) {

@@ -119,6 +119,26 @@ TEST(trace, along_edges_and_diagonals_through_every_vertex) {
   expect_vertices(6, 7, 1, 2, 6);
 }
 
+/// A strip of two rows: the line between them passes a vertex at every step.
+TEST(trace, along_a_line_of_many_vertices) {
+  constexpr std::uint32_t kLong = 100000;
+  std::vector<Point3> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::uint32_t x = 0; x <= kLong; ++x) {
+    for (std::uint32_t y = 0; y < 3; ++y) {
+      points.push_back({static_cast<double>(x), static_cast<double>(y), 0});
+      if (x == kLong || y == 2) continue;
+      const std::uint32_t a = 3 * x + y;
+      triangles.push_back({a, a + 3, a + 4});
+      triangles.push_back({a, a + 4, a + 1});
+    }
+  }
+  Drawing d(SurfaceMesh(points, triangles));
+  const SurfacePath path =
+      d.traced(d.points.add_vertex(VertexId(1)), d.points.add_vertex(VertexId(3 * kLong + 1)));
+  EXPECT_EQ(path.points.size(), kLong + 1);
+}
+
 TEST(trace, across_diagonals_through_vertices_and_middles) {
   Drawing d(grid_surface(kGrid));
   const SurfacePath path = d.traced(grid_vertex(d, 1, 7), grid_vertex(d, 7, 1));
