@@ -452,14 +452,14 @@ TEST(SurfaceDivision, StopsAtLimits) {
 TEST(SurfaceDivision, RefusesToWindBeyondItsNumbers) {
   SurfaceDrawing s(grid_mesh(2, 2));
   std::vector<RationalPoint2> round;
-  for (int i = 0; i < 1 << 11; ++i) {
+  for (int i = 0; i < 1 << 9; ++i) {
     for (const RationalPoint2& p : {tenths(5, 1), tenths(7, 1), tenths(6, 2)}) round.push_back(p);
   }
   s.add_flat_polygon(round);
-  s.scene.shapes = {std::vector<std::uint32_t>(1 << 20, 0)};
+  s.scene.shapes = {std::vector<std::uint32_t>(1 << 22, 0)};
   Context context;
   EXPECT_THROW(SurfaceDivision(s.scene, context), Error);
-  s.scene.shapes = {std::vector<std::uint32_t>((1 << 20) - 1, 0)};
+  s.scene.shapes = {std::vector<std::uint32_t>((1 << 22) - 1, 0)};
   const SurfaceDivision d(s.scene, context);
   EXPECT_EQ(d.cell_count(), 2U);
 }
