@@ -8,11 +8,12 @@
 // Where a set is unbounded, what reaches infinity is connected there (the frame joins it); items of the
 // frame and volumes beyond it are not listed.
 //
-// Cost: O(n alpha(n)). Arrays, no visitors: a shell is a few spans to loop over.
+// Cost: O(n alpha(n)). A shell is a few spans to loop over, or goes to a visitor with visit().
 #pragma once
 
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "plumb/base/context.h"
@@ -43,9 +44,25 @@ class SpaceShells {
   std::span<const EdgeId> edges(ShellId s) const { return part(edges_, edge_begin_, s); }
   std::span<const VertexId> vertices(ShellId s) const { return part(vertices_, vertex_begin_, s); }
 
+  /// Calls the visitor with every item of a shell, each once: FacetSide, then EdgeId, then VertexId. What the visitor
+  /// cannot be called with is passed over.
+  template <class Visitor>
+  void visit(ShellId s, Visitor&& visitor) const {
+    visit_all(sides(s), visitor);
+    visit_all(edges(s), visitor);
+    visit_all(vertices(s), visitor);
+  }
+
   const SpaceComplex& complex() const { return complex_; }
 
  private:
+  template <class T, class Visitor>
+  static void visit_all(std::span<const T> items, Visitor& visitor) {
+    if constexpr (std::is_invocable_v<Visitor&, const T&>) {
+      for (const T& item : items) visitor(item);
+    }
+  }
+
   template <class T>
   static std::span<const T> part(const std::vector<T>& all, const std::vector<std::uint32_t>& begin,
                                  ShellId s) {

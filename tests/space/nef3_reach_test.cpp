@@ -196,6 +196,27 @@ TEST(Shells, ArePartsOfTheBoundary) {
   }
 }
 
+/// Counts what it is shown; knows of no edges.
+struct CountSidesAndVertices {
+  void operator()(const FacetSide&) { ++sides; }
+  void operator()(VertexId) { ++vertices; }
+  std::size_t sides = 0, vertices = 0;
+};
+
+TEST(Shells, ShowTheirItemsToAVisitor) {
+  const Nef3 solid = box({0, 9}, {0, 9}, {0, 9}) - box({1, 3}, {1, 3}, {1, 3});
+  const SpaceShells shells(solid.complex());
+  for (std::uint32_t s = 0; s < shells.size(); ++s) {
+    CountSidesAndVertices count;
+    shells.visit(ShellId(s), count);
+    EXPECT_EQ(count.sides, 6U);
+    EXPECT_EQ(count.vertices, 8U);
+    std::vector<EdgeId> edges;
+    shells.visit(ShellId(s), [&](EdgeId e) { edges.push_back(e); });
+    EXPECT_TRUE(std::ranges::equal(edges, shells.edges(ShellId(s))));
+  }
+}
+
 TEST(Shells, ThatReachInfinityHaveNoMesh) {
   Context context;
   const Nef3 h = Nef3::half_space({0, 0, 1, 0}, Boundary::Closed);
