@@ -1,5 +1,6 @@
 // plumb surface ...: polygons on meshes; the cells they make, Booleans of them, pictures.
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -22,6 +23,7 @@
 #include "plumb/picture/surface_scene.h"
 #include "plumb/surface/surface_arrangement.h"
 #include "plumb/surface/surface_cells.h"
+#include "plumb/surface/surface_result.h"
 #include "surface_input.h"
 
 namespace plumb::cli {
@@ -112,7 +114,7 @@ class SurfaceCommand : public CommandBody {
         write_cell_graph(out, division, chosen);
         break;
       case SurfaceFile::Scene:
-        write_scene(out, result->borders, model_beside(in.model, path_));
+        write_scene(out, result_scene(division, *result), model_beside(in.model, path_));
         break;
     }
     bytes_ = std::move(out).str();
@@ -159,20 +161,23 @@ class CellsCommand : public SurfaceCommand {
     open(kCellFormats, session);
     const DividedScene in = input_.read(session);
     fill(in, nullptr, session);
-    return deliver(session.options().json ? json_of(in) : Json(), text_of(in.division), session);
+    return deliver(session.options().json ? json_of(in, session.context()) : Json(),
+                   text_of(in.division), session);
   }
 
  private:
-  static Json json_of(const DividedScene& in) {
+  static Json json_of(const DividedScene& in, Context& context) {
     const SurfaceDivision& division = in.division;
     const SurfaceCounts counts = division.counts();
     Json polygons = Json::array(), shapes = Json::array(), labels = Json::array(),
          areas = Json::array(), graph = Json::array();
     for (std::uint32_t p = 0; p < division.scene().polygons.size(); ++p) {
+      charge(2, context);
       polygons.push_back({{"id", p}, {"separates", division.polygon_separation(p).over_z}});
     }
     for (std::uint32_t s = 0; s < division.shape_count(); ++s) {
       const Separation& separation = division.shape_separation(s);
+      charge(2 + separation.cycle.size() / 4, context);
       Json cycle = Json::array();
       for (const CellId c : separation.cycle) cycle.push_back(c.value());
       shapes.push_back({{"id", s},
@@ -181,14 +186,16 @@ class CellsCommand : public SurfaceCommand {
                         {"cycle", std::move(cycle)}});
     }
     for (std::uint32_t c = 0; c < division.cell_count(); ++c) {
+      charge(1 + division.labels(CellId(c)).size(), context);
       labels.push_back(entries_json(division.labels(CellId(c))));
       areas.push_back(division.area(CellId(c)));
     }
     for (const CellEdge& e : division.cells().edges) {
-      graph.push_back({{"from", e.from.value()},
-                       {"to", e.to.value()},
-                       {"sign", e.sign},
-                       {"polygons", entries_json(division.arrangement().bundles[e.bundle])}});
+      const CellStep step = upward_step(division, e);
+      charge(3 + step.polygons.size(), context);
+      graph.push_back({{"from", step.from.value()},
+                       {"to", step.to.value()},
+                       {"polygons", entries_json(step.polygons)}});
     }
     Json repairs = Json::array();
     for (const SurfaceRepair& r : in.repairs) {
@@ -201,6 +208,13 @@ class CellsCommand : public SurfaceCommand {
               {"areas", std::move(areas)},       {"graph", std::move(graph)}};
     if (!repairs.empty()) json["repairs"] = std::move(repairs);
     return json;
+  }
+
+  /// Lists of two numbers, and their text; objects are several.
+  static void charge(std::size_t lists, Context& context) {
+    constexpr std::uint64_t kListBytes = 160;
+    context.checkpoint("JSON", 0, 1);
+    context.charge_memory(kListBytes * lists, "JSON");
   }
 
   static std::string text_of(const SurfaceDivision& division) {
@@ -241,7 +255,7 @@ class BooleanCommand : public SurfaceCommand {
   ExitCode run(Session& session) override {
     open(kResultFormats, session);
     const DividedScene in = input_.read(session);
-    const SurfaceResult result = input_.evaluate(in.division);
+    const SurfaceResult result = input_.evaluate(in.division, session.context());
     fill(in, &result, session);
     const std::size_t loops = result.borders.size();
     return deliver({{"cells", result.region.cells}, {"area", result.region.area}, {"loops", loops}},
@@ -268,8 +282,6 @@ constexpr std::array kPictureFormats{
     PictureFormat{"html", ".html", Picture::Html},
     PictureFormat{"glb", ".glb", Picture::Glb},
 };
-constexpr std::array<std::string_view, 5> kLayerNames{"polygons", "slices", "cells", "labels",
-                                                      "result"};
 
 class DrawCommand : public CommandBody {
  public:
@@ -278,7 +290,9 @@ class DrawCommand : public CommandBody {
     app.add_option("--what", what_, "polygons, slices, cells, labels, result")
         ->required()
         ->type_name("WHAT")
-        ->check(CLI::IsMember({"polygons", "slices", "cells", "labels", "result"}).description(""));
+        ->check(CLI::IsMember(
+                    std::vector<std::string>(kSurfaceLayerNames.begin(), kSurfaceLayerNames.end()))
+                    .description(""));
     input_.declare_expression(app, false);
   }
 
@@ -286,7 +300,7 @@ class DrawCommand : public CommandBody {
     const PictureFormat& format = open(session);
     const DividedScene in = input_.read(session);
     std::optional<SurfaceResult> result;
-    if (input_.has_expression()) result = input_.evaluate(in.division);
+    if (input_.has_expression()) result = input_.evaluate(in.division, session.context());
     const std::string title = std::filesystem::path(input_name(input_.file())).filename().string();
     picture_ = picture_of(in.division, result ? &*result : nullptr, layer(), format.picture, title,
                           session.context());
@@ -300,8 +314,8 @@ class DrawCommand : public CommandBody {
 
  private:
   SurfaceLayer layer() const {
-    const auto found = std::find(kLayerNames.begin(), kLayerNames.end(), what_);
-    return static_cast<SurfaceLayer>(found - kLayerNames.begin());
+    const auto found = std::ranges::find(kSurfaceLayerNames, what_);
+    return static_cast<SurfaceLayer>(found - kSurfaceLayerNames.begin());
   }
 
   const PictureFormat& open(Session& session) {

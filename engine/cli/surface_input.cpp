@@ -12,17 +12,20 @@ namespace plumb::cli {
 namespace {
 
 /// Adds generators of the homology to shapes until every one separates.
-std::vector<SurfaceRepair> repair(SurfaceScene& scene) {
-  const SurfaceHomology homology(*scene.mesh);
-  if (scene.shapes.empty()) {
-    for (std::uint32_t p = 0; p < scene.polygons.size(); ++p) scene.shapes.push_back({p});
+std::vector<SurfaceRepair> repair(SurfaceScene& scene, Context& context) {
+  const SurfaceHomology homology(*scene.mesh, context);
+  if (!scene.shapes) {
+    scene.shapes.emplace();
+    for (std::uint32_t p = 0; p < scene.polygons.size(); ++p) scene.shapes->push_back({p});
   }
   std::vector<SurfaceRepair> repairs;
-  for (std::uint32_t s = 0; s < scene.shapes.size(); ++s) {
-    std::vector<std::uint32_t>& shape = scene.shapes[s];
+  for (std::uint32_t s = 0; s < scene.shapes->size(); ++s) {
+    std::vector<std::uint32_t>& shape = (*scene.shapes)[s];
+    if (s % 64 == 0) context.checkpoint("homology", s, scene.shapes->size());
     std::vector<std::int64_t> before = homology.class_of(scene.polygons, shape);
     if (std::ranges::all_of(before, [](std::int64_t k) { return k == 0; })) continue;
-    std::vector<std::uint32_t> added = homology.add_repair(shape, scene.polygons);
+    std::vector<std::uint32_t> added = homology.add_repair(shape, scene.polygons, context);
+    context.charge_memory(before.size() * sizeof(std::int64_t), "loops that repair");
     shape.insert(shape.end(), added.begin(), added.end());
     repairs.push_back({s, std::move(before), std::move(added)});
   }
@@ -54,17 +57,17 @@ DividedScene SurfaceInput::read(Session& session) const {
                                    session.context());
   for (const std::string& note : file.notes) session.note(file.model + ": " + note);
   std::vector<SurfaceRepair> repairs;
-  if (repairs_) repairs = repair(file.scene);
+  if (repairs_) repairs = repair(file.scene, session.context());
   return {SurfaceDivision(std::move(file.scene), session.context()), file.model,
           std::move(repairs)};
 }
 
-SurfaceResult SurfaceInput::evaluate(const SurfaceDivision& division) const {
+SurfaceResult SurfaceInput::evaluate(const SurfaceDivision& division, Context& context) const {
   const WindingRule rule = rule_ == "nonzero"    ? WindingRule::NonZero
                            : rule_ == "positive" ? WindingRule::Positive
                                                  : WindingRule::EvenOdd;
   try {
-    return division.evaluate(parse_set_expression(expression_), rule);
+    return division.evaluate(parse_set_expression(expression_), rule, context);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::BadArgument && error.code() != ErrorCode::Syntax) throw;
     throw Error(ErrorCode::Usage, "--op '" + expression_ + "': " + error.message());

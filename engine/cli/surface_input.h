@@ -34,7 +34,7 @@ class SurfaceInput {
   /// What is remarkable is noted.
   DividedScene read(Session& session) const;
   /// Errors: Usage, for expressions and for shapes without an inside.
-  SurfaceResult evaluate(const SurfaceDivision& division) const;
+  SurfaceResult evaluate(const SurfaceDivision& division, Context& context) const;
 
  private:
   std::string file_;

@@ -24,9 +24,9 @@ namespace {
 using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
                                   std::uint64_t, long double>;
 
-enum class Member : std::uint8_t { Model, Points, Polygons, Shapes, Outside, Other };
-constexpr std::array<std::string_view, 5> kMemberNames{"model", "points", "polygons", "shapes",
-                                                       "outside"};
+enum class Member : std::uint8_t { Model, Points, Polygons, Shapes, Outside, Levels, Other };
+constexpr std::array<std::string_view, 6> kMemberNames{"model",  "points",  "polygons",
+                                                       "shapes", "outside", "levels"};
 constexpr double kClear = 0x1p-40;  // so far from the sides rounding a weight changes nothing
 constexpr std::uint64_t kBytesPerIndex = 2 * (sizeof(std::uint32_t) + sizeof(std::size_t));
 constexpr std::uint64_t kBytesPerPoint = 2 * (sizeof(Point2) + 2 * sizeof(std::size_t));
@@ -55,13 +55,14 @@ class SceneHandler : public nlohmann::json_sax<Json> {
     Json::sax_parse(places_.begin(), places_.end(), this);
     check_members();
     check_indices(scene_.polygons, scene_.point_face.size(), "point");
-    check_indices(scene_.shapes, scene_.polygons.size(), "polygon");
+    if (scene_.shapes) check_indices(*scene_.shapes, scene_.polygons.size(), "polygon");
+    check_levels();
     return std::move(scene_);
   }
 
   bool null() override { return take_other(); }
   bool boolean(bool) override { return take_other(); }
-  bool number_integer(number_integer_t) override { return take_number({}); }
+  bool number_integer(number_integer_t value) override { return take_number({}, value); }
   bool number_unsigned(number_unsigned_t value) override { return take_number(value); }
   bool number_float(number_float_t, const string_t&) override { return take_number({}); }
   bool binary(binary_t&) override { return false; }  // not in texts
@@ -87,17 +88,20 @@ class SceneHandler : public nlohmann::json_sax<Json> {
   bool means_something() const { return skipped_ == 0; }
   std::string expected() const;
   bool take_other();
-  bool take_number(std::optional<std::uint64_t> value);
+  bool take_number(std::optional<std::uint64_t> value, std::optional<std::int64_t> negative = {});
   void read_weight(std::string_view token);
   std::uint32_t index_of(std::optional<std::uint64_t> value) const;
   void add_index(ParsedScene::Lists& lists, std::uint32_t index);
   void end_list(ParsedScene::Lists& lists);
   void add_point();
-  void add_near_side(const std::array<Rational, 2>& weights);
+  void add_near_side(const std::array<Rational, 2>& weights, bool is_decimal);
+  void add_to_level(std::optional<std::uint64_t> value, std::optional<std::int64_t> negative);
+  void end_level();
   ParsedScene::Lists& lists() {
-    return member_ == Member::Polygons ? scene_.polygons : scene_.shapes;
+    return member_ == Member::Polygons ? scene_.polygons : *scene_.shapes;
   }
   void check_members() const;
+  void check_levels() const;
   void check_indices(const ParsedScene::Lists& lists, std::size_t count, const char* what) const;
 
   const char* begin_;
@@ -113,18 +117,20 @@ class SceneHandler : public nlohmann::json_sax<Json> {
   int depth_ = 0;            // of lists open in the member
   std::size_t skipped_ = 0;  // open lists and objects that mean nothing
 
-  // Of the point being read.
+  // Of the point or level being read.
   std::size_t numbers_ = 0;
   std::size_t point_place_ = 0;
   std::uint32_t face_ = 0;
   std::array<std::string_view, 2> tokens_;
   std::array<ReadNumber, 2> weights_;
+  SurfaceLevel level_{};
 };
 
 // ---------------------------------------------------------------- structure
 
 bool is_list(Member member) {
-  return member == Member::Points || member == Member::Polygons || member == Member::Shapes;
+  return member == Member::Points || member == Member::Polygons || member == Member::Shapes ||
+         member == Member::Levels;
 }
 
 std::string SceneHandler::expected() const {
@@ -132,6 +138,9 @@ std::string SceneHandler::expected() const {
   if (member_ == Member::Model) return "a file name";
   if (member_ == Member::Outside) return "the index of a face";
   if (depth_ == 0) return "a list";
+  if (member_ == Member::Levels) {
+    return depth_ == 1 ? "a level [shape, face, label]" : (numbers_ < 2 ? "an index" : "a label");
+  }
   if (member_ != Member::Points) return depth_ == 1 ? "a list of indices" : "an index";
   if (depth_ == 1) return "a point [face, u, v]";
   return numbers_ == 0 ? "the index of a face" : "a number or a fraction";
@@ -164,6 +173,7 @@ bool SceneHandler::key(string_t& name) {
   if (std::exchange(seen_[static_cast<std::size_t>(member_)], true)) {
     fail(ErrorCode::Syntax, quoted_name(member_) + " is given twice");
   }
+  if (member_ == Member::Shapes) scene_.shapes.emplace();
   return true;
 }
 
@@ -195,6 +205,8 @@ bool SceneHandler::end_array() {
   if (depth_ == 2) {
     if (member_ == Member::Points) {
       add_point();
+    } else if (member_ == Member::Levels) {
+      end_level();
     } else {
       end_list(lists());
     }
@@ -221,6 +233,17 @@ void SceneHandler::check_indices(const ParsedScene::Lists& lists, std::size_t co
   }
 }
 
+void SceneHandler::check_levels() const {
+  const std::size_t shapes = scene_.shapes ? scene_.shapes->size() : scene_.polygons.size();
+  for (const auto& [level, place] : scene_.levels) {
+    if (level.shape < shapes) continue;
+    places_.fail(ErrorCode::BadIndex,
+                 "no shape " + std::to_string(level.shape) + ": there are " +
+                     std::to_string(shapes) + ", counted from 0",
+                 begin_ + place);
+  }
+}
+
 // ---------------------------------------------------------------- values
 
 bool SceneHandler::string(string_t& value) {
@@ -229,7 +252,6 @@ bool SceneHandler::string(string_t& value) {
   if (is_open_ && member_ == Member::Model) {
     if (value.empty() || value.find('\0') != value.npos) fail_expected("a file name");
     scene_.model = value;
-    scene_.model_place = place();
     return true;
   }
   const bool is_weight = is_open_ && member_ == Member::Points && depth_ == 2 && numbers_ > 0;
@@ -243,7 +265,8 @@ bool SceneHandler::string(string_t& value) {
   return true;
 }
 
-bool SceneHandler::take_number(std::optional<std::uint64_t> value) {
+bool SceneHandler::take_number(std::optional<std::uint64_t> value,
+                               std::optional<std::int64_t> negative) {
   places_.find_number();
   if (!means_something() || (is_open_ && member_ == Member::Other)) return true;
   if (is_open_ && member_ == Member::Outside) {
@@ -251,6 +274,8 @@ bool SceneHandler::take_number(std::optional<std::uint64_t> value) {
     scene_.outside_place = place();
   } else if (!is_open_ || depth_ < 2) {
     fail_expected(expected());
+  } else if (member_ == Member::Levels) {
+    add_to_level(value, negative);
   } else if (member_ != Member::Points) {
     add_index(lists(), index_of(value));
   } else if (numbers_ == 0) {
@@ -281,6 +306,28 @@ void SceneHandler::end_list(ParsedScene::Lists& lists) {
   lists.begin.push_back(static_cast<std::uint32_t>(lists.items.size()));
 }
 
+void SceneHandler::add_to_level(std::optional<std::uint64_t> value,
+                                std::optional<std::int64_t> negative) {
+  constexpr std::uint32_t kMostLabel = 0x3fff'ffff;
+  if (numbers_ == 0) level_.shape = index_of(value);
+  if (numbers_ == 1) level_.face = FaceId(index_of(value));
+  if (numbers_ == 2) {
+    if (!value && !negative) fail_expected(expected());
+    if (value ? *value > kMostLabel : *negative < -std::int64_t{kMostLabel}) {
+      fail(ErrorCode::NumberOutOfRange, "a label too large");
+    }
+    level_.label = value ? static_cast<std::int32_t>(*value) : static_cast<std::int32_t>(*negative);
+  }
+  if (++numbers_ > 3) fail(ErrorCode::Syntax, "a level is [shape, face, label]: too many numbers");
+}
+
+void SceneHandler::end_level() {
+  if (numbers_ < 3) fail(ErrorCode::Syntax, "a level is [shape, face, label]: too few numbers");
+  with_place(places_.cursor_at_token(),
+             [&] { context_.charge_memory(2 * sizeof(ParsedScene::Level), "the scene"); });
+  scene_.levels.push_back({level_, point_place_});
+}
+
 // ---------------------------------------------------------------- points
 
 void SceneHandler::read_weight(std::string_view token) {
@@ -302,8 +349,8 @@ void SceneHandler::add_point() {
            tokens_[1].find_first_of(characters) != std::string_view::npos;
   };
   // A fraction means itself: a decimal beside it is rounded by itself, then, whatever it adds up to.
-  const bool is_fraction = any_has("/");
-  scene_.point_rounds.push_back(!exact_decimals_ && !is_fraction && any_has(".eE") ? 1 : 0);
+  const bool is_fraction = any_has("/"), is_decimal = !exact_decimals_ && any_has(".eE");
+  scene_.point_rounds.push_back(is_decimal && !is_fraction ? 1 : 0);
   if (weights_[0].is_double() && weights_[1].is_double()) {
     const double u = weights_[0].as_double(), v = weights_[1].as_double();
     if (u > kClear && v > kClear && u + v < 1 - kClear) {
@@ -313,14 +360,18 @@ void SceneHandler::add_point() {
   }
   std::array<Rational, 2> weights;
   for (std::size_t i = 0; i < 2; ++i) {
-    if (!is_fraction) exact_.read(places_.cursor_at_token(), tokens_[i], weights_[i]);
+    // What the nearest double is zero of is zero, however small it is.
+    const bool is_zero = weights_[i].is_double() && weights_[i].as_double() == 0;
+    if (!is_fraction && !is_zero) {
+      exact_.read(places_.cursor_at_token(), tokens_[i], weights_[i]);
+    }
     weights[i] = weights_[i].exact();
   }
-  add_near_side(weights);
+  add_near_side(weights, is_decimal);
 }
 
 /// On a side or near one: exactly as written, but for what decimals may be rounded to.
-void SceneHandler::add_near_side(const std::array<Rational, 2>& weights) {
+void SceneHandler::add_near_side(const std::array<Rational, 2>& weights, bool is_decimal) {
   auto [u, v] = weights;
   const Rational rest = 1 - u - v;
   if (u < -tiny() || v < -tiny() || rest < -tiny()) {
@@ -329,7 +380,7 @@ void SceneHandler::add_near_side(const std::array<Rational, 2>& weights) {
   }
   if (u < 0) u = 0;
   if (v < 0) v = 0;
-  if (u + v > 1) {
+  if (rest < 0 || (is_decimal && rest <= tiny())) {
     u = u > 1 ? Rational(1) : u;
     v = 1 - u;
   }

@@ -1,6 +1,7 @@
 #include "plumb/io/scene_reader.h"
 
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "plumb/base/error.h"
@@ -34,14 +35,12 @@ class SceneMaker {
     SurfaceScene scene{mesh_, SurfacePolygons(*mesh_), {}, {}};
     for (std::uint32_t i = 0; i < in_.point_face.size(); ++i) add_point(i, scene.polygons.points);
     trace(scene.polygons);
-    for (std::size_t s = 0; s < in_.shapes.size(); ++s) {
-      scene.shapes.emplace_back(in_.shapes.items.begin() + in_.shapes.begin[s],
-                                in_.shapes.items.begin() + in_.shapes.begin[s + 1]);
-    }
+    if (in_.shapes) add_shapes(*in_.shapes, scene.shapes.emplace());
     if (in_.outside) {
       require_face(*in_.outside, in_.outside_place);
       scene.outside = FaceId(*in_.outside);
     }
+    add_levels(scene.levels);
     return scene;
   }
 
@@ -58,6 +57,28 @@ class SceneMaker {
          "no face " + std::to_string(face) + ": the model has " +
              std::to_string(mesh_->face_count()) + " triangles, counted from 0",
          place);
+  }
+
+  static void add_shapes(const ParsedScene::Lists& lists,
+                         std::vector<std::vector<std::uint32_t>>& shapes) {
+    for (std::size_t s = 0; s < lists.size(); ++s) {
+      shapes.emplace_back(lists.items.begin() + lists.begin[s],
+                          lists.items.begin() + lists.begin[s + 1]);
+    }
+  }
+
+  void add_levels(std::vector<SurfaceLevel>& levels) const {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> known;  // shape, component
+    for (const auto& [level, place] : in_.levels) {
+      require_face(level.face.value(), place);
+      if (!known.emplace(level.shape, mesh_->component(level.face)).second) {
+        fail(ErrorCode::BadShape,
+             "a second level of shape " + std::to_string(level.shape) +
+                 " in one component of the model",
+             place);
+      }
+      levels.push_back(level);
+    }
   }
 
   /// Its id is its index.
@@ -88,13 +109,16 @@ class SceneMaker {
   void trace(SurfacePolygons& polygons) const {
     Tracer tracer(*mesh_);
     std::vector<SurfacePointId> control;
+    std::vector<FaceId> named;
     for (std::size_t p = 0; p < in_.polygons.size(); ++p) {
       context_.checkpoint("trace", p, in_.polygons.size());
       control.clear();
+      named.clear();
       for (std::uint32_t i = in_.polygons.begin[p]; i < in_.polygons.begin[p + 1]; ++i) {
         control.push_back(SurfacePointId(in_.polygons.items[i]));
+        named.push_back(FaceId(in_.point_face[in_.polygons.items[i]]));
       }
-      const auto torn = add_traced_polygon(tracer, control, polygons, context_);
+      const auto torn = add_traced_polygon(tracer, control, named, polygons, context_);
       if (torn) fail_torn(p, *torn);
     }
   }

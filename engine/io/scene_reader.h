@@ -1,7 +1,7 @@
 // Reads scenes: polygons on a mesh (docs/formats.md, "Scenes").
 //
 //   {"model": FILE, "points": [[face, u, v], ..], "polygons": [[point, ..], ..],
-//    "shapes"?: [[polygon, ..], ..], "outside"?: face}
+//    "shapes"?: [[polygon, ..], ..], "outside"?: face, "levels"?: [[shape, face, label], ..]}
 //
 // Indices count from 0; u, v are the weights of the second and the third vertex of the face, as the model lists
 // them, larger polygons cut into fans in order. FILE is sought beside the scene. A weight is a JSON number or
@@ -11,12 +11,13 @@
 //  1. parse      the text, each index and weight with its place
 //  2. model      by any reader of meshes (solid_io.h); triangles; SurfaceMesh
 //  3. points     on a vertex, an edge or in a face, exactly (below)
-//  4. trace      polygons from point to point (trace.h)
+//  4. trace      polygons from point to point (trace.h); straight in the face that both points name
 //
 // Where a point lies is decided by the numbers as they are written, decimals too: [f, 0.3, 0.7] is on the edge,
 // and the same as [g, 0.7, 0] across it, though no doubles add up to that. Then what a decimal gave is rounded to
-// the nearest double, once, unless that would move the point off its edge, onto one, or out of its face. What lies
-// outside by no more than 2^-52, as far as the sum of two doubles may, lies on the edge.
+// the nearest double, once, unless that would move the point off its edge, onto one, or out of its face. With a
+// decimal among them u + v misses 1 by up to 2^-52 where 1 is meant: then it is. And nothing that lies outside by
+// that much is refused.
 //
 // Cost: O(bytes), and the tracing. Errors, with their place: those of JSON and of the model; BadIndex; BadShape
 // for a point outside its face, and for control points that no path joins; ResourceLimit; Cancelled.
@@ -38,26 +39,32 @@
 
 namespace plumb {
 
+/// A list of lists of indices, flat, with the place of each index in the text.
+struct SceneLists {
+  std::vector<std::uint32_t> begin = {0};
+  std::vector<std::uint32_t> items;
+  std::vector<std::size_t> places;
+  std::size_t size() const { return begin.size() - 1; }
+};
+
 /// A scene as it is written; indices of points and of polygons are right.
 struct ParsedScene {
-  /// A list of lists of indices, flat, with the place of each index in the text.
-  struct Lists {
-    std::vector<std::uint32_t> begin = {0};
-    std::vector<std::uint32_t> items;
-    std::vector<std::size_t> places;
-    std::size_t size() const { return begin.size() - 1; }
+  using Lists = SceneLists;
+  struct Level {
+    SurfaceLevel level;
+    std::size_t place;
   };
 
   std::string model;
-  std::size_t model_place = 0;
   std::vector<std::uint32_t> point_face;
   PointTable2 point_weights;               ///< (u, v), not outside of any face
   std::vector<std::uint8_t> point_rounds;  ///< written in decimals: may be rounded
   std::vector<std::size_t> point_place;
   Lists polygons;
-  Lists shapes;  ///< none: one shape per polygon
+  std::optional<Lists> shapes;  ///< none: one shape per polygon
   std::optional<std::uint32_t> outside;
   std::size_t outside_place = 0;
+  std::vector<Level> levels;  ///< of shapes that there are
 };
 
 /// Step 1.

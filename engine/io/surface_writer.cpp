@@ -10,7 +10,6 @@
 #include "plumb/io/mesh_text.h"
 #include "plumb/io/text_output.h"
 #include "plumb/surface/surface_arrangement.h"
-#include "plumb/surface/surface_cells.h"
 
 namespace plumb {
 namespace {
@@ -42,14 +41,13 @@ struct ChosenTriangles {
   }
 };
 
-/// "A+2B", names of polygons by number: "+p0-p3".
-std::string bundle_text(std::span<const SignedEntry> bundle, std::int32_t sign) {
+/// "+0 -2*3".
+std::string text_of(std::span<const SignedEntry> polygons) {
   std::string text;
-  for (const SignedEntry& e : bundle) {
-    const std::int32_t value = sign * e.value;
+  for (const SignedEntry& e : polygons) {
     if (!text.empty()) text += ' ';
-    text += (value > 0 ? "+" : "-");
-    if (std::abs(value) != 1) text += std::to_string(std::abs(value)) + '*';
+    text += (e.value > 0 ? "+" : "-");
+    if (std::abs(e.value) != 1) text += std::to_string(std::abs(e.value)) + '*';
     text += std::to_string(e.id);
   }
   return text;
@@ -62,23 +60,25 @@ using Json = nlohmann::ordered_json;
 /// Points once each, in the order of their first use.
 class SceneWriter {
  public:
-  explicit SceneWriter(const SurfacePolygons& polygons)
-      : polygons_(polygons), mesh_(polygons.points.mesh()) {}
+  explicit SceneWriter(const SurfaceScene& scene)
+      : scene_(scene), polygons_(scene.polygons), mesh_(*scene.mesh) {}
 
   Json run(const std::string& model) {
-    Json polygons = Json::array(), shape = Json::array();
+    Json polygons = Json::array();
     for (std::size_t p = 0; p < polygons_.size(); ++p) {
       Json polygon = Json::array();
       for (std::uint32_t i = polygons_.begin[p]; i < polygons_.begin[p + 1]; ++i) {
         polygon.push_back(number_of(polygons_.point[i], polygons_.face[i]));
       }
       polygons.push_back(std::move(polygon));
-      shape.push_back(p);
     }
-    return {{"model", model},
-            {"points", std::move(points_)},
-            {"polygons", std::move(polygons)},
-            {"shapes", Json::array({std::move(shape)})}};
+    Json json{{"model", model}, {"points", std::move(points_)}, {"polygons", std::move(polygons)}};
+    if (scene_.shapes) json["shapes"] = *scene_.shapes;
+    if (scene_.outside.is_valid()) json["outside"] = scene_.outside.value();
+    for (const SurfaceLevel& l : scene_.levels) {
+      json["levels"].push_back({l.shape, l.face.value(), l.label});
+    }
+    return json;
   }
 
  private:
@@ -108,6 +108,7 @@ class SceneWriter {
     return format_exact(q);
   }
 
+  const SurfaceScene& scene_;
   const SurfacePolygons& polygons_;
   const SurfaceMesh& mesh_;
   Json points_ = Json::array();
@@ -156,6 +157,15 @@ void write_surface_ply(std::ostream& stream, const SurfaceTriangulation& in, Cel
   out.flush();
 }
 
+CellStep upward_step(const SurfaceDivision& division, const CellEdge& edge) {
+  const auto bundle = division.arrangement().bundles[edge.bundle];
+  CellStep step{edge.from, edge.to, {bundle.begin(), bundle.end()}};
+  const bool is_upward = bundle.front().value > 0;
+  if (is_upward != (edge.sign > 0)) std::swap(step.from, step.to);
+  for (SignedEntry& e : step.polygons) e.value = is_upward ? e.value : -e.value;
+  return step;
+}
+
 void write_cell_graph(std::ostream& stream, const SurfaceDivision& division, CellChoice chosen) {
   TextOutput out(stream);
   out << "digraph cells {\n  node [shape=ellipse];\n";
@@ -171,15 +181,16 @@ void write_cell_graph(std::ostream& stream, const SurfaceDivision& division, Cel
   const SurfaceCells& cells = division.cells();
   for (const CellEdge& e : cells.edges) {
     if (!is_chosen(chosen, e.from) || !is_chosen(chosen, e.to)) continue;
-    out << "  c" << e.from.value() << " -> c" << e.to.value() << " [label=\""
-        << bundle_text(division.arrangement().bundles[e.bundle], e.sign) << "\"];\n";
+    const CellStep step = upward_step(division, e);
+    out << "  c" << step.from.value() << " -> c" << step.to.value() << " [label=\""
+        << text_of(step.polygons) << "\"];\n";
   }
   out << "}\n";
   out.flush();
 }
 
-void write_scene(std::ostream& out, const SurfacePolygons& polygons, const std::string& model) {
-  out << SceneWriter(polygons).run(model).dump() << '\n';
+void write_scene(std::ostream& out, const SurfaceScene& scene, const std::string& model) {
+  out << SceneWriter(scene).run(model).dump() << '\n';
 }
 
 }  // namespace plumb

@@ -5,8 +5,10 @@
 #include <ostream>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "plumb/surface/surface.h"
+#include "plumb/surface/surface_cells.h"
 #include "plumb/surface/triangulation.h"
 
 namespace plumb {
@@ -20,12 +22,20 @@ void write_surface_obj(std::ostream& out, const SurfaceTriangulation& triangles,
 /// In text, doubles; faces have a property `cell`.
 void write_surface_ply(std::ostream& out, const SurfaceTriangulation& triangles, CellChoice chosen);
 
-/// Graphviz: a node a cell with its label and area, an edge for each pair of cells and what is crossed between them:
-/// from the right of the polygons to their left.
+/// An edge of the graph of cells, from the right of its first polygon to the left: what labels grow by.
+struct CellStep {
+  CellId from;
+  CellId to;
+  std::vector<SignedEntry> polygons;  ///< ascending; the first is positive
+};
+CellStep upward_step(const SurfaceDivision& division, const CellEdge& edge);
+
+/// Graphviz: a node a cell with its label and area, an edge for each pair of cells and polygons between them
+/// (upward_step), named by number: "+0 -2*3".
 void write_cell_graph(std::ostream& out, const SurfaceDivision& division, CellChoice chosen);
 
-/// Polygons over the mesh as a scene that reads back as the same points, exactly: JSON, `model` as given. All of
-/// them are one shape.
-void write_scene(std::ostream& out, const SurfacePolygons& polygons, const std::string& model);
+/// A scene that reads back as the same points, exactly: JSON, `model` as given. Every point of a polygon is a
+/// control point of the scene.
+void write_scene(std::ostream& out, const SurfaceScene& scene, const std::string& model);
 
 }  // namespace plumb

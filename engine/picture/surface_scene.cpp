@@ -19,6 +19,7 @@ namespace {
 constexpr Colour kNothing{0xe6, 0xe9, 0xee};  // labels that are zero, cells not selected
 constexpr Colour kSelected{0x7f, 0xb4, 0xe6};
 constexpr std::size_t kCurvePaints = 6;
+constexpr std::uint32_t kNoPoint = ~std::uint32_t{0};
 constexpr std::uint8_t kDrawn = bit(SurfaceLayer::Polygons) | bit(SurfaceLayer::Slices) |
                                 bit(SurfaceLayer::Cells) | bit(SurfaceLayer::Labels);
 
@@ -79,7 +80,7 @@ class SurfaceSceneMaker {
     frame_.describe(scene_);
     scene_.is_flat = low == high;
     for (const Point3& p : in_.points) scene_.points.push_back(frame_.at(p));
-    point_of_node_.assign(arrangement_.node_count(), 0);
+    point_of_node_.assign(arrangement_.node_count(), kNoPoint);
     for (std::uint32_t p = 0; p < in_.points.size(); ++p) {
       if (in_.node[p].is_valid()) point_of_node_[in_.node[p].value()] = p;
     }
@@ -118,8 +119,10 @@ class SurfaceSceneMaker {
       if (is_new) place->second = tint(known.size() - 2);
       labels.tints.push_back(place->second);
     }
-    scene_.layers = {
-        {"polygons", {}, false}, {"slices", {}, false}, std::move(cells), std::move(labels)};
+    scene_.layers = {{layer_name(SurfaceLayer::Polygons), {}, false},
+                     {layer_name(SurfaceLayer::Slices), {}, false},
+                     std::move(cells),
+                     std::move(labels)};
     if (result_ == nullptr) return;
     Scene::Layer layer{layer_name(SurfaceLayer::Result), {}, false};
     for (const std::uint8_t is_selected : result_->region.is_selected) {
@@ -165,8 +168,9 @@ class SurfaceSceneMaker {
     const SurfaceScene& scene = division_.scene();
     std::vector<std::uint32_t> shape_of(scene.polygons.size());
     for (std::uint32_t p = 0; p < shape_of.size(); ++p) shape_of[p] = p;
-    for (std::uint32_t s = static_cast<std::uint32_t>(scene.shapes.size()); s-- > 0;) {
-      for (const std::uint32_t p : scene.shapes[s]) shape_of[p] = s;
+    if (!scene.shapes) return shape_of;
+    for (std::size_t s = scene.shapes->size(); s-- > 0;) {
+      for (const std::uint32_t p : (*scene.shapes)[s]) shape_of[p] = static_cast<std::uint32_t>(s);
     }
     return shape_of;
   }
@@ -177,16 +181,23 @@ class SurfaceSceneMaker {
     for (std::size_t i = 0; i < polygons.point.size(); ++i) {
       if (polygons.is_control[i] == 0) continue;
       const NodeId n = arrangement_.node_of_entry[i];
-      scene_.dots.push_back({point_of_node_[n.value()], Paint::Control, kLayer});
+      scene_.dots.push_back({point_of(n), Paint::Control, kLayer});
     }
-    std::vector<std::uint8_t> ends(arrangement_.node_count());
-    for (const HalfedgeId h : arrangement_.arc_halfedge) {
-      for (const NodeId n : {arrangement_.origin[h.value()], arrangement_.target(h)}) {
-        if (ends[n.value()] < 3 && ++ends[n.value()] == 3) {
-          scene_.dots.push_back({point_of_node_[n.value()], Paint::Crossing, kLayer});
-        }
-      }
+    const std::vector<std::uint8_t> ends = arc_ends(arrangement_);
+    for (std::size_t n = 0; n < ends.size(); ++n) {
+      if (ends[n] != kCrossingEnds) continue;
+      scene_.dots.push_back({point_of(NodeId(n)), Paint::Crossing, kLayer});
     }
+  }
+  /// Triangles have no corner where polygons cancel.
+  std::uint32_t point_of(NodeId n) {
+    std::uint32_t& point = point_of_node_[n.value()];
+    if (point == kNoPoint) point = add_point(node_position(division_, n));
+    return point;
+  }
+  std::uint32_t add_point(const Point3& at) {
+    scene_.points.push_back(frame_.at(at));
+    return static_cast<std::uint32_t>(scene_.points.size() - 1);
   }
 
   bool is_selected(std::uint32_t side) const {
@@ -203,9 +214,8 @@ class SurfaceSceneMaker {
     const SurfacePolygons& borders = result_->borders;
     for (std::size_t i = 0; i < borders.point.size(); ++i) {
       if (borders.is_control[i] == 0) continue;
-      scene_.dots.push_back(
-          {static_cast<std::uint32_t>(scene_.points.size()), Paint::Control, kLayer});
-      scene_.points.push_back(frame_.at(borders.points.position(borders.point[i])));
+      const std::uint32_t point = add_point(borders.points.position(borders.point[i]));
+      scene_.dots.push_back({point, Paint::Control, kLayer});
     }
   }
 
@@ -226,9 +236,7 @@ Scene scene_of(const SurfaceDivision& division, const SurfaceTriangulation& tria
 }
 
 std::string layer_name(SurfaceLayer layer) {
-  static constexpr std::array<std::string_view, 5> kNames{"polygons", "slices", "cells", "labels",
-                                                          "result"};
-  return std::string(kNames[static_cast<std::size_t>(layer)]);
+  return std::string(kSurfaceLayerNames[static_cast<std::size_t>(layer)]);
 }
 
 std::string facts_of(const SurfaceDivision& division) {

@@ -7,9 +7,11 @@
 //   result     the cells that an expression selects, their borders, the control points of these
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "plumb/picture/scene.h"
 #include "plumb/surface/surface.h"
@@ -22,6 +24,8 @@ inline constexpr std::uint8_t bit(SurfaceLayer layer) {
   return static_cast<std::uint8_t>(1U << static_cast<unsigned>(layer));
 }
 
+inline constexpr std::array<std::string_view, 5> kSurfaceLayerNames{"polygons", "slices", "cells",
+                                                                    "labels", "result"};
 /// "polygons", "slices" and so on.
 std::string layer_name(SurfaceLayer layer);
 

@@ -1,7 +1,9 @@
 #include "plumb/surface/face_arrangement.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -16,6 +18,7 @@ constexpr std::size_t kFewSegments = 32;     // fewer are all compared with each
 constexpr std::uint64_t kContactBytes = 64;  // and its share of a crossing
 constexpr double kRough = 0x1p-44;
 constexpr std::size_t kFewIslands = 8;  // fewer look at every arc
+constexpr std::uint32_t kPointsPerCheckpoint = 4096;
 
 Box3 box_of(const PlanePoints& points, const FaceSegment& s) {
   const Point2 a = points.inputs.approx(s.from), b = points.inputs.approx(s.to);
@@ -40,11 +43,19 @@ void FaceArrangement::clear() {
 void FaceArrangement::run(SurfaceBundles& bundles, Context& context) {
   orient_segments();
   find_contacts(context);
+  const auto checkpoint = [&] {
+    if (segments.size() + contacts_.size() > kPointsPerCheckpoint) {
+      context.checkpoint("slice", 0, 1);
+    }
+  };
+  checkpoint();
   split();
+  checkpoint();
   if (overlaps_) merge_overlaps(bundles);
-  link();
+  link(context);
+  checkpoint();
   trace_loops();
-  nest();
+  nest(context);
 }
 
 // ---------------------------------------------------------------- contacts
@@ -224,7 +235,7 @@ bool FaceArrangement::turns_before(std::uint32_t g, std::uint32_t h) const {
   return turn == (same_half ? Sign::Positive : Sign::Negative);
 }
 
-void FaceArrangement::link() {
+void FaceArrangement::link(Context& context) {
   const std::uint32_t n = halfedge_count();
   out_begin_.assign(points.size() + 1, 0);
   for (std::uint32_t h = ring_size; h < n; ++h) ++out_begin_[origin(h) + 1];
@@ -237,6 +248,7 @@ void FaceArrangement::link() {
 
   next.resize(n);
   for (std::uint32_t p = 0; p < points.size(); ++p) {
+    if ((p + 1) % kPointsPerCheckpoint == 0) context.checkpoint("slice", 0, 1);
     const auto begin = out_.begin() + out_begin_[p], end = out_.begin() + out_begin_[p + 1];
     const auto degree = end - begin;
     const bool is_on_ring = p < ring_size;
@@ -288,7 +300,7 @@ void FaceArrangement::find_islands() {
                 [&](std::uint32_t p) { return std::exchange(is_seen[parts.root(p)], 1) != 0; });
 }
 
-void FaceArrangement::nest() {
+void FaceArrangement::nest(Context& context) {
   find_islands();
   // The half-edge that leaves its leftmost point last, in angular order, has the outside of a part to its left.
   // (Where there are only two, they have not been sorted.)
@@ -303,9 +315,9 @@ void FaceArrangement::nest() {
   for (Loop& l : loops) {
     if (!l.is_hole) l.piece = piece_count++;
   }
-  if (islands_.size() > kFewIslands) index_arcs();
-  for (const std::uint32_t p : islands_) {
-    outside_of(p).piece = loops[loop_of_[halfedge_below(p)]].piece;
+  find_below(context);
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    outside_of(islands_[i]).piece = loops[loop_of_[below_[i]]].piece;
   }
   piece.resize(halfedge_count());
   for (std::uint32_t h = 0; h < piece.size(); ++h) piece[h] = loops[loop_of_[h]].piece;
@@ -315,40 +327,15 @@ void FaceArrangement::nest() {
   });
 }
 
-/// Around the exact point.
-Box3 FaceArrangement::box_around(std::uint32_t p) const {
-  const Point2 at = approx(PlanePointsView(points), p);
-  const double r = (is_given(p) ? 0 : points.crossings[p - points.inputs.size()].radius) + 0x1p-52;
-  Box3 box;
-  box.low = {at.x - r, at.y - r, 0};
-  box.high = {at.x + r, at.y + r, 0};
-  return box;
+/// Does the arc pass below the point?
+bool FaceArrangement::is_below(const FaceArc& a, std::uint32_t point) const {
+  if (compare(a.from, point) != Sign::Negative) return false;
+  if (compare(point, a.to) != Sign::Negative) return false;
+  return side(segments[a.segment], point) == Sign::Positive;
 }
 
-void FaceArrangement::index_arcs() {
-  boxes_.clear();
-  for (const FaceArc& a : arcs) {
-    boxes_.push_back(box_around(a.from));
-    boxes_.back().add(box_around(a.to));
-  }
-  arc_tree_ = BoxTree(boxes_);
-}
-
-/// Does the half-edge, which runs lexicographically upwards, pass below the point?
-bool FaceArrangement::is_below(std::uint32_t h, std::uint32_t point) const {
-  const bool is_side = h < ring_size;
-  const std::uint32_t from = origin(h), to = is_side ? h + 1 : arcs[(h - ring_size) / 2].to;
-  if (compare(from, point) != Sign::Negative) return false;
-  if (compare(point, to) != Sign::Negative) return false;
-  if (is_side) return true;
-  const FaceSegment& s = segments[arcs[(h - ring_size) / 2].segment];
-  return side(s, point) == Sign::Positive;
-}
-
-/// Of two half-edges below one point that do not cross: is g lower?
-bool FaceArrangement::is_lower(std::uint32_t g, std::uint32_t h) const {
-  if (g < ring_size || h < ring_size) return g < ring_size;
-  const FaceArc &a = arcs[(g - ring_size) / 2], &b = arcs[(h - ring_size) / 2];
+/// Of two arcs that do not cross and pass below or above one point: is a lower?
+bool FaceArrangement::is_lower(const FaceArc& a, const FaceArc& b) const {
   const FaceSegment &s = segments[a.segment], &t = segments[b.segment];
   if (a.from == b.from) {
     return cross_sign(points.inputs, s.from, s.to, t.from, t.to) == Sign::Positive;
@@ -359,21 +346,86 @@ bool FaceArrangement::is_lower(std::uint32_t g, std::uint32_t h) const {
   return side(t, a.from) == Sign::Negative;
 }
 
-/// The highest half-edge that passes below an inner point.
-std::uint32_t FaceArrangement::halfedge_below(std::uint32_t point) const {
-  std::uint32_t best = kNone;
-  const auto offer = [&](std::uint32_t h) {
-    if (is_below(h, point) && (best == kNone || is_lower(best, h))) best = h;
-  };
-  for (std::uint32_t r = 0; best == kNone; ++r) offer(r);  // side 0 comes first
-  if (islands_.size() <= kFewIslands) {
-    for (std::uint32_t a = 0; a < arcs.size(); ++a) offer(ring_size + 2 * a);
-  } else {
-    Box3 under = box_around(point);
-    under.low[1] = -1;
-    arc_tree_.for_each_meeting(under, [&](std::uint32_t a) { offer(ring_size + 2 * a); });
+/// The half-edge along side 0, the lowest of all, below an inner point.
+std::uint32_t FaceArrangement::side_below(std::uint32_t point) const {
+  // The other sides lead back to the left.
+  std::uint32_t low = 0, high = corner_1_;
+  while (high - low > 1) {
+    const std::uint32_t middle = low + (high - low) / 2;
+    (compare(middle, point) == Sign::Negative ? low : high) = middle;
   }
-  return best;
+  return low;
+}
+
+/// The highest half-edge that passes below each island's leftmost point.
+void FaceArrangement::find_below(Context& context) {
+  below_.assign(islands_.size(), kNone);
+  if (islands_.empty()) return;
+  corner_1_ = 0;
+  while (points.inputs.approx(corner_1_).x < 1) ++corner_1_;
+  if (islands_.size() > kFewIslands) {
+    sweep_below(context);
+    return;
+  }
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    std::uint32_t best = kNone;
+    for (std::uint32_t a = 0; a < arcs.size(); ++a) {
+      if (is_below(arcs[a], islands_[i]) && (best == kNone || is_lower(arcs[best], arcs[a]))) {
+        best = a;
+      }
+    }
+    below_[i] = best == kNone ? side_below(islands_[i]) : ring_size + 2 * best;
+  }
+}
+
+/// From left to right over all points, with the arcs that pass them in order.
+void FaceArrangement::sweep_below(Context& context) {
+  struct Lower {
+    using is_transparent = void;
+    const FaceArrangement& in;
+    struct Point {
+      std::uint32_t id;
+    };
+    bool operator()(std::uint32_t a, std::uint32_t b) const {
+      return a != b && in.is_lower(in.arcs[a], in.arcs[b]);
+    }
+    bool operator()(std::uint32_t a, Point p) const {
+      return in.side(in.segments[in.arcs[a].segment], p.id) == Sign::Positive;
+    }
+  };
+  using Status = std::set<std::uint32_t, Lower>;
+  Status status(Lower{*this});
+  std::vector<Status::iterator> place(arcs.size());
+  std::size_t island = 0;
+  const std::vector<std::uint32_t> order = points_in_order();
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i % kPointsPerCheckpoint == 0) context.checkpoint("nesting in a face", i, order.size());
+    const std::uint32_t p = order[i];
+    const auto leaving = std::span(out_).subspan(out_begin_[p], out_begin_[p + 1] - out_begin_[p]);
+    for (const std::uint32_t h : leaving) {
+      if (is_reverse(h)) status.erase(place[(h - ring_size) / 2]);
+    }
+    if (island < islands_.size() && islands_[island] == p) {
+      const auto above = status.lower_bound(Lower::Point{p});
+      below_[island++] =
+          above == status.begin() ? side_below(p) : ring_size + 2 * *std::prev(above);
+    }
+    for (const std::uint32_t h : leaving) {
+      if (!is_reverse(h)) place[(h - ring_size) / 2] = status.insert((h - ring_size) / 2).first;
+    }
+  }
+}
+
+/// Those that arcs end in.
+std::vector<std::uint32_t> FaceArrangement::points_in_order() const {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t p = 0; p < points.size(); ++p) {
+    if (out_begin_[p] != out_begin_[p + 1]) order.push_back(p);
+  }
+  std::sort(order.begin(), order.end(), [&](std::uint32_t p, std::uint32_t q) {
+    return p != q && compare(p, q) == Sign::Negative;
+  });
+  return order;
 }
 
 }  // namespace plumb

@@ -5,13 +5,13 @@
 //  2. split      the points on each segment in order; equal ones become one (union-find)
 //  3. merge      pieces of overlapping segments add up; those that cancel go
 //  4. link       half-edges in angular order around nodes; next around pieces
-//  5. nest       parts that do not reach the boundary lie in a piece: the one below their leftmost point
+//  5. nest       parts that do not reach the boundary lie in a piece: the one below their leftmost point, which a
+//               sweep over the points finds where there are many of them
 //
 // Equal crossings are found where they are neighbours on a segment: whatever else runs through the point meets
 // that segment there, too. So only the order along segments is ever asked, never equality of two points anywhere.
 //
-// Cost: O(k log k) for k pieces, plus pairs of boxes that meet, plus for each part without boundary the arcs whose
-// boxes are below its leftmost point.
+// Cost: O(k log k) for k pieces, plus pairs of boxes that meet.
 #pragma once
 
 #include <cstdint>
@@ -101,16 +101,17 @@ class FaceArrangement {
   std::uint32_t representative(std::uint32_t point) const;
   void unite(std::uint32_t i, std::uint32_t j);
   void merge_overlaps(SurfaceBundles& bundles);
-  void link();
+  void link(Context& context);
   bool turns_before(std::uint32_t g, std::uint32_t h) const;
   void trace_loops();
-  void nest();
+  void nest(Context& context);
   void find_islands();
-  void index_arcs();
-  Box3 box_around(std::uint32_t point) const;
-  std::uint32_t halfedge_below(std::uint32_t point) const;
-  bool is_below(std::uint32_t h, std::uint32_t point) const;
-  bool is_lower(std::uint32_t g, std::uint32_t h) const;
+  void find_below(Context& context);
+  void sweep_below(Context& context);
+  std::vector<std::uint32_t> points_in_order() const;
+  std::uint32_t side_below(std::uint32_t point) const;
+  bool is_below(const FaceArc& a, std::uint32_t point) const;
+  bool is_lower(const FaceArc& a, const FaceArc& b) const;
 
   std::vector<Contact> contacts_;
   bool overlaps_ = false;
@@ -118,9 +119,10 @@ class FaceArrangement {
   std::vector<std::uint32_t> out_begin_;  // per point
   std::vector<std::uint32_t> out_;        // half-edges of arcs by origin, counter-clockwise
   std::vector<std::uint32_t>
-      islands_;              // the leftmost point of each part without boundary, in order
-  std::vector<Box3> boxes_;  // of segments; of arcs, if there are many islands
-  BoxTree arc_tree_;
+      islands_;                       // the leftmost point of each part without boundary, in order
+  std::vector<std::uint32_t> below_;  // per island: the half-edge below its leftmost point
+  std::uint32_t corner_1_ = 0;        // on the ring, where side 0 ends
+  std::vector<Box3> boxes_;           // of segments
   std::vector<std::uint32_t> loop_of_;  // per half-edge
   std::vector<SignedEntry> terms_;
 };

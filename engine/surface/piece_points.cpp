@@ -34,14 +34,13 @@ void PiecePoints::push_back(NodeId n) {
     at_.push_back({c.approx, c.radius, n});
     return;
   }
-  const std::size_t inputs = a_.node_point.size();
-  if (n.value() >= inputs) {
-    const std::uint32_t v = a_.corner_vertex[n.value() - inputs].value();
+  if (!a_.is_input(n)) {
+    const std::uint32_t v = a_.corner(n).value();
     const SurfaceTriangle& t = mesh_.corners(face_);
     at_.push_back({{t[1] == v ? 1.0 : 0.0, t[2] == v ? 1.0 : 0.0}, 0, n});
     return;
   }
-  at_.push_back({points_.approx_in(a_.node_point[n.value()], face_), 0x1p-52, n});
+  at_.push_back({points_.approx_in(a_.input(n), face_), 0x1p-52, n});
 }
 
 const RationalPoint2& PiecePoints::exact_point(std::uint32_t i) const {

@@ -14,6 +14,8 @@ constexpr std::uint32_t kNone = SurfaceArrangement::kNone;
 constexpr std::uint64_t kArcBytes = 160;    // with its half-edges, nodes and pieces
 constexpr std::uint64_t kEntryBytes = 600;  // of a polygon
 constexpr std::uint64_t kFaceBytes = 24;
+constexpr std::uint64_t kUseBytes = 60;  // as the list grows, and what it adds up to
+constexpr std::size_t kStepsPerCheckpoint = 65536;
 
 /// A polygon along something between two numbers: a piece of an edge (edge, interval), or a segment of a
 /// face between two nodes. `value`: +1 upwards (from the lower node to the higher).
@@ -60,6 +62,7 @@ class Slicer {
                 "an arrangement on a surface");
     nodes_ = make_nodes(polygons_);
     gather_uses();
+    charge_uses();
     runs_ = add_up(run_uses_, out_.bundles);
     segments_ = add_up(segment_uses_, out_.bundles);
     find_touched_faces();
@@ -104,7 +107,7 @@ class Slicer {
       for (std::uint32_t i = polygons_.begin[p]; i < polygons_.begin[p + 1]; ++i) {
         const NodeId from = nodes_.of_entry[i], to = nodes_.of_entry[polygons_.next(p, i)];
         if (from == to) continue;
-        ++out_.segments;
+        if (++out_.segments % kStepsPerCheckpoint == 0) charge_uses();
         const FaceId f = polygons_.face[i];
         const unsigned common = sides(from, f) & sides(to, f);
         if (common == 0) {
@@ -118,6 +121,13 @@ class Slicer {
     }
   }
 
+  void charge_uses() {
+    context_.checkpoint("slice", 0, 1);
+    const std::size_t uses = run_uses_.size() + segment_uses_.size();
+    charge_.add(kUseBytes * (uses - charged_uses_), "runs along edges");
+    charged_uses_ = uses;
+  }
+
   /// 0: the lower vertex of the edge; nodes inside follow, then the higher vertex.
   std::uint32_t place_on(EdgeId e, NodeId n) const {
     if (is_on_edge(n)) return n.value() - nodes_.first_on(e) + 1;
@@ -127,6 +137,7 @@ class Slicer {
     const std::uint32_t i = place_on(e, from), j = place_on(e, to);
     for (std::uint32_t k = std::min(i, j); k < std::max(i, j); ++k) {
       run_uses_.push_back({e.value(), k, 0, {polygon, i < j ? 1 : -1}});
+      if (run_uses_.size() % kStepsPerCheckpoint == 0) charge_uses();
     }
   }
 
@@ -356,6 +367,7 @@ class Slicer {
   SurfaceNodes nodes_;
   std::vector<Use> run_uses_;
   std::vector<Use> segment_uses_;
+  std::size_t charged_uses_ = 0;
   std::vector<Strand> runs_;
   std::vector<Strand> segments_;
   FaceArrangement face_;

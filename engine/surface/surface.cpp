@@ -14,14 +14,35 @@
 namespace plumb {
 namespace {
 
+constexpr std::uint32_t kCellsPerCheckpoint = 256;
+
+void require_sane_levels(const SurfaceScene& scene) {
+  const std::size_t shapes = scene.shapes ? scene.shapes->size() : scene.polygons.size();
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> places;  // shape, component
+  for (const SurfaceLevel& l : scene.levels) {
+    if (l.shape >= shapes) {
+      throw Error(ErrorCode::BadIndex, "no shape " + std::to_string(l.shape));
+    }
+    if (l.face.value() >= scene.mesh->face_count()) {
+      throw Error(ErrorCode::BadIndex, "no face " + std::to_string(l.face.value()));
+    }
+    places.emplace_back(l.shape, scene.mesh->component(l.face));
+  }
+  std::sort(places.begin(), places.end());
+  const auto twice = std::adjacent_find(places.begin(), places.end());
+  if (twice == places.end()) return;
+  throw Error(ErrorCode::BadArgument,
+              "two levels of shape " + std::to_string(twice->first) + " in one component");
+}
+
 void require_sane(const SurfaceScene& scene) {
   if (scene.mesh == nullptr) throw Error(ErrorCode::BadArgument, "a scene without a mesh");
   if (&scene.polygons.points.mesh() != scene.mesh.get()) {
     throw Error(ErrorCode::BadArgument, "polygons over another mesh");
   }
   require_valid(scene.polygons);
-  for (std::size_t s = 0; s < scene.shapes.size(); ++s) {
-    for (const std::uint32_t p : scene.shapes[s]) {
+  for (std::size_t s = 0; scene.shapes && s < scene.shapes->size(); ++s) {
+    for (const std::uint32_t p : (*scene.shapes)[s]) {
       if (p < scene.polygons.size()) continue;
       throw Error(ErrorCode::BadIndex,
                   "shape " + std::to_string(s) + ": no polygon " + std::to_string(p));
@@ -30,6 +51,7 @@ void require_sane(const SurfaceScene& scene) {
   if (scene.outside.is_valid() && scene.outside.value() >= scene.mesh->face_count()) {
     throw Error(ErrorCode::BadIndex, "no face " + std::to_string(scene.outside.value()));
   }
+  require_sane_levels(scene);
 }
 
 /// "A" ... "Z", or "s0", "s1", ...
@@ -87,24 +109,22 @@ struct SurfaceDivision::State {
     count_crossings();
     CellId outside;
     if (scene.outside.is_valid()) outside = cell_at_corner(arrangement, cells, scene.outside);
-    const CellJumps jumps = jumps_of_polygons(arrangement, cells);
-    polygon_labels = label_cells(cells, jumps, scene.polygons.size(), outside, context);
-    if (scene.shapes.empty()) return;
-    shape_labels = label_cells(cells, jumps_of_shapes(jumps, scene.shapes), scene.shapes.size(),
-                               outside, context);
+    std::vector<CellLevel> levels;
+    for (const SurfaceLevel& l : scene.levels) {
+      levels.push_back({l.shape, cell_at_corner(arrangement, cells, l.face), l.label});
+    }
+    const CellJumps jumps = jumps_of_polygons(arrangement, cells, context);
+    polygon_labels = label_cells(cells, jumps, scene.polygons.size(), outside,
+                                 scene.shapes ? std::vector<CellLevel>() : levels, context);
+    if (!scene.shapes) return;
+    const CellJumps sums = jumps_of_shapes(jumps, *scene.shapes, context);
+    shape_labels = label_cells(cells, sums, scene.shapes->size(), outside, levels, context);
   }
 
-  const CellLabels& labels() const { return scene.shapes.empty() ? polygon_labels : shape_labels; }
+  const CellLabels& labels() const { return scene.shapes ? shape_labels : polygon_labels; }
 
   void count_crossings() {
-    std::vector<std::uint8_t> ends(arrangement.node_count());
-    for (std::uint32_t i = 0; i < arrangement.arc_count(); ++i) {
-      const HalfedgeId h = arrangement.arc_halfedge[i];
-      for (const NodeId n : {arrangement.origin[h.value()], arrangement.target(h)}) {
-        std::uint8_t& count = ends[n.value()];
-        if (count < 3 && ++count == 3) ++crossings;
-      }
-    }
+    for (const std::uint8_t ends : arc_ends(arrangement)) crossings += ends == kCrossingEnds;
   }
 
   /// The shape of each name. Throws for names that are no shapes, and shapes without labels.
@@ -128,10 +148,11 @@ struct SurfaceDivision::State {
   std::vector<std::uint32_t> polygons_of(const std::vector<std::uint32_t>& shapes) const {
     std::vector<std::uint32_t> polygons;
     for (const std::uint32_t s : shapes) {
-      if (scene.shapes.empty()) {
-        polygons.push_back(s);
+      if (scene.shapes) {
+        const std::vector<std::uint32_t>& shape = (*scene.shapes)[s];
+        polygons.insert(polygons.end(), shape.begin(), shape.end());
       } else {
-        polygons.insert(polygons.end(), scene.shapes[s].begin(), scene.shapes[s].end());
+        polygons.push_back(s);
       }
     }
     std::sort(polygons.begin(), polygons.end());
@@ -169,12 +190,14 @@ const Separation& SurfaceDivision::shape_separation(std::uint32_t shape) const {
 std::span<const SignedEntry> SurfaceDivision::labels(CellId c) const { return state_->labels()[c]; }
 double SurfaceDivision::area(CellId c) const { return state_->cells.area[c.value()]; }
 
-SurfaceRegion SurfaceDivision::select(const SetExpression& expression, WindingRule rule) const {
+SurfaceRegion SurfaceDivision::select(const SetExpression& expression, WindingRule rule,
+                                      Context& context) const {
   const std::vector<std::uint32_t> shapes = state_->shapes_of(expression, rule);
   SurfaceRegion region;
   region.generators = state_->polygons_of(shapes);
   std::vector<std::uint8_t> is_in(shape_count());
   for (std::uint32_t c = 0; c < cell_count(); ++c) {
+    if (c % kCellsPerCheckpoint == 0) context.checkpoint("select", c, cell_count());
     const auto label = labels(CellId(c));
     for (const SignedEntry& e : label) is_in[e.id] = is_inside(e.value, rule) ? 1 : 0;
     const bool is_selected = plumb::evaluate<bool>(
@@ -189,15 +212,26 @@ SurfaceRegion SurfaceDivision::select(const SetExpression& expression, WindingRu
   return region;
 }
 
-SurfacePolygons SurfaceDivision::borders(const SurfaceRegion& region) const {
+SurfacePolygons SurfaceDivision::borders(const SurfaceRegion& region, Context& context) const {
   return trace_borders(scene().polygons, state_->arrangement, state_->cells, region.is_selected,
-                       region.generators);
+                       region.generators, context);
+}
+
+SurfaceResult SurfaceDivision::evaluate(const SetExpression& expression, WindingRule rule,
+                                        Context& context) const {
+  SurfaceRegion region = select(expression, rule, context);
+  SurfacePolygons loops = borders(region, context);
+  return {std::move(region), std::move(loops)};
+}
+
+SurfaceRegion SurfaceDivision::select(const SetExpression& expression, WindingRule rule) const {
+  Context context;
+  return select(expression, rule, context);
 }
 
 SurfaceResult SurfaceDivision::evaluate(const SetExpression& expression, WindingRule rule) const {
-  SurfaceRegion region = select(expression, rule);
-  SurfacePolygons loops = borders(region);
-  return {std::move(region), std::move(loops)};
+  Context context;
+  return evaluate(expression, rule, context);
 }
 
 }  // namespace plumb

@@ -16,13 +16,15 @@
 // Nothing is snapped; equal rationals are one point. Ties are ordinary: control points on edges and vertices,
 // segments along edges, touching, overlapping, doubled and backtracking ones.
 //
-// Cost: after O(n) for n faces, O((s + k) log (s + k)) for s segments and k crossings plus pairs of segments
-// of one face whose boxes meet; labels O(sum of their lengths). Errors: Error{BadArgument}, Error{BadIndex} for
-// what scene() says; ResourceLimit and Cancelled by the Context.
+// Cost: after O(n) for n faces, O((s + k) log (s + k)) for s segments and k crossings, plus pairs of segments of one
+// face whose boxes meet, plus pieces of edges times the polygons that run along them; labels O(sum of their lengths
+// and of the multiplicities between cells). Errors: Error{BadArgument}, Error{BadIndex} for what is no scene;
+// NumberOutOfRange; ResourceLimit and Cancelled by the Context.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,19 +37,27 @@
 
 namespace plumb {
 
+/// What a label is in the cell at the first corner of a face, and so in that component of the mesh.
+struct SurfaceLevel {
+  std::uint32_t shape;
+  FaceId face;
+  std::int32_t label;
+};
+
 struct SurfaceScene {
   std::shared_ptr<const SurfaceMesh> mesh;
   SurfacePolygons polygons;  ///< over that mesh
-  /// Polygons that add up to each shape; empty: one shape per polygon.
-  std::vector<std::vector<std::uint32_t>> shapes;
-  FaceId
-      outside;  ///< labels are zero in its cell (that of its first corner, if it has several); may be invalid
+  /// Polygons that add up to each shape; none given: one shape per polygon.
+  std::optional<std::vector<std::vector<std::uint32_t>>> shapes;
+  FaceId outside;  ///< labels are zero in the cell at its first corner; may be invalid
+  /// Stronger than `outside`. At most one for a shape in a component; modulo 2 where labels are.
+  std::vector<SurfaceLevel> levels = {};
 };
 
 struct SurfaceCounts {
   std::size_t triangles = 0;  ///< of the mesh
   std::size_t segments = 0;   ///< of polygons, those of length zero not counted
-  std::size_t crossings = 0;  ///< points where more than two arcs end
+  std::size_t crossings = 0;  ///< points where more than two arcs end (arc_ends())
   std::size_t cells = 0;
   std::size_t cell_edges = 0;  ///< different (pair of cells, signed polygons between them)
 };
@@ -57,7 +67,7 @@ struct Separation {
   bool over_z = true;
   bool mod_2 = true;
   /// If not over Z: cells, each next to the one before and the last to the first, around which the label
-  /// would change.
+  /// would change; by an odd number, if not modulo 2 either.
   std::vector<CellId> cycle;
 };
 
@@ -70,7 +80,7 @@ struct SurfaceRegion {
   double area = 0;
 };
 
-/// What a Boolean gives: valid input again.
+/// What a Boolean gives. result_scene() (surface_result.h) makes it input again.
 struct SurfaceResult {
   SurfaceRegion region;
   SurfacePolygons
@@ -106,8 +116,11 @@ class SurfaceDivision {
 
   /// Names A, B, C ... or s0, s1 ... are shapes. Throws Error{BadArgument} for other names, and for shapes that do
   /// not separate (modulo 2 is enough for EvenOdd).
+  SurfaceRegion select(const SetExpression& expression, WindingRule rule, Context& context) const;
+  SurfacePolygons borders(const SurfaceRegion& region, Context& context) const;
+  SurfaceResult evaluate(const SetExpression& expression, WindingRule rule, Context& context) const;
+  /// The same without limits.
   SurfaceRegion select(const SetExpression& expression, WindingRule rule) const;
-  SurfacePolygons borders(const SurfaceRegion& region) const;
   SurfaceResult evaluate(const SetExpression& expression, WindingRule rule) const;
 
  private:

@@ -33,9 +33,8 @@ RationalPoint2 exact_node(const SurfaceArrangement& arrangement, const SurfacePo
   if (arrangement.is_crossing(node)) {
     return exact_crossing(arrangement, points, arrangement.crossing(node));
   }
-  const std::size_t inputs = arrangement.node_point.size();
-  if (node.value() < inputs) return points.exact_in(arrangement.node_point[node.value()], f);
-  const VertexId v = arrangement.corner_vertex[node.value() - inputs];
+  if (arrangement.is_input(node)) return points.exact_in(arrangement.input(node), f);
+  const VertexId v = arrangement.corner(node);
   const SurfaceMesh& mesh = points.mesh();
   return {mesh.corner(f, 1) == v ? 1 : 0, mesh.corner(f, 2) == v ? 1 : 0};
 }
@@ -47,11 +46,8 @@ SurfacePointId add_node_point(const SurfaceArrangement& arrangement,
     const RationalPoint2 at = exact_crossing(arrangement, points, c);
     return to.add_in_face(c.face, at.x, at.y);
   }
-  const std::uint32_t i = node.value();
-  if (i >= arrangement.node_point.size()) {
-    return to.add_vertex(arrangement.corner_vertex[i - arrangement.node_point.size()]);
-  }
-  const SurfacePointId p = arrangement.node_point[i];
+  if (!arrangement.is_input(node)) return to.add_vertex(arrangement.corner(node));
+  const SurfacePointId p = arrangement.input(node);
   switch (points.place(p)) {
     case SurfacePlace::Vertex:
       return to.add_vertex(points.vertex(p));

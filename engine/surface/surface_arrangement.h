@@ -89,7 +89,11 @@ struct SurfaceArrangement {
   std::size_t halfedge_count() const { return origin.size(); }
   std::size_t piece_count() const { return piece_slot.size(); }
   std::size_t arc_count() const { return arc_halfedge.size(); }
+  bool is_input(NodeId n) const { return n.value() < node_point.size(); }
   bool is_crossing(NodeId n) const { return n.value() >= crossings_begin(); }
+  SurfacePointId input(NodeId n) const { return node_point[n.value()]; }
+  /// The vertex of a node that is neither input nor crossing.
+  VertexId corner(NodeId n) const { return corner_vertex[n.value() - node_point.size()]; }
   const SurfaceCrossing& crossing(NodeId n) const {
     return crossings[n.value() - crossings_begin()];
   }
@@ -106,6 +110,25 @@ struct SurfaceArrangement {
 
 /// Requires require_valid(polygons) to pass.
 SurfaceArrangement slice(const SurfacePolygons& polygons, Context& context);
+
+inline constexpr std::uint8_t kCrossingEnds = 3;
+/// How many arcs end in each node, a loop's two ends counted both; no more than kCrossingEnds, which make it a
+/// crossing. Only arcs for which `counts(arc)`.
+template <class Counts>
+std::vector<std::uint8_t> arc_ends(const SurfaceArrangement& a, const Counts& counts) {
+  std::vector<std::uint8_t> ends(a.node_count());
+  for (std::size_t i = 0; i < a.arc_count(); ++i) {
+    if (!counts(ArcId(i))) continue;
+    const HalfedgeId h = a.arc_halfedge[i];
+    for (const NodeId n : {a.origin[h.value()], a.target(h)}) {
+      if (ends[n.value()] < kCrossingEnds) ++ends[n.value()];
+    }
+  }
+  return ends;
+}
+inline std::vector<std::uint8_t> arc_ends(const SurfaceArrangement& a) {
+  return arc_ends(a, [](ArcId) { return true; });
+}
 
 /// (u, v) of a crossing.
 RationalPoint2 exact_crossing(const SurfaceArrangement& arrangement,

@@ -217,8 +217,8 @@ class SurfaceAudit {
   Sparse jump_of(ArcId a) const {
     Sparse polygons, jump;
     for (const SignedEntry& e : a_.multiplicities(a)) polygons[e.id] = e.value;
-    const auto& shapes = d_.scene().shapes;
-    if (shapes.empty()) return polygons;
+    if (!d_.scene().shapes) return polygons;
+    const auto& shapes = *d_.scene().shapes;
     for (std::uint32_t s = 0; s < shapes.size(); ++s) {
       for (const std::uint32_t p : shapes[s]) {
         if (const auto found = polygons.find(p); found != polygons.end()) jump[s] += found->second;
@@ -231,19 +231,66 @@ class SurfaceAudit {
     for (std::uint32_t s = 0; s < d_.shape_count(); ++s) {
       const Separation& how = d_.shape_separation(s);
       if (how.over_z) continue;
-      if (how.cycle.empty()) return "no cycle" + at("shape", s);
-      for (std::size_t i = 0; i < how.cycle.size(); ++i) {
-        const CellId c = how.cycle[i], d = how.cycle[(i + 1) % how.cycle.size()];
-        if (!are_neighbours(c, d)) return "no cycle" + at("shape", s);
-      }
+      const std::optional<CycleSums> sums = sums_around(how.cycle, polygons_of(s));
+      if (!sums) return "no cycle" + at("shape", s);
+      if (sums->least == 0 && sums->most == 0)
+        return "a cycle that proves nothing" + at("shape", s);
+      if (!how.mod_2 && !sums->can_be_odd) return "a cycle that is even" + at("shape", s);
     }
     return std::nullopt;
   }
-  bool are_neighbours(CellId c, CellId d) const {
+
+  /// How often each polygon is part of a shape.
+  Sparse polygons_of(std::uint32_t shape) const {
+    if (!d_.scene().shapes) return {{shape, 1}};
+    Sparse times;
+    for (const std::uint32_t p : (*d_.scene().shapes)[shape]) ++times[p];
+    return times;
+  }
+
+  /// By how much the label would change around a cycle of cells. Two cells may have different arcs between them.
+  struct CycleSums {
+    std::int64_t least = 0, most = 0;
+    bool can_be_even = true, can_be_odd = false;
+  };
+  std::optional<CycleSums> sums_around(const std::vector<CellId>& cycle,
+                                       const Sparse& times) const {
+    if (cycle.empty()) return std::nullopt;
+    CycleSums sums;
+    for (std::size_t i = 0; i < cycle.size(); ++i) {
+      const CellId c = cycle[i], d = cycle[(i + 1) % cycle.size()];
+      const std::vector<std::int64_t> jumps = jumps_between(c, d, times);
+      if (jumps.empty()) return std::nullopt;
+      const auto [least, most] = std::ranges::minmax(jumps);
+      sums.least += least;
+      sums.most += most;
+      const auto is_odd = [](std::int64_t jump) { return jump % 2 != 0; };
+      const bool some_odd = std::ranges::any_of(jumps, is_odd);
+      const bool some_even = !std::ranges::all_of(jumps, is_odd);
+      const bool even = (sums.can_be_even && some_even) || (sums.can_be_odd && some_odd);
+      sums.can_be_odd = (sums.can_be_odd && some_even) || (sums.can_be_even && some_odd);
+      sums.can_be_even = even;
+    }
+    return sums;
+  }
+  std::vector<std::int64_t> jumps_between(CellId c, CellId d, const Sparse& times) const {
     const auto [low, high] = std::minmax(c, d);
-    return std::ranges::any_of(cells_.edges, [low = low, high = high](const CellEdge& e) {
-      return e.from == low && e.to == high;
-    });
+    const std::pair ends(low, high);
+    std::vector<std::int64_t> jumps;
+    const auto first = std::ranges::lower_bound(
+        cells_.edges, ends, {}, [](const CellEdge& e) { return std::pair(e.from, e.to); });
+    for (auto edge = first; edge != cells_.edges.end(); ++edge) {
+      const CellEdge& e = *edge;
+      if (std::pair(e.from, e.to) != ends) break;
+      std::int64_t jump = 0;
+      for (const SignedEntry& m : a_.bundles[e.bundle]) {
+        const auto found = times.find(m.id);
+        if (found != times.end()) jump += found->second * m.value * e.sign;
+      }
+      if (c == e.from) jumps.push_back(jump);
+      if (c == e.to) jumps.push_back(-jump);
+    }
+    return jumps;
   }
 
   const SurfaceDivision& d_;

@@ -6,7 +6,8 @@
 //  3. flow      polygons are cycles: at every node as much of each arrives as leaves
 //  4. places    crossings lie on both their segments, inside their face, apart from each other
 //  5. cells     differ across arcs only; the graph has each pair of neighbours
-//  6. labels    jump across arcs by the multiplicities; zero where they should be; certificates are cycles
+//  6. labels    jump across arcs by the multiplicities; certificates are cycles around which
+//               these do not add up to zero
 #pragma once
 
 #include <optional>

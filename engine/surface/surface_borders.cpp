@@ -7,6 +7,8 @@ namespace plumb {
 namespace {
 
 constexpr std::uint32_t kNone = SurfaceArrangement::kNone;
+constexpr std::uint32_t kStepsPerCheckpoint = 4096;
+constexpr std::uint64_t kStepBytes = 64;  // of a point of a loop
 
 /// A half-edge of the arrangement, or of the mesh in a face that is not touched.
 struct Dart {
@@ -18,12 +20,14 @@ class BorderTracer {
  public:
   BorderTracer(const SurfacePolygons& polygons, const SurfaceArrangement& arrangement,
                const SurfaceCells& cells, std::span<const std::uint8_t> is_selected,
-               std::span<const std::uint32_t> generators)
+               std::span<const std::uint32_t> generators, Context& context)
       : polygons_(polygons),
         mesh_(polygons.points.mesh()),
         a_(arrangement),
         cells_(cells),
         is_selected_(is_selected),
+        context_(context),
+        charge_(context),
         out_(mesh_),
         is_generator_(polygons.size()) {
     for (const std::uint32_t p : generators) is_generator_[p] = 1;
@@ -34,6 +38,7 @@ class BorderTracer {
     is_used_.resize(a_.halfedge_count());
     for (std::uint32_t i = 0; i < a_.halfedge_count(); ++i) {
       const HalfedgeId h(i);
+      if (i % kStepsPerCheckpoint == 0) context_.checkpoint("borders", i, a_.halfedge_count());
       if (is_used_[i] == 0 && is_border_arc(h)) trace({false, h});
     }
     return std::move(out_);
@@ -51,14 +56,9 @@ class BorderTracer {
         }
       }
     }
-    std::vector<std::uint8_t> ends(a_.node_count());
-    for (std::uint32_t i = 0; i < a_.arc_count(); ++i) {
-      if (!carries_generator(ArcId(i))) continue;
-      const HalfedgeId h = a_.arc_halfedge[i];
-      for (const NodeId n : {a_.origin[h.value()], a_.target(h)}) {
-        std::uint8_t& count = ends[n.value()];
-        if (count < 3 && ++count == 3) is_control_[n.value()] = 1;
-      }
+    const auto ends = arc_ends(a_, [&](ArcId a) { return carries_generator(a); });
+    for (std::size_t n = 0; n < ends.size(); ++n) {
+      if (ends[n] == kCrossingEnds) is_control_[n] = 1;
     }
   }
   bool carries_generator(ArcId a) const {
@@ -127,6 +127,10 @@ class BorderTracer {
 
   /// Adds the segment that starts with d, which follows `last`.
   void visit(Dart last, Dart d) {
+    if (++steps_ % kStepsPerCheckpoint == 0) {
+      context_.checkpoint("borders", 0, 1);
+      charge_.add(kStepBytes * kStepsPerCheckpoint, "borders");
+    }
     if (!d.is_of_mesh) is_used_[d.h.value()] = 1;
     if (d.is_of_mesh) {
       out_.add_segment(out_.points.add_vertex(mesh_.origin(d.h)), face(d), false);
@@ -144,6 +148,9 @@ class BorderTracer {
   const SurfaceArrangement& a_;
   const SurfaceCells& cells_;
   std::span<const std::uint8_t> is_selected_;
+  Context& context_;
+  MemoryCharge charge_;
+  std::size_t steps_ = 0;
   SurfacePolygons out_;
   std::vector<std::uint8_t> is_generator_;  // per polygon
   std::vector<std::uint8_t> is_control_;    // per node
@@ -155,8 +162,8 @@ class BorderTracer {
 SurfacePolygons trace_borders(const SurfacePolygons& polygons,
                               const SurfaceArrangement& arrangement, const SurfaceCells& cells,
                               std::span<const std::uint8_t> is_selected,
-                              std::span<const std::uint32_t> generators) {
-  return BorderTracer(polygons, arrangement, cells, is_selected, generators).run();
+                              std::span<const std::uint32_t> generators, Context& context) {
+  return BorderTracer(polygons, arrangement, cells, is_selected, generators, context).run();
 }
 
 }  // namespace plumb

@@ -23,6 +23,6 @@ namespace plumb {
 SurfacePolygons trace_borders(const SurfacePolygons& polygons,
                               const SurfaceArrangement& arrangement, const SurfaceCells& cells,
                               std::span<const std::uint8_t> is_selected,
-                              std::span<const std::uint32_t> generators);
+                              std::span<const std::uint32_t> generators, Context& context);
 
 }  // namespace plumb

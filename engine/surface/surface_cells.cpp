@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "plumb/base/union_find.h"
 
@@ -10,13 +11,27 @@ namespace {
 
 constexpr std::uint32_t kNone = SurfaceArrangement::kNone;
 
+/// Of sides scaled by a power of two where products would over- or underflow. What is beyond doubles is
+/// the largest.
 double triangle_area(const SurfaceMesh& mesh, FaceId f) {
   const Point3 &a = mesh.point(mesh.corner(f, 0)), &b = mesh.point(mesh.corner(f, 1)),
                &c = mesh.point(mesh.corner(f, 2));
-  const double x = (b.y - a.y) * (c.z - a.z) - (b.z - a.z) * (c.y - a.y);
-  const double y = (b.z - a.z) * (c.x - a.x) - (b.x - a.x) * (c.z - a.z);
-  const double z = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-  return std::sqrt(x * x + y * y + z * z) / 2;
+  // Halves, as differences of large numbers are none.
+  Point3 u{b.x / 2 - a.x / 2, b.y / 2 - a.y / 2, b.z / 2 - a.z / 2};
+  Point3 v{c.x / 2 - a.x / 2, c.y / 2 - a.y / 2, c.z / 2 - a.z / 2};
+  const double largest = std::max({std::fabs(u.x), std::fabs(u.y), std::fabs(u.z), std::fabs(v.x),
+                                   std::fabs(v.y), std::fabs(v.z)});
+  int scale = 0;
+  if (largest < 0x1p-200 || largest > 0x1p200) {
+    std::frexp(largest, &scale);
+    for (Point3* p : {&u, &v}) {
+      *p = {std::ldexp(p->x, -scale), std::ldexp(p->y, -scale), std::ldexp(p->z, -scale)};
+    }
+  }
+  const double x = u.y * v.z - u.z * v.y, y = u.z * v.x - u.x * v.z, z = u.x * v.y - u.y * v.x;
+  const double area = 2 * std::sqrt(x * x + y * y + z * z);
+  if (scale == 0) return area;
+  return std::min(std::ldexp(area, 2 * scale), std::numeric_limits<double>::max());
 }
 
 class CellMaker {

@@ -8,10 +8,16 @@ namespace {
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr std::uint8_t kTree = 1;
 constexpr std::uint8_t kCotree = 2;
+constexpr std::uint64_t kFaceBytes = 80;
+constexpr std::uint64_t kPointBytes = 64;  // of a polygon
+constexpr std::size_t kCrossingsPerCharge = 65536;
+constexpr std::uint64_t kCrossingBytes = 3 * sizeof(SignedEntry) + sizeof(EdgeId);
 
 }  // namespace
 
-SurfaceHomology::SurfaceHomology(const SurfaceMesh& mesh) : mesh_(mesh) {
+SurfaceHomology::SurfaceHomology(const SurfaceMesh& mesh, Context& context) : mesh_(mesh) {
+  context.checkpoint("homology", 0, 1);
+  context.charge_memory(kFaceBytes * mesh.face_count(), "the homology");
   is_in_tree_.assign(mesh.edge_count(), 0);
   grow_tree();
   find_disks();
@@ -19,6 +25,7 @@ SurfaceHomology::SurfaceHomology(const SurfaceMesh& mesh) : mesh_(mesh) {
   for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
     if (is_in_tree_[e] == 0) generators_.push_back(EdgeId(e));
   }
+  cross_dual_loops(context);
 }
 
 VertexId SurfaceHomology::across(EdgeId e, VertexId v) const {
@@ -107,6 +114,64 @@ void SurfaceHomology::grow_cotree() {
   }
 }
 
+// ---------------------------------------------------------------- dual loops
+
+/// The face or disk across a half-edge.
+std::uint32_t SurfaceHomology::node_behind(HalfedgeId h) const {
+  const HalfedgeId t = mesh_.twin(h);
+  if (t.is_valid()) return SurfaceMesh::face(t).value();
+  return static_cast<std::uint32_t>(mesh_.face_count()) + disk_of_[h.value()];
+}
+
+/// A loop crosses an edge in the positive sense where it leads from left to right of it, as it runs upwards.
+void SurfaceHomology::cross_dual_loops(Context& context) {
+  std::vector<std::uint32_t> step_of(mesh_.face_count() + disk_begin_.size() - 1);
+  for (std::uint32_t i = 0; i < cotree_.size(); ++i) step_of[cotree_[i].node] = i;
+  struct Crossing {
+    EdgeId edge;
+    SignedEntry entry;
+  };
+  std::vector<Crossing> crossings;
+  std::size_t charged = 0;
+  // Over the edge e, out of that node.
+  const auto sign_out_of = [&](std::uint32_t node, EdgeId e) {
+    const HalfedgeId h = mesh_.halfedge(e);
+    const bool is_from_here = SurfaceMesh::face(h).value() == node;
+    return is_from_here == mesh_.is_upward(h) ? 1 : -1;
+  };
+  const auto behind = [&](std::uint32_t node, EdgeId e) {
+    const HalfedgeId h = mesh_.halfedge(e);
+    const std::uint32_t face = SurfaceMesh::face(h).value();
+    return face == node ? node_behind(h) : face;
+  };
+  for (std::uint32_t g = 0; g < generators_.size(); ++g) {
+    const EdgeId e = generators_[g];
+    const HalfedgeId h = mesh_.halfedge(e);
+    const std::int32_t way = mesh_.is_upward(h) ? 1 : -1;
+    crossings.push_back({e, {g, 1}});
+    // From the face that the loop enters up to the root, and back from where both ways meet.
+    std::uint32_t to = node_behind(h), from = SurfaceMesh::face(h).value();
+    while (to != from) {
+      const bool moves_to = step_of[to] > step_of[from];
+      std::uint32_t& node = moves_to ? to : from;
+      const EdgeId up = cotree_[step_of[node]].edge;
+      const std::int32_t sign = sign_out_of(node, up) * (moves_to ? way : -way);
+      crossings.push_back({up, {g, sign}});
+      node = behind(node, up);
+    }
+    if (crossings.size() - charged < kCrossingsPerCharge) continue;
+    context.checkpoint("homology", g, generators_.size());
+    context.charge_memory(kCrossingBytes * (crossings.size() - charged), "the homology");
+    charged = crossings.size();
+  }
+  crossed_begin_.assign(mesh_.edge_count() + 1, 0);
+  for (const Crossing& c : crossings) ++crossed_begin_[c.edge.value() + 1];
+  for (std::size_t e = 0; e < mesh_.edge_count(); ++e) crossed_begin_[e + 1] += crossed_begin_[e];
+  std::vector<std::uint32_t> at(crossed_begin_.begin(), crossed_begin_.end() - 1);
+  crossed_.resize(crossings.size());
+  for (const Crossing& c : crossings) crossed_[at[c.edge.value()]++] = c.entry;
+}
+
 // ---------------------------------------------------------------- generators
 
 std::vector<VertexId> SurfaceHomology::to_root(VertexId v) const {
@@ -147,13 +212,17 @@ void SurfaceHomology::add_generator(std::size_t i, bool is_reversed,
 }
 
 std::vector<std::uint32_t> SurfaceHomology::add_repair(std::span<const std::uint32_t> shape,
-                                                       SurfacePolygons& polygons) const {
+                                                       SurfacePolygons& polygons,
+                                                       Context& context) const {
   const std::vector<std::int64_t> times = class_of(polygons, shape);
   std::vector<std::uint32_t> added;
   for (std::size_t i = 0; i < times.size(); ++i) {
     for (std::int64_t k = times[i]; k != 0; k -= k > 0 ? 1 : -1) {
       added.push_back(static_cast<std::uint32_t>(polygons.size()));
       add_generator(i, times[i] > 0, polygons);
+      const std::size_t length = polygons.begin.back() - polygons.begin[polygons.size() - 1];
+      context.checkpoint("homology", 0, 1);
+      context.charge_memory(kPointBytes * length, "loops that repair");
     }
   }
   return added;
@@ -175,51 +244,30 @@ VertexId SurfaceHomology::vertex_at(const SurfacePointTable& points, SurfacePoin
 }
 
 /// A segment moves, within its face, to the side between the corners that its ends move to.
-void SurfaceHomology::push(const SurfacePolygons& polygons, std::size_t polygon,
-                           std::vector<std::int64_t>& chain) const {
+void SurfaceHomology::count(const SurfacePolygons& polygons, std::size_t polygon,
+                            std::vector<std::int64_t>& times) const {
   for (std::uint32_t i = polygons.begin[polygon]; i < polygons.begin[polygon + 1]; ++i) {
     const VertexId from = vertex_at(polygons.points, polygons.point[i]);
     const VertexId to = vertex_at(polygons.points, polygons.point[polygons.next(polygon, i)]);
     if (from == to) continue;
-    for (std::size_t side = 0; side < 3; ++side) {
-      const HalfedgeId h = SurfaceMesh::halfedge(polygons.face[i], side);
-      const bool is_along = mesh_.origin(h) == from && mesh_.target(h) == to;
-      const bool is_against = mesh_.origin(h) == to && mesh_.target(h) == from;
-      if (is_along || is_against) chain[mesh_.edge(h).value()] += from < to ? 1 : -1;
+    std::size_t side = 0;
+    const auto joins = [&](HalfedgeId h) {
+      return (mesh_.origin(h) == from && mesh_.target(h) == to) ||
+             (mesh_.origin(h) == to && mesh_.target(h) == from);
+    };
+    while (!joins(SurfaceMesh::halfedge(polygons.face[i], side))) ++side;
+    const EdgeId e = mesh_.edge(SurfaceMesh::halfedge(polygons.face[i], side));
+    for (std::uint32_t k = crossed_begin_[e.value()]; k < crossed_begin_[e.value() + 1]; ++k) {
+      times[crossed_[k].id] += from < to ? crossed_[k].value : -crossed_[k].value;
     }
-  }
-}
-
-/// From the roots on: as often as needed the boundary of a node is added, so that nothing is left on the edge to
-/// its parent. What that changes on the edges to its children is cleared with them.
-void SurfaceHomology::clear_cotree(std::vector<std::int64_t>& chain) const {
-  const auto faces = static_cast<std::uint32_t>(mesh_.face_count());
-  std::vector<HalfedgeId> sides;
-  for (const Step& s : cotree_) {
-    if (!s.edge.is_valid() || chain[s.edge.value()] == 0) continue;
-    sides.clear();
-    if (s.node >= faces) {
-      const std::uint32_t disk = s.node - faces;
-      sides.assign(disk_halfedges_.begin() + disk_begin_[disk],
-                   disk_halfedges_.begin() + disk_begin_[disk + 1]);
-    } else {
-      for (std::size_t k = 0; k < 3; ++k) sides.push_back(SurfaceMesh::halfedge(FaceId(s.node), k));
-    }
-    const auto sign = [&](HalfedgeId h) { return mesh_.is_upward(h) ? 1 : -1; };
-    const auto own = std::find_if(sides.begin(), sides.end(),
-                                  [&](HalfedgeId h) { return mesh_.edge(h) == s.edge; });
-    const std::int64_t times = chain[s.edge.value()] * sign(*own);
-    for (const HalfedgeId h : sides) chain[mesh_.edge(h).value()] -= times * sign(h);
   }
 }
 
 std::vector<std::int64_t> SurfaceHomology::class_of(const SurfacePolygons& polygons,
                                                     std::span<const std::uint32_t> sum) const {
-  std::vector<std::int64_t> chain(mesh_.edge_count());
-  for (const std::uint32_t p : sum) push(polygons, p, chain);
-  clear_cotree(chain);
-  std::vector<std::int64_t> times;
-  for (const EdgeId e : generators_) times.push_back(chain[e.value()]);
+  std::vector<std::int64_t> times(generators_.size());
+  if (times.empty()) return times;
+  for (const std::uint32_t p : sum) count(polygons, p, times);
   return times;
 }
 

@@ -7,17 +7,21 @@
 //  1. tree       spans the vertices, breadth first
 //  2. cotree     spans the faces and the disks, over edges that are not in the tree
 //  3. generators the edges left over, 2 g of them: each closes a loop with the tree
-// Class of a polygon: it is pushed onto edges, point by point; then faces, from the roots of the cotree on, are
-// added to clear the edges of the cotree. What remains on an edge left over counts its generator. (So it is the
-// intersection number with the dual loop, which crosses cotree edges and that edge only.)
+//  4. dual loops each leads across an edge left over and home over the cotree
+// Class of a polygon: it is pushed onto edges, point by point; how often it then crosses the dual loop of a generator
+// counts that. (Adding faces would clear it from the cotree, where alone dual loops meet other edges, and leave that
+// many times the generator.)
 //
-// Cost: O(mesh), also per class; a loop O(its length).
+// Cost: O(mesh + length of the dual loops, which breadth first keeps short); a class O(length of the polygon x dual
+// loops across its edges + 2 g); a loop O(its length). Errors: ResourceLimit, Cancelled.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "plumb/base/context.h"
+#include "plumb/surface/surface_ids.h"
 #include "plumb/surface/surface_path.h"
 
 namespace plumb {
@@ -25,7 +29,7 @@ namespace plumb {
 class SurfaceHomology {
  public:
   /// The mesh has to outlive it.
-  explicit SurfaceHomology(const SurfaceMesh& mesh);
+  SurfaceHomology(const SurfaceMesh& mesh, Context& context);
 
   /// Twice the genus, of all components together.
   std::size_t generator_count() const { return generators_.size(); }
@@ -43,7 +47,7 @@ class SurfaceHomology {
   void add_generator(std::size_t i, bool is_reversed, SurfacePolygons& polygons) const;
   /// Appends the loops that have to be added to a shape so that it separates; returns their numbers.
   std::vector<std::uint32_t> add_repair(std::span<const std::uint32_t> shape,
-                                        SurfacePolygons& polygons) const;
+                                        SurfacePolygons& polygons, Context& context) const;
 
  private:
   /// A step of a spanning tree: the edge to the parent.
@@ -58,9 +62,10 @@ class SurfaceHomology {
   VertexId across(EdgeId e, VertexId v) const;
   std::vector<VertexId> to_root(VertexId v) const;
   VertexId vertex_at(const SurfacePointTable& points, SurfacePointId p) const;
-  void push(const SurfacePolygons& polygons, std::size_t polygon,
-            std::vector<std::int64_t>& chain) const;
-  void clear_cotree(std::vector<std::int64_t>& chain) const;
+  void cross_dual_loops(Context& context);
+  std::uint32_t node_behind(HalfedgeId h) const;
+  void count(const SurfacePolygons& polygons, std::size_t polygon,
+             std::vector<std::int64_t>& times) const;
 
   const SurfaceMesh& mesh_;
   std::vector<EdgeId> parent_;             // per vertex
@@ -70,6 +75,9 @@ class SurfaceHomology {
   std::vector<HalfedgeId> disk_halfedges_;
   std::vector<Step> cotree_;  // faces, then disks by number; parents first
   std::vector<EdgeId> generators_;
+  // Per edge: the dual loops across it, as (generator, +1 or -1).
+  std::vector<std::uint32_t> crossed_begin_;
+  std::vector<SignedEntry> crossed_;
 };
 
 }  // namespace plumb

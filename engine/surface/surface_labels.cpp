@@ -1,6 +1,7 @@
 #include "plumb/surface/surface_labels.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace plumb {
@@ -10,6 +11,26 @@ constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr std::uint64_t kLabelBytes =
     3 * sizeof(SignedEntry);  // before, while and after they are shifted
 constexpr std::size_t kChargeStep = 65536;
+
+constexpr std::uint64_t kJumpBytes = 2 * sizeof(SignedEntry);  // as the list grows
+
+/// Charges a growing list of entries, now and then.
+class ListCharge {
+ public:
+  ListCharge(Context& context, std::uint64_t bytes) : charge_(context), bytes_(bytes) {}
+  /// True when it is time for a checkpoint.
+  bool grow_to(std::size_t size) {
+    if (size < charged_ + kChargeStep) return false;
+    charge_.add(bytes_ * (size - charged_), "labels");
+    charged_ = size;
+    return true;
+  }
+
+ private:
+  MemoryCharge charge_;
+  std::uint64_t bytes_;
+  std::size_t charged_ = 0;
+};
 
 /// Appends a + sign b, both ascending.
 void append_sum(std::span<const SignedEntry> a, std::span<const SignedEntry> b, std::int32_t sign,
@@ -34,9 +55,18 @@ void append_sum(std::span<const SignedEntry> a, std::span<const SignedEntry> b, 
 class Labeller {
  public:
   Labeller(const SurfaceCells& cells, const CellJumps& jumps, std::size_t shapes, CellId outside,
-           Context& context)
-      : cells_(cells), jumps_(jumps), outside_(outside), context_(context), charge_(context) {
+           std::span<const CellLevel> levels, Context& context)
+      : cells_(cells),
+        jumps_(jumps),
+        outside_(outside),
+        levels_(levels.begin(), levels.end()),
+        context_(context),
+        charge_(context, kLabelBytes) {
+    context.charge_memory(shapes * sizeof(Separation), "labels");
     labels_.separation.resize(shapes);
+    std::sort(levels_.begin(), levels_.end(), [&](const CellLevel& a, const CellLevel& b) {
+      return std::pair(component(a.cell), a.shape) < std::pair(component(b.cell), b.shape);
+    });
   }
 
   CellLabels run() {
@@ -62,6 +92,7 @@ class Labeller {
     std::uint32_t end;
   };
 
+  std::uint32_t component(CellId c) const { return cells_.component[c.value()]; }
   CellId across(std::uint32_t e, CellId c) const {
     const CellEdge& edge = cells_.edges[e];
     return edge.from == c ? edge.to : edge.from;
@@ -122,7 +153,6 @@ class Labeller {
 
   void spread() {
     place_.resize(cells_.size());
-    std::size_t charged = 0;
     for (const Step& s : order_) {
       const auto begin = static_cast<std::uint32_t>(raw_.size());
       if (s.edge != kNone) {
@@ -132,10 +162,9 @@ class Labeller {
         append_sum(scratch_, jumps_[s.edge], cells_.edges[s.edge].to == s.cell ? 1 : -1, raw_);
       }
       place_[s.cell.value()] = {begin, static_cast<std::uint32_t>(raw_.size())};
-      if (raw_.size() - charged < kChargeStep) continue;
-      context_.checkpoint("labels", raw_.size(), raw_.size());
-      charge_.add(kLabelBytes * (raw_.size() - charged), "labels");
-      charged = raw_.size();
+      if (charge_.grow_to(raw_.size())) {
+        context_.checkpoint("labels", raw_.size(), raw_.size());
+      }
     }
   }
   std::span<const SignedEntry> raw(CellId c) const {
@@ -154,10 +183,18 @@ class Labeller {
     append_sum(scratch_, jumps_[e], -1, error_);
     for (const SignedEntry& wrong : error_) {
       Separation& s = labels_.separation[wrong.id];
-      if (s.over_z) s.cycle = cycle_of(e);
+      const bool is_odd = wrong.value % 2 != 0;
+      if (s.over_z || (s.mod_2 && is_odd)) give_cycle(s, e);
       s.over_z = false;
-      if (wrong.value % 2 != 0) s.mod_2 = false;
+      if (is_odd) s.mod_2 = false;
     }
+  }
+  /// Stays charged: a division keeps its cycles.
+  void give_cycle(Separation& s, std::uint32_t e) {
+    context_.checkpoint("labels", e, cells_.edges.size());
+    std::vector<CellId> cycle = cycle_of(e);
+    context_.charge_memory(cycle.size() * sizeof(CellId), "cycles of cells");
+    s.cycle = std::move(cycle);
   }
 
   std::vector<CellId> to_root(CellId c) const {
@@ -206,8 +243,8 @@ class Labeller {
     bool has_border;
   };
 
-  /// What to add to the labels of a component, ascending. Its root is where they are zero now.
-  std::vector<SignedEntry> shift_of(const Range& r) {
+  /// Without levels.
+  std::vector<SignedEntry> usual_shift_of(const Range& r) const {
     if (order_[r.begin].cell == outside_) return {};
     std::vector<SignedEntry> least;  // of those that are listed somewhere
     for (std::size_t i = r.begin; i < r.end; ++i) {
@@ -223,6 +260,47 @@ class Labeller {
       if (shift.empty() || shift.back().id != e.id) shift.push_back({e.id, -e.value});
     }
     return shift;
+  }
+
+  std::int32_t raw_value(CellId c, std::uint32_t shape) const {
+    const auto list = raw(c);
+    const auto at = std::lower_bound(list.begin(), list.end(), SignedEntry{shape, 0},
+                                     [](const auto& a, const auto& b) { return a.id < b.id; });
+    return at != list.end() && at->id == shape ? at->value : 0;
+  }
+
+  /// What to add to the labels of a component, ascending. Its root is where they are zero now.
+  std::vector<SignedEntry> shift_of(const Range& r) const {
+    std::vector<SignedEntry> usual = usual_shift_of(r), given;
+    const std::uint32_t here = component(order_[r.begin].cell);
+    const auto first = std::ranges::lower_bound(
+        levels_, here, {}, [&](const CellLevel& l) { return component(l.cell); });
+    for (auto l = first; l != levels_.end() && component(l->cell) == here; ++l) {
+      if (labels_.separation[l->shape].mod_2) {
+        const std::int64_t by = std::int64_t{l->label} - raw_value(l->cell, l->shape);
+        given.push_back({l->shape, entry_value(by)});
+      }
+    }
+    if (given.empty()) return usual;
+    const auto is_less = [](const SignedEntry& a, const SignedEntry& b) { return a.id < b.id; };
+    std::vector<SignedEntry> others, shift;
+    std::set_difference(usual.begin(), usual.end(), given.begin(), given.end(),
+                        std::back_inserter(others), is_less);
+    std::merge(others.begin(), others.end(), given.begin(), given.end(), std::back_inserter(shift),
+               is_less);
+    std::erase_if(shift, [](const SignedEntry& e) { return e.value == 0; });
+    return shift;
+  }
+
+  /// From that entry on, of shapes that separate modulo 2 only.
+  void keep_parity(std::vector<SignedEntry>& list, std::size_t from) const {
+    std::size_t kept = from;
+    for (std::size_t i = from; i < list.size(); ++i) {
+      SignedEntry e = list[i];
+      if (!labels_.separation[e.id].over_z) e.value &= 1;
+      if (e.value != 0) list[kept++] = e;
+    }
+    list.resize(kept);
   }
 
   void shift() {
@@ -241,9 +319,14 @@ class Labeller {
         const CellId c = order_[k].cell;
         const auto begin = static_cast<std::uint32_t>(shifted.size());
         append_sum(raw(c), by, 1, shifted);
+        if (!levels_.empty()) keep_parity(shifted, begin);
+        if (charge_.grow_to(shifted.size())) {
+          context_.checkpoint("labels", shifted.size(), shifted.size());
+        }
         places[c.value()] = {begin, static_cast<std::uint32_t>(shifted.size())};
       }
     }
+    context_.charge_memory(shifted.size() * sizeof(SignedEntry), "labels");
     labels_.entries.reserve(shifted.size());
     for (std::size_t c = 0; c < cells_.size(); ++c) {
       labels_.entries.insert(labels_.entries.end(), shifted.begin() + places[c].begin,
@@ -255,8 +338,9 @@ class Labeller {
   const SurfaceCells& cells_;
   const CellJumps& jumps_;
   CellId outside_;
+  std::vector<CellLevel> levels_;  // by component of the mesh and shape
   Context& context_;
-  MemoryCharge charge_;
+  ListCharge charge_;
   std::vector<std::uint32_t> edges_begin_;  // per cell
   std::vector<std::uint32_t> edges_of_;
   std::vector<Step> order_;  // cells, parents first, component by component
@@ -270,19 +354,22 @@ class Labeller {
 
 }  // namespace
 
-CellJumps jumps_of_polygons(const SurfaceArrangement& arrangement, const SurfaceCells& cells) {
+CellJumps jumps_of_polygons(const SurfaceArrangement& arrangement, const SurfaceCells& cells,
+                            Context& context) {
   CellJumps jumps;
+  ListCharge charge(context, kJumpBytes);
   for (const CellEdge& e : cells.edges) {
     for (const SignedEntry& m : arrangement.bundles[e.bundle]) {
       jumps.entries.push_back({m.id, m.value * e.sign});
     }
+    if (charge.grow_to(jumps.entries.size())) context.checkpoint("labels", 0, 1);
     jumps.begin.push_back(static_cast<std::uint32_t>(jumps.entries.size()));
   }
   return jumps;
 }
 
 CellJumps jumps_of_shapes(const CellJumps& polygons,
-                          std::span<const std::vector<std::uint32_t>> shapes) {
+                          std::span<const std::vector<std::uint32_t>> shapes, Context& context) {
   std::vector<std::vector<std::uint32_t>> shapes_of;
   for (std::uint32_t s = 0; s < shapes.size(); ++s) {
     for (const std::uint32_t p : shapes[s]) {
@@ -293,11 +380,19 @@ CellJumps jumps_of_shapes(const CellJumps& polygons,
   SurfaceBundles sums;
   CellJumps jumps;
   std::vector<SignedEntry> terms;
+  ListCharge charge(context, 2 * kJumpBytes), terms_charge(context, kJumpBytes);
+  std::size_t work = 0;
   for (std::size_t e = 0; e + 1 < polygons.begin.size(); ++e) {
     terms.clear();
     for (const SignedEntry& m : polygons[e]) {
       if (m.id >= shapes_of.size()) continue;
       for (const std::uint32_t s : shapes_of[m.id]) terms.push_back({s, m.value});
+      terms_charge.grow_to(terms.size());
+    }
+    work += terms.size() + 1;
+    if (charge.grow_to(jumps.entries.size()) || work >= kChargeStep) {
+      context.checkpoint("labels", e, polygons.begin.size());
+      work = 0;
     }
     if (sums.add_sum(terms)) {
       const auto sum = sums[sums.size() - 1];
@@ -309,8 +404,8 @@ CellJumps jumps_of_shapes(const CellJumps& polygons,
 }
 
 CellLabels label_cells(const SurfaceCells& cells, const CellJumps& jumps, std::size_t shapes,
-                       CellId outside, Context& context) {
-  return Labeller(cells, jumps, shapes, outside, context).run();
+                       CellId outside, std::span<const CellLevel> levels, Context& context) {
+  return Labeller(cells, jumps, shapes, outside, levels, context).run();
 }
 
 }  // namespace plumb

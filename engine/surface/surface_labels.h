@@ -5,7 +5,7 @@
 //                known, else from the largest (at the border, if there is one)
 //  2. potential  along the tree, zero at its root; sparse
 //  3. check      every other edge of the graph; what fails has no label, and a cycle proves it
-//  4. shift      each shape and component to its zero
+//  4. shift      each shape and component to its zero, or to the level that is given
 // Cost: O(edges + sum of the lengths of labels and jumps).
 #pragma once
 
@@ -28,10 +28,18 @@ struct CellJumps {
 };
 
 /// Every polygon is a shape.
-CellJumps jumps_of_polygons(const SurfaceArrangement& arrangement, const SurfaceCells& cells);
+CellJumps jumps_of_polygons(const SurfaceArrangement& arrangement, const SurfaceCells& cells,
+                            Context& context);
 /// Shapes are sums of polygons.
 CellJumps jumps_of_shapes(const CellJumps& polygons,
-                          std::span<const std::vector<std::uint32_t>> shapes);
+                          std::span<const std::vector<std::uint32_t>> shapes, Context& context);
+
+/// A label that is given.
+struct CellLevel {
+  std::uint32_t shape;
+  CellId cell;
+  std::int32_t label;
+};
 
 struct CellLabels {
   std::vector<Separation> separation;  ///< per shape
@@ -42,8 +50,9 @@ struct CellLabels {
   }
 };
 
-/// `outside`: the cell where labels are zero, for its component; may be invalid.
+/// `outside`: the cell where labels are zero, for its component; may be invalid. `levels` come first; at most one for
+/// a shape in a component.
 CellLabels label_cells(const SurfaceCells& cells, const CellJumps& jumps, std::size_t shapes,
-                       CellId outside, Context& context);
+                       CellId outside, std::span<const CellLevel> levels, Context& context);
 
 }  // namespace plumb

@@ -11,6 +11,7 @@
 namespace plumb {
 namespace {
 
+constexpr std::uint64_t kStopBytes = 96;  // a point of a path, and of a polygon
 constexpr double kShorter = 1 - 0x1p-48;
 
 std::vector<Point3> scaled_positions(const SurfaceMesh& mesh) {
@@ -159,17 +160,31 @@ FaceStrip Tracer::tightened(const StripEnd& from, const StripEnd& to, Context& c
 
 std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
                                               std::span<const SurfacePointId> control,
+                                              std::span<const FaceId> named,
                                               SurfacePolygons& polygons, Context& context) {
   std::vector<SurfacePath> legs;
   for (std::size_t i = 0; i < control.size(); ++i) {
-    const SurfacePointId next = control[i + 1 < control.size() ? i + 1 : 0];
-    std::optional<SurfacePath> leg = tracer.trace(polygons.points, control[i], next, context);
+    const SurfacePointId from = control[i], next = control[i + 1 < control.size() ? i + 1 : 0];
+    if (!named.empty() && !polygons.points.is_same(from, next) &&
+        polygons.points.is_in(next, named[i])) {
+      legs.push_back({{from, next}, {named[i]}});
+      continue;
+    }
+    std::optional<SurfacePath> leg = tracer.trace(polygons.points, from, next, context);
     if (!leg) return i;
+    // It stays: not released.
+    context.charge_memory(kStopBytes * leg->points.size(), "traced paths");
     legs.push_back(std::move(*leg));
   }
   for (const SurfacePath& leg : legs) polygons.add_leg(leg);
   polygons.close();
   return {};
+}
+
+std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
+                                              std::span<const SurfacePointId> control,
+                                              SurfacePolygons& polygons, Context& context) {
+  return add_traced_polygon(tracer, control, {}, polygons, context);
 }
 
 }  // namespace plumb

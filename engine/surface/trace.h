@@ -54,7 +54,14 @@ class Tracer {
 };
 
 /// Appends the closed polygon through control points of `polygons.points`, joined by traced paths. Returns the
-/// first of them from which no path leads to the next; then the polygon has not been appended.
+/// first of them from which no path leads to the next; then the polygon has not been appended. `named`: a face that
+/// each control point lies in; if the next lies in it, too, they are joined straight there. (Any common face would
+/// do but where two triangles are all of a component: they share every edge.)
+std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
+                                              std::span<const SurfacePointId> control,
+                                              std::span<const FaceId> named,
+                                              SurfacePolygons& polygons, Context& context);
+/// The same, without.
 std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
                                               std::span<const SurfacePointId> control,
                                               SurfacePolygons& polygons, Context& context);

@@ -66,10 +66,9 @@ class SurfaceTriangulator {
   }
   VertexId vertex_of(NodeId n) const {
     const SurfacePointTable& points = d_.scene().polygons.points;
-    const std::size_t inputs = a_.node_point.size();
     if (a_.is_crossing(n)) return {};
-    if (n.value() >= inputs) return a_.corner_vertex[n.value() - inputs];
-    const SurfacePointId p = a_.node_point[n.value()];
+    if (!a_.is_input(n)) return a_.corner(n);
+    const SurfacePointId p = a_.input(n);
     return points.place(p) == SurfacePlace::Vertex ? points.vertex(p) : VertexId{};
   }
 
@@ -205,11 +204,8 @@ SurfaceTriangulation triangulate_surface(const SurfaceDivision& division, Contex
 Point3 node_position(const SurfaceDivision& division, NodeId node) {
   const SurfaceArrangement& a = division.arrangement();
   const SurfaceMesh& mesh = division.mesh();
-  const std::size_t inputs = a.node_point.size();
-  if (node.value() < inputs) {
-    return division.scene().polygons.points.position(a.node_point[node.value()]);
-  }
-  if (!a.is_crossing(node)) return mesh.point(a.corner_vertex[node.value() - inputs]);
+  if (a.is_input(node)) return division.scene().polygons.points.position(a.input(node));
+  if (!a.is_crossing(node)) return mesh.point(a.corner(node));
   const SurfaceCrossing& c = a.crossing(node);
   const Point3 &p = mesh.point(mesh.corner(c.face, 0)), &q = mesh.point(mesh.corner(c.face, 1)),
                &r = mesh.point(mesh.corner(c.face, 2));

@@ -311,12 +311,24 @@ TEST_F(SurfaceProgram, outside_may_be_named) {
 TEST_F(SurfaceProgram, results_are_scenes_again) {
   const std::string file = two_boxes();
   fs::create_directories(scratch_ / "deeper");
-  for (const std::string op : {"A + B", "A * B", "A - B", "A ^ B"}) {
+  for (const std::string op : {"A + B", "A * B", "A - B", "A ^ B", "!A", "!(A + B)", "!(A - A)"}) {
     const std::string out = (scratch_ / "deeper/result.json").string();
     const Json first = answer({"surface", "boolean", file, "--op", op, "-o", out});
     expect_boolean(out, "A", first["area"], first["loops"]);
     expect_boolean(out, "A", first["area"], first["loops"], {"--rule", "positive"});
+    expect_boolean(out, "!A", 400 - first["area"].get<double>(), first["loops"]);
   }
+}
+
+// What grows faster than the file, as cycles of many shapes do, is charged.
+TEST_F(SurfaceProgram, memory_is_limited) {
+  SceneBuilder s("torus.obj");
+  add_meridian(s, 2, true);
+  add_meridian(s, 7, true);
+  s.set("shapes", std::vector<std::vector<int>>(30000, {0, 1}));
+  const RunResult result = run({"surface", "cells", scene(s), "--json", "--limit-memory", "8"});
+  EXPECT_EQ(result.code, 3);
+  EXPECT_TRUE(result.out.empty());
 }
 
 TEST_F(SurfaceProgram, writes_cells_in_groups) {
@@ -340,7 +352,7 @@ TEST_F(SurfaceProgram, writes_cells_in_groups) {
   EXPECT_EQ(glb.substr(0, 4), "glTF");
   EXPECT_TRUE(contains(glb, R"("name":"cell 3")"));
   const std::string dot = written("a.dot", all);
-  EXPECT_TRUE(dot.starts_with("digraph cells {") && contains(dot, "c0 -> c1"));
+  EXPECT_TRUE(dot.starts_with("digraph cells {") && contains(dot, "c0 -> c1 [label=\"+0\"]"));
   // The triangles of a closed cell are a mesh that other commands read.
   const Json info = answer({"solid", "info", (scratch_ / "a.obj").string(), "--surface"});
   EXPECT_EQ(info["bounded"], true);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "generate/dice.h"
 #include "plumb/predicates/rational_point.h"
 #include "plumb/surface/surface.h"
 
@@ -29,6 +30,9 @@ MeshPointer sphere_mesh(std::uint32_t n);
 MeshPointer joined_meshes(std::span<const MeshPointer> parts);
 /// `handles` tori in a row, joined along triangles: of that genus.
 MeshPointer chain_of_tori(std::uint32_t handles, std::uint32_t major, std::uint32_t minor);
+
+/// A closed random walk on edges of a mesh: so many steps, then home on a shortest way.
+std::vector<std::uint32_t> random_walk(const SurfaceMesh& mesh, Dice& dice, std::size_t length);
 
 /// Polygons being drawn on a mesh.
 class SurfaceDrawing {

@@ -45,7 +45,7 @@ TEST(scene_reader, says_what_is_written) {
   EXPECT_EQ(text.point_weights.exact(2).x, Rational(1) / 3);
   EXPECT_EQ(text.polygons.items, (std::vector<std::uint32_t>{0, 1, 2, 2}));
   EXPECT_EQ(text.polygons.begin, (std::vector<std::uint32_t>{0, 3, 4}));
-  EXPECT_EQ(text.shapes.begin, (std::vector<std::uint32_t>{0, 2, 2}));
+  EXPECT_EQ(text.shapes->begin, (std::vector<std::uint32_t>{0, 2, 2}));
 }
 
 TEST(scene_reader, points_lie_on_vertices_edges_and_in_faces) {
@@ -109,7 +109,7 @@ TEST(scene_reader, fractions_beside_decimals) {
 
 TEST(scene_reader, a_hair_inside_is_inside) {
   const SurfaceScene s =
-      made(scene("[0, 1e-300, 0.5], [0, 0.5, 0.4999999999999999999999], [0, 1e-17, 1e-17]", "0"));
+      made(scene("[0, 1e-300, 0.5], [0, 0.5, 0.499999999999999], [0, 1e-17, 1e-17]", "0"));
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(s.polygons.points.place(SurfacePointId(i)), SurfacePlace::Face) << i;
   }
@@ -117,6 +117,54 @@ TEST(scene_reader, a_hair_inside_is_inside) {
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(beyond.polygons.points.place(SurfacePointId(i)), SurfacePlace::Edge) << i;
   }
+}
+
+/// Weights that a program computed so that they should add up to 1, but for the last bit.
+TEST(scene_reader, a_rounding_below_one_is_one) {
+  const std::string points =
+      "[0, 0.58, 0.41999999999999998], [0, 0.1, 0.8999999999999999], [0, 0.5, 0.49999999999999978]";
+  const SurfaceScene s = made(scene(points, "0"));
+  const SurfaceScene exact = made(scene(points, "0"), kExact);
+  const SurfaceScene fractions =
+      made(scene(R"([0, "1/2", "4999999999999999/10000000000000000"])", "0"));
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(s.polygons.points.place(SurfacePointId(i)), SurfacePlace::Edge) << i;
+    EXPECT_EQ(exact.polygons.points.place(SurfacePointId(i)), SurfacePlace::Face) << i;
+  }
+  EXPECT_EQ(fractions.polygons.points.place(SurfacePointId(0)), SurfacePlace::Face);
+}
+
+/// A decimal is the nearest double, and so zero.
+TEST(scene_reader, weights_too_small_for_a_double) {
+  const SurfaceScene s = made(scene("[0, 1e-5000, 0.5], [0, 0.5, -1e-400], [0, 1e-400, 0]", "0"));
+  EXPECT_EQ(s.polygons.points.place(SurfacePointId(0)), SurfacePlace::Edge);
+  EXPECT_EQ(s.polygons.points.place(SurfacePointId(1)), SurfacePlace::Edge);
+  EXPECT_EQ(s.polygons.points.place(SurfacePointId(2)), SurfacePlace::Vertex);
+}
+
+/// Two triangles back to back share every edge: points name the face.
+TEST(scene_reader, paths_run_in_the_face_that_points_name) {
+  const std::vector<Point3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  for (const std::string face : {"0", "1"}) {
+    const SurfaceScene s =
+        made(scene("[" + face + ", 0.5, 0], [" + face + ", 0.5, 0.5], [" + face + ", 0, 0.5]",
+                   "0, 1, 2"),
+             kOptions, SurfaceMesh(points, {{0, 1, 2}, {0, 2, 1}}));
+    ASSERT_EQ(s.polygons.face.size(), 3U);
+    for (const FaceId f : s.polygons.face) EXPECT_EQ(f.value(), face == "0" ? 0U : 1U);
+  }
+}
+
+TEST(scene_reader, no_shapes_and_levels) {
+  const std::string head = R"({"model": "m", "points": [[0, 0.1, 0.1]], "polygons": [[0]], )";
+  EXPECT_FALSE(made(head + R"("x": 1})").shapes.has_value());
+  const SurfaceScene none = made(head + R"("shapes": []})");
+  ASSERT_TRUE(none.shapes.has_value());
+  EXPECT_TRUE(none.shapes->empty());
+  const SurfaceScene s = made(head + R"("levels": [[0, 7, -2]]})");
+  ASSERT_EQ(s.levels.size(), 1U);
+  EXPECT_EQ(s.levels[0].face, FaceId(7));
+  EXPECT_EQ(s.levels[0].label, -2);
 }
 
 TEST(scene_reader, faces_that_were_turned_around) {
@@ -209,6 +257,20 @@ std::vector<HostileText> hostile_scenes() {
        "no polygon 1"},
       {"outside no face", head + triangle + "\"polygons\": [],\n\"outside\": 8}", 2, 12,
        "no face 8"},
+      {"no shape", head + triangle + "\"polygons\": [[0]],\n\"levels\": [[1, 0, 0]]}", 2, 12,
+       "no shape 1"},
+      {"level no face", head + triangle + "\"polygons\": [[0]],\n\"levels\": [[0, 8, 0]]}", 2, 12,
+       "no face 8"},
+      {"level twice", head + triangle + "\"polygons\": [[0]],\n\"levels\": [[0, 1, 0], [0, 2, 0]]}",
+       2, 23, "second level"},
+      {"level too short", head + triangle + "\"polygons\": [[0]],\n\"levels\": [[0, 1]]}", 2, 17,
+       "too few"},
+      {"level too long", head + triangle + "\"polygons\": [[0]],\n\"levels\": [[0, 1, 2, 3]]}", 2,
+       22, "too many"},
+      {"level no label", head + triangle + "\"polygons\": [[0]],\n\"levels\": [[0, 1, 0.5]]}", 2,
+       19, "expected a label"},
+      {"level huge", head + triangle + "\"polygons\": [[0]],\n\"levels\": [[0, 1, -99999999999]]}",
+       2, 19, "too large"},
       {"deep", head + "\n\"points\": " + repeated("[", 100000), 2, 13, "index of a face"},
       {"not text", std::string("{\"model\": \"\xff\"}"), 1, 12, "not JSON"},
       {"after the end", head + triangle + "\"polygons\": []}\n}", 2, 1, "not JSON"},

@@ -81,6 +81,27 @@ TEST(SurfaceScene, layers_show_what_they_are_for) {
   EXPECT_EQ(count(SurfaceLayer::Result, Paint::Curve), 8);
 }
 
+// There and back: no polygon is left, and no triangle has a corner there, but control points are where they are.
+TEST(SurfaceScene, control_points_of_what_cancels) {
+  const auto mesh = std::make_shared<const SurfaceMesh>(grid_surface(kGrid));
+  SurfaceScene scene{mesh, SurfacePolygons(*mesh), {}, {}};
+  const FaceId f(10);
+  for (const double v : {.25, .5}) {
+    scene.polygons.add_segment(scene.polygons.points.add_in_face(f, .25, v), f, true);
+  }
+  scene.polygons.close();
+  const Point3 last = scene.polygons.points.position(scene.polygons.point[1]);
+  Context context;
+  const SurfaceDivision division(std::move(scene), context);
+  const Scene drawn = scene_of(division);
+  ASSERT_EQ(drawn.dots.size(), 2U);
+  EXPECT_NE(drawn.points[drawn.dots[0].at], drawn.points[drawn.dots[1].at]);
+  const Point3& corner = drawn.points[0];  // the vertex (0, 0)
+  EXPECT_NE(drawn.points[drawn.dots[1].at], corner);
+  EXPECT_NEAR((drawn.points[drawn.dots[1].at].x - corner.x) * 4 * drawn.quarter_scale, last.x,
+              1e-9);
+}
+
 TEST(SurfaceScene, names_labels) {
   EXPECT_EQ(label_text({}), "0");
   const std::vector<SignedEntry> label{{0, 1}, {1, -1}, {2, 3}, {27, -2}};

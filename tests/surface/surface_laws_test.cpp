@@ -16,41 +16,6 @@ namespace {
 
 // ---------------------------------------------------------------- laws
 
-/// A closed random walk on edges of a mesh.
-std::vector<std::uint32_t> random_walk(const SurfaceMesh& mesh, Dice& dice, std::size_t length) {
-  std::vector<std::uint32_t> walk = {dice.below(mesh.vertex_count())};
-  std::vector<std::uint32_t> parent;  // breadth first from the start
-  const auto neighbours = [&](std::uint32_t v) {
-    std::vector<std::uint32_t> found;
-    const HalfedgeId begin = mesh.halfedge(VertexId(v));
-    for (HalfedgeId h = begin; h.is_valid();) {
-      found.push_back(mesh.target(h).value());
-      const HalfedgeId in = SurfaceMesh::prev(h);
-      if (mesh.is_border(in)) found.push_back(mesh.origin(in).value());
-      h = mesh.twin(in);
-      if (h == begin) break;
-    }
-    return found;
-  };
-  while (walk.size() < length) {
-    const auto next = neighbours(walk.back());
-    walk.push_back(next[dice.below(next.size())]);
-  }
-  // Home along a shortest way.
-  std::vector<std::uint32_t> queue = {walk.front()};
-  parent.assign(mesh.vertex_count(), ~0U);
-  parent[walk.front()] = walk.front();
-  for (std::size_t at = 0; at < queue.size(); ++at) {
-    for (const std::uint32_t v : neighbours(queue[at])) {
-      if (parent[v] != ~0U) continue;
-      parent[v] = queue[at];
-      queue.push_back(v);
-    }
-  }
-  for (std::uint32_t v = parent[walk.back()]; v != walk.front(); v = parent[v]) walk.push_back(v);
-  return walk;
-}
-
 double mesh_area(const SurfaceMesh& m) {
   double whole = 0;
   for (std::uint32_t f = 0; f < m.face_count(); ++f) {

@@ -151,7 +151,8 @@ TEST(SurfaceHomology, GeneratorsAreTwiceTheGenus) {
       {chain_of_tori(3, 6, 4), 6}, {cylinder_mesh(6, 3), 0}, {grid_mesh(3, 3), 0},
   };
   for (const auto& [mesh, count] : cases) {
-    const SurfaceHomology h(*mesh);
+    Context context;
+    const SurfaceHomology h(*mesh, context);
     ASSERT_EQ(h.generator_count(), count);
     SurfacePolygons polygons(*mesh);
     for (std::size_t i = 0; i < count; ++i) h.add_generator(i, i % 2 == 1, polygons);
@@ -170,12 +171,12 @@ TEST(SurfaceHomology, RepairedShapesSeparate) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     SurfaceDrawing s(meshes[seed % 3]);
-    const SurfaceHomology h(*s.scene.mesh);
+    Context context;
+    const SurfaceHomology h(*s.scene.mesh, context);
     for (int p = 0; p < 3; ++p) s.add_vertex_polygon(loop_on(*s.scene.mesh, dice, h));
     std::vector<std::uint32_t> shape = {0, 1, 2, 1};
     const std::vector<std::int64_t> before = h.class_of(s.scene.polygons, shape);
     s.scene.shapes = {shape};
-    Context context;
     {
       const SurfaceDivision d(s.scene, context);
       EXPECT_EQ(audit(d).value_or(""), "");
@@ -184,7 +185,7 @@ TEST(SurfaceHomology, RepairedShapesSeparate) {
       const bool is_even = std::ranges::all_of(before, [](std::int64_t k) { return k % 2 == 0; });
       EXPECT_EQ(d.shape_separation(0).mod_2, is_even);
     }
-    const std::vector<std::uint32_t> added = h.add_repair(shape, s.scene.polygons);
+    const std::vector<std::uint32_t> added = h.add_repair(shape, s.scene.polygons, context);
     shape.insert(shape.end(), added.begin(), added.end());
     s.scene.shapes = {shape};
     const SurfaceDivision d(s.scene, context);
@@ -214,7 +215,7 @@ TEST(SurfaceHomology, ClassesOfPathsAcrossFaces) {
     Context context;
     const SurfaceDivision d(s.scene, context);
     EXPECT_EQ(audit(d).value_or(""), "");
-    const SurfaceHomology h(m);
+    const SurfaceHomology h(m, context);
     const auto times = h.class_of(s.scene.polygons, 0);
     const bool is_zero = std::ranges::all_of(times, [](std::int64_t k) { return k == 0; });
     const bool is_even = std::ranges::all_of(times, [](std::int64_t k) { return k % 2 == 0; });
