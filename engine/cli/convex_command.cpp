@@ -1,6 +1,7 @@
 // plumb convex ...: is a set convex? Convex pieces of it; the run of the course notes.
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -77,6 +78,12 @@ class ConvexCheck : public CommandBody {
     for (FailingFace& failing : found.faces) {
       failing.face = set.complex().facet_origin[failing.face];
     }
+    std::ranges::stable_sort(found.faces, {}, &FailingFace::face);
+    const auto is_same = [](const FailingFace& f, const FailingFace& g) {
+      return f.face == g.face;
+    };
+    found.faces.erase(std::unique(found.faces.begin(), found.faces.end(), is_same),
+                      found.faces.end());
     return found;
   }
 
@@ -117,6 +124,7 @@ class Decomposition : public CommandBody {
     });
     session.outputs().deliver();
     commit_all(files_);
+    remove_older(session.options().out);
     return ExitCode::Yes;
   }
 
@@ -145,9 +153,7 @@ class Decomposition : public CommandBody {
     for (const Nef3& piece : pieces.pieces) {
       const SolidFormat& format = format_of(piece, session.options().format);
       const SolidText text(piece, format, session.context());
-      std::string number = std::to_string(files_.size() + 1);
-      if (number.size() < 4) number.insert(0, 4 - number.size(), '0');
-      const std::string name = "piece_" + number + std::string(format.extension);
+      const std::string name = file_name(files_.size() + 1, format);
       const auto path = std::filesystem::path(directory) / name;
       if (!text.losses().empty()) ++changed;
       if (text.losses().size() + 1 > std::max<std::size_t>(worst.size(), 1)) {
@@ -162,6 +168,31 @@ class Decomposition : public CommandBody {
     session.note(directory + ": warning: " + std::to_string(changed) + " of " +
                  counted(pieces.pieces.size(), "file") +
                  " do not say all (--format nef does); of " + worst.front() + ": " + worst.back());
+  }
+  static std::string file_name(std::size_t piece, const SolidFormat& format) {
+    std::string number = std::to_string(piece);
+    if (number.size() < 4) number.insert(0, 4 - number.size(), '0');
+    return "piece_" + number + std::string(format.extension);
+  }
+  /// What an earlier run left that made more pieces.
+  void remove_older(const std::string& directory) const {
+    if (directory.empty()) return;
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(directory, ignored)) {
+      if (is_older(entry.path().filename().string())) {
+        std::filesystem::remove(entry.path(), ignored);
+      }
+    }
+  }
+  bool is_older(const std::string& name) const {
+    constexpr std::size_t kNumberAt = 6;  // piece_
+    std::size_t number = 0;
+    const auto [end, failed] = std::from_chars(name.data() + std::min(kNumberAt, name.size()),
+                                               name.data() + name.size(), number);
+    if (failed != std::errc() || number <= files_.size()) return false;
+    return std::ranges::any_of(solid_formats(), [&](const SolidFormat& format) {
+      return name == file_name(number, format);
+    });
   }
   static const SolidFormat& format_of(const Nef3& piece, const std::string& asked) {
     if (!asked.empty()) return format_named(solid_formats(), asked);

@@ -5,14 +5,15 @@
 
 #include "plumb/base/error.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/predicates/rounding.h"
 
 namespace plumb {
 namespace {
 
 Ball ball_of(const Rational& x) {
-  const auto nearest = x.convert_to<double>();  // off by an ulp at most
+  const double nearest = nearest_double(x);
   if (!std::isfinite(nearest)) return Ball::unknown();
-  return Ball::about(nearest, std::fabs(nearest) * 0x1p-51);
+  return Ball::about(nearest, std::fabs(nearest) * 0x1p-53);
 }
 
 BallVector balls_of(const RationalPoint3& p) {

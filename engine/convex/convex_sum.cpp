@@ -8,6 +8,7 @@
 
 #include "plumb/base/error.h"
 #include "plumb/convex/fan_walk.h"
+#include "plumb/predicates/rounding.h"
 #include "plumb/space/link_facets.h"
 #include "plumb/space/mesh_links.h"
 
@@ -158,7 +159,7 @@ class SumBuilder {
   }
 
   static bool is_double(const RationalPoint3& p) {
-    const auto is = [](const Rational& x) { return Rational(x.convert_to<double>()) == x; };
+    const auto is = [](const Rational& x) { return round_to_double(x).error == Sign::Zero; };
     return is(p.x) && is(p.y) && is(p.z);
   }
 

@@ -8,6 +8,7 @@
 
 #include "plumb/base/error.h"
 #include "plumb/convex/convex_sum.h"
+#include "plumb/convex/cuts.h"
 #include "plumb/convex/decompose.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/facet_triangles.h"
@@ -40,12 +41,13 @@ ConvexBody body_of(const Nef3& convex) { return convex_body_of(convex.closure().
 /// The relatively open parts of one convex piece: its body and the marked items of its boundary.
 class OpenParts {
  public:
-  OpenParts(const Nef3& piece, std::vector<ConvexPart>& parts)
-      : piece_(piece), c_(piece.complex()), parts_(parts) {}
+  OpenParts(const Nef3& piece, std::vector<ConvexPart>& parts, Context& context)
+      : piece_(piece), c_(piece.complex()), parts_(parts), context_(context) {}
 
-  void run() {
-    const bool has_body = has_mark(c_.volume_mark, 1);
-    if (has_body) parts_.push_back({body_of(piece_.interior()), false, true});
+  /// `is_flat`: of a facet in the boundary of a body.
+  void run(bool is_flat = false) {
+    const bool has_body = is_flat || has_mark(c_.volume_mark, 1);
+    if (has_body && !is_flat) parts_.push_back({body_of(piece_.interior()), false, true});
     for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
       if (c_.facet_mark[f] == 1) add_facet(FacetId(f), !has_body);
     }
@@ -62,8 +64,9 @@ class OpenParts {
   }
 
  private:
-  /// Open triangles and the open diagonals between them.
+  /// Open triangles and the open diagonals between them. No triangle knows of a slit: such a facet is cut before.
   void add_facet(FacetId f, bool is_maximal) {
+    if (has_slit(f)) return add_slit_facet(f, is_maximal);
     std::map<std::array<std::uint32_t, 2>, int> times;
     FacetTriangles(c_).for_each(f, [&](VertexId a, VertexId b, VertexId c) {
       add({point(a), point(b), point(c)}, is_maximal);
@@ -77,6 +80,28 @@ class OpenParts {
     }
   }
 
+  bool has_slit(FacetId f) const {
+    for (const UseId cycle : c_.cycles_of(f)) {
+      UseId u = cycle;
+      do {
+        const UseId other = c_.use_radial[u.value()];
+        if (other != u && c_.use_facet[other.value()] == f) return true;
+        u = c_.use_next[u.value()];
+      } while (u != cycle);
+    }
+    return false;
+  }
+
+  void add_slit_facet(FacetId f, bool is_maximal) {
+    SpaceMarks alone{std::vector<Mark>(c_.vertex_count(), 0), std::vector<Mark>(c_.edge_count(), 0),
+                     std::vector<Mark>(c_.facet_count(), 0),
+                     std::vector<Mark>(c_.volume_count(), 0)};
+    alone.facet[f.value()] = 1;
+    for (const Nef3& piece : cut_set({piece_.with_marks(alone, context_), 2}, context_)) {
+      OpenParts(piece, parts_, context_).run(!is_maximal);
+    }
+  }
+
   void add(const std::vector<RationalPoint3>& points, bool is_maximal) {
     parts_.push_back({convex_body_of(points), false, is_maximal});
   }
@@ -85,6 +110,7 @@ class OpenParts {
   const Nef3& piece_;
   const SpaceComplex& c_;
   std::vector<ConvexPart>& parts_;
+  Context& context_;
 };
 
 std::vector<Nef3> convex_pieces(const Nef3& set, bool closed, Context& context) {
@@ -99,7 +125,7 @@ std::vector<ConvexPart> parts_of_operand(const Nef3& set, bool is_sum_closed, Co
     if (is_sum_closed || is_relatively_open(piece.complex())) {
       parts.push_back({body_of(piece), is_sum_closed, true});
     } else {
-      OpenParts(piece, parts).run();
+      OpenParts(piece, parts, context).run();
     }
   }
   return parts;

@@ -44,7 +44,8 @@ Nef3 minkowski_erosion(const Nef3& a, const Nef3& b, Context& context);
 
 /// A closed ball of polyhedral shape to offset with: the octahedron |x| + |y| + |z| <= r, its faces
 /// subdivided `rounds` times with new vertices pushed out to the sphere of radius r (rounded to doubles: close to it).
-/// 8 4^rounds triangles. Throws Error{BadArgument} unless r > 0 is finite, Error{ResourceLimit} above 7 rounds.
+/// 8 4^rounds triangles. Throws Error{BadArgument} unless r > 0 is finite, or where it is below
+/// 2^-900 and rounds > 0; Error{ResourceLimit} above 7 rounds.
 Nef3 polyhedral_ball(double radius, unsigned rounds, Context& context);
 
 }  // namespace plumb

@@ -253,6 +253,8 @@ HalfedgeId PlaneCut::add_wall_half(const Segment& segment, FaceId face, bool is_
   half.other = segment.place.other;
   half.along = segment.place.sign() * (is_low ? Sign::Positive : Sign::Negative);
   half.line = s_.half(like).line;
+  // Where both faces rise from T no half of the surface stays below: this one stands for that ring.
+  if (is_low && segment.half.is_valid()) half.origin_mark = s_.half(segment.half).origin_mark;
   s_.halves.push_back(half);
   return HalfedgeId(s_.halves.size() - 1);
 }

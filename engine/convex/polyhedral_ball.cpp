@@ -11,15 +11,16 @@ namespace plumb {
 namespace {
 
 constexpr unsigned kMaxRounds = 7;
+constexpr double kLeastRadius = 0x1p-900;  // coordinates keep all their bits
 
-/// An octahedron whose triangles are divided in four, again and again.
+/// An octahedron of radius 1 whose triangles are divided in four, again and again.
 class BallMesh {
  public:
-  explicit BallMesh(double radius) : radius_(radius) {
+  BallMesh() {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (const double sign : {1.0, -1.0}) {
         std::array<double, 3> p{};
-        p[axis] = sign * radius;
+        p[axis] = sign;
         mesh_.points.push_back({p[0], p[1], p[2]});
       }
     }
@@ -40,7 +41,8 @@ class BallMesh {
     triangle_ = std::move(finer);
   }
 
-  PolygonMesh mesh() && {
+  PolygonMesh mesh(double radius) && {
+    for (Point3& p : mesh_.points) p = {p.x * radius, p.y * radius, p.z * radius};
     for (const Triangle& t : triangle_) mesh_.add_face(t);
     return std::move(mesh_);
   }
@@ -54,13 +56,12 @@ class BallMesh {
     if (is_new) {
       const Point3 p = mesh_.points[a], q = mesh_.points[b];
       const std::array<double, 3> m{p.x / 2 + q.x / 2, p.y / 2 + q.y / 2, p.z / 2 + q.z / 2};
-      const double scale = radius_ / std::hypot(m[0], m[1], m[2]);
+      const double scale = 1 / std::hypot(m[0], m[1], m[2]);
       mesh_.points.push_back({m[0] * scale, m[1] * scale, m[2] * scale});
     }
     return at->second;
   }
 
-  double radius_;
   PolygonMesh mesh_;
   std::vector<Triangle> triangle_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middle_;
@@ -72,12 +73,15 @@ Nef3 polyhedral_ball(double radius, unsigned rounds, Context& context) {
   if (!std::isfinite(radius) || !(radius > 0)) {
     throw Error(ErrorCode::BadArgument, "a ball needs a positive radius");
   }
+  if (rounds > 0 && radius < kLeastRadius) {
+    throw Error(ErrorCode::BadArgument, "a ball too small to round its vertices to doubles");
+  }
   if (rounds > kMaxRounds) {
     throw Error(ErrorCode::ResourceLimit, "a ball of more than 7 rounds of subdivision");
   }
-  BallMesh ball(radius);
+  BallMesh ball;
   for (unsigned i = 0; i < rounds; ++i) ball.divide();
-  return Nef3::mesh(std::move(ball).mesh(), WindingRule::Positive, context);
+  return Nef3::mesh(std::move(ball).mesh(radius), WindingRule::Positive, context);
 }
 
 }  // namespace plumb

@@ -2,6 +2,7 @@
 
 #include "plumb/base/error.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/predicates/rounding.h"
 
 namespace plumb {
 namespace {
@@ -58,7 +59,7 @@ PlaneId Vertical::through(SpacePoint x, PlaneId avoided) {
 }
 
 double Vertical::slope(std::size_t axis) const {
-  return Rational(direction_[axis], direction_[axis_]).convert_to<double>();
+  return nearest_double(Rational(direction_[axis], direction_[axis_]));
 }
 
 }  // namespace plumb

@@ -8,6 +8,7 @@
 
 #include "plumb/convex/wall_sector.h"
 #include "plumb/predicates/plane_signs.h"
+#include "plumb/predicates/rounding.h"
 
 namespace plumb {
 namespace {
@@ -120,7 +121,7 @@ class DirectionChoice {
       if (abs(up[i]) > abs(up[axis])) axis = i;
     }
     const auto slope = [&](std::size_t i) {
-      return Rational(up[(axis + 1 + i) % 3], up[axis]).convert_to<double>();
+      return nearest_double(Rational(up[(axis + 1 + i) % 3], up[axis]));
     };
     const Vector2 slopes{slope(0), slope(1)};
     const auto shadow = [&](VertexId v) {

@@ -17,8 +17,12 @@ namespace {
 
 constexpr int kMaxRounds = 64;
 
-/// Does a marked volume span more than half a turn around some edge? Of a complex that need not be minimal.
-bool has_reflex_edges(const SpaceComplex& complex) {
+/// Does a marked volume span more than half a turn around some edge, or a point taken out of it? Of a complex that need
+/// not be minimal.
+bool has_reflex_items(const SpaceComplex& complex) {
+  for (const VolumeId around : complex.vertex_volume) {
+    if (around.is_valid() && complex.volume_mark[around.value()] == 1) return true;
+  }
   const SectorTest test(complex);
   std::vector<Sector> sectors;
   for (std::uint32_t e = 0; e < complex.edge_count(); ++e) {
@@ -54,8 +58,10 @@ SpaceComplex wall_subdivision(const Nef3& set, const std::optional<VerticalDirec
   SpaceComplex complex = set.complex();
   const VerticalDirection chosen = up ? *up : choose_vertical(complex);
   // Once, but where a cell winds around and lies above itself: then walls may have ended too early.
-  for (int round = 0; has_reflex_edges(complex); ++round) {
-    PLUMB_CHECK(round < kMaxRounds);
+  for (int round = 0; has_reflex_items(complex); ++round) {
+    if (round == kMaxRounds) {
+      throw Error(ErrorCode::ResourceLimit, "vertical walls leave reflex edges after 64 rounds");
+    }
     complex = after(sight_walls, std::move(complex), chosen, context);
     complex = after(spread_walls, std::move(complex), chosen, context);
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -16,6 +17,26 @@ using Json = nlohmann::json;
 const std::string kBlock = "corpus/solids/l-block.off";
 
 std::string polyhedron(const std::string& name) { return "corpus/polyhedra/test_" + name + ".off"; }
+
+/// Two blocks that cross: of each the other cuts faces in several facets.
+std::string crossing_blocks() {
+  std::string points, faces;
+  int first = 0;
+  for (const auto& [x, y, z] : {std::array{9, 1, 1}, {1, 9, 1}}) {
+    for (int i = 0; i < 8; ++i) {
+      points += std::to_string(i & 1 ? x : -x) + " " + std::to_string(i & 2 ? y : -y) + " " +
+                std::to_string(i & 4 ? z : -z) + "\n";
+    }
+    for (const auto& face : {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3},
+                             {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+      faces += "4";
+      for (const int corner : face) faces += " " + std::to_string(first + corner);
+      faces += "\n";
+    }
+    first += 8;
+  }
+  return "OFF\n16 12 0\n" + points + faces;
+}
 
 TEST(ConvexProgram, check_says_why) {
   EXPECT_EQ(run({"convex", "check", polyhedron("zero"), "--json"}).out,
@@ -46,6 +67,33 @@ TEST(ConvexProgram, decompose_writes_a_file_for_each_piece) {
   run({"solid", "union", (directory / "piece_0001.off").string(),
        (directory / "piece_0002.off").string(), "-o", whole});
   EXPECT_EQ(run({"solid", "compare", whole, kBlock}).code, 0);
+}
+
+TEST(ConvexProgram, decompose_removes_pieces_of_an_earlier_run_alone) {
+  const ScratchDirectory scratch;
+  const fs::path directory = scratch / "pieces";
+  fs::create_directories(directory);
+  const std::vector<std::string> old{"piece_0003.off", "piece_12345.nef"};
+  const std::vector<std::string> others{"piece_3.off", "piece_00003.off", "piece_0003.txt",
+                                        "piece_0003.off~", "apiece_0003.off", "notes"};
+  for (const auto* names : {&old, &others}) {
+    for (const std::string& name : *names) write_file(directory / name, name);
+  }
+  ASSERT_EQ(run({"convex", "decompose", kBlock, "-o", directory.string()}).code, 0);
+  for (const std::string& name : old) EXPECT_FALSE(fs::exists(directory / name)) << name;
+  for (const std::string& name : others) EXPECT_TRUE(fs::exists(directory / name)) << name;
+}
+
+// A set of several volumes: facets that come from one face are in its list once.
+TEST(ConvexProgram, check_lists_faces_of_a_set_once_and_in_order) {
+  const ScratchDirectory scratch;
+  const std::string file = (scratch / "crossing.off").string();
+  write_file(file, crossing_blocks());
+  const RunResult result = run({"convex", "check", file, "--json"});
+  EXPECT_EQ(result.code, 1);
+  const auto faces = Json::parse(result.out)["faces"].get<std::vector<int>>();
+  ASSERT_GT(faces.size(), 2U);
+  for (std::size_t i = 1; i < faces.size(); ++i) EXPECT_LT(faces[i - 1], faces[i]);
 }
 
 TEST(ConvexProgram, decompose_takes_unbounded_sets) {

@@ -150,6 +150,13 @@ TEST(ConvexSum, OfSpheresIsTheHullToo) {
   EXPECT_EQ(sum(a, a), a.transformed(twice));
 }
 
+TEST(ConvexSum, MayBeGreaterThanAllDoubles) {
+  const Nef3 a = box({1e308, 1e308, 1e308}, {1.7e308, 1.7e308, 1.7e308});
+  const AffineMap3 twice{{{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}}, {0, 0, 0}};
+  EXPECT_EQ(sum(a, a), a.transformed(twice));
+  EXPECT_EQ(sum(a, a.interior()), a.transformed(twice).interior());
+}
+
 TEST(ConvexSum, OfBoxesAddsTheirSides) {
   const Nef3 a = box({0, 0, 0}, {1, 2, 3}), b = box({-1, 0, 2}, {3, 1, 4});
   EXPECT_EQ(sum(a, b), box({-1, 0, 2}, {4, 3, 7}));
@@ -283,6 +290,25 @@ TEST(MinkowskiSum, HoldsTheSumsOfAnyTwoSets) {
   }
 }
 
+// Facets with a segment, a bent one, and one that ends at the rim taken out.
+TEST(MinkowskiSum, KeepsSlitsOfFacets) {
+  Context context;
+  const Nef3 cube = box({0, 0, 0}, {2, 2, 2});
+  const std::vector<RationalPoint3> bent{{Rational(1, 2), 1, 2}, {1, 1, 2}, {1, Rational(3, 2), 2}};
+  const std::vector<RationalPoint3> square{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
+  const Nef3 slit = Nef3::segment({Rational(1, 2), 1, 2}, {Rational(3, 2), 1, 2});
+  const std::vector<Nef3> sets{
+      cube - slit, cube - Nef3::polyline(bent, context), cube - Nef3::segment({0, 1, 2}, {1, 1, 2}),
+      Nef3::facet(square) - Nef3::segment({1, 1, 0}, {2, 1, 0}), cube - slit - Nef3::point({1, 1, 0})};
+  for (const Nef3& set : sets) {
+    EXPECT_EQ(sum(set, Nef3::point({0, 0, 0})), set);
+    EXPECT_EQ(sum(set, Nef3::point({1, 2, 3})), translated(set, {1, 2, 3}));
+    Dice dice(1);
+    const Nef3 along = Nef3::segment({0, 0, 0}, {Rational(1, 4), 0, 0});
+    EXPECT_EQ(wrong_place(sum(set, along), set, along, dice, 60), "");
+  }
+}
+
 TEST(MinkowskiSum, ObeysItsLaws) {
   const std::vector<Nef3> sets = not_convex();
   const Nef3 cube = box({0, 0, 0}, {1, 1, 1}), slant = Nef3::segment({0, 0, 0}, {1, 2, 1});
@@ -314,6 +340,12 @@ TEST(PolyhedralBall, IsConvexAndAsWideAsItSays) {
   }
   EXPECT_THROW(polyhedral_ball(0, 1, context), Error);
   EXPECT_THROW(polyhedral_ball(1, 8, context), Error);
+  EXPECT_EQ(polyhedral_ball(5e-324, 0, context).counts().facets, 8U);
+  EXPECT_THROW(polyhedral_ball(5e-324, 1, context), Error);
+  for (const double radius : {1e-270, 1e308}) {
+    EXPECT_EQ(polyhedral_ball(radius, 2, context).counts().facets, 128U);
+    EXPECT_TRUE(polyhedral_ball(radius, 2, context).is_convex());
+  }
 }
 
 TEST(Erosion, UndoesASumOfConvexSets) {

@@ -13,10 +13,9 @@
 
 #include "generate/dice.h"
 #include "generate/meshes.h"
+#include "oracle/pieces_check.h"
 #include "plumb/base/error.h"
-#include "plumb/predicates/point3_signs.h"
 #include "plumb/space/space_audit.h"
-#include "plumb/space/space_measure.h"
 
 namespace plumb::testing {
 namespace {
@@ -27,48 +26,17 @@ Nef3 solid(const PolygonMesh& mesh) {
 }
 Nef3 box(Point3 low, Point3 high) { return solid(box_mesh(low, high)); }
 
-// ---------------------------------------------------------------- the oracle
+// ---------------------------------------------------------------- what is asked
 
-/// Support test in rationals: is every vertex of a piece on one side of each of its facets' planes? With one volume
-/// that is convexity of its closure.
-bool is_supported(const Nef3& piece) {
-  const SpaceComplex& c = piece.complex();
-  for (std::size_t f = 0; f < c.facet_count(); ++f) {
-    const IntegerRow row = c.planes().coefficients(c.facet_plane[f]);
-    bool is_above = false, is_below = false;
-    for (const SpacePoint p : c.vertex_point) {
-      const RationalPoint3 at = exact(c.points(), p);
-      const Rational value = row[0] * at.x + row[1] * at.y + row[2] * at.z + row[3];
-      is_above = is_above || value > 0;
-      is_below = is_below || value < 0;
-    }
-    if (is_above && is_below) return false;
-  }
-  return c.volume_count() <= 2;
-}
-
-/// Empty, or what is wrong with the pieces of a bounded set.
-std::string fault(const Nef3& set, const std::vector<Nef3>& pieces) {
-  Context context;
-  Rational volume = 0;
-  for (const Nef3& piece : pieces) {
-    if (audit(piece.complex(), true)) return "a piece fails its audit";
-    if (!is_supported(piece)) return "a piece is not convex";
-    volume += *marked_volume(piece.complex());
-  }
-  if (volume != *marked_volume(set.complex())) return "volumes do not add up";
-  if (!(union_of(pieces, context) == set)) return "the union is another set";
-  for (std::size_t i = 0; i < pieces.size() && pieces.size() < 12; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (!(pieces[i] * pieces[j]).is_empty()) return "pieces overlap";
-    }
-  }
-  return {};
-}
-
+/// Empty, or what is wrong with the pieces, open or closed.
 std::string fault(const Nef3& set) {
   Context context;
-  return fault(set, decompose_by_walls(set, {DecomposeMethod::Walls, false}, context).pieces);
+  for (const bool closed : {false, true}) {
+    const ConvexPieces pieces = decompose_by_walls(set, {DecomposeMethod::Walls, closed}, context);
+    const std::string flaw = flaw_of_pieces(set, pieces, closed);
+    if (!flaw.empty()) return flaw + (closed ? ", closed" : "");
+  }
+  return {};
 }
 
 std::size_t piece_count(const Nef3& set) {
@@ -198,7 +166,9 @@ TEST(Walls, GoThroughSlits) {
   EXPECT_EQ(fault(cube - Nef3::segment({1, 1, 1}, {2, 2, 2})), "");
   EXPECT_EQ(fault(cube - Nef3::segment({1, 1, 1}, {1, 1, 2})), "");
   EXPECT_EQ(fault(cube - Nef3::segment({1, 1, 1}, {1, 1, 4})), "");
+  EXPECT_EQ(fault(cube - Nef3::point({1, 2, 1})), "");
   EXPECT_EQ(fault(cube - Nef3::point({1, 2, 1}) - Nef3::point({1, 1, 1})), "");
+  EXPECT_EQ(fault(cube - Nef3::point({1, Rational(1, 3), 1}) - Nef3::point({1, 1, 4})), "");
 }
 
 TEST(Walls, KeepMarks) {

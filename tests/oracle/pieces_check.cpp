@@ -1,6 +1,7 @@
 #include "oracle/pieces_check.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "plumb/predicates/point3_signs.h"
@@ -69,10 +70,37 @@ std::string name(const std::string& what, std::size_t piece) {
   return what + ": piece " + std::to_string(piece);
 }
 
+/// Do the least boxes along the axes meet? Of unbounded sets always.
+class Boxes {
+ public:
+  explicit Boxes(const std::vector<Nef3>& pieces) {
+    for (const Nef3& piece : pieces) {
+      ranges_.emplace_back();
+      if (!piece.is_bounded()) continue;
+      const std::vector<RationalPoint3> vertices = finite_vertices(piece.complex());
+      for (const auto axis : {&RationalPoint3::x, &RationalPoint3::y, &RationalPoint3::z}) {
+        const auto [low, high] = std::ranges::minmax_element(vertices, {}, axis);
+        ranges_.back().push_back({(*low).*axis, (*high).*axis});
+      }
+    }
+  }
+  bool meet(std::size_t i, std::size_t j) const {
+    for (std::size_t axis = 0; axis < std::min(ranges_[i].size(), ranges_[j].size()); ++axis) {
+      const auto& [low, high] = ranges_[i][axis];
+      if (high < ranges_[j][axis][0] || ranges_[j][axis][1] < low) return false;
+    }
+    return true;
+  }
+
+ private:
+  std::vector<std::vector<std::array<Rational, 2>>> ranges_;
+};
+
 std::string overlap(const std::vector<Nef3>& pieces, bool closed) {
-  constexpr std::size_t kMost = 40;  // pairs of all
-  for (std::size_t i = 0; i < std::min(pieces.size(), kMost); ++i) {
+  const Boxes boxes(pieces);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
+      if (!boxes.meet(i, j)) continue;
       const Nef3 common =
           closed ? pieces[i].interior() * pieces[j].interior() : pieces[i] * pieces[j];
       if (!common.is_empty()) return name("overlaps piece " + std::to_string(j), i);

@@ -1,0 +1,178 @@
+// Single cuts of a surface, along any plane through any reflex edge: every point of the set belongs to one side.
+#include "plumb/convex/plane_cut.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generate/dice.h"
+#include "generate/meshes.h"
+#include "generate/voxel_mesh.h"
+#include "oracle/pieces_check.h"
+#include "plumb/convex/choose_plane.h"
+#include "plumb/convex/decompose.h"
+#include "plumb/io/solid_sets.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/space_tables.h"
+
+namespace plumb::testing {
+namespace {
+
+Nef3 solid(const PolygonMesh& mesh) {
+  Context context;
+  return Nef3::mesh(mesh, WindingRule::Positive, context);
+}
+
+// ---------------------------------------------------------------- the oracle
+
+/// How many rings of half-edges own each vertex, and how many edges between the same ends their insides. One cut
+/// leaves the same vertices and edges on both sides.
+class Owners {
+ public:
+  explicit Owners(const CutSurface& surface) : s_(surface) {
+    std::vector<std::uint8_t> is_seen(s_.halves.size(), 0);
+    for (std::size_t i = 0; i < s_.halves.size(); ++i) {
+      const HalfedgeId h(i);
+      const CutSurface::Half& half = s_.half(h);
+      if (h < half.twin) {
+        edge_[std::minmax(half.origin.value(), s_.target(h).value())] += half.mark;
+      }
+      if (is_seen[i] == 0) vertex_[half.origin.value()] += ring_mark(h, is_seen);
+    }
+  }
+
+  /// Empty, or a point that none or several own.
+  std::string flaw(const Nef3& set) const {
+    if (has_torn_ring_) return "marks differ around a ring";
+    for (const auto& [v, count] : vertex_) {
+      const std::string found = flaw_at(set, at(v), count);
+      if (!found.empty()) return "vertex " + found;
+    }
+    for (const auto& [ends, count] : edge_) {
+      const RationalPoint3 a = at(ends.first), b = at(ends.second);
+      const std::string found =
+          flaw_at(set, {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2}, count);
+      if (!found.empty()) return "edge " + found;
+    }
+    return {};
+  }
+
+ private:
+  int ring_mark(HalfedgeId first, std::vector<std::uint8_t>& is_seen) {
+    const Mark mark = s_.half(first).origin_mark;
+    HalfedgeId h = first;
+    do {
+      is_seen[h.value()] = 1;
+      has_torn_ring_ |= s_.half(h).origin_mark != mark;
+      h = s_.half(s_.half(h).prev).twin;
+    } while (h != first);
+    return mark;
+  }
+  RationalPoint3 at(std::uint32_t v) const { return exact(s_.points(), s_.point[v]); }
+  static std::string flaw_at(const Nef3& set, const RationalPoint3& p, int owners) {
+    if (owners == (set.contains(p) ? 1 : 0)) return {};
+    return p.x.str() + " " + p.y.str() + " " + p.z.str() + " has " + std::to_string(owners) +
+           " owners";
+  }
+
+  const CutSurface& s_;
+  std::map<std::uint32_t, int> vertex_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edge_;
+  bool has_torn_ring_ = false;
+};
+
+// ---------------------------------------------------------------- all cuts
+
+/// Every plane of a face, and through another vertex, at every reflex edge.
+class AllCuts {
+ public:
+  explicit AllCuts(const Nef3& set) : set_(set), surface_(cut_surface_of(set.complex())) {}
+
+  std::string run() {
+    if (!surface_) return "no surface";
+    for (std::size_t i = 0; i < surface_->halves.size(); ++i) {
+      const HalfedgeId h(i);
+      if (!surface_->half(h).is_reflex || surface_->half(h).twin < h) continue;
+      for (std::size_t v = 0; v < surface_->point.size(); ++v) {
+        const std::string flaw = cut(h, VertexId(v));
+        if (!flaw.empty()) return flaw;
+      }
+    }
+    return {};
+  }
+  int cuts() const { return cuts_; }
+
+ private:
+  std::string cut(HalfedgeId seed, VertexId through) {
+    CutSurface surface = *surface_;
+    surface.tables = copy(*surface.tables);
+    const SpacePoint a = surface.point[surface.half(seed).origin.value()],
+                     b = surface.point[surface.target(seed).value()],
+                     c = surface.point[through.value()];
+    if (!a.is_input() || !b.is_input() || !c.is_input()) return {};
+    if (a == c || b == c) return {};
+    const OrientedPlane plane = surface.tables->planes.intern(a.input(), b.input(), c.input());
+    if (!plane.is_valid()) return {};
+    std::vector<FaceId> faces;
+    for (std::size_t f = 0; f < surface.faces.size(); ++f) faces.push_back(FaceId(f));
+    const CutPieces pieces = PlaneCut(surface).run(faces, plane.plane(), seed);
+    if (pieces.empty()) return {};
+    ++cuts_;
+    return Owners(surface).flaw(set_);
+  }
+
+  const Nef3& set_;
+  std::optional<CutSurface> surface_;
+  int cuts_ = 0;
+};
+
+void expect_owners(const Nef3& set, const std::string& name, int least_cuts) {
+  for (const Nef3& each : {set, set.interior()}) {
+    AllCuts cuts(each);
+    EXPECT_EQ(cuts.run(), "") << name;
+    EXPECT_GE(cuts.cuts(), least_cuts) << name;
+  }
+}
+
+/// A pit whose bottom is the edge from (x, 3, z) to (x, 5, z).
+Nef3 pit(double x, double z) {
+  return solid(
+      make_mesh({{x, 3, z}, {x, 5, z}, {x - 1, 1, 9}, {x + 1, 1, 9}, {x + 1, 7, 9}, {x - 1, 7, 9}},
+                {{0, 3, 2}, {1, 5, 4}, {0, 1, 4, 3}, {0, 2, 5, 1}, {2, 3, 4, 5}}));
+}
+
+// The plane through the bottom edges touches both pits from below: no face stays below it there.
+TEST(PlaneCut, OwnsTheBottomsOfPits) {
+  const Nef3 block = solid(box_mesh({0, 0, 0}, {8, 8, 8}));
+  expect_owners(block - pit(2, 4).interior() - pit(5, 4).interior(), "two pits", 20);
+  expect_owners(block - pit(2, 4) - pit(5, 3), "two open pits", 20);
+}
+
+TEST(PlaneCut, OwnsEveryPointOnce) {
+  expect_owners(solid(box_mesh({0, 0, 0}, {9, 9, 9})) - solid(box_mesh({3, 3, -1}, {5, 5, 10})),
+                "a shaft", 4);
+  for (std::uint64_t seed = 0; seed < 30 && !HasFailure(); ++seed) {
+    Dice dice(seed);
+    const int tenths = static_cast<int>(dice.between(4, 9));
+    const Nef3 set = solid(voxel_mesh(random_voxels(dice, {2, 2, 2}, tenths)));
+    if (cut_surface_of(set.complex())) expect_owners(set, "voxels " + std::to_string(seed), 0);
+  }
+}
+
+// Two pits above three grooves: pieces once lost the end of a pit's bottom edge.
+TEST(PlaneCut, KeepsVerticesOfTentPits) {
+  const std::string path = "corpus/regress/convex/tent_pits.nef";
+  Context context;
+  const Nef3 set = read_solid_file(path, {}, context).set;
+  for (const DecomposeMethod method :
+       {DecomposeMethod::Cuts, DecomposeMethod::Walls, DecomposeMethod::Best}) {
+    EXPECT_EQ(flaw_of_pieces(set, decompose(set, {method, false}, context), false), "");
+  }
+}
+
+}  // namespace
+}  // namespace plumb::testing
