@@ -1,10 +1,13 @@
 #include "plumb/convex/convexity.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "plumb/convex/vertex_tree.h"
+#include "plumb/convex/wall_sector.h"
 #include "plumb/predicates/input_predicates.h"
 #include "plumb/space/mesh_vertices.h"
 #include "plumb/space/plane_cycles.h"
@@ -12,49 +15,101 @@
 namespace plumb {
 namespace {
 
-// ---------------------------------------------------------------- meshes of triangles
+// ---------------------------------------------------------------- meshes of convex polygons
 
-/// Steps 1 to 4 of the header for triangles. No answer where a sign is Zero that must not be.
-class TriangleTest {
+/// Steps 1 to 4 of the header for polygons that are planar and convex. No answer where a face is neither, or a sign is
+/// Zero that must not be.
+class StarTest {
  public:
-  explicit TriangleTest(const PolygonMesh& mesh) : m_(mesh) {}
+  StarTest(const PolygonMesh& mesh, Context& context) : m_(mesh), context_(context) {}
 
   std::optional<bool> run() {
     if (m_.face_count() < 4 || !m_.exact.empty()) return std::nullopt;
     for (std::size_t f = 0; f < m_.face_count(); ++f) {
-      if (m_.face_begin[f + 1] - m_.face_begin[f] != 3) return std::nullopt;
+      if (m_.face_begin[f + 1] - m_.face_begin[f] < 3) return std::nullopt;
     }
-    if (!find_middle()) return std::nullopt;
+    if (!find_middle() || !are_faces_convex()) return std::nullopt;
     const std::optional<bool> is_convex = are_edges_convex();
     if (!is_convex.value_or(true)) return false;
     return is_convex ? is_covered_once() : std::nullopt;
   }
 
  private:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  static constexpr std::size_t kStride = 4096;  // faces between checkpoints
+
+  void checkpoint(std::size_t f) const {
+    if (f % kStride == 0) context_.checkpoint("convexity", f, m_.face_count());
+  }
   const Point3& at(std::size_t corner) const { return m_.points[m_.corners[corner]]; }
+  std::size_t next(std::size_t corner) const {
+    const std::size_t f = face_[corner];
+    return corner + 1 == m_.face_begin[f + 1] ? m_.face_begin[f] : corner + 1;
+  }
+  /// Of the plane through three corners that are not on a line.
   Sign side(std::size_t f, const Point3& x) const {
-    return orient3d(at(3 * f), at(3 * f + 1), at(3 * f + 2), x);
+    const auto& [a, b, c] = three_[f];
+    return orient3d(at(a), at(b), at(c), x);
   }
 
   /// A point strictly behind (or, inside out, before) all faces.
   bool find_middle() {
-    double scale = 1.0 / static_cast<double>(m_.corners.size());
+    const double scale = 1.0 / static_cast<double>(m_.corners.size());
     for (std::size_t i = 0; i < m_.corners.size(); ++i) {
       middle_.x += scale * at(i).x;
       middle_.y += scale * at(i).y;
       middle_.z += scale * at(i).z;
     }
-    behind_ = side(0, middle_);
-    if (behind_ == Sign::Zero) return false;
-    for (std::size_t f = 1; f < m_.face_count(); ++f) {
-      if (side(f, middle_) != behind_) return false;
+    face_.resize(m_.corners.size());
+    three_.resize(m_.face_count());
+    for (std::size_t f = 0; f < m_.face_count(); ++f) {
+      checkpoint(f);
+      const std::uint32_t begin = m_.face_begin[f], end = m_.face_begin[f + 1];
+      Sign sign = Sign::Zero;
+      for (std::uint32_t c = begin; c < end; ++c) {
+        face_[c] = static_cast<std::uint32_t>(f);
+        if (sign != Sign::Zero) continue;
+        three_[f] = {c, c + 1 == end ? begin : c + 1, c + 2 >= end ? c + 2 - (end - begin) : c + 2};
+        sign = side(f, middle_);
+      }
+      if (sign == Sign::Zero || (f > 0 && sign != behind_)) return false;
+      behind_ = sign;
     }
     return true;
   }
 
-  /// Half-edges by the lesser end of their edge: pairs are neighbours. None: not a closed surface.
+  /// Each in one plane, without right turns, around once.
+  bool are_faces_convex() const {
+    for (std::size_t f = 0; f < m_.face_count(); ++f) {
+      if (m_.face_begin[f + 1] - m_.face_begin[f] == 3) continue;
+      checkpoint(f);
+      if (!is_convex_polygon(f)) return false;
+    }
+    return true;
+  }
+
+  /// A closed chain that turns left alone goes around as often as it has least points, seen in any direction: in the
+  /// order of coordinates.
+  bool is_convex_polygon(std::size_t f) const {
+    std::size_t least = 0;
+    for (std::size_t a = m_.face_begin[f]; a < m_.face_begin[f + 1]; ++a) {
+      const std::size_t b = next(a), c = next(b);
+      if (side(f, at(a)) != Sign::Zero) return false;
+      const Sign turn = orient3d(at(a), at(b), at(c), middle_);
+      if (turn != behind_ && turn != Sign::Zero) return false;
+      if (!is_less(b, a) && !is_less(a, b)) return false;
+      if (is_less(b, a) && is_less(b, c)) ++least;
+    }
+    return least == 1;
+  }
+  bool is_less(std::size_t a, std::size_t b) const {
+    const Point3 &p = at(a), &q = at(b);
+    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+  }
+
+  /// Half-edges by the lesser end of their edge; there each waits, at the other end, for its reverse. None: not
+  /// a closed 2-manifold.
   std::optional<bool> are_edges_convex() const {
-    const auto next = [](std::size_t c) { return c % 3 == 2 ? c - 2 : c + 1; };
     std::vector<std::uint32_t> begin(m_.points.size() + 1, 0);
     const auto least = [&](std::size_t c) { return std::min(m_.corners[c], m_.corners[next(c)]); };
     for (std::size_t c = 0; c < m_.corners.size(); ++c) ++begin[least(c) + 1];
@@ -63,36 +118,51 @@ class TriangleTest {
     for (std::size_t c = 0; c < m_.corners.size(); ++c) {
       sorted[end[least(c)]++] = static_cast<std::uint32_t>(c);
     }
+    std::vector<std::uint32_t> waiting(m_.points.size(), kNone);
     for (std::size_t v = 0; v < m_.points.size(); ++v) {
-      for (std::uint32_t i = begin[v]; i < begin[v + 1]; i += 2) {
+      if (v % kStride == 0) context_.checkpoint("convexity", v, m_.points.size());
+      std::size_t left = 0;
+      for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i) {
         const std::uint32_t c = sorted[i];
-        std::uint32_t j = i + 1;
-        while (j < begin[v + 1] && !is_reverse(c, sorted[j])) ++j;
-        if (j >= begin[v + 1]) return std::nullopt;
-        std::swap(sorted[i + 1], sorted[j]);
-        const Sign sign = side(c / 3, at(next(next(sorted[i + 1]))));
-        if (sign != behind_ && sign != Sign::Zero) return false;
+        std::uint32_t& other = waiting[std::max(m_.corners[c], m_.corners[next(c)])];
+        if (other == kNone) {
+          other = c;
+          ++left;
+          continue;
+        }
+        if (m_.corners[other] == m_.corners[c]) return std::nullopt;
+        if (!is_edge_convex(other, c)) return false;
+        other = kNone;
+        --left;
       }
+      if (left > 0) return std::nullopt;
     }
     return true;
   }
-  bool is_reverse(std::size_t c, std::size_t d) const {
-    const auto next = [](std::size_t i) { return i % 3 == 2 ? i - 2 : i + 1; };
-    return m_.corners[c] == m_.corners[next(d)] && m_.corners[d] == m_.corners[next(c)];
+
+  /// c and d run along it, against each other.
+  bool is_edge_convex(std::size_t c, std::size_t d) const {
+    std::size_t off = next(next(d));  // a corner of d's face that is not on the line
+    while (next(off) != d && orient3d(at(d), at(next(d)), at(off), middle_) == Sign::Zero) {
+      off = next(off);
+    }
+    const Sign sign = side(face_[c], at(off));
+    return sign == behind_ || sign == Sign::Zero;
   }
 
-  /// The ray from the middle through the middle of face 0.
+  /// The ray from the middle through the middle of three corners of face 0.
   std::optional<bool> is_covered_once() const {
     const auto third = [&](double Point3::*x) {
-      return at(0).*x / 3 + at(1).*x / 3 + at(2).*x / 3;
+      return at(three_[0][0]).*x / 3 + at(three_[0][1]).*x / 3 + at(three_[0][2]).*x / 3;
     };
     const Point3 through{third(&Point3::x), third(&Point3::y), third(&Point3::z)};
-    const Sign inside = orient3d(middle_, through, at(0), at(1));
+    const Sign inside = orient3d(middle_, through, at(three_[0][0]), at(three_[0][1]));
     std::size_t count = 0;
     for (std::size_t f = 0; f < m_.face_count(); ++f) {
+      checkpoint(f);
       bool is_close = false, is_hit = true;
-      for (std::size_t i = 0; i < 3 && is_hit; ++i) {
-        const Sign sign = orient3d(middle_, through, at(3 * f + i), at(3 * f + (i + 1) % 3));
+      for (std::size_t c = m_.face_begin[f]; c < m_.face_begin[f + 1] && is_hit; ++c) {
+        const Sign sign = orient3d(middle_, through, at(c), at(next(c)));
         is_hit = sign == inside || sign == Sign::Zero;
         is_close |= sign == Sign::Zero;
       }
@@ -103,8 +173,11 @@ class TriangleTest {
   }
 
   const PolygonMesh& m_;
+  Context& context_;
   Point3 middle_{0, 0, 0};
   Sign behind_ = Sign::Zero;
+  std::vector<std::uint32_t> face_;                  // per corner
+  std::vector<std::array<std::uint32_t, 3>> three_;  // per face: corners that are not on a line
 };
 
 /// An embedded closed surface in one part?
@@ -118,32 +191,20 @@ bool is_plain(const MeshComplex& mesh) {
 
 // ---------------------------------------------------------------- edges
 
-/// Does the wedge after the use span more than half a turn? (The header of space_convexity.cpp's test.)
-bool is_wide_after(const SpaceComplex& c, EdgeId e, UseId u) {
-  const UseId v = c.use_radial[u.value()];
-  if (v == u) return true;
-  const PlaneId n1 = c.facet_plane[c.use_facet[u.value()].value()];
-  const PlaneId n2 = c.facet_plane[c.use_facet[v.value()].value()];
-  if (n1 == n2) return false;
-  const auto sense = [&](UseId w) {
-    return SpaceComplex::is_reverse(c.use_halfedge[w.value()]) ? Sign::Negative : Sign::Positive;
-  };
-  const auto& [p, q] = c.edge_planes[e.value()];
-  return sense(u) * sense(v) * same_direction(c.planes(), p, q, n1, n2) == Sign::Negative;
-}
-
 /// Edges with a wide wedge that is inside: by the use before it.
 template <class IsInside>
 std::vector<EdgeId> wide_edges(const SpaceComplex& c, IsInside&& is_inside_after) {
+  const SectorTest test(c);
   std::vector<EdgeId> wide;
-  for (std::size_t e = 0; e < c.edge_count(); ++e) {
+  for (std::uint32_t e = 0; e < c.edge_count(); ++e) {
     const UseId first = c.edge_use[e];
     if (c.edge_mark[e] == kBeyond || !first.is_valid()) continue;
     bool is_wide = false;
     UseId u = first;
     do {
-      is_wide = is_inside_after(u) && is_wide_after(c, EdgeId(e), u);
-      u = c.use_radial[u.value()];
+      const UseId next = c.use_radial[u.value()];
+      is_wide = is_inside_after(u) && test.is_reflex({EdgeId(e), {}, u, next});
+      u = next;
     } while (u != first && !is_wide);
     if (is_wide) wide.push_back(EdgeId(e));
   }
@@ -199,7 +260,7 @@ void number_as_input(std::vector<FailingFace>& faces, const PolygonMesh& mesh,
 }  // namespace
 
 bool is_convex_mesh(const PolygonMesh& mesh, Context& context) {
-  if (const std::optional<bool> known = TriangleTest(mesh).run()) return *known;
+  if (const std::optional<bool> known = StarTest(mesh, context).run()) return *known;
   MeshComplex complex = complex_of_mesh(mesh, {}, context);
   return is_plain(complex) &&
          Nef3::mesh(std::move(complex), WindingRule::NonZero, context).is_convex();

@@ -11,8 +11,10 @@
 
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
+#include "plumb/base/error.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/predicates/input_predicates.h"
+#include "plumb/space/from_mesh.h"
 
 namespace plumb::testing {
 namespace {
@@ -47,6 +49,82 @@ TEST(ConvexMesh, IsTheSurfaceOfOneConvexBody) {
   EXPECT_TRUE(is_convex_mesh(icosphere_mesh(3, 5, {1, 2, 3})));
   EXPECT_TRUE(is_convex_mesh(double_pyramid(5, 1)));
   EXPECT_TRUE(is_convex_mesh(tetrahedron_mesh({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 5e-324})));
+}
+
+/// A prism over a regular polygon on a lattice of many places: sides are planar quads, ends have many corners.
+PolygonMesh regular_prism(int corners, double x) {
+  std::vector<Point2> polygon;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 6.283185307179586 * i / corners;
+    polygon.push_back({x * std::cos(angle), x * std::sin(angle)});
+  }
+  return prism_mesh(polygon, -1, 1);
+}
+
+TEST(ConvexMesh, MayHaveFacesOfManyCorners) {
+  EXPECT_TRUE(is_convex_mesh(regular_prism(40, 8)));
+  EXPECT_TRUE(is_convex_mesh(reversed(regular_prism(40, 8))));
+  // A corner in the middle of an edge, of one face and of both.
+  const std::vector<Point3> at{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2},
+                               {2, 0, 2}, {2, 2, 2}, {0, 2, 2}, {1, 0, 0}};
+  const auto cube = [&](const Face& bottom, const Face& front) {
+    return make_mesh(at, {bottom, {4, 5, 6, 7}, front, {3, 7, 6, 2}, {0, 4, 7, 3}, {1, 2, 6, 5}});
+  };
+  EXPECT_TRUE(is_convex_mesh(cube({0, 3, 2, 1, 8}, {0, 8, 1, 5, 4})));
+  EXPECT_TRUE(is_convex_mesh(cube({8, 0, 3, 2, 1}, {8, 1, 5, 4, 0})));
+  // A polygon that goes around twice.
+  PolygonMesh twice = regular_prism(20, 8);
+  PolygonMesh wound;
+  wound.points = twice.points;
+  for (std::size_t f = 0; f < twice.face_count(); ++f) {
+    const auto face = twice.face(f);
+    Face corners(face.begin(), face.end());
+    if (face.size() > 4) corners.insert(corners.end(), face.begin(), face.end());
+    wound.add_face(corners);
+  }
+  EXPECT_FALSE(is_convex_mesh(wound));
+}
+
+/// By the slow way, which looks at no planes of faces; none for what makes no mesh.
+std::optional<bool> is_convex_by_set(const PolygonMesh& mesh) {
+  Context context;
+  try {
+    const MeshComplex complex = complex_of_mesh(mesh, {}, context);
+    const MeshReport& report = complex.report;
+    if (!report.is_closed() || report.crosses_itself() || !report.doubled.empty()) return false;
+    const Nef3 set = Nef3::mesh(mesh, WindingRule::NonZero, context);
+    return !set.is_empty() && set.is_convex();
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+// Prisms of any outline: what the fast way says is what the set says.
+TEST(ConvexMesh, OfPolygonsIsConvexWhereItsSetIs) {
+  int convex = 0, others = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    Dice dice(seed);
+    std::vector<Point2> outline{{0, 0}};
+    const auto far = static_cast<double>(dice.between(1, 4));
+    outline.push_back({far, 0});
+    for (int i = 0; i < 3; ++i) {
+      const auto x = static_cast<double>(dice.between(0, 4));
+      const auto y = static_cast<double>(dice.between(1, 4));
+      outline.push_back({x, y});
+    }
+    const PolygonMesh mesh = prism_mesh(outline, 0, 3);
+    if (const std::optional<bool> expected = is_convex_by_set(mesh)) {
+      EXPECT_EQ(is_convex_mesh(mesh), *expected) << seed;
+      ++(*expected ? convex : others);
+    }
+  }
+  EXPECT_GT(convex, 10);
+  EXPECT_GT(others, 10);
+}
+
+// A pyramid over very many corners: its tip is an end of all of them.
+TEST(ConvexMesh, PairsEdgesOfAFanInLinearTime) {
+  EXPECT_TRUE(is_convex_mesh(double_pyramid(20000, 1)));
 }
 
 TEST(ConvexMesh, DoesNotWindTwice) {
