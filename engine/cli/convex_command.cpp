@@ -15,13 +15,13 @@
 #include "plumb/base/error.h"
 #include "plumb/convex/convexity.h"
 #include "plumb/convex/decompose.h"
+#include "plumb/convex/volume_sum.h"
 #include "plumb/io/input.h"
 #include "plumb/io/output_file.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/io/solid_sets.h"
 #include "plumb/io/solid_text.h"
 #include "plumb/picture/sheet.h"
-#include "plumb/space/space_measure.h"
 #include "solid_input.h"
 
 namespace plumb::cli {
@@ -113,7 +113,7 @@ class Decomposition : public CommandBody {
     const ConvexPieces pieces = decompose(set, {method, closed_}, session.context());
     write_files(pieces, session);
     const bool is_json = session.options().json;
-    const std::string json = is_json ? json_of(set, pieces).dump() : "";
+    const std::string json = is_json ? json_of(set, pieces, session.context()).dump() : "";
     session.outputs().add("-", [&pieces, is_json, json](std::ostream& out) {
       if (is_json) {
         out << json << '\n';
@@ -129,12 +129,10 @@ class Decomposition : public CommandBody {
   }
 
  private:
-  static Json json_of(const Nef3& set, const ConvexPieces& pieces) {
+  static Json json_of(const Nef3& set, const ConvexPieces& pieces, Context& context) {
     Json matches = nullptr;  // of unbounded sets
-    if (const std::optional<Rational> volume = marked_volume(set.complex())) {
-      Rational sum = 0;
-      for (const Nef3& piece : pieces.pieces) sum += *marked_volume(piece.complex());
-      matches = sum == *volume;
+    if (const std::optional<bool> known = do_volumes_add_up(set, pieces.pieces, context)) {
+      matches = *known;
     }
     return {{"pieces", pieces.pieces.size()},
             {"reflex_edges", pieces.reflex_edges},

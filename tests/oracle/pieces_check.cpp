@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "plumb/convex/volume_sum.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/space_audit.h"
 #include "plumb/space/space_measure.h"
@@ -120,8 +122,10 @@ std::string flaw_of_pieces(const Nef3& set, const ConvexPieces& result, bool clo
     if (!is_one_cell(pieces[i])) return name("not one convex cell", i);
     if (set.is_bounded()) volume += *marked_volume(c);
   }
-  if (set.is_bounded() && volume != *marked_volume(set.complex())) return "volumes do not add up";
   Context context;
+  const std::optional<bool> sum = do_volumes_add_up(set, pieces, context);
+  if (set.is_bounded() && volume != *marked_volume(set.complex())) return "volumes do not add up";
+  if (set.is_bounded() && sum != true) return "volumes add up, but do_volumes_add_up() says no";
   const Nef3 all = union_of(pieces, context);
   if (!(all == (closed ? set.closure() : set))) return "the union is another set";
   return overlap(pieces, closed);
