@@ -15,7 +15,8 @@ constexpr std::size_t kMaxPlanes = 14;
 std::string difference_of(std::span<const std::uint8_t> program) {
   const Nef3 set = to_nef(*space_set_of_program(program, kMaxPlanes));
   for (const bool closed : {false, true}) {
-    for (const DecomposeMethod method : {DecomposeMethod::Cuts, DecomposeMethod::Walls, DecomposeMethod::Best}) {
+    for (const DecomposeMethod method :
+         {DecomposeMethod::Cuts, DecomposeMethod::Walls, DecomposeMethod::Best}) {
       Context context;
       const std::string flaw =
           flaw_of_pieces(set, decompose(set, {method, closed}, context), closed);

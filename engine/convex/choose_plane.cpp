@@ -20,6 +20,8 @@ Vector cross(const Vector& a, const Vector& b) {
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 constexpr std::size_t kMostKept = 6;
+constexpr std::size_t kLarge = 500;  // above so many reflex edges balance is worth pieces:
+constexpr int kWorthOnePiece = 16;   // so many edges on the lesser side
 constexpr std::size_t kAllVertices =
     48;  // pieces of no more reflex edges look at all their vertices
 
@@ -79,23 +81,28 @@ CutCandidate CutChooser::judged(const Row& row, CutCandidate candidate) {
     const double at = row[0] * ends_[i][0] + row[1] * ends_[i][1] + row[2] * ends_[i][2] + row[3];
     signs_[i] = static_cast<signed char>((at > tolerance_ ? 1 : 0) - (at < -tolerance_ ? 1 : 0));
   }
-  int spared = 0;
+  int spared = 0, below = 0, above = 0;
   for (const Edge& edge : edges_) {
     const int a = signs_[edge.a], b = signs_[edge.b];
     if (a * b < 0) ++candidate.crossed;
+    below += a + b < 0 ? 1 : 0;
+    above += a + b > 0 ? 1 : 0;
     if (a != 0 || b != 0) continue;
     ++candidate.resolved;
     spared += 1 + edge.alone;
   }
+  candidate.lesser = std::min(below, above);
   // With the plane on both sides of its edges, each stretch of the section between two of them is a cut.
   const int cuts = candidate.sheets == 1 ? 1 : candidate.resolved + 1;
   candidate.score = cuts + candidate.crossed - spared;
+  if (edges_.size() > kLarge) candidate.score -= candidate.lesser / kWorthOnePiece;
   return candidate;
 }
 
 void CutChooser::keep(const CutCandidate& candidate) {
   const auto is_better = [](const CutCandidate& a, const CutCandidate& b) {
-    return std::tuple(a.score, a.sheets, -a.resolved) < std::tuple(b.score, b.sheets, -b.resolved);
+    return std::tuple(a.score, a.sheets, -a.resolved, -a.lesser) <
+           std::tuple(b.score, b.sheets, -b.resolved, -b.lesser);
   };
   best_.insert(std::upper_bound(best_.begin(), best_.end(), candidate, is_better), candidate);
   if (best_.size() > kMostKept) best_.pop_back();

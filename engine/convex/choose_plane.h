@@ -5,7 +5,8 @@
 //  2. propose   for an edge: the planes of its faces; the planes through it and the end of another reflex edge
 //               (or any vertex, in small pieces) that lie in its reflex wedge, so that one cut resolves it
 //  3. judge     how many reflex edges lie in the plane (resolved), how many it crosses (doubled), against what the
-//               planes of its own faces would do for each edge in it
+//               planes of its own faces would do for each edge in it. Of equals the one that leaves most on
+//               either side: a cut costs the size of the piece
 //
 // All of this is about the number of pieces alone and may be done in doubles: a plane is interned from input points
 // or from planes, and the cut asks exact signs. Cost: one product an end for each candidate; their number is bounded
@@ -26,6 +27,7 @@ struct CutCandidate {
   int sheets = 1;        ///< of the plane at the seed, inside the solid: 1 or 2
   int crossed = 0;       ///< reflex edges
   int resolved = 0;      ///< reflex edges in the plane
+  int lesser = 0;        ///< reflex edges on that side of the plane where fewer are
   int score = 0;         ///< cuts made and caused, less those spared: the least is best
 };
 

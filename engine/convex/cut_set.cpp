@@ -1,4 +1,4 @@
-// Cuts of any set, by Booleans with half-spaces: what no surface can hold (cuts.h).
+// Cuts of any set: what no surface can hold, by Booleans with half-spaces (cuts.h).
 
 #include <algorithm>
 #include <iterator>
@@ -9,6 +9,8 @@
 #include "plumb/base/error.h"
 #include "plumb/convex/convexity.h"
 #include "plumb/convex/cuts.h"
+#include "plumb/convex/merge_pieces.h"
+#include "plumb/convex/merge_sets.h"
 #include "plumb/convex/set_parts.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
@@ -154,26 +156,51 @@ std::optional<Plane3> plane_through_lone_vertex(const SetPart& part) {
 
 class SetCutter {
  public:
-  explicit SetCutter(Context& context) : context_(context) {}
+  SetCutter(const DecomposeOptions& options, Context& context)
+      : options_(options), context_(context) {}
 
   std::vector<Nef3> run(SetPart part) {
-    std::vector<SetPart> left{std::move(part)};
-    std::vector<Nef3> done;
-    while (!left.empty()) {
-      context_.checkpoint("cutting", done.size(), done.size() + left.size());
-      const SetPart next = std::move(left.back());
-      left.pop_back();
+    left_.push_back(std::move(part));
+    while (!left_.empty()) {
+      context_.checkpoint("cutting", done_.size(), done_.size() + left_.size());
+      const SetPart next = std::move(left_.back());
+      left_.pop_back();
+      if (next.dimension == 3 && cut_as_solid(next)) continue;
       const Nef3 inside = next.dimension < 2 ? Nef3() : relative_interior(next, context_);
       if (next.dimension < 2 || inside.is_convex()) {
-        done.push_back(next.set);
+        done_.push_back(next.set);
       } else {
-        divide(next, plane_of({inside, next.dimension}), left);
+        divide(next, plane_of({inside, next.dimension}));
       }
     }
-    return done;
+    if (is_one_solid_) return std::move(done_);
+    if (options_.method == DecomposeMethod::Best) merge_sets(done_, context_);
+    if (options_.closed) {
+      for (Nef3& piece : done_) piece = piece.closure();
+    }
+    return std::move(done_);
   }
 
  private:
+  /// False: nothing was done.
+  bool cut_as_solid(const SetPart& part) {
+    std::optional<CutSurface> surface = cut_surface_of(part.set.complex());
+    if (!surface) return false;
+    SolidPieces cut = cut_solid(*surface, context_);
+    if (cut.convex.empty() && cut.stuck.size() == 1) return false;
+    const auto is_no_set = [&](const auto& faces) { return touches_itself(*surface, faces); };
+    if (std::ranges::any_of(cut.stuck, is_no_set)) return false;
+    if (options_.method == DecomposeMethod::Best) merge_pieces(*surface, cut.convex, context_);
+    is_one_solid_ = left_.empty() && done_.empty() && cut.stuck.empty();
+    for (const auto& faces : cut.convex) {
+      done_.push_back(set_of_piece(*surface, faces, is_one_solid_ && options_.closed, context_));
+    }
+    for (const auto& faces : cut.stuck) {
+      left_.push_back({set_of_piece(*surface, faces, false, context_), 3});
+    }
+    return true;
+  }
+
   static Plane3 plane_of(const SetPart& inside) {
     std::optional<Plane3> plane = DividingPlane(inside.set.complex(), inside.dimension).find();
     if (!plane) plane = plane_through_lone_vertex(inside);
@@ -182,7 +209,7 @@ class SetCutter {
   }
 
   /// What the lower side keeps of the plane is what its interior reaches; the rest goes to the upper side.
-  void divide(const SetPart& part, const Plane3& plane, std::vector<SetPart>& left) {
+  void divide(const SetPart& part, const Plane3& plane) {
     Nef3 low = combine(part.set, plane, Section::ClosedHalfSpace, kIntersection, context_);
     Nef3 high = combine(part.set, plane, Section::ClosedHalfSpace, kDifference, context_);
     std::vector<SetPart> below = parts_of(low, context_);
@@ -192,17 +219,21 @@ class SetCutter {
     std::vector<SetPart> above = parts_of(high, context_);
     std::erase_if(below, [&](const SetPart& p) { return p.dimension < part.dimension; });
     PLUMB_CHECK(!below.empty() && !above.empty());
-    std::move(above.rbegin(), above.rend(), std::back_inserter(left));
-    std::move(below.rbegin(), below.rend(), std::back_inserter(left));
+    std::move(above.rbegin(), above.rend(), std::back_inserter(left_));
+    std::move(below.rbegin(), below.rend(), std::back_inserter(left_));
   }
 
+  const DecomposeOptions options_;
   Context& context_;
+  std::vector<SetPart> left_;
+  std::vector<Nef3> done_;
+  bool is_one_solid_ = false;
 };
 
 }  // namespace
 
-std::vector<Nef3> cut_set(const SetPart& part, Context& context) {
-  return SetCutter(context).run(part);
+std::vector<Nef3> cut_set(const SetPart& part, const DecomposeOptions& options, Context& context) {
+  return SetCutter(options, context).run(part);
 }
 
 }  // namespace plumb

@@ -11,12 +11,13 @@ namespace {
 class SolidCutter {
  public:
   SolidCutter(CutSurface& surface, Context& context)
-      : s_(surface), context_(context), cut_(surface), chooser_(surface) {}
+      : s_(surface), context_(context), charge_(context), cut_(surface), chooser_(surface) {}
 
-  std::vector<std::vector<FaceId>> run() {
+  SolidPieces run() {
     std::vector<FaceId> all;
     for (std::size_t f = 0; f < s_.faces.size(); ++f) all.push_back(FaceId(f));
-    std::vector<std::vector<FaceId>> left{std::move(all)}, done;
+    std::vector<std::vector<FaceId>> left{std::move(all)};
+    SolidPieces done;
     // Every cut takes from the angle at its edge, and planes through it are few; never seen to be many.
     std::size_t cuts = 0;
     find_reflex(left[0]);
@@ -24,20 +25,33 @@ class SolidCutter {
     while (!left.empty()) {
       std::vector<FaceId> piece = std::move(left.back());
       left.pop_back();
-      context_.checkpoint("cutting", done.size(), done.size() + left.size() + 1);
+      context_.checkpoint("cutting", done.convex.size(), done.convex.size() + left.size() + 1);
       find_reflex(piece);
       if (reflex_.empty()) {
-        done.push_back(std::move(piece));
+        done.convex.push_back(std::move(piece));
         continue;
       }
-      CutPieces parts = cut(piece);
-      if (parts.empty() || ++cuts > most) return {};
+      CutPieces parts = cuts++ < most ? cut(piece) : CutPieces();
+      charge_growth();
+      if (parts.empty()) {
+        done.stuck.push_back(std::move(piece));
+        continue;
+      }
       for (std::size_t i = parts.size(); i-- > 0;) left.push_back(std::move(parts[i]));
     }
     return done;
   }
 
  private:
+  /// Of the pool, and of what cuts note for each of its items.
+  void charge_growth() {
+    constexpr std::size_t kNotes = 16;
+    const std::size_t bytes = s_.halves.size() * (sizeof(CutSurface::Half) + kNotes) +
+                              s_.faces.size() * (sizeof(CutSurface::Face) + kNotes) +
+                              s_.point.size() * (sizeof(SpacePoint) + kNotes);
+    charge_.add(bytes - std::exchange(charged_, bytes), "pieces");
+  }
+
   void find_reflex(std::span<const FaceId> piece) {
     reflex_.clear();
     for (const FaceId f : piece) {
@@ -59,6 +73,8 @@ class SolidCutter {
 
   CutSurface& s_;
   Context& context_;
+  MemoryCharge charge_;
+  std::size_t charged_ = 0;
   PlaneCut cut_;
   CutChooser chooser_;
   std::vector<HalfedgeId> reflex_;
@@ -66,7 +82,7 @@ class SolidCutter {
 
 }  // namespace
 
-std::vector<std::vector<FaceId>> cut_solid(CutSurface& surface, Context& context) {
+SolidPieces cut_solid(CutSurface& surface, Context& context) {
   return SolidCutter(surface, context).run();
 }
 

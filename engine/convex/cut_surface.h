@@ -53,6 +53,8 @@ struct CutSurface {
   std::vector<SpacePoint> point;  ///< per vertex
   std::vector<Half> halves;
   std::vector<Face> faces;
+  /// Scratch of set_of_piece(): numbers in the piece at hand.
+  std::vector<std::uint32_t> half_number, vertex_number;
 
   Half& half(HalfedgeId h) { return halves[h.value()]; }
   const Half& half(HalfedgeId h) const { return halves[h.value()]; }
@@ -85,8 +87,11 @@ struct CutSurface {
 /// connected, or with facets, edges or vertices inside the volume.
 std::optional<CutSurface> cut_surface_of(const SpaceComplex& part);
 
-/// A piece without reflex edges as a set. With `closed`: its closure. The set shares the tables.
-Nef3 set_of_piece(const CutSurface& surface, std::span<const FaceId> faces, bool closed,
+/// Does the piece touch itself along an edge, or have both sides of a cut? Then no set is bounded by it.
+bool touches_itself(const CutSurface& surface, std::span<const FaceId> faces);
+
+/// A piece that does not touch itself along an edge, as a set. With `closed`: its closure. The set shares the tables.
+Nef3 set_of_piece(CutSurface& surface, std::span<const FaceId> faces, bool closed,
                   Context& context);
 
 }  // namespace plumb

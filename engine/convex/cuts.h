@@ -5,6 +5,10 @@
 //  2. cut      (plane_cut.h) along the part of the section that the edge bounds
 //  3. repeat   with one piece, or two, until nothing is reflex
 //
+// Main flow of cut_set(), for a part of any kind:
+//  1. cut_solid     if the part is a solid with one connected surface: this is done with most
+//  2. divide        what is none, or is stuck, by a Boolean with a half-space; then its parts in turn
+//
 // A surface that is connected and has no reflex edges bounds a convex solid (space_convexity.h).
 #pragma once
 
@@ -18,11 +22,15 @@
 
 namespace plumb {
 
-/// Divides the surface; the faces of each convex piece. Empty: a piece could not be cut this way.
-std::vector<std::vector<FaceId>> cut_solid(CutSurface& surface, Context& context);
+/// Lists of faces.
+struct SolidPieces {
+  std::vector<std::vector<FaceId>> convex;
+  std::vector<std::vector<FaceId>> stuck;  ///< no plane cuts these this way (PlaneSection::find())
+};
 
-/// The convex pieces of one part of any kind, by Booleans with half-spaces. A cut divides all that the plane meets.
-/// Cost: a few Booleans near the plane and O(size) a cut.
-std::vector<Nef3> cut_set(const SetPart& part, Context& context);
+SolidPieces cut_solid(CutSurface& surface, Context& context);
+
+/// The convex pieces of one part. Method Best: neighbours are merged.
+std::vector<Nef3> cut_set(const SetPart& part, const DecomposeOptions& options, Context& context);
 
 }  // namespace plumb

@@ -1,11 +1,11 @@
 #include "plumb/convex/decompose.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "plumb/convex/convexity.h"
 #include "plumb/convex/cuts.h"
-#include "plumb/convex/merge_pieces.h"
 #include "plumb/convex/set_parts.h"
 #include "plumb/convex/walls.h"
 
@@ -20,21 +20,8 @@ Nef3 without_wall_origins(const Nef3& set) {
   return set.with_origins(origins);
 }
 
-void add_pieces(const SetPart& part, const DecomposeOptions& options, Context& context,
-                std::vector<Nef3>& pieces) {
-  if (part.dimension == 3) {
-    if (std::optional<CutSurface> surface = cut_surface_of(part.set.complex())) {
-      std::vector<std::vector<FaceId>> cut = cut_solid(*surface, context);
-      if (options.method == DecomposeMethod::Best) merge_pieces(*surface, cut, context);
-      for (const auto& faces : cut) {
-        pieces.push_back(set_of_piece(*surface, faces, options.closed, context));
-      }
-      if (!cut.empty()) return;
-    }
-  }
-  for (const Nef3& piece : cut_set(part, context)) {
-    pieces.push_back(options.closed ? piece.closure() : piece);
-  }
+void close(std::vector<Nef3>& pieces) {
+  for (Nef3& piece : pieces) piece = piece.closure();
 }
 
 }  // namespace
@@ -45,7 +32,16 @@ ConvexPieces decompose(const Nef3& set, const DecomposeOptions& options, Context
   ConvexPieces result;
   result.reflex_edges = reflex_edges(whole.complex()).size();
   for (const SetPart& part : parts_of(whole, context)) {
-    add_pieces(part, options, context, result.pieces);
+    std::vector<Nef3> pieces = cut_set(part, options, context);
+    if (options.method == DecomposeMethod::Best && part.dimension == 3) {
+      std::vector<Nef3> fewer = fewer_pieces_by_walls(part.set, pieces.size(), context);
+      if (!fewer.empty()) {
+        pieces = std::move(fewer);
+        result.method = DecomposeMethod::Walls;
+        if (options.closed) close(pieces);
+      }
+    }
+    std::move(pieces.begin(), pieces.end(), std::back_inserter(result.pieces));
   }
   return result;
 }

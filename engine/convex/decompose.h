@@ -2,9 +2,9 @@
 //
 // Main flow of decompose():
 //  1. parts_of    (set_parts.h) the set by dimension: each marked volume with the boundary it owns, what dangles
-//  2. cut_solid   (cuts.h) planes through reflex edges, until nothing is reflex; cut_set() where a part is no solid
-//                 with one connected surface
-//  3. merge_pieces (merge_pieces.h) Best only: neighbours whose union is convex become one
+//  2. cut_set     (cuts.h) planes through reflex edges, until nothing is reflex. Best: neighbours whose union is convex
+//                 become one (merge_pieces.h, merge_sets.h)
+//  3. walls       (walls.h) Best: of each bounded volume, where fewer pieces are to be expected; the fewer are taken
 //
 // Any set: open, closed, half-open, unbounded, not a manifold, with voids, several components, dangling facets, edges
 // and points. Each piece is of one dimension and convex but for points of its boundary: its relative interior is
@@ -33,7 +33,7 @@ namespace plumb {
 enum class DecomposeMethod : std::uint8_t {
   Cuts,   ///< planes through reflex edges, each along one part of its section
   Walls,  ///< vertical walls through reflex edges: O(r^2) pieces (walls.h)
-  Best,   ///< Cuts, then merged
+  Best,   ///< the fewer of both, merged
 };
 
 struct DecomposeOptions {
@@ -45,9 +45,10 @@ struct DecomposeOptions {
 inline constexpr std::uint32_t kWallOrigin = ~std::uint32_t{0};
 
 struct ConvexPieces {
-  std::vector<Nef3> pieces;                        ///< in an order that depends on the set alone
-  std::uint64_t reflex_edges = 0;                  ///< of the set (convexity.h)
-  DecomposeMethod method = DecomposeMethod::Cuts;  ///< Cuts or Walls: whose pieces these are
+  std::vector<Nef3> pieces;        ///< in an order that depends on the set alone
+  std::uint64_t reflex_edges = 0;  ///< of the set (convexity.h)
+  DecomposeMethod method =
+      DecomposeMethod::Cuts;  ///< Walls: pieces of one volume at least are theirs
 };
 
 ConvexPieces decompose(const Nef3& set, const DecomposeOptions& options, Context& context);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "plumb/convex/decompose.h"
@@ -37,6 +38,8 @@ class Merger {
   void gather() {
     is_gone_.assign(s_.faces.size(), 0);
     piece_of_.assign(s_.faces.size(), 0);
+    merged_.resize(pieces_.size());
+    std::iota(merged_.begin(), merged_.end(), std::size_t{0});
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
       for (const FaceId f : pieces_[p]) {
         piece_of_[f.value()] = p;
@@ -63,11 +66,10 @@ class Merger {
   SpacePoint point_of(HalfedgeId h) const { return s_.point[s_.half(h).origin.value()]; }
   bool is_gone(FaceId f) const { return is_gone_[f.value()] != 0; }
 
-  std::size_t find(std::size_t p) const {
-    while (p != parent(p)) p = parent(p);
+  std::size_t find(std::size_t p) {
+    while (p != merged_[p]) p = merged_[p] = merged_[merged_[p]];
     return p;
   }
-  std::size_t parent(std::size_t p) const { return merged_.contains(p) ? merged_.at(p) : p; }
 
   /// Pairs the half-edges of both, which run against each other.
   bool match(FaceId low, FaceId high) {
@@ -115,14 +117,14 @@ class Merger {
     const std::size_t into = std::min(p, q), from = std::max(p, q);
     merged_[from] = into;
     auto& target = pieces_[into];
+    if (target.size() < pieces_[from].size()) target.swap(pieces_[from]);
     target.insert(target.end(), pieces_[from].begin(), pieces_[from].end());
     pieces_[from].clear();
-    for (const auto& [h, k] : rim_)
-      join_rings(s_.half(h).origin, s_.half(s_.half(k).next).origin, h);
+    for (const auto& [h, k] : rim_) join_rings(s_.half(h).origin, h);
   }
 
   /// The ring of half-edges around a corner of the rim: one vertex, which one of the pieces owned.
-  void join_rings(VertexId v, VertexId, HalfedgeId h) {
+  void join_rings(VertexId v, HalfedgeId h) {
     const HalfedgeId first = s_.half(s_.half(h).prev).twin;  // leaves v in the low piece
     Mark mark = 0;
     HalfedgeId at = first;
@@ -144,7 +146,7 @@ class Merger {
   std::multimap<Key, FaceId> high_;
   std::vector<std::uint8_t> is_gone_;
   std::vector<std::size_t> piece_of_;
-  std::map<std::size_t, std::size_t> merged_;
+  std::vector<std::size_t> merged_;  // per piece: into which
   std::vector<std::pair<HalfedgeId, HalfedgeId>> rim_;
 };
 

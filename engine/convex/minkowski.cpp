@@ -97,7 +97,7 @@ class OpenParts {
                      std::vector<Mark>(c_.facet_count(), 0),
                      std::vector<Mark>(c_.volume_count(), 0)};
     alone.facet[f.value()] = 1;
-    for (const Nef3& piece : cut_set({piece_.with_marks(alone, context_), 2}, context_)) {
+    for (const Nef3& piece : cut_set({piece_.with_marks(alone, context_), 2}, {}, context_)) {
       OpenParts(piece, parts_, context_).run(!is_maximal);
     }
   }

@@ -14,8 +14,8 @@
 //                       So a body is added to all parts that are in the boundary of no other part of their set (all of
 //                       them open: the sum is open), and of the rest every pair is needed.
 // So open + anything is open; closed + closed is closed; a half-open box + a half-open box keeps a facet, edge or
-// vertex where both operands have one in that direction. A pair of unmarked facets of one direction
-// leaves the sum's facet unmarked even when marked edges of theirs put marked edges on it.
+// vertex where both operands have one in that direction. Where their facets of one direction are unmarked, what is
+// marked around these still adds up: two marked edges that are not parallel mark a parallelogram of the sum's facet.
 //
 // Unbounded operands: Error{BadArgument}; of an erosion, the first may be. The empty set gives the empty set.
 //

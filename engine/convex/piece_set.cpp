@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plumb/convex/cut_surface.h"
+#include "plumb/convex/decompose.h"
 #include "plumb/space/simplify.h"
 
 namespace plumb {
@@ -14,7 +15,7 @@ namespace {
 /// Two volumes, the outer one and the piece; each half-edge becomes the use of a facet.
 class PieceWriter {
  public:
-  PieceWriter(const CutSurface& surface, std::span<const FaceId> faces, bool closed)
+  PieceWriter(CutSurface& surface, std::span<const FaceId> faces, bool closed)
       : s_(surface), faces_(faces), closed_(closed) {}
 
   SpaceComplex run() {
@@ -32,22 +33,25 @@ class PieceWriter {
  private:
   Mark marked(Mark mark) const { return closed_ ? Mark{1} : mark; }
 
+  /// In the order in which faces are listed.
   void number() {
+    s_.half_number.resize(s_.halves.size());
+    s_.vertex_number.resize(s_.point.size());
     for (const FaceId f : faces_) {
       s_.for_each_half(f, [this](HalfedgeId h) {
+        s_.half_number[h.value()] = static_cast<std::uint32_t>(halves_.size());
         halves_.push_back(h);
-        vertices_.push_back(s_.half(h).origin);
+        const VertexId v = s_.half(h).origin;
+        const std::uint32_t known = s_.vertex_number[v.value()];  // of another piece, perhaps
+        if (known < vertices_.size() && vertices_[known] == v) return;
+        s_.vertex_number[v.value()] = static_cast<std::uint32_t>(vertices_.size());
+        vertices_.push_back(v);
       });
     }
-    std::sort(halves_.begin(), halves_.end());
-    std::sort(vertices_.begin(), vertices_.end());
-    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
   }
-  template <class Id>
-  static std::size_t place(const std::vector<Id>& ids, Id id) {
-    return static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
-  }
-  UseId use_of(HalfedgeId h) const { return UseId(place(halves_, h)); }
+  std::size_t place(HalfedgeId h) const { return s_.half_number[h.value()]; }
+  std::size_t place(VertexId v) const { return s_.vertex_number[v.value()]; }
+  UseId use_of(HalfedgeId h) const { return UseId(place(h)); }
 
   void write_vertices() {
     const std::size_t n = vertices_.size();
@@ -61,9 +65,9 @@ class PieceWriter {
     c_.use_halfedge.resize(halves_.size());
     for (std::size_t i = 0; i < halves_.size(); ++i) {
       const CutSurface::Half& h = s_.half(halves_[i]);
-      if (h.twin < halves_[i]) continue;
-      const std::size_t e = c_.edge_planes.size(), from = place(vertices_, h.origin),
-                        to = place(vertices_, s_.target(halves_[i]));
+      if (place(h.twin) < i) continue;
+      const std::size_t e = c_.edge_planes.size(), from = place(h.origin),
+                        to = place(s_.target(halves_[i]));
       const bool runs_back = h.along == Sign::Negative;
       c_.edge_planes.push_back({s_.plane_of(halves_[i]).plane(), h.other});
       c_.edge_mark.push_back(marked(h.mark));
@@ -89,7 +93,7 @@ class PieceWriter {
       c_.use_next.push_back(next);
       c_.use_prev.push_back(prev);
       c_.use_radial.push_back(use_of(half.twin));
-      if (half.origin_mark == 1) c_.vertex_mark[place(vertices_, half.origin)] = 1;
+      if (half.origin_mark == 1) c_.vertex_mark[place(half.origin)] = 1;
     }
   }
 
@@ -126,7 +130,7 @@ class PieceWriter {
     }
   }
 
-  const CutSurface& s_;
+  CutSurface& s_;
   std::span<const FaceId> faces_;
   bool closed_;
   SpaceComplex c_;
@@ -136,7 +140,27 @@ class PieceWriter {
 
 }  // namespace
 
-Nef3 set_of_piece(const CutSurface& surface, std::span<const FaceId> faces, bool closed,
+bool touches_itself(const CutSurface& surface, std::span<const FaceId> faces) {
+  std::vector<std::pair<VertexId, VertexId>> edges;
+  std::vector<OrientedPlane> cuts;
+  for (const FaceId f : faces) {
+    surface.for_each_half(f, [&](HalfedgeId h) {
+      const HalfedgeId t = surface.half(h).twin;
+      const VertexId a = surface.half(h).origin, b = surface.half(t).origin;
+      if (h < t) edges.emplace_back(std::min(a, b), std::max(a, b));
+    });
+    const CutSurface::Face& face = surface.face(f);
+    if (face.origin == kWallOrigin) cuts.push_back(face.plane);
+  }
+  std::sort(edges.begin(), edges.end());
+  std::sort(cuts.begin(), cuts.end());
+  return std::adjacent_find(edges.begin(), edges.end()) != edges.end() ||
+         std::adjacent_find(cuts.begin(), cuts.end(), [](OrientedPlane p, OrientedPlane q) {
+           return p.plane() == q.plane() && p != q;
+         }) != cuts.end();
+}
+
+Nef3 set_of_piece(CutSurface& surface, std::span<const FaceId> faces, bool closed,
                   Context& context) {
   return Nef3::from_minimal(simplified(PieceWriter(surface, faces, closed).run(), context));
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "plumb/convex/wall_complex.h"
+
 namespace plumb {
 namespace {
 
@@ -102,10 +104,17 @@ class Owners {
 
 }  // namespace
 
-std::vector<SetPart> parts_of(const Nef3& set, Context& context) {
+std::vector<SetPart> parts_of(const Nef3& whole, Context& context) {
+  std::vector<SetPart> result;
+  Nef3 set = whole;
+  if (whole.is_bounded() && whole.counts().marked_volumes > 1) {
+    for (Nef3& volume : volumes_as_sets(whole.complex(), context)) {
+      result.push_back({std::move(volume), 3});
+    }
+    set = without_volumes(whole, context);
+  }
   const Owners owners(set.complex());
   const std::vector<SpaceItem> parts = owners.owners();
-  std::vector<SetPart> result;
   for (const SpaceItem owner : parts) {
     context.checkpoint("taking parts", result.size(), parts.size());
     const int dimension = static_cast<int>(owner.kind());

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "plumb/convex/wall_sector.h"
+#include "plumb/convex/convexity.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/rounding.h"
 
@@ -34,9 +34,11 @@ bool normalise(VerticalDirection& v) {
 
 class DirectionChoice {
  public:
-  explicit DirectionChoice(const SpaceComplex& complex) : c_(complex) { find_reflex_edges(); }
+  DirectionChoice(const SpaceComplex& complex, Context& context) : c_(complex), context_(context) {
+    find_reflex_edges();
+  }
 
-  VerticalDirection run() {
+  VerticalChoice run() {
     std::vector<VerticalDirection> candidates{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
     add_shared(edge_directions(), candidates);
     add_shared(normals(), candidates);
@@ -48,20 +50,14 @@ class DirectionChoice {
       least = pieces;
       best = i;
     }
-    return candidates[best];
+    return {candidates[best], least};
   }
 
  private:
   using Counts = std::map<VerticalDirection, std::size_t>;
 
   void find_reflex_edges() {
-    const SectorTest test(c_);
-    std::vector<Sector> sectors;
-    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
-      sectors_of(c_, EdgeId(e), sectors);
-      const auto is_reflex = [&](const Sector& s) { return test.is_reflex(s); };
-      if (std::any_of(sectors.begin(), sectors.end(), is_reflex)) edges_.push_back(EdgeId(e));
-    }
+    edges_ = reflex_edges(c_);
     if (edges_.size() <= kMaxEdges) return;
     std::vector<EdgeId> sample;
     for (std::size_t i = 0; i < kMaxEdges; ++i) {
@@ -139,6 +135,7 @@ class DirectionChoice {
       shadows.push_back({shadow(c_.origin[h]), shadow(c_.origin[h + 1])});
     }
     for (std::size_t i = 0; i < shadows.size(); ++i) {
+      if (i % 64 == 0) context_.checkpoint("choosing a vertical", i, shadows.size());
       for (std::size_t j = 0; j < i; ++j) pieces += cross(shadows[i], shadows[j]) ? 1 : 0;
     }
     return pieces;
@@ -161,13 +158,14 @@ class DirectionChoice {
   }
 
   const SpaceComplex& c_;
+  Context& context_;
   std::vector<EdgeId> edges_;
 };
 
 }  // namespace
 
-VerticalDirection choose_vertical(const SpaceComplex& complex) {
-  return DirectionChoice(complex).run();
+VerticalChoice choose_vertical(const SpaceComplex& complex, Context& context) {
+  return DirectionChoice(complex, context).run();
 }
 
 }  // namespace plumb

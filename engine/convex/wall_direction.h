@@ -9,6 +9,10 @@ namespace plumb {
 /// cut: an edge that is not vertical makes a wall, and two more pieces for each other such edge whose
 /// shadow its own crosses; a vertical edge makes one. Shadows are compared in doubles: nothing but the number
 /// of pieces depends on it. O(r^2) for r reflex edges (of more than 1500 a sample).
-VerticalDirection choose_vertical(const SpaceComplex& complex);
+struct VerticalChoice {
+  VerticalDirection up;
+  double pieces = 0;  ///< expected
+};
+VerticalChoice choose_vertical(const SpaceComplex& complex, Context& context);
 
 }  // namespace plumb

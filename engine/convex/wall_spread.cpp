@@ -316,9 +316,11 @@ std::vector<WallPolygon> spread_walls(const SpaceComplex& complex, SpaceTables& 
   const auto facets = facets_by_volume(complex);
   std::vector<WallPolygon> walls;
   for (std::uint32_t v = 0; v < complex.volume_count(); ++v) {
-    context.checkpoint("walls", v, complex.volume_count());
     Cell cell(complex, tables, vertical, VolumeId(v), facets.of(v));
-    for (const Sector& s : sectors.of(v)) cell.spread_from(s, walls);
+    for (const Sector& s : sectors.of(v)) {
+      context.checkpoint("walls", v, complex.volume_count());
+      cell.spread_from(s, walls);
+    }
   }
   return walls;
 }

@@ -5,6 +5,7 @@
 
 #include "plumb/base/error.h"
 #include "plumb/convex/convexity.h"
+#include "plumb/convex/merge_sets.h"
 #include "plumb/convex/vertical.h"
 #include "plumb/convex/wall_complex.h"
 #include "plumb/convex/wall_direction.h"
@@ -50,23 +51,50 @@ void mark_walls(SpaceComplex& complex) {
   }
 }
 
+/// None: reflex edges are left after many rounds.
+std::optional<SpaceComplex> subdivided(SpaceComplex complex, const VerticalDirection& up,
+                                       Context& context) {
+  // Once, but where a cell winds around and lies above itself: then walls may have ended too early.
+  for (int round = 0; has_reflex_items(complex); ++round) {
+    if (round == kMaxRounds) return std::nullopt;
+    complex = after(sight_walls, std::move(complex), up, context);
+    complex = after(spread_walls, std::move(complex), up, context);
+  }
+  mark_walls(complex);
+  return complex;
+}
+
 }  // namespace
 
 SpaceComplex wall_subdivision(const Nef3& set, const std::optional<VerticalDirection>& up,
                               Context& context) {
   if (!set.is_bounded()) throw Error(ErrorCode::BadArgument, "vertical walls need a bounded set");
-  SpaceComplex complex = set.complex();
-  const VerticalDirection chosen = up ? *up : choose_vertical(complex);
-  // Once, but where a cell winds around and lies above itself: then walls may have ended too early.
-  for (int round = 0; has_reflex_items(complex); ++round) {
-    if (round == kMaxRounds) {
-      throw Error(ErrorCode::ResourceLimit, "vertical walls leave reflex edges after 64 rounds");
-    }
-    complex = after(sight_walls, std::move(complex), chosen, context);
-    complex = after(spread_walls, std::move(complex), chosen, context);
+  const VerticalDirection chosen = up ? *up : choose_vertical(set.complex(), context).up;
+  std::optional<SpaceComplex> complex = subdivided(set.complex(), chosen, context);
+  if (!complex) {
+    throw Error(ErrorCode::ResourceLimit, "vertical walls leave reflex edges after 64 rounds");
   }
-  mark_walls(complex);
-  return complex;
+  return *std::move(complex);
+}
+
+std::vector<Nef3> fewer_pieces_by_walls(const Nef3& volume, std::size_t most, Context& context) {
+  constexpr std::size_t kFew = 12;     // reflex edges: walls cost next to nothing
+  constexpr double kOverrated = 1.25;  // how far the number expected may be too great
+  const SpaceComplex& c = volume.complex();
+  if (most < 3 || !volume.is_bounded()) return {};
+  const VerticalChoice choice = choose_vertical(c, context);
+  if (choice.pieces > kOverrated * static_cast<double>(most) ||
+      (reflex_edges(c).size() > kFew && choice.pieces > static_cast<double>(most) / kOverrated)) {
+    return {};
+  }
+  const std::optional<SpaceComplex> cut = subdivided(c, choice.up, context);
+  if (!cut) return {};
+  const auto count = static_cast<double>(std::ranges::count(cut->volume_mark, Mark{1}));
+  if (count > kOverrated * static_cast<double>(most)) return {};
+  std::vector<Nef3> pieces = volumes_as_sets(*cut, context);
+  merge_sets(pieces, context);
+  if (pieces.size() >= most) pieces.clear();
+  return pieces;
 }
 
 ConvexPieces decompose_by_walls(const Nef3& set, const DecomposeOptions& options,

@@ -22,7 +22,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/convex/decompose.h"
@@ -34,6 +36,10 @@ namespace plumb {
 
 /// decompose() with method Walls. "Vertical" is the direction that gives the fewest pieces.
 ConvexPieces decompose_by_walls(const Nef3& set, const DecomposeOptions& options, Context& context);
+
+/// The pieces of one bounded volume, merged with neighbours, where walls make fewer than `most`; else none, as where that is
+/// not to be expected by choose_vertical(): this is known after O(r^2) steps for r reflex edges.
+std::vector<Nef3> fewer_pieces_by_walls(const Nef3& volume, std::size_t most, Context& context);
 
 /// A direction that is not zero.
 using VerticalDirection = std::array<Integer, 3>;

@@ -27,8 +27,12 @@ std::string crossing_blocks() {
       points += std::to_string(i & 1 ? x : -x) + " " + std::to_string(i & 2 ? y : -y) + " " +
                 std::to_string(i & 4 ? z : -z) + "\n";
     }
-    for (const auto& face : {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3},
-                             {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+    for (const auto& face : {std::array{0, 2, 3, 1},
+                             {4, 5, 7, 6},
+                             {0, 1, 5, 4},
+                             {2, 6, 7, 3},
+                             {0, 4, 6, 2},
+                             {1, 3, 7, 5}}) {
       faces += "4";
       for (const int corner : face) faces += " " + std::to_string(first + corner);
       faces += "\n";
@@ -74,7 +78,7 @@ TEST(ConvexProgram, decompose_removes_pieces_of_an_earlier_run_alone) {
   const fs::path directory = scratch / "pieces";
   fs::create_directories(directory);
   const std::vector<std::string> old{"piece_0003.off", "piece_12345.nef"};
-  const std::vector<std::string> others{"piece_3.off", "piece_00003.off", "piece_0003.txt",
+  const std::vector<std::string> others{"piece_3.off",     "piece_00003.off", "piece_0003.txt",
                                         "piece_0003.off~", "apiece_0003.off", "notes"};
   for (const auto* names : {&old, &others}) {
     for (const std::string& name : *names) write_file(directory / name, name);

@@ -14,6 +14,7 @@
 #include "oracle/pieces_check.h"
 #include "plumb/base/error.h"
 #include "plumb/convex/decompose.h"
+#include "plumb/convex/volume_sum.h"
 #include "plumb/io/solid_io.h"
 
 namespace plumb::testing {
@@ -181,6 +182,30 @@ TEST(Decompose, CutsVoidsAndHoles) {
   expect_pieces(block - small + solid(box_mesh({3.5, 3.5, 3.5}, {4, 4, 4})), "a block in a void");
 }
 
+// Touching volumes, each with a void; what they share belongs to one.
+TEST(Decompose, TakesSetsOfManyVolumes) {
+  Nef3 set;
+  for (int i = 0; i < 3; ++i) {
+    const double x = 4 * i;
+    set += solid(box_mesh({x, x, 0}, {x + 4, x + 4, 4})) -
+           solid(box_mesh({x + 1, x + 1, 1}, {x + 2, x + 2, 2}));
+  }
+  expect_pieces(set, "blocks on edges");
+  expect_pieces(set.interior() + Nef3::segment({0, 0, 4}, {12, 12, 4}), "open blocks, a bar");
+  EXPECT_EQ(piece_count(set, kBest), 18U);
+}
+
+// Planes that cut off a tip at a time need more pieces than walls along the bars.
+TEST(Decompose, TakesTheFewerPieces) {
+  for (std::uint64_t seed = 0; seed < 12 && !HasFailure(); ++seed) {
+    Dice dice(seed);
+    const Nef3 set = solid(voxel_mesh(random_voxels(dice, {3, 3, 2}, 6)));
+    const std::size_t best = piece_count(set, kBest);
+    EXPECT_LE(best, piece_count(set, kCuts)) << seed;
+    EXPECT_LE(best, piece_count(set, {DecomposeMethod::Walls, false})) << seed;
+  }
+}
+
 // ---------------------------------------------------------------- any set
 
 TEST(Decompose, TakesAnySet) {
@@ -219,6 +244,21 @@ TEST(Decompose, TakesRandomSets) {
     const auto set = space_set_of_program(random_space_program(dice, values, records), 9);
     expect_pieces(to_nef(*set), "seed " + std::to_string(seed));
   }
+}
+
+TEST(VolumeSum, SeesWhatIsMissing) {
+  Context context;
+  const Nef3 set = solid(comb_block(2, 3));
+  std::vector<Nef3> pieces = decompose(set, kBest, context).pieces;
+  EXPECT_EQ(do_volumes_add_up(set, pieces, context), true);
+  EXPECT_EQ(do_volumes_add_up(!set, pieces, context), std::nullopt);
+  EXPECT_EQ(do_volumes_add_up(set - Nef3::plane({1, 0, 0, 0}), pieces, context), true);
+  const Nef3 last = pieces.back();
+  pieces.pop_back();
+  EXPECT_EQ(do_volumes_add_up(set, pieces, context), false);
+  pieces.push_back(last);
+  pieces.push_back(last);
+  EXPECT_EQ(do_volumes_add_up(set, pieces, context), false);
 }
 
 TEST(Decompose, CanBeStopped) {

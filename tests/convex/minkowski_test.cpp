@@ -297,9 +297,10 @@ TEST(MinkowskiSum, KeepsSlitsOfFacets) {
   const std::vector<RationalPoint3> bent{{Rational(1, 2), 1, 2}, {1, 1, 2}, {1, Rational(3, 2), 2}};
   const std::vector<RationalPoint3> square{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
   const Nef3 slit = Nef3::segment({Rational(1, 2), 1, 2}, {Rational(3, 2), 1, 2});
-  const std::vector<Nef3> sets{
-      cube - slit, cube - Nef3::polyline(bent, context), cube - Nef3::segment({0, 1, 2}, {1, 1, 2}),
-      Nef3::facet(square) - Nef3::segment({1, 1, 0}, {2, 1, 0}), cube - slit - Nef3::point({1, 1, 0})};
+  const std::vector<Nef3> sets{cube - slit, cube - Nef3::polyline(bent, context),
+                               cube - Nef3::segment({0, 1, 2}, {1, 1, 2}),
+                               Nef3::facet(square) - Nef3::segment({1, 1, 0}, {2, 1, 0}),
+                               cube - slit - Nef3::point({1, 1, 0})};
   for (const Nef3& set : sets) {
     EXPECT_EQ(sum(set, Nef3::point({0, 0, 0})), set);
     EXPECT_EQ(sum(set, Nef3::point({1, 2, 3})), translated(set, {1, 2, 3}));

@@ -1,0 +1,22 @@
+// Neighbours whose union is convex become one set: what merge_pieces() is to pieces of one surface.
+//
+// Main flow of merge_sets():
+//  1. match   facets of two sets, on either side of one polygon, by the fingerprints of their corners
+//  2. test    are the corners of each behind all other facets of the other? Then the union, which says the rest:
+//             that its interior is convex
+//  3. repeat  with the facets of what was merged
+//
+// Cost: O(n log n), the product of both sizes for each pair, and a small Boolean for each that passes.
+#pragma once
+
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/space/nef3.h"
+
+namespace plumb {
+
+/// Requires convex pieces (decompose.h). Of bounded ones with a volume; merged ones take the place of the first.
+void merge_sets(std::vector<Nef3>& pieces, Context& context);
+
+}  // namespace plumb
