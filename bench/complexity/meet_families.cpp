@@ -1,19 +1,11 @@
-// How the time to find contacts grows with the size of two spheres of triangles in several positions.
-//
-//   meet_families [--depth D] [--limit X]
-//
-// prints for each position the time at every size up to 20 * 4^D triangles each and the fitted
-// exponent; exits 1 if one is above the limit.
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
+// How finding contacts grows with two spheres of triangles in several positions (growth.h says how it is measured).
 #include <cmath>
+#include <memory>
 
-#include "cpu_time.h"
 #include "generate/meshes.h"
+#include "growth.h"
 #include "plumb/space/from_mesh.h"
 #include "plumb/space/meet.h"
-#include "power_fit.h"
 
 namespace plumb::bench {
 namespace {
@@ -51,7 +43,7 @@ struct Position {
   PolygonMesh (*second)(const PolygonMesh&);
 };
 constexpr Position kPositions[] = {
-    {"a third apart",
+    {"a-third-apart",
      [](const PolygonMesh& m) {
        return testing::moved(m, {0.21, 0.16, 0.19});
      }},
@@ -59,62 +51,38 @@ constexpr Position kPositions[] = {
      [](const PolygonMesh& m) {
        return testing::moved(m, {1.2, 1.2, 1.2});
      }},
-    {"the same", [](const PolygonMesh& m) { return m; }},
-    {"turned by 1e-12", [](const PolygonMesh& m) { return turned(m, 1e-12); }},
-    {"turned by 0.5", [](const PolygonMesh& m) { return turned(m, 0.5); }},
+    {"the-same", [](const PolygonMesh& m) { return m; }},
+    {"turned-by-1e-12", [](const PolygonMesh& m) { return turned(m, 1e-12); }},
+    {"turned-by-0.5", [](const PolygonMesh& m) { return turned(m, 0.5); }},
 };
 
-struct Result {
-  double seconds;
-  std::size_t contacts;
-};
-
-/// The points of earlier runs stay in the table: they are not read again.
-Result measure(const Operands& o) {
-  Result result{};
-  result.seconds = least_seconds([&] {
+Work meeting(const Position& position, std::size_t depth) {
+  const PolygonMesh mesh = testing::icosphere_mesh(static_cast<int>(depth), 1, {0, 0, 0});
+  const auto pair = std::make_shared<const Operands>(operands(mesh, position.second(mesh)));
+  return measured(static_cast<double>(mesh.face_count()), [pair] {
     Context context;
-    const double start = cpu_seconds();
-    result.contacts = meet(o.a, o.b, *o.tables, context).size();
-    return cpu_seconds() - start;
+    return meet(pair->a, pair->b, *pair->tables, context);
   });
-  return result;
 }
 
-PowerFit measure(const Position& position, int depth) {
-  std::vector<Sample> samples;
-  for (int d = depth - 2; d <= depth; ++d) {
-    const PolygonMesh mesh = testing::icosphere_mesh(d, 1, {0, 0, 0});
-    const Result r = measure(operands(mesh, position.second(mesh)));
-    const auto size = static_cast<double>(mesh.face_count());
-    samples.push_back({size, r.seconds});
-    fmt::print("{:16} 2 x {:7.0f} facets {:8} contacts {:9.2f} ms {:8.1f} ns a facet\n",
-               position.name, size, r.contacts, 1e3 * r.seconds, 5e8 * r.seconds / size);
-  }
-  return fit_power(samples);
-}
-
-int run(int depth, double limit) {
-  bool within = true;
+std::vector<Family> families() {
+  std::vector<Family> result;
   for (const Position& position : kPositions) {
-    const PowerFit fit = measure(position, depth);
-    fmt::print("{:16} time ~ facets^{:.3f}{}\n\n", position.name, fit.slope,
-               fit.slope > limit ? "  ABOVE THE LIMIT" : "");
-    within = within && fit.slope <= limit;
+    result.push_back({position.name,
+                      "contacts of two spheres, O((n + k) log n)",
+                      "facets",
+                      {1, 1},
+                      {3, 4, 5, 6},
+                      [&position](std::size_t depth) { return meeting(position, depth); },
+                      1.15});
   }
-  return within ? 0 : 1;
+  return result;
 }
 
 }  // namespace
 }  // namespace plumb::bench
 
 int main(int argc, char** argv) {
-  CLI::App app{"Growth of meet"};
-  int depth = 6;
-  double limit = 1.15;
-  app.add_option("--depth", depth, "how often the largest sphere is subdivided")
-      ->check(CLI::Range(3, 8));
-  app.add_option("--limit", limit, "largest exponent allowed");
-  CLI11_PARSE(app, argc, argv);
-  return plumb::bench::run(depth, limit);
+  return plumb::bench::growth_main("Growth of the meeting of two meshes", plumb::bench::families(),
+                                   argc, argv);
 }

@@ -1,0 +1,66 @@
+// How what an operation costs grows with its input, held against the bound that is claimed for it.
+//
+// Main flow of a program of families, growth_main():
+//  1. of every family and size, prepare() makes the input and returns the work
+//  2. the work runs until it has taken long enough, several times over; a Meter counts each run
+//  3. time, instructions, allocations and bytes are each divided by the logarithms of the bound; what is left is
+//     fitted as a power of the size
+//  4. a table on stdout, on wish JSON; exit status 1 when a power is above the bound's by more than 0.15
+// Instructions and allocations are the same on a busy machine; time is not, and feels the caches. --work leaves it
+// out of the verdict.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "meter.h"
+
+namespace plumb::bench {
+
+/// size^power * log(size)^logs.
+struct Bound {
+  double power = 1;
+  int logs = 0;
+};
+
+struct Work {
+  double size;  ///< what the bound speaks of
+  std::function<void(Meter&)> run;
+};
+
+struct Family {
+  std::string_view name;
+  std::string_view claim;  ///< the operation, and where the claim comes from
+  std::string_view unit;   ///< of sizes
+  Bound bound;
+  std::vector<std::size_t> sizes;  ///< what prepare() is given: at least three, ascending
+  std::function<Work(std::size_t size)> prepare;
+  double goal =
+      0;  ///< most that the power of time alone, logarithms and all, is to be; 0: none is set
+};
+
+/// Counts all of a work.
+template <class Once>
+Work measured(double size, Once once) {
+  return {size, [once = std::move(once)](Meter& meter) {
+            meter.start();
+            {
+              const auto result = once();  // destroyed within
+              static_cast<void>(result);
+            }
+            meter.stop();
+          }};
+}
+
+/// From `least` to `most`, each `factor` times the one before.
+std::vector<std::size_t> sizes_between(double least, double most,
+                                       double factor = 3.1622776601683795);
+
+/// The whole program: [--most PERCENT] [--work] [--slack X] [--json FILE] [FAMILY...]. --most: no sizes above that share of
+/// the largest, but three at least. --slack: added to the bounds and goals.
+int growth_main(std::string_view title, std::span<const Family> families, int argc, char** argv);
+
+}  // namespace plumb::bench

@@ -1,0 +1,90 @@
+#include "meter.h"
+
+#include <linux/perf_event.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "cpu_time.h"
+
+namespace {
+
+// One thread works in these programs.
+std::uint64_t allocations = 0;
+std::uint64_t allocated_bytes = 0;
+
+void* allocate(std::size_t bytes, std::size_t alignment) {
+  ++allocations;
+  allocated_bytes += bytes;
+  void* const block =
+      alignment <= __STDCPP_DEFAULT_NEW_ALIGNMENT__
+          ? std::malloc(bytes == 0 ? 1 : bytes)
+          : std::aligned_alloc(alignment, (bytes + alignment) / alignment * alignment);
+  if (block == nullptr) throw std::bad_alloc();
+  return block;
+}
+
+}  // namespace
+
+// The other forms of the standard library call these.
+void* operator new(std::size_t bytes) { return allocate(bytes, 1); }
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+  return allocate(bytes, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* block) noexcept { std::free(block); }
+void operator delete(void* block, std::align_val_t) noexcept { std::free(block); }
+void operator delete(void* block, std::size_t) noexcept { std::free(block); }
+void operator delete(void* block, std::size_t, std::align_val_t) noexcept { std::free(block); }
+
+namespace plumb::bench {
+
+Meter::Meter() {
+  perf_event_attr attributes{};
+  attributes.size = sizeof(attributes);
+  attributes.type = PERF_TYPE_HARDWARE;
+  attributes.config = PERF_COUNT_HW_INSTRUCTIONS;
+  attributes.exclude_kernel = 1;
+  attributes.exclude_hv = 1;
+  counter_ = static_cast<int>(syscall(SYS_perf_event_open, &attributes, 0, -1, -1, 0));
+  if (counter_ >= 0 &&
+      instructions_now() == 0) {  // it is there and counts nothing: some virtual machines
+    close(counter_);
+    counter_ = -1;
+  }
+}
+
+Meter::~Meter() {
+  if (counter_ >= 0) close(counter_);
+}
+
+std::uint64_t Meter::instructions_now() const {
+  std::uint64_t count = 0;
+  if (counter_ < 0 || read(counter_, &count, sizeof(count)) != sizeof(count)) return 0;
+  return count;
+}
+
+void Meter::start() {
+  begin_.allocations = static_cast<double>(allocations);
+  begin_.bytes = static_cast<double>(allocated_bytes);
+  begin_.seconds = cpu_seconds();
+  begin_.instructions = static_cast<double>(instructions_now());
+}
+
+void Meter::stop() {
+  const auto instructions = static_cast<double>(instructions_now());
+  const double seconds = cpu_seconds();
+  sum_.instructions += instructions - begin_.instructions;
+  sum_.seconds += seconds - begin_.seconds;
+  sum_.allocations += static_cast<double>(allocations) - begin_.allocations;
+  sum_.bytes += static_cast<double>(allocated_bytes) - begin_.bytes;
+}
+
+Cost Meter::take() {
+  const Cost cost = sum_;
+  sum_ = {};
+  return cost;
+}
+
+}  // namespace plumb::bench
