@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "plumb/sphere/sphere_boxes.h"
+#include "plumb/sphere/sphere_bounds.h"
 
 namespace plumb {
 
@@ -76,16 +76,17 @@ void SphereContacts::make_tables() {
 }
 
 void SphereContacts::find_pairs() {
-  for (std::size_t k = 0; k < 2; ++k) boxes_of(*planes_, *map_[k], boxes_[k]);
   for (std::vector<Pair>& pairs : pairs_) pairs.clear();
   const auto points_a = static_cast<std::uint32_t>(map_[0]->point_count());
   const auto points_b = static_cast<std::uint32_t>(map_[1]->point_count());
-  const BoxTree a(boxes_[0]);
-  const BoxTree b(boxes_[1]);
-  BoxTree::for_each_pair(a, b, [&](std::uint32_t i, std::uint32_t j) {
-    const std::size_t kind = (i < points_a ? 0U : 2U) + (j < points_b ? 0U : 1U);
-    pairs_[kind].push_back({i < points_a ? i : i - points_a, j < points_b ? j : j - points_b});
-  });
+  const SphereBoundTree tree(bounds_of(*planes_, *map_[1]));
+  const std::vector<SphereBound> bounds = bounds_of(*planes_, *map_[0]);
+  for (std::uint32_t i = 0; i < bounds.size(); ++i) {
+    tree.for_each_meeting(bounds[i], [&](std::uint32_t j) {
+      const std::size_t kind = (i < points_a ? 0U : 2U) + (j < points_b ? 0U : 1U);
+      pairs_[kind].push_back({i < points_a ? i : i - points_a, j < points_b ? j : j - points_b});
+    });
+  }
   for (std::vector<Pair>& pairs : pairs_) std::sort(pairs.begin(), pairs.end());
 }
 

@@ -3,7 +3,8 @@
 // Main flow of find():
 //  1. make_tables    small maps: each point of one map against each circle of the other; these are the
 //                    only det3 of the phase but those that order points within one half-circle
-//     find_pairs     large maps: pairs of items whose boxes meet; signs are then asked one by one
+//     find_pairs     large maps: pairs of items whose bounds meet (sphere_bounds.h); signs are then asked
+//                    one by one
 //  2. join_points    equal points of both maps become one
 //  3. add_points_on  points of one map strictly inside arcs of the other
 //  4. add_crossings  arcs of different circles: both must hold the same one of the two points of
@@ -16,7 +17,6 @@
 #include <utility>
 #include <vector>
 
-#include "plumb/base/box_tree.h"
 #include "plumb/sphere/sphere_arcs.h"
 
 namespace plumb {
@@ -77,8 +77,7 @@ class SphereContacts {
   bool is_tabled_ = false;
   std::array<std::vector<Sign>, 2> sides_;              // points of k x circles of the other
   std::array<std::vector<ArcCrossings>, 2> crossings_;  // arcs of k x circles of the other
-  std::array<std::vector<Box3>, 2> boxes_;
-  std::array<std::vector<Pair>, 4> pairs_;  // per PairKind
+  std::array<std::vector<Pair>, 4> pairs_;              // per PairKind
 };
 
 }  // namespace plumb
