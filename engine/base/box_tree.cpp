@@ -169,9 +169,12 @@ struct Span {
   double last;
 };
 
-/// t * factor >= bound. What a rounding may have taken is given back.
+/// The bound, less what a rounding may have added.
+double loosened(double bound) { return bound - (std::fabs(bound) * kSlack + kTiny); }
+
+/// t * factor >= bound.
 void keep_at_least(Span& t, double factor, double bound) {
-  const double loose = bound - (std::fabs(bound) * kSlack + kTiny);
+  const double loose = loosened(bound);
   if (factor > 0) {
     if (loose > 0) t.first = std::max(t.first, loose / factor * (1 - kSlack) - kTiny);
   } else if (loose > 0) {
@@ -183,9 +186,20 @@ void keep_at_least(Span& t, double factor, double bound) {
 
 }  // namespace
 
+// Axes along which the rays do not run come first: no division, and most boxes end there.
 bool can_enter(const BoxRay& ray, const Box3& box, double limit, double& entry) {
   Span t{0, limit};
+  const auto is_still = [&](std::size_t i) {
+    return ray.direction.low[i] == 0 && ray.direction.high[i] == 0;
+  };
   for (std::size_t i = 0; i < 3; ++i) {
+    if (is_still(i) && (loosened(box.low[i] - ray.origin.high[i]) > 0 ||
+                        loosened(ray.origin.low[i] - box.high[i]) > 0)) {
+      return false;
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (is_still(i)) continue;
     keep_at_least(t, ray.direction.high[i], box.low[i] - ray.origin.high[i]);
     keep_at_least(t, -ray.direction.low[i], ray.origin.low[i] - box.high[i]);
   }
