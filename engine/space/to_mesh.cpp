@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/predicates/rounding.h"
+#include "plumb/predicates/rounded_point3.h"
 #include "plumb/space/facet_triangles.h"
 
 namespace plumb {
@@ -237,19 +237,11 @@ class MeshMaker {
     out_.mesh.points.reserve(vertex_.size());
     for (std::uint32_t i = 0; i < vertex_.size(); ++i) {
       const SpacePoint p = complex_.vertex_point[vertex_[i].value()];
-      if (p.is_input()) {
-        out_.mesh.points.push_back(complex_.planes().point(p.input()));
-      } else {
-        add_rounded(i, exact(complex_.points(), p));
+      const RoundedPoint3 nearest = rounded(complex_.points(), p);
+      out_.mesh.points.push_back(nearest.at);
+      if (options_.keeps_exact && !nearest.is_exact) {
+        out_.mesh.exact.emplace_back(i, exact(complex_.points(), p));
       }
-    }
-  }
-  void add_rounded(std::uint32_t i, RationalPoint3 p) {
-    const RoundedDouble x = round_to_double(p.x), y = round_to_double(p.y),
-                        z = round_to_double(p.z);
-    out_.mesh.points.push_back({x.value, y.value, z.value});
-    if (x.error != Sign::Zero || y.error != Sign::Zero || z.error != Sign::Zero) {
-      out_.mesh.exact.emplace_back(i, std::move(p));
     }
   }
 

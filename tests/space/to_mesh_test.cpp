@@ -6,7 +6,9 @@
 #include <algorithm>
 
 #include "generate/meshes.h"
+#include "plumb/predicates/rounding.h"
 #include "plumb/space/from_mesh.h"
+#include "plumb/space/nef3.h"
 #include "plumb/space/rounded_mesh.h"
 #include "plumb/space/volumes.h"
 #include "space/complex_links.h"
@@ -248,6 +250,29 @@ TEST(ToMesh, CoordinatesAreRoundedAndKept) {
     EXPECT_EQ(enclosed_volume(again.complex, again.jump), 6 * Rational(1) / 1000);
     EXPECT_TRUE(rounding_of(out.mesh).is_sound());
     EXPECT_EQ(rounding_of(out.mesh).rounded_vertices, 7U);
+  }
+}
+
+// Small and large numbers, both signs: rounding does not need lowest terms.
+TEST(ToMesh, CoordinatesAreRoundedTheSameWithoutExactOnes) {
+  for (const double unit : {1.0, -1.0 / 3, 1e100, -1e-100, 1e-280}) {
+    const auto ball = [&](Point3 centre) {
+      Context context;
+      PolygonMesh mesh = icosphere_mesh(1, unit, centre);
+      return Nef3::mesh(unit < 0 ? reversed(mesh) : mesh, WindingRule::Positive, context);
+    };
+    const Nef3 both = ball({0, 0, 0}) - ball({0.3 * unit, -0.2 * unit, unit / 7});
+    ToMeshOptions options;
+    const PolygonMesh kept = mesh_of(both.complex(), options).mesh;
+    options.keeps_exact = false;
+    const PolygonMesh rounded = mesh_of(both.complex(), options).mesh;
+    EXPECT_EQ(rounded.points, kept.points);
+    EXPECT_TRUE(rounded.exact.empty());
+    EXPECT_FALSE(kept.exact.empty());
+    for (const auto& [i, p] : kept.exact) {
+      EXPECT_EQ(kept.points[i],
+                (Point3{nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)}));
+    }
   }
 }
 
