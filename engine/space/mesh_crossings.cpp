@@ -8,9 +8,14 @@
 #include "plumb/predicates/rational_predicates.h"
 #include "plumb/space/box_frame.h"
 #include "plumb/space/facet_triangles.h"
+#include "plumb/space/mesh_fans.h"
+#include "plumb/space/packed_boxes.h"
+#include "plumb/space/space_boxes.h"
 
 namespace plumb {
 namespace {
+
+using FacetPairs = std::vector<std::pair<FacetId, FacetId>>;
 
 struct Corner {
   VertexId vertex;
@@ -21,6 +26,7 @@ struct Triangle {
   std::array<Corner, 3> corner;
   PlaneId plane;
   FacetId facet;
+  std::uint8_t fans;       ///< bit i: corner i has a fan (mesh_fans.h)
   std::uint8_t diagonals;  ///< bit i: the side from corner i to the next is no edge of the facet
 
   bool is_diagonal(std::size_t i) const { return (diagonals >> i & 1U) != 0; }
@@ -80,6 +86,19 @@ struct Common {
   std::array<std::size_t, 2> of_second{};
 };
 
+/// Bit i: corner i of s is one of t's. Most pairs need no more.
+unsigned shared_corners(const Triangle& s, const Triangle& t) {
+  unsigned shared = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const VertexId v = s.corner[i].vertex;
+    const unsigned is_shared = static_cast<unsigned>(v == t.corner[0].vertex) |
+                               static_cast<unsigned>(v == t.corner[1].vertex) |
+                               static_cast<unsigned>(v == t.corner[2].vertex);
+    shared |= is_shared << i;
+  }
+  return shared;
+}
+
 Common common_corners(const Triangle& s, const Triangle& t) {
   Common common;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -101,10 +120,11 @@ class PairTest {
 
   /// Have triangles of different facets a common point that is in no common vertex or edge of the facets?
   bool operator()(const Triangle& s, const Triangle& t) const {
+    const unsigned shared = shared_corners(s, t);
+    if ((shared & s.fans) != 0) return false;
+    if (shared == 0) return s.plane == t.plane ? overlap_in_plane(s, t) : cross(s, t);
     const Common common = common_corners(s, t);
     switch (common.count) {
-      case 0:
-        return s.plane == t.plane ? overlap_in_plane(s, t) : cross(s, t);
       case 1:
         return meet_at_corner(s, common.of_first[0], t, common.of_second[0]);
       case 2:
@@ -222,26 +242,46 @@ class CrossingSearch {
   CrossingSearch(const SpaceComplex& complex, Context& context)
       : complex_(complex), context_(context), memory_(context), test_(complex.points()) {}
 
-  std::vector<std::pair<FacetId, FacetId>> run() {
+  FacetPairs run() {
     memory_.add(kBytesPerCorner * complex_.use_count(), "boxes of triangles");
     gather_triangles();
-    const BoxTree tree(boxes_of_triangles());
-    tree.for_each_pair_inside([&](std::uint32_t i, std::uint32_t j) { visit(i, j); });
-    std::sort(found_.begin(), found_.end());
-    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
-    return std::move(found_);
+    const std::vector<Box3> boxes = boxes_of_triangles();
+    const PackedBoxTree packed(boxes);
+    FacetPairs found = packed.fits() ? crossings_in(packed) : crossings_in(BoxTree(boxes));
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
   }
 
  private:
   static constexpr std::uint64_t kBytesPerCorner = 100;
 
+  template <class Tree>
+  FacetPairs crossings_in(const Tree& tree) {
+    FacetPairs found;
+    std::uint64_t visited = 0;
+    tree.for_each_pair_inside([&](std::uint32_t i, std::uint32_t j) {
+      if (++visited % 4096 == 0) context_.checkpoint("crossings of the mesh with itself", 0, 0);
+      const Triangle &s = triangles_[i], &t = triangles_[j];
+      if (s.facet == t.facet || !test_(s, t)) return;
+      if (found.size() % 4096 == 0) memory_.add(4096 * sizeof(found[0]), "crossings of the mesh");
+      found.push_back(std::minmax(s.facet, t.facet));
+    });
+    return found;
+  }
+
   void gather_triangles() {
     triangles_.reserve(complex_.use_count());
     FacetTriangles facets(complex_);
+    const std::vector<std::uint8_t> has_fan = find_fans(complex_);
     for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
       facets.for_each(FacetId(f), [&](VertexId a, VertexId b, VertexId c) {
-        triangles_.push_back(
-            {{corner(a), corner(b), corner(c)}, complex_.facet_plane[f], FacetId(f), 0});
+        const auto fans = has_fan[a.value()] | has_fan[b.value()] << 1 | has_fan[c.value()] << 2;
+        triangles_.push_back({{corner(a), corner(b), corner(c)},
+                              complex_.facet_plane[f],
+                              FacetId(f),
+                              static_cast<std::uint8_t>(fans),
+                              0});
       });
       if (!is_triangle(FacetId(f))) mark_diagonals(FacetId(f));
     }
@@ -273,26 +313,24 @@ class CrossingSearch {
 
   /// Along the axes, or in a frame where fewer of them meet.
   std::vector<Box3> boxes_of_triangles() const {
-    std::vector<Box3> boxes = boxes_in(BoxFrame());
+    std::vector<Box3> boxes = boxes_by([&](VertexId v) { return box_of(complex_, v); });
     const double pairs = expected_pairs(boxes, boxes);
     if (!has_many_pairs(pairs, boxes.size())) return boxes;
-    std::vector<Box3> turned = boxes_in(BoxFrame::of_edges(std::array{&complex_}));
+    const BoxFrame frame = BoxFrame::of_edges(std::array{&complex_});
+    std::vector<Box3> turned = boxes_by([&](VertexId v) { return frame.box_of(complex_, v); });
     return is_better_frame(expected_pairs(turned, turned), pairs) ? turned : boxes;
   }
-  std::vector<Box3> boxes_in(const BoxFrame& frame) const {
-    std::vector<Box3> boxes(triangles_.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      for (const Corner& c : triangles_[i].corner) boxes[i].add(frame.box_of(complex_, c.vertex));
+  template <class BoxOf>
+  std::vector<Box3> boxes_by(const BoxOf& box_of_vertex) const {
+    std::vector<Box3> boxes;
+    boxes.reserve(triangles_.size());
+    for (const Triangle& t : triangles_) {
+      Box3 box = box_of_vertex(t.corner[0].vertex);
+      box.add(box_of_vertex(t.corner[1].vertex));
+      box.add(box_of_vertex(t.corner[2].vertex));
+      boxes.push_back(box);
     }
     return boxes;
-  }
-
-  void visit(std::uint32_t i, std::uint32_t j) {
-    if (++visited_ % 4096 == 0) context_.checkpoint("crossings of the mesh with itself", 0, 0);
-    const Triangle &s = triangles_[i], &t = triangles_[j];
-    if (s.facet == t.facet || !test_(s, t)) return;
-    if (found_.size() % 4096 == 0) memory_.add(4096 * sizeof(found_[0]), "crossings of the mesh");
-    found_.push_back(std::minmax(s.facet, t.facet));
   }
 
   const SpaceComplex& complex_;
@@ -301,8 +339,6 @@ class CrossingSearch {
   PairTest test_;
   std::vector<Triangle> triangles_;
   std::vector<std::pair<VertexId, VertexId>> boundary_;
-  std::vector<std::pair<FacetId, FacetId>> found_;
-  std::uint64_t visited_ = 0;
 };
 
 }  // namespace

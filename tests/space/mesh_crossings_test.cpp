@@ -10,6 +10,7 @@
 #include "oracle/facet_contacts.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/from_mesh.h"
+#include "plumb/space/packed_boxes.h"
 
 namespace plumb::testing {
 namespace {
@@ -115,6 +116,102 @@ TEST(MeshCrossings, BoxesAsBruteForce) {
     expect_as_brute_force(mesh);
   }
 }
+
+/// Triangles from the first point to the sides of the ring that the others are.
+PolygonMesh star(std::vector<Point3> points) {
+  std::vector<Face> faces;
+  const auto n = static_cast<std::uint32_t>(points.size());
+  for (std::uint32_t i = 1; i < n; ++i) faces.push_back({0, i, i + 1 < n ? i + 1 : 1});
+  return make_mesh(std::move(points), faces);
+}
+
+// Around a vertex triangles lie side by side, fold back, stand on edge, go around twice or not at all.
+TEST(MeshCrossings, StarsAsBruteForce) {
+  Dice dice(14);
+  for (int round = 0; round < 400; ++round) {
+    const std::size_t n = 3 + static_cast<std::size_t>(round) % 5;
+    std::vector<Point3> points{{1, 1, 1}};
+    while (points.size() <= n) {
+      const Point3 p = random_point(dice, 2, 1);
+      if (!std::ranges::count(points, p)) points.push_back(p);
+    }
+    SCOPED_TRACE(round);
+    expect_as_brute_force(star(points));
+  }
+}
+
+// Every step turns left, as in a fan, but they go around twice.
+TEST(MeshCrossings, AStarThatGoesAroundTwiceIsNoFan) {
+  const std::vector<Point3> ring{{4, 0, 0}, {-3, 2, 1}, {1, -4, 2}, {1, 4, 3}, {-3, -2, 4}};
+  std::vector<Point3> points{{0, 0, -5}};
+  points.insert(points.end(), ring.begin(), ring.end());
+  EXPECT_TRUE(made(star(points)).report.crosses_itself());
+  expect_as_brute_force(star(points));
+}
+
+// ---------------------------------------------------------------- packed boxes
+
+Box3 random_box(Dice& dice, double unit) {
+  Box3 box;
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.low[i] = unit * static_cast<double>(dice.between(-50, 50));
+    box.high[i] = box.low[i] + unit * static_cast<double>(dice.between(1, 20));
+  }
+  return box;
+}
+
+// Those that meet, each once; few others.
+TEST(PackedBoxTree, FindsThePairsThatMeet) {
+  Dice dice(15);
+  for (const double unit : {1.0, 0.1, 1e-200, 1e250}) {
+    for (const std::size_t n : {0, 1, 2, 3, 4, 5, 8, 9, 17, 100, 257}) {
+      SCOPED_TRACE(std::to_string(unit) + " " + std::to_string(n));
+      std::vector<Box3> boxes;
+      for (std::size_t i = 0; i < n; ++i) boxes.push_back(random_box(dice, unit));
+      const PackedBoxTree tree(boxes);
+      ASSERT_TRUE(tree.fits());
+      std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+      tree.for_each_pair_inside([&](std::uint32_t i, std::uint32_t j) {
+        found.emplace_back(std::min(i, j), std::max(i, j));
+      });
+      std::ranges::sort(found);
+      EXPECT_EQ(std::ranges::adjacent_find(found), found.end());
+      std::size_t meeting = 0;
+      for (std::uint32_t i = 0; i < n; ++i) {
+        for (std::uint32_t j = i + 1; j < n; ++j) {
+          if (!boxes[i].meets(boxes[j])) continue;
+          ++meeting;
+          EXPECT_TRUE(std::ranges::binary_search(found, std::pair(i, j)));
+        }
+      }
+      EXPECT_LE(found.size(), meeting + n);
+    }
+  }
+}
+
+TEST(PackedBoxTree, LeavesManyScalesToOthers) {
+  Dice dice(16);
+  std::vector<Box3> boxes;
+  for (int i = 0; i < 100; ++i) boxes.push_back(random_box(dice, 1e-9));
+  EXPECT_TRUE(PackedBoxTree(boxes).fits());
+  boxes.push_back(random_box(dice, 1e9));
+  EXPECT_FALSE(PackedBoxTree(boxes).fits());
+  boxes.back().high[1] = Box3::kInfinity;
+  EXPECT_FALSE(PackedBoxTree(boxes).fits());
+  boxes.assign(100, Box3{{1, 2, 3}, {1, 2, 3}});
+  EXPECT_FALSE(PackedBoxTree(boxes).fits());
+}
+
+// Small spheres far apart: the other tree.
+TEST(MeshCrossings, OfManyScales) {
+  PolygonMesh mesh =
+      joined(icosphere_mesh(1, 1e-12, {0, 0, 0}), icosphere_mesh(1, 1e-12, {1e-12, 0, 0}));
+  mesh = joined(mesh, icosphere_mesh(1, 1, {1e6, 0, 0}));
+  EXPECT_TRUE(made(mesh).report.crosses_itself());
+  expect_as_brute_force(mesh);
+}
+
+// ---------------------------------------------------------------- meshes
 
 struct Case {
   const char* name;
