@@ -1,0 +1,136 @@
+// Compares two files of bench/run: growth_compare OLD NEW
+//
+// Prints, for every family and size in both, what changed: allocations, their bytes and instructions by more than 2%, time by
+// more than 15% where its batches say so, too: a sign test of all batches of the family, every old one against the new one of
+// its place, at the 5% level. Exit status 1 when something has become worse, 2 when a file cannot be read.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+#include <exception>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+namespace plumb::bench {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kWorkTolerance = 0.02;
+constexpr double kTimeTolerance = 0.15;
+constexpr double kLevel = 0.05;
+
+/// Samples of every family, by size.
+using Samples = std::map<std::string, std::map<double, Json>>;
+
+Samples samples_of(const std::string& path) {
+  std::ifstream in(path);
+  const Json all = Json::parse(in);
+  Samples result;
+  for (const Json& program : all.at("programs")) {
+    for (const Json& family : program.at("families")) {
+      for (const Json& sample : family.at("samples")) {
+        const std::string name =
+            program.at("title").get<std::string>() + ": " + family.at("name").get<std::string>();
+        result[name][sample.at("size").get<double>()] = sample;
+      }
+    }
+  }
+  return result;
+}
+
+bool compare_work(const std::string& family, double size, const Json& before, const Json& after) {
+  bool is_well = true;
+  for (const char* const count : {"instructions", "allocations", "bytes"}) {
+    const double old_count = before.at(count), new_count = after.at(count);
+    if (old_count <= 0 || new_count <= 0) continue;
+    const double ratio = new_count / old_count;
+    if (std::fabs(ratio - 1) <= kWorkTolerance) continue;
+    fmt::print("{} {:.0f}: {} x {:.3f}\n", family, size, count, ratio);
+    if (ratio > 1) is_well = false;
+  }
+  return is_well;
+}
+
+/// Batches that became slower, and all of them that changed.
+struct Signs {
+  unsigned slower = 0;
+  unsigned all = 0;
+
+  void add(const Json& before, const Json& after) {
+    const std::size_t count = std::min(before.size(), after.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const double old_seconds = before[i], new_seconds = after[i];
+      if (old_seconds == new_seconds) continue;
+      ++all;
+      if (new_seconds > old_seconds) ++slower;
+    }
+  }
+  /// That as many or more would be slower by chance.
+  double chance() const {
+    if (slower == 0) return 1;
+    return boost::math::cdf(
+        boost::math::complement(boost::math::binomial(all, 0.5), static_cast<double>(slower) - 1));
+  }
+};
+
+bool compare(const std::string& family, const std::map<double, Json>& before,
+             const std::map<double, Json>& after) {
+  bool is_well = true;
+  Signs signs;
+  double logarithms = 0;
+  int sizes = 0;
+  for (const auto& [size, old_sample] : before) {
+    const auto found = after.find(size);
+    if (found == after.end()) continue;
+    if (!compare_work(family, size, old_sample, found->second)) is_well = false;
+    signs.add(old_sample.at("batches"), found->second.at("batches"));
+    logarithms += std::log(found->second.at("seconds").get<double>() /
+                           old_sample.at("seconds").get<double>());
+    ++sizes;
+  }
+  if (sizes == 0) return true;
+  const double ratio = std::exp(logarithms / sizes);
+  const bool is_slower = ratio > 1 + kTimeTolerance && signs.chance() < kLevel;
+  if (is_slower || ratio < 1 / (1 + kTimeTolerance)) {
+    fmt::print("{}: time x {:.3f}, {} of {} batches slower\n", family, ratio, signs.slower,
+               signs.all);
+  }
+  return is_well && !is_slower;
+}
+
+int run(const std::string& before, const std::string& after) {
+  const Samples old_samples = samples_of(before), new_samples = samples_of(after);
+  bool is_well = true;
+  std::size_t compared = 0;
+  for (const auto& [family, samples] : old_samples) {
+    const auto found = new_samples.find(family);
+    if (found == new_samples.end()) continue;
+    ++compared;
+    if (!compare(family, samples, found->second)) is_well = false;
+  }
+  fmt::print("{} families compared: {}\n", compared, is_well ? "none is worse" : "WORSE");
+  return is_well ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace plumb::bench
+
+int main(int argc, char** argv) {
+  CLI::App app{"What changed between two results of bench/run"};
+  std::string before, after;
+  app.add_option("old", before)->required();
+  app.add_option("new", after)->required();
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return plumb::bench::run(before, after);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "growth_compare: {}\n", error.what());
+    return 2;
+  }
+}
