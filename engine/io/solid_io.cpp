@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "plumb/io/gltf_reader.h"
 #include "plumb/io/input.h"
 #include "plumb/io/mesh_text.h"
 #include "plumb/io/obj_reader.h"
@@ -20,7 +21,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, MeshFormat>, 7> kNames{{
+constexpr std::array<std::pair<std::string_view, MeshFormat>, 9> kNames{{
     {"off", MeshFormat::Off},
     {"off-exact", MeshFormat::ExactOff},
     {"obj", MeshFormat::Obj},
@@ -28,6 +29,8 @@ constexpr std::array<std::pair<std::string_view, MeshFormat>, 7> kNames{{
     {"stl-binary", MeshFormat::StlBinary},
     {"ply", MeshFormat::Ply},
     {"ply-text", MeshFormat::PlyText},
+    {"gltf", MeshFormat::Gltf},
+    {"glb", MeshFormat::Gltf},
 }};
 
 /// The first word that is no comment.
@@ -64,6 +67,7 @@ std::optional<MeshFormat> mesh_format_of(const std::string& path) {
 MeshFormat guess_mesh_format(std::string_view bytes) {
   if (is_binary_stl(bytes)) return MeshFormat::Stl;
   const std::string_view word = first_word(bytes);
+  if (word.starts_with("glTF") || word.starts_with('{')) return MeshFormat::Gltf;
   if (word == "ply") return MeshFormat::Ply;
   if (word == "solid") return MeshFormat::Stl;
   return begins_off(word) ? MeshFormat::Off : MeshFormat::Obj;
@@ -80,18 +84,31 @@ MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions&
     case MeshFormat::Ply:
     case MeshFormat::PlyText:
       return read_ply(bytes, options, context);
+    case MeshFormat::Gltf:
+      return read_gltf(bytes, {}, options, context);
     default:
       return read_off(bytes, options, context);
   }
+}
+
+MeshFile read_mesh_of(const std::string& path, std::string_view bytes, const ReadOptions& options,
+                      Context& context) {
+  const MeshFormat format = mesh_format_of(path).value_or(guess_mesh_format(bytes));
+  if (format != MeshFormat::Gltf || path == "-") return read_mesh(bytes, format, options, context);
+  const auto load = [&](const std::string& name) {
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    return read_input(((folder.empty() ? std::filesystem::path(".") : folder) / name).string(),
+                      context);
+  };
+  return read_gltf(bytes, load, options, context);
 }
 
 MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> format,
                         ReadOptions options, Context& context) {
   options.name = input_name(path);
   const std::string bytes = read_input(path, context);
-  if (!format) format = mesh_format_of(path);
-  if (!format) format = guess_mesh_format(bytes);
-  MeshFile file = read_mesh(bytes, *format, options, context);
+  MeshFile file = format ? read_mesh(bytes, *format, options, context)
+                         : read_mesh_of(path, bytes, options, context);
   context.release_memory(bytes.size());
   return file;
 }

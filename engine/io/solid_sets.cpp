@@ -101,8 +101,7 @@ SolidRead read_solid(const std::string& path, const std::string& bytes,
                      const SolidReadOptions& options, Context& context) {
   const ReadOptions text{input_name(path), options.exact_decimals};
   if (is_nef_file(path, bytes)) return read_nef_set(bytes, text, context);
-  const std::optional<MeshFormat> format = mesh_format_of(path);
-  MeshFile file = read_mesh(bytes, format.value_or(guess_mesh_format(bytes)), text, context);
+  MeshFile file = read_mesh_of(path, bytes, text, context);
   MeshOptions mesh_options;
   mesh_options.surface = options.surface;
   MeshComplex mesh = complex_of_mesh(file.mesh, mesh_options, context);

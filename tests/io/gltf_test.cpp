@@ -1,0 +1,331 @@
+// glTF: known files in both containers, every layout, hostile files, and our own writer's.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "expect_refusals.h"
+#include "mesh_checks.h"
+#include "plumb/io/gltf_reader.h"
+#include "plumb/io/solid_io.h"
+#include "plumb/io/weld_vertices.h"
+#include "plumb/picture/base64.h"
+#include "plumb/picture/scene_glb.h"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::is_same;
+
+template <class Number>
+std::string bytes_of(const std::vector<Number>& numbers) {
+  std::string bytes(numbers.size() * sizeof(Number), '\0');
+  std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  return bytes;
+}
+
+/// A tetrahedron: 4 vertices of floats, then indices.
+const std::vector<float> kCorners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+const std::vector<int> kFaces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+
+struct Document {
+  Json json;
+  std::string buffer;
+};
+
+template <class Index>
+Document tetrahedron_document(int component) {
+  const std::string points = bytes_of(kCorners);
+  const std::string indices = bytes_of(std::vector<Index>(kFaces.begin(), kFaces.end()));
+  Document d;
+  d.buffer = points + indices;
+  d.json = Json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+    "nodes": [{"mesh": 0}], "buffers": [{}], "bufferViews": [{"buffer": 0}, {"buffer": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+                  {"bufferView": 1, "count": 12, "type": "SCALAR"}]})");
+  d.json["buffers"][0]["byteLength"] = d.buffer.size();
+  d.json["bufferViews"][0]["byteLength"] = points.size();
+  d.json["bufferViews"][1]["byteOffset"] = points.size();
+  d.json["bufferViews"][1]["byteLength"] = indices.size();
+  d.json["accessors"][1]["componentType"] = component;
+  return d;
+}
+Document tetrahedron_document() { return tetrahedron_document<std::uint16_t>(5123); }
+
+std::string chunk(const std::string& kind, const std::string& bytes) {
+  return bytes_of<std::uint32_t>({static_cast<std::uint32_t>(bytes.size())}) + kind + bytes;
+}
+std::string glb(const Document& d) {
+  const std::string chunks =
+      chunk("JSON", d.json.dump()) + chunk(std::string("BIN\0", 4), d.buffer);
+  return "glTF" + bytes_of<std::uint32_t>({2, static_cast<std::uint32_t>(12 + chunks.size())}) +
+         chunks;
+}
+std::string text(Document d) {
+  d.json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(d.buffer);
+  return d.json.dump();
+}
+
+MeshFile read(const std::string& bytes, Limits limits = {}) {
+  Context context(limits);
+  return read_gltf(bytes, {}, {"some.file"}, context);
+}
+
+PolygonMesh expected() {
+  PolygonMesh mesh = testing::tetrahedron();
+  Context context;
+  weld_vertices(mesh, context);
+  return mesh;
+}
+
+void expect_refused(const std::string& bytes, const std::string& message) {
+  try {
+    read(bytes);
+    ADD_FAILURE() << message << ": was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place().file, "some.file");
+    EXPECT_NE(error.message().find(message), std::string::npos) << error.what();
+    EXPECT_LT(error.message().size(), 200U);
+  }
+}
+/// With a member changed, as JSON: by its path, "/accessors/0/count".
+void expect_refused(const std::string& path, const Json& value, const std::string& message) {
+  Document d = tetrahedron_document();
+  d.json[Json::json_pointer(path)] = value;
+  SCOPED_TRACE(path);
+  expect_refused(glb(d), message);
+}
+
+TEST(GltfReader, reads_both_containers_and_every_index) {
+  EXPECT_TRUE(is_same(read(glb(tetrahedron_document())).mesh, expected()));
+  EXPECT_TRUE(is_same(read(text(tetrahedron_document())).mesh, expected()));
+  EXPECT_TRUE(is_same(read("\xEF\xBB\xBF\n" + text(tetrahedron_document())).mesh, expected()));
+  EXPECT_TRUE(is_same(read(glb(tetrahedron_document<std::uint8_t>(5121))).mesh, expected()));
+  EXPECT_TRUE(is_same(read(glb(tetrahedron_document<std::uint32_t>(5125))).mesh, expected()));
+}
+
+TEST(GltfReader, interleaved_attributes) {
+  Document d = tetrahedron_document();
+  std::vector<float> rows;
+  for (std::size_t v = 0; v < 4; ++v) {
+    rows.insert(rows.end(), {7, 8, 9});  // normals
+    for (std::size_t k = 0; k < 3; ++k) rows.push_back(kCorners[3 * v + k]);
+  }
+  const std::string points = bytes_of(rows);
+  d.buffer = points + d.buffer.substr(48);
+  d.json["buffers"][0]["byteLength"] = d.buffer.size();
+  d.json["bufferViews"][0]["byteLength"] = points.size();
+  d.json["bufferViews"][0]["byteStride"] = 24;
+  d.json["bufferViews"][1]["byteOffset"] = points.size();
+  d.json["accessors"][0]["byteOffset"] = 12;
+  EXPECT_TRUE(is_same(read(glb(d)).mesh, expected()));
+}
+
+TEST(GltfReader, strips_fans_and_no_indices) {
+  Document d = tetrahedron_document();
+  Json& primitive = d.json["meshes"][0]["primitives"][0];
+  primitive.erase("indices");
+  d.json["accessors"][0]["count"] = 4;
+  primitive["mode"] = 5;
+  EXPECT_EQ(read(glb(d)).mesh.corners, (std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2}));
+  primitive["mode"] = 6;
+  EXPECT_EQ(read(glb(d)).mesh.corners, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+  primitive["mode"] = 1;
+  const MeshFile lines = read(glb(d));
+  EXPECT_EQ(lines.mesh.face_count(), 0U);
+  EXPECT_EQ(lines.notes, std::vector<std::string>{"passed over: lines and points"});
+}
+
+// Placed twice, below a node that turns and moves; the second is mirrored, so its triangles turn around.
+TEST(GltfReader, nodes_place_meshes) {
+  Document d = tetrahedron_document();
+  const double half = std::sqrt(.5);
+  d.json["nodes"] = Json::parse(R"([{"children": [1, 2], "translation": [10, 0, 0]},
+                                    {"mesh": 0}, {"mesh": 0, "scale": [1, 1, -2]}])");
+  d.json["nodes"][0]["rotation"] = {-half, 0, 0, half};  // (x, y, z) goes to (x, z, -y)
+  const PolygonMesh mesh = read(glb(d)).mesh;
+  ASSERT_EQ(mesh.face_count(), 8U);
+  std::vector<Point3> points = mesh.points;
+  const auto has = [&](const Point3& p) {
+    return std::find(points.begin(), points.end(), p) != points.end();
+  };
+  EXPECT_EQ(points.size(), 5U);
+  EXPECT_TRUE(has({10, 0, 0}) && has({11, 0, 0}) && has({10, 0, -1}) && has({10, 1, 0}) &&
+              has({10, -2, 0}));
+  double volume = 0;
+  for (std::size_t f = 0; f < 8; ++f) {
+    const Point3 a = points[mesh.face(f)[0]], b = points[mesh.face(f)[1]],
+                 c = points[mesh.face(f)[2]];
+    volume += ((a.x - 10) * (b.y * c.z - b.z * c.y) - a.y * ((b.x - 10) * c.z - b.z * (c.x - 10)) +
+               a.z * ((b.x - 10) * c.y - b.y * (c.x - 10))) /
+              6;
+  }
+  EXPECT_DOUBLE_EQ(volume, 3. / 6);
+  d.json["nodes"][1]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1};
+  EXPECT_EQ(read(glb(d)).mesh.points[0], (Point3{15, 7, -6}));
+}
+
+TEST(GltfReader, equal_points_are_one_and_flat_triangles_go) {
+  Document d = tetrahedron_document();
+  d.json["nodes"] = Json::parse(R"([{"mesh": 0}, {"mesh": 0}])");
+  d.json["scenes"][0]["nodes"] = {0, 1};
+  EXPECT_EQ(read(glb(d)).mesh.points.size(), 4U);
+  const std::uint16_t twice = 2;
+  std::memcpy(d.buffer.data() + 48, &twice, 2);
+  const MeshFile file = read(glb(d));
+  EXPECT_EQ(file.mesh.face_count(), 6U);
+  EXPECT_EQ(file.notes, std::vector<std::string>{"2 triangles with two equal corners left out"});
+}
+
+TEST(GltfReader, buffers_beside_the_file_and_no_others) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / "plumb-gltf-test";
+  fs::create_directories(folder);
+  Document d = tetrahedron_document();
+  std::ofstream(folder / "a b.bin", std::ios::binary) << d.buffer;
+  d.json["buffers"][0]["uri"] = "a%20b.bin";
+  std::ofstream(folder / "a.gltf") << d.json.dump();
+  Context context;
+  const std::string file = (folder / "a.gltf").string();
+  EXPECT_TRUE(is_same(read_mesh_file(file, {}, {}, context).mesh, expected()));
+  std::ofstream(folder / "a.glb", std::ios::binary) << glb(tetrahedron_document());
+  EXPECT_TRUE(
+      is_same(read_mesh_file((folder / "a.glb").string(), {}, {}, context).mesh, expected()));
+  expect_refused(d.json.dump(), "folder of its file is not known");
+  for (const char* name : {"../a b.bin", "/etc/passwd", "..", "..%2fa b.bin", "http://x/y", ""}) {
+    d.json["buffers"][0]["uri"] = name;
+    expect_refused(d.json.dump(), "same folder");
+  }
+  fs::remove_all(folder);
+}
+
+TEST(GltfReader, refuses_hostile_documents) {
+  const std::size_t huge = std::size_t{1} << 53U;
+  expect_refused("/accessors/0/count", huge, "accessors[0]: 9007199254740992 elements are not in");
+  expect_refused("/accessors/0/count", 5, "elements are not in");
+  expect_refused("/accessors/0/count", -1, "count is no count");
+  expect_refused("/accessors/0/count", 1.5, "count is no count");
+  expect_refused("/accessors/0/byteOffset", 1, "elements are not in");
+  expect_refused("/accessors/0/byteOffset", huge, "elements are not in");
+  expect_refused("/accessors/0/componentType", 5123, "componentType 5123 is not read");
+  expect_refused("/accessors/0/type", "VEC2", "type is not VEC3");
+  expect_refused("/accessors/0/sparse", Json::object(), "sparse");
+  expect_refused("/accessors/0/bufferView", 2, "bufferViews[2]: there is none");
+  expect_refused("/accessors/1/componentType", 5122, "componentType 5122");
+  expect_refused("/accessors/1/count", 11, "11 corners");
+  expect_refused("/bufferViews/0/byteStride", 4, "less than an element");
+  expect_refused("/bufferViews/0/byteLength", huge, "longer than its buffer");
+  expect_refused("/bufferViews/0/byteOffset", huge, "longer than its buffer");
+  expect_refused("/bufferViews/0/buffer", 1, "buffers[1]: there is none");
+  expect_refused("/buffers/0/byteLength", huge, "bytes are announced");
+  expect_refused("/buffers/0/uri", 7, "uri is no text");
+  expect_refused("/buffers/0/uri", "data:text/plain,abc", "not base64");
+  expect_refused("/buffers/0/uri", "data:;base64,a", "not base64");
+  expect_refused("/buffers/0/uri", "data:;base64,!!!!", "not base64");
+  expect_refused("/meshes/0/primitives/0/mode", 7, "no such mode");
+  expect_refused("/meshes/0/primitives/0", 7, "no object");
+  expect_refused("/meshes/0/primitives/0/indices", 0, "type is not SCALAR");
+  expect_refused("/nodes/0/mesh", 1, "meshes[1]: there is none");
+  expect_refused("/nodes/0/rotation", {0, 0, 0, 0}, "no rotation");
+  expect_refused("/nodes/0/rotation", {0, 0, 1}, "has not 4 numbers");
+  expect_refused("/nodes/0/scale", {1, 1, "1"}, "no number");
+  expect_refused("/nodes/0/matrix", {1e308, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1e308, 0, 0, 1},
+                 "not finite");
+  expect_refused("/nodes/0/children", {0}, "nodes[0]: hangs in two places");
+  expect_refused("/nodes/0/children", {1}, "a node that there is not");
+  expect_refused("/nodes/0/children", 1, "children is no list");
+  expect_refused("/scene", 1, "scenes[1]: there is none");
+  expect_refused("/scenes/0/nodes", {0, 0}, "hangs in two places");
+  expect_refused("/extensionsRequired", {"KHR_draco_mesh_compression"}, "KHR_draco");
+}
+
+TEST(GltfReader, refuses_hostile_bytes) {
+  const std::string good = glb(tetrahedron_document());
+  for (std::size_t size = 4; size < good.size(); size += 7) {
+    EXPECT_THROW(read(good.substr(0, size)), Error) << size;
+  }
+  const auto with = [&](std::size_t at, std::uint32_t value) {
+    std::string bytes = good;
+    std::memcpy(bytes.data() + at, &value, 4);
+    return bytes;
+  };
+  expect_refused(with(4, 1), "at byte 4: not version 2");
+  expect_refused(with(8, ~0U), "at byte 8: 4294967295 bytes are announced");
+  expect_refused(with(8, 12), "at byte 8: no chunk");
+  expect_refused(with(12, ~0U), "at byte 12: a chunk is longer");
+  expect_refused(with(16, 7), "at byte 12: the first chunk");
+  expect_refused(with(20, 7), "at byte 20: not JSON");
+  Document d = tetrahedron_document();
+  const std::uint16_t far = 4;
+  std::memcpy(d.buffer.data() + 48, &far, 2);
+  expect_refused(glb(d), "no vertex 4");
+  d = tetrahedron_document();
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::memcpy(d.buffer.data() + 12, &nan, 4);
+  expect_refused(glb(d), "vertex 1 has a coordinate that is not finite");
+}
+
+TEST(GltfReader, refuses_hostile_texts_with_their_place) {
+  testing::expect_refusals({{"empty", "", 1, 1, "not JSON"},
+                            {"a list", "[]", 1, 1, "expected an object"},
+                            {"cut off", "{\n\"nodes\": [", 2, 11, "not JSON"},
+                            {"no text", "{\n\"\xff\": 1}", 2, 2, "not JSON"},
+                            {"number", "{\"x\": 1e999}", 1, 1, "too large"}},
+                           [](const std::string& text) { read(text); });
+  const std::string deep(100000, '[');
+  expect_refused(deep, "not JSON");
+  EXPECT_EQ(read("{}").mesh.face_count(), 0U);
+  EXPECT_EQ(read("{\"x\": " + deep + std::string(100000, ']') + "}").mesh.face_count(), 0U);
+}
+
+// A mesh of many bytes, placed by many nodes: quadratic, so it is charged.
+TEST(GltfReader, keeps_to_its_limits) {
+  Document d = tetrahedron_document();
+  d.json["nodes"] = Json::array();
+  d.json["scenes"][0]["nodes"] = Json::array();
+  for (int i = 0; i < 5000; ++i) {
+    d.json["nodes"].push_back({{"mesh", 0}});
+    d.json["scenes"][0]["nodes"].push_back(i);
+  }
+  for (int i = 0; i < 100; ++i) {
+    d.json["meshes"][0]["primitives"].push_back(d.json["meshes"][0]["primitives"][0]);
+  }
+  Limits limits;
+  limits.max_memory_bytes = 16U << 20;
+  EXPECT_THROW(read(glb(d), limits), Error);
+}
+
+// What we write for other programs, back: the same triangles, as exact as floats are.
+TEST(GltfReader, reads_what_pictures_write) {
+  Scene scene;
+  scene.points = {{0, 0, 0}, {.5, 0, 0}, {0, .25, 0}, {0, 0, -.5}};
+  scene.patches = {{{0, 0, 1}, Paint::Surface, 0}};
+  scene.triangles = {{{0, 2, 1}, 0}, {{0, 1, 3}, 0}, {{0, 3, 2}, 0}, {{1, 2, 3}, 0}};
+  scene.quarter_scale = .25;
+  std::ostringstream out;
+  write_scene_glb(out, scene, "title");
+  const PolygonMesh mesh = read(out.str()).mesh;
+  EXPECT_EQ(mesh.face_count(), 4U);
+  EXPECT_EQ(mesh.points, (std::vector<Point3>{{0, 0, 0}, {0, 0, -.25}, {.5, 0, 0}, {0, -.5, 0}}));
+}
+
+TEST(GltfReader, is_told_by_extension_and_by_its_first_bytes) {
+  EXPECT_EQ(mesh_format_of("a.glb"), MeshFormat::Gltf);
+  EXPECT_EQ(mesh_format_of("a.gltf"), MeshFormat::Gltf);
+  EXPECT_EQ(guess_mesh_format(glb(tetrahedron_document())), MeshFormat::Gltf);
+  EXPECT_EQ(guess_mesh_format(text(tetrahedron_document())), MeshFormat::Gltf);
+}
+
+}  // namespace
+}  // namespace plumb
