@@ -54,6 +54,8 @@ struct SpaceLocator::Tree {
   }
   void choose_frame();
   BoxRay box_ray(const SpaceRay& ray) const;
+  Box3 piece(const SpaceRay& ray, double length) const;
+  bool find_near(const SpaceRay& ray, std::optional<SpaceRayHit>& hit) const;
   void meet(SpaceItem item, const SpaceRay& ray, std::vector<SpaceRayHit>& hits) const;
   SpaceItem on(FacetId f, const QueryPoint3& p) const;
   SpaceItem on(EdgeId e, const QueryPoint3& p) const;
@@ -64,6 +66,8 @@ struct SpaceLocator::Tree {
   std::vector<SpaceItem> items;
   std::vector<Box3> boxes;
   BoxFrame frame;
+  bool is_turned = false;
+  double mean_extent = 0;  // of finite boxes
   BoxTree boxes_tree;
 };
 
@@ -80,6 +84,9 @@ SpaceLocator::Tree::Tree(const SpaceComplex& used_complex) : complex(used_comple
     if (is_alone) add(VertexId(v));
   }
   choose_frame();
+  double sum = 0;
+  for (const Box3& box : boxes) sum += std::isfinite(box.extent()) ? box.extent() : 0;
+  if (!boxes.empty()) mean_extent = sum / static_cast<double>(boxes.size());
   boxes_tree = BoxTree(boxes);
   boxes = {};
 }
@@ -101,6 +108,7 @@ void SpaceLocator::Tree::choose_frame() {
   if (!is_better_frame(expected_pairs(turned, turned), pairs)) return;
   boxes = std::move(turned);
   frame = other;
+  is_turned = true;
 }
 
 // --- points on items
@@ -186,23 +194,81 @@ void SpaceLocator::Tree::meet(SpaceItem item, const SpaceRay& ray,
   }
 }
 
-std::optional<SpaceRayHit> SpaceLocator::Tree::first_hit(const SpaceRay& ray) const {
-  std::optional<SpaceRayHit> best;
-  double limit = Box3::kInfinity;
+namespace {
+
+/// The nearest of the hits in front of the origin that it is shown.
+class NearestHit {
+ public:
+  explicit NearestHit(const SpaceRay& ray) : ray_(ray) {}
+
+  void look_at(std::span<const SpaceRayHit> hits) {
+    for (const SpaceRayHit& hit : hits) {
+      if (ray_.side(hit) != Sign::Positive) continue;
+      if (best_ && ray_.compare(hit, *best_) != Sign::Negative) continue;
+      best_ = hit;
+      limit_ = std::min(limit_, hit.distance.upper());
+    }
+  }
+  const std::optional<SpaceRayHit>& best() const { return best_; }
+  double limit() const { return limit_; }  ///< it is no farther away
+
+ private:
+  const SpaceRay& ray_;
+  std::optional<SpaceRayHit> best_;
+  double limit_ = Box3::kInfinity;
+};
+
+}  // namespace
+
+/// The beginning of a ray along an axis, or somewhat less than that for rounding.
+Box3 SpaceLocator::Tree::piece(const SpaceRay& ray, double length) const {
+  Box3 box = box_of(ray.origin().box());
+  if (ray.is_reverse()) {
+    box.low[ray.axis()] -= length;
+  } else {
+    box.high[ray.axis()] += length;
+  }
+  return box;
+}
+
+/// Boxes that meet a short piece of the ray are few and found without divisions. What is hit well within the piece
+/// is the nearest of all. Pieces grow eightfold, so that they are no longer than need be. False: no piece tells.
+bool SpaceLocator::Tree::find_near(const SpaceRay& ray, std::optional<SpaceRayHit>& hit) const {
+  constexpr int kPieces = 3;
+  constexpr double kWellWithin = 0.99;
+  const Box3 all = boxes_tree.bounds();
+  const std::size_t k = ray.axis();
   std::vector<SpaceRayHit> hits;
-  boxes_tree.for_each_along(box_ray(ray), limit, [&](std::uint32_t i, double) {
+  double length = 2 * mean_extent;
+  for (int i = 0; i < kPieces; ++i, length *= 8) {
+    NearestHit nearest(ray);
+    const Box3 box = piece(ray, length);
+    if (!std::isfinite(box.extent()) || box.extent() < kWellWithin * length) return false;
+    boxes_tree.for_each_meeting(box, [&](std::uint32_t item) {
+      hits.clear();
+      meet(items[item], ray, hits);
+      nearest.look_at(hits);
+    });
+    hit = nearest.best();
+    const bool is_last = ray.is_reverse() ? box.low[k] < all.low[k] : box.high[k] > all.high[k];
+    if (is_last || nearest.limit() < kWellWithin * length) return true;
+  }
+  return false;
+}
+
+std::optional<SpaceRayHit> SpaceLocator::Tree::first_hit(const SpaceRay& ray) const {
+  std::optional<SpaceRayHit> near;
+  const bool has_pieces = ray.is_axis_parallel() && !is_turned && mean_extent > 0;
+  if (has_pieces && find_near(ray, near)) return near;
+  NearestHit nearest(ray);
+  std::vector<SpaceRayHit> hits;
+  boxes_tree.for_each_along(box_ray(ray), Box3::kInfinity, [&](std::uint32_t i, double) {
     hits.clear();
     meet(items[i], ray, hits);
-    for (const SpaceRayHit& hit : hits) {
-      if (ray.side(hit) != Sign::Positive) continue;
-      if (best && ray.compare(hit, *best) != Sign::Negative) continue;
-      best = hit;
-      const double bound = hit.distance.upper();
-      if (bound < limit) limit = bound;
-    }
-    return limit;
+    nearest.look_at(hits);
+    return nearest.limit();
   });
-  return best;
+  return nearest.best();
 }
 
 // --- volumes

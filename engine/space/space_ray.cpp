@@ -40,11 +40,12 @@ SpaceRay::SpaceRay(const SpaceComplex& complex, const QueryPoint3& origin,
   const Rational& along = coordinate(direction, k_);
   PLUMB_CHECK(along != 0);
   is_reverse_ = along < 0;
+  std::array<Rational, 3>& slopes = exact_slope_.emplace();
   for (std::size_t c = 0; c < 2; ++c) {
     const std::size_t i = side_axis(c);
-    exact_slope_[i] = coordinate(direction, i) / along;
-    slope_[i] = ball_of(exact_slope_[i]);
-    is_axis_parallel_ = is_axis_parallel_ && exact_slope_[i] == 0;
+    slopes[i] = coordinate(direction, i) / along;
+    slope_[i] = ball_of(slopes[i]);
+    is_axis_parallel_ = is_axis_parallel_ && slopes[i] == 0;
   }
 }
 
@@ -74,7 +75,7 @@ Ball SpaceRay::shadow<Ball>(VertexId v, std::size_t c) const {
 template <>
 FramedNumber SpaceRay::shadow<FramedNumber>(VertexId v, std::size_t c) const {
   const std::size_t i = side_axis(c);
-  return offset<FramedNumber>(v, i) - exact_slope_[i] * offset<FramedNumber>(v, k_);
+  return offset<FramedNumber>(v, i) - exact_slope(i) * offset<FramedNumber>(v, k_);
 }
 
 /// How fast the line leaves a plane: n . slope.
@@ -91,7 +92,7 @@ Ball SpaceRay::rough_climb(PlaneId plane) const {
 Rational SpaceRay::climb(PlaneId plane) const {
   const IntegerRow row = complex_.planes().coefficients(plane);
   const std::size_t i = side_axis(0), j = side_axis(1);
-  return row[k_] + row[i] * exact_slope_[i] + row[j] * exact_slope_[j];
+  return row[k_] + row[i] * exact_slope(i) + row[j] * exact_slope(j);
 }
 
 /// Where the line meets a plane, along axis k: -s(O) / climb.
@@ -199,7 +200,7 @@ RationalPoint3 SpaceRay::point(const SpaceRayHit& hit) const {
   const Rational along = is_reverse_ ? Rational(-t) : t;
   std::array<Rational, 3> x;
   for (std::size_t i = 0; i < 3; ++i) {
-    x[i] = coordinate(origin_.exact(), i) + (i == k_ ? along : Rational(along * exact_slope_[i]));
+    x[i] = coordinate(origin_.exact(), i) + (i == k_ ? along : Rational(along * exact_slope(i)));
   }
   return {x[0], x[1], x[2]};
 }

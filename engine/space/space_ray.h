@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "plumb/predicates/query_point3.h"
@@ -96,6 +97,9 @@ class SpaceRay {
 
   SpaceRayHit hit_of(SpaceItem item, PlaneId plane) const;
   PlaneId crossing_plane(EdgeId e) const;
+  Rational exact_slope(std::size_t axis) const {
+    return exact_slope_ ? (*exact_slope_)[axis] : Rational();
+  }
 
   // Number: Ball or FramedNumber.
   template <class Number>
@@ -115,7 +119,7 @@ class SpaceRay {
   bool is_reverse_;
   bool is_axis_parallel_;
   std::array<Ball, 3> slope_;
-  std::array<Rational, 3> exact_slope_;
+  std::optional<std::array<Rational, 3>> exact_slope_;  ///< along an axis: none, all are 0
 };
 
 }  // namespace plumb
