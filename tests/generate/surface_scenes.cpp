@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 
+#include "generate/dice.h"
 #include "plumb/base/error.h"
 #include "plumb/predicates/rational_predicates.h"
 #include "plumb/predicates/rounding.h"
@@ -271,8 +272,10 @@ void SurfaceDrawing::add_box(const RationalPoint2& low, const RationalPoint2& hi
   add_flat_polygon(corners);
 }
 
-std::vector<std::uint32_t> random_walk(const SurfaceMesh& mesh, Dice& dice, std::size_t length) {
-  std::vector<std::uint32_t> walk = {dice.below(mesh.vertex_count())};
+std::vector<std::uint32_t> closed_walk(const SurfaceMesh& mesh,
+                                       std::span<const std::uint8_t> steps) {
+  const auto start = steps.empty() ? 0U : static_cast<std::uint32_t>(steps[0]);
+  std::vector<std::uint32_t> walk = {start % static_cast<std::uint32_t>(mesh.vertex_count())};
   std::vector<std::uint32_t> parent;  // breadth first from the start
   const auto neighbours = [&](std::uint32_t v) {
     std::vector<std::uint32_t> found;
@@ -286,10 +289,11 @@ std::vector<std::uint32_t> random_walk(const SurfaceMesh& mesh, Dice& dice, std:
     }
     return found;
   };
-  while (walk.size() < length) {
+  for (std::size_t i = 1; i < steps.size(); ++i) {
     const auto next = neighbours(walk.back());
-    walk.push_back(next[dice.below(next.size())]);
+    walk.push_back(next[steps[i] % next.size()]);
   }
+  if (walk.size() == 1) return walk;
   // Home along a shortest way.
   std::vector<std::uint32_t> queue = {walk.front()};
   parent.assign(mesh.vertex_count(), ~0U);

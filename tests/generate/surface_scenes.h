@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "generate/dice.h"
 #include "plumb/predicates/rational_point.h"
 #include "plumb/surface/surface.h"
 
@@ -31,8 +30,10 @@ MeshPointer joined_meshes(std::span<const MeshPointer> parts);
 /// `handles` tori in a row, joined along triangles: of that genus.
 MeshPointer chain_of_tori(std::uint32_t handles, std::uint32_t major, std::uint32_t minor);
 
-/// A closed random walk on edges of a mesh: so many steps, then home on a shortest way.
-std::vector<std::uint32_t> random_walk(const SurfaceMesh& mesh, Dice& dice, std::size_t length);
+/// A closed walk on edges of a mesh: any bytes are one. The first chooses where it starts, the others where it goes on;
+/// then it leads home on a shortest way.
+std::vector<std::uint32_t> closed_walk(const SurfaceMesh& mesh,
+                                       std::span<const std::uint8_t> steps);
 
 /// Polygons being drawn on a mesh.
 class SurfaceDrawing {

@@ -2,9 +2,11 @@
 #include "plumb/surface/surface_result.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include <cmath>
 #include <cstdlib>
+#include <string>
 
 #include "divided.h"
 #include "generate/dice.h"
@@ -44,22 +46,24 @@ SurfaceScene both(const SurfaceScene& scene, const SurfaceScene& result) {
   return sum;
 }
 
-void expect_same_set(const SurfaceDivision& d, const std::string& text, WindingRule rule) {
-  SCOPED_TRACE(text);
-  const SetExpression expression = parse_set_expression(text);
-  const SurfaceResult result = d.evaluate(expression, rule);
+/// Empty, or how the result as a scene is another set.
+std::string difference_of_result(const SurfaceDivision& d, const std::string& text,
+                                 WindingRule rule) {
+  const SurfaceResult result = d.evaluate(parse_set_expression(text), rule);
   const SurfaceScene scene = result_scene(d, result);
   Context context;
   const SurfaceDivision alone(scene, context);
-  EXPECT_EQ(audit(alone).value_or(""), "");
+  if (const auto flaw = audit(alone)) return *flaw;
   for (const WindingRule again : kRules) {
-    const SurfaceRegion region = alone.select(parse_set_expression("A"), again);
-    EXPECT_NEAR(region.area, result.region.area, 1e-9 * (1 + result.region.area));
+    const double area = alone.select(parse_set_expression("A"), again).area;
+    if (std::fabs(area - result.region.area) > 1e-9 * (1 + area)) return text + ": another area";
   }
-  EXPECT_EQ(alone.evaluate(parse_set_expression("A"), rule).borders.size(), result.borders.size());
+  const SurfaceResult twice = alone.evaluate(parse_set_expression("A"), rule);
+  if (twice.borders.size() != result.borders.size()) return text + ": other loops";
   const SurfaceDivision beside(both(d.scene(), scene), context);
   const std::string difference = "(" + text + ") ^ s" + std::to_string(d.shape_count());
-  EXPECT_EQ(beside.select(parse_set_expression(difference), rule).cells, 0U);
+  const bool is_same = beside.select(parse_set_expression(difference), rule).cells == 0;
+  return is_same ? "" : text + ": another set";
 }
 
 TEST(SurfaceResult, IsTheSameSetAgain) {
@@ -67,22 +71,22 @@ TEST(SurfaceResult, IsTheSameSetAgain) {
                     ring = torus_mesh(6, 5);
   const MeshPointer parts[] = {disk, ball, tube, disk};
   const MeshPointer meshes[] = {disk, tube, ball, ring, joined_meshes(parts)};
-  for (std::uint64_t seed = 0; seed < 40 && !HasFailure(); ++seed) {
-    SCOPED_TRACE(seed);
-    Dice dice(seed);
-    const MeshPointer& mesh = meshes[seed % 5];
+  using Walks = std::vector<std::vector<std::uint8_t>>;
+  EXPECT_TRUE(rc::check("the same set", [&](std::uint8_t number, Walks walks, std::uint8_t rule,
+                                            std::uint16_t outside) {
+    const MeshPointer& mesh = meshes[number % 5];
+    walks.resize(3);
     SurfaceDrawing s(mesh);
-    for (int p = 0; p < 3; ++p) s.add_vertex_polygon(random_walk(*mesh, dice, 3 + seed % 13));
-    if (dice.between(0, 2) == 0) s.scene.outside = FaceId(dice.below(mesh->face_count()));
-    const SurfaceDivision d = divide(s);
-    const bool has_labels = d.shape_separation(0).over_z && d.shape_separation(1).over_z &&
-                            d.shape_separation(2).over_z;
-    if (!has_labels) continue;
-    const WindingRule rule = kRules[seed % 3];
+    for (const auto& walk : walks) s.add_vertex_polygon(closed_walk(*mesh, walk));
+    if (outside % 3 == 1) s.scene.outside = FaceId(outside % mesh->face_count());
+    Context context;
+    const SurfaceDivision d(s.scene, context);
+    RC_PRE(d.shape_separation(0).over_z && d.shape_separation(1).over_z &&
+           d.shape_separation(2).over_z);
     for (const char* text : {"A", "!A", "A + B * !C", "!(A ^ B)", "A - A", "!(A - A)", "!B - C"}) {
-      expect_same_set(d, text, rule);
+      RC_ASSERT(difference_of_result(d, text, kRules[rule % 3]) == "");
     }
-  }
+  }));
 }
 
 // No face has its first corner outside: that takes a level.
@@ -90,7 +94,7 @@ TEST(SurfaceResult, ComplementOfASpeck) {
   SurfaceDrawing s(grid_mesh(2, 2));
   s.add_box({Rational(5) / 10, Rational(1) / 10}, {Rational(6) / 10, Rational(2) / 10});
   const SurfaceDivision d = divide(s);
-  expect_same_set(d, "!A", WindingRule::EvenOdd);
+  EXPECT_EQ(difference_of_result(d, "!A", WindingRule::EvenOdd), "");
   const SurfaceScene scene =
       result_scene(d, d.evaluate(parse_set_expression("!A"), WindingRule::EvenOdd));
   EXPECT_FALSE(scene.outside.is_valid());
