@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -50,8 +51,26 @@ double stars(int size) { return seconds_to_decompose(solid(testing::star_prism(s
 double combs(int size) { return seconds_to_decompose(solid(testing::comb_block(size, size))); }
 double discs(int size) { return seconds_to_decompose(solid(notched_disc(size))); }
 
-double spheres(int depth) {
-  const PolygonMesh mesh = testing::icosphere_mesh(depth, 1, {0, 0, 0});
+/// A prism over n corners, and pyramids on both of its ends: quads, and two vertices beside n faces each.
+PolygonMesh pencil(int n) {
+  PolygonMesh mesh;
+  const auto at = [n](int i, int k) { return static_cast<std::uint32_t>(2 * (i % n) + k); };
+  for (int i = 0; i < n; ++i) {
+    const double angle = 6.283185307179586 * i / n;
+    for (const double z : {0.0, 1.0}) mesh.points.push_back({std::cos(angle), std::sin(angle), z});
+  }
+  const auto low = static_cast<std::uint32_t>(2 * n), high = low + 1;
+  mesh.points.push_back({0, 0, -1});
+  mesh.points.push_back({0, 0, 2});
+  for (int i = 0; i < n; ++i) {
+    mesh.add_face(std::array{at(i, 0), at(i + 1, 0), at(i + 1, 1), at(i, 1)});
+    mesh.add_face(std::array{at(i + 1, 0), at(i, 0), low});
+    mesh.add_face(std::array{at(i, 1), at(i + 1, 1), high});
+  }
+  return mesh;
+}
+
+double seconds_to_test(const PolygonMesh& mesh) {
   return least_seconds([&] {
     Context context;
     const double start = cpu_seconds();
@@ -59,6 +78,8 @@ double spheres(int depth) {
     return cpu_seconds() - start;
   });
 }
+double spheres(int depth) { return seconds_to_test(testing::icosphere_mesh(depth, 1, {0, 0, 0})); }
+double pencils(int size) { return seconds_to_test(pencil(size)); }
 
 struct Family {
   const char* name;
@@ -70,7 +91,7 @@ struct Family {
 };
 
 const std::vector<Family> kFamilies{
-    {"stars", "reflex edges", {16, 32, 64, 128, 256}, stars, [](int n) { return 1.0 * n; }, 2.1},
+    {"stars", "reflex edges", {64, 128, 256, 512, 1024}, stars, [](int n) { return 1.0 * n; }, 1.2},
     {"combs", "reflex edges", {4, 8, 16, 32}, combs, [](int n) { return 2.0 * n; }, 2.1},
     {"one notch",
      "corners",
@@ -83,6 +104,12 @@ const std::vector<Family> kFamilies{
      {4, 5, 6, 7},
      spheres,
      [](int depth) { return 20 * std::pow(4.0, depth); },
+     1.1},
+    {"convexity of pencils",
+     "corners",
+     {1000, 4000, 16000, 64000},
+     pencils,
+     [](int n) { return 1.0 * n; },
      1.1},
 };
 

@@ -5,8 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/base/error.h"
 #include "plumb/convex/cut_surface.h"
 #include "plumb/convex/decompose.h"
+#include "plumb/convex/plane_ring.h"
 #include "plumb/space/simplify.h"
 
 namespace plumb {
@@ -97,6 +99,19 @@ class PieceWriter {
     }
   }
 
+  /// The outer one first; cuts leave them in any order.
+  std::vector<HalfedgeId> cycles_of(const CutSurface::Face& face) const {
+    std::vector<HalfedgeId> cycles;
+    for (HalfedgeId h = face.cycle; h.is_valid(); h = s_.half(h).next_cycle) cycles.push_back(h);
+    if (cycles.size() > 1) {
+      const auto outer = std::ranges::find_if(
+          cycles, [&](HalfedgeId h) { return !is_hole(s_, face.plane, ring_of(s_, h)); });
+      PLUMB_CHECK(outer != cycles.end());
+      std::iter_swap(cycles.begin(), outer);
+    }
+    return cycles;
+  }
+
   void write_facets() {
     c_.use_facet.resize(halves_.size());
     c_.cycle_begin = {0};
@@ -108,9 +123,7 @@ class PieceWriter {
       c_.facet_mark.push_back(marked(face.mark));
       c_.facet_volume.push_back({VolumeId(is_opposite ? 1 : 0), VolumeId(is_opposite ? 0 : 1)});
       c_.facet_origin.push_back(face.origin);
-      for (HalfedgeId h = face.cycle; h.is_valid(); h = s_.half(h).next_cycle) {
-        c_.cycle.push_back(use_of(h));
-      }
+      for (const HalfedgeId h : cycles_of(face)) c_.cycle.push_back(use_of(h));
       c_.cycle_begin.push_back(static_cast<std::uint32_t>(c_.cycle.size()));
       s_.for_each_half(f, [&](HalfedgeId h) { c_.use_facet[use_of(h).value()] = id; });
     }

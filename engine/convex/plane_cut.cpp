@@ -177,13 +177,7 @@ void PlaneCut::share_holes(FaceId f, std::span<const HalfedgeId> cycles) {
   std::vector<FaceId> face_of(cycles.size());
   std::vector<std::uint8_t> hole;
   for (const HalfedgeId first : cycles) {
-    std::vector<RingSide> ring;
-    HalfedgeId h = first;
-    do {
-      const CutSurface::Half& half = s_.half(h);
-      ring.push_back({half.origin, s_.target(h), half.other, half.along});
-      h = half.next;
-    } while (h != first);
+    std::vector<RingSide> ring = ring_of(s_, first);
     hole.push_back(is_hole(s_, plane, ring) ? 1 : 0);
     rings.push_back(std::move(ring));
   }

@@ -7,6 +7,17 @@
 
 namespace plumb {
 
+std::vector<RingSide> ring_of(const CutSurface& surface, HalfedgeId first) {
+  std::vector<RingSide> ring;
+  HalfedgeId h = first;
+  do {
+    const CutSurface::Half& half = surface.half(h);
+    ring.push_back({half.origin, surface.target(h), half.other, half.along});
+    h = half.next;
+  } while (h != first);
+  return ring;
+}
+
 bool is_hole(const CutSurface& surface, OrientedPlane plane, std::span<const RingSide> ring) {
   const auto point = [&](VertexId v) { return surface.point[v.value()]; };
   VertexId least = ring[0].from;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "plumb/convex/cut_surface.h"
 
@@ -14,6 +15,9 @@ struct RingSide {
   PlaneId other;
   Sign along;
 };
+
+/// A boundary cycle of a face.
+std::vector<RingSide> ring_of(const CutSurface& surface, HalfedgeId first);
 
 /// Does it run clockwise, seen from the side that `plane` looks to? Decided at its least vertex. O(length).
 bool is_hole(const CutSurface& surface, OrientedPlane plane, std::span<const RingSide> ring);

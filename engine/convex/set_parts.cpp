@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "plumb/convex/wall_complex.h"
+#include "plumb/space/simplify.h"
 
 namespace plumb {
 namespace {
@@ -34,6 +35,10 @@ class Owners {
     add(vertex_, VertexId());
     return owners;
   }
+
+  /// The item's, if the owner has it.
+  Mark mark_for(SpaceItem owner, EdgeId e) const { return edge_[e.value()] == owner ? 1 : 0; }
+  Mark mark_for(SpaceItem owner, VertexId v) const { return vertex_[v.value()] == owner ? 1 : 0; }
 
   SpaceMarks marks_of(SpaceItem owner) const {
     SpaceMarks marks;
@@ -102,6 +107,134 @@ class Owners {
   std::vector<SpaceItem> facet_, edge_, vertex_;
 };
 
+/// Single facets, edges and points of a bounded set's complex as complexes of their own. Scratch memory is kept.
+class ThinParts {
+ public:
+  ThinParts(const SpaceComplex& complex, const Owners& owners)
+      : c_(complex),
+        owners_(owners),
+        vertex_number_(complex.vertex_count()),
+        edge_number_(complex.edge_count()),
+        use_number_(complex.use_count()) {}
+
+  Nef3 set_of(SpaceItem owner, Context& context) {
+    owner_ = owner;
+    out_ = {};
+    vertices_.clear();
+    edges_.clear();
+    uses_.clear();
+    out_.tables = c_.tables;
+    out_.volume_mark = {0};
+    out_.cycle_begin = {0};
+    out_.inner_begin = {0};
+    if (owner.kind() == SpaceItem::Kind::Facet) add_facet(owner.facet());
+    if (owner.kind() == SpaceItem::Kind::Edge) add_edge(owner.edge());
+    if (owner.kind() == SpaceItem::Kind::Vertex) add_vertex(owner.vertex());
+    link_uses();
+    write_stars();
+    for (const VertexId v : out_.inner) out_.vertex_facet[v.value()] = FacetId(0);
+    for (std::size_t v = 0; v < vertices_.size() && uses_.empty() && edges_.empty(); ++v) {
+      out_.vertex_volume[v] = VolumeId(0);
+    }
+    return Nef3::from_minimal(simplified(std::move(out_), context));
+  }
+
+ private:
+  /// The number of a thing in a list, at the end of which it is added once.
+  template <class Id>
+  static std::pair<std::uint32_t, bool> numbered(Id id, std::vector<Id>& list,
+                                                 std::vector<std::uint32_t>& number) {
+    std::uint32_t& n = number[id.value()];
+    if (n < list.size() && list[n] == id) return {n, false};
+    n = static_cast<std::uint32_t>(list.size());
+    list.push_back(id);
+    return {n, true};
+  }
+
+  VertexId add_vertex(VertexId v) {
+    const auto [n, is_new] = numbered(v, vertices_, vertex_number_);
+    if (is_new) {
+      out_.vertex_point.push_back(c_.vertex_point[v.value()]);
+      out_.vertex_mark.push_back(owners_.mark_for(owner_, v));
+      out_.vertex_volume.emplace_back();
+      out_.vertex_facet.emplace_back();
+    }
+    return VertexId(n);
+  }
+
+  EdgeId add_edge(EdgeId e) {
+    const auto [n, is_new] = numbered(e, edges_, edge_number_);
+    if (is_new) {
+      out_.edge_planes.push_back(c_.edge_planes[e.value()]);
+      out_.edge_mark.push_back(owners_.mark_for(owner_, e));
+      out_.edge_use.emplace_back();
+      out_.edge_volume.push_back(uses_.empty() ? VolumeId(0) : VolumeId());
+      for (const std::uint32_t h : {2 * e.value(), 2 * e.value() + 1}) {
+        const VertexId v = add_vertex(c_.origin[h]);
+        out_.origin.push_back(v);
+      }
+    }
+    return EdgeId(n);
+  }
+
+  void add_facet(FacetId f) {
+    out_.facet_plane.push_back(c_.facet_plane[f.value()]);
+    out_.facet_mark.push_back(1);
+    out_.facet_volume.push_back({VolumeId(0), VolumeId(0)});
+    out_.facet_origin.push_back(c_.facet_origin[f.value()]);
+    for (const UseId first : c_.cycles_of(f)) {
+      out_.cycle.push_back(UseId(uses_.size()));
+      UseId u = first;
+      do {
+        numbered(u, uses_, use_number_);
+        const HalfedgeId h = c_.use_halfedge[u.value()];
+        const EdgeId e = add_edge(SpaceComplex::edge_of(h));
+        out_.use_halfedge.push_back(HalfedgeId(2 * e.value() + (h.value() & 1U)));
+        out_.use_facet.push_back(FacetId(0));
+        u = c_.use_next[u.value()];
+      } while (u != first);
+    }
+    for (const VertexId v : c_.inner_of(f)) out_.inner.push_back(add_vertex(v));
+    out_.cycle_begin.push_back(static_cast<std::uint32_t>(out_.cycle.size()));
+    out_.inner_begin.push_back(static_cast<std::uint32_t>(out_.inner.size()));
+  }
+
+  /// Around an edge the facet is met once, or twice at a slit.
+  void link_uses() {
+    for (std::uint32_t i = 0; i < uses_.size(); ++i) {
+      const auto number = [&](UseId u) { return UseId(use_number_[u.value()]); };
+      out_.use_next.push_back(number(c_.use_next[uses_[i].value()]));
+      out_.use_prev.push_back(number(c_.use_prev[uses_[i].value()]));
+      UseId& known = out_.edge_use[SpaceComplex::edge_of(out_.use_halfedge[i]).value()];
+      out_.use_radial.push_back(known.is_valid() ? known : UseId(i));
+      if (known.is_valid()) out_.use_radial[known.value()] = UseId(i);
+      known = UseId(i);
+    }
+  }
+
+  void write_stars() {
+    out_.star_begin.assign(vertices_.size() + 1, 0);
+    for (const VertexId v : out_.origin) ++out_.star_begin[v.value() + 1];
+    for (std::size_t v = 0; v < vertices_.size(); ++v) {
+      out_.star_begin[v + 1] += out_.star_begin[v];
+    }
+    std::vector<std::uint32_t> at(out_.star_begin.begin(), out_.star_begin.end() - 1);
+    out_.star.resize(out_.origin.size());
+    for (std::size_t h = 0; h < out_.origin.size(); ++h) {
+      out_.star[at[out_.origin[h].value()]++] = HalfedgeId(h);
+    }
+  }
+
+  const SpaceComplex& c_;
+  const Owners& owners_;
+  std::vector<std::uint32_t> vertex_number_, edge_number_, use_number_;
+  SpaceItem owner_;
+  SpaceComplex out_;
+  std::vector<VertexId> vertices_;
+  std::vector<EdgeId> edges_;
+  std::vector<UseId> uses_;
+};
+
 }  // namespace
 
 std::vector<SetPart> parts_of(const Nef3& whole, Context& context) {
@@ -115,11 +248,17 @@ std::vector<SetPart> parts_of(const Nef3& whole, Context& context) {
   }
   const Owners owners(set.complex());
   const std::vector<SpaceItem> parts = owners.owners();
+  ThinParts thin(set.complex(), owners);
   for (const SpaceItem owner : parts) {
     context.checkpoint("taking parts", result.size(), parts.size());
     const int dimension = static_cast<int>(owner.kind());
-    result.push_back(
-        {parts.size() == 1 ? set : set.with_marks(owners.marks_of(owner), context), dimension});
+    if (parts.size() == 1) {
+      result.push_back({set, dimension});
+    } else if (dimension < 3 && set.is_bounded()) {
+      result.push_back({thin.set_of(owner, context), dimension});
+    } else {
+      result.push_back({set.with_marks(owners.marks_of(owner), context), dimension});
+    }
   }
   return result;
 }

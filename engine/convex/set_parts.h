@@ -4,10 +4,10 @@
 //  1. own     each marked facet, edge and vertex beside marked volumes is given to one of them; else a marked
 //             edge and vertex to a marked facet beside it; else a vertex to an edge
 //  2. split   the volumes of a bounded set in one pass (wall_complex.h)
-//  3. remark  of the rest the complex with the marks of one owner's items, in minimal form
+//  3. copy    the rest of a bounded set item by item; of an unbounded one the complex with the marks of one owner
 //
-// The parts are disjoint and their union is the set. Cost: O(n) for one part, O(n log n) for all volumes of a bounded set,
-// O(n) for each facet, edge and point besides.
+// The parts are disjoint and their union is the set. All are in minimal form. Cost: O(n log n); of an unbounded set O(n)
+// a part.
 #pragma once
 
 #include <vector>

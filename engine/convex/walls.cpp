@@ -78,13 +78,13 @@ SpaceComplex wall_subdivision(const Nef3& set, const std::optional<VerticalDirec
 }
 
 std::vector<Nef3> fewer_pieces_by_walls(const Nef3& volume, std::size_t most, Context& context) {
-  constexpr std::size_t kFew = 12;     // reflex edges: walls cost next to nothing
-  constexpr double kOverrated = 1.25;  // how far the number expected may be too great
+  constexpr std::size_t kFew = 32;  // reflex edges: walls cost little
+  constexpr double kOverrated =
+      1.25;  // neither the number expected nor that before merging is the last word
   const SpaceComplex& c = volume.complex();
   if (most < 3 || !volume.is_bounded()) return {};
   const VerticalChoice choice = choose_vertical(c, context);
-  if (choice.pieces > kOverrated * static_cast<double>(most) ||
-      (reflex_edges(c).size() > kFew && choice.pieces > static_cast<double>(most) / kOverrated)) {
+  if (reflex_edges(c).size() > kFew && choice.pieces * kOverrated > static_cast<double>(most)) {
     return {};
   }
   const std::optional<SpaceComplex> cut = subdivided(c, choice.up, context);

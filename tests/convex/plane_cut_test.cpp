@@ -97,8 +97,16 @@ class AllCuts {
     for (std::size_t i = 0; i < surface_->halves.size(); ++i) {
       const HalfedgeId h(i);
       if (!surface_->half(h).is_reflex || surface_->half(h).twin < h) continue;
-      for (std::size_t v = 0; v < surface_->point.size(); ++v) {
-        const std::string flaw = cut(h, VertexId(v));
+      std::vector<PlaneId> planes{surface_->plane_of(h).plane(),
+                                  surface_->plane_of(surface_->half(h).twin).plane()};
+      CutSurface surface = *surface_;
+      surface.tables = copy(*surface.tables);
+      for (std::size_t v = 0; v < surface.point.size(); ++v) {
+        const PlaneId plane = plane_through(surface, h, surface.point[v]);
+        if (plane.is_valid()) planes.push_back(plane);
+      }
+      for (const PlaneId plane : planes) {
+        const std::string flaw = cut(surface, h, plane);
         if (!flaw.empty()) return flaw;
       }
     }
@@ -107,19 +115,19 @@ class AllCuts {
   int cuts() const { return cuts_; }
 
  private:
-  std::string cut(HalfedgeId seed, VertexId through) {
-    CutSurface surface = *surface_;
-    surface.tables = copy(*surface.tables);
-    const SpacePoint a = surface.point[surface.half(seed).origin.value()],
-                     b = surface.point[surface.target(seed).value()],
-                     c = surface.point[through.value()];
-    if (!a.is_input() || !b.is_input() || !c.is_input()) return {};
-    if (a == c || b == c) return {};
+  /// Where all points are input points.
+  static PlaneId plane_through(CutSurface& surface, HalfedgeId h, SpacePoint c) {
+    const SpacePoint a = surface.point[surface.half(h).origin.value()],
+                     b = surface.point[surface.target(h).value()];
+    if (!a.is_input() || !b.is_input() || !c.is_input() || a == c || b == c) return {};
     const OrientedPlane plane = surface.tables->planes.intern(a.input(), b.input(), c.input());
-    if (!plane.is_valid()) return {};
+    return plane.is_valid() ? plane.plane() : PlaneId();
+  }
+
+  std::string cut(CutSurface surface, HalfedgeId seed, PlaneId plane) {
     std::vector<FaceId> faces;
     for (std::size_t f = 0; f < surface.faces.size(); ++f) faces.push_back(FaceId(f));
-    const CutPieces pieces = PlaneCut(surface).run(faces, plane.plane(), seed);
+    const CutPieces pieces = PlaneCut(surface).run(faces, plane, seed);
     if (pieces.empty()) return {};
     ++cuts_;
     return Owners(surface).flaw(set_);
@@ -154,7 +162,7 @@ TEST(PlaneCut, OwnsTheBottomsOfPits) {
 
 TEST(PlaneCut, OwnsEveryPointOnce) {
   expect_owners(solid(box_mesh({0, 0, 0}, {9, 9, 9})) - solid(box_mesh({3, 3, -1}, {5, 5, 10})),
-                "a shaft", 0);
+                "a shaft", 4);
   for (std::uint64_t seed = 0; seed < 30 && !HasFailure(); ++seed) {
     Dice dice(seed);
     const int tenths = static_cast<int>(dice.between(4, 9));
