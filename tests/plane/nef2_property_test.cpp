@@ -5,6 +5,7 @@
 
 #include "generate/plane_program.h"
 #include "oracle/nef2_check.h"
+#include "oracle/program_property.h"
 #include "oracle/set_laws.h"
 #include "plumb/plane/plane_records.h"
 
@@ -225,6 +226,27 @@ TEST(Nef2Programs, OfAnyBytesAreThoseOfTheTwin) {
     EXPECT_EQ(disagreement(*set_of_program(wild_program(dice, 2 + seed % 8), 10)), "")
         << "seed " << seed;
   }
+}
+
+// ---------------------------------------------------------------- any program, shrunk when it fails
+
+TEST(Nef2, OfAnyProgramIsTheTwins) {
+  expect_no_flaw_of_programs("programs agree", 8, [](std::span<const std::uint8_t> program) {
+    return disagreement(*set_of_program(program, kMaxLines));
+  });
+}
+
+TEST(Nef2, OfAnyProgramsObeyTheLaws) {
+  expect_no_flaw_of_programs(
+      "sets of programs obey the laws", 18, [](std::span<const std::uint8_t> program) {
+        const auto set = [&](std::size_t i) {
+          return to_nef(*set_of_program(part_of_program(program, i, 3), kMaxLines));
+        };
+        const Nef2 a = set(0);
+        const Nef2 b = set(1);
+        const Nef2 c = set(2);
+        return first_failure([&] { expect_laws(a, b, c, Nef2::plane()); });
+      });
 }
 
 }  // namespace

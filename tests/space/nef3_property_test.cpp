@@ -4,6 +4,7 @@
 #include "generate/space_program.h"
 #include "generate/space_solids.h"
 #include "oracle/nef3_check.h"
+#include "oracle/program_property.h"
 #include "oracle/set_laws.h"
 
 namespace plumb::testing {
@@ -78,6 +79,27 @@ TEST(SpacePairs, OfOverlappingBoxesAreThoseOfTheTwin) {
   for (std::size_t i = 0; i < pairs.size() && !HasFailure(); i += 11) {
     EXPECT_EQ(disagreement(pairs[i], static_cast<SetOperator>(i / 11 % 4)), "") << pairs[i].name;
   }
+}
+
+// ---------------------------------------------------------------- any program, shrunk when it fails
+
+TEST(Nef3, OfAnyProgramIsTheTwins) {
+  expect_no_flaw_of_programs("programs agree", 8, [](std::span<const std::uint8_t> program) {
+    return disagreement(*space_set_of_program(program, kMaxPlanes));
+  });
+}
+
+TEST(Nef3, OfAnyProgramsObeyTheLaws) {
+  expect_no_flaw_of_programs(
+      "sets of programs obey the laws", 18, [](std::span<const std::uint8_t> program) {
+        const auto set = [&](std::size_t i) {
+          return to_nef(*space_set_of_program(part_of_program(program, i, 3), kMaxPlanes));
+        };
+        const Nef3 a = set(0);
+        const Nef3 b = set(1);
+        const Nef3 c = set(2);
+        return first_failure([&] { expect_laws(a, b, c, Nef3::space()); });
+      });
 }
 
 }  // namespace
