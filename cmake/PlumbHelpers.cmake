@@ -59,8 +59,14 @@ function(plumb_precompile target kind)
     <boost/multiprecision/cpp_int.hpp> <boost/multiprecision/gmp.hpp> ${ARGN})
 endfunction()
 
-# plumb_library(TARGET EXPORT_NAME): what both libraries have in common. The public headers need no
-# export macros: which symbols a shared library shows is said once, in plumb.exports.
+# plumb_exports(TARGET): a shared library shows what plumb.exports says; the public headers need no export
+# macros for that.
+function(plumb_exports target)
+  set_target_properties(${target} PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/plumb.exports)
+  target_link_options(${target} PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/plumb.exports)
+endfunction()
+
+# plumb_library(TARGET EXPORT_NAME): what both libraries have in common.
 function(plumb_library target name)
   add_library(plumb::${name} ALIAS ${target})
   plumb_compile_options(${target})
@@ -71,12 +77,10 @@ function(plumb_library target name)
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
     VISIBILITY_INLINES_HIDDEN ON
     DEFINE_SYMBOL ""
-    POSITION_INDEPENDENT_CODE ON
-    LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/plumb.exports)
+    POSITION_INDEPENDENT_CODE ON)
   get_target_property(type ${target} TYPE)
   if(type STREQUAL SHARED_LIBRARY)
-    target_link_options(${target} PRIVATE
-      LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/plumb.exports)
+    plumb_exports(${target})
   endif()
 endfunction()
 
