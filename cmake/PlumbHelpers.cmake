@@ -94,4 +94,6 @@ function(plumb_test name)
   plumb_precompile(${name} test <gtest/gtest.h>)
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest GTest::gtest_main)
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  # The same cases every time: what new ones find belongs to whoever looks for it, not to the next change.
+  set_tests_properties(${name} PROPERTIES ENVIRONMENT RC_PARAMS=seed=20261122)
 endfunction()
