@@ -8,8 +8,8 @@
 //  3. polygon   the edge, and the obstacles seen, joined by vertical sides
 //
 // A vertical side is over the end of the edge, or where an obstacle ends. The edge that ends it crosses
-// the wall there, and the plane through that and the vertical is its own wall: no number is longer than those of
-// pencils.
+// the wall there, and the plane through that and the vertical is its own wall: of the pencil of two facets of the
+// complex.
 //
 // Cost: O(n log n), and for each edge the facets whose shadow is near.
 #pragma once

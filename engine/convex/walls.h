@@ -12,8 +12,10 @@
 // set with r reflex edges into O(r^2) cells, as every wall meets O(r) others; step 3 makes at most one piece
 // more for each vertical edge. Worst-case optimal (Chazelle 1984).
 //
-// Walls are planes of the pencil of their edge, or of facets: numbers are those of pencils, whatever the number of
-// walls (KERNEL.md 3: below 800 bits for 53-bit input and a vertical along an axis).
+// In one round walls are planes of facets or of the pencil of two facets: of 53-bit tetrahedra, united or taken out of a
+// block, the longest number of a wall had 262 bits for a vertical along an axis (walls_test.cpp; 800 is the aim); the vertical that is
+// chosen has 64 bits at most and makes them as much longer. Only a cell that lies above itself needs a second round, with
+// pencils of walls, and a point taken out of a volume a wall through that point, whatever made it.
 //
 // Unbounded sets are cut by the first method, planes.
 //
