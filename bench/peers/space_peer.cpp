@@ -71,7 +71,7 @@ Outcome run_plumb(const Files& files) {
   const Nef3 set = combine(Nef3::mesh(a, WindingRule::Positive, context),
                            Nef3::mesh(b, WindingRule::Positive, context), kUnion, context);
   const PolygonMesh mesh =
-      mesh_of_complex(set.complex(), {MeshFaces::Triangles, false}, context).mesh;
+      mesh_of_complex(set.complex(), {MeshFaces::Triangles, false, false}, context).mesh;
   const double seconds = cpu_seconds() - start;
   return {seconds, 0, volume_of(mesh.face_count(), [&](std::size_t f, std::size_t i) {
             return mesh.points[mesh.face(f)[i]];

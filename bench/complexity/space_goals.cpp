@@ -1,0 +1,251 @@
+// What operations on sets of space cost beside what they are meant to cost.
+//
+//   space_goals [--depth N] [--slack X] [--only TEXT]
+//
+// prints a line for each goal and exits 1 if one is missed by more than the factor --slack (default 1). --depth bounds the
+// icospheres: 20 * 4^depth triangles (default 7).
+//
+//   path       two icospheres from mesh to triangles of their union: growth, and memory at the largest size
+//   degenerate pairs in almost equal or partly equal planes, the same way
+//   locate     random points in an icosphere
+//   file       an icosphere to .nef text and back
+//   audit      the union of two icospheres audited, beside the union
+#include <fmt/format.h>
+#include <malloc.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cpu_time.h"
+#include "generate/dice.h"
+#include "generate/meshes.h"
+#include "plumb/io/nef3_reader.h"
+#include "plumb/io/nef3_writer.h"
+#include "plumb/space/nef3.h"
+#include "plumb/space/space_audit.h"
+#include "plumb/space/to_mesh.h"
+#include "power_fit.h"
+
+namespace plumb::bench {
+namespace {
+
+struct Options {
+  int depth = 7;
+  double slack = 1;
+};
+
+/// The seconds that once() takes.
+template <class Once>
+double seconds_of(const Once& once) {
+  const double start = cpu_seconds();
+  once();
+  return cpu_seconds() - start;
+}
+
+bool report(const std::string& what, double value, double goal, const char* unit, double slack) {
+  const bool is_met = value <= goal * slack;
+  fmt::print("{:52} {:10.4g} {:12} goal {:8.4g}  {}\n", what, value, unit, goal,
+             is_met ? "" : "MISSED");
+  return is_met;
+}
+
+Nef3 solid(const PolygonMesh& mesh) {
+  Context context;
+  return Nef3::mesh(mesh, WindingRule::Positive, context);
+}
+
+PolygonMesh ball(int depth, Point3 centre) { return testing::icosphere_mesh(depth, 1, centre); }
+
+/// From meshes to the triangles of the union.
+std::size_t unite(const PolygonMesh& a, const PolygonMesh& b) {
+  Context context;
+  const Nef3 both = combine(Nef3::mesh(a, WindingRule::Positive, context),
+                            Nef3::mesh(b, WindingRule::Positive, context), kUnion, context);
+  return mesh_of_complex(both.complex(), {MeshFaces::Triangles, false, false}, context)
+      .mesh.face_count();
+}
+
+// ---------------------------------------------------------------- the goals
+
+double peak_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) * 1024;
+}
+
+/// What is in use, freed memory given back.
+double resident_bytes() {
+  malloc_trim(0);
+  std::ifstream statm("/proc/self/statm");
+  double pages = 0;
+  statm >> pages >> pages;
+  return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+bool measure_path(const Options& options) {
+  std::vector<Sample> samples;
+  double bytes = 0, faces = 0;
+  for (int depth = std::max(2, options.depth - 4); depth <= options.depth; ++depth) {
+    const PolygonMesh a = ball(depth, {0, 0, 0}), b = ball(depth, {0.5, 0.25, 0.125});
+    const double before = resident_bytes();
+    faces = static_cast<double>(a.face_count() + b.face_count());
+    samples.push_back({faces, least_seconds([&] { return seconds_of([&] { unite(a, b); }); })});
+    bytes = peak_bytes() - before;
+    fmt::print("{:52} {:10.4g} s, {:.0f} ns a face\n",
+               fmt::format("path: two icospheres, {:.0f} faces", faces), samples.back().seconds,
+               samples.back().seconds / faces * 1e9);
+  }
+  const PowerFit fit = fit_power(samples);
+  const std::string growth = fmt::format("path: exponent (+- {:.3f})", fit.half_width);
+  bool is_met = report(growth, fit.slope, 1.1, "", options.slack);
+  is_met &=
+      report("path: memory, input left out", bytes / faces, 600, "bytes a face", options.slack);
+  return is_met;
+}
+
+/// A cube of n^3 whose faces are grids of triangles.
+PolygonMesh grid_cube(std::uint32_t n, Point3 low) {
+  PolygonMesh mesh;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const double side : {0.0, static_cast<double>(n)}) {
+      const auto first = static_cast<std::uint32_t>(mesh.points.size());
+      for (std::uint32_t i = 0; i <= n; ++i) {
+        for (std::uint32_t j = 0; j <= n; ++j) {
+          std::array<double, 3> at{low.x, low.y, low.z};
+          at[axis] += side;
+          at[(axis + 1) % 3] += i;
+          at[(axis + 2) % 3] += j;
+          mesh.points.push_back({at[0], at[1], at[2]});
+        }
+      }
+      for (std::uint32_t i = 0; i < n; ++i) {
+        for (std::uint32_t j = 0; j < n; ++j) {
+          const std::uint32_t a = first + i * (n + 1) + j, b = a + n + 1, c = b + 1, d = a + 1;
+          if (side > 0) {
+            mesh.add_face(std::array{a, b, c});
+            mesh.add_face(std::array{a, c, d});
+          } else {
+            mesh.add_face(std::array{a, c, b});
+            mesh.add_face(std::array{a, d, c});
+          }
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+PolygonMesh turned(PolygonMesh mesh, double angle) {
+  for (Point3& p : mesh.points) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    p = {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
+  }
+  return mesh;
+}
+
+bool measure_degenerate(const Options&) {
+  const auto print = [](const char* what, const PolygonMesh& a, const PolygonMesh& b) {
+    std::size_t faces = 0;
+    const double seconds = least_seconds([&] { return seconds_of([&] { faces = unite(a, b); }); });
+    fmt::print("{:52} {:10.4g} s, {} triangles\n", what, seconds, faces);
+  };
+  const PolygonMesh ico = ball(4, {0.1, 0.2, 0.3}), large = ball(5, {0.1, 0.2, 0.3});
+  print("degenerate: icosphere of 5,120, turned by 1e-12", ico, turned(ico, 1e-12));
+  print("degenerate: icosphere of 20,480 twice", large, large);
+  print("degenerate: cubes of 19,200, shifted in two planes", grid_cube(40, {0, 0, 0}),
+        grid_cube(40, {3.25, 2.5, 0}));
+  return true;
+}
+
+bool measure_location(const Options& options) {
+  const Nef3 set = solid(ball(std::min(options.depth, 6), {0, 0, 0}));
+  testing::Dice dice(7);
+  const auto coordinate = [&] {
+    return 1e-6 * static_cast<double>(dice.between(-1200000, 1200000));
+  };
+  std::vector<Point3> points;
+  for (int i = 0; i < 200000; ++i) {
+    const double x = coordinate(), y = coordinate(), z = coordinate();
+    points.push_back({x, y, z});
+  }
+  std::vector<Mark> marks(points.size());
+  set.contains(std::span(points).first(1), std::span(marks).first(1));  // makes the locator
+  const double seconds =
+      least_seconds([&] { return seconds_of([&] { set.contains(points, marks); }); });
+  const std::string what =
+      fmt::format("locate: points in an icosphere of {}", set.complex().facet_count());
+  return report(what, seconds / static_cast<double>(points.size()) * 1e6, 1, "microseconds",
+                options.slack);
+}
+
+bool measure_files(const Options& options) {
+  const Nef3 set = solid(ball(std::min(options.depth, 6), {0, 0, 0}));
+  std::string text;
+  const double writing = least_seconds([&] {
+    return seconds_of([&] {
+      std::ostringstream out;
+      write_nef3(out, set.complex());
+      text = std::move(out).str();
+    });
+  });
+  const double reading = least_seconds([&] {
+    return seconds_of([&] {
+      Context context;
+      read_nef3(text, {}, context);
+    });
+  });
+  const double megabytes = static_cast<double>(text.size()) * 1e-6;
+  fmt::print("file: {:.1f} MB, written at {:.0f} MB/s, read at {:.0f} MB/s\n", megabytes,
+             megabytes / writing, megabytes / reading);
+  bool is_met = report("file: writing", writing / megabytes * 1e3, 20, "ms/MB", options.slack);
+  is_met &= report("file: reading", reading / megabytes * 1e3, 20, "ms/MB", options.slack);
+  return is_met;
+}
+
+bool measure_audit(const Options& options) {
+  const int depth = std::min(options.depth, 5);
+  const Nef3 a = solid(ball(depth, {0, 0, 0})), b = solid(ball(depth, {0.5, 0.25, 0.125}));
+  Nef3 both;
+  const double uniting = least_seconds([&] {
+    return seconds_of([&] {
+      Context context;
+      both = combine(a, b, kUnion, context);
+    });
+  });
+  const double auditing =
+      least_seconds([&] { return seconds_of([&] { audit(both.complex(), true); }); });
+  return report("audit: of a union, beside the union", auditing / uniting, 1, "times",
+                options.slack);
+}
+
+}  // namespace
+}  // namespace plumb::bench
+
+int main(int argc, char** argv) {
+  CLI::App app{"Goals for operations on sets of space"};
+  plumb::bench::Options options;
+  std::string only;
+  app.add_option("--depth", options.depth, "of the largest icosphere (default 7)");
+  app.add_option("--slack", options.slack, "a goal is missed above this times it (default 1)");
+  app.add_option("--only", only, "goals with this in their names");
+  CLI11_PARSE(app, argc, argv);
+  using namespace plumb::bench;
+  const std::vector<std::pair<std::string, bool (*)(const Options&)>> goals{
+      {"path", measure_path},
+      {"degenerate", measure_degenerate},
+      {"locate", measure_location},
+      {"file", measure_files},
+      {"audit", measure_audit}};
+  bool is_met = true;
+  for (const auto& [name, measure] : goals) {
+    if (name.find(only) != std::string::npos) is_met &= measure(options);
+  }
+  return is_met ? 0 : 1;
+}
