@@ -32,12 +32,23 @@ class Joiner {
       }
     }
     std::uint32_t open = kNone;
-    for (const UseId u : complex_.edge_use) open = unite_unbalanced(u, open);
+    for (const UseId u : complex_.edge_use) {
+      if (!is_plain_and_balanced(u)) open = unite_unbalanced(u, open);
+    }
     return numbers(count);
   }
 
  private:
   std::uint32_t facet(UseId u) const { return complex_.use_facet[u.value()].value(); }
+
+  /// Between two facets (of one class by now) that rise to the same side: most edges of most meshes.
+  bool is_plain_and_balanced(UseId u) const {
+    const UseId v = complex_.use_radial[u.value()];
+    if (v == u || complex_.use_radial[v.value()] != u) return false;
+    const bool is_one_way = complex_.use_halfedge[u.value()] == complex_.use_halfedge[v.value()];
+    const std::int32_t jump = jump_[facet(u)], other = jump_[facet(v)];
+    return is_one_way ? jump == -other : jump == other;
+  }
 
   /// Components that run through the edge more often one way than the other belong together, and to
   /// `one`. Returns one of them.
