@@ -27,6 +27,7 @@ struct Command {
   std::string_view arguments;  ///< "FILE"
   std::string_view summary;    ///< one line
   std::string_view example;    ///< works when pasted at the root of the repository
+  std::string_view schema;     ///< of what --json prints: docs/schema/NAME.schema.json
   std::unique_ptr<CommandBody> (*make)();
 };
 

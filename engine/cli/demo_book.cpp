@@ -1,6 +1,7 @@
 #include "demo_book.h"
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <system_error>
 #include <utility>
@@ -11,6 +12,18 @@ namespace plumb::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+nlohmann::ordered_json demo_json(const std::string& page, const std::vector<DemoStep>& steps,
+                                 const std::vector<DemoPicture>& pictures) {
+  nlohmann::ordered_json json{{"page", page}, {"steps", nullptr}, {"pictures", nullptr}};
+  for (const DemoStep& step : steps) {
+    json["steps"].push_back({{"what", step.what}, {"seconds", step.seconds}});
+  }
+  for (const DemoPicture& p : pictures) {
+    json["pictures"].push_back({{"title", p.title}, {"file", p.file}, {"caption", p.caption}});
+  }
+  return json;
+}
 
 }  // namespace
 
@@ -48,8 +61,13 @@ void DemoBook::finish() {
   session_.outputs().add((directory_ / "index.html").string(),
                          [this](std::ostream& out) { write_demo_page(out, steps_, pictures_); });
   session_.outputs().add("-", [this](std::ostream& out) {
+    const std::string page = (directory_ / "index.html").string();
+    if (session_.options().json) {
+      out << demo_json(page, steps_, pictures_).dump() << '\n';
+      return;
+    }
     write_demo_steps(out, steps_);
-    out << "open " << (directory_ / "index.html").string() << '\n';
+    out << "open " << page << '\n';
   });
   session_.finish_progress();
   session_.outputs().deliver();

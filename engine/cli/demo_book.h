@@ -40,6 +40,8 @@ class DemoBook {
 
 /// The chapter on solids.
 void demonstrate_solids(DemoBook& book);
+/// The chapter on convex pieces.
+void demonstrate_convex(DemoBook& book);
 /// The chapter on polygons drawn on meshes.
 void demonstrate_surfaces(DemoBook& book);
 

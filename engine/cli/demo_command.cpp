@@ -179,6 +179,7 @@ class Demo : public CommandBody {
     plane.combine_sets();
     plane.overlay();
     demonstrate_solids(book);
+    demonstrate_convex(book);
     demonstrate_surfaces(book);
     book.finish();
     return ExitCode::Yes;

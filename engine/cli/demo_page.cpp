@@ -27,6 +27,7 @@ td.time { text-align: right; white-space: nowrap; font-variant-numeric: tabular-
 <p>Real county regions, checked exactly: is every point of the plane covered once? Sets of the plane, open
 or closed along every edge, combined exactly. Two maps laid over each other: areas add up to the last digit.
 Two solids, united, intersected and subtracted: volumes add up to the last digit.
+Solids cut into convex pieces: none twice, nothing lost.
 Polygons on a torus and on the bunny: the cells they make, how often each winds around them, what a Boolean selects.</p>
 )";
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "command.h"
+#include "command_app.h"
 #include "format_choice.h"
 #include "plumb/io/input.h"
 #include "plumb/io/map_reader.h"
@@ -70,9 +70,8 @@ class MapCheck : public CommandBody {
 
 void MapCheck::declare(CLI::App& app) {
   app.add_option("FILE", file_, "The map; - is standard input")->required()->type_name("");
-  app.add_option("--outer", outer_, "Outer boundaries: listed (default), infer, ignore")
-      ->check(CLI::IsMember({"listed", "infer", "ignore"}).description(""))
-      ->type_name("RULE");
+  add_choice(app, "--outer", outer_, {"listed", "infer", "ignore"},
+             "Outer boundaries are listed (default), to be inferred, or to be ignored");
   app.add_flag("--merge-vertices", options_.merge_vertices,
                "Vertices with equal coordinates become one first");
   app.add_option("--max-defects", options_.max_defects, "Describe at most N defects (default 1000)")

@@ -4,11 +4,13 @@
 
 #include "plumb/picture/map_svg.h"
 #include "plumb/picture/nef2_svg.h"
+#include "plumb/picture/pieces_scene.h"
 #include "plumb/picture/plane_html.h"
 #include "plumb/picture/plane_scene.h"
 #include "plumb/picture/render.h"
 #include "plumb/picture/scene_glb.h"
 #include "plumb/picture/scene_html.h"
+#include "plumb/picture/sheet.h"
 #include "plumb/picture/space_scene.h"
 #include "plumb/picture/space_svg.h"
 #include "png_bytes.h"
@@ -45,6 +47,29 @@ std::string flat_picture(const Result& result, const std::string& svg, Picture p
   });
 }
 
+/// A scene in layers.
+std::string picture_of(const Scene& scene, const SceneText& text, Picture picture) {
+  return written([&](std::ostream& out) {
+    switch (picture) {
+      case Picture::Png:
+        out << png_bytes(rendered(scene));
+        break;
+      case Picture::Svg: {
+        const Rendering rendering = rendered_without_text(scene, kPageImage);
+        const std::string png = png_bytes(rendering.image);
+        write_scene_svg(out, scene, {text, png, rendering.texts, ""});
+        break;
+      }
+      case Picture::Html:
+        write_scene_html(out, scene, text);
+        break;
+      case Picture::Glb:
+        write_scene_glb(out, scene, text.title);
+        break;
+    }
+  });
+}
+
 }  // namespace
 
 std::string picture_of(const Nef3& set, Picture picture, const std::string& title,
@@ -68,33 +93,30 @@ std::string picture_of(const Nef3& set, Picture picture, const std::string& titl
   });
 }
 
+std::string picture_of(std::span<const Nef3> sets, double apart, Picture picture,
+                       const std::string& title, Context& context) {
+  SpaceCounts sum;
+  for (const Nef3& set : sets) {
+    const SpaceCounts counts = set.counts();
+    sum.vertices += counts.vertices;
+    sum.edges += counts.edges;
+    sum.facets += counts.facets;
+  }
+  const SceneText text{title, counted(sets.size(), "set"),
+                       "in all " + counted(sum.vertices, "vertex", "vertices") + ", " +
+                           counted(sum.edges, "edge") + ", " + counted(sum.facets, "facet")};
+  return picture_of(exploded_scene(sets, apart, context), text, picture);
+}
+
 std::string picture_of(const SurfaceDivision& division, const SurfaceResult* result,
                        SurfaceLayer shown, Picture picture, const std::string& title,
                        Context& context) {
   const SurfaceTriangulation triangles = triangulate_surface(division, context);
   Scene scene = scene_of(division, triangles, result);
   scene.shown = bit(shown);
-  const SceneText text{title, scene.layers[static_cast<std::size_t>(shown)].name,
-                       facts_of(division)};
-  return written([&](std::ostream& out) {
-    switch (picture) {
-      case Picture::Png:
-        out << png_bytes(rendered(scene));
-        break;
-      case Picture::Svg: {
-        const Rendering rendering = rendered_without_text(scene, kPageImage);
-        const std::string png = png_bytes(rendering.image);
-        write_scene_svg(out, scene, {text, png, rendering.texts, ""});
-        break;
-      }
-      case Picture::Html:
-        write_scene_html(out, scene, text);
-        break;
-      case Picture::Glb:
-        write_scene_glb(out, scene, title);
-        break;
-    }
-  });
+  return picture_of(scene,
+                    {title, scene.layers[static_cast<std::size_t>(shown)].name, facts_of(division)},
+                    picture);
 }
 
 std::string picture_of(const Nef2& set, Picture picture, const std::string& title) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "plumb/base/context.h"
@@ -17,6 +18,9 @@ enum class Picture : std::uint8_t { Png, Svg, Html, Glb };
 
 std::string picture_of(const Nef3& set, Picture picture, const std::string& title,
                        Context& context);
+/// Several sets, each in a colour of its own, moved apart (pieces_scene.h).
+std::string picture_of(std::span<const Nef3> sets, double apart, Picture picture,
+                       const std::string& title, Context& context);
 /// `shown` is what an image shows; a page has all layers, to be turned on and off.
 std::string picture_of(const SurfaceDivision& division, const SurfaceResult* result,
                        SurfaceLayer shown, Picture picture, const std::string& title,

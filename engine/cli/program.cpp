@@ -11,7 +11,9 @@
 #include <utility>
 
 #include "command.h"
+#include "command_app.h"
 #include "plumb/base/error.h"
+#include "plumb/base/version.h"
 #include "process.h"
 #include "session.h"
 #include "suggest.h"
@@ -21,7 +23,7 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-constexpr std::string_view kVersion = PLUMB_VERSION;
+constexpr std::string_view kVersion = PLUMB_VERSION_STRING;
 
 [[noreturn]] void fail_usage(const std::string& message) { throw Error(ErrorCode::Usage, message); }
 
@@ -30,8 +32,6 @@ void print(const std::string& text) {
   outputs.add("-", [&](std::ostream& out) { out << text; });
   outputs.deliver();
 }
-
-std::string_view first_word(std::string_view name) { return name.substr(0, name.find(' ')); }
 
 std::string padded(std::string text, std::size_t width) {
   text.resize(width, ' ');
@@ -84,17 +84,25 @@ std::string table(const std::vector<Row>& rows) {
   return text;
 }
 
+/// Of the first command that starts with the word `group`.
+std::string_view example_of(std::string_view group) {
+  const auto first = std::find_if(commands().begin(), commands().end(),
+                                  [&](const Command& c) { return first_word(c.name) == group; });
+  return first->example;
+}
+
 /// Help for all commands, or for those that start with the word `group`.
 std::string overview(std::string_view group = {}) {
   std::string text = "plumb " + std::string(kVersion) +
                      " - exact geometry: every decision exact, every result auditable\n\n"
                      "Usage: plumb COMMAND [ARGUMENTS] [OPTIONS]\n\nCommands:\n";
   text += table(group.empty() ? all_rows() : rows_of(group));
+  if (!group.empty()) text += "\nExample:\n  " + std::string(example_of(group)) + '\n';
   text +=
       "\nOptions of every command:\n"
       "  --json  -o OUT  --format NAME  --exact-decimals  --threads N  --progress  -q\n"
       "  --limit-memory MB  --limit-seconds S  --help\n"
-      "  FILE or OUT may be - (standard input, standard output)\n\n"
+      "  FILE or OUT may be - (standard input, standard output)\n"
       "plumb COMMAND --help says more; plumb --version prints the version.\n"
       "Exit: 0 yes, 1 no, 2 bad input, 3 limit, 4 cancelled, 70 bug in plumb.\n";
   return text;
@@ -172,12 +180,8 @@ std::string with_digit(std::string argument) {
 
 ExitCode run_command(const Command& command, Arguments arguments, std::stop_token stop) {
   const std::string name(command.name);
-  CLI::App app(std::string(command.summary), "plumb " + name);
-  app.footer("Example:\n  " + std::string(command.example));
-  const std::unique_ptr<CommandBody> body = command.make();
-  CommonOptions common;
-  body->declare(app);
-  common.declare(app);
+  CommandApp known(command);
+  CLI::App& app = known.app;
   std::transform(arguments.begin(), arguments.end(), arguments.begin(), with_digit);
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
   try {
@@ -188,9 +192,10 @@ ExitCode run_command(const Command& command, Arguments arguments, std::stop_toke
   } catch (const CLI::ParseError& error) {
     fail_usage(name + ": " + parse_message(app, error) + "\nplumb " + name + " --help says more");
   }
-  if (common.limit_memory_mb > 0) limit_address_space(common.limit_memory_mb << 20U);
-  Session session(common, std::move(stop));
-  return body->run(session);
+  const std::uint64_t megabytes = known.common.limit_memory_mb;
+  if (megabytes > 0) limit_address_space(megabytes << 20U);
+  Session session(known.common, std::move(stop));
+  return known.body->run(session);
 }
 
 ExitCode dispatch(const Arguments& arguments, std::stop_token stop) {

@@ -32,31 +32,30 @@ std::string require_positive(const std::string& text) {
 }  // namespace
 
 void CommonOptions::declare(CLI::App& app) {
-  constexpr const char* kGroup = "Options of every command";
-  app.add_flag("--json", json, "One JSON object on standard output")->group(kGroup);
+  app.add_flag("--json", json, "One JSON object on standard output")->group(kCommonGroup);
   app.add_option("-o,--output", out, "Write to OUT, format by extension; - needs --format")
       ->type_name("OUT")
-      ->group(kGroup);
+      ->group(kCommonGroup);
   app.add_option("--format", format, "Format, whatever the extension of OUT")
       ->type_name("NAME")
-      ->group(kGroup);
+      ->group(kCommonGroup);
   app.add_flag("--exact-decimals", exact_decimals, "Read 0.1 as 1/10, not as the nearest double")
-      ->group(kGroup);
+      ->group(kCommonGroup);
   app.add_option("--threads", threads, "Threads to use (default 1)")
       ->check(CLI::Range(1U, 1024U).description(""))
       ->type_name("N")
-      ->group(kGroup);
+      ->group(kCommonGroup);
   app.add_option("--limit-memory", limit_memory_mb, "Stop (exit 3) beyond MB megabytes")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40U).description(""))
       ->type_name("MB")
-      ->group(kGroup);
+      ->group(kCommonGroup);
   app.add_option("--limit-seconds", limit_seconds, "Stop (exit 3) after S seconds")
       ->check(require_positive)
       ->type_name("S")
-      ->group(kGroup);
+      ->group(kCommonGroup);
   auto* const bar = app.add_flag("--progress", progress, "Show progress on standard error");
-  bar->group(kGroup);
-  app.add_flag("-q,--quiet", quiet, "No progress and no notes")->excludes(bar)->group(kGroup);
+  bar->group(kCommonGroup);
+  app.add_flag("-q,--quiet", quiet, "No progress and no notes")->excludes(bar)->group(kCommonGroup);
 }
 
 void Outputs::add(const std::string& path, Writer writer) {

@@ -17,6 +17,9 @@
 
 namespace plumb::cli {
 
+/// The group of the options that every command has, in its help.
+inline constexpr const char* kCommonGroup = "Options of every command";
+
 struct CommonOptions {
   bool json = false;
   std::string out;     ///< empty: standard output

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "command.h"
+#include "command_app.h"
 #include "number_argument.h"
 #include "plumb/base/error.h"
 #include "plumb/base/set_expression.h"
@@ -188,20 +188,18 @@ class SectionOperation : public SolidOperation {
     app.add_option("--plane", plane_, "a,b,c,d of a x + b y + c z + d")
         ->required()
         ->type_name("a,b,c,d");
-    app.add_option("--side", side_, "closed: <= 0, open: < 0, plane: = 0")
-        ->required()
-        ->type_name("SIDE")
-        ->check(CLI::IsMember({"closed", "open", "plane"}));
-    app.add_option("--keep", keep_, "outside: what lies beyond instead")
-        ->type_name("outside")
-        ->check(CLI::IsMember({"outside"}));
+    add_choice(app, "--side", side_, {"closed", "open", "plane"},
+               "closed: <= 0, open: < 0, plane: = 0")
+        ->required();
+    add_choice(app, "--keep", keep_, {"inside", "outside"},
+               "inside: what lies there (default); outside: what lies beyond instead");
   }
 
   Nef3 compute(Session& session) override {
     const Section section = side_ == "plane"    ? Section::PlaneOnly
                             : side_ == "closed" ? Section::ClosedHalfSpace
                                                 : Section::OpenHalfSpace;
-    const MarkFunction f = keep_.empty() ? kIntersection : kDifference;
+    const MarkFunction f = keep_ == "inside" ? kIntersection : kDifference;
     return combine(read(a_, session), plane(session), section, f, session.context());
   }
 
@@ -225,7 +223,7 @@ class SectionOperation : public SolidOperation {
   std::string a_;
   std::string plane_;
   std::string side_;
-  std::string keep_;
+  std::string keep_ = "inside";
 };
 
 class HalfSpaces : public SolidOperation {

@@ -2,17 +2,15 @@
 
 #include <utility>
 
+#include "command_app.h"
 #include "plumb/io/input.h"
 #include "plumb/io/solid_sets.h"
 
 namespace plumb::cli {
 
 void SolidInput::declare(CLI::App& app) {
-  app.add_option("--rule", rule_,
-                 "Winding numbers inside: positive, nonzero, odd (default: positive, and "
-                 "components inside out are turned)")
-      ->type_name("RULE")
-      ->check(CLI::IsMember({"positive", "nonzero", "odd"}).description(""));
+  add_choice(app, "--rule", rule_, {"positive", "nonzero", "odd"},
+             "Winding numbers inside (default: positive, and components inside out are turned)");
   app.add_flag("--surface", surface_, "Read a mesh, open or not, as the set of its facets");
 }
 

@@ -1,9 +1,11 @@
-// plumb view FILE: a picture of whatever the file holds.
+// plumb view FILE...: a picture of whatever the file holds, or of several solids.
 
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "command.h"
 #include "format_choice.h"
@@ -34,17 +36,21 @@ constexpr std::array kFormats{
 class View : public CommandBody {
  public:
   void declare(CLI::App& app) override {
-    app.add_option("FILE", file_, "A map, a set of the plane, a solid; - is standard input")
+    app.add_option("FILE", files_, "A map, a set of the plane, a solid; - is standard input")
         ->required()
         ->type_name("");
+    app.add_option("--explode", apart_,
+                   "Several solids in one picture, moved apart by X times their distances")
+        ->type_name("X")
+        ->check(CLI::Range(0., 1e6).description(""));
     input_.declare(app);
   }
 
   ExitCode run(Session& session) override {
     const Format& format = open_outputs(session);
-    const std::string bytes = read_input(file_, session.context());
-    const FileKind kind = kind_of_file(file_, bytes);
-    picture_ = draw(kind, bytes, format.picture, session);
+    const bool is_one = files_.size() == 1 && !apart_;
+    const FileKind kind = is_one ? draw_file(format.picture, session) : FileKind::Solid;
+    if (!is_one) draw_solids(format.picture, session);
     if (session.options().json) json_ = answer(kind, format);
     session.finish_progress();
     session.outputs().deliver();
@@ -69,23 +75,43 @@ class View : public CommandBody {
     return format;
   }
 
-  std::string draw(FileKind kind, const std::string& bytes, Picture picture,
-                   Session& session) const {
+  static std::string title_of(const std::string& file) {
+    return std::filesystem::path(input_name(file)).filename().string();
+  }
+
+  FileKind draw_file(Picture picture, Session& session) {
+    const std::string bytes = read_input(files_.front(), session.context());
+    const FileKind kind = kind_of_file(files_.front(), bytes);
+    picture_ = drawn(kind, bytes, picture, session);
+    return kind;
+  }
+
+  std::string drawn(FileKind kind, const std::string& bytes, Picture picture,
+                    Session& session) const {
+    const std::string& file = files_.front();
     Context& context = session.context();
-    const std::string title = std::filesystem::path(input_name(file_)).filename().string();
-    const ReadOptions options{input_name(file_), session.options().exact_decimals};
+    const std::string title = title_of(file);
+    const ReadOptions options{input_name(file), session.options().exact_decimals};
     switch (kind) {
       case FileKind::Map:
         return picture_of(check_map(read_map(bytes, options, context), {}, context), picture,
                           title);
       case FileKind::PlaneSet: {
-        const PlaneFormat format = plane_format_of(file_).value_or(guess_plane_format(bytes));
+        const PlaneFormat format = plane_format_of(file).value_or(guess_plane_format(bytes));
         return picture_of(read_plane_set(bytes, format, options, context), picture, title);
       }
       case FileKind::Solid:
         break;
     }
-    return picture_of(input_.read(file_, bytes, session), picture, title, context);
+    return picture_of(input_.read(file, bytes, session), picture, title, context);
+  }
+
+  void draw_solids(Picture picture, Session& session) {
+    std::vector<Nef3> sets;
+    for (const std::string& file : files_) sets.push_back(input_.read(file, session));
+    std::string title = title_of(files_.front());
+    if (files_.size() > 1) title += " and " + std::to_string(files_.size() - 1) + " more";
+    picture_ = picture_of(sets, apart_.value_or(0), picture, title, session.context());
   }
 
   static std::string answer(FileKind kind, const Format& format) {
@@ -95,7 +121,8 @@ class View : public CommandBody {
         .dump();
   }
 
-  std::string file_;
+  std::vector<std::string> files_;
+  std::optional<double> apart_;
   SolidInput input_;
   std::string picture_;
   std::string json_;

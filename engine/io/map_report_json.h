@@ -1,4 +1,4 @@
-// The report of check_map() as one JSON object (docs/formats.md, docs/map-check.schema.json).
+// The report of check_map() as one JSON object (docs/formats.md, docs/schema/map-check.schema.json).
 #pragma once
 
 #include <ostream>

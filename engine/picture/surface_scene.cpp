@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/picture/distinct_colour.h"
 #include "plumb/picture/scene_frame.h"
 #include "plumb/picture/sheet.h"
 #include "plumb/surface/surface_arrangement.h"
@@ -22,20 +23,6 @@ constexpr std::size_t kCurvePaints = 6;
 constexpr std::uint32_t kNoPoint = ~std::uint32_t{0};
 constexpr std::uint8_t kDrawn = bit(SurfaceLayer::Polygons) | bit(SurfaceLayer::Slices) |
                                 bit(SurfaceLayer::Cells) | bit(SurfaceLayer::Labels);
-
-/// Light colours, far apart however many: hues by the golden section, in three strengths.
-Colour tint(std::size_t i) {
-  constexpr double kGolden = 0.61803398875;
-  const double hue = std::fmod(.58 + static_cast<double>(i) * kGolden, 1.);
-  const double strength = std::array{.36, .24, .42}[i % 3], light = std::array{.97, .98, .9}[i % 3];
-  Colour colour{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double wave = std::fabs(std::fmod(hue * 6 + std::array{0., 4., 2.}[k], 6.) - 3) - 1;
-    const double part = light * (1 - strength * (1 - std::clamp(wave, 0., 1.)));
-    colour[k] = static_cast<std::uint8_t>(std::lround(255 * part));
-  }
-  return colour;
-}
 
 Point3 normal_of(const Point3& a, const Point3& b, const Point3& c) {
   const Point3 p{b.x - a.x, b.y - a.y, b.z - a.z}, q{c.x - a.x, c.y - a.y, c.z - a.z};
@@ -114,9 +101,9 @@ class SurfaceSceneMaker {
     Scene::Layer labels{layer_name(SurfaceLayer::Labels), {}, true};
     std::map<std::string, Colour> known{{label_text({}), kNothing}};
     for (std::size_t c = 0; c < scene_.groups.size(); ++c) {
-      cells.tints.push_back(tint(c));
+      cells.tints.push_back(distinct_colour(c));
       const auto [place, is_new] = known.emplace(scene_.groups[c].text, kNothing);
-      if (is_new) place->second = tint(known.size() - 2);
+      if (is_new) place->second = distinct_colour(known.size() - 2);
       labels.tints.push_back(place->second);
     }
     scene_.layers = {{layer_name(SurfaceLayer::Polygons), {}, false},

@@ -3,13 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "../io/hostile_maps.h"
+#include "json_schema.h"
 #include "refusal.h"
 #include "run_program.h"
 
@@ -41,35 +44,6 @@ TEST(Program, prints_its_version) {
   EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '.'), 2);
 }
 
-TEST(Program, has_help_on_one_screen) {
-  const RunResult result = run({"--help"});
-  EXPECT_EQ(result.code, 0);
-  EXPECT_EQ(result.err, "");
-  EXPECT_LE(std::count(result.out.begin(), result.out.end(), '\n'), 24);
-  std::istringstream lines(result.out);
-  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 90U) << line;
-}
-
-TEST(Program, has_help_with_an_example_for_every_command) {
-  for (const Words& command : {Words{"map", "check"}, Words{"demo"}, Words{"self-test"}}) {
-    Words arguments = command;
-    arguments.push_back("--help");
-    const RunResult result = run(arguments);
-    EXPECT_EQ(result.code, 0);
-    std::string name = "./plumb";
-    for (const std::string& word : command) name += ' ' + word;
-    EXPECT_TRUE(contains(result.out, name)) << result.out;
-  }
-}
-
-TEST(Program, examples_of_the_help_work) {
-  const ScratchDirectory scratch;
-  const std::string svg = (scratch / "out.svg").string();
-  EXPECT_EQ(run({"map", "check", kDefective, "--svg", svg}).code, 1);
-  EXPECT_TRUE(read_file(svg).starts_with("<?xml") || read_file(svg).starts_with("<svg"));
-  EXPECT_EQ(run({"self-test"}).code, 0);
-}
-
 TEST(Program, suggests_what_was_meant) {
   const std::vector<std::pair<Words, std::string>> typos{
       {{"slef-test"}, "'self-test'"},
@@ -78,6 +52,10 @@ TEST(Program, suggests_what_was_meant) {
       {{"dmeo"}, "'demo'"},
       {{"map", "check", "--jsno", "x"}, "'--json'"},
       {{"map", "check", "--max-defect", "3", "x"}, "--max-defects"},
+      {{"solid", "unoin", "x"}, "'solid union'"},
+      {{"slid", "union", "x"}, "'solid union'"},
+      {{"convex", "decompose", "x", "--mehtod", "cuts"}, "'--method'"},
+      {{"completion", "bsh"}, "'completion bash'"},
   };
   for (const auto& [arguments, guess] : typos) {
     const RunResult result = run(arguments);
@@ -263,6 +241,79 @@ TEST(MapCheckProgram, is_cancelled_by_a_signal) {
   }
 }
 
+/// Takes minutes.
+const Words kLongJob{"convex", "minkowski", "corpus/solids/bunny.off", "corpus/solids/ball.off"};
+
+TEST(Signals, end_a_long_job_and_leave_nothing) {
+  const ScratchDirectory scratch;
+  write_file(scratch / "sum.off", "old");
+  for (const int signal : {SIGINT, SIGTERM}) {
+    std::chrono::steady_clock::time_point sent;
+    RunOptions options;
+    options.meanwhile = [&](pid_t child) {
+      while (scratch.files().size() < 2) std::this_thread::yield();  // its output is open
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));
+      sent = std::chrono::steady_clock::now();
+      ::kill(child, signal);
+    };
+    Words arguments = kLongJob;
+    arguments.insert(arguments.end(), {"-o", (scratch / "sum.off").string()});
+    const RunResult result = run(arguments, options);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - sent;
+    EXPECT_EQ(result.code, 4) << result.err;
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(scratch.files(), Words{"sum.off"});
+    EXPECT_EQ(read_file(scratch / "sum.off"), "old");
+    EXPECT_TRUE(took.count() < 2 || !kMeasures) << took.count();
+  }
+}
+
+/// What a terminal that is standard error gets to see.
+std::string seen_on_terminal(const Words& arguments) {
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+  if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) return "no terminal";
+  const std::string name = ::ptsname(terminal);
+  const int keep_open = ::open(name.c_str(), O_RDWR | O_NOCTTY);
+  const pid_t child = ::fork();
+  if (child == 0) become_program(arguments, "/dev/null", "/dev/null", name);
+  std::string seen;
+  std::thread reader([&] {
+    char bytes[4096];
+    for (ssize_t n = 0; (n = ::read(terminal, bytes, sizeof bytes)) > 0;) {
+      seen.append(bytes, static_cast<std::size_t>(n));
+    }
+  });
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ::close(keep_open);  // the last one: the reader ends
+  reader.join();
+  ::close(terminal);
+  return seen;
+}
+
+TEST(Progress, tells_phase_percentage_and_time_on_a_terminal) {
+  Words arguments = kLongJob;
+  arguments.insert(arguments.end(), {"--limit-seconds", "2.5"});
+  const std::string seen = seen_on_terminal(arguments);
+  const std::regex line("([a-z ]+)\\[[#.]+\\] +[0-9]+%(  [0-9]+ s (left|so far))?");
+  bool tells_time = false;
+  std::size_t lines = 0;
+  for (std::size_t at = 0; (at = seen.find("\r\x1b[K", at)) != seen.npos;) {
+    at += 4;
+    const std::string shown = seen.substr(at, seen.find('\r', at) - at);
+    std::smatch match;
+    if (!std::regex_match(shown, match, line)) continue;  // the message at the end
+    ++lines;
+    EXPECT_LT(shown.size(), 80U) << shown;
+    tells_time |= match[2].matched;
+  }
+  EXPECT_GT(lines, 5U) << seen.substr(0, 400);
+  EXPECT_TRUE(tells_time) << seen.substr(0, 400);
+  EXPECT_NE(seen.find("\r\x1b[Kplumb: "), seen.npos) << "the bar is wiped before the message";
+  arguments.push_back("--quiet");
+  EXPECT_EQ(seen_on_terminal(arguments).find('['), std::string::npos);
+}
+
 /// Exact decimals expand beyond what the reader allows, one by one or all together.
 int expected_code(const std::string& bomb, bool exact) {
   if (!exact) return 0;
@@ -310,8 +361,11 @@ TEST(MapCheckProgram, bounds_time_and_memory_on_bombs) {
 
 TEST(Demo, leaves_a_page_with_pictures) {
   const ScratchDirectory scratch;
-  const RunResult result = run({"demo", "-o", (scratch / "demo").string()});
+  const RunResult result = run({"demo", "--json", "-o", (scratch / "demo").string()});
   EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(JsonSchema(nlohmann::json::parse(read_file("docs/schema/demo.schema.json")))
+                .misfit(nlohmann::json::parse(result.out)),
+            "");
   EXPECT_TRUE(contains(result.out, "3759 cycles")) << result.out;
   const std::string page = read_file(scratch / "demo/index.html");
   EXPECT_TRUE(contains(page, "src=\"data:image/svg+xml,%3Csvg"));
@@ -321,7 +375,7 @@ TEST(Demo, leaves_a_page_with_pictures) {
         "states-over-counties.svg", "states-over-counties.geojson", "bunny-or-ball.svg",
         "bunny-and-ball.svg", "bunny-without-ball.svg", "mould.svg", "bunny-without-ball.nef",
         "bunny-without-ball.off", "torus-polygons.svg", "torus-result.svg", "bunny-labels.svg",
-        "bunny-cells.html"}) {
+        "bunny-cells.html", "test_four-pieces.svg", "comb-pieces.svg", "comb-pieces.html"}) {
     EXPECT_TRUE(fs::exists(scratch / (std::string("demo/") + name))) << name;
     EXPECT_TRUE(contains(page, name) || !std::string_view(name).ends_with(".svg")) << name;
   }

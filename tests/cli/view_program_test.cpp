@@ -182,5 +182,29 @@ TEST_F(ViewProgram, wrong_usage_is_refused) {
   EXPECT_TRUE(run({"view", kBlock, "-o", "-", "--format", "glb"}).out.starts_with("glTF"));
 }
 
+TEST_F(ViewProgram, draws_several_solids_moved_apart) {
+  const ScratchDirectory scratch;
+  const std::string out = (scratch / "out").string();
+  const Words files{kBlock, "corpus/solids/tetrahedron.off"};
+  for (const char* extension : {".png", ".svg", ".html", ".glb"}) {
+    Words arguments{"view", files[0], files[1], "--explode", "0.3", "-o", out + extension};
+    EXPECT_EQ(run(arguments).code, 0) << extension;
+    EXPECT_GT(fs::file_size(out + extension), 1000U);
+  }
+  EXPECT_NE(read_file(out + ".html").find("l-block.off and 1 more"), std::string::npos);
+  // Moved further apart they make another picture.
+  EXPECT_EQ(run({"view", files[0], files[1], "--explode", "3", "-o", out + "2.png"}).code, 0);
+  EXPECT_NE(read_file(out + ".png"), read_file(out + "2.png"));
+  EXPECT_EQ(run({"view", kBlock, "--explode", "1", "-o", out + ".png"}).code, 0);
+  for (const char* wrong : {"-1", "nan", "far"}) {
+    expect_refusal(run({"view", kBlock, "--explode", wrong, "-o", out + ".png"}), "plumb: ", "");
+  }
+  EXPECT_EQ(run({"solid", "complement", kBlock, "-o", out + ".nef"}).code, 0);
+  expect_refusal(run({"view", out + ".nef", "--explode", "1", "-o", out + ".png"}),
+                 "plumb: ", "unbounded");
+  expect_refusal(run({"view", files[0], "corpus/plane/star.wkt", "-o", out + ".png"}), "corpus",
+                 "");
+}
+
 }  // namespace
 }  // namespace plumb::testing

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 #include <sstream>
 
+#include "plumb/base/error.h"
 #include "plumb/picture/base64.h"
+#include "plumb/picture/pieces_scene.h"
 #include "plumb/picture/render.h"
 #include "plumb/picture/scene_html.h"
 #include "plumb/picture/space_scene.h"
@@ -226,6 +229,29 @@ TEST(Base64, is_that_of_the_standard) {
                                                                {"foobar", "Zm9vYmFy"},
                                                                {"\xff\xfe", "//4="}};
   for (const auto& [bytes, text] : cases) EXPECT_EQ(base64(bytes), text);
+}
+
+TEST(PiecesScene, moves_pieces_away_from_the_middle_and_keeps_their_volume) {
+  Context context;
+  const std::vector<Nef3> pieces = {cube(0, 1), cube(1, 2, Boundary::Open), Nef3(), cube(2, 4)};
+  const Scene together = exploded_scene(pieces, 0, context);
+  const Scene apart = exploded_scene(pieces, .5, context);
+  for (const Scene* s : {&together, &apart}) {
+    EXPECT_NEAR(volume(*s), 1 + 1 + 8, 1e-9);
+    EXPECT_EQ(s->groups.size(), 4U);
+    EXPECT_EQ(count(*s, Paint::OpenFacet), 6U);
+    for (const Point3& p : s->points) {
+      EXPECT_LE(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}), 1 + 1e-12);
+    }
+  }
+  // Middles were 0.5, 1.5, 3 and are half as far again from 2; the widest cube goes from 2.5 to 4.5.
+  EXPECT_NEAR(4 * together.quarter_scale, 2, 1e-12);
+  EXPECT_NEAR(4 * apart.quarter_scale, (4.5 + .75) / 2, 1e-12);
+  std::set<Colour> colours;
+  for (const Scene::Patch& p : apart.patches) colours.insert(apart.colour_of(p));
+  EXPECT_EQ(colours.size(), 3U);
+  EXPECT_THROW(exploded_scene(std::vector{Nef3::space()}, 0, context), Error);
+  EXPECT_THROW(exploded_scene(pieces, -1, context), Error);
 }
 
 }  // namespace
