@@ -1,24 +1,16 @@
-// How the time of convexity tests and convex decomposition grows, family by family.
-//
-//   convex_families [--most N] [--slack X]
-//
-// prints the time at every size and the fitted exponent; exits 1 if one is above its limit by more than the slack.
-// --most: percent of the full sizes (default 100).
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
-#include <algorithm>
+// How convexity tests and convex decomposition grow, family by family (growth.h says how it is measured).
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
-#include "cpu_time.h"
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
+#include "growth.h"
 #include "plumb/convex/convexity.h"
 #include "plumb/convex/decompose.h"
-#include "power_fit.h"
 
 namespace plumb::bench {
 namespace {
@@ -38,18 +30,22 @@ PolygonMesh notched_disc(int n) {
   return testing::prism_mesh(polygon, 0, 1);
 }
 
-double seconds_to_decompose(const Nef3& set) {
-  return least_seconds([&] {
+Work decomposition(double size, const PolygonMesh& mesh) {
+  return measured(size, [set = solid(mesh)] {
     Context context;
-    const double start = cpu_seconds();
-    decompose(set, {}, context);
-    return cpu_seconds() - start;
+    return decompose(set, {}, context);
   });
 }
-
-double stars(int size) { return seconds_to_decompose(solid(testing::star_prism(size))); }
-double combs(int size) { return seconds_to_decompose(solid(testing::comb_block(size, size))); }
-double discs(int size) { return seconds_to_decompose(solid(notched_disc(size))); }
+Work stars(std::size_t tips) {
+  return decomposition(static_cast<double>(tips), testing::star_prism(static_cast<int>(tips)));
+}
+Work combs(std::size_t teeth) {
+  const int n = static_cast<int>(teeth);
+  return decomposition(2.0 * n, testing::comb_block(n, n));
+}
+Work discs(std::size_t corners) {
+  return decomposition(static_cast<double>(corners), notched_disc(static_cast<int>(corners)));
+}
 
 /// A prism over n corners, and pyramids on both of its ends: quads, and two vertices beside n faces each.
 PolygonMesh pencil(int n) {
@@ -70,77 +66,60 @@ PolygonMesh pencil(int n) {
   return mesh;
 }
 
-double seconds_to_test(const PolygonMesh& mesh) {
-  return least_seconds([&] {
+Work test_of(PolygonMesh mesh) {
+  const auto size = static_cast<double>(mesh.face_count());
+  return measured(size, [mesh = std::make_shared<const PolygonMesh>(std::move(mesh))] {
     Context context;
-    const double start = cpu_seconds();
-    is_convex_mesh(mesh, context);
-    return cpu_seconds() - start;
+    return is_convex_mesh(*mesh, context);
   });
 }
-double spheres(int depth) { return seconds_to_test(testing::icosphere_mesh(depth, 1, {0, 0, 0})); }
-double pencils(int size) { return seconds_to_test(pencil(size)); }
-
-struct Family {
-  const char* name;
-  const char* unit;
-  std::vector<int> sizes;
-  double (*seconds)(int);
-  double (*count)(int);  ///< what the exponent is of
-  double limit;
-};
+Work spheres(std::size_t depth) {
+  return test_of(testing::icosphere_mesh(static_cast<int>(depth), 1, {0, 0, 0}));
+}
+Work pencils(std::size_t corners) { return test_of(pencil(static_cast<int>(corners))); }
 
 const std::vector<Family> kFamilies{
-    {"stars", "reflex edges", {64, 128, 256, 512, 1024}, stars, [](int n) { return 1.0 * n; }, 1.2},
-    {"combs", "reflex edges", {4, 8, 16, 32}, combs, [](int n) { return 2.0 * n; }, 2.1},
-    {"one notch",
+    {"stars",
+     "convex decomposition, reflex edges far apart",
+     "reflex edges",
+     {1, 1},
+     {64, 128, 256, 512, 1024},
+     stars,
+     1.2},
+    {"combs",
+     "convex decomposition, O(r^2) pieces in the note on decomposition",
+     "reflex edges",
+     {2, 0},
+     {4, 8, 16, 32},
+     combs,
+     2.1},
+    {"one-notch",
+     "convex decomposition, one reflex edge",
      "corners",
+     {1, 1},
      {125, 250, 500, 1000, 2000},
      discs,
-     [](int n) { return 1.0 * n; },
      1.1},
-    {"convexity of spheres",
-     "triangles",
+    {"convexity-of-spheres",
+     "convexity, O(F V) in the note on cutting",
+     "faces",
+     {1, 0},
      {4, 5, 6, 7},
      spheres,
-     [](int depth) { return 20 * std::pow(4.0, depth); },
      1.1},
-    {"convexity of pencils",
-     "corners",
+    {"convexity-of-pencils",
+     "the same, two vertices beside every third face",
+     "faces",
+     {1, 0},
      {1000, 4000, 16000, 64000},
      pencils,
-     [](int n) { return 1.0 * n; },
      1.1},
 };
-
-bool measure(const Family& family, double most, double slack) {
-  fmt::print("{}\n", family.name);
-  const auto wanted =
-      static_cast<std::size_t>(std::ceil(static_cast<double>(family.sizes.size()) * most / 100));
-  std::vector<Sample> samples;
-  for (std::size_t i = 0; i < std::max<std::size_t>(3, wanted); ++i) {
-    const double count = family.count(family.sizes[i]), seconds = family.seconds(family.sizes[i]);
-    samples.push_back({count, seconds});
-    fmt::print("  {:9.0f} {}  {:.6f} s\n", count, family.unit, seconds);
-  }
-  const PowerFit fit = fit_power(samples);
-  const bool is_within = fit.slope <= family.limit + slack;
-  fmt::print("  exponent {:.3f} +- {:.3f}, limit {}{}\n", fit.slope, fit.half_width, family.limit,
-             is_within ? "" : ": EXCEEDED");
-  return is_within;
-}
 
 }  // namespace
 }  // namespace plumb::bench
 
 int main(int argc, char** argv) {
-  CLI::App app{"Growth of convexity tests and convex decomposition"};
-  double most = 100, slack = 0;
-  app.add_option("--most", most, "percent of the full sizes (default 100)");
-  app.add_option("--slack", slack, "how far above its limit an exponent may be");
-  CLI11_PARSE(app, argc, argv);
-  using namespace plumb::bench;
-  bool is_within = true;
-  for (const Family& family : kFamilies) is_within &= measure(family, most, slack);
-  return is_within ? 0 : 1;
+  return plumb::bench::growth_main("Growth of convexity tests and convex decomposition",
+                                   plumb::bench::kFamilies, argc, argv);
 }

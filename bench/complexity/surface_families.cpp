@@ -1,29 +1,22 @@
-// How the time of dividing surfaces grows, family by family; and scenes of the sizes others publish.
-//
-//   surface_families [--most N] [--slack S] [--goals]
-//
-// CPU time of SurfaceDivision alone (slicing, cells, labels) against s + k, segments and crossings, up to about N
-// segments (default 100000; a short run: 10000). Prints times and the fitted exponent with its 95% confidence
-// interval. Exit status 1 when an exponent is above the limit. --goals: four scenes, once each.
+// How dividing surfaces grows, family by family (growth.h says how it is measured): SurfaceDivision alone (slicing, cells,
+// labels) against s + k, segments and crossings. With --goals instead: scenes of the sizes others publish, once each.
 #include <fmt/core.h>
 #include <sys/resource.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <random>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "cpu_time.h"
+#include "growth.h"
 #include "plumb/surface/surface.h"
-#include "power_fit.h"
 
 namespace plumb::bench {
 namespace {
-
-constexpr double kLimit = 1.2;
 
 /// A torus of columns x rows squares, each cut by its diagonal; and rings drawn on it, from square to square.
 class TorusScene {
@@ -156,59 +149,48 @@ SurfaceScene rings(std::uint32_t columns, std::uint32_t rows, int count, double 
   return std::move(torus).scene();
 }
 
-Sample measure(const SurfaceScene& scene, SurfaceCounts& counts) {
-  const double seconds = least_seconds([&] {
-    SurfaceScene copy = scene;
-    Context context;
-    const double start = cpu_seconds();
-    const SurfaceDivision division(std::move(copy), context);
-    const double spent = cpu_seconds() - start;
-    counts = division.counts();
-    return spent;
-  });
-  return {static_cast<double>(counts.segments + counts.crossings), seconds};
+SurfaceCounts counts_of(const SurfaceScene& scene) {
+  Context context;
+  return SurfaceDivision(scene, context).counts();
+}
+
+Work division_of(SurfaceScene scene) {
+  const SurfaceCounts counts = counts_of(scene);
+  return {static_cast<double>(counts.segments + counts.crossings),
+          [scene = std::move(scene)](Meter& meter) {
+            SurfaceScene copy = scene;
+            Context context;
+            meter.start();
+            const SurfaceDivision division(std::move(copy), context);
+            meter.stop();
+          }};
 }
 
 /// A mesh that grows with what is drawn on it.
-Sample scattered(std::size_t n, SurfaceCounts& counts) {
+Work scattered(std::size_t n) {
   const auto side = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(n) / 2));
-  return measure(rings(side, side, static_cast<int>(n / 90), 4), counts);
+  return division_of(rings(side, side, static_cast<int>(n / 90), 4));
 }
 /// The same number of triangles and more and more rings: crossings outgrow the rest.
-Sample crowded(std::size_t n, SurfaceCounts& counts) {
-  return measure(rings(54, 54, static_cast<int>(n / 90), 4), counts);
-}
+Work crowded(std::size_t n) { return division_of(rings(54, 54, static_cast<int>(n / 90), 4)); }
 /// Rings in one face each: islands.
-Sample tiny(std::size_t n, SurfaceCounts& counts) {
+Work tiny(std::size_t n) {
   const auto side = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(n) / 64) + 3);
-  return measure(rings(side, side, static_cast<int>(n / 16), 0.05), counts);
+  return division_of(rings(side, side, static_cast<int>(n / 16), 0.05));
 }
 
-struct Job {
-  const char* name;
-  Sample (*run)(std::size_t n, SurfaceCounts& counts);
+const std::vector<std::size_t> kSizes = sizes_between(1000, 100000);
+const std::vector<Family> kFamilies{
+    {"scattered",
+     "division of a surface, which grows with what is drawn",
+     "s + k",
+     {1, 1},
+     kSizes,
+     scattered,
+     1.2},
+    {"crowded", "the same, more and more on one surface", "s + k", {1, 1}, kSizes, crowded, 1.2},
+    {"tiny", "the same, each polygon within one face", "s + k", {1, 1}, kSizes, tiny, 1.2},
 };
-constexpr Job kJobs[] = {{"scattered", scattered}, {"crowded", crowded}, {"tiny", tiny}};
-
-void print(const char* name, const Sample& s, const SurfaceCounts& c) {
-  fmt::print("{:10} {:8} triangles {:7} segments {:7} crossings {:7} cells {:9.4f} s\n", name,
-             c.triangles, c.segments, c.crossings, c.cells, s.seconds);
-}
-
-bool measure(const Job& job, std::size_t most, double slack) {
-  std::vector<Sample> samples;
-  for (double n = 1000; n <= static_cast<double>(most) * 1.01; n *= std::sqrt(10.0)) {
-    SurfaceCounts counts;
-    samples.push_back(job.run(static_cast<std::size_t>(n), counts));
-    print(job.name, samples.back(), counts);
-  }
-  const PowerFit fit = fit_power(samples);
-  const bool within = fit.slope <= kLimit + slack;
-  fmt::print("{:10} time ~ (s + k)^{:.3f}, 95% confidence {:.3f} .. {:.3f}, limit {:.2f}{}\n\n",
-             job.name, fit.slope, fit.slope - fit.half_width, fit.slope + fit.half_width, kLimit,
-             within ? "" : "  ABOVE THE LIMIT");
-  return within;
-}
 
 void measure_goals() {
   struct Goal {
@@ -221,10 +203,13 @@ void measure_goals() {
                              {"52k", 228, 114, 430, 11},
                              {"100k", 316, 158, 530, 12.5},
                              {"1M", 1000, 500, 300, 24}};
+  Meter meter;
   for (const Goal& g : kGoals) {
-    SurfaceCounts counts;
-    const Sample s = measure(rings(g.columns, g.rows, g.rings, g.radius), counts);
-    print(g.name, s, counts);
+    const SurfaceScene scene = rings(g.columns, g.rows, g.rings, g.radius);
+    const SurfaceCounts c = counts_of(scene);
+    division_of(scene).run(meter);
+    fmt::print("{:10} {:8} triangles {:7} segments {:7} crossings {:7} cells {:9.4f} s\n", g.name,
+               c.triangles, c.segments, c.crossings, c.cells, meter.take().seconds);
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -235,22 +220,10 @@ void measure_goals() {
 }  // namespace plumb::bench
 
 int main(int argc, char** argv) {
-  CLI::App app{"Growth of divided surfaces"};
-  std::size_t most = 100000;
-  double slack = 0;
-  bool goals = false;
-  app.add_option("--most", most, "largest number of segments")
-      ->check(CLI::Range(10000U, 10000000U));
-  app.add_option("--slack", slack, "added to the limit");
-  app.add_flag("--goals", goals, "the published sizes only");
-  CLI11_PARSE(app, argc, argv);
-  if (goals) {
+  if (argc == 2 && std::string_view(argv[1]) == "--goals") {
     plumb::bench::measure_goals();
     return 0;
   }
-  bool within = true;
-  for (const auto& job : plumb::bench::kJobs) {
-    if (!plumb::bench::measure(job, most, slack)) within = false;
-  }
-  return within ? 0 : 1;
+  return plumb::bench::growth_main("Growth of divided surfaces", plumb::bench::kFamilies, argc,
+                                   argv);
 }
