@@ -6,9 +6,11 @@ set(plumb_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/plumb)
 install(TARGETS plumb_predicates plumb_plumb EXPORT plumbTargets)
 if(PLUMB_BUILD_PROGRAM AND TARGET plumb_program)
   install(TARGETS plumb_program)
-  install(FILES ${PROJECT_BINARY_DIR}/engine/cli/plumb.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-  install(FILES ${PROJECT_BINARY_DIR}/engine/cli/plumb.bash
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME plumb)
+  if(TARGET plumb_manual)
+    install(FILES ${PROJECT_BINARY_DIR}/engine/cli/plumb.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+    install(FILES ${PROJECT_BINARY_DIR}/engine/cli/plumb.bash
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME plumb)
+  endif()
 endif()
 install(DIRECTORY predicates engine/base engine/dcel engine/plane engine/sphere engine/space engine/convex
   engine/surface engine/io engine/picture

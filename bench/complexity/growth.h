@@ -7,7 +7,7 @@
 //     fitted as a power of the size
 //  4. a table on stdout, on wish JSON; exit status 1 when a power is above the bound's by more than 0.15
 // Instructions and allocations are the same on a busy machine; time is not, and feels the caches. --work leaves it
-// out of the verdict.
+// out of the verdict, or, where instructions are not counted, judges it with more patience.
 #pragma once
 
 #include <cstddef>
@@ -60,7 +60,8 @@ std::vector<std::size_t> sizes_between(double least, double most,
                                        double factor = 3.1622776601683795);
 
 /// The whole program: [--most PERCENT] [--work] [--slack X] [--json FILE] [FAMILY...]. --most: no sizes above that share of
-/// the largest, but three at least. --slack: added to the bounds and goals.
+/// the largest, but three at least. --slack: added to the bounds and goals. Exit status 2: no such family, or JSON cannot
+/// be written.
 int growth_main(std::string_view title, std::span<const Family> families, int argc, char** argv);
 
 }  // namespace plumb::bench

@@ -2,7 +2,7 @@
 //
 // Prints, for every family and size in both, what changed: allocations, their bytes and instructions by more than 2%, time by
 // more than 15% where its batches say so, too: a sign test of all batches of the family, every old one against the new one of
-// its place, at the 5% level. Exit status 1 when something has become worse, 2 when a file cannot be read.
+// its place, at the 5% level. Exit status 1 when something has become worse, 2 when a file cannot be read or nothing is in both.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -110,9 +110,16 @@ int run(const std::string& before, const std::string& after) {
   std::size_t compared = 0;
   for (const auto& [family, samples] : old_samples) {
     const auto found = new_samples.find(family);
-    if (found == new_samples.end()) continue;
+    if (found == new_samples.end()) {
+      fmt::print("{}: not in {}\n", family, after);
+      continue;
+    }
     ++compared;
     if (!compare(family, samples, found->second)) is_well = false;
+  }
+  if (compared == 0) {
+    fmt::print(stderr, "growth_compare: no family is in both files\n");
+    return 2;
   }
   fmt::print("{} families compared: {}\n", compared, is_well ? "none is worse" : "WORSE");
   return is_well ? 0 : 1;

@@ -28,7 +28,8 @@ namespace plumb::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr const char* kHelp = "A solid: .off, .obj, .stl, .ply, .nef; - is standard input";
+constexpr const char* kHelp =
+    "A solid: .off, .obj, .stl, .ply, .glb, .gltf, .nef; - is standard input";
 
 // ---------------------------------------------------------------- check
 
@@ -61,11 +62,10 @@ class ConvexCheck : public CommandBody {
   ConvexityEvidence evidence(Session& session) const {
     const std::string bytes = read_input(file_, session.context());
     if (!input_.is_plain() || is_nef_file(file_, bytes)) return evidence_of_set(bytes, session);
-    const MeshFormat format = mesh_format_of(file_).value_or(guess_mesh_format(bytes));
     ReadOptions options;
     options.name = input_name(file_);
     options.exact_decimals = session.options().exact_decimals;
-    const PolygonMesh mesh = read_mesh(bytes, format, options, session.context()).mesh;
+    const PolygonMesh mesh = read_mesh_of(file_, bytes, options, session.context()).mesh;
     ConvexityEvidence found = convexity_of_mesh(mesh, session.context());
     if (found.is_convex || found.reflex_edges > 0) return found;
     return evidence_of_set(bytes, session);
@@ -98,7 +98,8 @@ class Decomposition : public CommandBody {
   void declare(CLI::App& app) override {
     app.add_option("A", file_, kHelp)->required()->type_name("");
     app.add_option("--method", method_,
-                   "cuts: planes through reflex edges; walls: vertical ones; best: cuts, merged")
+                   "cuts: planes through reflex edges; walls: vertical ones; best: the fewer "
+                   "pieces, merged")
         ->type_name("METHOD")
         ->check(CLI::IsMember({"cuts", "walls", "best"}).description(""));
     app.add_flag("--closed", closed_, "Closures of the pieces");
@@ -172,14 +173,16 @@ class Decomposition : public CommandBody {
     if (number.size() < 4) number.insert(0, 4 - number.size(), '0');
     return "piece_" + number + std::string(format.extension);
   }
-  /// What an earlier run left that made more pieces.
+  /// What an earlier run left that made more pieces; never the file just read.
   void remove_older(const std::string& directory) const {
     if (directory.empty()) return;
-    std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(directory, ignored)) {
-      if (is_older(entry.path().filename().string())) {
-        std::filesystem::remove(entry.path(), ignored);
-      }
+    std::error_code failed;
+    std::filesystem::directory_iterator at(directory, failed);
+    for (; !failed && at != std::filesystem::directory_iterator(); at.increment(failed)) {
+      std::error_code ignored;
+      if (!is_older(at->path().filename().string()) || !at->is_regular_file(ignored)) continue;
+      if (std::filesystem::equivalent(at->path(), file_, ignored)) continue;
+      std::filesystem::remove(at->path(), ignored);
     }
   }
   bool is_older(const std::string& name) const {

@@ -75,7 +75,8 @@ const char* name_of(SpaceItem::Kind kind) {
 struct Solid {
   using Set = Nef3;
   using Input = SolidInput;
-  static constexpr const char* kHelp = "A solid: .off, .obj, .stl, .ply, .nef; - is standard input";
+  static constexpr const char* kHelp =
+      "A solid: .off, .obj, .stl, .ply, .glb, .gltf, .nef; - is standard input";
   static constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"};
 
   static std::span<const SolidFormat> formats() { return solid_formats(); }

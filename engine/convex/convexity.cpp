@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -28,6 +29,7 @@ class StarTest {
     for (std::size_t f = 0; f < m_.face_count(); ++f) {
       if (m_.face_begin[f + 1] - m_.face_begin[f] < 3) return std::nullopt;
     }
+    if (!are_points_there()) return std::nullopt;
     if (!find_middle() || !are_faces_convex()) return std::nullopt;
     const std::optional<bool> is_convex = are_edges_convex();
     if (!is_convex.value_or(true)) return false;
@@ -52,6 +54,16 @@ class StarTest {
     return orient3d(at(a), at(b), at(c), x);
   }
 
+  static bool is_finite(const Point3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+  }
+  /// Whoever decides otherwise says which is not.
+  bool are_points_there() const {
+    return std::ranges::all_of(m_.corners, [&](std::uint32_t v) {
+      return v < m_.points.size() && is_finite(m_.points[v]);
+    });
+  }
+
   /// A point strictly behind (or, inside out, before) all faces.
   bool find_middle() {
     const double scale = 1.0 / static_cast<double>(m_.corners.size());
@@ -60,6 +72,7 @@ class StarTest {
       middle_.y += scale * at(i).y;
       middle_.z += scale * at(i).z;
     }
+    if (!is_finite(middle_)) return false;
     face_.resize(m_.corners.size());
     three_.resize(m_.face_count());
     for (std::size_t f = 0; f < m_.face_count(); ++f) {
@@ -150,13 +163,16 @@ class StarTest {
     return sign == behind_ || sign == Sign::Zero;
   }
 
-  /// The ray from the middle through the middle of three corners of face 0.
+  /// The ray from the middle through the middle of three corners of face 0, as far as it is rounded: no answer where that
+  /// meets an edge.
   std::optional<bool> is_covered_once() const {
     const auto third = [&](double Point3::*x) {
       return at(three_[0][0]).*x / 3 + at(three_[0][1]).*x / 3 + at(three_[0][2]).*x / 3;
     };
     const Point3 through{third(&Point3::x), third(&Point3::y), third(&Point3::z)};
+    if (!is_finite(through)) return std::nullopt;
     const Sign inside = orient3d(middle_, through, at(three_[0][0]), at(three_[0][1]));
+    if (inside == Sign::Zero) return std::nullopt;
     std::size_t count = 0;
     for (std::size_t f = 0; f < m_.face_count(); ++f) {
       checkpoint(f);
@@ -169,7 +185,7 @@ class StarTest {
       if (is_hit && is_close) return std::nullopt;
       if (is_hit) ++count;
     }
-    return count == 1;
+    return count == 0 ? std::nullopt : std::optional(count == 1);
   }
 
   const PolygonMesh& m_;

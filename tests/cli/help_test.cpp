@@ -73,9 +73,9 @@ std::string help_of(Words command) {
 }
 
 /// The root of the repository as examples want it, but where they can leave files.
-class Workplace {
+class ExampleFolder {
  public:
-  Workplace() {
+  ExampleFolder() {
     fs::create_directory_symlink(fs::absolute("corpus"), scratch_ / "corpus");
     fs::create_symlink(PLUMB_PROGRAM, scratch_ / "plumb");
   }
@@ -125,10 +125,10 @@ TEST(Help, has_examples_that_work_and_schemas_that_fit) {
     const std::string schema = words_of(help.substr(place + 6)).at(0);
     ASSERT_TRUE(fs::exists(schema)) << schema;
     if (command.at(0) == "demo") continue;  // program_test
-    const Workplace workplace;
-    const RunResult plain = workplace.shell(examples[0]);
+    const ExampleFolder folder;
+    const RunResult plain = folder.shell(examples[0]);
     EXPECT_TRUE(plain.code == 0 || plain.code == 1) << plain.code << plain.err;
-    const RunResult json = workplace.shell(examples[0] + " --json");
+    const RunResult json = folder.shell(examples[0] + " --json");
     EXPECT_EQ(json.code, plain.code) << json.err;
     EXPECT_EQ(misfit(schema, json.out), "");
   }
@@ -157,9 +157,9 @@ TEST(Json, fits_its_schema_whatever_the_answer) {
       {"audit", "audit corpus/maps/us-counties.map"},
       {"view", "view corpus/plane/star.wkt -o star.svg"},
   };
-  const Workplace workplace;
+  const ExampleFolder folder;
   for (const auto& [schema, arguments] : cases) {
-    const RunResult result = workplace.shell("./plumb " + std::string(arguments) + " --json");
+    const RunResult result = folder.shell("./plumb " + std::string(arguments) + " --json");
     EXPECT_EQ(misfit("docs/schema/" + std::string(schema) + ".schema.json", result.out), "")
         << arguments << result.err;
   }
@@ -195,14 +195,14 @@ TEST(Streams, dash_is_standard_input_and_output) {
       {"corpus/solids/l-block.off", "view - -o - --format svg"},
       {"corpus/plane/star.wkt", "audit -"},
   };
-  const Workplace workplace;
+  const ExampleFolder folder;
   for (const auto& [file, arguments] : cases) {
     const std::string text = arguments;
     std::string named = text;
     const std::size_t dash = text.find("A=-") == text.npos ? text.find(" -") + 1 : text.find("-");
     named.replace(dash, 1, file);
-    const RunResult piped = workplace.shell("cat " + std::string(file) + " | ./plumb " + text);
-    const RunResult opened = workplace.shell("./plumb " + named);
+    const RunResult piped = folder.shell("cat " + std::string(file) + " | ./plumb " + text);
+    const RunResult opened = folder.shell("./plumb " + named);
     EXPECT_LE(piped.code, 1) << text << piped.err;
     EXPECT_EQ(piped.code, opened.code) << text;
     EXPECT_FALSE(piped.out.empty()) << text;
@@ -211,14 +211,13 @@ TEST(Streams, dash_is_standard_input_and_output) {
   }
   for (const char* command : {"completion bash", "manual", "self-test"}) {
     const std::string text = command;
-    EXPECT_EQ(workplace.shell("./plumb " + text + " -o -").out,
-              workplace.shell("./plumb " + text).out);
+    EXPECT_EQ(folder.shell("./plumb " + text + " -o -").out, folder.shell("./plumb " + text).out);
   }
 }
 
 /// What bash offers after `line`.
-std::set<std::string> completed(const Workplace& workplace, const std::string& line) {
-  const RunResult result = workplace.shell(
+std::set<std::string> completed(const ExampleFolder& folder, const std::string& line) {
+  const RunResult result = folder.shell(
       "compopt() { :; }\nsource <(./plumb completion bash)\ncomplete -p plumb >/dev/null || exit "
       "9\n"
       "COMP_WORDS=(" +
@@ -232,26 +231,25 @@ std::set<std::string> completed(const Workplace& workplace, const std::string& l
 }
 
 TEST(Completion, offers_commands_options_words_and_files) {
-  const Workplace workplace;
+  const ExampleFolder folder;
   using Set = std::set<std::string>;
-  EXPECT_EQ(completed(workplace, "plumb so"), Set{"solid"});
-  EXPECT_EQ(completed(workplace, "plumb map ''"), (Set{"check", "overlay", "--help"}));
-  EXPECT_EQ(completed(workplace, "plumb solid sec"), Set{"section"});
-  EXPECT_EQ(completed(workplace, "plumb solid section --si"), Set{"--side"});
-  EXPECT_EQ(completed(workplace, "plumb solid section --side ''"),
-            (Set{"closed", "open", "plane"}));
-  EXPECT_EQ(completed(workplace, "plumb view --js"), Set{"--json"});
-  EXPECT_EQ(completed(workplace, "plumb audit cor"), Set{"corpus"});
+  EXPECT_EQ(completed(folder, "plumb so"), Set{"solid"});
+  EXPECT_EQ(completed(folder, "plumb map ''"), (Set{"check", "overlay", "--help"}));
+  EXPECT_EQ(completed(folder, "plumb solid sec"), Set{"section"});
+  EXPECT_EQ(completed(folder, "plumb solid section --si"), Set{"--side"});
+  EXPECT_EQ(completed(folder, "plumb solid section --side ''"), (Set{"closed", "open", "plane"}));
+  EXPECT_EQ(completed(folder, "plumb view --js"), Set{"--json"});
+  EXPECT_EQ(completed(folder, "plumb audit cor"), Set{"corpus"});
   for (const Words& command : all_commands()) {
     std::string line = "plumb";
     for (const std::string& word : command) line += ' ' + word;
-    EXPECT_TRUE(completed(workplace, line + " --out").contains("--output")) << line;
+    EXPECT_TRUE(completed(folder, line + " --out").contains("--output")) << line;
   }
 }
 
 TEST(Manual, names_every_command_and_has_no_warnings) {
-  const Workplace workplace;
-  const std::string page = workplace.shell("./plumb manual").out;
+  const ExampleFolder folder;
+  const std::string page = folder.shell("./plumb manual").out;
   EXPECT_TRUE(page.starts_with(".TH PLUMB 1"));
   for (const Words& command : all_commands()) {
     std::string title = ".SS plumb";
@@ -266,7 +264,7 @@ TEST(Manual, names_every_command_and_has_no_warnings) {
   for (const std::string& line : lines_of(page)) {
     EXPECT_TRUE(!line.starts_with('.') || kRequests.contains(words_of(line).at(0))) << line;
   }
-  const RunResult formatted = workplace.shell(
+  const RunResult formatted = folder.shell(
       "command -v groff >/dev/null || exit 0\n./plumb manual | groff -man -ww -Tutf8 -z 2>&1");
   EXPECT_EQ(formatted.code, 0);
   EXPECT_EQ(formatted.out, "");

@@ -127,6 +127,41 @@ TEST(ConvexMesh, PairsEdgesOfAFanInLinearTime) {
   EXPECT_TRUE(is_convex_mesh(double_pyramid(20000, 1)));
 }
 
+/// The same mesh from another face and corner on.
+PolygonMesh begun_at(const PolygonMesh& mesh, std::size_t face, std::size_t corner) {
+  std::vector<Face> faces;
+  for (std::size_t i = 0; i < mesh.face_count(); ++i) {
+    const std::size_t f = (face + i) % mesh.face_count();
+    Face corners(mesh.corners.begin() + mesh.face_begin[f],
+                 mesh.corners.begin() + mesh.face_begin[f + 1]);
+    std::rotate(corners.begin(),
+                corners.begin() + static_cast<std::ptrdiff_t>(corner % corners.size()),
+                corners.end());
+    faces.push_back(std::move(corners));
+  }
+  return make_mesh(mesh.points, faces);
+}
+
+// The middle of three corners is rounded onto one of them.
+TEST(ConvexMesh, MayHaveCornersAlmostOnALine) {
+  const PolygonMesh mesh = prism_mesh({{0, 1}, {1, 1}, {2, 1 + 0x1p-52}, {2, 3}, {0, 3}}, 0, 1);
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    for (std::size_t corner = 0; corner < 5; ++corner) {
+      EXPECT_TRUE(is_convex_mesh(begun_at(mesh, face, corner))) << face << ' ' << corner;
+    }
+  }
+}
+
+TEST(ConvexMesh, HasTheCornersItNamesAndFinitePoints) {
+  PolygonMesh wrong = box_mesh({0, 0, 0}, {1, 1, 1});
+  wrong.corners[7] = 99;
+  EXPECT_THROW(is_convex_mesh(wrong), Error);
+  wrong = box_mesh({0, 0, 0}, {1, 1, 1});
+  wrong.points[3].y = HUGE_VAL;
+  EXPECT_THROW(is_convex_mesh(wrong), Error);
+  EXPECT_TRUE(is_convex_mesh(box_mesh({-1.7e308, -1, -1}, {1.7e308, 1, 1})));
+}
+
 TEST(ConvexMesh, DoesNotWindTwice) {
   EXPECT_FALSE(is_convex_mesh(double_pyramid(5, 2)));
   EXPECT_FALSE(is_convex_mesh(double_pyramid(3, 4)));

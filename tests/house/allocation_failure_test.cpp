@@ -1,5 +1,6 @@
-// Memory that runs out, at the n-th allocation of an operation, for n = 1, 2, 3 ...: an exception leaves the operation,
-// what it took is given back, its operands are as they were, and the same call then gives what it always gave.
+// Memory that runs out, at the n-th allocation of an operation, for n = 1, 2, 3 ... (beyond 300 in growing steps): an
+// exception leaves the operation, what it took is given back, and the same call on the same operands then gives what it
+// always gave.
 //
 // GMP and MPFR allocate by malloc and end the program when it fails; what they are asked for is bounded before
 // (Limits). Everything else comes through operator new, which this program replaces.
