@@ -246,28 +246,43 @@ class CrossingSearch {
     memory_.add(kBytesPerCorner * complex_.use_count(), "boxes of triangles");
     gather_triangles();
     const std::vector<Box3> boxes = boxes_of_triangles();
-    const PackedBoxTree packed(boxes);
-    FacetPairs found = packed.fits() ? crossings_in(packed) : crossings_in(BoxTree(boxes));
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
+    if (!find_in(PackedBoxTree(boxes))) {
+      found_.clear();
+      find_in(BoxTree(boxes));
+    }
+    std::sort(found_.begin(), found_.end());
+    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+    return std::move(found_);
   }
 
  private:
   static constexpr std::uint64_t kBytesPerCorner = 100;
+  static constexpr std::uint64_t kStepsPerTriangle = 32;
 
-  template <class Tree>
-  FacetPairs crossings_in(const Tree& tree) {
-    FacetPairs found;
+  /// False: pairs are missing. Of spheres, and of triangles strewn about, the steps are 7 to 13 for each.
+  bool find_in(const PackedBoxTree& tree) {
+    std::uint64_t left = kStepsPerTriangle * (triangles_.size() + 256);
+    const auto may_go_on = [&] {
+      if (--left % 4096 == 0) checkpoint();
+      return left > 0;
+    };
+    const auto look = [this](std::uint32_t i, std::uint32_t j) { look_at(i, j); };
+    return tree.fits() && tree.for_each_pair_inside(look, may_go_on);
+  }
+  void find_in(const BoxTree& tree) {
     std::uint64_t visited = 0;
     tree.for_each_pair_inside([&](std::uint32_t i, std::uint32_t j) {
-      if (++visited % 4096 == 0) context_.checkpoint("crossings of the mesh with itself", 0, 0);
-      const Triangle &s = triangles_[i], &t = triangles_[j];
-      if (s.facet == t.facet || !test_(s, t)) return;
-      if (found.size() % 4096 == 0) memory_.add(4096 * sizeof(found[0]), "crossings of the mesh");
-      found.push_back(std::minmax(s.facet, t.facet));
+      if (++visited % 4096 == 0) checkpoint();
+      look_at(i, j);
     });
-    return found;
+  }
+  void checkpoint() { context_.checkpoint("crossings of the mesh with itself", 0, 0); }
+
+  void look_at(std::uint32_t i, std::uint32_t j) {
+    const Triangle &s = triangles_[i], &t = triangles_[j];
+    if (s.facet == t.facet || !test_(s, t)) return;
+    if (found_.size() % 4096 == 0) memory_.add(4096 * sizeof(found_[0]), "crossings of the mesh");
+    found_.push_back(std::minmax(s.facet, t.facet));
   }
 
   void gather_triangles() {
@@ -339,6 +354,7 @@ class CrossingSearch {
   PairTest test_;
   std::vector<Triangle> triangles_;
   std::vector<std::pair<VertexId, VertexId>> boundary_;
+  FacetPairs found_;
 };
 
 }  // namespace

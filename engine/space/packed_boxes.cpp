@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::uint32_t kFieldBits = 21;
 constexpr std::uint64_t kLast = (std::uint64_t{1} << 20) - 1;  // beyond all places
-constexpr std::size_t kMostPoints = 64;  // boxes within a cell: as many all meet
+constexpr std::size_t kMostPoints = 64;   // boxes within a cell: as many all meet
+constexpr std::size_t kLongestRun = 256;  // of one code: the order says nothing of those
 
 /// The grid around all boxes. Places are 1 ... kLast - 1.
 class Places {
@@ -67,8 +68,8 @@ constexpr PackedBoxTree::Box PackedBoxTree::nowhere() {
 
 PackedBoxTree::PackedBoxTree(std::span<const Box3> boxes) {
   const std::vector<Box> packed = pack(boxes);
+  fits_ = fits_ && sort(packed);
   if (!fits_) return;
-  sort(packed);
   boxes_.reserve((boxes.size() + kLeaf - 1) / kLeaf * kLeaf);
   for (const std::uint32_t i : order_) boxes_.push_back(packed[i]);
   boxes_.resize((boxes.size() + kLeaf - 1) / kLeaf * kLeaf, nowhere());
@@ -90,7 +91,8 @@ std::vector<PackedBoxTree::Box> PackedBoxTree::pack(std::span<const Box3> boxes)
 }
 
 /// By the place of the middle on a grid of 2^10 cells an axis, bits of the axes interleaved: three passes by a digit.
-void PackedBoxTree::sort(std::span<const Box> boxes) {
+/// False: too many are in one place.
+bool PackedBoxTree::sort(std::span<const Box> boxes) {
   struct Coded {
     std::uint32_t code;
     std::uint32_t box;
@@ -118,8 +120,12 @@ void PackedBoxTree::sort(std::span<const Box> boxes) {
     for (const Coded& c : from) to[place[digit(c)]++] = c;
     from.swap(to);
   }
+  for (std::size_t i = kLongestRun; i < from.size(); ++i) {
+    if (from[i].code == from[i - kLongestRun].code) return false;
+  }
   order_.reserve(boxes.size());
   for (const Coded& c : from) order_.push_back(c.box);
+  return true;
 }
 
 void PackedBoxTree::make_nodes() {

@@ -164,16 +164,17 @@ Box3 random_box(Dice& dice, double unit) {
 TEST(PackedBoxTree, FindsThePairsThatMeet) {
   Dice dice(15);
   for (const double unit : {1.0, 0.1, 1e-200, 1e250}) {
-    for (const std::size_t n : {0, 1, 2, 3, 4, 5, 8, 9, 17, 100, 257}) {
+    for (const std::size_t n : {0U, 1U, 2U, 3U, 4U, 5U, 8U, 9U, 17U, 100U, 257U}) {
       SCOPED_TRACE(std::to_string(unit) + " " + std::to_string(n));
       std::vector<Box3> boxes;
       for (std::size_t i = 0; i < n; ++i) boxes.push_back(random_box(dice, unit));
       const PackedBoxTree tree(boxes);
       ASSERT_TRUE(tree.fits());
       std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
-      tree.for_each_pair_inside([&](std::uint32_t i, std::uint32_t j) {
+      const auto note = [&](std::uint32_t i, std::uint32_t j) {
         found.emplace_back(std::min(i, j), std::max(i, j));
-      });
+      };
+      EXPECT_TRUE(tree.for_each_pair_inside(note, [] { return true; }));
       std::ranges::sort(found);
       EXPECT_EQ(std::ranges::adjacent_find(found), found.end());
       std::size_t meeting = 0;
@@ -202,6 +203,30 @@ TEST(PackedBoxTree, LeavesManyScalesToOthers) {
   EXPECT_FALSE(PackedBoxTree(boxes).fits());
 }
 
+// All within some cells of the grid by which they are sorted, though not of the one that they are compared on.
+TEST(PackedBoxTree, LeavesWhatItCannotSortToOthers) {
+  Dice dice(17);
+  std::vector<Box3> boxes;
+  for (int i = 0; i < 6000; ++i) boxes.push_back(random_box(dice, 1));
+  EXPECT_TRUE(PackedBoxTree(boxes).fits());
+  boxes.push_back({{1e5, 1e5, 1e5}, {1e5 + 1, 1e5 + 1, 1e5 + 1}});
+  EXPECT_FALSE(PackedBoxTree(boxes).fits());
+}
+
+TEST(PackedBoxTree, StopsWhenItIsTold) {
+  Dice dice(18);
+  std::vector<Box3> boxes;
+  for (int i = 0; i < 100; ++i) boxes.push_back(random_box(dice, 1));
+  const PackedBoxTree tree(boxes);
+  for (const std::size_t most : {0U, 1U, 10U, 100U, 150U}) {
+    std::size_t asked = 0, visited = 0;
+    const auto count = [&](std::uint32_t, std::uint32_t) { ++visited; };
+    EXPECT_FALSE(tree.for_each_pair_inside(count, [&] { return asked++ < most; }));
+    EXPECT_EQ(asked, most + 1);
+    EXPECT_LE(visited, most);
+  }
+}
+
 // Small spheres far apart: the other tree.
 TEST(MeshCrossings, OfManyScales) {
   PolygonMesh mesh =
@@ -209,6 +234,27 @@ TEST(MeshCrossings, OfManyScales) {
   mesh = joined(mesh, icosphere_mesh(1, 1, {1e6, 0, 0}));
   EXPECT_TRUE(made(mesh).report.crosses_itself());
   expect_as_brute_force(mesh);
+}
+
+// Sheets much closer than the cells of the small boxes, above one another: each seems to meet all. Tests of all pairs
+// would take this test very long.
+TEST(MeshCrossings, OfManyCloseSheetsInLessThanQuadraticTime) {
+  constexpr std::uint32_t kSheets = 10000;
+  PolygonMesh mesh;
+  const auto add = [&mesh](double x, double y, double z) {
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.insert(mesh.points.end(), {{x, y, z}, {x + 1, y, z}, {x, y + 1, z}});
+    mesh.add_face(std::array{first, first + 1, first + 2});
+  };
+  for (std::uint32_t i = 0; i < kSheets; ++i) {
+    add(i % 16 / 64.0, i / 16 % 16 / 64.0, 1e-9 * i);
+  }
+  add(0, 0, 1000);
+  EXPECT_EQ(made(mesh).report.crossing_count, 0U);
+  mesh.points.insert(mesh.points.end(), {{0.3, 0.3, -1}, {0.4, 0.3, -1}, {0.3, 0.3, 1}});
+  const auto last = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.add_face(std::array{last - 3, last - 2, last - 1});
+  EXPECT_EQ(made(mesh).report.crossing_count, kSheets);
 }
 
 // ---------------------------------------------------------------- meshes
