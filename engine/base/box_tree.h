@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -72,7 +73,7 @@ class BoxTree {
   /// Around all boxes.
   Box3 bounds() const { return is_empty() ? Box3{} : node({top(), 0}); }
 
-  /// visit(i) for every box i that meets `query` (not empty).
+  /// visit(i) for every box i that meets `query` (not empty). A visit may return bool: no more after a false one.
   template <class Visit>
   void for_each_meeting(const Box3& query, Visit&& visit) const;
 
@@ -144,7 +145,12 @@ void BoxTree::for_each_meeting(const Box3& query, Visit&& visit) const {
       continue;
     }
     for (std::size_t i = n.at * kLeaf; i < (n.at + 1) * kLeaf; ++i) {
-      if (boxes_[i].meets(query)) visit(order_[i]);
+      if (!boxes_[i].meets(query)) continue;
+      if constexpr (std::is_same_v<std::invoke_result_t<Visit&, std::uint32_t>, bool>) {
+        if (!visit(order_[i])) return;
+      } else {
+        visit(order_[i]);
+      }
     }
   }
 }

@@ -232,9 +232,11 @@ Box3 SpaceLocator::Tree::piece(const SpaceRay& ray, double length) const {
 }
 
 /// Boxes that meet a short piece of the ray are few and found without divisions. What is hit well within the piece
-/// is the nearest of all. Pieces grow eightfold, so that they are no longer than need be. False: no piece tells.
+/// is the nearest of all. Pieces grow eightfold, so that they are no longer than need be. False: no piece tells, or one
+/// meets many boxes, of which not all should be tested.
 bool SpaceLocator::Tree::find_near(const SpaceRay& ray, std::optional<SpaceRayHit>& hit) const {
   constexpr int kPieces = 3;
+  constexpr int kMostBoxes = 32;
   constexpr double kWellWithin = 0.99;
   const Box3 all = boxes_tree.bounds();
   const std::size_t k = ray.axis();
@@ -244,11 +246,14 @@ bool SpaceLocator::Tree::find_near(const SpaceRay& ray, std::optional<SpaceRayHi
     NearestHit nearest(ray);
     const Box3 box = piece(ray, length);
     if (!std::isfinite(box.extent()) || box.extent() < kWellWithin * length) return false;
+    int left = kMostBoxes;
     boxes_tree.for_each_meeting(box, [&](std::uint32_t item) {
       hits.clear();
       meet(items[item], ray, hits);
       nearest.look_at(hits);
+      return --left > 0;
     });
+    if (left == 0) return false;
     hit = nearest.best();
     const bool is_last = ray.is_reverse() ? box.low[k] < all.low[k] : box.high[k] > all.high[k];
     if (is_last || nearest.limit() < kWellWithin * length) return true;

@@ -4,8 +4,9 @@
 //  1. a box tree over facets, free edges and vertices alone in a volume (once)
 //  2. on_item      candidates whose box holds the point: on the plane, then in its shadow along an axis
 //                  (space_ray.h) a vertex, an edge or the inside
-//  3. shoot        candidates whose box the ray enters, nearer ones first; each says what the ray meets of it;
-//                  filters in doubles, ties and close calls exact
+//  3. shoot        each candidate says what the ray meets of it; filters in doubles, ties and close calls exact.
+//                  find_near: along an axis, those whose box meets a short piece of the ray, then longer ones, as
+//                  long as they are few; else those whose box the ray enters, nearer ones first
 //  4. volume_of    what a ray towards -x meets first knows the volume in front of it: a facet by its side, an
 //                  edge or vertex by its sphere map
 //

@@ -98,6 +98,9 @@ TEST(BoxTree, FindsTheBoxesThatMeetABox) {
         }
         std::sort(found.begin(), found.end());
         ASSERT_EQ(found, expected);
+        std::size_t visited = 0;
+        tree.for_each_meeting(q, [&](std::uint32_t) { return ++visited < 3; });
+        ASSERT_EQ(visited, std::min<std::size_t>(3, expected.size()));
       }
     }
   }

@@ -408,6 +408,33 @@ TEST(SpaceLocator, ManyThreadsAskOne) {
   EXPECT_GT(inside, 200U);
 }
 
+// Very many plates in the way, all closer together than they are wide: if each query met all, this test would take
+// very long.
+TEST(SpaceLocator, MeetsFewOfManyPlates) {
+  constexpr std::uint32_t kPlates = 20000;
+  PolygonMesh mesh;
+  for (std::uint32_t i = 0; i < kPlates; ++i) {
+    const double x = static_cast<double>(i) / kPlates;
+    mesh.points.insert(mesh.points.end(), {{x, 0, 0}, {x, 1, 0}, {x, 0, 1}});
+    mesh.add_face(std::array{3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  Context context;
+  MeshOptions options;
+  options.surface = true;
+  SpaceComplex complex = complex_of_mesh(mesh, options, context).complex;
+  label_volumes(complex, context);
+  EXPECT_EQ(complex.volume_count(), 1U);
+  const SpaceLocator locator(complex);
+  for (std::uint32_t i = 0; i < kPlates; ++i) {
+    const double x = mesh.points[3 * i].x;
+    const Point3 origin{x + 0.25 / kPlates, 0.25, 0.25};
+    const auto left = locator.shoot(origin, Point3{-1, 0, 0});
+    ASSERT_TRUE(left.has_value());
+    ASSERT_EQ(left->point, (RationalPoint3{Rational(x), Rational(1, 4), Rational(1, 4)}));
+    ASSERT_EQ(left->item.kind(), SpaceItem::Kind::Facet);
+  }
+}
+
 TEST(SpaceLocator, EmptyComplex) {
   SpaceComplex complex = complex_of({});
   const SpaceLocator locator(complex);
