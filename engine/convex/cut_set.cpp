@@ -182,12 +182,17 @@ class SetCutter {
   }
 
  private:
-  /// False: nothing was done.
+  /// False: nothing was done. Where wedges meet in an edge, cuts make points of their own in each, so that a piece
+  /// no longer knows its own contacts (touches_itself()).
   bool cut_as_solid(const SetPart& part) {
     std::optional<CutSurface> surface = cut_surface_of(part.set.complex());
     if (!surface) return false;
+    std::vector<FaceId> all;
+    for (std::size_t f = 0; f < surface->faces.size(); ++f) all.push_back(FaceId(f));
+    const bool touches = touches_itself(*surface, all);
     SolidPieces cut = cut_solid(*surface, context_);
     if (cut.convex.empty() && cut.stuck.size() == 1) return false;
+    if (touches && !cut.stuck.empty()) return false;
     const auto is_no_set = [&](const auto& faces) { return touches_itself(*surface, faces); };
     if (std::ranges::any_of(cut.stuck, is_no_set)) return false;
     if (options_.method == DecomposeMethod::Best) merge_pieces(*surface, cut.convex, context_);

@@ -87,7 +87,9 @@ struct CutSurface {
 /// connected, or with facets, edges or vertices inside the volume.
 std::optional<CutSurface> cut_surface_of(const SpaceComplex& part);
 
-/// Does the piece touch itself along an edge, or have both sides of a cut? Then no set is bounded by it.
+/// Does the piece touch itself along an edge, or have both sides of a cut? Then no set is bounded by it. Edges are told by
+/// their vertices, of which a cut makes one for each wedge: of a piece of a surface that touched itself when it was cut,
+/// this need not say so.
 bool touches_itself(const CutSurface& surface, std::span<const FaceId> faces);
 
 /// A piece that does not touch itself along an edge, as a set. With `closed`: its closure. The set shares the tables.
