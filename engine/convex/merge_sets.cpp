@@ -21,7 +21,8 @@ class SetMerger {
     for (std::size_t i = 0; i < pieces_.size(); ++i) add_facets(i);
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       context_.checkpoint("merging", i, pieces_.size());
-      while (const std::optional<Match> match = match_of(i)) join(i, *match);
+      std::size_t at = i;
+      while (const std::optional<Match> match = match_of(at)) at = join(at, *match);
     }
     std::erase_if(pieces_, [](const Nef3& piece) { return piece.is_empty(); });
   }
@@ -31,6 +32,10 @@ class SetMerger {
   struct Match {
     std::size_t piece;
     Nef3 both;
+  };
+  struct Polygon {
+    std::vector<std::size_t> pieces;  // whose facet it is, or was
+    bool is_refused = false;          // by the pieces on both sides
   };
 
   static bool is_body(const Nef3& piece) {
@@ -54,24 +59,33 @@ class SetMerger {
   void add_facets(std::size_t i) {
     if (!is_body(pieces_[i])) return;
     const SpaceComplex& c = pieces_[i].complex();
-    for (std::uint32_t f = 0; f < c.facet_count(); ++f) facets_[key_of(c, FacetId(f))].push_back(i);
+    for (std::uint32_t f = 0; f < c.facet_count(); ++f) {
+      facets_[key_of(c, FacetId(f))].pieces.push_back(i);
+    }
   }
 
   std::optional<Match> match_of(std::size_t i) {
     if (!is_body(pieces_[i])) return std::nullopt;
     const SpaceComplex& c = pieces_[i].complex();
     for (std::uint32_t f = 0; f < c.facet_count(); ++f) {
-      for (const std::size_t j : facets_[key_of(c, FacetId(f))]) {
+      Polygon& polygon = facets_[key_of(c, FacetId(f))];
+      for (const std::size_t j : polygon.pieces) {
+        if (polygon.is_refused) break;
         if (j == i || !is_body(pieces_[j])) continue;  // gone, or its facet is
-        const SpaceComplex& other = pieces_[j].complex();
-        if (count_before(c, other) > 1 || count_before(other, c) > 1) continue;
-        Nef3 both = combine(pieces_[i], pieces_[j], kUnion, context_);
-        if (both.counts().marked_volumes == 1 && both.interior().is_convex()) {
-          return Match{j, std::move(both)};
-        }
+        if (std::optional<Nef3> both = union_of(i, j)) return Match{j, *std::move(both)};
+        polygon.is_refused = true;
       }
     }
     return std::nullopt;
+  }
+
+  /// If it is convex.
+  std::optional<Nef3> union_of(std::size_t i, std::size_t j) {
+    const SpaceComplex &c = pieces_[i].complex(), &other = pieces_[j].complex();
+    if (count_before(c, other) > 1 || count_before(other, c) > 1) return std::nullopt;
+    Nef3 both = combine(pieces_[i], pieces_[j], kUnion, context_);
+    if (both.counts().marked_volumes != 1 || !both.interior().is_convex()) return std::nullopt;
+    return both;
   }
 
   /// Facets that have vertices of the other set before them: of neighbours the one between. 0 where tables differ.
@@ -89,16 +103,18 @@ class SetMerger {
     return count;
   }
 
-  void join(std::size_t i, const Match& match) {
+  /// Where the union is.
+  std::size_t join(std::size_t i, const Match& match) {
     const std::size_t into = std::min(i, match.piece), from = std::max(i, match.piece);
     pieces_[into] = match.both;
     pieces_[from] = Nef3::empty();
     add_facets(into);
+    return into;
   }
 
   std::vector<Nef3>& pieces_;
   Context& context_;
-  std::map<Key, std::vector<std::size_t>> facets_;  // whose they are, or were
+  std::map<Key, Polygon> facets_;
 };
 
 }  // namespace

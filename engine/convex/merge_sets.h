@@ -4,9 +4,11 @@
 //  1. match   facets of two sets, on either side of one polygon, by the fingerprints of their corners
 //  2. test    are the corners of each behind all other facets of the other? Then the union, which says the rest:
 //             that its interior is convex
-//  3. repeat  with the facets of what was merged
+//  3. repeat  with the facets of what was merged, until it has no match
 //
-// Cost: O(n log n), the product of both sizes for each pair, and a small Boolean for each that passes.
+// A polygon that was refused once is not tried again: pieces only grow, so an angle at its rim that was too large
+// stays too large as long as it is a facet of both.
+// Cost: O(n log n), the product of both sizes for each polygon, and a small Boolean for each that passes.
 #pragma once
 
 #include <vector>

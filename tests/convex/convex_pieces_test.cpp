@@ -14,6 +14,7 @@
 #include "oracle/pieces_check.h"
 #include "plumb/base/error.h"
 #include "plumb/convex/decompose.h"
+#include "plumb/convex/merge_sets.h"
 #include "plumb/convex/volume_sum.h"
 #include "plumb/io/solid_io.h"
 
@@ -195,6 +196,21 @@ TEST(Decompose, TakesSetsOfManyVolumes) {
   EXPECT_EQ(piece_count(set, kBest), 18U);
 }
 
+// Two towers on a base that share an edge; slants and pits so that cuts run across the edge, through one of them.
+TEST(Decompose, CutsTowersThatShareAnEdge) {
+  const Nef3 base = solid(box_mesh({-4, -4, -2}, {4, 4, 0}));
+  const Nef3 towers =
+      solid(box_mesh({0, 0, 0}, {4, 4, 8})) + solid(box_mesh({-4, -4, 0}, {0, 0, 8}));
+  const Nef3 slant =
+      solid(make_mesh({{0, 0, 3}, {9, 0, 3}, {0, 9, 3}, {9, 9, 3}, {0, 0, 5}, {0, 9, 5}},
+                      {{0, 2, 3, 1}, {0, 1, 4}, {2, 5, 3}, {0, 4, 5, 2}, {1, 3, 5, 4}}));
+  const Nef3 cross = solid(box_mesh({1, -9, 4}, {2, 9, 6}));
+  expect_pieces(base + towers, "towers");
+  expect_pieces((base + towers) - slant, "a slant notch");
+  expect_pieces((base + towers) - slant - cross, "a notch and a groove");
+  expect_pieces(base + (towers - slant).interior() + cross, "open towers and a bar");
+}
+
 // Planes that cut off a tip at a time need more pieces than walls along the bars.
 TEST(Decompose, TakesTheFewerPieces) {
   for (std::uint64_t seed = 0; seed < 12 && !HasFailure(); ++seed) {
@@ -203,6 +219,46 @@ TEST(Decompose, TakesTheFewerPieces) {
     const std::size_t best = piece_count(set, kBest);
     EXPECT_LE(best, piece_count(set, kCuts)) << seed;
     EXPECT_LE(best, piece_count(set, {DecomposeMethod::Walls, false})) << seed;
+  }
+}
+
+// The last two blocks make one that fits the first; with it, one that fits the second.
+TEST(MergeSets, TriesWhatAnEarlierPieceHasBecome) {
+  Context context;
+  std::vector<Nef3> pieces;
+  for (const auto& [low, high] : std::vector<std::pair<Point3, Point3>>{{{0, 0, 0}, {2, 1, 1}},
+                                                                        {{2, 0, 0}, {3, 2, 1}},
+                                                                        {{0, 1, 0}, {1, 2, 1}},
+                                                                        {{1, 1, 0}, {2, 2, 1}}}) {
+    pieces.push_back(solid(box_mesh(low, high)));
+  }
+  merge_sets(pieces, context);
+  ASSERT_EQ(pieces.size(), 1U);
+  EXPECT_TRUE(pieces[0] == solid(box_mesh({0, 0, 0}, {3, 2, 1})));
+}
+
+// In any order, as few pieces: a polygon refused once has not become a good one.
+TEST(MergeSets, MergesAGridInAnyOrder) {
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    Dice dice(seed);
+    std::vector<Nef3> pieces;
+    for (int i = 0; i < 4; ++i) {
+      const double x = i % 2, y = i / 2;
+      pieces.push_back(solid(box_mesh({x, y, 0}, {x + 1, y + 1, 1})));
+    }
+    pieces.push_back(solid(box_mesh({0, 0, 1}, {1, 1, 2})));  // an L with what is below
+    for (std::size_t i = pieces.size(); i > 1; --i) std::swap(pieces[i - 1], pieces[dice.below(i)]);
+    Context context;
+    merge_sets(pieces, context);
+    EXPECT_LE(pieces.size(), 3U) << seed;
+    Nef3 all;
+    for (const Nef3& piece : pieces) {
+      EXPECT_TRUE(piece.is_convex()) << seed;
+      all += piece;
+    }
+    EXPECT_TRUE(all ==
+                solid(box_mesh({0, 0, 0}, {2, 2, 1})) + solid(box_mesh({0, 0, 1}, {1, 1, 2})))
+        << seed;
   }
 }
 
