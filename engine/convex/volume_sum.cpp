@@ -82,7 +82,8 @@ class VolumeSum {
     sides_.resize(kept);
   }
 
-  /// Three times the volume of the cones from the origin over what the sides bound in one plane.
+  /// Minus six times the volume of the cones from the origin over what the sides bound in one plane: d / n_k times
+  /// twice an area (volume_sum.h).
   static Rational volume_under(std::span<const Side> sides) {
     const SpaceTables& tables = *sides[0].tables;
     const IntegerRow row = tables.planes.coefficients(sides[0].plane);

@@ -21,7 +21,7 @@
 
 namespace plumb {
 
-/// Keeps its memory between calls.
+/// Keeps its memory between calls, but for the bounds of large maps.
 class SphereContacts {
  public:
   /// A point strictly inside an arc.
