@@ -34,6 +34,7 @@ void FaceArrangement::clear() {
   points.inputs = PointTable2();
   points.crossings.clear();
   ring_size = 0;
+  corner_1 = 0;
   segments.clear();
   contacts_.clear();
   overlaps_ = false;
@@ -349,7 +350,7 @@ bool FaceArrangement::is_lower(const FaceArc& a, const FaceArc& b) const {
 /// The half-edge along side 0, the lowest of all, below an inner point.
 std::uint32_t FaceArrangement::side_below(std::uint32_t point) const {
   // The other sides lead back to the left.
-  std::uint32_t low = 0, high = corner_1_;
+  std::uint32_t low = 0, high = corner_1;
   while (high - low > 1) {
     const std::uint32_t middle = low + (high - low) / 2;
     (compare(middle, point) == Sign::Negative ? low : high) = middle;
@@ -361,8 +362,6 @@ std::uint32_t FaceArrangement::side_below(std::uint32_t point) const {
 void FaceArrangement::find_below(Context& context) {
   below_.assign(islands_.size(), kNone);
   if (islands_.empty()) return;
-  corner_1_ = 0;
-  while (points.inputs.approx(corner_1_).x < 1) ++corner_1_;
   if (islands_.size() > kFewIslands) {
     sweep_below(context);
     return;

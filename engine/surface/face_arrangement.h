@@ -47,6 +47,7 @@ class FaceArrangement {
   /// Input: the boundary's points first, counter-clockwise from corner 0, then others; distinct.
   PlanePoints points;           ///< crossings are output
   std::uint32_t ring_size = 0;  ///< points on the boundary
+  std::uint32_t corner_1 = 0;   ///< of them, where side 0 ends
   std::vector<FaceSegment> segments;
 
   void clear();
@@ -121,7 +122,6 @@ class FaceArrangement {
   std::vector<std::uint32_t>
       islands_;                       // the leftmost point of each part without boundary, in order
   std::vector<std::uint32_t> below_;  // per island: the half-edge below its leftmost point
-  std::uint32_t corner_1_ = 0;        // on the ring, where side 0 ends
   std::vector<Box3> boxes_;           // of segments
   std::vector<std::uint32_t> loop_of_;  // per half-edge
   std::vector<SignedEntry> terms_;

@@ -210,6 +210,7 @@ class Slicer {
       const HalfedgeId h = SurfaceMesh::halfedge(f, i);
       out_.side_begin.push_back(
           static_cast<std::uint32_t>(out_.origin.size() + node_of_local_.size()));
+      if (i == 1) face_.corner_1 = static_cast<std::uint32_t>(node_of_local_.size());
       add_local(nodes_.of_vertex[mesh_.origin(h).value()]);
       face_.points.inputs.push_back(kCorners[i]);
       const EdgeId e = mesh_.edge(h);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/predicates/rounding.h"
 #include "plumb/surface/surface_borders.h"
 #include "plumb/surface/surface_cells.h"
 #include "plumb/surface/surface_labels.h"
@@ -207,7 +208,7 @@ SurfaceRegion SurfaceDivision::select(const SetExpression& expression, WindingRu
     region.is_selected.push_back(is_selected ? 1 : 0);
     if (!is_selected) continue;
     ++region.cells;
-    region.area += area(CellId(c));
+    region.area = clamped_to_finite(region.area + area(CellId(c)));
   }
   return region;
 }

@@ -77,7 +77,7 @@ struct SurfaceRegion {
   std::vector<std::uint32_t>
       generators;  ///< polygons of the shapes that the expression names, ascending
   std::size_t cells = 0;
-  double area = 0;
+  double area = 0;  ///< beyond doubles the largest
 };
 
 /// What a Boolean gives. result_scene() (surface_result.h) makes it input again.

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "plumb/base/union_find.h"
+#include "plumb/predicates/rounding.h"
 
 namespace plumb {
 namespace {
@@ -31,8 +31,11 @@ double triangle_area(const SurfaceMesh& mesh, FaceId f) {
   const double x = u.y * v.z - u.z * v.y, y = u.z * v.x - u.x * v.z, z = u.x * v.y - u.y * v.x;
   const double area = 2 * std::sqrt(x * x + y * y + z * z);
   if (scale == 0) return area;
-  return std::min(std::ldexp(area, 2 * scale), std::numeric_limits<double>::max());
+  return clamped_to_finite(std::ldexp(area, 2 * scale));
 }
+
+/// No more than the largest double.
+void add_area(double area, double& sum) { sum = clamped_to_finite(sum + area); }
 
 class CellMaker {
  public:
@@ -115,11 +118,11 @@ class CellMaker {
       const double area = triangle_area(mesh_, f);
       const std::uint32_t slot = a_.slot_of_face[i];
       if (slot == kNone) {
-        cells_.area[cells_.of_face[i].value()] += area;
+        add_area(area, cells_.area[cells_.of_face[i].value()]);
       } else {
         for (std::uint32_t p = a_.piece_begin[slot].value(); p < a_.piece_begin[slot + 1].value();
              ++p) {
-          cells_.area[cells_.of_piece[p].value()] += area * a_.piece_share[p];
+          add_area(area * a_.piece_share[p], cells_.area[cells_.of_piece[p].value()]);
         }
       }
       for (std::size_t side = 0; side < 3; ++side) {

@@ -26,7 +26,7 @@ struct CellEdge {
 struct SurfaceCells {
   std::vector<CellId> of_piece;
   std::vector<CellId> of_face;           ///< of faces that are not touched
-  std::vector<double> area;              ///< per cell
+  std::vector<double> area;              ///< per cell; beyond doubles the largest
   std::vector<std::uint32_t> component;  ///< of the mesh
   std::vector<std::uint8_t> is_at_border;
   std::vector<CellEdge> edges;  ///< different ones; by (from, to)

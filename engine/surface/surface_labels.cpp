@@ -13,11 +13,12 @@ constexpr std::uint64_t kLabelBytes =
 constexpr std::size_t kChargeStep = 65536;
 
 constexpr std::uint64_t kJumpBytes = 2 * sizeof(SignedEntry);  // as the list grows
+constexpr std::uint64_t kBeginBytes = 2 * sizeof(std::uint32_t);
 
-/// Charges a growing list of entries, now and then.
+/// Charges a growing list of entries, now and then, to a charge that lives as long as the list.
 class ListCharge {
  public:
-  ListCharge(Context& context, std::uint64_t bytes) : charge_(context), bytes_(bytes) {}
+  ListCharge(MemoryCharge& charge, std::uint64_t bytes) : charge_(charge), bytes_(bytes) {}
   /// True when it is time for a checkpoint.
   bool grow_to(std::size_t size) {
     if (size < charged_ + kChargeStep) return false;
@@ -27,7 +28,7 @@ class ListCharge {
   }
 
  private:
-  MemoryCharge charge_;
+  MemoryCharge& charge_;
   std::uint64_t bytes_;
   std::size_t charged_ = 0;
 };
@@ -61,7 +62,8 @@ class Labeller {
         outside_(outside),
         levels_(levels.begin(), levels.end()),
         context_(context),
-        charge_(context, kLabelBytes) {
+        working_(context),
+        charge_(working_, kLabelBytes) {
     context.charge_memory(shapes * sizeof(Separation), "labels");
     labels_.separation.resize(shapes);
     std::sort(levels_.begin(), levels_.end(), [&](const CellLevel& a, const CellLevel& b) {
@@ -340,6 +342,7 @@ class Labeller {
   CellId outside_;
   std::vector<CellLevel> levels_;  // by component of the mesh and shape
   Context& context_;
+  MemoryCharge working_;
   ListCharge charge_;
   std::vector<std::uint32_t> edges_begin_;  // per cell
   std::vector<std::uint32_t> edges_of_;
@@ -356,8 +359,9 @@ class Labeller {
 
 CellJumps jumps_of_polygons(const SurfaceArrangement& arrangement, const SurfaceCells& cells,
                             Context& context) {
-  CellJumps jumps;
-  ListCharge charge(context, kJumpBytes);
+  CellJumps jumps(context);
+  jumps.memory->add(cells.edges.size() * kBeginBytes, "labels");
+  ListCharge charge(*jumps.memory, kJumpBytes);
   for (const CellEdge& e : cells.edges) {
     for (const SignedEntry& m : arrangement.bundles[e.bundle]) {
       jumps.entries.push_back({m.id, m.value * e.sign});
@@ -378,9 +382,12 @@ CellJumps jumps_of_shapes(const CellJumps& polygons,
     }
   }
   SurfaceBundles sums;
-  CellJumps jumps;
+  CellJumps jumps(context);
+  jumps.memory->add(polygons.begin.size() * kBeginBytes, "labels");
   std::vector<SignedEntry> terms;
-  ListCharge charge(context, 2 * kJumpBytes), terms_charge(context, kJumpBytes);
+  MemoryCharge working(context);
+  ListCharge charge(*jumps.memory, kJumpBytes), sums_charge(working, kJumpBytes),
+      terms_charge(working, kJumpBytes);
   std::size_t work = 0;
   for (std::size_t e = 0; e + 1 < polygons.begin.size(); ++e) {
     terms.clear();
@@ -390,7 +397,9 @@ CellJumps jumps_of_shapes(const CellJumps& polygons,
       terms_charge.grow_to(terms.size());
     }
     work += terms.size() + 1;
-    if (charge.grow_to(jumps.entries.size()) || work >= kChargeStep) {
+    const std::size_t most = jumps.entries.size() + terms.size();
+    sums_charge.grow_to(most);
+    if (charge.grow_to(most) || work >= kChargeStep) {
       context.checkpoint("labels", e, polygons.begin.size());
       work = 0;
     }

@@ -10,9 +10,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "plumb/base/context.h"
 #include "plumb/surface/surface.h"
 #include "plumb/surface/surface_cells.h"
 
@@ -20,6 +22,9 @@ namespace plumb {
 
 /// What cell edges do to shapes: the edge's sparse vector over shapes, from `from` to `to`.
 struct CellJumps {
+  explicit CellJumps(Context& context) : memory(std::make_unique<MemoryCharge>(context)) {}
+
+  std::unique_ptr<MemoryCharge> memory;  ///< theirs; given back with them
   std::vector<std::uint32_t> begin = {0};
   std::vector<SignedEntry> entries;
   std::span<const SignedEntry> operator[](std::size_t e) const {

@@ -4,14 +4,21 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "divided.h"
 #include "generate/dice.h"
 #include "plumb/base/error.h"
+#include "plumb/predicates/rounding.h"
+#include "plumb/surface/surface_arrangement.h"
 #include "plumb/surface/surface_cells.h"
+#include "plumb/surface/surface_labels.h"
 
 namespace plumb::testing {
 namespace {
@@ -169,24 +176,72 @@ TEST(SurfaceSeparation, CyclesProveWhatIsSaid) {
 
 // ---------------------------------------------------------------- areas
 
+/// 3 x 3 squares of that side.
+MeshPointer scaled_grid(double scale) {
+  const MeshPointer unit = grid_mesh(3, 3);
+  std::vector<Point3> points;
+  std::vector<SurfaceTriangle> triangles;
+  for (std::uint32_t v = 0; v < unit->vertex_count(); ++v) {
+    const Point3& p = unit->point(VertexId(v));
+    points.push_back({scale * p.x, scale * p.y, 0});
+  }
+  for (std::uint32_t f = 0; f < unit->face_count(); ++f) {
+    triangles.push_back(unit->corners(FaceId(f)));
+  }
+  return std::make_shared<const SurfaceMesh>(points, triangles);
+}
+
 TEST(SurfaceDivision, AreasAtTheEndsOfDoubles) {
   for (const double scale : {0x1p-500, 0x1p-333, 1., 0x1p333, 0x1p500}) {
-    const MeshPointer unit = grid_mesh(3, 3);
-    std::vector<Point3> points;
-    std::vector<SurfaceTriangle> triangles;
-    for (std::uint32_t v = 0; v < unit->vertex_count(); ++v) {
-      const Point3& p = unit->point(VertexId(v));
-      points.push_back({scale * p.x, scale * p.y, 0});
-    }
-    for (std::uint32_t f = 0; f < unit->face_count(); ++f) {
-      triangles.push_back(unit->corners(FaceId(f)));
-    }
-    SurfaceDrawing s(std::make_shared<const SurfaceMesh>(points, triangles));
+    SurfaceDrawing s(scaled_grid(scale));
     s.add_vertex_polygon(std::vector<std::uint32_t>{0, 1, 5, 4});
     const SurfaceDivision d = divide(s);
     const double area = d.select(parse_set_expression("A"), WindingRule::EvenOdd).area;
     EXPECT_DOUBLE_EQ(area / scale / scale, 1) << scale;
   }
+}
+
+// Every triangle has an area that is a double, all together have none: sums end at the largest.
+TEST(SurfaceDivision, AreasBeyondTheLargestDouble) {
+  SurfaceDrawing s(scaled_grid(0x1p511));
+  s.add_vertex_polygon(std::vector<std::uint32_t>{0, 1, 5, 4});
+  s.add_vertex_polygon(std::vector<std::uint32_t>{0, 1, 2, 6, 10, 9, 8, 4});
+  const SurfaceDivision d = divide(s);
+  ASSERT_EQ(d.cell_count(), 3U);
+  double largest = 0;
+  for (std::uint32_t c = 0; c < 3; ++c) largest = std::max(largest, d.area(CellId(c)));
+  EXPECT_EQ(largest, std::numeric_limits<double>::max());
+  const auto area = [&](const char* set) {
+    return d.select(parse_set_expression(set), WindingRule::EvenOdd).area;
+  };
+  EXPECT_DOUBLE_EQ(area("A"), 0x1p1022);
+  EXPECT_EQ(area("A + !B"), std::numeric_limits<double>::max());
+}
+
+// ---------------------------------------------------------------- nesting
+
+// A point of side 0 whose nearest double is its corner stands before that corner all the same.
+TEST(SurfaceDivision, AnIslandBesideACornerLiesAboveTheSideBelowIt) {
+  const std::vector<Point3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  SurfaceDrawing s(
+      std::make_shared<const SurfaceMesh>(corners, std::vector<SurfaceTriangle>{{0, 1, 2}}));
+  const Rational hair = 1 / exact_rational(0x1p70);
+  const auto at = [&](const Rational& hairs, const Rational& up) {
+    return s.scene.polygons.points.add_in_face(FaceId(0), Rational(1 - hairs * hair),
+                                               Rational(up * hair));
+  };
+  s.add_polygon(std::vector{at(1, 0), at(0, 0), at(2, 2)});
+  s.add_polygon(std::vector{at(Rational(1) / 2, Rational(1) / 8),
+                            at(Rational(1) / 4, Rational(1) / 8),
+                            at(Rational(1) / 2, Rational(1) / 4)});
+  const SurfaceDivision d = divide(s);
+  ASSERT_EQ(d.cell_count(), 3U);
+  const auto cells = [&](const char* set) {
+    return d.select(parse_set_expression(set), WindingRule::EvenOdd).cells;
+  };
+  EXPECT_EQ(cells("A * B"), 1U);
+  EXPECT_EQ(cells("A - B"), 1U);
+  EXPECT_EQ(cells("B - A"), 0U);
 }
 
 // ---------------------------------------------------------------- cost
@@ -247,6 +302,26 @@ TEST(SurfaceDivision, ChargesWhatGrowsFaster) {
   jumps.scene.shapes.emplace(200000, std::vector<std::uint32_t>{0});
   Context other(limits);
   EXPECT_THROW(SurfaceDivision(jumps.scene, other), Error);
+}
+
+// What shapes do across edges stays charged for as long as it lives, and no longer.
+TEST(SurfaceDivision, JumpsAreChargedWhileTheyLive) {
+  SurfaceDrawing s(grid_mesh(1, 1));
+  s.add_vertex_polygon(std::vector<std::uint32_t>{0, 1, 3});
+  Limits limits;
+  limits.max_memory_bytes = 32U << 20;
+  Context context(limits);
+  const SurfaceArrangement arrangement = slice(s.scene.polygons, context);
+  const SurfaceCells cells = make_cells(*s.scene.mesh, arrangement, context);
+  const CellJumps jumps = jumps_of_polygons(arrangement, cells, context);
+  const std::vector<std::vector<std::uint32_t>> shapes(200000, {0});
+  constexpr std::uint64_t kMost = 31U << 20;
+  {
+    const CellJumps sums = jumps_of_shapes(jumps, shapes, context);
+    EXPECT_GE(sums.entries.size(), shapes.size());
+    EXPECT_THROW(context.charge_memory(kMost, "more"), Error);
+  }
+  EXPECT_NO_THROW(context.charge_memory(kMost, "more"));
 }
 
 }  // namespace
