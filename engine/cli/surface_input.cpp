@@ -22,7 +22,7 @@ std::vector<SurfaceRepair> repair(SurfaceScene& scene, Context& context) {
   for (std::uint32_t s = 0; s < scene.shapes->size(); ++s) {
     std::vector<std::uint32_t>& shape = (*scene.shapes)[s];
     if (s % 64 == 0) context.checkpoint("homology", s, scene.shapes->size());
-    std::vector<std::int64_t> before = homology.class_of(scene.polygons, shape);
+    std::vector<std::int64_t> before = homology.class_of(scene.polygons, shape, context);
     if (std::ranges::all_of(before, [](std::int64_t k) { return k == 0; })) continue;
     std::vector<std::uint32_t> added = homology.add_repair(shape, scene.polygons, context);
     context.charge_memory(before.size() * sizeof(std::int64_t), "loops that repair");

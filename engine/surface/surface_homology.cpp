@@ -11,6 +11,7 @@ constexpr std::uint8_t kCotree = 2;
 constexpr std::uint64_t kFaceBytes = 80;
 constexpr std::uint64_t kPointBytes = 64;  // of a polygon
 constexpr std::size_t kCrossingsPerCharge = 65536;
+constexpr std::size_t kStepsPerCheckpoint = 65536;
 constexpr std::uint64_t kCrossingBytes = 3 * sizeof(SignedEntry) + sizeof(EdgeId);
 
 }  // namespace
@@ -214,7 +215,7 @@ void SurfaceHomology::add_generator(std::size_t i, bool is_reversed,
 std::vector<std::uint32_t> SurfaceHomology::add_repair(std::span<const std::uint32_t> shape,
                                                        SurfacePolygons& polygons,
                                                        Context& context) const {
-  const std::vector<std::int64_t> times = class_of(polygons, shape);
+  const std::vector<std::int64_t> times = class_of(polygons, shape, context);
   std::vector<std::uint32_t> added;
   for (std::size_t i = 0; i < times.size(); ++i) {
     for (std::int64_t k = times[i]; k != 0; k -= k > 0 ? 1 : -1) {
@@ -245,8 +246,15 @@ VertexId SurfaceHomology::vertex_at(const SurfacePointTable& points, SurfacePoin
 
 /// A segment moves, within its face, to the side between the corners that its ends move to.
 void SurfaceHomology::count(const SurfacePolygons& polygons, std::size_t polygon,
-                            std::vector<std::int64_t>& times) const {
+                            std::int64_t multiplicity, std::vector<std::int64_t>& times,
+                            Context& context) const {
+  std::size_t steps = 0;
   for (std::uint32_t i = polygons.begin[polygon]; i < polygons.begin[polygon + 1]; ++i) {
+    if (++steps > kStepsPerCheckpoint) {
+      context.checkpoint("homology", i - polygons.begin[polygon],
+                         polygons.begin[polygon + 1] - polygons.begin[polygon]);
+      steps = 0;
+    }
     const VertexId from = vertex_at(polygons.points, polygons.point[i]);
     const VertexId to = vertex_at(polygons.points, polygons.point[polygons.next(polygon, i)]);
     if (from == to) continue;
@@ -257,24 +265,36 @@ void SurfaceHomology::count(const SurfacePolygons& polygons, std::size_t polygon
     };
     while (!joins(SurfaceMesh::halfedge(polygons.face[i], side))) ++side;
     const EdgeId e = mesh_.edge(SurfaceMesh::halfedge(polygons.face[i], side));
+    const std::int64_t by = from < to ? multiplicity : -multiplicity;
     for (std::uint32_t k = crossed_begin_[e.value()]; k < crossed_begin_[e.value() + 1]; ++k) {
-      times[crossed_[k].id] += from < to ? crossed_[k].value : -crossed_[k].value;
+      times[crossed_[k].id] += by * crossed_[k].value;
     }
+    steps += crossed_begin_[e.value() + 1] - crossed_begin_[e.value()];
   }
 }
 
 std::vector<std::int64_t> SurfaceHomology::class_of(const SurfacePolygons& polygons,
-                                                    std::span<const std::uint32_t> sum) const {
+                                                    std::span<const std::uint32_t> sum,
+                                                    Context& context) const {
   std::vector<std::int64_t> times(generators_.size());
   if (times.empty()) return times;
-  for (const std::uint32_t p : sum) count(polygons, p, times);
+  MemoryCharge charge(context);
+  charge.add(sum.size_bytes(), "homology");
+  std::vector<std::uint32_t> sorted(sum.begin(), sum.end());
+  std::sort(sorted.begin(), sorted.end());
+  for (auto i = sorted.begin(); i != sorted.end();) {
+    const auto end = std::upper_bound(i, sorted.end(), *i);
+    context.checkpoint("homology", static_cast<std::uint64_t>(i - sorted.begin()), sorted.size());
+    count(polygons, *i, end - i, times, context);
+    i = end;
+  }
   return times;
 }
 
 std::vector<std::int64_t> SurfaceHomology::class_of(const SurfacePolygons& polygons,
-                                                    std::size_t polygon) const {
+                                                    std::size_t polygon, Context& context) const {
   const auto p = static_cast<std::uint32_t>(polygon);
-  return class_of(polygons, std::span(&p, 1));
+  return class_of(polygons, std::span(&p, 1), context);
 }
 
 }  // namespace plumb

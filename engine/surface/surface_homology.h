@@ -38,10 +38,11 @@ class SurfaceHomology {
 
   /// A polygon is homologous to the sum of generators times these. All zero: it separates. Requires
   /// require_valid(polygons) to pass.
-  std::vector<std::int64_t> class_of(const SurfacePolygons& polygons, std::size_t polygon) const;
-  /// The same for a sum of polygons.
+  std::vector<std::int64_t> class_of(const SurfacePolygons& polygons, std::size_t polygon,
+                                     Context& context) const;
+  /// The same for a sum of polygons, where a polygon may be named many times: each is counted once.
   std::vector<std::int64_t> class_of(const SurfacePolygons& polygons,
-                                     std::span<const std::uint32_t> sum) const;
+                                     std::span<const std::uint32_t> sum, Context& context) const;
 
   /// Appends a generator as a polygon, or its reverse.
   void add_generator(std::size_t i, bool is_reversed, SurfacePolygons& polygons) const;
@@ -64,8 +65,9 @@ class SurfaceHomology {
   VertexId vertex_at(const SurfacePointTable& points, SurfacePointId p) const;
   void cross_dual_loops(Context& context);
   std::uint32_t node_behind(HalfedgeId h) const;
-  void count(const SurfacePolygons& polygons, std::size_t polygon,
-             std::vector<std::int64_t>& times) const;
+  /// Adds the class of a polygon, so many times.
+  void count(const SurfacePolygons& polygons, std::size_t polygon, std::int64_t multiplicity,
+             std::vector<std::int64_t>& times, Context& context) const;
 
   const SurfaceMesh& mesh_;
   std::vector<EdgeId> parent_;             // per vertex

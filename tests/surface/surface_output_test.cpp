@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stop_token>
 
 #include "generate/dice.h"
 #include "generate/surface_scenes.h"
+#include "plumb/base/error.h"
 #include "plumb/predicates/rational_predicates.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/surface/surface_arrangement.h"
@@ -160,7 +162,7 @@ TEST(SurfaceHomology, GeneratorsAreTwiceTheGenus) {
     for (std::size_t i = 0; i < count; ++i) {
       std::vector<std::int64_t> expected(count);
       expected[i] = i % 2 == 1 ? -1 : 1;
-      EXPECT_EQ(h.class_of(polygons, i), expected);
+      EXPECT_EQ(h.class_of(polygons, i, context), expected);
     }
   }
 }
@@ -175,7 +177,7 @@ TEST(SurfaceHomology, RepairedShapesSeparate) {
     const SurfaceHomology h(*s.scene.mesh, context);
     for (int p = 0; p < 3; ++p) s.add_vertex_polygon(loop_on(*s.scene.mesh, dice, h));
     std::vector<std::uint32_t> shape = {0, 1, 2, 1};
-    const std::vector<std::int64_t> before = h.class_of(s.scene.polygons, shape);
+    const std::vector<std::int64_t> before = h.class_of(s.scene.polygons, shape, context);
     s.scene.shapes = {shape};
     {
       const SurfaceDivision d(s.scene, context);
@@ -192,6 +194,30 @@ TEST(SurfaceHomology, RepairedShapesSeparate) {
     EXPECT_TRUE(d.shape_separation(0).over_z);
     EXPECT_EQ(audit(d).value_or(""), "");
   }
+}
+
+// However often a shape names a polygon, it is looked at once; and it can be stopped.
+TEST(SurfaceHomology, ShapesThatNameOnePolygonOften) {
+  SurfaceDrawing s(torus_mesh(7, 5));
+  Context context;
+  const SurfaceHomology h(*s.scene.mesh, context);
+  std::vector<std::uint32_t> loop;
+  for (const VertexId v : h.generator(0)) loop.push_back(v.value());
+  const std::uint32_t there = loop[0], back = loop[1];
+  for (int i = 0; i < 20000; ++i) loop.insert(loop.end(), {there, back});
+  s.add_vertex_polygon(loop);
+  const std::vector<std::uint32_t> shape(1000000, 0);
+  Limits limits;
+  limits.max_seconds = 5;
+  Context timed(limits);
+  std::vector<std::int64_t> expected = h.class_of(s.scene.polygons, 0, context);
+  EXPECT_NE(expected, std::vector<std::int64_t>(2));
+  for (std::int64_t& k : expected) k *= 1000000;
+  EXPECT_EQ(h.class_of(s.scene.polygons, shape, timed), expected);
+  std::stop_source stop;
+  stop.request_stop();
+  Context stopped({}, stop.get_token());
+  EXPECT_THROW(h.class_of(s.scene.polygons, shape, stopped), Error);
 }
 
 // Paths across faces, not along edges: what separates is what has class zero.
@@ -216,7 +242,7 @@ TEST(SurfaceHomology, ClassesOfPathsAcrossFaces) {
     const SurfaceDivision d(s.scene, context);
     EXPECT_EQ(audit(d).value_or(""), "");
     const SurfaceHomology h(m, context);
-    const auto times = h.class_of(s.scene.polygons, 0);
+    const auto times = h.class_of(s.scene.polygons, 0, context);
     const bool is_zero = std::ranges::all_of(times, [](std::int64_t k) { return k == 0; });
     const bool is_even = std::ranges::all_of(times, [](std::int64_t k) { return k % 2 == 0; });
     EXPECT_EQ(d.polygon_separation(0).over_z, is_zero);
