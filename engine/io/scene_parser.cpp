@@ -380,7 +380,7 @@ void SceneHandler::add_near_side(const std::array<Rational, 2>& weights, bool is
   }
   if (u < 0) u = 0;
   if (v < 0) v = 0;
-  if (rest < 0 || (is_decimal && rest <= tiny())) {
+  if (u + v > 1 || (is_decimal && rest <= tiny())) {
     u = u > 1 ? Rational(1) : u;
     v = 1 - u;
   }

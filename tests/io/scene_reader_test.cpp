@@ -119,6 +119,22 @@ TEST(scene_reader, a_hair_inside_is_inside) {
   }
 }
 
+/// A weight below zero by a hair beside one above 1 by as much: they add up to 1.
+TEST(scene_reader, a_hair_beyond_a_corner_is_the_corner) {
+  const std::string above = R"("9007199254740993/9007199254740992")";
+  const std::string below = R"("-1/9007199254740992")";
+  const SurfaceScene s = made(scene(
+      "[0, " + above + ", " + below + "], [0, " + below + ", " + above + "], [0, 1, " + below + "]",
+      "0"));
+  const SurfacePointTable& p = s.polygons.points;
+  for (std::size_t i = 0; i < 3; ++i) {
+    ASSERT_EQ(p.place(SurfacePointId(i)), SurfacePlace::Vertex) << i;
+  }
+  EXPECT_EQ(p.vertex(SurfacePointId(0)), VertexId(1));
+  EXPECT_EQ(p.vertex(SurfacePointId(1)), VertexId(4));
+  EXPECT_EQ(p.vertex(SurfacePointId(2)), VertexId(1));
+}
+
 /// Weights that a program computed so that they should add up to 1, but for the last bit.
 TEST(scene_reader, a_rounding_below_one_is_one) {
   const std::string points =
