@@ -20,6 +20,10 @@ Point3 middle_of(const SceneFrame& frame) {
   return {middle_of(low.x, high.x), middle_of(low.y, high.y), middle_of(low.z, high.z)};
 }
 
+bool is_finite(const Point3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
 /// Where the points of a scene are in space.
 std::vector<Point3> unscaled_points(const Scene& scene) {
   const auto along = [&scene](double p, double quarter_centre) {
@@ -97,6 +101,9 @@ Scene exploded_scene(std::span<const Nef3> sets, double apart, Context& context)
     for (const Point3& p : own) {
       moved.push_back({p.x + apart * (at.x - middle.x), p.y + apart * (at.y - middle.y),
                        p.z + apart * (at.z - middle.z)});
+      if (!is_finite(moved.back())) {
+        throw Error(ErrorCode::BadArgument, "pieces would be moved beyond the largest double");
+      }
     }
   }
   const SceneFrame frame = frame_of(moved);

@@ -254,5 +254,14 @@ TEST(PiecesScene, moves_pieces_away_from_the_middle_and_keeps_their_volume) {
   EXPECT_THROW(exploded_scene(pieces, -1, context), Error);
 }
 
+TEST(PiecesScene, refuses_to_move_pieces_beyond_doubles) {
+  Context context;
+  const std::vector<Nef3> pieces = {cube(-2e303, -1e303), cube(1e303, 2e303)};
+  EXPECT_THROW(exploded_scene(pieces, 1e6, context), Error);
+  for (const Point3& p : exploded_scene(pieces, 1e3, context).points) {
+    EXPECT_LE(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}), 1 + 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace plumb
