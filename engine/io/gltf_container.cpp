@@ -12,6 +12,7 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+constexpr std::size_t kDigitsPerCheckpoint = 65536;
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a, kBytesChunk = 0x004e4942;
 
 std::optional<std::uint32_t> digit_of(char c) {
@@ -23,13 +24,14 @@ std::optional<std::uint32_t> digit_of(char c) {
 }
 
 /// None if it is no base64.
-std::optional<std::string> from_base64(std::string_view text) {
+std::optional<std::string> from_base64(std::string_view text, Context& context) {
   if (text.size() % 4 != 0) return {};
   for (int i = 0; i < 2 && text.ends_with('='); ++i) text.remove_suffix(1);
   std::string bytes;
   bytes.reserve(text.size() / 4 * 3 + 2);
   std::uint32_t group = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
+    if (i % kDigitsPerCheckpoint == 0) context.checkpoint("read", i, text.size());
     const auto digit = digit_of(text[i]);
     if (!digit) return {};
     group = group << 6U | *digit;
@@ -107,8 +109,9 @@ std::string from_data_uri(const std::string& uri, Context& context) {
     throw Error(ErrorCode::UnknownFormat, "data that is not base64");
   }
   context.charge_memory(uri.size(), "a buffer");
-  auto bytes = from_base64(std::string_view(uri).substr(comma + 1));
+  auto bytes = from_base64(std::string_view(uri).substr(comma + 1), context);
   if (!bytes) throw Error(ErrorCode::Syntax, "data that is not base64");
+  context.release_memory(uri.size() - bytes->size());
   return std::move(*bytes);
 }
 

@@ -32,7 +32,7 @@ GltfContainer open_gltf(std::string_view bytes, const std::string& name);
 /// The bytes of a file in the folder of the one that is read, charged; `name` has no slashes.
 using GltfLoader = std::function<std::string(const std::string& name)>;
 
-/// The bytes that a uri names, charged. Throws errors without a place: UnknownFormat, Syntax; CannotOpen for files
+/// The bytes that a uri names, charged as many as they are. Throws errors without a place: UnknownFormat, Syntax; CannotOpen for files
 /// that are not in the folder, or all if `loader` is empty; what it throws.
 std::string bytes_of_uri(const std::string& uri, const GltfLoader& loader, Context& context);
 

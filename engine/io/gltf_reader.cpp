@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,8 +12,9 @@
 
 #include "plumb/base/error.h"
 #include "plumb/io/gltf_transform.h"
-#include "plumb/io/mesh_collector.h"
-#include "plumb/io/weld_vertices.h"
+#include "plumb/io/gltf_triangles.h"
+#include "plumb/io/json_text.h"
+#include "plumb/io/text_cursor.h"
 #include "plumb/io/with_place.h"
 #include "plumb/predicates/rounding.h"
 
@@ -25,31 +23,29 @@ namespace {
 
 using Json = nlohmann::json;
 
-static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
-
-constexpr std::size_t kFloat = 5126, kByte = 5121, kShort = 5123, kInteger = 5125;
-constexpr std::size_t kTriangles = 4, kStrip = 5, kFan = 6;
-constexpr std::uint64_t kBytesPerByte = 48;  // of JSON in memory: "{}," is the worst
-constexpr std::uint64_t kMostCount = std::uint64_t{1} << 53U;
 constexpr std::size_t kItemsPerCheckpoint = 4096;
-constexpr std::uint64_t kMostVertices = 0xffff'0000;
+constexpr std::uint64_t kMostCount = std::uint64_t{1} << 53U;
 
 /// Members of the JSON. What is wrong is told with where it is: "buffers[2]: ...".
 class GltfDocument {
  public:
   GltfDocument(std::string_view bytes, const GltfLoader& loader, const ReadOptions& options,
                Context& context)
-      : container_(open_gltf(bytes, options.name)), loader_(loader), context_(context) {
-    try {
-      context.charge_memory(kBytesPerByte * container_.json.size(), "the JSON");
-      json_ = Json::parse(container_.json);
-    } catch (const Json::parse_error& error) {
-      container_.fail(error.byte == 0 ? 0 : error.byte - 1, ErrorCode::Syntax, "not JSON");
-    } catch (const Json::exception&) {
-      container_.fail(0, ErrorCode::NumberOutOfRange, "a number too large");
-    }
+      : container_(open_gltf(bytes, options.name)),
+        loader_(loader),
+        context_(context),
+        charge_(context) {
+    charge_.add(bytes_of_json_tree(container_.json), "the JSON");
+    parse();
     if (!json_.is_object()) container_.fail(0, ErrorCode::Syntax, "expected an object");
+    require_version();
   }
+  /// Gives the memory of buffers back.
+  ~GltfDocument() {
+    for (const auto& [index, bytes] : loaded_) context_.release_memory(bytes.size());
+  }
+  GltfDocument(const GltfDocument&) = delete;
+  GltfDocument& operator=(const GltfDocument&) = delete;
 
   const Json& json() const { return json_; }
 
@@ -133,6 +129,26 @@ class GltfDocument {
   }
 
  private:
+  void parse() {
+    try {
+      json_ = Json::parse(WatchedText::begin(container_.json, context_),
+                          WatchedText::end(container_.json, context_));
+    } catch (const Json::parse_error& error) {
+      container_.fail(error.byte == 0 ? 0 : error.byte - 1, ErrorCode::Syntax, "not JSON");
+    } catch (const Json::exception&) {
+      container_.fail(0, ErrorCode::NumberOutOfRange, "a number too large");
+    }
+  }
+
+  /// Any JSON, GeoJSON say, is an empty document but for this.
+  void require_version() const {
+    const auto asset = json_.find("asset");
+    const bool is_there = asset != json_.end() && asset->is_object() &&
+                          asset->contains("version") && (*asset)["version"].is_string();
+    if (is_there && (*asset)["version"].get_ref<const std::string&>().starts_with("2.")) return;
+    fail(ErrorCode::UnknownFormat, "asset", "does not say version 2 of glTF");
+  }
+
   std::string_view loaded(std::size_t index, const std::string& uri, const std::string& where) {
     if (const auto found = loaded_.find(index); found != loaded_.end()) return found->second;
     try {
@@ -146,34 +162,19 @@ class GltfDocument {
   GltfContainer container_;
   const GltfLoader& loader_;
   Context& context_;
+  MemoryCharge charge_;  // of the JSON
   Json json_;
   std::map<std::size_t, std::string> loaded_;  // buffers
-};
-
-/// The parts of an accessor's elements, unchecked numbers.
-struct Elements {
-  std::string_view bytes;
-  std::size_t stride = 0;
-  std::size_t count = 0;
-  std::size_t component = 0;
-
-  template <class Number>
-  Number at(std::size_t i, std::size_t part = 0) const {
-    Number value;
-    std::memcpy(&value, bytes.data() + i * stride + part * sizeof(Number), sizeof(Number));
-    return value;
-  }
-  std::uint32_t index(std::size_t i) const {
-    if (component == kByte) return at<std::uint8_t>(i);
-    return component == kShort ? at<std::uint16_t>(i) : at<std::uint32_t>(i);
-  }
 };
 
 class GltfReader {
  public:
   GltfReader(std::string_view bytes, const GltfLoader& loader, const ReadOptions& options,
              Context& context)
-      : in_(bytes, loader, options, context), mesh_(context), context_(context) {}
+      : in_(bytes, loader, options, context),
+        triangles_(options.name, context),
+        context_(context),
+        charge_(context) {}
 
   MeshFile read() {
     check_extensions();
@@ -184,11 +185,9 @@ class GltfReader {
       open_.pop_back();
       place(top);
     }
-    MeshFile file = mesh_.take();
-    dropped_ += weld_vertices(file.mesh, context_);
-    if (dropped_ > 0) {
-      file.notes.push_back(std::to_string(dropped_) + (dropped_ == 1 ? " triangle" : " triangles") +
-                           " with two equal corners left out");
+    MeshFile file = triangles_.take();
+    if (file.mesh.face_count() == 0) {
+      in_.fail(ErrorCode::CountMismatch, "meshes", "no triangles are placed");
     }
     return file;
   }
@@ -204,14 +203,21 @@ class GltfReader {
   /// What changes colours only may be required.
   void check_extensions() const {
     for (const Json& name : in_.list("extensionsRequired")) {
+      watch();
       const std::string text = name.is_string() ? name.get<std::string>() : "";
       bool is_harmless = false;
       for (const char* prefix : {"KHR_materials_", "KHR_texture_", "KHR_lights_", "EXT_texture_"}) {
         is_harmless = is_harmless || text.starts_with(prefix);
       }
       if (is_harmless) continue;
-      in_.fail(ErrorCode::UnknownFormat, "extensionsRequired", "cannot be read: " + text);
+      in_.fail(ErrorCode::UnknownFormat, "extensionsRequired",
+               "cannot be read: " + plumb::quoted(text));
     }
+  }
+
+  /// For loops over what the document lists.
+  void watch() const {
+    if (++watched_ % kItemsPerCheckpoint == 0) context_.checkpoint("read", 0, 1);
   }
 
   void find_roots() {
@@ -221,20 +227,24 @@ class GltfReader {
       const std::size_t scene = in_.count(in_.json(), "scene", 0, "the document");
       const std::string where = GltfDocument::entry("scenes", scene);
       for (const Json& node : in_.list(in_.item("scenes", scene), "nodes", where)) {
+        watch();
         open(node, kGltfIdentity, where);
       }
       return;
     }
     std::vector<std::uint8_t> is_child(nodes);
     for (std::size_t n = 0; n < nodes; ++n) {
+      watch();
       for (const Json& child :
            in_.list(in_.item("nodes", n), "children", GltfDocument::entry("nodes", n))) {
+        watch();
         if (child.is_number_unsigned() && child.get<std::uint64_t>() < nodes) {
           is_child[child.get<std::size_t>()] = 1;
         }
       }
     }
     for (std::size_t n = 0; n < nodes; ++n) {
+      watch();
       if (is_child[n] == 0) open(n, kGltfIdentity, "nodes");
     }
   }
@@ -256,18 +266,16 @@ class GltfReader {
     const Json& node = in_.item("nodes", top.node);
     const GltfTransform here = product(top.above, transform_of(node, where));
     const auto first = static_cast<std::ptrdiff_t>(open_.size());
-    for (const Json& child : in_.list(node, "children", where)) open(child, here, where);
+    for (const Json& child : in_.list(node, "children", where)) {
+      watch();
+      open(child, here, where);
+    }
     std::reverse(open_.begin() + first, open_.end());  // the last is placed next
-    if (node.contains("skin")) mesh_.pass_over("skins");
+    if (node.contains("skin")) triangles_.pass_over("skins");
     if (!node.contains("mesh")) return;
     const std::size_t mesh = in_.count(node, "mesh", {}, where);
-    const std::string name = GltfDocument::entry("meshes", mesh);
-    const Json& primitives = in_.list(in_.item("meshes", mesh), "primitives", name);
-    for (std::size_t p = 0; p < primitives.size(); ++p) {
-      const std::string part = name + ".primitives[" + std::to_string(p) + ']';
-      if (!primitives[p].is_object()) in_.fail(ErrorCode::Syntax, part, "no object");
-      add_primitive(primitives[p], here, part);
-    }
+    for (const GltfPrimitive& p : primitives_of(mesh))
+      triangles_.add(p, here, place_of(mesh, p.number));
   }
 
   GltfTransform transform_of(const Json& node, const std::string& where) const {
@@ -282,77 +290,63 @@ class GltfReader {
 
   // ---------------------------------------------------------------- triangles
 
-  void add_primitive(const Json& primitive, const GltfTransform& here, const std::string& where) {
-    const std::size_t mode = in_.count(primitive, "mode", kTriangles, where);
-    if (primitive.contains("targets")) mesh_.pass_over("morph targets");
-    if (mode != kTriangles && mode != kStrip && mode != kFan) {
-      if (mode > kFan) in_.fail(ErrorCode::Syntax, where, "no such mode");
-      mesh_.pass_over("lines and points");
-      return;
+  static std::string place_of(std::size_t mesh, std::size_t primitive) {
+    return GltfDocument::entry("meshes", mesh) + '.' + GltfDocument::entry("primitives", primitive);
+  }
+
+  /// Listed once, however many nodes place the mesh.
+  const std::vector<GltfPrimitive>& primitives_of(std::size_t mesh) {
+    const auto [at, is_new] = primitives_.try_emplace(mesh);
+    if (!is_new) return at->second;
+    const Json& listed =
+        in_.list(in_.item("meshes", mesh), "primitives", GltfDocument::entry("meshes", mesh));
+    for (std::size_t p = 0; p < listed.size(); ++p) {
+      watch();
+      const std::string where = place_of(mesh, p);
+      if (!listed[p].is_object()) in_.fail(ErrorCode::Syntax, where, "no object");
+      const std::optional<GltfPrimitive> primitive = primitive_of(listed[p], p, where);
+      if (!primitive) continue;
+      charge_.add(2 * sizeof(GltfPrimitive), "parts of meshes");
+      at->second.push_back(*primitive);
+    }
+    return at->second;
+  }
+
+  /// None if it has no triangles.
+  std::optional<GltfPrimitive> primitive_of(const Json& primitive, std::size_t number,
+                                            const std::string& where) {
+    const std::size_t mode = in_.count(primitive, "mode", GltfMode::kTriangles, where);
+    if (primitive.contains("targets")) triangles_.pass_over("morph targets");
+    if (mode != GltfMode::kTriangles && mode != GltfMode::kStrip && mode != GltfMode::kFan) {
+      if (mode > GltfMode::kFan) in_.fail(ErrorCode::Syntax, where, "no such mode");
+      triangles_.pass_over("lines and points");
+      return {};
     }
     const auto attributes = primitive.find("attributes");
     if (attributes == primitive.end() || !attributes->is_object() ||
         !attributes->contains("POSITION")) {
-      return;  // as glTF has it: nothing to draw
+      return {};  // as glTF has it: nothing to draw
     }
-    const Elements positions =
-        elements(in_.count(*attributes, "POSITION", {}, where), "VEC3", 3, {kFloat});
-    const std::uint64_t first = add_points(positions, here, where);
-    std::optional<Elements> indices;
+    GltfPrimitive p{number, mode, {}, {}};
+    p.positions =
+        elements(in_.count(*attributes, "POSITION", {}, where), "VEC3", 3, {GltfComponent::kFloat});
     if (primitive.contains("indices")) {
-      indices = elements(in_.count(primitive, "indices", {}, where), "SCALAR", 1,
-                         {kByte, kShort, kInteger});
+      p.indices = elements(in_.count(primitive, "indices", {}, where), "SCALAR", 1,
+                           {GltfComponent::kByte, GltfComponent::kShort, GltfComponent::kInteger});
     }
-    const std::size_t count = indices ? indices->count : positions.count;
-    if (mode == kTriangles && count % 3 != 0) {
+    const std::size_t count = p.corner_count();
+    if (mode == GltfMode::kTriangles && count % 3 != 0) {
       in_.fail(ErrorCode::CountMismatch, where, std::to_string(count) + " corners of triangles");
     }
-    const auto corner = [&](std::size_t i) {
-      const std::size_t index = indices ? indices->index(i) : i;
-      if (index < positions.count) return static_cast<std::uint32_t>(first + index);
-      in_.fail(ErrorCode::BadIndex, where, "no vertex " + std::to_string(index));
-    };
-    const bool turns = mirrors(here);
-    const std::size_t step = mode == kTriangles ? 3 : 1;
-    for (std::size_t i = 0; i + 2 < count; i += step) {
-      if (i % kItemsPerCheckpoint == 0) context_.checkpoint("read", i, count);
-      const std::uint32_t a = corner(mode == kFan ? 0 : i);
-      const std::uint32_t b = corner(i + 1), c = corner(i + 2);
-      add_triangle(a, b, c, turns != (mode == kStrip && i % 2 == 1));
-    }
-  }
-
-  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool turns) {
-    for (const std::uint32_t v : {a, turns ? c : b, turns ? b : c}) mesh_.add_corner(v);
-    if (!mesh_.end_face().empty()) ++dropped_;
-  }
-
-  std::uint64_t add_points(const Elements& positions, const GltfTransform& m,
-                           const std::string& where) {
-    const std::uint64_t first = mesh_.point_count();
-    if (positions.count > kMostVertices - first) {
-      in_.fail(ErrorCode::ResourceLimit, where, "more than 2^32 vertices");
-    }
-    const bool moves = m != kGltfIdentity;
-    for (std::size_t i = 0; i < positions.count; ++i) {
-      if (i % kItemsPerCheckpoint == 0) context_.checkpoint("read", i, positions.count);
-      std::array<double, 3> p{};
-      for (std::size_t k = 0; k < 3; ++k) p[k] = positions.at<float>(i, k);
-      const std::array<double, 3> q = moves ? applied(m, p) : p;
-      if (!std::isfinite(q[0]) || !std::isfinite(q[1]) || !std::isfinite(q[2])) {
-        in_.fail(ErrorCode::NumberOutOfRange, where,
-                 "vertex " + std::to_string(i) + " has a coordinate that is not finite");
-      }
-      mesh_.add_point({q[0], q[1], q[2]});
-    }
-    return first;
+    if (count < 3) return {};
+    return p;
   }
 
   // ---------------------------------------------------------------- accessors
 
   /// All of its bytes are there.
-  Elements elements(std::size_t accessor, const char* type, std::size_t parts,
-                    std::initializer_list<std::size_t> components) {
+  GltfElements elements(std::size_t accessor, const char* type, std::size_t parts,
+                        std::initializer_list<std::size_t> components) {
     const std::string where = GltfDocument::entry("accessors", accessor);
     const Json& object = in_.item("accessors", accessor);
     if (object.contains("sparse")) {
@@ -361,7 +355,7 @@ class GltfReader {
     if (!object.contains("type") || object["type"] != type) {
       in_.fail(ErrorCode::Syntax, where, std::string("type is not ") + type);
     }
-    Elements e;
+    GltfElements e;
     e.component = in_.count(object, "componentType", {}, where);
     if (std::find(components.begin(), components.end(), e.component) == components.end()) {
       in_.fail(ErrorCode::UnknownFormat, where,
@@ -370,7 +364,9 @@ class GltfReader {
     e.count = in_.count(object, "count", {}, where);
     const std::size_t offset = in_.count(object, "byteOffset", 0, where);
     const std::size_t bytes =
-        parts * (e.component == kByte ? 1 : (e.component == kShort ? 2 : std::size_t{4}));
+        parts * (e.component == GltfComponent::kByte
+                     ? 1
+                     : (e.component == GltfComponent::kShort ? 2 : std::size_t{4}));
     const std::size_t view = in_.count(object, "bufferView", {}, where);
     const auto [data, stride] = view_bytes(view);
     e.stride = stride == 0 ? bytes : stride;
@@ -399,11 +395,13 @@ class GltfReader {
   }
 
   GltfDocument in_;
-  MeshCollector mesh_;
+  GltfTriangles triangles_;
   Context& context_;
+  MemoryCharge charge_;  // of lists of primitives
+  mutable std::size_t watched_ = 0;
   std::vector<Placed> open_;
-  std::vector<std::uint8_t> is_placed_;  // per node
-  std::size_t dropped_ = 0;
+  std::vector<std::uint8_t> is_placed_;                           // per node
+  std::map<std::size_t, std::vector<GltfPrimitive>> primitives_;  // per mesh that is placed
 };
 
 }  // namespace

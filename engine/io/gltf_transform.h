@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "plumb/predicates/input_predicates.h"
+
 namespace plumb {
 
 /// x' = m[0][0] x + m[0][1] y + m[0][2] z + m[0][3], and so on.
@@ -22,11 +24,10 @@ inline GltfTransform product(const GltfTransform& a, const GltfTransform& b) {
   return c;
 }
 
+/// The exact sign of the determinant, which as a double underflows. Requires finite entries.
 inline bool mirrors(const GltfTransform& m) {
-  const double det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-                     m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-                     m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-  return det < 0;
+  const auto row = [&m](std::size_t i) { return Point3{m[i][0], m[i][1], m[i][2]}; };
+  return orient3d(row(0), row(1), row(2), Point3{0, 0, 0}) == Sign::Negative;
 }
 
 inline std::array<double, 3> applied(const GltfTransform& m, const std::array<double, 3>& p) {

@@ -56,8 +56,9 @@ std::size_t text_prefix(std::string_view text) {
 
 std::string quoted(std::string_view token) {
   constexpr std::size_t kMost = 32;
-  const bool whole = token.size() <= kMost;
-  if (!whole) token = token.substr(0, text_prefix(token.substr(0, kMost)));
+  const std::size_t shown = text_prefix(token.substr(0, kMost));
+  const bool whole = shown == token.size();
+  token = token.substr(0, shown);
   std::string text("'");
   text.append(token).append(whole ? "'" : "...'");
   return text;

@@ -106,7 +106,8 @@ inline bool take_prefix(std::string_view& text, std::string_view prefix) {
 /// Length of the longest prefix of `text` that is UTF-8 without control characters but tab.
 std::size_t text_prefix(std::string_view text);
 
-/// `token` as shown in a message: in quotes, shortened to 32 bytes at a character's border.
+/// `token` as shown in a message: in quotes, shortened to 32 bytes at a character's border, and to what is before
+/// a control character.
 std::string quoted(std::string_view token);
 
 }  // namespace plumb

@@ -10,6 +10,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -97,6 +98,7 @@ void expect_refused(const std::string& bytes, const std::string& message) {
     EXPECT_EQ(error.place().file, "some.file");
     EXPECT_NE(error.message().find(message), std::string::npos) << error.what();
     EXPECT_LT(error.message().size(), 200U);
+    EXPECT_EQ(error.message().find('\x1b'), std::string::npos);
   }
 }
 /// With a member changed, as JSON: by its path, "/accessors/0/count".
@@ -141,10 +143,14 @@ TEST(GltfReader, strips_fans_and_no_indices) {
   EXPECT_EQ(read(glb(d)).mesh.corners, (std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2}));
   primitive["mode"] = 6;
   EXPECT_EQ(read(glb(d)).mesh.corners, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
-  primitive["mode"] = 1;
-  const MeshFile lines = read(glb(d));
-  EXPECT_EQ(lines.mesh.face_count(), 0U);
-  EXPECT_EQ(lines.notes, std::vector<std::string>{"passed over: lines and points"});
+  Json lines = primitive;
+  lines["mode"] = 1;
+  d.json["meshes"][0]["primitives"].push_back(lines);
+  const MeshFile both = read(glb(d));
+  EXPECT_EQ(both.mesh.face_count(), 2U);
+  EXPECT_EQ(both.notes, std::vector<std::string>{"passed over: lines and points"});
+  d.json["meshes"][0]["primitives"].erase(0);
+  expect_refused(glb(d), "no triangles");
 }
 
 // Placed twice, below a node that turns and moves; the second is mirrored, so its triangles turn around.
@@ -174,6 +180,15 @@ TEST(GltfReader, nodes_place_meshes) {
   EXPECT_DOUBLE_EQ(volume, 3. / 6);
   d.json["nodes"][1]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1};
   EXPECT_EQ(read(glb(d)).mesh.points[0], (Point3{15, 7, -6}));
+}
+
+// The determinant of a scale is its cube: no double where the scale is one.
+TEST(GltfReader, scales_too_small_for_a_determinant_mirror) {
+  Document large = tetrahedron_document(), small = large;
+  large.json["nodes"][0]["scale"] = {-1, 1, 1};
+  small.json["nodes"][0]["scale"] = {-1e-120, 1e-120, 1e-120};
+  EXPECT_EQ(read(glb(small)).mesh.corners, read(glb(large)).mesh.corners);
+  EXPECT_NE(read(glb(small)).mesh.corners, expected().corners);
 }
 
 TEST(GltfReader, equal_points_are_one_and_flat_triangles_go) {
@@ -248,6 +263,18 @@ TEST(GltfReader, refuses_hostile_documents) {
   expect_refused("/scene", 1, "scenes[1]: there is none");
   expect_refused("/scenes/0/nodes", {0, 0}, "hangs in two places");
   expect_refused("/extensionsRequired", {"KHR_draco_mesh_compression"}, "KHR_draco");
+  expect_refused("/extensionsRequired", {"x" + std::string(100000, 'y')}, "xyyyyyyy");
+  expect_refused("/extensionsRequired", {"KHR\x1b[2Jx"}, "'KHR...'");
+  expect_refused("/asset/version", "1.0", "asset: does not say version 2");
+  expect_refused("/asset/version", 2, "asset: does not say version 2");
+  expect_refused("/asset", "2.0", "asset: does not say version 2");
+  expect_refused("/nodes/0", Json::object(), "no triangles");
+}
+
+TEST(GltfReader, other_json_is_no_empty_solid) {
+  expect_refused("{}", "asset: does not say version 2");
+  expect_refused(R"({"type": "FeatureCollection", "features": []})", "does not say version 2");
+  expect_refused(R"({"asset": {"version": "2.0"}})", "no triangles");
 }
 
 TEST(GltfReader, refuses_hostile_bytes) {
@@ -285,8 +312,12 @@ TEST(GltfReader, refuses_hostile_texts_with_their_place) {
                            [](const std::string& text) { read(text); });
   const std::string deep(100000, '[');
   expect_refused(deep, "not JSON");
-  EXPECT_EQ(read("{}").mesh.face_count(), 0U);
-  EXPECT_EQ(read("{\"x\": " + deep + std::string(100000, ']') + "}").mesh.face_count(), 0U);
+  const std::string good = text(tetrahedron_document());
+  const std::string passed = "{\"x\": " + deep + std::string(100000, ']') + ", " + good.substr(1);
+  EXPECT_TRUE(is_same(read(passed).mesh, expected()));
+  Limits limits;
+  limits.max_memory_bytes = 12U << 20;
+  EXPECT_THROW(read(passed, limits), Error);
 }
 
 // A mesh of many bytes, placed by many nodes: quadratic, so it is charged.
@@ -304,6 +335,53 @@ TEST(GltfReader, keeps_to_its_limits) {
   Limits limits;
   limits.max_memory_bytes = 16U << 20;
   EXPECT_THROW(read(glb(d), limits), Error);
+}
+
+// Nodes that place a mesh of many parts without triangles cost what a part costs once.
+TEST(GltfReader, parts_without_triangles_are_looked_at_once) {
+  Document d = tetrahedron_document();
+  d.json["meshes"].push_back({{"primitives", Json::array()}});
+  for (int i = 1; i < 10000; ++i) {
+    d.json["nodes"].push_back({{"mesh", 1}});
+    d.json["scenes"][0]["nodes"].push_back(i);
+    d.json["meshes"][1]["primitives"].push_back(Json::object());
+  }
+  Limits limits;
+  limits.max_seconds = 3;
+  EXPECT_TRUE(is_same(read(glb(d), limits).mesh, expected()));
+}
+
+// A file with a large buffer in its text is charged a few times its size, and only while it is read.
+TEST(GltfReader, gives_back_what_it_needs_to_read) {
+  Document d = tetrahedron_document();
+  d.buffer += std::string(4U << 20, 'x');
+  const std::string bytes = text(d);
+  Limits limits;
+  limits.max_memory_bytes = 48U << 20;
+  Context context(limits);
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_TRUE(is_same(read_gltf(bytes, {}, {"some.file"}, context).mesh, expected()));
+  }
+}
+
+TEST(GltfReader, stops_within_json_and_base64) {
+  std::stop_source stop;
+  stop.request_stop();
+  const auto is_cancelled = [&](auto work) {
+    Context context({}, stop.get_token());
+    try {
+      work(context);
+    } catch (const Error& error) {
+      return error.code() == ErrorCode::Cancelled;
+    }
+    return false;
+  };
+  EXPECT_TRUE(is_cancelled([](Context& context) {
+    read_gltf(std::string(100000, ' ') + "no JSON", {}, {"some.file"}, context);
+  }));
+  EXPECT_TRUE(is_cancelled([](Context& context) {
+    bytes_of_uri("data:;base64," + std::string(100000, 'A') + "!!!!", {}, context);
+  }));
 }
 
 // What we write for other programs, back: the same triangles, as exact as floats are.

@@ -91,6 +91,11 @@ TEST(SolidIo, reads_the_corpus_alike_in_every_format) {
   }
 }
 
+TEST(SolidIo, json_of_another_format_is_no_solid) {
+  Context context;
+  EXPECT_THROW(read_mesh_file("corpus/plane/frame.geojson", {}, {}, context), Error);
+}
+
 TEST(SolidIo, refuses_coordinates_beyond_the_largest_double) {
   PolygonMesh mesh = testing::exact_mesh();
   mesh.exact[0].second.x = Rational("1" + std::string(400, '0'));
