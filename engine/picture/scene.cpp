@@ -61,6 +61,18 @@ std::array<bool, kPaints> Scene::paints(std::uint8_t layers_seen) const {
   return occurs;
 }
 
+std::array<bool, kPaints> Scene::legend(std::uint8_t layers_seen) const {
+  std::array<bool, kPaints> explained = paints(layers_seen);
+  explained[static_cast<std::size_t>(Paint::Cut)] = fades;
+  const bool is_tinted = tinted() != nullptr;
+  for (std::size_t i = 0; i < kPaints; ++i) {
+    const auto paint = static_cast<Paint>(i);
+    const bool is_of_patches = !is_line(paint) && !is_dot(paint);
+    if (style_of(paint).name.empty() || (is_tinted && is_of_patches)) explained[i] = false;
+  }
+  return explained;
+}
+
 const Scene::Layer* Scene::tinted() const {
   for (std::size_t i = layers.size(); i-- > 0;) {
     if (is_shown(i) && !layers[i].tints.empty()) return &layers[i];

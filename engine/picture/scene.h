@@ -134,6 +134,8 @@ struct Scene {
 
   /// Which paints occur in some layers.
   std::array<bool, kPaints> paints(std::uint8_t layers_seen = kAllLayers) const;
+  /// Which of them a legend explains: those with a name; of patches none while a layer gives them its own colours.
+  std::array<bool, kPaints> legend(std::uint8_t layers_seen = kAllLayers) const;
   /// 1 well inside the box, 0 at its sides when the scene fades.
   double strength(const Point3& p) const;
 };

@@ -147,13 +147,12 @@ Json scene_json(const Scene& scene) {
 }
 
 void write_legend(std::ostream& out, const Scene& scene) {
-  std::array<bool, kPaints> occurs = scene.paints();
-  occurs[static_cast<std::size_t>(Paint::Cut)] = scene.fades;
+  const std::array<bool, kPaints> explained = scene.legend();
   out << "<ul>\n";
   for (std::size_t i = 0; i < kPaints; ++i) {
     const auto paint = static_cast<Paint>(i);
     const PaintStyle& style = style_of(paint);
-    if (!occurs[i] || style.name.empty()) continue;
+    if (!explained[i]) continue;
     out << "<li><i class=\""
         << (is_dot(paint) || paint == Paint::Defect ? "dot"
             : is_line(paint)                        ? "line"

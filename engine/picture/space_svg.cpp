@@ -70,12 +70,9 @@ void write_symbol(Sheet& sheet, Paint paint) {
 }
 
 void write_legend(Sheet& sheet, const Scene& scene) {
-  std::array<bool, kPaints> occurs = scene.paints(scene.shown);
-  occurs[static_cast<std::size_t>(Paint::Cut)] = scene.fades;
+  const std::array<bool, kPaints> explained = scene.legend(scene.shown);
   for (std::size_t i = 0; i < kPaints; ++i) {
-    if (occurs[i] && !style_of(static_cast<Paint>(i)).name.empty()) {
-      write_symbol(sheet, static_cast<Paint>(i));
-    }
+    if (explained[i]) write_symbol(sheet, static_cast<Paint>(i));
   }
   sheet.end_legend();
 }

@@ -240,6 +240,9 @@ TEST(PiecesScene, moves_pieces_away_from_the_middle_and_keeps_their_volume) {
     EXPECT_NEAR(volume(*s), 1 + 1 + 8, 1e-9);
     EXPECT_EQ(s->groups.size(), 4U);
     EXPECT_EQ(count(*s, Paint::OpenFacet), 6U);
+    EXPECT_FALSE(s->legend()[static_cast<std::size_t>(Paint::OpenFacet)])
+        << "has its piece's colour";
+    EXPECT_TRUE(s->legend()[static_cast<std::size_t>(Paint::OpenEdge)]);
     for (const Point3& p : s->points) {
       EXPECT_LE(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}), 1 + 1e-12);
     }
