@@ -10,6 +10,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace plumb;
   using namespace plumb::fuzz;
+  begin_input();
   constexpr std::uint64_t kMostBytes = 64U << 20U;  // meshes can be placed many times
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   Limits limits;

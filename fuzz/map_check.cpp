@@ -145,6 +145,7 @@ void run(const std::uint8_t* data, std::size_t size) {
 }  // namespace plumb::testing
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  plumb::fuzz::begin_input();
   plumb::testing::run(data, size);
   return 0;
 }

@@ -56,6 +56,7 @@ void require_same(const Map& a, const Map& b) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  plumb::fuzz::begin_input();
   if (size == 0) return 0;
   const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
   const std::optional<Map> map = read(text, (data[0] & 1U) != 0);

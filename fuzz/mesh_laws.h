@@ -112,6 +112,7 @@ inline std::optional<MeshFile> mesh_of(std::string_view bytes, MeshFormat format
 /// those it can be written in again, the first the one it is read as.
 inline void judge_mesh_reader(std::initializer_list<MeshFormat> formats, const std::uint8_t* data,
                               std::size_t size) {
+  begin_input();
   if (size == 0) return;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   const auto file = mesh_of(bytes, *formats.begin(), (data[0] & 1U) != 0);

@@ -130,6 +130,7 @@ void judge_built(Bytes bytes) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  plumb::fuzz::begin_input();
   if (size == 0) return 0;
   if (data[0] % 2 == 0) {
     judge({reinterpret_cast<const char*>(data) + 1, size - 1});

@@ -8,6 +8,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using plumb::fuzz::kTarget;
+  plumb::fuzz::begin_input();
   if (size < 2 * kTarget.record || size > kTarget.max_records * kTarget.record) return 0;
   plumb::fuzz::oracle_reached();
   const std::string wrong = kTarget.difference({data, size});

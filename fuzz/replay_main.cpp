@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
       ++replayed;
     }
   }
-  const auto reached = static_cast<std::size_t>(plumb::fuzz::oracle_reached_count);
+  const auto reached = static_cast<std::size_t>(plumb::fuzz::oracle_share.reached);
   std::printf("replayed %zu inputs, %zu reached the oracle\n", replayed, reached);
   return all_read && reached > 0 ? 0 : 1;
 }

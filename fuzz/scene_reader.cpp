@@ -64,6 +64,7 @@ void judge(SurfaceScene scene, const ParsedScene& text, Context& context) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  begin_input();
   if (size == 0 || size > kMostText) return 0;
   const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
   const ReadOptions options{kFileName, (data[0] & 4U) != 0};

@@ -146,6 +146,7 @@ std::optional<PlaneShapes> shapes_of(Read read, std::string_view text, bool exac
 /// A reader on arbitrary bytes: the first says how decimals are read, the rest is the text.
 template <class Read>
 void judge_reader(Read read, const std::uint8_t* data, std::size_t size) {
+  begin_input();
   if (size == 0) return;
   const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
   const std::optional<PlaneShapes> shapes = shapes_of(read, text, (data[0] & 1U) != 0);

@@ -60,11 +60,7 @@ namespace constants {
 inline constexpr double kEpsilon = 0x1p-52;
 
 // orient2d, cross: difference 1, product 1+1+1 = 3: k = 3. T = 2, n = 2: F >= 2^3 2^-1020 2^340.
-#ifdef PLUMB_PLANTED_BUG  // a known bug, to see that fuzz/predicates.cpp finds it
-inline constexpr double kOrient2dError = 0;
-#else
 inline constexpr double kOrient2dError = 4 * kEpsilon;
-#endif
 inline constexpr double kOrient2dGate = 0x1p340;
 inline constexpr double kOrient2dFloor = 0x1p-675;
 

@@ -301,11 +301,7 @@ void PlaneCut::join_edge(HalfedgeId h, const Segment* left, const Segment* right
   };
   if (right == nullptr) {
     join(t, low(left), mark);
-#ifdef PLUMB_PLANTED_BUG  // a known bug, to see that fuzz/convex_decompose.cpp finds it
-    join(h, high(left), mark);
-#else
     join(h, high(left), 0);
-#endif
   } else if (left == nullptr) {
     join(h, low(right), mark);
     join(t, high(right), 0);

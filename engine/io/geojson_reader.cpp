@@ -386,9 +386,6 @@ void GeoJsonHandler::add_lists(const Type& type, const Coordinates& c) {
   std::uint32_t first = c.first;
   auto polygon_end = c.polygons.begin();
   for (std::size_t i = 0; i < c.lists.size(); ++i) {
-#ifdef PLUMB_PLANTED_BUG  // a known bug, to see that fuzz/geojson_reader.cpp finds it
-    polygon_end = c.polygons.end();
-#endif
     while (polygon_end != c.polygons.end() && *polygon_end <= i) {
       shapes_.end_polygon();
       ++polygon_end;

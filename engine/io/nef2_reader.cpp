@@ -123,11 +123,7 @@ void Nef2Reader::read_crossings() {
       cursor().fail(ErrorCode::BadShape, "the lines of " + in_.record_name() + " are parallel",
                     start);
     }
-#ifdef PLUMB_PLANTED_BUG  // a known bug, to see that fuzz/nef2_reader.cpp finds it
-    records_.points.crossings.push_back(make_crossing(inputs, a, b, d, c));
-#else
     records_.points.crossings.push_back(make_crossing(inputs, a, b, c, d));
-#endif
   }
 }
 

@@ -316,9 +316,6 @@ void Nef3Reader::read_facet(std::uint32_t f) {
   }
   for (std::uint32_t k = in_.read_count("the number of vertices inside"); k > 0; --k) {
     read_inner(FacetId(f));
-#ifdef PLUMB_PLANTED_BUG  // a known bug, to see that fuzz/nef3_reader.cpp finds it
-    std::swap(c_.facet_volume.back()[0], c_.facet_volume.back()[1]);
-#endif
   }
   c_.cycle_begin.push_back(static_cast<std::uint32_t>(c_.cycle.size()));
   c_.inner_begin.push_back(static_cast<std::uint32_t>(c_.inner.size()));

@@ -147,11 +147,7 @@ void OffReader::read_face() {
   const char* const start = cursor().position();
   const std::uint32_t corners = in_.read_count("the number of corners");
   for (std::uint32_t i = 0; i < corners; ++i) {
-#ifdef PLUMB_PLANTED_BUG  // a known bug, to see that fuzz/off_reader.cpp finds it
-    mesh_.add_corner(in_.read_index("vertex", vertices_ + 1));
-#else
     mesh_.add_corner(in_.read_index("vertex", vertices_));
-#endif
   }
   const std::string flaw = mesh_.end_face();
   if (!flaw.empty()) fail(ErrorCode::DegenerateFace, in_.record_name() + ' ' + flaw, start);

@@ -129,9 +129,7 @@ std::vector<RingSide> RingSides::sides_of_rings() const {
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const auto [ring, goes_right] = edges_[e];
     const RingSide side = goes_right == (inside_above_[e] != 0) ? RingSide::Left : RingSide::Right;
-#ifndef PLUMB_PLANTED_BUG  // a known bug, to see that fuzz/wkt_reader.cpp finds it
     if (known[ring] != 0 && sides[ring] != side) return {};
-#endif
     known[ring] = 1;
     sides[ring] = side;
   }

@@ -188,9 +188,7 @@ std::uint32_t PlyBinaryReader::take_length(const PlyProperty& property) {
     in_.fail(ErrorCode::CountMismatch, "a list of " + record_name() + " is longer than the file",
              start);
   }
-#ifndef PLUMB_PLANTED_BUG  // left out it is a known bug, to see that fuzz/ply_reader.cpp finds it
   spare_ -= static_cast<std::uint64_t>(bytes);
-#endif
   return static_cast<std::uint32_t>(length);
 }
 

@@ -103,11 +103,7 @@ void OrbitTracer::visit_corner(std::uint32_t arriving, std::uint32_t leaving, Wa
 // gap, told as open edges.)
 bool OrbitTracer::is_mixed(const Walk& w) {
   if (w.cycle == kNone) return false;
-#ifdef PLUMB_PLANTED_BUG  // a known bug, to see that fuzz/map_check.cpp finds it
-  const bool is_the_cycle = w.single_cycle && w.length == map_.cycle(w.cycle).size();
-#else
   const bool is_the_cycle = w.complete && w.single_cycle && w.length == map_.cycle(w.cycle).size();
-#endif
   if (is_the_cycle) return false;
   const bool is_bounded = !w.has_outer_corner;
   if (is_bounded) return !w.single_cycle || cycle_sign(w.cycle) != Sign::Positive;

@@ -281,11 +281,7 @@ bool PlaneBuilder<Rule>::passes(bool mark) const {
   if (Rule::kKeepsAll || kept_in_.size() != 1 || kept_out_ != 1) return false;
   const auto piece =
       std::find_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.is_kept; });
-#ifdef PLUMB_PLANTED_BUG  // a known bug, to see that fuzz/plane_overlay.cpp finds it
-  const bool in_mark = mark;
-#else
   const bool in_mark = draft_.edge_mark[kept_in_.front().edge.value()] != 0;
-#endif
   if (piece->state.mark != mark || in_mark != mark) return false;
   return curves_->direction_order(kept_in_.front().curve, piece->bundle.front().segment) ==
          Sign::Zero;

@@ -160,12 +160,10 @@ bool Sweep::start_unbounded() {
     append_outgoing(s, joins);
   }
   replace_in_status();
-#ifndef PLUMB_PLANTED_BUG  // a known bug, to see that fuzz/plane_sweep.cpp finds it
   // Unlike curves that leave a point, these may still meet each other.
   for (StatusNode n = status_.first(); n.is_valid(); n = status_.next(n)) {
     test_neighbours(n, status_.next(n));
   }
-#endif
   return report(SweepPlace::LeftInfinity, false);
 }
 

@@ -107,11 +107,7 @@ class Labels {
   const Contact& nearest_contact(HalfedgeId h) const {
     const EdgeId e = SpaceComplex::edge_of(h);
     const auto& planes = complex_.edge_planes[e.value()];
-#ifdef PLUMB_PLANTED_BUG  // a known bug, to see that fuzz/space_overlay.cpp finds it
-    const Sign along = Sign::Positive;
-#else
     const Sign along = SpaceComplex::is_reverse(h) ? Sign::Negative : Sign::Positive;
-#endif
     std::uint32_t best = own_.edge_contacts[own_.edge_begin[e.value()]];
     for (std::uint32_t i = own_.edge_begin[e.value()] + 1; i < own_.edge_begin[e.value() + 1];
          ++i) {

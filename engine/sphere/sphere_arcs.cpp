@@ -20,9 +20,6 @@ Station station(const PlaneTable& planes, const SphereMap& map, std::uint32_t ha
 bool goes_round(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc, Station at) {
   if (map.origin[2 * arc] == map.origin[2 * arc + 1]) return true;
   if (at == kAhead || at == kBehind) return false;  // different points are never at one of these
-#ifdef PLUMB_PLANTED_BUG  // a known bug, to see that fuzz/sphere_overlay.cpp finds it
-  return false;
-#endif
   return turn_on(planes, map.circle[arc], origin_place(planes, map, 2 * arc),
                  origin_place(planes, map, 2 * arc + 1)) == TurnClass::Right;
 }

@@ -174,14 +174,12 @@ void FaceArrangement::split() {
     if (a.segment != b.segment) return a.segment < b.segment;
     return a.point != b.point && compare(a.point, b.point) == Sign::Negative;
   });
-#ifndef PLUMB_PLANTED_BUG  // a known bug, to see that fuzz/surface_scene.cpp finds it
   for (std::size_t i = 1; i < contacts_.size(); ++i) {
     const Contact &a = contacts_[i - 1], &b = contacts_[i];
     if (a.segment == b.segment && a.point != b.point && compare(a.point, b.point) == Sign::Zero) {
       unite(a.point, b.point);
     }
   }
-#endif
   std::size_t at = 0;
   for (std::uint32_t s = 0; s < segments.size(); ++s) {
     const FaceSegment& segment = segments[s];
