@@ -4,39 +4,8 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include <cstdlib>
-#include <new>
-
 #include "cpu_time.h"
-
-namespace {
-
-// One thread works in these programs.
-std::uint64_t allocations = 0;
-std::uint64_t allocated_bytes = 0;
-
-void* allocate(std::size_t bytes, std::size_t alignment) {
-  ++allocations;
-  allocated_bytes += bytes;
-  void* const block =
-      alignment <= __STDCPP_DEFAULT_NEW_ALIGNMENT__
-          ? std::malloc(bytes == 0 ? 1 : bytes)
-          : std::aligned_alloc(alignment, (bytes + alignment) / alignment * alignment);
-  if (block == nullptr) throw std::bad_alloc();
-  return block;
-}
-
-}  // namespace
-
-// The other forms of the standard library call these.
-void* operator new(std::size_t bytes) { return allocate(bytes, 1); }
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
-  return allocate(bytes, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* block) noexcept { std::free(block); }
-void operator delete(void* block, std::align_val_t) noexcept { std::free(block); }
-void operator delete(void* block, std::size_t) noexcept { std::free(block); }
-void operator delete(void* block, std::size_t, std::align_val_t) noexcept { std::free(block); }
+#include "generate/counted_memory.h"
 
 namespace plumb::bench {
 
@@ -66,8 +35,8 @@ std::uint64_t Meter::instructions_now() const {
 }
 
 void Meter::start() {
-  begin_.allocations = static_cast<double>(allocations);
-  begin_.bytes = static_cast<double>(allocated_bytes);
+  begin_.allocations = static_cast<double>(testing::counted_memory().allocations);
+  begin_.bytes = static_cast<double>(testing::counted_memory().bytes);
   begin_.seconds = cpu_seconds();
   begin_.instructions = static_cast<double>(instructions_now());
 }
@@ -77,8 +46,9 @@ void Meter::stop() {
   const double seconds = cpu_seconds();
   sum_.instructions += instructions - begin_.instructions;
   sum_.seconds += seconds - begin_.seconds;
-  sum_.allocations += static_cast<double>(allocations) - begin_.allocations;
-  sum_.bytes += static_cast<double>(allocated_bytes) - begin_.bytes;
+  sum_.allocations +=
+      static_cast<double>(testing::counted_memory().allocations) - begin_.allocations;
+  sum_.bytes += static_cast<double>(testing::counted_memory().bytes) - begin_.bytes;
 }
 
 Cost Meter::take() {

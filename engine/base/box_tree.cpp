@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "plumb/base/box_levels.h"
+
 namespace plumb {
 
 namespace {
@@ -141,24 +143,9 @@ BoxTree::BoxTree(std::span<const Box3> boxes) {
 }
 
 void BoxTree::make_nodes() {
-  std::size_t count = boxes_.size() / kLeaf;
-  nodes_.reserve(2 * count + kMostLevels);
-  level_begin_ = {0};
-  for (std::size_t i = 0; i < boxes_.size(); ++i) {
-    if (i % kLeaf == 0) nodes_.emplace_back();
-    nodes_.back().add(boxes_[i]);
-  }
-  while (count > 1) {
-    if (count % 2 == 1) nodes_.push_back(nowhere());
-    const std::size_t begin = level_begin_.back(), end = nodes_.size();
-    level_begin_.push_back(end);
-    for (std::size_t i = begin; i < end; i += 2) {
-      Box3 both = nodes_[i];
-      both.add(nodes_[i + 1]);
-      nodes_.push_back(both);
-    }
-    count = (end - begin) / 2;
-  }
+  BoxLevels<Box3> levels = levels_over(boxes_, kLeaf, Box3{}, nowhere());
+  nodes_ = std::move(levels.nodes);
+  level_begin_ = std::move(levels.begin);
 }
 
 namespace {

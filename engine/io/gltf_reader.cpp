@@ -131,8 +131,10 @@ class GltfDocument {
  private:
   void parse() {
     try {
-      json_ = Json::parse(WatchedText::begin(container_.json, context_),
-                          WatchedText::end(container_.json, context_));
+      const std::string_view text = container_.json;
+      const CheckpointSteps steps{text.data(), text.size(), &context_};
+      using Text = SteppedText<CheckpointSteps>;
+      json_ = Json::parse(Text{text.data(), steps}, Text{text.data() + text.size(), steps});
     } catch (const Json::parse_error& error) {
       container_.fail(error.byte == 0 ? 0 : error.byte - 1, ErrorCode::Syntax, "not JSON");
     } catch (const Json::exception&) {

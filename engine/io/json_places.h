@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <string>
 #include <string_view>
 
 #include "plumb/base/context.h"
+#include "plumb/io/json_text.h"
 #include "plumb/io/text_cursor.h"
 
 namespace plumb {
@@ -18,32 +18,15 @@ class JsonPlaces {
   /// `text` must outlive it; `name` is the file in messages.
   JsonPlaces(std::string_view text, std::string name, Context& context);
 
-  /// Walks the text and tells how far the parser has read.
-  struct Iterator {
-    using iterator_category = std::input_iterator_tag;
-    using value_type = char;
-    using difference_type = std::ptrdiff_t;
-    using pointer = const char*;
-    using reference = const char&;
-
-    const char* at;
+  /// Tells how far the parser has read.
+  struct Reach {
     const char** read_to;
-
-    reference operator*() const { return *at; }
-    Iterator& operator++() {
-      *read_to = ++at;
-      return *this;
-    }
-    Iterator operator++(int) {
-      const Iterator old = *this;
-      ++*this;
-      return old;
-    }
-    friend bool operator==(const Iterator& a, const Iterator& b) { return a.at == b.at; }
+    void operator()(const char* at) const { *read_to = at; }
   };
+  using Iterator = SteppedText<Reach>;
   /// What the parser reads. The object must stay where it is meanwhile.
-  Iterator begin() { return {text_.data(), &read_to_}; }
-  Iterator end() { return {text_.data() + text_.size(), &read_to_}; }
+  Iterator begin() { return {text_.data(), {&read_to_}}; }
+  Iterator end() { return {text_.data() + text_.size(), {&read_to_}}; }
 
   /// The token of an event starts behind the last one, blanks and separators, and ends where the parser
   /// stands.

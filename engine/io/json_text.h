@@ -1,4 +1,4 @@
-// JSON that becomes a tree in memory: what the tree takes, and a text that a parser can be stopped in.
+// Texts that a JSON parser steps through and can be stopped in, and what the tree it makes of them takes.
 #pragma once
 
 #include <cstddef>
@@ -28,38 +28,42 @@ inline std::uint64_t bytes_of_json_tree(std::string_view text) {
   return bytes;
 }
 
-/// A place in a text; stepping on it makes a checkpoint now and then.
-struct WatchedText {
+/// A place in a text, for a parser to step through it; `on_step(at)` is told of each.
+template <class OnStep>
+struct SteppedText {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
   using difference_type = std::ptrdiff_t;
   using pointer = const char*;
   using reference = const char&;
 
-  static WatchedText begin(std::string_view text, Context& context) {
-    return {text.data(), text, &context};
-  }
-  static WatchedText end(std::string_view text, Context& context) {
-    return {text.data() + text.size(), text, &context};
-  }
-
   const char* at;
-  std::string_view text;
-  Context* context;
+  OnStep on_step;
 
   reference operator*() const { return *at; }
-  WatchedText& operator++() {
-    constexpr std::size_t kBytesPerCheckpoint = 65536;
-    const auto read = static_cast<std::size_t>(++at - text.data());
-    if (read % kBytesPerCheckpoint == 0) context->checkpoint("read", read, text.size());
+  SteppedText& operator++() {
+    on_step(++at);
     return *this;
   }
-  WatchedText operator++(int) {
-    const WatchedText old = *this;
+  SteppedText operator++(int) {
+    const SteppedText old = *this;
     ++*this;
     return old;
   }
-  friend bool operator==(const WatchedText& a, const WatchedText& b) { return a.at == b.at; }
+  friend bool operator==(const SteppedText& a, const SteppedText& b) { return a.at == b.at; }
+};
+
+/// Makes a checkpoint now and then.
+struct CheckpointSteps {
+  const char* begin;
+  std::size_t size;
+  Context* context;
+
+  void operator()(const char* at) const {
+    constexpr std::size_t kBytesPerCheckpoint = 65536;
+    const auto read = static_cast<std::size_t>(at - begin);
+    if (read % kBytesPerCheckpoint == 0) context->checkpoint("read", read, size);
+  }
 };
 
 }  // namespace plumb

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "plumb/base/box_levels.h"
+
 namespace plumb {
 namespace {
 
@@ -129,24 +131,9 @@ bool PackedBoxTree::sort(std::span<const Box> boxes) {
 }
 
 void PackedBoxTree::make_nodes() {
-  std::size_t count = boxes_.size() / kLeaf;
-  nodes_.reserve(2 * count + 64);
-  level_begin_ = {0};
-  for (std::size_t i = 0; i < boxes_.size(); ++i) {
-    if (i % kLeaf == 0) nodes_.push_back(nowhere());
-    nodes_.back().add(boxes_[i]);
-  }
-  while (count > 1) {
-    if (count % 2 == 1) nodes_.push_back(nowhere());
-    const std::size_t begin = level_begin_.back(), end = nodes_.size();
-    level_begin_.push_back(end);
-    for (std::size_t i = begin; i < end; i += 2) {
-      Box both = nodes_[i];
-      both.add(nodes_[i + 1]);
-      nodes_.push_back(both);
-    }
-    count = (end - begin) / 2;
-  }
+  BoxLevels<Box> levels = levels_over(boxes_, kLeaf, nowhere(), nowhere());
+  nodes_ = std::move(levels.nodes);
+  level_begin_ = std::move(levels.begin);
 }
 
 }  // namespace plumb

@@ -3,11 +3,10 @@
 // always gave.
 //
 // GMP and MPFR allocate by malloc and end the program when it fails; what they are asked for is bounded before
-// (Limits). Everything else comes through operator new, which this program replaces.
+// (Limits). Everything else comes through operator new (generate/counted_memory.h).
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <functional>
 #include <iterator>
 #include <memory>
@@ -17,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "generate/counted_memory.h"
 #include "plumb/base/error.h"
 #include "plumb/convex/decompose.h"
 #include "plumb/convex/minkowski.h"
@@ -33,63 +33,6 @@
 #include "plumb/space/space_shells.h"
 #include "plumb/space/to_mesh.h"
 #include "plumb/surface/surface.h"
-
-namespace {
-
-// ---------------------------------------------------------------- memory
-
-std::int64_t allocations_left = -1;  // negative: no end
-std::int64_t allocations = 0;
-std::int64_t blocks_held = 0;
-
-void* allocate(std::size_t bytes, std::size_t alignment) {
-  ++allocations;
-  if (allocations_left == 0) return nullptr;
-  if (allocations_left > 0) --allocations_left;
-  void* const block = std::aligned_alloc(alignment, (bytes + alignment) / alignment * alignment);
-  if (block != nullptr) ++blocks_held;
-  return block;
-}
-
-void give_back(void* block) {
-  if (block != nullptr) --blocks_held;
-  std::free(block);
-}
-
-void* allocate_or_throw(std::size_t bytes, std::size_t alignment) {
-  if (void* const block = allocate(bytes, alignment)) return block;
-  throw std::bad_alloc();
-}
-
-constexpr std::size_t kAlignment = __STDCPP_DEFAULT_NEW_ALIGNMENT__;
-
-}  // namespace
-
-// All forms: those of a sanitizer do not call each other.
-void* operator new(std::size_t bytes) { return allocate_or_throw(bytes, kAlignment); }
-void* operator new[](std::size_t bytes) { return allocate_or_throw(bytes, kAlignment); }
-void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
-  return allocate(bytes, kAlignment);
-}
-void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
-  return allocate(bytes, kAlignment);
-}
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
-  return allocate_or_throw(bytes, static_cast<std::size_t>(alignment));
-}
-void* operator new[](std::size_t bytes, std::align_val_t alignment) {
-  return allocate_or_throw(bytes, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* block) noexcept { give_back(block); }
-void operator delete[](void* block) noexcept { give_back(block); }
-void operator delete(void* block, std::size_t) noexcept { give_back(block); }
-void operator delete[](void* block, std::size_t) noexcept { give_back(block); }
-void operator delete(void* block, const std::nothrow_t&) noexcept { give_back(block); }
-void operator delete[](void* block, const std::nothrow_t&) noexcept { give_back(block); }
-void operator delete(void* block, std::align_val_t) noexcept { give_back(block); }
-void operator delete[](void* block, std::align_val_t) noexcept { give_back(block); }
-void operator delete(void* block, std::size_t, std::align_val_t) noexcept { give_back(block); }
-void operator delete[](void* block, std::size_t, std::align_val_t) noexcept { give_back(block); }
 
 namespace plumb::testing {
 namespace {
@@ -132,16 +75,17 @@ std::uint64_t digest_of(const Nef3& set) {
 
 void expect_survival(const Operation& operation) {
   SCOPED_TRACE(operation.name);
+  CountedMemory& memory = counted_memory();
   const std::uint64_t expected = operation.run();  // whatever is made once is made now
-  allocations = 0;
+  const std::uint64_t before = memory.allocations;
   ASSERT_EQ(operation.run(), expected);
-  const std::int64_t all = allocations;
+  const auto all = static_cast<std::int64_t>(memory.allocations - before);
   ASSERT_GT(all, 0);
-  const std::int64_t held = blocks_held;
+  const std::int64_t held = memory.held;
   for (std::int64_t n = 0; n < all; n += 1 + n / 300) {
     bool threw = false;
     std::uint64_t got = expected;
-    allocations_left = n;
+    memory.left = n;
     try {
       got = operation.run();
     } catch (const std::bad_alloc&) {
@@ -149,9 +93,9 @@ void expect_survival(const Operation& operation) {
     } catch (const Error& error) {
       threw = error.code() == ErrorCode::ResourceLimit;
     }
-    allocations_left = -1;
+    memory.left = -1;
     ASSERT_TRUE(threw || got == expected) << "allocation " << n << " of " << all;
-    ASSERT_EQ(blocks_held, held) << "allocation " << n << " of " << all;
+    ASSERT_EQ(memory.held, held) << "allocation " << n << " of " << all;
   }
   EXPECT_EQ(operation.run(), expected);
 }

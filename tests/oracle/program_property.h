@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "generate/set_program.h"
+#include "oracle/set_laws.h"
 
 namespace plumb::testing {
 
@@ -48,6 +49,18 @@ inline std::span<const std::uint8_t> part_of_program(std::span<const std::uint8_
   const std::size_t records = program.size() / kProgramRecord;
   const std::size_t begin = records * i / count, end = records * (i + 1) / count;
   return program.subspan(begin * kProgramRecord, (end - begin) * kProgramRecord);
+}
+
+/// Sets made by `make(program)` of a third of a program each obey the laws of sets. `all` is the whole of their space.
+template <class Nef, class Make>
+void expect_programs_obey_the_laws(const Nef& all, Make make) {
+  const auto flaw = [&](std::span<const std::uint8_t> program) {
+    const Nef a = make(part_of_program(program, 0, 3));
+    const Nef b = make(part_of_program(program, 1, 3));
+    const Nef c = make(part_of_program(program, 2, 3));
+    return first_failure([&] { expect_laws(a, b, c, all); });
+  };
+  expect_no_flaw_of_programs("sets of programs obey the laws", 18, flaw);
 }
 
 }  // namespace plumb::testing
