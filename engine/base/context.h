@@ -1,12 +1,15 @@
 // What a long operation is given besides its input: limits, a way to stop it, a way to watch it.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <stop_token>
 #include <string_view>
+#include <vector>
 
 namespace plumb {
 
@@ -23,11 +26,15 @@ struct Limits {
 using ProgressCallback =
     std::function<void(std::string_view phase, std::uint64_t done, std::uint64_t total)>;
 
-/// Passed by reference down a long operation. Not thread-safe: one Context for one operation.
+/// Passed by reference down a long operation. Not thread-safe: one Context for one operation, and one for each job
+/// of it (parallel.h).
 class Context {
  public:
   explicit Context(Limits limits = {}, std::stop_token stop = {}, ProgressCallback progress = {},
                    unsigned threads = 1);
+  /// Of a job within an operation: it also stops with `stop`, shares limits, time and charged memory with
+  /// `of`, and reports progress if `reports`.
+  Context(const Context& of, std::stop_token stop, unsigned threads, bool reports);
 
   const Limits& limits() const { return limits_; }
   unsigned threads() const { return threads_; }
@@ -45,10 +52,11 @@ class Context {
   using Clock = std::chrono::steady_clock;
 
   Limits limits_;
-  std::stop_token stop_;
+  std::vector<std::stop_token>
+      stops_;  // of the operation and of the jobs within it that this is one of
   ProgressCallback progress_;
   unsigned threads_;
-  std::uint64_t charged_bytes_ = 0;
+  std::shared_ptr<std::atomic<std::uint64_t>> charged_bytes_;
   Clock::time_point start_;
   Clock::time_point last_report_;
 };

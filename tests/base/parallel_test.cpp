@@ -1,0 +1,123 @@
+// Jobs on several threads do what a loop does: all of them, with the error of the first that fails.
+
+#include "plumb/base/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <numeric>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+#include "plumb/base/error.h"
+
+namespace plumb {
+namespace {
+
+Context with_threads(unsigned threads, Limits limits = {}) {
+  return Context(limits, {}, {}, threads);
+}
+
+/// What checkpoints throw once the job is stopped; fails when it never is.
+void wait_for_stop(Context& context) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (std::chrono::steady_clock::now() < end) {
+    context.checkpoint("waiting", 0, 1);
+    std::this_thread::yield();
+  }
+  ADD_FAILURE() << "a job after one that failed was not stopped";
+}
+
+TEST(Parallel, EveryJobIsDoneOnce) {
+  for (const unsigned threads : {1U, 2U, 3U, 8U}) {
+    for (const std::size_t jobs : {0U, 1U, 2U, 1000U}) {
+      Context context = with_threads(threads);
+      std::vector<int> done(jobs, 0);
+      run_jobs(context, jobs, [&](std::size_t i, Context&) { ++done[i]; });
+      EXPECT_EQ(std::vector<int>(jobs, 1), done) << threads << " threads, " << jobs << " jobs";
+    }
+  }
+}
+
+TEST(Parallel, TheErrorIsThatOfTheFirstJobThatFails) {
+  for (const unsigned threads : {1U, 2U, 4U}) {
+    Context context = with_threads(threads);
+    std::vector<int> done(40, 0);
+    try {
+      run_jobs(context, 40, [&](std::size_t i, Context& own) {
+        if (i == 7) {
+          std::this_thread::sleep_for(std::chrono::milliseconds(5));
+          throw Error(ErrorCode::BadArgument, "job 7");
+        }
+        if (i == 9) throw Error(ErrorCode::BadArgument, "job 9");
+        if (i > 9) wait_for_stop(own);
+        done[i] = 1;
+      });
+      FAIL() << "nothing was thrown";
+    } catch (const Error& error) {
+      EXPECT_EQ("job 7", error.message());
+    }
+    EXPECT_EQ(7, std::accumulate(done.begin(), done.begin() + 7, 0)) << "jobs before are finished";
+  }
+}
+
+TEST(Parallel, JobsWithinStoppedJobsStop) {
+  Context context = with_threads(4);
+  EXPECT_THROW(run_jobs(context, 2,
+                        [&](std::size_t i, Context& own) {
+                          if (i == 0) throw Error(ErrorCode::BadArgument, "first");
+                          run_jobs(own, 2,
+                                   [](std::size_t, Context& inner) { wait_for_stop(inner); });
+                        }),
+               Error);
+}
+
+TEST(Parallel, MemoryIsChargedTogether) {
+  Limits limits;
+  limits.max_memory_bytes = 1000;
+  Context context = with_threads(2, limits);
+  std::atomic<int> tried = 0;
+  // Each job holds 600 of 1000 bytes until the other asked too: one of them must be refused.
+  EXPECT_THROW(run_jobs(context, 2,
+                        [&](std::size_t, Context& own) {
+                          MemoryCharge charge(own);
+                          try {
+                            charge.add(600, "job");
+                          } catch (const Error&) {
+                            ++tried;
+                            throw;
+                          }
+                          ++tried;
+                          while (tried < 2) std::this_thread::yield();
+                        }),
+               Error);
+  EXPECT_NO_THROW(context.charge_memory(1000, "all of it was given back"));
+}
+
+TEST(Parallel, AStopOfTheOperationStopsItsJobs) {
+  std::stop_source stop;
+  Context context(Limits(), stop.get_token(), {}, 2);
+  try {
+    run_jobs(context, 3, [&](std::size_t, Context& own) {
+      stop.request_stop();
+      wait_for_stop(own);
+    });
+    FAIL() << "nothing was thrown";
+  } catch (const Error& error) {
+    EXPECT_EQ(ErrorCode::Cancelled, error.code());
+  }
+}
+
+TEST(Parallel, ThreadsAreSharedAmongFewJobs) {
+  Context context = with_threads(6);
+  std::array<unsigned, 2> threads{};
+  run_jobs(context, 2, [&](std::size_t i, Context& own) { threads[i] = own.threads(); });
+  EXPECT_EQ((std::array<unsigned, 2>{3, 3}), threads);
+}
+
+}  // namespace
+}  // namespace plumb
