@@ -154,3 +154,11 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
                                                std::size_t max_size, unsigned seed) {
   return plumb::fuzz::RecordMutator(plumb::testing::kRecord, seed).mutate(data, size, max_size);
 }
+
+extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* first, std::size_t first_size,
+                                                 const std::uint8_t* second,
+                                                 std::size_t second_size, std::uint8_t* out,
+                                                 std::size_t max_size, unsigned seed) {
+  return plumb::fuzz::RecordMutator(plumb::testing::kRecord, seed)
+      .cross({first, first_size}, {second, second_size}, out, max_size);
+}

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <span>
 #include <vector>
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
@@ -28,10 +29,29 @@ class RecordMutator {
     return kept;
   }
 
+  /// What LLVMFuzzerCustomCrossOver does: records of one program, then records of the other.
+  std::size_t cross(std::span<const std::uint8_t> first, std::span<const std::uint8_t> second,
+                    std::uint8_t* out, std::size_t max_size) {
+    const auto head = first.first(some_records(first.size()));
+    const auto tail =
+        second.first(second.size() / record_ * record_).last(some_records(second.size()));
+    bytes_.assign(head.begin(), head.end());
+    bytes_.insert(bytes_.end(), tail.begin(), tail.end());
+    const std::size_t kept = std::min(bytes_.size(), max_size);
+    std::copy_n(bytes_.begin(), kept, out);
+    return kept;
+  }
+
  private:
   std::uint8_t any_byte() { return static_cast<std::uint8_t>(random_() >> 8); }
   std::ptrdiff_t any_record() {
     return static_cast<std::ptrdiff_t>(random_() % (bytes_.size() / record_) * record_);
+  }
+
+  /// A number of bytes: whole records of `size`, one at least if there is one.
+  std::size_t some_records(std::size_t size) {
+    const std::size_t records = size / record_;
+    return records == 0 ? 0 : (1 + random_() % records) * record_;
   }
 
   void change() {
