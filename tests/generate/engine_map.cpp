@@ -1,5 +1,5 @@
 // Test maps into the engine and back.
-#include "generate/test_map.h"
+#include "plumb/testing/test_map.h"
 
 namespace plumb::testing {
 

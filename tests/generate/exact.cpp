@@ -1,4 +1,4 @@
-#include "generate/exact.h"
+#include "plumb/testing/exact.h"
 
 #include <cmath>
 

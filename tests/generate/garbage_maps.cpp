@@ -1,8 +1,8 @@
-#include "generate/garbage_maps.h"
+#include "plumb/testing/garbage_maps.h"
 
 #include <algorithm>
 
-#include "generate/dice.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {

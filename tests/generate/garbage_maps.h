@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "generate/test_map.h"
+#include "plumb/testing/test_map.h"
 
 namespace plumb::testing {
 

@@ -1,4 +1,4 @@
-#include "generate/map_defects.h"
+#include "plumb/testing/map_defects.h"
 
 #include <algorithm>
 #include <ostream>
@@ -324,8 +324,9 @@ DefectiveMap two_corners(const TestMap& valid, DefectPlace place) {
 
 DefectiveMap bad_index(const TestMap& valid, DefectPlace place) {
   DefectiveMap result = refused(valid, "vertex out of range");
-  chosen(result.map, place)[corner_at(valid, place).i] =
-      static_cast<std::uint32_t>(valid.points.size());
+  constexpr std::uint32_t kNoVertex = std::uint32_t{1}
+                                      << 31U;  // nor will it be one among other maps
+  chosen(result.map, place)[corner_at(valid, place).i] = kNoVertex;
   return result;
 }
 
@@ -345,6 +346,18 @@ DefectiveMap isolated_vertex(const TestMap& valid, DefectPlace place) {
   DefectiveMap result{valid, {}};
   const Corner c = corner_at(valid, place);
   result.map.points.push_back(beside(valid, c, BigRational(1, 2), tiny()));
+  return result;
+}
+
+// A triangle in the cycle's own region with a corner at its vertex: the region's boundary touches itself there.
+DefectiveMap self_touch(const TestMap& valid, DefectPlace place) {
+  DefectiveMap result{valid, {}};
+  const Corner c = corner_at(valid, place);
+  const auto p = static_cast<std::uint32_t>(valid.points.size());
+  result.map.points.push_back(beside(valid, c, tiny(), tiny() * tiny()));
+  result.map.points.push_back(beside(valid, c, tiny(), 2 * tiny() * tiny()));
+  insert_after(chosen(result.map, place), c.i, {p + 1, p, c.vertex});
+  result.map.cycles.push_back({c.vertex, p, p + 1});
   return result;
 }
 
@@ -375,6 +388,7 @@ const std::vector<MapDefectMaker>& map_defect_makers() {
       {"bad-index", bad_index},
       {"sliver", sliver},
       {"isolated-vertex", isolated_vertex},
+      {"self-touch", self_touch},
   };
   return kMakers;
 }

@@ -1,17 +1,19 @@
 // Defects on purpose: a valid map, one change, and what a checker must then say.
 //
 // Every change keeps all other parts of the map as they were, so "nothing else is reported" can be
-// asked for. Changes that add geometry make it so small that it meets nothing but its host.
+// asked for. Changes that add geometry make it so small that it meets nothing but its host. Several
+// defects go into one map side by side (combined()).
 #pragma once
 
 #include <cstdint>
 #include <iosfwd>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "generate/test_map.h"
 #include "plumb/plane/map_check.h"
+#include "plumb/testing/test_map.h"
 
 namespace plumb::testing {
 
@@ -51,9 +53,27 @@ struct MapDefectMaker {
 /// Prints the name (GoogleTest looks for it).
 void PrintTo(const MapDefectMaker& maker, std::ostream* out);
 
-/// drop-face, drop-outer, duplicate-face, flip-face, flip-all, move-vertex, t-junction, t-both,
-/// overlap, island, island-open, far-island, far-island-open, frame, spike, alias-vertex,
-/// repeat-vertex, two-corners, bad-index, sliver, isolated-vertex.
+/// drop-face, drop-outer     a cycle is missing
+/// duplicate-face            a cycle is listed twice
+/// flip-face, flip-all       a cycle, or every one, runs the other way
+/// move-vertex               a vertex lies far outside: its edges run across the map
+/// t-junction, t-both        an edge has one vertex more for one of its faces, or (no defect) for both
+/// overlap                   a square lies over the middle of an edge
+/// island, island-open       a square nested in a face, with its outer cycle (no defect) or without
+/// far-island(-open), frame  the same beside and around the map
+/// spike                     an edge that goes nowhere
+/// alias-vertex              a corner at a second vertex of the same position
+/// repeat-vertex, two-corners, bad-index   what check_map refuses
+/// sliver                    a T-junction closed by a triangle without area
+/// isolated-vertex           of no cycle (no defect)
+/// self-touch                a hole that touches its face's boundary in a vertex (no defect)
 const std::vector<MapDefectMaker>& map_defect_makers();
+
+/// All maps in one, side by side with a gap, and what is then to be said of them together: defects add up.
+/// One that has to be refused has the whole refused.
+DefectiveMap combined(std::span<const DefectiveMap> parts);
+
+/// Giant or tiny coordinates: the same defects, at places times `factor`. Requires factor > 0.
+DefectiveMap scaled(const DefectiveMap& defective, const BigRational& factor);
 
 }  // namespace plumb::testing

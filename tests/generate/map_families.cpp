@@ -1,9 +1,9 @@
-#include "generate/map_families.h"
+#include "plumb/testing/map_families.h"
 
 #include <cmath>
 
-#include "generate/dice.h"
-#include "generate/segment_maps.h"
+#include "plumb/testing/dice.h"
+#include "plumb/testing/segment_maps.h"
 
 namespace plumb::testing {
 namespace {

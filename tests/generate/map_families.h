@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generate/test_map.h"
+#include "plumb/testing/test_map.h"
 
 namespace plumb::testing {
 

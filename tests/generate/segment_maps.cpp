@@ -1,6 +1,6 @@
 // With |coordinate| <= 2^13: cross products < 2^29, x = numerator / denominator has a numerator
 // < 2^14 * 2^29 + ... < 2^44, and comparing two parameters multiplies two cross products: < 2^58.
-#include "generate/segment_maps.h"
+#include "plumb/testing/segment_maps.h"
 
 #include <algorithm>
 #include <array>

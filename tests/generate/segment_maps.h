@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "generate/test_map.h"
+#include "plumb/testing/test_map.h"
 
 namespace plumb::testing {
 

@@ -1,4 +1,4 @@
-#include "generate/small_maps.h"
+#include "plumb/testing/small_maps.h"
 
 #include <ostream>
 #include <sstream>

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "generate/test_map.h"
 #include "plumb/plane/map_check.h"
+#include "plumb/testing/test_map.h"
 
 namespace plumb::testing {
 

@@ -1,4 +1,4 @@
-#include "generate/test_map.h"
+#include "plumb/testing/test_map.h"
 
 #include <algorithm>
 #include <unordered_map>

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "generate/exact.h"
 #include "plumb/plane/map.h"
+#include "plumb/testing/exact.h"
 
 namespace plumb::testing {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "oracle/map_oracle.h"
+#include "plumb/testing/map_oracle.h"
 
 namespace plumb::testing {
 namespace {

@@ -1,4 +1,4 @@
-#include "oracle/map_oracle.h"
+#include "plumb/testing/map_oracle.h"
 
 #include <algorithm>
 #include <map>

@@ -19,8 +19,8 @@
 #include <optional>
 #include <vector>
 
-#include "generate/test_map.h"
 #include "plumb/plane/map_check.h"
+#include "plumb/testing/test_map.h"
 
 namespace plumb::testing {
 

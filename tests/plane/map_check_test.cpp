@@ -145,6 +145,35 @@ INSTANTIATE_TEST_SUITE_P(MapCheck, SeededDefect, ::testing::ValuesIn(map_defect_
                            return name;
                          });
 
+// Every pair of defects in one map, and every defect in giant and in tiny coordinates.
+TEST_P(SeededDefect, IsFoundBesideEveryOther) {
+  const DefectiveMap one = GetParam().make(grid(2), {1, 2});
+  for (const MapDefectMaker& maker : map_defect_makers()) {
+    SCOPED_TRACE(maker.name);
+    const DefectiveMap both[] = {one, maker.make(hexagons(2, 7), {2, 1})};
+    expect_told(combined(both));
+    EXPECT_EQ(disagreement(combined(both).map), "");
+  }
+}
+
+TEST_P(SeededDefect, IsFoundInGiantAndTinyCoordinates) {
+  const DefectiveMap defective = GetParam().make(jittered_triangles(2, 5), {3, 1});
+  for (const int exponent : {900, -1000, 3000})
+    expect_told(scaled(defective, power_of_two(exponent)));
+}
+
+TEST(SeededDefects, AddUp) {
+  std::vector<DefectiveMap> all;
+  for (const MapDefectMaker& maker : map_defect_makers()) {
+    const DefectiveMap one = maker.make(grid(2), {0, 1});
+    if (one.expected.refused.empty()) all.push_back(one);
+  }
+  const DefectiveMap together = combined(all);
+  EXPECT_EQ(together.expected.verdict, MapVerdict::NotAPlanarSubdivision);
+  EXPECT_GT(together.expected.open, 20U);
+  expect_told(together);
+}
+
 // ---------------------------------------------------------------- the table in corpus/
 
 struct Row {
