@@ -25,6 +25,16 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/plumbConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/plumbConfig.cmake ${PROJECT_BINARY_DIR}/plumbConfigVersion.cmake
   cmake/FindPlumbGMP.cmake DESTINATION ${plumb_config_dir})
 
+# Component testing: generators, a twin and what makes fuzz targets of them (docs/fuzzing.md).
+if(TARGET plumb_testing_maps)
+  install(TARGETS plumb_testing_maps EXPORT plumbTestingTargets ARCHIVE COMPONENT testing)
+  get_property(testing_headers GLOBAL PROPERTY PLUMB_TESTING_HEADERS)
+  list(TRANSFORM testing_headers PREPEND tests/generate/)
+  install(FILES ${testing_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb/testing COMPONENT testing)
+  install(EXPORT plumbTestingTargets NAMESPACE plumb:: DESTINATION ${plumb_config_dir} COMPONENT testing)
+  install(FILES cmake/PlumbFuzz.cmake fuzz/replay_main.cpp DESTINATION ${plumb_config_dir} COMPONENT testing)
+endif()
+
 file(RELATIVE_PATH plumb_pc_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(cmake/plumb.pc.in ${PROJECT_BINARY_DIR}/plumb.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/plumb.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <span>
 
-#include "oracle_reached.h"
 #include "plane/checked.h"
 #include "plumb/testing/map_program.h"
-#include "record_mutator.h"
+#include "plumb/testing/oracle_reached.h"
+#include "plumb/testing/record_mutator.h"
 
 namespace plumb::testing {
 namespace {

@@ -14,9 +14,9 @@
 #include <string>
 #include <string_view>
 
-#include "oracle_reached.h"
 #include "plumb/base/error.h"
 #include "plumb/io/map_writer.h"
+#include "plumb/testing/oracle_reached.h"
 #include "reader_laws.h"
 
 namespace {

@@ -10,10 +10,10 @@
 #include <string>
 #include <string_view>
 
-#include "oracle_reached.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/io/weld_vertices.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/testing/oracle_reached.h"
 #include "reader_laws.h"
 
 namespace plumb::fuzz {

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "io/plane_sets.h"
-#include "oracle_reached.h"
+#include "plumb/testing/oracle_reached.h"
 #include "reader_laws.h"
 #include "shape_laws.h"
 

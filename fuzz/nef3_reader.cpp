@@ -19,9 +19,9 @@
 
 #include "generate/space_program.h"
 #include "oracle/nef3_check.h"
-#include "oracle_reached.h"
 #include "plumb/io/nef3_writer.h"
 #include "plumb/space/space_audit.h"
+#include "plumb/testing/oracle_reached.h"
 #include "reader_laws.h"
 
 namespace {

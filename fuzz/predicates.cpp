@@ -20,9 +20,9 @@
 
 #include "oracle/segments.h"
 #include "oracle/sign_oracle.h"
-#include "oracle_reached.h"
 #include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/point_table2.h"
+#include "plumb/testing/oracle_reached.h"
 
 namespace plumb::testing {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "oracle_reached.h"
-#include "record_mutator.h"
+#include "plumb/testing/oracle_reached.h"
+#include "plumb/testing/record_mutator.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using plumb::fuzz::kTarget;

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle_reached.h"
+#include "plumb/testing/oracle_reached.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 extern "C" __attribute__((weak)) int LLVMFuzzerInitialize(int* argc, char*** argv);

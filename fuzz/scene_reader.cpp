@@ -12,8 +12,8 @@
 #include <memory>
 
 #include "generate/surface_meshes.h"
-#include "oracle_reached.h"
 #include "plumb/surface/trace.h"
+#include "plumb/testing/oracle_reached.h"
 #include "reader_laws.h"
 
 namespace {

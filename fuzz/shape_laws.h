@@ -9,12 +9,12 @@
 #include <string_view>
 
 #include "oracle/shape_oracle.h"
-#include "oracle_reached.h"
 #include "plumb/io/geojson_reader.h"
 #include "plumb/io/geojson_writer.h"
 #include "plumb/io/plane_io.h"
 #include "plumb/io/wkt_reader.h"
 #include "plumb/io/wkt_writer.h"
+#include "plumb/testing/oracle_reached.h"
 #include "reader_laws.h"
 
 namespace plumb::fuzz {

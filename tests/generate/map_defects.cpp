@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <ostream>
 
+#include "plumb/base/error.h"
+
 namespace plumb::testing {
 namespace {
 
@@ -391,6 +393,15 @@ const std::vector<MapDefectMaker>& map_defect_makers() {
       {"self-touch", self_touch},
   };
   return kMakers;
+}
+
+const MapDefectMaker& map_defect_maker(std::string_view name) {
+  const auto& makers = map_defect_makers();
+  const auto found =
+      std::find_if(makers.begin(), makers.end(),
+                   [name](const MapDefectMaker& maker) { return maker.name == name; });
+  PLUMB_CHECK(found != makers.end());
+  return *found;
 }
 
 }  // namespace plumb::testing

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plumb/plane/map_check.h"
@@ -68,6 +69,9 @@ void PrintTo(const MapDefectMaker& maker, std::ostream* out);
 /// isolated-vertex           of no cycle (no defect)
 /// self-touch                a hole that touches its face's boundary in a vertex (no defect)
 const std::vector<MapDefectMaker>& map_defect_makers();
+
+/// The one of that name, which has to be one of these.
+const MapDefectMaker& map_defect_maker(std::string_view name);
 
 /// All maps in one, side by side with a gap, and what is then to be said of them together: defects add up.
 /// One that has to be refused has the whole refused.

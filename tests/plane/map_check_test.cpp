@@ -201,11 +201,8 @@ TestMap map_of(const Row& row) {
   for (const MapFamily& family : map_families()) {
     if (family.name == row.family) map = family.make(row.faces);
   }
-  for (const MapDefectMaker& maker : map_defect_makers()) {
-    if (maker.name == row.defect) return maker.make(map, {row.cycle, row.corner}).map;
-  }
-  EXPECT_EQ(row.defect, "none");
-  return map;
+  if (row.defect == "none") return map;
+  return map_defect_maker(row.defect).make(map, {row.cycle, row.corner}).map;
 }
 
 OuterRule rule_of(const Row& row) {
