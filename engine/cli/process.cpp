@@ -67,6 +67,7 @@ std::stop_token prepare_process() {
   handle(SIGINT, on_stop_signal);
   handle(SIGTERM, on_stop_signal);
   handle(SIGPIPE, SIG_IGN);
+  handle(SIGXFSZ, SIG_IGN);
   handle(SIGABRT, on_abort);
   ::mp_set_memory_functions(gmp_allocate, gmp_reallocate, gmp_free);
   return stop_source().get_token();

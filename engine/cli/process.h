@@ -10,7 +10,7 @@ namespace plumb::cli {
 ///   SIGINT, SIGTERM   the first requests a stop of the returned token; the second ends the process
 ///                     with 4 at once, temporary files removed. Also where they were ignored: a
 ///                     shell ignores SIGINT for what it starts in the background
-///   SIGPIPE           ignored: a failed write says so
+///   SIGPIPE, SIGXFSZ  ignored: a failed write says so (closed pipe, file too large)
 ///   SIGABRT           a broken invariant, reported already: temporary files removed, exit 70
 ///   GMP               throws std::bad_alloc when memory runs out, instead of aborting
 std::stop_token prepare_process();

@@ -2,15 +2,20 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <pthread.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "plumb/base/error.h"
@@ -121,6 +126,117 @@ TEST_F(OutputFileTest, lets_a_signal_handler_remove_temporary_files) {
   EXPECT_EQ(file_count(), 1U);
   remove_temporary_files();
   EXPECT_EQ(file_count(), 0U);
+}
+
+// ---------------------------------------------------------------- what goes wrong on the way
+
+/// Runs `work` in a process of its own, which ends with 0 unless something stops it; returns how it ended.
+template <class Work>
+int status_of(const Work& work) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    work();
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return status;
+}
+
+constexpr std::size_t kLarge = 300'000;
+
+TEST_F(OutputFileTest, leaves_the_old_file_when_killed_before_the_rename) {
+  std::ofstream(path("a")) << "old";
+  for (const bool is_finished : {false, true}) {
+    const int status = status_of([&] {
+      OutputFile file(path("a"));
+      file.stream() << std::string(kLarge, 'x');
+      if (is_finished) file.finish();
+      std::raise(SIGKILL);
+    });
+    ASSERT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(content(path("a")), "old");
+  }
+}
+
+// Whoever looks, and whenever the writer is killed, sees one of the two texts, whole.
+TEST_F(OutputFileTest, is_whole_whenever_the_writer_is_killed) {
+  const std::string texts[] = {std::string(kLarge, 'a'), std::string(2 * kLarge, 'b')};
+  for (int killed = 0; killed < 5; ++killed) {
+    std::ofstream(path("a")) << texts[0];
+    const pid_t child = ::fork();
+    if (child == 0) {
+      for (std::size_t i = 0;; ++i) {
+        OutputFile file(path("a"));
+        file.stream() << texts[i % 2];
+        file.finish();
+        file.commit();
+      }
+    }
+    for (int look = 0; look < 20; ++look) {
+      std::this_thread::sleep_for(std::chrono::microseconds(700 + 130 * killed));
+      const std::string seen = content(path("a"));
+      EXPECT_TRUE(seen == texts[0] || seen == texts[1]) << seen.size() << " bytes";
+    }
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    const std::string left = content(path("a"));
+    EXPECT_TRUE(left == texts[0] || left == texts[1]) << left.size() << " bytes";
+  }
+}
+
+// The file system takes the first part of a write and refuses the rest.
+TEST_F(OutputFileTest, says_so_when_a_file_grows_too_large) {
+  std::ofstream(path("a")) << "old";
+  const int status = status_of([&] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{kLarge / 2, kLarge / 2};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    try {
+      OutputFile file(path("a"));
+      file.stream() << std::string(kLarge, 'x');
+      file.finish();
+    } catch (const Error& error) {
+      const bool is_told = error.code() == ErrorCode::CannotWrite &&
+                           std::string(error.what()) == path("a") + ": File too large";
+      ::_exit(is_told ? 7 : 8);
+    }
+  });
+  EXPECT_EQ(WEXITSTATUS(status), 7);
+  EXPECT_EQ(content(path("a")), "old");
+  EXPECT_EQ(file_count(), 1U);
+}
+
+// A pipe takes what it has room for; signals cut writes short.
+TEST(DescriptorStream, goes_on_after_short_and_interrupted_writes) {
+  struct sigaction ignore {
+  }, before{};
+  ignore.sa_handler = [](int) {};  // no SA_RESTART: a write that waits ends early
+  ::sigaction(SIGUSR1, &ignore, &before);
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  std::string expected;
+  for (std::size_t i = 0; expected.size() < 10 * kLarge; ++i) expected += std::to_string(i) + ' ';
+
+  std::thread writer([&] {
+    DescriptorStream stream(ends[1], "pipe");
+    stream << expected << std::flush;
+    ::close(ends[1]);
+  });
+  std::string got;
+  std::string block(10'007, ' ');
+  for (ssize_t size = 1; size > 0;) {
+    if (got.size() < 5 * kLarge) {  // the writer is there: this much is more than the pipe holds
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+      ::pthread_kill(writer.native_handle(), SIGUSR1);
+    }
+    size = ::read(ends[0], block.data(), block.size());
+    if (size > 0) got.append(block, 0, static_cast<std::size_t>(size));
+  }
+  writer.join();
+  ::close(ends[0]);
+  ::sigaction(SIGUSR1, &before, nullptr);
+  EXPECT_EQ(got, expected);
 }
 
 TEST(DescriptorStream, tells_a_closed_pipe_from_a_full_disk) {
