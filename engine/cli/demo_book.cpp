@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/io/text_output.h"
+#include "plumb/predicates/rounding.h"
 
 namespace plumb::cli {
 namespace {
@@ -54,7 +56,17 @@ void DemoBook::write(const std::string& name, std::string bytes) {
 
 void DemoBook::add(DemoPicture picture) {
   write(picture.file, picture.svg);
+  if (!picture.page.empty()) {
+    write(fs::path(picture.file).replace_extension(".html").string(), picture.page);
+  }
   pictures_.push_back(std::move(picture));
+}
+
+std::string in_full(const Rational& value) {
+  constexpr std::size_t kShort = 40;
+  std::string exact = format_exact(value);
+  if (exact.size() <= kShort) return exact;
+  return "about " + format_double(nearest_double(value)) + ", exactly " + exact;
 }
 
 void DemoBook::finish() {

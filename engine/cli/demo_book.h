@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "demo_page.h"
+#include "plumb/predicates/rational.h"
 #include "session.h"
 
 namespace plumb::cli {
@@ -23,7 +24,7 @@ class DemoBook {
   /// Says what was done since the last step, and how long it took.
   void step(const std::string& what);
   void write(const std::string& name, std::string bytes);
-  /// A picture for the page, and a file of its own.
+  /// A picture for the page, and a file of its own; the same for what turns it around.
   void add(DemoPicture picture);
   /// index.html and the list of steps on standard output.
   void finish();
@@ -37,6 +38,9 @@ class DemoBook {
   std::vector<DemoStep> steps_;
   std::vector<DemoPicture> pictures_;
 };
+
+/// A number as text: exactly, whatever its length; a long one also rounded.
+std::string in_full(const Rational& value);
 
 /// The chapter on solids.
 void demonstrate_solids(DemoBook& book);

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "demo_book.h"
-#include "number_argument.h"
 #include "picture_files.h"
 #include "plumb/convex/decompose.h"
 #include "plumb/io/solid_sets.h"
@@ -69,14 +68,11 @@ class ConvexDemo {
       throw std::logic_error("the pieces are not the solid");
     }
     book_.step("the closure of each is convex; their union is " + name +
-               ", their volumes add up to " + readable(sum));
+               ", their volumes add up to " + in_full(sum));
     const std::string title = name + ": " + pieces;
     book_.add({title, name + "-pieces.svg", "Cut along reflex edges, then moved apart.",
-               picture_of(cut.pieces, kApart, Picture::Svg, title, context_), true});
-    if (name == "comb") {
-      book_.write("comb-pieces.html",
-                  picture_of(cut.pieces, kApart, Picture::Html, title, context_));
-    }
+               picture_of(cut.pieces, kApart, Picture::Svg, title, context_), true,
+               picture_of(cut.pieces, kApart, Picture::Html, title, context_)});
     book_.step("pictured them, moved apart");
   }
 

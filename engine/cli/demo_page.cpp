@@ -17,8 +17,12 @@ body { font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 75rem
 figure { margin: 2rem 0; }
 figure img { width: 100%; height: auto; border: 1px solid #ccc; }
 figure.small img { max-width: 37.5rem; }
-figcaption { color: #444; }
-td { padding: 0.1rem 1rem 0.1rem 0; vertical-align: top; }
+.sheet { overflow-x: auto; }
+.sheet img { min-width: 50rem; box-sizing: border-box; }
+figure iframe { width: 100%; height: min(80vh, 40rem); border: 1px solid #ccc; display: block; }
+figure button { font: inherit; margin: 0.5rem 0; padding: 0.3rem 1rem; cursor: pointer; }
+figcaption { color: #444; overflow-wrap: anywhere; }
+td { padding: 0.1rem 1rem 0.1rem 0; vertical-align: top; overflow-wrap: anywhere; }
 td.time { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
 </style>
 </head>
@@ -70,12 +74,31 @@ std::string data_uri(std::string_view svg) {
   return uri;
 }
 
+/// A page of its own inside this one, made when it is asked for: many at once would be too much for a browser.
+constexpr std::string_view kTurning = R"(<script>
+for (const button of document.querySelectorAll('figure button')) button.addEventListener('click', () => {
+  const frame = document.createElement('iframe');
+  frame.title = button.title;
+  frame.srcdoc = button.dataset.page;
+  button.previousElementSibling.replaceWith(frame);
+  button.remove();
+});
+</script>
+)";
+
 void write_picture(std::ostream& out, const DemoPicture& picture) {
-  out << "<h2>" << escaped(picture.title) << "</h2>\n<figure"
-      << (picture.is_small ? " class=\"small\"" : "") << ">\n<img alt=\"" << escaped(picture.title)
-      << "\" src=\"" << data_uri(picture.svg) << "\">\n<figcaption>" << escaped(picture.caption)
-      << " (<a href=\"" << picture.file << "\">" << picture.file
-      << "</a>)</figcaption>\n</figure>\n";
+  const std::string title = escaped(picture.title);
+  const bool is_wide =
+      !picture.is_small;  // its text would be too small on a phone: there it scrolls
+  out << "<h2>" << title << "</h2>\n<figure"
+      << (is_wide ? ">\n<div class=\"sheet\">" : " class=\"small\">\n") << "<img alt=\"" << title
+      << "\" src=\"" << data_uri(picture.svg) << "\">" << (is_wide ? "</div>\n" : "\n");
+  if (!picture.page.empty()) {
+    out << "<button title=\"" << title << "\" data-page=\"" << escaped(picture.page)
+        << "\">Turn it around</button>\n";
+  }
+  out << "<figcaption>" << escaped(picture.caption) << " (<a href=\"" << picture.file << "\">"
+      << picture.file << "</a>)</figcaption>\n</figure>\n";
 }
 
 }  // namespace
@@ -97,7 +120,7 @@ void write_demo_page(std::ostream& out, const std::vector<DemoStep>& steps,
   }
   out << "</table>\n";
   for (const DemoPicture& picture : pictures) write_picture(out, picture);
-  out << "</body>\n</html>\n";
+  out << kTurning << "</body>\n</html>\n";
 }
 
 }  // namespace plumb::cli

@@ -18,6 +18,7 @@ struct DemoPicture {
   std::string caption;
   std::string svg;
   bool is_small = false;  ///< need not fill the page
+  std::string page = {};  ///< HTML, to turn it around; empty: none
 };
 
 /// One line a step, with its time.

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "demo_book.h"
-#include "number_argument.h"
 #include "picture_files.h"
 #include "plumb/io/solid_sets.h"
 #include "plumb/io/solid_text.h"
@@ -72,17 +71,15 @@ class SolidDemo {
     if (!adds_up) throw std::logic_error("the parts of the solids are not the solids");
     book_.step(
         "union and intersection have the volume of both solids together, to the last digit: " +
-        readable(volume_of(a) + volume_of(b)));
+        in_full(volume_of(a) + volume_of(b)));
     picture(either, "bunny-or-ball.svg", "The bunny and the ball", "Their union.");
     picture(both, "bunny-and-ball.svg", "What is in both", "Their intersection.");
     picture(rest, "bunny-without-ball.svg", "The bunny without the ball",
             "Open where the ball was, which is closed.");
     book_.write("bunny-without-ball.nef", written(rest, "nef", context_));
     book_.write("bunny-without-ball.off", written(rest, "off", context_));
-    book_.write("bunny-without-ball.html",
-                picture_of(rest, Picture::Html, "The bunny without the ball", context_));
     book_.step(
-        "pictured them; wrote the last one as .nef, as a mesh, and as a page to turn around");
+        "pictured them, with pages to turn them around; wrote the last one as .nef and as a mesh");
     return rest;
   }
 
@@ -119,7 +116,8 @@ class SolidDemo {
 
   void picture(const Nef3& set, const std::string& name, const std::string& title,
                const std::string& caption) {
-    book_.add({title, name, caption, picture_of(set, Picture::Svg, title, context_), true});
+    book_.add({title, name, caption, picture_of(set, Picture::Svg, title, context_), true,
+               picture_of(set, Picture::Html, title, context_)});
   }
 
   DemoBook& book_;

@@ -73,12 +73,14 @@ class SurfaceDemo {
                ", bounded by " + counted(result.borders.size(), "loop"));
     for (const auto& [layer, caption] : kPictures) {
       const std::string what = layer_name(layer);
-      book_.add(
-          {exhibit.title + ": " + what, exhibit.name + '-' + what + ".svg", std::string(caption),
-           picture_of(division, &result, layer, Picture::Svg, exhibit.title, context_), true});
+      const auto drawn = [&, shown = layer](Picture kind) {
+        return picture_of(division, &result, shown, kind, exhibit.title, context_);
+      };
+      // The page has all layers.
+      const std::string page = layer == SurfaceLayer::Labels ? drawn(Picture::Html) : "";
+      book_.add({exhibit.title + ": " + what, exhibit.name + '-' + what + ".svg",
+                 std::string(caption), drawn(Picture::Svg), true, page});
     }
-    book_.write(exhibit.name + "-cells.html", picture_of(division, &result, SurfaceLayer::Labels,
-                                                         Picture::Html, exhibit.title, context_));
     book_.step("pictured the five stages; wrote a page to turn them around");
   }
 

@@ -375,7 +375,7 @@ TEST(Demo, leaves_a_page_with_pictures) {
         "states-over-counties.svg", "states-over-counties.geojson", "bunny-or-ball.svg",
         "bunny-and-ball.svg", "bunny-without-ball.svg", "mould.svg", "bunny-without-ball.nef",
         "bunny-without-ball.off", "torus-polygons.svg", "torus-result.svg", "bunny-labels.svg",
-        "bunny-cells.html", "test_four-pieces.svg", "comb-pieces.svg", "comb-pieces.html"}) {
+        "bunny-labels.html", "test_four-pieces.svg", "comb-pieces.svg", "comb-pieces.html"}) {
     EXPECT_TRUE(fs::exists(scratch / (std::string("demo/") + name))) << name;
     EXPECT_TRUE(contains(page, name) || !std::string_view(name).ends_with(".svg")) << name;
   }
