@@ -4,6 +4,21 @@ function(plumb_link_headers room dir)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${dir} ${PROJECT_BINARY_DIR}/include/plumb/${room} SYMBOLIC)
 endfunction()
 
+# plumb_header_list(SECTION RESULT): the headers of a section of public-headers.txt, as programs spell them.
+function(plumb_header_list section result)
+  set(list ${PROJECT_SOURCE_DIR}/cmake/public-headers.txt)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
+  file(STRINGS ${list} lines REGEX "^(plumb/|.(public|support).$)")
+  foreach(line ${lines})
+    if(line MATCHES "^plumb/")
+      list(APPEND found_${in} ${line})
+    else()
+      string(REGEX REPLACE "[^a-z]" "" in ${line})
+    endif()
+  endforeach()
+  set(${result} ${found_${section}} PARENT_SCOPE)
+endfunction()
+
 # plumb_compile_options(TARGET): what every translation unit of ours is compiled with. Nothing of it
 # reaches a project that links TARGET, but the language standard and a sanitizer's run time.
 function(plumb_compile_options target)

@@ -12,9 +12,10 @@ if(PLUMB_BUILD_PROGRAM AND TARGET plumb_program)
       DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME plumb)
   endif()
 endif()
-install(DIRECTORY predicates engine/base engine/dcel engine/plane engine/sphere engine/space engine/convex
-  engine/surface engine/io engine/picture
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb FILES_MATCHING PATTERN "*.h")
+foreach(header ${plumb_public_headers} ${plumb_support_headers})
+  cmake_path(GET header PARENT_PATH room)
+  install(FILES ${PROJECT_BINARY_DIR}/include/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${room})
+endforeach()
 install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(EXPORT plumbTargets NAMESPACE plumb:: DESTINATION ${plumb_config_dir})

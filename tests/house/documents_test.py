@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""Documents and recipes: documents_test.py ROOT
+"""Documents, recipes and the list of headers: documents_test.py ROOT
 
-Every relative link and anchor in README.md, CHANGELOG.md and docs/*.md leads somewhere; JSON files parse; Python files
-compile; the version is the same wherever it is written."""
+Every relative link and anchor in README.md, CHANGELOG.md and docs/*.md leads somewhere; JSON files parse; the Conan
+recipe runs as far as it does without Conan; the version is the same wherever it is written; what installed headers
+include is installed, and the macros they leave behind are plumb's."""
 import json
 import pathlib
 import re
 import sys
+import types
 
 root = pathlib.Path(sys.argv[1])
 problems = []
@@ -60,11 +62,59 @@ for file in [*root.glob("docs/schema/*.json"), *root.glob("packaging/**/*.json")
         recipes[file.name] = json.loads(file.read_text())
     except ValueError as error:
         problems.append(f"{file}: {error}")
-for file in root.glob("packaging/**/*.py"):
-    try:
-        compile(file.read_text(), str(file), "exec")
-    except SyntaxError as error:
-        problems.append(f"{file}: {error}")
+
+
+def conan_recipe(path):
+    """The class of a recipe, with Conan's modules and their functions replaced by nothing."""
+
+    def nothing(*arguments, **named):
+        return None
+
+    def load(recipe, file):
+        return pathlib.Path(file).read_text()
+
+    def copy(recipe, pattern, folder, to):
+        if not any(pathlib.Path(folder).glob(pattern)):
+            problems.append(f"{path}: nothing matches {pattern}")
+
+    offered = {"conan": {"ConanFile": object}, "conan.errors": {"ConanInvalidConfiguration": Exception},
+               "conan.tools": {}, "conan.tools.build": {"check_min_cppstd": nothing},
+               "conan.tools.cmake": dict.fromkeys(("CMake", "CMakeDeps", "CMakeToolchain", "cmake_layout"), nothing),
+               "conan.tools.files": {"copy": copy, "load": load}}
+    for name, contents in offered.items():
+        sys.modules[name] = types.ModuleType(name)
+        vars(sys.modules[name]).update(contents)
+    scope = {}
+    exec(compile(path.read_text(), str(path), "exec"), scope)
+    return scope["PlumbConan"]
+
+
+recipe = conan_recipe(root / "packaging/conan/conanfile.py")()
+recipe.recipe_folder, recipe.export_sources_folder = str(root / "packaging/conan"), ""
+recipe.set_version()
+recipe.export_sources()
+
+
+def check_headers():
+    lists = re.split(r"^\[(\w+)\]$", (root / "cmake/public-headers.txt").read_text(), flags=re.M)
+    listed = [name for part in lists[2::2] for name in part.split()]
+    for name in sorted(listed):
+        file = root / name.replace("plumb/", "" if name.startswith("plumb/predicates/") else "engine/")
+        if listed.count(name) > 1 or not file.exists():
+            problems.append(f"cmake/public-headers.txt: {name} is not there, or listed twice")
+            continue
+        text = file.read_text()
+        for included in re.findall(r'#include "(plumb/[^"]+)"', text):
+            if included not in listed:
+                problems.append(f"{file}: includes {included}, which is not installed")
+        for macro in set(re.findall(r"^ *# *define (\w+)", text, flags=re.M)):
+            if not macro.startswith("PLUMB_"):
+                problems.append(f"{file}: defines {macro}")
+        if re.search(r"^ *using namespace", text, flags=re.M):
+            problems.append(f"{file}: using namespace")
+
+
+check_headers()
 
 header = (root / "engine/base/version.h").read_text()
 version = ".".join(re.findall(r"#define PLUMB_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", header))
@@ -72,6 +122,8 @@ if f'"{version}"' not in header:
     problems.append(f"engine/base/version.h: PLUMB_VERSION_STRING is not {version}")
 if recipes.get("vcpkg.json", {}).get("version") != version:
     problems.append(f"packaging/vcpkg/vcpkg.json: the version is not {version}")
+if recipe.version != version:
+    problems.append(f"packaging/conan/conanfile.py: the version is {recipe.version}, not {version}")
 
 for problem in problems:
     print(problem)
