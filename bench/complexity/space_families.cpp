@@ -138,6 +138,27 @@ Sample run_half_space_chain(std::size_t n) {
           })};
 }
 
+/// Any three of the planes meet in a vertex of the result: n^3 / 6 of them, however it is computed.
+Sample run_half_space_parity(std::size_t n) {
+  std::vector<Nef3> sets;
+  for (const HalfSpace3& h : tangent_planes(n))
+    sets.push_back(Nef3::half_space(h.plane, h.boundary));
+  return {static_cast<double>(n), least_seconds([&] {
+            Context context;
+            const double start = cpu_seconds();
+            std::vector<Nef3> level = sets;
+            while (level.size() > 1) {
+              std::vector<Nef3> pairs;
+              for (std::size_t i = 0; i + 1 < level.size(); i += 2) {
+                pairs.push_back(combine(level[i], level[i + 1], kSymmetricDifference, context));
+              }
+              if (level.size() % 2 == 1) pairs.push_back(level.back());
+              level = std::move(pairs);
+            }
+            return cpu_seconds() - start;
+          })};
+}
+
 Sample run_complement_interior(std::size_t depth) {
   const Nef3 ball = solid(testing::icosphere_mesh(static_cast<int>(depth), 1, {0, 0, 0}));
   const SpaceCounts counts = ball.counts();
@@ -155,6 +176,7 @@ const std::vector<Family> kFamilies{
     {"needles, union of two sets", 1.3, {128, 256, 512, 1024, 2048}, run_needles},
     {"tangent half-spaces, intersection()", 1.3, {256, 1024, 4096, 16384}, run_half_spaces},
     {"tangent half-spaces, one by one", 2.2, {16, 32, 64, 128}, run_half_space_chain},
+    {"half-spaces, symmetric difference", 3.3, {8, 12, 16, 24, 32, 48}, run_half_space_parity},
     {"complement, interior (items)", 1.15, {3, 4, 5, 6}, run_complement_interior},
 };
 
