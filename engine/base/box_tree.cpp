@@ -148,6 +148,34 @@ void BoxTree::make_nodes() {
   level_begin_ = std::move(levels.begin);
 }
 
+// Nodes are opened in breadth until there are so many parts.
+std::vector<BoxTree::Part> BoxTree::parts(const BoxTree& a, const BoxTree& b, std::size_t about) {
+  std::vector<Part> parts, next;
+  const auto add = [&](Node m, Node n) {
+    if (a.node(m).meets(b.node(n))) next.push_back(Part(m, n));
+  };
+  if (!a.is_empty() && !b.is_empty()) add({a.top(), 0}, {b.top(), 0});
+  bool is_open = true;
+  while (is_open && !next.empty() && next.size() < about) {
+    is_open = false;
+    parts.swap(next);
+    next.clear();
+    for (const Part& part : parts) {
+      const Node m = part.m_, n = part.n_;
+      if (m.level == 0 && n.level == 0) {
+        next.push_back(part);
+        continue;
+      }
+      is_open = true;
+      const bool opens_m = opens_first(a, m, b, n);
+      for (std::uint32_t i = 0; i < 2; ++i) {
+        opens_m ? add(m.child(i), n) : add(m, n.child(i));
+      }
+    }
+  }
+  return next;
+}
+
 namespace {
 
 /// The times t that an inequality leaves.

@@ -85,6 +85,13 @@ class BoxTree {
   template <class Visit>
   void for_each_pair_inside(Visit&& visit) const;
 
+  /// Part of the pairs of boxes of two trees.
+  class Part;
+  /// The work of for_each_pair(), in about so many parts. Which they are depends on the boxes and the number alone.
+  static std::vector<Part> parts(const BoxTree& a, const BoxTree& b, std::size_t about);
+  template <class Visit>
+  static void for_each_pair(const BoxTree& a, const BoxTree& b, const Part& part, Visit&& visit);
+
   /// limit = visit(i, entry) for boxes that the ray can enter at some t <= limit; the first limit is given.
   /// `entry` bounds t from below. Nearer nodes come first, so that a falling limit spares the rest; the
   /// boxes themselves do not come in an exact order.
@@ -101,6 +108,9 @@ class BoxTree {
     std::uint32_t at;
     Node child(std::uint32_t i) const { return {level - 1, 2 * at + i}; }
   };
+  static bool opens_first(const BoxTree& a, Node m, const BoxTree& b, Node n) {
+    return n.level == 0 || (m.level > 0 && a.node(m).extent() >= b.node(n).extent());
+  }
   /// Nodes still to be visited, in reverse. Going down leaves one behind on each level.
   template <class Item>
   struct Stack {
@@ -130,6 +140,19 @@ class BoxTree {
   std::vector<Box3> nodes_;               // level by level, each filled up to an even number
   std::vector<std::size_t> level_begin_;  // into nodes_
 };
+
+class BoxTree::Part {
+ private:
+  friend class BoxTree;
+  Part(Node m, Node n) : m_(m), n_(n) {}
+  Node m_;
+  Node n_;
+};
+
+template <class Visit>
+void BoxTree::for_each_pair(const BoxTree& a, const BoxTree& b, const Part& part, Visit&& visit) {
+  descend(a, part.m_, b, part.n_, visit);
+}
 
 template <class Visit>
 void BoxTree::for_each_meeting(const Box3& query, Visit&& visit) const {
@@ -167,7 +190,7 @@ void BoxTree::for_each_pair(const BoxTree& a, const BoxTree& b, Visit&& visit) {
 template <class Visit>
 void BoxTree::descend(const BoxTree& a, Node m, const BoxTree& b, Node n, Visit& visit) {
   if (m.level == 0 && n.level == 0) return meet_leaves(a, m, b, n, visit);
-  const bool opens_m = n.level == 0 || (m.level > 0 && a.node(m).extent() >= b.node(n).extent());
+  const bool opens_m = opens_first(a, m, b, n);
   for (std::uint32_t i = 0; i < 2; ++i) {
     if (opens_m) {
       if (a.node(m.child(i)).meets(b.node(n))) descend(a, m.child(i), b, n, visit);

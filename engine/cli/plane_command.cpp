@@ -82,10 +82,14 @@ ReadyFile ready_file(const Nef2& set, const SetOutput& output, Context& context)
 }
 
 struct PlaneInput {
+  struct Read {
+    Nef2 set;
+    std::vector<std::string> notes;
+  };
+
   void declare(CLI::App&) {}
-  Nef2 read(const std::string& file, Session& session) const {
-    return read_plane_set_file(file, {}, {.exact_decimals = session.options().exact_decimals},
-                               session.context());
+  Read load(const std::string& file, const CommonOptions& options, Context& context) const {
+    return {read_plane_set_file(file, {}, {.exact_decimals = options.exact_decimals}, context), {}};
   }
 };
 

@@ -1,6 +1,7 @@
 // What `plumb plane ...` and `plumb solid ...` have in common. A kind of sets is a class with
 //   Set                        Nef2 or Nef3
-//   Input                      declare(app), read(file, session): how operands are read
+//   Input                      declare(app); load(file, options, context), from several threads at once: the set and
+//                              the notes of a file
 //   kHelp, kAxes               the first operand in the help; names of the coordinates
 //   formats()                  what can be written (format_choice.h)
 //   ready(set, output, context)  the set as a file of the output's format
@@ -12,11 +13,14 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "command.h"
 #include "number_argument.h"
 #include "plumb/base/error.h"
 #include "plumb/base/marks.h"
+#include "plumb/base/parallel.h"
+#include "plumb/io/input.h"
 #include "set_output.h"
 
 namespace plumb::cli {
@@ -25,6 +29,22 @@ inline void require_one_stdin(const std::string& a, const std::string& b) {
   if (a == "-" && b == "-") {
     throw Error(ErrorCode::Usage, "only one of the sets can come from standard input");
   }
+}
+
+/// The sets of some files, read at once where there are threads for that. Notes come in the order of the files.
+template <class Input>
+auto read_sets(const Input& input, const std::vector<std::string>& files, Session& session) {
+  using Read = decltype(input.load(files[0], session.options(), session.context()));
+  std::vector<Read> reads(files.size());
+  run_jobs(session.context(), files.size(), [&](std::size_t i, Context& own) {
+    reads[i] = input.load(files[i], session.options(), own);
+  });
+  std::vector<decltype(Read::set)> sets;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (const std::string& note : reads[i].notes) session.note(input_name(files[i]) + ": " + note);
+    sets.push_back(std::move(reads[i].set));
+  }
+  return sets;
 }
 
 template <class Kind>
@@ -63,7 +83,12 @@ class SetOperation : public CommandBody {
  protected:
   virtual void declare_operands(CLI::App& app) = 0;
   virtual Set compute(Session& session) = 0;
-  Set read(const std::string& file, Session& session) const { return input_.read(file, session); }
+  std::vector<Set> read_all(const std::vector<std::string>& files, Session& session) const {
+    return read_sets(input_, files, session);
+  }
+  Set read(const std::string& file, Session& session) const {
+    return std::move(read_all({file}, session).front());
+  }
 
  private:
   typename Kind::Input input_;
@@ -83,8 +108,8 @@ class BinaryOperation : public SetOperation<Kind> {
   }
   typename Kind::Set compute(Session& session) override {
     require_one_stdin(a_, b_);
-    const auto a = this->read(a_, session);
-    return combine(a, this->read(b_, session), function_, session.context());
+    auto sets = this->read_all({a_, b_}, session);
+    return combine(std::move(sets[0]), std::move(sets[1]), function_, session.context());
   }
 
   MarkFunction function_;
@@ -116,7 +141,7 @@ class SetInfo : public CommandBody {
     input_.declare(app);
   }
   ExitCode run(Session& session) override {
-    const auto set = input_.read(a_, session);
+    const auto set = std::move(read_sets(input_, {a_}, session).front());
     prepare(set, a_, session);
     session.answer(Kind::info(set).dump(), [&](std::ostream& out) { Kind::write_info(out, set); });
     return ExitCode::Yes;
@@ -148,7 +173,7 @@ class SetLocate : public CommandBody {
     for (std::size_t i = 0; i < point.size(); ++i) {
       point[i] = read_number_argument(texts_[i], Kind::kAxes[i], session);
     }
-    const auto [on, is_marked] = Kind::locate(input_.read(a_, session), point);
+    const auto [on, is_marked] = Kind::locate(read_sets(input_, {a_}, session).front(), point);
     const nlohmann::ordered_json json{{"on", on}, {"marked", is_marked}};
     session.answer(json.dump(), [&, on = on, is_marked = is_marked](std::ostream& out) {
       out << on << (is_marked ? ", in the set\n" : ", not in the set\n");

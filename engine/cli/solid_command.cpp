@@ -107,8 +107,8 @@ class MinkowskiSum : public SolidOperation {
   }
   Nef3 compute(Session& session) override {
     require_one_stdin(a_, b_);
-    const Nef3 a = read(a_, session), b = read(b_, session);
-    return minkowski_sum(a, b, session.context());
+    const std::vector<Nef3> sets = read_all({a_, b_}, session);
+    return minkowski_sum(sets[0], sets[1], session.context());
   }
 
   std::string a_;
@@ -143,14 +143,15 @@ class Evaluation : public SolidOperation {
   Nef3 compute(Session& session) override {
     const SetExpression expression = parse_set_expression(text_);
     const std::map<std::string, std::string> files = bound_files();
-    std::vector<Nef3> operands;
+    std::vector<std::string> names;
     for (const std::string& name : expression.names) {
       const auto file = files.find(name);
       if (file == files.end()) {
         throw Error(ErrorCode::Usage, "no file for '" + name + "': add " + name + "=FILE");
       }
-      operands.push_back(read(file->second, session));
+      names.push_back(file->second);
     }
+    const std::vector<Nef3> operands = read_all(names, session);
     return evaluate<Nef3>(
         expression, [&](std::uint32_t name) { return operands[name]; },
         [](const Nef3& a) { return !a; },
@@ -252,7 +253,8 @@ class SolidCompare : public CommandBody {
   }
   ExitCode run(Session& session) override {
     require_one_stdin(a_, b_);
-    const Nef3 a = input_.read(a_, session), b = input_.read(b_, session);
+    const std::vector<Nef3> sets = read_sets(input_, {a_, b_}, session);
+    const Nef3 &a = sets[0], &b = sets[1];
     const bool is_equal = a == b, a_in_b = is_equal || a <= b, b_in_a = is_equal || b <= a;
     const bool is_disjoint = combine(a, b, kIntersection, session.context()).is_empty();
     const Json json{

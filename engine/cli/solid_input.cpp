@@ -14,6 +14,26 @@ void SolidInput::declare(CLI::App& app) {
   app.add_flag("--surface", surface_, "Read a mesh, open or not, as the set of its facets");
 }
 
+SolidReadOptions SolidInput::read_options(const CommonOptions& common) const {
+  SolidReadOptions options;
+  options.exact_decimals = common.exact_decimals;
+  options.surface = surface_;
+  if (!rule_.empty()) {
+    options.rule = rule_ == "odd"       ? WindingRule::EvenOdd
+                   : rule_ == "nonzero" ? WindingRule::NonZero
+                                        : WindingRule::Positive;
+  }
+  return options;
+}
+
+SolidRead SolidInput::load(const std::string& file, const CommonOptions& options,
+                           Context& context) const {
+  const std::string bytes = read_input(file, context);
+  SolidRead solid = read_solid(file, bytes, read_options(options), context);
+  context.release_memory(bytes.size());
+  return solid;
+}
+
 Nef3 SolidInput::read(const std::string& file, Session& session) const {
   const std::string bytes = read_input(file, session.context());
   Nef3 set = read(file, bytes, session);
@@ -22,15 +42,7 @@ Nef3 SolidInput::read(const std::string& file, Session& session) const {
 }
 
 Nef3 SolidInput::read(const std::string& file, const std::string& bytes, Session& session) const {
-  SolidReadOptions options;
-  options.exact_decimals = session.options().exact_decimals;
-  options.surface = surface_;
-  if (!rule_.empty()) {
-    options.rule = rule_ == "odd"       ? WindingRule::EvenOdd
-                   : rule_ == "nonzero" ? WindingRule::NonZero
-                                        : WindingRule::Positive;
-  }
-  SolidRead solid = read_solid(file, bytes, options, session.context());
+  SolidRead solid = read_solid(file, bytes, read_options(session.options()), session.context());
   for (const std::string& note : solid.notes) session.note(input_name(file) + ": " + note);
   return std::move(solid.set);
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "plumb/io/solid_sets.h"
 #include "plumb/space/nef3.h"
 #include "session.h"
 
@@ -14,12 +15,16 @@ class SolidInput {
   void declare(CLI::App& app);
   /// Was nothing said of how meshes are read?
   bool is_plain() const { return rule_.empty() && !surface_; }
+  /// With what is remarkable about it. May be called from several threads at once.
+  SolidRead load(const std::string& file, const CommonOptions& options, Context& context) const;
   /// What is remarkable is noted.
   Nef3 read(const std::string& file, Session& session) const;
   /// The same, when the bytes of the file have been read.
   Nef3 read(const std::string& file, const std::string& bytes, Session& session) const;
 
  private:
+  SolidReadOptions read_options(const CommonOptions& common) const;
+
   std::string rule_;
   bool surface_ = false;
 };

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <stop_token>
 
 #include "plumb/base/error.h"
+#include "plumb/base/parallel.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/local_maps.h"
 #include "plumb/space/meet.h"
@@ -46,23 +49,22 @@ SpaceComplex joined(Draft draft, Context& context) {
 class Combiner {
  public:
   Combiner(std::array<const SpaceComplex*, 2> operands, std::shared_ptr<SpaceTables> tables,
-           std::span<const Contact> contacts, const MarkTable& f, const CommonOrigin& origin,
-           Context& context)
+           std::span<const Contact> contacts, const MarkTable& f, const CommonOrigin& origin)
       : operands_(operands),
         planes_(tables->planes),
         points_(tables->points),
         contacts_(contacts),
         table_(f),
         common_origin_(origin),
-        context_(context),
         draft_(tables),
         overlay_(tables->planes) {}
 
   /// Contacts make the first vertices of the draft.
-  void overlay_contacts() {
+  void overlay_contacts(Context& context) { overlay_contacts(0, contacts_.size(), context); }
+  void overlay_contacts(std::size_t begin, std::size_t end, Context& context) {
     std::vector<std::uint32_t> origin_ids;
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      if (i % 1024 == 0) context_.checkpoint("overlay", i, contacts_.size());
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i % 1024 == 0) context.checkpoint("overlay", i, contacts_.size());
       const Contact& c = contacts_[i];
       local_map(*operands_[0], c.a, local_[0]);
       local_map(*operands_[1], c.b, local_[1]);
@@ -102,6 +104,28 @@ class Combiner {
       const VolumeId around = labels[complex.origin[h].value()];
       const std::uint64_t line = operand == 0 ? line_key(e, around) : line_key(around, e);
       ends_.push_back({line, point_of[h], h % 2 == 0 ? Sign::Positive : Sign::Negative});
+    }
+  }
+
+  /// What other combiners of the same operands have made, one after the other. They are used up.
+  void append(std::span<std::optional<Combiner>> parts) {
+    std::size_t vertices = 0, ends = 0;
+    SpaceDraft::Offsets sum{};
+    for (const std::optional<Combiner>& part : parts) {
+      const SpaceDraft::Offsets size = part->draft_.end();
+      sum = {sum.point + size.point, sum.arc + size.arc, sum.face + size.face};
+      vertices += part->draft_.vertex_count();
+      ends += part->ends_.size();
+    }
+    draft_.reserve_more(vertices, sum.point, sum.arc, sum.face);
+    ends_.reserve(ends);
+    for (std::optional<Combiner>& part : parts) {
+      const std::uint32_t offset = draft_.end().point;
+      draft_.append(part->draft_);
+      for (const LineEnd& end : part->ends_) {
+        ends_.push_back({end.line, end.point + offset, end.sign});
+      }
+      part.reset();
     }
   }
 
@@ -244,7 +268,6 @@ class Combiner {
   std::span<const Contact> contacts_;
   MarkTable table_;
   const CommonOrigin& common_origin_;
-  Context& context_;
   SpaceDraft draft_;
   SphereOverlay overlay_;
   std::vector<LineEnd> ends_;
@@ -281,35 +304,63 @@ std::shared_ptr<SpaceTables> unite_tables(SpaceComplex& a, SpaceComplex& b) {
 
 namespace {
 
+/// With one thread where there is so little to do that more cost more than they bring.
+Context with_useful_threads(const SpaceComplex& a, const SpaceComplex& b, const Context& context) {
+  constexpr std::size_t kLeastUses = 4000;
+  const bool is_small = a.use_count() + b.use_count() < kLeastUses;
+  return Context(context, std::stop_token(), is_small ? 1U : context.threads(), true);
+}
+
 /// Phases 2 to 6.
 Draft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
                const SpaceComplex& b, const MarkTable& f, const CommonOrigin& origin,
                Context& context) {
   const std::vector<Contact> contacts = meet(a, b, *tables, context);
-  const TouchedComplex touched_a(a, contacts, 0), touched_b(b, contacts, 1);
-  const auto labels_a = label_vertices(touched_a, b, contacts, 0, *tables, context);
-  const auto labels_b = label_vertices(touched_b, a, contacts, 1, *tables, context);
-
-  Combiner combiner({&a, &b}, tables, contacts, f, origin, context);
-  combiner.overlay_contacts();
-  combiner.keep_vertices(0, touched_a, labels_a);
-  combiner.keep_vertices(1, touched_b, labels_b);
+  const std::array<const SpaceComplex*, 2> operands{&a, &b};
+  std::array<std::optional<TouchedComplex>, 2> touched;
+  std::array<std::vector<VolumeId>, 2> labels;
+  run_jobs(context, 2, [&](std::size_t i, Context& own) {
+    touched[i].emplace(*operands[i], contacts, i);
+    labels[i] = label_vertices(*touched[i], *operands[1 - i], contacts, i, *tables, own);
+  });
+  Combiner combiner(operands, tables, contacts, f, origin);
+  if (context.threads() == 1) {  // nothing to be put together
+    combiner.overlay_contacts(context);
+    for (const std::size_t i : {0U, 1U}) combiner.keep_vertices(i, *touched[i], labels[i]);
+    return combiner.finish();
+  }
+  constexpr std::size_t kContactsAtOnce = 512;
+  const std::size_t overlays = (contacts.size() + kContactsAtOnce - 1) / kContactsAtOnce;
+  std::vector<std::optional<Combiner>> parts(overlays + 2);
+  run_jobs(context, parts.size(), [&](std::size_t job, Context& own) {
+    Combiner& part = parts[job].emplace(operands, tables, contacts, f, origin);
+    if (job < overlays) {
+      const std::size_t begin = job * kContactsAtOnce;
+      part.overlay_contacts(begin, std::min(begin + kContactsAtOnce, contacts.size()), own);
+    } else {
+      const std::size_t i = job - overlays;
+      part.keep_vertices(i, *touched[i], labels[i]);
+    }
+  });
+  combiner.append(parts);
   return combiner.finish();
 }
 
 }  // namespace
 
 SpaceComplex combine(SpaceComplex a, SpaceComplex b, MarkFunction f, Context& context) {
+  Context own = with_useful_threads(a, b, context);
   const std::shared_ptr<SpaceTables> tables = unite_tables(a, b);
-  Draft draft = draft_of(tables, a, b, MarkTable(f), lesser_origin, context);
+  Draft draft = draft_of(tables, a, b, MarkTable(f), lesser_origin, own);
   a = b = {};  // the peak of memory is yet to come
-  return joined(std::move(draft), context);
+  return joined(std::move(draft), own);
 }
 
 SpaceComplex combine_on(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
                         const SpaceComplex& b, const MarkTable& f, const CommonOrigin& origin,
                         Context& context) {
-  return joined(draft_of(tables, a, b, f, origin, context), context);
+  Context own = with_useful_threads(a, b, context);
+  return joined(draft_of(tables, a, b, f, origin, own), own);
 }
 
 namespace {
@@ -384,8 +435,8 @@ SpaceComplex combine_with_plane(const SpaceComplex& a, OrientedPlane plane, Plan
   meet_plane(first, plane.plane(), *tables, contacts, labels);
   const TouchedComplex touched(first, contacts, 0);
   const CommonOrigin origin = lesser_origin;
-  Combiner combiner({&first, &second}, tables, contacts, MarkTable(f), origin, context);
-  combiner.overlay_contacts();
+  Combiner combiner({&first, &second}, tables, contacts, MarkTable(f), origin);
+  combiner.overlay_contacts(context);
   combiner.keep_vertices(0, touched, labels);
   return joined(combiner.finish(), context);
 }

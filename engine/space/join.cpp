@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "plumb/base/error.h"
+#include "plumb/base/parallel.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/plane_cycles.h"
 #include "plumb/space/space_draft.h"
@@ -60,10 +61,9 @@ class Joiner {
     splice();
     make_vertices();
     make_edges();
-    make_stars();
     release(draft_.vertex_point, draft_.vertex_mark, draft_.maps.direction);
     context_.checkpoint("join", 1, 5);
-    link_uses();
+    run_jobs(context_, 2, [this](std::size_t i, Context&) { i == 0 ? make_stars() : link_uses(); });
     release(draft_.maps.next, draft_.twin, use_of_arc_);
     trace_cycles();
     context_.checkpoint("join", 2, 5);

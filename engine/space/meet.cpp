@@ -14,8 +14,10 @@
 #include "plumb/space/meet.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "plumb/base/box_tree.h"
+#include "plumb/base/parallel.h"
 #include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/box_frame.h"
@@ -156,12 +158,8 @@ class Meeting {
     if (is_bare || (a_[x].has_flat_edges && b_[y].has_flat_edges)) test_directly(x, y);
   }
 
-  /// Each once, sorted: (a, b) as high and low half.
-  const std::vector<std::uint64_t>& keys() {
-    std::sort(keys_.begin(), keys_.end());
-    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
-    return keys_;
-  }
+  /// (a, b) as high and low half.
+  std::vector<std::uint64_t> take_keys() { return std::move(keys_); }
 
  private:
   /// The items of leaf x against the surface of leaf y.
@@ -305,21 +303,50 @@ std::vector<Box3> turned_boxes(const MeetLeaves& leaves, const BoxFrame& frame) 
   return boxes;
 }
 
-/// Leaves whose boxes meet, along the axes and in a frame that has fewer pairs, if there are many.
-template <class Visit>
-void for_each_close_pair(const MeetLeaves& xs, const MeetLeaves& ys, const Visit& visit) {
+/// Trees over the leaves, along the axes or in a frame that has fewer pairs, if there are many.
+struct LeafTrees {
+  std::array<BoxTree, 2> of;
+  bool is_turned = false;
+};
+
+LeafTrees make_trees(const MeetLeaves& xs, const MeetLeaves& ys, Context& context) {
+  LeafTrees trees;
+  std::array<std::span<const Box3>, 2> boxes{xs.boxes(), ys.boxes()};
+  std::array<std::vector<Box3>, 2> turned;
   const double pairs = expected_pairs(xs.boxes(), ys.boxes());
   if (has_many_pairs(pairs, xs.boxes().size() + ys.boxes().size())) {
     const BoxFrame frame = BoxFrame::of_edges(std::array{&xs.complex(), &ys.complex()});
-    const std::vector<Box3> a = turned_boxes(xs, frame), b = turned_boxes(ys, frame);
-    if (is_better_frame(expected_pairs(a, b), pairs)) {
-      BoxTree::for_each_pair(BoxTree(a), BoxTree(b), [&](std::uint32_t x, std::uint32_t y) {
-        if (xs.boxes()[x].meets(ys.boxes()[y])) visit(x, y);
-      });
-      return;
-    }
+    turned = {turned_boxes(xs, frame), turned_boxes(ys, frame)};
+    trees.is_turned = is_better_frame(expected_pairs(turned[0], turned[1]), pairs);
+    if (trees.is_turned) boxes = {turned[0], turned[1]};
   }
-  BoxTree::for_each_pair(BoxTree(xs.boxes()), BoxTree(ys.boxes()), visit);
+  run_jobs(context, 2, [&](std::size_t i, Context&) { trees.of[i] = BoxTree(boxes[i]); });
+  return trees;
+}
+
+/// Leaves whose boxes meet, tested; what is found: each once, sorted.
+std::vector<std::uint64_t> contact_keys(const MeetLeaves& xs, const MeetLeaves& ys,
+                                        Context& context) {
+  constexpr std::size_t kPartsAThread = 16;
+  const LeafTrees trees = make_trees(xs, ys, context);
+  const std::size_t threads = context.threads();
+  const std::vector<BoxTree::Part> parts =
+      BoxTree::parts(trees.of[0], trees.of[1], threads == 1 ? 1 : kPartsAThread * threads);
+  std::vector<std::vector<std::uint64_t>> found(parts.size());
+  run_jobs(context, parts.size(), [&](std::size_t i, Context& own) {
+    Meeting meeting(xs, ys, own);
+    BoxTree::for_each_pair(trees.of[0], trees.of[1], parts[i],
+                           [&](std::uint32_t x, std::uint32_t y) {
+                             if (trees.is_turned && !xs.boxes()[x].meets(ys.boxes()[y])) return;
+                             meeting.test(x, y);
+                           });
+    found[i] = meeting.take_keys();
+  });
+  std::vector<std::uint64_t> keys;
+  for (const auto& part : found) keys.insert(keys.end(), part.begin(), part.end());
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  return keys;
 }
 
 }  // namespace
@@ -329,12 +356,14 @@ std::vector<Contact> meet(const SpaceComplex& a, const SpaceComplex& b, SpaceTab
   constexpr std::size_t kBytesAnItem = 100;
   MemoryCharge memory(context);
   memory.add((a.edge_count() + b.edge_count()) * kBytesAnItem, "box trees");
-  const MeetLeaves xs(a, box_of(b)), ys(b, box_of(a));
-  Meeting meeting(xs, ys, context);
-  for_each_close_pair(xs, ys, [&](std::uint32_t x, std::uint32_t y) { meeting.test(x, y); });
+  std::array<std::optional<MeetLeaves>, 2> leaves;
+  run_jobs(context, 2, [&](std::size_t i, Context&) {
+    i == 0 ? leaves[0].emplace(a, box_of(b)) : leaves[1].emplace(b, box_of(a));
+  });
+  const std::vector<std::uint64_t> keys = contact_keys(*leaves[0], *leaves[1], context);
   std::vector<Contact> contacts;
-  contacts.reserve(meeting.keys().size());
-  for (const std::uint64_t key : meeting.keys()) {
+  contacts.reserve(keys.size());
+  for (const std::uint64_t key : keys) {
     const SpaceItem x = SpaceItem::from_code(static_cast<std::uint32_t>(key >> 32U));
     const SpaceItem y = SpaceItem::from_code(static_cast<std::uint32_t>(key));
     contacts.push_back({x, y, contact_point(tables, a, x, b, y)});

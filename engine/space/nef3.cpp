@@ -1,11 +1,13 @@
 #include "plumb/space/nef3.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <optional>
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/parallel.h"
 #include "plumb/space/append.h"
 #include "plumb/space/combine.h"
 #include "plumb/space/frame.h"
@@ -346,8 +348,11 @@ Nef3 combined(const Nef3& a, const Nef3& b, MarkFunction f) {
 Nef3 combine_all(std::span<const Nef3> sets, MarkFunction f, Context& context) {
   if (sets.size() == 1) return sets[0];
   const std::size_t half = sets.size() / 2;
-  return combine(combine_all(sets.first(half), f, context),
-                 combine_all(sets.subspan(half), f, context), f, context);
+  const std::array<std::span<const Nef3>, 2> parts{sets.first(half), sets.subspan(half)};
+  std::array<Nef3, 2> both;
+  run_jobs(context, 2,
+           [&](std::size_t i, Context& own) { both[i] = combine_all(parts[i], f, own); });
+  return combine(std::move(both[0]), std::move(both[1]), f, context);
 }
 
 }  // namespace

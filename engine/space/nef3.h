@@ -105,6 +105,9 @@ class Nef3 {
   /// Error{BadShape} for an open mesh: look at the report of complex_of_mesh() first.
   static Nef3 mesh(const PolygonMesh& mesh, WindingRule rule, Context& context);
   static Nef3 mesh(MeshComplex mesh, WindingRule rule, Context& context);
+  /// mesh() of each, several at a time where the context has threads.
+  static std::vector<Nef3> meshes(std::span<const PolygonMesh> meshes, WindingRule rule,
+                                  Context& context);
   /// The facets of a mesh, open or closed, crossing or not, with their boundary.
   static Nef3 surface(MeshComplex mesh, Context& context);
   /// A closed polygon in a plane. Throws Error{BadShape} unless it is planar and simple.

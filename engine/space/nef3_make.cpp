@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/parallel.h"
 #include "plumb/space/combine.h"
 #include "plumb/space/frame.h"
 #include "plumb/space/half_space_hull.h"
@@ -151,6 +152,14 @@ Nef3 Nef3::mesh(MeshComplex mesh, WindingRule rule, Context& context) {
   }
   close_volumes(c);
   return from_complex(std::move(c), context);
+}
+
+std::vector<Nef3> Nef3::meshes(std::span<const PolygonMesh> meshes, WindingRule rule,
+                               Context& context) {
+  std::vector<Nef3> sets(meshes.size());
+  run_jobs(context, meshes.size(),
+           [&](std::size_t i, Context& own) { sets[i] = mesh(meshes[i], rule, own); });
+  return sets;
 }
 
 Nef3 Nef3::surface(MeshComplex mesh, Context& context) {

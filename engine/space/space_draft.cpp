@@ -8,14 +8,33 @@ namespace plumb {
 
 namespace {
 
+constexpr std::size_t kFew = 16;  ///< of so few, each is added faster than all at once
+
 template <class T>
-void append(std::vector<T>& all, const std::vector<T>& more) {
-  all.insert(all.end(), more.begin(), more.end());
+void extend(std::vector<T>& all, const std::vector<T>& more) {
+  if (more.size() > kFew) {
+    all.insert(all.end(), more.begin(), more.end());
+  } else {
+    for (const T& item : more) all.push_back(item);
+  }
 }
 
-void append_shifted(std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& more,
+void extend_shifted(std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& more,
                     std::uint32_t shift) {
   for (const std::uint32_t i : more) all.push_back(i == SphereMap::kNone ? i : i + shift);
+}
+
+void append_map(SphereMap& maps, const SphereMap& map, const SpaceDraft::Offsets& offsets) {
+  extend(maps.direction, map.direction);
+  extend(maps.point_mark, map.point_mark);
+  extend_shifted(maps.first_out, map.first_out, 2 * offsets.arc);
+  extend_shifted(maps.point_face, map.point_face, offsets.face);
+  extend(maps.circle, map.circle);
+  extend(maps.arc_mark, map.arc_mark);
+  extend_shifted(maps.origin, map.origin, offsets.point);
+  extend_shifted(maps.next, map.next, 2 * offsets.arc);
+  extend_shifted(maps.face, map.face, offsets.face);
+  extend(maps.face_mark, map.face_mark);
 }
 
 }  // namespace
@@ -23,30 +42,43 @@ void append_shifted(std::vector<std::uint32_t>& all, const std::vector<std::uint
 SpaceDraft::Offsets SpaceDraft::add(SpacePoint at, const SphereMap& map, bool passed,
                                     std::span<const std::uint32_t> origin_ids) {
   const VertexId v(vertex_point.size());
-  const Offsets offsets{static_cast<std::uint32_t>(maps.point_count()),
-                        static_cast<std::uint32_t>(maps.arc_count()),
-                        static_cast<std::uint32_t>(maps.face_count())};
+  const Offsets offsets = end();
   vertex_point.push_back(at);
   vertex_mark.push_back(map.centre_mark);
   is_passed.push_back(passed ? 1 : 0);
   begin.push_back(offsets);
 
-  append(maps.direction, map.direction);
-  append(maps.point_mark, map.point_mark);
-  append_shifted(maps.first_out, map.first_out, 2 * offsets.arc);
-  append_shifted(maps.point_face, map.point_face, offsets.face);
-  append(maps.circle, map.circle);
-  append(maps.arc_mark, map.arc_mark);
-  append_shifted(maps.origin, map.origin, offsets.point);
-  append_shifted(maps.next, map.next, 2 * offsets.arc);
-  append_shifted(maps.face, map.face, offsets.face);
-  append(maps.face_mark, map.face_mark);
-
-  vertex_of_point.resize(maps.point_count(), v);
-  twin.resize(maps.point_count(), SphereMap::kNone);
+  append_map(maps, map, offsets);
+  for (std::size_t i = 0; i < map.point_count(); ++i) {
+    vertex_of_point.push_back(v);
+    twin.push_back(SphereMap::kNone);
+  }
   PLUMB_CHECK(origin_ids.size() == map.arc_count());
-  arc_origin.insert(arc_origin.end(), origin_ids.begin(), origin_ids.end());
+  for (const std::uint32_t origin : origin_ids) arc_origin.push_back(origin);
   return offsets;
+}
+
+SpaceDraft::Offsets SpaceDraft::end() const {
+  return {static_cast<std::uint32_t>(maps.point_count()),
+          static_cast<std::uint32_t>(maps.arc_count()),
+          static_cast<std::uint32_t>(maps.face_count())};
+}
+
+void SpaceDraft::append(const SpaceDraft& other) {
+  const auto vertices = static_cast<std::uint32_t>(vertex_count());
+  const Offsets offsets = end();
+  extend(vertex_point, other.vertex_point);
+  extend(vertex_mark, other.vertex_mark);
+  extend(is_passed, other.is_passed);
+  for (const Offsets& o : other.begin) {
+    begin.push_back({o.point + offsets.point, o.arc + offsets.arc, o.face + offsets.face});
+  }
+  append_map(maps, other.maps, offsets);
+  for (const VertexId v : other.vertex_of_point) {
+    vertex_of_point.push_back(VertexId(v.value() + vertices));
+  }
+  extend_shifted(twin, other.twin, offsets.point);
+  extend(arc_origin, other.arc_origin);
 }
 
 void SpaceDraft::reserve_more(std::size_t vertices, std::size_t point_count, std::size_t arcs,

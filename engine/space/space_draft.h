@@ -39,11 +39,16 @@ struct SpaceDraft {
   Offsets add(SpacePoint at, const SphereMap& map, bool is_passed,
               std::span<const std::uint32_t> origin_ids);
 
+  /// Adds the vertices of a draft over the same tables, in their order.
+  void append(const SpaceDraft& other);
+
   /// Room for so many besides those there are.
   void reserve_more(std::size_t vertices, std::size_t point_count, std::size_t arcs,
                     std::size_t faces);
 
   std::size_t vertex_count() const { return vertex_point.size(); }
+  /// Where the parts of the next map will begin.
+  Offsets end() const;
   bool is_free(std::uint32_t point) const { return maps.first_out[point] == SphereMap::kNone; }
   bool is_loop(std::uint32_t arc) const { return maps.is_loop(arc); }
 

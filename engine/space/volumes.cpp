@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "plumb/base/error.h"
+#include "plumb/base/parallel.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/local_maps.h"
 #include "plumb/space/shell_nodes.h"
@@ -21,25 +22,27 @@ constexpr SphereDirection kRight{kPlaneY, kPlaneZ};
 class Labeller {
  public:
   Labeller(SpaceComplex& complex, Context& context)
-      : complex_(complex),
-        context_(context),
-        shells_(cleared(complex)),
-        pieces_(complex.vertex_count()) {}
+      : complex_(complex), context_(context), pieces_(complex.vertex_count()) {}
 
   void run() {
-    find_pieces();
+    clear();
+    run_jobs(context_, 2, [this](std::size_t i, Context&) {
+      if (i == 0) {
+        shells_.emplace(complex_);
+      } else {
+        find_pieces();
+      }
+    });
     nest_pieces();
     number_volumes();
   }
 
  private:
-  /// Without volumes.
-  static const SpaceComplex& cleared(SpaceComplex& complex) {
-    complex.volume_mark.clear();
-    complex.facet_volume.assign(complex.facet_count(), {});
-    complex.edge_volume.assign(complex.edge_count(), {});
-    complex.vertex_volume.assign(complex.vertex_count(), {});
-    return complex;
+  void clear() {
+    complex_.volume_mark.clear();
+    complex_.facet_volume.assign(complex_.facet_count(), {});
+    complex_.edge_volume.assign(complex_.edge_count(), {});
+    complex_.vertex_volume.assign(complex_.vertex_count(), {});
   }
 
   // ---- connected pieces
@@ -71,7 +74,7 @@ class Labeller {
   std::uint32_t node_towards(SpaceItem item, SphereDirection direction) {
     local_map(complex_, item, local_);
     std::vector<std::uint32_t> node;
-    shells_.face_nodes(local_, item, node);
+    shells_->face_nodes(local_, item, node);
     const SphereCell cell = locate(complex_.planes(), local_.map, direction);
     PLUMB_CHECK(cell.kind() == SphereCell::Kind::Face && node[cell.index()] != ShellNodes::kNone);
     return node[cell.index()];
@@ -88,22 +91,22 @@ class Labeller {
         hit = locator->shoot_left(complex_.vertex_point[v.value()]);
       }
       if (hit.is_valid()) {
-        shells_.unite(outer, node_towards(hit, kRight));
+        shells_->unite(outer, node_towards(hit, kRight));
       } else {
         outermost_.push_back(outer);
       }
       context_.checkpoint("volumes", v.value(), complex_.vertex_count());
     }
-    for (const std::uint32_t node : outermost_) shells_.unite(outermost_[0], node);
+    for (const std::uint32_t node : outermost_) shells_->unite(outermost_[0], node);
   }
 
   // ---- numbering
 
   void number_volumes() {
-    std::vector<VolumeId> number(shells_.size());
+    std::vector<VolumeId> number(shells_->size());
     std::uint32_t count = 0;
     const auto volume_of = [&](std::uint32_t node) {
-      VolumeId& volume = number[shells_.root(node)];
+      VolumeId& volume = number[shells_->root(node)];
       if (!volume.is_valid()) volume = VolumeId(count++);
       return volume;
     };
@@ -112,13 +115,13 @@ class Labeller {
       complex_.facet_volume[f] = {volume_of(2 * f), volume_of(2 * f + 1)};
     }
     for (std::uint32_t e = 0; e < complex_.edge_count(); ++e) {
-      const std::uint32_t node = shells_.free_node(EdgeId(e));
+      const std::uint32_t node = shells_->free_node(EdgeId(e));
       if (node != ShellNodes::kNone) complex_.edge_volume[e] = volume_of(node);
     }
     for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
       const bool is_alone = complex_.star_of(VertexId(v)).empty();
       if (is_alone && !complex_.vertex_facet[v].is_valid()) {
-        complex_.vertex_volume[v] = volume_of(shells_.vertex_node(VertexId(v)));
+        complex_.vertex_volume[v] = volume_of(shells_->vertex_node(VertexId(v)));
       }
     }
     complex_.volume_mark.assign(count, 0);
@@ -126,7 +129,7 @@ class Labeller {
 
   SpaceComplex& complex_;
   Context& context_;
-  ShellNodes shells_;
+  std::optional<ShellNodes> shells_;
   UnionFind pieces_;
   std::vector<VertexId> least_;           // per piece
   std::vector<std::uint32_t> outermost_;  // nodes of volume 0

@@ -119,6 +119,31 @@ TEST_F(SolidProgram, binary_commands_read_each_format_beside_each) {
 }
 
 /// |A + B| = |A| + |B| - |A * B|, exactly, through files.
+// Neither of what is written nor of what is noted, in the order of the files.
+TEST_F(SolidProgram, threads_change_no_byte) {
+  const std::string inside_out =
+      holding("OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n",
+              "inside-out.off");
+  const std::vector<Words> commands{
+      {"solid", "union", inside_out, kBlock, "--format", "nef", "-o", "-"},
+      {"solid", "eval", "a-b+c", "a=" + kBlock, "b=" + inside_out, "c=" + kCorner, "--json"},
+      {"solid", "compare", inside_out, kCorner},
+      {"solid", "difference", file("none.off"), file("none either.off")},
+  };
+  for (const Words& words : commands) {
+    const RunResult expected = run(words);
+    EXPECT_NE(expected.out + expected.err, "");
+    for (const char* threads : {"2", "5"}) {
+      Words with_threads = words;
+      with_threads.insert(with_threads.end(), {"--threads", threads});
+      const RunResult result = run(with_threads);
+      EXPECT_EQ(result.code, expected.code);
+      EXPECT_EQ(result.out, expected.out);
+      EXPECT_EQ(result.err, expected.err);
+    }
+  }
+}
+
 TEST_F(SolidProgram, volumes_add_up) {
   const auto of = [](const std::string& command) {
     return volume(parsed(run({"solid", command, kBlock, kCorner, "--json"})));
