@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "plumb/space/local_maps.h"
 #include "plumb/space/space_boxes.h"
 #include "plumb/space/space_ray.h"
+#include "plumb/space/volume_grid.h"
 #include "plumb/sphere/sphere_overlay.h"
 
 namespace plumb {
@@ -21,6 +23,7 @@ namespace {
 
 constexpr SphereDirection kRight{kPlaneY, kPlaneZ};
 constexpr std::size_t kAxisX = 0;
+constexpr double kWellWithin = 0.99;  ///< of a distance: roundings do not matter
 
 Mark mark_of(const SpaceComplex& complex, SpaceItem item) {
   switch (item.kind()) {
@@ -44,14 +47,16 @@ struct SpaceLocator::Tree {
   std::optional<SpaceRayHit> first_hit(const SpaceRay& ray) const;
   SpaceItem on_item(const QueryPoint3& p) const;
   VolumeId volume_of(const QueryPoint3& p) const;
+  VolumeId volume_of(const Point3& p) const;
   SpaceItem locate(const QueryPoint3& p) const;
+  SpaceItem locate(const Point3& p) const;
 
  private:
-  template <class Id>
-  void add(Id id) {
-    items.push_back(id);
-    boxes.push_back(box_of(complex, id));
+  void add(SpaceItem item) {
+    items.push_back(item);
+    boxes.push_back(axis_box(item));
   }
+  Box3 axis_box(SpaceItem item) const;
   void choose_frame();
   BoxRay box_ray(const SpaceRay& ray) const;
   Box3 piece(const SpaceRay& ray, double length) const;
@@ -60,7 +65,10 @@ struct SpaceLocator::Tree {
   SpaceItem on(FacetId f, const QueryPoint3& p) const;
   SpaceItem on(EdgeId e, const QueryPoint3& p) const;
   bool is_at(VertexId v, const QueryPoint3& p) const;
+  SpaceItem on(SpaceItem item, const QueryPoint3& p) const;
   VolumeId volume_right_of(SpaceItem item) const;
+  const VolumeGrid& grid() const;
+  bool locate_between(const QueryPoint3& p, const VolumeGrid::Left& left, SpaceItem& found) const;
 
   const SpaceComplex& complex;
   std::vector<SpaceItem> items;
@@ -69,6 +77,8 @@ struct SpaceLocator::Tree {
   bool is_turned = false;
   double mean_extent = 0;  // of finite boxes
   BoxTree boxes_tree;
+  mutable std::once_flag grid_made;
+  mutable VolumeGrid known_grid;
 };
 
 // --- the tree
@@ -89,6 +99,12 @@ SpaceLocator::Tree::Tree(const SpaceComplex& used_complex) : complex(used_comple
   if (!boxes.empty()) mean_extent = sum / static_cast<double>(boxes.size());
   boxes_tree = BoxTree(boxes);
   boxes = {};
+}
+
+Box3 SpaceLocator::Tree::axis_box(SpaceItem item) const {
+  if (item.kind() == SpaceItem::Kind::Facet) return box_of(complex, item.facet());
+  if (item.kind() == SpaceItem::Kind::Edge) return box_of(complex, item.edge());
+  return box_of(complex, item.vertex());
 }
 
 void SpaceLocator::Tree::choose_frame() {
@@ -153,18 +169,17 @@ SpaceItem SpaceLocator::Tree::on(FacetId f, const QueryPoint3& p) const {
   return hits.empty() ? SpaceItem() : hits[0].item;
 }
 
+SpaceItem SpaceLocator::Tree::on(SpaceItem item, const QueryPoint3& p) const {
+  if (item.kind() == SpaceItem::Kind::Facet) return on(item.facet(), p);
+  if (item.kind() == SpaceItem::Kind::Edge) return on(item.edge(), p);
+  return is_at(item.vertex(), p) ? item : SpaceItem();
+}
+
 SpaceItem SpaceLocator::Tree::on_item(const QueryPoint3& p) const {
   SpaceItem found;
   boxes_tree.for_each_meeting(frame.turned(box_of(p.box())), [&](std::uint32_t i) {
-    const SpaceItem item = items[i];
-    if (found.is_valid() || mark_of(complex, item) == kBeyond) return;
-    if (item.kind() == SpaceItem::Kind::Facet) {
-      found = on(item.facet(), p);
-    } else if (item.kind() == SpaceItem::Kind::Edge) {
-      found = on(item.edge(), p);
-    } else if (is_at(item.vertex(), p)) {
-      found = item;
-    }
+    if (mark_of(complex, items[i]) != kBeyond) found = on(items[i], p);
+    return !found.is_valid();
   });
   return found;
 }
@@ -237,7 +252,6 @@ Box3 SpaceLocator::Tree::piece(const SpaceRay& ray, double length) const {
 bool SpaceLocator::Tree::find_near(const SpaceRay& ray, std::optional<SpaceRayHit>& hit) const {
   constexpr int kPieces = 3;
   constexpr int kMostBoxes = 32;
-  constexpr double kWellWithin = 0.99;
   const Box3 all = boxes_tree.bounds();
   const std::size_t k = ray.axis();
   std::vector<SpaceRayHit> hits;
@@ -299,6 +313,59 @@ SpaceItem SpaceLocator::Tree::locate(const QueryPoint3& p) const {
   return item.is_valid() ? item : SpaceItem(volume_of(p));
 }
 
+// --- points in doubles: most are in a cell of the grid that is known
+
+/// Not for the few rays of somebody who has no volumes yet.
+const VolumeGrid& SpaceLocator::Tree::grid() const {
+  std::call_once(grid_made, [this] {
+    if (is_turned) return;  // boxes along the axes tell little apart
+    std::vector<Box3> around;
+    around.reserve(items.size());
+    for (const SpaceItem item : items) around.push_back(axis_box(item));
+    known_grid = VolumeGrid(around, [this](const Point3& p) { return volume_of(QueryPoint3(p)); });
+  });
+  return known_grid;
+}
+
+/// Looks at what meets the way to a place that is known. False: it is too close to tell whether the nearest hit lies
+/// before that.
+bool SpaceLocator::Tree::locate_between(const QueryPoint3& p, const VolumeGrid::Left& left,
+                                        SpaceItem& found) const {
+  const SpaceRay ray(complex, p, kAxisX, true);
+  NearestHit nearest(ray);
+  std::vector<SpaceRayHit> hits;
+  Box3 way = box_of(p.box());
+  way.low[kAxisX] = left.x;
+  boxes_tree.for_each_meeting(way, [&](std::uint32_t i) {
+    found = on(items[i], p);
+    if (found.is_valid()) return false;
+    hits.clear();
+    meet(items[i], ray, hits);
+    nearest.look_at(hits);
+    return true;
+  });
+  if (found.is_valid()) return true;
+  const double length = p.point().x - left.x;
+  if (nearest.best() && nearest.limit() > kWellWithin * length) return false;
+  found = nearest.best() ? volume_right_of(nearest.best()->item) : left.volume;
+  return true;
+}
+
+VolumeId SpaceLocator::Tree::volume_of(const Point3& p) const {
+  const VolumeId known = grid().volume_at(p);
+  return known.is_valid() ? known : volume_of(QueryPoint3(p));
+}
+
+SpaceItem SpaceLocator::Tree::locate(const Point3& p) const {
+  const VolumeId known = grid().volume_at(p);
+  if (known.is_valid()) return known;
+  const VolumeGrid::Left left = grid().left_of(p);
+  const QueryPoint3 q(p);
+  SpaceItem found;
+  if (left.volume.is_valid() && locate_between(q, left, found)) return found;
+  return locate(q);
+}
+
 // --- the public class
 
 SpaceLocator::SpaceLocator(const SpaceComplex& complex)
@@ -313,12 +380,12 @@ SpaceItem SpaceLocator::on_item(const Point3& p) const { return tree_->on_item(Q
 VolumeId SpaceLocator::volume_of(const RationalPoint3& p) const {
   return tree_->volume_of(QueryPoint3(p));
 }
-VolumeId SpaceLocator::volume_of(const Point3& p) const { return tree_->volume_of(QueryPoint3(p)); }
+VolumeId SpaceLocator::volume_of(const Point3& p) const { return tree_->volume_of(p); }
 
 SpaceItem SpaceLocator::locate(const RationalPoint3& p) const {
   return tree_->locate(QueryPoint3(p));
 }
-SpaceItem SpaceLocator::locate(const Point3& p) const { return tree_->locate(QueryPoint3(p)); }
+SpaceItem SpaceLocator::locate(const Point3& p) const { return tree_->locate(p); }
 
 void SpaceLocator::locate(std::span<const Point3> points, std::span<SpaceItem> items) const {
   PLUMB_CHECK(points.size() == items.size());

@@ -9,11 +9,13 @@
 //                  long as they are few; else those whose box the ray enters, nearer ones first
 //  4. volume_of    what a ray towards -x meets first knows the volume in front of it: a facet by its side, an
 //                  edge or vertex by its sphere map
+//  5. locate       of doubles: a grid (volume_grid.h, made when first asked) knows the volume away from all items; near
+//                  one, the way to the left up to a place that it knows is looked at
 //
 // Needs vertices, edges, uses, facets with their cycles; volume_of and locate need volumes too; nobody needs
 // marks but to tell the frame. Const members may be called from many threads.
 //
-// Cost: O(n log n) to build, 76 bytes an item. A query looks at O(log n) nodes and a few facets where
+// Cost: O(n log n) to build, 76 bytes an item and 16 for the grid. A query looks at O(log n) nodes and a few facets where
 // boxes of facets are small and few of them overlap.
 #pragma once
 

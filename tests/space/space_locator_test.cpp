@@ -15,6 +15,8 @@
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/space/from_mesh.h"
+#include "plumb/space/space_boxes.h"
+#include "plumb/space/volume_grid.h"
 #include "plumb/space/volumes.h"
 
 namespace plumb {
@@ -374,6 +376,54 @@ TEST(SpaceLocator, SeesThroughTheFrame) {
   }
   EXPECT_GT(beyond, 10U);
   EXPECT_GT(hits, 10U);
+}
+
+// Known is the volume nearly everywhere, and rightly so.
+TEST(VolumeGrid, KnowsWhatIsAwayFromFacets) {
+  Context context;
+  SpaceComplex complex =
+      complex_of_mesh(joined(icosphere_mesh(3, 1, {}), icosphere_mesh(2, 0.5, {})), {}, context)
+          .complex;
+  label_volumes(complex, context);
+  const SpaceLocator locator(complex);
+  std::vector<Box3> boxes;
+  for (std::size_t f = 0; f < complex.facet_count(); ++f) {
+    boxes.push_back(box_of(complex, FacetId(f)));
+  }
+  const auto volume_of = [&](const Point3& p) {
+    return locator.volume_of(RationalPoint3{p.x, p.y, p.z});
+  };
+  const VolumeGrid grid(boxes, volume_of);
+  Dice dice(11);
+  const auto coordinate = [&] { return static_cast<double>(dice.between(-64, 64)) / 48; };
+  std::array<int, 3> known{};
+  for (int i = 0; i < 2000; ++i) {
+    const double x = coordinate();
+    const double y = coordinate();
+    const double z = coordinate();
+    const Point3 p{x, y, z};
+    const VolumeId volume = grid.volume_at(p);
+    if (volume.is_valid()) {
+      ASSERT_EQ(locator.locate(RationalPoint3{x, y, z}), SpaceItem(volume));
+      ++known[volume.value()];
+    }
+    const VolumeGrid::Left left = grid.left_of(p);
+    if (left.volume.is_valid()) {
+      ASSERT_LT(left.x, x);
+      ASSERT_EQ(volume_of({left.x, y, z}), left.volume);
+    }
+  }
+  EXPECT_GT(known[0] + known[1] + known[2], 1000);
+  EXPECT_GT(known[1], 50);
+  EXPECT_GT(known[2], 5);
+  // Boxes without bounds, on a line but for next to nothing, none.
+  boxes.push_back({{0, 0, 0}, {Box3::kInfinity, 0, 0}});
+  EXPECT_FALSE(VolumeGrid(boxes, volume_of).volume_at({}).is_valid());
+  boxes.back() = {{0, 0, 0}, {1e300, 1e-300, 1e-200}};
+  EXPECT_TRUE(VolumeGrid(std::span(boxes).last(1), [](const Point3&) { return VolumeId(3); })
+                  .volume_at({-1, 0, 0})
+                  .is_valid());
+  EXPECT_FALSE(VolumeGrid({}, volume_of).volume_at({}).is_valid());
 }
 
 TEST(SpaceLocator, ManyThreadsAskOne) {
