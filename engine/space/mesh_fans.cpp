@@ -57,7 +57,8 @@ class FanSearch {
 
   /// Uses run with the facet to their left, seen from the positive side.
   void look_at_edge(EdgeId e) {
-    const UseId u = complex_.edge_use[e.value()], v = complex_.use_radial[u.value()];
+    const UseId u = complex_.edge_use[e.value()];
+    const UseId v = u.is_valid() ? complex_.use_radial[u.value()] : u;
     Axes good = 0;
     if (v != u && complex_.use_radial[v.value()] == u) {
       const Sides &s = sides_of(u), &t = sides_of(v);
@@ -74,13 +75,15 @@ class FanSearch {
     const UseId first = complex_.cycles_of(f)[0];
     std::array<UseId, 3> uses{first};
     for (std::size_t i = 1; i < 3; ++i) uses[i] = complex_.use_next[uses[i - 1].value()];
-    if (complex_.use_next[uses[2].value()] != first) return forget_corners(first);
+    const bool is_triangle =
+        complex_.cycles_of(f).size() == 1 && complex_.use_next[uses[2].value()] == first;
+    if (!is_triangle) return forget_corners(f);
     std::array<std::uint32_t, 3> corner;
     std::array<const Point3*, 3> at;
     for (std::size_t i = 0; i < 3; ++i) {
       const VertexId v = complex_.use_origin(uses[i]);
       const SpacePoint p = complex_.vertex_point[v.value()];
-      if (!p.is_input()) return forget_corners(first);
+      if (!p.is_input()) return forget_corners(f);
       corner[i] = v.value();
       at[i] = &complex_.planes().point(p.input());
     }
@@ -110,12 +113,14 @@ class FanSearch {
     return static_cast<Axes>(axes);
   }
 
-  void forget_corners(UseId first) {
-    UseId u = first;
-    do {
-      can_be_[complex_.use_origin(u).value()] = 0;
-      u = complex_.use_next[u.value()];
-    } while (u != first);
+  void forget_corners(FacetId f) {
+    for (const UseId first : complex_.cycles_of(f)) {
+      UseId u = first;
+      do {
+        can_be_[complex_.use_origin(u).value()] = 0;
+        u = complex_.use_next[u.value()];
+      } while (u != first);
+    }
   }
 
   const SpaceComplex& complex_;

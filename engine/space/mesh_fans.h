@@ -22,7 +22,8 @@
 namespace plumb {
 
 /// Per vertex: 1 if the facets around it surely are a fan of triangles. Then any two of them meet in common edges and
-/// vertices alone. Requires what find_mesh_crossings() does.
+/// vertices alone, and edges leave it in different directions. Requires edges, planes of facets and cycles; facets may
+/// have holes and edges no facet, but none of their vertices has a fan.
 std::vector<std::uint8_t> find_fans(const SpaceComplex& complex);
 
 }  // namespace plumb

@@ -101,16 +101,16 @@ class CycleAudit : SpaceAuditPart {
       const SpacePoint x = at(c_.use_origin(hole));
       for (const UseId other : cycles) {
         if (other == hole) continue;
-        const bool around = goes_around(c_, other, c_.points(), x);
-        if (!require(around == (other == cycles.front()),
+        const FacetPlace place = place_in_cycle(c_, other, c_.points(), x);
+        if (!require(!place.on.is_valid() && place.is_inside == (other == cycles.front()),
                      "a hole lies in its facet and in no other hole", f, hole)) {
           return false;
         }
       }
     }
     for (const VertexId v : c_.inner_of(f)) {
-      if (!require(contains(c_, f, c_.points(), at(v)), "an inner vertex lies inside its facet", f,
-                   v)) {
+      if (!require(place_in_facet(c_, f, c_.points(), at(v)).is_inside,
+                   "an inner vertex lies inside its facet", f, v)) {
         return false;
       }
     }
@@ -122,36 +122,61 @@ class CycleAudit : SpaceAuditPart {
 
 }  // namespace
 
-// Crossings of the half-line of x along which one coordinate keeps its value: half-edges that reach above
-// that value pass x on its left, those that return below it on its right.
-bool goes_around(const SpaceComplex& complex, UseId cycle, const Point3Table& points,
-                 SpacePoint x) {
-  const PlaneId n = complex.facet_plane[complex.use_facet[cycle.value()].value()];
-  const std::size_t axis = varying_axis(complex.planes(), n);
-  const auto is_above = [&](VertexId v) {
-    return compare_axis(points, complex.vertex_point[v.value()], x, axis) == Sign::Positive;
+namespace {
+
+/// Does x, on the line of the half-edge, lie between its ends or on one of them?
+bool is_along(const SpaceComplex& complex, HalfedgeId h, const Point3Table& points, SpacePoint x) {
+  const std::array<PlaneId, 2>& planes = complex.edge_planes[h.value() / 2];
+  const auto order = [&](SpacePoint from, SpacePoint to) {
+    return order_along_line(points, planes[0], planes[1], from, to);
   };
-  bool odd = false;
-  UseId u = cycle;
-  bool from_above = is_above(complex.use_origin(u));
-  do {
-    const HalfedgeId h = complex.use_halfedge[u.value()];
-    const bool to_above = is_above(complex.target(h));
-    if (from_above != to_above) {
-      const Sign left = side_in_plane(complex, n, h, points, x);
-      if (left == (to_above ? Sign::Positive : Sign::Negative)) odd = !odd;
-    }
-    from_above = to_above;
-    u = complex.use_next[u.value()];
-  } while (u != cycle);
-  return odd;
+  const HalfedgeId forward(h.value() & ~1U);
+  return order(complex.vertex_point[complex.origin[forward.value()].value()], x) !=
+             Sign::Negative &&
+         order(x, complex.vertex_point[complex.target(forward).value()]) != Sign::Negative;
 }
 
-bool contains(const SpaceComplex& complex, FacetId f, const Point3Table& points, SpacePoint x) {
-  bool odd = false;
-  for (const UseId cycle : complex.cycles_of(f))
-    odd = odd != goes_around(complex, cycle, points, x);
-  return odd;
+}  // namespace
+
+// Crossings of the half-line of x along which one coordinate keeps its value: half-edges that reach above
+// that value pass x on its left, those that return below it on its right.
+FacetPlace place_in_cycle(const SpaceComplex& complex, UseId cycle, const Point3Table& points,
+                          SpacePoint x) {
+  const PlaneId n = complex.facet_plane[complex.use_facet[cycle.value()].value()];
+  const std::size_t axis = varying_axis(complex.planes(), n);
+  const auto order = [&](VertexId v) {
+    return compare_axis(points, complex.vertex_point[v.value()], x, axis);
+  };
+  FacetPlace place;
+  UseId u = cycle;
+  Sign from = order(complex.use_origin(u));
+  do {
+    const HalfedgeId h = complex.use_halfedge[u.value()];
+    const Sign to = order(complex.target(h));
+    if (from == Sign::Zero || from != to) {
+      const Sign left = side_in_plane(complex, n, h, points, x);
+      const bool is_level = from == Sign::Zero && to == Sign::Zero;
+      if (left == Sign::Zero && (!is_level || is_along(complex, h, points, x))) return {false, h};
+      const bool rises = to == Sign::Positive;
+      if ((from == Sign::Positive) != rises && left == (rises ? Sign::Positive : Sign::Negative)) {
+        place.is_inside = !place.is_inside;
+      }
+    }
+    from = to;
+    u = complex.use_next[u.value()];
+  } while (u != cycle);
+  return place;
+}
+
+FacetPlace place_in_facet(const SpaceComplex& complex, FacetId f, const Point3Table& points,
+                          SpacePoint x) {
+  FacetPlace place;
+  for (const UseId cycle : complex.cycles_of(f)) {
+    const FacetPlace here = place_in_cycle(complex, cycle, points, x);
+    if (here.on.is_valid()) return here;
+    place.is_inside = place.is_inside != here.is_inside;
+  }
+  return place;
 }
 
 std::optional<SpaceFlaw> audit_cycles(const SpaceComplex& complex) {

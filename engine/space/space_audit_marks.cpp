@@ -149,8 +149,21 @@ class MarkAudit : SpaceAuditPart {
 
   // ---- the minimal form
 
+  /// Is that clear without a look at the sphere map?
+  bool is_surely_needed(FacetId f) const {
+    const auto [above, below] = c_.facet_volume[f.value()];
+    return c_.volume_mark[above.value()] != c_.volume_mark[below.value()];
+  }
+  bool is_surely_needed(EdgeId e) const {
+    const UseId u = c_.edge_use[e.value()];
+    return u.is_valid() && plane(u) != plane(c_.use_radial[u.value()]);
+  }
+  /// Other edges than the two directions of one line.
+  bool is_surely_needed(VertexId v) const { return c_.star_of(v).size() > 2; }
+
   template <class Id>
   bool is_needed(Id item, PyramidKind kind) {
+    if (is_surely_needed(item)) return true;
     local_map(c_, item, local_);
     return require(!overlay_.simplify(local_.map) && classify(c_.planes(), local_.map) == kind,
                    "no item can go without changing the set", item);

@@ -1,7 +1,9 @@
 // The steps of audit() (space_audit.h). Internal.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -57,16 +59,25 @@ class SpaceAuditPart {
   std::optional<SpaceFlaw> flaw_;
 };
 
-/// Does the cycle go around x an odd number of times? Requires a point of the facet's plane that is not on
-/// the cycle, in `points`: those of the complex, or a copy with more.
-bool goes_around(const SpaceComplex& complex, UseId cycle, const Point3Table& points, SpacePoint x);
-/// The same, of all cycles of a facet together: does x lie in the facet?
-bool contains(const SpaceComplex& complex, FacetId f, const Point3Table& points, SpacePoint x);
+/// Where a point of a facet's plane lies: on an edge (or its end), else inside or outside.
+struct FacetPlace {
+  bool is_inside = false;
+  HalfedgeId on;
+};
+/// Inside: the cycle goes around x an odd number of times. x: of the complex, or of a copy with more points.
+FacetPlace place_in_cycle(const SpaceComplex& complex, UseId cycle, const Point3Table& points,
+                          SpacePoint x);
+/// The same, of all cycles of a facet together.
+FacetPlace place_in_facet(const SpaceComplex& complex, FacetId f, const Point3Table& points,
+                          SpacePoint x);
 
 std::optional<SpaceFlaw> audit_links(const SpaceComplex& complex);
-std::optional<SpaceFlaw> audit_places(const SpaceComplex& complex);
+/// has_fan: per vertex (mesh_fans.h).
+std::optional<SpaceFlaw> audit_places(const SpaceComplex& complex,
+                                      std::span<const std::uint8_t> has_fan);
 std::optional<SpaceFlaw> audit_cycles(const SpaceComplex& complex);
-std::optional<SpaceFlaw> audit_meeting(const SpaceComplex& complex);
+std::optional<SpaceFlaw> audit_meeting(const SpaceComplex& complex,
+                                       std::span<const std::uint8_t> has_fan);
 std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex, bool minimal);
 
 }  // namespace plumb

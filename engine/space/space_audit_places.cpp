@@ -16,7 +16,8 @@ namespace {
 
 class PlaceAudit : SpaceAuditPart {
  public:
-  explicit PlaceAudit(const SpaceComplex& complex) : SpaceAuditPart(complex) {}
+  PlaceAudit(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan)
+      : SpaceAuditPart(complex), has_fan_(has_fan) {}
 
   std::optional<SpaceFlaw> run() {
     static_cast<void>(has_distinct_planes() && has_distinct_vertices() && has_true_edges() &&
@@ -45,16 +46,20 @@ class PlaceAudit : SpaceAuditPart {
     return true;
   }
 
+  /// Equal points have equal fingerprints.
   bool has_distinct_vertices() {
-    std::vector<VertexId> order(c_.vertex_count());
-    for (std::uint32_t v = 0; v < order.size(); ++v) order[v] = VertexId(v);
-    std::sort(order.begin(), order.end(), [&](VertexId v, VertexId w) {
-      return compare_xyz(c_.points(), at(v), at(w)) == Sign::Negative;
-    });
-    for (std::size_t i = 0; i + 1 < order.size(); ++i) {
-      if (!require(compare_xyz(c_.points(), at(order[i]), at(order[i + 1])) != Sign::Zero,
-                   "vertices have different points", order[i], order[i + 1])) {
-        return false;
+    std::vector<std::pair<Fingerprint, VertexId>> order(c_.vertex_count());
+    for (std::uint32_t v = 0; v < order.size(); ++v) {
+      order[v] = {fingerprint(c_.points(), at(VertexId(v))), VertexId(v)};
+    }
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const auto& [print, v] = order[i];
+      for (std::size_t j = i + 1; j < order.size() && order[j].first == print; ++j) {
+        const VertexId w = order[j].second;
+        if (!require(!equal(c_.points(), at(v), at(w)), "vertices have different points", v, w)) {
+          return false;
+        }
       }
     }
     return true;
@@ -90,9 +95,9 @@ class PlaceAudit : SpaceAuditPart {
 
   bool has_uses_in_their_planes() {
     for (std::uint32_t i = 0; i < c_.use_count(); ++i) {
-      const UseId u(i);
-      if (!require(lies_on(c_.use_origin(u), plane(u)) && lies_on(c_.target(halfedge(u)), plane(u)),
-                   "the edges of a facet lie in its plane", u, facet(u))) {
+      const UseId u(i);  // where it ends the next one of its cycle begins
+      if (!require(lies_on(c_.use_origin(u), plane(u)), "the edges of a facet lie in its plane", u,
+                   facet(u))) {
         return false;
       }
     }
@@ -175,8 +180,10 @@ class PlaceAudit : SpaceAuditPart {
     return are_opposite(n, a, b) ? 2 : 0;
   }
 
+  /// Around a vertex with a fan directions differ, and triangles lie side by side.
   bool has_sound_stars() {
     for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
+      if (has_fan_[v] != 0 && !c_.vertex_facet[v].is_valid()) continue;
       const std::vector<UseId> corners = corners_at(VertexId(v));
       if (!has_distinct_directions(VertexId(v)) || !has_undivided_corners(VertexId(v), corners) ||
           !has_corners_apart(VertexId(v), corners) || !has_undivided_disk(VertexId(v), corners)) {
@@ -324,12 +331,15 @@ class PlaceAudit : SpaceAuditPart {
     }
     return true;
   }
+
+  std::span<const std::uint8_t> has_fan_;  ///< per vertex
 };
 
 }  // namespace
 
-std::optional<SpaceFlaw> audit_places(const SpaceComplex& complex) {
-  return PlaceAudit(complex).run();
+std::optional<SpaceFlaw> audit_places(const SpaceComplex& complex,
+                                      std::span<const std::uint8_t> has_fan) {
+  return PlaceAudit(complex, has_fan).run();
 }
 
 }  // namespace plumb

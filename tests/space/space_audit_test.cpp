@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "generate/space_scenes.h"
 #include "generate/space_solids.h"
 #include "oracle/nef3_check.h"
 #include "plumb/predicates/point3_signs.h"
@@ -490,6 +491,21 @@ TEST(SpaceAudit, FindsWhereFacetsCross) {
     std::optional<SpaceFlaw> flaw;
     EXPECT_STREQ(found_in(row.faces, flaw), row.invariant) << (flaw ? flaw->place : "");
   }
+}
+
+// Neither shows where a vertex or an edge is tested against a facet that it does not bound.
+TEST(SpaceAudit, FindsAFacetThatMeetsItself) {
+  const auto flaw_of = [](const std::vector<RationalPoint3>& corners) -> std::string {
+    SpaceScene scene;
+    scene.add_facet(corners);
+    const auto flaw = audit(complex_of(scene), false);
+    return flaw ? flaw->invariant : "";
+  };
+  const auto at = [](int x, int y) { return rational_point(x, y, 0); };
+  EXPECT_EQ(flaw_of({at(0, 0), at(4, 0), at(4, 4), at(2, 1), at(0, 4)}), "");
+  EXPECT_EQ(flaw_of({at(0, 0), at(4, 0), at(4, 4), at(2, 0), at(0, 4)}),
+            "no vertex lies inside an edge");
+  EXPECT_EQ(flaw_of({at(0, 0), at(4, 0), at(4, 4), at(2, -1), at(0, 4)}), "edges do not cross");
 }
 
 // ---------------------------------------------------------------- tests
