@@ -5,6 +5,7 @@
 
 #include "plumb/io/gltf_reader.h"
 
+#include "gltf_mutator.h"
 #include "mesh_laws.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -28,4 +29,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require_mesh_place(error, bytes);
   }
   return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t max_size, unsigned seed) {
+  return plumb::fuzz::GltfMutator(seed).mutate(data, size, max_size);
 }
