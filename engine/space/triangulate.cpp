@@ -105,7 +105,11 @@ class RegionSweep {
   /// The order of two edges that some vertical line meets, or that start together.
   bool is_below(std::uint32_t a, std::uint32_t b) const {
     const SweepEdge &p = edges_[a], &q = edges_[b];
-    if (p.left == q.left) return orient(p.left, p.right, q.right) == Sign::Positive;
+    if (p.left == q.left) {
+      const Sign side = orient(p.left, p.right, q.right);
+      // The two halves of a slit: what is below it ends before what is above begins.
+      return side == Sign::Zero ? !p.is_lower && q.is_lower : side == Sign::Positive;
+    }
     if (p.left < q.left) return orient(p.left, p.right, q.left) == Sign::Positive;
     return orient(q.left, q.right, p.left) == Sign::Negative;
   }

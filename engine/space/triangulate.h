@@ -20,8 +20,9 @@ using IndexTriangle = std::array<std::uint32_t, 3>;
 
 /// Appends triangles, counter-clockwise, whose corners are given points and whose union is the region to
 /// the left of the edges. Points inside the region are corners too. Requires all points to be
-/// different and edges that meet each other and points in their ends only. False, and nothing appended: the
-/// edges have no region to their left (somewhere it would be covered twice, or less than once).
+/// different and edges that meet each other and points in their ends only; one that runs both ways is a slit.
+/// False, and nothing appended: the edges have no region to their left (somewhere it would be covered
+/// twice, or less than once).
 /// O(n log n).
 bool triangulate(const PlanarPoints& points, std::span<const IndexEdge> edges,
                  std::vector<IndexTriangle>& triangles);

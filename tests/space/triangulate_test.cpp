@@ -115,6 +115,25 @@ TEST(Triangulate, CellsOfAGrid) {
   }
 }
 
+// Slits inside, from the border, forked, upright; sides of triangles lie along both of their halves.
+TEST(Triangulate, Slits) {
+  Region region = polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}});
+  region.points.insert(region.points.end(),
+                       {{2, 1}, {2, 5}, {4, 5}, {1, 7}, {6, 2}, {8, 3}, {7, 6}});
+  for (const IndexEdge& e : {IndexEdge{0, 4}, {4, 5}, {5, 6}, {5, 7}, {8, 9}}) {
+    region.edges.push_back(e);
+    region.edges.push_back({e[1], e[0]});
+  }
+  const auto triangles = cut(region);
+  for (const IndexEdge& e : region.edges) {
+    const auto has_side = [&e](const IndexTriangle& t) {
+      return (t[0] == e[0] && t[1] == e[1]) || (t[1] == e[0] && t[2] == e[1]) ||
+             (t[2] == e[0] && t[0] == e[1]);
+    };
+    EXPECT_EQ(std::ranges::count_if(triangles, has_side), 1);
+  }
+}
+
 // Sheared and turned, so that no edge is along an axis and rounding makes points nearly collinear.
 TEST(Triangulate, TurnedCells) {
   Dice dice(2);
