@@ -1,7 +1,6 @@
-// plumb convex ...: is a set convex? Convex pieces of it; the run of the course notes.
+// plumb convex check, report: is a set convex? The run of the course notes.
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,16 +10,11 @@
 #include <vector>
 
 #include "command.h"
-#include "format_choice.h"
-#include "plumb/base/error.h"
 #include "plumb/convex/convexity.h"
 #include "plumb/convex/decompose.h"
-#include "plumb/convex/volume_sum.h"
 #include "plumb/io/input.h"
-#include "plumb/io/output_file.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/io/solid_sets.h"
-#include "plumb/io/solid_text.h"
 #include "plumb/picture/sheet.h"
 #include "solid_input.h"
 
@@ -88,128 +82,6 @@ class ConvexCheck : public CommandBody {
   }
 
   std::string file_;
-  SolidInput input_;
-};
-
-// ---------------------------------------------------------------- decompose
-
-class Decomposition : public CommandBody {
- public:
-  void declare(CLI::App& app) override {
-    app.add_option("A", file_, kHelp)->required()->type_name("");
-    app.add_option("--method", method_,
-                   "cuts: planes through reflex edges; walls: vertical ones; best: the fewer "
-                   "pieces, merged")
-        ->type_name("METHOD")
-        ->check(CLI::IsMember({"cuts", "walls", "best"}).description(""));
-    app.add_flag("--closed", closed_, "Closures of the pieces");
-    input_.declare(app);
-  }
-
-  ExitCode run(Session& session) override {
-    const Nef3 set = input_.read(file_, session);
-    const DecomposeMethod method = method_ == "cuts"    ? DecomposeMethod::Cuts
-                                   : method_ == "walls" ? DecomposeMethod::Walls
-                                                        : DecomposeMethod::Best;
-    const ConvexPieces pieces = decompose(set, {method, closed_}, session.context());
-    write_files(pieces, session);
-    const bool is_json = session.options().json;
-    const std::string json = is_json ? json_of(set, pieces, session.context()).dump() : "";
-    session.outputs().add("-", [&pieces, is_json, json](std::ostream& out) {
-      if (is_json) {
-        out << json << '\n';
-        return;
-      }
-      out << counted(pieces.pieces.size(), "convex piece") << ", "
-          << counted(pieces.reflex_edges, "reflex edge") << '\n';
-    });
-    session.outputs().deliver();
-    commit_all(files_);
-    remove_older(session.options().out);
-    return ExitCode::Yes;
-  }
-
- private:
-  static Json json_of(const Nef3& set, const ConvexPieces& pieces, Context& context) {
-    Json matches = nullptr;  // of unbounded sets
-    if (const std::optional<bool> known = do_volumes_add_up(set, pieces.pieces, context)) {
-      matches = *known;
-    }
-    return {{"pieces", pieces.pieces.size()},
-            {"reflex_edges", pieces.reflex_edges},
-            {"volume_matches", matches}};
-  }
-
-  /// In the format asked for; else OFF, and .nef for what no mesh can hold. One after the other: a set may have more
-  /// pieces than files may be open.
-  void write_files(const ConvexPieces& pieces, Session& session) {
-    const std::string& directory = session.options().out;
-    if (directory.empty()) return;
-    if (directory == "-") throw Error(ErrorCode::Usage, "-o needs a directory");
-    make_directory(directory);
-    std::size_t changed = 0;
-    std::vector<std::string> worst;  // a file's name and what it does not say
-    for (const Nef3& piece : pieces.pieces) {
-      const SolidFormat& format = format_of(piece, session.options().format);
-      const SolidText text(piece, format, session.context());
-      const std::string name = file_name(files_.size() + 1, format);
-      const auto path = std::filesystem::path(directory) / name;
-      if (!text.losses().empty()) ++changed;
-      if (text.losses().size() + 1 > std::max<std::size_t>(worst.size(), 1)) {
-        worst = text.losses();
-        worst.insert(worst.begin(), name);
-      }
-      files_.push_back(std::make_unique<OutputFile>(path.string()));
-      text.write(files_.back()->stream());
-      files_.back()->finish();
-    }
-    if (changed == 0) return;
-    session.note(directory + ": warning: " + std::to_string(changed) + " of " +
-                 counted(pieces.pieces.size(), "file") +
-                 " do not say all (--format nef does); of " + worst.front() + ": " + worst.back());
-  }
-  static std::string file_name(std::size_t piece, const SolidFormat& format) {
-    std::string number = std::to_string(piece);
-    if (number.size() < 4) number.insert(0, 4 - number.size(), '0');
-    return "piece_" + number + std::string(format.extension);
-  }
-  /// What an earlier run left that made more pieces; never the file just read.
-  void remove_older(const std::string& directory) const {
-    if (directory.empty()) return;
-    std::error_code failed;
-    std::filesystem::directory_iterator at(directory, failed);
-    for (; !failed && at != std::filesystem::directory_iterator(); at.increment(failed)) {
-      std::error_code ignored;
-      if (!is_older(at->path().filename().string()) || !at->is_regular_file(ignored)) continue;
-      if (std::filesystem::equivalent(at->path(), file_, ignored)) continue;
-      std::filesystem::remove(at->path(), ignored);
-    }
-  }
-  bool is_older(const std::string& name) const {
-    constexpr std::size_t kNumberAt = 6;  // piece_
-    std::size_t number = 0;
-    const auto [end, failed] = std::from_chars(name.data() + std::min(kNumberAt, name.size()),
-                                               name.data() + name.size(), number);
-    if (failed != std::errc() || number <= files_.size()) return false;
-    return std::ranges::any_of(solid_formats(), [&](const SolidFormat& format) {
-      return name == file_name(number, format);
-    });
-  }
-  static const SolidFormat& format_of(const Nef3& piece, const std::string& asked) {
-    if (!asked.empty()) return format_named(solid_formats(), asked);
-    const bool is_mesh = piece.is_bounded() && piece.counts().marked_volumes > 0;
-    return format_named(solid_formats(), is_mesh ? "off" : "nef");
-  }
-  static void make_directory(const std::string& directory) {
-    std::error_code failed;
-    std::filesystem::create_directories(directory, failed);
-    if (failed) throw Error(ErrorCode::CannotWrite, directory + ": " + failed.message());
-  }
-
-  std::string file_;
-  std::string method_ = "best";
-  bool closed_ = false;
-  std::vector<std::unique_ptr<OutputFile>> files_;
   SolidInput input_;
 };
 
@@ -286,7 +158,6 @@ class NoteReport : public CommandBody {
 }  // namespace
 
 std::unique_ptr<CommandBody> make_convex_check() { return std::make_unique<ConvexCheck>(); }
-std::unique_ptr<CommandBody> make_convex_decompose() { return std::make_unique<Decomposition>(); }
 std::unique_ptr<CommandBody> make_convex_report() { return std::make_unique<NoteReport>(); }
 
 }  // namespace plumb::cli

@@ -112,6 +112,43 @@ TEST(ConvexProgram, decompose_takes_unbounded_sets) {
   EXPECT_EQ(run({"convex", "check", (directory / "piece_0001.nef").string(), "--json"}).code, 0);
 }
 
+TEST(ConvexProgram, decompose_cuts_sets_of_the_plane) {
+  const ScratchDirectory scratch;
+  const std::string file = (scratch / "frame.wkt").string();
+  write_file(file, "POLYGON((0 0,4 0,4 4,0 4,0 0),(1 1,1 2,2 2,2 1,1 1))\n");
+  const fs::path directory = scratch / "pieces";
+  const RunResult result =
+      run({"convex", "decompose", file, "--closed", "-o", directory.string(), "--json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.out, "{\"pieces\":4,\"reflex_edges\":4,\"volume_matches\":true}\n");
+  EXPECT_EQ(result.err, "");  // closed polygons: WKT says all
+  std::string whole = (directory / "piece_0001.wkt").string();
+  for (const char* name : {"piece_0002.wkt", "piece_0003.wkt", "piece_0004.wkt"}) {
+    const std::string sum = (scratch / name).string();
+    ASSERT_EQ(run({"plane", "union", whole, (directory / name).string(), "-o", sum}).code, 0);
+    whole = sum;
+  }
+  const RunResult difference = run({"plane", "symmetric-difference", whole, file, "--json"});
+  EXPECT_EQ(Json::parse(difference.out)["empty"], true);
+}
+
+TEST(ConvexProgram, decompose_chooses_formats_and_methods_in_the_plane) {
+  const ScratchDirectory scratch;
+  const fs::path directory = scratch / "pieces";
+  const RunResult outside = run({"convex", "decompose", "corpus/plane/quadrant.nef2", "-o",
+                                 directory.string(), "--method", "cuts"});
+  EXPECT_EQ(outside.code, 0) << outside.err;
+  EXPECT_EQ(outside.out, "1 convex piece, 0 reflex corners\n");
+  EXPECT_TRUE(fs::exists(directory / "piece_0001.nef2"));
+  for (const char* method : {"diagonals", "optimal"}) {
+    const RunResult star = run({"convex", "decompose", "corpus/plane/star.wkt", "--method", method,
+                                "--format", "geojson", "-o", directory.string()});
+    EXPECT_EQ(star.code, 0) << star.err;
+    EXPECT_TRUE(fs::exists(directory / "piece_0002.geojson"));
+    EXPECT_FALSE(fs::exists(directory / "piece_0001.nef2"));
+  }
+}
+
 TEST(ConvexProgram, report_is_that_of_the_notes) {
   std::vector<std::string> words{"convex", "report"};
   for (const char* name : {"zero", "one", "two", "three", "four"}) {
@@ -131,7 +168,13 @@ TEST(ConvexProgram, refuses_what_it_cannot_do) {
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"convex", "check", "nowhere.off"},
         std::vector<std::string>{"convex", "decompose", kBlock, "-o", "-"},
-        std::vector<std::string>{"convex", "decompose", kBlock, "--method", "luck"}}) {
+        std::vector<std::string>{"convex", "decompose", kBlock, "--method", "luck"},
+        std::vector<std::string>{"convex", "decompose", kBlock, "--method", "optimal"},
+        std::vector<std::string>{"convex", "decompose", "corpus/plane/star.wkt", "--method",
+                                 "walls"},
+        std::vector<std::string>{"convex", "decompose", "corpus/plane/star.wkt", "--surface"},
+        std::vector<std::string>{"convex", "decompose", "corpus/plane/frame.geojson", "--method",
+                                 "optimal"}}) {
     const RunResult result = run(words);
     EXPECT_EQ(result.code, 2);
     EXPECT_EQ(result.out, "");

@@ -1,0 +1,177 @@
+// plumb convex decompose: convex pieces of a solid or of a set of the plane.
+
+#include <array>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "command.h"
+#include "format_choice.h"
+#include "piece_files.h"
+#include "plumb/base/error.h"
+#include "plumb/convex/decompose.h"
+#include "plumb/convex/plane_partition.h"
+#include "plumb/convex/volume_sum.h"
+#include "plumb/io/file_kind.h"
+#include "plumb/io/input.h"
+#include "plumb/io/plane_io.h"
+#include "plumb/io/solid_text.h"
+#include "plumb/picture/sheet.h"
+#include "solid_input.h"
+
+namespace plumb::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct PlaneChoice {
+  std::string_view name;
+  std::string_view extension;
+  PlaneFormat format;
+};
+constexpr std::array kPlaneFormats{
+    PlaneChoice{"wkt", ".wkt", PlaneFormat::Wkt},
+    PlaneChoice{"geojson", ".geojson", PlaneFormat::GeoJson},
+    PlaneChoice{"nef2", ".nef2", PlaneFormat::Nef2},
+};
+
+struct Answer {
+  std::size_t pieces;
+  std::uint64_t reflex;
+  const char* reflex_name;
+  std::optional<bool> matches;  ///< volumes or areas; none: infinite, or nobody asked
+};
+
+class Decomposition : public CommandBody {
+ public:
+  void declare(CLI::App& app) override {
+    app.add_option(
+           "A", file_,
+           "A solid: .off, .obj, .stl, .ply, .glb, .gltf, .nef; or a set of the plane: .wkt, "
+           ".geojson, .nef2; - is standard input")
+        ->required()
+        ->type_name("");
+    app.add_option("--method", method_,
+                   "cuts: along faces or sides at reflex edges; walls: vertical ones (solids); "
+                   "diagonals, optimal: between vertices (plane); best: the fewest pieces")
+        ->type_name("METHOD")
+        ->check(CLI::IsMember({"cuts", "walls", "diagonals", "optimal", "best"}).description(""));
+    app.add_flag("--closed", closed_, "Closures of the pieces");
+    input_.declare(app);
+  }
+
+  ExitCode run(Session& session) override {
+    const std::string bytes = read_input(file_, session.context());
+    PieceFiles files(session.options().out);
+    const bool is_plane = kind_of_file(file_, bytes) == FileKind::PlaneSet;
+    const Answer answer =
+        is_plane ? decompose_plane(bytes, files, session) : decompose_solid(bytes, files, session);
+    session.context().release_memory(bytes.size());
+    files.note_losses(is_plane ? "nef2" : "nef", session);
+    session.outputs().add("-", [&, is_json = session.options().json](std::ostream& out) {
+      is_json ? write_json(out, answer) : write_text(out, answer);
+    });
+    session.outputs().deliver();
+    files.commit(is_plane ? extensions(kPlaneFormats) : extensions(solid_formats()), file_);
+    return ExitCode::Yes;
+  }
+
+ private:
+  static void write_json(std::ostream& out, const Answer& answer) {
+    Json matches = nullptr;
+    if (answer.matches) matches = *answer.matches;
+    out << Json{{"pieces", answer.pieces},
+                {"reflex_edges", answer.reflex},
+                {"volume_matches", matches}}
+               .dump()
+        << '\n';
+  }
+  static void write_text(std::ostream& out, const Answer& answer) {
+    out << counted(answer.pieces, "convex piece") << ", "
+        << counted(answer.reflex, answer.reflex_name) << '\n';
+  }
+  template <class Table>
+  static std::vector<std::string_view> extensions(const Table& formats) {
+    std::vector<std::string_view> all;
+    for (const auto& format : formats) all.push_back(format.extension);
+    return all;
+  }
+  Error cannot(const std::string& what) const {
+    return {ErrorCode::Usage, "--method " + method_ + " is for " + what};
+  }
+
+  // ---------------------------------------------------------------- solids
+
+  Answer decompose_solid(const std::string& bytes, PieceFiles& files, Session& session) const {
+    if (method_ == "diagonals" || method_ == "optimal") throw cannot("sets of the plane");
+    const DecomposeMethod method = method_ == "cuts"    ? DecomposeMethod::Cuts
+                                   : method_ == "walls" ? DecomposeMethod::Walls
+                                                        : DecomposeMethod::Best;
+    Context& context = session.context();
+    const Nef3 set = input_.read(file_, bytes, session);
+    const ConvexPieces found = decompose(set, {method, closed_}, context);
+    for (const Nef3& piece : found.pieces) {
+      if (!files.is_wanted()) break;
+      const SolidFormat& format = solid_format(piece, session.options().format);
+      const SolidText text(piece, format, context);
+      files.add(format.extension, text.losses(), [&text](std::ostream& out) { text.write(out); });
+    }
+    Answer answer{found.pieces.size(), found.reflex_edges, "reflex edge", {}};
+    if (session.options().json) answer.matches = do_volumes_add_up(set, found.pieces, context);
+    return answer;
+  }
+  /// In the format asked for; else OFF, and .nef for what no mesh can hold.
+  static const SolidFormat& solid_format(const Nef3& piece, const std::string& asked) {
+    if (!asked.empty()) return format_named(solid_formats(), asked);
+    const bool is_mesh = piece.is_bounded() && piece.counts().marked_volumes > 0;
+    return format_named(solid_formats(), is_mesh ? "off" : "nef");
+  }
+
+  // ---------------------------------------------------------------- the plane
+
+  Answer decompose_plane(const std::string& bytes, PieceFiles& files, Session& session) const {
+    if (method_ == "walls") throw cannot("solids");
+    if (!input_.is_plain()) {
+      throw Error(ErrorCode::Usage, "--rule and --surface are for meshes");
+    }
+    const PartitionMethod method = method_ == "cuts"        ? PartitionMethod::Cuts
+                                   : method_ == "diagonals" ? PartitionMethod::Diagonals
+                                   : method_ == "optimal"   ? PartitionMethod::Optimal
+                                                            : PartitionMethod::Best;
+    Context& context = session.context();
+    const PlaneFormat read_as = plane_format_of(file_).value_or(guess_plane_format(bytes));
+    const Nef2 set = read_plane_set(bytes, read_as,
+                                    {input_name(file_), session.options().exact_decimals}, context);
+    const PlanePieces found = decompose(set, {method, closed_}, context);
+    for (const Nef2& piece : found.pieces) {
+      if (!files.is_wanted()) break;
+      const PlaneChoice& format = plane_format(piece, session.options().format);
+      const PlaneText text(piece, format.format, context);
+      files.add(format.extension, text.losses().sentences(),
+                [&text](std::ostream& out) { text.write(out); });
+    }
+    Answer answer{found.pieces.size(), found.reflex_corners, "reflex corner", {}};
+    if (session.options().json) answer.matches = do_areas_add_up(set, found.pieces);
+    return answer;
+  }
+  /// In the format asked for; else WKT, and .nef2 for what has no end.
+  static const PlaneChoice& plane_format(const Nef2& piece, const std::string& asked) {
+    if (!asked.empty()) return format_named(kPlaneFormats, asked);
+    return format_named(kPlaneFormats, piece.is_bounded() ? "wkt" : "nef2");
+  }
+
+  std::string file_;
+  std::string method_ = "best";
+  bool closed_ = false;
+  SolidInput input_;
+};
+
+}  // namespace
+
+std::unique_ptr<CommandBody> make_convex_decompose() { return std::make_unique<Decomposition>(); }
+
+}  // namespace plumb::cli
