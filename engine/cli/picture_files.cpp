@@ -1,5 +1,6 @@
 #include "picture_files.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "plumb/picture/map_svg.h"
@@ -102,10 +103,12 @@ std::string picture_of(std::span<const Nef3> sets, double apart, Picture picture
     sum.edges += counts.edges;
     sum.facets += counts.facets;
   }
-  const SceneText text{title, counted(sets.size(), "set"),
+  const Scene scene = exploded_scene(sets, apart, context);
+  const bool has_walls = std::ranges::any_of(scene.patches, &Scene::Patch::is_hatched);
+  const SceneText text{title, counted(sets.size(), "set") + (has_walls ? ", cuts hatched" : ""),
                        "in all " + counted(sum.vertices, "vertex", "vertices") + ", " +
                            counted(sum.edges, "edge") + ", " + counted(sum.facets, "facet")};
-  return picture_of(exploded_scene(sets, apart, context), text, picture);
+  return picture_of(scene, text, picture);
 }
 
 std::string picture_of(const SurfaceDivision& division, const SurfaceResult* result,

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "plumb/predicates/point3_table.h"
+#include "plumb/predicates/rounding.h"
 
 namespace plumb {
 namespace {
@@ -23,7 +24,9 @@ constexpr std::size_t kMostKept = 6;
 constexpr std::size_t kLarge = 500;  // above so many reflex edges balance is worth pieces:
 constexpr int kWorthOnePiece = 16;   // so many edges on the lesser side
 constexpr std::size_t kAllVertices =
-    48;  // pieces of no more reflex edges look at all their vertices
+    48;                          // pieces of no more reflex edges look at all their vertices
+constexpr int kMostFactor = 16;  // of a pencil
+constexpr double kNearFactor = 1e-9;
 
 }  // namespace
 
@@ -68,7 +71,10 @@ void CutChooser::gather(std::span<const FaceId> faces, std::span<const HalfedgeI
       });
     }
   }
-  std::erase_if(targets_, [this](VertexId v) { return !s_.point[v.value()].is_input(); });
+  const auto constructed =
+      std::stable_partition(targets_.begin(), targets_.end(),
+                            [this](VertexId v) { return s_.point[v.value()].is_input(); });
+  input_targets_ = static_cast<std::size_t>(constructed - targets_.begin());
   double size = 0;
   for (const Vector& p : ends_) {
     for (const double x : p) size = std::max(size, std::abs(x));
@@ -115,24 +121,67 @@ CutCandidate CutChooser::judged_face(const Edge& edge, bool is_first) {
   return judged({row.n[0], row.n[1], row.n[2], row.d}, {edge.half, p, {}});
 }
 
-/// m = c1 n1 + c2 n2; one face on either side of the plane: c1 c2 <= 0.
 void CutChooser::propose_points(const Edge& edge, std::size_t budget) {
-  const CutSurface::Half& half = s_.half(edge.half);
-  if (!half.line[0].is_valid()) return;
+  const bool is_input = s_.half(edge.half).line[0].is_valid();
+  const std::span<const VertexId> all(targets_);
+  const auto propose = [&](std::span<const VertexId> targets, bool by_factors) {
+    const std::size_t step = std::max<std::size_t>(1, targets.size() / budget);
+    for (std::size_t i = 0; i < targets.size(); i += step) {
+      propose_point(edge, targets[i], by_factors);
+    }
+  };
+  const bool is_small = edges_.size() <= kAllVertices;
+  if (is_input || is_small) propose(all.first(input_targets_), !is_input);
+  if (is_small) propose(all.subspan(input_targets_), true);
+}
+
+/// m = c1 n1 + c2 n2; one face on either side of the plane: c1 c2 <= 0.
+void CutChooser::propose_point(const Edge& edge, VertexId target, bool by_factors) {
   const Vector a = ends_[edge.a], along = ends_[edge.b] - a, w = cross(edge.n1, edge.n2);
-  const std::size_t step =
-      std::max<std::size_t>(1, targets_.size() / std::max<std::size_t>(1, budget));
-  for (std::size_t i = 0; i < targets_.size(); i += step) {
-    const InputPointId v = s_.point[targets_[i].value()].input();
-    const Point3& at = s_.planes().point(v);
-    Vector m = cross(along, Vector{at.x, at.y, at.z} - a);
-    const double length = std::sqrt(dot(m, m));
-    if (!(length > 0)) continue;
-    for (double& x : m) x /= length;
-    const double c2 = -dot(cross(m, edge.n1), w), c1 = dot(cross(m, edge.n2), w);
-    if (std::abs(c1) < 1e-12 || std::abs(c2) < 1e-12) continue;  // a face's plane
-    keep(judged({m[0], m[1], m[2], -dot(m, a)}, {edge.half, {}, v, c1 * c2 > 0 ? 2 : 1}));
+  const SpacePoint point = s_.point[target.value()];
+  const Vector at = s_.points().box(point).mid;
+  Vector m = cross(along, at - a);
+  const double length = std::sqrt(dot(m, m));
+  if (!(length > 0)) return;
+  for (double& x : m) x /= length;
+  const double c2 = -dot(cross(m, edge.n1), w), c1 = dot(cross(m, edge.n2), w);
+  if (std::abs(c1) < 1e-12 || std::abs(c2) < 1e-12) return;  // a face's plane
+  CutCandidate candidate{edge.half, {}, {}, {}, c1 * c2 > 0 ? 2 : 1};
+  if (by_factors) {
+    const std::optional<std::array<int, 2>> factors = small_factors(edge, at);
+    if (!factors) return;
+    candidate.pencil = *factors;
+  } else {
+    candidate.through = point.input();
   }
+  keep(judged({m[0], m[1], m[2], -dot(m, a)}, candidate));
+}
+
+const CutChooser::Row& CutChooser::primitive(PlaneId p) {
+  if (p.value() >= primitive_.size()) primitive_.resize(s_.planes().size());
+  Row& row = primitive_[p.value()];
+  if (row == Row{}) {
+    const IntegerRow exact = s_.planes().primitive(p);
+    for (std::size_t i = 0; i < 4; ++i) row[i] = nearest_double(Rational(exact[i]));
+  }
+  return row;
+}
+
+/// The plane through the edge and a point at heights h1, h2 over the planes of its faces has the row h1 r2 - h2 r1.
+std::optional<std::array<int, 2>> CutChooser::small_factors(const Edge& edge, const Vector& at) {
+  const auto height = [&](HalfedgeId h) {
+    const Row& row = primitive(s_.plane_of(h).plane());
+    return row[0] * at[0] + row[1] * at[1] + row[2] * at[2] + row[3];
+  };
+  const double h1 = height(edge.half), h2 = height(s_.half(edge.half).twin);
+  const double larger = std::max(std::abs(h1), std::abs(h2));
+  for (int q = 1; q <= kMostFactor; ++q) {
+    // The larger of both as q.
+    const double p1 = h1 / larger * q, p2 = h2 / larger * q;
+    if (!(std::abs(p1 - std::round(p1)) + std::abs(p2 - std::round(p2)) < kNearFactor)) continue;
+    return std::array<int, 2>{-static_cast<int>(std::round(p2)), static_cast<int>(std::round(p1))};
+  }
+  return std::nullopt;
 }
 
 std::span<const CutCandidate> CutChooser::candidates(std::span<const FaceId> faces,
@@ -163,8 +212,25 @@ std::span<const CutCandidate> CutChooser::candidates(std::span<const FaceId> fac
 
 PlaneId CutChooser::intern(const CutCandidate& candidate) {
   if (candidate.plane.is_valid()) return candidate.plane;
+  if (!candidate.through.is_valid()) return intern_pencil(candidate);
   const auto& [a, b] = s_.half(candidate.seed).line;
   const OrientedPlane plane = s_.tables->planes.intern(a, b, candidate.through);
+  return plane.is_valid() ? plane.plane() : PlaneId();
+}
+
+/// A pencil has factors of the rows that the table knows, multiples of the primitive ones.
+PlaneId CutChooser::intern_pencil(const CutCandidate& candidate) {
+  PlaneTable& planes = s_.tables->planes;
+  const PlaneId first = s_.plane_of(candidate.seed).plane();
+  const PlaneId second = s_.plane_of(s_.half(candidate.seed).twin).plane();
+  const auto multiple = [&planes](PlaneId p) -> Integer {
+    const IntegerRow row = planes.coefficients(p), primitive = planes.primitive(p);
+    const std::size_t i = primitive[0] != 0 ? 0 : primitive[1] != 0 ? 1 : 2;
+    return row[i] / primitive[i];
+  };
+  const OrientedPlane plane =
+      planes.intern(Pencil{first, second, -candidate.pencil[1] * multiple(first),
+                           candidate.pencil[0] * multiple(second)});
   return plane.is_valid() ? plane.plane() : PlaneId();
 }
 

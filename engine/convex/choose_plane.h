@@ -3,7 +3,8 @@
 // Main flow of CutChooser::candidates():
 //  1. gather    the reflex edges of the piece, their ends in doubles
 //  2. propose   for an edge: the planes of its faces; the planes through it and the end of another reflex edge
-//               (or any vertex, in small pieces) that lie in its reflex wedge, so that one cut resolves it
+//               (or any vertex, in small pieces), where edge and vertex are of the input; where one is not, only those whose
+//               equation is that of the faces' planes with small integer factors, so that numbers stay short
 //  3. judge     how many reflex edges lie in the plane (resolved), how many it crosses (doubled), against what the
 //               planes of its own faces would do for each edge in it. Of equals the one that leaves most on
 //               either side: a cut costs the size of the piece
@@ -13,6 +14,8 @@
 // so that a cut costs O(size of the piece) but for small pieces.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,14 +24,15 @@
 namespace plumb {
 
 struct CutCandidate {
-  HalfedgeId seed;       ///< a reflex edge in the plane
-  PlaneId plane;         ///< of a face of the seed; else not valid:
-  InputPointId through;  ///< the plane holds this point
-  int sheets = 1;        ///< of the plane at the seed, inside the solid: 1 or 2
-  int crossed = 0;       ///< reflex edges
-  int resolved = 0;      ///< reflex edges in the plane
-  int lesser = 0;        ///< reflex edges on that side of the plane where fewer are
-  int score = 0;         ///< cuts made and caused, less those spared: the least is best
+  HalfedgeId seed;              ///< a reflex edge in the plane
+  PlaneId plane;                ///< of a face of the seed; else not valid:
+  InputPointId through;         ///< the plane holds this point; else not valid:
+  std::array<int, 2> pencil{};  ///< factors of the primitive rows of the seed's and its twin's face
+  int sheets = 1;               ///< of the plane at the seed, inside the solid: 1 or 2
+  int crossed = 0;              ///< reflex edges
+  int resolved = 0;             ///< reflex edges in the plane
+  int lesser = 0;               ///< reflex edges on that side of the plane where fewer are
+  int score = 0;                ///< cuts made and caused, less those spared: the least is best
 };
 
 class CutChooser {
@@ -55,6 +59,11 @@ class CutChooser {
   std::uint32_t end_of(VertexId v);
   CutCandidate judged_face(const Edge& edge, bool is_first);
   void propose_points(const Edge& edge, std::size_t budget);
+  void propose_point(const Edge& edge, VertexId target, bool by_factors);
+  std::optional<std::array<int, 2>> small_factors(const Edge& edge,
+                                                  const std::array<double, 3>& at);
+  const Row& primitive(PlaneId p);
+  PlaneId intern_pencil(const CutCandidate& candidate);
   CutCandidate judged(const Row& row, CutCandidate candidate);
   void keep(const CutCandidate& candidate);
 
@@ -65,7 +74,9 @@ class CutChooser {
   std::vector<signed char> signs_;
   std::vector<std::uint32_t> end_stamp_, end_index_;  // per vertex
   std::uint32_t stamp_ = 0;
-  std::vector<VertexId> targets_;  // what planes may go through, besides
+  std::vector<VertexId> targets_;  // what planes may go through, besides: those of the input first
+  std::size_t input_targets_ = 0;
+  std::vector<Row> primitive_;  // per plane, once asked for; rounded
   std::vector<CutCandidate> best_;
   double tolerance_ = 0;
 };

@@ -5,7 +5,9 @@
 
 #include "plumb/base/error.h"
 #include "plumb/convex/convexity.h"
+#include "plumb/convex/cuts.h"
 #include "plumb/convex/merge_sets.h"
+#include "plumb/convex/set_parts.h"
 #include "plumb/convex/vertical.h"
 #include "plumb/convex/wall_complex.h"
 #include "plumb/convex/wall_direction.h"
@@ -97,22 +99,39 @@ std::vector<Nef3> fewer_pieces_by_walls(const Nef3& volume, std::size_t most, Co
   return pieces;
 }
 
+namespace {
+
+std::vector<Nef3> pieces_by_walls(const Nef3& volumes, const DecomposeOptions& options,
+                                  Context& context) {
+  std::vector<Nef3> pieces = volumes_as_sets(wall_subdivision(volumes, {}, context), context);
+  if (options.closed) {
+    for (Nef3& piece : pieces) piece = piece.closure();
+  }
+  return pieces;
+}
+
+}  // namespace
+
 ConvexPieces decompose_by_walls(const Nef3& set, const DecomposeOptions& options,
                                 Context& context) {
   DecomposeOptions cuts = options;
   cuts.method = DecomposeMethod::Cuts;
-  if (!set.is_bounded()) return decompose(set, cuts, context);
   ConvexPieces result;
-  result.method = DecomposeMethod::Walls;
   result.reflex_edges = reflex_edges(set.complex()).size();
-  result.pieces = volumes_as_sets(wall_subdivision(set, {}, context), context);
-  if (options.closed) {
-    for (Nef3& piece : result.pieces) piece = piece.closure();
+  const auto add = [&result](std::vector<Nef3> pieces) {
+    std::move(pieces.begin(), pieces.end(), std::back_inserter(result.pieces));
+  };
+  if (set.is_bounded()) {
+    result.method = DecomposeMethod::Walls;
+    add(pieces_by_walls(set, options, context));
+    const Nef3 rest = without_volumes(set, context);
+    if (!rest.is_empty()) add(decompose(rest, cuts, context).pieces);
+    return result;
   }
-  const Nef3 rest = without_volumes(set, context);
-  if (!rest.is_empty()) {
-    ConvexPieces thin = decompose(rest, cuts, context);
-    std::move(thin.pieces.begin(), thin.pieces.end(), std::back_inserter(result.pieces));
+  for (const SetPart& part : parts_of(set, context)) {
+    const bool has_walls = part.dimension == 3 && part.set.is_bounded();
+    if (has_walls) result.method = DecomposeMethod::Walls;
+    add(has_walls ? pieces_by_walls(part.set, options, context) : cut_set(part, cuts, context));
   }
   return result;
 }

@@ -17,7 +17,8 @@
 // chosen has 64 bits at most and makes them as much longer. Only a cell that lies above itself needs a second round, with
 // pencils of walls, and a point taken out of a volume a wall through that point, whatever made it.
 //
-// Unbounded sets are cut by the first method, planes.
+// Of an unbounded set only bounded volumes are cut so: a wall that nothing ends would have the symbolic cube for a
+// side. What reaches to infinity is cut by the first method, planes.
 //
 // Cost: O((n + c) log(n + c)) for c contacts of walls with each other and the set, and for each reflex edge the facets
 // near its shadow. Source: Hachenberger, Algorithmica 55 (2009) 329-345; the note convex-decomposition.

@@ -18,6 +18,9 @@ constexpr double kFreeLineWidth = 3.2;
 constexpr double kDotRadius = 5;
 constexpr double kInkedPart = 0.12;  // of the picture: more lines get thinner
 constexpr double kVeil = 0.35;
+constexpr double kHatch = 9;  // pixels from line to line
+constexpr double kHatchWidth = 3;
+constexpr double kHatchShade = .8;
 constexpr std::size_t kManyDots = 300;
 constexpr double kLeastText = 11;  // pixels
 
@@ -127,11 +130,18 @@ class Renderer {
   void fill(const Scene::Triangle& t) {
     const Scene::Patch& patch = scene_.patches[t.patch];
     if (patch.paint == Paint::Cut) return;
-    const Colour colour = colours_[t.patch];
+    const Colour plain = colours_[t.patch], dark = scaled(plain, kHatchShade);
     for_samples(t, [&](std::size_t sample, const Spot& spot) {
+      const Colour colour = patch.is_hatched && is_on_hatch(spot) ? dark : plain;
       canvas_.put(sample, spot.z, t.patch,
                   scene_.fades ? mixed(kPaper, colour, strength(spot)) : colour);
     });
+  }
+
+  /// Slanted lines of the picture, whatever they lie on.
+  static bool is_on_hatch(const Spot& spot) {
+    const double at = (spot.x + spot.y) / (kSamples * kHatch);
+    return (at - std::floor(at)) * kHatch < kHatchWidth;
   }
 
   /// Where the window cuts a volume one looks through the cut into it.

@@ -77,6 +77,7 @@ struct Scene {
     Point3 normal;  ///< of length 1
     Paint paint;
     std::uint32_t group = 0;
+    bool is_hatched = false;  ///< in images: a wall, made by a cut (convex/decompose.h)
   };
   struct Triangle {
     std::array<std::uint32_t, 3> corners;  ///< counter-clockwise seen against the normal

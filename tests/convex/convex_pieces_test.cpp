@@ -159,6 +159,32 @@ TEST(Decompose, CutsRandomLatticeSolids) {
   }
 }
 
+/// A block with grooves along y above and below, of which Booleans made every vertex: no plane through a groove's
+/// edge and a vertex of the input resolves two of them, sums of the faces' equations do.
+Nef3 block_with_grooves(double shift) {
+  const auto groove = [](double x, double side) {
+    std::vector<Point3> p;
+    for (const double y : {-5., 5.}) {
+      p.insert(p.end(), {{x - 1, y, 9 * side}, {x + 1, y, 9 * side}, {x, y, side}});
+    }
+    Context context;
+    return Nef3::mesh(
+        make_mesh(p, {{0, 1, 2}, {5, 4, 3}, {0, 3, 4, 1}, {1, 4, 5, 2}, {2, 5, 3, 0}}),
+        WindingRule::NonZero, context);
+  };
+  Nef3 set = solid(box_mesh({-4, -3, -3}, {4, 3, 3}));
+  for (const double x : {-2., 0., 2.}) set = set - groove(x, 1) - groove(x + shift, -1);
+  return set;
+}
+
+TEST(Decompose, CutsAlongTwoEdgesThatBooleansMade) {
+  for (const double shift : {0., .125, .25}) {
+    const Nef3 set = block_with_grooves(shift);
+    EXPECT_EQ(piece_count(set, kCuts), 4U) << shift;
+    expect_pieces(set, "grooves");
+  }
+}
+
 TEST(Decompose, CutsTerrainsWithinTheBound) {
   for (std::uint64_t seed = 0; seed < 8 && !HasFailure(); ++seed) {
     Dice dice(seed);

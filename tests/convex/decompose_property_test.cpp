@@ -38,6 +38,13 @@ void require_pieces(const Nef3& set) {
   RC_ASSERT(flaw(set, method, closed) == "");
 }
 
+/// Of solids without holes and voids.
+void require_few_cuts(const Nef3& set) {
+  Context context;
+  const ConvexPieces pieces = decompose(set, {DecomposeMethod::Cuts, false}, context);
+  RC_ASSERT(pieces.pieces.size() <= bound_of_cuts(1, pieces.reflex_edges));
+}
+
 template <class Law>
 void expect_law(const Law& law) {
   EXPECT_TRUE(rc::check(law));
@@ -107,6 +114,7 @@ TEST(Pieces, OfCombsAndStars) {
     const int top = between(0, 3);
     const int bottom = between(0, 3);
     require_pieces(turned(solid(comb_block(top, bottom))));
+    require_few_cuts(turned(solid(comb_block(top + between(0, 5), bottom + between(0, 5)))));
     require_pieces(turned(solid(star_prism(between(3, 9)))));
   });
 }
@@ -143,7 +151,9 @@ TEST(Pieces, OfTerrains) {
     Dice dice(*rc::gen::arbitrary<std::uint64_t>());
     const int width = between(1, 3);
     const int depth = between(1, 3);
-    require_pieces(turned(solid(voxel_mesh(random_terrain(dice, width, depth, 3)))));
+    const Nef3 terrain = turned(solid(voxel_mesh(random_terrain(dice, width, depth, 3))));
+    require_pieces(terrain);
+    require_few_cuts(terrain);
   });
 }
 

@@ -232,6 +232,18 @@ TEST(Walls, HaveShortNumbers) {
   RecordProperty("longest", static_cast<int>(longest));
 }
 
+TEST(Walls, CutTheBoundedVolumesOfUnboundedSets) {
+  const Nef3 outside = !box({-5, -5, -5}, {15, 15, 15});
+  const Nef3 inside = crossed_grooves(2);
+  const Nef3 set = outside + inside + Nef3::segment({12, 12, 12}, {13, 12, 12});
+  EXPECT_EQ(fault(set), "");
+  Context context;
+  const std::size_t around =
+      decompose(outside, {DecomposeMethod::Cuts, false}, context).pieces.size();
+  EXPECT_EQ(piece_count(set), around + piece_count(inside) + 1);
+  EXPECT_EQ(fault(outside), "");
+}
+
 TEST(Walls, MakeConvexPiecesOfRandomSolids) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     Dice dice(seed);
