@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "plumb/base/error.h"
+#include "plumb/convex/decompose.h"
 #include "plumb/picture/base64.h"
 #include "plumb/picture/pieces_scene.h"
 #include "plumb/picture/render.h"
@@ -255,6 +256,27 @@ TEST(PiecesScene, moves_pieces_away_from_the_middle_and_keeps_their_volume) {
   EXPECT_EQ(colours.size(), 3U);
   EXPECT_THROW(exploded_scene(std::vector{Nef3::space()}, 0, context), Error);
   EXPECT_THROW(exploded_scene(pieces, -1, context), Error);
+}
+
+TEST(PiecesScene, hatches_what_cuts_made) {
+  Context context;
+  const Nef3 step =
+      cube(0, 2) + Nef3::intersection(std::vector{HalfSpace3{{1, 0, 0, -4}, Boundary::Closed},
+                                                  HalfSpace3{{-1, 0, 0, 0}, Boundary::Closed},
+                                                  HalfSpace3{{0, 1, 0, -2}, Boundary::Closed},
+                                                  HalfSpace3{{0, -1, 0, 0}, Boundary::Closed},
+                                                  HalfSpace3{{0, 0, 1, -1}, Boundary::Closed},
+                                                  HalfSpace3{{0, 0, -1, 0}, Boundary::Closed}},
+                                      context);
+  const std::vector<Nef3> pieces = decompose(step, {}, context).pieces;
+  ASSERT_EQ(pieces.size(), 2U);
+  Scene scene = exploded_scene(pieces, 1, context);
+  EXPECT_GE(std::ranges::count_if(scene.patches, &Scene::Patch::is_hatched), 1);
+  const Image hatched = rendered(scene);
+  for (Scene::Patch& p : scene.patches) p.is_hatched = false;
+  EXPECT_NE(hatched.rgb, rendered(scene).rgb);
+  const Scene whole = exploded_scene(std::vector{step}, 0, context);
+  EXPECT_TRUE(std::ranges::none_of(whole.patches, &Scene::Patch::is_hatched));
 }
 
 TEST(PiecesScene, refuses_to_move_pieces_beyond_doubles) {
