@@ -337,6 +337,7 @@ bool SpaceLocator::Tree::locate_between(const QueryPoint3& p, const VolumeGrid::
   Box3 way = box_of(p.box());
   way.low[kAxisX] = left.x;
   boxes_tree.for_each_meeting(way, [&](std::uint32_t i) {
+    if (items[i].kind() == SpaceItem::Kind::Facet && ray.passes_by(items[i].facet())) return true;
     found = on(items[i], p);
     if (found.is_valid()) return false;
     hits.clear();

@@ -1,5 +1,6 @@
 #include "plumb/space/space_ray.h"
 
+#include <cmath>
 #include <utility>
 
 #include "plumb/base/error.h"
@@ -268,7 +269,33 @@ bool SpaceRay::meet_cycle(UseId first, bool& is_inside, std::vector<SpaceRayHit>
   return hits.size() > before;
 }
 
+// Seen against the axis, corners turn as the normal says, and the origin lies beyond one of the sides.
+bool SpaceRay::passes_by(FacetId f) const {
+  const PlaneRow& row = complex_.planes().row(complex_.facet_plane[f.value()]);
+  const bool is_seen = std::fabs(row.n[k_]) > static_cast<double>(row.normal_error);
+  if (!is_seen || !is_axis_parallel_ || !origin_.is_double()) return false;
+  if (complex_.cycles_of(f).size() != 1) return false;
+  const std::size_t i = side_axis(0), j = side_axis(1);
+  const UseId first = complex_.cycles_of(f)[0];
+  std::array<Point2, 3> corner;
+  UseId u = first;
+  for (Point2& at : corner) {
+    const SpacePoint p = point_of(complex_.use_origin(u));
+    if (!p.is_input()) return false;
+    const PointBox box = complex_.points().box(p);
+    at = {box.mid[i], box.mid[j]};
+    u = complex_.use_next[u.value()];
+  }
+  if (u != first) return false;
+  const Point2 o{origin_.box().mid[i], origin_.box().mid[j]};
+  const Sign outside = row.n[k_] > 0 ? Sign::Negative : Sign::Positive;
+  return orient2d(corner[0], corner[1], o) == outside ||
+         orient2d(corner[1], corner[2], o) == outside ||
+         orient2d(corner[2], corner[0], o) == outside;
+}
+
 void SpaceRay::meet(FacetId f, std::vector<SpaceRayHit>& hits) const {
+  if (passes_by(f)) return;
   bool is_inside = false, meets_boundary = false;
   for (const UseId first : complex_.cycles_of(f)) {
     if (meet_cycle(first, is_inside, hits)) meets_boundary = true;

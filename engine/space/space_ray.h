@@ -58,6 +58,8 @@ class SpaceRay {
   void meet(FacetId f, std::vector<SpaceRayHit>& hits) const;
   void meet(EdgeId e, std::vector<SpaceRayHit>& hits) const;
   void meet(VertexId v, std::vector<SpaceRayHit>& hits) const;
+  /// Does the line surely meet nothing of the facet? Tells of triangles between doubles, along an axis, in a few filters.
+  bool passes_by(FacetId f) const;
 
   /// Positive: in front of the origin.
   Sign side(const SpaceRayHit& hit) const;
