@@ -1,11 +1,13 @@
 #include "plumb/picture/pieces_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "plumb/base/error.h"
+#include "plumb/convex/decompose.h"
 #include "plumb/picture/distinct_colour.h"
 #include "plumb/picture/scene_frame.h"
 #include "plumb/picture/space_scene.h"
@@ -42,6 +44,16 @@ SceneFrame frame_of(std::span<const Point3> points) {
   for (const Point3& p : points) frame.include(p);
   frame.close(0);
   return frame;
+}
+
+/// Facets that cuts made, one patch each. Facets of sets that were made without ids have none either: a set of such alone is
+/// no piece.
+void hatch_walls(const SpaceComplex& complex, Scene& scene) {
+  const auto has_id = [](std::uint32_t origin) { return origin != kWallOrigin; };
+  if (std::ranges::none_of(complex.facet_origin, has_id)) return;
+  for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
+    scene.patches[f].is_hatched = is_wall(complex, FacetId(f));
+  }
 }
 
 /// Appends a scene whose points are `points` now.
@@ -83,7 +95,8 @@ Scene exploded_scene(std::span<const Nef3> sets, double apart, Context& context)
     if (!set.is_bounded()) {
       throw Error(ErrorCode::BadArgument, "an unbounded set has no middle to be moved");
     }
-    const Scene part = scene_of(set, context);
+    Scene part = scene_of(set, context);
+    hatch_walls(set.complex(), part);
     const std::vector<Point3> points = unscaled_points(part);
     for (const Point3& p : points) together.include(p);
     append(part, points, all);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plumb/convex/decompose.h"
 #include "plumb/picture/scene_frame.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rounding.h"
@@ -179,7 +178,6 @@ class SceneMaker {
     const double sign = is_reversed ? -1 : 1;
     const auto patch = static_cast<std::uint32_t>(scene_.patches.size());
     scene_.patches.push_back({{sign * n.x, sign * n.y, sign * n.z}, paint});
-    scene_.patches.back().is_hatched = is_wall(complex_, f);
     triangles_.for_each(f, [&](VertexId a, VertexId b, VertexId c) {
       if (is_reversed) std::swap(b, c);
       scene_.triangles.push_back({{a.value(), b.value(), c.value()}, patch});

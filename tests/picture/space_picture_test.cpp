@@ -260,23 +260,23 @@ TEST(PiecesScene, moves_pieces_away_from_the_middle_and_keeps_their_volume) {
 
 TEST(PiecesScene, hatches_what_cuts_made) {
   Context context;
-  const Nef3 step =
-      cube(0, 2) + Nef3::intersection(std::vector{HalfSpace3{{1, 0, 0, -4}, Boundary::Closed},
-                                                  HalfSpace3{{-1, 0, 0, 0}, Boundary::Closed},
-                                                  HalfSpace3{{0, 1, 0, -2}, Boundary::Closed},
-                                                  HalfSpace3{{0, -1, 0, 0}, Boundary::Closed},
-                                                  HalfSpace3{{0, 0, 1, -1}, Boundary::Closed},
-                                                  HalfSpace3{{0, 0, -1, 0}, Boundary::Closed}},
-                                      context);
-  const std::vector<Nef3> pieces = decompose(step, {}, context).pieces;
-  ASSERT_EQ(pieces.size(), 2U);
-  Scene scene = exploded_scene(pieces, 1, context);
-  EXPECT_GE(std::ranges::count_if(scene.patches, &Scene::Patch::is_hatched), 1);
-  const Image hatched = rendered(scene);
-  for (Scene::Patch& p : scene.patches) p.is_hatched = false;
-  EXPECT_NE(hatched.rgb, rendered(scene).rgb);
-  const Scene whole = exploded_scene(std::vector{step}, 0, context);
-  EXPECT_TRUE(std::ranges::none_of(whole.patches, &Scene::Patch::is_hatched));
+  std::size_t seen = 0;  // of six sides three
+  for (std::size_t wall = 0; wall < 6; ++wall) {
+    std::vector<std::uint32_t> origins(6, 7);
+    origins[wall] = kWallOrigin;
+    Scene scene = exploded_scene(std::vector{cube(0, 1).with_origins(origins)}, 0, context);
+    EXPECT_EQ(std::ranges::count_if(scene.patches, &Scene::Patch::is_hatched), 1);
+    const Image hatched = rendered(scene);
+    for (Scene::Patch& p : scene.patches) p.is_hatched = false;
+    seen += hatched.rgb != rendered(scene).rgb ? 1 : 0;
+  }
+  EXPECT_EQ(seen, 3U);
+  const std::vector<std::uint32_t> none(6, kWallOrigin);
+  const Nef3 whole = cube(0, 1).with_origins(none);
+  const Scene scene = exploded_scene(std::vector{whole}, 0, context);
+  EXPECT_TRUE(std::ranges::none_of(scene.patches, &Scene::Patch::is_hatched)) << "no piece";
+  const Scene alone = scene_of(whole, context);
+  EXPECT_TRUE(std::ranges::none_of(alone.patches, &Scene::Patch::is_hatched));
 }
 
 TEST(PiecesScene, refuses_to_move_pieces_beyond_doubles) {
