@@ -149,16 +149,17 @@ chromium = find_browser()
 if chromium is None:
     print("skipped: there is no Chromium")
     sys.exit(77)
-with tempfile.TemporaryDirectory() as scratch, Browser(chromium, seconds=240) as browser:
+with tempfile.TemporaryDirectory() as scratch:
     demo = pathlib.Path(scratch) / "demo"
     subprocess.run([program, "demo", "-q", "-o", str(demo)], check=True, stdout=subprocess.DEVNULL)
     plane = pathlib.Path(scratch) / "star.html"
     subprocess.run([program, "view", "corpus/plane/star.wkt", "-o", str(plane)], check=True)
-    for size in (DESKTOP, PHONE):
-        check_index(browser, demo / "index.html", size)
-        for page in (demo / "torus-labels.html", demo / "comb-pieces.html"):
-            check_view(browser, page, size)
-        check_plane(browser, plane, size)
-    problems += browser.complaints
+    with Browser(chromium, seconds=240) as browser:
+        for size in (DESKTOP, PHONE):
+            check_index(browser, demo / "index.html", size)
+            for page in (demo / "torus-labels.html", demo / "comb-pieces.html"):
+                check_view(browser, page, size)
+            check_plane(browser, plane, size)
+        problems += browser.complaints
 print(*problems or ["no complaints"], sep="\n")
 sys.exit(1 if problems else 0)
