@@ -9,7 +9,7 @@ namespace plumb {
 
 /// What self_test() found. `ok` is false exactly when `failures` is not empty.
 struct SelfTestReport {
-  bool ok = true;
+  bool ok = true;                     ///< do the predicates keep their promises here?
   std::vector<std::string> failures;  ///< the predicates cannot be relied on
   std::vector<std::string> notes;     ///< unusual, but the predicates stay right
 };

@@ -50,9 +50,10 @@ RationalPoint3 exact(const Point3Table& points, SpacePoint x);
 
 /// The exact coordinates of any point: finite + infinite R.
 struct FramedPoint3 {
-  RationalPoint3 finite;
-  RationalPoint3 infinite;
+  RationalPoint3 finite;    ///< P0 of P0 + u R
+  RationalPoint3 infinite;  ///< u of P0 + u R
 };
+/// The point, with or without a part that grows with R.
 FramedPoint3 exact_parts(const Point3Table& points, SpacePoint x);
 
 /// The rungs; W: exact3::Narrow, Medium, Wide. A fixed rung is Unsure when its operands do not fit.

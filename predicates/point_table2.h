@@ -19,9 +19,9 @@ namespace plumb {
 /// Read-only view of an exact point as integers X : Y : W, W > 0; the point is (X / W, Y / W).
 /// Valid until the table grows.
 struct HomogeneousView2 {
-  mpz_t x;
-  mpz_t y;
-  mpz_t w;
+  mpz_t x;  ///< X
+  mpz_t y;  ///< Y
+  mpz_t w;  ///< W
 };
 
 /// Append-only table of exact points. approx(i) is the nearest double point (round to nearest
@@ -29,7 +29,7 @@ struct HomogeneousView2 {
 /// per point. At most 2^32 - 2 points.
 class PointTable2 {
  public:
-  void reserve(std::size_t points);
+  void reserve(std::size_t points);  ///< Room for so many points.
   /// Requires finite coordinates. Negative zero is stored as zero.
   void push_back(Point2 p);
   /// Stored as doubles when both coordinates are exactly doubles. Coordinates that round to
@@ -40,11 +40,12 @@ class PointTable2 {
   /// The points whose `keep` entry is not 0, in order. Requires one entry per point. O(n).
   PointTable2 subset(std::span<const std::uint8_t> keep) const;
 
-  std::size_t size() const { return points_.size(); }
-  bool all_double() const { return slot_.empty(); }
+  std::size_t size() const { return points_.size(); }  ///< Rows.
+  bool all_double() const { return slot_.empty(); }    ///< Is every coordinate a double?
+  /// Are both coordinates of the point doubles?
   bool is_double(std::uint32_t i) const { return all_double() || slot_[i] == kNoSlot; }
-  Point2 approx(std::uint32_t i) const { return points_[i]; }
-  RationalPoint2 exact(std::uint32_t i) const;
+  Point2 approx(std::uint32_t i) const { return points_[i]; }  ///< The nearest doubles.
+  RationalPoint2 exact(std::uint32_t i) const;                 ///< The coordinates as fractions.
   /// Requires !is_double(i).
   HomogeneousView2 homogeneous(std::uint32_t i) const;
 
@@ -83,9 +84,10 @@ Sign cross_sign(const PointTable2& points, std::uint32_t a, std::uint32_t b, std
 /// The point where the lines ab and cd meet, kept implicit: four point indices and a cached box.
 /// Requires the lines not to be parallel.
 struct Crossing2 {
-  std::uint32_t a, b, c, d;
-  double x, y;    ///< approximation
-  double radius;  ///< |exact - approximation| <= radius in both coordinates; may be +inf
+  /// Index of a point.
+  std::uint32_t a, b, c, d;  ///< index of a point
+  double x, y;               ///< approximation
+  double radius;             ///< |exact - approximation| <= radius in both coordinates; may be +inf
 };
 
 /// Never exact arithmetic: about 20 ns.

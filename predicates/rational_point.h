@@ -7,16 +7,16 @@ namespace plumb {
 
 /// An exact point of the plane.
 struct RationalPoint2 {
-  Rational x;
-  Rational y;
+  Rational x;  ///< exact
+  Rational y;  ///< exact
   friend bool operator==(const RationalPoint2&, const RationalPoint2&) = default;
 };
 
 /// An exact point of space.
 struct RationalPoint3 {
-  Rational x;
-  Rational y;
-  Rational z;
+  Rational x;  ///< exact
+  Rational y;  ///< exact
+  Rational z;  ///< exact
   friend bool operator==(const RationalPoint3&, const RationalPoint3&) = default;
 };
 

@@ -9,13 +9,18 @@
 
 namespace plumb {
 
+/// Positive for a left turn.
 Sign orient2d(const RationalPoint2& a, const RationalPoint2& b, const RationalPoint2& c);
+/// The sign of (b - a) x (d - c).
 Sign cross_sign(const RationalPoint2& a, const RationalPoint2& b, const RationalPoint2& c,
                 const RationalPoint2& d);
+/// Positive when d is below the plane in which a, b, c look counter-clockwise from above.
 Sign orient3d(const RationalPoint3& a, const RationalPoint3& b, const RationalPoint3& c,
               const RationalPoint3& d);
+/// Positive inside, for a, b, c counter-clockwise.
 Sign incircle(const RationalPoint2& a, const RationalPoint2& b, const RationalPoint2& c,
               const RationalPoint2& d);
+/// Positive inside, for a, b, c, d positively oriented.
 Sign insphere(const RationalPoint3& a, const RationalPoint3& b, const RationalPoint3& c,
               const RationalPoint3& d, const RationalPoint3& e);
 

@@ -15,12 +15,14 @@
 
 namespace plumb {
 
+/// Which of the doubles next to a number.
 enum class Rounding {
   Nearest,  ///< ties to even; from 2^1024 - 2^970 on it is an infinity
   Down,     ///< greatest double <= the value; -infinity below -DBL_MAX
   Up,       ///< least double >= the value; +infinity above DBL_MAX
 };
 
+/// A double and how it lies to what was rounded.
 struct RoundedDouble {
   double value;  ///< never -0.0
   Sign error;    ///< sign of value - exact: Zero when nothing was lost

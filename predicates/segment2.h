@@ -17,12 +17,12 @@ namespace plumb {
 /// `Point` is Point2 or RationalPoint2. Requires source != target.
 template <class Point>
 struct BasicSegment2 {
-  Point source;
-  Point target;
+  Point source;  ///< where it begins
+  Point target;  ///< where it ends
   friend bool operator==(const BasicSegment2&, const BasicSegment2&) = default;
 };
-using Segment2 = BasicSegment2<Point2>;
-using RationalSegment2 = BasicSegment2<RationalPoint2>;
+using Segment2 = BasicSegment2<Point2>;                  ///< of doubles
+using RationalSegment2 = BasicSegment2<RationalPoint2>;  ///< of fractions
 
 /// Lexicographic order (x, then y); a total order.
 Sign compare_xy(const Point2& p, const Point2& q);
@@ -34,6 +34,7 @@ Sign compare_xy(const RationalPoint2& p, const RationalPoint2& q);
 template <class Point>
 Sign compare_along(const BasicSegment2<Point>& direction, const Point& p, const Point& q);
 
+/// Where a point lies.
 enum class PlaceOnSegment : std::uint8_t {
   Off,     ///< not on the segment (perhaps on its line)
   Source,  ///< at the source
@@ -45,6 +46,7 @@ enum class PlaceOnSegment : std::uint8_t {
 template <class Point>
 PlaceOnSegment place_on(const BasicSegment2<Point>& s, const Point& p);
 
+/// How two segments meet.
 enum class SegmentRelation : std::uint8_t {
   Disjoint,       ///< no common point
   Cross,          ///< one common point, inside both
@@ -83,6 +85,7 @@ constexpr bool meet_in_a_point(SegmentRelation r) {
   return r >= SegmentRelation::Cross && r <= SegmentRelation::ShareEndpoint;
 }
 
+/// How a segment lies to a line.
 enum class LineRelation : std::uint8_t {
   Left,              ///< strictly left of the line
   Right,             ///< strictly right

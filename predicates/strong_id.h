@@ -14,14 +14,16 @@ namespace plumb {
 template <class Tag>
 class StrongId {
  public:
-  using Value = std::uint32_t;
+  using Value = std::uint32_t;  ///< what an id is made of
+  /// Of an id that names nothing.
   static constexpr Value kInvalid = std::numeric_limits<Value>::max();
 
   constexpr StrongId() = default;
+  /// The id of that number.
   constexpr explicit StrongId(std::size_t value) : value_(static_cast<Value>(value)) {}
 
-  constexpr Value value() const { return value_; }
-  constexpr bool is_valid() const { return value_ != kInvalid; }
+  constexpr Value value() const { return value_; }  ///< The number; kInvalid if it names nothing.
+  constexpr bool is_valid() const { return value_ != kInvalid; }  ///< Does it name something?
   friend constexpr auto operator<=>(StrongId, StrongId) = default;
 
  private:

@@ -30,14 +30,16 @@ using ProgressCallback =
 /// of it (parallel.h).
 class Context {
  public:
+  /// The clock of max_seconds starts here. `progress` is called from the thread that runs the
+  /// operation.
   explicit Context(Limits limits = {}, std::stop_token stop = {}, ProgressCallback progress = {},
                    unsigned threads = 1);
   /// Of a job within an operation: it also stops with `stop`, shares limits, time and charged memory with
   /// `of`, and reports progress if `reports`.
   Context(const Context& of, std::stop_token stop, unsigned threads, bool reports);
 
-  const Limits& limits() const { return limits_; }
-  unsigned threads() const { return threads_; }
+  const Limits& limits() const { return limits_; }  ///< As given.
+  unsigned threads() const { return threads_; }     ///< How many threads an operation may use.
 
   /// Call often (every few thousand steps): reports progress at most 20 times a second; throws
   /// Error{Cancelled} once a stop was requested, Error{ResourceLimit} once the time is used up.
@@ -46,7 +48,7 @@ class Context {
   /// Throws Error{ResourceLimit} when `bytes` more would pass the memory limit. `what` is named
   /// in the message. Memory is charged before it is allocated and given back by release().
   void charge_memory(std::uint64_t bytes, std::string_view what);
-  void release_memory(std::uint64_t bytes);
+  void release_memory(std::uint64_t bytes);  ///< Gives back what was charged.
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -64,6 +66,7 @@ class Context {
 /// Memory of one piece of work, charged as it grows and released at its end.
 class MemoryCharge {
  public:
+  /// Nothing is charged yet. The context must outlive it.
   explicit MemoryCharge(Context& context) : context_(context) {}
   ~MemoryCharge() { context_.release_memory(bytes_); }
   MemoryCharge(const MemoryCharge&) = delete;

@@ -35,20 +35,21 @@ enum class ErrorCode {
 
 /// Where in a text input; 1-based, 0 = unknown.
 struct TextPlace {
-  std::string file;
-  std::size_t line = 0;
-  std::size_t column = 0;
+  std::string file;        ///< its path, or what the input is called
+  std::size_t line = 0;    ///< 1-based; 0 = unknown
+  std::size_t column = 0;  ///< 1-based, in bytes; 0 = unknown
 };
 
 /// Bad input, an exhausted limit, or cancellation. what() is ready to print:
 /// "FILE:LINE:COLUMN: message", "FILE: message" or "message".
 class Error : public std::runtime_error {
  public:
+  /// Puts what() together of the message and the place.
   Error(ErrorCode code, std::string message, TextPlace place = {});
 
-  ErrorCode code() const { return code_; }
-  const std::string& message() const { return message_; }
-  const TextPlace& place() const { return place_; }
+  ErrorCode code() const { return code_; }                 ///< The reason; programs decide by it.
+  const std::string& message() const { return message_; }  ///< For people; without the place.
+  const TextPlace& place() const { return place_; }  ///< Empty where the error is not about a text.
 
  private:
   ErrorCode code_;

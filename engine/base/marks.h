@@ -14,27 +14,29 @@ enum class Boundary : std::uint8_t { Open, Closed };
 
 /// A function of two marks: what a point of both, of the first only, ... becomes.
 struct MarkFunction {
-  bool neither = false;
-  bool first_only = false;
-  bool second_only = false;
-  bool both = false;
+  bool neither = false;      ///< of points in no set
+  bool first_only = false;   ///< of points in the first set alone
+  bool second_only = false;  ///< of points in the second set alone
+  bool both = false;         ///< of points in both sets
 
+  /// Its value for one point.
   constexpr bool operator()(bool first, bool second) const {
     return first ? (second ? both : first_only) : (second ? second_only : neither);
   }
 };
-inline constexpr MarkFunction kUnion{false, true, true, true};
-inline constexpr MarkFunction kIntersection{false, false, false, true};
-inline constexpr MarkFunction kDifference{false, true, false, false};
-inline constexpr MarkFunction kSymmetricDifference{false, true, true, false};
+inline constexpr MarkFunction kUnion{false, true, true, true};                 ///< What `+` does.
+inline constexpr MarkFunction kIntersection{false, false, false, true};        ///< What `*` does.
+inline constexpr MarkFunction kDifference{false, true, false, false};          ///< What `-` does.
+inline constexpr MarkFunction kSymmetricDifference{false, true, true, false};  ///< What `^` does.
 
 /// 0, 1 or kBeyond.
 using Mark = std::uint8_t;
-inline constexpr Mark kBeyond = 2;
+inline constexpr Mark kBeyond = 2;  ///< The mark of the frame: neither in a set nor outside of it.
 
 /// A MarkFunction on marks that may be kBeyond. Both are beyond or none is.
 class MarkTable {
  public:
+  /// That function; what is beyond stays beyond.
   constexpr explicit MarkTable(MarkFunction f)
       : table_{f.neither, f.second_only, kBeyond, f.first_only, f.both,
                kBeyond,   kBeyond,       kBeyond, kBeyond} {}
@@ -53,6 +55,7 @@ class MarkTable {
     return table;
   }
 
+  /// Its value for two marks.
   constexpr Mark operator()(Mark first, Mark second) const { return table_[first * 3U + second]; }
 
  private:

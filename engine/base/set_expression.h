@@ -13,6 +13,7 @@
 
 namespace plumb {
 
+/// What a step of an expression does.
 enum class SetOperator : std::uint8_t {
   Operand,
   Complement,
@@ -24,12 +25,13 @@ enum class SetOperator : std::uint8_t {
 
 /// In postfix order: operands are pushed, operators take one (Complement) or two and push their result.
 struct SetExpression {
+  /// An operand or an operator.
   struct Step {
-    SetOperator op;
+    SetOperator op;      ///< what is done
     std::uint32_t name;  ///< of an operand: index into names
     friend bool operator==(const Step&, const Step&) = default;
   };
-  std::vector<Step> steps;
+  std::vector<Step> steps;         ///< in postfix order
   std::vector<std::string> names;  ///< in the order of their first appearance
 };
 

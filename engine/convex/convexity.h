@@ -39,9 +39,9 @@ struct FailingFace {
 
 /// What speaks for and against. Numbers are 0-based, in the mesh or the complex asked about; lists ascend.
 struct ConvexityEvidence {
-  bool is_convex = false;
-  std::uint64_t reflex_edges = 0;
-  std::vector<FailingFace> faces;
+  bool is_convex = false;          ///< the answer
+  std::uint64_t reflex_edges = 0;  ///< how many there are
+  std::vector<FailingFace> faces;  ///< faces that are not all on one side of the rest
 };
 
 /// Edges between two faces are reflex where the solid behind them spans more than half a turn. Of a mesh

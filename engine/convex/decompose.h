@@ -30,20 +30,23 @@
 
 namespace plumb {
 
+/// How pieces come about.
 enum class DecomposeMethod : std::uint8_t {
   Cuts,   ///< planes through reflex edges, each along one part of its section
   Walls,  ///< vertical walls through reflex edges: O(r^2) pieces (walls.h)
   Best,   ///< the fewer of both, merged
 };
 
+/// What pieces are wanted.
 struct DecomposeOptions {
-  DecomposeMethod method = DecomposeMethod::Best;
+  DecomposeMethod method = DecomposeMethod::Best;  ///< how they come about
   bool closed = false;  ///< closures of the pieces: they share what lies on a cut
 };
 
 /// facet_origin of a facet that no facet of the set lies in.
 inline constexpr std::uint32_t kWallOrigin = ~std::uint32_t{0};
 
+/// What decompose() gives.
 struct ConvexPieces {
   std::vector<Nef3> pieces;        ///< in an order that depends on the set alone
   std::uint64_t reflex_edges = 0;  ///< of the set (convexity.h)
@@ -51,6 +54,7 @@ struct ConvexPieces {
       DecomposeMethod::Cuts;  ///< Walls: pieces of one volume at least are theirs
 };
 
+/// The convex pieces of any set, and how they came about; see above.
 ConvexPieces decompose(const Nef3& set, const DecomposeOptions& options, Context& context);
 
 /// Is the facet part of a cut?

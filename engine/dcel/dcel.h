@@ -52,8 +52,11 @@
 
 namespace plumb {
 
+/// The other direction of the same edge.
 constexpr HalfedgeId twin(HalfedgeId h) { return HalfedgeId(h.value() ^ 1U); }
+/// The edge that it is a direction of.
 constexpr EdgeId edge_of(HalfedgeId h) { return EdgeId(h.value() >> 1U); }
+/// The direction of an edge with the even id.
 constexpr HalfedgeId first_half(EdgeId e) { return HalfedgeId(e.value() << 1U); }
 
 /// A half-edge or, told by the top bit, an `Other`; or neither.
@@ -61,11 +64,13 @@ template <class Other>
 class HalfedgeOr {
  public:
   constexpr HalfedgeOr() = default;
-  constexpr HalfedgeOr(HalfedgeId h) : bits_(h.value()) {}
-  constexpr HalfedgeOr(Other other) : bits_(other.value() | kTopBit) {}
+  constexpr HalfedgeOr(HalfedgeId h) : bits_(h.value()) {}               ///< A half-edge.
+  constexpr HalfedgeOr(Other other) : bits_(other.value() | kTopBit) {}  ///< The other kind.
 
-  constexpr bool is_valid() const { return bits_ != HalfedgeId::kInvalid; }
+  constexpr bool is_valid() const { return bits_ != HalfedgeId::kInvalid; }  ///< Is it either?
+  /// Is it a half-edge? Requires is_valid().
   constexpr bool is_halfedge() const { return (bits_ & kTopBit) == 0; }
+  /// Is it valid and no half-edge?
   constexpr bool is_other() const { return is_valid() && !is_halfedge(); }
   /// The half-edge; invalid if this is none.
   constexpr HalfedgeId halfedge() const { return is_halfedge() ? HalfedgeId(bits_) : HalfedgeId(); }
@@ -86,18 +91,21 @@ using Corner = HalfedgeOr<VertexId>;
 template <class Id, class Step>
 class Ring {
  public:
+  /// Ends where it began.
   class Iterator {
    public:
-    using value_type = Id;
-    using difference_type = std::ptrdiff_t;
+    using value_type = Id;                   ///< of the standard's iterators
+    using difference_type = std::ptrdiff_t;  ///< of the standard's iterators
     Iterator() = default;
-    Iterator(Id first, Step step) : at_(first), first_(first), step_(step) {}
-    Id operator*() const { return at_; }
+    Iterator(Id first, Step step) : at_(first), first_(first), step_(step) {}  ///< At the first id.
+    Id operator*() const { return at_; }                                       ///< Where it is.
+    /// To the next id; after the last, to the end.
     Iterator& operator++() {
       at_ = step_(at_);
       if (at_ == first_) at_ = Id();
       return *this;
     }
+    /// The same; gives where it was.
     Iterator operator++(int) {
       Iterator old = *this;
       ++*this;
@@ -110,9 +118,10 @@ class Ring {
     Step step_;
   };
 
+  /// The chain first, step(first), ...; none for an invalid first.
   Ring(Id first, Step step) : first_(first), step_(step) {}
-  Iterator begin() const { return {first_, step_}; }
-  std::default_sentinel_t end() const { return {}; }
+  Iterator begin() const { return {first_, step_}; }  ///< At the first id.
+  std::default_sentinel_t end() const { return {}; }  ///< What every walk ends with.
 
  private:
   Id first_;
@@ -121,11 +130,12 @@ class Ring {
 
 /// Where each element went: new id by old id, invalid where there was a hole. Order is kept.
 struct DcelCompaction {
-  std::vector<VertexId> vertex;
-  std::vector<EdgeId> edge;
-  std::vector<LoopId> loop;
-  std::vector<FaceId> face;
+  std::vector<VertexId> vertex;  ///< per old vertex
+  std::vector<EdgeId> edge;      ///< per old edge
+  std::vector<LoopId> loop;      ///< per old loop
+  std::vector<FaceId> face;      ///< per old face
 
+  /// The new half-edge in the old one's direction; invalid if its edge is gone.
   HalfedgeId halfedge(HalfedgeId old) const {
     const EdgeId e = edge[edge_of(old).value()];
     return e.is_valid() ? HalfedgeId(first_half(e).value() | (old.value() & 1U)) : HalfedgeId();
@@ -146,12 +156,13 @@ void follow(const std::vector<Id>& new_ids, std::vector<T>& payload) {
 
 /// A broken invariant: which, and at which element.
 struct DcelFlaw {
-  std::string invariant;
-  std::string place;
+  std::string invariant;  ///< what does not hold
+  std::string place;      ///< such as "half-edge 7"
 };
 
 struct DcelFromCycles;
 
+/// Vertices, half-edges, loops and faces, without coordinates.
 class Dcel {
  public:
   /// The empty structure: not even a face.
@@ -159,8 +170,8 @@ class Dcel {
 
   /// An isolated vertex and the face in which it lies.
   struct IsolatedVertex {
-    VertexId vertex;
-    FaceId face;
+    VertexId vertex;  ///< a vertex without edges
+    FaceId face;      ///< where it lies
   };
 
   /// Builds the structure of listed cycles. Corner position p stands for the directed edge from
@@ -197,16 +208,21 @@ class Dcel {
 
   // --- reading -------------------------------------------------------------------------------
 
+  /// Where a half-edge begins.
   VertexId origin(HalfedgeId h) const { return halfedges_[h.value()].origin; }
-  VertexId target(HalfedgeId h) const { return origin(twin(h)); }
+  VertexId target(HalfedgeId h) const { return origin(twin(h)); }  ///< Where a half-edge ends.
+  /// The half-edge after it along the face to its left.
   HalfedgeId next(HalfedgeId h) const { return halfedges_[h.value()].next; }
+  /// The half-edge before it along the face to its left.
   HalfedgeId prev(HalfedgeId h) const { return halfedges_[h.value()].prev; }
+  /// The boundary cycle that a half-edge is part of.
   LoopId loop(HalfedgeId h) const { return halfedges_[h.value()].loop; }
-  FaceId face(LoopId l) const { return loops_[l.value()].face; }
-  FaceId face(HalfedgeId h) const { return face(loop(h)); }
+  FaceId face(LoopId l) const { return loops_[l.value()].face; }  ///< The face that a loop bounds.
+  FaceId face(HalfedgeId h) const { return face(loop(h)); }       ///< The face to the left.
 
   /// A half-edge leaving v; invalid if v is isolated.
   HalfedgeId halfedge(VertexId v) const { return vertices_[v.value()].halfedge(); }
+  /// Has it no half-edge?
   bool is_isolated(VertexId v) const { return vertices_[v.value()].is_other(); }
   /// The loop of an isolated vertex; invalid otherwise.
   LoopId isolated_loop(VertexId v) const { return vertices_[v.value()].other(); }
@@ -217,7 +233,9 @@ class Dcel {
     const LoopId l = faces_[f.value()];
     return l == kRemoved ? LoopId() : l;
   }
+  /// The vertex that a corner is at.
   VertexId vertex_at(Corner c) const { return c.is_halfedge() ? origin(c.halfedge()) : c.other(); }
+  /// The loop that a corner is part of.
   LoopId loop_at(Corner c) const {
     return c.is_halfedge() ? loop(c.halfedge()) : isolated_loop(c.other());
   }
@@ -233,31 +251,38 @@ class Dcel {
   auto around(VertexId v) const { return ring<&Dcel::turn_left>(halfedge(v)); }
   /// Loops of a face.
   auto loops_of(FaceId f) const { return ring<&Dcel::next_loop>(first_loop(f)); }
+  /// The loop after it in the ring of its face.
   LoopId next_loop(LoopId l) const { return loops_[l.value()].next; }
 
-  std::size_t vertex_count() const { return counts_.vertices; }
+  std::size_t vertex_count() const { return counts_.vertices; }  ///< Present vertices.
+  /// Present half-edges: twice the edges.
   std::size_t halfedge_count() const { return 2 * counts_.edges; }
-  std::size_t edge_count() const { return counts_.edges; }
-  std::size_t loop_count() const { return counts_.loops; }
-  std::size_t face_count() const { return counts_.faces; }
+  std::size_t edge_count() const { return counts_.edges; }  ///< Present edges.
+  std::size_t loop_count() const { return counts_.loops; }  ///< Present loops.
+  std::size_t face_count() const { return counts_.faces; }  ///< Present faces.
 
   /// Ids run from 0 to slots - 1, holes included; parallel arrays have this size.
   std::size_t vertex_slots() const { return vertices_.size(); }
-  std::size_t halfedge_slots() const { return halfedges_.size(); }
-  std::size_t edge_slots() const { return halfedges_.size() / 2; }
-  std::size_t loop_slots() const { return loops_.size(); }
-  std::size_t face_slots() const { return faces_.size(); }
+  std::size_t halfedge_slots() const { return halfedges_.size(); }  ///< The same for half-edges.
+  std::size_t edge_slots() const { return halfedges_.size() / 2; }  ///< The same for edges.
+  std::size_t loop_slots() const { return loops_.size(); }          ///< The same for loops.
+  std::size_t face_slots() const { return faces_.size(); }          ///< The same for faces.
 
+  /// Is it present: in range, and not removed?
   bool contains(VertexId v) const {
     return v.value() < vertices_.size() && vertices_[v.value()].is_valid();
   }
+  /// Is it present: in range, and not removed?
   bool contains(HalfedgeId h) const {
     return h.value() < halfedges_.size() && halfedges_[h.value()].origin.is_valid();
   }
+  /// Is it present: in range, and not removed?
   bool contains(EdgeId e) const { return e.is_valid() && contains(first_half(e)); }
+  /// Is it present: in range, and not removed?
   bool contains(LoopId l) const {
     return l.value() < loops_.size() && loops_[l.value()].first.is_valid();
   }
+  /// Is it present: in range, and not removed?
   bool contains(FaceId f) const {
     return f.value() < faces_.size() && faces_[f.value()] != kRemoved;
   }
@@ -267,7 +292,7 @@ class Dcel {
 
   // --- Euler operators (all require !has_pinches()) --------------------------------------------
 
-  FaceId add_face();
+  FaceId add_face();  ///< A new face without any loop.
   /// Requires: no loops.
   void remove_face(FaceId f);
 
@@ -389,7 +414,8 @@ class Dcel {
 
 /// What from_cycles returns: the structure, and the half-edge of each corner position.
 struct DcelFromCycles {
-  Dcel dcel;
+  Dcel dcel;  ///< the structure
+  /// Per corner position: the half-edge that stands for it.
   std::vector<HalfedgeId> halfedge_of_corner;
 };
 

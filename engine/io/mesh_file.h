@@ -8,8 +8,9 @@
 
 namespace plumb {
 
+/// What a reader of meshes gives.
 struct MeshFile {
-  PolygonMesh mesh;
+  PolygonMesh mesh;  ///< as it stands in the file
   /// What the file says besides, and what was left out: one sentence each, for people.
   std::vector<std::string> notes;
 };

@@ -21,6 +21,7 @@
 
 namespace plumb {
 
+/// Files of sets of the plane; .nef2 alone holds all of any set.
 enum class PlaneFormat : std::uint8_t { Wkt, GeoJson, Nef2 };
 
 /// By the extension: .wkt, .geojson or .json, .nef2; none for any other.
@@ -41,12 +42,12 @@ Nef2 read_plane_set_file(const std::string& path, std::optional<PlaneFormat> for
 
 /// How many vertices, edges and faces the minimal complex of a set has.
 struct PlaneCounts {
-  std::size_t vertices = 0;
-  std::size_t edges = 0;
-  std::size_t faces = 0;
+  std::size_t vertices = 0;  ///< those at infinity not counted
+  std::size_t edges = 0;     ///< those of the frame not counted
+  std::size_t faces = 0;     ///< the unbounded ones, too
   friend bool operator==(const PlaneCounts&, const PlaneCounts&) = default;
 };
-PlaneCounts counts_of(const Nef2& set);
+PlaneCounts counts_of(const Nef2& set);  ///< Of its minimal complex. O(n).
 
 /// What a written file does not say of the set.
 struct PlaneLosses {
@@ -56,6 +57,7 @@ struct PlaneLosses {
   /// that of what a reader will get. None when nothing changed.
   std::optional<std::array<PlaneCounts, 2>> reshaped;
 
+  /// Is there anything that the file does not say?
   bool any() const { return unbounded || open || reshaped.has_value(); }
   /// One sentence each, for people.
   std::vector<std::string> sentences() const;
@@ -69,8 +71,8 @@ class PlaneText {
   /// .nef2). When a coordinate has to be rounded, what a reader will get is built and compared.
   PlaneText(const Nef2& set, PlaneFormat format, Context& context);
 
-  const PlaneLosses& losses() const { return losses_; }
-  void write(std::ostream& out) const;
+  const PlaneLosses& losses() const { return losses_; }  ///< What the file will not say.
+  void write(std::ostream& out) const;  ///< Writes the file. Throws what `out` throws.
 
  private:
   Nef2 set_;

@@ -18,27 +18,34 @@ namespace plumb {
 /// A ring or line is a chain of indices of `points`; the last corner of a ring is followed by its
 /// first, which is not repeated.
 struct PlaneShapes {
-  PointTable2 points;
+  PointTable2 points;                              ///< all corners, exact
   std::vector<std::uint32_t> ring_corners;         ///< end to end
   std::vector<std::uint32_t> ring_begin = {0};     ///< into ring_corners; one more than rings
   std::vector<std::uint32_t> polygon_begin = {0};  ///< into rings; one more than polygons
-  std::vector<std::uint32_t> line_corners;
-  std::vector<std::uint32_t> line_begin = {0};
-  std::vector<std::uint32_t> single_points;
+  std::vector<std::uint32_t> line_corners;         ///< of polylines, end to end
+  std::vector<std::uint32_t> line_begin = {0};     ///< into line_corners; one more than lines
+  std::vector<std::uint32_t> single_points;        ///< indices of isolated points
 
+  /// Each of some rings: an outer one and holes.
   std::size_t polygon_count() const { return polygon_begin.size() - 1; }
-  std::size_t ring_count() const { return ring_begin.size() - 1; }
-  std::size_t line_count() const { return line_begin.size() - 1; }
+  std::size_t ring_count() const { return ring_begin.size() - 1; }  ///< Of all polygons.
+  std::size_t line_count() const { return line_begin.size() - 1; }  ///< Polylines.
+  /// Its corners.
   std::span<const std::uint32_t> ring(std::size_t r) const {
     return {ring_corners.data() + ring_begin[r], ring_corners.data() + ring_begin[r + 1]};
   }
+  /// Its points.
   std::span<const std::uint32_t> line(std::size_t l) const {
     return {line_corners.data() + line_begin[l], line_corners.data() + line_begin[l + 1]};
   }
+  /// Is there nothing at all?
   bool empty() const { return polygon_count() == 0 && line_count() == 0 && single_points.empty(); }
 
+  /// The corners since the last ring are one.
   void end_ring() { ring_begin.push_back(static_cast<std::uint32_t>(ring_corners.size())); }
+  /// The rings since the last polygon are one.
   void end_polygon() { polygon_begin.push_back(static_cast<std::uint32_t>(ring_count())); }
+  /// The points since the last line are one.
   void end_line() { line_begin.push_back(static_cast<std::uint32_t>(line_corners.size())); }
 };
 

@@ -5,6 +5,7 @@
 
 namespace plumb {
 
+/// How a text is read.
 struct ReadOptions {
   std::string name = "input";   ///< the file in messages
   bool exact_decimals = false;  ///< numbers with a point or exponent exactly as written

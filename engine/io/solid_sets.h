@@ -16,16 +16,18 @@
 
 namespace plumb {
 
+/// How a file becomes a set.
 struct SolidReadOptions {
   /// Which winding numbers are inside. None: Positive, and components of negative volume that no other
   /// contains are turned.
   std::optional<WindingRule> rule;
-  bool surface = false;  ///< an open mesh is the set of its facets
-  bool exact_decimals = false;
+  bool surface = false;         ///< an open mesh is the set of its facets
+  bool exact_decimals = false;  ///< numbers with a point or exponent exactly as written
 };
 
+/// What reading gives.
 struct SolidRead {
-  Nef3 set;
+  Nef3 set;                        ///< all of the file
   std::vector<std::string> notes;  ///< what was reported on the way; one sentence each
 };
 

@@ -24,10 +24,11 @@ void write_surface_ply(std::ostream& out, const SurfaceTriangulation& triangles,
 
 /// An edge of the graph of cells, from the right of its first polygon to the left: what labels grow by.
 struct CellStep {
-  CellId from;
-  CellId to;
+  CellId from;                        ///< to the right of the polygons
+  CellId to;                          ///< to the left of them
   std::vector<SignedEntry> polygons;  ///< ascending; the first is positive
 };
+/// The edge of the graph, turned so that its first polygon counts positive.
 CellStep upward_step(const SurfaceDivision& division, const CellEdge& edge);
 
 /// Graphviz: a node a cell with its label and area, an edge for each pair of cells and polygons between them

@@ -12,28 +12,32 @@ namespace plumb {
 
 /// Rows from the top, three bytes a pixel.
 struct Image {
-  std::uint32_t width = 0;
-  std::uint32_t height = 0;
-  std::vector<std::uint8_t> rgb;
+  std::uint32_t width = 0;        ///< in pixels
+  std::uint32_t height = 0;       ///< in pixels
+  std::vector<std::uint8_t> rgb;  ///< 3 width height bytes
 };
 
 /// A place in samples: x to the right, y downwards, z towards the viewer. A sample lies at (i + 1/2, j + 1/2).
 struct Spot {
-  double x = 0, y = 0, z = 0;
+  /// Downwards.
+  double x = 0, y = 0, z = 0;  ///< to the right
 };
 
+/// Samples with depth and colour: a software rasteriser.
 class Canvas {
  public:
+  /// Paper everywhere, infinitely far away.
   Canvas(std::uint32_t width, std::uint32_t height, Colour paper);
 
-  std::uint32_t width() const { return width_; }
-  std::uint32_t height() const { return height_; }
+  std::uint32_t width() const { return width_; }    ///< In samples.
+  std::uint32_t height() const { return height_; }  ///< In samples.
 
   /// Calls visit(sample, spot) for the samples in the triangle, whichever way round it is. Two triangles with a
   /// common side share no sample and leave none out, but where rounding moves the side.
   template <class Visit>
   void for_triangle(Spot a, Spot b, Spot c, const Visit& visit) const;
 
+  /// Of what is seen at a sample.
   double depth(std::size_t sample) const { return depth_[sample]; }
   /// Seen if nothing nearer is there already.
   void put(std::size_t sample, double depth, std::uint32_t patch, Colour colour) {

@@ -10,6 +10,7 @@
 
 namespace plumb {
 
+/// What the page of a map shows.
 struct MapSvgOptions {
   std::string title = {};       ///< e.g. the file's name; any bytes
   std::size_t max_listed = 20;  ///< defects written out below the map

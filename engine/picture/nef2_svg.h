@@ -16,6 +16,7 @@
 
 namespace plumb {
 
+/// What the page of a set of the plane shows.
 struct Nef2SvgOptions {
   std::string title = {};  ///< e.g. the file's name; any bytes
 };

@@ -11,8 +11,9 @@
 
 namespace plumb {
 
+/// What the page of an overlay shows.
 struct OverlaySvgOptions {
-  std::string title = {};
+  std::string title = {};             ///< e.g. the files' names; any bytes
   std::string first = "first map";    ///< what the maps are called in the legend
   std::string second = "second map";  ///< any bytes
   /// What regions are called on the cells, by region; 0 is not used.
@@ -31,7 +32,7 @@ struct OverlayColour {
   std::uint8_t shade;  ///< 0 .. kShades - 1
   friend bool operator==(const OverlayColour&, const OverlayColour&) = default;
 };
-inline constexpr std::size_t kShades = 4;
+inline constexpr std::size_t kShades = 4;  ///< shades of each tint
 
 /// Per face of the complex. O(n log n).
 std::vector<OverlayColour> colour_cells(const MapOverlay& overlay);

@@ -9,8 +9,9 @@
 
 namespace plumb {
 
+/// What a page says of a scene.
 struct SceneText {
-  std::string title;
+  std::string title;  ///< any bytes
   std::string kind;   ///< a few words
   std::string facts;  ///< a line
 };

@@ -32,7 +32,7 @@ void write_space_svg(std::ostream& out, const Nef3& set, const Scene& scene, std
 
 /// What a page shows besides the legend of the scene.
 struct ScenePage {
-  SceneText text;
+  SceneText text;                 ///< title and facts
   std::string_view png;           ///< of kPageImage's size
   std::vector<PlacedText> texts;  ///< over the image, in its pixels
   std::string middle;             ///< in place of a picture, if there is nothing to be seen

@@ -19,11 +19,14 @@
 
 namespace plumb {
 
+/// What a picture of a division can show.
 enum class SurfaceLayer : std::uint8_t { Polygons, Slices, Cells, Labels, Result };
+/// Of a layer in Scene::shown.
 inline constexpr std::uint8_t bit(SurfaceLayer layer) {
   return static_cast<std::uint8_t>(1U << static_cast<unsigned>(layer));
 }
 
+/// By layer.
 inline constexpr std::array<std::string_view, 5> kSurfaceLayerNames{"polygons", "slices", "cells",
                                                                     "labels", "result"};
 /// "polygons", "slices" and so on.

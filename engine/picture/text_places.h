@@ -10,10 +10,11 @@
 
 namespace plumb {
 
+/// A text and where it is to stand.
 struct PlacedText {
-  Point2 middle;  ///< in samples of the canvas
-  double height;
-  std::string text;
+  Point2 middle;     ///< in samples of the canvas
+  double height;     ///< of capitals
+  std::string text;  ///< any bytes
 };
 
 /// For each group with a text of which enough is seen: the text at the place farthest from where something

@@ -16,12 +16,14 @@
 
 namespace plumb {
 
+/// What curves cut the plane into.
 struct Arrangement {
   PlaneComplex
       complex;  ///< nothing marked; not minimal: end points inside other edges are vertices
   std::vector<std::uint32_t> origin_begin;  ///< per ordinary edge, and one more
   std::vector<SegmentId> origins;           ///< the curves an edge is part of, ascending
 
+  /// The curves that an edge is part of.
   std::span<const SegmentId> origins_of(EdgeId e) const {
     return {origins.data() + origin_begin[e.value()], origins.data() + origin_begin[e.value() + 1]};
   }

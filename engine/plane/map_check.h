@@ -31,32 +31,37 @@
 
 namespace plumb {
 
+/// What is demanded of outer boundaries.
 enum class OuterRule {
   Listed,  ///< the outer boundary of every component must be listed, clockwise
   Infer,   ///< chains of open edges become the missing outer cycles, and are noted
   Ignore,  ///< border edges are no defect; a component inside a face is one (kind Nested)
 };
 
+/// What a list of cycles is: the first that holds of its defects (docs/maps.md).
 enum class MapVerdict { Valid, NotAPlanarSubdivision, Open, Superposed };
 
+/// What can be wrong (definitions: docs/maps.md).
 enum class DefectKind { Duplicate, Open, Crossing, Twin, Mixed, Nested };
 
+/// How a map is judged.
 struct MapCheckOptions {
-  OuterRule outer = OuterRule::Listed;
-  bool merge_vertices = false;       ///< vertices with equal coordinates become one first
-  std::uint64_t max_defects = 1000;  ///< how many to describe; counts are always complete
+  OuterRule outer = OuterRule::Listed;  ///< what is demanded of outer boundaries
+  bool merge_vertices = false;          ///< vertices with equal coordinates become one first
+  std::uint64_t max_defects = 1000;     ///< how many to describe; counts are always complete
 };
 
+/// An edge by its ends.
 struct MapEdge {
   std::uint32_t from;  ///< vertex
-  std::uint32_t to;
+  std::uint32_t to;    ///< vertex
   friend bool operator==(const MapEdge&, const MapEdge&) = default;
 };
 
 /// One defect, with everything a person needs to find and mend it.
 struct MapDefect {
-  DefectKind kind = DefectKind::Duplicate;
-  std::vector<std::uint32_t> cycles;    ///< listed cycles concerned, ascending
+  DefectKind kind = DefectKind::Duplicate;  ///< what it is
+  std::vector<std::uint32_t> cycles;        ///< listed cycles concerned, ascending
   std::vector<MapEdge> edges;           ///< Duplicate, Open: directed; Crossing, Twin: undirected
   std::optional<RationalPoint2> point;  ///< where exactly; the first point of an overlap
   Point2 near{};                        ///< nearest doubles of that point
@@ -73,12 +78,14 @@ struct MapDefectCounts {
   std::uint64_t nested = 0;            ///< only under OuterRule::Ignore
 };
 
+/// What is odd but no defect.
 enum class WarningKind { Pinch, IsolatedVertex, InferredOuter, MergedVertex };
 
+/// Something odd that is no defect.
 struct MapWarning {
-  WarningKind kind;
+  WarningKind kind;          ///< what it is
   std::uint32_t vertex = 0;  ///< or a cycle, for InferredOuter
-  std::string text;
+  std::string text;          ///< one sentence
 };
 
 /// A face of the subdivision: one outer cycle (none for the unbounded face) and its holes.
@@ -87,17 +94,18 @@ struct MapRegion {
   std::vector<std::uint32_t> holes;    ///< listed clockwise cycles lying in it, ascending
 };
 
+/// All that check_map() found.
 struct MapReport {
-  MapVerdict verdict = MapVerdict::Valid;
-  std::size_t vertices = 0;    ///< as listed
-  std::size_t edges = 0;       ///< undirected
-  std::size_t cycles = 0;      ///< as listed (inferred ones included)
-  std::size_t components = 0;  ///< connected parts of the edge graph
-  MapDefectCounts counts;
-  std::vector<MapDefect> defects;  ///< at most max_defects, by kind, then by place in the input
-  std::vector<MapWarning> warnings;
-  std::vector<MapRegion> regions;  ///< only when valid; the unbounded region first
-  Map map;                         ///< the map that was judged (merged, outer cycles added)
+  MapVerdict verdict = MapVerdict::Valid;  ///< the answer
+  std::size_t vertices = 0;                ///< as listed
+  std::size_t edges = 0;                   ///< undirected
+  std::size_t cycles = 0;                  ///< as listed (inferred ones included)
+  std::size_t components = 0;              ///< connected parts of the edge graph
+  MapDefectCounts counts;                  ///< of all defects
+  std::vector<MapDefect> defects;    ///< at most max_defects, by kind, then by place in the input
+  std::vector<MapWarning> warnings;  ///< in the order of their places
+  std::vector<MapRegion> regions;    ///< only when valid; the unbounded region first
+  Map map;                           ///< the map that was judged (merged, outer cycles added)
 };
 
 /// Judges `map`. Requires at least 3 corners a cycle, no repeated consecutive corner, indices in

@@ -13,11 +13,12 @@
 
 namespace plumb {
 
+/// Two maps as one subdivision.
 struct MapOverlay {
   /// A region of each map; region 0 is the unbounded one.
   struct Origin {
-    std::uint32_t first;
-    std::uint32_t second;
+    std::uint32_t first;   ///< region of the first map
+    std::uint32_t second;  ///< region of the second map
     friend bool operator==(const Origin&, const Origin&) = default;
   };
 

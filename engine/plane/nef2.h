@@ -46,7 +46,7 @@ enum class WindingRule : std::uint8_t { NonZero, EvenOdd, Positive };
 
 /// A directed line. Left of it is the side of points p with (b - a) x (p - a) > 0.
 struct Line2 {
-  RationalPoint2 a;
+  RationalPoint2 a;  ///< a point on it
   RationalPoint2 b;  ///< different from a
 
   /// { a x + b y + c = 0 }, directed so that a x + b y + c < 0 lies to the left. Throws
@@ -56,51 +56,54 @@ struct Line2 {
 
 /// An affine map: (x, y) -> (xx x + xy y + x0, yx x + yy y + y0).
 struct AffineMap2 {
-  Rational xx = 1, xy = 0, x0 = 0;
-  Rational yx = 0, yy = 1, y0 = 0;
+  /// Of x' = xx x + xy y + x0.
+  Rational xx = 1, xy = 0, x0 = 0;  ///< Of x' = xx x + xy y + x0.
+  /// Of y' = yx x + yy y + y0.
+  Rational yx = 0, yy = 1, y0 = 0;  ///< Of y' = yx x + yy y + y0.
 };
 
 /// Where a point lies: exactly one id is valid.
 struct PlaneLocation {
-  VertexId vertex;
-  EdgeId edge;
-  FaceId face;
-  bool marked = false;
+  VertexId vertex;      ///< valid: the point lies on it
+  EdgeId edge;          ///< valid: the point lies on it
+  FaceId face;          ///< valid: the point lies in it
+  bool marked = false;  ///< does the point belong to the set?
   friend bool operator==(const PlaneLocation&, const PlaneLocation&) = default;
 };
 
 /// What a ray meets, and the first point of it there (the infimum: of a face entered over its open
 /// boundary it is the point on that boundary).
 struct RayHit {
-  PlaneLocation on;
-  RationalPoint2 point;
+  PlaneLocation on;      ///< what the ray meets
+  RationalPoint2 point;  ///< where
 };
 
 /// A polygon with holes: rings without repeated points, the outer one counter-clockwise, holes
 /// clockwise. Rings may touch at points.
 struct PolygonWithHoles2 {
-  std::vector<RationalPoint2> outer;
-  std::vector<std::vector<RationalPoint2>> holes;
+  std::vector<RationalPoint2> outer;               ///< counter-clockwise
+  std::vector<std::vector<RationalPoint2>> holes;  ///< clockwise
 };
 
 /// The closure of a set by dimension, nothing listed twice.
 struct PlaneParts {
   std::vector<PolygonWithHoles2> polygons;         ///< closures of bounded marked faces
   std::vector<std::vector<RationalPoint2>> lines;  ///< chains; closed ones repeat their first point
-  std::vector<RationalPoint2> points;
-  bool dropped_unbounded = false;  ///< unbounded faces, rays or lines were left out
-  bool dropped_open = false;       ///< the set was not closed: the parts are its closure
+  std::vector<RationalPoint2> points;              ///< isolated ones
+  bool dropped_unbounded = false;                  ///< unbounded faces, rays or lines were left out
+  bool dropped_open = false;  ///< the set was not closed: the parts are its closure
 };
 
 class PlaneLocator;
 
+/// A set of the plane: an immutable value, see above.
 class Nef2 {
  public:
   // --- sets to start from ---------------------------------------------------------------------
 
-  Nef2();  ///< the empty set
-  static Nef2 empty() { return Nef2(); }
-  static Nef2 plane();
+  Nef2();                                 ///< the empty set
+  static Nef2 empty() { return Nef2(); }  ///< No point.
+  static Nef2 plane();                    ///< Every point.
 
   /// Left of the line. Throws Error{BadArgument} when line.a = line.b.
   static Nef2 half_plane(const Line2& line, Boundary boundary);
@@ -126,9 +129,10 @@ class Nef2 {
   /// Open chains: consecutive points are joined; a chain of one point is that point.
   static Nef2 polylines(const PointTable2& points, std::span<const std::uint32_t> corners,
                         std::span<const std::uint32_t> chain_begin, Context& context);
-  static Nef2 polyline(std::span<const Point2> points);
+  static Nef2 polyline(std::span<const Point2> points);  ///< Closed segments from point to point.
+  /// Isolated points; equal ones are one.
   static Nef2 points(const PointTable2& points, Context& context);
-  static Nef2 point(const RationalPoint2& point);
+  static Nef2 point(const RationalPoint2& point);  ///< One point.
 
   /// The chosen regions of a checked subdivision: the closure or interior of their union; chosen[r]
   /// is about report.regions[r]. Throws Error{BadArgument} unless the verdict is Valid and sizes agree.
@@ -148,16 +152,19 @@ class Nef2 {
   /// The minimal complex: iteration over vertices, half-edges and faces, their geometry and marks.
   const PlaneComplex& complex() const;
 
-  bool is_empty() const;
-  bool is_plane() const;
+  bool is_empty() const;  ///< Is there no point in it? O(1).
+  bool is_plane() const;  ///< Is every point in it? O(1).
   /// Does the set lie in some disk?
   bool is_bounded() const;
   /// Is it its own closure (its own interior)? O(n).
   bool is_closed() const;
-  bool is_open() const;
+  bool is_open() const;  ///< Is it its own interior? O(n).
 
+  /// Does the point belong to the set? As locate().
   bool contains(const RationalPoint2& p) const { return locate(p).marked; }
+  /// The same for doubles. Throws Error{NotFinite}.
   bool contains(Point2 p) const { return locate(p).marked; }
+  /// Where a point lies. O(log^2 n) after the first call, which builds what is needed.
   PlaneLocation locate(const RationalPoint2& p) const;
   /// Throws Error{NotFinite}.
   PlaneLocation locate(Point2 p) const;
@@ -180,9 +187,9 @@ class Nef2 {
 
   // --- operations -----------------------------------------------------------------------------
 
-  Nef2 complement() const;
-  Nef2 interior() const;
-  Nef2 closure() const;
+  Nef2 complement() const;      ///< All other points.
+  Nef2 interior() const;        ///< Without its boundary.
+  Nef2 closure() const;         ///< With its boundary.
   Nef2 boundary() const;        ///< closure - interior
   Nef2 exterior() const;        ///< interior of the complement
   Nef2 regularization() const;  ///< closure of the interior
@@ -190,10 +197,12 @@ class Nef2 {
   /// Throws Error{BadArgument} when the map has determinant 0. O(n log n).
   Nef2 transformed(const AffineMap2& map) const;
 
-  Nef2 operator!() const { return complement(); }
-  Nef2& operator+=(const Nef2& other) { return *this = *this + other; }
+  Nef2 operator!() const { return complement(); }                        ///< complement()
+  Nef2& operator+=(const Nef2& other) { return *this = *this + other; }  ///< union with another set
+  /// Intersection with another set.
   Nef2& operator*=(const Nef2& other) { return *this = *this * other; }
-  Nef2& operator-=(const Nef2& other) { return *this = *this - other; }
+  Nef2& operator-=(const Nef2& other) { return *this = *this - other; }  ///< without another set
+  /// Symmetric difference with another set.
   Nef2& operator^=(const Nef2& other) { return *this = *this ^ other; }
   friend Nef2 operator+(const Nef2& a, const Nef2& b);
   friend Nef2 operator*(const Nef2& a, const Nef2& b);
@@ -222,9 +231,9 @@ class Nef2 {
 /// Which marks take part in an operation: those of the elements accepted; others count as unmarked.
 /// An empty function accepts all.
 struct PlaneSelector {
-  std::function<bool(VertexId)> vertex;
-  std::function<bool(EdgeId)> edge;
-  std::function<bool(FaceId)> face;
+  std::function<bool(VertexId)> vertex;  ///< empty: all
+  std::function<bool(EdgeId)> edge;      ///< empty: all
+  std::function<bool(FaceId)> face;      ///< empty: all
 };
 
 /// The points p with f(p in a, p in b). With kUnion, kIntersection, ... what + * - ^ do.
@@ -235,6 +244,6 @@ Nef2 combine(const Nef2& a, const PlaneSelector& select_a, const Nef2& b,
 /// Union (intersection) of any number of sets, pairwise in a balanced tree. Of none: the empty set
 /// (the plane).
 Nef2 union_of(std::span<const Nef2> sets, Context& context);
-Nef2 intersection_of(std::span<const Nef2> sets, Context& context);
+Nef2 intersection_of(std::span<const Nef2> sets, Context& context);  ///< See union_of().
 
 }  // namespace plumb

@@ -8,12 +8,14 @@
 
 namespace plumb {
 
+/// Exact areas of cells and of the regions they were cut from.
 struct OverlayAreas {
   std::vector<Rational> cell;           ///< per face of the complex; 0 for the unbounded one
   std::vector<Rational> first, second;  ///< per region, of its listed cycles; 0 for region 0
   /// Bounded regions whose cells do not have their area together. None, or there is a bug.
   std::vector<std::uint32_t> wrong_first, wrong_second;
 
+  /// Do the cells of every region have its area together?
   bool add_up() const { return wrong_first.empty() && wrong_second.empty(); }
 };
 

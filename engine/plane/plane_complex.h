@@ -29,34 +29,41 @@ namespace plumb {
 
 /// A directed line through two different input points.
 struct PlaneLine {
-  std::uint32_t a;
-  std::uint32_t b;
+  std::uint32_t a;  ///< index of a point it runs through
+  std::uint32_t b;  ///< index of a later one
   friend bool operator==(const PlaneLine&, const PlaneLine&) = default;
 };
 
 /// One mark for each ordinary vertex, edge and face: 0 or 1.
 struct PlaneMarks {
-  std::vector<std::uint8_t> vertex;
-  std::vector<std::uint8_t> edge;
-  std::vector<std::uint8_t> face;
+  std::vector<std::uint8_t> vertex;  ///< per ordinary vertex
+  std::vector<std::uint8_t> edge;    ///< per ordinary edge
+  std::vector<std::uint8_t> face;    ///< per ordinary face
   friend bool operator==(const PlaneMarks&, const PlaneMarks&) = default;
 };
 
+/// A subdivision of the plane with marks; invariants above.
 struct PlaneComplex {
-  PlanePoints points;
-  Dcel dcel;
+  PlanePoints points;                       ///< input points and crossings
+  Dcel dcel;                                ///< what is next to what
   std::vector<std::uint32_t> vertex_point;  ///< per ordinary vertex: dense index into points
   std::vector<PlaneLine> line;              ///< per ordinary edge: indices of points.inputs
-  PlaneMarks marks;
+  PlaneMarks marks;                         ///< of everything but the frame
 
-  std::size_t vertex_count() const { return vertex_point.size(); }
-  std::size_t edge_count() const { return line.size(); }
+  std::size_t vertex_count() const { return vertex_point.size(); }  ///< Ordinary vertices.
+  std::size_t edge_count() const { return line.size(); }            ///< Ordinary edges.
+  /// Ordinary faces.
   std::size_t face_count() const { return dcel.face_count() - (has_frame() ? 1 : 0); }
 
+  /// Is there an unbounded edge?
   bool has_frame() const { return dcel.edge_count() != line.size(); }
+  /// Is it an end of a ray or line?
   bool is_at_infinity(VertexId v) const { return v.value() >= vertex_count(); }
+  /// Is it between two ends at infinity?
   bool is_frame(EdgeId e) const { return e.value() >= edge_count(); }
+  /// Is it between two ends at infinity?
   bool is_frame(HalfedgeId h) const { return is_frame(edge_of(h)); }
+  /// Is it the face beyond the frame?
   bool is_beyond(FaceId f) const { return f.value() >= face_count(); }
 
   /// The ordinary half-edge after h around its face: over the frame when h leads to infinity.
@@ -64,8 +71,11 @@ struct PlaneComplex {
     const HalfedgeId n = dcel.next(h);
     return is_frame(n) ? dcel.next(n) : n;
   }
+  /// Does an ordinary item belong to the set?
   bool mark(VertexId v) const { return marks.vertex[v.value()] != 0; }
+  /// Does an ordinary item belong to the set?
   bool mark(EdgeId e) const { return marks.edge[e.value()] != 0; }
+  /// Does an ordinary item belong to the set?
   bool mark(FaceId f) const { return marks.face[f.value()] != 0; }
 };
 

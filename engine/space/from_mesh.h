@@ -30,6 +30,7 @@
 
 namespace plumb {
 
+/// How a mesh is read.
 struct MeshOptions {
   bool surface = false;  ///< an open mesh is its facets (else: no complex, borders listed)
   std::uint64_t max_listed = 1000;  ///< pairs of crossing faces to list; counts are complete
@@ -37,7 +38,7 @@ struct MeshOptions {
 
 /// What was found in a mesh. Faces and vertices are numbers in the input, 0-based; lists ascend.
 struct MeshReport {
-  using FacePair = std::pair<std::uint32_t, std::uint32_t>;
+  using FacePair = std::pair<std::uint32_t, std::uint32_t>;  ///< two faces
 
   std::uint64_t vertices_merged = 0;  ///< used points that have the coordinates of an earlier one
   std::vector<std::uint32_t> degenerate;  ///< faces without area: left out
@@ -55,7 +56,9 @@ struct MeshReport {
   std::vector<FacePair> crossings;  ///< the first of them, each pair of faces once
   std::vector<std::uint32_t> inside_out;  ///< components of negative volume, by their least face
 
+  /// Does every directed edge come as often as its reverse?
   bool is_closed() const { return borders.empty(); }
+  /// Does it meet itself outside common vertices and edges?
   bool crosses_itself() const { return crossing_count > 0; }
 };
 
@@ -74,9 +77,11 @@ struct MeshComplex {
   // Filled by arrange().
   std::vector<std::uint32_t> sheet_begin;  ///< facet_count() + 1 entries into sheet
   std::vector<std::uint32_t> sheet;        ///< those that a facet lies in, ascending
-  MeshReport report;
+  MeshReport report;                       ///< what was found
 
+  /// Has arrange() cut the facets along each other?
   bool is_arranged() const { return !sheet_begin.empty(); }
+  /// The sheets that a facet of the arrangement lies in.
   std::span<const std::uint32_t> sheets_of(FacetId f) const {
     return std::span(sheet).subspan(sheet_begin[f.value()],
                                     sheet_begin[f.value() + 1] - sheet_begin[f.value()]);

@@ -17,7 +17,7 @@ namespace plumb {
 
 /// The sphere map of an item and what its cells are.
 struct LocalMap {
-  SphereMap map;
+  SphereMap map;                     ///< seen from the item outwards
   std::vector<HalfedgeId> halfedge;  ///< per point; leaves the item (of an edge: both half-edges)
   std::vector<UseId> use;      ///< per arc: whose corner (of an edge: the use; of a facet: invalid)
   std::vector<FacetId> facet;  ///< per arc

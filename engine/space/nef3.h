@@ -43,59 +43,62 @@ namespace plumb {
 
 /// a x + b y + c z + d = 0 with (a, b, c) not zero. Below: a x + b y + c z + d < 0.
 struct Plane3 {
-  Rational a;
-  Rational b;
-  Rational c;
-  Rational d;
+  Rational a;  ///< normal, x
+  Rational b;  ///< normal, y
+  Rational c;  ///< normal, z
+  Rational d;  ///< offset
 };
 
+/// What lies below a plane, with or without the plane.
 struct HalfSpace3 {
-  Plane3 plane;  ///< the half-space lies below
-  Boundary boundary = Boundary::Closed;
+  Plane3 plane;                          ///< the half-space lies below
+  Boundary boundary = Boundary::Closed;  ///< is the plane part of it?
 };
 
 /// x -> matrix x + offset.
 struct AffineMap3 {
-  std::array<std::array<Rational, 3>, 3> matrix;
-  std::array<Rational, 3> offset;
+  std::array<std::array<Rational, 3>, 3> matrix;  ///< rows
+  std::array<Rational, 3> offset;                 ///< added last
 };
 
 /// Where a point lies.
 struct SpaceLocation {
-  SpaceItem item;  ///< vertex, edge, facet or volume
-  bool marked = false;
+  SpaceItem item;       ///< vertex, edge, facet or volume
+  bool marked = false;  ///< does the point belong to the set?
 };
 
 /// Marks of a complex, one for each item; those of the frame are not read.
 struct SpaceMarks {
-  std::vector<Mark> vertex;
-  std::vector<Mark> edge;
-  std::vector<Mark> facet;
-  std::vector<Mark> volume;
+  std::vector<Mark> vertex;  ///< per vertex of the complex
+  std::vector<Mark> edge;    ///< per edge
+  std::vector<Mark> facet;   ///< per facet
+  std::vector<Mark> volume;  ///< per volume
 };
 
 /// Items that a user sees: those of the frame are left out.
 struct SpaceCounts {
-  std::size_t vertices = 0;
-  std::size_t edges = 0;
-  std::size_t facets = 0;
-  std::size_t volumes = 0;  ///< with the unbounded ones
-  std::size_t marked_volumes = 0;
+  std::size_t vertices = 0;        ///< corners and isolated points
+  std::size_t edges = 0;           ///< facets' edges and free ones
+  std::size_t facets = 0;          ///< bounded or not
+  std::size_t volumes = 0;         ///< with the unbounded ones
+  std::size_t marked_volumes = 0;  ///< those that belong to the set
   friend bool operator==(const SpaceCounts&, const SpaceCounts&) = default;
 };
 
+/// A set of space: an immutable value, see above.
 class Nef3 {
  public:
   // --- sets to start from ---------------------------------------------------------------------
 
-  Nef3();  ///< the empty set
-  static Nef3 empty() { return Nef3(); }
-  static Nef3 space();
+  Nef3();                                 ///< the empty set
+  static Nef3 empty() { return Nef3(); }  ///< No point.
+  static Nef3 space();                    ///< Every point.
 
   /// Below the plane. Throws Error{BadArgument} when a = b = c = 0.
   static Nef3 half_space(const Plane3& plane, Boundary boundary);
   /// The side of the plane on which `kept` lies. Also throws when it lies on the plane.
   static Nef3 half_space(const Plane3& plane, const RationalPoint3& kept, Boundary boundary);
+  /// The points of a plane. Throws Error{BadArgument} when a = b = c = 0.
   static Nef3 plane(const Plane3& plane);
   /// The intersection of any number of half-spaces; of none: the whole space.
   static Nef3 intersection(std::span<const HalfSpace3> half_spaces, Context& context);
@@ -113,9 +116,12 @@ class Nef3 {
   /// A closed polygon in a plane. Throws Error{BadShape} unless it is planar and simple.
   static Nef3 facet(std::span<const Point3> corners);
   static Nef3 facet(std::span<const RationalPoint3> corners);
+  /// All points between two, with them; one point if they are equal.
   static Nef3 segment(const RationalPoint3& a, const RationalPoint3& b);
+  /// Closed segments from point to point.
   static Nef3 polyline(std::span<const RationalPoint3> points, Context& context);
-  static Nef3 point(const RationalPoint3& at);
+  static Nef3 point(const RationalPoint3& at);  ///< One point.
+  /// Isolated points; equal ones are one.
   static Nef3 points(std::span<const RationalPoint3> points, Context& context);
 
   /// Any complex, brought into minimal form. Requires audit(complex, false) to be clean.
@@ -134,17 +140,17 @@ class Nef3 {
 
   // --- reading --------------------------------------------------------------------------------
 
-  const SpaceComplex& complex() const;
+  const SpaceComplex& complex() const;  ///< The minimal complex: all items with their marks.
   /// The complex of a set that is given up; copied if another set shares it.
   SpaceComplex taken() &&;
-  SpaceCounts counts() const;
+  SpaceCounts counts() const;  ///< How many items there are. O(n).
 
-  bool is_empty() const;
-  bool is_space() const;
-  bool is_bounded() const;
+  bool is_empty() const;    ///< Is there no point in it? O(1).
+  bool is_space() const;    ///< Is every point in it? O(1).
+  bool is_bounded() const;  ///< Is it inside some ball? O(n).
   /// Is it its own closure (its own interior)? O(n).
   bool is_closed() const;
-  bool is_open() const;
+  bool is_open() const;  ///< Is it its own interior? O(n).
   /// Is the boundary a 2-manifold with the set on one side: no dangling parts, every edge between two
   /// facets, every vertex on one cone? Marks of the boundary do not matter. O(n).
   bool is_simple() const;
@@ -152,8 +158,11 @@ class Nef3 {
   /// empty one does. Expected O(n).
   bool is_convex() const;
 
+  /// Does the point belong to the set? As locate().
   bool contains(const RationalPoint3& p) const { return locate(p).marked; }
+  /// The same for doubles. Throws Error{NotFinite}.
   bool contains(const Point3& p) const { return locate(p).marked; }
+  /// Where a point lies. The first call builds a tree of boxes, O(n log n); then O(log n) expected.
   SpaceLocation locate(const RationalPoint3& p) const;
   /// Throws Error{NotFinite}.
   SpaceLocation locate(const Point3& p) const;
@@ -181,10 +190,10 @@ class Nef3 {
 
   // --- operations -----------------------------------------------------------------------------
 
-  Nef3 operator!() const;
-  Nef3 interior() const;
-  Nef3 closure() const;
-  Nef3 boundary() const;
+  Nef3 operator!() const;  ///< All other points. O(n).
+  Nef3 interior() const;   ///< Without its boundary. O(n).
+  Nef3 closure() const;    ///< With its boundary. O(n).
+  Nef3 boundary() const;  ///< The points around which there are points of the set and others. O(n).
   /// The interior of the complement.
   Nef3 exterior() const { return (!*this).interior(); }
   /// The image under an invertible map. Throws Error{BadArgument} for a singular matrix. O(n) (transform.h).
@@ -192,9 +201,11 @@ class Nef3 {
   /// The closure of the interior.
   Nef3 regularization() const { return interior().closure(); }
 
-  Nef3& operator+=(const Nef3& other) { return *this = *this + other; }
+  Nef3& operator+=(const Nef3& other) { return *this = *this + other; }  ///< union with another set
+  /// Intersection with another set.
   Nef3& operator*=(const Nef3& other) { return *this = *this * other; }
-  Nef3& operator-=(const Nef3& other) { return *this = *this - other; }
+  Nef3& operator-=(const Nef3& other) { return *this = *this - other; }  ///< without another set
+  /// Symmetric difference with another set.
   Nef3& operator^=(const Nef3& other) { return *this = *this ^ other; }
   friend Nef3 operator+(const Nef3& a, const Nef3& b);
   friend Nef3 operator*(const Nef3& a, const Nef3& b);
@@ -222,10 +233,10 @@ class Nef3 {
 /// Which marks take part in an operation: those of the items accepted; others count as unmarked. An
 /// empty function accepts all.
 struct SpaceSelector {
-  std::function<bool(VertexId)> vertex;
-  std::function<bool(EdgeId)> edge;
-  std::function<bool(FacetId)> facet;
-  std::function<bool(VolumeId)> volume;
+  std::function<bool(VertexId)> vertex;  ///< empty: all
+  std::function<bool(EdgeId)> edge;      ///< empty: all
+  std::function<bool(FacetId)> facet;    ///< empty: all
+  std::function<bool(VolumeId)> volume;  ///< empty: all
 };
 
 /// The points p with f(p in a, p in b). With kUnion, kIntersection, ... what + * - ^ do. Sets that are moved
@@ -236,10 +247,11 @@ Nef3 combine(const Nef3& a, const SpaceSelector& select_a, const Nef3& b,
              const SpaceSelector& select_b, MarkFunction f, Context& context);
 /// f(a, half-space below the plane) or, for PlaneOnly, f(a, plane): work near the plane alone.
 enum class Section : std::uint8_t { ClosedHalfSpace, OpenHalfSpace, PlaneOnly };
+/// F(a, half-space below the plane) or, for PlaneOnly, f(a, plane): work near the plane alone.
 Nef3 combine(const Nef3& a, const Plane3& plane, Section section, MarkFunction f, Context& context);
 /// Union (intersection) of any number of sets, pairwise in a balanced tree. Of none: the empty set (the
 /// whole space).
 Nef3 union_of(std::span<const Nef3> sets, Context& context);
-Nef3 intersection_of(std::span<const Nef3> sets, Context& context);
+Nef3 intersection_of(std::span<const Nef3> sets, Context& context);  ///< See union_of().
 
 }  // namespace plumb

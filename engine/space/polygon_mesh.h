@@ -12,6 +12,7 @@
 
 namespace plumb {
 
+/// Faces over shared points: flat arrays.
 struct PolygonMesh {
   std::vector<Point3> points;  ///< the nearest doubles of the vertices
   /// Vertices whose coordinates are no doubles: (index, exact coordinates), ascending by index.
@@ -19,10 +20,13 @@ struct PolygonMesh {
   std::vector<std::uint32_t> face_begin = {0};  ///< face_count() + 1 entries into corners
   std::vector<std::uint32_t> corners;           ///< counter-clockwise seen from outside
 
+  /// Faces of any number of corners.
   std::size_t face_count() const { return face_begin.size() - 1; }
+  /// Its corners, indices of points.
   std::span<const std::uint32_t> face(std::size_t f) const {
     return std::span(corners).subspan(face_begin[f], face_begin[f + 1] - face_begin[f]);
   }
+  /// Appends a face. Nothing is checked.
   void add_face(std::span<const std::uint32_t> face) {
     corners.insert(corners.end(), face.begin(), face.end());
     face_begin.push_back(static_cast<std::uint32_t>(corners.size()));

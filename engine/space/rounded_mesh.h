@@ -20,16 +20,16 @@ namespace plumb {
 
 /// Numbers of faces and vertices are those of the mesh; lists ascend.
 struct RoundingReport {
-  using FacePair = std::pair<std::uint32_t, std::uint32_t>;
+  using FacePair = std::pair<std::uint32_t, std::uint32_t>;  ///< two faces
 
-  std::uint64_t rounded_vertices = 0;
+  std::uint64_t rounded_vertices = 0;         ///< vertices whose coordinates are no doubles
   std::vector<std::uint32_t> beyond_doubles;  ///< vertices that round to an infinity
   std::uint64_t vertices_merged = 0;          ///< that fell onto another one
   std::vector<std::uint32_t> degenerate;      ///< faces without area now
   std::vector<std::uint32_t> flipped;         ///< faces that look the other way now
   std::vector<std::uint32_t> not_simple;      ///< faces that cross themselves now
   std::vector<FacePair> doubled;              ///< faces that fell onto each other
-  std::uint64_t crossing_count = 0;
+  std::uint64_t crossing_count = 0;           ///< pairs of faces that cross now and did not
   std::vector<FacePair> crossings;  ///< the first pairs of faces that cross now and did not
   /// Polygons that left their plane: no harm to their neighbours yet, but whoever reads them must cut
   /// them. Crossings are those of their constrained Delaunay triangles (complex_of_mesh()).

@@ -18,8 +18,8 @@ namespace plumb {
 
 /// A broken invariant and where: "edge 3, facet 5".
 struct SpaceFlaw {
-  std::string invariant;
-  std::string place;
+  std::string invariant;  ///< what does not hold
+  std::string place;      ///< at which item
 };
 
 /// The first flaw found, or none. `minimal`: also that no item could go without changing the set (the

@@ -39,84 +39,96 @@
 
 namespace plumb {
 
+/// Items of space and how they hang together, in flat arrays; invariants above.
 struct SpaceComplex {
-  std::shared_ptr<const SpaceTables> tables;
+  std::shared_ptr<const SpaceTables> tables;  ///< planes and points, shared
 
   // per vertex
-  std::vector<SpacePoint> vertex_point;
-  std::vector<Mark> vertex_mark;
+  std::vector<SpacePoint> vertex_point;   ///< where it is
+  std::vector<Mark> vertex_mark;          ///< is it in the set?
   std::vector<VolumeId> vertex_volume;    ///< of a vertex alone in a volume; else invalid
   std::vector<FacetId> vertex_facet;      ///< of a vertex inside a facet; else invalid
   std::vector<std::uint32_t> star_begin;  ///< vertex_count() + 1 entries into star
   std::vector<HalfedgeId> star;           ///< half-edges that leave the vertex
 
   // per edge, per half-edge
-  std::vector<std::array<PlaneId, 2>> edge_planes;
-  std::vector<Mark> edge_mark;
-  std::vector<UseId> edge_use;        ///< one of its uses; invalid: free
-  std::vector<VolumeId> edge_volume;  ///< of a free edge
-  std::vector<VertexId> origin;       ///< per half-edge
+  std::vector<std::array<PlaneId, 2>> edge_planes;  ///< two planes that meet in its line
+  std::vector<Mark> edge_mark;                      ///< is it in the set?
+  std::vector<UseId> edge_use;                      ///< one of its uses; invalid: free
+  std::vector<VolumeId> edge_volume;                ///< of a free edge
+  std::vector<VertexId> origin;                     ///< per half-edge
 
   // per use
-  std::vector<HalfedgeId> use_halfedge;
-  std::vector<UseId> use_next;
-  std::vector<UseId> use_prev;
-  std::vector<UseId> use_radial;
-  std::vector<FacetId> use_facet;
+  std::vector<HalfedgeId> use_halfedge;  ///< the edge, in the direction of the facet's cycle
+  std::vector<UseId> use_next;           ///< after it along the cycle
+  std::vector<UseId> use_prev;           ///< before it along the cycle
+  std::vector<UseId> use_radial;         ///< the next use around the same edge
+  std::vector<FacetId> use_facet;        ///< the facet it bounds
 
   // per facet
-  std::vector<PlaneId> facet_plane;
-  std::vector<Mark> facet_mark;
-  std::vector<std::array<VolumeId, 2>> facet_volume;
+  std::vector<PlaneId> facet_plane;  ///< the plane it lies in; its normal is the positive side
+  std::vector<Mark> facet_mark;      ///< is it in the set?
+  std::vector<std::array<VolumeId, 2>> facet_volume;  ///< on the positive and on the negative side
   std::vector<std::uint32_t> facet_origin;  ///< id given by whoever made it; carried along
   std::vector<std::uint32_t> cycle_begin;   ///< facet_count() + 1 entries into cycle
   std::vector<UseId> cycle;                 ///< a use of each cycle; the outer cycle first
   std::vector<std::uint32_t> inner_begin;   ///< facet_count() + 1 entries into inner
   std::vector<VertexId> inner;              ///< vertices inside facets
 
-  std::vector<Mark> volume_mark;
+  std::vector<Mark> volume_mark;  ///< per volume: is it in the set?
 
-  std::size_t vertex_count() const { return vertex_point.size(); }
-  std::size_t edge_count() const { return edge_planes.size(); }
+  std::size_t vertex_count() const { return vertex_point.size(); }  ///< Those of the frame, too.
+  std::size_t edge_count() const { return edge_planes.size(); }     ///< Those of the frame, too.
+  /// Pairs of a facet and an edge on its boundary.
   std::size_t use_count() const { return use_halfedge.size(); }
-  std::size_t facet_count() const { return facet_plane.size(); }
+  std::size_t facet_count() const { return facet_plane.size(); }  ///< Those of the frame, too.
+  /// With the one beyond the frame, if there is a frame.
   std::size_t volume_count() const { return volume_mark.size(); }
 
+  /// The other direction of the same edge.
   static HalfedgeId twin(HalfedgeId h) { return HalfedgeId(h.value() ^ 1U); }
+  /// The edge that it is a direction of.
   static EdgeId edge_of(HalfedgeId h) { return EdgeId(h.value() >> 1U); }
+  /// Has it the odd id of the two?
   static bool is_reverse(HalfedgeId h) { return (h.value() & 1U) != 0; }
+  /// Where a half-edge ends.
   VertexId target(HalfedgeId h) const { return origin[h.value() ^ 1U]; }
+  /// The half-edges that leave a vertex.
   std::span<const HalfedgeId> star_of(VertexId v) const {
     return std::span(star).subspan(star_begin[v.value()],
                                    star_begin[v.value() + 1] - star_begin[v.value()]);
   }
+  /// A use of each cycle of a facet.
   std::span<const UseId> cycles_of(FacetId f) const {
     return std::span(cycle).subspan(cycle_begin[f.value()],
                                     cycle_begin[f.value() + 1] - cycle_begin[f.value()]);
   }
+  /// The vertices alone inside a facet.
   std::span<const VertexId> inner_of(FacetId f) const {
     return std::span(inner).subspan(inner_begin[f.value()],
                                     inner_begin[f.value() + 1] - inner_begin[f.value()]);
   }
+  /// Where the use's half-edge begins.
   VertexId use_origin(UseId u) const { return origin[use_halfedge[u.value()].value()]; }
   /// The volume after the use in radial order.
   VolumeId volume_after(UseId u) const {
     return facet_volume[use_facet[u.value()].value()][is_reverse(use_halfedge[u.value()]) ? 1 : 0];
   }
-  const PlaneTable& planes() const { return tables->planes; }
-  const Point3Table& points() const { return tables->points; }
+  const PlaneTable& planes() const { return tables->planes; }   ///< Planes by PlaneId.
+  const Point3Table& points() const { return tables->points; }  ///< Points by SpacePoint.
 };
 
 /// An item of a complex, in 32 bits. Default-constructed: none.
 class SpaceItem {
  public:
+  /// Of items.
   enum class Kind : std::uint32_t { Vertex, Edge, Facet, Volume };
 
   constexpr SpaceItem() = default;
-  constexpr SpaceItem(VertexId v) : SpaceItem(Kind::Vertex, v.value()) {}
-  constexpr SpaceItem(EdgeId e) : SpaceItem(Kind::Edge, e.value()) {}
-  constexpr SpaceItem(FacetId f) : SpaceItem(Kind::Facet, f.value()) {}
-  constexpr SpaceItem(VolumeId v) : SpaceItem(Kind::Volume, v.value()) {}
+  constexpr SpaceItem(VertexId v) : SpaceItem(Kind::Vertex, v.value()) {}  ///< A vertex.
+  constexpr SpaceItem(EdgeId e) : SpaceItem(Kind::Edge, e.value()) {}      ///< An edge.
+  constexpr SpaceItem(FacetId f) : SpaceItem(Kind::Facet, f.value()) {}    ///< A facet.
+  constexpr SpaceItem(VolumeId v) : SpaceItem(Kind::Volume, v.value()) {}  ///< A volume.
 
   /// The item whose code() that is.
   static constexpr SpaceItem from_code(std::uint32_t code) {
@@ -125,14 +137,15 @@ class SpaceItem {
     return item;
   }
 
-  constexpr bool is_valid() const { return code_ != ~std::uint32_t{0}; }
-  constexpr Kind kind() const { return static_cast<Kind>(code_ >> 30U); }
+  constexpr bool is_valid() const { return code_ != ~std::uint32_t{0}; }   ///< Is it any item?
+  constexpr Kind kind() const { return static_cast<Kind>(code_ >> 30U); }  ///< Requires is_valid().
+  /// The number of the item among its kind.
   constexpr std::uint32_t index() const { return code_ & 0x3fffffffU; }
-  constexpr std::uint32_t code() const { return code_; }
-  constexpr VertexId vertex() const { return VertexId(index()); }
-  constexpr EdgeId edge() const { return EdgeId(index()); }
-  constexpr FacetId facet() const { return FacetId(index()); }
-  constexpr VolumeId volume() const { return VolumeId(index()); }
+  constexpr std::uint32_t code() const { return code_; }           ///< Kind and index in 32 bits.
+  constexpr VertexId vertex() const { return VertexId(index()); }  ///< Requires that kind.
+  constexpr EdgeId edge() const { return EdgeId(index()); }        ///< Requires that kind.
+  constexpr FacetId facet() const { return FacetId(index()); }     ///< Requires that kind.
+  constexpr VolumeId volume() const { return VolumeId(index()); }  ///< Requires that kind.
   friend constexpr auto operator<=>(SpaceItem, SpaceItem) = default;
 
  private:

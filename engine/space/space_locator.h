@@ -30,10 +30,11 @@ namespace plumb {
 
 /// What a ray meets first.
 struct SpaceHit {
-  SpaceItem item;  ///< vertex, edge or facet
-  RationalPoint3 point;
+  SpaceItem item;        ///< vertex, edge or facet
+  RationalPoint3 point;  ///< exactly where
 };
 
+/// Trees of boxes over a complex, for points and rays.
 class SpaceLocator {
  public:
   /// The complex must outlive the locator and keep what is listed above.

@@ -24,8 +24,9 @@
 
 namespace plumb {
 
-using ShellId = StrongId<struct ShellTag>;
+using ShellId = StrongId<struct ShellTag>;  ///< a connected part of the boundary of a volume
 
+/// The shells of all volumes of a complex.
 class SpaceShells {
  public:
   /// Requires volumes. The complex must outlive the shells.
@@ -34,14 +35,15 @@ class SpaceShells {
   /// Shells follow each other by volume, within it by their lexicographically least vertex; a shell
   /// without vertices (all of it at infinity) comes last.
   std::size_t size() const { return volume_.size(); }
-  std::span<const ShellId> shells_of(VolumeId v) const;
-  VolumeId volume(ShellId s) const { return volume_[s.value()]; }
+  std::span<const ShellId> shells_of(VolumeId v) const;  ///< Those of a volume, in their order.
+  VolumeId volume(ShellId s) const { return volume_[s.value()]; }  ///< The volume that it bounds.
 
   /// Facets by the side that bounds the volume, as faces of a solid that fills it: is_reversed where
   /// the volume is on the positive side.
   std::span<const FacetSide> sides(ShellId s) const { return part(sides_, side_begin_, s); }
   /// Each once: of its facets, and free ones.
   std::span<const EdgeId> edges(ShellId s) const { return part(edges_, edge_begin_, s); }
+  /// Each once: of its edges, and isolated ones.
   std::span<const VertexId> vertices(ShellId s) const { return part(vertices_, vertex_begin_, s); }
 
   /// Calls the visitor with every item of a shell, each once: FacetSide, then EdgeId, then VertexId. What the visitor
@@ -53,7 +55,7 @@ class SpaceShells {
     visit_all(vertices(s), visitor);
   }
 
-  const SpaceComplex& complex() const { return complex_; }
+  const SpaceComplex& complex() const { return complex_; }  ///< The complex that was given.
 
  private:
   template <class T, class Visitor>

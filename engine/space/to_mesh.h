@@ -20,6 +20,7 @@
 
 namespace plumb {
 
+/// What becomes of facets.
 enum class MeshFaces : std::uint8_t {
   /// Facets that are simple polygons and whose corners are doubles stay polygons; others are cut.
   PlanarPolygons,
@@ -27,8 +28,9 @@ enum class MeshFaces : std::uint8_t {
   Triangles,
 };
 
+/// What a mesh is to be like.
 struct ToMeshOptions {
-  MeshFaces faces = MeshFaces::PlanarPolygons;
+  MeshFaces faces = MeshFaces::PlanarPolygons;  ///< what becomes of facets
   /// Where several cones of the solid meet in a vertex, each gets a vertex of its own (with equal
   /// coordinates). Edges with more than two faces then fall apart too.
   bool split_vertices = false;
@@ -38,18 +40,20 @@ struct ToMeshOptions {
 
 /// A facet as seen from outside: from its positive side, or reversed.
 struct FacetSide {
-  FacetId facet;
-  bool is_reversed;
+  FacetId facet;     ///< which
+  bool is_reversed;  ///< seen from its negative side?
   friend bool operator==(const FacetSide&, const FacetSide&) = default;
 };
 
+/// Numbers of items.
 struct ItemCounts {
-  std::uint64_t facets = 0;
-  std::uint64_t edges = 0;
-  std::uint64_t vertices = 0;
-  std::uint64_t total() const { return facets + edges + vertices; }
+  std::uint64_t facets = 0;                                          ///< how many
+  std::uint64_t edges = 0;                                           ///< how many
+  std::uint64_t vertices = 0;                                        ///< how many
+  std::uint64_t total() const { return facets + edges + vertices; }  ///< All together.
 };
 
+/// What a mesh does not say of the set.
 struct ToMeshReport {
   /// A marked volume reaches to infinity: no mesh. Of a soup: facets that do are left out.
   bool is_unbounded = false;
@@ -57,14 +61,16 @@ struct ToMeshReport {
   ItemCounts filled;   ///< not marked, but in the closure of marked volumes: openness
   std::uint64_t non_manifold_edges = 0;     ///< more than two faces
   std::uint64_t non_manifold_vertices = 0;  ///< more than one cone
+  /// Has it other than two faces at an edge, or several cones at a vertex?
   bool is_soup() const { return non_manifold_edges + non_manifold_vertices > 0; }
 };
 
+/// A mesh and where it comes from.
 struct MeshOfComplex {
   PolygonMesh
       mesh;  ///< points: correctly rounded; exact: the coordinates that were rounded, if kept
   std::vector<FacetId> facet;  ///< per face
-  ToMeshReport report;
+  ToMeshReport report;         ///< what the mesh does not say
 };
 
 /// Requires volumes and marks. Items beyond the frame are not looked at.

@@ -40,65 +40,69 @@ namespace plumb {
 
 /// A direction, or a normal.
 struct SphereVector {
-  Rational x;
-  Rational y;
-  Rational z;
+  Rational x;  ///< of a vector of any length but 0
+  Rational y;  ///< of a vector of any length but 0
+  Rational z;  ///< of a vector of any length but 0
 
+  /// Coordinates as they are.
   SphereVector(Rational a, Rational b, Rational c)
       : x(std::move(a)), y(std::move(b)), z(std::move(c)) {}
   /// Taken exactly; integers, too, up to 2^53. Throws Error{NotFinite}.
   SphereVector(double a, double b, double c);
 
-  bool is_zero() const { return x == 0 && y == 0 && z == 0; }
+  bool is_zero() const { return x == 0 && y == 0 && z == 0; }  ///< Is it no direction?
+  /// The antipode.
   SphereVector opposite() const { return {Rational(-x), Rational(-y), Rational(-z)}; }
   friend bool operator==(const SphereVector&, const SphereVector&) = default;
 };
-Rational dot(const SphereVector& u, const SphereVector& v);
-SphereVector cross(const SphereVector& u, const SphereVector& v);
+Rational dot(const SphereVector& u, const SphereVector& v);        ///< The inner product.
+SphereVector cross(const SphereVector& u, const SphereVector& v);  ///< The vector product.
 /// The same direction, whatever the lengths?
 bool is_same_direction(const SphereVector& u, const SphereVector& v);
 
 /// One arc of a boundary: from `from` counter-clockwise about `normal`, to the `from` of the next one.
 struct SphereSide {
-  SphereVector from;
-  SphereVector normal;
+  SphereVector from;    ///< where it begins
+  SphereVector normal;  ///< of its circle's plane: the side is to the left of it
 };
 
 /// Where a direction lies.
 struct SphereLocation {
-  SphereCell cell;
-  bool marked = false;
+  SphereCell cell;      ///< point, arc or face
+  bool marked = false;  ///< does the direction belong to the set?
   friend bool operator==(const SphereLocation&, const SphereLocation&) = default;
 };
 
 /// What one meets on a great circle, and the first direction of it there (the infimum: of a face
 /// entered over its open boundary it is the direction on that boundary).
 struct SphereHit {
-  SphereLocation on;
-  SphereVector direction;
+  SphereLocation on;       ///< what is met
+  SphereVector direction;  ///< where
 };
 
 /// One mark for each item.
 struct SphereItemMarks {
-  std::vector<Mark> point;
-  std::vector<Mark> arc;
-  std::vector<Mark> face;
+  std::vector<Mark> point;  ///< per point
+  std::vector<Mark> arc;    ///< per arc
+  std::vector<Mark> face;   ///< per face
 };
 
 /// The boundary of a face: of each cycle one half-arc, and the isolated points inside.
 struct SphereFaceBoundary {
-  std::vector<std::uint32_t> half_arcs;
-  std::vector<std::uint32_t> points;
+  std::vector<std::uint32_t> half_arcs;  ///< one of each cycle
+  std::vector<std::uint32_t> points;     ///< isolated ones in it
 };
+/// What bounds a face of a map. O(size of the map).
 SphereFaceBoundary face_boundary(const SphereMap& map, std::uint32_t face);
 
+/// A set of the sphere: an immutable value, see above.
 class NefSphere {
  public:
   // --- sets to start from ---------------------------------------------------------------------
 
-  NefSphere();  ///< the empty set
-  static NefSphere empty();
-  static NefSphere sphere();
+  NefSphere();                ///< the empty set
+  static NefSphere empty();   ///< No direction.
+  static NefSphere sphere();  ///< Every direction.
 
   /// The directions u with normal . u > 0, or >= 0.
   static NefSphere half_sphere(const SphereVector& normal, Boundary boundary);
@@ -124,7 +128,8 @@ class NefSphere {
   /// The shorter arc. Throws Error{BadArgument} when the ends are the same or opposite.
   static NefSphere arc(const SphereVector& from, const SphereVector& to,
                        Boundary boundary = Boundary::Closed);
-  static NefSphere point(const SphereVector& direction);
+  static NefSphere point(const SphereVector& direction);  ///< One direction.
+  /// Isolated directions; equal ones are one.
   static NefSphere points(std::span<const SphereVector> directions);
 
   /// The set that a map describes, in minimal form; planes count by their normals, kBeyond as
@@ -140,21 +145,24 @@ class NefSphere {
 
   /// The minimal map: points, arcs, faces, links and marks; and the planes that it names.
   const SphereMap& map() const;
-  const PlaneTable& planes() const { return *shared_planes(); }
-  const std::shared_ptr<const PlaneTable>& shared_planes() const;
-  SphereItemMarks marks() const;
+  const PlaneTable& planes() const { return *shared_planes(); }    ///< The circles of the map.
+  const std::shared_ptr<const PlaneTable>& shared_planes() const;  ///< The same, to be kept.
+  SphereItemMarks marks() const;                                   ///< Of all items of the map.
   /// An exact vector of a point; of a circle its canonical normal, about which half-arc 2a runs
   /// counter-clockwise.
   SphereVector direction(std::uint32_t point) const;
+  /// Of the circle of an arc: the positive side lies left of half-arc 2 arc.
   SphereVector normal(std::uint32_t arc) const;
 
-  bool is_empty() const;
-  bool is_sphere() const;
+  bool is_empty() const;   ///< Is there no direction in it? O(1).
+  bool is_sphere() const;  ///< Is every direction in it? O(1).
   /// Is it its own closure (its own interior)? O(n).
   bool is_closed() const;
-  bool is_open() const;
+  bool is_open() const;  ///< Is it its own interior? O(n).
 
+  /// Does the direction belong to the set? As locate().
   bool contains(const SphereVector& direction) const { return locate(direction).marked; }
+  /// Where a direction lies. Throws Error{BadArgument} for zero. O(n).
   SphereLocation locate(const SphereVector& direction) const;
   /// Many at once: what one location has to prepare is prepared once.
   std::vector<SphereLocation> locate(std::span<const SphereVector> directions) const;
@@ -170,17 +178,21 @@ class NefSphere {
 
   // --- operations -----------------------------------------------------------------------------
 
-  NefSphere complement() const;
-  NefSphere interior() const;
-  NefSphere closure() const;
+  NefSphere complement() const;      ///< All other directions.
+  NefSphere interior() const;        ///< Without its boundary.
+  NefSphere closure() const;         ///< With its boundary.
   NefSphere boundary() const;        ///< closure - interior
   NefSphere exterior() const;        ///< interior of the complement
   NefSphere regularization() const;  ///< closure of the interior
 
-  NefSphere operator!() const { return complement(); }
+  NefSphere operator!() const { return complement(); }  ///< complement()
+  /// Union with another set.
   NefSphere& operator+=(const NefSphere& other) { return *this = *this + other; }
+  /// Intersection with another set.
   NefSphere& operator*=(const NefSphere& other) { return *this = *this * other; }
+  /// Without another set.
   NefSphere& operator-=(const NefSphere& other) { return *this = *this - other; }
+  /// Symmetric difference with another set.
   NefSphere& operator^=(const NefSphere& other) { return *this = *this ^ other; }
   friend NefSphere operator+(const NefSphere& a, const NefSphere& b);
   friend NefSphere operator*(const NefSphere& a, const NefSphere& b);
@@ -208,9 +220,9 @@ class NefSphere {
 /// Which marks take part in an operation: those of the items accepted, by index; others count as
 /// unmarked. An empty function accepts all.
 struct SphereSelector {
-  std::function<bool(std::uint32_t)> point;
-  std::function<bool(std::uint32_t)> arc;
-  std::function<bool(std::uint32_t)> face;
+  std::function<bool(std::uint32_t)> point;  ///< empty: all
+  std::function<bool(std::uint32_t)> arc;    ///< empty: all
+  std::function<bool(std::uint32_t)> face;   ///< empty: all
 };
 
 /// The directions u with f(u in a, u in b). With kUnion, kIntersection, ... what + * - ^ do.
@@ -221,6 +233,6 @@ NefSphere combine(const NefSphere& a, const SphereSelector& select_a, const NefS
 /// Union (intersection) of any number of sets, pairwise in a balanced tree. Of none: the empty set
 /// (the sphere).
 NefSphere union_of(std::span<const NefSphere> sets, Context& context);
-NefSphere intersection_of(std::span<const NefSphere> sets, Context& context);
+NefSphere intersection_of(std::span<const NefSphere> sets, Context& context);  ///< See union_of().
 
 }  // namespace plumb

@@ -39,14 +39,15 @@ namespace plumb {
 
 /// What a label is in the cell at the first corner of a face, and so in that component of the mesh.
 struct SurfaceLevel {
-  std::uint32_t shape;
-  FaceId face;
-  std::int32_t label;
+  std::uint32_t shape;  ///< index
+  FaceId face;          ///< a face of the mesh
+  std::int32_t label;   ///< its value there
 };
 
+/// Polygons on a mesh, and which of them make a shape.
 struct SurfaceScene {
-  std::shared_ptr<const SurfaceMesh> mesh;
-  SurfacePolygons polygons;  ///< over that mesh
+  std::shared_ptr<const SurfaceMesh> mesh;  ///< shared with other scenes
+  SurfacePolygons polygons;                 ///< over that mesh
   /// Polygons that add up to each shape; none given: one shape per polygon.
   std::optional<std::vector<std::vector<std::uint32_t>>> shapes;
   FaceId outside;  ///< labels are zero in the cell at its first corner; may be invalid
@@ -54,18 +55,19 @@ struct SurfaceScene {
   std::vector<SurfaceLevel> levels = {};
 };
 
+/// Numbers for people.
 struct SurfaceCounts {
-  std::size_t triangles = 0;  ///< of the mesh
-  std::size_t segments = 0;   ///< of polygons, those of length zero not counted
-  std::size_t crossings = 0;  ///< points where more than two arcs end (arc_ends())
-  std::size_t cells = 0;
+  std::size_t triangles = 0;   ///< of the mesh
+  std::size_t segments = 0;    ///< of polygons, those of length zero not counted
+  std::size_t crossings = 0;   ///< points where more than two arcs end (arc_ends())
+  std::size_t cells = 0;       ///< parts of the surface with no polygon between them
   std::size_t cell_edges = 0;  ///< different (pair of cells, signed polygons between them)
 };
 
 /// Does a label exist?
 struct Separation {
-  bool over_z = true;
-  bool mod_2 = true;
+  bool over_z = true;  ///< is there an integer label?
+  bool mod_2 = true;   ///< is there one modulo 2?
   /// If not over Z: cells, each next to the one before and the last to the first, around which the label
   /// would change; by an odd number, if not modulo 2 either.
   std::vector<CellId> cycle;
@@ -75,14 +77,14 @@ struct Separation {
 struct SurfaceRegion {
   std::vector<std::uint8_t> is_selected;  ///< per cell
   std::vector<std::uint32_t>
-      generators;  ///< polygons of the shapes that the expression names, ascending
-  std::size_t cells = 0;
-  double area = 0;  ///< beyond doubles the largest
+      generators;         ///< polygons of the shapes that the expression names, ascending
+  std::size_t cells = 0;  ///< how many are selected
+  double area = 0;        ///< beyond doubles the largest
 };
 
 /// What a Boolean gives. result_scene() (surface_result.h) makes it input again.
 struct SurfaceResult {
-  SurfaceRegion region;
+  SurfaceRegion region;  ///< the cells selected
   SurfacePolygons
       borders;  ///< one polygon a loop, the region to its left; the mesh border is no loop
 };
@@ -90,37 +92,43 @@ struct SurfaceResult {
 struct SurfaceArrangement;
 struct SurfaceCells;
 
+/// A surface cut by polygons into cells with labels.
 class SurfaceDivision {
  public:
-  SurfaceDivision(SurfaceScene scene, Context& context);
+  SurfaceDivision(SurfaceScene scene, Context& context);  ///< Steps 1 to 3.
   ~SurfaceDivision();
+  /// Moved from, the other can only be destroyed or assigned to.
   SurfaceDivision(SurfaceDivision&&) noexcept;
-  SurfaceDivision& operator=(SurfaceDivision&&) noexcept;
+  SurfaceDivision& operator=(SurfaceDivision&&) noexcept;  ///< As the constructor.
 
-  const SurfaceScene& scene() const;
-  const SurfaceMesh& mesh() const { return *scene().mesh; }
-  SurfaceCounts counts() const;
-  std::size_t cell_count() const;
-  std::size_t shape_count() const;
+  const SurfaceScene& scene() const;                         ///< What was given.
+  const SurfaceMesh& mesh() const { return *scene().mesh; }  ///< What is drawn on.
+  SurfaceCounts counts() const;                              ///< Of mesh, polygons and cells.
+  std::size_t cell_count() const;                            ///< Numbers of cells run from 0.
+  std::size_t shape_count() const;                           ///< Numbers of shapes run from 0.
 
+  /// Has this one polygon a label?
   const Separation& polygon_separation(std::uint32_t polygon) const;
-  const Separation& shape_separation(std::uint32_t shape) const;
+  const Separation& shape_separation(std::uint32_t shape) const;  ///< Has this shape a label?
   /// (shape, value), ascending, without zeros. Of a shape that separates modulo 2 only, values are 0 and 1; of
   /// one that does not separate there are none.
   std::span<const SignedEntry> labels(CellId c) const;
-  double area(CellId c) const;
+  double area(CellId c) const;  ///< of a cell
 
   /// What the stages made, for pictures and audits.
   const SurfaceArrangement& arrangement() const;
-  const SurfaceCells& cells() const;
+  const SurfaceCells& cells() const;  ///< Pieces and faces joined, and the graph of cells.
 
   /// Names A, B, C ... or s0, s1 ... are shapes. Throws Error{BadArgument} for other names, and for shapes that do
   /// not separate (modulo 2 is enough for EvenOdd).
   SurfaceRegion select(const SetExpression& expression, WindingRule rule, Context& context) const;
+  /// The boundary of a region, as polygons with the region to their left.
   SurfacePolygons borders(const SurfaceRegion& region, Context& context) const;
+  /// Select() and borders().
   SurfaceResult evaluate(const SetExpression& expression, WindingRule rule, Context& context) const;
   /// The same without limits.
   SurfaceRegion select(const SetExpression& expression, WindingRule rule) const;
+  /// The same without limits.
   SurfaceResult evaluate(const SetExpression& expression, WindingRule rule) const;
 
  private:

@@ -26,6 +26,8 @@
 
 namespace plumb {
 
+/// Loops that generate the first homology of a mesh relative to its border, and classes of polygons
+/// in them.
 class SurfaceHomology {
  public:
   /// The mesh has to outlive it.

@@ -16,8 +16,8 @@ using CellId = StrongId<struct SurfaceCellTag>;  ///< pieces and faces with no p
 
 /// A number that belongs to a polygon or a shape. Lists of these are sparse vectors: ascending ids, no zeros.
 struct SignedEntry {
-  std::uint32_t id;
-  std::int32_t value;
+  std::uint32_t id;    ///< of a polygon or shape
+  std::int32_t value;  ///< not zero
   friend auto operator<=>(const SignedEntry&, const SignedEntry&) = default;
 };
 

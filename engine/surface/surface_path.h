@@ -12,27 +12,29 @@ namespace plumb {
 /// A traced polyline. Segment i runs straight from points[i] to points[i + 1] in faces[i], which both lie
 /// in. (Along an edge either face will do.) One point and no face: a path of length zero.
 struct SurfacePath {
-  std::vector<SurfacePointId> points;
-  std::vector<FaceId> faces;
+  std::vector<SurfacePointId> points;  ///< one after another
+  std::vector<FaceId> faces;  ///< the face that the segment from points[i] to points[i + 1] runs in
 };
 
 /// Closed polygons over one table of points, in flat arrays. Polygon p has the entries from begin[p] on;
 /// segment i of it runs in face[i] from point[i] to the next, the last one back to the first. Points may follow
 /// themselves. Left of a polygon is where it winds around counter-clockwise.
 struct SurfacePolygons {
-  explicit SurfacePolygons(const SurfaceMesh& mesh) : points(mesh) {}
+  explicit SurfacePolygons(const SurfaceMesh& mesh)
+      : points(mesh) {}  ///< None yet, over that mesh.
 
-  SurfacePointTable points;
+  SurfacePointTable points;                ///< shared by all polygons
   std::vector<std::uint32_t> begin = {0};  ///< size() + 1 entries
-  std::vector<SurfacePointId> point;
-  std::vector<FaceId> face;
-  std::vector<std::uint8_t> is_control;  ///< given by whoever drew it, not by crossing an edge
+  std::vector<SurfacePointId> point;       ///< per entry
+  std::vector<FaceId> face;                ///< per entry: where the segment to the next one runs
+  std::vector<std::uint8_t> is_control;    ///< given by whoever drew it, not by crossing an edge
 
-  std::size_t size() const { return begin.size() - 1; }
+  std::size_t size() const { return begin.size() - 1; }  ///< How many polygons there are.
   /// The entry after i in polygon p.
   std::uint32_t next(std::size_t p, std::uint32_t i) const {
     return i + 1 == begin[p + 1] ? begin[p] : i + 1;
   }
+  /// The points of a polygon, in order.
   std::span<const SurfacePointId> points_of(std::size_t p) const {
     return std::span(point).subspan(begin[p], begin[p + 1] - begin[p]);
   }

@@ -9,8 +9,9 @@
 
 namespace plumb {
 
-using SurfacePointId = StrongId<struct SurfacePointTag>;
+using SurfacePointId = StrongId<struct SurfacePointTag>;  ///< a row of a table
 
+/// What a point lies on: the least item that holds it.
 enum class SurfacePlace : std::uint32_t { Vertex, Edge, Face };
 
 /// Append-only. Points are stored as what they are: adding a point of an edge whose t is 0 adds a vertex. Equal
@@ -24,23 +25,28 @@ class SurfacePointTable {
   /// The mesh has to outlive the table.
   explicit SurfacePointTable(const SurfaceMesh& mesh) : mesh_(&mesh) {}
 
-  SurfacePointId add_vertex(VertexId v);
-  SurfacePointId add_on_edge(EdgeId e, double t);
-  SurfacePointId add_on_edge(EdgeId e, const Rational& t);
+  SurfacePointId add_vertex(VertexId v);                    ///< A vertex of the mesh.
+  SurfacePointId add_on_edge(EdgeId e, double t);           ///< A point of an edge, by t.
+  SurfacePointId add_on_edge(EdgeId e, const Rational& t);  ///< The same, exactly.
+  /// A point of a face, by (u, v); on a side or corner it becomes that.
   SurfacePointId add_in_face(FaceId f, double u, double v);
+  /// The same, exactly.
   SurfacePointId add_in_face(FaceId f, const Rational& u, const Rational& v);
 
-  std::size_t size() const { return item_.size(); }
+  std::size_t size() const { return item_.size(); }  ///< Rows.
+  /// What it lies on.
   SurfacePlace place(SurfacePointId p) const {
     return static_cast<SurfacePlace>(item_[p.value()] >> 30U);
   }
-  VertexId vertex(SurfacePointId p) const { return VertexId(index(p)); }
-  EdgeId edge(SurfacePointId p) const { return EdgeId(index(p)); }
-  FaceId face(SurfacePointId p) const { return FaceId(index(p)); }
+  VertexId vertex(SurfacePointId p) const { return VertexId(index(p)); }  ///< Requires that place.
+  EdgeId edge(SurfacePointId p) const { return EdgeId(index(p)); }        ///< Requires that place.
+  FaceId face(SurfacePointId p) const { return FaceId(index(p)); }        ///< Requires that place.
 
   /// (t, 0) or (u, v); (0, 0) of a vertex. approx(): the nearest doubles.
   const PointTable2& parameters() const { return parameters_; }
+  /// Its row of parameters(), rounded.
   Point2 approx(SurfacePointId p) const { return parameters_.approx(p.value()); }
+  /// Its row of parameters().
   RationalPoint2 exact(SurfacePointId p) const { return parameters_.exact(p.value()); }
 
   /// The same point of the surface?
@@ -51,11 +57,12 @@ class SurfacePointTable {
   void append_local(SurfacePointId p, FaceId f, PointTable2& to) const;
   /// The same, rounded: each within 2^-52.
   Point2 approx_in(SurfacePointId p, FaceId f) const;
+  /// Its (u, v) in a face it lies in, exactly.
   RationalPoint2 exact_in(SurfacePointId p, FaceId f) const;
   /// In space, rounded.
   Point3 position(SurfacePointId p) const;
 
-  const SurfaceMesh& mesh() const { return *mesh_; }
+  const SurfaceMesh& mesh() const { return *mesh_; }  ///< What the points lie on.
 
  private:
   std::uint32_t index(SurfacePointId p) const { return item_[p.value()] & 0x3fffffffU; }

@@ -27,6 +27,7 @@
 
 namespace plumb {
 
+/// Paths between points of a mesh.
 class Tracer {
  public:
   /// The mesh has to outlive the tracer. O(n).

@@ -19,16 +19,17 @@ namespace plumb {
 
 /// Side 3 t + i runs from corner i of triangle t to corner i + 1.
 struct SurfaceTriangulation {
-  std::vector<Point3> points;  ///< rounded; those of the mesh first, then of nodes
-  std::vector<NodeId> node;    ///< per point; invalid where no node is
-  std::vector<SurfaceTriangle> triangles;
-  std::vector<CellId> cell;           ///< per triangle: its group
-  std::vector<FaceId> face;           ///< per triangle: the face of the mesh it is part of
-  std::vector<std::uint32_t> across;  ///< per side: the side of the other triangle, or kNone
-  std::vector<ArcId> arc;             ///< per side: what polygons run along it; invalid: none
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  std::vector<Point3> points;              ///< rounded; those of the mesh first, then of nodes
+  std::vector<NodeId> node;                ///< per point; invalid where no node is
+  std::vector<SurfaceTriangle> triangles;  ///< corners are indices of points
+  std::vector<CellId> cell;                ///< per triangle: its group
+  std::vector<FaceId> face;                ///< per triangle: the face of the mesh it is part of
+  std::vector<std::uint32_t> across;       ///< per side: the side of the other triangle, or kNone
+  std::vector<ArcId> arc;                  ///< per side: what polygons run along it; invalid: none
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};  ///< no cell, no node
 };
 
+/// The surface in triangles, each in one cell. O(n log n).
 SurfaceTriangulation triangulate_surface(const SurfaceDivision& division, Context& context);
 
 /// Where a node is, rounded.
