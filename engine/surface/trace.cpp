@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/surface/face_layout.h"
 #include "plumb/surface/unfolded_strip.h"
 
 namespace plumb {
@@ -13,24 +14,6 @@ namespace {
 
 constexpr std::uint64_t kStopBytes = 96;  // a point of a path, and of a polygon
 constexpr double kShorter = 1 - 0x1p-48;
-
-std::vector<Point3> scaled_positions(const SurfaceMesh& mesh) {
-  double largest = 0;
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    const Point3& p = mesh.point(VertexId(v));
-    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-  }
-  int above = 0;
-  std::frexp(largest, &above);
-  std::vector<Point3> positions;
-  positions.reserve(mesh.vertex_count());
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    const Point3& p = mesh.point(VertexId(v));
-    positions.push_back(
-        {std::ldexp(p.x, -above), std::ldexp(p.y, -above), std::ldexp(p.z, -above)});
-  }
-  return positions;
-}
 
 /// An order of points that does not depend on who asks first; equal ones are the same point.
 bool is_lower(const SurfacePointTable& points, SurfacePointId a, SurfacePointId b) {
@@ -107,7 +90,7 @@ SurfacePath read_off(const std::vector<StripStop>& stops, const SurfaceMesh& mes
 }  // namespace
 
 Tracer::Tracer(const SurfaceMesh& mesh)
-    : mesh_(mesh), positions_(scaled_positions(mesh)), finder_(mesh, positions_) {}
+    : mesh_(mesh), positions_(scaled_positions(mesh).at), finder_(mesh, positions_) {}
 
 std::optional<SurfacePath> Tracer::trace(SurfacePointTable& points, SurfacePointId a,
                                          SurfacePointId b, Context& context) {

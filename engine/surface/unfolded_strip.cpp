@@ -8,44 +8,15 @@
 namespace plumb {
 namespace {
 
+using namespace layout;
+
 constexpr double kClose =
     0x1p-40;                    // of a side's length: so near to a vertex a path passes through it
 constexpr double kFlat = 1e-9;  // radians: a bend so little short of half a turn stays
 
-Point2 operator-(Point2 a, Point2 b) { return {a.x - b.x, a.y - b.y}; }
-double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
-double dot(Point2 a, Point2 b) { return a.x * b.x + a.y * b.y; }
-double length(Point2 a) { return std::hypot(a.x, a.y); }
 double angle(Point2 a, Point2 b) { return std::fabs(std::atan2(cross(a, b), dot(a, b))); }
 
-Point3 operator-(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double length(const Point3& a) { return std::sqrt(dot(a, a)); }
-
-Point2 combined(const std::array<Point2, 3>& p, const std::array<double, 3>& w) {
-  return {w[0] * p[0].x + w[1] * p[1].x + w[2] * p[2].x,
-          w[0] * p[0].y + w[1] * p[1].y + w[2] * p[2].y};
-}
-
 }  // namespace
-
-std::array<double, 3> weights_in(const SurfacePointTable& table, SurfacePointId p, FaceId f) {
-  const Point2 at = table.approx(p);
-  if (table.place(p) == SurfacePlace::Face) return {1 - at.x - at.y, at.x, at.y};
-  const SurfaceMesh& mesh = table.mesh();
-  const bool is_vertex = table.place(p) == SurfacePlace::Vertex;
-  const VertexId low = is_vertex ? table.vertex(p) : mesh.lower(table.edge(p));
-  const VertexId high = is_vertex ? low : mesh.upper(table.edge(p));
-  std::array<double, 3> weights{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const VertexId v = mesh.corner(f, k);
-    weights[k] = v == low ? 1 - at.x : v == high ? at.x : 0;
-  }
-  return weights;
-}
 
 UnfoldedStrip::UnfoldedStrip(const SurfaceMesh& mesh, std::span<const Point3> positions,
                              const FaceStrip& strip, const StripEnd& from, const StripEnd& to)
@@ -56,41 +27,17 @@ UnfoldedStrip::UnfoldedStrip(const SurfaceMesh& mesh, std::span<const Point3> po
 
 // ---------------------------------------------------------------- laying out
 
-/// To the right of the line from a to b.
-Point2 UnfoldedStrip::third_corner(Point2 a, Point2 b, VertexId va, VertexId vb,
-                                   VertexId vc) const {
-  const Point3 along = positions_[vb.value()] - positions_[va.value()];
-  const Point3 to = positions_[vc.value()] - positions_[va.value()];
-  const double square = dot(along, along);
-  if (square == 0) return {a.x + length(to), a.y};
-  const double s = dot(along, to) / square, h = length(cross(along, to)) / square;
-  const Point2 d = b - a;
-  return {a.x + s * d.x + h * d.y, a.y + s * d.y - h * d.x};
-}
-
-UnfoldedStrip::Corners UnfoldedStrip::first_corners(FaceId f) const {
-  const VertexId a = mesh_.corner(f, 0), b = mesh_.corner(f, 1), c = mesh_.corner(f, 2);
-  const Point2 pa{0, 0}, pb{length(positions_[b.value()] - positions_[a.value()]), 0};
-  return {pa, pb, third_corner(pb, pa, b, a, c)};
-}
-
 void UnfoldedStrip::lay_out(const StripEnd& from, const StripEnd& to) {
   FaceId f = strip_.first;
-  Corners corners = first_corners(f);
+  FaceCorners corners = laid_out(mesh_, positions_, f, 0);
   StripStop start, end;
   start.at = combined(corners, weights_in(*from.table, from.point, f));
   for (const HalfedgeId door : strip_.doors) {
     const std::size_t side = SurfaceMesh::side(door);
-    const Point2 right = corners[side], left = corners[(side + 1) % 3];
-    right_.push_back(right);
-    left_.push_back(left);
-    const HalfedgeId twin = mesh_.twin(door);
-    const std::size_t k = SurfaceMesh::side(twin);
-    f = SurfaceMesh::face(twin);
-    corners[k] = left;
-    corners[(k + 1) % 3] = right;
-    corners[(k + 2) % 3] = third_corner(right, left, mesh_.origin(door), mesh_.target(door),
-                                        mesh_.corner(f, (k + 2) % 3));
+    right_.push_back(corners[side]);
+    left_.push_back(corners[(side + 1) % 3]);
+    corners = laid_out_across(mesh_, positions_, corners, door);
+    f = SurfaceMesh::face(mesh_.twin(door));
   }
   end.at = combined(corners, weights_in(*to.table, to.point, f));
   end.door = end.first = end.last = static_cast<std::uint32_t>(strip_.doors.size());
@@ -177,14 +124,11 @@ double UnfoldedStrip::strip_angle(std::size_t i) const {
 
 double UnfoldedStrip::full_angle(VertexId v) const {
   double sum = 0;
-  const Point3& p = positions_[v.value()];
   for_halfedges_from(mesh_, v, [&](HalfedgeId h) {
     if (mesh_.is_border(h) || mesh_.is_border(SurfaceMesh::prev(h))) {
       sum = std::numeric_limits<double>::infinity();
     }
-    const Point3 a = positions_[mesh_.target(h).value()] - p;
-    const Point3 b = positions_[mesh_.origin(SurfaceMesh::prev(h)).value()] - p;
-    sum += std::atan2(length(cross(a, b)), dot(a, b));
+    sum += corner_angle(mesh_, positions_, h);
   });
   return sum;
 }

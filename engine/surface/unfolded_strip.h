@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plumb/predicates/point.h"
+#include "plumb/surface/face_layout.h"
 #include "plumb/surface/face_strip.h"
 #include "plumb/surface/surface_mesh.h"
 
@@ -45,10 +46,6 @@ class UnfoldedStrip {
   std::vector<StripStop> stops() const;
 
  private:
-  using Corners = std::array<Point2, 3>;
-
-  Corners first_corners(FaceId f) const;
-  Point2 third_corner(Point2 a, Point2 b, VertexId va, VertexId vb, VertexId vc) const;
   void lay_out(const StripEnd& from, const StripEnd& to);
   void pull();
   void add_bend(std::size_t door, bool is_left);
@@ -75,8 +72,5 @@ class UnfoldedStrip {
   std::vector<Point2> right_, left_;  // of each door: its origin, its target
   std::vector<StripStop> bends_;      // with both ends
 };
-
-/// Where a point lies, by its approximate parameters, among three corners of one of its faces.
-std::array<double, 3> weights_in(const SurfacePointTable& table, SurfacePointId p, FaceId f);
 
 }  // namespace plumb
