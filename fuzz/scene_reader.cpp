@@ -10,8 +10,11 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "generate/surface_meshes.h"
+#include "plumb/io/svg_reader.h"
 #include "plumb/surface/trace.h"
 #include "plumb/testing/oracle_reached.h"
 #include "reader_laws.h"
@@ -23,6 +26,8 @@ using namespace plumb::fuzz;
 
 constexpr std::size_t kMostText = 1U << 14U;
 constexpr std::size_t kMostLegs = 40;
+constexpr std::size_t kMostDrawings = 4;
+constexpr const char* kDrawingName = "drawing";
 
 std::shared_ptr<const SurfaceMesh> mesh_number(unsigned i) {
   static const std::array<std::shared_ptr<const SurfaceMesh>, 4> kMeshes{
@@ -31,6 +36,16 @@ std::shared_ptr<const SurfaceMesh> mesh_number(unsigned i) {
       std::make_shared<const SurfaceMesh>(plumb::testing::sphere_surface(0)),
       std::make_shared<const SurfaceMesh>(plumb::testing::cylinder_surface(5, 2))};
   return kMeshes[i % kMeshes.size()];
+}
+
+/// Whatever files a scene names, they hold this.
+std::vector<DrawingFile> drawings_for(const ParsedScene& scene, Context& context) {
+  const std::string text = "<svg><path d='M0 0l.5 0 0 .5M.1.1h.2v.3'/></svg>";
+  std::vector<DrawingFile> drawings;
+  for (std::size_t i = 0; i < scene.drawings.size(); ++i) {
+    drawings.push_back({kDrawingName, text, read_svg(text, {kDrawingName, false}, {}, context)});
+  }
+  return drawings;
 }
 
 void require_canonical(SurfacePolygons& polygons, SurfacePointId a, SurfacePointId b,
@@ -48,9 +63,10 @@ void require_canonical(SurfacePolygons& polygons, SurfacePointId a, SurfacePoint
 void judge(SurfaceScene scene, const ParsedScene& text, Context& context) {
   oracle_reached();
   require_valid(scene.polygons);
-  require(scene.polygons.size() == text.polygons.size(), "every polygon is there");
-  for (std::size_t i = 0; i < text.point_face.size(); ++i) {
-    require(scene.polygons.points.is_in(SurfacePointId(i), FaceId(text.point_face[i])),
+  require(scene.polygons.size() == text.polygons.size() + 2 * text.drawings.size(),
+          "every polygon is there");
+  for (std::size_t i = 0; i < text.points.face.size(); ++i) {
+    require(scene.polygons.points.is_in(SurfacePointId(i), FaceId(text.points.face[i])),
             "a point lies in its face");
   }
   Tracer tracer(*scene.mesh);
@@ -71,9 +87,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Context context;
   try {
     const ParsedScene parsed = parse_scene(text, options, context);
-    judge(make_scene(parsed, mesh_number(data[0] & 3U), text, options, context), parsed, context);
+    if (parsed.drawings.size() > kMostDrawings) return 0;
+    judge(make_scene(parsed, mesh_number(data[0] & 3U), text, options, context,
+                     drawings_for(parsed, context)),
+          parsed, context);
   } catch (const Error& error) {
-    require_place(error, text);
+    if (error.place().file != kDrawingName) require_place(error, text);
   }
   return 0;
 }

@@ -55,7 +55,7 @@ void SurfaceInput::declare_expression(CLI::App& app, bool is_required) {
 DividedScene SurfaceInput::read(Session& session) const {
   SceneFile file = read_scene_file(file_, {.exact_decimals = session.options().exact_decimals},
                                    session.context());
-  for (const std::string& note : file.notes) session.note(file.model + ": " + note);
+  for (const std::string& note : file.notes) session.note(note);
   std::vector<SurfaceRepair> repairs;
   if (repairs_) repairs = repair(file.scene, session.context());
   return {SurfaceDivision(std::move(file.scene), session.context()), file.model,

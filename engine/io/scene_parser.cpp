@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "plumb/base/error.h"
 #include "plumb/io/json_places.h"
 #include "plumb/io/number_reader.h"
+#include "plumb/io/scene_points.h"
 #include "plumb/io/scene_reader.h"
 #include "plumb/io/with_place.h"
 #include "plumb/predicates/rounding.h"
@@ -24,21 +26,22 @@ namespace {
 using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
                                   std::uint64_t, long double>;
 
-enum class Member : std::uint8_t { Model, Points, Polygons, Shapes, Outside, Levels, Other };
-constexpr std::array<std::string_view, 6> kMemberNames{"model",  "points",  "polygons",
-                                                       "shapes", "outside", "levels"};
-constexpr double kClear = 0x1p-40;  // so far from the sides rounding a weight changes nothing
+enum class Member : std::uint8_t { Model, Points, Polygons, Shapes, Outside, Levels, Svg, Other };
+constexpr std::array<std::string_view, 7> kMemberNames{"model",   "points", "polygons", "shapes",
+                                                       "outside", "levels", "svg"};
+/// Of a drawing.
+enum class Part : std::uint8_t { File, Center, Scale, Angle, Tolerance, Other };
+constexpr std::array<std::string_view, 5> kPartNames{"file", "center", "scale", "angle",
+                                                     "tolerance"};
 constexpr std::uint64_t kBytesPerIndex = 2 * (sizeof(std::uint32_t) + sizeof(std::size_t));
-constexpr std::uint64_t kBytesPerPoint = 2 * (sizeof(Point2) + 2 * sizeof(std::size_t));
 constexpr std::uint32_t kMost = 0x3fff'ffff;
 
+std::string quoted_name(std::string_view name) { return '"' + std::string(name) + '"'; }
 std::string quoted_name(Member member) {
-  return '"' + std::string(kMemberNames[static_cast<std::size_t>(member)]) + '"';
+  return quoted_name(kMemberNames[static_cast<std::size_t>(member)]);
 }
-
-const Rational& tiny() {
-  static const Rational value = exact_rational(0x1p-52);
-  return value;
+std::string quoted_name(Part part) {
+  return quoted_name(kPartNames[static_cast<std::size_t>(part)]);
 }
 
 class SceneHandler : public nlohmann::json_sax<Json> {
@@ -46,17 +49,16 @@ class SceneHandler : public nlohmann::json_sax<Json> {
   SceneHandler(std::string_view text, const ReadOptions& options, Context& context)
       : begin_(text.data()),
         places_(text, options.name, context),
-        nearest_(context.limits(), options.exact_decimals, text.size()),
-        exact_(context.limits(), true, text.size()),
-        exact_decimals_(options.exact_decimals),
+        points_(text, options, places_, context),
+        numbers_reader_(context.limits(), false, text.size()),
         context_(context) {}
 
   ParsedScene read() {
     Json::sax_parse(places_.begin(), places_.end(), this);
     check_members();
-    check_indices(scene_.polygons, scene_.point_face.size(), "point");
+    check_indices(scene_.polygons, scene_.points.size(), "point");
     if (scene_.shapes) check_indices(*scene_.shapes, scene_.polygons.size(), "polygon");
-    check_levels();
+    if (scene_.drawings.empty()) check_levels();
     return std::move(scene_);
   }
 
@@ -86,15 +88,20 @@ class SceneHandler : public nlohmann::json_sax<Json> {
     fail(ErrorCode::Syntax, "expected " + what + (is_open_ ? " in " + quoted_name(member_) : ""));
   }
   bool means_something() const { return skipped_ == 0; }
+  bool is_other() const {
+    return is_open_ && (is_drawing_ ? part_ == Part::Other : member_ == Member::Other);
+  }
+  bool is_in_point() const {
+    return is_drawing_ ? is_in_center_ : is_open_ && member_ == Member::Points && depth_ == 2;
+  }
   std::string expected() const;
   bool take_other();
   bool take_number(std::optional<std::uint64_t> value, std::optional<std::int64_t> negative = {});
-  void read_weight(std::string_view token);
+  void add_to_drawing();
+  void end_drawing();
   std::uint32_t index_of(std::optional<std::uint64_t> value) const;
   void add_index(ParsedScene::Lists& lists, std::uint32_t index);
   void end_list(ParsedScene::Lists& lists);
-  void add_point();
-  void add_near_side(const std::array<Rational, 2>& weights, bool is_decimal);
   void add_to_level(std::optional<std::uint64_t> value, std::optional<std::int64_t> negative);
   void end_level();
   ParsedScene::Lists& lists() {
@@ -106,8 +113,8 @@ class SceneHandler : public nlohmann::json_sax<Json> {
 
   const char* begin_;
   JsonPlaces places_;
-  NumberReader nearest_, exact_;
-  bool exact_decimals_;
+  ScenePointReader points_;
+  NumberReader numbers_reader_;  // of drawings
   Context& context_;
   ParsedScene scene_;
 
@@ -117,49 +124,65 @@ class SceneHandler : public nlohmann::json_sax<Json> {
   int depth_ = 0;            // of lists open in the member
   std::size_t skipped_ = 0;  // open lists and objects that mean nothing
 
-  // Of the point or level being read.
+  // The level being read.
   std::size_t numbers_ = 0;
-  std::size_t point_place_ = 0;
-  std::uint32_t face_ = 0;
-  std::array<std::string_view, 2> tokens_;
-  std::array<ReadNumber, 2> weights_;
+  std::size_t level_place_ = 0;
   SurfaceLevel level_{};
+
+  // The drawing being read.
+  bool is_drawing_ = false;
+  bool is_in_center_ = false;
+  Part part_ = Part::Other;
+  std::array<bool, kPartNames.size()> has_part_{};
+  ParsedScene::Drawing drawing_;
 };
 
 // ---------------------------------------------------------------- structure
 
 bool is_list(Member member) {
   return member == Member::Points || member == Member::Polygons || member == Member::Shapes ||
-         member == Member::Levels;
+         member == Member::Levels || member == Member::Svg;
 }
 
 std::string SceneHandler::expected() const {
   if (!is_open_) return "an object";
+  if (is_in_point()) return points_.needs_face() ? "the index of a face" : "a number or a fraction";
+  if (is_drawing_) {
+    return part_ == Part::File     ? "a file name"
+           : part_ == Part::Center ? "a point [face, u, v]"
+                                   : "a number";
+  }
+  if (member_ == Member::Svg) return depth_ == 0 ? "a drawing or a list of them" : "a drawing";
   if (member_ == Member::Model) return "a file name";
   if (member_ == Member::Outside) return "the index of a face";
   if (depth_ == 0) return "a list";
   if (member_ == Member::Levels) {
     return depth_ == 1 ? "a level [shape, face, label]" : (numbers_ < 2 ? "an index" : "a label");
   }
-  if (member_ != Member::Points) return depth_ == 1 ? "a list of indices" : "an index";
-  if (depth_ == 1) return "a point [face, u, v]";
-  return numbers_ == 0 ? "the index of a face" : "a number or a fraction";
+  if (member_ == Member::Points) return "a point [face, u, v]";
+  return depth_ == 1 ? "a list of indices" : "an index";
 }
 
 bool SceneHandler::take_other() {
   places_.find_token();
-  if (means_something() && (!is_open_ || member_ != Member::Other)) fail_expected(expected());
+  if (means_something() && !is_other()) fail_expected(expected());
   return true;
 }
 
 bool SceneHandler::start_object(std::size_t) {
   places_.find_token();
-  if (!means_something() || (is_open_ && member_ == Member::Other)) {
+  if (!means_something() || is_other()) {
     ++skipped_;
-  } else if (is_open_) {
-    fail_expected(expected());
-  } else {
+  } else if (!is_open_) {
     is_open_ = true;
+  } else if (member_ == Member::Svg && !is_drawing_) {
+    is_drawing_ = true;
+    part_ = Part::Other;
+    has_part_ = {};
+    drawing_ = {};
+    drawing_.place = place();
+  } else {
+    fail_expected(expected());
   }
   return true;
 }
@@ -167,6 +190,14 @@ bool SceneHandler::start_object(std::size_t) {
 bool SceneHandler::key(string_t& name) {
   places_.find_token();
   if (!means_something()) return true;
+  if (is_drawing_) {
+    const auto part = std::find(kPartNames.begin(), kPartNames.end(), name);
+    part_ = static_cast<Part>(part - kPartNames.begin());
+    if (part_ != Part::Other && std::exchange(has_part_[static_cast<std::size_t>(part_)], true)) {
+      fail(ErrorCode::Syntax, quoted_name(part_) + " is given twice");
+    }
+    return true;
+  }
   const auto found = std::find(kMemberNames.begin(), kMemberNames.end(), name);
   member_ = static_cast<Member>(found - kMemberNames.begin());
   if (member_ == Member::Other) return true;
@@ -179,19 +210,31 @@ bool SceneHandler::key(string_t& name) {
 
 bool SceneHandler::end_object() {
   places_.find_token();
-  if (skipped_ > 0) --skipped_;
+  if (skipped_ > 0) {
+    --skipped_;
+  } else if (is_drawing_) {
+    end_drawing();
+  }
   return true;
 }
 
 bool SceneHandler::start_array(std::size_t) {
   places_.find_token();
-  if (!means_something() || (is_open_ && member_ == Member::Other)) {
+  if (!means_something() || is_other()) {
     ++skipped_;
     return true;
   }
-  if (!is_open_ || !is_list(member_) || depth_ == 2) fail_expected(expected());
+  if (is_drawing_) {
+    if (part_ != Part::Center || is_in_center_) fail_expected(expected());
+    is_in_center_ = true;
+    points_.begin(place());
+    return true;
+  }
+  const int deepest = member_ == Member::Svg ? 1 : 2;
+  if (!is_open_ || !is_list(member_) || depth_ == deepest) fail_expected(expected());
   ++depth_;
-  if (depth_ == 2) point_place_ = place();
+  if (is_in_point()) points_.begin(place());
+  level_place_ = place();
   numbers_ = 0;
   return true;
 }
@@ -202,9 +245,14 @@ bool SceneHandler::end_array() {
     --skipped_;
     return true;
   }
+  if (is_drawing_) {
+    points_.end(scene_.centers);
+    is_in_center_ = false;
+    return true;
+  }
   if (depth_ == 2) {
     if (member_ == Member::Points) {
-      add_point();
+      points_.end(scene_.points);
     } else if (member_ == Member::Levels) {
       end_level();
     } else {
@@ -216,8 +264,9 @@ bool SceneHandler::end_array() {
 }
 
 void SceneHandler::check_members() const {
+  const bool has_drawing = seen_[static_cast<std::size_t>(Member::Svg)];
   for (const Member m : {Member::Model, Member::Points, Member::Polygons}) {
-    if (seen_[static_cast<std::size_t>(m)]) continue;
+    if (seen_[static_cast<std::size_t>(m)] || (m != Member::Model && has_drawing)) continue;
     places_.fail(ErrorCode::Syntax, "a scene needs " + quoted_name(m), begin_);
   }
 }
@@ -248,47 +297,50 @@ void SceneHandler::check_levels() const {
 
 bool SceneHandler::string(string_t& value) {
   places_.find_token();
-  if (!means_something() || (is_open_ && member_ == Member::Other)) return true;
-  if (is_open_ && member_ == Member::Model) {
+  if (!means_something() || is_other()) return true;
+  const bool is_file = is_open_ && (is_drawing_ ? part_ == Part::File : member_ == Member::Model);
+  if (is_file) {
     if (value.empty() || value.find('\0') != value.npos) fail_expected("a file name");
-    scene_.model = value;
+    (is_drawing_ ? drawing_.file : scene_.model) = value;
     return true;
   }
-  const bool is_weight = is_open_ && member_ == Member::Points && depth_ == 2 && numbers_ > 0;
-  if (!is_weight) fail_expected(expected());
+  if (!is_in_point() || points_.needs_face()) fail_expected(expected());
   const std::string_view token = places_.token_text();
   if (token.size() < 3 || token.substr(1, token.size() - 2) != value ||
       value.find(' ') != value.npos) {
     fail_expected(expected());
   }
-  read_weight(token.substr(1, token.size() - 2));
+  points_.read_weight(token.substr(1, token.size() - 2));
   return true;
 }
 
 bool SceneHandler::take_number(std::optional<std::uint64_t> value,
                                std::optional<std::int64_t> negative) {
   places_.find_number();
-  if (!means_something() || (is_open_ && member_ == Member::Other)) return true;
-  if (is_open_ && member_ == Member::Outside) {
+  if (!means_something() || is_other()) return true;
+  if (is_in_point()) {
+    if (points_.needs_face()) {
+      points_.set_face(index_of(value));
+    } else {
+      points_.read_weight(places_.token_text());
+    }
+  } else if (is_drawing_) {
+    add_to_drawing();
+  } else if (is_open_ && member_ == Member::Outside) {
     scene_.outside = index_of(value);
     scene_.outside_place = place();
   } else if (!is_open_ || depth_ < 2) {
     fail_expected(expected());
   } else if (member_ == Member::Levels) {
     add_to_level(value, negative);
-  } else if (member_ != Member::Points) {
-    add_index(lists(), index_of(value));
-  } else if (numbers_ == 0) {
-    face_ = index_of(value);
-    numbers_ = 1;
   } else {
-    read_weight(places_.token_text());
+    add_index(lists(), index_of(value));
   }
   return true;
 }
 
 std::uint32_t SceneHandler::index_of(std::optional<std::uint64_t> value) const {
-  if (!value) fail_expected(member_ == Member::Points ? expected() : "an index");
+  if (!value) fail_expected(is_in_point() ? expected() : "an index");
   if (*value > kMost) fail(ErrorCode::BadIndex, "an index too large for any scene");
   return static_cast<std::uint32_t>(*value);
 }
@@ -325,73 +377,36 @@ void SceneHandler::end_level() {
   if (numbers_ < 3) fail(ErrorCode::Syntax, "a level is [shape, face, label]: too few numbers");
   with_place(places_.cursor_at_token(),
              [&] { context_.charge_memory(2 * sizeof(ParsedScene::Level), "the scene"); });
-  scene_.levels.push_back({level_, point_place_});
+  scene_.levels.push_back({level_, level_place_});
 }
 
-// ---------------------------------------------------------------- points
+// ---------------------------------------------------------------- drawings
 
-void SceneHandler::read_weight(std::string_view token) {
-  if (numbers_ > 2) fail(ErrorCode::Syntax, "a point is [face, u, v]: too many numbers");
-  nearest_.read(places_.cursor_at_token(), token, weights_[numbers_ - 1]);
-  tokens_[numbers_ - 1] = token;
-  ++numbers_;
+void SceneHandler::add_to_drawing() {
+  if (part_ == Part::File || part_ == Part::Center) fail_expected(expected());
+  ReadNumber number;
+  numbers_reader_.read(places_.cursor_at_token(), places_.token_text(), number);
+  const double value = number.is_double() ? number.as_double() : nearest_double(number.exact());
+  if (!std::isfinite(value)) fail(ErrorCode::NumberOutOfRange, "beyond the largest double");
+  if (part_ != Part::Angle && value <= 0) {
+    fail(ErrorCode::BadShape, quoted_name(part_) + " is not above zero");
+  }
+  if (part_ == Part::Scale) drawing_.scale = value;
+  if (part_ == Part::Angle) drawing_.angle = value;
+  if (part_ == Part::Tolerance) drawing_.tolerance = value;
 }
 
-void SceneHandler::add_point() {
-  if (numbers_ < 3) fail(ErrorCode::Syntax, "a point is [face, u, v]: too few numbers");
+void SceneHandler::end_drawing() {
+  for (const Part p : {Part::File, Part::Center, Part::Scale}) {
+    if (!has_part_[static_cast<std::size_t>(p)]) {
+      places_.fail(ErrorCode::Syntax, "a drawing needs " + quoted_name(p), begin_ + drawing_.place);
+    }
+  }
   with_place(places_.cursor_at_token(), [&] {
-    context_.charge_memory(kBytesPerPoint + exact_bytes(weights_[0], weights_[1]), "the scene");
+    context_.charge_memory(2 * (sizeof(ParsedScene::Drawing) + drawing_.file.size()), "the scene");
   });
-  scene_.point_face.push_back(face_);
-  scene_.point_place.push_back(point_place_);
-  const auto any_has = [this](const char* characters) {
-    return tokens_[0].find_first_of(characters) != std::string_view::npos ||
-           tokens_[1].find_first_of(characters) != std::string_view::npos;
-  };
-  // A fraction means itself: a decimal beside it is rounded by itself, then, whatever it adds up to.
-  const bool is_fraction = any_has("/"), is_decimal = !exact_decimals_ && any_has(".eE");
-  scene_.point_rounds.push_back(is_decimal && !is_fraction ? 1 : 0);
-  if (weights_[0].is_double() && weights_[1].is_double()) {
-    const double u = weights_[0].as_double(), v = weights_[1].as_double();
-    if (u > kClear && v > kClear && u + v < 1 - kClear) {
-      scene_.point_weights.push_back({u, v});
-      return;
-    }
-  }
-  std::array<Rational, 2> weights;
-  for (std::size_t i = 0; i < 2; ++i) {
-    // What the nearest double is zero of is zero, however small it is.
-    const bool is_zero = weights_[i].is_double() && weights_[i].as_double() == 0;
-    if (!is_fraction && !is_zero) {
-      exact_.read(places_.cursor_at_token(), tokens_[i], weights_[i]);
-    }
-    weights[i] = weights_[i].exact();
-  }
-  add_near_side(weights, is_decimal);
-}
-
-/// On a side or near one: exactly as written, but for what decimals may be rounded to.
-void SceneHandler::add_near_side(const std::array<Rational, 2>& weights, bool is_decimal) {
-  auto [u, v] = weights;
-  const Rational rest = 1 - u - v;
-  if (u < -tiny() || v < -tiny() || rest < -tiny()) {
-    places_.fail(ErrorCode::BadShape, "a point outside its face: u, v and 1 - u - v are weights",
-                 begin_ + point_place_);
-  }
-  if (u < 0) u = 0;
-  if (v < 0) v = 0;
-  if (u + v > 1 || (is_decimal && rest <= tiny())) {
-    u = u > 1 ? Rational(1) : u;
-    v = 1 - u;
-  }
-  if (scene_.point_rounds.back() != 0 && u > 0 && v > 0 && u + v < 1) {
-    const double x = nearest_double(u), y = nearest_double(v);
-    if (x > 0 && y > 0 && exact_rational(x) + exact_rational(y) < 1) {
-      scene_.point_weights.push_back({x, y});
-      return;
-    }
-  }
-  scene_.point_weights.push_back(u, v);
+  scene_.drawings.push_back(std::move(drawing_));
+  is_drawing_ = false;
 }
 
 }  // namespace

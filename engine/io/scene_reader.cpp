@@ -1,13 +1,15 @@
 #include "plumb/io/scene_reader.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <utility>
 
 #include "plumb/base/error.h"
 #include "plumb/io/input.h"
-#include "plumb/io/number_reader.h"
+#include "plumb/io/scene_drawing.h"
 #include "plumb/io/solid_io.h"
+#include "plumb/io/svg_reader.h"
 #include "plumb/io/text_cursor.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/surface/trace.h"
@@ -31,16 +33,18 @@ class SceneMaker {
              std::string_view text, const ReadOptions& options, Context& context)
       : in_(scene), mesh_(std::move(mesh)), text_(text), name_(options.name), context_(context) {}
 
-  SurfaceScene run() {
+  SurfaceScene run(std::span<const DrawingFile> drawings) {
     SurfaceScene scene{mesh_, SurfacePolygons(*mesh_), {}, {}};
-    for (std::uint32_t i = 0; i < in_.point_face.size(); ++i) add_point(i, scene.polygons.points);
-    trace(scene.polygons);
+    add_points(in_.points, scene.polygons.points);
+    Tracer tracer(*mesh_);
+    trace(tracer, scene.polygons);
     if (in_.shapes) add_shapes(*in_.shapes, scene.shapes.emplace());
+    if (!in_.drawings.empty()) draw(drawings, tracer, scene);
     if (in_.outside) {
       require_face(*in_.outside, in_.outside_place);
       scene.outside = FaceId(*in_.outside);
     }
-    add_levels(scene.levels);
+    add_levels(scene);
     return scene;
   }
 
@@ -67,31 +71,44 @@ class SceneMaker {
     }
   }
 
-  void add_levels(std::vector<SurfaceLevel>& levels) const {
+  [[noreturn]] void fail_shape(std::uint32_t shape, std::size_t count, std::size_t place) const {
+    fail(ErrorCode::BadIndex,
+         "no shape " + std::to_string(shape) + ": there are " + std::to_string(count) +
+             ", counted from 0",
+         place);
+  }
+
+  void add_levels(SurfaceScene& scene) const {
     std::set<std::pair<std::uint32_t, std::uint32_t>> known;  // shape, component
+    const std::size_t shapes = scene.shapes ? scene.shapes->size() : scene.polygons.size();
     for (const auto& [level, place] : in_.levels) {
       require_face(level.face.value(), place);
+      if (level.shape >= shapes) fail_shape(level.shape, shapes, place);
       if (!known.emplace(level.shape, mesh_->component(level.face)).second) {
         fail(ErrorCode::BadShape,
              "a second level of shape " + std::to_string(level.shape) +
                  " in one component of the model",
              place);
       }
-      levels.push_back(level);
+      scene.levels.push_back(level);
     }
   }
 
-  /// Its id is its index.
-  void add_point(std::uint32_t i, SurfacePointTable& points) const {
-    require_face(in_.point_face[i], in_.point_place[i]);
-    const FaceId f(in_.point_face[i]);
-    const bool is_flipped = mesh_->is_flipped(f), rounds = in_.point_rounds[i] != 0;
-    const Point2 near = in_.point_weights.approx(i);
-    if (in_.point_weights.is_double(i) && near.x > 0 && near.y > 0 && near.x + near.y < 1) {
+  /// Their ids are their indices, after the points that there are.
+  void add_points(const ScenePoints& in, SurfacePointTable& points) const {
+    for (std::uint32_t i = 0; i < in.size(); ++i) add_point(in, i, points);
+  }
+
+  void add_point(const ScenePoints& in, std::uint32_t i, SurfacePointTable& points) const {
+    require_face(in.face[i], in.place[i]);
+    const FaceId f(in.face[i]);
+    const bool is_flipped = mesh_->is_flipped(f), rounds = in.rounds[i] != 0;
+    const Point2 near = in.weights.approx(i);
+    if (in.weights.is_double(i) && near.x > 0 && near.y > 0 && near.x + near.y < 1) {
       points.add_in_face(f, is_flipped ? near.y : near.x, is_flipped ? near.x : near.y);
       return;
     }
-    auto [u, v] = in_.point_weights.exact(i);
+    auto [u, v] = in.weights.exact(i);
     if (is_flipped) std::swap(u, v);
     const bool is_inside = u > 0 && v > 0 && u + v < 1;
     const bool is_vertex = (u == 0 || u == 1) && (v == 0 || v == 1);
@@ -106,8 +123,39 @@ class SceneMaker {
     }
   }
 
-  void trace(SurfacePolygons& polygons) const {
-    Tracer tracer(*mesh_);
+  void draw(std::span<const DrawingFile> drawings, Tracer& tracer, SurfaceScene& scene) const {
+    PLUMB_CHECK(drawings.size() == in_.drawings.size());
+    if (!scene.shapes) {
+      scene.shapes.emplace();
+      for (std::uint32_t p = 0; p < scene.polygons.size(); ++p) scene.shapes->push_back({p});
+    }
+    const std::size_t first = scene.polygons.points.size();
+    add_points(in_.centers, scene.polygons.points);
+    for (std::size_t i = 0; i < drawings.size(); ++i) {
+      const SurfacePointId centre(first + i);
+      const FaceId face(in_.centers.face[i]);
+      const std::size_t shapes = scene.shapes->size();
+      add_drawing(drawings[i], in_.drawings[i], centre, face, tracer, scene, context_);
+      add_zeros(shapes, farthest_face(*mesh_, scene.polygons.points.position(centre), face), scene);
+    }
+  }
+
+  /// The shapes from `first` on have the label zero in a face, unless the scene says more about their component.
+  void add_zeros(std::size_t first, FaceId face, SurfaceScene& scene) const {
+    const std::uint32_t component = mesh_->component(face);
+    const auto is_here = [&](std::uint32_t f) {
+      return f < mesh_->face_count() && mesh_->component(FaceId(f)) == component;
+    };
+    if (in_.outside && is_here(*in_.outside)) return;
+    for (std::size_t s = first; s < scene.shapes->size(); ++s) {
+      const bool is_given = std::ranges::any_of(in_.levels, [&](const ParsedScene::Level& given) {
+        return given.level.shape == s && is_here(given.level.face.value());
+      });
+      if (!is_given) scene.levels.push_back({static_cast<std::uint32_t>(s), face, 0});
+    }
+  }
+
+  void trace(Tracer& tracer, SurfacePolygons& polygons) const {
     std::vector<SurfacePointId> control;
     std::vector<FaceId> named;
     for (std::size_t p = 0; p < in_.polygons.size(); ++p) {
@@ -116,7 +164,7 @@ class SceneMaker {
       named.clear();
       for (std::uint32_t i = in_.polygons.begin[p]; i < in_.polygons.begin[p + 1]; ++i) {
         control.push_back(SurfacePointId(in_.polygons.items[i]));
-        named.push_back(FaceId(in_.point_face[in_.polygons.items[i]]));
+        named.push_back(FaceId(in_.points.face[in_.polygons.items[i]]));
       }
       const auto torn = add_traced_polygon(tracer, control, named, polygons, context_);
       if (torn) fail_torn(p, *torn);
@@ -129,7 +177,7 @@ class SceneMaker {
     const std::size_t a = begin + leg, b = begin + (leg + 1) % size;
     const auto where = [&](std::size_t i) {
       const std::uint32_t point = in_.polygons.items[i];
-      return "point " + std::to_string(point) + " (face " + std::to_string(in_.point_face[point]) +
+      return "point " + std::to_string(point) + " (face " + std::to_string(in_.points.face[point]) +
              ')';
     };
     fail(ErrorCode::BadShape,
@@ -162,11 +210,25 @@ std::size_t turned_faces(const SurfaceMesh& mesh) {
   return turned;
 }
 
+using SceneNotes = std::vector<std::string>;
+
+void add_notes(const std::string& file, const std::vector<std::string>& notes, SceneNotes& to) {
+  for (const std::string& note : notes) to.push_back(file + ": " + note);
+}
+
+DrawingFile read_drawing(const std::string& path, std::optional<double> tolerance,
+                         Context& context) {
+  DrawingFile file{path, read_input(path, context), {}};
+  file.drawing = read_svg(file.text, {path, false}, tolerance, context);
+  return file;
+}
+
 }  // namespace
 
 SurfaceScene make_scene(const ParsedScene& scene, std::shared_ptr<const SurfaceMesh> mesh,
-                        std::string_view text, const ReadOptions& options, Context& context) {
-  return SceneMaker(scene, std::move(mesh), text, options, context).run();
+                        std::string_view text, const ReadOptions& options, Context& context,
+                        std::span<const DrawingFile> drawings) {
+  return SceneMaker(scene, std::move(mesh), text, options, context).run(drawings);
 }
 
 SurfaceMesh fanned_surface(const PolygonMesh& mesh) {
@@ -186,15 +248,26 @@ SceneFile read_scene_file(const std::string& path, ReadOptions options, Context&
   const std::string text = read_input(path, context);
   const ParsedScene scene = parse_scene(text, options, context);
   const fs::path folder = path == "-" ? fs::path() : fs::path(path).parent_path();
-  std::string model = (folder / scene.model).string();
-  if (model == "-") model = "./-";
+  const auto beside = [&folder](const std::string& name) {
+    const std::string file = (folder / name).string();
+    return file == "-" ? "./-" : file;
+  };
+  SceneNotes notes;
+  const std::string model = beside(scene.model);
   MeshFile file = read_mesh_file(model, {}, options, context);
   const auto mesh = std::make_shared<const SurfaceMesh>(surface_in(file.mesh, model, context));
+  add_notes(model, file.notes, notes);
   if (const std::size_t turned = turned_faces(*mesh); turned > 0) {
-    file.notes.push_back(std::to_string(turned) +
-                         " faces turned around to agree with their component");
+    add_notes(model,
+              {{std::to_string(turned) + " faces turned around to agree with their component"}},
+              notes);
   }
-  return {make_scene(scene, mesh, text, options, context), model, std::move(file.notes)};
+  std::vector<DrawingFile> drawings;
+  for (const ParsedScene::Drawing& d : scene.drawings) {
+    drawings.push_back(read_drawing(beside(d.file), d.tolerance, context));
+    add_notes(drawings.back().name, drawings.back().drawing.notes, notes);
+  }
+  return {make_scene(scene, mesh, text, options, context, drawings), model, std::move(notes)};
 }
 
 }  // namespace plumb

@@ -1,7 +1,8 @@
 // Reads scenes: polygons on a mesh (docs/formats.md, "Scenes").
 //
 //   {"model": FILE, "points": [[face, u, v], ..], "polygons": [[point, ..], ..],
-//    "shapes"?: [[polygon, ..], ..], "outside"?: face, "levels"?: [[shape, face, label], ..]}
+//    "shapes"?: [[polygon, ..], ..], "outside"?: face, "levels"?: [[shape, face, label], ..],
+//    "svg"?: {"file": FILE, "center": [face, u, v], "scale": length, "angle"?: degrees, "tolerance"?: length}}
 //
 // Indices count from 0; u, v are the weights of the second and the third vertex of the face, as the model lists
 // them, larger polygons cut into fans in order. FILE is sought beside the scene. A weight is a JSON number or
@@ -12,6 +13,9 @@
 //  2. model      by any reader of meshes (solid_io.h); triangles; SurfaceMesh
 //  3. points     on a vertex, an edge or in a face, exactly (below)
 //  4. trace      polygons from point to point (trace.h); straight in the face that both points name
+//  5. draw       each "svg" (one, or a list): read (svg_reader.h), its points put onto the surface by straight lines
+//                from the centre (exponential_map.h), joined by traces; a shape for each of its elements, after
+//                those of the scene
 //
 // Where a point lies is decided by the numbers as they are written, decimals too: [f, 0.3, 0.7] is on the edge,
 // and the same as [g, 0.7, 0] across it, though no doubles add up to that. Then what a decimal gave is rounded to
@@ -20,19 +24,22 @@
 // that much is refused.
 //
 // Cost: O(bytes), and the tracing. Errors, with their place: those of JSON and of the model; BadIndex; BadShape
-// for a point outside its face, and for control points that no path joins; ResourceLimit; Cancelled.
+// for a point outside its face, for control points that no path joins, and for
+// points of drawings beyond the border; ResourceLimit; Cancelled.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/io/read_options.h"
+#include "plumb/io/svg_drawing.h"
 #include "plumb/predicates/point_table2.h"
 #include "plumb/space/polygon_mesh.h"
 #include "plumb/surface/surface.h"
@@ -47,6 +54,15 @@ struct SceneLists {
   std::size_t size() const { return begin.size() - 1; }
 };
 
+/// Points as they are written.
+struct ScenePoints {
+  std::vector<std::uint32_t> face;   ///< of the model
+  PointTable2 weights;               ///< (u, v), not outside of any face
+  std::vector<std::uint8_t> rounds;  ///< written in decimals: may be rounded
+  std::vector<std::size_t> place;    ///< byte of the text
+  std::size_t size() const { return face.size(); }
+};
+
 /// A scene as it is written; indices of points and of polygons are right.
 struct ParsedScene {
   using Lists = SceneLists;
@@ -55,32 +71,48 @@ struct ParsedScene {
     std::size_t place;
   };
 
+  struct Drawing {
+    std::string file;  ///< sought beside the scene
+    double scale = 0;  ///< the units of the model that one of the drawing is
+    double angle = 0;  ///< degrees
+    std::optional<double> tolerance = {};
+    std::size_t place = 0;  ///< byte of the text
+  };
+
   std::string model;
-  std::vector<std::uint32_t> point_face;
-  PointTable2 point_weights;               ///< (u, v), not outside of any face
-  std::vector<std::uint8_t> point_rounds;  ///< written in decimals: may be rounded
-  std::vector<std::size_t> point_place;
+  ScenePoints points;
   Lists polygons;
   std::optional<Lists> shapes;  ///< none: one shape per polygon
   std::optional<std::uint32_t> outside;
   std::size_t outside_place = 0;
-  std::vector<Level> levels;  ///< of shapes that there are
+  std::vector<Level> levels;  ///< of shapes that there are, unless there are drawings
+  std::vector<Drawing> drawings;
+  ScenePoints centers;  ///< one of each drawing
 };
 
 /// Step 1.
 ParsedScene parse_scene(std::string_view text, const ReadOptions& options, Context& context);
 
-/// Steps 3 and 4. `text` is what was parsed.
+/// A drawing that has been read.
+struct DrawingFile {
+  std::string name;  ///< in messages
+  std::string text;  ///< the whole file: errors count its lines
+  SvgDrawing drawing;
+};
+
+/// Steps 3 to 5. `text` is what was parsed; `drawings` has what each of those of the scene is.
 SurfaceScene make_scene(const ParsedScene& scene, std::shared_ptr<const SurfaceMesh> mesh,
-                        std::string_view text, const ReadOptions& options, Context& context);
+                        std::string_view text, const ReadOptions& options, Context& context,
+                        std::span<const DrawingFile> drawings = {});
 
 /// Polygons as fans of triangles, in order. Errors: those of SurfaceMesh.
 SurfaceMesh fanned_surface(const PolygonMesh& mesh);
 
 struct SceneFile {
   SurfaceScene scene;
-  std::string model;               ///< its path
-  std::vector<std::string> notes;  ///< of the reader of the mesh, for people
+  std::string model;  ///< its path
+  std::vector<std::string>
+      notes;  ///< of the readers of mesh and drawings, with their files, for people
 };
 
 /// The whole of it; "-" is standard input. `options.name` is ignored.

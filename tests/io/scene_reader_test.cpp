@@ -40,9 +40,9 @@ TEST(scene_reader, says_what_is_written) {
       kOptions, context);
   EXPECT_EQ(text.model, "a/b.obj");
   EXPECT_EQ(text.outside, 7U);
-  EXPECT_EQ(text.point_face, (std::vector<std::uint32_t>{0, 1, 2}));
-  EXPECT_EQ(text.point_weights.approx(0), (Point2{.25, .5}));
-  EXPECT_EQ(text.point_weights.exact(2).x, Rational(1) / 3);
+  EXPECT_EQ(text.points.face, (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(text.points.weights.approx(0), (Point2{.25, .5}));
+  EXPECT_EQ(text.points.weights.exact(2).x, Rational(1) / 3);
   EXPECT_EQ(text.polygons.items, (std::vector<std::uint32_t>{0, 1, 2, 2}));
   EXPECT_EQ(text.polygons.begin, (std::vector<std::uint32_t>{0, 3, 4}));
   EXPECT_EQ(text.shapes->begin, (std::vector<std::uint32_t>{0, 2, 2}));

@@ -1,0 +1,201 @@
+#include "plumb/io/xml_scanner.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "plumb/base/error.h"
+#include "plumb/io/with_place.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t kMostNested = 256;
+constexpr std::size_t kTagsPerCheckpoint = 1024;
+constexpr std::string_view kBlanks = " \t\r\n";
+
+bool is_blank(char c) { return kBlanks.find(c) != kBlanks.npos; }
+/// Whatever else can be part of a name is no mark-up.
+bool ends_name(char c) {
+  constexpr std::string_view kMarks = "=<>/\"'&?!";
+  return is_blank(c) || kMarks.find(c) != kMarks.npos;
+}
+
+}  // namespace
+
+XmlScanner::XmlScanner(std::string_view text, const std::string& name, Context& context)
+    : p_(text.data()),
+      end_(text.data() + text.size()),
+      tag_(p_),
+      cursor_(text, name),
+      context_(context) {
+  p_ = tag_ = cursor_.position();
+  require_text();
+}
+
+/// All of it, lines apart.
+void XmlScanner::require_text() const {
+  for (const char* at = p_; at != end_; ++at) {
+    const std::string_view rest(at, static_cast<std::size_t>(end_ - at));
+    at += text_prefix(rest);
+    if (at == end_) return;
+    if (*at != '\n' && *at != '\r')
+      fail(ErrorCode::NotText, "a byte that is no text: is this XML?", at);
+  }
+}
+
+TextCursor XmlScanner::cursor_at(const char* where) const {
+  TextCursor cursor = cursor_;
+  cursor.move_to(where);
+  return cursor;
+}
+
+void XmlScanner::fail(ErrorCode code, const std::string& message, const char* where) const {
+  cursor_at(where).fail(code, message);
+}
+
+std::optional<std::string_view> XmlScanner::attribute(std::string_view name) const {
+  std::optional<std::string_view> found;
+  for (const XmlAttribute& a : attributes_) {
+    if (a.name != name) continue;
+    if (found) fail(ErrorCode::Syntax, quoted(name) + " is given twice", a.name.data());
+    found = a.value;
+  }
+  return found;
+}
+
+// ---------------------------------------------------------------- between tags
+
+bool XmlScanner::skip_from(std::string_view open, std::string_view close, const char* what) {
+  std::string_view rest(p_, static_cast<std::size_t>(end_ - p_));
+  if (!take_prefix(rest, open)) return false;
+  const std::size_t found = rest.find(close);
+  if (found == rest.npos) fail(ErrorCode::Syntax, std::string(what) + " without an end", p_);
+  p_ = rest.data() + found + close.size();
+  return true;
+}
+
+void XmlScanner::skip_document_type() {
+  const char* const found = std::find_if(p_, end_, [](char c) { return c == '[' || c == '>'; });
+  if (found == end_) fail(ErrorCode::Syntax, "a document type without an end", p_);
+  if (*found == '[') {
+    fail(ErrorCode::Syntax, "a document type with declarations: entities are not expanded", found);
+  }
+  p_ = found + 1;
+}
+
+/// To the next tag; false at the end of the text.
+bool XmlScanner::find_tag() {
+  for (;;) {
+    const char* const tag = std::find(p_, end_, '<');
+    const char* const stray = std::find_if_not(p_, tag, is_blank);
+    if (open_.empty() && stray != tag) {
+      fail(ErrorCode::Syntax, "text outside of the root element", stray);
+    }
+    p_ = tag;
+    cursor_.move_to(p_);
+    if (p_ == end_) return false;
+    if (skip_from("<!--", "-->", "a comment") || skip_from("<?", "?>", "an instruction") ||
+        skip_from("<![CDATA[", "]]>", "CDATA")) {
+      continue;
+    }
+    if (!std::string_view(p_, static_cast<std::size_t>(end_ - p_)).starts_with("<!")) return true;
+    if (has_root_) fail(ErrorCode::Syntax, "a declaration in the middle of the document", p_);
+    skip_document_type();
+  }
+}
+
+// ---------------------------------------------------------------- tags
+
+void XmlScanner::skip_blanks() { p_ = std::find_if_not(p_, end_, is_blank); }
+
+std::string_view XmlScanner::take_name(const char* what) {
+  const char* const first = p_;
+  p_ = std::find_if(p_, end_, ends_name);
+  if (p_ == first) fail(ErrorCode::Syntax, "expected " + std::string(what), first);
+  return {first, static_cast<std::size_t>(p_ - first)};
+}
+
+void XmlScanner::take(char c, const char* what) {
+  if (p_ == end_ || *p_ != c) fail(ErrorCode::Syntax, "expected " + std::string(what), p_);
+  ++p_;
+}
+
+void XmlScanner::read_attribute() {
+  XmlAttribute attribute;
+  attribute.name = take_name("an attribute, '>' or '/>'");
+  skip_blanks();
+  take('=', "'=' and a value in quotes");
+  skip_blanks();
+  const char quote = peek();
+  if (quote != '"' && quote != '\'') fail(ErrorCode::Syntax, "expected a value in quotes", p_);
+  const char* const first = ++p_;
+  p_ = std::find_if(p_, end_, [quote](char c) { return c == quote || c == '<'; });
+  if (peek() != quote) fail(ErrorCode::Syntax, "a value without its closing quote", first - 1);
+  attribute.value = {first, static_cast<std::size_t>(p_ - first)};
+  ++p_;
+  with_place(cursor_, [&] { context_.charge_memory(2 * sizeof(XmlAttribute), "the drawing"); });
+  attributes_.push_back(attribute);
+}
+
+void XmlScanner::read_start() {
+  if (open_.empty() && std::exchange(has_root_, true)) {
+    fail(ErrorCode::Syntax, "a second root element", tag_);
+  }
+  if (open_.size() == kMostNested) {
+    fail(ErrorCode::Syntax, "elements nested more than 256 deep", tag_);
+  }
+  context_.release_memory(2 * sizeof(XmlAttribute) * attributes_.size());
+  attributes_.clear();
+  ++p_;
+  element_ = take_name("the name of an element");
+  for (;;) {
+    const char* const before = p_;
+    skip_blanks();
+    if (p_ == end_) fail(ErrorCode::Syntax, "a tag without an end", tag_);
+    if (*p_ == '>' || *p_ == '/') break;
+    if (p_ == before) fail(ErrorCode::Syntax, "expected a blank before an attribute", p_);
+    read_attribute();
+  }
+  is_empty_ = *p_ == '/';
+  if (is_empty_) ++p_;
+  take('>', "'>'");
+  open_.push_back(element_);
+}
+
+void XmlScanner::read_end() {
+  p_ += 2;
+  const char* const where = p_;
+  element_ = take_name("the name of an element");
+  if (open_.empty() || open_.back() != element_) {
+    fail(ErrorCode::Syntax,
+         open_.empty() ? "an end without a start"
+                       : "expected the end of " + quoted(open_.back()) + ", found that of " +
+                             quoted(element_),
+         where);
+  }
+  skip_blanks();
+  take('>', "'>'");
+  open_.pop_back();
+}
+
+XmlScanner::Event XmlScanner::next() {
+  if (std::exchange(is_empty_, false)) {
+    open_.pop_back();
+    return Event::End;
+  }
+  if (!find_tag()) {
+    if (!open_.empty()) fail(ErrorCode::Syntax, quoted(open_.back()) + " is not ended", end_);
+    if (!has_root_) fail(ErrorCode::CountMismatch, "the file has no content", end_);
+    return Event::Done;
+  }
+  tag_ = p_;
+  if (tags_++ % kTagsPerCheckpoint == 0) context_.checkpoint("read", tags_, tags_);
+  if (p_ + 1 != end_ && p_[1] == '/') {
+    read_end();
+    return Event::End;
+  }
+  read_start();
+  return Event::Start;
+}
+
+}  // namespace plumb

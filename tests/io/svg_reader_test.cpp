@@ -1,0 +1,496 @@
+// Drawings: what SVG says, what of it is refused, and drawings on surfaces.
+
+#include "plumb/io/svg_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "expect_refusals.h"
+#include "generate/surface_scenes.h"
+#include "oracle/surface_oracle.h"
+#include "plumb/base/error.h"
+#include "plumb/io/scene_reader.h"
+#include "plumb/surface/surface_audit.h"
+
+namespace plumb::testing {
+namespace {
+
+const ReadOptions kOptions{"some.file", false};
+
+SvgDrawing read(const std::string& text, std::optional<double> tolerance = {}) {
+  Context context;
+  return read_svg(text, kOptions, tolerance, context);
+}
+
+/// Its origin is that of the file; y is turned back.
+SvgDrawing drawn(const std::string& body, std::optional<double> tolerance = .01) {
+  SvgDrawing drawing =
+      read("<svg xmlns='http://www.w3.org/2000/svg'>" + body + "</svg>", tolerance);
+  for (Point2& p : drawing.points) p.y = -p.y;
+  return drawing;
+}
+SvgDrawing path(const std::string& d) { return drawn("<path d='" + d + "'/>"); }
+
+using Ring = std::vector<Point2>;
+Ring ring(const SvgDrawing& drawing, std::size_t r) {
+  return {drawing.ring(r).begin(), drawing.ring(r).end()};
+}
+
+void expect_near(const SvgDrawing& a, const SvgDrawing& b, const std::string& what) {
+  EXPECT_EQ(a.shape_begin, b.shape_begin) << what;
+  ASSERT_EQ(a.ring_begin, b.ring_begin) << what;
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    EXPECT_NEAR(a.points[i].x, b.points[i].x, 1e-12) << what;
+    EXPECT_NEAR(a.points[i].y, b.points[i].y, 1e-12) << what;
+  }
+}
+
+TEST(svg_reader, straight_outlines) {
+  const Ring square{{0, 0}, {4, 0}, {4, 3}, {0, 3}};
+  for (const char* body :
+       {"<rect width='4' height='3'/>", "<polygon points='0,0 4,0 4,3 0,3'/>",
+        "<polyline points=' 0 0,4 0,4,3,0 3 '/>", "<path d='M0 0H4V3H0Z'/>",
+        "<path d='m0,0h4v3h-4'/>", "<path d='M0,0 4,0 4,3 0,3'/>", "<path d='M0 0L4 0l0 3-4 0z'/>",
+        "<path d='M.0.0 4-0 4 3 0 3 0 0'/>", "<svg:rect width='4px' height='3'></svg:rect>",
+        "<g><a><rect width='4' height='3' style='fill:red'/></a></g>",
+        "<path d='M0e0 0e-5L+4,0\n4 3\t0 3z'/>"}) {
+    const SvgDrawing drawing = drawn(body);
+    ASSERT_EQ(drawing.ring_count(), 1U) << body;
+    EXPECT_EQ(drawing.shape_count(), 1U) << body;
+    EXPECT_EQ(ring(drawing, 0), square) << body;
+  }
+  EXPECT_EQ(ring(drawn("<line x1='1' y1='2' x2='3' y2='5'/>"), 0), (Ring{{1, 2}, {3, 5}}));
+}
+
+TEST(svg_reader, shapes_are_elements_and_rings_are_subpaths) {
+  const SvgDrawing drawing = drawn(
+      "<path d='M0 0h9v9zm1 1h2v2zh5v5z'/><path d=''/><rect width='0' height='2'/><g>"
+      "<rect width='2' height='1'/></g><path d='M3 3'/><circle/>");
+  EXPECT_EQ(drawing.shape_begin, (std::vector<std::uint32_t>{0, 3, 4}));
+  EXPECT_EQ(ring(drawing, 0), (Ring{{0, 0}, {9, 0}, {9, 9}}));
+  EXPECT_EQ(ring(drawing, 1), (Ring{{1, 1}, {3, 1}, {3, 3}}));  // m from where z went back to
+  EXPECT_EQ(ring(drawing, 2), (Ring{{1, 1}, {6, 1}, {6, 6}}));  // and again without m
+}
+
+TEST(svg_reader, the_same_path_in_other_words) {
+  const std::vector<std::array<const char*, 2>> pairs{
+      {"M1 2C3 4 5 6 7 1", "m1 2c2 2 4 4 6-1"},
+      {"M1 2C3 4 5 6 7 1C9-4 3 3 1 9", "M1 2C3 4 5 6 7 1S3 3 1 9"},
+      {"M1 2C1 2 5 6 7 1", "M1 2S5 6 7 1"},
+      {"M1 2Q3 9 7 1Q11-7 1 9", "M1 2Q3 9 7 1T1 9"},
+      {"M1 2Q1 2 5 3", "M1 2T5 3z"},
+      {"M1 2Q3 9 7 1", "m1 2q2 7 6-1"},
+      {"M0 0A2 3 20 0 1 3 1", "M0 0a2,3,20,013,1"},
+      {"M0 0A-2 3 20 1 0 3 1", "m0 0a2 3 20 10 3 1"},
+      {"M0 0A0 3 20 1 0 3 1", "M0 0L3 1"},
+      {"M0 0L3 1L4 2", "M0 0L3 1A1 1 0 0 0 3 1L4 2"},
+      {"M0 0C1 2 2 2 3 0C1 2 2 2 3 5", "M0 0C1 2 2 2 3 0 1 2 2 2 3 5"},
+      // A quadratic curve is a cubic one.
+      {"M0 0Q3 3 6 0", "M0 0C2 2 4 2 6 0"},
+  };
+  for (const auto& [a, b] : pairs) {
+    const SvgDrawing p = path(a), q = path(b);
+    if (std::string(b).find("C2 2 4 2") == std::string::npos) {
+      expect_near(p, q, b);
+    } else {
+      EXPECT_EQ(ring(p, 0).back(), ring(q, 0).back());
+    }
+  }
+}
+
+TEST(svg_reader, transforms_follow_one_another) {
+  const std::string in = "<path d='M1 2L7 3L4 9z'/>";
+  const auto with = [&](const std::string& transform) {
+    return drawn("<g transform='" + transform + "'>" + in + "</g>");
+  };
+  EXPECT_EQ(ring(with("translate(10, 20)"), 0), (Ring{{11, 22}, {17, 23}, {14, 29}}));
+  EXPECT_EQ(ring(with("rotate(90)"), 0), (Ring{{-2, 1}, {-3, 7}, {-9, 4}}));
+  EXPECT_EQ(ring(with("scale(2)"), 0), (Ring{{2, 4}, {14, 6}, {8, 18}}));
+  EXPECT_EQ(ring(with("matrix(1 2 3 4 5 6)"), 0), (Ring{{12, 16}, {21, 32}, {36, 50}}));
+  expect_near(with("rotate(30 5 6)"), with("translate(5,6) rotate(30),translate(-5-6)"), "about");
+  expect_near(with("skewX(45)"), with("matrix(1 0 1 1 0 0)"), "skewX");
+  expect_near(with("skewY(45)"), with("matrix(1 1 0 1 0 0)"), "skewY");
+  expect_near(with("scale(2 3) rotate(20)"),
+              drawn("<g transform='scale(2 3)'><g transform='rotate(20)'>" + in + "</g></g>"),
+              "nested");
+  expect_near(drawn("<g transform='scale(2)'>" + in + "</g>" + in),
+              drawn("<path transform='scale(2)' d='M1 2L7 3L4 9z'/>" + in),
+              "ended with their group");
+}
+
+TEST(svg_reader, the_middle_is_the_origin) {
+  const std::string rect = "><rect x='1' y='2' width='4' height='3'/></svg>";
+  EXPECT_EQ(ring(read("<svg viewBox='0 0 10 6'" + rect), 0),
+            (Ring{{-4, 1}, {0, 1}, {0, -2}, {-4, -2}}));
+  EXPECT_EQ(ring(read("<svg width='10' height='6px'" + rect), 0),
+            ring(read("<svg viewBox='0 0 10 6' width='9'" + rect), 0));
+  EXPECT_EQ(ring(read("<svg width='100%' height='6'" + rect), 0),
+            (Ring{{1, -2}, {5, -2}, {5, -5}, {1, -5}}));
+  EXPECT_EQ(ring(read("<svg viewBox='1,2,4,3' x='9'" + rect), 0),
+            (Ring{{-2, 1.5}, {2, 1.5}, {2, -1.5}, {-2, -1.5}}));
+}
+
+// ---------------------------------------------------------------- curves
+
+double distance_to_line(Point2 p, Point2 a, Point2 b) {
+  const double x = b.x - a.x, y = b.y - a.y;
+  const double t = std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y), 0., 1.);
+  return std::hypot(p.x - a.x - t * x, p.y - a.y - t * y);
+}
+
+double distance_to(Point2 p, const Ring& ring) {
+  double least = 1e300;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    least = std::min(least, distance_to_line(p, ring[i], ring[(i + 1) % ring.size()]));
+  }
+  return least;
+}
+
+/// No point of a curve is further from its chords than the tolerance, and not ten times as many chords are used as
+/// that takes.
+TEST(svg_reader, curves_keep_within_the_tolerance) {
+  for (const double tolerance : {1., .1, .001}) {
+    const Ring circle = ring(drawn("<circle cx='3' cy='4' r='20'/>", tolerance), 0);
+    EXPECT_LT(circle.size(), 10 + 10 * std::sqrt(20 / tolerance));
+    for (int i = 0; i < 1000; ++i) {
+      const double t = 2 * std::numbers::pi * i / 1000;
+      EXPECT_LT(distance_to({3 + 20 * std::cos(t), 4 + 20 * std::sin(t)}, circle), tolerance);
+    }
+    for (const Point2& p : circle) EXPECT_NEAR(std::hypot(p.x - 3, p.y - 4), 20, 1e-12);
+    const Ring cubic = ring(drawn("<path d='M0 0C90 40-60 50 20-30z'/>", tolerance), 0);
+    for (int i = 0; i <= 1000; ++i) {
+      const double t = i / 1000., s = 1 - t;
+      const Point2 p{270 * s * s * t - 180 * s * t * t + 20 * t * t * t,
+                     120 * s * s * t + 150 * s * t * t - 30 * t * t * t};
+      EXPECT_LT(distance_to(p, cubic), tolerance);
+    }
+  }
+  // After the transform.
+  const Ring large = ring(drawn("<circle r='1' transform='scale(1000)'/>", 1), 0);
+  for (int i = 0; i < 1000; ++i) {
+    const double t = 2 * std::numbers::pi * i / 1000;
+    EXPECT_LT(distance_to({1000 * std::cos(t), 1000 * std::sin(t)}, large), 1);
+  }
+}
+
+TEST(svg_reader, arcs_lie_on_their_ellipse) {
+  for (const bool large : {false, true}) {
+    for (const bool sweep : {false, true}) {
+      const std::string d =
+          std::string("M10 20A30 30 0 ") + (large ? "1 " : "0 ") + (sweep ? "1 " : "0 ") + "40 30";
+      const Ring arc = ring(path(d), 0);
+      double length = 0, area = 0;
+      for (std::size_t i = 0; i < arc.size(); ++i) {
+        const Point2 p = arc[i], q = arc[(i + 1) % arc.size()];
+        if (i + 1 < arc.size()) length += std::hypot(p.x - q.x, p.y - q.y);
+        area += (p.x * q.y - p.y * q.x) / 2;
+      }
+      const double half = std::asin(std::hypot(30, 10) / 60);
+      EXPECT_NEAR(length, 60 * (large ? std::numbers::pi - half : half), .1) << d;
+      EXPECT_EQ(area > 0, sweep) << d;  // y downwards: with sweep angles grow
+      EXPECT_EQ(arc.front(), (Point2{10, 20}));
+      EXPECT_EQ(arc.back(), (Point2{40, 30}));
+    }
+  }
+  // Radii too small for the ends grow until they reach.
+  for (const Point2& p : path("M0 0A1 1 0 0 1 20 0").points) {
+    EXPECT_NEAR(std::hypot(p.x - 10, p.y), 10, 1e-12);
+  }
+  const Ring rounded = ring(drawn("<rect width='20' height='10' rx='3'/>"), 0);
+  for (const Point2& p : rounded) {
+    EXPECT_LT(distance_to(p, {{0, 0}, {20, 0}, {20, 10}, {0, 10}}), 1);
+  }
+  EXPECT_GT(rounded.size(), 20U);
+}
+
+// ---------------------------------------------------------------- what is no drawing
+
+TEST(svg_reader, what_means_nothing) {
+  const SvgDrawing drawing = read(
+      "\xEF\xBB\xBF<?xml version='1.0'?>\r\n<!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.1//EN\" "
+      "\"x.dtd\">"
+      "<!-- <rect> --><svg><title>&amp; more</title><style><![CDATA[ <rect/> ]]></style>"
+      "<defs><rect width='1' height='1'/></defs><use href='#x'/><text>A<tspan>b</tspan></text>"
+      "<svg><rect width='1' height='1'/></svg><rect display='none' width='1' height='1'/>"
+      "<other:rect width='1' height='1'/><rect a='&x;' width='1' height='1'/></svg>\n<!---->\n");
+  EXPECT_EQ(drawing.shape_count(), 1U);
+  EXPECT_EQ(drawing.notes,
+            (std::vector<std::string>{"left out: svg", "left out: text", "left out: use"}));
+}
+
+std::vector<HostileText> hostile_drawings() {
+  const std::string open = "<svg>\n", close = "</svg>";
+  const auto element = [&](const std::string& text) { return open + text + close; };
+  return {
+      {"empty", "", 1, 1, "no content"},
+      {"blank", "\n \n", 3, 1, "no content"},
+      {"no markup", "hello", 1, 1, "text outside"},
+      {"not text", std::string("<svg>\n \xff</svg>"), 2, 2, "no text"},
+      {"utf-16", bytes_with_nul("<\0s\0", 4), 1, 2, "no text"},
+      {"other root", "<html/>", 1, 1, "'html', not svg"},
+      {"not ended", open, 2, 1, "'svg' is not ended"},
+      {"cut off", "<svg", 1, 1, "without an end"},
+      {"ended otherwise", element("<g></h>"), 2, 6, "expected the end of 'g'"},
+      {"end without a start", "<svg/></g>", 1, 9, "end without a start"},
+      {"two roots", "<svg/>\n<svg/>", 2, 1, "second root"},
+      {"text after", "<svg/> x", 1, 8, "text outside"},
+      {"no quotes", element("<rect x=1/>"), 2, 9, "quotes"},
+      {"no value", element("<rect x/>"), 2, 8, "'='"},
+      {"quote not closed", element("<rect x='1/>"), 2, 9, "closing quote"},
+      {"no blank between", element("<rect x='1'y='2'/>"), 2, 12, "blank"},
+      {"given twice", element("<rect x='1' x='2'/>"), 2, 13, "given twice"},
+      {"comment not ended", element("<!-- "), 2, 1, "a comment without an end"},
+      {"entities", "<!DOCTYPE svg [\n<!ENTITY a 'aaaa'>]><svg>&a;</svg>", 1, 15, "not expanded"},
+      {"late type", "<svg><!DOCTYPE svg></svg>", 1, 6, "in the middle"},
+      {"nested", repeated("<svg>", 257), 1, 5 * 256 + 1, "nested more than 256"},
+      {"skipped and nested", "<svg>" + repeated("<x>", 100000), 1, 5 + 3 * 255 + 1, "nested"},
+      {"a reference in a number", element("<rect x='&#49;'/>"), 2, 10, "expected a number"},
+      {"percent", element("<rect x='5%'/>"), 2, 11, "px, in, cm"},
+      {"em", element("<rect x='5em'/>"), 2, 11, "px, in, cm"},
+      {"no number", element("<rect\nx='five'/>"), 3, 4, "expected a number"},
+      {"two numbers", element("<rect x='5 6'/>"), 2, 12, "end of the value"},
+      {"a comma more", element("<polygon points='1,2,'/>"), 2, 22, "after the comma"},
+      {"half a point", element("<polygon points='1,2 3'/>"), 2, 23, "expected a number"},
+      {"negative", element("<rect width='-5' height='1'/>"), 2, 14, "negative"},
+      {"negative radius", element("<circle r='-5'/>"), 2, 12, "negative"},
+      {"negative box", "<svg viewBox='0 0 -1 1'/>", 1, 1, "negative size"},
+      {"short box", "<svg viewBox='0 0 1'/>", 1, 20, "expected a number"},
+      {"too large", element("<rect x='1e999'/>"), 2, 10, "1e999"},
+      {"too large together",
+       element("<g transform='scale(1e200)'><rect x='1e200' width='1' height='1'/></g>"), 2, 29,
+       "beyond the largest double"},
+      {"too many digits", element("<rect x='" + repeated("9", 100000) + "'/>"), 2, 10, "digits"},
+      {"no M", element("<path d='L1 2'/>"), 2, 10, "begin with M"},
+      {"numbers first", element("<path d='1 2'/>"), 2, 10, "a command"},
+      {"numbers after z", element("<path d='M1 2z3'/>"), 2, 15, "a command"},
+      {"no such command", element("<path d='M1 2X3'/>"), 2, 14, "no command"},
+      {"cut path", element("<path d='M1 2C3 4 5'/>"), 2, 20, "expected a number"},
+      {"bad flag", element("<path d='M1 2A3 4 5 2 0 1 1'/>"), 2, 21, "a flag"},
+      {"path in two lines", element("<path d='M1 2\nL3 x'/>"), 3, 4, "expected a number"},
+      {"no such transform", element("<g transform='turn(3)'/>"), 2, 15, "expected matrix"},
+      {"too few", element("<g transform='matrix(3)'/>"), 2, 15, "expected matrix"},
+      {"too many", element("<g transform='matrix(1 2 3 4 5 6 7)'/>"), 2, 34, "expected ')'"},
+      {"not closed", element("<g transform='scale(3'/>"), 2, 22, "expected ')'"},
+      {"a curve of what size", element("<circle r='3'/>"), 2, 1, "give a tolerance"},
+      {"too many chords", "<svg viewBox='0 0 1e-300 1'><circle r='1e300'/></svg>", 1, 29,
+       "more points"},
+  };
+}
+
+TEST(svg_reader, refuses_with_places) {
+  expect_refusals(hostile_drawings(), [](const std::string& text) { read(text); });
+}
+
+TEST(svg_reader, memory_is_limited) {
+  Limits limits;
+  limits.max_memory_bytes = 200'000;
+  Context context(limits);
+  try {
+    read_svg("<svg>\n<circle r='1000'/></svg>", kOptions, 1e-9, context);
+    ADD_FAILURE() << "read beyond the limit";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::ResourceLimit);
+    EXPECT_EQ(error.place().line, 2U);
+  }
+}
+
+// ---------------------------------------------------------------- on surfaces
+
+/// A grid of 8 x 8 squares with drawings on it, from files.
+class DrawingScene : public ::testing::Test {
+ protected:
+  DrawingScene()
+      : folder_(std::filesystem::temp_directory_path() /
+                ::testing::UnitTest::GetInstance()->current_test_info()->name()) {
+    std::filesystem::create_directories(folder_);
+    std::ofstream model(folder_ / "grid.off");
+    model << "OFF\n81 128 0\n";
+    for (int i = 0; i < 81; ++i) model << i % 9 << ' ' << i / 9 << " 0\n";
+    for (int i = 0; i < 72; ++i) {
+      if (i % 9 < 8)
+        model << "3 " << i << ' ' << i + 1 << ' ' << i + 10 << "\n3 " << i << ' ' << i + 10 << ' '
+              << i + 9 << '\n';
+    }
+  }
+  ~DrawingScene() override { std::filesystem::remove_all(folder_); }
+
+  SceneFile scene(const std::string& svg, const std::string& drawing,
+                  const std::string& more = "") {
+    std::ofstream(folder_ / "a.svg") << svg;
+    std::ofstream(folder_ / "a.json")
+        << R"({"model": "grid.off", )" + more + R"("svg": {"file": "a.svg", )" + drawing + "}}";
+    return read_scene_file((folder_ / "a.json").string(), {}, context_);
+  }
+
+  std::filesystem::path folder_;
+  Context context_;
+};
+
+/// Face 2 (8 * 3 + 4) at (.5, .25) is (4.5 + .25, 3.25).
+constexpr const char* kPlace = R"("center": [56, 0.5, 0.25], "scale": 0.5)";
+
+/// Where a point lies on a mesh in the plane.
+RationalPoint2 exact_position(const SurfacePointTable& points, SurfacePointId p, FaceId f) {
+  const SurfaceMesh& mesh = points.mesh();
+  const Point3 &a = mesh.point(mesh.corner(f, 0)), &b = mesh.point(mesh.corner(f, 1)),
+               &c = mesh.point(mesh.corner(f, 2));
+  const RationalPoint2 w = points.exact_in(p, f);
+  return {Rational(a.x) + w.x * Rational(b.x - a.x) + w.y * Rational(c.x - a.x),
+          Rational(a.y) + w.x * Rational(b.y - a.y) + w.y * Rational(c.y - a.y)};
+}
+
+/// The corners lie exactly where the similarity puts them; with what is traced between them given, the plane gives the
+/// same answers.
+TEST_F(DrawingScene, OnFlatMeshesItIsASimilarity) {
+  const SceneFile file = scene(
+      "<svg viewBox='0 0 10 10'><path d='M1 1h4v3h-4z M2 2v1h2v-1z'/>"
+      "<rect x='3' y='3' width='5' height='4'/><path d='M1 9L6 2 8 8z'/></svg>",
+      kPlace);
+  const std::vector<std::vector<Point2>> rings{{{1, 1}, {5, 1}, {5, 4}, {1, 4}},
+                                               {{2, 2}, {2, 3}, {4, 3}, {4, 2}},
+                                               {{3, 3}, {8, 3}, {8, 7}, {3, 7}},
+                                               {{1, 9}, {6, 2}, {8, 8}}};
+  const SurfacePolygons& polygons = file.scene.polygons;
+  ASSERT_EQ(polygons.size(), rings.size());
+  FlatScene flat{8, 8, {}};
+  for (std::size_t p = 0; p < rings.size(); ++p) {
+    auto& polygon = flat.polygons.emplace_back();
+    std::size_t corner = 0;
+    for (std::uint32_t i = polygons.begin[p]; i < polygons.begin[p + 1]; ++i) {
+      polygon.push_back(exact_position(polygons.points, polygons.point[i], polygons.face[i]));
+      if (polygons.is_control[i] == 0) continue;
+      const Point2 at = rings[p][corner++];
+      EXPECT_EQ(polygon.back().x, Rational(4.75 + (at.x - 5) / 2));
+      EXPECT_EQ(polygon.back().y, Rational(3.25 - (at.y - 5) / 2));
+    }
+    EXPECT_EQ(corner, rings[p].size());
+  }
+  EXPECT_EQ(disagreement_on_plane(flat, 0), "");
+  SurfaceDrawing expected(grid_mesh(8, 8));
+  for (const auto& polygon : flat.polygons) expected.add_flat_polygon(polygon);
+  expected.scene.shapes = {{0, 1}, {2}, {3}};
+  ASSERT_EQ(file.scene.shapes, expected.scene.shapes);
+  const SurfaceDivision a(file.scene, context_), b(expected.scene, context_);
+  EXPECT_EQ(audit(a).value_or(""), "");
+  EXPECT_EQ(a.cell_count(), b.cell_count());
+  EXPECT_EQ(a.counts().crossings, b.counts().crossings);
+  for (const char* text : {"A", "B", "C", "A + B - C", "A * B", "A - B", "A ^ B ^ C"}) {
+    const SetExpression e = parse_set_expression(text);
+    EXPECT_NEAR(a.evaluate(e, WindingRule::EvenOdd).region.area,
+                b.evaluate(e, WindingRule::EvenOdd).region.area, 1e-12)
+        << text;
+  }
+  EXPECT_NEAR(a.evaluate(parse_set_expression("A"), WindingRule::EvenOdd).region.area,
+              (12 - 2) / 4., 1e-12);
+}
+
+/// Seen from outside the drawing is upright: clockwise in it, with y downwards, is clockwise on the surface.
+TEST_F(DrawingScene, IsNotMirrored) {
+  const SceneFile file = scene("<svg><rect width='2' height='2'/></svg>", kPlace);
+  const SurfaceDivision division(file.scene, context_);
+  for (std::uint32_t c = 0; c < division.cell_count(); ++c) {
+    if (division.area(CellId(c)) < 2) {
+      EXPECT_EQ(division.labels(CellId(c))[0].value, -1);
+    }
+  }
+  const Point3 corner = file.scene.polygons.points.position(file.scene.polygons.point[0]);
+  EXPECT_EQ(corner, (Point3{4.75, 3.25, 0}));
+}
+
+/// On closed surfaces, too, the inside of a drawing is what lies within.
+TEST(Drawings, InsideIsWithin) {
+  const auto mesh = sphere_mesh(6);
+  const std::string svg =
+      "<svg viewBox='0 0 2 2'><rect width='1' height='1'/><path d='M0 0v1h1v-1z'/>"
+      "<path d='M0 0h1v1h-2v1h1z'/></svg>";
+  for (const std::string more : {"", R"(, "levels": [[0, 0, 0]])"}) {
+    const std::string text =
+        R"({"model": "m", "svg": {"file": "f", "center": [40, 0.2, 0.3], "scale": 0.2})" + more +
+        "}";
+    Context context;
+    const DrawingFile drawing{"f", svg, read_svg(svg, kOptions, {}, context)};
+    const SurfaceScene scene = make_scene(parse_scene(text, kOptions, context), mesh, text,
+                                          kOptions, context, std::span(&drawing, 1));
+    const SurfaceDivision division(scene, context);
+    for (const auto& [name, area] : {std::pair("A", .04), {"B", .04}, {"C", .04 + .04}}) {
+      const double found =
+          division.evaluate(parse_set_expression(name), WindingRule::EvenOdd).region.area;
+      EXPECT_NEAR(found, area, .2 * area) << name << more;
+    }
+  }
+}
+
+TEST_F(DrawingScene, BesidePolygonsAndTwice) {
+  SceneFile file = scene(
+      "<svg><rect width='2' height='2'/><circle r='1'/></svg>",
+      R"("center": [56, 0.5, 0.25], "scale": 0.5, "angle": 90, "tolerance": 0.01)",
+      R"("points": [[0, 0.5, 0.1], [2, 0.5, 0.1], [40, 0.5, 0.1]], "polygons": [[0, 1, 2]], "levels": [[2, 0, 0]], )");
+  EXPECT_EQ(file.scene.shapes, (std::vector<std::vector<std::uint32_t>>{{0}, {1}, {2}}));
+  EXPECT_THROW(
+      scene("<svg><use/><rect width='2' height='2'/></svg>", kPlace, R"("levels": [[1, 0, 0]], )"),
+      Error);
+  file =
+      scene("<svg><use/><rect width='2' height='2'/></svg>", kPlace, R"("levels": [[0, 0, 0]], )");
+  ASSERT_EQ(file.notes.size(), 1U);
+  EXPECT_NE(file.notes[0].find("a.svg: left out: use"), std::string::npos);
+  std::ofstream(folder_ / "b.json")
+      << R"({"svg": [{"scale": 1, "center": [0, 0.5, 0.25], "file": "a.svg"},
+                     {"file": "a.svg", "x": [{}], "center": [56, "1/3", "1/3"], "scale": 1e-3}], "model": "grid.off"})";
+  EXPECT_THROW(read_scene_file((folder_ / "b.json").string(), {}, context_),
+               Error);  // beyond the border
+  std::ofstream(folder_ / "b.json")
+      << R"({"svg": [{"scale": 1, "center": [68, 0.5, 0.25], "file": "a.svg"},
+                     {"file": "a.svg", "x": [{}], "center": [56, "1/3", "1/3"], "scale": 1e-3}], "model": "grid.off"})";
+  file = read_scene_file((folder_ / "b.json").string(), {}, context_);
+  EXPECT_EQ(file.scene.shapes->size(), 2U);
+}
+
+TEST_F(DrawingScene, RefusedAtPlacesOfTheDrawing) {
+  const auto expect = [&](const std::string& svg, const std::string& how, ErrorCode code,
+                          const std::string& name, std::size_t line, std::size_t column) {
+    try {
+      scene(svg, how);
+      ADD_FAILURE() << "was read";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), code) << error.what();
+      EXPECT_EQ(error.place().file, (folder_ / name).string()) << error.what();
+      EXPECT_EQ(error.place().line, line) << error.what();
+      EXPECT_EQ(error.place().column, column) << error.what();
+    }
+  };
+  const std::string wide = "<svg>\n<path d='M0 0\nL 1 1 100 1 2 2'/></svg>";
+  expect(wide, kPlace, ErrorCode::BadShape, "a.svg", 3, 11);
+  const std::string far = "<svg>\n<path d='M0 0\nL 1 1 1e300 1 2 2'/></svg>";
+  expect(far, kPlace, ErrorCode::ResourceLimit, "a.svg", 3, 13);
+  expect("<svg>\n<g></svg>", kPlace, ErrorCode::Syntax, "a.svg", 2, 6);
+  const std::string good = "<svg/>";
+  const std::string head = R"({"model": "grid.off", "svg": {"file": "a.svg", )";
+  const auto at = [&](const std::string& how) { return head.size() + how.find('@') + 1; };
+  const auto bad = [&](std::string how, ErrorCode code) {
+    const std::size_t column = at(how);
+    how.erase(how.find('@'), 1);
+    expect(good, how, code, "a.json", 1, column);
+  };
+  bad(R"("center": [56, 0.5, 0.25], "scale": @0)", ErrorCode::BadShape);
+  bad(R"("center": [56, 0.5, 0.25], "scale": @"1")", ErrorCode::Syntax);
+  bad(R"("center": [56, 0.5, 0.25], "scale": 1, "tolerance": @-1)", ErrorCode::BadShape);
+  bad(R"("center": [56, 0.5, 0.25], "scale": 1, @"scale": 1)", ErrorCode::Syntax);
+  bad(R"("center": @[56, 0.5, 0.75], "scale": 1)", ErrorCode::BadShape);
+  bad(R"("center": @[999, 0.5, 0.25], "scale": 1)", ErrorCode::BadIndex);
+  bad(R"("center": [56, 0.5@], "scale": 1)", ErrorCode::Syntax);
+  bad(R"("center": @7, "scale": 1)", ErrorCode::Syntax);
+  bad(R"("center": [@[1]], "scale": 1)", ErrorCode::Syntax);
+  bad(R"("angle": @true)", ErrorCode::Syntax);
+  bad(R"("angle": @{})", ErrorCode::Syntax);
+}
+
+}  // namespace
+}  // namespace plumb::testing
