@@ -154,6 +154,17 @@ std::optional<ExponentialMap::Line> ExponentialMap::aim(Point2 offset,
 
 // ---------------------------------------------------------------- 2. cross, 3. pass
 
+/// The line goes on across it as across a side. (Not so along a side, in its first face: nothing tells the way out.)
+bool ExponentialMap::is_flat(const Line& line, std::size_t corner) const {
+  const auto side_of = [&](std::size_t k) {
+    return cross(line.along, line.corners[k % 3] - line.from);
+  };
+  const double next = side_of(corner + 1), prev = side_of(corner + 2);
+  if (line.entry == kInside && !((next < 0 && prev > 0) || (next > 0 && prev < 0))) return false;
+  const VertexId v = mesh_.corner(line.face, corner);
+  return !is_at_border(v) && std::fabs(full_angle(v) - 2 * kPi) < kFlat;
+}
+
 /// A corner that the line meets, within rounding.
 std::optional<std::size_t> ExponentialMap::vertex_ahead(const Line& line) const {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -234,7 +245,7 @@ std::optional<SurfacePointId> ExponentialMap::add(Point2 offset, SurfacePointTab
   for (std::uint64_t faces = 0; line; ++faces) {
     if (faces % kFacesPerCheckpoint == 0) context.checkpoint("draw", faces, most);
     if (faces > most) fail_far(most);
-    if (const auto corner = vertex_ahead(*line)) {
+    if (const auto corner = vertex_ahead(*line); corner && !is_flat(*line, *corner)) {
       const Point2 to = line->corners[*corner] - line->from;
       const double part = dot(line->along, to) / dot(line->along, line->along);
       if (part >= 1 - kClose) return land(*line, points);

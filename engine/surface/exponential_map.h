@@ -11,7 +11,7 @@
 // Main flow of ExponentialMap::add:
 //  1. aim     a face at the centre and the line in it, laid out in the plane
 //  2. cross   side after side, each next face laid out beside the last: the third corner decides where it goes on
-//  3. pass    a vertex that lies within 2^-40 of the line's direction is passed with equal angles on both sides (a
+//  3. pass    a vertex with another angle than a whole turn that lies within 2^-40 of the line's direction is passed with equal angles on both sides (a
 //             straightest line: Polthier and Schmies 1998), at the border with half a turn on one side
 //  4. land    weights in the last face; those below 2^-40 are zero: the point lies on an edge or a vertex
 //
@@ -48,6 +48,7 @@ class ExponentialMap {
   std::optional<Line> aim_from_vertex(VertexId v, double angle, double length) const;
   std::optional<Line> aim(Point2 offset, std::uint64_t most_faces) const;
   std::optional<std::size_t> vertex_ahead(const Line& line) const;
+  bool is_flat(const Line& line, std::size_t corner) const;
   std::size_t way_out(const Line& line) const;
   std::optional<Line> beyond_vertex(const Line& line, std::size_t corner, double part) const;
   double angle_before(HalfedgeId h) const;
