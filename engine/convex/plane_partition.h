@@ -35,6 +35,7 @@
 
 namespace plumb {
 
+/// How faces are cut.
 enum class PartitionMethod : std::uint8_t {
   Cuts,       ///< any set
   Diagonals,  ///< bounded faces
@@ -42,20 +43,23 @@ enum class PartitionMethod : std::uint8_t {
   Best,       ///< any set
 };
 
+/// The most corners of a face that PartitionMethod::Optimal cuts.
 inline constexpr std::size_t kMostCornersForOptimal = 500;
 
+/// What pieces are wanted.
 struct PartitionOptions {
-  PartitionMethod method = PartitionMethod::Best;
+  PartitionMethod method = PartitionMethod::Best;  ///< how they come about
   bool closed = false;  ///< closures of the pieces: they share what lies on a cut
 };
 
+/// What decompose() gives.
 struct PlanePieces {
   std::vector<Nef2> pieces;  ///< in an order that depends on the set alone
   /// Corners of marked faces of more than half a turn; a point taken out of a face is one.
   std::uint64_t reflex_corners = 0;
 };
 
-/// Throws Error{BadArgument} where the method cannot cut one of the faces, and what the context throws.
+/// The convex pieces of a set, see above. Throws Error{BadArgument} where the method cannot cut one of the faces, and what the context throws.
 PlanePieces decompose(const Nef2& set, const PartitionOptions& options, Context& context);
 
 /// Do the areas of the pieces add up to that of the set? None where it is infinite. Exact.
