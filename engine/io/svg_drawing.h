@@ -19,8 +19,8 @@ struct SvgDrawing {
   std::vector<std::uint32_t> shape_begin = {0};  ///< rings; shape_count() + 1 entries
   std::vector<std::string> notes;                ///< what has been left out
 
-  std::size_t ring_count() const { return ring_begin.size() - 1; }
-  std::size_t shape_count() const { return shape_begin.size() - 1; }
+  std::size_t ring_count() const { return ring_begin.size() - 1; }    ///< Of all shapes.
+  std::size_t shape_count() const { return shape_begin.size() - 1; }  ///< Elements that were drawn.
   /// Closed: its last point is joined to its first.
   std::span<const Point2> ring(std::size_t r) const {
     return std::span(points).subspan(ring_begin[r], ring_begin[r + 1] - ring_begin[r]);

@@ -28,6 +28,7 @@
 
 namespace plumb {
 
+/// Offsets in a plane as straight lines on a mesh, from one of its points.
 class ExponentialMap {
  public:
   /// Around `centre`, a point of `points` that lies in `face`. `angle` in degrees, finite. The mesh has to
