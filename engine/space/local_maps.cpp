@@ -4,8 +4,7 @@
 #include <numeric>
 
 #include "plumb/base/error.h"
-#include "plumb/predicates/plane_signs.h"
-#include "plumb/sphere/sphere_overlay.h"
+#include "plumb/sphere/sphere_parts.h"
 
 namespace plumb {
 
@@ -211,133 +210,31 @@ std::uint32_t add_orbits(const SpaceComplex& complex, LocalMap& out) {
   return count;
 }
 
-std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
-/// Groups the boundary cycles of a map that is not connected into faces. A component is a connected
-/// set of points and arcs; it lies in one boundary cycle of each other component.
+/// Groups the boundary cycles of a map that is not connected into faces.
 class CycleGroups {
  public:
   CycleGroups(const PlaneTable& planes, const SphereMap& map,
               const std::vector<std::uint32_t>& orbit, std::uint32_t orbit_count)
-      : planes_(planes), map_(map), orbit_(orbit), orbit_count_(orbit_count) {
-    find_components();
-    group();
+      : orbit_(orbit), orbit_count_(orbit_count) {
+    make_singles(class_, orbit_count + map.point_count());
+    SphereParts parts;
+    parts.find(planes, map);
+    for (const SphereParts::Link& l : parts.links()) {
+      unite(class_, cycle_of(l.first), cycle_of(l.second));
+    }
+    if (map.arc_count() == 0) std::fill(class_.begin(), class_.end(), 0U);
   }
 
   /// Class of an orbit; of the isolated point i: orbit_count + i.
-  std::uint32_t of_cycle(std::uint32_t cycle) { return root(class_, cycle); }
+  std::uint32_t of_cycle(std::uint32_t cycle) { return find_root(class_, cycle); }
 
  private:
-  struct Component {
-    std::vector<std::uint32_t> points;
-    std::vector<std::uint32_t> arcs;
-  };
-
-  void find_components() {
-    const auto points = static_cast<std::uint32_t>(map_.point_count());
-    std::vector<std::uint32_t> parent(points);
-    std::iota(parent.begin(), parent.end(), 0U);
-    for (std::uint32_t a = 0; a < map_.arc_count(); ++a) {
-      if (map_.is_loop(a)) continue;
-      parent[root(parent, map_.origin[2 * a])] = root(parent, map_.origin[2 * a + 1]);
-    }
-    std::vector<std::uint32_t> number(points, kNone);
-    for (std::uint32_t i = 0; i < points; ++i) {
-      const std::uint32_t r = root(parent, i);
-      if (number[r] == kNone) {
-        number[r] = static_cast<std::uint32_t>(components_.size());
-        components_.emplace_back();
-      }
-      components_[number[r]].points.push_back(i);
-    }
-    for (std::uint32_t a = 0; a < map_.arc_count(); ++a) {
-      if (map_.is_loop(a)) {
-        components_.push_back({{}, {a}});
-      } else {
-        components_[number[root(parent, map_.origin[2 * a])]].arcs.push_back(a);
-      }
-    }
+  std::uint32_t cycle_of(SphereSlot slot) const {
+    return slot.half_arc != kNone ? orbit_[slot.half_arc] : orbit_count_ + slot.point;
   }
 
-  /// A direction on the component.
-  SphereDirection some_direction(const Component& c) const {
-    if (!c.points.empty()) return map_.direction[c.points.front()];
-    const PlaneId circle = map_.circle[c.arcs.front()];
-    for (const PlaneId axis : {kPlaneX, kPlaneY}) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (minor_sign(planes_, circle, axis, i) != Sign::Zero) return {circle, axis};
-      }
-    }
-    PLUMB_CHECK(false);
-    return {};
-  }
-
-  /// The boundary cycle of `c` in whose region the direction lies.
-  std::uint32_t cycle_around(const Component& c, SphereDirection direction) const {
-    if (c.arcs.empty()) return orbit_count_ + c.points.front();
-    SphereMap part;
-    std::vector<std::uint32_t> half_of(map_.next.size(), kNone), point_of(map_.point_count());
-    std::vector<std::uint32_t> cycle_of_face, face_of(orbit_count_, kNone);
-    for (const std::uint32_t i : c.points) {
-      point_of[i] = static_cast<std::uint32_t>(part.point_count());
-      part.direction.push_back(map_.direction[i]);
-      part.point_mark.push_back(0);
-      part.point_face.push_back(kNone);
-    }
-    for (const std::uint32_t a : c.arcs) {
-      for (std::uint32_t h = 2 * a; h < 2 * a + 2; ++h) {
-        half_of[h] = static_cast<std::uint32_t>(part.origin.size());
-        part.origin.push_back(map_.origin[h] == kNone ? kNone : point_of[map_.origin[h]]);
-        if (face_of[orbit_[h]] == kNone) {
-          face_of[orbit_[h]] = static_cast<std::uint32_t>(cycle_of_face.size());
-          cycle_of_face.push_back(orbit_[h]);
-        }
-        part.face.push_back(face_of[orbit_[h]]);
-      }
-      part.circle.push_back(map_.circle[a]);
-      part.arc_mark.push_back(0);
-    }
-    for (const std::uint32_t a : c.arcs) {
-      for (std::uint32_t h = 2 * a; h < 2 * a + 2; ++h) part.next.push_back(half_of[map_.next[h]]);
-    }
-    for (const std::uint32_t i : c.points) part.first_out.push_back(half_of[map_.first_out[i]]);
-    part.face_mark.assign(cycle_of_face.size(), 0);
-    const SphereCell cell = locate(planes_, part, direction);
-    PLUMB_CHECK(cell.kind() == SphereCell::Kind::Face);
-    return cycle_of_face[cell.index()];
-  }
-
-  /// Two components bound a common face unless a third one separates them.
-  void group() {
-    const std::size_t n = components_.size();
-    std::vector<std::uint32_t> around(n * n, kNone);
-    for (std::size_t i = 0; i < n; ++i) {
-      const SphereDirection d = some_direction(components_[i]);
-      for (std::size_t j = 0; j < n; ++j) {
-        if (i != j) around[j * n + i] = cycle_around(components_[j], d);
-      }
-    }
-    class_.resize(orbit_count_ + map_.point_count());
-    std::iota(class_.begin(), class_.end(), 0U);
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = i + 1; j < n; ++j) {
-        bool separated = false;
-        for (std::size_t k = 0; k < n && !separated; ++k) {
-          separated = k != i && k != j && around[k * n + i] != around[k * n + j];
-        }
-        if (!separated) class_[root(class_, around[i * n + j])] = root(class_, around[j * n + i]);
-      }
-    }
-  }
-
-  const PlaneTable& planes_;
-  const SphereMap& map_;
   const std::vector<std::uint32_t>& orbit_;
   std::uint32_t orbit_count_;
-  std::vector<Component> components_;
   std::vector<std::uint32_t> class_;
 };
 

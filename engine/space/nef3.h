@@ -120,6 +120,10 @@ class Nef3 {
   static Nef3 segment(const RationalPoint3& a, const RationalPoint3& b);
   /// Closed segments from point to point.
   static Nef3 polyline(std::span<const RationalPoint3> points, Context& context);
+  /// Several: polyline i is points[begin[i]] ... points[begin[i + 1] - 1]; `begin` ends with the number of points.
+  /// Throws Error{BadArgument} unless it rises from 0 to that.
+  static Nef3 polylines(std::span<const RationalPoint3> points,
+                        std::span<const std::uint32_t> begin, Context& context);
   static Nef3 point(const RationalPoint3& at);  ///< One point.
   /// Isolated points; equal ones are one.
   static Nef3 points(std::span<const RationalPoint3> points, Context& context);

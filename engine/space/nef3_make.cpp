@@ -200,13 +200,25 @@ Nef3 Nef3::segment(const RationalPoint3& a, const RationalPoint3& b) {
 }
 
 Nef3 Nef3::polyline(std::span<const RationalPoint3> points, Context& context) {
-  if (points.empty()) return empty();
-  if (points.size() == 1) return point(points[0]);
-  std::vector<Nef3> segments;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    segments.push_back(segment(points[i], points[i + 1]));
+  const std::array<std::uint32_t, 2> begin{0, static_cast<std::uint32_t>(points.size())};
+  return polylines(points, begin, context);
+}
+
+Nef3 Nef3::polylines(std::span<const RationalPoint3> points, std::span<const std::uint32_t> begin,
+                     Context& context) {
+  if (begin.empty() || begin.front() != 0 || begin.back() != points.size() ||
+      !std::is_sorted(begin.begin(), begin.end())) {
+    throw Error(ErrorCode::BadArgument, "polylines do not follow each other in their points");
   }
-  return union_of(segments, context);
+  std::vector<Nef3> parts;
+  for (std::size_t line = 0; line + 1 < begin.size(); ++line) {
+    const std::size_t end = begin[line + 1];
+    if (begin[line] + std::size_t{1} == end) parts.push_back(point(points[begin[line]]));
+    for (std::size_t i = begin[line]; i + 1 < end; ++i) {
+      parts.push_back(segment(points[i], points[i + 1]));
+    }
+  }
+  return union_of(parts, context);
 }
 
 Nef3 Nef3::point(const RationalPoint3& at) {

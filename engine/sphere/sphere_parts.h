@@ -1,4 +1,4 @@
-// Connected parts of a map, and which of their cycles bound one face. Internal to engine/sphere.
+// Connected parts of a map, and which of their cycles bound one face. Internal.
 //
 // Each part but one walks to a given arc (sphere_path.h). What follows each other on a walk bounds one
 // face; and since the faces and parts of a sphere form a tree, the walks tell this of all cycles: on its

@@ -401,6 +401,48 @@ TEST(DegenerateFamilies, ThousandFacetsAtAVertex) {
   EXPECT_EQ(common.counts().facets, 1001U);
 }
 
+/// Directions (x, y, 1), no two alike.
+std::vector<RationalPoint3> rays(int count) {
+  std::vector<RationalPoint3> ends;
+  for (int i = 0; i < count; ++i) ends.push_back({i % 32 - 16, i / 32 - 16, 1});
+  return ends;
+}
+
+TEST(DegenerateFamilies, ThousandFreeEdgesAtAVertex) {
+  Context context;
+  std::vector<RationalPoint3> points;
+  std::vector<std::uint32_t> begin{0};
+  for (const RationalPoint3& end : rays(1000)) {
+    points.insert(points.end(), {{0, 0, 0}, end});
+    begin.push_back(static_cast<std::uint32_t>(points.size()));
+  }
+  const Nef3 star = Nef3::polylines(points, begin, context);
+  expect_sound(star, "a star of segments");
+  EXPECT_EQ(star.counts().vertices, 1001U);
+  EXPECT_EQ(star.counts().edges, 1000U);
+  EXPECT_TRUE(star.interior().is_empty());
+  // Segments end in the roof of the cone; those within are swallowed but for those on its surface.
+  const Nef3 up = cone(40, 1, 0);
+  expect_sound(star + up, "a star of segments and a cone");
+  EXPECT_TRUE((star + up) - up == star - up);
+  EXPECT_TRUE((star - up) + (star * up) == star);
+}
+
+TEST(DegenerateFamilies, HundredsOfTipsAtAVertex) {
+  Context context;
+  std::vector<Nef3> tips;
+  for (const RationalPoint3& end : rays(250)) {
+    const double x = 4 * end.x.convert_to<double>(), y = 4 * end.y.convert_to<double>();
+    tips.push_back(solid(tetrahedron_mesh({0, 0, 0}, {x, y, 4}, {x + 1, y, 4}, {x, y + 1, 4})));
+  }
+  const Nef3 all = union_of(tips, context);
+  expect_sound(all, "tips");
+  EXPECT_EQ(all.counts().vertices, 751U);
+  EXPECT_EQ(all.counts().marked_volumes, 250U);
+  EXPECT_EQ(volume(all), 250 * volume(tips.front()));
+  EXPECT_TRUE(all.interior().closure() == all);
+}
+
 TEST(DegenerateFamilies, FarAndNearNumbersTogether) {
   const double far = 1e300;
   const double near = 1e-300;

@@ -270,6 +270,13 @@ TEST(Nef3, CrossingSegments) {
   Context context;
   const std::vector<RationalPoint3> zigzag{{0, 0, 0}, {2, 2, 2}, {2, 0, 0}, {0, 2, 2}};
   EXPECT_TRUE(has(Nef3::polyline(zigzag, context), {5, 5, 0, 1, 0}));
+  const std::vector<std::uint32_t> begin{0, 2, 2, 3, 4};
+  EXPECT_TRUE(Nef3::polylines(zigzag, begin, context) ==
+              Nef3::segment(zigzag[0], zigzag[1]) + Nef3::points(zigzag, context));
+  for (const std::vector<std::uint32_t>& wrong :
+       {std::vector<std::uint32_t>{}, {0, 3}, {1, 4}, {0, 3, 2, 4}, {0, 5}}) {
+    EXPECT_THROW(Nef3::polylines(zigzag, wrong, context), Error);
+  }
   const Nef3 half = Nef3::segment({0, 0, 0}, {1, 1, 1}), rest = Nef3::segment({1, 1, 1}, {3, 3, 3});
   EXPECT_TRUE(half + rest == Nef3::segment({0, 0, 0}, {3, 3, 3}));
 }
