@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "plumb/base/error.h"
 #include "plumb/surface/face_layout.h"
+#include "plumb/surface/flat_run.h"
 #include "plumb/surface/unfolded_strip.h"
 
 namespace plumb {
@@ -65,27 +67,63 @@ void keep_sharpest(std::vector<StripTurn>& turns) {
   turns = {*std::ranges::max_element(turns, {}, &StripTurn::gain)};
 }
 
-/// The point of a stop, added to the table. Both t and 1 - t are doubles: that makes signs cheap.
-SurfacePointId point_at(const StripStop& stop, const SurfaceMesh& mesh, const FaceStrip& strip,
-                        SurfacePointTable& points) {
-  if (stop.vertex.is_valid()) return points.add_vertex(stop.vertex);
-  const HalfedgeId door = strip.doors[stop.door];
-  return points.add_on_edge(mesh.edge(door),
-                            mesh.is_upward(door) ? 1 - (1 - stop.part) : 1 - stop.part);
-}
+/// What was found, as exact points.
+class Reading {
+ public:
+  Reading(const std::vector<StripStop>& stops, const FaceStrip& strip, SurfacePointId a,
+          SurfacePointId b, SurfacePointTable& points)
+      : mesh_(points.mesh()), stops_(stops), strip_(strip), a_(a), b_(b), points_(points) {}
 
-SurfacePath read_off(const std::vector<StripStop>& stops, const SurfaceMesh& mesh,
-                     const FaceStrip& strip, SurfacePointId a, SurfacePointId b,
-                     SurfacePointTable& points) {
-  std::vector<FaceId> faces{strip.first};
-  for (const HalfedgeId door : strip.doors) faces.push_back(SurfaceMesh::face(mesh.twin(door)));
-  SurfacePath path{{a}, {}};
-  for (std::size_t i = 1; i < stops.size(); ++i) {
-    path.points.push_back(i + 1 == stops.size() ? b : point_at(stops[i], mesh, strip, points));
-    path.faces.push_back(faces[std::max(stops[i - 1].first, stops[i].first)]);
+  SurfacePath path() {
+    std::vector<FaceId> faces{strip_.first};
+    for (const HalfedgeId door : strip_.doors) faces.push_back(SurfaceMesh::face(mesh_.twin(door)));
+    SurfacePath path{{a_}, {}};
+    for (std::size_t i = 1; i < stops_.size(); ++i) {
+      if (!is_fixed(i) && is_fixed(i - 1)) look_ahead(i);
+      path.points.push_back(i + 1 == stops_.size() ? b_ : point_at(i));
+      path.faces.push_back(faces[std::max(stops_[i - 1].first, stops_[i].first)]);
+    }
+    return path;
   }
-  return path;
-}
+
+ private:
+  /// A vertex or an end, not a place in a door?
+  bool is_fixed(std::size_t i) const {
+    return i == 0 || i + 1 == stops_.size() || stops_[i].vertex.is_valid();
+  }
+  FlatRunEnd end(std::size_t i) const { return {stops_[i].vertex, i == 0 ? a_ : b_}; }
+
+  /// The doors from here to the next vertex or end: exact places in them where faces are flat.
+  void look_ahead(std::size_t i) {
+    std::size_t to = i;
+    while (!is_fixed(to)) ++to;
+    run_begin_ = i;
+    run_ = flat_run(points_, std::span(strip_.doors).subspan(stops_[i].door, to - i), end(i - 1),
+                    end(to));
+  }
+
+  /// Added to the table. Where the run is not flat, both t and 1 - t are doubles: that makes signs cheap.
+  SurfacePointId point_at(std::size_t i) {
+    const StripStop& stop = stops_[i];
+    if (stop.vertex.is_valid()) return points_.add_vertex(stop.vertex);
+    const HalfedgeId door = strip_.doors[stop.door];
+    const EdgeId edge = mesh_.edge(door);
+    const bool is_upward = mesh_.is_upward(door);
+    if (run_) {
+      const Rational& part = (*run_)[i - run_begin_];
+      return points_.add_on_edge(edge, is_upward ? part : Rational(1 - part));
+    }
+    return points_.add_on_edge(edge, is_upward ? 1 - (1 - stop.part) : 1 - stop.part);
+  }
+
+  const SurfaceMesh& mesh_;
+  const std::vector<StripStop>& stops_;
+  const FaceStrip& strip_;
+  SurfacePointId a_, b_;
+  SurfacePointTable& points_;
+  std::optional<std::vector<Rational>> run_;
+  std::size_t run_begin_ = 0;  // of the stop that its first part is of
+};
 
 }  // namespace
 
@@ -116,7 +154,8 @@ std::optional<SurfacePath> Tracer::trace_upward(SurfacePointTable& points, Surfa
   const StripEnd to = end_at(points, b, near_b.front(), positions_);
   const FaceStrip strip = tightened(from, to, context);
   const UnfoldedStrip unfolded(mesh_, positions_, strip, from, to);
-  return read_off(unfolded.stops(), mesh_, strip, a, b, points);
+  const std::vector<StripStop> stops = unfolded.stops();
+  return Reading(stops, strip, a, b, points).path();
 }
 
 FaceStrip Tracer::tightened(const StripEnd& from, const StripEnd& to, Context& context) {

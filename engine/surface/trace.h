@@ -9,9 +9,10 @@
 //  3. tighten    the strip laid out in the plane; the shortest path in it by a funnel (unfolded_strip.h)
 //  4. flip       around bends with less than half a turn on their other side the strip is led that other way;
 //                3 and 4 until there are none, or the path does not become shorter
-//  5. read off   vertices where it bends or would pass within 2^-40 of a side's length, else a t for each side
+//  5. read off   vertices where it bends or would pass within 2^-40 of a side's length, else a t for each side:
+//                a double, or exact where the faces between two such vertices lie in one plane (flat_run.h)
 //
-// All of this is done in doubles: it chooses a path. What was chosen is exact from 5 on and is never traced
+// 1 to 4 are done in doubles: that chooses a path. What was chosen is exact from 5 on and is never traced
 // again. On a mesh where several paths are locally shortest, any of them may be chosen; always the same one.
 #pragma once
 

@@ -157,6 +157,69 @@ TEST(trace, straight_on_a_flat_mesh) {
   }
 }
 
+/// The grid in a tilted plane; lattice points keep doubles.
+SurfaceMesh tilted_grid(std::uint32_t n) {
+  const SurfaceMesh grid = grid_surface(n);
+  std::vector<Point3> points;
+  std::vector<SurfaceTriangle> triangles;
+  for (std::uint32_t v = 0; v < grid.vertex_count(); ++v) {
+    const Point3& p = grid.point(VertexId(v));
+    points.push_back({p.x + 2 * p.y, p.x - p.y, 3 * p.x + p.y});
+  }
+  for (std::uint32_t f = 0; f < grid.face_count(); ++f)
+    triangles.push_back(grid.corners(FaceId(f)));
+  return {std::move(points), std::move(triangles)};
+}
+
+/// Where a point of a path lies on the grid.
+RationalPoint2 grid_place(const SurfacePointTable& points, SurfacePointId p, FaceId f,
+                          std::uint32_t n) {
+  const RationalPoint2 w = points.exact_in(p, f);
+  const Rational weights[3] = {1 - w.x - w.y, w.x, w.y};
+  RationalPoint2 at{0, 0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t v = points.mesh().corner(f, k).value();
+    at.x += weights[k] * (v % (n + 1));
+    at.y += weights[k] * (v / (n + 1));
+  }
+  return at;
+}
+
+TEST(trace, exactly_straight_on_a_flat_mesh) {
+  constexpr std::uint32_t kSide = 5;
+  Dice dice(1);
+  int crossings = 0;
+  for (const bool is_tilted : {false, true}) {
+    Drawing d(is_tilted ? tilted_grid(kSide) : grid_surface(kSide));
+    for (int i = 0; i < 150; ++i) {
+      const SurfacePointId a = d.some_point(dice), b = d.some_point(dice);
+      if (d.points.is_same(a, b)) continue;
+      const SurfacePath path = d.traced(a, b);
+      const RationalPoint2 from = grid_place(d.points, a, path.faces.front(), kSide);
+      const RationalPoint2 to = grid_place(d.points, b, path.faces.back(), kSide);
+      for (std::size_t k = 0; k < path.faces.size(); ++k) {
+        const RationalPoint2 at = grid_place(d.points, path.points[k], path.faces[k], kSide);
+        EXPECT_EQ((to.x - from.x) * (at.y - from.y), (to.y - from.y) * (at.x - from.x))
+            << d.text(path) << k;
+        if (d.points.place(path.points[k]) == SurfacePlace::Edge) ++crossings;
+      }
+    }
+  }
+  EXPECT_GT(crossings, 500);
+}
+
+// Two triangles that lie upon each other: the line goes around their common side.
+TEST(trace, folded_faces_are_not_flat) {
+  Drawing d(SurfaceMesh({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {5, 1, 0}},
+                        {{0, 1, 2}, {2, 1, 3}, {3, 1, 4}}));
+  const SurfacePointId a = d.points.add_in_face(FaceId(0), 0.125, 0.25);
+  const SurfacePointId b = d.points.add_in_face(FaceId(1), 0.25, 0.5);
+  const SurfacePath path = d.traced(a, b);
+  ASSERT_EQ(path.points.size(), 3U);
+  // Mirrored in the side x + y = 4, b (1.5, 1.5) is (2.5, 2.5); a is (0.5, 1).
+  EXPECT_NEAR(d.length(path), std::hypot(2, 1.5), 1e-12);
+}
+
 TEST(trace, a_few_faces_seen_from_each_other_are_joined_straight) {
   Drawing d(grid_surface(1));
   const SurfacePointId a = d.points.add_in_face(FaceId(0), .5, 0);
