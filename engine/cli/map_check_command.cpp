@@ -75,6 +75,7 @@ void MapCheck::declare(CLI::App& app) {
   app.add_flag("--merge-vertices", options_.merge_vertices,
                "Vertices with equal coordinates become one first");
   app.add_option("--max-defects", options_.max_defects, "Describe at most N defects (default 1000)")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40U).description(""))
       ->type_name("N");
   app.add_option("--svg", svg_, "Draw the map and its defects")->type_name("OUT");
   app.add_option("--geojson", geojson_, "Write the defects as GeoJSON")->type_name("OUT");

@@ -24,9 +24,7 @@ std::string file_name(std::size_t piece, std::string_view extension) {
 PieceFiles::PieceFiles(std::string directory) : directory_(std::move(directory)) {
   if (directory_.empty()) return;
   if (directory_ == "-") throw Error(ErrorCode::Usage, "-o needs a directory");
-  std::error_code failed;
-  std::filesystem::create_directories(directory_, failed);
-  if (failed) throw Error(ErrorCode::CannotWrite, directory_ + ": " + failed.message());
+  made_.emplace(directory_);
 }
 
 void PieceFiles::add(std::string_view extension, const std::vector<std::string>& losses,
@@ -53,6 +51,7 @@ void PieceFiles::note_losses(std::string_view better, Session& session) const {
 void PieceFiles::commit(const std::vector<std::string_view>& extensions, const std::string& input) {
   commit_all(files_);
   if (!is_wanted()) return;
+  made_->keep();
   std::error_code failed;
   std::filesystem::directory_iterator at(directory_, failed);
   for (; !failed && at != std::filesystem::directory_iterator(); at.increment(failed)) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -33,6 +34,7 @@ class PieceFiles {
   bool is_older(const std::string& name, const std::vector<std::string_view>& extensions) const;
 
   std::string directory_;
+  std::optional<OutputDirectory> made_;  // outlives the files in it
   std::vector<std::unique_ptr<OutputFile>> files_;
   std::size_t changed_ = 0;
   std::string worst_;  // a file's name

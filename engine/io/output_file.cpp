@@ -206,4 +206,24 @@ void commit_all(std::span<const std::unique_ptr<OutputFile>> files) {
 
 void remove_temporary_files() noexcept { temporary_names.unlink_all(); }
 
+OutputDirectory::OutputDirectory(const std::filesystem::path& path) {
+  std::error_code failed;
+  std::vector<std::filesystem::path> missing;
+  for (auto at = std::filesystem::absolute(path, failed).lexically_normal();
+       !failed && !std::filesystem::exists(at, failed) && at.has_relative_path();
+       at = at.parent_path()) {
+    if (at.has_filename()) missing.push_back(at);
+  }
+  std::filesystem::create_directories(path, failed);
+  if (failed) throw Error(ErrorCode::CannotWrite, path.string() + ": " + failed.message());
+  made_ = std::move(missing);
+}
+
+OutputDirectory::~OutputDirectory() {
+  for (const std::filesystem::path& made : made_) {
+    std::error_code not_empty;
+    if (!std::filesystem::remove(made, not_empty)) return;
+  }
+}
+
 }  // namespace plumb

@@ -9,11 +9,13 @@
 // (/dev/null, a pipe) is written directly; a symbolic link is followed.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <ostream>
 #include <span>
 #include <streambuf>
 #include <string>
+#include <vector>
 
 namespace plumb {
 
@@ -86,5 +88,21 @@ void commit_all(std::span<const std::unique_ptr<OutputFile>> files);
 /// Removes the temporary files of all OutputFiles that live. For signal handlers that end the
 /// process: async-signal-safe.
 void remove_temporary_files() noexcept;
+
+/// A folder for output, made with those above it that are missing. What was made and is still empty at the end is
+/// removed again, unless it was kept.
+class OutputDirectory {
+ public:
+  /// Errors: CannotWrite, "PATH: reason".
+  explicit OutputDirectory(const std::filesystem::path& path);
+  ~OutputDirectory();
+  OutputDirectory(const OutputDirectory&) = delete;
+  OutputDirectory& operator=(const OutputDirectory&) = delete;
+
+  void keep() { made_.clear(); }
+
+ private:
+  std::vector<std::filesystem::path> made_;  // innermost first
+};
 
 }  // namespace plumb

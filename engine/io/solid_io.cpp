@@ -65,11 +65,10 @@ std::optional<MeshFormat> mesh_format_of(const std::string& path) {
 }
 
 MeshFormat guess_mesh_format(std::string_view bytes) {
-  if (is_binary_stl(bytes)) return MeshFormat::Stl;
+  if (is_binary_stl(bytes) || is_text_stl(bytes)) return MeshFormat::Stl;
   const std::string_view word = first_word(bytes);
   if (word.starts_with("glTF") || word.starts_with('{')) return MeshFormat::Gltf;
   if (word == "ply") return MeshFormat::Ply;
-  if (word == "solid") return MeshFormat::Stl;
   return begins_off(word) ? MeshFormat::Off : MeshFormat::Obj;
 }
 

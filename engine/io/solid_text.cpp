@@ -13,11 +13,11 @@ namespace {
 constexpr std::array kFormats{
     SolidFormat{"off", ".off", MeshFormat::Off},
     SolidFormat{"obj", ".obj", MeshFormat::Obj},
-    SolidFormat{"stl", ".stl", MeshFormat::StlBinary},
+    SolidFormat{"stl", ".stl", MeshFormat::Stl},
     SolidFormat{"ply", ".ply", MeshFormat::Ply},
     SolidFormat{"nef", ".nef", std::nullopt},
     SolidFormat{"off-exact", ".off", MeshFormat::ExactOff},
-    SolidFormat{"stl-text", ".stl", MeshFormat::Stl},
+    SolidFormat{"stl-binary", ".stl", MeshFormat::StlBinary},
     SolidFormat{"ply-text", ".ply", MeshFormat::PlyText},
 };
 

@@ -188,19 +188,19 @@ MeshFile read_binary(std::string_view bytes, const ReadOptions& options, Context
                                           std::to_string(bytes.size()) + " bytes are there");
 }
 
-bool begins_with_solid(std::string_view text) {
-  take_prefix(text, "\xEF\xBB\xBF");
-  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-  return is_word(text.substr(0, 5), "solid");
-}
-
 MeshFile read_triangles(std::string_view bytes, const ReadOptions& options, Context& context) {
   if (is_binary_stl(bytes)) return read_binary(bytes, options, context);
-  if (begins_with_solid(bytes)) return StlTextReader(bytes, options, context).read();
+  if (is_text_stl(bytes)) return StlTextReader(bytes, options, context).read();
   refuse(bytes, {options.name});
 }
 
 }  // namespace
+
+bool is_text_stl(std::string_view bytes) {
+  take_prefix(bytes, "\xEF\xBB\xBF");
+  bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
+  return is_word(bytes.substr(0, 5), "solid");
+}
 
 bool is_binary_stl(std::string_view bytes) {
   constexpr std::size_t kLeast = kHeaderBytes + sizeof(std::uint32_t);

@@ -22,6 +22,8 @@ namespace plumb {
 
 /// Step 1: is a file of these bytes binary STL?
 bool is_binary_stl(std::string_view bytes);
+/// Step 2: does it begin with the word solid, in any case?
+bool is_text_stl(std::string_view bytes);
 
 /// The memory of the mesh stays charged to `context`.
 MeshFile read_stl(std::string_view bytes, const ReadOptions& options, Context& context);

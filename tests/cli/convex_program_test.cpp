@@ -73,6 +73,16 @@ TEST(ConvexProgram, decompose_writes_a_file_for_each_piece) {
   EXPECT_EQ(run({"solid", "compare", whole, kBlock}).code, 0);
 }
 
+TEST(ConvexProgram, decompose_leaves_no_folder_when_it_fails) {
+  const ScratchDirectory scratch;
+  const std::string far = (scratch / "far.off").string(), pieces = (scratch / "pieces").string();
+  const std::string big = "1" + std::string(400, '0');
+  write_file(far, "OFF\n4 4 0\n0 0 0\n" + big + " 0 0\n0 1 0\n0 0 1\n" +
+                      "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
+  EXPECT_EQ(run({"convex", "decompose", far, "-o", pieces}).code, 2);
+  EXPECT_EQ(scratch.files(), std::vector<std::string>{"far.off"});
+}
+
 TEST(ConvexProgram, decompose_removes_pieces_of_an_earlier_run_alone) {
   const ScratchDirectory scratch;
   const fs::path directory = scratch / "pieces";

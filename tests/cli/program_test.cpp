@@ -72,6 +72,7 @@ TEST(Program, refuses_wrong_usage) {
       {"map", "check", kValid, kValid},
       {"map", "check", kValid, "--outer", "maybe"},
       {"map", "check", kValid, "--max-defects", "many"},
+      {"map", "check", kValid, "--max-defects", "-1"},
       {"map", "check", kValid, "--threads", "0"},
       {"map", "check", kValid, "--limit-seconds", "-1"},
       {"map", "check", kValid, "--limit-seconds", "nan"},

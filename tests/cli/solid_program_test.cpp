@@ -97,7 +97,7 @@ TEST_F(SolidProgram, every_format_goes_in_and_out) {
     EXPECT_EQ(piped.out, run({"solid", "info", copy, "--json"}).out) << name;
   }
   for (const std::string format :
-       {"off", "off-exact", "obj", "stl", "stl-text", "ply", "ply-text", "nef"}) {
+       {"off", "off-exact", "obj", "stl", "stl-binary", "ply", "ply-text", "nef"}) {
     const RunResult result = run({"solid", "closure", exact, "-o", "-", "--format", format});
     EXPECT_EQ(result.code, 0) << result.err;
     EXPECT_TRUE(is_equal(holding(result.out, "copy"), closed)) << format;

@@ -255,5 +255,29 @@ TEST(DescriptorStream, tells_a_closed_pipe_from_a_full_disk) {
   ::close(ends[1]);
 }
 
+TEST_F(OutputFileTest, leaves_no_empty_directory_that_it_made) {
+  const fs::path inner = directory_ / "outer" / "inner";
+  { const OutputDirectory made(inner); }
+  EXPECT_EQ(file_count(), 0U);
+  { const OutputDirectory slash(inner / ""); }
+  EXPECT_EQ(file_count(), 0U);
+  {
+    OutputDirectory made(inner);
+    made.keep();
+  }
+  EXPECT_TRUE(fs::is_directory(inner));
+  { const OutputDirectory was_there(inner); }
+  EXPECT_TRUE(fs::is_directory(inner));
+  {
+    const OutputDirectory made(inner / "more" / "still");
+    OutputFile file((inner / "more" / "file").string());
+    file.finish();
+    file.commit();
+  }
+  EXPECT_FALSE(fs::exists(inner / "more" / "still"));
+  EXPECT_TRUE(fs::exists(inner / "more" / "file"));
+  EXPECT_THROW(OutputDirectory(inner / "more" / "file"), Error);
+}
+
 }  // namespace
 }  // namespace plumb

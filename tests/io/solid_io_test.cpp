@@ -59,6 +59,7 @@ TEST(SolidIo, tells_formats_by_their_first_bytes) {
   EXPECT_EQ(guess_mesh_format("# x\no thing\n"), MeshFormat::Obj);
   EXPECT_EQ(guess_mesh_format(""), MeshFormat::Obj);
   EXPECT_EQ(guess_mesh_format("solid"), MeshFormat::Stl);
+  EXPECT_EQ(guess_mesh_format("\n SOLID name"), MeshFormat::Stl);
 }
 
 TEST(SolidIo, knows_extensions_and_names) {
