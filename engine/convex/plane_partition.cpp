@@ -11,6 +11,7 @@
 #include "plumb/convex/plane_optimal.h"
 #include "plumb/convex/plane_pieces.h"
 #include "plumb/convex/plane_region.h"
+#include "plumb/predicates/rational_sum.h"
 
 namespace plumb {
 namespace {
@@ -137,13 +138,13 @@ PlanePieces decompose(const Nef2& set, const PartitionOptions& options, Context&
 std::optional<bool> do_areas_add_up(const Nef2& set, std::span<const Nef2> pieces) {
   const std::optional<Rational> whole = set.area();
   if (!whole) return std::nullopt;
-  Rational sum = 0;
+  RationalSum sum;
   for (const Nef2& piece : pieces) {
     const std::optional<Rational> area = piece.area();
     if (!area) return false;
-    sum += *area;
+    sum.add(*area);
   }
-  return sum == *whole;
+  return sum.total() == *whole;
 }
 
 }  // namespace plumb

@@ -208,18 +208,22 @@ void remove_temporary_files() noexcept { temporary_names.unlink_all(); }
 
 OutputDirectory::OutputDirectory(const std::filesystem::path& path) {
   std::error_code failed;
-  std::vector<std::filesystem::path> missing;
-  for (auto at = std::filesystem::absolute(path, failed).lexically_normal();
-       !failed && !std::filesystem::exists(at, failed) && at.has_relative_path();
-       at = at.parent_path()) {
-    if (at.has_filename()) missing.push_back(at);
+  std::filesystem::path at;
+  for (const std::filesystem::path& step : path) {
+    at /= step;
+    if (step.empty() || std::filesystem::is_directory(at, failed)) continue;
+    if (!std::filesystem::create_directory(at, failed)) {
+      if (!failed) failed = std::make_error_code(std::errc::not_a_directory);
+      remove_made();
+      throw Error(ErrorCode::CannotWrite, path.string() + ": " + failed.message());
+    }
+    made_.insert(made_.begin(), at);
   }
-  std::filesystem::create_directories(path, failed);
-  if (failed) throw Error(ErrorCode::CannotWrite, path.string() + ": " + failed.message());
-  made_ = std::move(missing);
 }
 
-OutputDirectory::~OutputDirectory() {
+OutputDirectory::~OutputDirectory() { remove_made(); }
+
+void OutputDirectory::remove_made() {
   for (const std::filesystem::path& made : made_) {
     std::error_code not_empty;
     if (!std::filesystem::remove(made, not_empty)) return;

@@ -102,7 +102,9 @@ class OutputDirectory {
   void keep() { made_.clear(); }
 
  private:
-  std::vector<std::filesystem::path> made_;  // innermost first
+  void remove_made();
+
+  std::vector<std::filesystem::path> made_;  // the last first
 };
 
 }  // namespace plumb

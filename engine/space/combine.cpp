@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <optional>
 #include <stop_token>
 
@@ -37,8 +38,10 @@ void translate(SpaceComplex& complex, const TableMap& map) {
 std::shared_ptr<SpaceTables> unite_tables(SpaceComplex& a, SpaceComplex& b) {
   const bool is_shared = a.tables == b.tables;
   if (is_shared) b.tables.reset();
-  const auto tables =
-      a.tables.use_count() == 1 ? std::const_pointer_cast<SpaceTables>(a.tables) : copy(*a.tables);
+  const bool is_own = a.tables.use_count() == 1;
+  // What another thread read before it let go of them comes before what is written here.
+  if (is_own) std::atomic_thread_fence(std::memory_order_acquire);
+  const auto tables = is_own ? std::const_pointer_cast<SpaceTables>(a.tables) : copy(*a.tables);
   if (!is_shared) translate(b, merge(*tables, *b.tables));
   a.tables = b.tables = tables;
   return tables;

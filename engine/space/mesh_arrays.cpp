@@ -1,6 +1,7 @@
 #include "plumb/space/mesh_arrays.h"
 
 #include <algorithm>
+#include <limits>
 #include <type_traits>
 
 #include "plumb/base/error.h"
@@ -29,6 +30,9 @@ PolygonMesh mesh_of_triangles(std::span<const double> coordinates,
                               std::span<const std::uint32_t> corners) {
   if (corners.size() % 3 != 0) {
     throw Error(ErrorCode::BadArgument, "the number of corners is no multiple of three");
+  }
+  if (corners.size() > std::numeric_limits<std::uint32_t>::max()) {
+    throw Error(ErrorCode::BadArgument, "more corners than 2^32 - 1");
   }
   PolygonMesh mesh;
   mesh.points = points_of(coordinates);

@@ -63,11 +63,11 @@ bool VolumeGrid::lay_out(std::span<const Box3> boxes) {
 }
 
 /// 0 before all boxes, the last one behind them. Monotone: each step of the arithmetic is.
-std::uint32_t VolumeGrid::place(double x, std::size_t axis) const {
+std::uint32_t VolumeGrid::place(double x, std::size_t axis, double stretch) const {
   if (x < all_.low[axis]) return 0;
   const std::uint32_t last = count_[axis] - 1;
   if (x > all_.high[axis]) return last;
-  const double at = (x - all_.low[axis]) * scale_[axis];
+  const double at = (x - all_.low[axis]) * scale_[axis] * stretch;
   return std::min(static_cast<std::uint32_t>(at) + 1, last - 1);
 }
 
@@ -93,12 +93,17 @@ double VolumeGrid::middle(std::uint32_t at, std::size_t axis) const {
 
 // ---------------------------------------------------------------- what is known of them
 
-/// False: the boxes are so large beside the cells that marking them all would take too long.
+/// With a hair more on all sides, so that a point of an item is in a marked cell in whichever rounding mode it is asked
+/// for. False: the boxes are so large beside the cells that marking them all would take too long.
 bool VolumeGrid::mark(std::span<const Box3> boxes) {
   constexpr std::size_t kMostCellsPerItem = 64;
   std::size_t left = kMostCellsPerItem * (boxes.size() + kLeastCells);
   for (const Box3& box : boxes) {
-    const Cell first = cell_of(box.low), last = cell_of(box.high);
+    Cell first{}, last{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      first[i] = place(box.low[i], i, 1 - 0x1p-48);
+      last[i] = place(box.high[i], i, 1 + 0x1p-48);
+    }
     const std::size_t reached =
         std::size_t{last[0] - first[0] + 1} * (last[1] - first[1] + 1) * (last[2] - first[2] + 1);
     if (reached > left) return false;

@@ -57,7 +57,7 @@ class VolumeGrid {
   void ask(std::uint32_t parts, std::size_t questions,
            const std::function<VolumeId(const Point3&)>& volume_of);
 
-  std::uint32_t place(double x, std::size_t axis) const;
+  std::uint32_t place(double x, std::size_t axis, double stretch = 1) const;
   Cell cell_of(const std::array<double, 3>& p) const;
   std::size_t index(const Cell& cell) const;
   double middle(std::uint32_t place, std::size_t axis) const;

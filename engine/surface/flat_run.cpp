@@ -8,6 +8,8 @@
 namespace plumb {
 namespace {
 
+constexpr std::size_t kDoors = 1024;  // a checkpoint
+
 /// A plane of faces, seen along an axis that it is not parallel to.
 class FlatView {
  public:
@@ -64,7 +66,8 @@ Rational area(const RationalPoint2& a, const RationalPoint2& along, const Ration
 
 std::optional<std::vector<Rational>> flat_run(const SurfacePointTable& points,
                                               std::span<const HalfedgeId> doors,
-                                              const FlatRunEnd& from, const FlatRunEnd& to) {
+                                              const FlatRunEnd& from, const FlatRunEnd& to,
+                                              Context& context) {
   const SurfaceMesh& mesh = points.mesh();
   if (doors.empty()) return {};
   const FaceId first = SurfaceMesh::face(doors.front());
@@ -82,6 +85,7 @@ std::optional<std::vector<Rational>> flat_run(const SurfacePointTable& points,
   std::vector<Rational> parts;
   parts.reserve(doors.size());
   for (const HalfedgeId door : doors) {
+    if (parts.size() % kDoors == 0) context.checkpoint("trace", parts.size(), doors.size());
     const Rational origin = area(a, along, view.at(mesh.origin(door)));
     const Rational target = area(a, along, view.at(mesh.target(door)));
     if (origin * target >= 0) return {};

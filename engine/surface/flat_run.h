@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "plumb/base/context.h"
 #include "plumb/predicates/rational.h"
 #include "plumb/surface/surface_mesh.h"
 #include "plumb/surface/surface_point.h"
@@ -23,9 +24,10 @@ struct FlatRunEnd {
 /// The line from a point in the face of doors.front() to one in the face beyond doors.back(): which part of the way
 /// from the origin of each door to its target it crosses it at. None unless all those faces lie in one plane, none
 /// folded back, and the line passes strictly inside all doors. Cost: O(doors); most often the first predicate
-/// says no.
+/// says no. Errors: Cancelled, ResourceLimit.
 std::optional<std::vector<Rational>> flat_run(const SurfacePointTable& points,
                                               std::span<const HalfedgeId> doors,
-                                              const FlatRunEnd& from, const FlatRunEnd& to);
+                                              const FlatRunEnd& from, const FlatRunEnd& to,
+                                              Context& context);
 
 }  // namespace plumb

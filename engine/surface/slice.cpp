@@ -60,7 +60,7 @@ class Slicer {
   SurfaceArrangement run() {
     charge_.add(kEntryBytes * polygons_.point.size() + kFaceBytes * mesh_.face_count(),
                 "an arrangement on a surface");
-    nodes_ = make_nodes(polygons_);
+    nodes_ = make_nodes(polygons_, context_);
     gather_uses();
     charge_uses();
     runs_ = add_up(run_uses_, out_.bundles);

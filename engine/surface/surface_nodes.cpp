@@ -7,6 +7,8 @@ namespace plumb {
 namespace {
 
 constexpr std::uint32_t kNone = SurfaceArrangement::kNone;
+constexpr const char* kPhase = "slice";
+constexpr std::uint64_t kComparisons = 65536;  // a checkpoint
 
 /// An entry of the polygons, to be sorted: place, edge or vertex or face, then parameters.
 struct Entry {
@@ -18,13 +20,14 @@ struct Entry {
 
 class NodeMaker {
  public:
-  explicit NodeMaker(const SurfacePolygons& polygons)
-      : polygons_(polygons), points_(polygons.points) {}
+  NodeMaker(const SurfacePolygons& polygons, Context& context)
+      : polygons_(polygons), points_(polygons.points), context_(context) {}
 
   SurfaceNodes run() {
     gather();
     std::sort(entries_.begin(), entries_.end(),
               [&](const Entry& a, const Entry& b) { return is_before(a, b); });
+    context_.checkpoint(kPhase, 1, 2);
     number();
     index_edges();
     index_vertices();
@@ -57,7 +60,8 @@ class NodeMaker {
     const std::uint32_t p = polygons_.point[a.entry].value(), q = polygons_.point[b.entry].value();
     return p == q ? Sign::Zero : compare_xy(points_.parameters(), p, q);
   }
-  bool is_before(const Entry& a, const Entry& b) const {
+  bool is_before(const Entry& a, const Entry& b) {
+    if (++comparisons_ % kComparisons == 0) context_.checkpoint(kPhase, 0, 2);
     const Sign order = compare(a, b);
     return order == Sign::Zero ? a.entry < b.entry : order == Sign::Negative;
   }
@@ -65,6 +69,7 @@ class NodeMaker {
   void number() {
     nodes_.of_entry.resize(entries_.size());
     for (std::size_t i = 0; i < entries_.size(); ++i) {
+      if (i % kComparisons == 0) context_.checkpoint(kPhase, 1, 2);
       if (i == 0 || compare(entries_[i - 1], entries_[i]) != Sign::Zero) {
         nodes_.point.push_back(polygons_.point[entries_[i].entry]);
       }
@@ -104,12 +109,16 @@ class NodeMaker {
 
   const SurfacePolygons& polygons_;
   const SurfacePointTable& points_;
+  Context& context_;
+  std::uint64_t comparisons_ = 0;
   std::vector<Entry> entries_;
   SurfaceNodes nodes_;
 };
 
 }  // namespace
 
-SurfaceNodes make_nodes(const SurfacePolygons& polygons) { return NodeMaker(polygons).run(); }
+SurfaceNodes make_nodes(const SurfacePolygons& polygons, Context& context) {
+  return NodeMaker(polygons, context).run();
+}
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "plumb/base/context.h"
 #include "plumb/surface/surface_arrangement.h"
 
 namespace plumb {
@@ -29,6 +30,6 @@ struct SurfaceNodes {
 };
 
 /// Expected O(n log n) for n entries, and O(mesh) to set up.
-SurfaceNodes make_nodes(const SurfacePolygons& polygons);
+SurfaceNodes make_nodes(const SurfacePolygons& polygons, Context& context);
 
 }  // namespace plumb

@@ -14,7 +14,9 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint64_t kStopBytes = 96;  // a point of a path, and of a polygon
+constexpr std::uint64_t kStopBytes = 96;   // a point of a path, and of a polygon
+constexpr std::size_t kLegs = 256;         // a checkpoint
+constexpr std::uint64_t kPartBytes = 128;  // an exact place in a side
 constexpr double kShorter = 1 - 0x1p-48;
 
 /// An order of points that does not depend on who asks first; equal ones are the same point.
@@ -71,8 +73,14 @@ void keep_sharpest(std::vector<StripTurn>& turns) {
 class Reading {
  public:
   Reading(const std::vector<StripStop>& stops, const FaceStrip& strip, SurfacePointId a,
-          SurfacePointId b, SurfacePointTable& points)
-      : mesh_(points.mesh()), stops_(stops), strip_(strip), a_(a), b_(b), points_(points) {}
+          SurfacePointId b, SurfacePointTable& points, Context& context)
+      : mesh_(points.mesh()),
+        stops_(stops),
+        strip_(strip),
+        a_(a),
+        b_(b),
+        points_(points),
+        context_(context) {}
 
   SurfacePath path() {
     std::vector<FaceId> faces{strip_.first};
@@ -99,7 +107,9 @@ class Reading {
     while (!is_fixed(to)) ++to;
     run_begin_ = i;
     run_ = flat_run(points_, std::span(strip_.doors).subspan(stops_[i].door, to - i), end(i - 1),
-                    end(to));
+                    end(to), context_);
+    // They stay: not released.
+    if (run_) context_.charge_memory(kPartBytes * run_->size(), "traced paths");
   }
 
   /// Added to the table. Where the run is not flat, both t and 1 - t are doubles: that makes signs cheap.
@@ -121,6 +131,7 @@ class Reading {
   const FaceStrip& strip_;
   SurfacePointId a_, b_;
   SurfacePointTable& points_;
+  Context& context_;
   std::optional<std::vector<Rational>> run_;
   std::size_t run_begin_ = 0;  // of the stop that its first part is of
 };
@@ -155,7 +166,7 @@ std::optional<SurfacePath> Tracer::trace_upward(SurfacePointTable& points, Surfa
   const FaceStrip strip = tightened(from, to, context);
   const UnfoldedStrip unfolded(mesh_, positions_, strip, from, to);
   const std::vector<StripStop> stops = unfolded.stops();
-  return Reading(stops, strip, a, b, points).path();
+  return Reading(stops, strip, a, b, points, context).path();
 }
 
 FaceStrip Tracer::tightened(const StripEnd& from, const StripEnd& to, Context& context) {
@@ -186,6 +197,7 @@ std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
                                               SurfacePolygons& polygons, Context& context) {
   std::vector<SurfacePath> legs;
   for (std::size_t i = 0; i < control.size(); ++i) {
+    if (i % kLegs == 0) context.checkpoint("trace", i, control.size());
     const SurfacePointId from = control[i], next = control[i + 1 < control.size() ? i + 1 : 0];
     if (!named.empty() && !polygons.points.is_same(from, next) &&
         polygons.points.is_in(next, named[i])) {
@@ -198,7 +210,10 @@ std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
     context.charge_memory(kStopBytes * leg->points.size(), "traced paths");
     legs.push_back(std::move(*leg));
   }
-  for (const SurfacePath& leg : legs) polygons.add_leg(leg);
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    if (i % kLegs == 0) context.checkpoint("trace", i, legs.size());
+    polygons.add_leg(legs[i]);
+  }
   polygons.close();
   return {};
 }

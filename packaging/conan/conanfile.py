@@ -77,3 +77,5 @@ class PlumbConan(ConanFile):
         engine.set_property("cmake_target_name", "plumb::plumb")
         engine.libs = ["plumb"]
         engine.requires = ["predicates"]
+        if self.settings.os in ("Linux", "FreeBSD"):
+            engine.system_libs = ["pthread"]

@@ -277,6 +277,11 @@ TEST_F(OutputFileTest, leaves_no_empty_directory_that_it_made) {
   EXPECT_FALSE(fs::exists(inner / "more" / "still"));
   EXPECT_TRUE(fs::exists(inner / "more" / "file"));
   EXPECT_THROW(OutputDirectory(inner / "more" / "file"), Error);
+  { const OutputDirectory around(directory_ / "new" / ".." / "." / "other"); }
+  EXPECT_THROW(
+      OutputDirectory(directory_ / "new" / ".." / "outer" / "inner" / "more" / "file" / "x"),
+      Error);
+  EXPECT_EQ(file_count(), 1U);
 }
 
 }  // namespace

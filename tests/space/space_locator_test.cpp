@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfenv>
 #include <optional>
 #include <ostream>
 #include <thread>
@@ -424,6 +425,36 @@ TEST(VolumeGrid, KnowsWhatIsAwayFromFacets) {
                   .volume_at({-1, 0, 0})
                   .is_valid());
   EXPECT_FALSE(VolumeGrid({}, volume_of).volume_at({}).is_valid());
+}
+
+// A grid that was laid out in one rounding mode, asked in another: never sure of a point that an item holds.
+TEST(VolumeGrid, IsSureInNoModeOfWhatAnItemHolds) {
+  std::vector<Box3> boxes;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const double at : {0.0, 1.0}) {
+      Box3 face{{0, 0, 0}, {1, 1, 1}};
+      face.low[axis] = face.high[axis] = at;
+      boxes.push_back(face);
+    }
+  }
+  int sure = 0;
+  for (int parts = 3; parts < 30; ++parts) {
+    for (int i = 1; i < parts; ++i) {
+      const double x = static_cast<double>(i) / parts;
+      std::vector<Box3> with_sheet = boxes;
+      with_sheet.push_back({{x, 0, 0}, {x, 1, 1}});
+      const VolumeGrid grid(with_sheet, [](const Point3&) { return VolumeId(1); });
+      for (const int mode : {FE_TONEAREST, FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO}) {
+        std::fesetround(mode);
+        const bool is_sure = grid.volume_at({x, 0.5, 0.5}).is_valid();
+        const bool is_sure_elsewhere = grid.volume_at({x < 0.5 ? 0.8 : 0.2, 0.5, 0.5}).is_valid();
+        std::fesetround(FE_TONEAREST);
+        EXPECT_FALSE(is_sure) << i << '/' << parts << " in mode " << mode;
+        if (is_sure_elsewhere) ++sure;
+      }
+    }
+  }
+  EXPECT_GT(sure, 1000);
 }
 
 TEST(SpaceLocator, ManyThreadsAskOne) {
