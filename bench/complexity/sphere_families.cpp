@@ -1,11 +1,15 @@
-// How overlays of the sphere grow (growth.h says how it is measured): SphereOverlay::combine alone.
+// How overlays of the sphere grow (growth.h says how it is measured): SphereOverlay::combine alone. And location in
+// a large set, locators made before.
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <vector>
 
+#include "generate/dice.h"
+#include "generate/sphere_scatter.h"
 #include "growth.h"
 #include "plumb/sphere/nef_sphere.h"
+#include "plumb/sphere/sphere_locator.h"
 #include "plumb/sphere/sphere_overlay.h"
 
 namespace plumb::bench {
@@ -62,6 +66,43 @@ Work equal_crowns(std::size_t n) {
   return overlay_of(set, set);
 }
 
+std::vector<SphereVector> any_directions(std::size_t count) {
+  testing::Dice dice(count);
+  std::vector<SphereVector> all;
+  const auto coordinate = [&] { return static_cast<double>(dice.between(-1000, 1000)) + 0.5; };
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = coordinate();
+    const double y = coordinate();
+    all.emplace_back(x, y, coordinate());
+  }
+  return all;
+}
+
+/// 1000 locations; `ask` gets the next direction, too.
+template <class Ask>
+Work asked_in_triangles(std::size_t n, Ask ask) {
+  const auto locator = std::make_shared<SphereLocator>(testing::scattered_triangles(n));
+  const std::vector<SphereVector> directions = any_directions(1001);
+  const auto size = static_cast<double>(locator->set().map().arc_count());
+  return measured(size, [=] {
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < 1000; ++i) {
+      if (ask(*locator, directions[i], directions[i + 1])) ++found;
+    }
+    return found;
+  });
+}
+Work locate_in_triangles(std::size_t n) {
+  return asked_in_triangles(n, [](SphereLocator& in, const SphereVector& u, const SphereVector&) {
+    return in.locate(u).marked;
+  });
+}
+Work shoot_in_triangles(std::size_t n) {
+  return asked_in_triangles(n, [](SphereLocator& in, const SphereVector& u, const SphereVector& v) {
+    return in.shoot(u, v).has_value();
+  });
+}
+
 const std::vector<std::size_t> kSizes{100,  316,   1000,
                                       3162, 10000, 31622};  // even: corners alternate
 const std::vector<Family> kFamilies{
@@ -74,6 +115,20 @@ const std::vector<Family> kFamilies{
      1.25},
     {"nested-crowns", "the same, nothing crosses", "n + k", {1, 1}, kSizes, nested_crowns, 1.25},
     {"equal-crowns", "the same, one map twice", "n + k", {1, 1}, kSizes, equal_crowns, 1.25},
+    {"locate-scattered",
+     "SphereLocator::locate, O(log n), 1000 times",
+     "arcs",
+     {0, 1},
+     kSizes,
+     locate_in_triangles,
+     0.6},
+    {"shoot-scattered",
+     "SphereLocator::shoot, the same",
+     "arcs",
+     {0, 1},
+     kSizes,
+     shoot_in_triangles,
+     0.6},
 };
 
 }  // namespace

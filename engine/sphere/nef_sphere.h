@@ -18,7 +18,8 @@
 // A NefSphere is an immutable value: copies share what they hold and cost O(1); const members may be
 // called from several threads at once. Every operation gives the strong guarantee.
 //
-// Cost: binary operations as SphereOverlay::combine; unary ones O(n); location and shooting O(n).
+// Cost: binary operations as SphereOverlay::combine; unary ones O(n); location and shooting O(n) a call, besides a
+// copy of the planes. Who asks one set often makes a SphereLocator (sphere_locator.h).
 // Errors: Error{NotFinite} for coordinates that are no numbers, Error{BadArgument} where said and for
 // the vector zero; ResourceLimit and Cancelled by the Context.
 // Source: Hachenberger, Kettner, Mehlhorn, CGTA 38 (2007), section 4; SPACE.md 4.
@@ -164,13 +165,14 @@ class NefSphere {
   bool contains(const SphereVector& direction) const { return locate(direction).marked; }
   /// Where a direction lies. Throws Error{BadArgument} for zero. O(n).
   SphereLocation locate(const SphereVector& direction) const;
-  /// Many at once: what one location has to prepare is prepared once.
+  /// Many at once: up to 16 share the copy of the planes, more a SphereLocator, O(n log n) to make.
   std::vector<SphereLocation> locate(std::span<const SphereVector> directions) const;
   /// Is it on the boundary of the set? (Isolated points and slits are boundary.)
   bool has_on_boundary(const SphereVector& direction) const;
 
   /// The first marked item met from `origin` (inclusive) on the great circle towards `towards`, going
-  /// once around; or none. Throws Error{BadArgument} when the two are the same or opposite.
+  /// once around; or none. Throws Error{BadArgument} when the two are the same or opposite. O(n), and a sort of
+  /// what is met.
   std::optional<SphereHit> shoot(const SphereVector& origin, const SphereVector& towards) const;
   /// The first point or arc of the map met, marked or not; one that `origin` lies on is met at once.
   std::optional<SphereHit> shoot_to_boundary(const SphereVector& origin,

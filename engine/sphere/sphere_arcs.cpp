@@ -57,6 +57,13 @@ bool is_inside_arc(const PlaneTable& planes, const SphereMap& map, std::uint32_t
                        origin_place(planes, map, 2 * arc + 1), place);
 }
 
+bool is_on_arc(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc,
+               SphereDirection u) {
+  const PlaneId c = map.circle[arc];
+  return side_of(planes, u, c) == Sign::Zero &&
+         is_inside_arc(planes, map, arc, place_on(planes, c, u));
+}
+
 std::uint32_t sector_at(const PlaneTable& planes, const SphereMap& map, std::uint32_t point,
                         OrientedPlane heading) {
   const SphereDirection u = map.direction[point];

@@ -35,6 +35,10 @@ inline CirclePlace origin_place(const PlaneTable& planes, const SphereMap& map,
 bool is_inside_arc(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc,
                    CirclePlace place);
 
+/// Does a direction lie strictly inside an arc?
+bool is_on_arc(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc,
+               SphereDirection u);
+
 inline OrientedPlane heading_of(const SphereMap& map, std::uint32_t half_arc) {
   return {map.circle[half_arc / 2], (half_arc & 1U) != 0};
 }

@@ -21,7 +21,20 @@ Vector cross(const Vector& u, const Vector& v) {
 
 double dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
-/// |v - exact| <= error. The middle v / |v| is then off by at most 2 error / |v|.
+/// How far the circle of a normal goes along a unit vector, at most.
+double reach(const UnitBall& normal, const Vector& n) {
+  const double along = std::max(0.0, std::fabs(dot(normal.middle, n)) - normal.radius - kRounding);
+  return std::sqrt(std::max(0.0, 1 - along * along)) + kRounding;
+}
+
+bool is_short(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc) {
+  return !map.is_loop(arc) && turn_on(planes, map.circle[arc], origin_place(planes, map, 2 * arc),
+                                      origin_place(planes, map, 2 * arc + 1)) == TurnClass::Left;
+}
+
+}  // namespace
+
+/// The middle v / |v| is off by at most 2 error / |v|.
 UnitBall unit_ball(const Vector& v, double error) {
   const double length = std::sqrt(dot(v, v));
   if (!(length > 8 * error)) return {{0, 0, 0}, 1};  // anywhere
@@ -41,18 +54,20 @@ UnitBall ball_of(const PlaneTable& planes, SphereDirection u) {
   return unit_ball(cross(p.n, q.n), 4 * errors);
 }
 
-/// How far the circle of a normal goes along a unit vector, at most.
-double reach(const UnitBall& normal, const Vector& n) {
-  const double along = std::max(0.0, std::fabs(dot(normal.middle, n)) - normal.radius - kRounding);
-  return std::sqrt(std::max(0.0, 1 - along * along)) + kRounding;
+/// S cos a + (N x S) sin a, with what is off in S and N.
+UnitBall UnitWay::at(double angle) const {
+  const Vector ahead = cross(normal.middle, start.middle);
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  UnitBall ball{{}, 2 * (start.radius + normal.radius) + kRounding};
+  for (std::size_t i = 0; i < 3; ++i) ball.middle[i] = c * start.middle[i] + s * ahead[i];
+  return ball;
 }
 
-bool is_short(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc) {
-  return !map.is_loop(arc) && turn_on(planes, map.circle[arc], origin_place(planes, map, 2 * arc),
-                                      origin_place(planes, map, 2 * arc + 1)) == TurnClass::Left;
+double UnitWay::angle_of(const UnitBall& at) const {
+  return std::atan2(dot(cross(normal.middle, start.middle), at.middle),
+                    dot(start.middle, at.middle));
 }
-
-}  // namespace
 
 std::vector<SphereBound> bounds_of(const PlaneTable& planes, const SphereMap& map) {
   std::vector<SphereBound> bounds;
@@ -111,6 +126,22 @@ SphereBoundTree::SphereBoundTree(std::vector<SphereBound> bounds)
   for (const SphereBound& bound : bounds_) boxes_.push_back(box_of(bound));
   std::iota(order_.begin(), order_.end(), std::uint32_t{0});
   if (!order_.empty()) build(0, 0, static_cast<std::uint32_t>(order_.size()));
+}
+
+SphereBoundTree::Query SphereBoundTree::query_of(const SphereBound& bound) {
+  if (bound.kind == SphereBound::Kind::Point) return {bound, box_of(bound), {0, 0, 0}, 0};
+  return {bound, box_of(bound), bound.normal.middle, bound.normal.radius + kRounding};
+}
+
+/// Unit vectors x within the box with |across . x| <= slack?
+bool SphereBoundTree::meets_plane(const Box3& box, const Query& query) {
+  double middle = 0;
+  double reach = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    middle += query.across[i] * (box.low[i] + box.high[i]);
+    reach += std::fabs(query.across[i]) * (box.high[i] - box.low[i]);
+  }
+  return std::fabs(middle) <= reach + 2 * query.slack + kRounding;
 }
 
 /// An arc lies in the plane of its circle: all of it is where n . x = 0, and a slab across it has no thickness.

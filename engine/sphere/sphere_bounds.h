@@ -6,7 +6,7 @@
 //
 // Boxes along the axes alone fail where many long arcs run side by side, as on a cone with many ridges: each box
 // meets a share of all others. So a node of the tree has, besides, a slab across the circle of one of its arcs, which is as
-// thin as its arcs lie close to each other.
+// thin as its arcs lie close to each other. A query that is an arc is looked for only where its plane goes.
 //
 // Building: O(n log n). A query: O(log n + what it finds) for arcs that lie side by side; worst O(n).
 #pragma once
@@ -24,6 +24,27 @@ namespace plumb {
 struct UnitBall {
   std::array<double, 3> middle;
   double radius;
+};
+
+/// |v - meant| <= error, the one meant of any length.
+UnitBall unit_ball(const std::array<double, 3>& v, double error);
+UnitBall ball_of(const PlaneTable& planes, PlaneId circle);  ///< Of its normal.
+UnitBall ball_of(const PlaneTable& planes, SphereDirection u);
+
+/// The way around a circle from one of its directions, counter-clockwise about the normal, in radians.
+struct UnitWay {
+  UnitBall normal;
+  UnitBall start;
+
+  bool is_sharp() const {
+    return start.radius + normal.radius < 1e-6;
+  }  ///< Else nothing below says much.
+  UnitBall at(double angle) const;
+  /// From -pi to pi, within slack(at); requires a direction on the circle.
+  double angle_of(const UnitBall& at) const;
+  double slack(const UnitBall& at) const {
+    return 4 * (at.radius + start.radius + normal.radius) + 1e-13;
+  }
 };
 
 struct SphereBound {
@@ -46,7 +67,7 @@ class SphereBoundTree {
   template <class Visit>
   void for_each_meeting(const SphereBound& query, Visit&& visit) const {
     if (!nodes_.empty())
-      descend(0, 0, static_cast<std::uint32_t>(order_.size()), {query, box_of(query)}, visit);
+      descend(0, 0, static_cast<std::uint32_t>(order_.size()), query_of(query), visit);
   }
 
  private:
@@ -62,14 +83,19 @@ class SphereBoundTree {
   struct Query {
     const SphereBound& bound;
     Box3 box;
+    std::array<double, 3> across;  ///< of an arc its normal; zero: no plane
+    double slack;                  ///< |across . x| on it
   };
 
   static constexpr std::uint32_t kLeaf = 4;
 
   static Interval extent(const SphereBound& bound, const std::array<double, 3>& n);
   static Box3 box_of(const SphereBound& bound);
+  static Query query_of(const SphereBound& bound);
+  static bool meets_plane(const Box3& box, const Query& query);
   static bool may_meet(const Node& node, const Query& query) {
-    return node.box.meets(query.box) && node.slab.meets(extent(query.bound, node.across));
+    return node.box.meets(query.box) && meets_plane(node.box, query) &&
+           node.slab.meets(extent(query.bound, node.across));
   }
   bool may_meet(std::uint32_t item, const Query& query) const;
   Node node_over(std::uint32_t begin, std::uint32_t end) const;

@@ -7,16 +7,6 @@
 namespace plumb {
 namespace {
 
-bool is_on_arc(const PlaneTable& planes, const SphereMap& map, std::uint32_t a, SphereDirection u) {
-  const PlaneId c = map.circle[a];
-  return side_of(planes, u, c) == Sign::Zero &&
-         is_inside_arc(planes, map, a, place_on(planes, c, u));
-}
-
-std::uint32_t face_of(const SphereMap& map, SphereSlot slot) {
-  return slot.half_arc != SphereMap::kNone ? map.face[slot.half_arc] : map.point_face[slot.point];
-}
-
 bool is_parallel(const PlaneTable& planes, PlaneId p, PlaneId q) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (minor_sign(planes, p, q, axis) != Sign::Zero) return false;

@@ -3,65 +3,43 @@
 #include <algorithm>
 
 namespace plumb {
+bool Leg::is_on(CirclePlace place) const {
+  return turn_on(planes_, circle_, from_, place) == TurnClass::None ||
+         turn_on(planes_, circle_, to_, place) == TurnClass::None ||
+         is_between_on(planes_, circle_, from_, to_, place);
+}
+
+void Leg::add_point(std::uint32_t v, std::vector<PathHit>& hits) const {
+  if (side_of(planes_, map_.direction[v], circle_) != Sign::Zero) return;
+  const CirclePlace place = place_on(planes_, circle_, map_.direction[v]);
+  if (!is_on(place)) return;
+  hits.push_back({place, SphereCell::point(v), slot_towards(v, true), slot_towards(v, false)});
+}
+
+SphereSlot Leg::slot_towards(std::uint32_t v, bool backward) const {
+  if (map_.first_out[v] == SphereMap::kNone) return {SphereMap::kNone, v};
+  return {sector_at(planes_, map_, v, {circle_, backward}), SphereMap::kNone};
+}
+
+void Leg::add_arc(std::uint32_t a, std::vector<PathHit>& hits) const {
+  if (map_.circle[a] == circle_) return;
+  const ArcCrossings on_leg = crossings(planes_, map_, a, circle_).swapped();
+  if (on_leg.ahead) add_crossing(a, false, hits);
+  if (on_leg.behind) add_crossing(a, true, hits);
+}
+
+/// At n_c x n_m the leg leaves the positive side of m, which is to the left of the even half-arc.
+void Leg::add_crossing(std::uint32_t a, bool is_opposite, std::vector<PathHit>& hits) const {
+  const CirclePlace place{map_.circle[a], is_opposite};
+  if (!is_on(place)) return;
+  const std::uint32_t entry = 2 * a + (is_opposite ? 1U : 0U);
+  hits.push_back({place,
+                  SphereCell::arc(a),
+                  {entry, SphereMap::kNone},
+                  {SphereMap::twin(entry), SphereMap::kNone}});
+}
+
 namespace {
-
-class Leg {
- public:
-  Leg(const PlaneTable& planes, const SphereMap& map, PlaneId circle, CirclePlace from,
-      CirclePlace to)
-      : planes_(planes), map_(map), circle_(circle), from_(from), to_(to) {}
-
-  void add_hits(std::vector<PathHit>& hits) const {
-    const auto first = static_cast<std::ptrdiff_t>(hits.size());
-    for (std::uint32_t v = 0; v < map_.point_count(); ++v) add_point(v, hits);
-    for (std::uint32_t a = 0; a < map_.arc_count(); ++a) {
-      if (map_.circle[a] != circle_) add_arc(a, hits);
-    }
-    std::sort(hits.begin() + first, hits.end(), [&](const PathHit& x, const PathHit& y) {
-      return is_before_on(planes_, circle_, from_, x.place, y.place);
-    });
-  }
-
- private:
-  bool is_on(CirclePlace place) const {
-    return turn_on(planes_, circle_, from_, place) == TurnClass::None ||
-           turn_on(planes_, circle_, to_, place) == TurnClass::None ||
-           is_between_on(planes_, circle_, from_, to_, place);
-  }
-
-  void add_point(std::uint32_t v, std::vector<PathHit>& hits) const {
-    if (side_of(planes_, map_.direction[v], circle_) != Sign::Zero) return;
-    const CirclePlace place = place_on(planes_, circle_, map_.direction[v]);
-    if (!is_on(place)) return;
-    hits.push_back({place, SphereCell::point(v), slot_towards(v, true), slot_towards(v, false)});
-  }
-  SphereSlot slot_towards(std::uint32_t v, bool backward) const {
-    if (map_.first_out[v] == SphereMap::kNone) return {SphereMap::kNone, v};
-    return {sector_at(planes_, map_, v, {circle_, backward}), SphereMap::kNone};
-  }
-
-  void add_arc(std::uint32_t a, std::vector<PathHit>& hits) const {
-    const ArcCrossings on_leg = crossings(planes_, map_, a, circle_).swapped();
-    if (on_leg.ahead) add_crossing(a, false, hits);
-    if (on_leg.behind) add_crossing(a, true, hits);
-  }
-  /// At n_c x n_m the leg leaves the positive side of m, which is to the left of the even half-arc.
-  void add_crossing(std::uint32_t a, bool is_opposite, std::vector<PathHit>& hits) const {
-    const CirclePlace place{map_.circle[a], is_opposite};
-    if (!is_on(place)) return;
-    const std::uint32_t entry = 2 * a + (is_opposite ? 1U : 0U);
-    hits.push_back({place,
-                    SphereCell::arc(a),
-                    {entry, SphereMap::kNone},
-                    {SphereMap::twin(entry), SphereMap::kNone}});
-  }
-
-  const PlaneTable& planes_;
-  const SphereMap& map_;
-  PlaneId circle_;
-  CirclePlace from_;
-  CirclePlace to_;
-};
 
 bool is_on_closed_arc(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc,
                       CirclePlace place) {
@@ -75,7 +53,13 @@ bool is_on_closed_arc(const PlaneTable& planes, const SphereMap& map, std::uint3
 
 void walk_leg(const PlaneTable& planes, const SphereMap& map, PlaneId circle, CirclePlace from,
               CirclePlace to, std::vector<PathHit>& hits) {
-  Leg(planes, map, circle, from, to).add_hits(hits);
+  const auto first = static_cast<std::ptrdiff_t>(hits.size());
+  const Leg leg(planes, map, circle, from, to);
+  for (std::uint32_t v = 0; v < map.point_count(); ++v) leg.add_point(v, hits);
+  for (std::uint32_t a = 0; a < map.arc_count(); ++a) leg.add_arc(a, hits);
+  std::sort(hits.begin() + first, hits.end(), [&](const PathHit& x, const PathHit& y) {
+    return is_before_on(planes, circle, from, x.place, y.place);
+  });
 }
 
 void walk_to_arc(const PlaneTable& planes, const SphereMap& map, SphereDirection u,

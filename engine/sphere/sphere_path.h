@@ -29,6 +29,34 @@ struct PathHit {
   SphereSlot exit;
 };
 
+/// The face that a slot is of. Requires a valid one.
+inline std::uint32_t face_of(const SphereMap& map, SphereSlot slot) {
+  return slot.half_arc != SphereMap::kNone ? map.face[slot.half_arc] : map.point_face[slot.point];
+}
+
+/// A closed leg, from a place to itself the whole circle: what it meets of one point or arc.
+class Leg {
+ public:
+  Leg(const PlaneTable& planes, const SphereMap& map, PlaneId circle, CirclePlace from,
+      CirclePlace to)
+      : planes_(planes), map_(map), circle_(circle), from_(from), to_(to) {}
+
+  void add_point(std::uint32_t point, std::vector<PathHit>& hits) const;
+  /// Strictly inside the arc. Nothing when the leg runs along its circle.
+  void add_arc(std::uint32_t arc, std::vector<PathHit>& hits) const;
+
+ private:
+  bool is_on(CirclePlace place) const;
+  SphereSlot slot_towards(std::uint32_t point, bool backward) const;
+  void add_crossing(std::uint32_t arc, bool is_opposite, std::vector<PathHit>& hits) const;
+
+  const PlaneTable& planes_;
+  const SphereMap& map_;
+  PlaneId circle_;
+  CirclePlace from_;
+  CirclePlace to_;
+};
+
 /// Adds what is met on the closed leg, in order. Reads no face and no mark of the map.
 void walk_leg(const PlaneTable& planes, const SphereMap& map, PlaneId circle, CirclePlace from,
               CirclePlace to, std::vector<PathHit>& hits);

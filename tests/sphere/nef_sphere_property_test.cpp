@@ -3,6 +3,7 @@
 
 #include "generate/sphere_program.h"
 #include "oracle/set_laws.h"
+#include "plumb/sphere/sphere_locator.h"
 
 namespace plumb::testing {
 namespace {
@@ -75,6 +76,78 @@ TEST_P(RandomSpheres, CombineSelectively) {
     EXPECT_TRUE(combine(a, selector(round), b, selector(round + 5), kUnion, context) ==
                 selected(a, round) + selected(b, round + 5));
     EXPECT_TRUE(combine(a, {}, b, selector(round), kDifference, context) == a - selected(b, round));
+  }
+}
+
+// Corners and their opposites, places on circles inside and outside of arcs, normals, any others.
+std::vector<SphereVector> telling_directions(const NefSphere& set, Dice& dice) {
+  std::vector<SphereVector> all;
+  const SphereMap& map = set.map();
+  for (std::uint32_t v = 0; v < map.point_count(); ++v) {
+    all.push_back(set.direction(v));
+    all.push_back(all.back().opposite());
+  }
+  for (std::uint32_t a = 0; a < map.arc_count(); ++a) {
+    const SphereVector n = set.normal(a);
+    all.push_back(n);
+    const SphereVector from =
+        map.is_loop(a) ? cross(n, {1, 2, -4}) : set.direction(map.origin[2 * a]);
+    const SphereVector ahead = cross(n, from);
+    all.push_back(ahead);
+    all.push_back(
+        {Rational(from.x + ahead.x), Rational(from.y + ahead.y), Rational(from.z + ahead.z)});
+    if (map.is_loop(a)) continue;
+    const SphereVector to = set.direction(map.target(2 * a));
+    const SphereVector middle{Rational(from.x + to.x), Rational(from.y + to.y),
+                              Rational(from.z + to.z)};
+    if (!middle.is_zero()) all.push_back(middle);
+  }
+  for (std::size_t i = 0; i < 12; ++i) {
+    const auto coordinate = [&] { return static_cast<double>(dice.between(-6, 6)) / 8; };
+    const double x = coordinate();
+    const double y = coordinate();
+    all.emplace_back(x, y, x == 0 && y == 0 ? 1.0 : coordinate());
+  }
+  return all;
+}
+
+bool is_same_hit(const std::optional<SphereHit>& a, const std::optional<SphereHit>& b) {
+  if (!a || !b) return !a && !b;
+  return a->on == b->on && is_same_direction(a->direction, b->direction);
+}
+
+// One by one NefSphere looks at all of the map.
+void expect_same_answers(const NefSphere& set, Dice& dice) {
+  SphereLocator locator(set);
+  const std::vector<SphereVector> directions = telling_directions(set, dice);
+  const std::vector<SphereLocation> together = set.locate(directions);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const SphereVector& u = directions[i];
+    const SphereLocation at = set.locate(u);
+    EXPECT_EQ(locator.locate(u), at) << i;
+    EXPECT_EQ(together[i], at) << i;
+    EXPECT_EQ(locator.has_on_boundary(u), at.cell.kind() != SphereCell::Kind::Face) << i;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const SphereVector& to = directions[dice.below(directions.size())];
+      if (cross(u, to).is_zero()) continue;
+      EXPECT_TRUE(is_same_hit(locator.shoot(u, to), set.shoot(u, to))) << i;
+      EXPECT_TRUE(is_same_hit(locator.shoot_to_boundary(u, to), set.shoot_to_boundary(u, to))) << i;
+    }
+  }
+}
+
+TEST_P(RandomSpheres, AreLocatedInAsByALookAtAll) {
+  for (std::uint64_t round = 0; round < rounds(60) && !HasFailure(); ++round) {
+    SCOPED_TRACE(seed_of(round));
+    Dice dice(seed_of(round) + 77000);
+    NefSphere all;
+    for (const NefSphere& s :
+         sets_on_sphere(random_sphere_program(dice, values(), 3 + round % 9), 9)) {
+      expect_same_answers(s, dice);
+      all ^= s;
+    }
+    expect_same_answers(all, dice);
+    expect_same_answers(!all, dice);
   }
 }
 
