@@ -121,14 +121,14 @@ const std::vector<Family> kFamilies{
      {0, 1},
      kSizes,
      locate_in_triangles,
-     0.6},
+     0.3},
     {"shoot-scattered",
      "SphereLocator::shoot, the same",
      "arcs",
      {0, 1},
      kSizes,
      shoot_in_triangles,
-     0.6},
+     0.3},
 };
 
 }  // namespace

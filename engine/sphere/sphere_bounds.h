@@ -66,8 +66,16 @@ class SphereBoundTree {
   /// visit(i) for every bound i that may have a direction in common with `query`.
   template <class Visit>
   void for_each_meeting(const SphereBound& query, Visit&& visit) const {
-    if (!nodes_.empty())
-      descend(0, 0, static_cast<std::uint32_t>(order_.size()), query_of(query), visit);
+    find_meeting(query, [&](std::uint32_t i) {
+      visit(i);
+      return true;
+    });
+  }
+  /// The same, as long as visit(i) says so. Did it to the end?
+  template <class Visit>
+  bool find_meeting(const SphereBound& query, Visit&& visit) const {
+    return nodes_.empty() ||
+           descend(0, 0, static_cast<std::uint32_t>(order_.size()), query_of(query), visit);
   }
 
  private:
@@ -103,18 +111,18 @@ class SphereBoundTree {
 
   /// Node `node` has the bounds order_[begin .. end); its children are 2 node + 1 and 2 node + 2.
   template <class Visit>
-  void descend(std::uint32_t node, std::uint32_t begin, std::uint32_t end, const Query& query,
+  bool descend(std::uint32_t node, std::uint32_t begin, std::uint32_t end, const Query& query,
                Visit& visit) const {
-    if (!may_meet(nodes_[node], query)) return;
+    if (!may_meet(nodes_[node], query)) return true;
     if (end - begin <= kLeaf) {
       for (std::uint32_t i = begin; i < end; ++i) {
-        if (may_meet(order_[i], query)) visit(order_[i]);
+        if (may_meet(order_[i], query) && !visit(order_[i])) return false;
       }
-      return;
+      return true;
     }
     const std::uint32_t middle = begin + (end - begin) / 2;
-    descend(2 * node + 1, begin, middle, query, visit);
-    descend(2 * node + 2, middle, end, query, visit);
+    return descend(2 * node + 1, begin, middle, query, visit) &&
+           descend(2 * node + 2, middle, end, query, visit);
   }
 
   std::vector<SphereBound> bounds_;

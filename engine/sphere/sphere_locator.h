@@ -3,17 +3,17 @@
 // Main flow of locate():
 //  1. bounds    a tree of bounds of all points and arcs, in doubles (once)
 //  2. on        a point or arc whose bound holds the direction: those are asked exactly
-//  3. walk      else along a great circle through the direction, in pieces that double in length; what their bounds
-//               may meet is asked exactly. The nearest thing met has the direction's face in front of it.
+//  3. walk      else along a great circle through the direction, in pieces (sphere_walk.h); what their bounds may
+//               meet is asked exactly. The nearest thing met has the direction's face in front of it.
 //  4. round     when that circle meets nothing, it lies in the face: from it along the circle of any arc
 // shoot() walks along the circle given, until something answers.
 //
 // Answers are those of NefSphere's functions of the same names, and as exact: doubles only choose what is asked.
 //
-// Cost: O(n log n) to build, 350 bytes an item. A query asks the items near its way, and walks down the tree to them:
-// O(log n) where small arcs are spread evenly over the sphere, O(sqrt n) where the way is long and they lie along
-// it; all n where all lie on it. A point met costs its degree. Memory for planes of queries is bounded: the table is
-// copied afresh when it has doubled, O(1) a query on average.
+// Cost: O(n log n) to build, about 350 bytes an item. A query asks the items near its way as far as it has to go, and
+// walks down the tree to them: O(log n) where small arcs are spread evenly over the sphere. A shot that passes many
+// items pays for each; a point met costs its degree; items that doubles cannot tell apart are all asked. Worst: O(n).
+// Memory for planes of queries is bounded: the table is copied afresh when it has doubled, O(1) a query on average.
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,9 @@
 namespace plumb {
 namespace {
 
-constexpr double kLongest = 1.5;                        // of a piece: less than a half-circle
+constexpr double kLongest = 1.5;     // of a piece: less than a half-circle
+constexpr double kShortest = 1e-10;  // no shorter ones tell things apart
+constexpr std::size_t kFew = 16;
 constexpr double kRound = 2 * std::numbers::pi + 1e-3;  // more than all that is off
 
 UnitBall oriented(UnitBall normal, bool is_opposite) {
@@ -73,32 +75,47 @@ bool SphereWalk::is_before(const PathHit& x, const PathHit& y) const {
   return is_before_on(planes_, c, from_, y.place, x.place);
 }
 
-SphereBound SphereWalk::next_piece() {
-  if (!way_.is_sharp()) {
-    is_round_ = true;
-    return {SphereBound::Kind::Circle, {}, {}, way_.normal};
+/// The next one, of length step_. Where doubles say too little: the whole circle.
+SphereBound SphereWalk::piece() const {
+  if (!way_.is_sharp()) return {SphereBound::Kind::Circle, {}, {}, way_.normal};
+  return {SphereBound::Kind::ShortArc, way_.at(done_), way_.at(std::min(done_ + step_, kRound)),
+          way_.normal};
+}
+
+/// Finds the items of a piece that is short enough.
+void SphereWalk::find_few() {
+  std::vector<std::uint32_t>& found = memory_.found;
+  for (;; step_ /= 2) {
+    const bool takes_all = !way_.is_sharp() || step_ < kShortest;
+    const std::size_t most = kFew + 2 * asked_;
+    found.clear();
+    const bool is_complete = tree_.find_meeting(piece(), [&](std::uint32_t item) {
+      if (memory_.last_walk[item] != memory_.walk) found.push_back(item);
+      return takes_all || found.size() <= most;
+    });
+    if (is_complete) return;
   }
-  const double from = done_;
-  done_ = std::min(done_ + step_, kRound);
-  step_ = std::min(2 * step_, kLongest);
-  is_round_ = done_ == kRound;
-  return {SphereBound::Kind::ShortArc, way_.at(from), way_.at(done_), way_.normal};
 }
 
 void SphereWalk::look_further() {
+  find_few();
+  done_ = std::min(done_ + step_, kRound);
+  step_ = std::min(2 * step_, kLongest);
+  is_round_ = done_ == kRound || !way_.is_sharp();
   std::vector<PathHit>& hits = memory_.hits;
   const std::size_t first = hits.size();
   const Leg leg(planes_, map_, circle_.plane(), from_, from_);
-  tree_.for_each_meeting(next_piece(), [&](std::uint32_t item) {
-    if (std::exchange(memory_.last_walk[item], memory_.walk) == memory_.walk) return;
-    ++memory_.asked;
-    const auto points = static_cast<std::uint32_t>(map_.point_count());
+  const auto points = static_cast<std::uint32_t>(map_.point_count());
+  for (const std::uint32_t item : memory_.found) {
+    memory_.last_walk[item] = memory_.walk;
     if (item < points) {
       leg.add_point(item, hits);
     } else {
       leg.add_arc(item - points, hits);
     }
-  });
+  }
+  asked_ += memory_.found.size();
+  memory_.asked += memory_.found.size();
   if (circle_.is_opposite()) {
     for (std::size_t i = first; i < hits.size(); ++i) std::swap(hits[i].entry, hits[i].exit);
   }

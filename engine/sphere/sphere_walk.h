@@ -3,7 +3,8 @@
 // Main flow of next():
 //  1. certain   the nearest thing found that has not been given yet, if it surely lies on the pieces looked at
 //  2. further   else one more piece, twice as long as the last; the first is about as long as an arc of a map
-//               that is spread evenly. What its bound may meet is asked exactly, over the whole circle (Leg).
+//               that is spread evenly. What its bound may meet is asked exactly, over the whole circle (Leg). Where
+//               that is much more than all asked before, the piece is halved first.
 // All that a piece meets is found with it, so that nothing found later comes before what is certain. Doubles say
 // which items are asked and how long one waits, never what is met.
 //
@@ -27,7 +28,8 @@ struct WalkMemory {
   std::vector<std::uint32_t> last_walk;  ///< that asked an item: of points, then of arcs
   std::uint32_t walk = 0;
   std::vector<PathHit> hits;
-  std::uint64_t asked = 0;  ///< items, by all walks
+  std::vector<std::uint32_t> found;  ///< items of a piece
+  std::uint64_t asked = 0;           ///< items, by all walks
 };
 
 class SphereWalk {
@@ -43,7 +45,8 @@ class SphereWalk {
  private:
   bool is_certain(const PathHit& hit) const;
   bool is_before(const PathHit& x, const PathHit& y) const;
-  SphereBound next_piece();
+  SphereBound piece() const;
+  void find_few();
   void look_further();
 
   const PlaneTable& planes_;
@@ -56,6 +59,7 @@ class SphereWalk {
   double step_;
   double done_ = 0;  ///< the angle looked at
   bool is_round_ = false;
+  std::size_t asked_ = 0;
   std::size_t taken_ = 0;
 };
 

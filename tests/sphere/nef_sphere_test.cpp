@@ -440,24 +440,31 @@ TEST(SphereLocator, RefusesWhatIsNoDirectionAndGoesOn) {
 }
 
 TEST(SphereLocator, AsksFewOfManyThings) {
-  const auto asked_of = [](std::size_t triangles) {
-    const NefSphere set = scattered_triangles(triangles);
+  const auto asked_of = [](const NefSphere& set) {
     SphereLocator locator(set);
-    const std::vector<SphereVector> directions = any_directions(300, triangles);
+    const std::vector<SphereVector> directions = any_directions(300, 8);
     for (std::size_t i = 0; i + 1 < directions.size(); i += 2) {
       (void)locator.locate(directions[i]);
       (void)locator.shoot(directions[i], directions[i + 1]);
       (void)locator.shoot_to_boundary(directions[i], directions[i + 1]);
     }
-    return static_cast<double>(locator.asked());
+    return static_cast<double>(locator.asked()) / 450;
+  };
+  const auto expect_few = [&](const char* name, const NefSphere& small, const NefSphere& large) {
+    SCOPED_TRACE(name);
+    const double few = asked_of(small);
+    const double many = asked_of(large);
+    RecordProperty(std::string(name) + "_small", std::to_string(few));
+    RecordProperty(std::string(name) + "_large", std::to_string(many));
+    const double growth =
+        static_cast<double>(large.map().arc_count()) / static_cast<double>(small.map().arc_count());
+    EXPECT_LT(many, few * std::pow(growth, 0.3));
   };
   EXPECT_FALSE(scattered_triangles(300).audit().has_value());
-  expect_located_alike(scattered_triangles(300), any_directions(100, 9));
-  const double few = asked_of(333);
-  const double many = asked_of(33333);
-  RecordProperty("asked_of_1000_arcs", std::to_string(few / 450));
-  RecordProperty("asked_of_100000_arcs", std::to_string(many / 450));
-  EXPECT_LT(many, few * std::pow(100, 0.5));
+  expect_located_alike(scattered_triangles(300), any_directions(60, 9));
+  expect_few("triangles", scattered_triangles(333), scattered_triangles(33333));
+  expect_located_alike(crown(400, 0, 0.5, 1.5), any_directions(60, 10));
+  expect_few("crown", crown(200, 0, 0.5, 1.5), crown(6000, 0, 0.5, 1.5));
 }
 
 // ---------------------------------------------------------------- any bytes, shrunk when they fail
