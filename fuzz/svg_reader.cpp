@@ -12,8 +12,11 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "generate/surface_meshes.h"
+#include "plumb/base/degrees.h"
 #include "plumb/surface/exponential_map.h"
 #include "plumb/surface/surface_path.h"
 #include "plumb/surface/trace.h"
@@ -45,23 +48,47 @@ void require_rings(const SvgDrawing& drawing, std::string_view text) {
   }
 }
 
-/// On a square of 4 x 4, from its middle.
-void judge_flat(const SvgDrawing& drawing) {
-  static const SurfaceMesh kMesh = plumb::testing::grid_surface(4);
-  SurfacePointTable points(kMesh);
+/// A square of 4 x 4, turned by some degrees, and a centre in the lower face right of its middle or on the side of that.
+struct FlatPlace {
+  FlatPlace(double degrees, double u, double v)
+      : turn(unit_vector(degrees)), mesh(turned(turn)), u(u), v(v) {}
+  static SurfaceMesh turned(const Point2& turn) {
+    const SurfaceMesh grid = plumb::testing::grid_surface(4);
+    std::vector<Point3> points;
+    std::vector<SurfaceTriangle> triangles;
+    for (std::uint32_t i = 0; i < grid.vertex_count(); ++i) {
+      const Point3& p = grid.point(VertexId(i));
+      points.push_back({turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y, 0});
+    }
+    for (std::uint32_t f = 0; f < grid.face_count(); ++f)
+      triangles.push_back(grid.corners(FaceId(f)));
+    return {std::move(points), std::move(triangles)};
+  }
+  Point2 turned_back(const Point3& p) const {
+    return {turn.x * p.x + turn.y * p.y, turn.x * p.y - turn.y * p.x};
+  }
+
+  Point2 turn;
+  SurfaceMesh mesh;
+  double u, v;
+};
+
+void judge_flat(const FlatPlace& place, const SvgDrawing& drawing) {
+  SurfacePointTable points(place.mesh);
   const FaceId face(2 * (4 * 2 + 2));
-  const ExponentialMap map(points, points.add_in_face(face, 0., 0.), face, 0);
+  const ExponentialMap map(points, points.add_in_face(face, place.u, place.v), face, 0);
   Context context;
   for (std::size_t i = 0; i < std::min(drawing.points.size(), kMostPoints); ++i) {
     const Point2 p = drawing.points[i];
-    const double reach = std::max(std::fabs(p.x), std::fabs(p.y));
+    const Point2 to{2 + place.u + place.v + p.x, 2 + place.v + p.y};
+    const double reach = std::max(std::fabs(to.x - 2), std::fabs(to.y - 2));
     if (reach > 1e3) continue;
     const auto at = map.add(p, points, context);
     if (std::fabs(reach - 2) > kClose)
       require(at.has_value() == (reach < 2), "what is on the mesh");
     if (!at) continue;
-    const Point3 there = points.position(*at);
-    require(std::hypot(there.x - 2 - p.x, there.y - 2 - p.y) < kClose, "a similarity");
+    const Point2 there = place.turned_back(points.position(*at));
+    require(std::hypot(there.x - to.x, there.y - to.y) < kClose, "a similarity");
   }
 }
 
@@ -90,6 +117,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   begin_input();
   static const std::array<SurfaceMesh, 2> kMeshes{plumb::testing::torus_surface(6, 5, .4),
                                                   plumb::testing::sphere_surface(0)};
+  static const std::array<FlatPlace, 4> kPlaces{
+      {{0, 0, 0}, {20, .5, 0}, {50, 0, 1. / 3}, {77, .25, .75}}};
   if (size == 0 || size > kMostText) return 0;
   const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
   const std::optional<double> tolerance =
@@ -101,7 +130,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const SvgDrawing drawing = read_svg(text, {kFileName, false}, tolerance, context);
     if (drawing.ring_count() > 0) oracle_reached();
     require_rings(drawing, text);
-    judge_flat(drawing);
+    for (const FlatPlace& place : kPlaces) judge_flat(place, drawing);
     if ((data[0] & 2U) != 0) judge_on(kMeshes[data[0] / 4 % 2], drawing);
   } catch (const Error& error) {
     require_place(error, text);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
 
 #include "plumb/base/degrees.h"
@@ -20,11 +21,6 @@ constexpr double kFlat = 1e-9;      // radians: so little is missing to half a t
 constexpr std::uint64_t kFacesPerCheckpoint = 4096;
 constexpr std::uint64_t kMostRounds = 4;
 constexpr std::uint64_t kSomeFaces = 1U << 16U;
-
-/// Along a side from a to b, where the line from p crosses it, as a part of the way along the line.
-double part_at(Point2 p, Point2 along, Point2 a, Point2 b) {
-  return cross(a - p, b - a) / cross(along, b - a);
-}
 
 [[noreturn]] void fail_far(std::uint64_t most_faces) {
   throw Error(ErrorCode::ResourceLimit,
@@ -44,6 +40,14 @@ struct ExponentialMap::Line {
   Point2 along;
   std::size_t entry = kInside;  ///< the side it came in by; none in its first face
   std::size_t start = kInside;  ///< the corner it starts in, if it does
+
+  /// Of a corner: above zero to the left of the line.
+  double side_of(std::size_t k) const { return cross(along, corners[k % 3] - from); }
+  /// How far along the line a point lies, as a part of it. (No squares: those of short lines are zero.)
+  double part_at(Point2 at) const {
+    const double size = length(along);
+    return dot({along.x / size, along.y / size}, at - from) / size;
+  }
 };
 
 ExponentialMap::ExponentialMap(const SurfacePointTable& points, SurfacePointId centre, FaceId face,
@@ -55,6 +59,9 @@ ExponentialMap::ExponentialMap(const SurfacePointTable& points, SurfacePointId c
   PLUMB_CHECK(points.is_in(centre, face));
   if (points.place(centre) == SurfacePlace::Vertex) {
     corner_ = static_cast<std::size_t>(std::ranges::find(weights_, 1.) - weights_.begin());
+    const HalfedgeId h = SurfaceMesh::halfedge(face, corner_);
+    fan_ = fan_of(mesh_.origin(h));
+    angle_before_ = fan_.angle_before(h);
   }
   const Point2 turn = unit_vector(angle);
   x_axis_ = turn;
@@ -64,58 +71,44 @@ ExponentialMap::ExponentialMap(const SurfacePointTable& points, SurfacePointId c
   if (size > 0) x_axis_ = turned({side.x / size, side.y / size}, turn);
 }
 
-bool ExponentialMap::is_at_border(VertexId v) const {
-  bool found = false;
+ExponentialMap::Fan ExponentialMap::fan_of(VertexId v) const {
+  Fan fan;
   for_halfedges_from(mesh_, v, [&](HalfedgeId h) {
-    found = found || mesh_.is_border(h) || mesh_.is_border(SurfaceMesh::prev(h));
+    fan.halfedges.push_back(h);
+    fan.angles.push_back(fan.angles.back() + corner_angle(mesh_, positions_.at, h));
+    fan.is_at_border =
+        fan.is_at_border || mesh_.is_border(h) || mesh_.is_border(SurfaceMesh::prev(h));
   });
-  return found;
+  return fan;
 }
 
-double ExponentialMap::full_angle(VertexId v) const {
-  double sum = 0;
-  for_halfedges_from(mesh_, v, [&](HalfedgeId h) { sum += corner_angle(mesh_, positions_.at, h); });
-  return sum;
-}
-
-/// Around the origin of h, from the first half-edge there.
-double ExponentialMap::angle_before(HalfedgeId h) const {
-  double sum = 0;
-  bool is_before = true;
-  for_halfedges_from(mesh_, mesh_.origin(h), [&](HalfedgeId at) {
-    is_before = is_before && at != h;
-    if (is_before) sum += corner_angle(mesh_, positions_.at, at);
-  });
-  return sum;
+double ExponentialMap::Fan::angle_before(HalfedgeId h) const {
+  return angles[static_cast<std::size_t>(std::ranges::find(halfedges, h) - halfedges.begin())];
 }
 
 // ---------------------------------------------------------------- 1. aim
 
-/// `angle` is measured from the first half-edge of v, counter-clockwise, and taken modulo the full angle where there is
-/// one. None when it is beyond the border.
-std::optional<ExponentialMap::Line> ExponentialMap::aim_from_vertex(VertexId v, double angle,
+/// `angle` is measured from the first half-edge of the fan, counter-clockwise, and taken modulo the full angle where
+/// there is one. None when it is beyond the border.
+std::optional<ExponentialMap::Line> ExponentialMap::aim_from_vertex(const Fan& fan, double angle,
                                                                     double length) const {
-  const double full = full_angle(v);
+  const double full = fan.full_angle();
   if (!(full > 0)) return {};
-  if (is_at_border(v)) {
+  if (fan.is_at_border) {
     if (angle < -kFlat || angle > full + kFlat) return {};
   } else {
     angle -= std::floor(angle / full) * full;
   }
-  HalfedgeId found;
-  double rest = std::max(angle, 0.), rest_in = 0;
-  for_halfedges_from(mesh_, v, [&](HalfedgeId h) {
-    if (found.is_valid() && rest <= 0) return;
-    const double here = corner_angle(mesh_, positions_.at, h);
-    found = h;
-    rest_in = std::min(rest, here);
-    rest -= here;
-  });
+  // The first corner that ends at the angle or after it; the last one if rounding leaves none.
+  const auto ends = std::span(fan.angles).subspan(1);
+  const auto end = std::lower_bound(ends.begin(), ends.end() - 1, angle);
+  const auto k = static_cast<std::size_t>(end - ends.begin());
+  const double turn = std::clamp(angle, fan.angles[k], *end) - fan.angles[k];
   Line line;
-  line.face = SurfaceMesh::face(found);
-  line.start = SurfaceMesh::side(found);
+  line.face = SurfaceMesh::face(fan.halfedges[k]);
+  line.start = SurfaceMesh::side(fan.halfedges[k]);
   line.corners = laid_out(mesh_, positions_.at, line.face, line.start);
-  line.along = {length * std::cos(rest_in), length * std::sin(rest_in)};
+  line.along = {length * std::cos(turn), length * std::sin(turn)};
   return line;
 }
 
@@ -133,12 +126,13 @@ std::optional<ExponentialMap::Line> ExponentialMap::aim_from_corner(Point2 along
   const FaceCorners corners = laid_out(mesh_, positions_.at, face_, 0);
   const Point2 side = corners[(corner_ + 1) % 3] - corners[corner_];
   const double turn = std::atan2(cross(side, along), dot(side, along));
-  const HalfedgeId h = SurfaceMesh::halfedge(face_, corner_);
-  const VertexId v = mesh_.origin(h);
-  const double before = angle_before(h), size = length(along);
-  if (!is_at_border(v)) return aim_from_vertex(v, before + turn / (2 * kPi) * full_angle(v), size);
-  const std::optional<Line> line = aim_from_vertex(v, before + turn, size);
-  return line ? line : aim_from_vertex(v, before + turn + (turn < 0 ? 2 : -2) * kPi, size);
+  const double size = length(along);
+  if (!fan_.is_at_border) {
+    return aim_from_vertex(fan_, angle_before_ + turn / (2 * kPi) * fan_.full_angle(), size);
+  }
+  const std::optional<Line> line = aim_from_vertex(fan_, angle_before_ + turn, size);
+  return line ? line
+              : aim_from_vertex(fan_, angle_before_ + turn + (turn < 0 ? 2 : -2) * kPi, size);
 }
 
 std::optional<ExponentialMap::Line> ExponentialMap::aim(Point2 offset,
@@ -155,14 +149,10 @@ std::optional<ExponentialMap::Line> ExponentialMap::aim(Point2 offset,
 // ---------------------------------------------------------------- 2. cross, 3. pass
 
 /// The line goes on across it as across a side. (Not so along a side, in its first face: nothing tells the way out.)
-bool ExponentialMap::is_flat(const Line& line, std::size_t corner) const {
-  const auto side_of = [&](std::size_t k) {
-    return cross(line.along, line.corners[k % 3] - line.from);
-  };
-  const double next = side_of(corner + 1), prev = side_of(corner + 2);
+bool ExponentialMap::is_flat(const Line& line, std::size_t corner, const Fan& fan) {
+  const double next = line.side_of(corner + 1), prev = line.side_of(corner + 2);
   if (line.entry == kInside && !((next < 0 && prev > 0) || (next > 0 && prev < 0))) return false;
-  const VertexId v = mesh_.corner(line.face, corner);
-  return !is_at_border(v) && std::fabs(full_angle(v) - 2 * kPi) < kFlat;
+  return !fan.is_at_border && std::fabs(fan.full_angle() - 2 * kPi) < kFlat;
 }
 
 /// A corner that the line meets, within rounding.
@@ -176,35 +166,44 @@ std::optional<std::size_t> ExponentialMap::vertex_ahead(const Line& line) const 
   return {};
 }
 
-/// The side by which the line leaves the face; kInside where the face has no area to tell.
-std::size_t ExponentialMap::way_out(const Line& line) const {
-  const auto side_of = [&](std::size_t k) {
-    return cross(line.along, line.corners[k] - line.from);
-  };
+/// The side by which the line leaves the face; kInside where the face has no area to tell. Its first end is not to the
+/// left of the line, its second one is.
+std::size_t ExponentialMap::way_out(const Line& line) {
   if (line.entry != kInside) {
-    return (line.entry + (side_of((line.entry + 2) % 3) > 0 ? 1 : 2)) % 3;
+    return (line.entry + (line.side_of(line.entry + 2) > 0 ? 1 : 2)) % 3;
   }
   if (line.start != kInside) return (line.start + 1) % 3;
+  std::size_t farthest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (side_of(k) <= 0 && side_of((k + 1) % 3) > 0) return k;
+    if (line.side_of(k) <= 0 && line.side_of(k + 1) > 0) return k;
+    if (std::fabs(line.side_of(k)) > std::fabs(line.side_of(farthest))) farthest = k;
   }
-  return kInside;
+  // A line along the side that it starts on may miss the face, by rounding: it goes on behind that side.
+  return line.side_of(farthest) == 0 ? kInside : (farthest + 1) % 3;
+}
+
+/// Where the line crosses the side that it leaves by, as a part of the way along the line. Found on the side: where
+/// the two are nearly parallel it may be any point of the side, but no other.
+double ExponentialMap::part_at_side(const Line& line, std::size_t side) {
+  const Point2 &a = line.corners[side], &b = line.corners[(side + 1) % 3];
+  const double right = -line.side_of(side), left = line.side_of(side + 1);
+  const double t = right + left > 0 ? std::clamp(right / (right + left), 0., 1.) : 0;
+  return line.part_at({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
 }
 
 /// From a corner on, with `part` of the line behind it.
 std::optional<ExponentialMap::Line> ExponentialMap::beyond_vertex(const Line& line,
-                                                                  std::size_t corner,
-                                                                  double part) const {
+                                                                  std::size_t corner, double part,
+                                                                  const Fan& fan) const {
   const HalfedgeId h = SurfaceMesh::halfedge(line.face, corner);
-  const VertexId v = mesh_.origin(h);
   const Point2 at = line.corners[corner], side = line.corners[(corner + 1) % 3] - at;
   const Point2 back{-line.along.x, -line.along.y};
   const double wedge = corner_angle(mesh_, positions_.at, h);
   const double back_angle = std::clamp(std::atan2(cross(side, back), dot(side, back)), 0., wedge);
-  const double angle = angle_before(h) + back_angle, left = (1 - part) * length(line.along);
-  if (!is_at_border(v)) return aim_from_vertex(v, angle + full_angle(v) / 2, left);
-  const std::optional<Line> next = aim_from_vertex(v, angle + kPi, left);
-  return next ? next : aim_from_vertex(v, angle - kPi, left);
+  const double angle = fan.angle_before(h) + back_angle, left = (1 - part) * length(line.along);
+  if (!fan.is_at_border) return aim_from_vertex(fan, angle + fan.full_angle() / 2, left);
+  const std::optional<Line> next = aim_from_vertex(fan, angle + kPi, left);
+  return next ? next : aim_from_vertex(fan, angle - kPi, left);
 }
 
 // ---------------------------------------------------------------- 4. land
@@ -245,17 +244,18 @@ std::optional<SurfacePointId> ExponentialMap::add(Point2 offset, SurfacePointTab
   for (std::uint64_t faces = 0; line; ++faces) {
     if (faces % kFacesPerCheckpoint == 0) context.checkpoint("draw", faces, most);
     if (faces > most) fail_far(most);
-    if (const auto corner = vertex_ahead(*line); corner && !is_flat(*line, *corner)) {
-      const Point2 to = line->corners[*corner] - line->from;
-      const double part = dot(line->along, to) / dot(line->along, line->along);
-      if (part >= 1 - kClose) return land(*line, points);
-      line = beyond_vertex(*line, *corner, part);
-      continue;
+    if (const auto corner = vertex_ahead(*line)) {
+      const Fan fan = fan_of(mesh_.corner(line->face, *corner));
+      if (!is_flat(*line, *corner, fan)) {
+        const double part = line->part_at(line->corners[*corner]);
+        if (part >= 1 - kClose) return land(*line, points);
+        line = beyond_vertex(*line, *corner, part, fan);
+        continue;
+      }
     }
     const std::size_t side = way_out(*line);
     if (side == kInside) return land(*line, points);
-    const Point2 &a = line->corners[side], &b = line->corners[(side + 1) % 3];
-    const double part = part_at(line->from, line->along, a, b);
+    const double part = part_at_side(*line, side);
     const HalfedgeId door = SurfaceMesh::halfedge(line->face, side);
     const bool is_last = mesh_.is_border(door);
     if (!(part < (is_last ? 1 - kClose : 1))) return land(*line, points);

@@ -10,7 +10,8 @@
 //
 // Main flow of ExponentialMap::add:
 //  1. aim     a face at the centre and the line in it, laid out in the plane
-//  2. cross   side after side, each next face laid out beside the last: the third corner decides where it goes on
+//  2. cross   side after side, each next face laid out beside the last: the third corner decides where it goes on.
+//             A line along a side goes through either face beside it, as rounding has it
 //  3. pass    a vertex with another angle than a whole turn that lies within 2^-40 of the line's direction is passed with equal angles on both sides (a
 //             straightest line: Polthier and Schmies 1998), at the border with half a turn on one side
 //  4. land    weights in the last face; those below 2^-40 are zero: the point lies on an edge or a vertex
@@ -18,8 +19,10 @@
 // All of it in doubles; what was found is exact from 4 on.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/surface/face_layout.h"
@@ -36,32 +39,44 @@ class ExponentialMap {
   ExponentialMap(const SurfacePointTable& points, SurfacePointId centre, FaceId face, double angle);
 
   /// Appends the point at an offset, in units of the mesh and finite, to a table over the same mesh. None when the
-  /// line leaves the mesh at its border. Cost: O(faces crossed). Errors: ResourceLimit for a line that
-  /// crosses more faces than several rounds over the whole mesh; Cancelled.
+  /// line leaves the mesh at its border. Cost: O(faces crossed + degrees of the vertices passed), and O(log degree)
+  /// of the centre if it is a vertex. Errors: ResourceLimit for a line that crosses more faces than several rounds
+  /// over the whole mesh; Cancelled.
   std::optional<SurfacePointId> add(Point2 offset, SurfacePointTable& points,
                                     Context& context) const;
 
  private:
   struct Line;
+  /// The corners around a vertex, counter-clockwise.
+  struct Fan {
+    std::vector<HalfedgeId> halfedges;  ///< leave the vertex
+    std::vector<double> angles = {0};   ///< from the first to each, and the full angle
+    bool is_at_border = false;
 
+    double full_angle() const { return angles.back(); }
+    double angle_before(HalfedgeId h) const;
+  };
+
+  Fan fan_of(VertexId v) const;
   Line aim_from_inside(Point2 along) const;
   std::optional<Line> aim_from_corner(Point2 along) const;
-  std::optional<Line> aim_from_vertex(VertexId v, double angle, double length) const;
+  std::optional<Line> aim_from_vertex(const Fan& fan, double angle, double length) const;
   std::optional<Line> aim(Point2 offset, std::uint64_t most_faces) const;
   std::optional<std::size_t> vertex_ahead(const Line& line) const;
-  bool is_flat(const Line& line, std::size_t corner) const;
-  std::size_t way_out(const Line& line) const;
-  std::optional<Line> beyond_vertex(const Line& line, std::size_t corner, double part) const;
-  double angle_before(HalfedgeId h) const;
+  static bool is_flat(const Line& line, std::size_t corner, const Fan& fan);
+  static std::size_t way_out(const Line& line);
+  static double part_at_side(const Line& line, std::size_t side);
+  std::optional<Line> beyond_vertex(const Line& line, std::size_t corner, double part,
+                                    const Fan& fan) const;
   SurfacePointId land(const Line& line, SurfacePointTable& points) const;
-  double full_angle(VertexId v) const;
-  bool is_at_border(VertexId v) const;
 
   const SurfaceMesh& mesh_;
   ScaledPositions positions_;
   FaceId face_;
   std::array<double, 3> weights_;
   std::size_t corner_ = kInside;  // of the face, if the centre is that vertex
+  Fan fan_;                       // around it then
+  double angle_before_ = 0;       // of that corner in it
   Point2 x_axis_;                 // in the layout of the face
 
   static constexpr std::size_t kInside = 3;

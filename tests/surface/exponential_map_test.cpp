@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -87,6 +88,129 @@ TEST(ExponentialMap, FlatMeshesAreMappedBySimilarities) {
           ASSERT_LT(distance(fan.points.position(*p), {to_x, to_y, 0}), 1e-11);
         }
       }
+    }
+  }
+}
+
+/// A flat grid somewhere in space: grid_surface(kRotated) turned, scaled and sheared.
+struct RotatedGrid {
+  explicit RotatedGrid(Dice& dice) {
+    const auto component = [&dice] { return static_cast<double>(dice.between(-1000, 1000)); };
+    const auto direction = [&component] {
+      const double px = component(), py = component(), pz = component() + .5;
+      return Point3{px, py, pz};
+    };
+    const Point3 a = unit(direction()), b = direction();
+    const double along = a.x * b.x + a.y * b.y + a.z * b.z;
+    const Point3 c = unit({b.x - along * a.x, b.y - along * a.y, b.z - along * a.z});
+    const double size = static_cast<double>(1 + dice.below(1000)) / 7;
+    const double shear = dice.below(2) == 0 ? 0 : static_cast<double>(dice.below(100)) / 100;
+    x_axis = sum(size, a, 0, c);
+    y_axis = sum(size * shear, a, size, c);
+    across = sum(size, c, 0, a);
+  }
+  static Point3 unit(const Point3& p) {
+    const double length = std::hypot(p.x, p.y, p.z);
+    return {p.x / length, p.y / length, p.z / length};
+  }
+  static Point3 sum(double s, const Point3& a, double t, const Point3& b) {
+    return {s * a.x + t * b.x, s * a.y + t * b.y, s * a.z + t * b.z};
+  }
+  Point3 at(double x, double y) const { return sum(x, x_axis, y, y_axis); }
+
+  SurfaceMesh mesh(std::uint32_t n) const {
+    const SurfaceMesh flat = grid_surface(n);
+    std::vector<Point3> points;
+    std::vector<SurfaceTriangle> triangles;
+    for (std::uint32_t v = 0; v < flat.vertex_count(); ++v) {
+      const Point3& p = flat.point(VertexId(v));
+      points.push_back(at(p.x, p.y));
+    }
+    for (std::uint32_t f = 0; f < flat.face_count(); ++f) {
+      triangles.push_back(flat.corners(FaceId(f)));
+    }
+    return {std::move(points), std::move(triangles)};
+  }
+  /// What to ask of a map whose axis x is that of the first side of lower faces, or the diagonal.
+  Point2 offset(double x, double y, bool is_upper) const {
+    const Point3 to = at(x, y), axis = unit(is_upper ? at(1, 1) : x_axis);
+    const double size = std::hypot(across.x, across.y, across.z);
+    const Point3 first = unit(x_axis), second = sum(1 / size, across, 0, across);
+    const auto dot = [](const Point3& p, const Point3& q) {
+      return p.x * q.x + p.y * q.y + p.z * q.z;
+    };
+    const Point3 normal_to_axis = sum(-dot(axis, second), first, dot(axis, first), second);
+    return {dot(to, axis), dot(to, normal_to_axis)};
+  }
+
+  Point3 x_axis, y_axis;
+  Point3 across;  // a quarter turn from the axis x
+};
+
+/// Directions of mesh lines and others, as steps on the grid.
+constexpr std::array<std::array<int, 2>, 16> kDirections{{{1, 0},
+                                                          {0, 1},
+                                                          {1, 1},
+                                                          {-1, 0},
+                                                          {0, -1},
+                                                          {-1, -1},
+                                                          {1, -1},
+                                                          {-1, 1},
+                                                          {2, 1},
+                                                          {1, 2},
+                                                          {-2, -1},
+                                                          {-1, -2},
+                                                          {2, -1},
+                                                          {-1, 2},
+                                                          {3, 2},
+                                                          {-2, 3}}};
+
+/// Lines that start on sides of the mesh and run along them, lines that do so behind a vertex, and others: rounding
+/// decides which faces they go through, but not where they end.
+TEST(ExponentialMap, RotatedFlatMeshesAreMappedBySimilarities) {
+  constexpr std::uint32_t kSide = 14;
+  Dice dice(2941);
+  for (int round = 0; round < 400; ++round) {
+    const RotatedGrid grid(dice);
+    const bool is_upper = dice.below(2) == 1;
+    const std::uint32_t column = 6 + dice.below(2), row = 6 + dice.below(2);
+    // 1 - t and what is left of 1 beside it add up exactly.
+    const double t = std::array{.5, .25, .3, 1. / 3, .1, .9}[dice.below(6)];
+    const auto [u, v] = std::array<std::array<double, 2>, 9>{{{0, t},
+                                                              {t, 0},
+                                                              {1 - (1 - t), 1 - t},
+                                                              {1. / 3, 1. / 3},
+                                                              {.25, .5},
+                                                              {.5, .25},
+                                                              {0, 0},
+                                                              {1, 0},
+                                                              {0, 1}}}[dice.below(9)];
+    Fan fan(grid.mesh(kSide), 2 * (kSide * row + column) + (is_upper ? 1 : 0), u, v);
+    const double from_x = column + (is_upper ? u : u + v), from_y = row + (is_upper ? u + v : v);
+    for (const auto& [dx, dy] : kDirections) {
+      for (const double steps : {.5, 1., 1. / 3, 1.25, .7, 1.75}) {
+        const Point2 offset = grid.offset(steps * dx, steps * dy, is_upper);
+        const auto p = fan.at(offset.x, offset.y);
+        const Point3 expected = grid.at(from_x + steps * dx, from_y + steps * dy);
+        SCOPED_TRACE(::testing::Message() << round << ": (" << from_x << ", " << from_y << ") + "
+                                          << steps << " (" << dx << ", " << dy << ')');
+        ASSERT_TRUE(p);
+        const double size = std::hypot(grid.across.x, grid.across.y, grid.across.z);
+        ASSERT_LT(distance(fan.points.position(*p), expected), 1e-12 * kSide * size);
+      }
+    }
+  }
+}
+
+/// Shorter than a square of a double can tell.
+TEST(ExponentialMap, ShortLines) {
+  Fan fan(grid_surface(8), 2 * (8 * 3 + 4), .5, 0);
+  for (const double length : {1e-100, 1e-200, 1e-300, 5e-324}) {
+    for (int degrees = 0; degrees < 360; degrees += 15) {
+      const Point2 to = unit_vector(degrees);
+      const auto p = fan.at(length * to.x, length * to.y);
+      ASSERT_TRUE(p);
+      EXPECT_LT(distance(fan.points.position(*p), {4.5, 3, 0}), 1e-15);
     }
   }
 }
