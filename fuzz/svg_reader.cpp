@@ -1,7 +1,8 @@
 // The reader of drawings on arbitrary bytes, and where drawings lie on a surface.
 //
 // The first byte chooses the tolerance, the place and the mesh; the rest is the file. Either the reader throws an Error
-// that names the file, a line and a column inside it, or rings of two points or more, finite ones. On a flat mesh
+// that names the file, a line and a column inside it, or rings of two points or more, finite ones; what it takes is in
+// proportion to the file. On a flat mesh
 // their points lie where a similarity puts them, or beyond the border and are refused; elsewhere lines to them end in
 // the mesh, and the rings are polygons.
 
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,6 +34,10 @@ constexpr std::size_t kMostText = 1U << 14U;
 constexpr std::size_t kMostRings = 20;
 constexpr std::size_t kMostPoints = 200;
 constexpr double kClose = 1e-9;
+// What a drawing may be charged at most: a chord of a curve takes 48 bytes; there may be 2^20 of them, and 16 more for each
+// byte. An attribute takes 64 bytes from 5, a point 48 from 2.
+constexpr std::size_t kBytesOfChords = std::size_t{48} << 20U;
+constexpr std::size_t kBytesPerByte = 16 * 48 + 48;
 
 void require_rings(const SvgDrawing& drawing, std::string_view text) {
   require(drawing.places.size() == drawing.points.size(), "every point has a place");
@@ -124,7 +130,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::optional<double> tolerance =
       (data[0] & 1U) != 0 ? std::optional(0.01 * (1 + data[0] / 16)) : std::nullopt;
   Limits limits;
-  limits.max_memory_bytes = 1U << 24U;  // curves may have any number of chords
+  limits.max_memory_bytes = kBytesOfChords + kBytesPerByte * text.size();
   Context context(limits);
   try {
     const SvgDrawing drawing = read_svg(text, {kFileName, false}, tolerance, context);
@@ -133,6 +139,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const FlatPlace& place : kPlaces) judge_flat(place, drawing);
     if ((data[0] & 2U) != 0) judge_on(kMeshes[data[0] / 4 % 2], drawing);
   } catch (const Error& error) {
+    require(error.message().find("memory limit") == std::string::npos,
+            "memory charged is in proportion to the input");
     require_place(error, text);
   }
   return 0;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t kPointBytes = 2 * (sizeof(Point2) + sizeof(std::size_t));
 constexpr std::uint64_t kRingBytes = 4 * sizeof(std::uint32_t);
 constexpr std::size_t kMostPoints = std::size_t{1} << 30U;
-constexpr std::size_t kChordsPerCheckpoint = 4096;
+constexpr std::size_t kStepsPerCheckpoint = 4096;
 
 Point2 mixed(Point2 a, double s, Point2 b, double t) {
   return {s * a.x + t * b.x, s * a.y + t * b.y};
@@ -60,7 +60,12 @@ Point2 SvgOutline::placed(const TextCursor& at, Point2 p) const {
   return placed;
 }
 
+void SvgOutline::step() {
+  if (++steps_ % kStepsPerCheckpoint == 0) context_.checkpoint("flatten", steps_, steps_);
+}
+
 void SvgOutline::add(const TextCursor& at, Point2 placed) {
+  step();
   require_finite(at, placed);
   with_place(at, [&] { context_.charge_memory(kPointBytes, "the drawing"); });
   if (drawing_.points.size() == kMostPoints) {
@@ -85,10 +90,15 @@ std::size_t SvgOutline::chords(const TextCursor& at, double bend) {
             "a curve in a drawing without viewBox, width and height: give a tolerance");
   }
   const double count = std::ceil(std::sqrt(bend / (8 * *tolerance_)));
-  if (!(count < static_cast<double>(kMostPoints))) {
-    at.fail(ErrorCode::ResourceLimit, "a curve of more points than a surface can hold");
+  if (!(count <= static_cast<double>(most_chords_ - chords_))) {
+    at.fail(ErrorCode::ResourceLimit,
+            "more than " + std::to_string(most_chords_) +
+                " chords for the curves of a drawing of this size: a larger "
+                "tolerance takes fewer");
   }
-  return std::max<std::size_t>(1, static_cast<std::size_t>(count));
+  const auto n = static_cast<std::size_t>(count);
+  chords_ += n;
+  return std::max<std::size_t>(1, n);
 }
 
 void SvgOutline::cubic_to(const TextCursor& at, Point2 c1, Point2 c2, Point2 p) {
@@ -98,7 +108,6 @@ void SvgOutline::cubic_to(const TextCursor& at, Point2 c1, Point2 c2, Point2 p) 
   constexpr double kCubic = 6;
   const std::size_t n = chords(at, kCubic * std::max(bend_at(a, b, c), bend_at(b, c, d)));
   for (std::size_t i = 1; i < n; ++i) {
-    if (i % kChordsPerCheckpoint == 0) context_.checkpoint("flatten", i, n);
     add(at, on_cubic(placed_curve, static_cast<double>(i) / static_cast<double>(n)));
   }
   add(at, d);
@@ -109,7 +118,6 @@ void SvgOutline::quadratic_to(const TextCursor& at, Point2 c, Point2 p) {
   constexpr double kQuadratic = 2;
   const std::size_t n = chords(at, kQuadratic * bend_at(from, middle, to));
   for (std::size_t i = 1; i < n; ++i) {
-    if (i % kChordsPerCheckpoint == 0) context_.checkpoint("flatten", i, n);
     const double t = static_cast<double>(i) / static_cast<double>(n), s = 1 - t;
     const Point2 begin = mixed(from, s * s, middle, 2 * s * t);
     add(at, mixed(begin, 1, to, t * t));
@@ -127,7 +135,6 @@ void SvgOutline::arc_to(const TextCursor& at, Point2 centre, Point2 u, Point2 v,
   const double reach = std::hypot(std::hypot(pu.x, pu.y), std::hypot(pv.x, pv.y));
   const std::size_t n = chords(at, reach * (to - from) * (to - from));
   for (std::size_t i = 1; i < n; ++i) {
-    if (i % kChordsPerCheckpoint == 0) context_.checkpoint("flatten", i, n);
     const double angle = from + (to - from) * static_cast<double>(i) / static_cast<double>(n);
     const Point2 off = mixed(pu, std::cos(angle), pv, std::sin(angle));
     add(at, {middle.x + off.x, middle.y + off.y});

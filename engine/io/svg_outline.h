@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "plumb/base/context.h"
@@ -24,13 +25,19 @@ Point2 applied(const SvgTransform& t, Point2 p);
 /// Collects the shapes of a drawing. Coordinates come in the units of an element; curves are replaced by chords that are
 /// nowhere further from them than the tolerance, measured in those of the drawing.
 ///
+/// The chords of all curves together are at most 2^20 and 16 for each byte of the text: what a drawing takes is in
+/// proportion to its file, however fine the tolerance.
+///
 /// Every function that adds points takes a cursor at what says so. Errors there: NumberOutOfRange beyond the
-/// largest double; BadShape for a curve without a tolerance; ResourceLimit; Cancelled.
+/// largest double; BadShape for a curve without a tolerance; ResourceLimit, of too many chords, too; Cancelled.
 class SvgOutline {
  public:
   /// `text` is where places are counted from.
-  SvgOutline(const char* text, std::optional<double> tolerance, Context& context)
-      : text_(text), tolerance_(tolerance), context_(context) {}
+  SvgOutline(std::string_view text, std::optional<double> tolerance, Context& context)
+      : text_(text.data()),
+        tolerance_(tolerance),
+        most_chords_(kMostChords + kChordsPerByte * text.size()),
+        context_(context) {}
 
   void set_tolerance(double tolerance) { tolerance_ = tolerance; }
   void set_transform(const SvgTransform& transform) { transform_ = transform; }
@@ -46,6 +53,8 @@ class SvgOutline {
   void close_ring();
   /// The rings since the last one are a shape, unless there are none.
   void end_shape();
+  /// One of many steps within a value: looks at the time every few thousand of them.
+  void step();
 
   SvgDrawing take() { return std::move(drawing_); }
   void note(std::string text) { drawing_.notes.push_back(std::move(text)); }
@@ -57,9 +66,14 @@ class SvgOutline {
   /// How many chords keep within the tolerance, for a second derivative of at most `bend`, parameters 0 to 1.
   std::size_t chords(const TextCursor& at, double bend);
 
+  static constexpr std::size_t kMostChords = std::size_t{1} << 20U;
+  static constexpr std::size_t kChordsPerByte = 16;
+
   const char* text_;
   std::optional<double> tolerance_;
+  std::size_t most_chords_, chords_ = 0;  // of curves, so far
   Context& context_;
+  std::size_t steps_ = 0;
   SvgTransform transform_;
   SvgDrawing drawing_;
 };

@@ -34,7 +34,7 @@ class SvgReader {
         numbers_(context.limits(), false, text.size()),
         text_(text.data()),
         tolerance_(tolerance),
-        outline_(text.data(), tolerance, context),
+        outline_(text, tolerance, context),
         context_(context) {}
 
   SvgDrawing read();
@@ -205,7 +205,10 @@ double SvgReader::size(std::string_view name) {
 
 SvgTransform SvgReader::read_transform(SvgValue text) {
   SvgTransform all;
-  while (!text.at_end()) all = product(all, read_one_transform(text));
+  while (!text.at_end()) {
+    outline_.step();
+    all = product(all, read_one_transform(text));
+  }
   return all;
 }
 

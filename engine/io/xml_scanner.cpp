@@ -10,7 +10,9 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kMostNested = 256;
-constexpr std::size_t kTagsPerCheckpoint = 1024;
+constexpr std::size_t kStepsPerCheckpoint = 1024;
+constexpr std::size_t kBytesPerCheckpoint = std::size_t{1} << 16U;
+constexpr std::size_t kLongestCharacter = 4;
 constexpr std::string_view kBlanks = " \t\r\n";
 
 bool is_blank(char c) { return kBlanks.find(c) != kBlanks.npos; }
@@ -34,12 +36,23 @@ XmlScanner::XmlScanner(std::string_view text, const std::string& name, Context& 
 
 /// All of it, lines apart.
 void XmlScanner::require_text() const {
-  for (const char* at = p_; at != end_; ++at) {
-    const std::string_view rest(at, static_cast<std::size_t>(end_ - at));
-    at += text_prefix(rest);
-    if (at == end_) return;
-    if (*at != '\n' && *at != '\r')
-      fail(ErrorCode::NotText, "a byte that is no text: is this XML?", at);
+  const char* at = p_;
+  for (const char* begin = at; at != end_; begin = at) {
+    const auto bytes = static_cast<std::size_t>(end_ - begin);
+    const auto all = static_cast<std::size_t>(end_ - p_);
+    context_.checkpoint("read", all - bytes, all);
+    const char* const end = begin + std::min(bytes, kBytesPerCheckpoint);
+    while (at != end) {
+      at += text_prefix({at, static_cast<std::size_t>(end - at)});
+      if (at == end) break;
+      if (*at == '\n' || *at == '\r') {
+        ++at;
+      } else if (end == end_ || static_cast<std::size_t>(end - at) >= kLongestCharacter) {
+        fail(ErrorCode::NotText, "a byte that is no text: is this XML?", at);
+      } else {
+        break;  // perhaps a character that goes on behind the end
+      }
+    }
   }
 }
 
@@ -86,6 +99,7 @@ void XmlScanner::skip_document_type() {
 /// To the next tag; false at the end of the text.
 bool XmlScanner::find_tag() {
   for (;;) {
+    if (steps_++ % kStepsPerCheckpoint == 0) context_.checkpoint("read", steps_, steps_);
     const char* const tag = std::find(p_, end_, '<');
     const char* const stray = std::find_if_not(p_, tag, is_blank);
     if (open_.empty() && stray != tag) {
@@ -94,11 +108,15 @@ bool XmlScanner::find_tag() {
     p_ = tag;
     cursor_.move_to(p_);
     if (p_ == end_) return false;
+    const std::string_view rest(p_, static_cast<std::size_t>(end_ - p_));
+    if (open_.empty() && rest.starts_with("<![CDATA[")) {
+      fail(ErrorCode::Syntax, "CDATA outside of the root element", p_);
+    }
     if (skip_from("<!--", "-->", "a comment") || skip_from("<?", "?>", "an instruction") ||
         skip_from("<![CDATA[", "]]>", "CDATA")) {
       continue;
     }
-    if (!std::string_view(p_, static_cast<std::size_t>(end_ - p_)).starts_with("<!")) return true;
+    if (!rest.starts_with("<!")) return true;
     if (has_root_) fail(ErrorCode::Syntax, "a declaration in the middle of the document", p_);
     skip_document_type();
   }
@@ -154,6 +172,7 @@ void XmlScanner::read_start() {
     if (p_ == end_) fail(ErrorCode::Syntax, "a tag without an end", tag_);
     if (*p_ == '>' || *p_ == '/') break;
     if (p_ == before) fail(ErrorCode::Syntax, "expected a blank before an attribute", p_);
+    if (steps_++ % kStepsPerCheckpoint == 0) context_.checkpoint("read", steps_, steps_);
     read_attribute();
   }
   is_empty_ = *p_ == '/';
@@ -189,7 +208,6 @@ XmlScanner::Event XmlScanner::next() {
     return Event::Done;
   }
   tag_ = p_;
-  if (tags_++ % kTagsPerCheckpoint == 0) context_.checkpoint("read", tags_, tags_);
   if (p_ + 1 != end_ && p_[1] == '/') {
     read_end();
     return Event::End;

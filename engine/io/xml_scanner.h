@@ -69,7 +69,7 @@ class XmlScanner {
   std::vector<std::string_view> open_;
   bool is_empty_ = false;  // the element that started last
   bool has_root_ = false;
-  std::size_t tags_ = 0;
+  std::size_t steps_ = 0;  // tags, comments, attributes
 };
 
 }  // namespace plumb
