@@ -24,6 +24,7 @@ class PathReader {
 
   void read() {
     for (char command = 0; !text_.at_end();) {
+      outline_.step();
       const char next = text_.peek();
       if (is_letter(next)) {
         command = next;
@@ -133,25 +134,25 @@ void PathReader::arc(bool is_relative) {
   const bool is_large = text_.flag();
   const bool is_clockwise = text_.flag();
   const Point2 to = point(is_relative);
-  if (to == at_) return;
+  if (to == at_) return end_at(to, to, to);
   if (rx == 0 || ry == 0) return line(to);
   open();
   const Point2 axis = unit_vector(turn);
   const Point2 half{(at_.x - to.x) / 2, (at_.y - to.y) / 2};
   // In units of the radii, along them.
   Point2 p{(axis.x * half.x + axis.y * half.y) / rx, (axis.x * half.y - axis.y * half.x) / ry};
-  const double square = p.x * p.x + p.y * p.y;
-  if (!std::isfinite(square)) {
+  const double reach = std::hypot(p.x, p.y);
+  if (!std::isfinite(reach)) {
     text_.fail(ErrorCode::NumberOutOfRange, "an arc beyond the largest double", place_);
   }
+  if (reach == 0) return line(to);  // as good as straight
   double off = 0;
-  if (square >= 1) {
-    const double larger = std::sqrt(square);
-    rx *= larger;
-    ry *= larger;
-    p = {p.x / larger, p.y / larger};
-  } else if (square > 0) {
-    off = std::sqrt((1 - square) / square) * (is_large == is_clockwise ? -1 : 1);
+  if (reach >= 1) {
+    rx *= reach;
+    ry *= reach;
+    p = {p.x / reach, p.y / reach};
+  } else {
+    off = std::sqrt((1 - reach) * (1 + reach)) / reach * (is_large == is_clockwise ? -1 : 1);
   }
   const Point2 c{off * p.y, -off * p.x};
   const Point2 u{axis.x * rx, axis.y * rx}, v{-axis.y * ry, axis.x * ry};
@@ -159,8 +160,10 @@ void PathReader::arc(bool is_relative) {
                       (at_.y + to.y) / 2 + c.x * u.y + c.y * v.y};
   const double from = std::atan2(p.y - c.y, p.x - c.x);
   double end = std::atan2(-p.y - c.y, -p.x - c.x);
-  if (is_clockwise && end < from) end += 2 * kPi;
-  if (!is_clockwise && end > from) end -= 2 * kPi;
+  // At least half a turn if it is large, at most that if not: rounding decides neither nothing nor a whole turn.
+  const double least = is_large ? kPi / 2 : -kPi / 2;
+  if (is_clockwise && end - from < least) end += 2 * kPi;
+  if (!is_clockwise && from - end < least) end -= 2 * kPi;
   outline_.arc_to(text_.cursor(), centre, u, v, from, end, to);
   end_at(to, to, to);
 }

@@ -73,7 +73,7 @@ void SvgValue::skip_blanks() {
 
 bool SvgValue::at_end() {
   skip_blanks();
-  if (rest_.empty() && comma_ != nullptr) fail_expected("a number after the comma");
+  if (rest_.empty() && comma_ != nullptr) fail_expected("more after the comma");
   return rest_.empty();
 }
 
@@ -147,7 +147,6 @@ void SvgValue::take(char c) {
   skip();
   skip_separator();
   if (c == '(' && comma_ != nullptr) fail_expected("a number");
-  comma_ = nullptr;
 }
 
 }  // namespace plumb

@@ -18,7 +18,7 @@ class SvgValue {
   SvgValue(TextCursor cursor, std::string_view value, NumberReader& numbers)
       : start_(cursor), cursor_(std::move(cursor)), rest_(value), numbers_(numbers) {}
 
-  /// Skips blanks; true when nothing follows. Fails where a comma has promised a number.
+  /// Skips blanks; true when nothing follows. Fails where a comma has promised more.
   bool at_end();
   /// The next byte, if there is one. Call at_end() first.
   char peek() const { return rest_.empty() ? '\0' : rest_.front(); }

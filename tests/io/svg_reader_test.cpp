@@ -92,6 +92,14 @@ TEST(svg_reader, the_same_path_in_other_words) {
       {"M0 0A-2 3 20 1 0 3 1", "m0 0a2 3 20 10 3 1"},
       {"M0 0A0 3 20 1 0 3 1", "M0 0L3 1"},
       {"M0 0L3 1L4 2", "M0 0L3 1A1 1 0 0 0 3 1L4 2"},
+      // After an arc, whatever its length, there is no control point to reflect.
+      {"M0 0C1 2 2 2 3 0A1 1 0 0 0 3 0S4 4 6 0", "M0 0C1 2 2 2 3 0C3 0 4 4 6 0"},
+      {"M0 0Q3 9 7 1A1 1 0 0 0 7 1T1 9", "M0 0Q3 9 7 1Q7 1 1 9"},
+      // Arcs that are as good as straight.
+      {"M0 0A1e9 1e9 0 0 1 3 1", "M0 0L3 1"},
+      {"M0 0A1e200 1e200 0 0 1 3 1", "M0 0L3 1"},
+      {"M0 0A1e200 1e200 0 0 0 3 1", "M0 0L3 1"},
+      {"M0 0A1e300 1e300 0 0 1 1e-300 0 1 1 0 0 1 1e-300 0", "M0 0L1e-300 0"},
       {"M0 0C1 2 2 2 3 0C1 2 2 2 3 5", "M0 0C1 2 2 2 3 0 1 2 2 2 3 5"},
       // A quadratic curve is a cubic one.
       {"M0 0Q3 3 6 0", "M0 0C2 2 4 2 6 0"},
@@ -278,10 +286,21 @@ std::vector<HostileText> hostile_drawings() {
       {"no such transform", element("<g transform='turn(3)'/>"), 2, 15, "expected matrix"},
       {"too few", element("<g transform='matrix(3)'/>"), 2, 15, "expected matrix"},
       {"too many", element("<g transform='matrix(1 2 3 4 5 6 7)'/>"), 2, 34, "expected ')'"},
+      {"a comma after transforms", element("<g transform='scale(2),'/>"), 2, 24, "after the comma"},
+      {"two commas", element("<g transform='scale(2),,scale(3)'/>"), 2, 24, "expected '('"},
+      {"CDATA first", "<![CDATA[ ]]><svg/>", 1, 1, "outside of the root"},
+      {"CDATA last", "<svg/>\n<![CDATA[]]>", 2, 1, "outside of the root"},
       {"not closed", element("<g transform='scale(3'/>"), 2, 22, "expected ')'"},
       {"a curve of what size", element("<circle r='3'/>"), 2, 1, "give a tolerance"},
       {"too many chords", "<svg viewBox='0 0 1e-300 1'><circle r='1e300'/></svg>", 1, 29,
-       "more points"},
+       "a larger tolerance"},
+      {"chords of 75 bytes",
+       "<svg viewBox='0 0 1e-9 1e-9'>\n<path d='M0 0C9e3 9e3 9e3 9e3 9e3 0'/></svg>", 2, 35,
+       "a larger tolerance"},
+      {"chords of many curves",
+       "<svg viewBox='0 0 1 1'>\n<g>" + repeated("<path d='M0 0C2e7 2e7 2e7 2e7 2e7 0'/>", 100) +
+           "</g></svg>",
+       2, 38 * (1 + 7), "a larger tolerance"},
   };
 }
 
@@ -294,11 +313,56 @@ TEST(svg_reader, memory_is_limited) {
   limits.max_memory_bytes = 200'000;
   Context context(limits);
   try {
-    read_svg("<svg>\n<circle r='1000'/></svg>", kOptions, 1e-9, context);
+    read_svg("<svg>\n<circle r='1000'/></svg>", kOptions, 1e-6, context);
     ADD_FAILURE() << "read beyond the limit";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::ResourceLimit);
     EXPECT_EQ(error.place().line, 2U);
+  }
+}
+
+/// How often the time is looked at.
+int checkpoints(const std::string& text) {
+  int count = 0;
+  Context context({}, {}, [&](std::string_view, std::uint64_t done, std::uint64_t total) {
+    count += done == total ? 1 : 0;
+  });
+  read_svg(text, kOptions, {}, context);
+  return count;
+}
+
+/// A value may be as long as the file, and a file may have no tag for long.
+TEST(svg_reader, time_is_limited_within_values) {
+  const std::string open = "<svg viewBox='0 0 9 9'>", close = "</svg>";
+  const int few = checkpoints(open + "<path d='M0 0h1v1'/>" + close);
+  for (const std::string& text :
+       {open + "<path d='M0 0" + repeated("h1", 5000) + "'/>" + close,
+        open + "<path d='M0 0" + repeated("z", 5000) + "'/>" + close,
+        open + "<path d='M0 0C9e5 9e5 9e5 9e5 9e5 0'/>" + close,
+        open + "<polygon points='" + repeated("1 ", 10000) + "'/>" + close,
+        open + "<g transform='" + repeated("scale(1)", 5000) + "'/>" + close,
+        open + repeated("<!---->", 2000) + close, "<svg " + repeated("a='' ", 2000) + "/>"}) {
+    EXPECT_GT(checkpoints(text), few) << text.substr(0, 60);
+  }
+}
+
+/// Places where the text is looked at piece by piece fall into its characters.
+TEST(svg_reader, characters_of_every_length_anywhere) {
+  for (const std::string character : {"a", "\xC3\xA4", "\xE2\x82\xAC", "\xF0\x9F\x98\x80", "\n"}) {
+    for (std::size_t shift = 0; shift < 6; ++shift) {
+      const std::string text = std::string(shift, ' ') + "<svg>" + repeated(character, 70000);
+      EXPECT_EQ(read(text + "</svg>").shape_count(), 0U);
+      const std::size_t line = character == "\n" ? 70001 : 1;
+      const std::size_t column = character == "\n" ? 1 : text.size() + 1;
+      expect_refusals({{"cut", text + "\xF0\x9F", line, column, "no text"},
+                       {"control", text + "\x01</svg>", line, column, "no text"}},
+                      [](const std::string& t) { read(t); });
+    }
+  }
+  for (std::size_t at = (1U << 16U) - 8; at < (1U << 16U) + 8; ++at) {
+    const std::string text = "<svg>" + std::string(at - 5, ' ');
+    expect_refusals({{"byte", text + "\xF0 </svg>", 1, at + 1, "no text"}},
+                    [](const std::string& t) { read(t); });
   }
 }
 
