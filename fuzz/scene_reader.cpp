@@ -39,13 +39,10 @@ std::shared_ptr<const SurfaceMesh> mesh_number(unsigned i) {
 }
 
 /// Whatever files a scene names, they hold this.
-std::vector<DrawingFile> drawings_for(const ParsedScene& scene, Context& context) {
+DrawingFile drawing_file() {
   const std::string text = "<svg><path d='M0 0l.5 0 0 .5M.1.1h.2v.3'/></svg>";
-  std::vector<DrawingFile> drawings;
-  for (std::size_t i = 0; i < scene.drawings.size(); ++i) {
-    drawings.push_back({kDrawingName, text, read_svg(text, {kDrawingName, false}, {}, context)});
-  }
-  return drawings;
+  Context context;
+  return {kDrawingName, text, read_svg(text, {kDrawingName, false}, {}, context)};
 }
 
 void require_canonical(SurfacePolygons& polygons, SurfacePointId a, SurfacePointId b,
@@ -88,9 +85,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const ParsedScene parsed = parse_scene(text, options, context);
     if (parsed.drawings.size() > kMostDrawings) return 0;
-    judge(make_scene(parsed, mesh_number(data[0] & 3U), text, options, context,
-                     drawings_for(parsed, context)),
-          parsed, context);
+    static const DrawingFile kDrawing = drawing_file();
+    const std::vector<const DrawingFile*> drawings(parsed.drawings.size(), &kDrawing);
+    judge(make_scene(parsed, mesh_number(data[0] & 3U), text, options, context, drawings), parsed,
+          context);
   } catch (const Error& error) {
     if (error.place().file != kDrawingName) require_place(error, text);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -33,7 +34,7 @@ class SceneMaker {
              std::string_view text, const ReadOptions& options, Context& context)
       : in_(scene), mesh_(std::move(mesh)), text_(text), name_(options.name), context_(context) {}
 
-  SurfaceScene run(std::span<const DrawingFile> drawings) {
+  SurfaceScene run(std::span<const DrawingFile* const> drawings) {
     SurfaceScene scene{mesh_, SurfacePolygons(*mesh_), {}, {}};
     add_points(in_.points, scene.polygons.points);
     Tracer tracer(*mesh_);
@@ -49,6 +50,8 @@ class SceneMaker {
   }
 
  private:
+  using Levels = std::set<std::pair<std::uint32_t, std::uint32_t>>;  // shape, component
+
   [[noreturn]] void fail(ErrorCode code, const std::string& message, std::size_t place) const {
     TextCursor cursor(text_, name_);
     cursor.move_to(text_.data() + place);
@@ -79,7 +82,7 @@ class SceneMaker {
   }
 
   void add_levels(SurfaceScene& scene) const {
-    std::set<std::pair<std::uint32_t, std::uint32_t>> known;  // shape, component
+    Levels known;
     const std::size_t shapes = scene.shapes ? scene.shapes->size() : scene.polygons.size();
     for (const auto& [level, place] : in_.levels) {
       require_face(level.face.value(), place);
@@ -123,7 +126,8 @@ class SceneMaker {
     }
   }
 
-  void draw(std::span<const DrawingFile> drawings, Tracer& tracer, SurfaceScene& scene) const {
+  void draw(std::span<const DrawingFile* const> drawings, Tracer& tracer,
+            SurfaceScene& scene) const {
     PLUMB_CHECK(drawings.size() == in_.drawings.size());
     if (!scene.shapes) {
       scene.shapes.emplace();
@@ -131,28 +135,39 @@ class SceneMaker {
     }
     const std::size_t first = scene.polygons.points.size();
     add_points(in_.centers, scene.polygons.points);
+    const Levels given = given_levels();
     for (std::size_t i = 0; i < drawings.size(); ++i) {
+      context_.checkpoint("draw", i, drawings.size());
       const SurfacePointId centre(first + i);
       const FaceId face(in_.centers.face[i]);
       const std::size_t shapes = scene.shapes->size();
-      add_drawing(drawings[i], in_.drawings[i], centre, face, tracer, scene, context_);
-      add_zeros(shapes, farthest_face(*mesh_, scene.polygons.points.position(centre), face), scene);
+      add_drawing(*drawings[i], in_.drawings[i], centre, face, tracer, scene, context_);
+      const Point3 from = scene.polygons.points.position(centre);
+      add_zeros(shapes, farthest_face(*mesh_, from, face), given, scene);
     }
   }
 
   /// The shapes from `first` on have the label zero in a face, unless the scene says more about their component.
-  void add_zeros(std::size_t first, FaceId face, SurfaceScene& scene) const {
+  void add_zeros(std::size_t first, FaceId face, const Levels& given, SurfaceScene& scene) const {
     const std::uint32_t component = mesh_->component(face);
-    const auto is_here = [&](std::uint32_t f) {
-      return f < mesh_->face_count() && mesh_->component(FaceId(f)) == component;
-    };
-    if (in_.outside && is_here(*in_.outside)) return;
-    for (std::size_t s = first; s < scene.shapes->size(); ++s) {
-      const bool is_given = std::ranges::any_of(in_.levels, [&](const ParsedScene::Level& given) {
-        return given.level.shape == s && is_here(given.level.face.value());
-      });
-      if (!is_given) scene.levels.push_back({static_cast<std::uint32_t>(s), face, 0});
+    if (in_.outside && *in_.outside < mesh_->face_count() &&
+        mesh_->component(FaceId(*in_.outside)) == component) {
+      return;
     }
+    for (auto s = static_cast<std::uint32_t>(first); s < scene.shapes->size(); ++s) {
+      if (!given.contains({s, component})) scene.levels.push_back({s, face, 0});
+    }
+  }
+
+  /// Those of faces that there are; the others are refused later.
+  Levels given_levels() const {
+    Levels given;
+    for (const auto& [level, place] : in_.levels) {
+      if (level.face.value() < mesh_->face_count()) {
+        given.emplace(level.shape, mesh_->component(level.face));
+      }
+    }
+    return given;
   }
 
   void trace(Tracer& tracer, SurfacePolygons& polygons) const {
@@ -227,7 +242,7 @@ DrawingFile read_drawing(const std::string& path, std::optional<double> toleranc
 
 SurfaceScene make_scene(const ParsedScene& scene, std::shared_ptr<const SurfaceMesh> mesh,
                         std::string_view text, const ReadOptions& options, Context& context,
-                        std::span<const DrawingFile> drawings) {
+                        std::span<const DrawingFile* const> drawings) {
   return SceneMaker(scene, std::move(mesh), text, options, context).run(drawings);
 }
 
@@ -262,10 +277,15 @@ SceneFile read_scene_file(const std::string& path, ReadOptions options, Context&
               {{std::to_string(turned) + " faces turned around to agree with their component"}},
               notes);
   }
-  std::vector<DrawingFile> drawings;
+  std::map<std::pair<std::string, std::optional<double>>, DrawingFile> files;
+  std::vector<const DrawingFile*> drawings;
   for (const ParsedScene::Drawing& d : scene.drawings) {
-    drawings.push_back(read_drawing(beside(d.file), d.tolerance, context));
-    add_notes(drawings.back().name, drawings.back().drawing.notes, notes);
+    const std::string name = beside(d.file);
+    const auto [entry, is_new] = files.try_emplace({name, d.tolerance});
+    drawings.push_back(&entry->second);
+    if (!is_new) continue;
+    entry->second = read_drawing(name, d.tolerance, context);
+    add_notes(name, entry->second.drawing.notes, notes);
   }
   return {make_scene(scene, mesh, text, options, context, drawings), model, std::move(notes)};
 }

@@ -13,7 +13,7 @@
 //  2. model      by any reader of meshes (solid_io.h); triangles; SurfaceMesh
 //  3. points     on a vertex, an edge or in a face, exactly (below)
 //  4. trace      polygons from point to point (trace.h); straight in the face that both points name
-//  5. draw       each "svg" (one, or a list): read (svg_reader.h), its points put onto the surface by straight lines
+//  5. draw       each "svg" (one, or a list): read once (svg_reader.h), its points put onto the surface by straight lines
 //                from the centre (exponential_map.h), joined by traces; a shape for each of its elements, after
 //                those of the scene
 //
@@ -103,7 +103,7 @@ struct DrawingFile {
 /// Steps 3 to 5. `text` is what was parsed; `drawings` has what each of those of the scene is.
 SurfaceScene make_scene(const ParsedScene& scene, std::shared_ptr<const SurfaceMesh> mesh,
                         std::string_view text, const ReadOptions& options, Context& context,
-                        std::span<const DrawingFile> drawings = {});
+                        std::span<const DrawingFile* const> drawings = {});
 
 /// Polygons as fans of triangles, in order. Errors: those of SurfaceMesh.
 SurfaceMesh fanned_surface(const PolygonMesh& mesh);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -482,7 +483,7 @@ TEST(Drawings, InsideIsWithin) {
     Context context;
     const DrawingFile drawing{"f", svg, read_svg(svg, kOptions, {}, context)};
     const SurfaceScene scene = make_scene(parse_scene(text, kOptions, context), mesh, text,
-                                          kOptions, context, std::span(&drawing, 1));
+                                          kOptions, context, std::array{&drawing});
     const SurfaceDivision division(scene, context);
     for (const auto& [name, area] : {std::pair("A", .04), {"B", .04}, {"C", .04 + .04}}) {
       const double found =
@@ -515,6 +516,7 @@ TEST_F(DrawingScene, BesidePolygonsAndTwice) {
                      {"file": "a.svg", "x": [{}], "center": [56, "1/3", "1/3"], "scale": 1e-3}], "model": "grid.off"})";
   file = read_scene_file((folder_ / "b.json").string(), {}, context_);
   EXPECT_EQ(file.scene.shapes->size(), 2U);
+  EXPECT_EQ(file.notes.size(), 1U);  // read once
 }
 
 TEST_F(DrawingScene, RefusedAtPlacesOfTheDrawing) {
