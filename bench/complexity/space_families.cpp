@@ -125,10 +125,15 @@ Sample run_half_spaces(std::size_t n) {
           })};
 }
 
-Sample run_half_space_chain(std::size_t n) {
+std::vector<Nef3> half_spaces(std::size_t n) {
   std::vector<Nef3> sets;
   for (const HalfSpace3& h : tangent_planes(n))
     sets.push_back(Nef3::half_space(h.plane, h.boundary));
+  return sets;
+}
+
+Sample run_half_space_chain(std::size_t n) {
+  const std::vector<Nef3> sets = half_spaces(n);
   return {static_cast<double>(n), least_seconds([&] {
             Context context;
             const double start = cpu_seconds();
@@ -140,9 +145,7 @@ Sample run_half_space_chain(std::size_t n) {
 
 /// Any three of the planes meet in a vertex of the result: n^3 / 6 of them, however it is computed.
 Sample run_half_space_parity(std::size_t n) {
-  std::vector<Nef3> sets;
-  for (const HalfSpace3& h : tangent_planes(n))
-    sets.push_back(Nef3::half_space(h.plane, h.boundary));
+  const std::vector<Nef3> sets = half_spaces(n);
   return {static_cast<double>(n), least_seconds([&] {
             Context context;
             const double start = cpu_seconds();

@@ -1,12 +1,10 @@
 // How overlays of the sphere grow (growth.h says how it is measured): SphereOverlay::combine alone. And location in
 // a large set, locators made before.
-#include <cmath>
+#include "generate/sphere_families.h"
+
 #include <memory>
-#include <numbers>
 #include <vector>
 
-#include "generate/dice.h"
-#include "generate/sphere_scatter.h"
 #include "growth.h"
 #include "plumb/sphere/nef_sphere.h"
 #include "plumb/sphere/sphere_locator.h"
@@ -15,16 +13,7 @@
 namespace plumb::bench {
 namespace {
 
-/// A polygon around the z axis whose corners change between two heights.
-NefSphere crown(std::size_t n, double turn, double low, double high) {
-  std::vector<SphereVector> corners;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double angle =
-        (static_cast<double>(i) + turn) * 2 * std::numbers::pi / static_cast<double>(n);
-    corners.emplace_back(std::cos(angle), std::sin(angle), i % 2 == 0 ? low : high);
-  }
-  return NefSphere::polygon(corners, Boundary::Closed);
-}
+using testing::crown;
 
 /// The maps of two sets over one table.
 struct Operands {
@@ -66,23 +55,11 @@ Work equal_crowns(std::size_t n) {
   return overlay_of(set, set);
 }
 
-std::vector<SphereVector> any_directions(std::size_t count) {
-  testing::Dice dice(count);
-  std::vector<SphereVector> all;
-  const auto coordinate = [&] { return static_cast<double>(dice.between(-1000, 1000)) + 0.5; };
-  for (std::size_t i = 0; i < count; ++i) {
-    const double x = coordinate();
-    const double y = coordinate();
-    all.emplace_back(x, y, coordinate());
-  }
-  return all;
-}
-
 /// 1000 locations; `ask` gets the next direction, too.
 template <class Ask>
 Work asked_in_triangles(std::size_t n, Ask ask) {
   const auto locator = std::make_shared<SphereLocator>(testing::scattered_triangles(n));
-  const std::vector<SphereVector> directions = any_directions(1001);
+  const std::vector<SphereVector> directions = testing::any_directions(1001, n);
   const auto size = static_cast<double>(locator->set().map().arc_count());
   return measured(size, [=] {
     std::size_t found = 0;

@@ -52,33 +52,24 @@ class ConvexCheck : public CommandBody {
   }
 
  private:
-  /// Of a mesh by its own faces, if it is the surface of one solid; else of the set it describes.
+  /// Of a mesh by its own faces, if it is the surface of one solid; else of the set it describes, but for its faces:
+  /// those are always the mesh's.
   ConvexityEvidence evidence(Session& session) const {
-    const std::string bytes = read_input(file_, session.context());
-    if (!input_.is_plain() || is_nef_file(file_, bytes)) return evidence_of_set(bytes, session);
+    Context& context = session.context();
+    const std::string bytes = read_input(file_, context);
+    if (is_nef_file(file_, bytes)) {
+      return convexity_of_set(input_.read(file_, bytes, session), context);
+    }
     ReadOptions options;
     options.name = input_name(file_);
     options.exact_decimals = session.options().exact_decimals;
-    const PolygonMesh mesh = read_mesh_of(file_, bytes, options, session.context()).mesh;
-    ConvexityEvidence found = convexity_of_mesh(mesh, session.context());
-    if (found.is_convex || found.reflex_edges > 0) return found;
-    return evidence_of_set(bytes, session);
-  }
-
-  ConvexityEvidence evidence_of_set(const std::string& bytes, Session& session) const {
-    const Nef3 set = input_.read(file_, bytes, session);
-    ConvexityEvidence found = convexity_of_set(set, session.context());
-    if (is_nef_file(file_, bytes)) return found;
-    for (FailingFace& failing : found.faces) {
-      failing.face = set.complex().facet_origin[failing.face];
-    }
-    std::ranges::stable_sort(found.faces, {}, &FailingFace::face);
-    const auto is_same = [](const FailingFace& f, const FailingFace& g) {
-      return f.face == g.face;
-    };
-    found.faces.erase(std::unique(found.faces.begin(), found.faces.end(), is_same),
-                      found.faces.end());
-    return found;
+    const PolygonMesh mesh = read_mesh_of(file_, bytes, options, context).mesh;
+    ConvexityEvidence of_mesh = convexity_of_mesh(mesh, context);
+    const bool is_solid = of_mesh.is_convex || of_mesh.reflex_edges > 0;
+    if (input_.is_plain() && is_solid) return of_mesh;
+    ConvexityEvidence of_set = convexity_of_set(input_.read(file_, bytes, session), context);
+    if (!of_set.is_convex) of_set.faces = std::move(of_mesh.faces);
+    return of_set;
   }
 
   std::string file_;

@@ -21,7 +21,8 @@ class PieceFiles {
   explicit PieceFiles(std::string directory);
 
   bool is_wanted() const { return !directory_.empty(); }
-  /// The next piece. Closed at once: a set may have more pieces than files may be open. `losses`: what the file does not say.
+  /// The next piece. Closed at once: a set may have more pieces than files may be open. `losses`: what the file does
+  /// not say.
   void add(std::string_view extension, const std::vector<std::string>& losses,
            const std::function<void(std::ostream&)>& write);
   /// How many of the files leave something out, what that with the most does, and which format would not.

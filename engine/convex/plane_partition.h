@@ -20,8 +20,8 @@
 // partition whatever makes fewer than r / 2 + 1 - h, as one segment ends at two corners at most. With 3 h <= r this is
 // a factor of 4, without holes of 2. Diagonals make at most 2 r + 1 - h. docs/convex.md has the proofs.
 //
-// Cost: O(n log n) for diagonals, O(r n) for cuts, O(n^3) for optimal. Points: diagonals make none; cuts make crossings of two
-// lines of the set. Sources: Hertel and Mehlhorn, FCT 1983; Keil and Snoeyink, IJCGA 12 (2002) 181-192.
+// Cost: O(n log n) for diagonals, O(r n) for cuts, O(n^3) for optimal. Points: diagonals make none; cuts make crossings
+// of two lines of the set. Sources: Hertel and Mehlhorn, FCT 1983; Keil and Snoeyink, IJCGA 12 (2002) 181-192.
 #pragma once
 
 #include <cstddef>
@@ -59,7 +59,8 @@ struct PlanePieces {
   std::uint64_t reflex_corners = 0;
 };
 
-/// The convex pieces of a set, see above. Throws Error{BadArgument} where the method cannot cut one of the faces, and what the context throws.
+/// The convex pieces of a set, see above. Throws Error{BadArgument} where the method cannot cut one of the faces, and
+/// what the context throws.
 PlanePieces decompose(const Nef2& set, const PartitionOptions& options, Context& context);
 
 /// Do the areas of the pieces add up to that of the set? None where it is infinite. Exact.

@@ -11,7 +11,8 @@
 // lights, and a file without triangles.
 //
 // Cost: O(bytes + n log n) for n triangles, counted as often as they are placed. Errors: those of gltf_container.h;
-// "FILE: accessors[3]: what" for what the document says wrong: Syntax, BadIndex, CountMismatch, BadShape, NumberOutOfRange; ResourceLimit; Cancelled.
+// "FILE: accessors[3]: what" for what the document says wrong: Syntax, BadIndex, CountMismatch, BadShape,
+// NumberOutOfRange; ResourceLimit; Cancelled.
 #pragma once
 
 #include <string_view>

@@ -34,8 +34,8 @@ struct SolidRead {
 /// A .nef: by its extension, or, where that names no format, by how it begins.
 bool is_nef_file(const std::string& path, std::string_view bytes);
 
-/// From a file, or standard input for "-". Errors: those of solid_io.h and nef3_reader.h; BadShape for a .nef that its audit rejects and for a mesh that is open
-/// (without `surface`), with its border.
+/// From a file, or standard input for "-". Errors: those of solid_io.h and nef3_reader.h; BadShape for a .nef that its
+/// audit rejects and for a mesh that is open (without `surface`), with its border.
 SolidRead read_solid_file(const std::string& path, const SolidReadOptions& options,
                           Context& context);
 /// The same, when the bytes of the file have been read.

@@ -12,8 +12,9 @@
 //  1. aim     a face at the centre and the line in it, laid out in the plane
 //  2. cross   side after side, each next face laid out beside the last: the third corner decides where it goes on.
 //             A line along a side goes through either face beside it, as rounding has it
-//  3. pass    a vertex with another angle than a whole turn that lies within 2^-40 of the line's direction is passed with equal angles on both sides (a
-//             straightest line: Polthier and Schmies 1998), at the border with half a turn on one side
+//  3. pass    a vertex with another angle than a whole turn that lies within 2^-40 of the line's direction is passed
+//             with equal angles on both sides (a straightest line: Polthier and Schmies 1998), at the border with half
+//             a turn on one side
 //  4. land    weights in the last face; those below 2^-40 are zero: the point lies on an edge or a vertex
 //
 // All of it in doubles; what was found is exact from 4 on.

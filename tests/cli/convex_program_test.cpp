@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "run_program.h"
@@ -96,6 +98,57 @@ TEST(ConvexProgram, decompose_removes_pieces_of_an_earlier_run_alone) {
   ASSERT_EQ(run({"convex", "decompose", kBlock, "-o", directory.string()}).code, 0);
   for (const std::string& name : old) EXPECT_FALSE(fs::exists(directory / name)) << name;
   for (const std::string& name : others) EXPECT_TRUE(fs::exists(directory / name)) << name;
+}
+
+/// Two columns of two cubes each, of unit squares, that touch along an edge.
+std::string touching_columns() {
+  std::map<std::array<int, 3>, std::size_t> number;
+  std::string points, faces;
+  std::size_t count = 0;
+  const auto corner = [&](std::array<int, 3> p) {
+    const auto [at, is_new] = number.try_emplace(p, number.size());
+    if (is_new) {
+      points +=
+          std::to_string(p[0]) + ' ' + std::to_string(p[1]) + ' ' + std::to_string(p[2]) + '\n';
+    }
+    return ' ' + std::to_string(at->second);
+  };
+  for (const int column : {0, 1}) {
+    for (const int z : {0, 1}) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const int end : {0, 1}) {
+          if (axis == 2 && end != z) continue;  // between the two
+          std::array<int, 3> low{column, column, z};
+          low[axis] += end;
+          std::array<int, 3> x = low, y = low, both = low;
+          const std::size_t first = (axis + 1) % 3, second = (axis + 2) % 3;
+          ++x[first], ++y[second], ++both[first], ++both[second];
+          if (end == 0) std::swap(x, y);
+          faces += '4' + corner(low) + corner(x) + corner(both) + corner(y) + '\n';
+          ++count;
+        }
+      }
+    }
+  }
+  return "OFF\n" + std::to_string(number.size()) + ' ' + std::to_string(count) + " 0\n" + points +
+         faces;
+}
+
+// Faces of a mesh that is no manifold: all that fail, also those that are one facet of its set.
+TEST(ConvexProgram, check_lists_every_face_that_fails) {
+  const ScratchDirectory scratch;
+  const std::string file = (scratch / "columns.off").string();
+  write_file(file, touching_columns());
+  for (const Words& more : {Words{}, Words{"--rule", "odd"}}) {
+    Words words{"convex", "check", file, "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const RunResult result = run(words);
+    EXPECT_EQ(result.code, 1);
+    const Json json = Json::parse(result.out);
+    // Of each column's ten squares the four on the planes x = 1 and y = 1 have the other column behind them.
+    EXPECT_EQ(json["faces"].size(), 8U) << result.out;
+    EXPECT_EQ(json["reflex_edges"], 1);
+  }
 }
 
 // A set of several volumes: facets that come from one face are in its list once.

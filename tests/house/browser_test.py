@@ -84,12 +84,18 @@ def check_layers(browser, name):
         browser.value(f"document.querySelectorAll('#layers input')[{i}].click()")
 
 
-def check_index(browser, page, size):
+def open_page(browser, page, size):
+    """Its name in messages."""
     name = f"{page.name} at {size[0]}"
     browser.open(page.as_uri(), *size)
     check_layout(browser, name)
     if shots:
-        browser.screenshot(shots / f"index-{size[0]}.png")
+        browser.screenshot(shots / f"{page.stem}-{size[0]}.png")
+    return name
+
+
+def check_index(browser, page, size):
+    name = open_page(browser, page, size)
     buttons = browser.value("document.querySelectorAll('figure button').length")
     expect(buttons > 3, f"{name}: {buttons} pictures can be turned")
     for i in range(buttons):
@@ -114,24 +120,16 @@ def check_index(browser, page, size):
 
 
 def check_view(browser, page, size):
-    name = f"{page.name} at {size[0]}"
-    browser.open(page.as_uri(), *size)
-    check_layout(browser, name)
+    name = open_page(browser, page, size)
     check_controls(browser, name, "window")
     idle = list(check_layers(browser, name))
     layers = browser.value("document.querySelectorAll('#layers input').length")
     expect(len(idle) < max(layers, 1), f"{name}: no layer makes a difference")
-    if shots:
-        browser.screenshot(shots / f"{page.stem}-{size[0]}.png")
 
 
 def check_plane(browser, page, size):
     """A picture with lines and text, in SVG: it is moved and scaled."""
-    name = f"{page.name} at {size[0]}"
-    browser.open(page.as_uri(), *size)
-    check_layout(browser, name)
-    if shots:
-        browser.screenshot(shots / f"{page.stem}-{size[0]}.png")
+    name = open_page(browser, page, size)
     look = lambda: browser.value(
         "[...document.querySelectorAll('*')].map(e => e.style && e.style.transform).find(t => t)")
     first, middle = look(), (size[0] / 2, size[1] / 2)

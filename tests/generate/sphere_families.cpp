@@ -1,4 +1,4 @@
-#include "generate/sphere_scatter.h"
+#include "generate/sphere_families.h"
 
 #include <array>
 #include <cmath>
@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "generate/dice.h"
 #include "plumb/sphere/sphere_vectors.h"
 
 namespace plumb::testing {
@@ -72,6 +73,28 @@ NefSphere scattered_triangles(std::size_t count) {
   map.point_face.assign(map.point_count(), SphereMap::kNone);
   map.arc_mark.assign(map.arc_count(), 1);
   return NefSphere::from_minimal(std::move(planes), std::move(map));
+}
+
+NefSphere crown(std::size_t n, double turn, double low, double high) {
+  std::vector<SphereVector> corners;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle =
+        (static_cast<double>(i) + turn) * 2 * std::numbers::pi / static_cast<double>(n);
+    corners.emplace_back(std::cos(angle), std::sin(angle), i % 2 == 0 ? low : high);
+  }
+  return NefSphere::polygon(corners, Boundary::Closed);
+}
+
+std::vector<SphereVector> any_directions(std::size_t count, std::uint64_t seed) {
+  Dice dice(seed);
+  std::vector<SphereVector> all;
+  const auto coordinate = [&] { return static_cast<double>(dice.between(-1000, 1000)) + 0.5; };
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = coordinate();
+    const double y = coordinate();
+    all.emplace_back(x, y, coordinate());
+  }
+  return all;
 }
 
 }  // namespace plumb::testing
