@@ -139,6 +139,7 @@ TEST(ConvexProgram, check_lists_every_face_that_fails) {
   const ScratchDirectory scratch;
   const std::string file = (scratch / "columns.off").string();
   write_file(file, touching_columns());
+  using Words = std::vector<std::string>;
   for (const Words& more : {Words{}, Words{"--rule", "odd"}}) {
     Words words{"convex", "check", file, "--json"};
     words.insert(words.end(), more.begin(), more.end());
