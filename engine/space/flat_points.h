@@ -40,6 +40,10 @@ class FlatPoints final : public PlanarPoints {
   Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const override;
   Sign compare(std::uint32_t i, std::uint32_t j) const override;
   Sign incircle(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) const override;
+  /// The side of a plane of space. Also of points of the frame.
+  Sign side(std::uint32_t i, PlaneId plane) const {
+    return plumb::side(points_, at_[i].point, plane);
+  }
   /// The same points in a table of the plane.
   PointTable2 table() const;
 

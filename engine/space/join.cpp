@@ -5,7 +5,7 @@
 #include "plumb/base/error.h"
 #include "plumb/base/parallel.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/space/plane_cycles.h"
+#include "plumb/space/nest_cycles.h"
 #include "plumb/space/space_draft.h"
 #include "plumb/space/volumes.h"
 
@@ -230,25 +230,23 @@ class Joiner {
     const ByPlane by_cycle(all_cycles, out_.facet_plane, draft_.tables->planes.size());
     const ByPlane by_loop(all_loops, maps_.circle, draft_.tables->planes.size());
     for (std::uint32_t p = 0; p < draft_.tables->planes.size(); ++p) {
-      nest({by_cycle.of(PlaneId(p)), by_loop.of(PlaneId(p))});
+      nest(PlaneId(p), {by_cycle.of(PlaneId(p)), by_loop.of(PlaneId(p))});
     }
     number_facets();
   }
 
-  void nest(const PlaneGroup& group) {
+  void nest(PlaneId plane, const PlaneGroup& group) {
     if (group.cycles.size() <= 1 && group.loops.empty()) return;
-    outer_.clear();
-    holes_.clear();
-    for (const std::uint32_t c : group.cycles) {
-      (is_outer(out_, first_use_[c]) ? outer_ : holes_).push_back(c);
+    cycles_.clear();
+    inner_.clear();
+    for (const std::uint32_t c : group.cycles) cycles_.push_back(first_use_[c]);
+    for (const std::uint32_t a : group.loops) inner_.push_back(vertex_of_loop(a));
+    const CycleNesting nesting = nest_cycles(out_, plane, cycles_, inner_);
+    for (std::size_t i = 0; i < cycles_.size(); ++i) {
+      if (nesting.of_cycle[i] != i) parent_[group.cycles[i]] = group.cycles[nesting.of_cycle[i]];
     }
-    for (const std::uint32_t c : holes_) parent_[c] = container_of_cycle(outer_, c);
-    for (const std::uint32_t a : group.loops) {
-      const VertexId v = vertex_of_loop(a);
-      const std::uint32_t c =
-          container(outer_, [&](std::uint32_t o) { return is_inside(v, first_use_[o]); });
-      PLUMB_CHECK(c != kNone);
-      inner_of_cycle_.emplace_back(c, v);
+    for (std::size_t i = 0; i < inner_.size(); ++i) {
+      inner_of_cycle_.emplace_back(group.cycles[nesting.of_point[i]], inner_[i]);
     }
   }
 
@@ -257,40 +255,6 @@ class Joiner {
         std::upper_bound(draft_.begin.begin(), draft_.begin.end(), arc,
                          [](std::uint32_t a, const SpaceDraft::Offsets& o) { return a < o.arc; });
     return vertex_number_[static_cast<std::size_t>(next - draft_.begin.begin()) - 1];
-  }
-
-  bool is_inside(VertexId v, UseId cycle) const {
-    return side_of_cycle(out_, cycle, out_.vertex_point[v.value()]) == CycleSide::Inside;
-  }
-
-  /// Cycles of one plane do not cross, but may share vertices: one strictly inside decides.
-  bool is_inside(UseId cycle, UseId of) const {
-    UseId u = cycle;
-    do {
-      const CycleSide side = side_of_cycle(out_, of, out_.vertex_point[out_.use_origin(u).value()]);
-      if (side != CycleSide::On) return side == CycleSide::Inside;
-      u = out_.use_next[u.value()];
-    } while (u != cycle);
-    return false;
-  }
-
-  /// The innermost of the outer cycles that hold something.
-  template <class Holds>
-  std::uint32_t container(const std::vector<std::uint32_t>& outer, Holds holds) const {
-    std::uint32_t best = kNone;
-    for (const std::uint32_t o : outer) {
-      if (!holds(o)) continue;
-      if (best == kNone || is_inside(first_use_[o], first_use_[best])) best = o;
-    }
-    return best;
-  }
-
-  std::uint32_t container_of_cycle(const std::vector<std::uint32_t>& outer,
-                                   std::uint32_t hole) const {
-    const std::uint32_t c = container(
-        outer, [&](std::uint32_t o) { return is_inside(first_use_[hole], first_use_[o]); });
-    PLUMB_CHECK(c != kNone);
-    return c;
   }
 
   /// A facet for each outer cycle, in their order, with its holes and inner vertices.
@@ -390,8 +354,9 @@ class Joiner {
   std::vector<std::pair<std::uint32_t, VertexId>> inner_of_cycle_;
   std::size_t facet_count_ = 0;
   std::vector<std::uint8_t> is_marked_;  // per volume
-  std::vector<std::uint32_t> near_, far_, outer_, holes_;
-  std::vector<UseId> radial_;
+  std::vector<std::uint32_t> near_, far_;
+  std::vector<UseId> radial_, cycles_;
+  std::vector<VertexId> inner_;
 };
 
 }  // namespace

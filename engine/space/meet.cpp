@@ -22,6 +22,7 @@
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/box_frame.h"
 #include "plumb/space/facet_site.h"
+#include "plumb/space/facet_slabs.h"
 #include "plumb/space/meet_leaves.h"
 #include "plumb/space/space_boxes.h"
 
@@ -130,7 +131,7 @@ class InputTriangle {
 
 /// Where an edge that crosses the plane of a facet of another complex cuts it. A vertex may count as outside.
 SpaceItem cut_of_edge(const SpaceComplex& of_edge, EdgeId e, const SpaceComplex& of_facet,
-                      FacetId f) {
+                      FacetId f, const FacetSites& sites) {
   const SpacePoint a = of_edge.vertex_point[end(of_edge, e, 0).value()];
   const SpacePoint b = of_edge.vertex_point[end(of_edge, e, 1).value()];
   if (a.is_input() && b.is_input()) {
@@ -141,14 +142,15 @@ SpaceItem cut_of_edge(const SpaceComplex& of_edge, EdgeId e, const SpaceComplex&
     }
   }
   const auto [p, q] = of_edge.edge_planes[e.value()];
-  return facet_site(of_facet, f, p, q);
+  return sites.site(f, p, q);
 }
 
 /// Collects the pairs of items in contact, in any order and some more than once.
 class Meeting {
  public:
-  Meeting(const MeetLeaves& a, const MeetLeaves& b, Context& context)
-      : a_(a), b_(b), context_(context), memory_(context) {}
+  Meeting(const MeetLeaves& a, const MeetLeaves& b, const std::array<FacetSites, 2>& sites,
+          Context& context)
+      : a_(a), b_(b), sites_(sites), context_(context), memory_(context) {}
 
   void test(std::size_t x, std::size_t y) {
     if (++tested_ % 4096 == 0) report();
@@ -196,7 +198,7 @@ class Meeting {
                        std::size_t y) {
     if (!ys.boxes()[y].meets(box_of(xs.complex(), v))) return;
     const SpacePoint point = xs.complex().vertex_point[v.value()];
-    const SpaceItem site = facet_site(ys.complex(), ys[y].facet, point);
+    const SpaceItem site = sites_of<!kForward>().site(ys[y].facet, point);
     if (!site.is_valid()) return;
     if (kForward || site.kind() != SpaceItem::Kind::Vertex || xs[x].is_bare) {
       add<kForward>(v, site);
@@ -205,7 +207,8 @@ class Meeting {
 
   template <bool kForward>
   void edge_in_facet(const MeetLeaves& xs, const LeafEdge& e, const MeetLeaves& ys, std::size_t y) {
-    const SpaceItem site = cut_of_edge(xs.complex(), e.edge, ys.complex(), ys[y].facet);
+    const SpaceItem site =
+        cut_of_edge(xs.complex(), e.edge, ys.complex(), ys[y].facet, sites_of<!kForward>());
     if (!site.is_valid() || site.kind() == SpaceItem::Kind::Vertex) return;
     if (kForward || site.kind() == SpaceItem::Kind::Facet || e.is_flat) add<kForward>(e.edge, site);
   }
@@ -244,6 +247,11 @@ class Meeting {
     }
   }
 
+  template <bool kIsFirst>
+  const FacetSites& sites_of() const {
+    return sites_[kIsFirst ? 0 : 1];
+  }
+
   template <bool kForward>
   void add(SpaceItem tested, SpaceItem site) {
     const SpaceItem a = kForward ? tested : site, b = kForward ? site : tested;
@@ -259,6 +267,7 @@ class Meeting {
 
   const MeetLeaves& a_;
   const MeetLeaves& b_;
+  const std::array<FacetSites, 2>& sites_;
   Context& context_;
   MemoryCharge memory_;
   std::size_t charged_ = 0;
@@ -332,9 +341,11 @@ std::vector<std::uint64_t> contact_keys(const MeetLeaves& xs, const MeetLeaves& 
   const std::size_t threads = context.threads();
   const std::vector<BoxTree::Part> parts =
       BoxTree::parts(trees.of[0], trees.of[1], threads == 1 ? 1 : kPartsAThread * threads);
+  const std::array<FacetSites, 2> sites{FacetSites(xs.complex(), xs.large_facets()),
+                                        FacetSites(ys.complex(), ys.large_facets())};
   std::vector<std::vector<std::uint64_t>> found(parts.size());
   run_jobs(context, parts.size(), [&](std::size_t i, Context& own) {
-    Meeting meeting(xs, ys, own);
+    Meeting meeting(xs, ys, sites, own);
     BoxTree::for_each_pair(trees.of[0], trees.of[1], parts[i],
                            [&](std::uint32_t x, std::uint32_t y) {
                              if (trees.is_turned && !xs.boxes()[x].meets(ys.boxes()[y])) return;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "plumb/space/facet_slabs.h"
 #include "plumb/space/space_boxes.h"
 
 namespace plumb {
@@ -32,6 +33,7 @@ void MeetLeaves::add_facet(FacetId f) {
     } while (u != first);
     if (is_outer && !is_in_reach(box)) return;
   }
+  if (uses_.size() > FacetSites::kFewCorners) large_facets_.push_back(f);
   open(f, false);
   if (uses_.size() <= kMostCorners) take_corners(uses_);
   close(box);

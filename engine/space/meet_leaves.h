@@ -46,6 +46,8 @@ class MeetLeaves {
 
   const SpaceComplex& complex() const { return complex_; }
   std::span<const Box3> boxes() const { return boxes_; }
+  /// Of more than FacetSites::kFewCorners corners; ascending.
+  std::span<const FacetId> large_facets() const { return large_facets_; }
   const MeetLeaf& operator[](std::size_t i) const { return leaves_[i]; }
   /// The vertices that belong to the leaf, then the other ends of its edges.
   std::span<const VertexId> vertices(std::size_t i) const {
@@ -83,6 +85,7 @@ class MeetLeaves {
   std::vector<Box3> boxes_;
   std::vector<VertexId> vertices_;
   std::vector<LeafEdge> edges_;
+  std::vector<FacetId> large_facets_;
 };
 
 }  // namespace plumb

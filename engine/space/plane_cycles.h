@@ -1,17 +1,9 @@
-// Boundary cycles of facets in their plane: which run around a facet, which around a hole, and what
-// lies inside what.
+// Boundary cycles of facets in their plane: which run around a facet, which around a hole.
 #pragma once
 
 #include "plumb/space/space_complex.h"
 
 namespace plumb {
-
-/// Where a point of a facet's plane lies relative to one boundary cycle.
-enum class CycleSide : std::uint8_t { Outside, On, Inside };
-
-/// Requires a point of the plane. Inside is where the cycle, seen from the positive side of the plane, winds
-/// around the point. O(length). Exact: crossing number along a coordinate line in the plane.
-CycleSide side_of_cycle(const SpaceComplex& complex, UseId cycle, SpacePoint x);
 
 /// The sign of the sine of the corner of the use: Positive below half a turn, Negative above, Zero at
 /// half a turn and at a full one (at the end of a slit).

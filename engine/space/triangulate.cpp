@@ -1,21 +1,18 @@
 #include "plumb/space/triangulate.h"
 
 #include <algorithm>
-#include <numeric>
-#include <set>
 #include <utility>
+
+#include "plumb/space/region_sweep.h"
 
 namespace plumb {
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-/// An edge from its lesser end to its greater, in ranks of the sweep order.
-struct SweepEdge {
-  std::uint32_t left;
-  std::uint32_t right;
-  bool is_lower;  ///< the region is above it
-  // Of a lower edge: the chain of the part above it, bottom to top, as indices of nodes.
+/// The points that no triangle has closed off, of the part of the region above a lower edge: bottom to top, as indices
+/// of nodes.
+struct Chain {
   std::uint32_t first = kNone;
   std::uint32_t last = kNone;
   std::uint32_t rightmost = kNone;
@@ -34,18 +31,15 @@ struct ChainPart {
   bool is_there() const { return outer != kNone; }
 };
 
-class RegionSweep {
+class RegionCut final : RegionSweep {
  public:
-  RegionSweep(const PlanarPoints& points, std::span<const IndexEdge> edges)
-      : points_(points), status_(Below{this}) {
-    rank_points();
-    for (const IndexEdge& e : edges) add_edge(rank_[e[0]], rank_[e[1]]);
-    gather_ends();
-  }
+  RegionCut(const PlanarPoints& points, std::span<const IndexEdge> edges)
+      : RegionSweep(points, edges), chain_(edges.size()) {}
 
   bool run(std::vector<IndexTriangle>& triangles) {
     const std::size_t before = triangles.size();
     triangles_ = &triangles;
+    start();
     for (std::uint32_t v = 0; v < order_.size(); ++v) {
       if (visit(v)) continue;
       triangles.resize(before);
@@ -55,65 +49,6 @@ class RegionSweep {
   }
 
  private:
-  struct Probe {
-    std::uint32_t rank;
-  };
-  struct Below {
-    using is_transparent = void;
-    const RegionSweep* sweep;
-    bool operator()(std::uint32_t a, std::uint32_t b) const { return sweep->is_below(a, b); }
-    bool operator()(std::uint32_t edge, Probe point) const {
-      const SweepEdge& e = sweep->edges_[edge];
-      return sweep->orient(e.left, e.right, point.rank) == Sign::Positive;
-    }
-  };
-  using Status = std::set<std::uint32_t, Below>;
-  using Place = Status::iterator;
-
-  // ---------------------------------------------------------------- set-up
-
-  void rank_points() {
-    order_.resize(points_.size());
-    std::iota(order_.begin(), order_.end(), 0U);
-    std::sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) {
-      return points_.compare(i, j) == Sign::Negative;
-    });
-    rank_.resize(order_.size());
-    for (std::uint32_t r = 0; r < order_.size(); ++r) rank_[order_[r]] = r;
-  }
-
-  void add_edge(std::uint32_t from, std::uint32_t to) {
-    edges_.push_back({std::min(from, to), std::max(from, to), from < to});
-  }
-
-  /// Edges by their left ends; bottom to top there.
-  void gather_ends() {
-    starts_.resize(edges_.size());
-    for (std::uint32_t e = 0; e < edges_.size(); ++e) starts_[e] = e;
-    std::sort(starts_.begin(), starts_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      if (edges_[a].left != edges_[b].left) return edges_[a].left < edges_[b].left;
-      return a != b && is_below(a, b);
-    });
-    place_.resize(edges_.size());
-    incoming_.assign(order_.size(), kNone);
-  }
-
-  Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
-    return points_.orient(order_[i], order_[j], order_[k]);
-  }
-
-  /// The order of two edges that some vertical line meets, or that start together.
-  bool is_below(std::uint32_t a, std::uint32_t b) const {
-    const SweepEdge &p = edges_[a], &q = edges_[b];
-    if (p.left == q.left) {
-      const Sign side = orient(p.left, p.right, q.right);
-      // The two halves of a slit: what is below it ends before what is above begins.
-      return side == Sign::Zero ? !p.is_lower && q.is_lower : side == Sign::Positive;
-    }
-    if (p.left < q.left) return orient(p.left, p.right, q.left) == Sign::Positive;
-    return orient(q.left, q.right, p.left) == Sign::Negative;
-  }
-
   // ---------------------------------------------------------------- chains
 
   std::uint32_t add_node(std::uint32_t rank) {
@@ -145,54 +80,33 @@ class RegionSweep {
     return node;
   }
   /// The part between two edges that end in v.
-  void close_all(std::uint32_t v, const SweepEdge& lower) {
-    for (std::uint32_t n = lower.first; nodes_[n].above != kNone; n = nodes_[n].above) {
+  void close_all(std::uint32_t v, std::uint32_t lower) {
+    for (std::uint32_t n = chain_[lower].first; nodes_[n].above != kNone; n = nodes_[n].above) {
       close_off(v, nodes_[n].above, n);
     }
-  }
-
-  void set_chain(std::uint32_t edge, std::uint32_t first, std::uint32_t last,
-                 std::uint32_t rightmost) {
-    edges_[edge].first = first;
-    edges_[edge].last = last;
-    edges_[edge].rightmost = rightmost;
   }
 
   // ---------------------------------------------------------------- one point
 
   bool visit(std::uint32_t v) {
     const auto [begin, end] = edges_ending(v);
-    const bool has_below = begin != status_.begin();
-    const std::uint32_t below = has_below ? *std::prev(begin) : kNone;
-    const bool is_inside_below = has_below && edges_[below].is_lower;
+    const std::uint32_t below = edge_below(begin);
+    const bool is_inside_below = below != kNone && edges_[below].is_lower;
     if (!alternates(begin, end, is_inside_below)) return false;
 
     ChainPart low, high;
     if (begin == end) {
-      if (is_inside_below) split(v, edges_[below], low, high);
+      if (is_inside_below) split(v, chain_[below], low, high);
     } else {
-      if (is_inside_below) low = {edges_[below].first, walk_down(v, edges_[below].last)};
+      if (is_inside_below) low = {chain_[below].first, walk_down(v, chain_[below].last)};
       for (Place p = begin; p != end; ++p) {
-        const SweepEdge& e = edges_[*p];
-        if (!e.is_lower) continue;
-        if (std::next(p) != end) close_all(v, e);
-        if (std::next(p) == end) high = {e.last, walk_up(v, e.first)};
+        if (!edges_[*p].is_lower) continue;
+        if (std::next(p) != end) close_all(v, *p);
+        if (std::next(p) == end) high = {chain_[*p].last, walk_up(v, chain_[*p].first)};
       }
     }
     status_.erase(begin, end);
     return leave(v, below, low, high);
-  }
-
-  /// The edges in the status that end in v, or an empty range where v lies between edges.
-  std::pair<Place, Place> edges_ending(std::uint32_t v) {
-    if (incoming_[v] == kNone) {
-      const Place at = status_.lower_bound(Probe{v});
-      return {at, at};
-    }
-    Place begin = place_[incoming_[v]], end = std::next(begin);
-    while (begin != status_.begin() && edges_[*std::prev(begin)].right == v) --begin;
-    while (end != status_.end() && edges_[*end].right == v) ++end;
-    return {begin, end};
   }
 
   bool alternates(Place begin, Place end, bool is_inside) const {
@@ -204,7 +118,7 @@ class RegionSweep {
   }
 
   /// v lies inside the part above `below`: the chain parts at its rightmost point, which both keep.
-  void split(std::uint32_t v, const SweepEdge& below, ChainPart& low, ChainPart& high) {
+  void split(std::uint32_t v, const Chain& below, ChainPart& low, ChainPart& high) {
     const std::uint32_t middle = below.rightmost, above = nodes_[middle].above;
     const std::uint32_t copy = add_node(nodes_[middle].rank);
     if (above != kNone) link(copy, above);
@@ -214,31 +128,30 @@ class RegionSweep {
 
   /// Starts the edges that leave v and gives the parts around them their chains.
   bool leave(std::uint32_t v, std::uint32_t below, ChainPart low, ChainPart high) {
-    const std::uint32_t first_start = next_start_;
+    std::uint32_t top = kNone;
     bool is_inside = low.is_there();
-    for (; next_start_ < starts_.size() && edges_[starts_[next_start_]].left == v; ++next_start_) {
-      const std::uint32_t e = starts_[next_start_];
+    const bool alternates = insert_leaving(v, [&](std::uint32_t e) {
       if (edges_[e].is_lower == is_inside) return false;
       is_inside = !is_inside;
-      place_[e] = status_.insert(e).first;
-      incoming_[edges_[e].right] = e;
       const std::uint32_t node = add_node(v);
-      set_chain(e, node, node, node);
-    }
-    if (is_inside != high.is_there()) return false;
-    if (first_start == next_start_) {
+      chain_[e] = {node, node, node};
+      top = e;
+      return true;
+    });
+    if (!alternates || is_inside != high.is_there()) return false;
+    if (top == kNone) {
       if (low.is_there()) join(v, below, low, high);
       return true;
     }
     if (low.is_there()) {
       const std::uint32_t node = add_node(v);
       link(low.inner, node);
-      set_chain(below, low.outer, node, node);
+      chain_[below] = {low.outer, node, node};
     }
     if (high.is_there()) {
-      const std::uint32_t top = starts_[next_start_ - 1], node = edges_[top].first;
+      const std::uint32_t node = chain_[top].first;
       link(node, high.inner);
-      set_chain(top, node, high.outer, node);
+      chain_[top] = {node, high.outer, node};
     }
     return true;
   }
@@ -247,19 +160,11 @@ class RegionSweep {
     const std::uint32_t node = add_node(v);
     link(low.inner, node);
     link(node, high.inner);
-    set_chain(below, low.outer, high.outer, node);
+    chain_[below] = {low.outer, high.outer, node};
   }
 
-  const PlanarPoints& points_;
-  std::vector<std::uint32_t> order_;  // per rank: index
-  std::vector<std::uint32_t> rank_;   // per index
-  std::vector<SweepEdge> edges_;
-  std::vector<std::uint32_t> starts_;  // edges by left end, bottom to top
-  std::uint32_t next_start_ = 0;
-  std::vector<std::uint32_t> incoming_;  // per rank: an edge in the status that ends there
-  std::vector<Place> place_;             // per edge in the status
+  std::vector<Chain> chain_;  // per edge that is lower and in the status
   std::vector<ChainNode> nodes_;
-  Status status_;
   std::vector<IndexTriangle>* triangles_ = nullptr;
 };
 
@@ -267,7 +172,7 @@ class RegionSweep {
 
 bool triangulate(const PlanarPoints& points, std::span<const IndexEdge> edges,
                  std::vector<IndexTriangle>& triangles) {
-  return RegionSweep(points, edges).run(triangles);
+  return RegionCut(points, edges).run(triangles);
 }
 
 // ---------------------------------------------------------------- Delaunay

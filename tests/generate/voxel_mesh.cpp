@@ -64,6 +64,15 @@ VoxelGrid random_voxels(Dice& dice, const std::array<int, 3>& size, int tenths) 
   return grid;
 }
 
+VoxelGrid pierced_plate(int holes) {
+  const int side = 2 * holes + 1;
+  VoxelGrid grid({side, side, 1});
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) grid.at(x, y, 0) = x % 2 == 1 && y % 2 == 1 ? 0 : 1;
+  }
+  return grid;
+}
+
 VoxelGrid random_terrain(Dice& dice, int width, int depth, int height) {
   VoxelGrid grid({width, depth, height});
   for (int y = 0; y < depth; ++y) {

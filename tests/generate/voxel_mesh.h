@@ -29,6 +29,8 @@ PolygonMesh voxel_mesh(const VoxelGrid& grid);
 
 /// Each cell full with a chance of `tenths` in ten; if none is, one.
 VoxelGrid random_voxels(Dice& dice, const std::array<int, 3>& size, int tenths);
+/// A plate with `holes` by `holes` square holes, a cell apart.
+VoxelGrid pierced_plate(int holes);
 /// Columns of random heights.
 VoxelGrid random_terrain(Dice& dice, int width, int depth, int height);
 

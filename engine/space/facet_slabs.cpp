@@ -1,0 +1,224 @@
+#include "plumb/space/facet_slabs.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "plumb/space/facet_site.h"
+#include "plumb/space/flat_points.h"
+
+namespace plumb {
+
+Sign PlacedPoint::compare(SpacePoint x, std::size_t axis) const {
+  if (&own_ == &table_) return compare_axis(own_, x, at_, axis);
+  const FilteredSign s = rung::compare_axis_filter(own_.box(x), box_, axis);
+  if (is_decided(s)) return decided(s);
+  Point3Table both(own_.planes());
+  const auto copied = [&both](const Point3Table& from, SpacePoint p) {
+    return p.is_input() ? p : both.add(from.source(p), from.box(p));
+  };
+  const SpacePoint first = copied(own_, x), second = copied(table_, at_);
+  return compare_axis(both, first, second, axis);
+}
+
+FacetSlabs::FacetSlabs(const SpaceComplex& complex, FacetId f) : complex_(complex), facet_(f) {
+  const FlatView view = FlatView::of_plane(complex.planes(), complex.facet_plane[f.value()]);
+  across_ = view.coordinate(0);
+  up_ = view.coordinate(1);
+  make_columns();
+  level_.resize(vertex_.size());
+  for (const UseId first : complex.cycles_of(f)) {
+    UseId u = first;
+    do {
+      add_use(u);
+      u = complex.use_next[u.value()];
+    } while (u != first);
+  }
+  fill_lists();
+}
+
+// ---------------------------------------------------------------- building
+
+void FacetSlabs::make_columns() {
+  const auto inner = complex_.inner_of(facet_);
+  ascending_.assign(inner.begin(), inner.end());
+  for (const UseId first : complex_.cycles_of(facet_)) {
+    UseId u = first;
+    do {
+      ascending_.push_back(complex_.use_origin(u));
+      u = complex_.use_next[u.value()];
+    } while (u != first);
+  }
+  std::sort(ascending_.begin(), ascending_.end());
+  ascending_.erase(std::unique(ascending_.begin(), ascending_.end()), ascending_.end());
+  const auto order = [this](VertexId v, VertexId w, std::size_t axis) {
+    return compare_axis(complex_.points(), complex_.vertex_point[v.value()],
+                        complex_.vertex_point[w.value()], axis);
+  };
+  vertex_ = ascending_;
+  std::sort(vertex_.begin(), vertex_.end(), [&](VertexId v, VertexId w) {
+    const Sign height = order(v, w, up_);
+    return (height != Sign::Zero ? height : order(v, w, across_)) == Sign::Negative;
+  });
+  place_.resize(vertex_.size());
+  for (std::uint32_t i = 0; i < vertex_.size(); ++i) {
+    if (i == 0 || order(vertex_[i - 1], vertex_[i], up_) != Sign::Zero) column_begin_.push_back(i);
+    place_[static_cast<std::size_t>(std::ranges::lower_bound(ascending_, vertex_[i]) -
+                                    ascending_.begin())] = i;
+  }
+  column_begin_.push_back(static_cast<std::uint32_t>(vertex_.size()));
+}
+
+std::uint32_t FacetSlabs::place_of(VertexId v) const {
+  return place_[static_cast<std::size_t>(std::ranges::lower_bound(ascending_, v) -
+                                         ascending_.begin())];
+}
+
+/// The column of a place in vertex_.
+std::uint32_t FacetSlabs::column_of(std::uint32_t place) const {
+  return static_cast<std::uint32_t>(std::ranges::upper_bound(column_begin_, place) -
+                                    column_begin_.begin() - 1);
+}
+
+// Left of its use, seen from the positive side, is the facet; left of an edge that runs up lies what is before it across.
+void FacetSlabs::add_use(UseId u) {
+  const HalfedgeId h = complex_.use_halfedge[u.value()];
+  std::uint32_t from = place_of(complex_.origin[h.value()]), to = place_of(complex_.target(h));
+  const EdgeId e = SpaceComplex::edge_of(h);
+  if (column_of(from) == column_of(to)) {  // edges hold no vertices: these are neighbours
+    level_[std::min(from, to)] = e;
+    return;
+  }
+  const OtherPlane other = other_plane(complex_, e, complex_.facet_plane[facet_.value()]);
+  const bool runs_up = from < to;
+  if (!runs_up) std::swap(from, to);
+  const Sign right = SpaceComplex::is_reverse(h) == runs_up ? -other.turn : other.turn;
+  rise_.push_back(
+      {vertex_[from], vertex_[to], e, other.plane, right, column_of(from), column_of(to)});
+}
+
+/// The nodes whose slabs the edge spans, but not all of their parents'. Leaf i is node slab_count() + i.
+template <class Visit>
+void FacetSlabs::for_nodes(const Rise& rise, const Visit& visit) const {
+  std::size_t first = rise.first_slab + slab_count(), end = rise.end_slab + slab_count();
+  for (; first < end; first /= 2, end /= 2) {
+    if (first % 2 == 1) visit(first++);
+    if (end % 2 == 1) visit(--end);
+  }
+}
+
+void FacetSlabs::fill_lists() {
+  begin_.assign(2 * slab_count() + 1, 0);
+  for (const Rise& rise : rise_) {
+    for_nodes(rise, [this](std::size_t node) { ++begin_[node + 1]; });
+  }
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  entry_.resize(begin_.back());
+  std::vector<std::uint32_t> at(begin_.begin(), begin_.end() - 1);
+  for (std::uint32_t i = 0; i < rise_.size(); ++i) {
+    for_nodes(rise_[i], [&](std::size_t node) { entry_[at[node]++] = i; });
+  }
+  for (std::size_t node = 0; node + 1 < begin_.size(); ++node) {
+    std::sort(entry_.begin() + begin_[node], entry_.begin() + begin_[node + 1],
+              [this](std::uint32_t i, std::uint32_t j) {
+                return i != j && is_before(rise_[i], rise_[j]);
+              });
+  }
+}
+
+/// Where a vertex of the facet lies from an edge, across.
+Sign FacetSlabs::beyond(const Rise& e, VertexId v) const {
+  if (v == e.low || v == e.high) return Sign::Zero;
+  return e.beyond * side(complex_.points(), complex_.vertex_point[v.value()], e.plane);
+}
+
+/// Two edges that span a common slab: the later one of the ends below it tells, or the earlier one of those above.
+bool FacetSlabs::is_before(const Rise& e, const Rise& f) const {
+  Sign order = e.first_slab >= f.first_slab ? -beyond(f, e.low) : beyond(e, f.low);
+  if (order == Sign::Zero) {
+    order = e.end_slab <= f.end_slab ? -beyond(f, e.high) : beyond(e, f.high);
+  }
+  return order == Sign::Positive;
+}
+
+// ---------------------------------------------------------------- queries
+
+SpaceItem FacetSlabs::site(const PlacedPoint& x) const {
+  const auto below = [&](std::uint32_t place) {
+    return x.compare(complex_.vertex_point[vertex_[place].value()], up_);
+  };
+  const auto columns = std::span(column_begin_).first(column_begin_.size() - 1);
+  const auto next = std::partition_point(columns.begin(), columns.end(), [&](std::uint32_t place) {
+    return below(place) == Sign::Negative;
+  });
+  auto column = static_cast<std::size_t>(next - columns.begin());
+  if (next != columns.end() && below(*next) == Sign::Zero) {
+    if (const SpaceItem item = on_column(column, x); item.is_valid()) return item;
+    ++column;
+  }
+  return column == 0 || column > slab_count() ? SpaceItem() : in_slab(column - 1, x);
+}
+
+/// A vertex or an edge along the column.
+SpaceItem FacetSlabs::on_column(std::size_t column, const PlacedPoint& x) const {
+  const auto before = [&](VertexId v) {
+    return x.compare(complex_.vertex_point[v.value()], across_);
+  };
+  const auto begin = vertex_.begin() + column_begin_[column];
+  const auto end = vertex_.begin() + column_begin_[column + 1];
+  const auto at =
+      std::partition_point(begin, end, [&](VertexId v) { return before(v) == Sign::Negative; });
+  if (at != end && before(*at) == Sign::Zero) return *at;
+  if (at == begin || at == end) return {};
+  const EdgeId e = level_[static_cast<std::size_t>(at - vertex_.begin()) - 1];
+  return e.is_valid() ? SpaceItem(e) : SpaceItem();
+}
+
+SpaceItem FacetSlabs::in_slab(std::size_t slab, const PlacedPoint& x) const {
+  std::size_t beyond = 0;
+  for (std::size_t node = slab + slab_count(); node > 0; node /= 2) {
+    const auto edges = list(node);
+    const auto side_of = [&](std::uint32_t i) { return rise_[i].beyond * x.side(rise_[i].plane); };
+    const auto at = std::partition_point(
+        edges.begin(), edges.end(), [&](std::uint32_t i) { return side_of(i) == Sign::Positive; });
+    if (at != edges.end() && side_of(*at) == Sign::Zero) return rise_[*at].edge;
+    beyond += static_cast<std::size_t>(edges.end() - at);
+  }
+  return beyond % 2 == 1 ? SpaceItem(facet_) : SpaceItem();
+}
+
+// ---------------------------------------------------------------- many facets
+
+FacetSites::FacetSites(const SpaceComplex& complex, std::span<const FacetId> large)
+    : complex_(complex),
+      large_(large.begin(), large.end()),
+      state_(std::make_unique<Large[]>(large.size())) {}
+
+/// None for small facets, and for others as long as walks have cost less than slabs would.
+const FacetSlabs* FacetSites::slabs_of(FacetId f) const {
+  constexpr std::uint32_t kWalks = 48;
+  const auto at = std::ranges::lower_bound(large_, f);
+  if (at == large_.end() || *at != f) return nullptr;
+  Large& large = state_[static_cast<std::size_t>(at - large_.begin())];
+  if (large.walks.load(std::memory_order_relaxed) < kWalks) {
+    large.walks.fetch_add(1, std::memory_order_relaxed);
+    return nullptr;
+  }
+  std::call_once(large.is_made, [&] { large.slabs.emplace(complex_, f); });
+  return &*large.slabs;
+}
+
+SpaceItem FacetSites::site(FacetId f, SpacePoint x) const {
+  const FacetSlabs* slabs = large_.empty() ? nullptr : slabs_of(f);
+  if (slabs == nullptr) return facet_site(complex_, f, x);
+  return slabs->site(PlacedPoint(complex_.points(), complex_.points(), x));
+}
+
+SpaceItem FacetSites::site(FacetId f, PlaneId p, PlaneId q) const {
+  const FacetSlabs* slabs = large_.empty() ? nullptr : slabs_of(f);
+  if (slabs == nullptr) return facet_site(complex_, f, p, q);
+  Point3Table crossing(complex_.planes());
+  const SpacePoint x = crossing.add(p, q, complex_.facet_plane[f.value()]);
+  return slabs->site(PlacedPoint(complex_.points(), crossing, x));
+}
+
+}  // namespace plumb

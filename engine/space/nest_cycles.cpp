@@ -1,0 +1,169 @@
+#include "plumb/space/nest_cycles.h"
+
+#include <algorithm>
+
+#include "plumb/base/error.h"
+#include "plumb/space/facet_site.h"
+#include "plumb/space/flat_points.h"
+#include "plumb/space/plane_cycles.h"
+#include "plumb/space/region_sweep.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+/// A point where no edge ends, and the edge just below it.
+struct PointAbove {
+  std::uint32_t point;
+  std::uint32_t edge;
+};
+
+/// Of a plane through an edge, the side on which points are to the left of its use.
+struct LeftSide {
+  PlaneId plane;
+  Sign side;
+};
+
+/// Edges are asked by their planes: points may be of the frame, and need no coordinates.
+class BelowSweep final : RegionSweep {
+ public:
+  BelowSweep(const FlatPoints& points, std::span<const IndexEdge> edges,
+             std::span<const LeftSide> left_side)
+      : RegionSweep(points, edges), flat_(points), left_side_(left_side) {}
+
+  /// Of points in the region, in the order of the sweep.
+  std::vector<PointAbove> run() {
+    std::vector<PointAbove> found;
+    start();
+    for (std::uint32_t v = 0; v < order_.size(); ++v) {
+      const auto [begin, end] = edges_ending(v);
+      const std::uint32_t below = edge_below(begin);
+      if (begin == end && below != kNone && edges_[below].is_lower) {
+        found.push_back({order_[v], below});
+      }
+      status_.erase(begin, end);
+      insert_leaving(v, [](std::uint32_t) { return true; });
+    }
+    return found;
+  }
+
+ private:
+  Sign turn(std::uint32_t edge, std::uint32_t rank) const override {
+    const auto& [plane, positive] = left_side_[edge];
+    const Sign left = positive * flat_.side(order_[rank], plane);
+    return edges_[edge].is_lower ? left : -left;
+  }
+
+  const FlatPoints& flat_;
+  std::span<const LeftSide> left_side_;
+};
+
+class Nesting {
+ public:
+  Nesting(const SpaceComplex& complex, PlaneId plane, std::span<const UseId> cycles,
+          std::span<const VertexId> points)
+      : complex_(complex),
+        plane_(plane),
+        cycles_(cycles),
+        points_(points),
+        flat_(complex.points()) {}
+
+  CycleNesting run() {
+    CycleNesting found{std::vector<std::uint32_t>(cycles_.size(), kNone),
+                       std::vector<std::uint32_t>(points_.size(), kNone)};
+    std::vector<std::uint32_t> holes;
+    for (std::uint32_t c = 0; c < cycles_.size(); ++c) {
+      if (is_outer(complex_, cycles_[c])) {
+        found.of_cycle[c] = c;
+      } else {
+        holes.push_back(c);
+      }
+    }
+    if (holes.empty() && points_.empty()) return found;
+    show();
+    find_least_points(holes);
+    find_facets(found);
+    return found;
+  }
+
+ private:
+  template <class Visit>
+  void for_uses(UseId first, const Visit& visit) const {
+    UseId u = first;
+    do {
+      visit(u);
+      u = complex_.use_next[u.value()];
+    } while (u != first);
+  }
+  std::uint32_t index(VertexId v) const {
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(shown_, v) - shown_.begin());
+  }
+
+  void show() {
+    shown_.assign(points_.begin(), points_.end());
+    for (const UseId cycle : cycles_) {
+      for_uses(cycle, [&](UseId u) { shown_.push_back(complex_.use_origin(u)); });
+    }
+    std::sort(shown_.begin(), shown_.end());
+    shown_.erase(std::unique(shown_.begin(), shown_.end()), shown_.end());
+    flat_.reset(FlatView::of_plane(complex_.planes(), plane_));
+    for (const VertexId v : shown_) flat_.push_back(complex_.vertex_point[v.value()]);
+    for (std::uint32_t c = 0; c < cycles_.size(); ++c) {
+      for_uses(cycles_[c], [&](UseId u) { add_edge(complex_.use_halfedge[u.value()], c); });
+    }
+  }
+  void add_edge(HalfedgeId h, std::uint32_t cycle) {
+    const OtherPlane other = other_plane(complex_, SpaceComplex::edge_of(h), plane_);
+    edges_.push_back({index(complex_.origin[h.value()]), index(complex_.target(h))});
+    left_side_.push_back({other.plane, SpaceComplex::is_reverse(h) ? other.turn : -other.turn});
+    cycle_of_edge_.push_back(cycle);
+  }
+
+  /// A point is the least one of one hole at most: what is to the left of it belongs to one facet.
+  void find_least_points(std::span<const std::uint32_t> holes) {
+    hole_at_.assign(shown_.size(), kNone);
+    for (const std::uint32_t c : holes) {
+      std::uint32_t least = index(complex_.use_origin(cycles_[c]));
+      for_uses(cycles_[c], [&](UseId u) {
+        const std::uint32_t i = index(complex_.use_origin(u));
+        if (i != least && flat_.compare(i, least) == Sign::Negative) least = i;
+      });
+      hole_at_[least] = c;
+    }
+  }
+
+  void find_facets(CycleNesting& found) {
+    std::vector<std::uint32_t> around(shown_.size(), kNone);  // per point: an outer cycle
+    for (const PointAbove& p : BelowSweep(flat_, edges_, left_side_).run()) {
+      around[p.point] = found.of_cycle[cycle_of_edge_[p.edge]];
+      const std::uint32_t hole = hole_at_[p.point];
+      if (hole != kNone) found.of_cycle[hole] = around[p.point];
+    }
+    for (const std::uint32_t c : found.of_cycle) PLUMB_CHECK(c != kNone);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      found.of_point[i] = around[index(points_[i])];
+      PLUMB_CHECK(found.of_point[i] != kNone);
+    }
+  }
+
+  const SpaceComplex& complex_;
+  PlaneId plane_;
+  std::span<const UseId> cycles_;
+  std::span<const VertexId> points_;
+  FlatPoints flat_;
+  std::vector<VertexId> shown_;  // per point of flat_, ascending
+  std::vector<IndexEdge> edges_;
+  std::vector<LeftSide> left_side_;           // per edge
+  std::vector<std::uint32_t> cycle_of_edge_;  // index of cycles_
+  std::vector<std::uint32_t> hole_at_;        // per point: the hole that it is the least point of
+};
+
+}  // namespace
+
+CycleNesting nest_cycles(const SpaceComplex& complex, PlaneId plane, std::span<const UseId> cycles,
+                         std::span<const VertexId> points) {
+  return Nesting(complex, plane, cycles, points).run();
+}
+
+}  // namespace plumb

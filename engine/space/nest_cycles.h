@@ -1,0 +1,35 @@
+// Which facet of a plane holds a hole or a point: the region that all facets of the plane make up is swept once.
+//
+// Notation: a cycle is given by one of its uses; hole, outer: is_outer() (plane_cycles.h)
+//
+// Main flow of nest_cycles():
+//  1. vertices of all cycles and the points, seen along an axis, with a directed edge for each use
+//  2. a sweep (region_sweep.h) finds the edge just below each point where none ends
+//  3. the least point of a hole has none: where the edge below it belongs to a hole, both lie in one facet, and the least
+//     point of that one comes before; else its cycle is the outer one looked for. A point inside a facet likewise.
+//
+// Cost: O(n log n) for n uses and points.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "plumb/space/space_complex.h"
+
+namespace plumb {
+
+struct CycleNesting {
+  /// Per cycle: the outer cycle of its facet, as an index of cycles; of an outer one itself.
+  std::vector<std::uint32_t> of_cycle;
+  /// Per point: the outer cycle of the facet that it lies in.
+  std::vector<std::uint32_t> of_point;
+};
+
+/// All boundary cycles of all facets of a plane, and points that lie inside facets there. Requires facets that do not
+/// overlap; of the complex no more than uses, the edges' origins and the vertices' points. Stops the program where a hole
+/// or point has no facet around it.
+CycleNesting nest_cycles(const SpaceComplex& complex, PlaneId plane, std::span<const UseId> cycles,
+                         std::span<const VertexId> points);
+
+}  // namespace plumb

@@ -1,0 +1,269 @@
+// Facets of many corners: the structures that are built for them say what a walk along their boundary says.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generate/dice.h"
+#include "generate/meshes.h"
+#include "generate/voxel_mesh.h"
+#include "plumb/predicates/plane_signs.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/facet_site.h"
+#include "plumb/space/facet_slabs.h"
+#include "plumb/space/nef3.h"
+#include "plumb/space/nest_cycles.h"
+#include "plumb/space/space_audit.h"
+#include "plumb/space/space_measure.h"
+
+namespace plumb::testing {
+namespace {
+
+Nef3 solid(const PolygonMesh& mesh) {
+  Context context;
+  return Nef3::mesh(mesh, WindingRule::Positive, context);
+}
+
+Nef3 box(Point3 low, Point3 high) { return solid(box_mesh(low, high)); }
+
+/// All coordinates become fractions, and planes turn: vertices are common points of three planes.
+Nef3 skewed(const Nef3& set) {
+  const auto third = [](int n) { return Rational(n) / 3; };
+  return set.transformed({{{{third(2), third(1), third(-1)},
+                            {third(-1), third(4), third(1)},
+                            {third(1), third(-2), third(5)}}},
+                          {third(1), third(2), third(7)}});
+}
+
+Rational volume(const Nef3& set) { return marked_volume(set.complex()).value(); }
+
+struct Named {
+  std::string name;
+  Nef3 set;
+};
+
+/// A square of size 9 with single points, slits and a square taken out, of which another one is put back.
+Nef3 pierced_square() {
+  Context context;
+  const auto square = [](double low, double high) {
+    return Nef3::facet(
+        std::array<Point3, 4>{{{low, low, 0}, {high, low, 0}, {high, high, 0}, {low, high, 0}}});
+  };
+  Nef3 set = square(0, 9) - square(3, 6).interior() - square(3, 6) + square(4, 5);
+  for (int i = 1; i < 9; ++i) {
+    const Rational x = i, y = Rational(2 * i + 1) / 17;
+    set -= Nef3::point({x, y, 0});
+    set -= Nef3::segment({x, Rational(15) / 2, 0}, {x + Rational(1) / 2, Rational(17) / 2, 0});
+    set += Nef3::segment({x, Rational(7), 0}, {x, Rational(7), 1});
+  }
+  return set;
+}
+
+std::vector<Named> sets() {
+  Context context;
+  Dice dice(5);
+  std::vector<Named> found;
+  for (int i = 0; i < 3; ++i) {
+    found.push_back({"voxels " + std::to_string(i),
+                     solid(voxel_mesh(random_voxels(dice, {9, 7, 2}, 4 + 2 * i)))});
+  }
+  found.push_back({"plate", solid(voxel_mesh(pierced_plate(4)))});
+  found.push_back({"star", solid(star_prism(20))});
+  found.push_back({"comb", solid(comb_block(12, 1))});
+  found.push_back({"pierced square", pierced_square()});
+  const Nef3 plane = Nef3::plane({0, 0, 1, -1});
+  found.push_back({"pierced plane", plane - found[0].set - solid(star_prism(7))});
+  const std::size_t plain = found.size();
+  for (std::size_t i = 0; i < plain; ++i) {
+    found.push_back({"skewed " + found[i].name, skewed(found[i].set)});
+  }
+  return found;
+}
+
+void expect_sound(const Nef3& set, const std::string& name) {
+  const auto flaw = audit(set.complex(), true);
+  EXPECT_FALSE(flaw) << name << ": " << flaw->invariant << " at " << flaw->place;
+}
+
+// ---------------------------------------------------------------- points in facets
+
+class SiteCheck {
+ public:
+  SiteCheck(const SpaceComplex& set, Dice& dice) : complex_(set), dice_(dice) {
+    tables_ = copy(*set.tables);
+    complex_.tables = tables_;
+  }
+
+  void check(FacetId f) {
+    slabs_.emplace(complex_, f);
+    facet_ = f;
+    plane_ = complex_.facet_plane[f.value()];
+    std::vector<SpacePoint> here;
+    for (const SpacePoint p : complex_.vertex_point) {
+      if (side(complex_.points(), p, plane_) == Sign::Zero) here.push_back(p);
+    }
+    for (const SpacePoint p : here) compare(p);
+    for (std::size_t i = 0; i < 4 * here.size(); ++i) {
+      const SpacePoint p = here[dice_.below(here.size())], q = here[dice_.below(here.size())];
+      const bool is_near =
+          !complex_.points().depends_on_frame(p) && !complex_.points().depends_on_frame(q);
+      if (is_near) compare(between(p, q, Rational(1) / 2));
+    }
+    // Halfway along the edges, and on their lines beyond them.
+    for (const UseId first : complex_.cycles_of(f)) {
+      UseId u = first;
+      do {
+        const HalfedgeId h = complex_.use_halfedge[u.value()];
+        const SpacePoint p = complex_.vertex_point[complex_.origin[h.value()].value()];
+        const SpacePoint q = complex_.vertex_point[complex_.target(h).value()];
+        const bool is_near =
+            !complex_.points().depends_on_frame(p) && !complex_.points().depends_on_frame(q);
+        for (const int at : {1, -1, 3}) {
+          if (is_near) compare(between(p, q, Rational(at) / 2));
+        }
+        u = complex_.use_next[u.value()];
+      } while (u != first);
+    }
+    for (int i = 0; i < 40; ++i) compare_crossing();
+  }
+  std::size_t inside() const { return inside_; }
+  std::size_t on_boundary() const { return on_boundary_; }
+
+ private:
+  SpacePoint between(SpacePoint p, SpacePoint q, const Rational& at) {
+    const RationalPoint3 a = exact(complex_.points(), p), b = exact(complex_.points(), q);
+    return add_point(*tables_,
+                     {a.x + (b.x - a.x) * at, a.y + (b.y - a.y) * at, a.z + (b.z - a.z) * at});
+  }
+  void compare(SpacePoint p) {
+    expect(slabs_->site(PlacedPoint(complex_.points(), complex_.points(), p)),
+           facet_site(complex_, facet_, p));
+  }
+  /// The common point of three planes, in a table of its own.
+  void compare_crossing() {
+    const auto any_plane = [&] {
+      return complex_.facet_plane[dice_.below(complex_.facet_count())];
+    };
+    const PlaneId p = any_plane();
+    const PlaneId q = any_plane();
+    if (det3_sign(complex_.planes(), p, q, plane_) == Sign::Zero) return;
+    Point3Table crossing(complex_.planes());
+    const SpacePoint x = crossing.add(p, q, plane_);
+    expect(slabs_->site(PlacedPoint(complex_.points(), crossing, x)),
+           facet_site(complex_, facet_, p, q));
+  }
+  void expect(SpaceItem found, SpaceItem walked) {
+    EXPECT_EQ(found.code(), walked.code());
+    if (!walked.is_valid()) return;
+    ++(walked.kind() == SpaceItem::Kind::Facet ? inside_ : on_boundary_);
+  }
+
+  SpaceComplex complex_;
+  std::shared_ptr<SpaceTables> tables_;
+  Dice& dice_;
+  std::optional<FacetSlabs> slabs_;
+  FacetId facet_;
+  PlaneId plane_;
+  std::size_t inside_ = 0;
+  std::size_t on_boundary_ = 0;
+};
+
+TEST(LargeFacets, SlabsSayWhatAWalkSays) {
+  Dice dice(7);
+  for (const auto& [name, set] : sets()) {
+    SCOPED_TRACE(name);
+    SiteCheck check(set.complex(), dice);
+    for (std::uint32_t f = 0; f < set.complex().facet_count() && f < 60; ++f)
+      check.check(FacetId(f));
+    EXPECT_GT(check.inside(), 0U);
+    EXPECT_GT(check.on_boundary(), 0U);
+  }
+}
+
+// ---------------------------------------------------------------- cycles in facets
+
+/// The facets know what belongs together, and the audit looks into each.
+TEST(LargeFacets, CyclesAreNestedAsFacetsSay) {
+  Dice dice(8);
+  std::size_t holes = 0, inner = 0;
+  for (const auto& [name, set] : sets()) {
+    expect_sound(set, name);
+    const SpaceComplex& c = set.complex();
+    for (std::uint32_t p = 0; p < c.planes().size(); ++p) {
+      std::vector<UseId> cycles;
+      std::vector<VertexId> points;
+      for (std::uint32_t f = 0; f < c.facet_count(); ++f) {
+        if (c.facet_plane[f] != PlaneId(p)) continue;
+        cycles.insert(cycles.end(), c.cycles_of(FacetId(f)).begin(), c.cycles_of(FacetId(f)).end());
+        points.insert(points.end(), c.inner_of(FacetId(f)).begin(), c.inner_of(FacetId(f)).end());
+      }
+      for (std::size_t i = cycles.size(); i > 1; --i)
+        std::swap(cycles[i - 1], cycles[dice.below(i)]);
+      const CycleNesting nesting = nest_cycles(c, PlaneId(p), cycles, points);
+      for (std::size_t i = 0; i < cycles.size(); ++i) {
+        const FacetId f = c.use_facet[cycles[i].value()];
+        EXPECT_EQ(cycles[nesting.of_cycle[i]], c.cycles_of(f)[0]) << name;
+        holes += nesting.of_cycle[i] != i ? 1 : 0;
+      }
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const FacetId f = c.vertex_facet[points[i].value()];
+        EXPECT_EQ(cycles[nesting.of_point[i]], c.cycles_of(f)[0]) << name;
+        ++inner;
+      }
+    }
+  }
+  EXPECT_GT(holes, 80U);
+  EXPECT_GT(inner, 20U);
+}
+
+// ---------------------------------------------------------------- Booleans
+
+/// Columns two apart, `size` by `size` of them.
+Nef3 columns(int size, double low, double high) {
+  PolygonMesh mesh;
+  for (int i = 0; i < size * size; ++i) {
+    const double x = 2 * (i % size) + 1, y = 2 * (i / size) + 1;
+    mesh = joined(std::move(mesh), box_mesh({x, y, low}, {x + 1, y + 1, high}));
+  }
+  return solid(mesh);
+}
+
+/// Boxes in holes, parts of facets in holes of others, all in two planes.
+TEST(LargeFacets, ColumnsThroughASlab) {
+  constexpr int kSize = 7;
+  constexpr unsigned kColumns = kSize * kSize;
+  const Nef3 slab = box({0, 0, 0}, {2 * kSize + 1, 2 * kSize + 1, 1}), all = columns(kSize, -1, 2);
+  const Nef3 plate = slab - all;
+  expect_sound(plate, "plate");
+  EXPECT_TRUE(plate.closure() == solid(voxel_mesh(pierced_plate(kSize))));
+  EXPECT_EQ(plate.counts().facets, 6 + 4 * kColumns);
+  EXPECT_EQ(plate.counts().volumes, 2U);
+  const Nef3 parity = slab ^ all;
+  expect_sound(parity, "parity");
+  EXPECT_TRUE(parity == (slab + all) - slab * all);
+  EXPECT_EQ(parity.counts().marked_volumes, 2 * kColumns + 1);
+  EXPECT_EQ(parity.counts().volumes, 3 * kColumns + 2);
+  EXPECT_EQ(volume(plate), volume(slab) - volume(slab * all));
+  EXPECT_TRUE(skewed(parity) == (skewed(slab) ^ skewed(all)));
+}
+
+/// Large facets of both in one plane, and edges through large facets.
+TEST(LargeFacets, StarsOverStars) {
+  const Nef3 star = solid(star_prism(40));
+  const Nef3 moved_star = solid(moved(star_prism(40), {0.25, 0.125, 0.5}));
+  const Nef3 flush_star = solid(moved(star_prism(40), {0.25, 0.125, 0}));
+  for (const Nef3& other : {moved_star, flush_star, star}) {
+    const Nef3 both = star + other, common = star * other;
+    expect_sound(both, "union");
+    expect_sound(common, "intersection");
+    EXPECT_EQ(volume(both) + volume(common), volume(star) + volume(other));
+    EXPECT_TRUE((star ^ other) == both - common);
+  }
+}
+
+}  // namespace
+}  // namespace plumb::testing
