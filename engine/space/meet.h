@@ -18,8 +18,9 @@
 //                 everything; flat edges, free edges and vertices without facets are compared directly
 //  4. unique      some pairs are found from several facets: sort, unique; then points are constructed
 //
-// Cost: O(n log n + pairs of boxes), and O(corners of the facet) for each place located. Memory: ~100 bytes a
-// facet in reach, 8 bytes a contact found.
+// Cost: O(n log n + pairs of boxes), and for each place located O(corners of the facet) or, of a facet of many
+// corners that is hit often, O(log^2 n) (facet_slabs.h). Memory: ~100 bytes a facet in reach, 8 bytes a contact
+// found.
 #pragma once
 
 #include <vector>

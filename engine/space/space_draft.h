@@ -8,10 +8,11 @@
 //  3. link_uses       the rings of arcs at both ends of an edge are mirror images: this links the corners
 //                     of facets to cycles and gives the radial order
 //  4. gather_facets   cycles are walked; in each plane holes and inner vertices find the facet around them
+//                     (nest_cycles.h)
 //  5. label_volumes   (volumes.h)
 //  6. copy marks
 //
-// Every step is O(n) but the order of holes in a plane and the rays of label_volumes.
+// Every step is O(n) but the sweeps of planes with holes, O(n log n), and the rays of label_volumes.
 #pragma once
 
 #include <cstdint>
