@@ -38,7 +38,8 @@ void Context::checkpoint(std::string_view phase, std::uint64_t done, std::uint64
     throw Error(ErrorCode::ResourceLimit, "the time limit was reached during " +
                                               std::string(phase) + " (raise --limit-seconds)");
   }
-  if (progress_ && (now - last_report_ >= std::chrono::milliseconds(50) || done == total)) {
+  const bool is_done = total != 0 && done == total;  // 0 of 0: nobody knows how much there is
+  if (progress_ && (now - last_report_ >= std::chrono::milliseconds(50) || is_done)) {
     last_report_ = now;
     progress_(phase, done, total);
   }

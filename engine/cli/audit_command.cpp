@@ -22,7 +22,7 @@ namespace {
 using Flaw = std::optional<DcelFlaw>;
 
 Flaw audit_nef3(const std::string& text, const ReadOptions& options, Context& context) {
-  const auto flaw = audit(read_nef3(text, options, context), true);
+  const auto flaw = audit(read_nef3(text, options, context), true, context);
   if (!flaw) return std::nullopt;
   return DcelFlaw{flaw->invariant, flaw->place};
 }
@@ -32,7 +32,7 @@ Flaw audit_mesh(const std::string& path, const std::string& bytes, const ReadOpt
                 Context& context) {
   SolidReadOptions solid;
   solid.exact_decimals = options.exact_decimals;
-  const auto flaw = audit(read_solid(path, bytes, solid, context).set.complex(), true);
+  const auto flaw = audit(read_solid(path, bytes, solid, context).set.complex(), true, context);
   if (!flaw) return std::nullopt;
   return DcelFlaw{flaw->invariant, flaw->place};
 }

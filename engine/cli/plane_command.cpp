@@ -26,24 +26,30 @@ using Json = nlohmann::ordered_json;
 
 // ---------------------------------------------------------------- what a set is like
 
-Json area_json(const Nef2& set) {
-  if (!set.is_bounded()) return nullptr;
-  const Rational area = set.area().value();
-  return {{"exact", format_exact(area)}, {"double", nearest_double(area)}};
+struct PlaneFacts {
+  explicit PlaneFacts(const Nef2& set) : counts(counts_of(set)), is_empty(set.is_empty()) {
+    if (set.is_bounded()) area = set.area();
+  }
+  Json json() const;
+  void write(std::ostream& out) const;
+
+  PlaneCounts counts;
+  bool is_empty;
+  std::optional<Rational> area;  ///< of bounded sets
+};
+
+Json PlaneFacts::json() const {
+  Json area_json = nullptr;
+  if (area) area_json = {{"exact", format_exact(*area)}, {"double", nearest_double(*area)}};
+  return {{"vertices", counts.vertices}, {"edges", counts.edges}, {"faces", counts.faces},
+          {"bounded", area.has_value()}, {"empty", is_empty},     {"area", area_json}};
 }
 
-Json info_json(const Nef2& set) {
-  const PlaneCounts counts = counts_of(set);
-  return {{"vertices", counts.vertices}, {"edges", counts.edges},   {"faces", counts.faces},
-          {"bounded", set.is_bounded()}, {"empty", set.is_empty()}, {"area", area_json(set)}};
-}
-
-void write_info_text(std::ostream& out, const Nef2& set) {
-  const PlaneCounts counts = counts_of(set);
+void PlaneFacts::write(std::ostream& out) const {
   out << counted(counts.vertices, "vertex", "vertices") << ", " << counted(counts.edges, "edge")
       << ", " << counted(counts.faces, "face") << '\n'
-      << (set.is_bounded() ? "bounded" : "unbounded") << (set.is_empty() ? ", empty" : "") << '\n';
-  if (set.is_bounded()) out << "area " << readable(set.area().value()) << '\n';
+      << (area ? "bounded" : "unbounded") << (is_empty ? ", empty" : "") << '\n';
+  if (area) out << "area " << readable(*area) << '\n';
 }
 
 // ---------------------------------------------------------------- where a result goes
@@ -104,8 +110,7 @@ struct Plane {
   static ReadyFile ready(const Nef2& set, const SetOutput& output, Context& context) {
     return ready_file(set, output, context);
   }
-  static Json info(const Nef2& set) { return info_json(set); }
-  static void write_info(std::ostream& out, const Nef2& set) { write_info_text(out, set); }
+  static PlaneFacts facts(const Nef2& set, Context&) { return PlaneFacts(set); }
   static std::pair<const char*, bool> locate(const Nef2& set, const std::array<Rational, 2>& p) {
     const PlaneLocation place = set.locate(RationalPoint2{p[0], p[1]});
     return {place.vertex.is_valid() ? "vertex"

@@ -5,7 +5,7 @@
 //   kHelp, kAxes               the first operand in the help; names of the coordinates
 //   formats()                  what can be written (format_choice.h)
 //   ready(set, output, context)  the set as a file of the output's format
-//   info(set), write_info(out, set)
+//   facts(set, context)        what the set is like: json(), write(out)
 //   locate(set, coordinates)   what the point lies on, and whether it belongs to the set
 #pragma once
 
@@ -73,7 +73,7 @@ class SetOperation : public CommandBody {
   ExitCode run(Session& session) override {
     output_.open(Kind::formats(), session);
     const Set result = compute(session);
-    output_.prepare([&] { return Kind::info(result); },
+    output_.prepare([&] { return Kind::facts(result, session.context()).json(); },
                     [&] { return Kind::ready(result, output_, session.context()); }, strict_,
                     session);
     output_.deliver(session);
@@ -143,7 +143,8 @@ class SetInfo : public CommandBody {
   ExitCode run(Session& session) override {
     const auto set = std::move(read_sets(input_, {a_}, session).front());
     prepare(set, a_, session);
-    session.answer(Kind::info(set).dump(), [&](std::ostream& out) { Kind::write_info(out, set); });
+    const auto facts = Kind::facts(set, session.context());
+    session.answer(facts.json().dump(), [&](std::ostream& out) { facts.write(out); });
     return ExitCode::Yes;
   }
 

@@ -28,9 +28,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json info_json(const Nef3& set) {
-  const SpaceCounts counts = set.counts();
-  const std::optional<Rational> volume = marked_volume(set.complex());
+/// What a set is like.
+struct SolidFacts {
+  SolidFacts(const Nef3& set, Context& context)
+      : counts(set.counts()),
+        is_bounded(set.is_bounded()),
+        is_empty(set.is_empty()),
+        is_simple(set.is_simple()),
+        is_convex(set.is_convex()),
+        volume(marked_volume(set.complex(), context)) {}
+  Json json() const;
+  void write(std::ostream& out) const;
+
+  SpaceCounts counts;
+  bool is_bounded;
+  bool is_empty;
+  bool is_simple;
+  bool is_convex;
+  std::optional<Rational> volume;
+};
+
+Json SolidFacts::json() const {
   Json volume_json = nullptr;
   if (volume) volume_json = {{"exact", format_exact(*volume)}, {"double", nearest_double(*volume)}};
   return {{"vertices", counts.vertices},
@@ -38,22 +56,19 @@ Json info_json(const Nef3& set) {
           {"facets", counts.facets},
           {"volumes", counts.volumes},
           {"marked_volumes", counts.marked_volumes},
-          {"bounded", set.is_bounded()},
-          {"empty", set.is_empty()},
-          {"simple", set.is_simple()},
-          {"convex", set.is_convex()},
+          {"bounded", is_bounded},
+          {"empty", is_empty},
+          {"simple", is_simple},
+          {"convex", is_convex},
           {"volume", volume_json}};
 }
 
-void write_info_text(std::ostream& out, const Nef3& set) {
-  const SpaceCounts counts = set.counts();
+void SolidFacts::write(std::ostream& out) const {
   out << counted(counts.vertices, "vertex", "vertices") << ", " << counted(counts.edges, "edge")
       << ", " << counted(counts.facets, "facet") << ", " << counted(counts.volumes, "volume")
       << " (" << counts.marked_volumes << " marked)\n"
-      << (set.is_bounded() ? "bounded" : "unbounded") << (set.is_empty() ? ", empty" : "")
-      << (set.is_simple() ? ", simple" : ", not simple")
-      << (set.is_convex() ? ", convex\n" : ", not convex\n");
-  const std::optional<Rational> volume = marked_volume(set.complex());
+      << (is_bounded ? "bounded" : "unbounded") << (is_empty ? ", empty" : "")
+      << (is_simple ? ", simple" : ", not simple") << (is_convex ? ", convex\n" : ", not convex\n");
   if (volume) out << "volume " << readable(*volume) << '\n';
 }
 
@@ -87,8 +102,7 @@ struct Solid {
     const auto text = std::make_shared<SolidText>(set, format, context);
     return {[text](std::ostream& out) { text->write(out); }, text->losses()};
   }
-  static Json info(const Nef3& set) { return info_json(set); }
-  static void write_info(std::ostream& out, const Nef3& set) { write_info_text(out, set); }
+  static SolidFacts facts(const Nef3& set, Context& context) { return {set, context}; }
   static std::pair<const char*, bool> locate(const Nef3& set, const std::array<Rational, 3>& p) {
     const SpaceLocation place = set.locate(RationalPoint3{p[0], p[1], p[2]});
     return {name_of(place.item.kind()), place.marked};

@@ -82,7 +82,7 @@ namespace {
 
 SolidRead read_nef_set(const std::string& bytes, const ReadOptions& text, Context& context) {
   SpaceComplex complex = read_nef3(bytes, text, context);
-  if (const auto flaw = audit(complex, true)) {
+  if (const auto flaw = audit(complex, true, context)) {
     throw Error(ErrorCode::BadShape, "no set of space: " + flaw->invariant + ": " + flaw->place,
                 {text.name});
   }

@@ -9,13 +9,18 @@
 namespace plumb {
 
 std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal) {
-  std::optional<SpaceFlaw> flaw = audit_links(complex);
+  Context context;
+  return audit(complex, minimal, context);
+}
+
+std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal, Context& context) {
+  std::optional<SpaceFlaw> flaw = audit_links(complex, context);
   if (flaw) return flaw;
   const std::vector<std::uint8_t> has_fan = find_fans(complex);
-  flaw = audit_places(complex, has_fan);
-  if (!flaw) flaw = audit_cycles(complex);
-  if (!flaw) flaw = audit_meeting(complex, has_fan);
-  if (!flaw) flaw = audit_marks(complex, minimal);
+  flaw = audit_places(complex, has_fan, context);
+  if (!flaw) flaw = audit_cycles(complex, context);
+  if (!flaw) flaw = audit_meeting(complex, has_fan, context);
+  if (!flaw) flaw = audit_marks(complex, minimal, context);
   return flaw;
 }
 

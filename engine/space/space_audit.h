@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 
+#include "plumb/base/context.h"
 #include "plumb/space/space_complex.h"
 
 namespace plumb {
@@ -28,5 +29,7 @@ struct SpaceFlaw {
 /// Cost: O(n log n + pairs of boxes that meet), of one facet with n uses and k vertices or edges in its
 /// box O(n k), around one vertex of degree d O(d^2). Memory: a copy of the complex.
 std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal);
+/// The same, within the limits of a context.
+std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal, Context& context);
 
 }  // namespace plumb

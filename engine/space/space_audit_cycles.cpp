@@ -35,7 +35,7 @@ Sign side_in_plane(const SpaceComplex& complex, PlaneId n, HalfedgeId h, const P
 
 class CycleAudit : SpaceAuditPart {
  public:
-  explicit CycleAudit(const SpaceComplex& complex) : SpaceAuditPart(complex) {}
+  CycleAudit(const SpaceComplex& complex, Context& context) : SpaceAuditPart(complex, context, 2) {}
 
   std::optional<SpaceFlaw> run() {
     cycle_at_.assign(c_.vertex_count(), UseId());
@@ -101,7 +101,7 @@ class CycleAudit : SpaceAuditPart {
       const SpacePoint x = at(c_.use_origin(hole));
       for (const UseId other : cycles) {
         if (other == hole) continue;
-        const FacetPlace place = place_in_cycle(c_, other, c_.points(), x);
+        const FacetPlace place = place_in_cycle(c_, other, c_.points(), x, step_);
         if (!require(!place.on.is_valid() && place.is_inside == (other == cycles.front()),
                      "a hole lies in its facet and in no other hole", f, hole)) {
           return false;
@@ -109,7 +109,7 @@ class CycleAudit : SpaceAuditPart {
       }
     }
     for (const VertexId v : c_.inner_of(f)) {
-      if (!require(place_in_facet(c_, f, c_.points(), at(v)).is_inside,
+      if (!require(place_in_facet(c_, f, c_.points(), at(v), step_).is_inside,
                    "an inner vertex lies inside its facet", f, v)) {
         return false;
       }
@@ -141,7 +141,7 @@ bool is_along(const SpaceComplex& complex, HalfedgeId h, const Point3Table& poin
 // Crossings of the half-line of x along which one coordinate keeps its value: half-edges that reach above
 // that value pass x on its left, those that return below it on its right.
 FacetPlace place_in_cycle(const SpaceComplex& complex, UseId cycle, const Point3Table& points,
-                          SpacePoint x) {
+                          SpacePoint x, SpaceAuditSteps& step) {
   const PlaneId n = complex.facet_plane[complex.use_facet[cycle.value()].value()];
   const std::size_t axis = varying_axis(complex.planes(), n);
   const auto order = [&](VertexId v) {
@@ -151,6 +151,7 @@ FacetPlace place_in_cycle(const SpaceComplex& complex, UseId cycle, const Point3
   UseId u = cycle;
   Sign from = order(complex.use_origin(u));
   do {
+    step();
     const HalfedgeId h = complex.use_halfedge[u.value()];
     const Sign to = order(complex.target(h));
     if (from == Sign::Zero || from != to) {
@@ -169,18 +170,18 @@ FacetPlace place_in_cycle(const SpaceComplex& complex, UseId cycle, const Point3
 }
 
 FacetPlace place_in_facet(const SpaceComplex& complex, FacetId f, const Point3Table& points,
-                          SpacePoint x) {
+                          SpacePoint x, SpaceAuditSteps& step) {
   FacetPlace place;
   for (const UseId cycle : complex.cycles_of(f)) {
-    const FacetPlace here = place_in_cycle(complex, cycle, points, x);
+    const FacetPlace here = place_in_cycle(complex, cycle, points, x, step);
     if (here.on.is_valid()) return here;
     place.is_inside = place.is_inside != here.is_inside;
   }
   return place;
 }
 
-std::optional<SpaceFlaw> audit_cycles(const SpaceComplex& complex) {
-  return CycleAudit(complex).run();
+std::optional<SpaceFlaw> audit_cycles(const SpaceComplex& complex, Context& context) {
+  return CycleAudit(complex, context).run();
 }
 
 }  // namespace plumb

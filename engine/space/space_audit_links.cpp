@@ -8,7 +8,7 @@ namespace {
 
 class LinkAudit : SpaceAuditPart {
  public:
-  explicit LinkAudit(const SpaceComplex& complex) : SpaceAuditPart(complex) {}
+  LinkAudit(const SpaceComplex& complex, Context& context) : SpaceAuditPart(complex, context, 0) {}
 
   std::optional<SpaceFlaw> run() {
     // Each step reads only what those before have found to be there.
@@ -224,8 +224,8 @@ class LinkAudit : SpaceAuditPart {
 
 }  // namespace
 
-std::optional<SpaceFlaw> audit_links(const SpaceComplex& complex) {
-  return LinkAudit(complex).run();
+std::optional<SpaceFlaw> audit_links(const SpaceComplex& complex, Context& context) {
+  return LinkAudit(complex, context).run();
 }
 
 }  // namespace plumb

@@ -13,8 +13,8 @@ namespace {
 
 class MarkAudit : SpaceAuditPart {
  public:
-  explicit MarkAudit(const SpaceComplex& complex)
-      : SpaceAuditPart(complex), overlay_(complex.planes()) {}
+  MarkAudit(const SpaceComplex& complex, Context& context)
+      : SpaceAuditPart(complex, context, 4), overlay_(complex.planes()) {}
 
   std::optional<SpaceFlaw> run(bool minimal) {
     static_cast<void>(has_right_volumes() && has_sane_frame() &&
@@ -27,8 +27,7 @@ class MarkAudit : SpaceAuditPart {
 
   bool has_right_volumes() {
     SpaceComplex again = c_;
-    Context context;
-    label_volumes(again, context);
+    label_volumes(again, step_.context());
     if (!require(again.volume_count() == c_.volume_count(),
                  "volumes are the connected parts between facets")) {
       return false;
@@ -163,6 +162,7 @@ class MarkAudit : SpaceAuditPart {
 
   template <class Id>
   bool is_needed(Id item, PyramidKind kind) {
+    step_();
     if (is_surely_needed(item)) return true;
     local_map(c_, item, local_);
     return require(!overlay_.simplify(local_.map) && classify(c_.planes(), local_.map) == kind,
@@ -189,8 +189,8 @@ class MarkAudit : SpaceAuditPart {
 
 }  // namespace
 
-std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex, bool minimal) {
-  return MarkAudit(complex).run(minimal);
+std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex, bool minimal, Context& context) {
+  return MarkAudit(complex, context).run(minimal);
 }
 
 }  // namespace plumb

@@ -29,13 +29,16 @@ constexpr Box3 kEverywhere{{-Box3::kInfinity, -Box3::kInfinity, -Box3::kInfinity
 
 class MeetingAudit : SpaceAuditPart {
  public:
-  MeetingAudit(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan)
-      : SpaceAuditPart(complex), points_(complex.points()), leaves_(complex, kEverywhere) {
+  MeetingAudit(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan, Context& context)
+      : SpaceAuditPart(complex, context, 3),
+        points_(complex.points()),
+        leaves_(complex, kEverywhere) {
     find_triangles(has_fan);
   }
 
   std::optional<SpaceFlaw> run() {
     BoxTree(leaves_.boxes()).for_each_pair_inside([this](std::uint32_t x, std::uint32_t y) {
+      step_();
       if (share_fan(x, y)) return;
       test_against_facet(x, y);
       test_against_facet(y, x);
@@ -117,7 +120,7 @@ class MeetingAudit : SpaceAuditPart {
 
   void test(VertexId v, FacetId f) {
     if (c_.vertex_facet[v.value()] == f || is_on_boundary(v, f)) return;
-    const FacetPlace place = place_in_facet(c_, f, points_, at(v));
+    const FacetPlace place = place_in_facet(c_, f, points_, at(v), step_);
     if (place.on.is_valid()) return note(kVertexInEdge, v, SpaceComplex::edge_of(place.on));
     if (place.is_inside) note(kVertexInFacet, v, f);
   }
@@ -141,7 +144,7 @@ class MeetingAudit : SpaceAuditPart {
   void test(EdgeId e, FacetId f) {
     if (surely_passes_by(e, triangles_[f.value()])) return;
     const SpacePoint x = crossing(e, plane(f));
-    const FacetPlace place = place_in_facet(c_, f, points_, x);
+    const FacetPlace place = place_in_facet(c_, f, points_, x, step_);
     if (place.on.is_valid()) {
       const EdgeId g = SpaceComplex::edge_of(place.on);
       for (const VertexId v : {end(g, 0), end(g, 1)}) {
@@ -201,7 +204,9 @@ class MeetingAudit : SpaceAuditPart {
     });
     const BoxTree tree(edge_boxes_);
     for (std::uint32_t v = 0; v < c_.vertex_count() && !edges_.empty(); ++v) {
+      step_();
       tree.for_each_meeting(box_of(c_, VertexId(v)), [&](std::uint32_t i) {
+        step_();
         if (lies_inside(VertexId(v), edges_[i])) note(kVertexInEdge, VertexId(v), edges_[i]);
       });
     }
@@ -224,6 +229,7 @@ class MeetingAudit : SpaceAuditPart {
       return all_uses(e, [&](UseId u) { return plane(u) == plane(first); });
     });
     BoxTree(edge_boxes_).for_each_pair_inside([this](std::uint32_t i, std::uint32_t j) {
+      step_();
       if (cross(edges_[i], edges_[j])) note(kEdgesCross, edges_[i], edges_[j]);
     });
   }
@@ -249,8 +255,8 @@ class MeetingAudit : SpaceAuditPart {
 }  // namespace
 
 std::optional<SpaceFlaw> audit_meeting(const SpaceComplex& complex,
-                                       std::span<const std::uint8_t> has_fan) {
-  return MeetingAudit(complex, has_fan).run();
+                                       std::span<const std::uint8_t> has_fan, Context& context) {
+  return MeetingAudit(complex, has_fan, context).run();
 }
 
 }  // namespace plumb

@@ -11,10 +11,29 @@
 
 namespace plumb {
 
+/// What counts a step of the audit; every some hundred are a checkpoint.
+class SpaceAuditSteps {
+ public:
+  /// `part`: how many of the steps of audit() are done.
+  SpaceAuditSteps(Context& context, std::uint64_t part) : context_(context), part_(part) {}
+
+  void operator()() {
+    constexpr std::uint32_t kBetween = 256;  // exact signs of long numbers take up to 100 us each
+    if (++count_ % kBetween == 0) context_.checkpoint("audit", part_, 5);
+  }
+  Context& context() { return context_; }
+
+ private:
+  Context& context_;
+  std::uint64_t part_;
+  std::uint32_t count_ = 0;
+};
+
 /// What the steps have in common: the complex, and the first flaw.
 class SpaceAuditPart {
  protected:
-  explicit SpaceAuditPart(const SpaceComplex& complex) : c_(complex) {}
+  SpaceAuditPart(const SpaceComplex& complex, Context& context, std::uint64_t part)
+      : c_(complex), step_(context, part) {}
 
   static std::string name(VertexId v) { return "vertex " + std::to_string(v.value()); }
   static std::string name(EdgeId e) { return "edge " + std::to_string(e.value()); }
@@ -30,6 +49,7 @@ class SpaceAuditPart {
   }
   template <class... Ids>
   bool require(bool holds, const char* invariant, Ids... ids) {
+    step_();
     if (holds) return true;
     std::string place;
     ((place += (place.empty() ? "" : ", ") + name(ids)), ...);
@@ -49,6 +69,7 @@ class SpaceAuditPart {
   bool all_of_cycle(UseId first, Visit visit) const {
     UseId u = first;
     do {
+      step_();
       if (!visit(u)) return false;
       u = c_.use_next[u.value()];
     } while (u != first);
@@ -56,6 +77,7 @@ class SpaceAuditPart {
   }
 
   const SpaceComplex& c_;
+  mutable SpaceAuditSteps step_;
   std::optional<SpaceFlaw> flaw_;
 };
 
@@ -66,18 +88,18 @@ struct FacetPlace {
 };
 /// Inside: the cycle goes around x an odd number of times. x: of the complex, or of a copy with more points.
 FacetPlace place_in_cycle(const SpaceComplex& complex, UseId cycle, const Point3Table& points,
-                          SpacePoint x);
+                          SpacePoint x, SpaceAuditSteps& step);
 /// The same, of all cycles of a facet together.
 FacetPlace place_in_facet(const SpaceComplex& complex, FacetId f, const Point3Table& points,
-                          SpacePoint x);
+                          SpacePoint x, SpaceAuditSteps& step);
 
-std::optional<SpaceFlaw> audit_links(const SpaceComplex& complex);
+std::optional<SpaceFlaw> audit_links(const SpaceComplex& complex, Context& context);
 /// has_fan: per vertex (mesh_fans.h).
 std::optional<SpaceFlaw> audit_places(const SpaceComplex& complex,
-                                      std::span<const std::uint8_t> has_fan);
-std::optional<SpaceFlaw> audit_cycles(const SpaceComplex& complex);
+                                      std::span<const std::uint8_t> has_fan, Context& context);
+std::optional<SpaceFlaw> audit_cycles(const SpaceComplex& complex, Context& context);
 std::optional<SpaceFlaw> audit_meeting(const SpaceComplex& complex,
-                                       std::span<const std::uint8_t> has_fan);
-std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex, bool minimal);
+                                       std::span<const std::uint8_t> has_fan, Context& context);
+std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex, bool minimal, Context& context);
 
 }  // namespace plumb

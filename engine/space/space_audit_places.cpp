@@ -16,8 +16,8 @@ namespace {
 
 class PlaceAudit : SpaceAuditPart {
  public:
-  PlaceAudit(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan)
-      : SpaceAuditPart(complex), has_fan_(has_fan) {}
+  PlaceAudit(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan, Context& context)
+      : SpaceAuditPart(complex, context, 1), has_fan_(has_fan) {}
 
   std::optional<SpaceFlaw> run() {
     static_cast<void>(has_distinct_planes() && has_distinct_vertices() && has_true_edges() &&
@@ -50,6 +50,7 @@ class PlaceAudit : SpaceAuditPart {
   bool has_distinct_vertices() {
     std::vector<std::pair<Fingerprint, VertexId>> order(c_.vertex_count());
     for (std::uint32_t v = 0; v < order.size(); ++v) {
+      step_();
       order[v] = {fingerprint(c_.points(), at(VertexId(v))), VertexId(v)};
     }
     std::sort(order.begin(), order.end());
@@ -338,8 +339,8 @@ class PlaceAudit : SpaceAuditPart {
 }  // namespace
 
 std::optional<SpaceFlaw> audit_places(const SpaceComplex& complex,
-                                      std::span<const std::uint8_t> has_fan) {
-  return PlaceAudit(complex, has_fan).run();
+                                      std::span<const std::uint8_t> has_fan, Context& context) {
+  return PlaceAudit(complex, has_fan, context).run();
 }
 
 }  // namespace plumb

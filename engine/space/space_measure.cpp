@@ -54,10 +54,25 @@ bool is_volume_infinite(const SpaceComplex& c) {
   return false;
 }
 
+/// Looks at the limits now and then.
+class Steps {
+ public:
+  Steps(const SpaceComplex& complex, Context& context)
+      : context_(context), edges_(complex.use_count()) {}
+  void operator()() {
+    if (++done_ % 64 == 0) context_.checkpoint("measures", done_, edges_ + 1);
+  }
+
+ private:
+  Context& context_;
+  std::uint64_t edges_;
+  std::uint64_t done_ = 0;
+};
+
 /// visit(p, a, b) for the triangle of each edge a b of the facet and one of its corners p. Together,
 /// with signs, they are the facet, counter-clockwise.
 template <class Visit>
-void for_each_triangle(const SpaceComplex& c, FacetId f, Visit visit) {
+void for_each_triangle(const SpaceComplex& c, FacetId f, Steps& step, Visit visit) {
   const auto at = [&](UseId u) {
     return exact(c.points(), c.vertex_point[c.use_origin(u).value()]);
   };
@@ -67,6 +82,7 @@ void for_each_triangle(const SpaceComplex& c, FacetId f, Visit visit) {
     RationalPoint3 a = start;
     UseId u = first;
     do {
+      step();
       const UseId next = c.use_next[u.value()];
       RationalPoint3 b = next == first ? start : at(next);
       if (a != p && b != p) visit(p, a, b);
@@ -83,8 +99,9 @@ struct Integrals {
 };
 
 /// A tetrahedron with the origin has its centroid at a quarter of the sum of the other corners.
-std::optional<Integrals> integrals(const SpaceComplex& c, bool with_moments) {
+std::optional<Integrals> integrals(const SpaceComplex& c, bool with_moments, Context& context) {
   if (is_volume_infinite(c)) return std::nullopt;
+  Steps step(c, context);
   RationalSum volume;
   std::array<RationalSum, 3> moments;
   for (std::size_t f = 0; f < c.facet_count(); ++f) {
@@ -98,7 +115,7 @@ std::optional<Integrals> integrals(const SpaceComplex& c, bool with_moments) {
       }
       volume.add(six);
     };
-    for_each_triangle(c, FacetId(f), add);
+    for_each_triangle(c, FacetId(f), step, add);
   }
   return Integrals{volume.total() / 6,
                    {moments[0].total() / 24, moments[1].total() / 24, moments[2].total() / 24}};
@@ -119,26 +136,42 @@ double half_length(const RationalPoint3& v) {
 }  // namespace
 
 std::optional<Rational> marked_volume(const SpaceComplex& complex) {
-  const std::optional<Integrals> all = integrals(complex, false);
+  Context context;
+  return marked_volume(complex, context);
+}
+
+std::optional<Rational> marked_volume(const SpaceComplex& complex, Context& context) {
+  const std::optional<Integrals> all = integrals(complex, false, context);
   if (!all) return std::nullopt;
   return all->volume;
 }
 
 std::optional<RationalPoint3> marked_centroid(const SpaceComplex& complex) {
-  const std::optional<Integrals> all = integrals(complex, true);
+  Context context;
+  return marked_centroid(complex, context);
+}
+
+std::optional<RationalPoint3> marked_centroid(const SpaceComplex& complex, Context& context) {
+  const std::optional<Integrals> all = integrals(complex, true, context);
   if (!all || all->volume == 0) return std::nullopt;
   const auto& [volume, moment] = *all;
   return RationalPoint3{moment.x / volume, moment.y / volume, moment.z / volume};
 }
 
-// The areas are not negative: their exact sum has the relative error of each, and is rounded once.
 std::optional<double> surface_area(const SpaceComplex& complex) {
+  Context context;
+  return surface_area(complex, context);
+}
+
+// The areas are not negative: their exact sum has the relative error of each, and is rounded once.
+std::optional<double> surface_area(const SpaceComplex& complex, Context& context) {
+  Steps step(complex, context);
   RationalSum sum;
   for (std::size_t f = 0; f < complex.facet_count(); ++f) {
     if (complex.facet_mark[f] == kBeyond || outward(complex, f) == 0) continue;
     if (is_at_frame(complex, FacetId(f))) return std::nullopt;
     RationalPoint3 twice{0, 0, 0};
-    for_each_triangle(complex, FacetId(f), [&](const auto& p, const auto& a, const auto& b) {
+    for_each_triangle(complex, FacetId(f), step, [&](const auto& p, const auto& a, const auto& b) {
       const RationalPoint3 area = cross(a - p, b - p);
       twice = {twice.x + area.x, twice.y + area.y, twice.z + area.z};
     });

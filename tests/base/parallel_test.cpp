@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <numeric>
 #include <stop_token>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -117,6 +118,19 @@ TEST(Parallel, ThreadsAreSharedAmongFewJobs) {
   std::array<unsigned, 2> threads{};
   run_jobs(context, 2, [&](std::size_t i, Context& own) { threads[i] = own.threads(); });
   EXPECT_EQ((std::array<unsigned, 2>{3, 3}), threads);
+}
+
+/// At most 20 reports a second, but the end of a phase is told.
+TEST(Progress, IsNotToldTooOften) {
+  std::size_t told = 0;
+  Context context({}, {}, [&](std::string_view, std::uint64_t, std::uint64_t) { ++told; });
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < 10000; ++i) context.checkpoint("of unknown length", 0, 0);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  EXPECT_LE(static_cast<double>(told), 1 + 20 * taken.count());
+  told = 0;
+  context.checkpoint("done", 7, 7);
+  EXPECT_EQ(told, 1U);
 }
 
 }  // namespace

@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <stop_token>
 
+#include "generate/meshes.h"
 #include "generate/space_scenes.h"
 #include "generate/space_solids.h"
 #include "oracle/nef3_check.h"
+#include "plumb/base/error.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/frame.h"
 
@@ -535,6 +538,25 @@ TEST(SpaceAudit, AsksForTheMinimalFormOnlyWhenTold) {
   SpaceComplex c = decorated_cube();
   c.facet_mark[sheet(c)] = 0;
   EXPECT_FALSE(audit(c, false));
+}
+
+/// Where one facet has it all, and where there are many.
+TEST(SpaceAudit, KeepsToItsLimits) {
+  Context context;
+  std::vector<Point2> polygon;
+  for (int i = 0; i < 300; ++i) polygon.push_back({1.0 * i, 1.0 * i * i});
+  const Nef3 prism = Nef3::mesh(prism_mesh(polygon, 0, 1), WindingRule::Positive, context);
+  const Nef3 ball = Nef3::mesh(icosphere_mesh(3, 1, {0, 0, 0}), WindingRule::Positive, context);
+  Limits limits;
+  limits.max_seconds = 1e-9;
+  std::stop_source stop;
+  stop.request_stop();
+  for (const Nef3& set : {prism, !ball}) {
+    EXPECT_FALSE(audit(set.complex(), true, context));
+    Context late(limits), stopped(Limits{}, stop.get_token());
+    EXPECT_THROW(audit(set.complex(), true, late), Error);
+    EXPECT_THROW(audit(set.complex(), true, stopped), Error);
+  }
 }
 
 }  // namespace

@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "generate/dice.h"
+#include "generate/meshes.h"
 #include "generate/space_scenes.h"
+#include "plumb/base/error.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/space/nef3.h"
 #include "plumb/space/space_locator.h"
 
 namespace plumb::testing {
@@ -182,6 +185,19 @@ TEST(SpaceMeasure, AffineMaps) {
     const double area = *surface_area(all[0]);
     EXPECT_NEAR(*surface_area(all[2]), area, area * 0x1p-49) << seed;
   }
+}
+
+TEST(SpaceMeasure, KeepsToLimits) {
+  Context context;
+  const Nef3 ball = Nef3::mesh(icosphere_mesh(2, 1, {0, 0, 0}), WindingRule::Positive, context);
+  const SpaceComplex& c = ball.complex();
+  EXPECT_EQ(marked_volume(c, context), marked_volume(c));
+  Limits limits;
+  limits.max_seconds = 1e-9;
+  Context late(limits);
+  EXPECT_THROW(marked_volume(c, late), Error);
+  EXPECT_THROW(marked_centroid(c, late), Error);
+  EXPECT_THROW(surface_area(c, late), Error);
 }
 
 }  // namespace
