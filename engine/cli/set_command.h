@@ -5,6 +5,7 @@
 //   kHelp, kAxes               the first operand in the help; names of the coordinates
 //   formats()                  what can be written (format_choice.h)
 //   ready(set, output, context)  the set as a file of the output's format
+//   canonical(set, context)    where files tell how a set was made: the same set in a form that does not (--canonical)
 //   facts(set, context)        what the set is like: json(), write(out)
 //   locate(set, coordinates)   what the point lies on, and whether it belongs to the set
 #pragma once
@@ -68,11 +69,15 @@ class SetOperation : public CommandBody {
     app.add_flag("--strict", strict_,
                  "Exit 2 instead of writing a file that leaves something out or is reshaped by "
                  "rounding");
+    if constexpr (kHasCanonical) {
+      app.add_flag("--canonical", canonical_,
+                   "Number what is written by the set alone: equal sets give equal .nef files");
+    }
   }
 
   ExitCode run(Session& session) override {
     output_.open(Kind::formats(), session);
-    const Set result = compute(session);
+    const Set result = numbered(compute(session), session);
     output_.prepare([&] { return Kind::facts(result, session.context()).json(); },
                     [&] { return Kind::ready(result, output_, session.context()); }, strict_,
                     session);
@@ -91,8 +96,20 @@ class SetOperation : public CommandBody {
   }
 
  private:
+  static constexpr bool kHasCanonical = requires(const Set& set, Context& context) {
+    Kind::canonical(set, context);
+  };
+
+  Set numbered(Set set, Session& session) const {
+    if constexpr (kHasCanonical) {
+      if (canonical_) return Kind::canonical(set, session.context());
+    }
+    return set;
+  }
+
   typename Kind::Input input_;
   bool strict_ = false;
+  bool canonical_ = false;
   SetOutput output_;
 };
 

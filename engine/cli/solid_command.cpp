@@ -18,6 +18,7 @@
 #include "plumb/io/text_output.h"
 #include "plumb/picture/sheet.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/space/canonical.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/space_measure.h"
 #include "set_command.h"
@@ -101,6 +102,9 @@ struct Solid {
                                     : format_named(formats(), "nef");
     const auto text = std::make_shared<SolidText>(set, format, context);
     return {[text](std::ostream& out) { text->write(out); }, text->losses()};
+  }
+  static Nef3 canonical(const Nef3& set, Context& context) {
+    return plumb::canonical(set, context);
   }
   static SolidFacts facts(const Nef3& set, Context& context) { return {set, context}; }
   static std::pair<const char*, bool> locate(const Nef3& set, const std::array<Rational, 3>& p) {

@@ -144,6 +144,20 @@ TEST_F(SolidProgram, threads_change_no_byte) {
   }
 }
 
+TEST_F(SolidProgram, canonical_files_of_equal_sets_are_the_same) {
+  const auto canonical = [&](Words words, const std::string& name) {
+    words.push_back("--canonical");
+    return read_file(made(words, name));
+  };
+  const std::string either = canonical({"union", kBlock, kCorner}, "either.nef");
+  EXPECT_EQ(canonical({"union", kCorner, kBlock}, "again.nef"), either);
+  EXPECT_EQ(canonical({"eval", "(A-B)+(B-A)+A*B", "A=" + kBlock, "B=" + kCorner}, "parts.nef"),
+            either);
+  EXPECT_EQ(canonical({"complement", made({"complement", file("parts.nef")}, "rest.nef")}, "c.nef"),
+            either);
+  EXPECT_NE(canonical({"interior", file("either.nef")}, "open.nef"), either);
+}
+
 TEST_F(SolidProgram, volumes_add_up) {
   const auto of = [](const std::string& command) {
     return volume(parsed(run({"solid", command, kBlock, kCorner, "--json"})));
