@@ -48,6 +48,15 @@ function(plumb_sanitize target)
   endif()
 endfunction()
 
+# plumb_unwatched(TARGET): a library that targets need but that is not what they are to explore, generators and
+# brute-force twins: without counters they are several times faster, and inputs are kept for what they do in the engine.
+function(plumb_unwatched target)
+  if(PLUMB_LIBFUZZER)
+    target_compile_options(${target} PRIVATE
+      -fno-sanitize-coverage=inline-8bit-counters,indirect-calls,trace-cmp,pc-table,stack-depth)
+  endif()
+endfunction()
+
 # plumb_precompile(TARGET KIND [HEADER...]): with PLUMB_PRECOMPILE, the headers that do not change, ours
 # excepted, are parsed once for all targets of a KIND: the first one's, so flags have to agree. They are half
 # of what a build from nothing takes. g++ takes precompiled standard headers for ours and warns wrongly of copies in

@@ -10,7 +10,7 @@
 namespace plumb::testing {
 namespace {
 
-constexpr std::size_t kMaxPlanes = 12;  // the twin is cubic in their number
+constexpr std::size_t kMaxPlanes = 9;  // the twin is cubic in their number
 
 std::string difference_of(std::span<const std::uint8_t> program) {
   return disagreement(*space_set_of_program(program, kMaxPlanes));
