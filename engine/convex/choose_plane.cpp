@@ -30,6 +30,17 @@ constexpr double kNearFactor = 1e-9;
 
 }  // namespace
 
+/// A Pencil has factors of the rows that the table knows, multiples of the primitive ones.
+PlaneId intern_pencil(PlaneTable& planes, PlaneId p, PlaneId q, std::array<int, 2> c) {
+  const auto multiple = [&planes](PlaneId of) -> Integer {
+    const IntegerRow row = planes.coefficients(of), primitive = planes.primitive(of);
+    const std::size_t i = primitive[0] != 0 ? 0 : primitive[1] != 0 ? 1 : 2;
+    return row[i] / primitive[i];
+  };
+  const OrientedPlane plane = planes.intern(Pencil{p, q, -c[1] * multiple(p), c[0] * multiple(q)});
+  return plane.is_valid() ? plane.plane() : PlaneId();
+}
+
 std::uint32_t CutChooser::end_of(VertexId v) {
   if (end_stamp_[v.value()] != stamp_) {
     end_stamp_[v.value()] = stamp_;
@@ -212,25 +223,12 @@ std::span<const CutCandidate> CutChooser::candidates(std::span<const FaceId> fac
 
 PlaneId CutChooser::intern(const CutCandidate& candidate) {
   if (candidate.plane.is_valid()) return candidate.plane;
-  if (!candidate.through.is_valid()) return intern_pencil(candidate);
+  if (!candidate.through.is_valid()) {
+    return intern_pencil(s_.tables->planes, s_.plane_of(candidate.seed).plane(),
+                         s_.plane_of(s_.half(candidate.seed).twin).plane(), candidate.pencil);
+  }
   const auto& [a, b] = s_.half(candidate.seed).line;
   const OrientedPlane plane = s_.tables->planes.intern(a, b, candidate.through);
-  return plane.is_valid() ? plane.plane() : PlaneId();
-}
-
-/// A pencil has factors of the rows that the table knows, multiples of the primitive ones.
-PlaneId CutChooser::intern_pencil(const CutCandidate& candidate) {
-  PlaneTable& planes = s_.tables->planes;
-  const PlaneId first = s_.plane_of(candidate.seed).plane();
-  const PlaneId second = s_.plane_of(s_.half(candidate.seed).twin).plane();
-  const auto multiple = [&planes](PlaneId p) -> Integer {
-    const IntegerRow row = planes.coefficients(p), primitive = planes.primitive(p);
-    const std::size_t i = primitive[0] != 0 ? 0 : primitive[1] != 0 ? 1 : 2;
-    return row[i] / primitive[i];
-  };
-  const OrientedPlane plane =
-      planes.intern(Pencil{first, second, -candidate.pencil[1] * multiple(first),
-                           candidate.pencil[0] * multiple(second)});
   return plane.is_valid() ? plane.plane() : PlaneId();
 }
 

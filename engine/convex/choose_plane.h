@@ -23,6 +23,9 @@
 
 namespace plumb {
 
+/// The plane c[0] p + c[1] q of the primitive rows of two planes. Not valid where that is none.
+PlaneId intern_pencil(PlaneTable& planes, PlaneId p, PlaneId q, std::array<int, 2> c);
+
 struct CutCandidate {
   HalfedgeId seed;              ///< a reflex edge in the plane
   PlaneId plane;                ///< of a face of the seed; else not valid:
@@ -63,7 +66,6 @@ class CutChooser {
   std::optional<std::array<int, 2>> small_factors(const Edge& edge,
                                                   const std::array<double, 3>& at);
   const Row& primitive(PlaneId p);
-  PlaneId intern_pencil(const CutCandidate& candidate);
   CutCandidate judged(const Row& row, CutCandidate candidate);
   void keep(const CutCandidate& candidate);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -154,10 +155,20 @@ std::optional<Plane3> plane_through_lone_vertex(const SetPart& part) {
   return std::nullopt;
 }
 
+/// What a half-space made is a wall. decompose() gives all facets of the set ids.
+Nef3 with_walls_named(const Nef3& cut) {
+  const SpaceComplex& c = cut.complex();
+  std::vector<std::uint32_t> origins = c.facet_origin;
+  for (std::size_t f = 0; f < origins.size(); ++f) {
+    if (origins[f] == kNoOrigin && c.facet_mark[f] != kBeyond) origins[f] = kWallOrigin;
+  }
+  return cut.with_origins(origins);
+}
+
 class SetCutter {
  public:
-  SetCutter(const DecomposeOptions& options, Context& context)
-      : options_(options), context_(context) {}
+  SetCutter(CutRule rule, const DecomposeOptions& options, Context& context)
+      : rule_(rule), options_(options), context_(context) {}
 
   std::vector<Nef3> run(SetPart part) {
     left_.push_back(std::move(part));
@@ -181,6 +192,9 @@ class SetCutter {
     return std::move(done_);
   }
 
+  /// How many pieces a solid may give; any number of what is none.
+  std::size_t most() const { return most_; }
+
  private:
   /// False: nothing was done. Where wedges meet in an edge, cuts make points of their own in each, so that a piece
   /// no longer knows its own contacts (touches_itself()).
@@ -190,7 +204,8 @@ class SetCutter {
     std::vector<FaceId> all;
     for (std::size_t f = 0; f < surface->faces.size(); ++f) all.push_back(FaceId(f));
     const bool touches = touches_itself(*surface, all);
-    SolidPieces cut = cut_solid(*surface, context_);
+    SolidPieces cut = cut_solid(*surface, rule_, context_);
+    if (left_.empty() && done_.empty()) most_ = most_pieces(cut.reflex_edges);
     if (cut.convex.empty() && cut.stuck.size() == 1) return false;
     if (touches && !cut.stuck.empty()) return false;
     const auto is_no_set = [&](const auto& faces) { return touches_itself(*surface, faces); };
@@ -215,8 +230,11 @@ class SetCutter {
 
   /// What the lower side keeps of the plane is what its interior reaches; the rest goes to the upper side.
   void divide(const SetPart& part, const Plane3& plane) {
-    Nef3 low = combine(part.set, plane, Section::ClosedHalfSpace, kIntersection, context_);
-    Nef3 high = combine(part.set, plane, Section::ClosedHalfSpace, kDifference, context_);
+    const auto cut = [&](MarkFunction f) {
+      return with_walls_named(combine(part.set, plane, Section::ClosedHalfSpace, f, context_));
+    };
+    const Nef3 low = cut(kIntersection);
+    Nef3 high = cut(kDifference);
     std::vector<SetPart> below = parts_of(low, context_);
     for (const SetPart& p : below) {
       if (p.dimension < part.dimension) high = combine(high, p.set, kUnion, context_);
@@ -228,17 +246,23 @@ class SetCutter {
     std::move(below.rbegin(), below.rend(), std::back_inserter(left_));
   }
 
+  CutRule rule_;
   const DecomposeOptions options_;
   Context& context_;
   std::vector<SetPart> left_;
   std::vector<Nef3> done_;
   bool is_one_solid_ = false;
+  std::size_t most_ = std::numeric_limits<std::size_t>::max();
 };
 
 }  // namespace
 
 std::vector<Nef3> cut_set(const SetPart& part, const DecomposeOptions& options, Context& context) {
-  return SetCutter(options, context).run(part);
+  SetCutter greedy(CutRule::Greedy, options, context);
+  std::vector<Nef3> pieces = greedy.run(part);
+  if (pieces.size() <= greedy.most()) return pieces;
+  std::vector<Nef3> bounded = SetCutter(CutRule::Fixed, options, context).run(part);
+  return bounded.size() < pieces.size() ? bounded : pieces;
 }
 
 }  // namespace plumb

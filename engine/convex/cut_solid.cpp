@@ -1,8 +1,10 @@
-#include <numeric>
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "plumb/convex/choose_plane.h"
 #include "plumb/convex/cuts.h"
+#include "plumb/convex/fixed_planes.h"
 #include "plumb/convex/plane_cut.h"
 
 namespace plumb {
@@ -10,8 +12,13 @@ namespace {
 
 class SolidCutter {
  public:
-  SolidCutter(CutSurface& surface, Context& context)
-      : s_(surface), context_(context), charge_(context), cut_(surface), chooser_(surface) {}
+  SolidCutter(CutSurface& surface, CutRule rule, Context& context)
+      : s_(surface),
+        rule_(rule),
+        context_(context),
+        charge_(context),
+        cut_(surface),
+        chooser_(surface) {}
 
   SolidPieces run() {
     std::vector<FaceId> all;
@@ -21,6 +28,8 @@ class SolidCutter {
     // Every cut takes from the angle at its edge, and planes through it are few; never seen to be many.
     std::size_t cuts = 0;
     find_reflex(left[0]);
+    done.reflex_edges = reflex_.size();
+    if (rule_ == CutRule::Fixed) planes_.emplace(s_, reflex_);
     const std::size_t most = 64 + 4 * (reflex_.size() + 1) * (reflex_.size() + 1);
     while (!left.empty()) {
       std::vector<FaceId> piece = std::move(left.back());
@@ -62,6 +71,10 @@ class SolidCutter {
   }
 
   CutPieces cut(std::span<const FaceId> piece) {
+    return rule_ == CutRule::Fixed ? cut_first(piece) : cut_best(piece);
+  }
+
+  CutPieces cut_best(std::span<const FaceId> piece) {
     for (const CutCandidate& candidate : chooser_.candidates(piece, reflex_)) {
       const PlaneId plane = chooser_.intern(candidate);
       if (!plane.is_valid()) continue;
@@ -71,19 +84,41 @@ class SolidCutter {
     return {};
   }
 
+  /// Where a tip is in the way, its edges first.
+  CutPieces cut_first(std::span<const FaceId> piece) {
+    const auto edge = [this](HalfedgeId h) { return s_.half(h).edge; };
+    std::ranges::sort(reflex_, {}, edge);
+    std::vector<EdgeId> tried;
+    HalfedgeId seed = reflex_[0];
+    while (seed.is_valid()) {
+      CutPieces parts = cut_.run(piece, planes_->plane(edge(seed)), seed);
+      if (!parts.empty()) return parts;
+      tried.push_back(edge(seed));
+      const VertexId tip = cut_.puncture();
+      const auto next = std::ranges::find_if(reflex_, [&](HalfedgeId h) {
+        const bool is_at = s_.half(h).origin == tip || s_.target(h) == tip;
+        return is_at && std::ranges::find(tried, edge(h)) == tried.end();
+      });
+      seed = next == reflex_.end() ? HalfedgeId() : *next;
+    }
+    return {};
+  }
+
   CutSurface& s_;
+  CutRule rule_;
   Context& context_;
   MemoryCharge charge_;
   std::size_t charged_ = 0;
   PlaneCut cut_;
   CutChooser chooser_;
+  std::optional<FixedPlanes> planes_;
   std::vector<HalfedgeId> reflex_;
 };
 
 }  // namespace
 
-SolidPieces cut_solid(CutSurface& surface, Context& context) {
-  return SolidCutter(surface, context).run();
+SolidPieces cut_solid(CutSurface& surface, CutRule rule, Context& context) {
+  return SolidCutter(surface, rule, context).run();
 }
 
 }  // namespace plumb

@@ -99,6 +99,7 @@ class SurfaceReader {
     h.next = HalfedgeId(next.value());
     h.prev = HalfedgeId(prev.value());
     h.face = face;
+    h.edge = EdgeId(e);
     name_line(h, c_.facet_plane[c_.use_facet[u.value()].value()], EdgeId(e),
               SpaceComplex::is_reverse(seen) ? Sign::Negative : Sign::Positive);
   }

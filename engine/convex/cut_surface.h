@@ -34,8 +34,9 @@ struct CutSurface {
     VertexId origin;
     HalfedgeId next, prev, twin;
     FaceId face;
-    HalfedgeId next_cycle;             ///< of the first half-edge of a cycle: that of the next
-    PlaneId other;                     ///< the line: the face's plane and this one
+    HalfedgeId next_cycle;  ///< of the first half-edge of a cycle: that of the next
+    PlaneId other;          ///< the line: the face's plane and this one
+    EdgeId edge;            ///< of the solid, that it is part of; not valid: of cuts alone
     std::array<InputPointId, 2> line;  ///< two input points on it, where known
     Sign along = Sign::Positive;
     Mark mark = 0;         ///< of the edge

@@ -12,11 +12,23 @@
 namespace plumb {
 namespace {
 
-/// The same set, with origins that no wall has.
-Nef3 without_wall_origins(const Nef3& set) {
+constexpr std::uint32_t kUnnamed = kWallOrigin - 1;  // of the set's facets without an id, meanwhile
+
+bool has_unnamed(const Nef3& set) {
+  return std::ranges::any_of(set.complex().facet_origin,
+                             [](std::uint32_t origin) { return origin >= kWallOrigin; });
+}
+
+/// Ids that no wall has, less than those of walls: where both are one facet, it counts as the set's.
+Nef3 with_names(const Nef3& set) {
   std::vector<std::uint32_t> origins = set.complex().facet_origin;
-  if (std::find(origins.begin(), origins.end(), kWallOrigin) == origins.end()) return set;
-  std::replace(origins.begin(), origins.end(), kWallOrigin, kWallOrigin - 1);
+  for (std::uint32_t& origin : origins) origin = std::min(origin, kUnnamed);
+  return set.with_origins(origins);
+}
+
+Nef3 without_names(const Nef3& set) {
+  std::vector<std::uint32_t> origins = set.complex().facet_origin;
+  std::ranges::replace(origins, kUnnamed, kNoOrigin);
   return set.with_origins(origins);
 }
 
@@ -24,10 +36,7 @@ void close(std::vector<Nef3>& pieces) {
   for (Nef3& piece : pieces) piece = piece.closure();
 }
 
-}  // namespace
-
-ConvexPieces decompose(const Nef3& set, const DecomposeOptions& options, Context& context) {
-  const Nef3 whole = without_wall_origins(set);
+ConvexPieces decompose_named(const Nef3& whole, const DecomposeOptions& options, Context& context) {
   if (options.method == DecomposeMethod::Walls) return decompose_by_walls(whole, options, context);
   ConvexPieces result;
   result.reflex_edges = reflex_edges(whole.complex()).size();
@@ -43,6 +52,15 @@ ConvexPieces decompose(const Nef3& set, const DecomposeOptions& options, Context
     }
     std::move(pieces.begin(), pieces.end(), std::back_inserter(result.pieces));
   }
+  return result;
+}
+
+}  // namespace
+
+ConvexPieces decompose(const Nef3& set, const DecomposeOptions& options, Context& context) {
+  if (!has_unnamed(set)) return decompose_named(set, options, context);
+  ConvexPieces result = decompose_named(with_names(set), options, context);
+  for (Nef3& piece : result.pieces) piece = without_names(piece);
   return result;
 }
 

@@ -16,7 +16,8 @@
 //
 // Walls are told from what was there by origin: a facet of a piece has the facet_origin of the set's
 // facet it lies in, or kWallOrigin. (One facet that is both, where a wall prolongs a facet, counts as
-// the set's: pieces are minimal.)
+// the set's: pieces are minimal.) Facets of the set that have no id of their own, such as those of half-spaces, keep
+// kNoOrigin, and so do walls of pieces that are cut again.
 //
 // Cost and bounds: docs/convex.md. Errors: what the context throws. Sources: the second note
 // (convex-cutting); Chazelle, SIAM J. Comput. 13 (1984); Hachenberger, Algorithmica 55 (2009).
@@ -43,8 +44,10 @@ struct DecomposeOptions {
   bool closed = false;  ///< closures of the pieces: they share what lies on a cut
 };
 
-/// facet_origin of a facet that no facet of the set lies in.
-inline constexpr std::uint32_t kWallOrigin = ~std::uint32_t{0};
+/// facet_origin of a facet that nobody gave an id, as half-spaces make them.
+inline constexpr std::uint32_t kNoOrigin = ~std::uint32_t{0};
+/// facet_origin of a facet of a piece that no facet of the set lies in. Ids of the user's own should be below 2^32 - 3.
+inline constexpr std::uint32_t kWallOrigin = kNoOrigin - 1;
 
 /// What decompose() gives.
 struct ConvexPieces {

@@ -67,29 +67,19 @@ void PlaneCut::insert_chord(Segment& segment) {
   const HalfedgeId c(s_.halves.size()), d(s_.halves.size() + 1);
   const CutSurface::Face& face = s_.face(segment.face);
   const HalfedgeId before_x = s_.half(hx).prev, before_y = s_.half(hy).prev;
-  CutSurface::Half along{from.vertex,
-                         hy,
-                         before_x,
-                         d,
-                         segment.face,
-                         {},
-                         plane_,
-                         {},
-                         face.plane.orientation(),
-                         face.mark,
-                         s_.half(hx).origin_mark,
+  CutSurface::Half along{from.vertex,  hy,
+                         before_x,     d,
+                         segment.face, {},
+                         plane_,       {},
+                         {},           face.plane.orientation(),
+                         face.mark,    s_.half(hx).origin_mark,
                          false};
-  CutSurface::Half back{to.vertex,
-                        hx,
-                        before_y,
-                        c,
-                        segment.face,
-                        {},
-                        plane_,
-                        {},
-                        face.plane.orientation() * Sign::Negative,
-                        face.mark,
-                        s_.half(hy).origin_mark,
+  CutSurface::Half back{to.vertex,    hx,
+                        before_y,     c,
+                        segment.face, {},
+                        plane_,       {},
+                        {},           face.plane.orientation() * Sign::Negative,
+                        face.mark,    s_.half(hy).origin_mark,
                         false};
   s_.halves.push_back(along);
   s_.halves.push_back(back);
@@ -246,6 +236,7 @@ HalfedgeId PlaneCut::add_wall_half(const Segment& segment, FaceId face, bool is_
   half.face = face;
   half.other = segment.place.other;
   half.along = segment.place.sign() * (is_low ? Sign::Positive : Sign::Negative);
+  half.edge = s_.half(like).edge;
   half.line = s_.half(like).line;
   // Where both faces rise from T no half of the surface stays below: this one stands for that ring.
   if (is_low && segment.half.is_valid()) half.origin_mark = s_.half(segment.half).origin_mark;

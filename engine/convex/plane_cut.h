@@ -62,6 +62,8 @@ class PlaneSection {
   bool find(std::span<const FaceId> faces, PlaneId plane, HalfedgeId seed);
 
   bool is_selected(const Segment& segment) const { return is_selected_[segment.cycle] != 0; }
+  /// Where find() failed because of it: the vertex that touches the part.
+  VertexId puncture() const { return puncture_; }
   std::vector<Segment>& segments() { return segments_; }
   std::vector<Event>& events() { return events_; }
 
@@ -83,7 +85,7 @@ class PlaneSection {
   std::uint32_t clockwise_next(const Segment& in, std::span<const std::uint32_t> out) const;
   bool select(HalfedgeId seed);
   bool select_part(std::uint32_t seed_cycle);
-  bool is_punctured() const;
+  bool is_punctured();
   std::vector<RingSide> ring_of(std::uint32_t first) const;
 
   Sign side_of(VertexId v) const { return side_[v.value()]; }
@@ -100,6 +102,7 @@ class PlaneSection {
   std::vector<VertexId> crossing_;       // per half, where stamped
   std::vector<VertexId> zeros_;          // vertices in T
   std::vector<std::uint32_t> outgoing_;  // segments by where they leave
+  VertexId puncture_;
   std::uint32_t stamp_ = 0;
 };
 
@@ -113,6 +116,8 @@ class PlaneCut {
   /// Requires a plane through the reflex edge `seed` of the piece. No pieces: nothing was done, see
   /// PlaneSection::find().
   CutPieces run(std::span<const FaceId> faces, PlaneId plane, HalfedgeId seed);
+  /// See PlaneSection.
+  VertexId puncture() const { return section_.puncture(); }
 
  private:
   using Event = PlaneSection::Event;

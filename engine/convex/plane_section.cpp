@@ -14,6 +14,7 @@ bool PlaneSection::find(std::span<const FaceId> faces, PlaneId plane, HalfedgeId
   plane_ = plane;
   events_.clear();
   segments_.clear();
+  puncture_ = {};
   ++stamp_;
   find_sides();
   find_segments();
@@ -298,7 +299,7 @@ bool PlaneSection::select_part(std::uint32_t seed_cycle) {
 
 /// Does the surface touch the plane in a single point within the part? What is cut there would touch itself in
 /// a point that one of its faces does not know.
-bool PlaneSection::is_punctured() const {
+bool PlaneSection::is_punctured() {
   const auto is_on_segment = [this](VertexId v) {
     const auto at =
         std::lower_bound(outgoing_.begin(), outgoing_.end(), v,
@@ -311,10 +312,11 @@ bool PlaneSection::is_punctured() const {
     for (std::size_t c = 0; c < first_of_cycle_.size(); ++c) {
       if (is_selected_[c] == 0) continue;
       const RingPlace place = place_in(s_, plane_, ring_of(first_of_cycle_[c]), v);
-      if (place == RingPlace::On) return true;
+      if (place == RingPlace::On) puncture_ = v;
       is_inside ^= place == RingPlace::Inside;
     }
-    if (is_inside) return true;
+    if (is_inside) puncture_ = v;
+    if (puncture_.is_valid()) return true;
   }
   return false;
 }

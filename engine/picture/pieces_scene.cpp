@@ -46,11 +46,8 @@ SceneFrame frame_of(std::span<const Point3> points) {
   return frame;
 }
 
-/// Facets that cuts made, one patch each. Facets of sets that were made without ids have none either: a set of such alone is
-/// no piece.
+/// Facets that cuts made, one patch each.
 void hatch_walls(const SpaceComplex& complex, Scene& scene) {
-  const auto has_id = [](std::uint32_t origin) { return origin != kWallOrigin; };
-  if (std::ranges::none_of(complex.facet_origin, has_id)) return;
   for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
     scene.patches[f].is_hatched = is_wall(complex, FacetId(f));
   }

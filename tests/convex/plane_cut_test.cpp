@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,7 +15,9 @@
 #include "generate/voxel_mesh.h"
 #include "oracle/pieces_check.h"
 #include "plumb/convex/choose_plane.h"
+#include "plumb/convex/cuts.h"
 #include "plumb/convex/decompose.h"
+#include "plumb/convex/fixed_planes.h"
 #include "plumb/io/solid_sets.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/space_tables.h"
@@ -180,6 +183,102 @@ TEST(PlaneCut, KeepsVerticesOfTentPits) {
        {DecomposeMethod::Cuts, DecomposeMethod::Walls, DecomposeMethod::Best}) {
     EXPECT_EQ(flaw_of_pieces(set, decompose(set, {method, false}, context), false), "");
   }
+}
+
+// ---------------------------------------------------------------- one plane an edge
+
+/// By the rule Fixed alone; expects right pieces, and no more than the bound. Returns how many.
+std::size_t pieces_by_fixed_planes(const Nef3& set, const std::string& name) {
+  Context context;
+  std::optional<CutSurface> surface = cut_surface_of(set.complex());
+  if (!surface) return 0;
+  std::vector<FaceId> all;
+  for (std::size_t f = 0; f < surface->faces.size(); ++f) all.push_back(FaceId(f));
+  if (touches_itself(*surface, all)) return 0;
+  const SolidPieces cut = cut_solid(*surface, CutRule::Fixed, context);
+  EXPECT_TRUE(cut.stuck.empty()) << name;
+  ConvexPieces result;
+  for (const auto& faces : cut.convex) {
+    result.pieces.push_back(set_of_piece(*surface, faces, false, context));
+  }
+  EXPECT_EQ(flaw_of_pieces(set, result, false), "") << name;
+  EXPECT_LE(result.pieces.size(), bound_of_cuts(1, cut.reflex_edges)) << name;
+  EXPECT_EQ(bound_of_cuts(1, cut.reflex_edges), most_pieces(cut.reflex_edges));
+  return result.pieces.size();
+}
+
+TEST(FixedPlanes, KeepTheBoundOfCombsStarsAndTerrains) {
+  EXPECT_EQ(pieces_by_fixed_planes(solid(box_mesh({0, 0, 0}, {1, 1, 1})), "a box"), 1U);
+  for (int tips = 3; tips < 7; ++tips) {
+    EXPECT_GT(pieces_by_fixed_planes(solid(star_prism(tips)), "star"), 1U);
+  }
+  for (int notches = 0; notches < 4; ++notches) {
+    const Nef3 comb = solid(comb_block(notches, 3));
+    EXPECT_GT(pieces_by_fixed_planes(comb, "comb " + std::to_string(notches)), 3U);
+    pieces_by_fixed_planes(comb.interior(), "open comb " + std::to_string(notches));
+  }
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    Dice dice(seed);
+    pieces_by_fixed_planes(solid(voxel_mesh(random_terrain(dice, 4, 3, 4))),
+                           "terrain " + std::to_string(seed));
+  }
+}
+
+TEST(FixedPlanes, KeepTheBoundOfVoxels) {
+  std::size_t count = 0;
+  for (std::uint64_t seed = 0; seed < 150 && !HasFailure(); ++seed) {
+    Dice dice(seed);
+    const int tenths = static_cast<int>(dice.between(5, 9));
+    const Nef3 set = solid(voxel_mesh(random_voxels(dice, {2, 3, 2}, tenths)));
+    count += pieces_by_fixed_planes(set, "voxels " + std::to_string(seed));
+  }
+  EXPECT_GT(count, 100U);
+}
+
+/// A pit in a block, from its tip to a triangle outside.
+Nef3 pit_to(Point3 tip, Point3 a, Point3 b, Point3 c) {
+  Context context;
+  const PolygonMesh mesh = make_mesh({tip, a, b, c}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+  return Nef3::mesh(mesh, WindingRule::NonZero, context).interior();
+}
+
+/// Is there an edge whose own plane a tip touches, so that nothing can be cut?
+bool has_blocked_edge(const Nef3& set) {
+  const CutSurface whole = *cut_surface_of(set.complex());
+  std::vector<HalfedgeId> reflex;
+  std::vector<FaceId> all;
+  for (std::size_t h = 0; h < whole.halves.size(); ++h) {
+    const CutSurface::Half& half = whole.halves[h];
+    if (half.is_reflex && HalfedgeId(h) < half.twin) reflex.push_back(HalfedgeId(h));
+  }
+  for (std::size_t f = 0; f < whole.faces.size(); ++f) all.push_back(FaceId(f));
+  for (const HalfedgeId h : reflex) {
+    CutSurface surface = whole;
+    surface.tables = copy(*whole.tables);
+    const FixedPlanes planes(surface, reflex);
+    PlaneCut cut(surface);
+    if (cut.run(all, planes.plane(surface.half(h).edge), h).empty()) {
+      EXPECT_TRUE(cut.puncture().is_valid());
+      return true;
+    }
+  }
+  return false;
+}
+
+// A step, whose edge runs along y at x = 4, z = 4, for y < 8. Tips in the way of its planes: above that at z = 4, beside that at
+// x = 4, and one on the edge's line that touches every plane of the pencil that the edge could be cut by.
+TEST(FixedPlanes, PassTipsOfPits) {
+  const Nef3 step =
+      solid(box_mesh({0, 0, 0}, {8, 12, 8})) - solid(box_mesh({4, -1, 4}, {9, 8, 9})).interior();
+  const Nef3 above = pit_to({2, 2, 4}, {1, 1, 9}, {3, 1, 9}, {2, 3, 9});
+  const Nef3 beside = pit_to({4, 5, 2}, {9, 4, 1}, {9, 6, 1}, {9, 5, 3});
+  const Nef3 on_line = pit_to({4, 9, 4}, {-3, 9, 10}, {-1, 8, 10}, {-1, 10, 10});
+  for (const Nef3& set : {step, step - above, step - beside, step - above - beside, step - on_line,
+                          step - above - beside - on_line}) {
+    pieces_by_fixed_planes(set, "pits");
+  }
+  EXPECT_FALSE(has_blocked_edge(step - above - beside));
+  EXPECT_TRUE(has_blocked_edge(step - on_line));
 }
 
 }  // namespace

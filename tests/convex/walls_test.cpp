@@ -15,6 +15,8 @@
 #include "generate/meshes.h"
 #include "oracle/pieces_check.h"
 #include "plumb/base/error.h"
+#include "plumb/convex/decompose.h"
+#include "plumb/predicates/point3_signs.h"
 #include "plumb/space/space_audit.h"
 
 namespace plumb::testing {
@@ -264,6 +266,83 @@ TEST(Walls, MakeConvexPiecesOfRandomSolids) {
     }
     RC_ASSERT(fault(set, seed % 2 == 0) == "");
   }));
+}
+
+// ---------------------------------------------------------------- walls and ids
+
+/// Between the corners.
+RationalPoint3 middle_of(const SpaceComplex& c, FacetId f) {
+  RationalPoint3 sum{0, 0, 0};
+  int count = 0;
+  const UseId first = c.cycles_of(f)[0];
+  UseId u = first;
+  do {
+    const RationalPoint3 p = exact(c.points(), c.vertex_point[c.use_origin(u).value()]);
+    sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
+    ++count;
+    u = c.use_next[u.value()];
+  } while (u != first);
+  return {sum.x / count, sum.y / count, sum.z / count};
+}
+
+/// Facets of pieces that lie in no facet of the set are walls, others are not; those of facets without an id neither.
+void expect_walls(const Nef3& set, const DecomposeOptions& options) {
+  Context context;
+  const SpaceComplex& whole = set.complex();
+  std::size_t walls = 0;
+  for (const Nef3& piece : decompose(set, options, context).pieces) {
+    const SpaceComplex& c = piece.complex();
+    for (std::uint32_t f = 0; f < c.facet_count(); ++f) {
+      if (c.facet_mark[f] == kBeyond) continue;
+      const IntegerRow row = c.planes().primitive(c.facet_plane[f]);
+      const auto is_of_set = [&](std::size_t g) {
+        return whole.facet_mark[g] != kBeyond &&
+               whole.planes().primitive(whole.facet_plane[g]) == row;
+      };
+      bool is_in_plane = false;
+      for (std::size_t g = 0; g < whole.facet_count(); ++g) is_in_plane |= is_of_set(g);
+      EXPECT_TRUE(is_in_plane || is_wall(c, FacetId(f)));
+      walls += is_wall(c, FacetId(f)) ? 1 : 0;
+      const bool is_bounded = std::ranges::all_of(c.cycles_of(FacetId(f)), [&](UseId first) {
+        UseId u = first;
+        do {
+          if (c.vertex_mark[c.use_origin(u).value()] == kBeyond) return false;
+          u = c.use_next[u.value()];
+        } while (u != first);
+        return true;
+      });
+      if (is_bounded && is_wall(c, FacetId(f))) {
+        EXPECT_EQ(set.locate(middle_of(c, FacetId(f))).item.kind(), SpaceItem::Kind::Volume);
+      }
+    }
+  }
+  EXPECT_GT(walls, 0U);
+}
+
+TEST(Walls, AreToldFromFacetsWithoutIds) {
+  Context context;
+  const auto half_space = [](int a, int b, int c, int d) {
+    return Nef3::half_space(Plane3{a, b, c, d}, Boundary::Closed);
+  };
+  const Nef3 block = half_space(1, 0, 0, -8) * half_space(-1, 0, 0, 0) * half_space(0, 1, 0, -8) *
+                     half_space(0, -1, 0, 0) * half_space(0, 0, 1, -8) * half_space(0, 0, -1, 0);
+  const Nef3 notch = half_space(-1, 0, 0, 4) * half_space(0, 0, -1, 4);
+  const Nef3 groove = half_space(-2, 1, 0, 9) * half_space(2, 1, 0, -15);
+  for (const DecomposeMethod method :
+       {DecomposeMethod::Cuts, DecomposeMethod::Walls, DecomposeMethod::Best}) {
+    expect_walls(block - notch, {method, false});
+    expect_walls(block - notch - groove, {method, true});
+    expect_walls(!block, {method, false});  // unbounded
+    expect_walls(solid(box_mesh({0, 0, 0}, {8, 8, 8})) - notch, {method, false});
+    const Nef3 shell = block - half_space(1, 1, 1, -9) * half_space(-1, -1, -1, 6);
+    expect_walls(shell - Nef3::point({7, 7, 7}), {method, false});
+  }
+  // Walls of pieces that are cut again are facets like others.
+  const ConvexPieces pieces = decompose(block - notch, {DecomposeMethod::Cuts, false}, context);
+  const ConvexPieces again = decompose(pieces.pieces[0], {DecomposeMethod::Cuts, false}, context);
+  ASSERT_EQ(again.pieces.size(), 1U);
+  const SpaceComplex& c = again.pieces[0].complex();
+  for (std::uint32_t f = 0; f < c.facet_count(); ++f) EXPECT_FALSE(is_wall(c, FacetId(f)));
 }
 
 }  // namespace

@@ -271,12 +271,23 @@ TEST(PiecesScene, hatches_what_cuts_made) {
     seen += hatched.rgb != rendered(scene).rgb ? 1 : 0;
   }
   EXPECT_EQ(seen, 3U);
-  const std::vector<std::uint32_t> none(6, kWallOrigin);
-  const Nef3 whole = cube(0, 1).with_origins(none);
-  const Scene scene = exploded_scene(std::vector{whole}, 0, context);
-  EXPECT_TRUE(std::ranges::none_of(scene.patches, &Scene::Patch::is_hatched)) << "no piece";
-  const Scene alone = scene_of(whole, context);
+  const Nef3 inner = cube(0, 1).with_origins(std::vector<std::uint32_t>(6, kWallOrigin));
+  const Scene scene = exploded_scene(std::vector{inner}, 0, context);
+  EXPECT_TRUE(std::ranges::all_of(scene.patches, &Scene::Patch::is_hatched)) << "amid others";
+  const Scene alone = scene_of(inner, context);
   EXPECT_TRUE(std::ranges::none_of(alone.patches, &Scene::Patch::is_hatched));
+}
+
+// What a Boolean with a half-space cuts off has no id either.
+TEST(PiecesScene, hatches_no_facets_without_ids) {
+  Context context;
+  const Plane3 plane{1, 1, 1, -1};
+  for (const Nef3& set :
+       {combine(cube(0, 1), plane, Section::ClosedHalfSpace, kIntersection, context),
+        cube(0, 1).with_origins(std::vector<std::uint32_t>(6, kNoOrigin))}) {
+    const Scene scene = exploded_scene(std::vector{set}, 0, context);
+    EXPECT_TRUE(std::ranges::none_of(scene.patches, &Scene::Patch::is_hatched));
+  }
 }
 
 TEST(PiecesScene, refuses_to_move_pieces_beyond_doubles) {
