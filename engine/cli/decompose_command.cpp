@@ -1,16 +1,20 @@
 // plumb convex decompose: convex pieces of a solid or of a set of the plane.
 
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "command.h"
 #include "format_choice.h"
+#include "picture_files.h"
 #include "piece_files.h"
 #include "plumb/base/error.h"
 #include "plumb/convex/decompose.h"
@@ -20,6 +24,7 @@
 #include "plumb/io/input.h"
 #include "plumb/io/plane_io.h"
 #include "plumb/io/solid_text.h"
+#include "plumb/picture/nef2_svg.h"
 #include "plumb/picture/sheet.h"
 #include "solid_input.h"
 
@@ -27,6 +32,7 @@ namespace plumb::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+constexpr double kApart = 0.5;  // of their distances
 
 struct PlaneChoice {
   std::string_view name;
@@ -61,12 +67,17 @@ class Decomposition : public CommandBody {
         ->type_name("METHOD")
         ->check(CLI::IsMember({"cuts", "walls", "diagonals", "optimal", "best"}).description(""));
     app.add_flag("--closed", closed_, "Closures of the pieces");
+    app.add_option("--svg", svg_, "Draw the pieces, one colour each; those of a solid moved apart")
+        ->type_name("OUT");
     input_.declare(app);
   }
 
   ExitCode run(Session& session) override {
     const std::string bytes = read_input(file_, session.context());
     PieceFiles files(session.options().out);
+    if (!svg_.empty()) {
+      session.outputs().add(svg_, [this](std::ostream& out) { out << picture_; });
+    }
     const bool is_plane = kind_of_file(file_, bytes) == FileKind::PlaneSet;
     const Answer answer =
         is_plane ? decompose_plane(bytes, files, session) : decompose_solid(bytes, files, session);
@@ -100,13 +111,14 @@ class Decomposition : public CommandBody {
     for (const auto& format : formats) all.push_back(format.extension);
     return all;
   }
+  std::string title() const { return std::filesystem::path(input_name(file_)).filename().string(); }
   Error cannot(const std::string& what) const {
     return {ErrorCode::Usage, "--method " + method_ + " is for " + what};
   }
 
   // ---------------------------------------------------------------- solids
 
-  Answer decompose_solid(const std::string& bytes, PieceFiles& files, Session& session) const {
+  Answer decompose_solid(const std::string& bytes, PieceFiles& files, Session& session) {
     if (method_ == "diagonals" || method_ == "optimal") throw cannot("sets of the plane");
     const DecomposeMethod method = method_ == "cuts"    ? DecomposeMethod::Cuts
                                    : method_ == "walls" ? DecomposeMethod::Walls
@@ -119,6 +131,9 @@ class Decomposition : public CommandBody {
       const SolidFormat& format = solid_format(piece, session.options().format);
       const SolidText text(piece, format, context);
       files.add(format.extension, text.losses(), [&text](std::ostream& out) { text.write(out); });
+    }
+    if (!svg_.empty()) {
+      picture_ = picture_of(found.pieces, kApart, Picture::Svg, title(), context);
     }
     Answer answer{found.pieces.size(), found.reflex_edges, "reflex edge", {}};
     if (session.options().json) answer.matches = do_volumes_add_up(set, found.pieces, context);
@@ -133,7 +148,7 @@ class Decomposition : public CommandBody {
 
   // ---------------------------------------------------------------- the plane
 
-  Answer decompose_plane(const std::string& bytes, PieceFiles& files, Session& session) const {
+  Answer decompose_plane(const std::string& bytes, PieceFiles& files, Session& session) {
     if (method_ == "walls") throw cannot("solids");
     if (!input_.is_plain()) {
       throw Error(ErrorCode::Usage, "--rule and --surface are for meshes");
@@ -154,8 +169,13 @@ class Decomposition : public CommandBody {
       files.add(format.extension, text.losses().sentences(),
                 [&text](std::ostream& out) { text.write(out); });
     }
+    if (!svg_.empty()) {
+      std::ostringstream out;
+      write_nef2_svg(out, set, {.title = title(), .pieces = found.pieces});
+      picture_ = std::move(out).str();
+    }
     Answer answer{found.pieces.size(), found.reflex_corners, "reflex corner", {}};
-    if (session.options().json) answer.matches = do_areas_add_up(set, found.pieces);
+    if (session.options().json) answer.matches = do_areas_add_up(set, found.pieces, context);
     return answer;
   }
   /// In the format asked for; else WKT, and .nef2 for what has no end.
@@ -167,6 +187,7 @@ class Decomposition : public CommandBody {
   std::string file_;
   std::string method_ = "best";
   bool closed_ = false;
+  std::string svg_, picture_;
   SolidInput input_;
 };
 

@@ -9,14 +9,18 @@ namespace {
 
 class CornerSight {
  public:
-  explicit CornerSight(const PlaneRegion& region) : r_(region), corners_(corners_of(region)) {
-    triangulate(r_);
+  CornerSight(const PlaneRegion& region, Context& context)
+      : r_(region), context_(context), corners_(corners_of(region)) {
+    triangulate(r_, context);
     number_corners();
   }
 
   std::vector<std::vector<std::uint32_t>> look() {
     seen_.resize(corners_.size());
-    for (from_ = 0; from_ < corners_.size(); ++from_) look_around();
+    for (from_ = 0; from_ < corners_.size(); ++from_) {
+      context_.checkpoint("convex partition", from_, corners_.size());
+      look_around();
+    }
     for (std::vector<std::uint32_t>& list : seen_) {
       std::ranges::sort(list);
       list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -85,6 +89,7 @@ class CornerSight {
   }
 
   PlaneRegion r_;
+  Context& context_;
   std::vector<HalfedgeId> corners_;
   std::vector<std::uint32_t> corner_;  // per half-edge
   std::vector<std::vector<std::uint32_t>> seen_;
@@ -102,8 +107,9 @@ std::vector<HalfedgeId> corners_of(const PlaneRegion& region) {
   return corners;
 }
 
-std::vector<std::vector<std::uint32_t>> lesser_corners_seen(const PlaneRegion& region) {
-  return CornerSight(region).look();
+std::vector<std::vector<std::uint32_t>> lesser_corners_seen(const PlaneRegion& region,
+                                                            Context& context) {
+  return CornerSight(region, context).look();
 }
 
 }  // namespace plumb

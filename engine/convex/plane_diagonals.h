@@ -9,13 +9,14 @@
 // Cost: O(n log n).
 #pragma once
 
+#include "plumb/base/context.h"
 #include "plumb/convex/plane_region.h"
 
 namespace plumb {
 
 /// 1 and 2. Requires a bounded region without cuts.
-void triangulate(PlaneRegion& region);
+void triangulate(PlaneRegion& region, Context& context);
 
-void cut_by_diagonals(PlaneRegion& region);
+void cut_by_diagonals(PlaneRegion& region, Context& context);
 
 }  // namespace plumb

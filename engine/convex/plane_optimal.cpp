@@ -28,7 +28,7 @@ class Dissection {
         memory_(context),
         corners_(corners_of(region)),
         n_(static_cast<std::uint32_t>(corners_.size())),
-        seen_(lesser_corners_seen(region)) {
+        seen_(lesser_corners_seen(region, context)) {
     memory_.add(std::uint64_t{n_} * n_ * sizeof(Cell), "optimal convex partition");
     cells_.resize(std::size_t{n_} * n_);
   }

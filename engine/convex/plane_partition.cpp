@@ -17,12 +17,19 @@ namespace plumb {
 namespace {
 
 constexpr const char* kPhase = "convex partition";
+constexpr std::uint64_t kHalfBytes = 64;    // of a region, for each half-edge
+constexpr std::uint64_t kPieceBytes = 700;  // of a piece, and for each of its sides
+constexpr std::uint64_t kSideBytes = 150;
 constexpr std::uint64_t kAffordableCuts = 100'000'000;  // reflex corners times half-edges
 
 class PlanePartition {
  public:
   PlanePartition(const Nef2& set, const PartitionOptions& options, Context& context)
-      : c_(set.complex()), options_(options), context_(context), regions_(c_) {}
+      : c_(set.complex()),
+        options_(options),
+        context_(context),
+        memory_(context),
+        regions_(charged(c_, memory_)) {}
 
   PlanePieces run() {
     for (std::uint32_t f = 0; f < c_.face_count(); ++f) {
@@ -38,12 +45,24 @@ class PlanePartition {
   }
 
  private:
+  /// What regions need of the whole, and the pieces, as long as they are being made.
+  static const PlaneComplex& charged(const PlaneComplex& c, MemoryCharge& memory) {
+    memory.add(8 * c.dcel.vertex_count() + 4 * c.dcel.edge_count() + 4 * c.points.size(), kPhase);
+    return c;
+  }
+
   void add_face(FaceId f) {
     PlaneRegion region = regions_.region(f);
+    MemoryCharge memory(context_);
+    memory.add(2 * kHalfBytes * region.halfedge_count(), kPhase);  // Best has two
     const std::uint64_t reflex = region.count_reflex_corners();
     result_.reflex_corners += reflex;
     if (reflex > 0) cut(region, reflex);
+    const std::size_t before = result_.pieces.size();
     add_pieces(region, result_.pieces, context_);
+    memory_.add(
+        kPieceBytes * (result_.pieces.size() - before) + kSideBytes * region.halfedge_count(),
+        kPhase);
   }
 
   static bool is_simple(const PlaneRegion& region) {
@@ -57,7 +76,7 @@ class PlanePartition {
         return cut_by_sides(region, context_);
       case PartitionMethod::Diagonals:
         require(region.is_bounded(), "diagonals cannot cut an unbounded face; cuts can");
-        return cut_by_diagonals(region);
+        return cut_by_diagonals(region, context_);
       case PartitionMethod::Optimal:
         require(is_simple(region), "an optimal partition needs bounded faces without holes, of " +
                                        std::to_string(kMostCornersForOptimal) + " corners at most");
@@ -73,7 +92,7 @@ class PlanePartition {
     if (is_simple(region)) {
       cut_optimally(region, context_);
     } else {
-      cut_by_diagonals(region);
+      cut_by_diagonals(region, context_);
     }
     // Nothing is better than half of the reflex corners.
     if (region.count_loops() <= 2 || reflex * other.halfedge_count() > kAffordableCuts) return;
@@ -124,6 +143,7 @@ class PlanePartition {
   const PlaneComplex& c_;
   PartitionOptions options_;
   Context& context_;
+  MemoryCharge memory_;
   RegionMaker regions_;
   PlanePieces result_;
   std::vector<std::uint8_t> is_taken_;
@@ -135,12 +155,14 @@ PlanePieces decompose(const Nef2& set, const PartitionOptions& options, Context&
   return PlanePartition(set, options, context).run();
 }
 
-std::optional<bool> do_areas_add_up(const Nef2& set, std::span<const Nef2> pieces) {
+std::optional<bool> do_areas_add_up(const Nef2& set, std::span<const Nef2> pieces,
+                                    Context& context) {
   const std::optional<Rational> whole = set.area();
   if (!whole) return std::nullopt;
   RationalSum sum;
-  for (const Nef2& piece : pieces) {
-    const std::optional<Rational> area = piece.area();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    context.checkpoint("areas", i, pieces.size());
+    const std::optional<Rational> area = pieces[i].area();
     if (!area) return false;
     sum.add(*area);
   }

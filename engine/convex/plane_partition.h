@@ -63,7 +63,8 @@ struct PlanePieces {
 /// what the context throws.
 PlanePieces decompose(const Nef2& set, const PartitionOptions& options, Context& context);
 
-/// Do the areas of the pieces add up to that of the set? None where it is infinite. Exact.
-std::optional<bool> do_areas_add_up(const Nef2& set, std::span<const Nef2> pieces);
+/// Do the areas of the pieces add up to that of the set? None where it is infinite. Exact. Throws what the context throws.
+std::optional<bool> do_areas_add_up(const Nef2& set, std::span<const Nef2> pieces,
+                                    Context& context);
 
 }  // namespace plumb

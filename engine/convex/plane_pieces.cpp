@@ -133,6 +133,10 @@ Nef2 PieceMaker::build(Context& context) {
 }
 
 void add_pieces(const PlaneRegion& region, std::vector<Nef2>& pieces, Context& context) {
+  MemoryCharge memory(context);
+  memory.add(region.points.size() * sizeof(std::uint32_t) + region.halfedge_count() +
+                 region.vertex_count(),
+             "convex pieces");
   PieceMaker maker(region.points);
   std::vector<std::uint8_t> is_done(region.halfedge_count(), 0);
   std::vector<std::uint8_t> is_free = region.vertex_mark;
@@ -153,6 +157,7 @@ void add_pieces(const PlaneRegion& region, std::vector<Nef2>& pieces, Context& c
   };
   for (std::uint32_t i = 0; i < region.halfedge_count(); ++i) {
     if (is_done[i] != 0 || !region.is_inside(HalfedgeId(i))) continue;
+    context.checkpoint("convex pieces", i, region.halfedge_count());
     for (HalfedgeId h(i); is_done[h.value()] == 0; h = region.after(h)) {
       is_done[h.value()] = 1;
       add(h);

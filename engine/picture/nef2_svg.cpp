@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "plumb/io/text_output.h"
 #include "plumb/picture/edge_chains.h"
 #include "plumb/picture/map_style.h"
+#include "plumb/picture/piece_layer.h"
 #include "plumb/picture/plane_window.h"
 #include "plumb/picture/rings.h"
 #include "plumb/picture/sheet.h"
@@ -108,20 +110,27 @@ class SetSheet {
   void write(std::ostream& out) {
     const Badge badge = badge_of(set_);
     const std::string title = options_.title.empty() ? "set" : options_.title;
-    sheet_.write_header(title, badge, facts_of(set_));
+    std::string facts = facts_of(set_);
+    if (has_pieces()) facts = counted(options_.pieces.size(), "convex piece") + ", " + facts;
+    sheet_.write_header(title, badge, facts);
     place();
     write_axes();
     begin_fade();
     write_faces();
+    if (has_pieces()) {
+      left_out_ += write_pieces(options_.pieces, window_, *view_, fades_, sheet_.body());
+    }
     write_edges();
     write_dots();
     sheet_.body() << (fades_ ? "</g></g>\n" : "");
     write_frame();
     write_legend();
-    sheet_.write(out, title + ": " + badge.text, kStyle);
+    sheet_.write(out, title + ": " + badge.text,
+                 std::string(kStyle) + (has_pieces() ? kPieceStyle : ""));
   }
 
  private:
+  bool has_pieces() const { return !options_.pieces.empty(); }
   void place();
   void write_axes();
   void begin_fade();
@@ -144,6 +153,7 @@ class SetSheet {
   const PlaneComplex& complex_;  // of shown_
   Sheet sheet_{{.width = kWidth}};
   Rectangle frame_{};
+  std::optional<View> view_;
   std::vector<Point2> at_;               ///< per vertex: its place in the picture
   std::vector<std::uint8_t> on_border_;  ///< per vertex: PlaneWindow::borders
   std::vector<std::uint8_t> kind_;       ///< per edge: EdgeKind
@@ -159,9 +169,9 @@ void SetSheet::place() {
   const double width = sheet_.right() - left;
   frame_ = {left, sheet_.y(), left + width, sheet_.y() + width * window_.aspect()};
   sheet_.set_y(frame_.bottom + kTickFont + 18);
-  const View view(frame_, {-1, -window_.aspect(), 1, window_.aspect()});
+  view_.emplace(frame_, Rectangle{-1, -window_.aspect(), 1, window_.aspect()});
   for (const std::uint32_t i : complex_.vertex_point) {
-    at_.push_back(view.place(window_.at(complex_.points, i)));
+    at_.push_back(view_->place(window_.at(complex_.points, i)));
     on_border_.push_back(static_cast<std::uint8_t>(window_.borders(complex_.points, i)));
   }
   classify_edges();
@@ -269,6 +279,9 @@ void SetSheet::write_edges() {
     left_out_ += append_chains(complex_, kind_, kind, at_, kMaxPoints, path);
     if (path.empty()) continue;
     (kind == kSolid ? has_solid_ : has_dashed_) = true;
+    if (kind == kDashed && has_pieces()) {  // no outline of a piece shows between the dashes
+      sheet_.body() << "<path class=\"under\" d=\"" << path.data() << "\"/>\n";
+    }
     sheet_.body() << "<path class=\"edge" << (kind == kDashed ? " open" : "") << "\" d=\""
                   << path.data() << "\"/>\n";
   }
@@ -321,9 +334,12 @@ void SetSheet::write_frame() {
 }
 
 void SetSheet::write_legend() {
-  if (has_faces_) {
+  if (has_faces_ && !has_pieces()) {
     sheet_.write_item("<rect class=\"inside\" x=\"-11\" y=\"-8\" width=\"22\" height=\"16\"/>",
                       "inside", "points of the set");
+  }
+  if (has_pieces()) {
+    sheet_.write_item("<path d=\"M-11 0H11\" stroke=\"#5b6672\"/>", "cut", "between two pieces");
   }
   if (has_solid_) {
     sheet_.write_item("<path class=\"edge\" stroke-width=\"2.6\" d=\"M-11 0H11\"/>", "closed",

@@ -5,11 +5,12 @@
 // Flow of write_nef2_svg:
 //  1. PlaneWindow     a box around all vertices
 //  2. the set * the open box: every face and edge is bounded then, cut off exactly
-//  3. fill, edges, dots of that, but for what lies on the box
+//  3. fill, pieces (piece_layer.h), edges, dots of that, but for what lies on the box
 //  4. axes, legend of what occurs, notes
 #pragma once
 
 #include <ostream>
+#include <span>
 #include <string>
 
 #include "plumb/plane/nef2.h"
@@ -19,6 +20,8 @@ namespace plumb {
 /// What the page of a set of the plane shows.
 struct Nef2SvgOptions {
   std::string title = {};  ///< e.g. the file's name; any bytes
+  /// Convex pieces of the set, each with a colour of its own, thin lines between them.
+  std::span<const Nef2> pieces = {};
 };
 
 /// Writes the picture of any set: any exact coordinates, any number of faces; the file stays below

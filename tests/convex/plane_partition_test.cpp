@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -313,14 +314,36 @@ TEST(PlanePartition, RefusesWhatAMethodCannotDo) {
 }
 
 TEST(PlanePartition, OfLargePolygonsEndsSoon) {
+  Context context;
   const Nef2 star = polygon(star_polygon(kMostCornersForOptimal, 1));
   const PlanePieces optimal = pieces_of(star, PartitionMethod::Optimal);
-  EXPECT_TRUE(do_areas_add_up(star, optimal.pieces).value());
+  EXPECT_TRUE(do_areas_add_up(star, optimal.pieces, context).value());
   EXPECT_LE(optimal.pieces.size(), count_of(star, PartitionMethod::Diagonals));
   const Nef2 large = polygon(star_polygon(4000, 2));
   const PlanePieces best = pieces_of(large, PartitionMethod::Best);
-  EXPECT_TRUE(do_areas_add_up(large, best.pieces).value());
+  EXPECT_TRUE(do_areas_add_up(large, best.pieces, context).value());
   EXPECT_LE(best.pieces.size(), best.reflex_corners + 1);
+}
+
+// Memory of the work, and of pieces while they are made; time; a stop.
+TEST(PlanePartition, LooksAtTheContext) {
+  const Nef2 star = polygon(star_polygon(kMostCornersForOptimal, 1));
+  const Nef2 large = polygon(star_polygon(4000, 2));
+  for (const PartitionMethod method : kMethods) {
+    const Nef2& set = method == PartitionMethod::Optimal ? star : large;
+    Context small({.max_memory_bytes = 100'000});
+    EXPECT_THROW(decompose(set, {method, false}, small), Error);
+    Context enough({.max_memory_bytes = 40'000'000});
+    EXPECT_NO_THROW(decompose(set, {method, false}, enough));
+    EXPECT_NO_THROW(enough.charge_memory(40'000'000, "all of it was given back"));
+    std::stop_source stop;
+    stop.request_stop();
+    Context stopped({}, stop.get_token());
+    EXPECT_THROW(decompose(set, {method, false}, stopped), Error);
+    Context short_of_time({.max_seconds = 1e-9});
+    EXPECT_THROW(decompose(set, {method, false}, short_of_time), Error);
+    EXPECT_THROW(do_areas_add_up(set, pieces_of(set, method).pieces, stopped), Error);
+  }
 }
 
 // ---------------------------------------------------------------- random sets

@@ -65,7 +65,8 @@ std::string flaw_of_partition(const Nef2& set, const PlanePieces& pieces, bool c
       }
     }
   }
-  return do_areas_add_up(set, pieces.pieces).value_or(true) ? "" : "the areas do not add up";
+  return do_areas_add_up(set, pieces.pieces, context).value_or(true) ? ""
+                                                                     : "the areas do not add up";
 }
 
 // ---------------------------------------------------------------- all sets of diagonals

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
 #include <numbers>
 
+#include "plumb/convex/plane_partition.h"
 #include "plumb/picture/plane_window.h"
 #include "svg_checks.h"
 
@@ -189,6 +191,44 @@ TEST(Nef2Svg, AnyCoordinates) {
   }
   const Seen far = seen(cases[2].second);  // as large as anywhere else
   EXPECT_NEAR(far.filled, seen(triangle(Boundary::Closed)).filled, 0.01 * far.filled);
+}
+
+/// Areas of all pieces, by their colours.
+void see_pieces(const Xml& tree, std::map<std::string, double>& area_of) {
+  for (const auto& [name, e] : tree) {
+    if (attribute(e, "class") == "piece") {
+      for (const auto& ring : read_path(attribute(e, "d"))) {
+        area_of[attribute(e, "fill")] -= area(ring);
+      }
+    }
+    see_pieces(e, area_of);
+  }
+}
+
+TEST(Nef2Svg, PiecesFillTheSet) {
+  Context context;
+  const Nef2 square = Nef2::polygon(std::vector<Point2>{{0, 0}, {6, 0}, {6, 6}, {0, 6}});
+  const Nef2 hole = Nef2::polygon(std::vector<Point2>{{1, 1}, {3, 2}, {2, 4}});
+  for (const Nef2& set : {square - hole, (square - hole).interior(), !hole}) {
+    const PlanePieces pieces = decompose(set, {}, context);
+    const std::string svg = drawn(set, {.pieces = pieces.pieces});
+    expect_sound(svg);
+    std::map<std::string, double> area_of;
+    see_pieces(parsed(svg), area_of);
+    EXPECT_EQ(area_of.size(), pieces.pieces.size());
+    double sum = 0;
+    for (const auto& [colour, filled] : area_of) {
+      EXPECT_GT(filled, 1);
+      sum += filled;
+    }
+    Seen with;
+    see(parsed(svg), with);
+    const Seen without = seen(set);
+    EXPECT_NEAR(sum, without.filled, 1e-3 * without.filled);
+    EXPECT_EQ(with.solid, without.solid);
+    EXPECT_EQ(with.dashed, without.dashed);
+    EXPECT_EQ(with.hollow, without.hollow);
+  }
 }
 
 TEST(Nef2Svg, TitlesAreEscaped) {
