@@ -144,7 +144,7 @@ std::span<const Command> commands() {
               "./plumb solid compare corpus/solids/l-block.off corpus/solids/l-block.off",
               "solid-compare", make_solid_compare},
       Command{"convex check", "A",
-              "Is it convex? Reflex edges, and faces with vertices on both sides",
+              "Is a set of space or the plane convex? Reflex edges or corners, and faces that fail",
               "./plumb convex check corpus/solids/ball.off", "convex-check", make_convex_check},
       Command{"convex decompose", "A",
               "Convex pieces of any set of space or the plane; -o DIR: a file each",

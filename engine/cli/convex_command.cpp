@@ -10,9 +10,14 @@
 #include <vector>
 
 #include "command.h"
+#include "number_argument.h"
+#include "plumb/base/error.h"
 #include "plumb/convex/convexity.h"
 #include "plumb/convex/decompose.h"
+#include "plumb/convex/plane_convexity.h"
+#include "plumb/io/file_kind.h"
 #include "plumb/io/input.h"
+#include "plumb/io/plane_io.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/io/solid_sets.h"
 #include "plumb/picture/sheet.h"
@@ -23,7 +28,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr const char* kHelp =
-    "A solid: .off, .obj, .stl, .ply, .glb, .gltf, .nef; - is standard input";
+    "A solid: .off, .obj, .stl, .ply, .glb, .gltf, .nef; or a set of the plane: .wkt, .geojson, "
+    ".nef2; - is standard input";
 
 // ---------------------------------------------------------------- check
 
@@ -35,7 +41,9 @@ class ConvexCheck : public CommandBody {
   }
 
   ExitCode run(Session& session) override {
-    const ConvexityEvidence found = evidence(session);
+    const std::string bytes = read_input(file_, session.context());
+    if (kind_of_file(file_, bytes) == FileKind::PlaneSet) return check_plane(bytes, session);
+    const ConvexityEvidence found = evidence(bytes, session);
     Json faces = Json::array();
     for (const FailingFace& failing : found.faces) faces.push_back(failing.face);
     const Json json{
@@ -52,11 +60,35 @@ class ConvexCheck : public CommandBody {
   }
 
  private:
+  ExitCode check_plane(const std::string& bytes, Session& session) const {
+    if (!input_.is_plain()) {
+      throw Error(ErrorCode::Usage, "--rule and --surface are for meshes");
+    }
+    const PlaneFormat format = plane_format_of(file_).value_or(guess_plane_format(bytes));
+    const ReadOptions options{input_name(file_), session.options().exact_decimals};
+    const Nef2 set = read_plane_set(bytes, format, options, session.context());
+    const PlaneConvexity found = convexity_of_set(set, session.context());
+    Json faces = Json::array();
+    for (const FailingRegion& failing : found.faces) faces.push_back(failing.face.value());
+    const Json json{
+        {"convex", found.is_convex}, {"reflex_edges", found.reflex_corners}, {"faces", faces}};
+    session.answer(json.dump(), [&found](std::ostream& out) {
+      out << (found.is_convex ? "convex\n" : "not convex\n");
+      if (found.is_convex) return;
+      out << counted(found.reflex_corners, "reflex corner") << ", "
+          << counted(found.parts, "connected part") << '\n';
+      for (const FailingRegion& failing : found.faces) {
+        out << "face " << failing.face.value() << ": reflex corner at "
+            << readable(failing.corner.x) << ' ' << readable(failing.corner.y) << '\n';
+      }
+    });
+    return found.is_convex ? ExitCode::Yes : ExitCode::No;
+  }
+
   /// Of a mesh by its own faces, if it is the surface of one solid; else of the set it describes, but for its faces:
   /// those are always the mesh's.
-  ConvexityEvidence evidence(Session& session) const {
+  ConvexityEvidence evidence(const std::string& bytes, Session& session) const {
     Context& context = session.context();
-    const std::string bytes = read_input(file_, context);
     if (is_nef_file(file_, bytes)) {
       return convexity_of_set(input_.read(file_, bytes, session), context);
     }

@@ -3,7 +3,11 @@
 #include <utility>
 
 #include "command_app.h"
+#include "plumb/base/error.h"
+#include "plumb/io/file_kind.h"
 #include "plumb/io/input.h"
+#include "plumb/io/plane_io.h"
+#include "plumb/io/solid_io.h"
 #include "plumb/io/solid_sets.h"
 
 namespace plumb::cli {
@@ -26,9 +30,25 @@ SolidReadOptions SolidInput::read_options(const CommonOptions& common) const {
   return options;
 }
 
+namespace {
+
+/// As a mesh it would be refused for its first word.
+void require_solid(const std::string& file, const std::string& bytes) {
+  const FileKind kind = kind_of_file(file, bytes);
+  const bool is_gltf = !plane_format_of(file) && guess_mesh_format(bytes) == MeshFormat::Gltf;
+  if (kind == FileKind::Solid || is_gltf) return;
+  const std::string what = kind == FileKind::Map ? "a map" : "a set of the plane";
+  throw Error(ErrorCode::UnknownFormat,
+              what + ", where a solid is needed: .off, .obj, .stl, .ply, .glb, .gltf, .nef",
+              {.file = input_name(file)});
+}
+
+}  // namespace
+
 SolidRead SolidInput::load(const std::string& file, const CommonOptions& options,
                            Context& context) const {
   const std::string bytes = read_input(file, context);
+  require_solid(file, bytes);
   SolidRead solid = read_solid(file, bytes, read_options(options), context);
   context.release_memory(bytes.size());
   return solid;
@@ -42,6 +62,7 @@ Nef3 SolidInput::read(const std::string& file, Session& session) const {
 }
 
 Nef3 SolidInput::read(const std::string& file, const std::string& bytes, Session& session) const {
+  require_solid(file, bytes);
   SolidRead solid = read_solid(file, bytes, read_options(session.options()), session.context());
   for (const std::string& note : solid.notes) session.note(input_name(file) + ": " + note);
   return std::move(solid.set);

@@ -15,6 +15,7 @@ namespace plumb::testing {
 namespace {
 
 using Json = nlohmann::json;
+using Words = std::vector<std::string>;
 
 const std::string kBlock = "corpus/solids/l-block.off";
 
@@ -139,7 +140,6 @@ TEST(ConvexProgram, check_lists_every_face_that_fails) {
   const ScratchDirectory scratch;
   const std::string file = (scratch / "columns.off").string();
   write_file(file, touching_columns());
-  using Words = std::vector<std::string>;
   for (const Words& more : {Words{}, Words{"--rule", "odd"}}) {
     Words words{"convex", "check", file, "--json"};
     words.insert(words.end(), more.begin(), more.end());
@@ -213,6 +213,59 @@ TEST(ConvexProgram, decompose_chooses_formats_and_methods_in_the_plane) {
   }
 }
 
+TEST(ConvexProgram, check_takes_sets_of_the_plane) {
+  EXPECT_EQ(run({"convex", "check", "corpus/plane/quadrant.nef2", "--json"}).out,
+            "{\"convex\":true,\"reflex_edges\":0,\"faces\":[]}\n");
+  const RunResult frame = run({"convex", "check", "corpus/plane/frame.geojson", "--json"});
+  EXPECT_EQ(frame.code, 1);
+  EXPECT_EQ(frame.out, "{\"convex\":false,\"reflex_edges\":4,\"faces\":[1]}\n");
+  const ScratchDirectory scratch;
+  const std::string bent_line = (scratch / "bent.wkt").string();
+  write_file(bent_line, "LINESTRING(0 0, 1 0, 1 1)\n");
+  const std::string step_file = (scratch / "step.wkt").string();
+  write_file(step_file, "POLYGON((0 0, 2 0, 2 1, 1/2 1, 1/2 2, 0 2, 0 0))\n");
+  const RunResult bent = run({"convex", "check", bent_line});
+  EXPECT_EQ(bent.code, 1);
+  EXPECT_EQ(bent.out, "not convex\n0 reflex corners, 1 connected part\n");
+  const RunResult step = run({"convex", "check", step_file});
+  EXPECT_EQ(step.out,
+            "not convex\n1 reflex corner, 1 connected part\n"
+            "face 1: reflex corner at 1/2 1\n");
+}
+
+TEST(ConvexProgram, decompose_draws_pieces) {
+  const ScratchDirectory scratch;
+  for (const auto& [file, mark] : {std::pair{"corpus/plane/star.wkt", "class=\"piece\""},
+                                   std::pair{"corpus/plane/quadrant.nef2", "class=\"piece\""},
+                                   std::pair{"corpus/solids/l-block.off", "cuts hatched"}}) {
+    const std::string picture = (scratch / "pieces.svg").string();
+    const RunResult result = run({"convex", "decompose", file, "--svg", picture, "--json"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    const std::string svg = read_file(picture);
+    EXPECT_TRUE(svg.starts_with("<svg")) << file;
+    EXPECT_NE(svg.find(mark), std::string::npos) << file;
+  }
+  const std::string outside = (scratch / "outside.nef").string();
+  run({"solid", "complement", kBlock, "-o", outside});
+  const std::string none = (scratch / "none.svg").string();
+  EXPECT_EQ(run({"convex", "decompose", outside, "--svg", none}).code, 2);
+  EXPECT_FALSE(fs::exists(none));
+}
+
+TEST(ConvexProgram, says_where_a_solid_is_needed) {
+  for (const Words& words :
+       {Words{"convex", "minkowski", "corpus/plane/star.wkt", "corpus/plane/star.wkt"},
+        Words{"convex", "minkowski", kBlock, "corpus/plane/quadrant.nef2"},
+        Words{"convex", "report", "corpus/plane/frame.geojson"},
+        Words{"solid", "info", "corpus/plane/star.wkt"}}) {
+    const RunResult result = run(words);
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find("a set of the plane, where a solid is needed"), std::string::npos)
+        << result.err;
+  }
+}
+
 TEST(ConvexProgram, report_is_that_of_the_notes) {
   std::vector<std::string> words{"convex", "report"};
   for (const char* name : {"zero", "one", "two", "three", "four"}) {
@@ -237,6 +290,7 @@ TEST(ConvexProgram, refuses_what_it_cannot_do) {
         std::vector<std::string>{"convex", "decompose", "corpus/plane/star.wkt", "--method",
                                  "walls"},
         std::vector<std::string>{"convex", "decompose", "corpus/plane/star.wkt", "--surface"},
+        std::vector<std::string>{"convex", "check", "corpus/plane/star.wkt", "--surface"},
         std::vector<std::string>{"convex", "decompose", "corpus/plane/frame.geojson", "--method",
                                  "optimal"}}) {
     const RunResult result = run(words);
