@@ -150,96 +150,115 @@ class Meeting {
  public:
   Meeting(const MeetLeaves& a, const MeetLeaves& b, const std::array<FacetSites, 2>& sites,
           Context& context)
-      : a_(a), b_(b), sites_(sites), context_(context), memory_(context) {}
+      : a_(a),
+        b_(b),
+        items_of_a_(a),
+        items_of_b_(b),
+        sites_(sites),
+        context_(context),
+        memory_(context) {}
 
   void test(std::size_t x, std::size_t y) {
     if (++tested_ % 4096 == 0) report();
-    if (b_[y].facet.is_valid()) items_in_facet<true>(a_, x, b_, y);
-    if (a_[x].facet.is_valid()) items_in_facet<false>(b_, y, a_, x);
-    const bool is_bare = a_[x].is_bare || b_[y].is_bare;
-    if (is_bare || (a_[x].has_flat_edges && b_[y].has_flat_edges)) test_directly(x, y);
+    const LeafItems &in_a = items_of_a_[x], &in_b = items_of_b_[y];
+    if (b_[y].facet.is_valid()) items_in_facet<true>(a_[x], in_a, y);
+    if (a_[x].facet.is_valid()) items_in_facet<false>(b_[y], in_b, x);
+    const bool is_bare = a_[x].bare.is_valid() || b_[y].bare.is_valid();
+    if (is_bare || (in_a.has_flat_edges() && in_b.has_flat_edges())) test_directly(x, y);
   }
 
   /// (a, b) as high and low half.
   std::vector<std::uint64_t> take_keys() { return std::move(keys_); }
 
  private:
-  /// The items of leaf x against the surface of leaf y.
   template <bool kForward>
-  void items_in_facet(const MeetLeaves& xs, std::size_t x, const MeetLeaves& ys, std::size_t y) {
-    const std::span<const VertexId> vertices = xs.vertices(x);
-    std::array<Sign, MeetLeaves::kMostVertices> sides;
-    if (vertices.empty() || !find_sides(xs.complex(), vertices, ys, y, sides)) return;
-    for (std::size_t i = 0; i < xs[x].own; ++i) {
-      if (sides[i] == Sign::Zero) vertex_in_facet<kForward>(xs, x, vertices[i], ys, y);
+  const SpaceComplex& tested_complex() const {
+    return kForward ? a_.complex() : b_.complex();
+  }
+  template <bool kForward>
+  const MeetLeaves& others() const {
+    return kForward ? b_ : a_;
+  }
+
+  /// The items of a leaf against the surface of leaf y of the others.
+  template <bool kForward>
+  void items_in_facet(const MeetLeaf& leaf, const LeafItems& items, std::size_t y) {
+    const std::span<const VertexId> vertices = items.vertices();
+    std::array<Sign, LeafItems::kMostVertices> sides;
+    if (vertices.empty() || !find_sides<kForward>(vertices, y, sides)) return;
+    for (std::size_t i = 0; i < items.own_vertices().size(); ++i) {
+      if (sides[i] == Sign::Zero) vertex_in_facet<kForward>(leaf, vertices[i], y);
     }
-    for (const LeafEdge& e : xs.edges(x)) {
-      if (sides[e.from] * sides[e.to] == Sign::Negative) {
-        edge_in_facet<kForward>(xs, e, ys, y);
-      }
+    for (const LeafEdge& e : items.edges()) {
+      if (sides[e.from] * sides[e.to] == Sign::Negative) edge_in_facet<kForward>(e, y);
     }
   }
 
   /// False: all strictly on one side of the facet's plane.
-  static bool find_sides(const SpaceComplex& complex, std::span<const VertexId> vertices,
-                         const MeetLeaves& ys, std::size_t y,
-                         std::array<Sign, MeetLeaves::kMostVertices>& sides) {
+  template <bool kForward>
+  bool find_sides(std::span<const VertexId> vertices, std::size_t y,
+                  std::array<Sign, LeafItems::kMostVertices>& sides) const {
+    const MeetLeaves& ys = others<kForward>();
     const PlaneId plane = ys.complex().facet_plane[ys[y].facet.value()];
     bool has_both = false;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      sides[i] = side_of(complex, vertices[i], plane);
+      sides[i] = side_of(tested_complex<kForward>(), vertices[i], plane);
       has_both |= sides[i] == Sign::Zero || sides[i] != sides[0];
     }
     return has_both;
   }
 
   template <bool kForward>
-  void vertex_in_facet(const MeetLeaves& xs, std::size_t x, VertexId v, const MeetLeaves& ys,
-                       std::size_t y) {
-    if (!ys.boxes()[y].meets(box_of(xs.complex(), v))) return;
-    const SpacePoint point = xs.complex().vertex_point[v.value()];
+  void vertex_in_facet(const MeetLeaf& leaf, VertexId v, std::size_t y) {
+    const SpaceComplex& complex = tested_complex<kForward>();
+    const MeetLeaves& ys = others<kForward>();
+    if (!ys.boxes()[y].meets(box_of(complex, v))) return;
+    const SpacePoint point = complex.vertex_point[v.value()];
     const SpaceItem site = sites_of<!kForward>().site(ys[y].facet, point);
     if (!site.is_valid()) return;
-    if (kForward || site.kind() != SpaceItem::Kind::Vertex || xs[x].is_bare) {
+    if (kForward || site.kind() != SpaceItem::Kind::Vertex || leaf.bare.is_valid()) {
       add<kForward>(v, site);
     }
   }
 
   template <bool kForward>
-  void edge_in_facet(const MeetLeaves& xs, const LeafEdge& e, const MeetLeaves& ys, std::size_t y) {
-    const SpaceItem site =
-        cut_of_edge(xs.complex(), e.edge, ys.complex(), ys[y].facet, sites_of<!kForward>());
+  void edge_in_facet(const LeafEdge& e, std::size_t y) {
+    const MeetLeaves& ys = others<kForward>();
+    const SpaceItem site = cut_of_edge(tested_complex<kForward>(), e.edge, ys.complex(),
+                                       ys[y].facet, sites_of<!kForward>());
     if (!site.is_valid() || site.kind() == SpaceItem::Kind::Vertex) return;
     if (kForward || site.kind() == SpaceItem::Kind::Facet || e.is_flat) add<kForward>(e.edge, site);
   }
 
   void test_directly(std::size_t x, std::size_t y) {
-    for (const LeafEdge& e : a_.edges(x)) {
-      for (const LeafEdge& f : b_.edges(y)) {
+    const LeafItems &in_a = items_of_a_[x], &in_b = items_of_b_[y];
+    for (const LeafEdge& e : in_a.edges()) {
+      for (const LeafEdge& f : in_b.edges()) {
         if (e.is_flat && f.is_flat && edges_cross(a_.complex(), e.edge, b_.complex(), f.edge)) {
           add<true>(e.edge, f.edge);
         }
       }
     }
-    if (b_[y].is_bare) vertices_on_free_edges<true>(a_, x, b_, y);
-    if (a_[x].is_bare) vertices_on_free_edges<false>(b_, y, a_, x);
-    if (a_[x].is_bare && b_[y].is_bare) equal_vertices(x, y);
+    const bool is_bare_a = a_[x].bare.is_valid(), is_bare_b = b_[y].bare.is_valid();
+    if (is_bare_b) vertices_on_free_edges<true>(in_a, in_b);
+    if (is_bare_a) vertices_on_free_edges<false>(in_b, in_a);
+    if (is_bare_a && is_bare_b) equal_vertices(in_a, in_b);
   }
 
   template <bool kForward>
-  void vertices_on_free_edges(const MeetLeaves& xs, std::size_t x, const MeetLeaves& ys,
-                              std::size_t y) {
-    for (const LeafEdge& e : ys.edges(y)) {
-      for (const VertexId v : xs.own_vertices(x)) {
-        if (is_on_edge(xs.complex(), v, ys.complex(), e.edge)) add<kForward>(v, e.edge);
+  void vertices_on_free_edges(const LeafItems& xs, const LeafItems& ys) {
+    for (const LeafEdge& e : ys.edges()) {
+      for (const VertexId v : xs.own_vertices()) {
+        const SpaceComplex& of_edge = others<kForward>().complex();
+        if (is_on_edge(tested_complex<kForward>(), v, of_edge, e.edge)) add<kForward>(v, e.edge);
       }
     }
   }
 
-  void equal_vertices(std::size_t x, std::size_t y) {
+  void equal_vertices(const LeafItems& in_a, const LeafItems& in_b) {
     const SpaceComplex &a = a_.complex(), &b = b_.complex();
-    for (const VertexId v : a_.own_vertices(x)) {
-      for (const VertexId w : b_.own_vertices(y)) {
+    for (const VertexId v : in_a.own_vertices()) {
+      for (const VertexId w : in_b.own_vertices()) {
         if (equal(a.points(), a.vertex_point[v.value()], b.vertex_point[w.value()])) {
           add<true>(v, w);
         }
@@ -267,6 +286,8 @@ class Meeting {
 
   const MeetLeaves& a_;
   const MeetLeaves& b_;
+  LeafCache items_of_a_;
+  LeafCache items_of_b_;
   const std::array<FacetSites, 2>& sites_;
   Context& context_;
   MemoryCharge memory_;
@@ -303,10 +324,12 @@ namespace {
 std::vector<Box3> turned_boxes(const MeetLeaves& leaves, const BoxFrame& frame) {
   std::vector<Box3> boxes;
   boxes.reserve(leaves.boxes().size());
+  LeafItems items;
   for (std::size_t i = 0; i < leaves.boxes().size(); ++i) {
     Box3 box;
     if (leaves[i].facet.is_valid()) box = frame.box_of(leaves.complex(), leaves[i].facet);
-    for (const VertexId v : leaves.vertices(i)) box.add(frame.box_of(leaves.complex(), v));
+    items.fill(leaves.complex(), leaves[i]);
+    for (const VertexId v : items.vertices()) box.add(frame.box_of(leaves.complex(), v));
     boxes.push_back(box);
   }
   return boxes;

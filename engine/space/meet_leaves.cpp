@@ -7,117 +7,134 @@
 
 namespace plumb {
 
+// ---------------------------------------------------------------- leaves
+
 MeetLeaves::MeetLeaves(const SpaceComplex& complex, const Box3& reach)
-    : complex_(complex), reach_(reach), is_taken_(complex.vertex_count()) {
+    : complex_(complex), reach_(reach) {
   for (std::size_t f = 0; f < complex.facet_count(); ++f) add_facet(FacetId(f));
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
-    if (!complex.edge_use[e].is_valid()) add_free_edge(EdgeId(e));
+    if (complex.edge_use[e].is_valid()) continue;
+    add({FacetId(), EdgeId(e), UseId(), 0}, box_of(complex, EdgeId(e)));
   }
   for (std::size_t v = 0; v < complex.vertex_count(); ++v) {
-    if (complex.star_of(VertexId(v)).empty()) add_vertex(VertexId(v));
+    if (!complex.star_of(VertexId(v)).empty()) continue;
+    add({FacetId(), VertexId(v), UseId(), 0}, box_of(complex, VertexId(v)));
   }
-  open(FacetId(), true);  // the end of the last
 }
 
 // Everything of a facet lies within the box of its outer cycle.
 void MeetLeaves::add_facet(FacetId f) {
+  const std::span<const UseId> cycles = complex_.cycles_of(f);
+  if (cycles.empty()) return;
   Box3 box;
-  uses_.clear();
-  for (const UseId first : complex_.cycles_of(f)) {
-    const bool is_outer = uses_.empty();
-    UseId u = first;
+  std::uint32_t corners = 0;
+  UseId u = cycles.front();
+  do {
+    box.add(box_of(complex_, complex_.use_origin(u)));
+    ++corners;
+    u = complex_.use_next[u.value()];
+  } while (u != cycles.front());
+  if (!box.meets(reach_)) return;
+  if (cycles.size() == 1 && corners <= LeafItems::kMostCorners) {
+    return add({f, SpaceItem(), u, corners}, box);
+  }
+  add({f, SpaceItem(), UseId(), 0}, box);
+  corners = 0;
+  for (const UseId first : cycles) corners += add_corners(first);
+  if (corners > FacetSites::kFewCorners) large_facets_.push_back(f);
+}
+
+/// Returns how many there are.
+std::uint32_t MeetLeaves::add_corners(UseId first) {
+  std::uint32_t count = 0;
+  UseId u = first;
+  do {
+    MeetLeaf leaf{FacetId(), SpaceItem(), u, 0};
+    Box3 box = box_of(complex_, complex_.use_origin(u));
     do {
-      if (is_outer) box.add(box_of(complex_, complex_.use_origin(u)));
-      uses_.push_back(u);
       u = complex_.use_next[u.value()];
-    } while (u != first);
-    if (is_outer && !is_in_reach(box)) return;
-  }
-  if (uses_.size() > FacetSites::kFewCorners) large_facets_.push_back(f);
-  open(f, false);
-  if (uses_.size() <= kMostCorners) take_corners(uses_);
-  close(box);
-  if (uses_.size() > kMostCorners) add_corners_of_large_facet();
+      box.add(box_of(complex_, complex_.use_origin(u)));
+      ++leaf.count;
+    } while (u != first && leaf.count < LeafItems::kMostCorners);
+    add(leaf, box);
+    count += leaf.count;
+  } while (u != first);
+  return count;
 }
 
-void MeetLeaves::add_corners_of_large_facet() {
-  for (std::size_t i = 0; i < uses_.size(); i += kMostCorners) {
-    open(FacetId(), false);
-    take_corners(std::span(uses_).subspan(i, std::min(kMostCorners, uses_.size() - i)));
-    Box3 box;
-    for (const VertexId v : std::span(vertices_).subspan(leaves_.back().vertex_begin)) {
-      box.add(box_of(complex_, v));
-    }
-    close(box);
-  }
+void MeetLeaves::add(const MeetLeaf& leaf, const Box3& box) {
+  if (!box.meets(reach_)) return;
+  leaves_.push_back(leaf);
+  boxes_.push_back(box);
 }
 
-void MeetLeaves::add_free_edge(EdgeId e) {
-  open(FacetId(), true);
-  take_vertex(complex_.origin[2 * e.value()]);
-  take_vertex(complex_.origin[2 * e.value() + 1]);
-  take_edge(e, true);
-  close(box_of(complex_, e));
-}
+// ---------------------------------------------------------------- items of a leaf
 
-void MeetLeaves::add_vertex(VertexId v) {
-  open(FacetId(), true);
-  take_vertex(v);
-  close(box_of(complex_, v));
-}
+namespace {
 
-void MeetLeaves::open(FacetId facet, bool is_bare) {
-  leaves_.push_back({facet, static_cast<std::uint32_t>(vertices_.size()),
-                     static_cast<std::uint32_t>(edges_.size()), 0, is_bare, false});
-}
-
-/// Drops what is empty or out of reach.
-void MeetLeaves::close(const Box3& box) {
-  const MeetLeaf& leaf = leaves_.back();
-  const bool is_empty = !leaf.facet.is_valid() && vertices_.size() == leaf.vertex_begin;
-  if (!is_empty && is_in_reach(box)) return boxes_.push_back(box);
-  vertices_.resize(leaf.vertex_begin);
-  edges_.resize(leaf.edge_begin);
-  leaves_.pop_back();
-}
-
-/// Its own vertices first, then the ends of its edges.
-void MeetLeaves::take_corners(std::span<const UseId> uses) {
-  for (const UseId u : uses) take_vertex(complex_.use_origin(u));
-  for (const UseId u : uses) {
-    const EdgeId e = SpaceComplex::edge_of(complex_.use_halfedge[u.value()]);
-    if (complex_.edge_use[e.value()] == u) take_edge(e, is_flat(u));
-  }
-}
-
-void MeetLeaves::take_vertex(VertexId v) {
-  if (is_taken_[v.value()]) return;
-  is_taken_[v.value()] = true;
-  vertices_.push_back(v);
-  ++leaves_.back().own;
-}
-
-void MeetLeaves::take_edge(EdgeId e, bool is_flat) {
-  const std::uint8_t from = place_of(complex_.origin[2 * e.value()]);
-  const std::uint8_t to = place_of(complex_.origin[2 * e.value() + 1]);
-  edges_.push_back({e, from, to, is_flat});
-  leaves_.back().has_flat_edges |= is_flat;
-}
-
-std::uint8_t MeetLeaves::place_of(VertexId v) {
-  const auto begin = vertices_.begin() + leaves_.back().vertex_begin;
-  const auto at = std::find(begin, vertices_.end(), v);
-  const auto place = static_cast<std::uint8_t>(at - begin);
-  if (at == vertices_.end()) vertices_.push_back(v);
-  return place;
-}
-
-bool MeetLeaves::is_flat(UseId u) const {
-  const PlaneId plane = complex_.facet_plane[complex_.use_facet[u.value()].value()];
-  for (UseId v = complex_.use_radial[u.value()]; v != u; v = complex_.use_radial[v.value()]) {
-    if (complex_.facet_plane[complex_.use_facet[v.value()].value()] != plane) return false;
+bool is_flat(const SpaceComplex& complex, UseId u) {
+  const PlaneId plane = complex.facet_plane[complex.use_facet[u.value()].value()];
+  for (UseId v = complex.use_radial[u.value()]; v != u; v = complex.use_radial[v.value()]) {
+    if (complex.facet_plane[complex.use_facet[v.value()].value()] != plane) return false;
   }
   return true;
+}
+
+/// The use that begins at the vertex and in whose leaf it is; not valid: it has free edges only.
+UseId owner(const SpaceComplex& complex, VertexId v) {
+  for (const HalfedgeId h : complex.star_of(v)) {
+    const UseId u = complex.edge_use[SpaceComplex::edge_of(h).value()];
+    if (!u.is_valid()) continue;
+    return complex.use_halfedge[u.value()] == h ? u : complex.use_next[u.value()];
+  }
+  return UseId();
+}
+
+}  // namespace
+
+void LeafItems::fill(const SpaceComplex& complex, const MeetLeaf& leaf) {
+  own_ = vertex_count_ = edge_count_ = 0;
+  has_flat_edges_ = false;
+  if (leaf.bare.is_valid()) return take_bare(complex, leaf.bare);
+  UseId u = leaf.first;
+  for (std::uint32_t i = 0; i < leaf.count; ++i, u = complex.use_next[u.value()]) {
+    const VertexId v = complex.use_origin(u);
+    if (owner(complex, v) == u) take_vertex(v);
+  }
+  u = leaf.first;
+  for (std::uint32_t i = 0; i < leaf.count; ++i, u = complex.use_next[u.value()]) {
+    const EdgeId e = SpaceComplex::edge_of(complex.use_halfedge[u.value()]);
+    if (complex.edge_use[e.value()] == u) take_edge(complex, e, is_flat(complex, u));
+  }
+}
+
+void LeafItems::take_bare(const SpaceComplex& complex, SpaceItem bare) {
+  if (bare.kind() == SpaceItem::Kind::Vertex) return take_vertex(bare.vertex());
+  for (const std::uint32_t h : {2 * bare.index(), 2 * bare.index() + 1}) {
+    const VertexId v = complex.origin[h];
+    const bool is_own = complex.star_of(v).front() == HalfedgeId(h);
+    if (is_own && !owner(complex, v).is_valid()) take_vertex(v);
+  }
+  take_edge(complex, bare.edge(), true);
+}
+
+void LeafItems::take_vertex(VertexId v) {
+  vertices_[vertex_count_++] = v;
+  ++own_;
+}
+
+void LeafItems::take_edge(const SpaceComplex& complex, EdgeId e, bool is_flat) {
+  const std::uint8_t from = place_of(complex.origin[2 * e.value()]);
+  const std::uint8_t to = place_of(complex.origin[2 * e.value() + 1]);
+  edges_[edge_count_++] = {e, from, to, is_flat};
+  has_flat_edges_ |= is_flat;
+}
+
+std::uint8_t LeafItems::place_of(VertexId v) {
+  const auto known = vertices();
+  const auto place = static_cast<std::size_t>(std::ranges::find(known, v) - known.begin());
+  if (place == vertex_count_) vertices_[vertex_count_++] = v;
+  return static_cast<std::uint8_t>(place);
 }
 
 }  // namespace plumb

@@ -32,7 +32,8 @@ class MeetingAudit : SpaceAuditPart {
   MeetingAudit(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan, Context& context)
       : SpaceAuditPart(complex, context, 3),
         points_(complex.points()),
-        leaves_(complex, kEverywhere) {
+        leaves_(complex, kEverywhere),
+        items_(leaves_) {
     find_triangles(has_fan);
   }
 
@@ -101,19 +102,21 @@ class MeetingAudit : SpaceAuditPart {
   /// The vertices and edges of leaf x, and the facet of leaf y.
   void test_against_facet(std::size_t x, std::size_t y) {
     const FacetId f = leaves_[y].facet;
-    const auto vertices = leaves_.vertices(x);
-    if (!f.is_valid() || vertices.empty()) return;
-    std::array<Sign, MeetLeaves::kMostVertices> sides;
+    if (!f.is_valid()) return;
+    const LeafItems& items = items_[x];
+    const auto vertices = items.vertices();
+    if (vertices.empty()) return;
+    std::array<Sign, LeafItems::kMostVertices> sides;
     bool has_both = false;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       sides[i] = side_of(vertices[i], plane(f));
       has_both |= sides[i] == Sign::Zero || sides[i] != sides[0];
     }
     if (!has_both) return;
-    for (std::size_t i = 0; i < leaves_[x].own; ++i) {
+    for (std::size_t i = 0; i < items.own_vertices().size(); ++i) {
       if (sides[i] == Sign::Zero) test(vertices[i], f);
     }
-    for (const LeafEdge& e : leaves_.edges(x)) {
+    for (const LeafEdge& e : items.edges()) {
       if (sides[e.from] * sides[e.to] == Sign::Negative) test(e.edge, f);
     }
   }
@@ -246,6 +249,7 @@ class MeetingAudit : SpaceAuditPart {
 
   Point3Table points_;  ///< those of the complex and crossings
   MeetLeaves leaves_;
+  LeafCache items_;
   std::vector<Triangle> triangles_;  ///< per facet
   std::vector<EdgeId> edges_;
   std::vector<Box3> edge_boxes_;
