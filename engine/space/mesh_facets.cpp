@@ -58,7 +58,9 @@ class Flattener {
   void gather_loops() {
     corner_.reserve(mesh_.corners.size());
     begin_.reserve(mesh_.face_count() + 1);
+    face_.reserve(mesh_.face_count());
     for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
+      if (take_triangle(f)) continue;
       const std::size_t first = corner_.size();
       for (const std::uint32_t p : mesh_.face(f)) push_corner(first, vertices_.of_point[p]);
       trim_ends(first);
@@ -72,6 +74,19 @@ class Flattener {
         begin_.push_back(static_cast<std::uint32_t>(corner_.size()));
       }
     }
+  }
+
+  /// Nothing is to be trimmed where three corners differ: nearly all faces. False: it is no such face.
+  bool take_triangle(std::uint32_t f) {
+    const auto face = mesh_.face(f);
+    if (face.size() != 3) return false;
+    const IndexTriangle t{vertices_.of_point[face[0]], vertices_.of_point[face[1]],
+                          vertices_.of_point[face[2]]};
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return false;
+    for (const std::uint32_t v : t) corner_.push_back(v);
+    face_.push_back(f);
+    begin_.push_back(static_cast<std::uint32_t>(corner_.size()));
+    return true;
   }
 
   /// No corner follows itself, none stands between two equal ones.
@@ -179,14 +194,19 @@ class Flattener {
     facets_.corner.reserve(corner_.size());
   }
 
-  /// Corners counter-clockwise as seen from the positive side of `plane`.
+  /// Corners counter-clockwise as seen from the positive side of `plane`, the least one first.
   void add_facet(std::span<const std::uint32_t> corners, OrientedPlane plane, std::uint32_t face) {
-    auto& out = facets_.corner;
-    const auto first = static_cast<std::ptrdiff_t>(out.size());
-    out.insert(out.end(), corners.begin(), corners.end());
-    if (plane.is_opposite()) std::reverse(out.begin() + first, out.end());
-    std::rotate(out.begin() + first, std::min_element(out.begin() + first, out.end()), out.end());
-    facets_.begin.push_back(static_cast<std::uint32_t>(out.size()));
+    const std::size_t last = corners.size() - 1;
+    auto i = static_cast<std::size_t>(std::ranges::min_element(corners) - corners.begin());
+    for (std::size_t k = 0; k <= last; ++k) {
+      facets_.corner.push_back(corners[i]);
+      if (plane.is_opposite()) {
+        i = i == 0 ? last : i - 1;
+      } else {
+        i = i == last ? 0 : i + 1;
+      }
+    }
+    facets_.begin.push_back(static_cast<std::uint32_t>(facets_.corner.size()));
     facets_.plane.push_back(plane.plane());
     facets_.jump.push_back(plane.is_opposite() ? 1 : -1);
     facets_.origin.push_back(face);

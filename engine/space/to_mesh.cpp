@@ -81,7 +81,7 @@ class Cones {
     } while (u != first);
     if (ring_.size() > 2) ++crowded_edges_;
     for (std::size_t i = 0; i < ring_.size(); ++i) {
-      if (ring_[i].is_solid_after) join_ends(ring_[i], ring_[(i + 1) % ring_.size()]);
+      if (ring_[i].is_solid_after) join_ends(ring_[i], ring_[i + 1 == ring_.size() ? 0 : i + 1]);
     }
   }
 
