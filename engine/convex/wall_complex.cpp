@@ -12,7 +12,7 @@
 #include "plumb/space/local_maps.h"
 #include "plumb/space/mesh_arrangement.h"
 #include "plumb/space/mesh_links.h"
-#include "plumb/space/simplify.h"
+#include "plumb/space/vertex_carrier.h"
 
 namespace plumb {
 namespace {

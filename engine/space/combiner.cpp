@@ -12,6 +12,7 @@ namespace plumb {
 namespace {
 
 constexpr std::uint32_t kNone = SphereMap::kNone;
+constexpr std::size_t kRingsAtOnce = 128;  // their part of the draft stays in the cache
 
 std::uint64_t line_key(SpaceItem a, SpaceItem b) {
   return (std::uint64_t{a.code()} << 32U) | b.code();
@@ -41,15 +42,35 @@ void Combiner::keep_vertices(std::size_t operand, const TouchedComplex& own,
   const SpaceComplex& complex = *operands_[operand];
   reserve(operand, own, labels);
   VertexCarrier carrier(complex, draft_, overlay_);
+  std::vector<VertexCarrier::Remarked> rings;  // to be added before anything else
+  rings.reserve(kRingsAtOnce);
+  const auto add_rings = [&] {
+    carrier.add_rings(rings);
+    rings.clear();
+  };
   for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
     if (own.is_touched(VertexId(v))) continue;
     const std::array<Mark, 3> becomes = marks_in(operand, labels[v]);
     // What is constant here dissolves, but for the frame.
     const bool is_constant = becomes[0] == becomes[1];
     if (is_constant && complex.vertex_mark[v] != kBeyond) continue;
-    keep_vertex(complex, VertexId(v), becomes, is_constant, carrier);
+    if (!is_constant && has_one_ring(complex, VertexId(v))) {
+      rings.push_back({VertexId(v), becomes});
+      if (rings.size() == kRingsAtOnce) add_rings();
+    } else {
+      add_rings();
+      keep_vertex(complex, VertexId(v), becomes, is_constant, carrier);
+    }
   }
-  const std::vector<std::uint32_t>& point_of = carrier.point_of();
+  add_rings();
+  face_kept_ends(operand, own, labels, carrier.point_of());
+}
+
+/// Half-edges without contacts face their old twins; others wait for what is on their line.
+void Combiner::face_kept_ends(std::size_t operand, const TouchedComplex& own,
+                              std::span<const VolumeId> labels,
+                              std::span<const std::uint32_t> point_of) {
+  const SpaceComplex& complex = *operands_[operand];
   for (std::uint32_t h = 0; h < point_of.size(); ++h) {
     if (point_of[h] == kNone) continue;
     const EdgeId e(h / 2);

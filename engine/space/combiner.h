@@ -15,8 +15,8 @@
 #include "plumb/space/combine.h"
 #include "plumb/space/local_maps.h"
 #include "plumb/space/meet.h"
-#include "plumb/space/simplify.h"
 #include "plumb/space/space_draft.h"
+#include "plumb/space/vertex_carrier.h"
 #include "plumb/space/vertex_labels.h"
 #include "plumb/sphere/sphere_overlay.h"
 
@@ -67,6 +67,8 @@ class Combiner {
   void reserve(std::size_t operand, const TouchedComplex& own, std::span<const VolumeId> labels);
   void keep_vertex(const SpaceComplex& complex, VertexId v, const std::array<Mark, 3>& becomes,
                    bool may_dissolve, VertexCarrier& carrier);
+  void face_kept_ends(std::size_t operand, const TouchedComplex& own,
+                      std::span<const VolumeId> labels, std::span<const std::uint32_t> point_of);
   std::uint32_t facet_origin(const SphereOrigins::Pair& cells) const;
   void add_contact_end(std::uint32_t draft_point, std::uint32_t p);
   Sign sign_on_line(const SphereOrigins::Pair& cells, SphereDirection direction) const;

@@ -87,6 +87,7 @@ class Joiner {
   void splice() {
     for (std::size_t v = 0; v < draft_.vertex_count(); ++v) {
       if (draft_.is_passed[v] == 0) continue;
+      has_passed_ = true;
       const std::uint32_t x = draft_.begin[v].point, y = x + 1;
       const std::uint32_t a = draft_.twin[x], b = draft_.twin[y];
       PLUMB_CHECK(a != kNone && b != kNone);
@@ -96,7 +97,7 @@ class Joiner {
   }
 
   bool is_passed(std::uint32_t point) const {
-    return draft_.is_passed[draft_.vertex_of_point[point].value()] != 0;
+    return has_passed_ && draft_.is_passed[draft_.vertex_of_point[point].value()] != 0;
   }
 
   void make_vertices() {
@@ -158,8 +159,24 @@ class Joiner {
     out_.use_prev.resize(out_.use_count());
     out_.use_radial.resize(out_.use_count());
     for (std::uint32_t i = 0; i < halfedge_of_point_.size(); ++i) {
-      if (!is_passed(i) && i < draft_.twin[i] && maps_.first_out[i] != kNone) link_edge(i);
+      if (i > draft_.twin[i] || is_passed(i) || maps_.first_out[i] == kNone) continue;
+      if (!link_plain_edge(i)) link_edge(i);
     }
+  }
+
+  /// As link_edge(), of an edge of two uses: nearly all edges. False: it is none.
+  bool link_plain_edge(std::uint32_t point) {
+    const std::uint32_t x = maps_.first_out[point], after_x = maps_.clockwise(x);
+    std::uint32_t y = maps_.first_out[draft_.twin[point]], after_y = maps_.clockwise(y);
+    if (after_x == x || maps_.clockwise(after_x) != x) return false;
+    if (after_y == y || maps_.clockwise(after_y) != y) return false;
+    if (!is_mirror(x, after_y)) std::swap(y, after_y);
+    PLUMB_CHECK(is_mirror(x, after_y) && is_mirror(after_x, y));
+    const UseId first = join_corners(x, after_y), second = join_corners(after_x, y);
+    out_.use_radial[first.value()] = second;
+    out_.use_radial[second.value()] = first;
+    out_.edge_use[halfedge_of_point_[point].value() / 2] = first;
+    return true;
   }
 
   /// Both rings of the edge, matched: half-arcs of one plane, one going out and one coming in.
@@ -179,18 +196,23 @@ class Joiner {
     for (std::size_t i = 0; i < k; ++i) {
       const std::uint32_t x = near_[i], y = far_[(i + shift) % k];
       PLUMB_CHECK(is_mirror(x, y));
-      const UseId of_x = use_of_arc_[x / 2], of_y = use_of_arc_[y / 2];
-      // An even half-arc is a corner that starts here: its use leaves along this edge.
-      const UseId leaving = x % 2 == 0 ? of_x : of_y, arriving_at = x % 2 == 0 ? of_y : of_x;
-      out_.use_next[leaving.value()] = arriving_at;
-      out_.use_prev[arriving_at.value()] = leaving;
-      radial_.push_back(leaving);
+      radial_.push_back(join_corners(x, y));
     }
     // `near_` runs clockwise around the half-edge that leaves `point`, which is half-edge 2e.
     for (std::size_t i = 0; i < k; ++i) {
       out_.use_radial[radial_[(i + 1) % k].value()] = radial_[i];
     }
     out_.edge_use[halfedge_of_point_[point].value() / 2] = radial_[0];
+  }
+
+  /// The corners of one facet at both ends of an edge follow each other; returns the use along the edge.
+  UseId join_corners(std::uint32_t x, std::uint32_t y) {
+    // An even half-arc is a corner that starts here: its use leaves along this edge.
+    if (x % 2 != 0) std::swap(x, y);
+    const UseId leaving = use_of_arc_[x / 2], arriving_at = use_of_arc_[y / 2];
+    out_.use_next[leaving.value()] = arriving_at;
+    out_.use_prev[arriving_at.value()] = leaving;
+    return leaving;
   }
 
   bool is_mirror(std::uint32_t x, std::uint32_t y) const {
@@ -345,6 +367,7 @@ class Joiner {
   Context& context_;
   SpaceComplex out_;
 
+  bool has_passed_ = false;                    // is any vertex of the draft a place inside an edge?
   std::vector<VertexId> vertex_number_;        // per draft vertex
   std::vector<HalfedgeId> halfedge_of_point_;  // per point
   std::vector<UseId> use_of_arc_;              // per arc

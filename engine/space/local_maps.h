@@ -40,4 +40,14 @@ struct LocalMap {
 /// Fills `out`, keeping its memory. Requires a vertex, edge or facet.
 void local_map(const SpaceComplex& complex, SpaceItem item, LocalMap& out);
 
+/// Where a half-edge leads.
+inline SphereDirection direction_of(const SpaceComplex& complex, HalfedgeId h) {
+  const auto& [p, q] = complex.edge_planes[h.value() >> 1U];
+  return SpaceComplex::is_reverse(h) ? SphereDirection{q, p} : SphereDirection{p, q};
+}
+
+/// Do the corners of the vertex make one ring, with an edge of two facets between any two neighbours, and no other edge?
+/// So it is at nearly all vertices of nearly all solids. Other maps may be connected, too. O(degree).
+bool has_one_ring(const SpaceComplex& complex, VertexId v);
+
 }  // namespace plumb

@@ -16,43 +16,6 @@ void ShellNodes::join_around_edges() {
   }
 }
 
-namespace {
-
-/// How many corners follow each other around the vertex from `first` on, each beyond an edge of two facets. More
-/// than `most`: not known.
-std::size_t count_corners(const SpaceComplex& complex, UseId first, std::size_t most) {
-  std::size_t count = 0;
-  UseId corner = first;
-  // The edge to leave the corner by: that of its use, or else the one before.
-  HalfedgeId over = complex.use_halfedge[corner.value()];
-  do {
-    const UseId own =
-        complex.use_halfedge[corner.value()] == over ? corner : complex.use_prev[corner.value()];
-    const UseId other = complex.use_radial[own.value()];
-    if (complex.use_radial[other.value()] != own || other == own || ++count > most) return most + 1;
-    const bool leaves = complex.use_halfedge[other.value()] == over;
-    corner = leaves ? other : complex.use_next[other.value()];
-    const HalfedgeId at_end = complex.use_halfedge[corner.value()];
-    over = leaves
-               ? SpaceComplex::twin(complex.use_halfedge[complex.use_prev[corner.value()].value()])
-               : at_end;
-  } while (corner != first);
-  return count;
-}
-
-/// Do the corners make one ring that all edges are on? (Nearly always; else they may still hang together.)
-bool has_one_ring(const SpaceComplex& complex, VertexId v) {
-  const auto star = complex.star_of(v);
-  if (star.empty() || complex.vertex_facet[v.value()].is_valid()) return false;
-  const UseId use = complex.edge_use[star[0].value() / 2];
-  if (!use.is_valid()) return false;
-  const UseId corner =
-      complex.use_halfedge[use.value()] == star[0] ? use : complex.use_next[use.value()];
-  return count_corners(complex, corner, star.size()) == star.size();
-}
-
-}  // namespace
-
 /// Vertices whose sphere map is not connected, has a loop or points without arcs.
 std::vector<VertexId> ShellNodes::irregular_vertices() const {
   std::vector<VertexId> doubtful, irregular;

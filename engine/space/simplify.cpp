@@ -1,10 +1,16 @@
 #include "plumb/space/simplify.h"
 
+#include <memory>
+#include <utility>
+
+#include "plumb/space/local_maps.h"
+#include "plumb/space/space_draft.h"
+#include "plumb/space/vertex_carrier.h"
+#include "plumb/sphere/sphere_overlay.h"
+
 namespace plumb {
 
 namespace {
-
-constexpr std::uint32_t kNone = SphereMap::kNone;
 
 /// Step 1.
 class MinimalForm {
@@ -63,44 +69,6 @@ class MinimalForm {
 };
 
 }  // namespace
-
-void VertexCarrier::start(SpaceDraft& draft) {
-  for (const HalfedgeId h : carried_) point_of_[h.value()] = kNone;
-  carried_.clear();
-  draft_ = &draft;
-}
-
-void VertexCarrier::face_ends() {
-  for (const HalfedgeId h : carried_) {
-    draft_->twin[point_of_[h.value()]] = point_of_[SpaceComplex::twin(h).value()];
-  }
-}
-
-void VertexCarrier::add(VertexId v, const LocalMap& local) {
-  origin_ids_.clear();
-  for (const FacetId f : local.facet) origin_ids_.push_back(complex_.facet_origin[f.value()]);
-  const auto offsets = draft_->add(complex_.vertex_point[v.value()], local.map, false, origin_ids_);
-  for (std::uint32_t i = 0; i < local.halfedge.size(); ++i) {
-    carried_.push_back(local.halfedge[i]);
-    point_of_[local.halfedge[i].value()] = offsets.point + i;
-  }
-}
-
-void VertexCarrier::add_simplified(VertexId v, LocalMap& local) {
-  overlay_.simplify(local.map, &kept_);
-  const PyramidKind kind = classify(complex_.planes(), local.map);
-  if (kind != PyramidKind::Vertex && kind != PyramidKind::Edge) return;
-  origin_ids_.clear();
-  for (const auto& cells : kept_.arc) {
-    origin_ids_.push_back(complex_.facet_origin[local.facet[cells[0].index()].value()]);
-  }
-  const auto offsets = draft_->add(complex_.vertex_point[v.value()], local.map,
-                                   kind == PyramidKind::Edge, origin_ids_);
-  for (std::uint32_t i = 0; i < local.map.point_count(); ++i) {
-    carried_.push_back(local.halfedge[kept_.point[i][0].index()]);
-    point_of_[carried_.back().value()] = offsets.point + i;
-  }
-}
 
 SpaceComplex simplified(SpaceComplex complex, Context& context) {
   if (MinimalForm(complex).holds(context)) return complex;

@@ -47,10 +47,7 @@ class Labels {
   /// The volume of the other operand that a half-edge leaves the contact into.
   VolumeId volume_along(const Contact& contact, HalfedgeId h) {
     local_map(other_, item_of(contact, 1 - operand_), local_);
-    const auto& planes = complex_.edge_planes[h.value() >> 1U];
-    SphereDirection direction{planes[0], planes[1]};
-    if (SpaceComplex::is_reverse(h)) direction = direction.opposite();
-    const SphereCell cell = locate(tables_.planes, local_.map, direction);
+    const SphereCell cell = locate(tables_.planes, local_.map, direction_of(complex_, h));
     PLUMB_CHECK(cell.kind() == SphereCell::Kind::Face);
     return local_.volume[cell.index()];
   }
