@@ -44,25 +44,21 @@ void Combiner::keep_vertices(std::size_t operand, const TouchedComplex& own,
   VertexCarrier carrier(complex, draft_, overlay_);
   std::vector<VertexCarrier::Remarked> rings;  // to be added before anything else
   rings.reserve(kRingsAtOnce);
-  const auto add_rings = [&] {
-    carrier.add_rings(rings);
-    rings.clear();
-  };
   for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
     if (own.is_touched(VertexId(v))) continue;
     const std::array<Mark, 3> becomes = marks_in(operand, labels[v]);
     // What is constant here dissolves, but for the frame.
     const bool is_constant = becomes[0] == becomes[1];
     if (is_constant && complex.vertex_mark[v] != kBeyond) continue;
-    if (!is_constant && has_one_ring(complex, VertexId(v))) {
+    if (!is_constant && carrier.may_have_ring(VertexId(v))) {
       rings.push_back({VertexId(v), becomes});
-      if (rings.size() == kRingsAtOnce) add_rings();
+      if (rings.size() == kRingsAtOnce) keep_rings(complex, rings, carrier);
     } else {
-      add_rings();
+      keep_rings(complex, rings, carrier);
       keep_vertex(complex, VertexId(v), becomes, is_constant, carrier);
     }
   }
-  add_rings();
+  keep_rings(complex, rings, carrier);
   face_kept_ends(operand, own, labels, carrier.point_of());
 }
 
@@ -130,6 +126,19 @@ void Combiner::reserve(std::size_t operand, const TouchedComplex& own,
     points += complex.star_of(VertexId(v)).size();
   }
   draft_.reserve_more(vertices, points, points, 2 * vertices);
+}
+
+/// Empties the list. Where several rings meet, one vertex goes alone.
+void Combiner::keep_rings(const SpaceComplex& complex, std::vector<VertexCarrier::Remarked>& rings,
+                          VertexCarrier& carrier) {
+  std::span<const VertexCarrier::Remarked> left = rings;
+  while (!left.empty()) {
+    left = left.subspan(carrier.add_rings(left));
+    if (left.empty()) break;
+    keep_vertex(complex, left.front().vertex, left.front().becomes, false, carrier);
+    left = left.subspan(1);
+  }
+  rings.clear();
 }
 
 void Combiner::keep_vertex(const SpaceComplex& complex, VertexId v,

@@ -65,6 +65,8 @@ class Combiner {
   }
   std::array<Mark, 3> marks_in(std::size_t operand, VolumeId volume) const;
   void reserve(std::size_t operand, const TouchedComplex& own, std::span<const VolumeId> labels);
+  void keep_rings(const SpaceComplex& complex, std::vector<VertexCarrier::Remarked>& rings,
+                  VertexCarrier& carrier);
   void keep_vertex(const SpaceComplex& complex, VertexId v, const std::array<Mark, 3>& becomes,
                    bool may_dissolve, VertexCarrier& carrier);
   void face_kept_ends(std::size_t operand, const TouchedComplex& own,

@@ -61,6 +61,7 @@ class Joiner {
     splice();
     make_vertices();
     make_edges();
+    find_connected();
     release(draft_.vertex_point, draft_.vertex_mark, draft_.maps.direction);
     context_.checkpoint("join", 1, 5);
     run_jobs(context_, 2, [this](std::size_t i, Context&) { i == 0 ? make_stars() : link_uses(); });
@@ -70,7 +71,7 @@ class Joiner {
     gather_facets();
     release(draft_.maps.origin, draft_.maps.circle, draft_.arc_origin, parent_, first_use_);
     context_.checkpoint("join", 3, 5);
-    label_volumes(out_, context_);
+    label_volumes(out_, context_, connected_);
     copy_volume_marks();
     return std::move(out_);
   }
@@ -130,6 +131,21 @@ class Joiner {
       out_.origin.push_back(vertex_number_[draft_.vertex_of_point[j].value()]);
     }
     out_.edge_use.resize(out_.edge_count());
+  }
+
+  /// Sphere maps without points or loops on their own hang together if points - arcs + faces = 2 (Euler).
+  void find_connected() {
+    connected_.reserve(out_.vertex_count());
+    for (std::size_t v = 0; v < draft_.vertex_count(); ++v) {
+      if (draft_.is_passed[v] != 0) continue;
+      const SpaceDraft::Offsets& at = draft_.begin[v];
+      const SpaceDraft::Offsets end =
+          v + 1 < draft_.vertex_count() ? draft_.begin[v + 1] : draft_.end();
+      bool is_whole = end.point - at.point + (end.face - at.face) == end.arc - at.arc + 2;
+      for (std::uint32_t i = at.point; i < end.point; ++i) is_whole &= !draft_.is_free(i);
+      for (std::uint32_t a = at.arc; a < end.arc; ++a) is_whole &= !draft_.is_loop(a);
+      connected_.push_back(is_whole ? 1 : 0);
+    }
   }
 
   void make_stars() {
@@ -369,6 +385,7 @@ class Joiner {
 
   bool has_passed_ = false;                    // is any vertex of the draft a place inside an edge?
   std::vector<VertexId> vertex_number_;        // per draft vertex
+  std::vector<std::uint8_t> connected_;        // per vertex, for label_volumes()
   std::vector<HalfedgeId> halfedge_of_point_;  // per point
   std::vector<UseId> use_of_arc_;              // per arc
   std::vector<std::uint32_t> arc_of_use_;      // per use

@@ -284,30 +284,6 @@ void map_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
   }
 }
 
-// ---- rings
-
-/// How many corners follow each other around the vertex from `first` on, each beyond an edge of two facets. More
-/// than `most`: not known.
-std::size_t count_corners(const SpaceComplex& complex, UseId first, std::size_t most) {
-  std::size_t count = 0;
-  UseId corner = first;
-  // The edge to leave the corner by: that of its use, or else the one before.
-  HalfedgeId over = complex.use_halfedge[corner.value()];
-  do {
-    const UseId own =
-        complex.use_halfedge[corner.value()] == over ? corner : complex.use_prev[corner.value()];
-    const UseId other = complex.use_radial[own.value()];
-    if (complex.use_radial[other.value()] != own || other == own || ++count > most) return most + 1;
-    const bool leaves = complex.use_halfedge[other.value()] == over;
-    corner = leaves ? other : complex.use_next[other.value()];
-    const HalfedgeId at_end = complex.use_halfedge[corner.value()];
-    over = leaves
-               ? SpaceComplex::twin(complex.use_halfedge[complex.use_prev[corner.value()].value()])
-               : at_end;
-  } while (corner != first);
-  return count;
-}
-
 }  // namespace
 
 void local_map(const SpaceComplex& complex, SpaceItem item, LocalMap& out) {
@@ -323,16 +299,6 @@ void local_map(const SpaceComplex& complex, SpaceItem item, LocalMap& out) {
       break;
   }
   PLUMB_CHECK(false);
-}
-
-bool has_one_ring(const SpaceComplex& complex, VertexId v) {
-  const auto star = complex.star_of(v);
-  if (star.empty() || complex.vertex_facet[v.value()].is_valid()) return false;
-  const UseId use = complex.edge_use[star[0].value() / 2];
-  if (!use.is_valid()) return false;
-  const UseId corner =
-      complex.use_halfedge[use.value()] == star[0] ? use : complex.use_next[use.value()];
-  return count_corners(complex, corner, star.size()) == star.size();
 }
 
 }  // namespace plumb

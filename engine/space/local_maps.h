@@ -46,8 +46,4 @@ inline SphereDirection direction_of(const SpaceComplex& complex, HalfedgeId h) {
   return SpaceComplex::is_reverse(h) ? SphereDirection{q, p} : SphereDirection{p, q};
 }
 
-/// Do the corners of the vertex make one ring, with an edge of two facets between any two neighbours, and no other edge?
-/// So it is at nearly all vertices of nearly all solids. Other maps may be connected, too. O(degree).
-bool has_one_ring(const SpaceComplex& complex, VertexId v);
-
 }  // namespace plumb

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "plumb/space/combine.h"
+#include "plumb/space/mesh_fans.h"
 #include "plumb/space/mesh_layers.h"
 #include "plumb/space/volumes.h"
 
@@ -131,7 +132,7 @@ void unfold_sheets(SpaceComplex& arranged, Bundles& bundles, MeshComplex& mesh) 
 void arrange(MeshComplex& mesh, Context& context) {
   if (mesh.is_arranged()) return;
   if (mesh.crossings.empty()) {
-    label_volumes(mesh.complex, context);
+    label_volumes(mesh.complex, context, find_fans(mesh.complex));
     fill_sheets(mesh);
     return;
   }

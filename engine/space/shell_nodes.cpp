@@ -2,12 +2,12 @@
 
 namespace plumb {
 
-ShellNodes::ShellNodes(const SpaceComplex& complex)
+ShellNodes::ShellNodes(const SpaceComplex& complex, std::span<const std::uint8_t> connected)
     : complex_(complex),
       classes_(2 * complex.facet_count() + complex.vertex_count()),
       free_node_(complex.edge_count(), kNone) {
   join_around_edges();
-  join_at_irregular_vertices();
+  join_at_irregular_vertices(connected);
 }
 
 void ShellNodes::join_around_edges() {
@@ -16,10 +16,49 @@ void ShellNodes::join_around_edges() {
   }
 }
 
+namespace {
+
+/// How many corners follow each other around the vertex from `first` on, each beyond an edge of two facets. More
+/// than `most`: not known.
+std::size_t count_corners(const SpaceComplex& complex, UseId first, std::size_t most) {
+  std::size_t count = 0;
+  UseId corner = first;
+  // The edge to leave the corner by: that of its use, or else the one before.
+  HalfedgeId over = complex.use_halfedge[corner.value()];
+  do {
+    const UseId own =
+        complex.use_halfedge[corner.value()] == over ? corner : complex.use_prev[corner.value()];
+    const UseId other = complex.use_radial[own.value()];
+    if (complex.use_radial[other.value()] != own || other == own || ++count > most) return most + 1;
+    const bool leaves = complex.use_halfedge[other.value()] == over;
+    corner = leaves ? other : complex.use_next[other.value()];
+    const HalfedgeId at_end = complex.use_halfedge[corner.value()];
+    over = leaves
+               ? SpaceComplex::twin(complex.use_halfedge[complex.use_prev[corner.value()].value()])
+               : at_end;
+  } while (corner != first);
+  return count;
+}
+
+/// Do the corners make one ring that all edges are on? (Nearly always; else they may still hang together.)
+bool has_one_ring(const SpaceComplex& complex, VertexId v) {
+  const auto star = complex.star_of(v);
+  if (star.empty() || complex.vertex_facet[v.value()].is_valid()) return false;
+  const UseId use = complex.edge_use[star[0].value() / 2];
+  if (!use.is_valid()) return false;
+  const UseId corner =
+      complex.use_halfedge[use.value()] == star[0] ? use : complex.use_next[use.value()];
+  return count_corners(complex, corner, star.size()) == star.size();
+}
+
+}  // namespace
+
 /// Vertices whose sphere map is not connected, has a loop or points without arcs.
-std::vector<VertexId> ShellNodes::irregular_vertices() const {
+std::vector<VertexId> ShellNodes::irregular_vertices(
+    std::span<const std::uint8_t> connected) const {
   std::vector<VertexId> doubtful, irregular;
   for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
+    if (!connected.empty() && connected[v] != 0) continue;
     if (!has_one_ring(complex_, VertexId(v))) doubtful.push_back(VertexId(v));
   }
   if (doubtful.empty()) return irregular;
@@ -51,10 +90,10 @@ void ShellNodes::face_nodes(const LocalMap& local, SpaceItem item,
   }
 }
 
-void ShellNodes::join_at_irregular_vertices() {
+void ShellNodes::join_at_irregular_vertices(std::span<const std::uint8_t> connected) {
   LocalMap local;
   std::vector<std::uint32_t> node;
-  for (const VertexId v : irregular_vertices()) {
+  for (const VertexId v : irregular_vertices(connected)) {
     local_map(complex_, v, local);
     face_nodes(local, v, node);
     for (std::uint32_t h = 0; h < local.map.face.size(); ++h) {

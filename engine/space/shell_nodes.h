@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "plumb/base/union_find.h"
@@ -19,8 +20,8 @@ class ShellNodes {
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
   /// Joins everything. Volumes are not looked at. O(n alpha(n)), and a sphere map for each vertex
-  /// whose map is not connected.
-  explicit ShellNodes(const SpaceComplex& complex);
+  /// whose map is not connected. `connected` as for label_volumes().
+  explicit ShellNodes(const SpaceComplex& complex, std::span<const std::uint8_t> connected = {});
 
   std::size_t size() const { return classes_.size(); }
   std::uint32_t root(std::uint32_t node) { return classes_.root(node); }
@@ -46,8 +47,8 @@ class ShellNodes {
 
  private:
   void join_around_edges();
-  std::vector<VertexId> irregular_vertices() const;
-  void join_at_irregular_vertices();
+  std::vector<VertexId> irregular_vertices(std::span<const std::uint8_t> connected) const;
+  void join_at_irregular_vertices(std::span<const std::uint8_t> connected);
 
   const SpaceComplex& complex_;
   UnionFind classes_;

@@ -58,20 +58,16 @@ SpaceDraft::Offsets SpaceDraft::add(SpacePoint at, const SphereMap& map, bool pa
   return offsets;
 }
 
-void SpaceDraft::add_room(std::size_t vertices, std::size_t points, std::size_t arcs,
-                          std::size_t faces) {
-  const auto grow = [](std::size_t more, auto&... arrays) {
-    (arrays.resize(arrays.size() + more), ...);
-  };
-  const auto grow_without = [](std::size_t more, auto&... arrays) {
-    (arrays.resize(arrays.size() + more, SphereMap::kNone), ...);
-  };
-  grow(vertices, vertex_point, vertex_mark, is_passed, begin);
-  grow(points, maps.direction, maps.point_mark, maps.first_out, vertex_of_point);
-  grow_without(points, maps.point_face, twin);
-  grow(arcs, maps.circle, maps.arc_mark, arc_origin);
-  grow(2 * arcs, maps.origin, maps.next, maps.face);
-  grow(faces, maps.face_mark);
+void SpaceDraft::resize(std::size_t vertices, std::size_t points, std::size_t arcs,
+                        std::size_t faces) {
+  const auto resize = [](std::size_t size, auto&... arrays) { (arrays.resize(size), ...); };
+  resize(vertices, vertex_point, vertex_mark, is_passed, begin);
+  resize(points, maps.direction, maps.point_mark, maps.first_out, vertex_of_point);
+  maps.point_face.resize(points, SphereMap::kNone);
+  twin.resize(points, SphereMap::kNone);
+  resize(arcs, maps.circle, maps.arc_mark, arc_origin);
+  resize(2 * arcs, maps.origin, maps.next, maps.face);
+  resize(faces, maps.face_mark);
 }
 
 SpaceDraft::Offsets SpaceDraft::end() const {

@@ -40,8 +40,9 @@ struct SpaceDraft {
   Offsets add(SpacePoint at, const SphereMap& map, bool is_passed,
               std::span<const std::uint32_t> origin_ids);
 
-  /// Adds so many, to be filled by the caller; none is a place inside an edge, no point is isolated, none has a twin.
-  void add_room(std::size_t vertices, std::size_t points, std::size_t arcs, std::size_t faces);
+  /// Drops the last ones, or adds some, to be filled by the caller: none is a place inside an edge, no point
+  /// has a face around it, none a twin.
+  void resize(std::size_t vertices, std::size_t points, std::size_t arcs, std::size_t faces);
 
   /// Adds the vertices of a draft over the same tables, in their order.
   void append(const SpaceDraft& other);

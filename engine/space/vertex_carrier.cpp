@@ -1,9 +1,6 @@
 #include "plumb/space/vertex_carrier.h"
 
 #include <algorithm>
-
-#include "plumb/base/error.h"
-
 namespace plumb {
 
 namespace {
@@ -52,24 +49,40 @@ void VertexCarrier::add_simplified(VertexId v, LocalMap& local) {
 
 // ---------------------------------------------------------------- rings
 
-void VertexCarrier::add_rings(std::span<const Remarked> vertices) {
-  if (vertices.empty()) return;
+bool VertexCarrier::may_have_ring(VertexId v) const {
+  const std::span<const HalfedgeId> star = complex_.star_of(v);
+  if (star.empty() || complex_.vertex_facet[v.value()].is_valid()) return false;
+  return std::ranges::all_of(star, [this](HalfedgeId h) {
+    const UseId first = complex_.edge_use[h.value() / 2];
+    if (!first.is_valid()) return false;
+    const UseId second = complex_.use_radial[first.value()];
+    return second != first && complex_.use_radial[second.value()] == first;
+  });
+}
+
+std::size_t VertexCarrier::add_rings(std::span<const Remarked> vertices) {
+  if (vertices.empty()) return 0;
   const auto first = static_cast<std::uint32_t>(draft_->vertex_count());
   SpaceDraft::Offsets at = draft_->end();
   std::size_t degrees = 0;
   for (const Remarked& r : vertices) degrees += complex_.star_of(r.vertex).size();
-  draft_->add_room(vertices.size(), degrees, degrees, 2 * vertices.size());
+  draft_->resize(first + vertices.size(), at.point + degrees, at.arc + degrees,
+                 at.face + 2 * vertices.size());
   arc_of_use_.resize(complex_.use_count());
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-    write_ring(vertices[i], first + i, at);
+    if (!write_ring(vertices[i], first + i, at)) {
+      draft_->resize(first + i, at.point, at.arc, at.face);
+      return i;
+    }
     const auto degree = static_cast<std::uint32_t>(complex_.star_of(vertices[i].vertex).size());
     at = {at.point + degree, at.arc + degree, at.face + 2};
   }
+  return vertices.size();
 }
 
 /// As local_map() numbers them: points in the order of the star, arcs by the point at which their use begins, the face to
-/// the left of the first half-arc before the other one.
-void VertexCarrier::write_ring(const Remarked& remarked, std::uint32_t vertex,
+/// the left of the first half-arc before the other one. False: there are several rings, and nothing is carried.
+bool VertexCarrier::write_ring(const Remarked& remarked, std::uint32_t vertex,
                                const SpaceDraft::Offsets& at) {
   const auto& [v, becomes] = remarked;
   const std::span<const HalfedgeId> star = complex_.star_of(v);
@@ -82,8 +95,7 @@ void VertexCarrier::write_ring(const Remarked& remarked, std::uint32_t vertex,
     draft.maps.direction[point] = direction_of(complex_, h);
     draft.maps.point_mark[point] = becomes[complex_.edge_mark[h.value() / 2]];
     draft.vertex_of_point[point] = VertexId(vertex);
-    carried_.push_back(h);
-    point_of_[h.value()] = point++;
+    ++point;
     for (const UseId u : two_uses(h)) {
       if (complex_.use_halfedge[u.value()] != h) continue;
       const std::uint32_t f = complex_.use_facet[u.value()].value();
@@ -94,8 +106,12 @@ void VertexCarrier::write_ring(const Remarked& remarked, std::uint32_t vertex,
       arc_of_use_[u.value()] = arc++;
     }
   }
-  PLUMB_CHECK(arc - at.arc == star.size());
-  link_ring(star, at);
+  if (!link_ring(star, at)) return false;
+  for (std::uint32_t i = 0; i < star.size(); ++i) {
+    carried_.push_back(star[i]);
+    point_of_[star[i].value()] = at.point + i;
+  }
+  return true;
 }
 
 void VertexCarrier::write_face_marks(FacetId of_first_arc, const std::array<Mark, 3>& becomes,
@@ -105,7 +121,8 @@ void VertexCarrier::write_face_marks(FacetId of_first_arc, const std::array<Mark
   draft_->maps.face_mark[face + 1] = becomes[complex_.volume_mark[negative.value()]];
 }
 
-void VertexCarrier::link_ring(std::span<const HalfedgeId> star, const SpaceDraft::Offsets& at) {
+/// False: the face to the left of the first half-arc does not have one of every arc.
+bool VertexCarrier::link_ring(std::span<const HalfedgeId> star, const SpaceDraft::Offsets& at) {
   SphereMap& maps = draft_->maps;
   std::uint32_t point = at.point;
   for (const HalfedgeId h : star) {
@@ -119,10 +136,13 @@ void VertexCarrier::link_ring(std::span<const HalfedgeId> star, const SpaceDraft
   const std::uint32_t first = 2 * at.arc;
   std::fill_n(maps.face.begin() + first, 2 * star.size(), at.face + 1);
   std::uint32_t half = first;
+  std::size_t length = 0;
   do {
     maps.face[half] = at.face;
     half = maps.next[half];
+    ++length;
   } while (half != first);
+  return length == star.size();
 }
 
 std::array<UseId, 2> VertexCarrier::two_uses(HalfedgeId h) const {

@@ -41,8 +41,11 @@ class VertexCarrier {
   /// Brings the map into minimal form first; adds nothing if v is no vertex any more, and a place inside an
   /// edge if it is that.
   void add_simplified(VertexId v, LocalMap& local);
-  /// The same as add() of each. Requires vertices with one ring (has_one_ring()), minimal with the new marks.
-  void add_rings(std::span<const Remarked> vertices);
+  /// The same as add() of each, up to the first whose corners make several rings; returns how many it added. Requires
+  /// vertices with may_have_ring(), minimal with the new marks.
+  std::size_t add_rings(std::span<const Remarked> vertices);
+  /// Are all its edges between two facets, and is it inside none?
+  bool may_have_ring(VertexId v) const;
 
   /// Lets the two ends of every edge carried face each other.
   void face_ends();
@@ -51,10 +54,10 @@ class VertexCarrier {
   const std::vector<std::uint32_t>& point_of() const { return point_of_; }
 
  private:
-  void write_ring(const Remarked& remarked, std::uint32_t vertex, const SpaceDraft::Offsets& at);
+  bool write_ring(const Remarked& remarked, std::uint32_t vertex, const SpaceDraft::Offsets& at);
   void write_face_marks(FacetId of_first_arc, const std::array<Mark, 3>& becomes,
                         std::uint32_t face);
-  void link_ring(std::span<const HalfedgeId> star, const SpaceDraft::Offsets& at);
+  bool link_ring(std::span<const HalfedgeId> star, const SpaceDraft::Offsets& at);
   std::array<UseId, 2> two_uses(HalfedgeId h) const;
   std::uint32_t half_arc(UseId u, HalfedgeId h) const;
 

@@ -21,14 +21,17 @@ constexpr SphereDirection kRight{kPlaneY, kPlaneZ};
 
 class Labeller {
  public:
-  Labeller(SpaceComplex& complex, Context& context)
-      : complex_(complex), context_(context), pieces_(complex.vertex_count()) {}
+  Labeller(SpaceComplex& complex, Context& context, std::span<const std::uint8_t> connected)
+      : complex_(complex),
+        context_(context),
+        connected_(connected),
+        pieces_(complex.vertex_count()) {}
 
   void run() {
     clear();
     run_jobs(context_, 2, [this](std::size_t i, Context&) {
       if (i == 0) {
-        shells_.emplace(complex_);
+        shells_.emplace(complex_, connected_);
       } else {
         find_pieces();
       }
@@ -129,6 +132,7 @@ class Labeller {
 
   SpaceComplex& complex_;
   Context& context_;
+  std::span<const std::uint8_t> connected_;
   std::optional<ShellNodes> shells_;
   UnionFind pieces_;
   std::vector<VertexId> least_;           // per piece
@@ -138,12 +142,13 @@ class Labeller {
 
 }  // namespace
 
-void label_volumes(SpaceComplex& complex, Context& context) {
+void label_volumes(SpaceComplex& complex, Context& context,
+                   std::span<const std::uint8_t> connected) {
   if (complex.vertex_count() == 0) {
     complex.volume_mark = {0};
     return;
   }
-  Labeller(complex, context).run();
+  Labeller(complex, context, connected).run();
 }
 
 std::vector<std::int32_t> winding_numbers(const SpaceComplex& complex,

@@ -20,8 +20,9 @@ namespace plumb {
 
 /// Fills facet_volume, edge_volume, vertex_volume and volume_mark (all 0) of a complex in which everything
 /// else is there. Volume 0 reaches to infinity; the others are numbered by their least facet, then
-/// edge, then vertex.
-void label_volumes(SpaceComplex& complex, Context& context);
+/// edge, then vertex. `connected`, per vertex: not 0 where the sphere map surely hangs together; empty: nothing is known.
+void label_volumes(SpaceComplex& complex, Context& context,
+                   std::span<const std::uint8_t> connected = {});
 
 /// Winding numbers of volumes: 0 in volume 0, rising by jump[f] from the negative to the positive side of
 /// facet f. Facets link all volumes. Jumps that are not those of a closed surface stop the program.
