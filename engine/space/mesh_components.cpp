@@ -20,34 +20,33 @@ class Joiner {
       : complex_(complex), jump_(jump), classes_(complex.facet_count()) {}
 
   std::vector<std::uint32_t> run(std::size_t& count) {
-    for (const bool is_plain : {true, false}) {
-      for (const UseId u : complex_.edge_use) {
-        const UseId v = complex_.use_radial[u.value()];
-        if ((complex_.use_radial[v.value()] == u) != is_plain) continue;
-        if (is_plain) {
-          classes_.unite(facet(u), facet(v));
-        } else {
-          unite_unbalanced(u);
-        }
-      }
+    std::vector<UseId> rest;  // of edges that are not plain and balanced
+    for (const UseId u : complex_.edge_use) {
+      if (is_plain(u)) classes_.unite(facet(u), facet(complex_.use_radial[u.value()]));
+      if (!is_plain(u) || !is_balanced(u)) rest.push_back(u);
+    }
+    for (const UseId u : rest) {
+      if (!is_plain(u)) unite_unbalanced(u);
     }
     std::uint32_t open = kNone;
-    for (const UseId u : complex_.edge_use) {
-      if (!is_plain_and_balanced(u)) open = unite_unbalanced(u, open);
-    }
+    for (const UseId u : rest) open = unite_unbalanced(u, open);
     return numbers(count);
   }
 
  private:
   std::uint32_t facet(UseId u) const { return complex_.use_facet[u.value()].value(); }
 
-  /// Between two facets (of one class by now) that rise to the same side: most edges of most meshes.
-  bool is_plain_and_balanced(UseId u) const {
+  /// One facet or two at its edge.
+  bool is_plain(UseId u) const {
+    return complex_.use_radial[complex_.use_radial[u.value()].value()] == u;
+  }
+
+  /// Of a plain one: do two facets rise to the same side? They do at most edges of most meshes.
+  bool is_balanced(UseId u) const {
     const UseId v = complex_.use_radial[u.value()];
-    if (v == u || complex_.use_radial[v.value()] != u) return false;
     const bool is_one_way = complex_.use_halfedge[u.value()] == complex_.use_halfedge[v.value()];
     const std::int32_t jump = jump_[facet(u)], other = jump_[facet(v)];
-    return is_one_way ? jump == -other : jump == other;
+    return v != u && (is_one_way ? jump == -other : jump == other);
   }
 
   /// Components that run through the edge more often one way than the other belong together, and to

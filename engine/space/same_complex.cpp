@@ -147,17 +147,18 @@ bool has_same_tables(const SpaceTables& a, const SpaceTables& b) {
 
 bool is_identical(const SpaceComplex& a, const SpaceComplex& b) {
   if (&a == &b) return true;
-  return a.vertex_point == b.vertex_point && a.vertex_mark == b.vertex_mark &&
-         a.vertex_volume == b.vertex_volume && a.vertex_facet == b.vertex_facet &&
-         a.star_begin == b.star_begin && a.star == b.star && a.edge_planes == b.edge_planes &&
-         a.edge_mark == b.edge_mark && a.edge_use == b.edge_use && a.edge_volume == b.edge_volume &&
-         a.origin == b.origin && a.use_halfedge == b.use_halfedge && a.use_next == b.use_next &&
-         a.use_prev == b.use_prev && a.use_radial == b.use_radial && a.use_facet == b.use_facet &&
+  // Sets made alike of other points differ in their tables first.
+  return has_same_tables(*a.tables, *b.tables) && a.vertex_point == b.vertex_point &&
+         a.vertex_mark == b.vertex_mark && a.vertex_volume == b.vertex_volume &&
+         a.vertex_facet == b.vertex_facet && a.star_begin == b.star_begin && a.star == b.star &&
+         a.edge_planes == b.edge_planes && a.edge_mark == b.edge_mark && a.edge_use == b.edge_use &&
+         a.edge_volume == b.edge_volume && a.origin == b.origin &&
+         a.use_halfedge == b.use_halfedge && a.use_next == b.use_next && a.use_prev == b.use_prev &&
+         a.use_radial == b.use_radial && a.use_facet == b.use_facet &&
          a.facet_plane == b.facet_plane && a.facet_mark == b.facet_mark &&
          a.facet_volume == b.facet_volume && a.facet_origin == b.facet_origin &&
          a.cycle_begin == b.cycle_begin && a.cycle == b.cycle && a.inner_begin == b.inner_begin &&
-         a.inner == b.inner && a.volume_mark == b.volume_mark &&
-         has_same_tables(*a.tables, *b.tables);
+         a.inner == b.inner && a.volume_mark == b.volume_mark;
 }
 
 }  // namespace plumb
