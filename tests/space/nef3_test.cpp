@@ -229,6 +229,29 @@ TEST(Nef3, OperandsThatAreGivenAway) {
   EXPECT_EQ(combine(cross(), cross(), kUnion, context), cross());
 }
 
+// Cubes in a row that touch at corners, and one at an edge: vertices with one ring of corners, with two, and with edges
+// of four facets, more than are carried at once.
+TEST(Nef3, VerticesThatNothingTouchesAreCarried) {
+  std::vector<Nef3> cubes;
+  for (int i = 0; i < 40; ++i) {
+    const Range r{i + 0.0, i + 1.0};
+    cubes.push_back(box(r, r, r));
+  }
+  cubes.push_back(box({39, 40}, {40, 41}, {40, 41}));
+  Context context;
+  const Nef3 row = union_of(cubes, context);
+  EXPECT_TRUE(has(row, {41 * 8 - 39 - 2, 41 * 12 - 1, 41 * 6, 42, 41}));
+  const Nef3 tool = box({20.25, 20.75}, {20.25, 20.75}, {20.5, 22});
+  const Nef3 around = box({-1, 42}, {-1, 42}, {-1, 42});
+  const Nef3 cut = row - tool;
+  cubes[20] -= tool;
+  EXPECT_EQ(cut, union_of(cubes, context));
+  EXPECT_EQ(around ^ row, around - row);
+  EXPECT_EQ(around * row, row);
+  EXPECT_EQ(around - (around - cut), cut);
+  for (const Nef3& set : {row, cut, around ^ row}) EXPECT_FALSE(audit(set.complex(), true));
+}
+
 TEST(Nef3, ParallelAndDiagonalPlanes) {
   const Nef3 diagonal = Nef3::plane({1, -1, 0, 0}), next = Nef3::plane({1, -1, 0, -1});
   EXPECT_TRUE(has(diagonal + next, {0, 0, 2, 3, 0}));
