@@ -40,12 +40,17 @@ class Cones {
   }
 
   std::uint32_t crowded_edges() const { return crowded_edges_; }
-  std::uint32_t of_use(UseId u, bool side) { return root(2 * u.value() + (side ? 1 : 0)); }
+  static std::uint32_t corner(UseId u, bool side) { return 2 * u.value() + (side ? 1 : 0); }
   /// `i`: index into SpaceComplex::inner.
-  std::uint32_t of_inner(std::size_t i, bool side) const {
+  std::uint32_t corner_of_inner(std::size_t i, bool side) const {
     return static_cast<std::uint32_t>(2 * (complex_.use_count() + i) + (side ? 1 : 0));
   }
   std::size_t size() const { return parent_.size(); }
+  /// The cone of a corner.
+  std::uint32_t root(std::uint32_t c) {
+    while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
+    return c;
+  }
   /// One facet around the same vertex twice keeps one vertex there.
   void join(std::uint32_t a, std::uint32_t b) {
     a = root(a);
@@ -59,11 +64,6 @@ class Cones {
     bool side;
     bool is_solid_after;
   };
-
-  std::uint32_t root(std::uint32_t c) {
-    while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
-    return c;
-  }
 
   /// After a use of 2e comes the positive side of its facet; the solid is behind what is shown.
   void join_around(EdgeId e) {
@@ -92,7 +92,6 @@ class Cones {
     join(corner(a.use, a.side), corner(is_same_way ? b.use : b_end, b.side));
     join(corner(a_end, a.side), corner(is_same_way ? b_end : b.use, b.side));
   }
-  static std::uint32_t corner(UseId u, bool side) { return 2 * u.value() + (side ? 1 : 0); }
 
   const SpaceComplex& complex_;
   std::span<const std::array<std::uint8_t, 2>> shown_;
@@ -135,15 +134,15 @@ class MeshMaker {
     return shown;
   }
 
-  /// Calls visit(vertex, cone) for all corners of a side.
+  /// Calls visit(vertex, corner) for all corners of a side.
   template <class Visit>
   void for_corners(const FacetSide& s, const Visit& visit) {
     for_uses(complex_, s.facet,
-             [&](UseId u) { visit(complex_.use_origin(u), cones_.of_use(u, s.is_reversed)); });
+             [&](UseId u) { visit(complex_.use_origin(u), Cones::corner(u, s.is_reversed)); });
     const std::uint32_t begin = complex_.inner_begin[s.facet.value()];
     const auto inner = complex_.inner_of(s.facet);
     for (std::size_t i = 0; i < inner.size(); ++i) {
-      visit(inner[i], cones_.of_inner(begin + i, s.is_reversed));
+      visit(inner[i], cones_.corner_of_inner(begin + i, s.is_reversed));
     }
   }
 
@@ -155,7 +154,8 @@ class MeshMaker {
     std::vector<std::uint32_t> first(complex_.vertex_count(), kNone);
     std::vector<std::pair<VertexId, std::uint32_t>> others;
     for (const FacetSide& s : sides_) {
-      for_corners(s, [&](VertexId v, std::uint32_t cone) {
+      for_corners(s, [&](VertexId v, std::uint32_t corner) {
+        const std::uint32_t cone = cones_.root(corner);
         std::uint32_t& known = first[v.value()];
         if (known == kNone) known = cone;
         if (known != cone) others.emplace_back(v, cone);
@@ -163,7 +163,7 @@ class MeshMaker {
     }
     std::sort(others.begin(), others.end());
     others.erase(std::unique(others.begin(), others.end()), others.end());
-    number_.resize(cones_.size(), kNone);
+    number_.resize(options_.split_vertices ? cones_.size() : first.size(), kNone);
     auto other = others.begin();
     for (std::uint32_t v = 0; v < first.size(); ++v) {
       if (first[v] == kNone) continue;
@@ -171,18 +171,21 @@ class MeshMaker {
       if (other != others.end() && other->first == VertexId(v)) ++out_.report.non_manifold_vertices;
       for (; other != others.end() && other->first == VertexId(v); ++other) {
         if (options_.split_vertices) add_vertex(VertexId(v), other->second);
-        number_[other->second] = static_cast<std::uint32_t>(vertex_.size() - 1);
       }
     }
   }
   void add_vertex(VertexId v, std::uint32_t cone) {
-    number_[cone] = static_cast<std::uint32_t>(vertex_.size());
+    number_[options_.split_vertices ? cone : v.value()] =
+        static_cast<std::uint32_t>(vertex_.size());
     vertex_.push_back(v);
+  }
+  std::uint32_t number(VertexId v, std::uint32_t corner) {
+    return number_[options_.split_vertices ? cones_.root(corner) : v.value()];
   }
 
   void keep_corners_together(const FacetSide& s) {
     corners_.clear();
-    for_corners(s, [&](VertexId v, std::uint32_t cone) { corners_.emplace_back(v, cone); });
+    for_corners(s, [&](VertexId v, std::uint32_t c) { corners_.emplace_back(v, cones_.root(c)); });
     if (corners_.size() == 3) return;
     std::sort(corners_.begin(), corners_.end());
     for (std::size_t i = 1; i < corners_.size(); ++i) {
@@ -194,8 +197,7 @@ class MeshMaker {
 
   void add_faces(const FacetSide& s) {
     corners_.clear();
-    for_corners(s,
-                [&](VertexId v, std::uint32_t cone) { corners_.emplace_back(v, number_[cone]); });
+    for_corners(s, [&](VertexId v, std::uint32_t c) { corners_.emplace_back(v, number(v, c)); });
     if (corners_.size() == 3 || can_be_polygon(s.facet)) {
       face_.clear();
       for (const auto& [v, number] : corners_) face_.push_back(number);
@@ -253,7 +255,8 @@ class MeshMaker {
   Cones cones_;
   FacetTriangles cutter_;
   MeshOfComplex out_;
-  std::vector<std::uint32_t> number_;                        // per cone: vertex of the mesh
+  std::vector<std::uint32_t>
+      number_;  // vertex of the mesh per cone if vertices are split, else per vertex
   std::vector<VertexId> vertex_;                             // per vertex of the mesh
   std::vector<std::pair<VertexId, std::uint32_t>> corners_;  // of the side being written
   std::vector<std::uint32_t> face_;
