@@ -5,13 +5,11 @@
 #include <limits>
 #include <utility>
 
+#include "plumb/space/principal_axes.h"
 #include "plumb/space/space_boxes.h"
 
 namespace plumb {
 namespace {
-
-using Vector3 = std::array<double, 3>;
-using Matrix3 = std::array<Vector3, 3>;
 
 Vector3 middle(const Box3& b) {
   return {b.low[0] / 2 + b.high[0] / 2, b.low[1] / 2 + b.high[1] / 2, b.low[2] / 2 + b.high[2] / 2};
@@ -34,44 +32,12 @@ Matrix3 covariance(std::span<const SpaceComplex* const> complexes) {
   return sum;
 }
 
-/// A turn in the plane of axes i and j that makes m[i][j] 0 (Jacobi); rows of `axes` follow.
-void rotate(Matrix3& m, Matrix3& axes, std::size_t i, std::size_t j) {
-  if (m[i][j] == 0) return;
-  const double theta = (m[j][j] - m[i][i]) / (2 * m[i][j]);
-  const double t = (theta < 0 ? -1 : 1) / (std::fabs(theta) + std::hypot(theta, 1.0));
-  const double c = 1 / std::hypot(t, 1.0), s = t * c;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double x = m[k][i], y = m[k][j];
-    m[k][i] = c * x - s * y;
-    m[k][j] = s * x + c * y;
-  }
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double x = m[i][k], y = m[j][k];
-    m[i][k] = c * x - s * y;
-    m[j][k] = s * x + c * y;
-  }
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double x = axes[i][k], y = axes[j][k];
-    axes[i][k] = c * x - s * y;
-    axes[j][k] = s * x + c * y;
-  }
-}
-
 }  // namespace
 
 BoxFrame BoxFrame::of_edges(std::span<const SpaceComplex* const> complexes) {
-  constexpr int kSweeps = 8;
   BoxFrame frame;
-  Matrix3 m = covariance(complexes);
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    rotate(m, frame.axis_, 0, 1);
-    rotate(m, frame.axis_, 0, 2);
-    rotate(m, frame.axis_, 1, 2);
-  }
+  frame.axis_ = principal_axes(covariance(complexes));
   frame.is_turned_ = true;
-  for (const Vector3& axis : frame.axis_) {
-    if (!std::isfinite(axis[0] + axis[1] + axis[2])) return {};
-  }
   return frame;
 }
 

@@ -9,6 +9,7 @@
 #include "plumb/space/box_frame.h"
 #include "plumb/space/facet_triangles.h"
 #include "plumb/space/mesh_fans.h"
+#include "plumb/space/oriented_boxes.h"
 #include "plumb/space/packed_boxes.h"
 #include "plumb/space/space_boxes.h"
 
@@ -245,11 +246,7 @@ class CrossingSearch {
   FacetPairs run() {
     memory_.add(kBytesPerCorner * complex_.use_count(), "boxes of triangles");
     gather_triangles();
-    const std::vector<Box3> boxes = boxes_of_triangles();
-    if (!find_in(PackedBoxTree(boxes))) {
-      found_.clear();
-      find_in(BoxTree(boxes));
-    }
+    find_all();
     std::sort(found_.begin(), found_.end());
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
     return std::move(found_);
@@ -257,7 +254,17 @@ class CrossingSearch {
 
  private:
   static constexpr std::uint64_t kBytesPerCorner = 100;
+  static constexpr std::uint64_t kBytesPerThinTriangle = 300;
   static constexpr std::uint64_t kStepsPerTriangle = 32;
+
+  void find_all() {
+    const std::vector<Box3> boxes = boxes_of_triangles();
+    const PackedBoxTree packed(boxes);
+    if (!packed.fits()) return find_in(BoxTree(boxes));
+    if (find_in(packed)) return;
+    found_.clear();
+    find_thin(boxes);
+  }
 
   /// False: pairs are missing. Of spheres, and of triangles strewn about, the steps are 7 to 13 for each.
   bool find_in(const PackedBoxTree& tree) {
@@ -267,7 +274,7 @@ class CrossingSearch {
       return left > 0;
     };
     const auto look = [this](std::uint32_t i, std::uint32_t j) { look_at(i, j); };
-    return tree.fits() && tree.for_each_pair_inside(look, may_go_on);
+    return tree.for_each_pair_inside(look, may_go_on);
   }
   void find_in(const BoxTree& tree) {
     std::uint64_t visited = 0;
@@ -275,6 +282,24 @@ class CrossingSearch {
       if (++visited % 4096 == 0) checkpoint();
       look_at(i, j);
     });
+  }
+  /// Boxes tell little: the triangles are thin, and run in more directions than one.
+  void find_thin(std::span<const Box3> boxes) {
+    memory_.add(kBytesPerThinTriangle * triangles_.size(), "oriented boxes of triangles");
+    std::vector<OrientedBoxTree::Triangle> corners;
+    corners.reserve(triangles_.size());
+    for (const Triangle& t : triangles_) {
+      const auto box = [&](std::size_t i) { return complex_.points().box(t.corner[i].point); };
+      corners.push_back({box(0), box(1), box(2)});
+    }
+    std::uint64_t steps = 0;
+    OrientedBoxTree(corners).for_each_pair_inside(
+        [&](std::uint32_t i, std::uint32_t j) {
+          if (boxes[i].meets(boxes[j])) look_at(i, j);
+        },
+        [&] {
+          if (++steps % 4096 == 0) checkpoint();
+        });
   }
   void checkpoint() { context_.checkpoint("crossings of the mesh with itself", 0, 0); }
 

@@ -1,0 +1,128 @@
+#include "plumb/space/oriented_boxes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "plumb/space/space_boxes.h"
+
+namespace plumb {
+namespace {
+
+constexpr double kSlack = 0x1p-40;
+constexpr double kTiny = 0x1p-1000;  // what flushed subnormal numbers may lose
+
+double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double length(const Vector3& a) { return std::fabs(a[0]) + std::fabs(a[1]) + std::fabs(a[2]); }
+Vector3 minus(const Vector3& a, const Vector3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+}  // namespace
+
+OrientedBoxTree::OrientedBoxTree(std::span<const Triangle> triangles)
+    : order_(triangles.size()), key_(triangles.size()) {
+  std::iota(order_.begin(), order_.end(), 0U);
+  nodes_.reserve(triangles.size());
+  if (!triangles.empty()) add_node(triangles, 0, static_cast<std::uint32_t>(triangles.size()));
+}
+
+std::uint32_t OrientedBoxTree::add_node(std::span<const Triangle> triangles, std::uint32_t begin,
+                                        std::uint32_t end) {
+  const auto n = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.push_back(box_around(triangles, begin, end));
+  if (end - begin <= kLeaf) return n;
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  halve(triangles, nodes_[n], middle);
+  add_node(triangles, begin, middle);
+  const std::uint32_t second = add_node(triangles, middle, end);
+  nodes_[n].second = second;
+  return n;
+}
+
+OrientedBoxTree::Node OrientedBoxTree::box_around(std::span<const Triangle> triangles,
+                                                  std::uint32_t begin, std::uint32_t end) const {
+  const auto for_corners = [&](const auto& visit) {
+    for (std::uint32_t i = begin; i < end; ++i) {
+      for (const PointBox& corner : triangles[order_[i]]) visit(corner);
+    }
+  };
+  Node node{{}, {}, {}, {}, begin, end, 0};
+  const double share = 1 / (3.0 * (end - begin));
+  for_corners([&](const PointBox& p) {
+    for (std::size_t k = 0; k < 3; ++k) node.middle[k] += share * p.mid[k];
+  });
+  Matrix3 covariance{};
+  for_corners([&](const PointBox& p) {
+    const Vector3 d = minus(p.mid, node.middle);
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) covariance[i][j] += d[i] * d[j];
+    }
+  });
+  node.axis = principal_axes(covariance);
+  double reach = 0, radius = 0;
+  for_corners([&](const PointBox& p) {
+    const Vector3 d = minus(p.mid, node.middle);
+    for (std::size_t k = 0; k < 3; ++k) {
+      node.half[k] = std::max(node.half[k], std::fabs(dot(node.axis[k], d)));
+    }
+    node.box.add(box_of(p));
+    reach = std::max(reach, length(d));
+    radius = std::max(radius, p.radius);
+  });
+  for (double& half : node.half) half += 2 * radius + kSlack * (reach + radius) + kTiny;
+  return node;
+}
+
+/// By the sums of corners along the axis on which these are spread most. (Not the longest one: long triangles side by side
+/// are told apart across.)
+void OrientedBoxTree::halve(std::span<const Triangle> triangles, const Node& node,
+                            std::uint32_t middle) {
+  const auto sum = [&](std::uint32_t i, std::size_t axis) {
+    double value = 0;
+    for (const PointBox& corner : triangles[i]) {
+      value += dot(node.axis[axis], minus(corner.mid, node.middle));
+    }
+    return std::isfinite(value) ? value : 0;
+  };
+  std::size_t widest = 0;
+  double width = -1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double low = 0, high = 0;  // the middle is among the sums
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      key_[order_[i]] = sum(order_[i], axis);
+      low = std::min(low, key_[order_[i]]);
+      high = std::max(high, key_[order_[i]]);
+    }
+    if (high - low > width) width = high - low, widest = axis;
+  }
+  for (std::uint32_t i = node.begin; i < node.end; ++i) key_[order_[i]] = sum(order_[i], widest);
+  const auto at = [this](std::uint32_t i) { return order_.begin() + i; };
+  std::nth_element(at(node.begin), at(middle), at(node.end),
+                   [this](std::uint32_t i, std::uint32_t j) {
+                     return key_[i] != key_[j] ? key_[i] < key_[j] : i < j;
+                   });
+}
+
+// Not a number: not apart.
+bool OrientedBoxTree::are_apart(const Node& m, const Node& n) {
+  const Vector3 d = minus(n.middle, m.middle);
+  const double slack = kSlack * (length(d) + m.size() + n.size()) + kTiny;
+  Matrix3 cosine;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double reach = m.half[i] + slack;
+    for (std::size_t j = 0; j < 3; ++j) {
+      cosine[i][j] = std::fabs(dot(m.axis[i], n.axis[j]));
+      reach += n.half[j] * cosine[i][j];
+    }
+    if (std::fabs(dot(m.axis[i], d)) > reach) return true;
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    double reach = n.half[j] + slack;
+    for (std::size_t i = 0; i < 3; ++i) reach += m.half[i] * cosine[i][j];
+    if (std::fabs(dot(n.axis[j], d)) > reach) return true;
+  }
+  return false;
+}
+
+}  // namespace plumb
