@@ -13,6 +13,7 @@
 #include "plumb/io/plane_io.h"
 #include "plumb/io/solid_sets.h"
 #include "plumb/plane/map_check.h"
+#include "plumb/plane/plane_audit.h"
 #include "plumb/plane/plane_records.h"
 #include "plumb/space/space_audit.h"
 
@@ -41,7 +42,7 @@ Flaw audit_mesh(const std::string& path, const std::string& bytes, const ReadOpt
 Flaw audit_nef2(const std::string& text, const ReadOptions& options, Context& context) {
   const PlaneRecords records = read_nef2_records(text, options, context);
   try {
-    return audit(from_records(records, context), true);
+    return audit(from_records(records, context), true, context);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::BadArgument) throw;
     return DcelFlaw{error.message(), ""};
@@ -68,7 +69,7 @@ Flaw audit_text(const std::string& path, const std::string& text, const ReadOpti
   }
   const PlaneFormat format = plane_format_of(path).value_or(guess_plane_format(text));
   if (format == PlaneFormat::Nef2) return audit_nef2(text, options, context);
-  return read_plane_set(text, format, options, context).audit();
+  return audit(read_plane_set(text, format, options, context).complex(), true, context);
 }
 
 void write_flaw(std::ostream& out, const Flaw& flaw) {

@@ -82,10 +82,10 @@ std::string picture_of(const Nef3& set, Picture picture, const std::string& titl
         out << png_bytes(rendered(scene));
         break;
       case Picture::Svg:
-        write_space_svg(out, set, scene, png_bytes(rendered(scene, kPageImage)), title);
+        write_space_svg(out, set, scene, png_bytes(rendered(scene, kPageImage)), title, context);
         break;
       case Picture::Html:
-        write_scene_html(out, scene, {title, kind_of(set), facts_of(set)});
+        write_scene_html(out, scene, {title, kind_of(set), facts_of(set, context)});
         break;
       case Picture::Glb:
         write_scene_glb(out, scene, title);

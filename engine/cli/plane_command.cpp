@@ -16,6 +16,7 @@
 #include "plumb/picture/nef2_svg.h"
 #include "plumb/picture/sheet.h"
 #include "plumb/plane/nef2.h"
+#include "plumb/plane/plane_measure.h"
 #include "plumb/predicates/rounding.h"
 #include "set_command.h"
 
@@ -27,8 +28,8 @@ using Json = nlohmann::ordered_json;
 // ---------------------------------------------------------------- what a set is like
 
 struct PlaneFacts {
-  explicit PlaneFacts(const Nef2& set) : counts(counts_of(set)), is_empty(set.is_empty()) {
-    if (set.is_bounded()) area = set.area();
+  PlaneFacts(const Nef2& set, Context& context) : counts(counts_of(set)), is_empty(set.is_empty()) {
+    if (set.is_bounded()) area = marked_area(set.complex(), context);
   }
   Json json() const;
   void write(std::ostream& out) const;
@@ -110,7 +111,7 @@ struct Plane {
   static ReadyFile ready(const Nef2& set, const SetOutput& output, Context& context) {
     return ready_file(set, output, context);
   }
-  static PlaneFacts facts(const Nef2& set, Context&) { return PlaneFacts(set); }
+  static PlaneFacts facts(const Nef2& set, Context& context) { return {set, context}; }
   static std::pair<const char*, bool> locate(const Nef2& set, const std::array<Rational, 2>& p) {
     const PlaneLocation place = set.locate(RationalPoint2{p[0], p[1]});
     return {place.vertex.is_valid() ? "vertex"

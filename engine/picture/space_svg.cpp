@@ -27,8 +27,8 @@ constexpr const char* kStyle = R"(.axis{stroke:#5b6672;stroke-width:2;stroke-lin
 .label{text-anchor:middle;font-weight:600;fill:#121a24;stroke:#fff;stroke-width:.3em;stroke-linejoin:round;paint-order:stroke}
 )";
 
-std::string volume_text(const Nef3& set) {
-  const std::optional<Rational> volume = marked_volume(set.complex());
+std::string volume_text(const Nef3& set, Context& context) {
+  const std::optional<Rational> volume = marked_volume(set.complex(), context);
   if (!volume) return "infinite volume";
   const std::string exact = format_exact(*volume);
   constexpr int kDigits = 6;
@@ -80,9 +80,15 @@ void write_legend(Sheet& sheet, const Scene& scene) {
 }  // namespace
 
 std::string facts_of(const Nef3& set) {
+  Context context;
+  return facts_of(set, context);
+}
+
+std::string facts_of(const Nef3& set, Context& context) {
   const SpaceCounts n = set.counts();
   return counted(n.vertices, "vertex", "vertices") + ", " + counted(n.edges, "edge") + ", " +
-         counted(n.facets, "facet") + ", " + counted(n.volumes, "volume") + ", " + volume_text(set);
+         counted(n.facets, "facet") + ", " + counted(n.volumes, "volume") + ", " +
+         volume_text(set, context);
 }
 
 std::string kind_of(const Nef3& set) {
@@ -93,8 +99,9 @@ std::string kind_of(const Nef3& set) {
 }
 
 void write_space_svg(std::ostream& out, const Nef3& set, const Scene& scene, std::string_view png,
-                     const std::string& title) {
-  ScenePage page{{title.empty() ? "set" : title, kind_of(set), facts_of(set)}, png, {}, ""};
+                     const std::string& title, Context& context) {
+  ScenePage page{
+      {title.empty() ? "set" : title, kind_of(set), facts_of(set, context)}, png, {}, ""};
   if (set.is_empty()) page.middle = "no point at all";
   if (set.is_space()) page.middle = "every point";
   write_scene_svg(out, scene, page);

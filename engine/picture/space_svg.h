@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "plumb/base/context.h"
 #include "plumb/picture/render.h"
 #include "plumb/picture/scene.h"
 #include "plumb/picture/scene_html.h"
@@ -23,12 +24,13 @@ inline constexpr RenderOptions kPageImage{1104, 828};
 
 /// "12 vertices, 18 edges, 8 facets, 2 volumes; volume 3".
 std::string facts_of(const Nef3& set);
+std::string facts_of(const Nef3& set, Context& context);  ///< The same within limits.
 /// "bounded, closed".
 std::string kind_of(const Nef3& set);
 
-/// `scene` is that of the set, `png` the file of its image. O(size of the image).
+/// `scene` is that of the set, `png` the file of its image. O(size of the image), and what facts_of() takes.
 void write_space_svg(std::ostream& out, const Nef3& set, const Scene& scene, std::string_view png,
-                     const std::string& title);
+                     const std::string& title, Context& context);
 
 /// What a page shows besides the legend of the scene.
 struct ScenePage {

@@ -1,10 +1,11 @@
 // The invariants of PlaneComplex, from scratch.
+#include "plumb/plane/plane_audit.h"
+
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "plumb/base/error.h"
-#include "plumb/plane/plane_complex.h"
 #include "plumb/plane/plane_records.h"
 
 namespace plumb {
@@ -12,13 +13,15 @@ namespace {
 
 class PlaneAudit {
  public:
-  PlaneAudit(const PlaneComplex& complex, bool minimal) : c_(complex), minimal_(minimal) {}
+  PlaneAudit(const PlaneComplex& complex, bool minimal, Context& context)
+      : c_(complex), minimal_(minimal), context_(context) {}
 
   std::optional<DcelFlaw> run() {
     if (!has_right_sizes() || !has_sound_dcel() || !has_right_frame() || !names_points()) {
       return flaw_;
     }
     for (std::size_t v = 0; v < c_.vertex_count(); ++v) {
+      if (v % 1024 == 0) context_.checkpoint("audit", v, c_.vertex_count());
       if (!is_in_order(VertexId(v)) || !has_sorted_ring(VertexId(v))) return flaw_;
     }
     if (is_rebuilt_alike()) return std::nullopt;
@@ -118,13 +121,13 @@ class PlaneAudit {
 
   /// A sweep over the edges alone finds the same faces, and no edges that meet but at vertices.
   bool is_rebuilt_alike() {
-    Context context;
     try {
       const PlaneRecords records = to_records(c_);
       const PlaneComplex again =
-          minimal_ ? from_records(records, context) : rebuild(records, context);
+          minimal_ ? from_records(records, context_) : rebuild(records, context_);
       return has_same_links(again);
     } catch (const Error& e) {
+      if (e.code() == ErrorCode::ResourceLimit || e.code() == ErrorCode::Cancelled) throw;
       return require(false, e.what(), "complex");
     }
   }
@@ -148,13 +151,19 @@ class PlaneAudit {
 
   const PlaneComplex& c_;
   bool minimal_;
+  Context& context_;
   std::optional<DcelFlaw> flaw_;
 };
 
 }  // namespace
 
 std::optional<DcelFlaw> audit(const PlaneComplex& complex, bool minimal) {
-  return PlaneAudit(complex, minimal).run();
+  Context context;
+  return audit(complex, minimal, context);
+}
+
+std::optional<DcelFlaw> audit(const PlaneComplex& complex, bool minimal, Context& context) {
+  return PlaneAudit(complex, minimal, context).run();
 }
 
 }  // namespace plumb

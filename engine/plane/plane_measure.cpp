@@ -128,11 +128,17 @@ std::optional<Rational> face_area(const PlaneComplex& complex, FaceId f) {
 }
 
 std::optional<Rational> marked_area(const PlaneComplex& complex) {
+  Context context;
+  return marked_area(complex, context);
+}
+
+std::optional<Rational> marked_area(const PlaneComplex& complex, Context& context) {
   for (std::size_t f = 0; f < complex.face_count(); ++f) {
     if (complex.mark(FaceId(f)) && is_unbounded(complex, FaceId(f))) return std::nullopt;
   }
   RationalSum sum;
   for (std::size_t i = 0; i < complex.edge_count(); ++i) {
+    if (i % 256 == 0) context.checkpoint("area", i, complex.edge_count());
     const HalfedgeId h = first_half(EdgeId(i));
     const bool left = complex.mark(complex.dcel.face(h));
     const bool right = complex.mark(complex.dcel.face(twin(h)));

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "plumb/base/context.h"
 #include "plumb/plane/plane_complex.h"
 
 namespace plumb {
@@ -14,6 +15,7 @@ std::optional<Rational> face_area(const PlaneComplex& complex, FaceId f);
 
 /// The area of all marked faces; none when one of them is unbounded. O(n) rational terms.
 std::optional<Rational> marked_area(const PlaneComplex& complex);
+std::optional<Rational> marked_area(const PlaneComplex& complex, Context& context);  ///< As above.
 
 /// The closed rings of a bounded face: outer first, counter-clockwise, then the holes clockwise.
 /// Rings that touch themselves are cut at the touching vertices; edges with f on both sides and

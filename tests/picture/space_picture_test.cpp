@@ -210,7 +210,8 @@ TEST(Render, marks_are_colours) {
 TEST(SpaceSvg, is_sound_and_says_what_the_set_is) {
   for (const Nef3& set : {cube(0, 1), !cube(0, 1), Nef3(), Nef3::space(), cube(0, 1).boundary()}) {
     std::ostringstream out;
-    write_space_svg(out, set, scene(set), "no image", "a <set>");
+    Context context;
+    write_space_svg(out, set, scene(set), "no image", "a <set>", context);
     expect_sound(out.str());
     EXPECT_NE(out.str().find(kind_of(set)), std::string::npos);
     EXPECT_NE(out.str().find("a &lt;set&gt;"), std::string::npos);

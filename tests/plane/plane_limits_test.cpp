@@ -1,10 +1,14 @@
 // Sets of the plane under limits: memory, cancellation, progress.
 #include <gtest/gtest.h>
 
+#include <stop_token>
+
 #include "generate/plane_families.h"
 #include "plumb/base/error.h"
 #include "plumb/plane/arrangement.h"
 #include "plumb/plane/nef2.h"
+#include "plumb/plane/plane_audit.h"
+#include "plumb/plane/plane_measure.h"
 
 namespace plumb {
 namespace {
@@ -69,6 +73,18 @@ TEST(PlaneLimits, OperandsStayAsTheyWereWhenAnOperationFails) {
   EXPECT_THROW(combine(a, b, kUnion, context), Error);
   EXPECT_TRUE(a == copy);
   EXPECT_FALSE(a.audit().has_value());
+}
+
+TEST(PlaneLimits, AuditsAndAreasKeepToThem) {
+  const Nef2 star = Nef2::polygon(testing::star_polygon(1000, 1));
+  Context context;
+  EXPECT_FALSE(audit(star.complex(), true, context).has_value());
+  EXPECT_EQ(marked_area(star.complex(), context), star.area());
+  std::stop_source stop;
+  stop.request_stop();
+  Context stopped({}, stop.get_token());
+  EXPECT_THROW(audit(star.complex(), true, stopped), Error);
+  EXPECT_THROW(marked_area(star.complex(), stopped), Error);
 }
 
 }  // namespace
