@@ -27,7 +27,7 @@ void Combiner::overlay_contacts(std::size_t begin, std::size_t end, Context& con
     const Contact& c = contacts_[i];
     local_map(*operands_[0], c.a, local_[0]);
     local_map(*operands_[1], c.b, local_[1]);
-    overlay_.combine(local_[0].map, local_[1].map, table_, map_, origins_);
+    overlay_.combine(local_[0].map, local_[1].map, table_, map_, origins_, &context);
     const PyramidKind kind = classify(planes_, map_);
     if (kind != PyramidKind::Vertex && kind != PyramidKind::Edge) continue;
     origin_ids.clear();

@@ -38,9 +38,10 @@ void select(const SphereSelector& selector, SphereMap& map) {
   select(selector.face, map.face_mark);
 }
 
+/// Without what comes of places where they meet.
 std::uint64_t memory_of_overlay(const SphereMap& a, const SphereMap& b) {
   const auto items = [](const SphereMap& m) { return m.point_count() + m.arc_count(); };
-  return 2 * items(a) * items(b) + 400 * (items(a) + items(b));
+  return 400 * (items(a) + items(b));
 }
 
 /// Planes that no item names any more go when they are many.
@@ -76,7 +77,7 @@ NefSphere combine(const NefSphere& a, const SphereSelector& select_a, const NefS
   select(select_b, one.b);
   SphereMap map;
   SphereOrigins origins;
-  SphereOverlay(*one.planes).combine(one.a, one.b, MarkTable(f), map, origins);
+  SphereOverlay(*one.planes).combine(one.a, one.b, MarkTable(f), map, origins, &context);
   map.centre_mark = 0;
   return with_few_planes(std::move(one.planes), std::move(map));
 }

@@ -82,18 +82,31 @@ void SphereContacts::find_pairs() {
   const SphereBoundTree tree(bounds_of(*planes_, *map_[1]));
   const std::vector<SphereBound> bounds = bounds_of(*planes_, *map_[0]);
   for (std::uint32_t i = 0; i < bounds.size(); ++i) {
+    if (i % 256 == 0) look_at_limits();
     tree.for_each_meeting(bounds[i], [&](std::uint32_t j) {
       const std::size_t kind = (i < points_a ? 0U : 2U) + (j < points_b ? 0U : 1U);
+      if (pairs_[kind].size() % 4096 == 4095) look_at_limits();
       pairs_[kind].push_back({i < points_a ? i : i - points_a, j < points_b ? j : j - points_b});
     });
   }
   for (std::vector<Pair>& pairs : pairs_) std::sort(pairs.begin(), pairs.end());
 }
 
+void SphereContacts::look_at_limits() const {
+  if (limits_ == nullptr) return;
+  std::size_t pairs = 0;
+  for (const std::vector<Pair>& some : pairs_) pairs += some.size();
+  limits_->look(pairs, direction.size());
+}
+
 template <class Visit>
 void SphereContacts::for_each_pair(PairKind kind, Visit visit) const {
   if (!is_tabled_) {
-    for (const auto& [i, j] : pairs_[kind]) visit(i, j);
+    std::size_t visited = 0;
+    for (const auto& [i, j] : pairs_[kind]) {
+      if (++visited % 1024 == 0) look_at_limits();
+      visit(i, j);
+    }
     return;
   }
   const bool is_point_a = kind == PointPoint || kind == PointArc;
@@ -164,8 +177,9 @@ void SphereContacts::add_crossings() {
 }
 
 void SphereContacts::find(const PlaneTable& planes, const SphereMap& a, const SphereMap& b,
-                          std::size_t most_tabled) {
+                          std::size_t most_tabled, SphereLimits* limits) {
   planes_ = &planes;
+  limits_ = limits;
   map_ = {&a, &b};
   direction.clear();
   cell.clear();
@@ -175,7 +189,7 @@ void SphereContacts::find(const PlaneTable& planes, const SphereMap& a, const Sp
     number_circles(*map_[k], k);
   }
   shares_circles = have_common(circles_[0], circles_[1]);
-  is_tabled_ = (a.point_count() + a.arc_count()) * (b.point_count() + b.arc_count()) <= most_tabled;
+  is_tabled_ = are_small(a, b, most_tabled);
   if (is_tabled_) {
     make_tables();
   } else {
@@ -184,6 +198,8 @@ void SphereContacts::find(const PlaneTable& planes, const SphereMap& a, const Sp
   join_points();
   for (std::size_t k = 0; k < 2; ++k) add_points_on(k);
   add_crossings();
+  if (!is_tabled_) look_at_limits();
+  limits_ = nullptr;
 }
 
 }  // namespace plumb

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "plumb/sphere/sphere_arcs.h"
+#include "plumb/sphere/sphere_limits.h"
 
 namespace plumb {
 
@@ -34,8 +35,15 @@ class SphereContacts {
   /// Pairs of items up to which tables are faster than boxes: about 64 arcs with their points each.
   static constexpr std::size_t kMostTabled = 128 * 128;
 
+  /// Are there so few items that tables are made?
+  static bool are_small(const SphereMap& a, const SphereMap& b,
+                        std::size_t most_tabled = kMostTabled) {
+    return (a.point_count() + a.arc_count()) * (b.point_count() + b.arc_count()) <= most_tabled;
+  }
+
+  /// `limits` are looked at where no tables are made; may be null.
   void find(const PlaneTable& planes, const SphereMap& a, const SphereMap& b,
-            std::size_t most_tabled = kMostTabled);
+            std::size_t most_tabled = kMostTabled, SphereLimits* limits = nullptr);
 
   // Per point of the overlay: those of a, those of b only, crossings.
   std::vector<SphereDirection> direction;
@@ -56,6 +64,7 @@ class SphereContacts {
   void find_pairs();
   template <class Visit>
   void for_each_pair(PairKind kind, Visit visit) const;
+  void look_at_limits() const;
 
   void join_points();
   void add_points_on(std::size_t k);
@@ -69,6 +78,7 @@ class SphereContacts {
   ArcCrossings compute_crossings(std::size_t k, std::uint32_t arc, std::uint32_t circle) const;
 
   const PlaneTable* planes_ = nullptr;
+  SphereLimits* limits_ = nullptr;
   std::array<const SphereMap*, 2> map_{};
   std::array<std::vector<PlaneId>, 2> circles_;          // each once, by id
   std::array<std::vector<std::uint32_t>, 2> circle_of_;  // per arc: into circles_

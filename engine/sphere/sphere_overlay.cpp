@@ -1,6 +1,9 @@
 #include "plumb/sphere/sphere_overlay.h"
 
+#include <optional>
+
 #include "plumb/sphere/sphere_labels.h"
+#include "plumb/sphere/sphere_limits.h"
 #include "plumb/sphere/sphere_simplify.h"
 
 namespace plumb {
@@ -78,11 +81,15 @@ SphereOverlay::SphereOverlay(const PlaneTable& planes) : work_(std::make_unique<
 SphereOverlay::~SphereOverlay() = default;
 
 void SphereOverlay::combine(const SphereMap& a, const SphereMap& b, const MarkTable& table,
-                            SphereMap& out, SphereOrigins& origins) {
+                            SphereMap& out, SphereOrigins& origins, Context* context) {
   Work& w = *work_;
-  w.contacts.find(w.planes, a, b);
+  std::optional<SphereLimits> limits;
+  if (context != nullptr && !SphereContacts::are_small(a, b)) limits.emplace(*context);
+  w.contacts.find(w.planes, a, b, SphereContacts::kMostTabled, limits ? &*limits : nullptr);
   w.pieces.build(w.planes, a, b, w.contacts);
+  if (limits) limits->look(0, 0);
   w.labels.build(w.planes, a, b, w.contacts, w.pieces, w.cells);
+  if (limits) limits->look(0, 0);
   w.select(a, b, table);
   w.simplify(out, origins);
 }

@@ -18,6 +18,7 @@
 #include <memory>
 #include <vector>
 
+#include "plumb/base/context.h"
 #include "plumb/sphere/sphere_map.h"
 
 namespace plumb {
@@ -39,9 +40,10 @@ class SphereOverlay {
   SphereOverlay(const SphereOverlay&) = delete;
   SphereOverlay& operator=(const SphereOverlay&) = delete;
 
-  /// `out` (not an operand) becomes the minimal map of table(mark in a, mark in b).
+  /// `out` (not an operand) becomes the minimal map of table(mark in a, mark in b). Of large maps, memory beyond that of
+  /// the maps is charged to `context` until the end, and its time is looked at.
   void combine(const SphereMap& a, const SphereMap& b, const MarkTable& table, SphereMap& out,
-               SphereOrigins& origins);
+               SphereOrigins& origins, Context* context = nullptr);
 
   /// Brings a map into minimal form: arcs whose mark is that of both faces go, then points that are
   /// mere points of an arc, a loop or a face. Returns whether anything changed. Per remaining item,

@@ -156,6 +156,19 @@ TEST(NefSphere, HonoursLimits) {
             ErrorCode::Cancelled);
 }
 
+/// Memory is charged for what meets, not for all that might.
+TEST(NefSphere, LargeOverlaysAreChargedForWhatTheyDo) {
+  const NefSphere a = testing::crown(2000, 0, -0.5, 0.5), b = testing::crown(2000, 0.5, -0.5, 0.5);
+  const auto united = [&](std::uint64_t megabytes) {
+    Limits limits;
+    limits.max_memory_bytes = megabytes << 20U;
+    Context context(limits);
+    return combine(a, b, kUnion, context);
+  };
+  EXPECT_TRUE(united(16) == a + b) << "4000 items each";
+  EXPECT_EQ(code_of([&] { (void)united(4); }), ErrorCode::ResourceLimit) << "2000 crossings";
+}
+
 // ---------------------------------------------------------------- maps
 
 TEST(NefSphere, TakesTheMapOfAnyPointOfSpace) {
