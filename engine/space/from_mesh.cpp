@@ -52,10 +52,14 @@ void describe_components(const MeshFacets& facets, MeshComplex& result) {
   }
 }
 
-void describe_crossings(const MeshOptions& options, MeshComplex& result, Context& context) {
+void describe_crossings(const MeshOptions& options, MeshComplex& result, MemoryCharge& memory,
+                        Context& context) {
   const SpaceComplex& complex = result.complex;
   std::vector<MeshReport::FacePair> pairs;
   result.crossings = find_mesh_crossings(complex, context);
+  memory.add(result.crossings.size() * (sizeof(result.crossings[0]) + sizeof(pairs[0])),
+             "crossings of the mesh");
+  pairs.reserve(result.crossings.size());
   for (const auto& [f, g] : result.crossings) {
     pairs.emplace_back(complex.facet_origin[f.value()], complex.facet_origin[g.value()]);
   }
@@ -89,7 +93,7 @@ MeshComplex complex_of_mesh(const PolygonMesh& mesh, const MeshOptions& options,
   drop_unused(facets, links, vertices);
   result.complex = link_facets(facets, links, vertices.point, tables);
   describe_components(facets, result);
-  describe_crossings(options, result, context);
+  describe_crossings(options, result, memory, context);
   result.jump = std::move(facets.jump);
   return result;
 }
