@@ -89,6 +89,7 @@ class ConvexCheck : public CommandBody {
   /// those are always the mesh's.
   ConvexityEvidence evidence(const std::string& bytes, Session& session) const {
     Context& context = session.context();
+    require_solid(file_, bytes);
     if (is_nef_file(file_, bytes)) {
       return convexity_of_set(input_.read(file_, bytes, session), context);
     }

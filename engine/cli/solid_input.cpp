@@ -30,9 +30,6 @@ SolidReadOptions SolidInput::read_options(const CommonOptions& common) const {
   return options;
 }
 
-namespace {
-
-/// As a mesh it would be refused for its first word.
 void require_solid(const std::string& file, const std::string& bytes) {
   const FileKind kind = kind_of_file(file, bytes);
   const bool is_gltf = !plane_format_of(file) && guess_mesh_format(bytes) == MeshFormat::Gltf;
@@ -42,8 +39,6 @@ void require_solid(const std::string& file, const std::string& bytes) {
               what + ", where a solid is needed: .off, .obj, .stl, .ply, .glb, .gltf, .nef",
               {.file = input_name(file)});
 }
-
-}  // namespace
 
 SolidRead SolidInput::load(const std::string& file, const CommonOptions& options,
                            Context& context) const {

@@ -9,6 +9,9 @@
 
 namespace plumb::cli {
 
+/// Throws Error{UnknownFormat} for maps and sets of the plane: as meshes they would be refused for their first words.
+void require_solid(const std::string& file, const std::string& bytes);
+
 /// How meshes are read as sets: the same options for all operands of a command.
 class SolidInput {
  public:

@@ -257,12 +257,12 @@ TEST(ConvexProgram, says_where_a_solid_is_needed) {
        {Words{"convex", "minkowski", "corpus/plane/star.wkt", "corpus/plane/star.wkt"},
         Words{"convex", "minkowski", kBlock, "corpus/plane/quadrant.nef2"},
         Words{"convex", "report", "corpus/plane/frame.geojson"},
+        Words{"convex", "check", "corpus/maps/us-states.clean.map"},
         Words{"solid", "info", "corpus/plane/star.wkt"}}) {
     const RunResult result = run(words);
     EXPECT_EQ(result.code, 2);
     EXPECT_EQ(result.out, "");
-    EXPECT_NE(result.err.find("a set of the plane, where a solid is needed"), std::string::npos)
-        << result.err;
+    EXPECT_NE(result.err.find(", where a solid is needed: .off"), std::string::npos) << result.err;
   }
 }
 
