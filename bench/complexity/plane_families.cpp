@@ -20,6 +20,17 @@ Work arrange_all(const std::vector<testing::PlaneSegment>& segments) {
 Work arrange_short(std::size_t n) { return arrange_all(testing::short_segments(n)); }
 Work arrange_long(std::size_t n) { return arrange_all(testing::long_segments(n)); }
 
+/// Segments of one line, each within the one before: its edges come from n^2 of them in all.
+Work arrange_nested(std::size_t n) {
+  std::vector<testing::PlaneSegment> segments;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double from = static_cast<double>(i);
+    const double to = static_cast<double>(2 * n - i);
+    segments.push_back({{from, 3 * from}, {to, 3 * to}});
+  }
+  return arrange_all(segments);
+}
+
 Work stars(std::size_t n, MarkFunction f) {
   const Nef2 a = Nef2::polygon(testing::star_polygon(n, 1));
   const Nef2 b = Nef2::polygon(testing::star_polygon(n, 2));
@@ -83,6 +94,13 @@ const std::vector<Family> kFamilies{
      sizes_between(30, 3334),
      arrange_long,
      1.1},
+    {"arrange-nested",
+     "arrangement of segments that overlap, each within the one before",
+     "n + k",
+     {1, 1},
+     sizes_between(1000, 100000),
+     arrange_nested,
+     1.25},
     {"stars-intersection",
      "Boolean, O((n + m) log(n + m) + k) in the note on Nef polyhedra",
      "n + k",

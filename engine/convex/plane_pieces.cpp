@@ -14,6 +14,7 @@ constexpr std::uint32_t kNone = ~std::uint32_t{0};
 class PieceRule {
  public:
   using Label = std::int8_t;
+  using Value = BundlePair;  // an edge has two sides
   static constexpr bool kKeepsAll = false;
   static constexpr bool kKeepsLabels = false;
 
@@ -26,25 +27,25 @@ class PieceRule {
 
   Label bottom() const { return bottom_; }
   void start(const SweepCurves&) {}  // sides run along their lines, and lines upwards
-  Label above(Label below, SweepBundle bundle) const {
-    for (const SweepIncidence& i : bundle) below = moved(below, jumps_[i.segment.value()]);
-    return below;
-  }
-  Label below(Label above, SweepBundle bundle) const {
-    for (const SweepIncidence& i : bundle) above = moved(above, -jumps_[i.segment.value()]);
-    return above;
-  }
+  void join(Value& value, SegmentId s) const { value.join(s); }
+  void leave(Value& value, SegmentId s) const { value.leave(s); }
+  Label above(Label below, Value value) const { return moved(below, jump(value)); }
+  Label below(Label above, Value value) const { return moved(above, -jump(value)); }
   bool face_mark(Label l) const { return l > 0; }
-  bool edge_mark(Label, Label, SweepBundle bundle) const {
-    return marks_[bundle.front().segment.value()] != 0;
-  }
-  bool vertex_mark(const PlaneSurroundings<Label>& at) const {
+  bool edge_mark(Label, Label, Value value) const { return marks_[value.first.value()] != 0; }
+  bool vertex_mark(const PlaneSurroundings<PieceRule>& at) const {
     return std::ranges::any_of(at.event.points,
                                [this](std::uint32_t p) { return point_marks_[p] != 0; });
   }
-  void keep_edge(SweepBundle) {}
+  void keep_edge(Value) {}
 
  private:
+  int jump(Value value) const {
+    int sum = 0;
+    for (const SegmentId s : {value.first, value.second})
+      sum += s.is_valid() ? jumps_[s.value()] : 0;
+    return sum;
+  }
   static Label moved(Label l, int by) { return static_cast<Label>(l + by); }
 
   std::span<const std::int8_t> jumps_;

@@ -65,10 +65,8 @@ class RingSides : private SweepVisitor {
 
   const PlaneShapes& polygon_;
   std::vector<SweepSegment> segments_;
-  std::vector<Edge> edges_;                ///< of segments_
-  std::vector<char> inside_above_;         ///< of segments_ met so far
-  std::vector<std::uint32_t> ended_here_;  ///< of segments_: the event it came into, from 1
-  std::uint32_t event_ = 0;
+  std::vector<Edge> edges_;         ///< of segments_
+  std::vector<char> inside_above_;  ///< of segments_ met so far
   bool crossed_ = false;
 };
 
@@ -90,37 +88,24 @@ void RingSides::collect_edges() {
     }
   }
   inside_above_.resize(segments_.size());
-  ended_here_.resize(segments_.size());
 }
 
 bool RingSides::on_event(const SweepEvent& event) {
-  ++event_;
   if (!is_corner(event)) {
     crossed_ = true;
     return false;
   }
   bool inside = event.below.is_valid() && inside_above_[event.below.value()] != 0;
-  for (const SweepIncidence& edge : event.outgoing) {
+  for (const SegmentId edge : event.outgoing) {
     inside = !inside;
-    inside_above_[edge.segment.value()] = inside ? 1 : 0;
+    inside_above_[edge.value()] = inside ? 1 : 0;
   }
   return true;
 }
 
 /// Does every edge here start or end here, and does none lie on another?
 bool RingSides::is_corner(const SweepEvent& event) {
-  if (event.plain) return true;
-  if (event.points.empty()) return false;
-  const auto same_bundle = [](const SweepIncidence& a, const SweepIncidence& b) {
-    return a.bundle == b.bundle;
-  };
-  for (const auto side : {event.incoming, event.outgoing}) {
-    if (std::adjacent_find(side.begin(), side.end(), same_bundle) != side.end()) return false;
-  }
-  for (const SweepIncidence& edge : event.incoming) ended_here_[edge.segment.value()] = event_;
-  return std::none_of(event.outgoing.begin(), event.outgoing.end(), [&](const auto& edge) {
-    return ended_here_[edge.segment.value()] == event_;
-  });
+  return !event.points.empty() && event.has_ends_only();
 }
 
 std::vector<RingSide> RingSides::sides_of_rings() const {

@@ -1,6 +1,5 @@
 #include "plumb/plane/arrangement.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "plumb/plane/plane_rules.h"
@@ -9,12 +8,11 @@
 namespace plumb {
 namespace {
 
-PlaneComplex arranged_in_order(PlaneScene& scene, OriginsRule& rule, Context& context) {
-  OrderedScene ordered = in_sweep_order(scene);
+PlaneComplex arranged_in_order(PlaneScene& scene, OrderedScene ordered, OriginsRule& rule,
+                               Context& context) {
   PlaneBuilder<OriginsRule> builder(ordered.scene, rule, context);
   sweep(ordered.scene.points, ordered.scene.curves, ordered.scene.stops, builder, context);
   builder.rename_points(ordered.point);
-  for (SegmentId& s : rule.origins) s = ordered.curve[s.value()];
   ordered = {};
   return builder.build(std::move(scene.points));
 }
@@ -25,16 +23,14 @@ bool is_worth_ordering(const PlaneScene& scene) {
 }
 
 Arrangement arrange(PlaneScene scene, Context& context) {
-  OriginsRule rule;
+  const bool is_ordered = is_worth_ordering(scene);
+  OrderedScene ordered = is_ordered ? in_sweep_order(scene) : OrderedScene();
+  OriginsRule rule(scene.curves.size(), std::move(ordered.curve), context);
   Arrangement result;
-  result.complex = is_worth_ordering(scene) ? arranged_in_order(scene, rule, context)
-                                            : build_complex(scene, rule, context);
-  result.origin_begin = std::move(rule.origin_begin);
+  result.complex = is_ordered ? arranged_in_order(scene, std::move(ordered), rule, context)
+                              : build_complex(scene, rule, context);
+  result.origin_sets = std::move(rule.sets);
   result.origins = std::move(rule.origins);
-  for (std::size_t e = 0; e + 1 < result.origin_begin.size(); ++e) {
-    std::sort(result.origins.begin() + result.origin_begin[e],
-              result.origins.begin() + result.origin_begin[e + 1]);
-  }
   return result;
 }
 

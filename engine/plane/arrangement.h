@@ -3,7 +3,8 @@
 //
 // Main flow of arrange(): renumber along the sweep (scene_order.h) -> sweep (sweep.h) -> PlaneBuilder
 // keeps every piece, and takes the old numbers back -> PlaneAssembler.
-// Cost: O((n + k) log n) for n curves and k crossings.
+// Cost: O((n + k) log n) for n curves and k crossings, overlaps included: the edges of n nested
+// segments on one line come from n^2 curves in all, but their sets share what they have in common.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +13,7 @@
 
 #include "plumb/base/context.h"
 #include "plumb/plane/plane_complex.h"
+#include "plumb/plane/segment_sets.h"
 #include "plumb/plane/sweep.h"
 
 namespace plumb {
@@ -20,12 +22,14 @@ namespace plumb {
 struct Arrangement {
   PlaneComplex
       complex;  ///< nothing marked; not minimal: end points inside other edges are vertices
-  std::vector<std::uint32_t> origin_begin;  ///< per ordinary edge, and one more
-  std::vector<SegmentId> origins;           ///< the curves an edge is part of, ascending
+  SegmentSets origin_sets;                ///< of curves
+  std::vector<SegmentSets::Set> origins;  ///< per ordinary edge, in origin_sets
 
-  /// The curves that an edge is part of.
-  std::span<const SegmentId> origins_of(EdgeId e) const {
-    return {origins.data() + origin_begin[e.value()], origins.data() + origin_begin[e.value() + 1]};
+  /// The curves that an edge is part of, ascending. O(their number).
+  std::vector<SegmentId> origins_of(EdgeId e) const {
+    std::vector<SegmentId> curves;
+    origin_sets.append(origins[e.value()], curves);
+    return curves;
   }
 };
 

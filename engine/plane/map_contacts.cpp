@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "plumb/plane/sweep_members.h"
+
 namespace plumb {
 namespace {
 
@@ -65,7 +67,11 @@ class ContactCollector final : public SweepVisitor {
  public:
   ContactCollector(const MapEdges& edges, const MapComponents& components,
                    std::uint64_t max_described, MapContacts& result)
-      : edges_(edges), components_(components), max_described_(max_described), result_(result) {
+      : edges_(edges),
+        components_(components),
+        max_described_(max_described),
+        result_(result),
+        at_event_(edges.ends.size()) {
     result_.rotation.orbit_next.assign(edges.halfedge_count(), kNone);
     result_.rotation.order.assign(components.of_vertex.size(), kNone);
     result_.rotation.edge_below.assign(components.count, kNone);
@@ -110,6 +116,7 @@ class ContactCollector final : public SweepVisitor {
   std::uint32_t events_ = 0;
   std::vector<char> is_placed_;      // per component
   std::vector<std::uint32_t> ring_;  // half-edges leaving a vertex, counter-clockwise
+  SweepMembers at_event_;
   std::vector<Member> members_;
   std::vector<EndHere> ends_;  // sorted by vertex
 };
@@ -132,8 +139,8 @@ void ContactCollector::link_around(const SweepEvent& event, std::uint32_t v) {
     if (e.from == v) ring_.push_back(2 * s.value());
     if (e.to == v) ring_.push_back(2 * s.value() + 1);
   };
-  for (const SweepIncidence& i : event.outgoing) add(i.segment);
-  for (auto i = event.incoming.rbegin(); i != event.incoming.rend(); ++i) add(i->segment);
+  for (const SegmentId s : event.starts) add(s);
+  for (auto s = event.ends.rbegin(); s != event.ends.rend(); ++s) add(*s);
   for (const SegmentId s : event.zero_length) add(s);
   for (std::size_t i = 0; i < ring_.size(); ++i) {
     const std::uint32_t after = ring_[i + 1 == ring_.size() ? 0 : i + 1];
@@ -164,8 +171,9 @@ void ContactCollector::gather_members(const SweepEvent& event) {
     members_.push_back(
         {s.value(), incoming, outgoing, vertex, from_here && to_here ? e.to : kNone});
   };
-  for (const SweepIncidence& i : event.incoming) add(i.segment, i.bundle, kNone);
-  for (const SweepIncidence& i : event.outgoing) add(i.segment, kNone, i.bundle);
+  at_event_.update(event);
+  for (const SweepIncidence& i : at_event_.incoming()) add(i.segment, i.bundle, kNone);
+  for (const SweepIncidence& i : at_event_.outgoing()) add(i.segment, kNone, i.bundle);
   for (const SegmentId s : event.zero_length) add(s, kNone, kNone);
   // An edge that passes through stands twice, arriving first (kNone is the greatest): join the two.
   std::sort(members_.begin(), members_.end(), [](const Member& p, const Member& q) {

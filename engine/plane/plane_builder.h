@@ -1,20 +1,25 @@
 // Builds the complex of a sweep: the visitor that carries labels upward and keeps what is needed.
 //
 // Notation: a label says what a face of the arrangement is (for a Boolean: the faces of both
-// operands it is part of; for polygons: a winding number). The rule knows what labels mean:
+// operands it is part of; for polygons: a winding number). The value of a bundle says what its curves
+// are together; an event tells which curves join and leave, so it costs what changes. The rule knows
+// what both mean:
 //
 //   struct Rule {
-//     using Label = ...;                      // a small value
+//     using Label = ...;                      // small values
+//     using Value = ...;                      // of no curve: Value()
 //     static constexpr bool kKeepsAll;        // keep every piece and point (an arrangement)?
 //     static constexpr bool kKeepsLabels;     // are the labels of faces asked for afterwards?
 //     Label bottom();                         // of face 0
-//     Label above(Label below, Bundle);       // across a bundle, upward (leftward if vertical)
-//     Label below(Label above, Bundle);       // and back
+//     void join(Value&, SegmentId);           // a curve that starts in a bundle
+//     void leave(Value&, SegmentId);          // a curve that ends in it
+//     Label above(Label below, Value);        // across a bundle, upward (leftward if vertical)
+//     Label below(Label above, Value);        // and back
 //     bool face_mark(Label);
-//     bool edge_mark(Label below, Label above, Bundle);
-//     bool vertex_mark(const PlaneSurroundings<Label>&);
+//     bool edge_mark(Label below, Label above, Value);
+//     bool vertex_mark(const PlaneSurroundings<Rule>&);
 //     void start(const SweepCurves&);         // before the first event
-//     void keep_edge(Bundle);                 // the next edge begins with this piece
+//     void keep_edge(Value);                  // the next edge begins with a piece of this value
 //   };
 //
 // Main flow of on_event:
@@ -51,9 +56,6 @@
 
 namespace plumb {
 
-/// The curves of one bundle, at least one.
-using SweepBundle = std::span<const SweepIncidence>;
-
 /// The curves and points a complex is built from.
 struct PlaneScene {
   PlanePoints points;
@@ -61,36 +63,21 @@ struct PlaneScene {
   std::vector<std::uint32_t> stops;  ///< points that are events whatever starts or ends there
 };
 
-/// Splits incidences into their bundles, bottom to top.
-class SweepBundles {
- public:
-  explicit SweepBundles(std::span<const SweepIncidence> all) : rest_(all) {}
-  /// The next bundle; empty when there is none.
-  SweepBundle next() {
-    std::size_t n = 0;
-    while (n < rest_.size() && rest_[n].bundle == rest_.front().bundle) ++n;
-    const SweepBundle bundle = rest_.first(n);
-    rest_ = rest_.subspan(n);
-    return bundle;
-  }
-
- private:
-  std::span<const SweepIncidence> rest_;
-};
-
 /// What a rule may ask about the place of a vertex.
-template <class Label>
+template <class Rule>
 struct PlaneSurroundings {
-  Label below;  ///< label of the face just below (right of) the place
+  typename Rule::Label below;  ///< label of the face just below (right of) the place
   const SweepEvent& event;
-  bool any_marked;  ///< is a piece or a face at the place marked?
-  bool all_marked;  ///< are all of them?
+  std::span<const typename Rule::Value> incoming;  ///< of bundles; none at plain events
+  bool any_marked;                                 ///< is a piece or a face at the place marked?
+  bool all_marked;                                 ///< are all of them?
 };
 
 template <class Rule>
 class PlaneBuilder final : public SweepVisitor {
  public:
   using Label = typename Rule::Label;
+  using Value = typename Rule::Value;
 
   PlaneBuilder(const PlaneScene& scene, Rule& rule, Context& context)
       : scene_(scene), rule_(rule), memory_(context), first_bottom_(rule.bottom()) {
@@ -114,8 +101,9 @@ class PlaneBuilder final : public SweepVisitor {
   PlaneComplex build(PlanePoints points, std::vector<Label>* labels = nullptr);
 
  private:
-  /// What lies above a bundle, by its first curve.
+  /// A bundle and what lies above it, by the curve that names it.
   struct State {
+    Value value{};
     Label above{};
     HalfedgeId support;  ///< the face above lies left of it; invalid: face 0 of the first bottom
     EdgeId edge;         ///< the kept edge; invalid: not kept
@@ -129,7 +117,7 @@ class PlaneBuilder final : public SweepVisitor {
     HalfedgeId support;
   };
   struct Piece {
-    SweepBundle bundle;
+    SegmentId curve;  // names the bundle
     State state;
     Label below;
     bool mark_below;
@@ -142,7 +130,8 @@ class PlaneBuilder final : public SweepVisitor {
   }
   void collect_incoming(const SweepEvent& event);
   void label_outgoing(const SweepEvent& event, const State& below);
-  Piece piece_above(const Label& below, bool mark_below, SweepBundle bundle) const;
+  Value value_of(const SweepEvent& event, std::size_t out);
+  Piece piece_above(const Label& below, bool mark_below, SegmentId curve, const Value& value) const;
   bool vertex_mark(const SweepEvent& event, const State& below) const;
   bool passes(bool mark) const;
   void place_vertex(const SweepEvent& event, const State& below);
@@ -154,7 +143,7 @@ class PlaneBuilder final : public SweepVisitor {
   EdgeId new_edge(VertexId left, const Piece& piece);
 
   void start_vertical(const SweepEvent& event);
-  void end_at_infinity(std::span<const SweepIncidence> incoming, std::vector<HalfedgeId>& ends);
+  void end_at_infinity(std::span<const SegmentId> incoming, std::vector<HalfedgeId>& ends);
 
   PlaneFaceClasses class_loops(const PlaneLoops& loops, HalfedgeId bottom_frame) const;
 
@@ -171,7 +160,7 @@ class PlaneBuilder final : public SweepVisitor {
   PlaneDraft draft_;
   std::vector<Label> labels_;  // per half-edge: of the face to its left
   std::vector<Crossing2> new_crossings_;
-  std::vector<State> states_;  // per curve that is first of an active bundle
+  std::vector<State> states_;  // per curve that names an active bundle
   State bottom_;               // below everything
   Label first_bottom_;         // of face 0
   std::vector<Opening> openings_;
@@ -183,6 +172,7 @@ class PlaneBuilder final : public SweepVisitor {
     SegmentId curve;
   };
   std::vector<Incoming> kept_in_;  // bottom to top
+  std::vector<Value> values_in_;   // bottom to top
   std::vector<Piece> pieces_;      // outgoing, bottom to top
   std::size_t kept_out_ = 0;
   bool any_marked_ = false;
@@ -228,22 +218,36 @@ void PlaneBuilder<Rule>::point_event(const SweepEvent& event) {
 template <class Rule>
 void PlaneBuilder<Rule>::collect_incoming(const SweepEvent& event) {
   kept_in_.clear();
-  SweepBundles bundles(event.incoming);
-  for (SweepBundle b = bundles.next(); !b.empty(); b = bundles.next()) {
-    const State& state = states_[b.front().segment.value()];
-    if (state.edge.is_valid()) kept_in_.push_back({state.edge, b.front().segment});
+  values_in_.clear();
+  for (const SegmentId bundle : event.incoming) {
+    const State& state = states_[bundle.value()];
+    if (state.edge.is_valid()) kept_in_.push_back({state.edge, bundle});
+    if (!event.plain) values_in_.push_back(state.value);
     any_marked_ = any_marked_ || state.mark || state.mark_above;
     all_marked_ = all_marked_ && state.mark && state.mark_above;
   }
 }
 
 template <class Rule>
+typename PlaneBuilder<Rule>::Value PlaneBuilder<Rule>::value_of(const SweepEvent& event,
+                                                                std::size_t out) {
+  Value value{};
+  if (const std::uint32_t in = event.came_from(out); in != SweepEvent::kNew) {
+    value = values_in_[in];
+    for (const SegmentId s : event.ending_in(in)) rule_.leave(value, s);
+  }
+  for (const SegmentId s : event.starting_in(out)) rule_.join(value, s);
+  return value;
+}
+
+template <class Rule>
 typename PlaneBuilder<Rule>::Piece PlaneBuilder<Rule>::piece_above(const Label& below,
-                                                                   bool mark_below,
-                                                                   SweepBundle bundle) const {
-  Piece piece{bundle, {}, below, mark_below, true};
-  piece.state.above = rule_.above(below, bundle);
-  piece.state.mark = rule_.edge_mark(below, piece.state.above, bundle);
+                                                                   bool mark_below, SegmentId curve,
+                                                                   const Value& value) const {
+  Piece piece{curve, {}, below, mark_below, true};
+  piece.state.value = value;
+  piece.state.above = rule_.above(below, value);
+  piece.state.mark = rule_.edge_mark(below, piece.state.above, value);
   piece.state.mark_above = rule_.face_mark(piece.state.above);
   piece.is_kept = Rule::kKeepsAll || piece.state.mark != mark_below ||
                   piece.state.mark != piece.state.mark_above;
@@ -256,9 +260,8 @@ void PlaneBuilder<Rule>::label_outgoing(const SweepEvent& event, const State& be
   kept_out_ = 0;
   Label label = below.above;
   bool mark_below = below.mark_above;
-  SweepBundles bundles(event.outgoing);
-  for (SweepBundle b = bundles.next(); !b.empty(); b = bundles.next()) {
-    pieces_.push_back(piece_above(label, mark_below, b));
+  for (std::size_t i = 0; i < event.outgoing.size(); ++i) {
+    pieces_.push_back(piece_above(label, mark_below, event.outgoing[i], value_of(event, i)));
     const Piece& piece = pieces_.back();
     label = piece.state.above;
     mark_below = piece.state.mark_above;
@@ -272,7 +275,8 @@ void PlaneBuilder<Rule>::label_outgoing(const SweepEvent& event, const State& be
 
 template <class Rule>
 bool PlaneBuilder<Rule>::vertex_mark(const SweepEvent& event, const State& below) const {
-  return rule_.vertex_mark(PlaneSurroundings<Label>{below.above, event, any_marked_, all_marked_});
+  return rule_.vertex_mark(
+      PlaneSurroundings<Rule>{below.above, event, values_in_, any_marked_, all_marked_});
 }
 
 /// Does the one kept piece to the left go straight on in the one to the right?
@@ -283,8 +287,7 @@ bool PlaneBuilder<Rule>::passes(bool mark) const {
       std::find_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.is_kept; });
   const bool in_mark = draft_.edge_mark[kept_in_.front().edge.value()] != 0;
   if (piece->state.mark != mark || in_mark != mark) return false;
-  return curves_->direction_order(kept_in_.front().curve, piece->bundle.front().segment) ==
-         Sign::Zero;
+  return curves_->direction_order(kept_in_.front().curve, piece->curve) == Sign::Zero;
 }
 
 template <class Rule>
@@ -344,14 +347,14 @@ void PlaneBuilder<Rule>::link_vertex(VertexId v, HalfedgeId support) {
 
 template <class Rule>
 EdgeId PlaneBuilder<Rule>::new_edge(VertexId left, const Piece& piece) {
-  const auto& curve = (*curves_)[piece.bundle.front().segment];
+  const auto& curve = (*curves_)[piece.curve];
   const EdgeId e = draft_.add_edge(left, {curve.a, curve.b}, piece.state.mark,
                                    piece.state.mark_above, piece.mark_below);
   if constexpr (Rule::kKeepsLabels) {
     labels_.push_back(piece.state.above);
     labels_.push_back(piece.below);
   }
-  rule_.keep_edge(piece.bundle);
+  rule_.keep_edge(piece.state.value);
   return e;
 }
 
@@ -365,7 +368,7 @@ void PlaneBuilder<Rule>::start_edges(VertexId left, HalfedgeId support) {
     }
     if (piece.is_kept) support = first_half(piece.state.edge);
     piece.state.support = support;
-    states_[piece.bundle.front().segment.value()] = piece.state;
+    states_[piece.curve.value()] = piece.state;
   }
 }
 
@@ -374,10 +377,10 @@ void PlaneBuilder<Rule>::start_edges(VertexId left, HalfedgeId support) {
 /// The face left of the vertical is the bottom so far; the one to its right is the new bottom.
 template <class Rule>
 void PlaneBuilder<Rule>::start_vertical(const SweepEvent& event) {
-  const SweepBundle bundle = event.outgoing;
-  const Label below = rule_.below(bottom_.above, bundle);
+  const Value value = value_of(event, 0);
+  const Label below = rule_.below(bottom_.above, value);
   const bool mark_below = rule_.face_mark(below);
-  Piece piece = piece_above(below, mark_below, bundle);
+  Piece piece = piece_above(below, mark_below, event.outgoing.front(), value);
   piece.state.support = bottom_.support;
   bottom_.above = below;
   bottom_.mark_above = mark_below;
@@ -387,15 +390,14 @@ void PlaneBuilder<Rule>::start_vertical(const SweepEvent& event) {
     bottom_.support = twin(first_half(piece.state.edge));
     down_ends_.push_back(bottom_.support);
   }
-  states_[bundle.front().segment.value()] = piece.state;
+  states_[piece.curve.value()] = piece.state;
 }
 
 template <class Rule>
-void PlaneBuilder<Rule>::end_at_infinity(std::span<const SweepIncidence> incoming,
+void PlaneBuilder<Rule>::end_at_infinity(std::span<const SegmentId> incoming,
                                          std::vector<HalfedgeId>& ends) {
-  SweepBundles bundles(incoming);
-  for (SweepBundle b = bundles.next(); !b.empty(); b = bundles.next()) {
-    const State& state = states_[b.front().segment.value()];
+  for (const SegmentId bundle : incoming) {
+    const State& state = states_[bundle.value()];
     if (state.edge.is_valid()) ends.push_back(first_half(state.edge));
   }
 }

@@ -33,6 +33,7 @@ const char* name_of(Kind kind) {
 class RecordRule {
  public:
   using Label = std::uint8_t;
+  using Value = SegmentId;  // edges do not overlap
   static constexpr bool kKeepsAll = true;
   static constexpr bool kKeepsLabels = false;
 
@@ -41,26 +42,26 @@ class RecordRule {
 
   void start(const SweepCurves&) {}
   Label bottom() const { return records_.bottom ? 1 : 0; }
-  Label above(Label, SweepBundle bundle) const { return edge(bundle).left ? 1 : 0; }
-  Label below(Label, SweepBundle bundle) const { return edge(bundle).right ? 1 : 0; }
+  void join(Value& value, SegmentId s) const {
+    if (value.is_valid()) refuse(Kind::Edge, s.value(), "it overlaps another edge");
+    value = s;
+  }
+  void leave(Value& value, SegmentId) const { value = SegmentId(); }
+  Label above(Label, Value value) const { return edge(value).left ? 1 : 0; }
+  Label below(Label, Value value) const { return edge(value).right ? 1 : 0; }
   bool face_mark(Label l) const { return l != 0; }
-  bool edge_mark(Label, Label, SweepBundle bundle) const { return edge(bundle).mark; }
-  bool vertex_mark(const PlaneSurroundings<Label>& at) const {
+  bool edge_mark(Label, Label, Value value) const { return edge(value).mark; }
+  bool vertex_mark(const PlaneSurroundings<RecordRule>& at) const {
     if (at.event.points.empty()) {
-      refuse(Kind::Edge, at.event.incoming.front().segment.value(),
+      refuse(Kind::Edge, at.event.incoming.front().value(),
              "it crosses another edge where no vertex is");
     }
     return records_.vertices[vertex_at_[at.event.points.front()]].mark;
   }
-  void keep_edge(SweepBundle) {}
+  void keep_edge(Value) {}
 
  private:
-  const PlaneRecords::Edge& edge(SweepBundle bundle) const {
-    if (bundle.size() > 1) {
-      refuse(Kind::Edge, bundle[1].segment.value(), "it overlaps another edge");
-    }
-    return records_.edges[bundle.front().segment.value()];
-  }
+  const PlaneRecords::Edge& edge(Value value) const { return records_.edges[value.value()]; }
 
   const PlaneRecords& records_;
   std::vector<std::uint32_t> vertex_at_;  // per point

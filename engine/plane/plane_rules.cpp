@@ -19,13 +19,8 @@ bool WindingNumberRule::are_all_inside(Label least, Label greatest) const {
 
 // Closed: next to the inside, or gone over as often back as forth. Open: inside in whatever order
 // the chains are crossed.
-bool WindingNumberRule::edge_mark(Label below, Label above, SweepBundle bundle) const {
-  Label up = 0;
-  Label down = 0;
-  for (const SweepIncidence& i : bundle) {
-    const Label jump = jump_[i.segment.value()];
-    (jump > 0 ? up : down) += jump;
-  }
+bool WindingNumberRule::edge_mark(Label below, Label above, Value value) const {
+  const auto [up, down] = value;
   if (boundary_ == Boundary::Closed) return is_inside(below) || is_inside(above) || up == -down;
   return (up != 0 || down != 0) && are_all_inside(below + down, below + up);
 }
@@ -39,24 +34,26 @@ void turn_sides(std::span<const SweepCurve> given, const SweepCurves& turned,
   }
 }
 
-bool BooleanRule::edge_mark(Label below, Label, SweepBundle bundle) const {
+bool BooleanRule::edge_mark(Label below, Label, const Value& value) const {
   std::array<bool, 2> marks = {marks_[0].face[below[0]] != 0, marks_[1].face[below[1]] != 0};
-  mark_passing(bundle, marks);
+  mark_passing(value, marks);
   return function_(marks[0], marks[1]);
 }
 
-void BooleanRule::mark_passing(std::span<const SweepIncidence> curves,
-                               std::array<bool, 2>& marks) const {
-  for (const SweepIncidence& i : curves) {
-    const OverlayCurve& s = side(i);
-    marks[s.operand] = marks_[s.operand].edge[s.edge.value()] != 0;
+void BooleanRule::mark_passing(const Value& value, std::array<bool, 2>& marks) const {
+  for (const SegmentId s : {value.first, value.second}) {
+    if (!s.is_valid()) continue;
+    const OverlayCurve& from = side(s);
+    marks[from.operand] = marks_[from.operand].edge[from.edge.value()] != 0;
   }
 }
 
 /// An operand's vertex here decides; else its edge that passes; else its face.
-bool BooleanRule::vertex_mark(const PlaneSurroundings<Label>& at) const {
+bool BooleanRule::vertex_mark(const PlaneSurroundings<BooleanRule>& at) const {
   std::array<bool, 2> marks = {marks_[0].face[at.below[0]] != 0, marks_[1].face[at.below[1]] != 0};
-  if (!at.event.plain) mark_passing(at.event.incoming, marks);
+  if (!at.event.plain) {
+    for (const Value& value : at.incoming) mark_passing(value, marks);
+  }
   for (const std::uint32_t p : at.event.points) {
     const std::uint32_t v = vertex_at_[p];
     if (v == kNoVertex) continue;

@@ -9,13 +9,19 @@
 
 #include "plumb/plane/nef2.h"
 #include "plumb/plane/plane_builder.h"
+#include "plumb/plane/segment_sets.h"
 
 namespace plumb {
 
-/// Polygons by winding number. A label is the winding number of a face.
+/// Polygons by winding number. A label is the winding number of a face, the value of a bundle how
+/// much its curves raise and lower it upward.
 class WindingNumberRule {
  public:
   using Label = std::int32_t;
+  struct Value {
+    Label up = 0;
+    Label down = 0;
+  };
   static constexpr bool kKeepsAll = false;
   static constexpr bool kKeepsLabels = false;
 
@@ -34,22 +40,21 @@ class WindingNumberRule {
 
   void start(const SweepCurves& curves);
   Label bottom() const { return bottom_; }
-  Label above(Label below, SweepBundle bundle) const {
-    for (const SweepIncidence& i : bundle) below += jump_[i.segment.value()];
-    return below;
-  }
-  Label below(Label above, SweepBundle bundle) const {
-    for (const SweepIncidence& i : bundle) above -= jump_[i.segment.value()];
-    return above;
-  }
+  void join(Value& value, SegmentId s) const { change(value, jump_[s.value()], 1); }
+  void leave(Value& value, SegmentId s) const { change(value, jump_[s.value()], -1); }
+  Label above(Label below, Value value) const { return below + value.up + value.down; }
+  Label below(Label above, Value value) const { return above - value.up - value.down; }
   bool face_mark(Label winding) const { return is_inside(winding); }
-  bool edge_mark(Label below, Label above, SweepBundle bundle) const;
-  bool vertex_mark(const PlaneSurroundings<Label>& at) const {
+  bool edge_mark(Label below, Label above, Value value) const;
+  bool vertex_mark(const PlaneSurroundings<WindingNumberRule>& at) const {
     return boundary_ == Boundary::Open ? at.all_marked : at.any_marked || is_point(at.event);
   }
-  void keep_edge(SweepBundle) {}
+  void keep_edge(Value) {}
 
  private:
+  static void change(Value& value, Label jump, Label by) {
+    (jump > 0 ? value.up : value.down) += by * jump;
+  }
   bool is_inside(Label w) const {
     if (rule_ == WindingRule::EvenOdd) return (w & 1) != 0;
     return rule_ == WindingRule::Positive ? w > 0 : w != 0;
@@ -68,6 +73,18 @@ class WindingNumberRule {
   Label bottom_;
 };
 
+/// The curves of a bundle of two at most.
+struct BundlePair {
+  SegmentId first;
+  SegmentId second;
+
+  void join(SegmentId s) { (first.is_valid() ? second : first) = s; }
+  void leave(SegmentId s) {
+    if (s == first) first = second;
+    second = SegmentId();
+  }
+};
+
 /// Where a curve of an overlay comes from. Faces are those of its operand; after start() left is
 /// above.
 struct OverlayCurve {
@@ -84,27 +101,35 @@ void turn_sides(std::span<const SweepCurve> given, const SweepCurves& turned,
 /// The label of a place in two subdivisions: a face of each.
 using FacePair = std::array<std::uint32_t, 2>;
 
-/// Carries the pair of faces. Base of the rules of overlays.
+/// Carries the pair of faces. Base of the rules of overlays. Edges of one operand do not overlap: a
+/// bundle has a curve of each at most.
 class OverlayLabels {
  public:
   using Label = FacePair;
+  using Value = BundlePair;
 
   OverlayLabels(std::span<const SweepCurve> curves, std::vector<OverlayCurve> sides, Label bottom)
       : curves_(curves), sides_(std::move(sides)), bottom_(bottom) {}
 
   void start(const SweepCurves& curves) { turn_sides(curves_, curves, sides_); }
   Label bottom() const { return bottom_; }
-  Label above(Label below, SweepBundle bundle) const {
-    for (const SweepIncidence& i : bundle) below[side(i).operand] = side(i).left;
+  void join(Value& value, SegmentId s) const { value.join(s); }
+  void leave(Value& value, SegmentId s) const { value.leave(s); }
+  Label above(Label below, const Value& value) const {
+    for (const SegmentId s : {value.first, value.second}) {
+      if (s.is_valid()) below[side(s).operand] = side(s).left;
+    }
     return below;
   }
-  Label below(Label above, SweepBundle bundle) const {
-    for (const SweepIncidence& i : bundle) above[side(i).operand] = side(i).right;
+  Label below(Label above, const Value& value) const {
+    for (const SegmentId s : {value.first, value.second}) {
+      if (s.is_valid()) above[side(s).operand] = side(s).right;
+    }
     return above;
   }
 
  protected:
-  const OverlayCurve& side(const SweepIncidence& i) const { return sides_[i.segment.value()]; }
+  const OverlayCurve& side(SegmentId s) const { return sides_[s.value()]; }
 
  private:
   std::span<const SweepCurve> curves_;
@@ -139,12 +164,12 @@ class BooleanRule : public OverlayLabels {
   bool face_mark(Label l) const {
     return function_(marks_[0].face[l[0]] != 0, marks_[1].face[l[1]] != 0);
   }
-  bool edge_mark(Label below, Label above, SweepBundle bundle) const;
-  bool vertex_mark(const PlaneSurroundings<Label>& at) const;
-  void keep_edge(SweepBundle) {}
+  bool edge_mark(Label below, Label above, const Value& value) const;
+  bool vertex_mark(const PlaneSurroundings<BooleanRule>& at) const;
+  void keep_edge(const Value&) {}
 
  private:
-  void mark_passing(std::span<const SweepIncidence> curves, std::array<bool, 2>& marks) const;
+  void mark_passing(const Value& value, std::array<bool, 2>& marks) const;
 
   std::array<PlaneMarksView, 2> marks_;
   MarkFunction function_;
@@ -160,32 +185,51 @@ class MapOverlayRule : public OverlayLabels {
   explicit MapOverlayRule(OverlayLabels labels) : OverlayLabels(std::move(labels)) {}
 
   bool face_mark(Label) const { return false; }
-  bool edge_mark(Label, Label, SweepBundle) const { return false; }
-  bool vertex_mark(const PlaneSurroundings<Label>&) const { return false; }
-  void keep_edge(SweepBundle) {}
+  bool edge_mark(Label, Label, const Value&) const { return false; }
+  bool vertex_mark(const PlaneSurroundings<MapOverlayRule>&) const { return false; }
+  void keep_edge(const Value&) {}
 };
 
 /// An arrangement: every piece is kept, with the curves it came from.
 class OriginsRule {
  public:
   using Label = std::uint8_t;
+  using Value = SegmentSets::Set;
   static constexpr bool kKeepsAll = true;
   static constexpr bool kKeepsLabels = false;
 
+  /// `name` per curve: what it is called in the sets; empty: its number.
+  OriginsRule(std::size_t curve_count, std::vector<SegmentId> name, Context& context)
+      : sets(curve_count), name_(std::move(name)), memory_(context) {}
+
   void start(const SweepCurves&) {}
   Label bottom() const { return 0; }
-  Label above(Label below, SweepBundle) const { return below; }
-  Label below(Label above, SweepBundle) const { return above; }
+  void join(Value& value, SegmentId s) { value = charged(sets.with(value, name(s))); }
+  void leave(Value& value, SegmentId s) { value = charged(sets.without(value, name(s))); }
+  Label above(Label below, Value) const { return below; }
+  Label below(Label above, Value) const { return above; }
   bool face_mark(Label) const { return false; }
-  bool edge_mark(Label, Label, SweepBundle) const { return false; }
-  bool vertex_mark(const PlaneSurroundings<Label>&) const { return false; }
-  void keep_edge(SweepBundle bundle) {
-    for (const SweepIncidence& i : bundle) origins.push_back(i.segment);
-    origin_begin.push_back(static_cast<std::uint32_t>(origins.size()));
+  bool edge_mark(Label, Label, Value) const { return false; }
+  bool vertex_mark(const PlaneSurroundings<OriginsRule>&) const { return false; }
+  void keep_edge(Value value) { origins.push_back(value); }
+
+  SegmentSets sets;
+  std::vector<SegmentSets::Set> origins;  ///< per edge
+
+ private:
+  SegmentId name(SegmentId s) const { return name_.empty() ? s : name_[s.value()]; }
+  Value charged(Value value) {
+    if (sets.node_count() >= charged_ + kNodesPerCharge) {
+      memory_.add((sets.node_count() - charged_) * SegmentSets::kBytesPerNode, "overlaps");
+      charged_ = sets.node_count();
+    }
+    return value;
   }
 
-  std::vector<std::uint32_t> origin_begin = {0};
-  std::vector<SegmentId> origins;
+  static constexpr std::size_t kNodesPerCharge = 4096;
+  std::vector<SegmentId> name_;
+  MemoryCharge memory_;
+  std::size_t charged_ = 0;
 };
 
 /// Sweeps the scene and builds the complex. `scene.points` is moved into it.

@@ -20,8 +20,9 @@
 //  3. next_event          the next end point or pending crossing, with everything that equals it
 //  4. take_enders         plain events (one point, nothing passes through, nothing overlaps): the
 //                         segments that end here stand side by side in the status
-//  5. take_all_through    other events: walk the status both ways while segments contain the point
-//  6. order_starters      by direction; segments of one direction form a bundle
+//  5. take_all_through    other events: walk the status both ways while bundles contain the point
+//  6. order_starters      by direction; segments of one direction form a bundle, or join one that
+//                         goes on
 //  7. replace_in_status   incoming bundles make room for outgoing ones
 //  8. test_neighbours     two bundles that became neighbours: a crossing is queued, a touch marks
 //                         the end point as not plain
@@ -29,11 +30,14 @@
 // 10. end_unbounded       what is left in the status ends at the right infinity, in one event
 //
 // Invariants: neighbours in the status have been tested (8) since they became neighbours; so an
-// event reached without mark and without crossing is plain, and costs no arithmetic but its own.
+// event reached without mark and without crossing is plain, and costs no arithmetic but its own. A
+// bundle is known by the one of its segments that ends last; so it ends when that one does, and no
+// event looks at segments that just pass through in a bundle.
 //
-// Cost: O((n + k) log n) expected for n segments and k event-segment incidences, one orientation
-// test per new neighbour pair in the plain case; O(n + pending crossings) memory. Source: Bentley
-// and Ottmann 1979; degeneracies after Mehlhorn and Näher, LEDA (1999), chapter 10.7.
+// Cost: O((n + k) log n) expected for n segments and k event-bundle incidences (n nested segments
+// on one line: 2n of them), one orientation test per new neighbour pair in the plain case; O(n +
+// pending crossings) memory. Source: Bentley and Ottmann 1979; degeneracies after Mehlhorn and
+// Näher, LEDA (1999), chapter 10.7.
 #pragma once
 
 #include <cstdint>
@@ -65,12 +69,6 @@ struct SweepCurve {
   std::uint32_t b;
 };
 
-/// A curve at an event; curves of equal `bundle` overlap on that side of the event.
-struct SweepIncidence {
-  SegmentId segment;
-  std::uint32_t bundle;  ///< 0, 1, ... from bottom to top
-};
-
 /// What kind of place an event is. The first and the last come at most once, first and last.
 enum class SweepPlace : std::uint8_t {
   LeftInfinity,   ///< all curves from the left infinity: outgoing only
@@ -80,17 +78,47 @@ enum class SweepPlace : std::uint8_t {
   RightInfinity,  ///< all curves to the right infinity: incoming only
 };
 
-/// Everything that happens at one place. The spans are valid during the call only.
+/// Everything that happens at one place. The spans are valid during the call only. A bundle is named
+/// by the one of its curves that reaches furthest right; as it was when the bundle last left a place.
 struct SweepEvent {
+  static constexpr std::uint32_t kNew = std::numeric_limits<std::uint32_t>::max();
+
   SweepPlace place = SweepPlace::Point;
-  std::span<const std::uint32_t> points;     ///< end points lying here; empty: a mere crossing
-  const Crossing2* crossing = nullptr;       ///< set when points is empty (and place is Point)
-  std::span<const SweepIncidence> incoming;  ///< just left of the event, bottom to top
-  std::span<const SweepIncidence> outgoing;  ///< just right of it, bottom to top
-  std::span<const SegmentId> zero_length;    ///< zero-length segments lying here
-  SegmentId below;     ///< the first of the bundle next below the event (as listed when it was
-                       ///< outgoing), if any
+  std::span<const std::uint32_t> points;   ///< end points lying here; empty: a mere crossing
+  const Crossing2* crossing = nullptr;     ///< set when points is empty (and place is Point)
+  std::span<const SegmentId> incoming;     ///< bundles just left of the event, bottom to top
+  std::span<const SegmentId> outgoing;     ///< bundles just right of it, bottom to top
+  std::span<const SegmentId> ends;         ///< curves that end here, by bundle; none at infinity
+  std::span<const SegmentId> starts;       ///< curves that start here, by bundle
+  std::span<const SegmentId> zero_length;  ///< zero-length segments lying here
+  SegmentId below;                         ///< the bundle next below the event, if any
   bool plain = false;  ///< one point, no overlap, every segment here starts or ends at that point
+
+  // Of events that are not plain, behind the functions below.
+  std::span<const std::uint32_t> arrived_as;  ///< per outgoing bundle
+  std::span<const std::uint32_t> ends_end;    ///< per incoming bundle, into ends
+  std::span<const std::uint32_t> starts_end;  ///< per outgoing bundle, into starts
+
+  /// The incoming bundle that goes on in an outgoing one; kNew: all its curves start here.
+  std::uint32_t came_from(std::size_t out) const { return plain ? kNew : arrived_as[out]; }
+  /// The curves of an incoming bundle that end here.
+  std::span<const SegmentId> ending_in(std::size_t in) const {
+    return plain ? incoming.subspan(in, 1) : part(ends, ends_end, in);
+  }
+  /// The curves of an outgoing bundle that start here.
+  std::span<const SegmentId> starting_in(std::size_t out) const {
+    return plain ? outgoing.subspan(out, 1) : part(starts, starts_end, out);
+  }
+  /// Does every curve here start or end here, each in a bundle of its own?
+  bool has_ends_only() const;
+
+ private:
+  static std::span<const SegmentId> part(std::span<const SegmentId> all,
+                                         std::span<const std::uint32_t> end, std::size_t i) {
+    if (all.empty()) return {};
+    const std::size_t begin = i == 0 ? 0 : end[i - 1];
+    return all.subspan(begin, end[i] - begin);
+  }
 };
 
 class SweepCurves;
@@ -109,8 +137,7 @@ void sweep(const PointTable2& points, std::span<const SweepSegment> segments, Sw
            Context& context);
 
 /// Sweeps all curves; each of the points `stops` is an event too, even where nothing starts or
-/// ends. The first curve of a bundle is the same when it is outgoing of one event and incoming of
-/// the next.
+/// ends.
 void sweep(const PlanePointsView& points, std::span<const SweepCurve> curves,
            std::span<const std::uint32_t> stops, SweepVisitor& visitor, Context& context);
 

@@ -38,6 +38,13 @@ class SweepCurves {
     const Curve& c = curves_[s.value()];
     return c.has_right() && rank(c.right) == rank_of_place;
   }
+  /// Does s end later than t? (Of curves on one line.)
+  bool reaches_further(SegmentId s, SegmentId t) const {
+    const Curve& c = curves_[s.value()];
+    const Curve& d = curves_[t.value()];
+    if (!d.has_right()) return false;
+    return !c.has_right() || rank(c.right) > rank(d.right);
+  }
 
   Sign side(SegmentId s, std::uint32_t point) const {
     const Curve& c = curves_[s.value()];

@@ -28,33 +28,20 @@ bool is_convex(const FlatPoints& points, std::span<const std::uint32_t> polygon)
 /// Do segments meet in common ends only?
 class TouchVisitor final : public SweepVisitor {
  public:
-  TouchVisitor(std::span<const SweepSegment> segments) : segments_(segments) {}
-
   bool on_event(const SweepEvent& event) override {
-    is_crossing_ = event.points.size() != 1 || !ends_here(event.incoming, event.points[0]) ||
-                   !ends_here(event.outgoing, event.points[0]);
+    is_crossing_ = event.points.size() != 1 || !event.has_ends_only();
     return !is_crossing_;
   }
   bool is_crossing() const { return is_crossing_; }
 
  private:
-  bool ends_here(std::span<const SweepIncidence> at, std::uint32_t point) const {
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      const SweepSegment& s = segments_[at[i].segment.value()];
-      if (s.from != point && s.to != point) return false;
-      if (i > 0 && at[i].bundle == at[i - 1].bundle) return false;
-    }
-    return true;
-  }
-
-  std::span<const SweepSegment> segments_;
   bool is_crossing_ = false;
 };
 
 bool is_crossing(const FlatPoints& points, std::span<const IndexEdge> edges, Context& context) {
   std::vector<SweepSegment> segments;
   for (const IndexEdge& e : edges) segments.push_back({e[0], e[1]});
-  TouchVisitor visitor(segments);
+  TouchVisitor visitor;
   sweep(points.table(), segments, visitor, context);
   return visitor.is_crossing();
 }

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "generate/curve_scenes.h"
 #include "oracle/arrangement_check.h"
@@ -101,6 +104,108 @@ TEST(Arrangement, OfConcurrentLines) {
     }
     const std::size_t two_n = 2 * std::size_t{n};
     EXPECT_EQ(counts(arranged(scene)), n == 1 ? (Counts{0, 1, 2}) : (Counts{1, two_n, two_n}));
+  }
+}
+
+// ---------------------------------------------------------------- overlaps
+
+// Segments [first, last] of one line, by places along it.
+using Interval = std::pair<std::uint32_t, std::uint32_t>;
+
+/// On the line y = 3 x, or upright.
+EngineScene on_a_line(const std::vector<Interval>& intervals, bool upright) {
+  EngineScene scene;
+  for (const auto& [first, last] : intervals) {
+    const auto i = static_cast<std::uint32_t>(scene.points.inputs.size());
+    for (const std::uint32_t at : {first, last}) {
+      const double x = upright ? 0 : at;
+      scene.points.inputs.push_back({x, 3.0 * at});
+    }
+    scene.curves.push_back({i, i + 1, i, i + 1});
+  }
+  return scene;
+}
+
+// Along a line every edge is between neighbouring ends, and comes from all intervals around it.
+void expect_intervals(const std::vector<Interval>& intervals, bool upright) {
+  const Arrangement a = arranged(on_a_line(intervals, upright));
+  for (std::size_t e = 0; e < a.complex.edge_count(); ++e) {
+    const HalfedgeId h = first_half(EdgeId(e));
+    const auto at = [&](VertexId v) {
+      return a.complex.points.inputs.approx(a.complex.vertex_point[v.value()]).y / 3;
+    };
+    const double from = at(a.complex.dcel.origin(h));
+    const double to = at(a.complex.dcel.target(h));
+    std::vector<SegmentId> expected;
+    for (std::size_t i = 0; i < intervals.size(); ++i) {
+      if (intervals[i].first <= from && to <= intervals[i].second) expected.emplace_back(i);
+    }
+    ASSERT_EQ(a.origins_of(EdgeId(e)), expected) << "edge " << e;
+    ASSERT_FALSE(expected.empty());
+  }
+}
+
+TEST(Overlaps, OfRandomIntervals) {
+  for (std::uint64_t seed = 0; seed < 60 && !::testing::Test::HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    std::vector<Interval> intervals;
+    const std::uint32_t places = 2 + dice.below(40);
+    for (std::uint32_t i = dice.below(40); i > 0; --i) {
+      const std::uint32_t first = dice.below(places);
+      intervals.emplace_back(first, first + 1 + dice.below(places));
+    }
+    expect_intervals(intervals, seed % 2 == 0);
+  }
+}
+
+std::vector<Interval> nested(std::uint32_t n) {
+  std::vector<Interval> intervals;
+  for (std::uint32_t i = 0; i < n; ++i) intervals.emplace_back(i, 2 * n - i);
+  return intervals;
+}
+
+TEST(Overlaps, OfNestedIntervals) {
+  for (const bool upright : {false, true}) {
+    expect_intervals(nested(60), upright);
+  }
+}
+
+// The edges of n nested segments come from n^2 curves in all. Their sets share what they have in
+// common: an edge adds what changes.
+TEST(Overlaps, OfNestedIntervalsTakeLittle) {
+  const std::uint32_t n = 20000;
+  const Arrangement a = arranged(on_a_line(nested(n), false));
+  ASSERT_EQ(a.complex.edge_count(), 2 * std::size_t{n} - 1);
+  EXPECT_EQ(a.origins_of(EdgeId(n - 1)).size(), n);
+  EXPECT_LE(a.origin_sets.node_count(), 2 * std::size_t{n} * 40);
+}
+
+// Sets made in any order, all of them kept.
+TEST(Overlaps, SetsShareAndStayAsTheyWere) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Dice dice(seed);
+    const std::uint32_t curves = 1 + dice.below(60);
+    SegmentSets sets(curves);
+    std::vector<SegmentSets::Set> made(1);
+    std::vector<std::set<SegmentId>> expected(1);
+    for (int step = 0; step < 200; ++step) {
+      const std::size_t from = dice.below(made.size());
+      const SegmentId s(dice.below(curves));
+      std::set<SegmentId> next = expected[from];
+      if (next.erase(s) != 0) {
+        made.push_back(sets.without(made[from], s));
+      } else {
+        next.insert(s);
+        made.push_back(sets.with(made[from], s));
+      }
+      expected.push_back(next);
+    }
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      std::vector<SegmentId> found;
+      sets.append(made[i], found);
+      ASSERT_EQ(found, std::vector<SegmentId>(expected[i].begin(), expected[i].end()));
+    }
   }
 }
 

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/plane/sweep_members.h"
+
 namespace plumb {
 namespace {
 
@@ -81,7 +83,7 @@ std::set<Place> brute_force_places(const Scene& scene) {
 
 class Recorder final : public SweepVisitor {
  public:
-  explicit Recorder(const Scene& scene) : scene_(scene) {}
+  explicit Recorder(const Scene& scene) : scene_(scene), members_(scene.segments.size()) {}
 
   bool on_event(const SweepEvent& event) override {
     const Place p = place_of(event);
@@ -89,9 +91,11 @@ class Recorder final : public SweepVisitor {
       EXPECT_LT(seen_.back(), p) << "events in lexicographic order";
     }
     seen_.push_back(p);
+    members_.update(event);
     check_membership(event, p);
-    check_order(event.incoming, -1);
-    check_order(event.outgoing, +1);
+    check_order(members_.incoming(), -1);
+    check_order(members_.outgoing(), +1);
+    check_names(event);
     check_below(event, p);
     return true;
   }
@@ -107,8 +111,8 @@ class Recorder final : public SweepVisitor {
 
   void check_membership(const SweepEvent& event, const Place& p) const {
     std::set<SegmentId> in, out, zero, points_here;
-    for (const SweepIncidence& i : event.incoming) in.insert(i.segment);
-    for (const SweepIncidence& i : event.outgoing) out.insert(i.segment);
+    for (const SweepIncidence& i : members_.incoming()) in.insert(i.segment);
+    for (const SweepIncidence& i : members_.outgoing()) out.insert(i.segment);
     for (const SegmentId s : event.zero_length) zero.insert(s);
     for (std::size_t i = 0; i < scene_.segments.size(); ++i) {
       const SegmentId s(i);
@@ -139,6 +143,23 @@ class Recorder final : public SweepVisitor {
     }
   }
 
+  // A bundle is named by one of its segments that reaches furthest.
+  void check_names(const SweepEvent& event) const {
+    const auto check = [&](std::span<const SegmentId> names,
+                           std::span<const SweepIncidence> members) {
+      ASSERT_EQ(names.size(), members.empty() ? 0 : members.back().bundle + 1);
+      std::set<SegmentId> found;
+      for (const SweepIncidence& i : members) {
+        const SegmentId name = names[i.bundle];
+        EXPECT_LE(Line(scene_, i.segment).right, Line(scene_, name).right);
+        if (i.segment == name) found.insert(name);
+      }
+      EXPECT_EQ(found.size(), names.size());
+    };
+    check(event.incoming, members_.incoming());
+    check(event.outgoing, members_.outgoing());
+  }
+
   // The segment next below: none other lies between, just left or right of the vertical through p.
   void check_below(const SweepEvent& event, const Place& p) const {
     const auto lies_below = [&](SegmentId s) {
@@ -165,6 +186,7 @@ class Recorder final : public SweepVisitor {
   }
 
   const Scene& scene_;
+  SweepMembers members_;
   std::vector<Place> seen_;
 };
 

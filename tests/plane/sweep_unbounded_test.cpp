@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "generate/curve_scenes.h"
+#include "plumb/plane/sweep_members.h"
 
 namespace plumb::testing {
 namespace {
@@ -84,7 +85,8 @@ std::set<Place> places_of(const CurveScene& scene, const std::vector<ExactPoint>
 
 class Recorder final : public SweepVisitor {
  public:
-  Recorder(const CurveScene& scene, const EngineScene& engine) : engine_(engine) {
+  Recorder(const CurveScene& scene, const EngineScene& engine)
+      : engine_(engine), members_(scene.curves.size()) {
     for (const TestCurve& c : scene.curves) curves_.emplace_back(c);
     used_.insert(engine.isolated.begin(), engine.isolated.end());
     for (const SweepCurve& c : engine.curves) used_.insert({c.from, c.to});
@@ -97,10 +99,11 @@ class Recorder final : public SweepVisitor {
       EXPECT_LT(seen_.back(), p) << "events in their order";
     }
     seen_.push_back(p);
+    members_.update(event);
     check_points(event, p);
     check_curves(event, p);
-    check_order(event.incoming, p, -1);
-    check_order(event.outgoing, p, +1);
+    check_order(members_.incoming(), p, -1);
+    check_order(members_.outgoing(), p, +1);
     check_bundles(event);
     check_below(event, p);
     return true;
@@ -116,9 +119,9 @@ class Recorder final : public SweepVisitor {
       case SweepPlace::RightInfinity:
         return {+1, 0, 0, 0};
       case SweepPlace::VerticalStart:
-        return {0, curves_[event.outgoing.front().segment.value()].curve.a.x, -1, 0};
+        return {0, curves_[event.outgoing.front().value()].curve.a.x, -1, 0};
       case SweepPlace::VerticalEnd:
-        return {0, curves_[event.incoming.front().segment.value()].curve.a.x, +1, 0};
+        return {0, curves_[event.incoming.front().value()].curve.a.x, +1, 0};
       default:
         break;
     }
@@ -139,8 +142,8 @@ class Recorder final : public SweepVisitor {
 
   void check_curves(const SweepEvent& event, const Place& p) const {
     std::multiset<SegmentId> in, out, zero;
-    for (const SweepIncidence& i : event.incoming) in.insert(i.segment);
-    for (const SweepIncidence& i : event.outgoing) out.insert(i.segment);
+    for (const SweepIncidence& i : members_.incoming()) in.insert(i.segment);
+    for (const SweepIncidence& i : members_.outgoing()) out.insert(i.segment);
     for (const SegmentId s : event.zero_length) zero.insert(s);
     bool starts_or_ends = true;
     for (std::size_t i = 0; i < curves_.size(); ++i) {
@@ -152,10 +155,8 @@ class Recorder final : public SweepVisitor {
     }
     if (event.plain) {
       EXPECT_TRUE(event.points.size() == 1 && starts_or_ends);
-      EXPECT_TRUE(event.incoming.empty() ||
-                  event.incoming.back().bundle + 1 == event.incoming.size());
-      EXPECT_TRUE(event.outgoing.empty() ||
-                  event.outgoing.back().bundle + 1 == event.outgoing.size());
+      EXPECT_EQ(event.incoming.size(), in.size());
+      EXPECT_EQ(event.outgoing.size(), out.size());
     }
   }
 
@@ -177,23 +178,24 @@ class Recorder final : public SweepVisitor {
     }
   }
 
-  // A bundle comes in as it went out, its first curve first.
+  // A bundle comes in as it went out, under the same name.
   void check_bundles(const SweepEvent& event) {
-    for (const auto& [first, members] : bundles_of(event.incoming)) {
-      EXPECT_EQ(live_[first], members);
-      live_.erase(first);
+    for (const auto& [name, members] : bundles_of(event.incoming, members_.incoming())) {
+      EXPECT_TRUE(members.contains(name));
+      EXPECT_EQ(live_[name], members);
+      live_.erase(name);
     }
-    for (const auto& [first, members] : bundles_of(event.outgoing)) live_[first] = members;
+    for (const auto& [name, members] : bundles_of(event.outgoing, members_.outgoing())) {
+      EXPECT_TRUE(members.contains(name));
+      live_[name] = members;
+    }
   }
 
   static std::map<SegmentId, std::set<SegmentId>> bundles_of(
-      std::span<const SweepIncidence> around) {
+      std::span<const SegmentId> names, std::span<const SweepIncidence> around) {
     std::map<SegmentId, std::set<SegmentId>> bundles;
-    SegmentId first;
-    for (std::size_t i = 0; i < around.size(); ++i) {
-      if (i == 0 || around[i].bundle != around[i - 1].bundle) first = around[i].segment;
-      bundles[first].insert(around[i].segment);
-    }
+    for (const SweepIncidence& i : around) bundles[names[i.bundle]].insert(i.segment);
+    EXPECT_EQ(bundles.size(), names.size());
     return bundles;
   }
 
@@ -213,7 +215,7 @@ class Recorder final : public SweepVisitor {
     const Directed& below = curves_[event.below.value()];
     ASSERT_TRUE(lies_below(below, p));
     EXPECT_EQ(below.height(p.x), highest->height(p.x));
-    EXPECT_TRUE(live_.contains(event.below)) << "the first of its bundle";
+    EXPECT_TRUE(live_.contains(event.below)) << "the name of its bundle";
     check_nothing_between(below, p);
   }
 
@@ -226,6 +228,7 @@ class Recorder final : public SweepVisitor {
   }
 
   const EngineScene& engine_;
+  SweepMembers members_;
   std::vector<Directed> curves_;
   std::set<std::uint32_t> used_;
   std::map<SegmentId, std::set<SegmentId>> live_;  // bundles between two events, by first curve
