@@ -69,6 +69,25 @@ Work locate(std::size_t n) {
   });
 }
 
+/// From each corner of 200 octagons towards its next one but two, to the first place that is met. Wherever a ray starts,
+/// something is near. The structures are made before.
+Work shoot(std::size_t n) {
+  const Nef2 set = union_of_polygons(testing::octagons(n));
+  std::vector<Line2> rays;
+  for (const testing::PlanePolygon& polygon : testing::octagons(200, 2)) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Point2 p = polygon[i];
+      const Point2 q = polygon[(i + 3) % polygon.size()];
+      rays.push_back({{Rational(p.x), Rational(p.y)}, {Rational(q.x - p.x), Rational(q.y - p.y)}});
+    }
+  }
+  static_cast<void>(set.shoot_to_boundary({0, 0}, {1, 0}));
+  return measured(static_cast<double>(set.complex().edge_count()), [set, rays] {
+    return std::ranges::count_if(
+        rays, [&](const Line2& ray) { return set.shoot_to_boundary(ray.a, ray.b).has_value(); });
+  });
+}
+
 /// The boundaries of n half-planes that all bound their intersection.
 Work half_plane_intersection(std::size_t n) {
   return measured(static_cast<double>(n), [planes = half_planes(n)] {
@@ -143,6 +162,13 @@ const std::vector<Family> kFamilies{
      sizes_between(1000, 100000),
      locate,
      1.35},
+    {"octagons-shoot",
+     "1,600 rays; a question to every edge would be O(n) a ray",
+     "edges",
+     {0, 2},
+     sizes_between(300, 33334),
+     shoot,
+     0.4},
     {"half-planes",
      "n half-planes, one by one: O(n^2) in the note",
      "half-planes",

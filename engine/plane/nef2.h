@@ -95,6 +95,7 @@ struct PlaneParts {
 };
 
 class PlaneLocator;
+class PlaneTrapezoids;
 
 /// A set of the plane: an immutable value, see above.
 class Nef2 {
@@ -171,8 +172,10 @@ class Nef2 {
   /// Does p lie on the boundary of the set? (Isolated points and slits are boundary.)
   bool has_on_boundary(const RationalPoint2& p) const;
 
-  /// The first marked element met from `origin` (inclusive) in `direction`, or none. O(n). Throws
-  /// Error{BadArgument} for the zero direction.
+  /// The first marked element met from `origin` (inclusive) in `direction`, or none. O(log n) for
+  /// each element met, O(1) for each trapezoid of the vertical decomposition of its faces, after the
+  /// first call, which builds what is needed as locate() does. Throws Error{BadArgument} for the
+  /// zero direction.
   std::optional<RayHit> shoot(const RationalPoint2& origin, const RationalPoint2& direction) const;
   /// The first vertex or edge of the complex met, marked or not; one `origin` lies on is met at
   /// once.
@@ -224,6 +227,7 @@ class Nef2 {
   struct State;
   explicit Nef2(PlaneComplex minimal);
   const PlaneLocator& locator() const;
+  const PlaneTrapezoids& trapezoids() const;
 
   std::shared_ptr<const State> state_;
 };

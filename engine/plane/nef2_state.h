@@ -7,6 +7,7 @@
 
 #include "plumb/plane/nef2.h"
 #include "plumb/plane/plane_locator.h"
+#include "plumb/plane/plane_trapezoids.h"
 
 namespace plumb {
 
@@ -16,6 +17,8 @@ struct Nef2::State {
   PlaneComplex complex;
   mutable std::once_flag locator_made;
   mutable std::unique_ptr<PlaneLocator> locator;
+  mutable std::once_flag trapezoids_made;
+  mutable std::unique_ptr<PlaneTrapezoids> trapezoids;
 };
 
 }  // namespace plumb

@@ -172,28 +172,41 @@ bool PlaneLocator::locate_on_column(const Column& column, std::size_t vertex_end
   return false;
 }
 
-/// The highest edge of the slab that q is on or above; invalid if there is none.
-EdgeId PlaneLocator::edge_below(std::size_t slab, const QueryPoint2& q, bool& is_on) const {
+/// The highest of the edges of a slab for which the answer is yes: the lower ones. Invalid if there
+/// is none.
+template <class Below>
+EdgeId PlaneLocator::highest_below(std::size_t slab, const Below& is_below_point) const {
   EdgeId best;
   std::size_t node = 1;
   std::size_t begin = 0;
   std::size_t end = columns_.size() + 1;
   for (;;) {
     const std::vector<EdgeId>& list = lists_[node];
-    const auto above = std::partition_point(list.begin(), list.end(),
-                                            [&](EdgeId e) { return side(e, q) != Sign::Negative; });
+    const auto above = std::partition_point(list.begin(), list.end(), is_below_point);
     if (above != list.begin()) {
       const EdgeId e = *(above - 1);
       if (!best.is_valid() || is_below(best, e)) best = e;
     }
-    if (end - begin == 1) break;
+    if (end - begin == 1) return best;
     const std::size_t middle = begin + (end - begin) / 2;
     const bool goes_left = slab < middle;
     node = 2 * node + (goes_left ? 0 : 1);
     (goes_left ? end : begin) = middle;
   }
-  is_on = best.is_valid() && side(best, q) == Sign::Zero;
-  return best;
+}
+
+EdgeId PlaneLocator::edge_below(const QueryPoint2& q) const {
+  const ColumnPlace place = find_column(q);
+  return highest_below(place.column + (place.is_on ? 1 : 0),
+                       [&](EdgeId e) { return side(e, q) != Sign::Negative; });
+}
+
+EdgeId PlaneLocator::edge_below(VertexId v) const {
+  const std::uint32_t p = complex_.vertex_point[v.value()];
+  return highest_below(column_of(v) + 1, [&](EdgeId e) {
+    const PlaneLine& l = complex_.line[e.value()];
+    return orient2d(points_, l.a, l.b, p) == Sign::Positive;
+  });
 }
 
 FaceId PlaneLocator::bottom_face(std::size_t slab) const {
@@ -213,9 +226,9 @@ PlaneLocation PlaneLocator::locate(const QueryPoint2& q) const {
   }
   // On a column but on no vertex and no vertical edge: the slab to the right tells the face.
   const std::size_t slab = place.column + (place.is_on ? 1 : 0);
-  bool is_on = false;
-  const EdgeId e = edge_below(slab, q, is_on);
-  if (is_on) return at(e);
+  const EdgeId e =
+      highest_below(slab, [&](EdgeId below) { return side(below, q) != Sign::Negative; });
+  if (e.is_valid() && side(e, q) == Sign::Zero) return at(e);
   return at(e.is_valid() ? complex_.dcel.face(first_half(e)) : bottom_face(slab));
 }
 

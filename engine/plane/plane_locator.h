@@ -7,7 +7,7 @@
 //
 // Main flow of locate():
 //  1. find_column       binary search; on a column, its vertices and vertical edges are looked at
-//  2. edge_below        down the tree to the slab (the one right of the column); in each list a
+//  2. highest_below     down the tree to the slab (the one right of the column); in each list a
 //                       binary search; the highest edge at or below the point wins
 //  3. the face above that edge; without one, face 0 or the face right of the last vertical edge
 //     that comes from below
@@ -33,6 +33,11 @@ class PlaneLocator {
   PlaneLocation locate(Point2 p) const { return locate(QueryPoint2(p)); }
   PlaneLocation locate(const QueryPoint2& q) const;
 
+  /// The edge next below a point that lies in a face, just right of it; invalid if there is none.
+  EdgeId edge_below(const QueryPoint2& q) const;
+  /// The same for a vertex without edges to its left.
+  EdgeId edge_below(VertexId v) const;
+
  private:
   struct Column {
     std::uint32_t point;         ///< any point of this abscissa (dense index)
@@ -55,7 +60,8 @@ class PlaneLocator {
   ColumnPlace find_column(const QueryPoint2& q) const;
   bool locate_on_column(const Column& column, std::size_t vertex_end, const QueryPoint2& q,
                         PlaneLocation& found) const;
-  EdgeId edge_below(std::size_t slab, const QueryPoint2& q, bool& is_on) const;
+  template <class Below>
+  EdgeId highest_below(std::size_t slab, const Below& is_below_point) const;
   FaceId bottom_face(std::size_t slab) const;
   Sign side(EdgeId e, const QueryPoint2& q) const;
   PlaneLocation at(VertexId v) const;
