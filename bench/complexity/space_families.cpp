@@ -17,6 +17,7 @@
 #include "cpu_time.h"
 #include "generate/dice.h"
 #include "generate/meshes.h"
+#include "generate/voxel_mesh.h"
 #include "plumb/space/nef3.h"
 #include "power_fit.h"
 
@@ -75,6 +76,17 @@ std::vector<HalfSpace3> tangent_planes(std::size_t n) {
     result.push_back({{a, b, c, -static_cast<std::int64_t>(256 * length)}, Boundary::Closed});
   }
   return result;
+}
+
+/// Square columns, a width apart, through the plate that they leave holes in.
+PolygonMesh columns(std::size_t size) {
+  PolygonMesh mesh;
+  for (std::size_t i = 0; i < size * size; ++i) {
+    const double x = 2 * static_cast<double>(i % size) + 1;
+    const double y = 2 * static_cast<double>(i / size) + 1;
+    mesh = testing::joined(std::move(mesh), testing::box_mesh({x, y, -1}, {x + 1, y + 1, 2}));
+  }
+  return mesh;
 }
 
 struct Family {
@@ -173,6 +185,41 @@ Sample run_complement_interior(std::size_t depth) {
           })};
 }
 
+/// Two facets with all holes, and as many facets in these.
+Sample run_columns_and_slab(std::size_t size) {
+  const double side = 2 * static_cast<double>(size) + 1;
+  const Nef3 slab = solid(testing::box_mesh({0, 0, 0}, {side, side, 1})),
+             all = solid(columns(size));
+  return {static_cast<double>(size * size), least_seconds([&] {
+            Context context;
+            const double start = cpu_seconds();
+            const Nef3 parity = combine(slab, all, kSymmetricDifference, context);
+            return cpu_seconds() - start;
+          })};
+}
+
+/// Every corner of one plate is looked for in a large facet of the other.
+Sample run_plates(std::size_t size) {
+  const PolygonMesh mesh = testing::voxel_mesh(testing::pierced_plate(static_cast<int>(size)));
+  const Nef3 plate = solid(mesh), other = solid(testing::moved(mesh, {0.5, 0.25, 0}));
+  return {static_cast<double>(size * size), least_seconds([&] {
+            Context context;
+            const double start = cpu_seconds();
+            const Nef3 both = combine(plate, other, kUnion, context);
+            return cpu_seconds() - start;
+          })};
+}
+
+/// Two facets with all corners, and thin walls in all directions.
+Sample run_star_mesh(std::size_t tips) {
+  const PolygonMesh mesh = testing::star_prism(static_cast<int>(tips));
+  return {static_cast<double>(tips), least_seconds([&] {
+            const double start = cpu_seconds();
+            const Nef3 star = solid(mesh);
+            return cpu_seconds() - start;
+          })};
+}
+
 const std::vector<Family> kFamilies{
     {"separated cubes, union_of", 1.2, {5, 6, 7, 8, 9, 10}, run_united_grid},
     {"separated cubes, one by one", 1.6, {4, 5, 6, 7, 8}, run_grown_grid},
@@ -180,6 +227,9 @@ const std::vector<Family> kFamilies{
     {"tangent half-spaces, intersection()", 1.3, {256, 1024, 4096, 16384}, run_half_spaces},
     {"tangent half-spaces, one by one", 2.2, {16, 32, 64, 128}, run_half_space_chain},
     {"half-spaces, symmetric difference", 3.3, {8, 12, 16, 24, 32, 48}, run_half_space_parity},
+    {"columns through a slab, parity", 1.25, {8, 12, 16, 24, 32, 48, 64}, run_columns_and_slab},
+    {"pierced plates, union of two", 1.25, {8, 12, 16, 24, 32, 48}, run_plates},
+    {"stars with n tips, from a mesh", 1.25, {500, 1000, 2000, 4000, 8000, 16000}, run_star_mesh},
     {"complement, interior (items)", 1.15, {3, 4, 5, 6}, run_complement_interior},
 };
 

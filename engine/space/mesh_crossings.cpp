@@ -257,13 +257,18 @@ class CrossingSearch {
   static constexpr std::uint64_t kBytesPerThinTriangle = 300;
   static constexpr std::uint64_t kStepsPerTriangle = 32;
 
+  /// What the first tree cannot find in a few steps a box is left to one of two others: boxes of many scales, or boxes that
+  /// tell little.
   void find_all() {
     const std::vector<Box3> boxes = boxes_of_triangles();
     const PackedBoxTree packed(boxes);
-    if (!packed.fits()) return find_in(BoxTree(boxes));
-    if (find_in(packed)) return;
+    if (packed.fits() && find_in(packed)) return;
     found_.clear();
-    find_thin(boxes);
+    if (packed.fits() || has_many_pairs(expected_pairs(boxes, boxes), boxes.size())) {
+      find_thin(boxes);
+    } else {
+      find_in(BoxTree(boxes));
+    }
   }
 
   /// False: pairs are missing. Of spheres, and of triangles strewn about, the steps are 7 to 13 for each.
@@ -283,7 +288,7 @@ class CrossingSearch {
       look_at(i, j);
     });
   }
-  /// Boxes tell little: the triangles are thin, and run in more directions than one.
+  /// Of triangles that are thin and run in more directions than one.
   void find_thin(std::span<const Box3> boxes) {
     memory_.add(kBytesPerThinTriangle * triangles_.size(), "oriented boxes of triangles");
     std::vector<OrientedBoxTree::Triangle> corners;
