@@ -11,6 +11,7 @@
 #include "plumb/convex/plane_optimal.h"
 #include "plumb/convex/plane_pieces.h"
 #include "plumb/convex/plane_region.h"
+#include "plumb/plane/plane_measure.h"
 #include "plumb/predicates/rational_sum.h"
 
 namespace plumb {
@@ -157,12 +158,12 @@ PlanePieces decompose(const Nef2& set, const PartitionOptions& options, Context&
 
 std::optional<bool> do_areas_add_up(const Nef2& set, std::span<const Nef2> pieces,
                                     Context& context) {
-  const std::optional<Rational> whole = set.area();
+  const std::optional<Rational> whole = marked_area(set.complex(), context);
   if (!whole) return std::nullopt;
   RationalSum sum;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     context.checkpoint("areas", i, pieces.size());
-    const std::optional<Rational> area = pieces[i].area();
+    const std::optional<Rational> area = marked_area(pieces[i].complex(), context);
     if (!area) return false;
     sum.add(*area);
   }
