@@ -12,8 +12,11 @@
 #include <utility>
 #include <vector>
 
+#include "generate/surface_meshes.h"
 #include "growth.h"
+#include "plumb/surface/exponential_map.h"
 #include "plumb/surface/surface.h"
+#include "plumb/surface/trace.h"
 
 namespace plumb::bench {
 namespace {
@@ -206,7 +209,66 @@ std::size_t peak_megabytes() {
   return static_cast<std::size_t>(usage.ru_maxrss) / 1024;
 }
 
-/// In the order of their size, so that the peak so far is that of the last one.
+/// A sphere of 20 * 4^depth triangles whose radius swells and shrinks by up to `bumps`: triangles of all shapes.
+std::shared_ptr<const SurfaceMesh> bumpy_sphere(int depth, double bumps) {
+  const SurfaceMesh sphere = testing::sphere_surface(depth);
+  std::vector<Point3> points;
+  for (std::size_t i = 0; i < sphere.vertex_count(); ++i) {
+    const Point3& p = sphere.point(VertexId(i));
+    const double radius =
+        1 + bumps * std::sin(5 * p.x + 1) * std::sin(4 * p.y + 2) * std::sin(6 * p.z + 3);
+    points.push_back({radius * p.x, radius * p.y, radius * p.z});
+  }
+  std::vector<SurfaceTriangle> triangles;
+  for (std::size_t f = 0; f < sphere.face_count(); ++f) {
+    triangles.push_back(sphere.corners(FaceId(f)));
+  }
+  return std::make_shared<const SurfaceMesh>(std::move(points), std::move(triangles));
+}
+
+/// Rings of 16 corners around random places, joined by geodesics.
+SurfaceScene traced_rings(std::shared_ptr<const SurfaceMesh> mesh, int count, double radius) {
+  SurfacePolygons polygons(*mesh);
+  Tracer tracer(*mesh);
+  Context context;
+  std::mt19937 random(1);
+  std::uniform_int_distribution<std::size_t> any_face(0, mesh->face_count() - 1);
+  std::uniform_real_distribution<double> any_size(0.7, 1.3);
+  constexpr int kCorners = 16;
+  for (int i = 0; i < count; ++i) {
+    const FaceId face(any_face(random));
+    const double size = radius * any_size(random);
+    SurfacePointTable& points = polygons.points;
+    const SurfacePointId centre = points.add_in_face(face, 0.375, 0.25);
+    const ExponentialMap map(points, centre, face, 0);
+    std::vector<SurfacePointId> corners;
+    for (int k = 0; k < kCorners; ++k) {
+      const double angle = 2 * std::numbers::pi * k / kCorners;
+      const Point2 offset{size * std::cos(angle), size * std::sin(angle)};
+      corners.push_back(map.add(offset, points, context).value());
+    }
+    add_traced_polygon(tracer, corners, polygons, context);
+  }
+  return {std::move(mesh), std::move(polygons), {}, FaceId{}};
+}
+
+void measure_goal(const char* name, const SurfaceScene& scene) {
+  Meter meter;
+  Context context;
+  SurfaceScene copy = scene;
+  meter.start();
+  const SurfaceDivision division(std::move(copy), context);
+  meter.stop();
+  const SurfaceCounts c = division.counts();
+  fmt::print(
+      "{:12} {:8} triangles {:7} segments {:7} crossings {:7} cells {:4} polygons {:8} label "
+      "entries {:9.4f} s, peak so far {} MB\n",
+      name, c.triangles, c.segments, c.crossings, c.cells, scene.polygons.size(),
+      label_entries(division), meter.take().seconds, peak_megabytes());
+}
+
+/// On tori, spheres and spheres with bumps. In the order of their size, so that the peak so far is that of the last
+/// one.
 void measure_goals() {
   struct Goal {
     const char* name;
@@ -217,21 +279,22 @@ void measure_goals() {
   constexpr Goal kGoals[] = {{"5.9k", 54, 54, 250, 5.9}, {"17k x 256", 54, 54, 256, 8.1},
                              {"52k", 228, 114, 430, 11}, {"100k", 316, 158, 530, 12.5},
                              {"1M", 1000, 500, 300, 24}, {"1M, 1000", 1000, 500, 1000, 24}};
-  Meter meter;
   for (const Goal& g : kGoals) {
-    const SurfaceScene scene = rings(g.columns, g.rows, g.rings, g.radius);
-    Context context;
-    SurfaceScene copy = scene;
-    meter.start();
-    const SurfaceDivision division(std::move(copy), context);
-    meter.stop();
-    const SurfaceCounts c = division.counts();
-    fmt::print(
-        "{:10} {:8} triangles {:7} segments {:7} crossings {:7} cells {:4} polygons {:8} label "
-        "entries "
-        "{:9.4f} s, peak so far {} MB\n",
-        g.name, c.triangles, c.segments, c.crossings, c.cells, scene.polygons.size(),
-        label_entries(division), meter.take().seconds, peak_megabytes());
+    measure_goal(g.name, rings(g.columns, g.rows, g.rings, g.radius));
+  }
+  struct TracedGoal {
+    const char* name;
+    int depth;
+    double bumps;
+    int rings;
+    double radius;
+  };
+  constexpr TracedGoal kTraced[] = {
+      {"sphere 5k", 4, 0, 256, 0.54},    {"bumpy 5k", 4, 0.3, 256, 0.54},
+      {"sphere 82k", 6, 0, 430, 0.25},   {"bumpy 82k", 6, 0.3, 430, 0.25},
+      {"sphere 1.3M", 8, 0, 300, 0.128}, {"bumpy 1.3M", 8, 0.3, 300, 0.128}};
+  for (const TracedGoal& g : kTraced) {
+    measure_goal(g.name, traced_rings(bumpy_sphere(g.depth, g.bumps), g.rings, g.radius));
   }
 }
 
