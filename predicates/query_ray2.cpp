@@ -6,17 +6,25 @@
 namespace plumb {
 namespace {
 
-// A number known within an error. Every operation adds 2^-52 of its result, twice its rounding, and
-// the least normal number, above any underflow; 1 + 2^-50 covers the rounding of errors themselves.
+// A number known within an error. Every operation adds 2^-52 of its result, which is its rounding in
+// any direction, and kUnderflow: a product has up to six places where flushing to zero, or reading
+// a subnormal number as zero, loses less than kLeast. 1 + 2^-48 covers the rounding of errors
+// themselves, six operations for a product, each down by 2^-52 at most.
 struct Rough {
   double value;
   double error;
 };
 
 constexpr double kLeast = std::numeric_limits<double>::min();
+constexpr double kGreatest = std::numeric_limits<double>::max();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnderflow = 8 * kLeast;
 
 Rough rough(double value, double error) {
-  return {value, (error + 0x1p-52 * std::fabs(value)) * (1 + 0x1p-50) + kLeast};
+  const double size = std::fabs(value);
+  const double bound = (error + 0x1p-52 * size) * (1 + 0x1p-48) + kUnderflow;
+  // Rounded downward, what overflows is the greatest double and not infinite.
+  return {value, size < kGreatest && bound < kGreatest ? bound : kInfinity};
 }
 Rough operator-(Rough p, Rough q) { return rough(p.value - q.value, p.error + q.error); }
 Rough operator+(Rough p, Rough q) { return rough(p.value + q.value, p.error + q.error); }
@@ -37,12 +45,12 @@ struct RoughPoint {
   Rough y;
 };
 
-/// Doubles that stand for a number: exact, or the nearest ones, which are clamped to the greatest.
+/// Doubles that stand for a number: exact, or the nearest ones, which are clamped to the greatest. A
+/// subnormal one may be read as zero by whatever takes it.
 Rough rounded(double value, bool is_exact) {
-  if (is_exact) return {value, 0};
-  const bool is_clamped = std::fabs(value) == std::numeric_limits<double>::max();
-  return {value, is_clamped ? std::numeric_limits<double>::infinity()
-                            : 0x1p-52 * std::fabs(value) + kLeast};
+  const double size = std::fabs(value);
+  if (is_exact) return {value, size < kLeast ? kLeast : 0};
+  return {value, size < kGreatest ? 0x1p-52 * size + kLeast : kInfinity};
 }
 RoughPoint rough(const QueryPoint2& q) {
   return {rounded(q.approx().x, q.is_double()), rounded(q.approx().y, q.is_double())};

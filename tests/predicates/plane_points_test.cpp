@@ -1,4 +1,4 @@
-// PlanePoints, QueryPoint2 and RationalSum against exact rationals, in every floating-point mode.
+// PlanePoints, QueryPoint2, QueryRay2 and RationalSum against exact rationals, in every floating-point mode.
 #include "plumb/predicates/plane_points.h"
 
 #include <gtest/gtest.h>
@@ -6,8 +6,10 @@
 #include "float_environment.h"
 #include "plane_families.h"
 #include "plumb/predicates/query_point2.h"
+#include "plumb/predicates/query_ray2.h"
 #include "plumb/predicates/rational_predicates.h"
 #include "plumb/predicates/rational_sum.h"
+#include "plumb/predicates/rounding.h"
 #include "plumb/predicates/segment2.h"
 
 namespace plumb {
@@ -44,6 +46,74 @@ void check_all(const PlanePoints& points, const std::vector<RationalPoint2>& tru
   }
 }
 
+/// A ray from one point towards another, given by their numbers, and what the rationals say of it.
+struct RayTruth {
+  struct Line {
+    std::uint32_t a, b;
+    Sign turn;
+    RationalPoint2 meeting;  // if turn is not Zero
+  };
+
+  RationalPoint2 origin, direction;
+  std::vector<Sign> side;  // per point
+  std::vector<Line> lines;
+};
+
+Rational cross(const RationalPoint2& p, const RationalPoint2& q, const RationalPoint2& r,
+               const RationalPoint2& s) {
+  return (q.x - p.x) * (s.y - r.y) - (q.y - p.y) * (s.x - r.x);
+}
+
+RayTruth ray_truth(const std::vector<RationalPoint2>& points, std::uint32_t from,
+                   std::uint32_t to) {
+  const RationalPoint2 &p = points[from], &q = points[to];
+  RayTruth truth{p, {q.x - p.x, q.y - p.y}, {}, {}};
+  const bool is_turned = compare_xy(p, q) == Sign::Positive;
+  const auto turned = [&](const Rational& r) {
+    const Sign s = sign_of(r.sign());
+    return is_turned ? -s : s;
+  };
+  for (const RationalPoint2& r : points) truth.side.push_back(turned(cross(p, q, p, r)));
+  for (const auto& [a, b] : {std::pair{0U, 1U}, {3U, 2U}, {4U, 5U}, {6U, 7U}}) {
+    const Rational at_a = cross(p, q, p, points[a]);
+    const Rational at_b = cross(p, q, p, points[b]);
+    RayTruth::Line line{a, b, turned(at_a - at_b), {}};
+    if (line.turn != Sign::Zero) {
+      const Rational t = at_a / (at_a - at_b);
+      line.meeting = {points[a].x + t * (points[b].x - points[a].x),
+                      points[a].y + t * (points[b].y - points[a].y)};
+    }
+    truth.lines.push_back(line);
+  }
+  return truth;
+}
+
+std::vector<RayTruth> ray_truths(const std::vector<RationalPoint2>& points) {
+  std::vector<RayTruth> truths;
+  for (const auto& [from, to] : {std::pair{0U, 3U}, {5U, 2U}, {7U, 6U}}) {
+    if (points[from] != points[to]) truths.push_back(ray_truth(points, from, to));
+  }
+  return truths;
+}
+
+void check_ray(const PlanePoints& points, const std::vector<RationalPoint2>& truth,
+               const RayTruth& given) {
+  const QueryRay2 ray(given.origin, given.direction);
+  const auto n = static_cast<std::uint32_t>(points.size());
+  for (std::uint32_t i = 0; i < n; ++i) ASSERT_EQ(side(points, ray, i), given.side[i]);
+  for (const RayTruth::Line& line : given.lines) {
+    ASSERT_EQ(turn(points, line.a, line.b, ray), line.turn);
+    if (line.turn == Sign::Zero) continue;
+    ASSERT_EQ(crossing(points, ray, line.a, line.b), line.meeting);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      ASSERT_EQ(compare_crossing_x(points, ray, line.a, line.b, i),
+                sign_of(line.meeting.x.compare(truth[i].x)));
+      ASSERT_EQ(compare_crossing_xy(points, ray, line.a, line.b, i),
+                compare_xy(line.meeting, truth[i]));
+    }
+  }
+}
+
 class Families : public testing::TestWithParam<PlaneFamily> {};
 
 TEST_P(Families, OrderAndSidesAreThoseOfTheRationals) {
@@ -55,15 +125,46 @@ TEST_P(Families, OrderAndSidesAreThoseOfTheRationals) {
     std::vector<RationalPoint2> truth;
     for (std::uint32_t i = 0; i < exact_points.size(); ++i) truth.push_back(exact(exact_points, i));
     for (std::size_t i = 0; i < given.size(); ++i) ASSERT_EQ(truth[i], given[i]);
+    const std::vector<RayTruth> rays = ray_truths(truth);
     for (const testing_environment::Setting& mode : testing_environment::kSettings) {
       const testing_environment::Scope scope(mode);
-      check_all(points_of(given), truth);
+      const PlanePoints points = points_of(given);
+      check_all(points, truth);
+      for (const RayTruth& ray : rays) check_ray(points, truth, ray);
       if (HasFatalFailure()) FAIL() << GetParam().name << ", round " << round << ", " << mode.name;
     }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Plane, Families, testing::ValuesIn(plane_families()));
+
+// Products that are far from zero though a factor is subnormal.
+TEST(QueryRay2, SubnormalDirectionsCountWhateverTheEnvironment) {
+  const QueryRay2 ray({0, 0}, {exact_rational(0x1p-1030), exact_rational(0x1p-1000)});
+  PlanePoints points;
+  points.inputs.push_back({0x1p960, 0x1p1000});
+  points.inputs.push_back({0, 0});
+  for (const testing_environment::Setting& mode : testing_environment::kSettings) {
+    const testing_environment::Scope scope(mode);
+    // 2^-30 - 2^-40
+    EXPECT_EQ(side(points, ray, 0), Sign::Positive) << mode.name;
+    EXPECT_EQ(turn(points, 1, 0, ray), Sign::Negative) << mode.name;
+  }
+}
+
+// Rounded downward, the denominator 2^1101 becomes the greatest double.
+TEST(QueryRay2, OverflowDecidesNothingWhateverTheEnvironment) {
+  const QueryRay2 ray({0, 0}, {exact_rational(0x1p600), 0});
+  PlanePoints points;
+  points.inputs.push_back({-0x1p-651, -0x1p500});
+  points.inputs.push_back({-0x1p-651, 0x1p500});
+  points.inputs.push_back({-0x1p-600, 0});
+  for (const testing_environment::Setting& mode : testing_environment::kSettings) {
+    const testing_environment::Scope scope(mode);
+    EXPECT_EQ(compare_crossing_x(points, ray, 0, 1, 2), Sign::Positive) << mode.name;
+    EXPECT_EQ(compare_crossing_xy(points, ray, 0, 1, 2), Sign::Positive) << mode.name;
+  }
+}
 
 TEST(PlanePoints, CrossingsAreNumberedAfterInputs) {
   PlanePoints points;
