@@ -44,8 +44,9 @@ void MeetLeaves::add_facet(FacetId f) {
   if (corners > FacetSites::kFewCorners) large_facets_.push_back(f);
 }
 
-/// Returns how many there are.
+/// Returns how many there are, whether their own or not.
 std::uint32_t MeetLeaves::add_corners(UseId first) {
+  LeafItems items;
   std::uint32_t count = 0;
   UseId u = first;
   do {
@@ -56,8 +57,9 @@ std::uint32_t MeetLeaves::add_corners(UseId first) {
       box.add(box_of(complex_, complex_.use_origin(u)));
       ++leaf.count;
     } while (u != first && leaf.count < LeafItems::kMostCorners);
-    add(leaf, box);
     count += leaf.count;
+    items.fill(complex_, leaf);
+    if (!items.vertices().empty()) add(leaf, box);  // else all of it belongs to neighbours
   } while (u != first);
   return count;
 }

@@ -2,7 +2,8 @@
 // it is tested against an item of the other complex once and not from every facet around it.
 //
 //   facet         its surface, with those of its corners and edges that are its own
-//   large facet   one leaf for the surface, further ones for its corners, eight at a time; so it is with holes
+//   large facet   one leaf for the surface, further ones for its corners, eight at a time, where something is their
+//                 own; so it is with holes
 //   free edge     with those of its ends that are its own
 //   vertex        isolated or inside a facet
 //

@@ -15,9 +15,11 @@
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/facet_site.h"
 #include "plumb/space/facet_slabs.h"
+#include "plumb/space/meet_leaves.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/nest_cycles.h"
 #include "plumb/space/space_audit.h"
+#include "plumb/space/space_boxes.h"
 #include "plumb/space/space_measure.h"
 
 namespace plumb::testing {
@@ -182,6 +184,55 @@ TEST(LargeFacets, SlabsSayWhatAWalkSays) {
     EXPECT_GT(check.inside(), 0U);
     EXPECT_GT(check.on_boundary(), 0U);
   }
+}
+
+// ---------------------------------------------------------------- leaves
+
+/// A prism over a polygon of n corners; its sides come first, so that every edge belongs to one of them.
+PolygonMesh sides_then_caps(std::uint32_t n) {
+  PolygonMesh mesh;
+  for (const double z : {0.0, 5.0}) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double x = i;
+      mesh.points.push_back({x, x * (x - n), z});  // on a parabola: convex, counter-clockwise
+    }
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    mesh.add_face(std::array<std::uint32_t, 4>{i, j, n + j, n + i});
+  }
+  std::vector<std::uint32_t> low, high;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    low.push_back(n - 1 - i);
+    high.push_back(n + i);
+  }
+  mesh.add_face(low);
+  mesh.add_face(high);
+  return mesh;
+}
+
+/// A leaf without a surface has a box because of what belongs to it; a vertex, an edge belongs to one leaf.
+void expect_owned(const SpaceComplex& complex, const std::string& name) {
+  const MeetLeaves leaves(complex, box_of(complex));
+  std::size_t vertices = 0, edges = 0;
+  for (std::size_t i = 0; i < leaves.boxes().size(); ++i) {
+    LeafItems items;
+    items.fill(complex, leaves[i]);
+    vertices += items.own_vertices().size();
+    edges += items.edges().size();
+    EXPECT_TRUE(leaves[i].facet.is_valid() || !items.vertices().empty()) << name << " " << i;
+  }
+  EXPECT_EQ(vertices, complex.vertex_count()) << name;
+  EXPECT_EQ(edges, complex.edge_count()) << name;
+}
+
+/// (One that owned nothing had an empty box in a turned frame, which made that frame look useless.)
+TEST(LargeFacets, LeavesOfCornersOwnSomething) {
+  for (const auto& [name, set] : sets()) expect_owned(set.complex(), name);
+  const Nef3 prism = solid(sides_then_caps(12));
+  expect_owned(prism.complex(), "prism");
+  const SpaceComplex& c = prism.complex();
+  EXPECT_EQ(MeetLeaves(c, box_of(c)).boxes().size(), 14U);  // corners of caps belong to sides
 }
 
 // ---------------------------------------------------------------- cycles in facets
