@@ -183,7 +183,9 @@ class Joiner {
   /// As link_edge(), of an edge of two uses: nearly all edges. False: it is none.
   bool link_plain_edge(std::uint32_t point) {
     const std::uint32_t x = maps_.first_out[point], after_x = maps_.clockwise(x);
-    std::uint32_t y = maps_.first_out[draft_.twin[point]], after_y = maps_.clockwise(y);
+    std::uint32_t y = maps_.first_out[draft_.twin[point]];
+    if (y == kNone) return false;
+    std::uint32_t after_y = maps_.clockwise(y);
     if (after_x == x || maps_.clockwise(after_x) != x) return false;
     if (after_y == y || maps_.clockwise(after_y) != y) return false;
     if (!is_mirror(x, after_y)) std::swap(y, after_y);
