@@ -6,8 +6,6 @@
 #include "plumb/base/error.h"
 #include "plumb/io/file_kind.h"
 #include "plumb/io/input.h"
-#include "plumb/io/plane_io.h"
-#include "plumb/io/solid_io.h"
 #include "plumb/io/solid_sets.h"
 
 namespace plumb::cli {
@@ -32,8 +30,7 @@ SolidReadOptions SolidInput::read_options(const CommonOptions& common) const {
 
 void require_solid(const std::string& file, const std::string& bytes) {
   const FileKind kind = kind_of_file(file, bytes);
-  const bool is_gltf = !plane_format_of(file) && guess_mesh_format(bytes) == MeshFormat::Gltf;
-  if (kind == FileKind::Solid || is_gltf) return;
+  if (kind == FileKind::Solid) return;
   const std::string what = kind == FileKind::Map ? "a map" : "a set of the plane";
   throw Error(ErrorCode::UnknownFormat,
               what + ", where a solid is needed: .off, .obj, .stl, .ply, .glb, .gltf, .nef",

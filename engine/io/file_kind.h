@@ -13,8 +13,8 @@ enum class FileKind : std::uint8_t {
   Solid,     ///< solid_sets.h: meshes and .nef
 };
 
-/// By the extension; where that names none, by how the file begins: a mesh or .nef, GeoJSON or .nef2, a word of
-/// WKT; two numbers on the first line are a map. All else is taken for a mesh.
+/// By the extension; where that names none, by how the file begins: a .nef, JSON of glTF, other JSON
+/// (GeoJSON) or .nef2, a word of WKT; two numbers on the first line are a map. All else is taken for a mesh.
 FileKind kind_of_file(const std::string& path, std::string_view bytes);
 
 }  // namespace plumb
