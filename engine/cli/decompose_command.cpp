@@ -75,10 +75,9 @@ class Decomposition : public CommandBody {
   ExitCode run(Session& session) override {
     const std::string bytes = read_input(file_, session.context());
     PieceFiles files(session.options().out);
-    if (!svg_.empty()) {
-      session.outputs().add(svg_, [this](std::ostream& out) { out << picture_; });
-    }
     const bool is_plane = kind_of_file(file_, bytes) == FileKind::PlaneSet;
+    const auto names = is_plane ? extensions(kPlaneFormats) : extensions(solid_formats());
+    if (!svg_.empty()) files.open_picture(svg_, names);
     const Answer answer =
         is_plane ? decompose_plane(bytes, files, session) : decompose_solid(bytes, files, session);
     session.context().release_memory(bytes.size());
@@ -87,7 +86,7 @@ class Decomposition : public CommandBody {
       is_json ? write_json(out, answer) : write_text(out, answer);
     });
     session.outputs().deliver();
-    files.commit(is_plane ? extensions(kPlaneFormats) : extensions(solid_formats()), file_);
+    files.commit(names, file_);
     return ExitCode::Yes;
   }
 
@@ -125,6 +124,10 @@ class Decomposition : public CommandBody {
                                                         : DecomposeMethod::Best;
     Context& context = session.context();
     const Nef3 set = input_.read(file_, bytes, session);
+    if (!svg_.empty() && !set.is_bounded()) {
+      throw Error(ErrorCode::BadArgument, "--svg draws the pieces of bounded solids only",
+                  {.file = input_name(file_)});
+    }
     const ConvexPieces found = decompose(set, {method, closed_}, context);
     for (const Nef3& piece : found.pieces) {
       if (!files.is_wanted()) break;
@@ -133,7 +136,7 @@ class Decomposition : public CommandBody {
       files.add(format.extension, text.losses(), [&text](std::ostream& out) { text.write(out); });
     }
     if (!svg_.empty()) {
-      picture_ = picture_of(found.pieces, kApart, Picture::Svg, title(), context);
+      files.finish_picture(picture_of(found.pieces, kApart, Picture::Svg, title(), context));
     }
     Answer answer{found.pieces.size(), found.reflex_edges, "reflex edge", {}};
     if (session.options().json) answer.matches = do_volumes_add_up(set, found.pieces, context);
@@ -172,7 +175,7 @@ class Decomposition : public CommandBody {
     if (!svg_.empty()) {
       std::ostringstream out;
       write_nef2_svg(out, set, {.title = title(), .pieces = found.pieces});
-      picture_ = std::move(out).str();
+      files.finish_picture(std::move(out).str());
     }
     Answer answer{found.pieces.size(), found.reflex_corners, "reflex corner", {}};
     if (session.options().json) answer.matches = do_areas_add_up(set, found.pieces, context);
@@ -187,7 +190,7 @@ class Decomposition : public CommandBody {
   std::string file_;
   std::string method_ = "best";
   bool closed_ = false;
-  std::string svg_, picture_;
+  std::string svg_;
   SolidInput input_;
 };
 

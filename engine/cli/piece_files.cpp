@@ -19,6 +19,17 @@ std::string file_name(std::size_t piece, std::string_view extension) {
   return std::string(kStem) + number + std::string(extension);
 }
 
+/// Of the file's name; 0: no piece in one of the extensions has it.
+std::size_t piece_number(const std::string& name, const std::vector<std::string_view>& extensions) {
+  std::size_t number = 0;
+  const auto [end, failed] = std::from_chars(name.data() + std::min(kStem.size(), name.size()),
+                                             name.data() + name.size(), number);
+  const auto is_name = [&](std::string_view extension) {
+    return name == file_name(number, extension);
+  };
+  return failed == std::errc() && std::ranges::any_of(extensions, is_name) ? number : 0;
+}
+
 }  // namespace
 
 PieceFiles::PieceFiles(std::string directory) : directory_(std::move(directory)) {
@@ -41,6 +52,26 @@ void PieceFiles::add(std::string_view extension, const std::vector<std::string>&
   files_.back()->finish();
 }
 
+void PieceFiles::open_picture(const std::string& path,
+                              const std::vector<std::string_view>& extensions) {
+  namespace fs = std::filesystem;
+  if (path == "-") throw Error(ErrorCode::Usage, "--svg needs a file");
+  if (is_wanted()) {
+    std::error_code ignored;  // what is no path cannot be opened either
+    const fs::path picture = fs::weakly_canonical(path, ignored);
+    const bool is_beside = fs::equivalent(picture.parent_path(), directory_, ignored);
+    if (is_beside && piece_number(picture.filename().string(), extensions) > 0) {
+      throw Error(ErrorCode::Usage, "--svg has the name of a piece", {.file = path});
+    }
+  }
+  picture_ = std::make_unique<OutputFile>(path);
+}
+
+void PieceFiles::finish_picture(std::string_view bytes) {
+  picture_->stream() << bytes;
+  picture_->finish();
+}
+
 void PieceFiles::note_losses(std::string_view better, Session& session) const {
   if (changed_ == 0) return;
   session.note(directory_ + ": warning: " + std::to_string(changed_) + " of " +
@@ -49,6 +80,8 @@ void PieceFiles::note_losses(std::string_view better, Session& session) const {
 }
 
 void PieceFiles::commit(const std::vector<std::string_view>& extensions, const std::string& input) {
+  const std::size_t pieces = files_.size();
+  if (picture_) files_.push_back(std::move(picture_));
   commit_all(files_);
   if (!is_wanted()) return;
   made_->keep();
@@ -56,21 +89,11 @@ void PieceFiles::commit(const std::vector<std::string_view>& extensions, const s
   std::filesystem::directory_iterator at(directory_, failed);
   for (; !failed && at != std::filesystem::directory_iterator(); at.increment(failed)) {
     std::error_code ignored;
-    if (!is_older(at->path().filename().string(), extensions)) continue;
+    if (piece_number(at->path().filename().string(), extensions) <= pieces) continue;
     if (!at->is_regular_file(ignored)) continue;
     if (std::filesystem::equivalent(at->path(), input, ignored)) continue;
     std::filesystem::remove(at->path(), ignored);
   }
-}
-
-bool PieceFiles::is_older(const std::string& name,
-                          const std::vector<std::string_view>& extensions) const {
-  std::size_t number = 0;
-  const auto [end, failed] = std::from_chars(name.data() + std::min(kStem.size(), name.size()),
-                                             name.data() + name.size(), number);
-  if (failed != std::errc() || number <= files_.size()) return false;
-  return std::ranges::any_of(
-      extensions, [&](std::string_view extension) { return name == file_name(number, extension); });
 }
 
 }  // namespace plumb::cli

@@ -233,6 +233,41 @@ TEST(ConvexProgram, check_takes_sets_of_the_plane) {
             "face 1: reflex corner at 1/2 1\n");
 }
 
+/// A tetrahedron, as the JSON of glTF.
+const std::string kTetrahedronGltf =
+    R"({"extras": {"type": "none \" {"}, "asset": {"version": "2.0"}, "scene": 0,
+ "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+ "accessors": [
+  {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0],
+   "max": [1, 1, 1]},
+  {"bufferView": 1, "componentType": 5121, "count": 12, "type": "SCALAR"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+ "buffers": [{"byteLength": 60, "uri": "data:application/octet-stream;base64,)"
+    "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAA"
+    "gD8AAAAAAAAAAAAAAAAAAIA/AAIBAAEDAQIDAAMC"
+    R"("}]})";
+
+// Told from GeoJSON, which begins with the same brace.
+TEST(ConvexProgram, takes_gltf_without_an_extension_for_a_solid) {
+  const ScratchDirectory scratch;
+  const std::string file = (scratch / "tetrahedron").string();
+  write_file(file, kTetrahedronGltf);
+  RunOptions from_file;
+  from_file.in = file;
+  EXPECT_EQ(run({"convex", "check", "-"}, from_file).out, "convex\n");
+  EXPECT_EQ(run({"convex", "decompose", "-"}, from_file).out, "1 convex piece, 0 reflex edges\n");
+  EXPECT_EQ(run({"audit", file}).code, 0);
+  const std::string picture = (scratch / "a.svg").string();
+  const RunResult drawn = run({"view", file, "-o", picture, "--json"});
+  EXPECT_EQ(drawn.out, "{\"kind\":\"solid\",\"format\":\"svg\"}\n") << drawn.err;
+  from_file.in = "corpus/plane/frame.geojson";
+  EXPECT_EQ(run({"convex", "check", "-"}, from_file).code, 1);
+  const std::string tagged = (scratch / "tagged").string();
+  write_file(tagged, R"({"asset": {}, "type": "Point", "coordinates": [1, 2]})");
+  EXPECT_EQ(run({"convex", "check", tagged}).out, "convex\n");
+}
+
 TEST(ConvexProgram, decompose_draws_pieces) {
   const ScratchDirectory scratch;
   for (const auto& [file, mark] : {std::pair{"corpus/plane/star.wkt", "class=\"piece\""},
@@ -248,8 +283,32 @@ TEST(ConvexProgram, decompose_draws_pieces) {
   const std::string outside = (scratch / "outside.nef").string();
   run({"solid", "complement", kBlock, "-o", outside});
   const std::string none = (scratch / "none.svg").string();
-  EXPECT_EQ(run({"convex", "decompose", outside, "--svg", none}).code, 2);
+  const RunResult refused = run({"convex", "decompose", outside, "--svg", none});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.err, outside + ": --svg draws the pieces of bounded solids only\n");
   EXPECT_FALSE(fs::exists(none));
+}
+
+TEST(ConvexProgram, decompose_keeps_picture_and_pieces_apart) {
+  const ScratchDirectory scratch;
+  const std::string outside = (scratch / "outside.nef").string();
+  run({"solid", "complement", kBlock, "-o", outside});
+  const std::string pieces = (scratch / "pieces").string();
+  const std::string star = "corpus/plane/star.wkt";
+  for (const auto& [file, picture] : {std::pair{outside, "/a.svg"},
+                                      {star, "/piece_0001.wkt"},
+                                      {star, "/../pieces/piece_0070.nef2"},
+                                      {kBlock, "/piece_0001.off"}}) {
+    const RunResult result =
+        run({"convex", "decompose", file, "-o", pieces, "--svg", pieces + picture});
+    EXPECT_EQ(result.code, 2) << picture;
+    EXPECT_NE(result.err, "");
+    EXPECT_EQ(scratch.files(), std::vector<std::string>{"outside.nef"}) << picture;
+  }
+  const std::string beside = pieces + "/piece_0001.svg";
+  EXPECT_EQ(run({"convex", "decompose", star, "-o", pieces, "--svg", beside}).code, 0);
+  EXPECT_TRUE(read_file(beside).starts_with("<svg"));
+  EXPECT_TRUE(fs::exists(pieces + "/piece_0001.wkt"));
 }
 
 TEST(ConvexProgram, says_where_a_solid_is_needed) {
