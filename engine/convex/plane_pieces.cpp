@@ -27,6 +27,7 @@ class PieceRule {
 
   Label bottom() const { return bottom_; }
   void start(const SweepCurves&) {}  // sides run along their lines, and lines upwards
+  void begin_change() const {}
   void join(Value& value, SegmentId s) const { value.join(s); }
   void leave(Value& value, SegmentId s) const { value.leave(s); }
   Label above(Label below, Value value) const { return moved(below, jump(value)); }

@@ -11,6 +11,7 @@
 //     static constexpr bool kKeepsAll;        // keep every piece and point (an arrangement)?
 //     static constexpr bool kKeepsLabels;     // are the labels of faces asked for afterwards?
 //     Label bottom();                         // of face 0
+//     void begin_change();                    // the next ones until another change one bundle's value
 //     void join(Value&, SegmentId);           // a curve that starts in a bundle
 //     void leave(Value&, SegmentId);          // a curve that ends in it
 //     Label above(Label below, Value);        // across a bundle, upward (leftward if vertical)
@@ -232,6 +233,7 @@ template <class Rule>
 typename PlaneBuilder<Rule>::Value PlaneBuilder<Rule>::value_of(const SweepEvent& event,
                                                                 std::size_t out) {
   Value value{};
+  rule_.begin_change();
   if (const std::uint32_t in = event.came_from(out); in != SweepEvent::kNew) {
     value = values_in_[in];
     for (const SegmentId s : event.ending_in(in)) rule_.leave(value, s);

@@ -42,6 +42,7 @@ class RecordRule {
 
   void start(const SweepCurves&) {}
   Label bottom() const { return records_.bottom ? 1 : 0; }
+  void begin_change() const {}
   void join(Value& value, SegmentId s) const {
     if (value.is_valid()) refuse(Kind::Edge, s.value(), "it overlaps another edge");
     value = s;

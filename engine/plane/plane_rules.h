@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "plumb/base/error.h"
 #include "plumb/plane/nef2.h"
 #include "plumb/plane/plane_builder.h"
 #include "plumb/plane/segment_sets.h"
@@ -40,6 +41,7 @@ class WindingNumberRule {
 
   void start(const SweepCurves& curves);
   Label bottom() const { return bottom_; }
+  void begin_change() const {}
   void join(Value& value, SegmentId s) const { change(value, jump_[s.value()], 1); }
   void leave(Value& value, SegmentId s) const { change(value, jump_[s.value()], -1); }
   Label above(Label below, Value value) const { return below + value.up + value.down; }
@@ -78,7 +80,10 @@ struct BundlePair {
   SegmentId first;
   SegmentId second;
 
-  void join(SegmentId s) { (first.is_valid() ? second : first) = s; }
+  void join(SegmentId s) {
+    PLUMB_CHECK(!second.is_valid());
+    (first.is_valid() ? second : first) = s;
+  }
   void leave(SegmentId s) {
     if (s == first) first = second;
     second = SegmentId();
@@ -113,6 +118,7 @@ class OverlayLabels {
 
   void start(const SweepCurves& curves) { turn_sides(curves_, curves, sides_); }
   Label bottom() const { return bottom_; }
+  void begin_change() const {}
   void join(Value& value, SegmentId s) const { value.join(s); }
   void leave(Value& value, SegmentId s) const { value.leave(s); }
   Label above(Label below, const Value& value) const {
@@ -204,6 +210,7 @@ class OriginsRule {
 
   void start(const SweepCurves&) {}
   Label bottom() const { return 0; }
+  void begin_change() { sets.begin_change(); }
   void join(Value& value, SegmentId s) { value = charged(sets.with(value, name(s))); }
   void leave(Value& value, SegmentId s) { value = charged(sets.without(value, name(s))); }
   Label above(Label below, Value) const { return below; }

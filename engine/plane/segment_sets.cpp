@@ -15,8 +15,19 @@ std::uint32_t priority(SegmentId s) {
 
 }  // namespace
 
+void SegmentSets::begin_change() {
+  own_from_ = nodes_.size();
+  free_ = Set();
+}
+
 SegmentSets::Set SegmentSets::make(SegmentId key, Set left, Set right) {
   if (!left.is_valid() && !right.is_valid()) return Set(key.value());
+  if (free_.is_valid()) {
+    const Set reused = free_;
+    free_ = node(reused).left;
+    node(reused) = {key, left, right};
+    return reused;
+  }
   if (curves_ + nodes_.size() >= Set::kInvalid) {
     throw Error(ErrorCode::ResourceLimit, "too many overlaps for ids of 32 bits");
   }
@@ -24,23 +35,35 @@ SegmentSets::Set SegmentSets::make(SegmentId key, Set left, Set right) {
   return Set(curves_ + nodes_.size() - 1);
 }
 
+SegmentSets::Set SegmentSets::with_halves(Set set, Set left, Set right) {
+  const SegmentId s = key(set);
+  release(set);
+  return make(s, left, right);
+}
+
+void SegmentSets::release(Set set) {
+  if (!is_own(set)) return;
+  node(set).left = free_;
+  free_ = set;
+}
+
 SegmentSets::Halves SegmentSets::split(Set set, SegmentId at) {
   if (!set.is_valid()) return {};
   if (key(set) < at) {
     const Halves h = split(right(set), at);
-    return {make(key(set), left(set), h.less), h.greater};
+    return {with_halves(set, left(set), h.less), h.greater};
   }
   const Halves h = split(left(set), at);
-  return {h.less, make(key(set), h.greater, right(set))};
+  return {h.less, with_halves(set, h.greater, right(set))};
 }
 
 SegmentSets::Set SegmentSets::join(Set less, Set greater) {
   if (!less.is_valid()) return greater;
   if (!greater.is_valid()) return less;
   if (priority(key(less)) > priority(key(greater))) {
-    return make(key(less), left(less), join(right(less), greater));
+    return with_halves(less, left(less), join(right(less), greater));
   }
-  return make(key(greater), join(less, left(greater)), right(greater));
+  return with_halves(greater, join(less, left(greater)), right(greater));
 }
 
 SegmentSets::Set SegmentSets::with(Set set, SegmentId s) {
@@ -49,14 +72,18 @@ SegmentSets::Set SegmentSets::with(Set set, SegmentId s) {
     const Halves h = split(set, s);
     return make(s, h.less, h.greater);
   }
-  if (s < key(set)) return make(key(set), with(left(set), s), right(set));
-  return make(key(set), left(set), with(right(set), s));
+  if (s < key(set)) return with_halves(set, with(left(set), s), right(set));
+  return with_halves(set, left(set), with(right(set), s));
 }
 
 SegmentSets::Set SegmentSets::without(Set set, SegmentId s) {
-  if (key(set) == s) return join(left(set), right(set));
-  if (s < key(set)) return make(key(set), without(left(set), s), right(set));
-  return make(key(set), left(set), without(right(set), s));
+  if (key(set) == s) {
+    const Halves h{left(set), right(set)};
+    release(set);
+    return join(h.less, h.greater);
+  }
+  if (s < key(set)) return with_halves(set, without(left(set), s), right(set));
+  return with_halves(set, left(set), without(right(set), s));
 }
 
 void SegmentSets::append(Set set, std::vector<SegmentId>& curves) const {

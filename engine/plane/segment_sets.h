@@ -5,11 +5,15 @@
 // path to the change, and all others of the old one. The priority of a curve is a hash of its
 // number, so a set has one shape, however it came about.
 //
+// Within one change of several steps (begin_change) the nodes it has made itself are used again: the
+// sets between its steps are lost, and a set of m built in one change takes m nodes.
+//
 // Cost: expected O(log m) time and nodes for a change of a set of m; a set of one costs no memory.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "plumb/base/ids.h"
@@ -24,6 +28,10 @@ class SegmentSets {
   SegmentSets() = default;
   explicit SegmentSets(std::size_t curve_count) : curves_(curve_count) {}
 
+  /// Starts a change: of the sets that with() and without() return until the next one only the
+  /// last is kept, and each step has to go on from the one before. Before the first change all are
+  /// kept.
+  void begin_change();
   /// Requires that s is not in the set.
   Set with(Set set, SegmentId s);
   /// Requires that s is in the set.
@@ -46,16 +54,24 @@ class SegmentSets {
   };
 
   bool is_one(Set set) const { return set.value() < curves_; }
+  /// Made by the change at hand?
+  bool is_own(Set set) const { return !is_one(set) && set.value() - curves_ >= own_from_; }
+  Node& node(Set set) { return nodes_[set.value() - curves_]; }
   const Node& node(Set set) const { return nodes_[set.value() - curves_]; }
   SegmentId key(Set set) const { return is_one(set) ? SegmentId(set.value()) : node(set).key; }
   Set left(Set set) const { return is_one(set) ? Set() : node(set).left; }
   Set right(Set set) const { return is_one(set) ? Set() : node(set).right; }
   Set make(SegmentId key, Set left, Set right);
+  Set with_halves(Set set, Set left, Set right);
+  void release(Set set);
   Halves split(Set set, SegmentId at);
   Set join(Set less, Set greater);
 
   std::size_t curves_ = 0;
   std::vector<Node> nodes_;
+  // Nodes from here on are of the change at hand.
+  std::size_t own_from_ = std::numeric_limits<std::size_t>::max();
+  Set free_;  // a node of it that is free; a list by `left`
 };
 
 }  // namespace plumb

@@ -181,24 +181,36 @@ TEST(Overlaps, OfNestedIntervalsTakeLittle) {
   EXPECT_LE(a.origin_sets.node_count(), 2 * std::size_t{n} * 40);
 }
 
-// Sets made in any order, all of them kept.
-TEST(Overlaps, SetsShareAndStayAsTheyWere) {
+// Of what one event makes only the last set stays.
+TEST(Overlaps, OfDuplicatesTakeANodeEach) {
+  const std::uint32_t n = 20000;
+  const std::vector<Interval> same(n, Interval(0, 1));
+  const Arrangement a = arranged(on_a_line(same, false));
+  ASSERT_EQ(a.complex.edge_count(), 1U);
+  EXPECT_EQ(a.origins_of(EdgeId(0)).size(), n);
+  EXPECT_LE(a.origin_sets.node_count(), n);
+}
+
+// Sets made in any order, all of them kept; or several steps in one change, the last of them kept.
+void expect_sets_stay(int steps_a_change) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Dice dice(seed);
     const std::uint32_t curves = 1 + dice.below(60);
     SegmentSets sets(curves);
     std::vector<SegmentSets::Set> made(1);
     std::vector<std::set<SegmentId>> expected(1);
-    for (int step = 0; step < 200; ++step) {
+    for (int change = 0; change < 200; ++change) {
+      if (steps_a_change > 1) sets.begin_change();
       const std::size_t from = dice.below(made.size());
-      const SegmentId s(dice.below(curves));
+      SegmentSets::Set set = made[from];
       std::set<SegmentId> next = expected[from];
-      if (next.erase(s) != 0) {
-        made.push_back(sets.without(made[from], s));
-      } else {
-        next.insert(s);
-        made.push_back(sets.with(made[from], s));
+      for (int step = 0; step < steps_a_change; ++step) {
+        const SegmentId s(dice.below(curves));
+        const bool is_there = next.erase(s) != 0;
+        set = is_there ? sets.without(set, s) : sets.with(set, s);
+        if (!is_there) next.insert(s);
       }
+      made.push_back(set);
       expected.push_back(next);
     }
     for (std::size_t i = 0; i < made.size(); ++i) {
@@ -207,6 +219,10 @@ TEST(Overlaps, SetsShareAndStayAsTheyWere) {
       ASSERT_EQ(found, std::vector<SegmentId>(expected[i].begin(), expected[i].end()));
     }
   }
+}
+
+TEST(Overlaps, SetsShareAndStayAsTheyWere) {
+  for (const int steps_a_change : {1, 2, 7, 100}) expect_sets_stay(steps_a_change);
 }
 
 // Unbounded curves in a box that holds all their crossings are the same inside it: each end at
