@@ -41,7 +41,6 @@ class Sweep {
   void find_seed();
   void take_all_through();
   void collect_incoming();
-  void collect_outgoing();
   void order_starters();
   void group_ends();
   void merge_starters();
@@ -413,6 +412,10 @@ void Sweep::merge_starters() {
 // ---------------------------------------------------------------- status
 
 void Sweep::replace_in_status() {
+  // A place inside one bundle: the same node, name and neighbours, which have been tested. To test
+  // them again would queue their crossing once for every such place.
+  if (through_.size() == 1 && outgoing_.size() == 1 && incoming_.front() == outgoing_.front())
+    return;
   for (std::size_t i = outgoing_.size(); i < through_.size(); ++i) status_.erase(through_[i]);
   StatusNode last = below_;
   for (std::size_t i = 0; i < outgoing_.size(); ++i) {
