@@ -10,6 +10,7 @@
 namespace plumb {
 namespace {
 
+constexpr std::size_t kMembersPerCheckpoint = std::size_t{1} << 16U;
 constexpr std::uint32_t kNone = MapRotation::kNone;
 
 std::uint64_t pairs(std::uint64_t n) { return n * (n - 1) / 2; }
@@ -66,12 +67,14 @@ EdgeContact::Kind kind_of(const Member& p, const Member& q) {
 class ContactCollector final : public SweepVisitor {
  public:
   ContactCollector(const MapEdges& edges, const MapComponents& components,
-                   std::uint64_t max_described, MapContacts& result)
+                   std::uint64_t max_described, MapContacts& result, Context& context)
       : edges_(edges),
         components_(components),
         max_described_(max_described),
         result_(result),
-        at_event_(edges.ends.size()) {
+        context_(context),
+        memory_(context),
+        at_event_(charged(edges.ends.size())) {
     result_.rotation.orbit_next.assign(edges.halfedge_count(), kNone);
     result_.rotation.order.assign(components.of_vertex.size(), kNone);
     result_.rotation.edge_below.assign(components.count, kNone);
@@ -93,7 +96,12 @@ class ContactCollector final : public SweepVisitor {
   void place_component(const SweepEvent& event, std::uint32_t v);
   void link_around(const SweepEvent& event, std::uint32_t v);
 
+  std::size_t charged(std::size_t edge_count) {
+    memory_.add(edge_count * SweepMembers::kBytesPerCurve, "contacts of edges");
+    return edge_count;
+  }
   void collect_contacts(const SweepEvent& event);
+  void look_at_limits();
   void gather_members(const SweepEvent& event);
   void gather_ends();
   std::uint64_t count_contacts();
@@ -113,7 +121,10 @@ class ContactCollector final : public SweepVisitor {
   const MapComponents& components_;
   std::uint64_t max_described_;
   MapContacts& result_;
+  Context& context_;
+  MemoryCharge memory_;
   std::uint32_t events_ = 0;
+  std::size_t members_since_checkpoint_ = 0;
   std::vector<char> is_placed_;      // per component
   std::vector<std::uint32_t> ring_;  // half-edges leaving a vertex, counter-clockwise
   SweepMembers at_event_;
@@ -152,12 +163,22 @@ void ContactCollector::link_around(const SweepEvent& event, std::uint32_t v) {
 
 void ContactCollector::collect_contacts(const SweepEvent& event) {
   gather_members(event);
+  look_at_limits();
   gather_ends();
   const std::uint64_t found = count_contacts();
   result_.count += found;
   if (found == 0) return;
   if (!is_full()) describe_contacts(event);
   note_vertices_on_edges(event);
+}
+
+// The sweep counts events, but one event may have every edge of the map in a bundle.
+void ContactCollector::look_at_limits() {
+  members_since_checkpoint_ += members_.size();
+  if (members_since_checkpoint_ < kMembersPerCheckpoint) return;
+  members_since_checkpoint_ = 0;
+  context_.checkpoint("sweep", events_,
+                      std::max<std::uint64_t>(events_, components_.of_vertex.size()));
 }
 
 // One entry per edge, sorted by edge.
@@ -309,7 +330,7 @@ void ContactCollector::note_vertices_on_edges(const SweepEvent& event) {
 MapContacts find_contacts(const Map& map, const MapEdges& edges, const MapComponents& components,
                           std::uint64_t max_described, Context& context) {
   MapContacts contacts;
-  ContactCollector collector(edges, components, max_described, contacts);
+  ContactCollector collector(edges, components, max_described, contacts, context);
   sweep(map.points, edges.ends, collector, context);
   std::sort(contacts.described.begin(), contacts.described.end(),
             [](const EdgeContact& p, const EdgeContact& q) {

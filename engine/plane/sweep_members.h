@@ -21,6 +21,8 @@ struct SweepIncidence {
 
 class SweepMembers {
  public:
+  static constexpr std::size_t kBytesPerCurve = 9;
+
   explicit SweepMembers(std::size_t curve_count)
       : next_(curve_count), head_(curve_count), is_ended_(curve_count, 0) {}
 
