@@ -165,7 +165,8 @@ class Nef2 {
   bool contains(const RationalPoint2& p) const { return locate(p).marked; }
   /// The same for doubles. Throws Error{NotFinite}.
   bool contains(Point2 p) const { return locate(p).marked; }
-  /// Where a point lies. O(log^2 n) after the first call, which builds what is needed.
+  /// Where a point lies. O(log^2 n) after the first call, which builds the locator without
+  /// limits.
   PlaneLocation locate(const RationalPoint2& p) const;
   /// Throws Error{NotFinite}.
   PlaneLocation locate(Point2 p) const;
@@ -174,8 +175,8 @@ class Nef2 {
 
   /// The first marked element met from `origin` (inclusive) in `direction`, or none. O(log n) for
   /// each element met, O(1) for each trapezoid of the vertical decomposition of its faces, after the
-  /// first call, which builds what is needed as locate() does. Throws Error{BadArgument} for the
-  /// zero direction.
+  /// first call, which builds locator and trapezoids without limits. Throws Error{BadArgument} for
+  /// the zero direction.
   std::optional<RayHit> shoot(const RationalPoint2& origin, const RationalPoint2& direction) const;
   /// The first vertex or edge of the complex met, marked or not; one `origin` lies on is met at
   /// once.

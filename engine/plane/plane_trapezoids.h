@@ -16,7 +16,7 @@
 //  4. list_along       per edge the trapezoids above and below it, left to right
 //
 // Cost: as many trapezoids as edges and vertices, 32 bytes each; O(n) time, and a question to the
-// locator for each component.
+// locator for each vertex without edges to its left; O(n log^2 n) at worst.
 #pragma once
 
 #include <cstdint>

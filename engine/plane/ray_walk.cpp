@@ -144,7 +144,9 @@ bool RayWalk::meets_before_wall(EdgeId e, bool is_top, VertexId wall) const {
   return !wall.is_valid() || is_left_of(e, wall) == ray_.goes_right();
 }
 
-/// Positive: the vertex lies above the ray's line.
+/// Positive: the vertex lies above the ray's line. A vertical ray is told whether a vertex at infinity
+/// is high instead: it never passes the wall, and what is left out for that, the bottom (top) of a
+/// trapezoid beside a wall that starts below (above) everything, is at infinity itself.
 Sign RayWalk::side_of(VertexId wall) const {
   if (!complex_.is_at_infinity(wall)) {
     return side(points_, ray_, complex_.vertex_point[wall.value()]);

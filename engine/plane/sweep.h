@@ -9,9 +9,9 @@
 // (left) to the greater one (right); a vertical curve runs upward. Ends at infinity need no
 // coordinates: curves from the left are in the status at the start, steeper ones below; a vertical
 // end at infinity is an event before (after) all points of its x; two curves to the right infinity
-// cross there if and only if the lower is steeper. A bundle is a maximal set of collinear segments that overlap just
-// left (incoming) or just right (outgoing) of an event. The status is the list of bundles met by
-// the sweep line, bottom to top.
+// cross there if and only if the lower is steeper. A bundle is a maximal set of collinear segments
+// that overlap just left (incoming) or just right (outgoing) of an event. The status is the list of
+// bundles met by the sweep line, bottom to top.
 //
 // Main flow of sweep():
 //  1. rank_points         sort the end points once; equal points get equal ranks
@@ -21,6 +21,7 @@
 //  4. take_enders         plain events (one point, nothing passes through, nothing overlaps): the
 //                         segments that end here stand side by side in the status
 //  5. take_all_through    other events: walk the status both ways while bundles contain the point
+//     group_ends          the segments that end here, by bundle
 //  6. order_starters      by direction; segments of one direction form a bundle, or join one that
 //                         goes on
 //  7. replace_in_status   incoming bundles make room for outgoing ones

@@ -21,7 +21,7 @@ class SweepStatus {
   StatusNode next(StatusNode n) const { return nodes_[n.value()].next; }
   StatusNode prev(StatusNode n) const { return nodes_[n.value()].prev; }
 
-  /// The segment that stands for the node's bundle (others: the sweep's own chain).
+  /// The curve that names the node's bundle.
   SegmentId segment(StatusNode n) const { return nodes_[n.value()].segment; }
   void set_segment(StatusNode n, SegmentId s) { nodes_[n.value()].segment = s; }
 

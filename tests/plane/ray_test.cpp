@@ -2,7 +2,9 @@
 // force over all cells: nef2_property_test.)
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "generate/dice.h"
@@ -150,6 +152,38 @@ TEST(Rays, WithoutVerticesGoOnForEver) {
   EXPECT_FALSE(upright.shoot({0, 0}, {0, 1}));
   EXPECT_FALSE(upright.shoot({2, 0}, {1, 0}));
   EXPECT_TRUE(upright.shoot({2, 0}, {-1, 0}));
+}
+
+TEST(Rays, BetweenUprightLines) {
+  const Nef2 set = Nef2::line({{1, 0}, {1, 1}}) ^ Nef2::line({{3, 0}, {3, 1}});
+  for (const int x : {0, 1, 2, 3, 4}) {
+    for (const RationalPoint2& direction :
+         {RationalPoint2{1, 0}, RationalPoint2{-1, 0}, RationalPoint2{1, 1}, RationalPoint2{-1, 1},
+          RationalPoint2{0, 1}, RationalPoint2{0, -1}}) {
+      expect_right(set, {x, 0}, direction);
+    }
+  }
+}
+
+// What the first call builds is built once.
+TEST(Rays, FromSeveralThreadsAtOnce) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const std::vector<Point2> corners = star_polygon(50, seed);
+    const Nef2 other = Nef2::polygon(corners);
+    const auto hit = other.shoot({-1000, 0}, {1, 0});
+    const PlaneLocation place = other.locate(corners.front());
+    const Nef2 set = Nef2::polygon(corners);
+    std::array<bool, 4> is_right{};
+    std::vector<std::jthread> threads;
+    for (bool& right : is_right) {
+      threads.emplace_back([&] {
+        const bool same_hit = to_text(set.shoot({-1000, 0}, {1, 0})) == to_text(hit);
+        right = same_hit && set.locate(corners.front()).vertex == place.vertex;
+      });
+    }
+    threads.clear();
+    EXPECT_EQ(is_right, (std::array<bool, 4>{true, true, true, true}));
+  }
 }
 
 }  // namespace

@@ -231,7 +231,7 @@ class Recorder final : public SweepVisitor {
   SweepMembers members_;
   std::vector<Directed> curves_;
   std::set<std::uint32_t> used_;
-  std::map<SegmentId, std::set<SegmentId>> live_;  // bundles between two events, by first curve
+  std::map<SegmentId, std::set<SegmentId>> live_;  // bundles between two events, by name
   std::vector<Place> seen_;
 };
 
