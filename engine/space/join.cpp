@@ -270,6 +270,7 @@ class Joiner {
     const ByPlane by_cycle(all_cycles, out_.facet_plane, draft_.tables->planes.size());
     const ByPlane by_loop(all_loops, maps_.circle, draft_.tables->planes.size());
     for (std::uint32_t p = 0; p < draft_.tables->planes.size(); ++p) {
+      if (p % 1024 == 0) context_.checkpoint("join", 2, 5);
       nest(PlaneId(p), {by_cycle.of(PlaneId(p)), by_loop.of(PlaneId(p))});
     }
     number_facets();
@@ -281,7 +282,7 @@ class Joiner {
     inner_.clear();
     for (const std::uint32_t c : group.cycles) cycles_.push_back(first_use_[c]);
     for (const std::uint32_t a : group.loops) inner_.push_back(vertex_of_loop(a));
-    const CycleNesting nesting = nest_cycles(out_, plane, cycles_, inner_);
+    const CycleNesting nesting = nest_cycles(out_, plane, cycles_, inner_, context_);
     for (std::size_t i = 0; i < cycles_.size(); ++i) {
       if (nesting.of_cycle[i] != i) parent_[group.cycles[i]] = group.cycles[nesting.of_cycle[i]];
     }

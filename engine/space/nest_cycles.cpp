@@ -29,14 +29,15 @@ struct LeftSide {
 class BelowSweep final : RegionSweep {
  public:
   BelowSweep(const FlatPoints& points, std::span<const IndexEdge> edges,
-             std::span<const LeftSide> left_side)
-      : RegionSweep(points, edges), flat_(points), left_side_(left_side) {}
+             std::span<const LeftSide> left_side, Context& context)
+      : RegionSweep(points, edges, &context), flat_(points), left_side_(left_side) {}
 
   /// Of points in the region, in the order of the sweep.
   std::vector<PointAbove> run() {
     std::vector<PointAbove> found;
     start();
     for (std::uint32_t v = 0; v < order_.size(); ++v) {
+      count_step();
       const auto [begin, end] = edges_ending(v);
       const std::uint32_t below = edge_below(begin);
       if (begin == end && below != kNone && edges_[below].is_lower) {
@@ -62,11 +63,13 @@ class BelowSweep final : RegionSweep {
 class Nesting {
  public:
   Nesting(const SpaceComplex& complex, PlaneId plane, std::span<const UseId> cycles,
-          std::span<const VertexId> points)
+          std::span<const VertexId> points, Context& context)
       : complex_(complex),
         plane_(plane),
         cycles_(cycles),
         points_(points),
+        context_(context),
+        memory_(context),
         flat_(complex.points()) {}
 
   CycleNesting run() {
@@ -81,6 +84,7 @@ class Nesting {
       }
     }
     if (holes.empty() && points_.empty()) return found;
+    charge();
     show();
     find_least_points(holes);
     find_facets(found);
@@ -98,6 +102,13 @@ class Nesting {
   }
   std::uint32_t index(VertexId v) const {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(shown_, v) - shown_.begin());
+  }
+
+  void charge() {
+    constexpr std::uint64_t kBytesEach = 200;
+    std::uint64_t count = points_.size();
+    for (const UseId cycle : cycles_) for_uses(cycle, [&](UseId) { ++count; });
+    memory_.add(kBytesEach * count, "cycles of a plane");
   }
 
   void show() {
@@ -135,7 +146,7 @@ class Nesting {
 
   void find_facets(CycleNesting& found) {
     std::vector<std::uint32_t> around(shown_.size(), kNone);  // per point: an outer cycle
-    for (const PointAbove& p : BelowSweep(flat_, edges_, left_side_).run()) {
+    for (const PointAbove& p : BelowSweep(flat_, edges_, left_side_, context_).run()) {
       around[p.point] = found.of_cycle[cycle_of_edge_[p.edge]];
       const std::uint32_t hole = hole_at_[p.point];
       if (hole != kNone) found.of_cycle[hole] = around[p.point];
@@ -151,6 +162,8 @@ class Nesting {
   PlaneId plane_;
   std::span<const UseId> cycles_;
   std::span<const VertexId> points_;
+  Context& context_;
+  MemoryCharge memory_;
   FlatPoints flat_;
   std::vector<VertexId> shown_;  // per point of flat_, ascending
   std::vector<IndexEdge> edges_;
@@ -162,8 +175,8 @@ class Nesting {
 }  // namespace
 
 CycleNesting nest_cycles(const SpaceComplex& complex, PlaneId plane, std::span<const UseId> cycles,
-                         std::span<const VertexId> points) {
-  return Nesting(complex, plane, cycles, points).run();
+                         std::span<const VertexId> points, Context& context) {
+  return Nesting(complex, plane, cycles, points, context).run();
 }
 
 }  // namespace plumb

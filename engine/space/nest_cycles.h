@@ -8,13 +8,14 @@
 //  3. the least point of a hole has none: where the edge below it belongs to a hole, both lie in one facet, and the least
 //     point of that one comes before; else its cycle is the outer one looked for. A point inside a facet likewise.
 //
-// Cost: O(n log n) for n uses and points.
+// Cost: O(n log n) for n uses and points. Memory: 200 bytes a use or point, charged.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "plumb/base/context.h"
 #include "plumb/space/space_complex.h"
 
 namespace plumb {
@@ -28,8 +29,8 @@ struct CycleNesting {
 
 /// All boundary cycles of all facets of a plane, and points that lie inside facets there. Requires facets that do not
 /// overlap; of the complex no more than uses, the edges' origins and the vertices' points. Stops the program where a hole
-/// or point has no facet around it.
+/// or point has no facet around it. Throws what the context throws.
 CycleNesting nest_cycles(const SpaceComplex& complex, PlaneId plane, std::span<const UseId> cycles,
-                         std::span<const VertexId> points);
+                         std::span<const VertexId> points, Context& context);
 
 }  // namespace plumb

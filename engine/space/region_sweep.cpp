@@ -5,8 +5,9 @@
 
 namespace plumb {
 
-RegionSweep::RegionSweep(const PlanarPoints& points, std::span<const IndexEdge> edges)
-    : points_(points), status_(Below{this}) {
+RegionSweep::RegionSweep(const PlanarPoints& points, std::span<const IndexEdge> edges,
+                         Context* context)
+    : points_(points), status_(Below{this}), context_(context) {
   rank_points();
   edges_.reserve(edges.size());
   for (const IndexEdge& e : edges) {
@@ -19,6 +20,7 @@ void RegionSweep::rank_points() {
   order_.resize(points_.size());
   std::iota(order_.begin(), order_.end(), 0U);
   std::sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) {
+    count_step();
     return points_.compare(i, j) == Sign::Negative;
   });
   rank_.resize(order_.size());
@@ -29,6 +31,7 @@ void RegionSweep::start() {
   starts_.resize(edges_.size());
   std::iota(starts_.begin(), starts_.end(), 0U);
   std::sort(starts_.begin(), starts_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    count_step();
     if (edges_[a].left != edges_[b].left) return edges_[a].left < edges_[b].left;
     return a != b && is_below(a, b);
   });

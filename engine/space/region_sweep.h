@@ -1,4 +1,4 @@
-// The sweep over a region of the plane that triangulate() and edges_below() have in common: points in lexicographic
+// The sweep over a region of the plane that triangulate() and nest_cycles() have in common: points in lexicographic
 // order, and the edges that meet the sweep line from bottom to top.
 //
 // The region lies to the left of its edges. Requires what triangulate() does: edges meet each other and points in their
@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/base/context.h"
 #include "plumb/space/triangulate.h"
 
 namespace plumb {
@@ -39,8 +40,9 @@ class RegionSweep {
   using Status = std::set<std::uint32_t, Below>;
   using Place = Status::iterator;
 
-  /// Then start().
-  RegionSweep(const PlanarPoints& points, std::span<const IndexEdge> edges);
+  /// Then start(). Looks at the limits of the context, if there is one.
+  RegionSweep(const PlanarPoints& points, std::span<const IndexEdge> edges,
+              Context* context = nullptr);
   RegionSweep(const RegionSweep&) = delete;
   RegionSweep& operator=(const RegionSweep&) = delete;
   virtual ~RegionSweep() = default;
@@ -75,6 +77,11 @@ class RegionSweep {
     return true;
   }
 
+  /// For every 4096th step.
+  void count_step() {
+    if (context_ != nullptr && ++steps_ % 4096 == 0) context_->checkpoint("sweep of a plane", 0, 0);
+  }
+
   const PlanarPoints& points_;
   std::vector<std::uint32_t> order_;  // per rank: index
   std::vector<SweepEdge> edges_;
@@ -84,6 +91,8 @@ class RegionSweep {
   void rank_points();
   bool is_below(std::uint32_t a, std::uint32_t b) const;
 
+  Context* context_;
+  std::uint64_t steps_ = 0;
   std::vector<std::uint32_t> rank_;    // per index
   std::vector<std::uint32_t> starts_;  // edges by left end, bottom to top
   std::uint32_t next_start_ = 0;

@@ -5,12 +5,14 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "generate/dice.h"
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
+#include "plumb/base/error.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/facet_site.h"
@@ -240,6 +242,7 @@ TEST(LargeFacets, LeavesOfCornersOwnSomething) {
 /// The facets know what belongs together, and the audit looks into each.
 TEST(LargeFacets, CyclesAreNestedAsFacetsSay) {
   Dice dice(8);
+  Context context;
   std::size_t holes = 0, inner = 0;
   for (const auto& [name, set] : sets()) {
     expect_sound(set, name);
@@ -254,7 +257,7 @@ TEST(LargeFacets, CyclesAreNestedAsFacetsSay) {
       }
       for (std::size_t i = cycles.size(); i > 1; --i)
         std::swap(cycles[i - 1], cycles[dice.below(i)]);
-      const CycleNesting nesting = nest_cycles(c, PlaneId(p), cycles, points);
+      const CycleNesting nesting = nest_cycles(c, PlaneId(p), cycles, points, context);
       for (std::size_t i = 0; i < cycles.size(); ++i) {
         const FacetId f = c.use_facet[cycles[i].value()];
         EXPECT_EQ(cycles[nesting.of_cycle[i]], c.cycles_of(f)[0]) << name;
@@ -281,6 +284,26 @@ Nef3 columns(int size, double low, double high) {
     mesh = joined(std::move(mesh), box_mesh({x, y, low}, {x + 1, y + 1, high}));
   }
   return solid(mesh);
+}
+
+/// Of the square above columns, with a hole for each.
+TEST(LargeFacets, NestingKeepsToLimits) {
+  const Nef3 set = box({0, 0, 0}, {30, 30, 2}) - columns(14, 1, 3);
+  const SpaceComplex& c = set.complex();
+  const auto is_pierced = [&](std::uint32_t f) { return c.cycles_of(FacetId(f)).size() > 100; };
+  std::uint32_t f = 0;
+  while (f < c.facet_count() && !is_pierced(f)) ++f;
+  ASSERT_LT(f, c.facet_count());
+  const auto nest = [&](Context context) {
+    return nest_cycles(c, c.facet_plane[f], c.cycles_of(FacetId(f)), {}, context).of_cycle;
+  };
+  EXPECT_EQ(nest(Context()), std::vector<std::uint32_t>(197, 0));
+  Limits limits;
+  limits.max_memory_bytes = 100'000;  // of 788 corners
+  EXPECT_THROW(nest(Context(limits)), Error);
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_THROW(nest(Context({}, source.get_token())), Error);
 }
 
 /// Boxes in holes, parts of facets in holes of others, all in two planes.
