@@ -71,7 +71,7 @@ CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceCo
   Combiner combiner(operands, tables, contacts, f, origin);
   if (context.threads() == 1) {  // nothing to be put together
     combiner.overlay_contacts(context);
-    for (const std::size_t i : {0U, 1U}) combiner.keep_vertices(i, *touched[i], labels[i]);
+    for (const std::size_t i : {0U, 1U}) combiner.keep_vertices(i, *touched[i], labels[i], context);
     return combiner.finish();
   }
   constexpr std::size_t kContactsAtOnce = 512;
@@ -84,7 +84,7 @@ CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceCo
       part.overlay_contacts(begin, std::min(begin + kContactsAtOnce, contacts.size()), own);
     } else {
       const std::size_t i = job - overlays;
-      part.keep_vertices(i, *touched[i], labels[i]);
+      part.keep_vertices(i, *touched[i], labels[i], own);
     }
   });
   combiner.append(parts);
@@ -182,7 +182,7 @@ SpaceComplex combine_with_plane(const SpaceComplex& a, OrientedPlane plane, Plan
   const CommonOrigin origin = lesser_origin;
   Combiner combiner({&first, &second}, tables, contacts, MarkTable(f), origin);
   combiner.overlay_contacts(context);
-  combiner.keep_vertices(0, touched, labels);
+  combiner.keep_vertices(0, touched, labels, context);
   return joined(combiner.finish(), context);
 }
 

@@ -38,13 +38,17 @@ void Combiner::overlay_contacts(std::size_t begin, std::size_t end, Context& con
 }
 
 void Combiner::keep_vertices(std::size_t operand, const TouchedComplex& own,
-                             std::span<const VolumeId> labels) {
+                             std::span<const VolumeId> labels, Context& context) {
   const SpaceComplex& complex = *operands_[operand];
+  MemoryCharge memory(context);  // of the carrier: its arrays of all half-edges and uses
+  memory.add(sizeof(std::uint32_t) * (complex.origin.size() + complex.use_count()),
+             "vertices that stay");
   reserve(operand, own, labels);
   VertexCarrier carrier(complex, draft_, overlay_);
   std::vector<VertexCarrier::Remarked> rings;  // to be added before anything else
   rings.reserve(kRingsAtOnce);
   for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
+    if (v % 4096 == 0) context.checkpoint("vertices that stay", v, complex.vertex_count());
     if (own.is_touched(VertexId(v))) continue;
     const std::array<Mark, 3> becomes = marks_in(operand, labels[v]);
     // What is constant here dissolves, but for the frame.

@@ -47,7 +47,7 @@ class Combiner {
   void overlay_contacts(std::size_t begin, std::size_t end, Context& context);
   /// Vertices of one operand that lie in volumes of the other.
   void keep_vertices(std::size_t operand, const TouchedComplex& own,
-                     std::span<const VolumeId> labels);
+                     std::span<const VolumeId> labels, Context& context);
   /// What other combiners of the same operands have made, one after the other. They are used up.
   void append(std::span<std::optional<Combiner>> parts);
   CombinedDraft finish();
