@@ -254,7 +254,7 @@ class CrossingSearch {
 
  private:
   static constexpr std::uint64_t kBytesPerCorner = 100;
-  static constexpr std::uint64_t kBytesPerThinTriangle = 300;
+  static constexpr std::uint64_t kBytesPerThinTriangle = 400;
   static constexpr std::uint64_t kStepsPerTriangle = 32;
 
   /// What the first tree cannot find in a few steps a box is left to one of two others: boxes of many scales, or boxes that

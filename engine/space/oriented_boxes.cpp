@@ -23,7 +23,7 @@ Vector3 minus(const Vector3& a, const Vector3& b) {
 OrientedBoxTree::OrientedBoxTree(std::span<const Triangle> triangles)
     : order_(triangles.size()), key_(triangles.size()) {
   std::iota(order_.begin(), order_.end(), 0U);
-  nodes_.reserve(triangles.size());
+  nodes_.reserve(4 * triangles.size() / 3 + 1);  // at worst every three make leaves of 1 and 2
   if (!triangles.empty()) add_node(triangles, 0, static_cast<std::uint32_t>(triangles.size()));
 }
 

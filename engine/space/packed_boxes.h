@@ -8,7 +8,7 @@
 //
 // Requires boxes that the grid tells apart (fits()): for others, of many scales or with infinite bounds, use BoxTree.
 // Nor does fits() say all: very many boxes may share places along one axis. So a search asks before each step whether
-// to go on, and who counts the steps turns to BoxTree when they are far more than the boxes.
+// to go on, and who counts the steps turns to another tree when they are far more than the boxes.
 // Cost: O(n) to build, ~40 ns a box; a comparison ~2 ns. Memory: 36 bytes a box.
 #pragma once
 
