@@ -6,6 +6,7 @@
 #include "plumb/base/error.h"
 #include "plumb/convex/convexity.h"
 #include "plumb/convex/cuts.h"
+#include "plumb/convex/facet_names.h"
 #include "plumb/convex/merge_sets.h"
 #include "plumb/convex/set_parts.h"
 #include "plumb/convex/vertical.h"
@@ -72,10 +73,13 @@ SpaceComplex wall_subdivision(const Nef3& set, const std::optional<VerticalDirec
                               Context& context) {
   if (!set.is_bounded()) throw Error(ErrorCode::BadArgument, "vertical walls need a bounded set");
   const VerticalDirection chosen = up ? *up : choose_vertical(set.complex(), context).up;
-  std::optional<SpaceComplex> complex = subdivided(set.complex(), chosen, context);
+  const bool is_named = !has_unnamed(set);
+  std::optional<SpaceComplex> complex =
+      subdivided(is_named ? set.complex() : with_names(set).complex(), chosen, context);
   if (!complex) {
     throw Error(ErrorCode::ResourceLimit, "vertical walls leave reflex edges after 64 rounds");
   }
+  if (!is_named) remove_names(complex->facet_origin);
   return *std::move(complex);
 }
 
@@ -110,10 +114,8 @@ std::vector<Nef3> pieces_by_walls(const Nef3& volumes, const DecomposeOptions& o
   return pieces;
 }
 
-}  // namespace
-
-ConvexPieces decompose_by_walls(const Nef3& set, const DecomposeOptions& options,
-                                Context& context) {
+/// Of a set whose facets have ids.
+ConvexPieces decompose_named(const Nef3& set, const DecomposeOptions& options, Context& context) {
   DecomposeOptions cuts = options;
   cuts.method = DecomposeMethod::Cuts;
   ConvexPieces result;
@@ -133,6 +135,16 @@ ConvexPieces decompose_by_walls(const Nef3& set, const DecomposeOptions& options
     if (has_walls) result.method = DecomposeMethod::Walls;
     add(has_walls ? pieces_by_walls(part.set, options, context) : cut_set(part, cuts, context));
   }
+  return result;
+}
+
+}  // namespace
+
+ConvexPieces decompose_by_walls(const Nef3& set, const DecomposeOptions& options,
+                                Context& context) {
+  if (!has_unnamed(set)) return decompose_named(set, options, context);
+  ConvexPieces result = decompose_named(with_names(set), options, context);
+  remove_names(result.pieces);
   return result;
 }
 

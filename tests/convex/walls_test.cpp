@@ -129,20 +129,24 @@ TEST(Walls, MakeAtMostOnePieceMoreForEachRay) {
 }
 
 TEST(Walls, AreToldFromFacets) {
-  Context context;
   const Nef3 block = box({0, 0, 0}, {2, 2, 1}) - box({1, 1, -1}, {3, 3, 2});
-  const SpaceComplex cut = wall_subdivision(block, {}, context);
-  EXPECT_FALSE(audit(cut, false).has_value());
-  std::size_t walls = 0;
-  for (std::size_t f = 0; f < cut.facet_count(); ++f) {
-    const auto& [above, below] = cut.facet_volume[f];
-    const bool is_between =
-        cut.volume_mark[above.value()] == 1 && cut.volume_mark[below.value()] == 1;
-    EXPECT_EQ(is_wall(cut, FacetId(f)), is_between);
-    walls += is_between;
+  const std::size_t facets = block.complex().facet_count();
+  for (const Nef3& set :
+       {block, block.with_origins(std::vector<std::uint32_t>(facets, kNoOrigin))}) {
+    Context context;
+    const SpaceComplex cut = wall_subdivision(set, {}, context);
+    EXPECT_FALSE(audit(cut, false).has_value());
+    std::size_t walls = 0;
+    for (std::size_t f = 0; f < cut.facet_count(); ++f) {
+      const auto& [above, below] = cut.facet_volume[f];
+      const bool is_between =
+          cut.volume_mark[above.value()] == 1 && cut.volume_mark[below.value()] == 1;
+      EXPECT_EQ(is_wall(cut, FacetId(f)), is_between);
+      walls += is_between;
+    }
+    EXPECT_EQ(walls, 1U);
+    EXPECT_EQ(Nef3::from_complex(cut, context), block);
   }
-  EXPECT_EQ(walls, 1U);
-  EXPECT_EQ(Nef3::from_complex(cut, context), block);
 }
 
 TEST(Walls, CutVoidsComponentsAndPartsThatTouch) {
@@ -286,11 +290,10 @@ RationalPoint3 middle_of(const SpaceComplex& c, FacetId f) {
 }
 
 /// Facets of pieces that lie in no facet of the set are walls, others are not; those of facets without an id neither.
-void expect_walls(const Nef3& set, const DecomposeOptions& options) {
-  Context context;
+void expect_walls(const Nef3& set, const ConvexPieces& pieces) {
   const SpaceComplex& whole = set.complex();
   std::size_t walls = 0;
-  for (const Nef3& piece : decompose(set, options, context).pieces) {
+  for (const Nef3& piece : pieces.pieces) {
     const SpaceComplex& c = piece.complex();
     for (std::uint32_t f = 0; f < c.facet_count(); ++f) {
       if (c.facet_mark[f] == kBeyond) continue;
@@ -317,6 +320,13 @@ void expect_walls(const Nef3& set, const DecomposeOptions& options) {
     }
   }
   EXPECT_GT(walls, 0U);
+}
+
+void expect_walls(const Nef3& set, const DecomposeOptions& options) {
+  Context context;
+  expect_walls(set, decompose(set, options, context));
+  const bool has_walls = options.method == DecomposeMethod::Walls;
+  if (has_walls) expect_walls(set, decompose_by_walls(set, options, context));
 }
 
 TEST(Walls, AreToldFromFacetsWithoutIds) {
