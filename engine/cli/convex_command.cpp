@@ -17,9 +17,9 @@
 #include "plumb/convex/plane_convexity.h"
 #include "plumb/io/file_kind.h"
 #include "plumb/io/input.h"
-#include "plumb/io/plane_io.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/io/solid_sets.h"
+#include "plumb/io/text_output.h"
 #include "plumb/picture/sheet.h"
 #include "solid_input.h"
 
@@ -27,16 +27,13 @@ namespace plumb::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr const char* kHelp =
-    "A solid: .off, .obj, .stl, .ply, .glb, .gltf, .nef; or a set of the plane: .wkt, .geojson, "
-    ".nef2; - is standard input";
 
 // ---------------------------------------------------------------- check
 
 class ConvexCheck : public CommandBody {
  public:
   void declare(CLI::App& app) override {
-    app.add_option("A", file_, kHelp)->required()->type_name("");
+    app.add_option("A", file_, kSolidOrPlaneHelp)->required()->type_name("");
     input_.declare(app);
   }
 
@@ -61,17 +58,18 @@ class ConvexCheck : public CommandBody {
 
  private:
   ExitCode check_plane(const std::string& bytes, Session& session) const {
-    if (!input_.is_plain()) {
-      throw Error(ErrorCode::Usage, "--rule and --surface are for meshes");
-    }
-    const PlaneFormat format = plane_format_of(file_).value_or(guess_plane_format(bytes));
-    const ReadOptions options{input_name(file_), session.options().exact_decimals};
-    const Nef2 set = read_plane_set(bytes, format, options, session.context());
+    const Nef2 set = input_.read_plane(file_, bytes, session);
     const PlaneConvexity found = convexity_of_set(set, session.context());
     Json faces = Json::array();
-    for (const FailingRegion& failing : found.faces) faces.push_back(failing.face.value());
-    const Json json{
-        {"convex", found.is_convex}, {"reflex_edges", found.reflex_corners}, {"faces", faces}};
+    Json corners = Json::array();
+    for (const FailingRegion& failing : found.faces) {
+      faces.push_back(failing.face.value());
+      corners.push_back({format_exact(failing.corner.x), format_exact(failing.corner.y)});
+    }
+    const Json json{{"convex", found.is_convex},
+                    {"reflex_edges", found.reflex_corners},
+                    {"faces", faces},
+                    {"corners", corners}};
     session.answer(json.dump(), [&found](std::ostream& out) {
       out << (found.is_convex ? "convex\n" : "not convex\n");
       if (found.is_convex) return;

@@ -55,12 +55,7 @@ struct Answer {
 class Decomposition : public CommandBody {
  public:
   void declare(CLI::App& app) override {
-    app.add_option(
-           "A", file_,
-           "A solid: .off, .obj, .stl, .ply, .glb, .gltf, .nef; or a set of the plane: .wkt, "
-           ".geojson, .nef2; - is standard input")
-        ->required()
-        ->type_name("");
+    app.add_option("A", file_, kSolidOrPlaneHelp)->required()->type_name("");
     app.add_option("--method", method_,
                    "cuts: along faces or sides at reflex edges; walls: vertical ones (solids); "
                    "diagonals, optimal: between vertices (plane); best: the fewest pieces")
@@ -153,17 +148,12 @@ class Decomposition : public CommandBody {
 
   Answer decompose_plane(const std::string& bytes, PieceFiles& files, Session& session) {
     if (method_ == "walls") throw cannot("solids");
-    if (!input_.is_plain()) {
-      throw Error(ErrorCode::Usage, "--rule and --surface are for meshes");
-    }
     const PartitionMethod method = method_ == "cuts"        ? PartitionMethod::Cuts
                                    : method_ == "diagonals" ? PartitionMethod::Diagonals
                                    : method_ == "optimal"   ? PartitionMethod::Optimal
                                                             : PartitionMethod::Best;
     Context& context = session.context();
-    const PlaneFormat read_as = plane_format_of(file_).value_or(guess_plane_format(bytes));
-    const Nef2 set = read_plane_set(bytes, read_as,
-                                    {input_name(file_), session.options().exact_decimals}, context);
+    const Nef2 set = input_.read_plane(file_, bytes, session);
     const PlanePieces found = decompose(set, {method, closed_}, context);
     for (const Nef2& piece : found.pieces) {
       if (!files.is_wanted()) break;

@@ -6,6 +6,7 @@
 #include "plumb/base/error.h"
 #include "plumb/io/file_kind.h"
 #include "plumb/io/input.h"
+#include "plumb/io/plane_io.h"
 #include "plumb/io/solid_sets.h"
 
 namespace plumb::cli {
@@ -58,6 +59,14 @@ Nef3 SolidInput::read(const std::string& file, const std::string& bytes, Session
   SolidRead solid = read_solid(file, bytes, read_options(session.options()), session.context());
   for (const std::string& note : solid.notes) session.note(input_name(file) + ": " + note);
   return std::move(solid.set);
+}
+
+Nef2 SolidInput::read_plane(const std::string& file, const std::string& bytes,
+                            Session& session) const {
+  if (!is_plain()) throw Error(ErrorCode::Usage, "--rule and --surface are for meshes");
+  const PlaneFormat format = plane_format_of(file).value_or(guess_plane_format(bytes));
+  const ReadOptions options{input_name(file), session.options().exact_decimals};
+  return read_plane_set(bytes, format, options, session.context());
 }
 
 }  // namespace plumb::cli

@@ -215,10 +215,12 @@ TEST(ConvexProgram, decompose_chooses_formats_and_methods_in_the_plane) {
 
 TEST(ConvexProgram, check_takes_sets_of_the_plane) {
   EXPECT_EQ(run({"convex", "check", "corpus/plane/quadrant.nef2", "--json"}).out,
-            "{\"convex\":true,\"reflex_edges\":0,\"faces\":[]}\n");
+            "{\"convex\":true,\"reflex_edges\":0,\"faces\":[],\"corners\":[]}\n");
   const RunResult frame = run({"convex", "check", "corpus/plane/frame.geojson", "--json"});
   EXPECT_EQ(frame.code, 1);
-  EXPECT_EQ(frame.out, "{\"convex\":false,\"reflex_edges\":4,\"faces\":[1]}\n");
+  EXPECT_EQ(Json::parse(frame.out)["reflex_edges"], 4);
+  EXPECT_EQ(Json::parse(frame.out)["faces"], Json{1});
+  EXPECT_EQ(Json::parse(frame.out)["corners"].size(), 1U);
   const ScratchDirectory scratch;
   const std::string bent_line = (scratch / "bent.wkt").string();
   write_file(bent_line, "LINESTRING(0 0, 1 0, 1 1)\n");
@@ -231,6 +233,14 @@ TEST(ConvexProgram, check_takes_sets_of_the_plane) {
   EXPECT_EQ(step.out,
             "not convex\n1 reflex corner, 1 connected part\n"
             "face 1: reflex corner at 1/2 1\n");
+  EXPECT_EQ(Json::parse(run({"convex", "check", step_file, "--json"}).out)["corners"],
+            Json::parse(R"([["1/2", "1"]])"));
+  // The text rounds long numbers; here they are whole.
+  const std::string far = "1" + std::string(300, '0');
+  write_file(step_file, "POLYGON((0 0," + far + " 0," + far + " 1,2/" + far + " 1,2/" + far +
+                            " 2,0 2,0 0))\n");
+  EXPECT_EQ(Json::parse(run({"convex", "check", step_file, "--json"}).out)["corners"][0][0],
+            "1/5" + std::string(299, '0'));
 }
 
 /// A tetrahedron, as the JSON of glTF.
