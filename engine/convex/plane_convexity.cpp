@@ -1,10 +1,10 @@
 #include "plumb/convex/plane_convexity.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "plumb/base/union_find.h"
 #include "plumb/convex/plane_region.h"
 
 namespace plumb {
@@ -14,13 +14,13 @@ constexpr const char* kPhase = "convexity";
 
 // ---------------------------------------------------------------- parts
 
-/// Marked items joined where one is in the closure of the other: faces, then edges, then vertices.
+/// Marked items joined where one is in the closure of the other: faces, then edges, then vertices. (A marked vertex without
+/// edges is in no marked face: the complex is minimal.)
 class PartCount {
  public:
   explicit PartCount(const PlaneComplex& complex)
-      : c_(complex), parent_(complex.face_count() + complex.edge_count() + complex.vertex_count()) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
+      : c_(complex),
+        classes_(complex.face_count() + complex.edge_count() + complex.vertex_count()) {}
 
   std::uint64_t run() {
     for (std::size_t i = 0; i < c_.edge_count(); ++i) {
@@ -30,34 +30,27 @@ class PartCount {
         const FaceId f = c_.dcel.face(half);
         const VertexId v = c_.dcel.origin(half);
         const bool has_vertex = !c_.is_at_infinity(v) && c_.mark(v);
-        if (c_.mark(e) && c_.mark(f)) join(at(e), at(f));
-        if (c_.mark(e) && has_vertex) join(at(e), at(v));
-        if (c_.mark(f) && has_vertex) join(at(f), at(v));
+        if (c_.mark(e) && c_.mark(f)) classes_.unite(at(e), at(f));
+        if (c_.mark(e) && has_vertex) classes_.unite(at(e), at(v));
+        if (c_.mark(f) && has_vertex) classes_.unite(at(f), at(v));
       }
-    }
-    for (std::size_t i = 0; i < c_.vertex_count(); ++i) {
-      const VertexId v(i);
-      if (!c_.mark(v) || !c_.dcel.is_isolated(v)) continue;
-      const FaceId f = c_.dcel.face(c_.dcel.isolated_loop(v));
-      if (c_.mark(f)) join(at(v), at(f));
     }
     return count();
   }
 
  private:
-  std::size_t at(FaceId f) const { return f.value(); }
-  std::size_t at(EdgeId e) const { return c_.face_count() + e.value(); }
-  std::size_t at(VertexId v) const { return c_.face_count() + c_.edge_count() + v.value(); }
-
-  std::size_t find(std::size_t i) {
-    while (i != parent_[i]) i = parent_[i] = parent_[parent_[i]];
-    return i;
+  std::uint32_t at(FaceId f) const { return f.value(); }
+  std::uint32_t at(EdgeId e) const { return after(c_.face_count()) + e.value(); }
+  std::uint32_t at(VertexId v) const {
+    return after(c_.face_count() + c_.edge_count()) + v.value();
   }
-  void join(std::size_t i, std::size_t j) { parent_[find(i)] = find(j); }
+  static std::uint32_t after(std::size_t count) { return static_cast<std::uint32_t>(count); }
 
-  std::uint64_t count() const {
+  std::uint64_t count() {
     std::uint64_t roots = 0;
-    const auto add = [&](std::size_t i, bool mark) { roots += mark && parent_[i] == i ? 1 : 0; };
+    const auto add = [&](std::uint32_t i, bool mark) {
+      roots += mark && classes_.root(i) == i ? 1 : 0;
+    };
     for (std::size_t i = 0; i < c_.face_count(); ++i) add(at(FaceId(i)), c_.mark(FaceId(i)));
     for (std::size_t i = 0; i < c_.edge_count(); ++i) add(at(EdgeId(i)), c_.mark(EdgeId(i)));
     for (std::size_t i = 0; i < c_.vertex_count(); ++i) add(at(VertexId(i)), c_.mark(VertexId(i)));
@@ -65,7 +58,7 @@ class PartCount {
   }
 
   const PlaneComplex& c_;
-  std::vector<std::size_t> parent_;
+  UnionFind classes_;
 };
 
 // ---------------------------------------------------------------- one face
@@ -121,7 +114,7 @@ class PlaneConvexityTest {
   PlaneConvexityTest(const PlaneComplex& complex, Context& context)
       : c_(complex), context_(context), memory_(context) {
     memory_.add(16 * (c_.dcel.vertex_count() + c_.dcel.edge_count() + c_.points.size()) +
-                    sizeof(std::size_t) * (c_.face_count() + c_.edge_count() + c_.vertex_count()),
+                    sizeof(std::uint32_t) * (c_.face_count() + c_.edge_count() + c_.vertex_count()),
                 kPhase);
   }
 
