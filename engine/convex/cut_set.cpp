@@ -192,7 +192,7 @@ class SetCutter {
     return std::move(done_);
   }
 
-  /// How many pieces a solid may give; any number of what is none.
+  /// How many pieces a solid may give whose surface is a 2-manifold; any number of what is none.
   std::size_t most() const { return most_; }
 
  private:
@@ -205,13 +205,14 @@ class SetCutter {
     for (std::size_t f = 0; f < surface->faces.size(); ++f) all.push_back(FaceId(f));
     const bool touches = touches_itself(*surface, all);
     SolidPieces cut = cut_solid(*surface, rule_, context_);
-    if (left_.empty() && done_.empty()) most_ = most_pieces(cut.reflex_edges);
     if (cut.convex.empty() && cut.stuck.size() == 1) return false;
     if (touches && !cut.stuck.empty()) return false;
     const auto is_no_set = [&](const auto& faces) { return touches_itself(*surface, faces); };
     if (std::ranges::any_of(cut.stuck, is_no_set)) return false;
     if (options_.method == DecomposeMethod::Best) merge_pieces(*surface, cut.convex, context_);
-    is_one_solid_ = left_.empty() && done_.empty() && cut.stuck.empty();
+    const bool is_whole = left_.empty() && done_.empty();
+    if (is_whole && !touches) most_ = most_pieces(cut.reflex_edges);
+    is_one_solid_ = is_whole && cut.stuck.empty();
     for (const auto& faces : cut.convex) {
       done_.push_back(set_of_piece(*surface, faces, is_one_solid_ && options_.closed, context_));
     }
@@ -257,10 +258,11 @@ class SetCutter {
 
 }  // namespace
 
-std::vector<Nef3> cut_set(const SetPart& part, const DecomposeOptions& options, Context& context) {
+std::vector<Nef3> cut_set(const SetPart& part, const DecomposeOptions& options, Context& context,
+                          std::size_t most) {
   SetCutter greedy(CutRule::Greedy, options, context);
   std::vector<Nef3> pieces = greedy.run(part);
-  if (pieces.size() <= greedy.most()) return pieces;
+  if (pieces.size() <= std::min(most, greedy.most())) return pieces;
   std::vector<Nef3> bounded = SetCutter(CutRule::Fixed, options, context).run(part);
   return bounded.size() < pieces.size() ? bounded : pieces;
 }

@@ -15,15 +15,14 @@
 // A surface that is connected and has no reflex edges bounds a convex solid (space_convexity.h).
 //
 // The bound. By the rule Fixed a solid with one connected surface that is a 2-manifold gives at most 1 + (r^2 + r) / 2
-// pieces, r its reflex edges. Cuts make no reflex edges, and a cut through one resolves that part of it. The edge e_i is cut into
+// pieces, r its reflex edges, if no tip is in the way. Cuts make no reflex edges, and a cut through one resolves that part of it. The edge e_i is cut into
 // parts only by planes of edges before it, each in one point at most, as its plane's turn comes when all
 // edges before it are resolved in the piece: so it has i parts at most. A part is reflex in one piece only, as two angles that share
 // a turn are not both more than half. So the i-th plane cuts i times at most, and a cut makes one piece more at most.
 // Source: Chazelle, SIAM J. Comput. 13 (1984).
-// That a plane may touch the solid in a tip from one side (fixed_planes.h) changes nothing of this where the tip
-// lies on the line of e_i, off e_i: an edge e_k of the tip is resolved first then, in this piece, and its plane meets that line in the
-// tip or holds it, so that it does not part e_i. The proof ends where every edge of such a tip has another such tip on its line,
-// in the same piece.
+// In the way is a tip on the line of e_i, off e_i, where the plane of e_i may touch the solid from one side (fixed_planes.h). Then a later
+// edge is cut first in that piece, whose plane may divide edges between both, while theirs divide it in another piece: nothing
+// is proven then.
 #pragma once
 
 #include <cstdint>
@@ -58,7 +57,9 @@ constexpr std::size_t most_pieces(std::size_t reflex_edges) {
   return 1 + (reflex_edges * reflex_edges + reflex_edges) / 2;
 }
 
-/// The convex pieces of one part. Method Best: neighbours are merged.
-std::vector<Nef3> cut_set(const SetPart& part, const DecomposeOptions& options, Context& context);
+/// The convex pieces of one part. Method Best: neighbours are merged. `most`: the rule Fixed is tried where there are
+/// more pieces than that, too, not only where there are more than most_pieces() (for tests).
+std::vector<Nef3> cut_set(const SetPart& part, const DecomposeOptions& options, Context& context,
+                          std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace plumb

@@ -13,6 +13,7 @@
 #include "oracle/nef3_check.h"
 #include "oracle/pieces_check.h"
 #include "plumb/base/error.h"
+#include "plumb/convex/cuts.h"
 #include "plumb/convex/decompose.h"
 #include "plumb/convex/merge_sets.h"
 #include "plumb/convex/volume_sum.h"
@@ -245,6 +246,27 @@ TEST(Decompose, TakesTheFewerPieces) {
     const std::size_t best = piece_count(set, kBest);
     EXPECT_LE(best, piece_count(set, kCuts)) << seed;
     EXPECT_LE(best, piece_count(set, {DecomposeMethod::Walls, false})) << seed;
+  }
+}
+
+// Of one volume, where greedy cuts give more pieces than are allowed: it is cut again by the other rule.
+TEST(Decompose, FallsBackOnTheClassicalRule) {
+  Dice dice(2);
+  const Nef3 terrain = solid(voxel_mesh(random_terrain(dice, 3, 3, 3)));
+  const Nef3 hollow = solid(box_mesh({0, 0, 0}, {6, 6, 6})) - solid(box_mesh({2, 2, 2}, {4, 4, 4}));
+  for (const Nef3& set : {solid(polyhedron("three")), solid(comb_block(2, 3)), solid(star_prism(7)),
+                          terrain, terrain.interior(), hollow}) {
+    for (const DecomposeMethod method : {DecomposeMethod::Cuts, DecomposeMethod::Best}) {
+      for (const bool closed : {false, true}) {
+        Context context;
+        const SetPart part{set, 3};
+        const std::size_t greedy = cut_set(part, {method, closed}, context).size();
+        ConvexPieces pieces;
+        pieces.pieces = cut_set(part, {method, closed}, context, 0);
+        EXPECT_EQ(flaw_of_pieces(set, pieces, closed), "") << (closed ? "closed" : "");
+        EXPECT_LE(pieces.pieces.size(), greedy);
+      }
+    }
   }
 }
 
