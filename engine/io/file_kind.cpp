@@ -8,6 +8,7 @@
 #include "plumb/io/plane_io.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/io/solid_sets.h"
+#include "plumb/io/stl_reader.h"
 #include "plumb/io/text_cursor.h"
 
 namespace plumb {
@@ -86,7 +87,7 @@ FileKind kind_of_file(const std::string& path, std::string_view bytes) {
   if (std::filesystem::path(path).extension() == ".map") return FileKind::Map;
   if (mesh_format_of(path) || is_nef_file(path, bytes)) return FileKind::Solid;
   if (plane_format_of(path)) return FileKind::PlaneSet;
-  if (is_gltf_text(bytes)) return FileKind::Solid;
+  if (is_binary_stl(bytes) || is_gltf_text(bytes)) return FileKind::Solid;
   const std::string_view line = first_line(bytes);
   if (is_shape(line) || guess_plane_format(bytes) != PlaneFormat::Wkt) return FileKind::PlaneSet;
   const bool is_number = !line.empty() && '0' <= line.front() && line.front() <= '9';

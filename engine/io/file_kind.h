@@ -13,7 +13,7 @@ enum class FileKind : std::uint8_t {
   Solid,     ///< solid_sets.h: meshes and .nef
 };
 
-/// By the extension; where that names none, by how the file begins: a .nef, JSON of glTF, other JSON
+/// By the extension; where that names none, by how the file begins: a .nef, binary STL (by its length), JSON of glTF, other JSON
 /// (GeoJSON) or .nef2, a word of WKT; two numbers on the first line are a map. All else is taken for a mesh.
 FileKind kind_of_file(const std::string& path, std::string_view bytes);
 

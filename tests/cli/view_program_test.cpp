@@ -133,6 +133,20 @@ TEST_F(ViewProgram, tells_what_standard_input_is) {
   }
 }
 
+/// Its header is free: it may begin like a map, or like WKT.
+TEST_F(ViewProgram, tells_binary_stl_by_its_length) {
+  const std::string stl = made(
+      {"solid", "closure", "corpus/solids/l-block.obj", "--format", "stl-binary"}, "block.stl");
+  const std::string bytes = read_file(stl);
+  for (const std::string header : {"3D cube", "POINT of a drill"}) {
+    RunOptions from_file;
+    from_file.in = (scratch_ / "any").string();
+    write_file(from_file.in, header + std::string(80 - header.size(), '\0') + bytes.substr(80));
+    const RunResult told = run({"solid", "info", "-", "--json"}, from_file);
+    EXPECT_EQ(told.code, 0) << header << told.err;
+  }
+}
+
 TEST_F(ViewProgram, draws_sets_that_are_no_solids) {
   const std::string open = made({"solid", "interior", kBlock}, "open.nef");
   EXPECT_TRUE(contains(drawn(open, "a.svg"), "open facet"));
