@@ -16,6 +16,7 @@
 
 #include "cpu_time.h"
 #include "generate/dice.h"
+#include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
 #include "plumb/space/nef3.h"
@@ -25,11 +26,7 @@ namespace plumb::bench {
 namespace {
 
 using testing::Dice;
-
-Nef3 solid(const PolygonMesh& mesh) {
-  Context context;
-  return Nef3::mesh(mesh, WindingRule::Positive, context);
-}
+using testing::solid;
 
 /// Unit cubes two apart, size^3 of them.
 std::vector<Nef3> separated_cubes(std::size_t size) {
@@ -96,45 +93,39 @@ struct Family {
   Sample (*run)(std::size_t size);
 };
 
-Sample run_united_grid(std::size_t size) {
-  const std::vector<Nef3> cubes = separated_cubes(size);
-  return {static_cast<double>(cubes.size()), least_seconds([&] {
+/// What `make` takes to make a set; to destroy it is not counted.
+template <class Make>
+Sample sample_of(std::size_t size, Make make) {
+  return {static_cast<double>(size), least_seconds([&] {
             Context context;
             const double start = cpu_seconds();
-            const Nef3 all = union_of(cubes, context);
+            const Nef3 made = make(context);
             return cpu_seconds() - start;
           })};
+}
+
+Sample run_united_grid(std::size_t size) {
+  const std::vector<Nef3> cubes = separated_cubes(size);
+  return sample_of(cubes.size(), [&](Context& context) { return union_of(cubes, context); });
 }
 
 Sample run_grown_grid(std::size_t size) {
   const std::vector<Nef3> cubes = separated_cubes(size);
-  return {static_cast<double>(cubes.size()), least_seconds([&] {
-            Context context;
-            const double start = cpu_seconds();
-            Nef3 all;
-            for (const Nef3& cube : cubes) all = combine(std::move(all), cube, kUnion, context);
-            return cpu_seconds() - start;
-          })};
+  return sample_of(cubes.size(), [&](Context& context) {
+    Nef3 all;
+    for (const Nef3& cube : cubes) all = combine(std::move(all), cube, kUnion, context);
+    return all;
+  });
 }
 
 Sample run_needles(std::size_t n) {
   const Nef3 a = needles(n, 0), b = needles(n, 2);
-  return {static_cast<double>(n), least_seconds([&] {
-            Context context;
-            const double start = cpu_seconds();
-            const Nef3 both = combine(a, b, kUnion, context);
-            return cpu_seconds() - start;
-          })};
+  return sample_of(n, [&](Context& context) { return combine(a, b, kUnion, context); });
 }
 
 Sample run_half_spaces(std::size_t n) {
   const std::vector<HalfSpace3> planes = tangent_planes(n);
-  return {static_cast<double>(n), least_seconds([&] {
-            Context context;
-            const double start = cpu_seconds();
-            const Nef3 hull = Nef3::intersection(planes, context);
-            return cpu_seconds() - start;
-          })};
+  return sample_of(n, [&](Context& context) { return Nef3::intersection(planes, context); });
 }
 
 std::vector<Nef3> half_spaces(std::size_t n) {
@@ -146,43 +137,38 @@ std::vector<Nef3> half_spaces(std::size_t n) {
 
 Sample run_half_space_chain(std::size_t n) {
   const std::vector<Nef3> sets = half_spaces(n);
-  return {static_cast<double>(n), least_seconds([&] {
-            Context context;
-            const double start = cpu_seconds();
-            Nef3 all = Nef3::space();
-            for (const Nef3& set : sets) all = combine(std::move(all), set, kIntersection, context);
-            return cpu_seconds() - start;
-          })};
+  return sample_of(n, [&](Context& context) {
+    Nef3 all = Nef3::space();
+    for (const Nef3& set : sets) all = combine(std::move(all), set, kIntersection, context);
+    return all;
+  });
 }
 
 /// Any three of the planes meet in a vertex of the result: n^3 / 6 of them, however it is computed.
 Sample run_half_space_parity(std::size_t n) {
   const std::vector<Nef3> sets = half_spaces(n);
-  return {static_cast<double>(n), least_seconds([&] {
-            Context context;
-            const double start = cpu_seconds();
-            std::vector<Nef3> level = sets;
-            while (level.size() > 1) {
-              std::vector<Nef3> pairs;
-              for (std::size_t i = 0; i + 1 < level.size(); i += 2) {
-                pairs.push_back(combine(level[i], level[i + 1], kSymmetricDifference, context));
-              }
-              if (level.size() % 2 == 1) pairs.push_back(level.back());
-              level = std::move(pairs);
-            }
-            return cpu_seconds() - start;
-          })};
+  return sample_of(n, [&](Context& context) {
+    std::vector<Nef3> level = sets;
+    while (level.size() > 1) {
+      std::vector<Nef3> pairs;
+      for (std::size_t i = 0; i + 1 < level.size(); i += 2) {
+        pairs.push_back(combine(level[i], level[i + 1], kSymmetricDifference, context));
+      }
+      if (level.size() % 2 == 1) pairs.push_back(level.back());
+      level = std::move(pairs);
+    }
+    return std::move(level.front());
+  });
 }
 
+/// Of each of the two.
 Sample run_complement_interior(std::size_t depth) {
   const Nef3 ball = solid(testing::icosphere_mesh(static_cast<int>(depth), 1, {0, 0, 0}));
   const SpaceCounts counts = ball.counts();
-  const std::size_t items = counts.vertices + counts.edges + counts.facets;
-  return {static_cast<double>(items), least_seconds([&] {
-            const double start = cpu_seconds();
-            const Nef3 changed = (!ball).interior();
-            return (cpu_seconds() - start) / 2;  // of each of the two
-          })};
+  Sample sample = sample_of(counts.vertices + counts.edges + counts.facets,
+                            [&](Context&) { return (!ball).interior(); });
+  sample.seconds /= 2;
+  return sample;
 }
 
 /// Two facets with all holes, and as many facets in these.
@@ -190,34 +176,24 @@ Sample run_columns_and_slab(std::size_t size) {
   const double side = 2 * static_cast<double>(size) + 1;
   const Nef3 slab = solid(testing::box_mesh({0, 0, 0}, {side, side, 1})),
              all = solid(columns(size));
-  return {static_cast<double>(size * size), least_seconds([&] {
-            Context context;
-            const double start = cpu_seconds();
-            const Nef3 parity = combine(slab, all, kSymmetricDifference, context);
-            return cpu_seconds() - start;
-          })};
+  return sample_of(size * size, [&](Context& context) {
+    return combine(slab, all, kSymmetricDifference, context);
+  });
 }
 
 /// Every corner of one plate is looked for in a large facet of the other.
 Sample run_plates(std::size_t size) {
   const PolygonMesh mesh = testing::voxel_mesh(testing::pierced_plate(static_cast<int>(size)));
   const Nef3 plate = solid(mesh), other = solid(testing::moved(mesh, {0.5, 0.25, 0}));
-  return {static_cast<double>(size * size), least_seconds([&] {
-            Context context;
-            const double start = cpu_seconds();
-            const Nef3 both = combine(plate, other, kUnion, context);
-            return cpu_seconds() - start;
-          })};
+  return sample_of(size * size,
+                   [&](Context& context) { return combine(plate, other, kUnion, context); });
 }
 
 /// Two facets with all corners, and thin walls in all directions.
 Sample run_star_mesh(std::size_t tips) {
   const PolygonMesh mesh = testing::star_prism(static_cast<int>(tips));
-  return {static_cast<double>(tips), least_seconds([&] {
-            const double start = cpu_seconds();
-            const Nef3 star = solid(mesh);
-            return cpu_seconds() - start;
-          })};
+  return sample_of(
+      tips, [&](Context& context) { return Nef3::mesh(mesh, WindingRule::Positive, context); });
 }
 
 const std::vector<Family> kFamilies{

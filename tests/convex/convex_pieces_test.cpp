@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "generate/space_program.h"
 #include "generate/voxel_mesh.h"
@@ -24,11 +25,6 @@ namespace {
 
 constexpr DecomposeOptions kCuts{DecomposeMethod::Cuts, false};
 constexpr DecomposeOptions kBest{DecomposeMethod::Best, false};
-
-Nef3 solid(const PolygonMesh& mesh) {
-  Context context;
-  return Nef3::mesh(mesh, WindingRule::Positive, context);
-}
 
 std::size_t piece_count(const Nef3& set, const DecomposeOptions& options) {
   Context context;

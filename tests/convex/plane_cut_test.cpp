@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "generate/dice.h"
+#include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
 #include "oracle/pieces_check.h"
@@ -24,11 +25,6 @@
 
 namespace plumb::testing {
 namespace {
-
-Nef3 solid(const PolygonMesh& mesh) {
-  Context context;
-  return Nef3::mesh(mesh, WindingRule::Positive, context);
-}
 
 // ---------------------------------------------------------------- the oracle
 

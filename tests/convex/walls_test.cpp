@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "generate/dice.h"
+#include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "oracle/pieces_check.h"
 #include "plumb/base/error.h"
@@ -22,10 +23,6 @@
 namespace plumb::testing {
 namespace {
 
-Nef3 solid(const PolygonMesh& mesh) {
-  Context context;
-  return Nef3::mesh(mesh, WindingRule::Positive, context);
-}
 Nef3 box(Point3 low, Point3 high) { return solid(box_mesh(low, high)); }
 
 // ---------------------------------------------------------------- what is asked

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "plumb/base/error.h"
 #include "plumb/io/solid_io.h"
@@ -37,11 +38,6 @@ SolidRead read(const PolygonMesh& mesh, const SolidReadOptions& options = {}) {
   const MeshFile file(mesh);
   Context context;
   return read_solid_file(file.path(), options, context);
-}
-
-Nef3 solid(const PolygonMesh& mesh, WindingRule rule = WindingRule::Positive) {
-  Context context;
-  return Nef3::mesh(mesh, rule, context);
 }
 
 bool has_note(const SolidRead& read, const std::string& part) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "generate/dice.h"
+#include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "generate/space_solids.h"
 #include "oracle/nef3_check.h"
@@ -228,11 +229,6 @@ TEST(MeshArrangement, RandomSoupsOfFractionsAreThoseOfTheTwin) {
 }
 
 // ---------------------------------------------------------------- laws
-
-Nef3 solid(const PolygonMesh& mesh, WindingRule rule = WindingRule::Positive) {
-  Context context;
-  return Nef3::mesh(mesh, rule, context);
-}
 
 struct Turned {
   std::vector<std::uint32_t> faces;

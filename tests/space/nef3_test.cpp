@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "generate/mesh_solid.h"
 #include "plumb/base/error.h"
 #include "plumb/space/frame.h"
 #include "plumb/space/space_audit.h"
@@ -14,6 +15,7 @@
 namespace plumb {
 namespace {
 
+using testing::solid;
 using Range = std::array<double, 2>;
 
 PolygonMesh box_mesh(Range x, Range y, Range z) {
@@ -26,11 +28,6 @@ PolygonMesh box_mesh(Range x, Range y, Range z) {
     mesh.add_face(face);
   }
   return mesh;
-}
-
-Nef3 solid(const PolygonMesh& mesh) {
-  Context context;
-  return Nef3::mesh(mesh, WindingRule::Positive, context);
 }
 
 Nef3 box(Range x, Range y, Range z) { return solid(box_mesh(x, y, z)); }

@@ -1,0 +1,16 @@
+// Sets of space from meshes, without further questions.
+#pragma once
+
+#include "plumb/base/context.h"
+#include "plumb/space/nef3.h"
+#include "plumb/space/polygon_mesh.h"
+
+namespace plumb::testing {
+
+/// What a closed mesh winds around. Throws what Nef3::mesh() throws.
+inline Nef3 solid(const PolygonMesh& mesh, WindingRule rule = WindingRule::Positive) {
+  Context context;
+  return Nef3::mesh(mesh, rule, context);
+}
+
+}  // namespace plumb::testing
