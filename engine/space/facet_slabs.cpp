@@ -1,6 +1,7 @@
 #include "plumb/space/facet_slabs.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 #include "plumb/space/facet_site.h"
@@ -20,11 +21,12 @@ Sign PlacedPoint::compare(SpacePoint x, std::size_t axis) const {
   return compare_axis(both, first, second, axis);
 }
 
-FacetSlabs::FacetSlabs(const SpaceComplex& complex, FacetId f) : complex_(complex), facet_(f) {
+FacetSlabs::FacetSlabs(const SpaceComplex& complex, FacetId f, Context& context)
+    : complex_(complex), facet_(f) {
   const FlatView view = FlatView::of_plane(complex.planes(), complex.facet_plane[f.value()]);
   across_ = view.coordinate(0);
   up_ = view.coordinate(1);
-  make_columns();
+  make_columns(context);
   level_.resize(vertex_.size());
   for (const UseId first : complex.cycles_of(f)) {
     UseId u = first;
@@ -33,12 +35,12 @@ FacetSlabs::FacetSlabs(const SpaceComplex& complex, FacetId f) : complex_(comple
       u = complex.use_next[u.value()];
     } while (u != first);
   }
-  fill_lists();
+  fill_lists(context);
 }
 
 // ---------------------------------------------------------------- building
 
-void FacetSlabs::make_columns() {
+void FacetSlabs::make_columns(Context& context) {
   const auto inner = complex_.inner_of(facet_);
   ascending_.assign(inner.begin(), inner.end());
   for (const UseId first : complex_.cycles_of(facet_)) {
@@ -55,7 +57,9 @@ void FacetSlabs::make_columns() {
                         complex_.vertex_point[w.value()], axis);
   };
   vertex_ = ascending_;
+  std::uint64_t compared = 0;
   std::sort(vertex_.begin(), vertex_.end(), [&](VertexId v, VertexId w) {
+    if (++compared % 4096 == 0) context.checkpoint("slabs of a facet", 0, 0);
     const Sign height = order(v, w, up_);
     return (height != Sign::Zero ? height : order(v, w, across_)) == Sign::Negative;
   });
@@ -106,7 +110,7 @@ void FacetSlabs::for_nodes(const Rise& rise, const Visit& visit) const {
   }
 }
 
-void FacetSlabs::fill_lists() {
+void FacetSlabs::fill_lists(Context& context) {
   begin_.assign(2 * slab_count() + 1, 0);
   for (const Rise& rise : rise_) {
     for_nodes(rise, [this](std::size_t node) { ++begin_[node + 1]; });
@@ -117,9 +121,11 @@ void FacetSlabs::fill_lists() {
   for (std::uint32_t i = 0; i < rise_.size(); ++i) {
     for_nodes(rise_[i], [&](std::size_t node) { entry_[at[node]++] = i; });
   }
+  std::uint64_t compared = 0;
   for (std::size_t node = 0; node + 1 < begin_.size(); ++node) {
     std::sort(entry_.begin() + begin_[node], entry_.begin() + begin_[node + 1],
-              [this](std::uint32_t i, std::uint32_t j) {
+              [&](std::uint32_t i, std::uint32_t j) {
+                if (++compared % 4096 == 0) context.checkpoint("slabs of a facet", 0, 0);
                 return i != j && is_before(rise_[i], rise_[j]);
               });
   }
@@ -188,13 +194,15 @@ SpaceItem FacetSlabs::in_slab(std::size_t slab, const PlacedPoint& x) const {
 
 // ---------------------------------------------------------------- many facets
 
-FacetSites::FacetSites(const SpaceComplex& complex, std::span<const FacetId> large)
+FacetSites::FacetSites(const SpaceComplex& complex, std::span<const FacetId> large,
+                       Context& context)
     : complex_(complex),
+      context_(context),
       large_(large.begin(), large.end()),
       state_(std::make_unique<Large[]>(large.size())) {}
 
 /// None for small facets, and for others as long as walks have cost less than slabs would.
-const FacetSlabs* FacetSites::slabs_of(FacetId f) const {
+const FacetSlabs* FacetSites::slabs_of(FacetId f, Context& own) const {
   constexpr std::uint32_t kWalks = 48;
   const auto at = std::ranges::lower_bound(large_, f);
   if (at == large_.end() || *at != f) return nullptr;
@@ -203,18 +211,36 @@ const FacetSlabs* FacetSites::slabs_of(FacetId f) const {
     large.walks.fetch_add(1, std::memory_order_relaxed);
     return nullptr;
   }
-  std::call_once(large.is_made, [&] { large.slabs.emplace(complex_, f); });
+  if (!large.is_made.load(std::memory_order_acquire)) make(f, large, own);
   return &*large.slabs;
 }
 
-SpaceItem FacetSites::site(FacetId f, SpacePoint x) const {
-  const FacetSlabs* slabs = large_.empty() ? nullptr : slabs_of(f);
+/// If nobody else has by now. Where it throws, the next one tries again.
+void FacetSites::make(FacetId f, Large& large, Context& own) const {
+  const std::lock_guard lock(large.making);
+  if (large.slabs) return;
+  std::uint64_t corners = complex_.inner_of(f).size();
+  for (const UseId first : complex_.cycles_of(f)) {
+    UseId u = first;
+    do {
+      ++corners;
+      u = complex_.use_next[u.value()];
+    } while (u != first);
+  }
+  const auto levels = static_cast<std::uint64_t>(std::bit_width(corners));
+  large.memory.emplace(context_).add(corners * (100 + 8 * levels), "slabs of a facet");
+  large.slabs.emplace(complex_, f, own);
+  large.is_made.store(true, std::memory_order_release);
+}
+
+SpaceItem FacetSites::site(FacetId f, SpacePoint x, Context& own) const {
+  const FacetSlabs* slabs = large_.empty() ? nullptr : slabs_of(f, own);
   if (slabs == nullptr) return facet_site(complex_, f, x);
   return slabs->site(PlacedPoint(complex_.points(), complex_.points(), x));
 }
 
-SpaceItem FacetSites::site(FacetId f, PlaneId p, PlaneId q) const {
-  const FacetSlabs* slabs = large_.empty() ? nullptr : slabs_of(f);
+SpaceItem FacetSites::site(FacetId f, PlaneId p, PlaneId q, Context& own) const {
+  const FacetSlabs* slabs = large_.empty() ? nullptr : slabs_of(f, own);
   if (slabs == nullptr) return facet_site(complex_, f, p, q);
   Point3Table crossing(complex_.planes());
   const SpacePoint x = crossing.add(p, q, complex_.facet_plane[f.value()]);

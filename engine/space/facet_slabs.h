@@ -23,6 +23,7 @@
 #include <span>
 #include <vector>
 
+#include "plumb/base/context.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/space_complex.h"
 
@@ -46,7 +47,8 @@ class PlacedPoint {
 
 class FacetSlabs {
  public:
-  FacetSlabs(const SpaceComplex& complex, FacetId f);
+  /// Throws what the context's checkpoints throw; it is not kept.
+  FacetSlabs(const SpaceComplex& complex, FacetId f, Context& context);
 
   /// As facet_site(): requires a point of the facet's plane.
   SpaceItem site(const PlacedPoint& x) const;
@@ -63,9 +65,9 @@ class FacetSlabs {
     std::uint32_t end_slab;
   };
 
-  void make_columns();
+  void make_columns(Context& context);
   void add_use(UseId u);
-  void fill_lists();
+  void fill_lists(Context& context);
   template <class Visit>
   void for_nodes(const Rise& rise, const Visit& visit) const;
   std::uint32_t place_of(VertexId v) const;
@@ -99,23 +101,28 @@ class FacetSites {
  public:
   static constexpr std::size_t kFewCorners = 32;  ///< a walk is as quick
 
-  /// `large`, ascending: facets of more corners. Keeps a reference to the complex.
-  FacetSites(const SpaceComplex& complex, std::span<const FacetId> large);
+  /// `large`, ascending: facets of more corners. Keeps references to the complex and to the context, which slabs are
+  /// charged to.
+  FacetSites(const SpaceComplex& complex, std::span<const FacetId> large, Context& context);
 
-  /// Of a point of the complex's tables that lies on the facet's plane.
-  SpaceItem site(FacetId f, SpacePoint x) const;
+  /// Of a point of the complex's tables that lies on the facet's plane. `own` is the context of the caller's job.
+  SpaceItem site(FacetId f, SpacePoint x, Context& own) const;
   /// Of the common point of the facet's plane, p and q.
-  SpaceItem site(FacetId f, PlaneId p, PlaneId q) const;
+  SpaceItem site(FacetId f, PlaneId p, PlaneId q, Context& own) const;
 
  private:
   struct Large {
     std::atomic<std::uint32_t> walks{0};
-    std::once_flag is_made;
+    std::atomic<bool> is_made{false};
+    std::mutex making;
+    std::optional<MemoryCharge> memory;
     std::optional<FacetSlabs> slabs;
   };
-  const FacetSlabs* slabs_of(FacetId f) const;
+  const FacetSlabs* slabs_of(FacetId f, Context& own) const;
+  void make(FacetId f, Large& large, Context& own) const;
 
   const SpaceComplex& complex_;
+  Context& context_;
   std::vector<FacetId> large_;
   std::unique_ptr<Large[]> state_;  // per large facet
 };

@@ -131,7 +131,7 @@ class InputTriangle {
 
 /// Where an edge that crosses the plane of a facet of another complex cuts it. A vertex may count as outside.
 SpaceItem cut_of_edge(const SpaceComplex& of_edge, EdgeId e, const SpaceComplex& of_facet,
-                      FacetId f, const FacetSites& sites) {
+                      FacetId f, const FacetSites& sites, Context& context) {
   const SpacePoint a = of_edge.vertex_point[end(of_edge, e, 0).value()];
   const SpacePoint b = of_edge.vertex_point[end(of_edge, e, 1).value()];
   if (a.is_input() && b.is_input()) {
@@ -142,7 +142,7 @@ SpaceItem cut_of_edge(const SpaceComplex& of_edge, EdgeId e, const SpaceComplex&
     }
   }
   const auto [p, q] = of_edge.edge_planes[e.value()];
-  return sites.site(f, p, q);
+  return sites.site(f, p, q, context);
 }
 
 /// Collects the pairs of items in contact, in any order and some more than once.
@@ -214,7 +214,7 @@ class Meeting {
     const MeetLeaves& ys = others<kForward>();
     if (!ys.boxes()[y].meets(box_of(complex, v))) return;
     const SpacePoint point = complex.vertex_point[v.value()];
-    const SpaceItem site = sites_of<!kForward>().site(ys[y].facet, point);
+    const SpaceItem site = sites_of<!kForward>().site(ys[y].facet, point, context_);
     if (!site.is_valid()) return;
     if (kForward || site.kind() != SpaceItem::Kind::Vertex || leaf.bare.is_valid()) {
       add<kForward>(v, site);
@@ -225,7 +225,7 @@ class Meeting {
   void edge_in_facet(const LeafEdge& e, std::size_t y) {
     const MeetLeaves& ys = others<kForward>();
     const SpaceItem site = cut_of_edge(tested_complex<kForward>(), e.edge, ys.complex(),
-                                       ys[y].facet, sites_of<!kForward>());
+                                       ys[y].facet, sites_of<!kForward>(), context_);
     if (!site.is_valid() || site.kind() == SpaceItem::Kind::Vertex) return;
     if (kForward || site.kind() == SpaceItem::Kind::Facet || e.is_flat) add<kForward>(e.edge, site);
   }
@@ -364,8 +364,8 @@ std::vector<std::uint64_t> contact_keys(const MeetLeaves& xs, const MeetLeaves& 
   const std::size_t threads = context.threads();
   const std::vector<BoxTree::Part> parts =
       BoxTree::parts(trees.of[0], trees.of[1], threads == 1 ? 1 : kPartsAThread * threads);
-  const std::array<FacetSites, 2> sites{FacetSites(xs.complex(), xs.large_facets()),
-                                        FacetSites(ys.complex(), ys.large_facets())};
+  const std::array<FacetSites, 2> sites{FacetSites(xs.complex(), xs.large_facets(), context),
+                                        FacetSites(ys.complex(), ys.large_facets(), context)};
   std::vector<std::vector<std::uint64_t>> found(parts.size());
   run_jobs(context, parts.size(), [&](std::size_t i, Context& own) {
     Meeting meeting(xs, ys, sites, own);

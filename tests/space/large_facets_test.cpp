@@ -99,7 +99,8 @@ class SiteCheck {
   }
 
   void check(FacetId f) {
-    slabs_.emplace(complex_, f);
+    Context context;
+    slabs_.emplace(complex_, f, context);
     facet_ = f;
     plane_ = complex_.facet_plane[f.value()];
     std::vector<SpacePoint> here;
