@@ -283,24 +283,62 @@ Nef3 columns(int size, double low, double high) {
   return solid(mesh);
 }
 
-/// Of the square above columns, with a hole for each.
+/// A square with 196 square holes, the first such facet of a plate.
+struct PiercedFacet {
+  Nef3 set = box({0, 0, 0}, {30, 30, 2}) - columns(14, 1, 3);
+  FacetId facet = [this] {
+    const SpaceComplex& c = set.complex();
+    std::uint32_t f = 0;
+    while (f < c.facet_count() && c.cycles_of(FacetId(f)).size() <= 100) ++f;
+    return FacetId(f);
+  }();
+};
+
+Context stopped() {
+  std::stop_source source;
+  source.request_stop();
+  return Context({}, source.get_token());
+}
+
 TEST(LargeFacets, NestingKeepsToLimits) {
-  const Nef3 set = box({0, 0, 0}, {30, 30, 2}) - columns(14, 1, 3);
-  const SpaceComplex& c = set.complex();
-  const auto is_pierced = [&](std::uint32_t f) { return c.cycles_of(FacetId(f)).size() > 100; };
-  std::uint32_t f = 0;
-  while (f < c.facet_count() && !is_pierced(f)) ++f;
-  ASSERT_LT(f, c.facet_count());
+  const PiercedFacet pierced;
+  const SpaceComplex& c = pierced.set.complex();
+  const FacetId f = pierced.facet;
+  ASSERT_LT(f.value(), c.facet_count());
   const auto nest = [&](Context context) {
-    return nest_cycles(c, c.facet_plane[f], c.cycles_of(FacetId(f)), {}, context).of_cycle;
+    return nest_cycles(c, c.facet_plane[f.value()], c.cycles_of(f), {}, context).of_cycle;
   };
   EXPECT_EQ(nest(Context()), std::vector<std::uint32_t>(197, 0));
   Limits limits;
   limits.max_memory_bytes = 100'000;  // of 788 corners
   EXPECT_THROW(nest(Context(limits)), Error);
-  std::stop_source source;
-  source.request_stop();
-  EXPECT_THROW(nest(Context({}, source.get_token())), Error);
+  EXPECT_THROW(nest(stopped()), Error);
+}
+
+TEST(LargeFacets, SlabsKeepToLimits) {
+  const PiercedFacet pierced;
+  const SpaceComplex& c = pierced.set.complex();
+  const FacetId f = pierced.facet;
+  ASSERT_LT(f.value(), c.facet_count());
+  // As often as it takes for slabs to be built.
+  const auto ask = [&](const FacetSites& sites, Context own) {
+    for (int i = 0; i < 100; ++i) {
+      const SpacePoint corner = c.vertex_point[c.use_origin(c.cycles_of(f)[i]).value()];
+      EXPECT_EQ(sites.site(f, corner, own).code(), facet_site(c, f, corner).code());
+    }
+  };
+  Limits little_memory, little_time;
+  little_memory.max_memory_bytes = 100'000;
+  little_time.max_seconds = 1e-9;
+  Context context, tight(little_memory);
+  EXPECT_THROW(ask(FacetSites(c, {&f, 1}, tight), Context()), Error);
+  EXPECT_NO_THROW(tight.charge_memory(100'000, "all of it"));  // nothing is kept
+
+  const FacetSites sites(c, {&f, 1}, context);
+  EXPECT_THROW(ask(sites, stopped()), Error);
+  EXPECT_THROW(ask(sites, Context(little_time)), Error);
+  ask(sites, Context());  // who comes next tries again
+  ask(sites, stopped());  // and now they are there
 }
 
 /// Boxes in holes, parts of facets in holes of others, all in two planes.
