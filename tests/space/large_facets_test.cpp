@@ -322,7 +322,7 @@ TEST(LargeFacets, SlabsKeepToLimits) {
   ASSERT_LT(f.value(), c.facet_count());
   // As often as it takes for slabs to be built.
   const auto ask = [&](const FacetSites& sites, Context own) {
-    for (int i = 0; i < 100; ++i) {
+    for (std::size_t i = 0; i < 100; ++i) {
       const SpacePoint corner = c.vertex_point[c.use_origin(c.cycles_of(f)[i]).value()];
       EXPECT_EQ(sites.site(f, corner, own).code(), facet_site(c, f, corner).code());
     }
