@@ -14,6 +14,7 @@ functions that each has a copy of: a branch is a place in a source, and taken on
 Not counted, because no test could take them (docs/testing.md says the same):
   - what is inside a macro, which is PLUMB_CHECK alone: it fails where an invariant is broken, that is, never;
   - conditions that the compiler decides: `if constexpr` and constants;
+  - comparisons that the compiler writes (`= default`);
   - "no case fits" of a switch without default: such switches are over an enum and list all of it (-Wswitch).
 What clean-up does when an exception passes is no branch to the compiler, so nothing has to be said of it."""
 import argparse
@@ -92,6 +93,8 @@ class File:
             before, here = self.text[line - 1][:column - 1], self.text[line - 1]
             if taken == passed == 0 and ("if constexpr" in here or self.executions((line, column))):
                 continue  # decided by the compiler
+            if here.endswith("= default;"):
+                continue
             if re.search(r"\bswitch \($", before):
                 yield (line, column), "any case", passed
             elif re.match(r"\s*(case\b|default:)", self.text[line - 1][column - 1:]):

@@ -225,14 +225,145 @@ TEST(GltfReader, buffers_beside_the_file_and_no_others) {
   fs::remove_all(folder);
 }
 
+// A name is the same with any of its bytes spelled as a code; what is no code stands for itself.
+TEST(GltfReader, names_of_buffers_may_be_encoded) {
+  const GltfLoader name_itself = [](const std::string& name) { return name; };
+  const auto loaded = [&](const std::string& uri) {
+    Context context;
+    return bytes_of_uri(uri, name_itself, context);
+  };
+  for (const char* digits : {"0123456789abcdef", "0123456789ABCDEF"}) {
+    for (unsigned byte = 1; byte < 256; ++byte) {
+      const std::string name{'a', static_cast<char>(byte), 'b'};
+      const std::string uri{'a', '%', digits[byte >> 4U], digits[byte & 15U], 'b'};
+      if (name.find_first_of("/\\:") != name.npos) {
+        EXPECT_THROW(loaded(uri), Error) << uri;
+      } else {
+        EXPECT_EQ(loaded(uri), name);
+      }
+    }
+  }
+  for (const char* name : {"%", "%4", "a%", "%zz", "%4g", "%G4", "%4`", "%@4", "%!4"}) {
+    EXPECT_EQ(loaded(name), name);
+  }
+  for (const char* name : {"", ".", "..", "%2e", "%2E.", "%00"}) {
+    EXPECT_THROW(loaded(name), Error) << name;
+  }
+  Document d = tetrahedron_document();
+  d.json["buffers"][0]["uri"] = "b.bin";
+  const GltfLoader refuses = [](const std::string& name) -> std::string {
+    throw Error(ErrorCode::CannotOpen, "not there", {name});
+  };
+  Context context;
+  try {
+    read_gltf(d.json.dump(), refuses, {"some.file"}, context);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place().file, "b.bin");
+  }
+}
+
+// Without a scene, what hangs below no other node is placed: as if a scene listed it.
+TEST(GltfReader, no_scene_places_all_roots) {
+  Document d = tetrahedron_document();
+  d.json["nodes"] = Json::parse(R"([{"mesh": 0, "translation": [0, 0, 9]},
+                                    {"children": [0, 3], "scale": [2, 2, 2]}, {"mesh": 0},
+                                    {"mesh": 0, "translation": [5, 0, 0]}])");
+  d.json["scenes"][0]["nodes"] = {1, 2};
+  const PolygonMesh listed = read(glb(d)).mesh;
+  EXPECT_EQ(listed.face_count(), 12U);
+  d.json.erase("scene");
+  EXPECT_TRUE(is_same(read(glb(d)).mesh, listed)) << "the first scene is the one";
+  d.json.erase("scenes");
+  EXPECT_TRUE(is_same(read(glb(d)).mesh, listed));
+  d.json["scene"] = 0;
+  expect_refused(glb(d), "scenes[0]: there is none");
+  d.json.erase("scene");
+  for (const Json& child : {Json(4), Json(-1), Json("0"), Json(0.5)}) {
+    d.json["nodes"][1]["children"] = Json::array({child});
+    expect_refused(glb(d), "a node that there is not");
+  }
+  d.json["nodes"][1]["children"] = Json::array({1});  // a ring has no root
+  d.json["nodes"][2]["children"] = {0, 3};
+  EXPECT_EQ(read(glb(d)).mesh.face_count(), 12U);
+}
+
+TEST(GltfReader, chunks_of_other_kinds_are_passed_over) {
+  const Document d = tetrahedron_document();
+  const auto file = [](const std::string& chunks, std::uint32_t more = 0) {
+    return "glTF" +
+           bytes_of<std::uint32_t>({2, static_cast<std::uint32_t>(12 + chunks.size() + more)}) +
+           chunks;
+  };
+  const std::string json = chunk("JSON", d.json.dump());
+  const std::string bytes = chunk(std::string("BIN\0", 4), d.buffer);
+  EXPECT_TRUE(is_same(read(file(json + chunk("NOTE", "abc") + bytes)).mesh, expected()));
+  EXPECT_TRUE(
+      is_same(read(file(json + bytes + chunk(std::string("BIN\0", 4), "x"))).mesh, expected()));
+  EXPECT_TRUE(is_same(read(file(json + bytes) + "behind").mesh, expected()));
+  expect_refused(file(json + bytes + json), "the first chunk, and no other, is JSON");
+  expect_refused(file(json + bytes + "NOTE"), "a chunk is cut off");
+  expect_refused(file(json), "buffers[0]: no bytes are there");
+}
+
+TEST(GltfReader, says_what_it_passes_over) {
+  Document d = tetrahedron_document();
+  d.json["nodes"][0]["skin"] = 0;
+  d.json["extensionsRequired"] = {"KHR_materials_unlit", "KHR_texture_transform",
+                                  "KHR_lights_punctual", "EXT_texture_webp"};
+  Json& primitives = d.json["meshes"][0]["primitives"];
+  primitives[0]["targets"] = Json::array();
+  // As glTF has it, nothing to draw.
+  for (const char* primitive : {"{}", R"({"attributes": 1})", R"({"attributes": {}})"}) {
+    primitives.push_back(Json::parse(primitive));
+  }
+  d.json["accessors"].push_back(d.json["accessors"][0]);
+  d.json["accessors"][2]["count"] = 0;
+  primitives.push_back(Json::parse(R"({"attributes": {"POSITION": 2}})"));
+  primitives.push_back(Json::parse(R"({"attributes": {"POSITION": 2}, "mode": 5})"));
+  const std::uint16_t twice = 2;
+  std::memcpy(d.buffer.data() + 48, &twice, 2);
+  const MeshFile file = read(glb(d));
+  EXPECT_EQ(file.mesh.face_count(), 3U);
+  EXPECT_EQ(file.notes, (std::vector<std::string>{"passed over: skins, morph targets",
+                                                  "1 triangle with two equal corners left out"}));
+}
+
+TEST(GltfReader, refuses_missing_members) {
+  const auto refuse_without = [](const char* path, const char* member, const char* message) {
+    Document d = tetrahedron_document();
+    d.json[Json::json_pointer(path)].erase(member);
+    SCOPED_TRACE(member);
+    expect_refused(glb(d), message);
+  };
+  refuse_without("/buffers/0", "byteLength", "buffers[0]: needs byteLength");
+  refuse_without("/bufferViews/0", "buffer", "bufferViews[0]: needs buffer");
+  refuse_without("/bufferViews/1", "byteLength", "bufferViews[1]: needs byteLength");
+  refuse_without("/accessors/0", "bufferView", "accessors[0]: needs bufferView");
+  refuse_without("/accessors/0", "componentType", "accessors[0]: needs componentType");
+  refuse_without("/accessors/1", "count", "accessors[1]: needs count");
+  refuse_without("/accessors/1", "type", "accessors[1]: type is not SCALAR");
+  refuse_without("/asset", "version", "asset: does not say version 2");
+  refuse_without("", "asset", "asset: does not say version 2");
+  Document d = tetrahedron_document();
+  d.json["buffers"].push_back({{"byteLength", 1}});
+  d.json["bufferViews"][0]["buffer"] = 1;
+  expect_refused(glb(d), "buffers[1]: no bytes are there");
+  for (const char* list : {"buffers", "bufferViews", "accessors", "meshes", "nodes", "scenes"}) {
+    expect_refused(std::string("/") + list + "/0", 7, std::string(list) + "[0]: no object");
+  }
+}
+
 TEST(GltfReader, refuses_hostile_documents) {
   const std::size_t huge = std::size_t{1} << 53U;
   expect_refused("/accessors/0/count", huge, "accessors[0]: 9007199254740992 elements are not in");
+  expect_refused("/accessors/0/count", huge + 1, "count is no count");
   expect_refused("/accessors/0/count", 5, "elements are not in");
   expect_refused("/accessors/0/count", -1, "count is no count");
   expect_refused("/accessors/0/count", 1.5, "count is no count");
   expect_refused("/accessors/0/byteOffset", 1, "elements are not in");
   expect_refused("/accessors/0/byteOffset", huge, "elements are not in");
+  expect_refused("/accessors/0/byteOffset", 47, "elements are not in");
   expect_refused("/accessors/0/componentType", 5123, "componentType 5123 is not read");
   expect_refused("/accessors/0/type", "VEC2", "type is not VEC3");
   expect_refused("/accessors/0/sparse", Json::object(), "sparse");
@@ -265,6 +396,7 @@ TEST(GltfReader, refuses_hostile_documents) {
   expect_refused("/extensionsRequired", {"KHR_draco_mesh_compression"}, "KHR_draco");
   expect_refused("/extensionsRequired", {"x" + std::string(100000, 'y')}, "xyyyyyyy");
   expect_refused("/extensionsRequired", {"KHR\x1b[2Jx"}, "'KHR...'");
+  expect_refused("/extensionsRequired", {7}, "cannot be read: ''");
   expect_refused("/asset/version", "1.0", "asset: does not say version 2");
   expect_refused("/asset/version", 2, "asset: does not say version 2");
   expect_refused("/asset", "2.0", "asset: does not say version 2");
@@ -299,8 +431,11 @@ TEST(GltfReader, refuses_hostile_bytes) {
   expect_refused(glb(d), "no vertex 4");
   d = tetrahedron_document();
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  std::memcpy(d.buffer.data() + 12, &nan, 4);
-  expect_refused(glb(d), "vertex 1 has a coordinate that is not finite");
+  for (const std::size_t at : {12U, 16U, 20U}) {
+    d = tetrahedron_document();
+    std::memcpy(d.buffer.data() + at, &nan, 4);
+    expect_refused(glb(d), "vertex 1 has a coordinate that is not finite");
+  }
 }
 
 TEST(GltfReader, refuses_hostile_texts_with_their_place) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cfenv>
+#include <cstdint>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "hostile_maps.h"
 #include "plumb/base/error.h"
 #include "plumb/io/map_writer.h"
+#include "plumb/io/text_cursor.h"
 #include "plumb/io/text_output.h"
 
 namespace plumb {
@@ -45,12 +47,60 @@ TEST(MapReader, accepts_what_the_format_allows) {
       "3 2\r\n0 0\r\n1 0\r\n0 1\r\n1 2 3\r\n3 2 1\r",    // CR at the very end
       "\xEF\xBB\xBF"
       "3 2\n0 0\n1 0\n0 1\n1 2 3\n3 2 1\n",  // byte order mark
-      "# gr\xC3\xBC\xC3\x9F\n\n  # b\n3 2\n\n0 0\n1 0\n#\n0 1\n1 2 3\n \t\n3 2 1\n# end",
+      "# gr\xC3\xBC\xC3\x9F\r\n\n  # b\n3 2\n\n0 0\n1 0\n#\n0 1\n1 2 3\n \t\n3 2 1\n# end",
       "  3\t 2  \n 0 0 \n\t1 0\n+0 +1\n  1  2\t3\n003 02 1\n",  // blanks, signs, leading zeros
       "3 2\n-0 -0.0\n1.0 0e5\n.0 1.\n1 2 3\n3 2 1\n",           // decimals
       "3 2\n0/7 0\n3/3 0\n0 10/10\n1 2 3\n3 2 1\n",             // fractions
   };
   for (const std::string& text : same) EXPECT_EQ(written(read(text)), plain) << text;
+}
+
+/// As RFC 3629 says: by value.
+std::string utf8(std::uint32_t code) {
+  const auto tail = [&](unsigned shift) {
+    return static_cast<char>(0x80U | (code >> shift & 0x3fU));
+  };
+  if (code < 0x80) return {static_cast<char>(code)};
+  if (code < 0x800) return {static_cast<char>(0xc0U | code >> 6U), tail(0)};
+  if (code < 0x10000) return {static_cast<char>(0xe0U | code >> 12U), tail(6), tail(0)};
+  return {static_cast<char>(0xf0U | code >> 18U), tail(12), tail(6), tail(0)};
+}
+
+// What an encoder writes is text, and nothing else: of all beginnings of three bytes, and tails of a fourth.
+TEST(TextPrefix, is_what_an_encoder_writes) {
+  std::vector<bool> is_written(std::size_t{1} << 24U);
+  const auto key = [](const std::string& bytes) {
+    std::size_t all = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      all = all << 8U | (i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U);
+    }
+    return all;
+  };
+  for (std::uint32_t code = 0x80; code < 0x110000; ++code) {
+    if (0xd800 <= code && code < 0xe000) continue;
+    const std::string bytes = utf8(code);
+    is_written[key(bytes)] = true;
+    if (code % 61 == 0) {
+      ASSERT_EQ(text_prefix(bytes + "x"), bytes.size() + 1) << code;
+    }
+  }
+  for (unsigned lead = 0x80; lead < 0x100; ++lead) {
+    const std::size_t length = lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
+    for (unsigned second = 0; second < 0x100; ++second) {
+      for (const unsigned third : {0x20U, 0x7fU, 0x80U, 0xbfU, 0xc0U}) {
+        std::string bytes{static_cast<char>(lead), static_cast<char>(second)};
+        if (length > 2) bytes += static_cast<char>(third);
+        const std::size_t expected = is_written[key(bytes)] ? length : 0;
+        if (length > 3) bytes += '\x80';
+        ASSERT_EQ(text_prefix(bytes), expected) << lead << ' ' << second << ' ' << third;
+        ASSERT_EQ(text_prefix(bytes.substr(0, bytes.size() - 1)), 0U);
+      }
+    }
+  }
+  for (unsigned byte = 0; byte < 0x80; ++byte) {
+    const bool is_plain = byte == '\t' || (byte >= 0x20 && byte != 0x7f);
+    EXPECT_EQ(text_prefix(std::string(1, static_cast<char>(byte))), is_plain ? 1U : 0U) << byte;
+  }
 }
 
 TEST(MapReader, takes_a_bow_tie_of_area_0_for_a_face) {

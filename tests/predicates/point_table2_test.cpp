@@ -299,9 +299,54 @@ TEST(Laws, OneCrossingHasManyNames) {
       RC_ASSERT(compare_xy(t, p, q) == Sign::Zero);
       RC_ASSERT(exact(t, p) == exact(t, q));
       RC_ASSERT(orient2d(t, p.a + 8, p.b + 8, p) == Sign::Zero);
-      RC_ASSERT(orient2d(t, p.d, p.c, p) == Sign::Zero);
+      for (const auto& [i, j] : {std::pair(p.a, p.b), {p.b, p.a}, {p.c, p.d}, {p.d, p.c}}) {
+        RC_ASSERT(orient2d(t, i, j, p) == Sign::Zero);
+      }
     }
   }));
+}
+
+/// Lines that begin in the same points are not the same lines.
+TEST(Laws, OrderAgreesWithCoordinates) {
+  EXPECT_TRUE(rc::check([] {
+    const PointTable2 t = law_table(some_coordinates());
+    RC_PRE(cross_sign(t, 0, 1, 2, 3) != Sign::Zero);
+    const Crossing2 p = make_crossing(t, 0, 1, 2, 3);
+    const RationalPoint2 at = exact(t, p);
+    for (std::uint32_t i = 4; i < 8; ++i) {
+      for (const auto& [a, b, c, d] :
+           {std::array{0U, 1U, 2U, i}, {0U, 1U, i, 3U}, {0U, i, 2U, 3U}, {i, 1U, 2U, 3U}}) {
+        if (cross_sign(t, a, b, c, d) == Sign::Zero) continue;
+        const Crossing2 q = make_crossing(t, a, b, c, d);
+        const RationalPoint2 other = exact(t, q);
+        const int x = at.x.compare(other.x);
+        RC_ASSERT(compare_xy(t, p, q) == sign_of(x != 0 ? x : at.y.compare(other.y)));
+      }
+      for (const std::uint32_t end : {0U, 1U, 2U, 3U}) {
+        const RationalPoint2 u = t.exact(end), v = t.exact(i);
+        const Rational turn = (v.x - u.x) * (at.y - u.y) - (v.y - u.y) * (at.x - u.x);
+        if (u != v) RC_ASSERT(orient2d(t, end, i, p) == sign_of(turn.sign()));
+      }
+    }
+  }));
+}
+
+/// What takes long numbers does not change what follows.
+TEST(Laws, LongNumbersLeaveNoTrace) {
+  const Rational big(Integer(1) << 3000), little(1, Integer(1) << 3000);
+  PointTable2 t;
+  t.push_back(-big, little);
+  t.push_back(big, -little);
+  t.push_back(little, -big);
+  t.push_back(little * 2, big);
+  for (const Point2& p : {Point2{0, 0}, {3, 1}, {0, 1}, {3, 0}}) t.push_back(p);
+  const Crossing2 p = make_crossing(t, 0, 1, 2, 3), q = make_crossing(t, 4, 5, 6, 7);
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_EQ(rung::compare_xy_big(t, p, 5), Sign::Negative);
+    EXPECT_EQ(rung::compare_xy_big(t, q, 5), Sign::Negative);
+    EXPECT_EQ(rung::compare_xy_big(t, p, q), Sign::Negative);
+    EXPECT_EQ(rung::orient2d_big(t, 4, 5, q), Sign::Zero);
+  }
 }
 
 TEST(Laws, LinesThroughAPointCrossThere) {
