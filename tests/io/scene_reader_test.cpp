@@ -35,7 +35,8 @@ std::string scene(const std::string& points, const std::string& polygon) {
 TEST(scene_reader, says_what_is_written) {
   Context context;
   const ParsedScene text = parse_scene(
-      R"({"model": "a/b.obj", "name": {"x": [1, {}]}, "outside": 7, "shapes": [[1, 0], []],
+      R"({"model": "a/b.obj", "name": {"x": [1, {"y": "z"}, null, 2, -3, 4.5]}, "by": "hand", "n": null,
+          "is": true, "of": 7, "outside": 7, "shapes": [[1, 0], []],
           "points": [[0, 0.25, 0.5], [1, 0, 1], [2, "1/3", "1/3"]], "polygons": [[0, 1, 2], [2]]})",
       kOptions, context);
   EXPECT_EQ(text.model, "a/b.obj");
@@ -248,6 +249,22 @@ std::vector<HostileText> hostile_scenes() {
       {"cut off", head + R"("points": [[0, 0.)", 1, 33, "not JSON"},
       {"twice", head + "\n\"model\": \"n\"}", 2, 1, "given twice"},
       {"model no name", R"({"model": 7})", 1, 11, "expected a file name"},
+      {"a text", R"("scene")", 1, 1, "expected an object"},
+      {"model a list", R"({"model": []})", 1, 11, "expected a file name"},
+      {"model an object", R"({"model": {}})", 1, 11, "expected a file name"},
+      {"model with a zero", R"({"model": "a\u0000b"})", 1, 11, "expected a file name"},
+      {"points an object", head + "\n\"points\": {}}", 2, 11, "expected a list"},
+      {"outside a list", head + "\n\"outside\": [1]}", 2, 12, "index of a face"},
+      {"outside a word", head + "\n\"outside\": true}", 2, 12, "index of a face"},
+      {"outside negative", head + "\n\"outside\": -1}", 2, 12, "expected an index"},
+      {"outside huge", head + "\n\"outside\": 99999999999}", 2, 12, "too large"},
+      {"polygon no list", head + "\n\"polygons\": [7]}", 2, 14, "a list of indices"},
+      {"level no list", head + "\n\"levels\": [7]}", 2, 12, "a level [shape"},
+      {"level no shape", head + "\n\"levels\": [[true]]}", 2, 13, "expected an index"},
+      {"face a text", head + "\n\"points\": [[\"0\", 0, 0]]}", 2, 13, "index of a face"},
+      {"weight empty", head + "\n\"points\": [[3, \"\", 0]]}", 2, 16, "a fraction"},
+      {"weight with a blank", head + "\n\"points\": [[3, \"1 /3\", 0]]}", 2, 16, "a fraction"},
+      {"weight escaped", head + "\n\"points\": [[3, \"1\\/3\", 0]]}", 2, 16, "a fraction"},
       {"model empty", R"({"model": ""})", 1, 11, "expected a file name"},
       {"points no list", head + "\n\"points\": 3}", 2, 11, "expected a list"},
       {"point no list", head + "\n\"points\": [3]}", 2, 12, "expected a point"},

@@ -62,7 +62,9 @@ TEST(svg_reader, straight_outlines) {
         "<path d='m0,0h4v3h-4'/>", "<path d='M0,0 4,0 4,3 0,3'/>", "<path d='M0 0L4 0l0 3-4 0z'/>",
         "<path d='M.0.0 4-0 4 3 0 3 0 0'/>", "<svg:rect width='4px' height='3'></svg:rect>",
         "<g><a><rect width='4' height='3' style='fill:red'/></a></g>",
-        "<path d='M0e0 0e-5L+4,0\n4 3\t0 3z'/>"}) {
+        "<path d='M0e0 0e-5L+4,0\n4 3\t0 3z'/>", "<path d='m0 0 4 0 0 3-4 0z'/>",
+        "<path d='M0E0\r\n0E+5 4 0 4 3 0 3z'/>", "<rect width='4' height='3' rx='2' ry='0'/>",
+        "<rect width='4' height='3' rx='0' ry='2'/>"}) {
     const SvgDrawing drawing = drawn(body);
     ASSERT_EQ(drawing.ring_count(), 1U) << body;
     EXPECT_EQ(drawing.shape_count(), 1U) << body;
@@ -74,7 +76,8 @@ TEST(svg_reader, straight_outlines) {
 TEST(svg_reader, shapes_are_elements_and_rings_are_subpaths) {
   const SvgDrawing drawing = drawn(
       "<path d='M0 0h9v9zm1 1h2v2zh5v5z'/><path d=''/><rect width='0' height='2'/><g>"
-      "<rect width='2' height='1'/></g><path d='M3 3'/><circle/>");
+      "<rect width='2' height='1'/></g><path d='M3 3'/><circle/><rect width='2' height='0'/>"
+      "<ellipse rx='1'/><ellipse ry='1'/><polygon/><polyline/><path/>");
   EXPECT_EQ(drawing.shape_begin, (std::vector<std::uint32_t>{0, 3, 4}));
   EXPECT_EQ(ring(drawing, 0), (Ring{{0, 0}, {9, 0}, {9, 9}}));
   EXPECT_EQ(ring(drawing, 1), (Ring{{1, 1}, {3, 1}, {3, 3}}));  // m from where z went back to
@@ -92,6 +95,7 @@ TEST(svg_reader, the_same_path_in_other_words) {
       {"M0 0A2 3 20 0 1 3 1", "M0 0a2,3,20,013,1"},
       {"M0 0A-2 3 20 1 0 3 1", "m0 0a2 3 20 10 3 1"},
       {"M0 0A0 3 20 1 0 3 1", "M0 0L3 1"},
+      {"M0 0A3 0 20 1 0 3 1", "M0 0L3 1"},
       {"M0 0L3 1L4 2", "M0 0L3 1A1 1 0 0 0 3 1L4 2"},
       // After an arc, whatever its length, there is no control point to reflect.
       {"M0 0C1 2 2 2 3 0A1 1 0 0 0 3 0S4 4 6 0", "M0 0C1 2 2 2 3 0C3 0 4 4 6 0"},
@@ -141,8 +145,12 @@ TEST(svg_reader, the_middle_is_the_origin) {
             (Ring{{-4, 1}, {0, 1}, {0, -2}, {-4, -2}}));
   EXPECT_EQ(ring(read("<svg width='10' height='6px'" + rect), 0),
             ring(read("<svg viewBox='0 0 10 6' width='9'" + rect), 0));
-  EXPECT_EQ(ring(read("<svg width='100%' height='6'" + rect), 0),
-            (Ring{{1, -2}, {5, -2}, {5, -5}, {1, -5}}));
+  for (const char* size : {"width='100%' height='6'", "width='10' height='60%'", "width='10'",
+                           "height='6'", "viewBox='0 0 0 0'"}) {
+    EXPECT_EQ(ring(read(std::string("<svg ") + size + rect), 0),
+              (Ring{{1, -2}, {5, -2}, {5, -5}, {1, -5}}))
+        << size;
+  }
   EXPECT_EQ(ring(read("<svg viewBox='1,2,4,3' x='9'" + rect), 0),
             (Ring{{-2, 1.5}, {2, 1.5}, {2, -1.5}, {-2, -1.5}}));
 }
@@ -271,8 +279,16 @@ std::vector<HostileText> hostile_drawings() {
       {"negative", element("<rect width='-5' height='1'/>"), 2, 14, "negative"},
       {"negative radius", element("<circle r='-5'/>"), 2, 12, "negative"},
       {"negative box", "<svg viewBox='0 0 -1 1'/>", 1, 1, "negative size"},
+      {"a box of negative height", "<svg viewBox='0 0 1 -1'/>", 1, 1, "negative size"},
       {"short box", "<svg viewBox='0 0 1'/>", 1, 20, "expected a number"},
       {"too large", element("<rect x='1e999'/>"), 2, 10, "1e999"},
+      {"a whole number too large", element("<rect x='" + repeated("9", 400) + "'/>"), 2, 10,
+       "beyond the largest double"},
+      {"a length too large", element("<rect x='1e308in'/>"), 2, 17, "a length beyond"},
+      {"a length and a comma", element("<rect x='5,'/>"), 2, 12, "after the comma"},
+      {"an exponent alone", element("<polygon points='1,2e'/>"), 2, 21, "expected a number"},
+      {"no name", element("<>"), 2, 2, "expected"},
+      {"type not ended", "<!DOCTYPE svg", 1, 1, "a document type without an end"},
       {"too large together",
        element("<g transform='scale(1e200)'><rect x='1e200' width='1' height='1'/></g>"), 2, 29,
        "beyond the largest double"},
@@ -281,10 +297,19 @@ std::vector<HostileText> hostile_drawings() {
       {"numbers first", element("<path d='1 2'/>"), 2, 10, "a command"},
       {"numbers after z", element("<path d='M1 2z3'/>"), 2, 15, "a command"},
       {"no such command", element("<path d='M1 2X3'/>"), 2, 14, "no command"},
+      {"a bracket", element("<path d='M1 2[3'/>"), 2, 14, "expected a number"},
+      {"a brace", element("<path d='M1 2{3'/>"), 2, 14, "expected a number"},
+      {"a comma before a command", element("<path d='M1 2,L3 4'/>"), 2, 15,
+       "a number after the comma"},
+      {"an arc too large", element("<path d='M0 0A1e-300 1 0 0 1 1e300 0'/>"), 2, 14,
+       "an arc beyond the largest double"},
       {"cut path", element("<path d='M1 2C3 4 5'/>"), 2, 20, "expected a number"},
       {"bad flag", element("<path d='M1 2A3 4 5 2 0 1 1'/>"), 2, 21, "a flag"},
       {"path in two lines", element("<path d='M1 2\nL3 x'/>"), 3, 4, "expected a number"},
       {"no such transform", element("<g transform='turn(3)'/>"), 2, 15, "expected matrix"},
+      {"no word", element("<g transform='{3}'/>"), 2, 15, "expected"},
+      {"no word again", element("<g transform='[3]'/>"), 2, 15, "expected"},
+      {"a comma before numbers", element("<g transform='scale(,3)'/>"), 2, 22, "a number"},
       {"too few", element("<g transform='matrix(3)'/>"), 2, 15, "expected matrix"},
       {"too many", element("<g transform='matrix(1 2 3 4 5 6 7)'/>"), 2, 34, "expected ')'"},
       {"a comma after transforms", element("<g transform='scale(2),'/>"), 2, 24, "after the comma"},
@@ -556,6 +581,45 @@ TEST_F(DrawingScene, RefusedAtPlacesOfTheDrawing) {
   bad(R"("center": [@[1]], "scale": 1)", ErrorCode::Syntax);
   bad(R"("angle": @true)", ErrorCode::Syntax);
   bad(R"("angle": @{})", ErrorCode::Syntax);
+  bad(R"("angle": @[1])", ErrorCode::Syntax);
+  bad(R"("angle": @"x")", ErrorCode::Syntax);
+  bad(R"("center": [56, 0.5, 0.25], "scale": @)" + std::string(400, '9'),
+      ErrorCode::NumberOutOfRange);
+  const auto refuse = [&](const std::string& drawings, std::size_t column) {
+    std::ofstream(folder_ / "b.json") << R"({"model": "grid.off", "svg": )" << drawings << "}";
+    try {
+      read_scene_file((folder_ / "b.json").string(), {}, context_);
+      ADD_FAILURE() << drawings;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.place().column, column + 30) << error.what();
+    }
+  };
+  refuse(R"(7)", 0);
+  refuse(R"([7])", 1);
+  refuse(R"([[]])", 1);
+  refuse(R"("a.svg")", 0);
+  refuse(R"({"file": 7})", 9);
+  refuse(R"({"file": ["a.svg"]})", 9);
+  refuse(R"({"file": ""})", 9);
+  refuse(R"([{"file": "a.svg", "center": [56, 0.5, 0.25]}])", 1);
+  refuse(R"({"file": "a.svg", "scale": 1})", 0);
+  refuse(R"({"center": [56, 0.5, 0.25], "scale": 1})", 0);
+}
+
+/// Without a word of the scene the label is zero far from the drawing: with one for the component, it is not said twice.
+TEST_F(DrawingScene, ZeroIsFarAwayUnlessTheSceneSaysMore) {
+  const std::string triangle = "<svg><path d='M0 0L1 0L0 1z'/></svg>";
+  const SceneFile plain = scene(triangle, kPlace);
+  ASSERT_EQ(plain.scene.levels.size(), 1U);
+  EXPECT_EQ(plain.scene.levels[0].label, 0);
+  const SceneFile outside = scene(triangle, kPlace, R"("outside": 3, )");
+  EXPECT_EQ(outside.scene.levels.size(), 0U);
+  EXPECT_EQ(outside.scene.outside, FaceId(3));
+  const SceneFile level = scene(triangle, kPlace, R"("shapes": [[]], "levels": [[0, 3, 2]], )");
+  EXPECT_EQ(level.scene.levels.size(), 2U) << "of the shape that is given, and of the drawing";
+  for (const char* far : {R"("outside": 999, )", R"("shapes": [[]], "levels": [[0, 999, 2]], )"}) {
+    EXPECT_THROW(scene(triangle, kPlace, far), Error) << far;
+  }
 }
 
 }  // namespace
