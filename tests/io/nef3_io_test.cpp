@@ -173,6 +173,13 @@ TEST(Nef3, refuses_hostile_texts_with_their_place) {
       {"three coefficients", with("3 0 0 -1", "3 0 0"), 12, 6, "needs four numbers"},
       {"a frame out of order", with("frame -y\nframe +y", "frame +y\nframe -y"), 8, 1, "or none"},
       {"a frame too late", with("3 0 0 -1", "frame -x"), 12, 1, "or none"},
+      {"a frame too early", with("\n1 0 0 0\n", "\nframe -x\n"), 3, 1, "or none"},
+      {"a frame without a side", with("frame -x\n", "frame\n"), 6, 1, "or none"},
+      {"a word like frame", with("frame -x\n", "frames -x\n"), 6, 1, "a plane, found 'frames'"},
+      {"a frame of one",
+       "plumb-nef3 1\n4 0 0 0 0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\nframe -x\n1\nend\n", 6, 1,
+       "or none"},
+      {"five coefficients", with("3 0 0 -1", "3 0 0 -1 7"), 12, 10, "the end of plane 10"},
       {"part of a frame", with("frame +z\n", "1 1 1 1\n"), 11, 1, "plane 9"},
       {"a kind of point", with("i 0 0 0", "p 0 0 0"), 15, 1, "i, t or l, found 'p'"},
       {"a point that is no double", with("i 0 0 0", "i 0 1/3 0"), 15, 5, "is no double"},
@@ -201,6 +208,48 @@ TEST(Nef3, refuses_hostile_texts_with_their_place) {
       {"a vertex of an edge with one", with("5 1 0 1\n", "5 1 1 1\n"), 0, 0, "vertex 3: has a"},
   };
   testing::expect_refusals(texts, [](const std::string& text) { read(text); });
+}
+
+/// The first facet of a tetrahedron: its plane, mark and volumes, then what `end` says.
+std::string with_first_facet(const std::string& end) {
+  std::istringstream in(written(complex_of(testing::tetrahedron())));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  std::string& facet = lines[lines.size() - 7];  // 4 facets, 2 volumes, the end
+  std::istringstream words(facet);
+  std::string plane, mark, above, below;
+  words >> plane >> mark >> above >> below;
+  facet = plane + ' ' + mark + ' ' + above + ' ' + below + ' ' + end;
+  std::string text;
+  for (const std::string& line : lines) text += line + '\n';
+  return text;
+}
+
+TEST(Nef3, origins_of_facets_have_32_bits) {
+  const SpaceComplex plain = complex_of(testing::tetrahedron());
+  const std::string cycle = " 1 " + std::to_string(plain.cycle[0].value() + 1) + " 0";
+  for (const std::uint32_t origin : {0U, 7U, 0xffff'fffeU, 0xffff'ffffU}) {
+    const std::string text = with_first_facet(std::to_string(origin) + cycle);
+    EXPECT_EQ(read(text).facet_origin[0], origin);
+    EXPECT_EQ(written(read(text)), text);
+  }
+  for (const char* origin : {"4294967296", "42949672950", "4294967295x", "-1", "x"}) {
+    EXPECT_THROW(read(with_first_facet(origin + cycle)), Error) << origin;
+  }
+}
+
+TEST(Nef3, refuses_facets_that_hold_too_much) {
+  const auto expect_refused = [](const std::string& end, const char* message) {
+    try {
+      read(with_first_facet(end));
+      ADD_FAILURE() << message;
+    } catch (const Error& error) {
+      EXPECT_NE(error.message().find(message), std::string::npos) << error.what();
+    }
+  };
+  expect_refused("0 13 " + testing::repeated("1 ", 13) + "0", "more cycles than uses");
+  expect_refused("0 1 1 2 1 1", "vertex 1 is in two facets");
+  expect_refused("0 1 1 1 1 1", "the end of facet 1");
 }
 
 /// Every word of a file replaced by every small number: refused, or links that can be followed.
