@@ -37,26 +37,25 @@ struct SizeCost {
   std::vector<double> batches;  ///< seconds of one run, of each batch
 };
 
-/// Other programs disturb caches: short runs are batched, and the least counts.
+/// Other programs disturb caches: short runs are batched, all inputs of a size alike, and the least counts.
 SizeCost cost_of(const Work& work, Meter& meter) {
   SizeCost result{work.size, {}, {}};
   double all = 0;
   for (int batch = 0; batch < kBatches && all < kLongSeconds; ++batch) {
-    double sum = 0;
-    int runs = 0;
-    for (; sum < kBatchSeconds; ++runs) {
+    Cost sum;
+    std::size_t runs = 0;
+    for (; sum.seconds < kBatchSeconds || runs % work.inputs != 0; ++runs) {
       work.run(meter);
       const Cost cost = meter.take();
-      sum += cost.seconds;
-      if (runs + batch == 0) result.least = cost;
-      for (const Measure& m : kMeasures) {
-        result.least.*m.value = std::min(result.least.*m.value, cost.*m.value);
-      }
+      for (const Measure& m : kMeasures) sum.*m.value += cost.*m.value;
     }
-    all += sum;
-    result.batches.push_back(sum / runs);
+    all += sum.seconds;
+    for (const Measure& m : kMeasures) {
+      const double mean = sum.*m.value / static_cast<double>(runs);
+      result.least.*m.value = batch == 0 ? mean : std::min(result.least.*m.value, mean);
+    }
+    result.batches.push_back(sum.seconds / static_cast<double>(runs));
   }
-  result.least.seconds = *std::min_element(result.batches.begin(), result.batches.end());
   return result;
 }
 

@@ -2,7 +2,7 @@
 //
 // Main flow of a program of families, growth_main():
 //  1. of every family and size, prepare() makes the input and returns the work
-//  2. the work runs until it has taken long enough, several times over; a Meter counts each run
+//  2. the work runs until it has taken long enough, several times over; a Meter counts each run, small inputs in turn
 //  3. time, instructions, allocations and bytes are each divided by the logarithms of the bound; what is left is
 //     fitted as a power of the size
 //  4. a table on stdout, on wish JSON; exit status 1 when a power is above the bound's by more than 0.15
@@ -29,6 +29,7 @@ struct Bound {
 struct Work {
   double size;  ///< what the bound speaks of
   std::function<void(Meter&)> run;
+  std::size_t inputs = 1;  ///< of about that size, which runs take in turn
 };
 
 struct Family {
@@ -53,6 +54,28 @@ Work measured(double size, Once once) {
             }
             meter.stop();
           }};
+}
+
+/// Elements that the inputs of one size are to have together: a processor learns the branches of a small input by heart
+/// when it alone is worked on again and again, which no one's work is.
+inline constexpr double kVariedElements = 100000;
+
+/// Counts all of a work on one of several inputs of the same size, in turn; `size`: their mean. `once(input)`.
+template <class Input, class Once>
+Work measured_in_turn(double size, std::vector<Input> inputs, Once once) {
+  const std::size_t count = inputs.size();
+  return {size,
+          [inputs = std::move(inputs), once = std::move(once),
+           next = std::size_t{0}](Meter& meter) mutable {
+            const Input& input = inputs[next++ % inputs.size()];
+            meter.start();
+            {
+              const auto result = once(input);
+              static_cast<void>(result);
+            }
+            meter.stop();
+          },
+          count};
 }
 
 /// From `least` to `most`, each `factor` times the one before.

@@ -4,7 +4,8 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <memory>
+#include <functional>
+#include <utility>
 
 #include "growth.h"
 #include "plane_jobs.h"
@@ -12,13 +13,22 @@
 namespace plumb::bench {
 namespace {
 
-Work arrange_all(const std::vector<testing::PlaneSegment>& segments) {
-  const auto scene = std::make_shared<const SegmentScene>(scene_of(segments));
-  const std::size_t size = arranged(*scene).complex.vertex_count() + segments.size();
-  return measured(static_cast<double>(size), [scene] { return arranged(*scene); });
+Work arrange_all(const std::function<std::vector<testing::PlaneSegment>(std::uint64_t)>& make) {
+  std::vector<SegmentScene> scenes;
+  std::size_t elements = 0;
+  while (static_cast<double>(elements) < kVariedElements) {
+    const SegmentScene& scene = scenes.emplace_back(scene_of(make(scenes.size() + 1)));
+    elements += arranged(scene).complex.vertex_count() + scene.segments.size();
+  }
+  const double size = static_cast<double>(elements) / static_cast<double>(scenes.size());
+  return measured_in_turn(size, std::move(scenes), arranged);
 }
-Work arrange_short(std::size_t n) { return arrange_all(testing::short_segments(n)); }
-Work arrange_long(std::size_t n) { return arrange_all(testing::long_segments(n)); }
+Work arrange_short(std::size_t n) {
+  return arrange_all([n](std::uint64_t seed) { return testing::short_segments(n, seed); });
+}
+Work arrange_long(std::size_t n) {
+  return arrange_all([n](std::uint64_t seed) { return testing::long_segments(n, seed); });
+}
 
 /// Segments of one line, each within the one before: its edges come from n^2 of them in all.
 Work arrange_nested(std::size_t n) {
@@ -28,15 +38,19 @@ Work arrange_nested(std::size_t n) {
     const double to = static_cast<double>(2 * n - i);
     segments.push_back({{from, 3 * from}, {to, 3 * to}});
   }
-  return arrange_all(segments);
+  return arrange_all([&](std::uint64_t) { return segments; });
 }
 
 Work stars(std::size_t n, MarkFunction f) {
-  const Nef2 a = Nef2::polygon(testing::star_polygon(n, 1));
-  const Nef2 b = Nef2::polygon(testing::star_polygon(n, 2));
-  return measured(static_cast<double>(2 * n), [a, b, f] {
+  std::vector<std::pair<Nef2, Nef2>> pairs;
+  for (double elements = 0; elements < kVariedElements; elements += static_cast<double>(2 * n)) {
+    Nef2 a = Nef2::polygon(testing::star_polygon(n, 2 * pairs.size() + 1));
+    Nef2 b = Nef2::polygon(testing::star_polygon(n, 2 * pairs.size() + 2));
+    pairs.emplace_back(std::move(a), std::move(b));
+  }
+  return measured_in_turn(static_cast<double>(2 * n), std::move(pairs), [f](const auto& pair) {
     Context context;
-    return combine(a, b, f, context);
+    return combine(pair.first, pair.second, f, context);
   });
 }
 Work star_intersection(std::size_t n) { return stars(n, kIntersection); }
