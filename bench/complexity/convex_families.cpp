@@ -66,6 +66,16 @@ PolygonMesh pencil(int n) {
   return mesh;
 }
 
+/// The same with a step at its side: one reflex edge, and a plane through it meets a share of all faces.
+Work stepped_pencils(std::size_t corners) {
+  const Nef3 set = solid(pencil(static_cast<int>(corners))) -
+                   solid(testing::box_mesh({0.75, -2, 0.5}, {2, 2, 3}));
+  return measured(static_cast<double>(set.counts().edges), [set] {
+    Context context;
+    return decompose(set, {DecomposeMethod::Cuts, false}, context);
+  });
+}
+
 Work test_of(PolygonMesh mesh) {
   const auto size = static_cast<double>(mesh.face_count());
   return measured(size, [mesh = std::make_shared<const PolygonMesh>(std::move(mesh))] {
@@ -83,35 +93,42 @@ const std::vector<Family> kFamilies{
      "convex decomposition, reflex edges far apart",
      "reflex edges",
      {1, 1},
-     {64, 128, 256, 512, 1024},
+     {10, 25, 64, 160, 400, 1024},
      stars,
      1.2},
     {"combs",
      "convex decomposition, O(r^2) pieces in the note on decomposition",
      "reflex edges",
      {2, 0},
-     {4, 8, 16, 32},
+     {2, 4, 8, 16, 32, 64, 100},
      combs,
      2.1},
     {"one-notch",
      "convex decomposition, one reflex edge",
      "corners",
      {1, 1},
-     {125, 250, 500, 1000, 2000},
+     {20, 50, 125, 320, 800, 2000},
      discs,
      1.1},
+    {"stepped-pencils",
+     "one cut; third vertex, facet of the cut, both sides: up to O(Sf F Vc^3 (Vp + Sc Sp))",
+     "edges",
+     {1, 1},
+     {40, 100, 250, 640, 1600, 4000},
+     stepped_pencils,
+     1.15},
     {"convexity-of-spheres",
      "convexity, O(F V) in the note on cutting",
      "faces",
      {1, 0},
-     {4, 5, 6, 7},
+     {2, 3, 4, 5, 6, 7},
      spheres,
      1.1},
     {"convexity-of-pencils",
      "the same, two vertices beside every third face",
      "faces",
      {1, 0},
-     {1000, 4000, 16000, 64000},
+     {640, 1600, 4000, 10000, 25000, 64000},
      pencils,
      1.1},
 };

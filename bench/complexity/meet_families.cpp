@@ -72,7 +72,7 @@ std::vector<Family> families() {
                       "contacts of two spheres, O((n + k) log n)",
                       "facets",
                       {1, 1},
-                      {3, 4, 5, 6},
+                      {1, 2, 3, 4, 5, 6},
                       [&position](std::size_t depth) { return meeting(position, depth); },
                       1.15});
   }

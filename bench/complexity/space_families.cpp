@@ -1,26 +1,20 @@
-// How the time of operations on sets of space grows, family by family, and the length of numbers in a chain.
-//
-//   space_families [--most N] [--slack X]
-//
-// prints the time at every size and the fitted exponent; exits 1 if one is above its limit by more than the slack.
-// --most bounds the sizes (default 100: percent of the full ones).
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
+// How operations on sets of space grow, family by family (growth.h says how it is measured). The chain of subtractions
+// fails, too, when a plane of its result has a coefficient of more than 160 bits: Booleans add no planes.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <string>
+#include <memory>
 #include <utility>
 #include <vector>
 
-#include "cpu_time.h"
 #include "generate/dice.h"
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
+#include "growth.h"
+#include "plumb/base/error.h"
 #include "plumb/space/nef3.h"
-#include "power_fit.h"
 
 namespace plumb::bench {
 namespace {
@@ -86,46 +80,39 @@ PolygonMesh columns(std::size_t size) {
   return mesh;
 }
 
-struct Family {
-  const char* name;
-  double limit;
-  std::vector<std::size_t> sizes;
-  Sample (*run)(std::size_t size);
-};
-
-/// What `make` takes to make a set; to destroy it is not counted.
+/// Times `make`, which is given a context.
 template <class Make>
-Sample sample_of(std::size_t size, Make make) {
-  return {static_cast<double>(size), least_seconds([&] {
-            Context context;
-            const double start = cpu_seconds();
-            const Nef3 made = make(context);
-            return cpu_seconds() - start;
-          })};
+Work made(std::size_t size, Make make) {
+  return measured(static_cast<double>(size), [make = std::move(make)] {
+    Context context;
+    return make(context);
+  });
 }
 
-Sample run_united_grid(std::size_t size) {
-  const std::vector<Nef3> cubes = separated_cubes(size);
-  return sample_of(cubes.size(), [&](Context& context) { return union_of(cubes, context); });
+Work united_cubes(std::size_t side) {
+  return made(side * side * side, [cubes = separated_cubes(side)](Context& context) {
+    return union_of(cubes, context);
+  });
 }
 
-Sample run_grown_grid(std::size_t size) {
-  const std::vector<Nef3> cubes = separated_cubes(size);
-  return sample_of(cubes.size(), [&](Context& context) {
+Work cubes_one_by_one(std::size_t side) {
+  return made(side * side * side, [cubes = separated_cubes(side)](Context& context) {
     Nef3 all;
     for (const Nef3& cube : cubes) all = combine(std::move(all), cube, kUnion, context);
     return all;
   });
 }
 
-Sample run_needles(std::size_t n) {
-  const Nef3 a = needles(n, 0), b = needles(n, 2);
-  return sample_of(n, [&](Context& context) { return combine(a, b, kUnion, context); });
+Work united_needles(std::size_t n) {
+  return made(n, [a = needles(n, 0), b = needles(n, 2)](Context& context) {
+    return combine(a, b, kUnion, context);
+  });
 }
 
-Sample run_half_spaces(std::size_t n) {
-  const std::vector<HalfSpace3> planes = tangent_planes(n);
-  return sample_of(n, [&](Context& context) { return Nef3::intersection(planes, context); });
+Work hull_of_half_spaces(std::size_t n) {
+  return made(n, [planes = tangent_planes(n)](Context& context) {
+    return Nef3::intersection(planes, context);
+  });
 }
 
 std::vector<Nef3> half_spaces(std::size_t n) {
@@ -135,79 +122,66 @@ std::vector<Nef3> half_spaces(std::size_t n) {
   return sets;
 }
 
-Sample run_half_space_chain(std::size_t n) {
-  const std::vector<Nef3> sets = half_spaces(n);
-  return sample_of(n, [&](Context& context) {
+Work half_spaces_one_by_one(std::size_t n) {
+  return made(n, [sets = half_spaces(n)](Context& context) {
     Nef3 all = Nef3::space();
     for (const Nef3& set : sets) all = combine(std::move(all), set, kIntersection, context);
     return all;
   });
 }
 
-/// Any three of the planes meet in a vertex of the result: n^3 / 6 of them, however it is computed.
-Sample run_half_space_parity(std::size_t n) {
-  const std::vector<Nef3> sets = half_spaces(n);
-  return sample_of(n, [&](Context& context) {
-    std::vector<Nef3> level = sets;
-    while (level.size() > 1) {
-      std::vector<Nef3> pairs;
-      for (std::size_t i = 0; i + 1 < level.size(); i += 2) {
-        pairs.push_back(combine(level[i], level[i + 1], kSymmetricDifference, context));
-      }
-      if (level.size() % 2 == 1) pairs.push_back(level.back());
-      level = std::move(pairs);
+Nef3 parity_of(const std::vector<Nef3>& sets, Context& context) {
+  std::vector<Nef3> level = sets;
+  while (level.size() > 1) {
+    std::vector<Nef3> pairs;
+    for (std::size_t i = 0; i + 1 < level.size(); i += 2) {
+      pairs.push_back(combine(level[i], level[i + 1], kSymmetricDifference, context));
     }
-    return std::move(level.front());
-  });
+    if (level.size() % 2 == 1) pairs.push_back(level.back());
+    level = std::move(pairs);
+  }
+  return std::move(level.front());
 }
 
-/// Of each of the two.
-Sample run_complement_interior(std::size_t depth) {
+/// Any three of the planes meet in a vertex of the result, however it is computed.
+Work half_space_parity(std::size_t n) {
+  const std::vector<Nef3> sets = half_spaces(n);
+  Context own;
+  const std::size_t vertices = parity_of(sets, own).counts().vertices;
+  PLUMB_CHECK(vertices == n * (n - 1) * (n - 2) / 6);
+  return made(vertices, [sets](Context& context) { return parity_of(sets, context); });
+}
+
+Work complement_and_interior(std::size_t depth) {
   const Nef3 ball = solid(testing::icosphere_mesh(static_cast<int>(depth), 1, {0, 0, 0}));
   const SpaceCounts counts = ball.counts();
-  Sample sample = sample_of(counts.vertices + counts.edges + counts.facets,
-                            [&](Context&) { return (!ball).interior(); });
-  sample.seconds /= 2;
-  return sample;
+  return made(counts.vertices + counts.edges + counts.facets,
+              [ball](Context&) { return (!ball).interior(); });
 }
 
 /// Two facets with all holes, and as many facets in these.
-Sample run_columns_and_slab(std::size_t size) {
+Work columns_and_slab(std::size_t size) {
   const double side = 2 * static_cast<double>(size) + 1;
-  const Nef3 slab = solid(testing::box_mesh({0, 0, 0}, {side, side, 1})),
-             all = solid(columns(size));
-  return sample_of(size * size, [&](Context& context) {
+  return made(size * size, [slab = solid(testing::box_mesh({0, 0, 0}, {side, side, 1})),
+                            all = solid(columns(size))](Context& context) {
     return combine(slab, all, kSymmetricDifference, context);
   });
 }
 
 /// Every corner of one plate is looked for in a large facet of the other.
-Sample run_plates(std::size_t size) {
+Work plates(std::size_t size) {
   const PolygonMesh mesh = testing::voxel_mesh(testing::pierced_plate(static_cast<int>(size)));
-  const Nef3 plate = solid(mesh), other = solid(testing::moved(mesh, {0.5, 0.25, 0}));
-  return sample_of(size * size,
-                   [&](Context& context) { return combine(plate, other, kUnion, context); });
+  return made(size * size,
+              [plate = solid(mesh), other = solid(testing::moved(mesh, {0.5, 0.25, 0}))](
+                  Context& context) { return combine(plate, other, kUnion, context); });
 }
 
 /// Two facets with all corners, and thin walls in all directions.
-Sample run_star_mesh(std::size_t tips) {
-  const PolygonMesh mesh = testing::star_prism(static_cast<int>(tips));
-  return sample_of(
-      tips, [&](Context& context) { return Nef3::mesh(mesh, WindingRule::Positive, context); });
+Work star_mesh(std::size_t tips) {
+  return made(tips, [mesh = testing::star_prism(static_cast<int>(tips))](Context& context) {
+    return Nef3::mesh(mesh, WindingRule::Positive, context);
+  });
 }
-
-const std::vector<Family> kFamilies{
-    {"separated cubes, union_of", 1.2, {5, 6, 7, 8, 9, 10}, run_united_grid},
-    {"separated cubes, one by one", 1.6, {4, 5, 6, 7, 8}, run_grown_grid},
-    {"needles, union of two sets", 1.3, {128, 256, 512, 1024, 2048}, run_needles},
-    {"tangent half-spaces, intersection()", 1.3, {256, 1024, 4096, 16384}, run_half_spaces},
-    {"tangent half-spaces, one by one", 2.2, {16, 32, 64, 128}, run_half_space_chain},
-    {"half-spaces, symmetric difference", 3.3, {8, 12, 16, 24, 32, 48}, run_half_space_parity},
-    {"columns through a slab, parity", 1.25, {8, 12, 16, 24, 32, 48, 64}, run_columns_and_slab},
-    {"pierced plates, union of two", 1.25, {8, 12, 16, 24, 32, 48}, run_plates},
-    {"stars with n tips, from a mesh", 1.25, {500, 1000, 2000, 4000, 8000, 16000}, run_star_mesh},
-    {"complement, interior (items)", 1.15, {3, 4, 5, 6}, run_complement_interior},
-};
 
 /// The largest coefficient of a plane of the set, in bits.
 std::size_t most_bits(const Nef3& set) {
@@ -221,68 +195,118 @@ std::size_t most_bits(const Nef3& set) {
   return most;
 }
 
-/// A drill moves through a block: each step by what it costs for each facet of its result.
-bool measure_drill(std::size_t steps, double limit) {
-  Context context;
-  Nef3 block = solid(testing::box_mesh({0, 0, 0}, {1000, 100, 100}));
-  std::vector<Sample> samples;
-  std::size_t most = 0;
-  double sum = 0, items = 0;
-  for (std::size_t i = 0; i < steps; ++i) {
-    const double x = 3.25 + 4.75 * static_cast<double>(i);
-    const Nef3 drill = solid(testing::icosphere_mesh(2, 7, {x, 50.5, 97.25}));
-    const double start = cpu_seconds();
-    block = combine(std::move(block), drill, kDifference, context);
-    sum += cpu_seconds() - start;
-    items += static_cast<double>(block.complex().facet_count());
-    most = std::max(most, most_bits(block));
-    if ((i + 1) % (steps / 5) == 0) samples.push_back({items, sum});
+struct Drilled {
+  Nef3 block;
+  std::size_t facets_written = 0;
+};
+
+/// A drill moves through a block.
+Drilled drilled(const std::vector<Nef3>& drills, Context& context) {
+  Drilled result{solid(testing::box_mesh({0, 0, 0}, {1000, 100, 100}))};
+  for (const Nef3& drill : drills) {
+    result.block = combine(std::move(result.block), drill, kDifference, context);
+    result.facets_written += result.block.complex().facet_count();
   }
-  const PowerFit fit = fit_power(samples);
-  fmt::print(
-      "drill, {} subtractions: {:.3f} s, {:.0f} facets written, numbers of {} bits at most\n",
-      steps, sum, items, most);
-  fmt::print("    time ~ facets written ^ {:.3f} +- {:.3f}   (limit {:.2f})\n", fit.slope,
-             fit.half_width, limit);
-  return fit.slope <= limit;
+  return result;
 }
 
-bool measure(const Family& family, double percent, double slack) {
-  std::vector<Sample> samples;
-  for (const std::size_t size : family.sizes) {
-    const bool is_small = samples.size() < 3;
-    const double share = static_cast<double>(size) / static_cast<double>(family.sizes.back());
-    if (is_small || share * 100 <= percent) samples.push_back(family.run(size));
+Work drill(std::size_t steps) {
+  std::vector<Nef3> drills;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double x = 3.25 + 4.75 * static_cast<double>(i);
+    drills.push_back(solid(testing::icosphere_mesh(2, 7, {x, 50.5, 97.25})));
   }
-  for (const Sample& s : samples) {
-    fmt::print("{:38} n={:<8.0f} {:10.5f} s {:10.1f} ns for each\n", family.name, s.size, s.seconds,
-               s.seconds / s.size * 1e9);
-  }
-  const PowerFit fit = fit_power(samples);
-  fmt::print("    time ~ n ^ {:.3f} +- {:.3f}   (limit {:.2f})\n", fit.slope, fit.half_width,
-             family.limit);
-  return fit.slope <= family.limit + slack;
+  Context own;
+  const Drilled once = drilled(drills, own);
+  PLUMB_CHECK(most_bits(once.block) <= 160);
+  return made(once.facets_written,
+              [drills = std::move(drills)](Context& context) { return drilled(drills, context); });
 }
+
+const std::vector<Family> kFamilies{
+    {"separated-cubes",
+     "union_of, O((n + k) log n)",
+     "cubes",
+     {1, 1},
+     {3, 4, 5, 7, 10, 14},
+     united_cubes,
+     1.2},
+    {"cubes-one-by-one",
+     "n unions, each of which looks at n boxes",
+     "cubes",
+     {2, 0},
+     {3, 4, 5, 7, 10, 14},
+     cubes_one_by_one,
+     1.6},
+    {"needles",
+     "Boolean of sets whose boxes along the axes all overlap",
+     "needles",
+     {1, 1},
+     {40, 100, 250, 630, 1600, 4000},
+     united_needles,
+     1.3},
+    {"half-spaces-intersection",
+     "n half-spaces, O(n^2) or O(n log n) in the note on Nef polyhedra",
+     "half-spaces",
+     {1, 1},
+     {160, 400, 1000, 2500, 6400, 16000},
+     hull_of_half_spaces,
+     1.3},
+    {"half-spaces-one-by-one",
+     "the same, one after the other",
+     "half-spaces",
+     {2, 0},
+     {5, 12, 30, 80, 200, 500},
+     half_spaces_one_by_one,
+     2.2},
+    {"half-spaces-parity",
+     "the symmetric difference of 8 to 48 half-spaces: its size is cubic",
+     "vertices of the result",
+     {1, 1},
+     {8, 12, 16, 24, 32, 48},
+     half_space_parity,
+     1.25},
+    {"columns-through-a-slab",
+     "symmetric difference; two facets with all holes",
+     "columns",
+     {1, 1},
+     {6, 9, 14, 23, 38, 60},
+     columns_and_slab,
+     1.25},
+    {"pierced-plates",
+     "union; corners looked for in large facets",
+     "holes",
+     {1, 1},
+     {5, 8, 12, 20, 32, 50},
+     plates,
+     1.25},
+    {"star-prisms",
+     "a set of a mesh, thin walls in all directions",
+     "tips",
+     {1, 1},
+     {160, 400, 1000, 2500, 6400, 16000},
+     star_mesh,
+     1.25},
+    {"complement-interior",
+     "complement and interior, O(n) in the note on Nef polyhedra",
+     "items",
+     {1, 0},
+     {1, 2, 3, 4, 5, 6},
+     complement_and_interior,
+     1.15},
+    {"drill",
+     "a chain of subtractions, linear in what is written",
+     "facets written",
+     {1, 0},
+     {5, 10, 20, 40, 80, 160},
+     drill,
+     1.15},
+};
 
 }  // namespace
 }  // namespace plumb::bench
 
 int main(int argc, char** argv) {
-  CLI::App app{"Growth of operations on sets of space"};
-  double most = 100, slack = 0;
-  std::string only;
-  app.add_option("--most", most, "percent of the full sizes (default 100)");
-  app.add_option("--slack", slack, "how far above its limit an exponent may be");
-  app.add_option("--only", only, "families with this in their names");
-  CLI11_PARSE(app, argc, argv);
-  using namespace plumb::bench;
-  bool is_within = true;
-  for (const Family& family : kFamilies) {
-    if (std::string(family.name).find(only) == std::string::npos) continue;
-    is_within &= measure(family, most, slack);
-  }
-  if (std::string("drill").find(only) != std::string::npos) {
-    is_within &= measure_drill(most < 100 ? 25 : 200, 1.15 + slack);
-  }
-  return is_within ? 0 : 1;
+  return plumb::bench::growth_main("Growth of operations on sets of space", plumb::bench::kFamilies,
+                                   argc, argv);
 }

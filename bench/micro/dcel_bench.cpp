@@ -101,6 +101,37 @@ void BM_SplitAndJoinEdge(benchmark::State& state) {
   }
 }
 
+/// A loop split by a chord, and away with it.
+void BM_SplitAndJoinFace(benchmark::State& state) {
+  Dcel d;
+  const FaceId f = d.add_face();
+  const HalfedgeId first = d.add_edge(d.add_vertex(f), d.add_vertex(f));
+  const HalfedgeId second = d.add_edge(first, d.add_vertex(f));
+  for (auto _ : state) {
+    const HalfedgeId chord = d.add_edge(twin(first), twin(second));
+    benchmark::DoNotOptimize(chord);
+    d.remove_edge(chord);
+    if (d.halfedge_slots() > (1U << 20U)) d.compact();
+  }
+}
+
+/// Half of the edges of a strip of n split edges go, then the rest moves together.
+void BM_Compact(benchmark::State& state) {
+  const auto n = static_cast<std::size_t>(state.range(0));
+  for (auto _ : state) {
+    state.PauseTiming();
+    Dcel d;
+    const FaceId f = d.add_face();
+    HalfedgeId h = d.add_edge(d.add_vertex(f), d.add_vertex(f));
+    std::vector<HalfedgeId> made;
+    for (std::size_t i = 0; i < n; ++i) made.push_back(h = d.split_edge(h));
+    for (std::size_t i = n; i >= 2; i -= 2) d.join_edge(made[i - 1]);
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(d.compact());
+  }
+  per_halfedge(state, 2 * n);
+}
+
 // {side of the grid, shuffled}: 4 * 10^6 half-edges at side 1000.
 void sizes(benchmark::internal::Benchmark* b) {
   b->ArgsProduct({{100, 1000}, {0, 1}})->Unit(benchmark::kMillisecond);
@@ -110,6 +141,8 @@ BENCHMARK(BM_WalkLoops)->Apply(sizes);
 BENCHMARK(BM_WalkAroundVertices)->Apply(sizes);
 BENCHMARK(BM_Audit)->Apply(sizes);
 BENCHMARK(BM_SplitAndJoinEdge);
+BENCHMARK(BM_SplitAndJoinFace);
+BENCHMARK(BM_Compact)->Arg(100000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace plumb

@@ -1,21 +1,22 @@
 // check_map beside CGAL's Arrangement_2 (exact predicates, exact constructions) on the same clean maps.
 //
-//   arrangement_peer [FACES]      (default 30000)
+//   arrangement_peer [FACES] [--rounds N] [--json FILE]      (default 10000 faces)
 //
 // CGAL inserts all edges of the map at once (CGAL::insert of a range: its sweep); CPU time of the insertion
-// alone against that of check_map alone, in one run. Both must count the same faces. (CGAL needs time
+// alone against that of check_map alone. Both must count the same faces. (CGAL needs time
 // quadratic in the edges at one vertex: minutes for a fan of 100000.)
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <fmt/core.h>
 
-#include <cstdio>
-#include <cstdlib>
+#include <CLI/CLI.hpp>
+#include <string>
 #include <vector>
 
 #include "../complexity/cpu_time.h"
 #include "generate/map_families.h"
+#include "peer_report.h"
 #include "plumb/plane/map_check.h"
 
 namespace plumb::bench {
@@ -49,50 +50,44 @@ std::vector<Traits::Curve_2> segments_of(const testing::TestMap& map) {
   return segments;
 }
 
-struct Outcome {
-  double seconds;
-  std::size_t faces;
-};
-
-Outcome with_cgal(const testing::TestMap& map) {
-  const std::vector<Traits::Curve_2> segments = segments_of(map);
+PeerRun with_cgal(const std::vector<Traits::Curve_2>& segments) {
   Arrangement arrangement;
   const double start = cpu_seconds();
   CGAL::insert(arrangement, segments.begin(), segments.end());
-  return {cpu_seconds() - start, arrangement.number_of_faces()};
+  return {cpu_seconds() - start, static_cast<double>(arrangement.number_of_faces()), 0};
 }
 
-Outcome with_plumb(const testing::TestMap& map) {
-  Map copy = to_map(map);
+PeerRun with_plumb(const Map& map) {
+  Map copy = map;
   Context context;
   const double start = cpu_seconds();
   const MapReport report = check_map(std::move(copy), {}, context);
-  return {cpu_seconds() - start, report.regions.size()};
-}
-
-int run(std::uint32_t faces) {
-  bool agree = true;
-  for (const testing::MapFamily& family : testing::map_families()) {
-    const testing::TestMap map = family.make(faces);
-    const Outcome ours = with_plumb(map);
-    const Outcome theirs = with_cgal(map);
-    fmt::print("{:20} {:8} faces  plumb {:8.3f} s  Arrangement_2 {:8.3f} s  ratio {:.3f}{}\n",
-               family.name, ours.faces, ours.seconds, theirs.seconds, ours.seconds / theirs.seconds,
-               ours.faces == theirs.faces ? "" : "  FACES DIFFER");
-    std::fflush(stdout);
-    agree = agree && ours.faces == theirs.faces;
-  }
-  return agree ? 0 : 1;
+  return {cpu_seconds() - start, static_cast<double>(report.regions.size()), 0};
 }
 
 }  // namespace
 }  // namespace plumb::bench
 
 int main(int argc, char** argv) {
-  const long faces = argc > 1 ? std::strtol(argv[1], nullptr, 10) : 30000;
-  if (faces < 10 || faces > 10000000) {
-    fmt::print(stderr, "usage: arrangement_peer [FACES], 10 to 10^7\n");
-    return 2;
+  using namespace plumb::bench;
+  CLI::App app{"Maps beside CGAL's arrangements"};
+  std::uint32_t faces = 10000;
+  int rounds = 3;
+  std::string json;
+  app.add_option("faces", faces, "10 to 10^7")->check(CLI::Range(10, 10000000));
+  app.add_option("--rounds", rounds, "of plumb and CGAL in turn (default 3)");
+  app.add_option("--json", json, "write the comparisons there");
+  CLI11_PARSE(app, argc, argv);
+  PeerReport report("Maps beside CGAL's arrangements");
+  report.use("CGAL", CGAL_VERSION_STR);
+  for (const plumb::testing::MapFamily& family : plumb::testing::map_families()) {
+    const plumb::testing::TestMap made = family.make(faces);
+    const plumb::Map map = to_map(made);
+    const auto segments = segments_of(made);
+    report.compare(
+        {"map check", fmt::format("{}, {} faces", family.name, plumb::testing::face_count(made)),
+         "CGAL Arrangement_2", "faces", 0, rounds},
+        [&] { return with_plumb(map); }, [&] { return with_cgal(segments); });
   }
-  return plumb::bench::run(static_cast<std::uint32_t>(faces));
+  return report.finish(json);
 }

@@ -1,53 +1,54 @@
 // Convex decomposition and Minkowski sums, in plumb and in CGAL: CPU time, pieces and volumes.
 //
-//   convex_peer walls FILE.off...          vertical walls against convex_decomposition_3
-//   convex_peer sums A.off B.off           minkowski_sum against minkowski_sum_3
+//   convex_peer [--most PERCENT] [--rounds N] [--json FILE] [--walls FILE.off...] [--sums A.off B.off]
 //
-// Time: user and system, of the operation alone; reading and making sets from meshes are left out. plumb and
-// CGAL in turn. Exit 1 if the volumes of the two sums differ by more than 1e-9 of them, or ours of the pieces from
-// that of the solid.
+// Time: user and system, of the operation alone; reading and making sets from meshes are left out. Vertical walls
+// against convex_decomposition_3: the answer is the volume of all pieces. minkowski_sum against minkowski_sum_3: the volume
+// of the sum. Without files: blocks with notches on both sides, an L, and sums of these.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Nef_polyhedron_3.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/convert_nef_polyhedron_to_polygon_mesh.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/convex_decomposition_3.h>
 #include <CGAL/minkowski_sum_3.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
-#include <cstdio>
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "../complexity/cpu_time.h"
+#include "generate/mesh_solid.h"
+#include "generate/voxel_mesh.h"
+#include "peer_report.h"
 #include "plumb/convex/minkowski.h"
 #include "plumb/convex/walls.h"
-#include "plumb/io/solid_sets.h"
+#include "plumb/io/solid_io.h"
 #include "plumb/space/space_measure.h"
 
 namespace plumb::bench {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-template <class Work>
-double seconds_of(const Work& work) {
-  const double start = cpu_seconds();
-  work();
-  return cpu_seconds() - start;
-}
-
 using PeerSet = CGAL::Nef_polyhedron_3<Kernel>;
 using PeerMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-PeerSet peer_set(const std::string& file) {
-  PeerMesh mesh;
-  CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh);
-  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
-  return PeerSet(mesh);
+PeerSet peer_set(const PolygonMesh& mesh) {
+  PeerMesh result;
+  std::vector<PeerMesh::Vertex_index> vertices;
+  for (const Point3& p : mesh.points) vertices.push_back(result.add_vertex({p.x, p.y, p.z}));
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    std::vector<PeerMesh::Vertex_index> corners;
+    for (const std::uint32_t v : mesh.face(f)) corners.push_back(vertices[v]);
+    result.add_face(corners);
+  }
+  CGAL::Polygon_mesh_processing::triangulate_faces(result);
+  return PeerSet(result);
 }
 
 double peer_volume(const PeerSet& set) {
@@ -56,65 +57,113 @@ double peer_volume(const PeerSet& set) {
   return CGAL::to_double(CGAL::Polygon_mesh_processing::volume(mesh));
 }
 
-std::size_t peer_pieces(const PeerSet& set) {
-  std::size_t count = 0;
-  for (auto v = ++set.volumes_begin(); v != set.volumes_end(); ++v) count += v->mark() ? 1 : 0;
-  return count;
+/// Of all marked volumes: shells of CGAL's pieces are meshes, volume by volume.
+double volume_of_pieces(PeerSet& set) {
+  double sum = 0;
+  for (auto v = ++set.volumes_begin(); v != set.volumes_end(); ++v) {
+    if (!v->mark()) continue;
+    CGAL::Polyhedron_3<Kernel> piece;
+    set.convert_inner_shell_to_polyhedron(v->shells_begin(), piece);
+    PeerMesh mesh;
+    CGAL::copy_face_graph(piece, mesh);
+    CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+    sum += CGAL::to_double(CGAL::Polygon_mesh_processing::volume(mesh));
+  }
+  return sum;
 }
 
-Nef3 own_set(const std::string& file) {
+struct Solid {
+  std::string name;
+  PolygonMesh mesh;
+};
+
+Solid solid_of_file(const std::string& file) {
   Context context;
-  return read_solid_file(file, {}, context).set;
+  return {file, read_mesh_file(file, {}, {}, context).mesh};
+}
+Solid comb(int teeth) {
+  return {fmt::format("block with {} + {} notches", teeth, teeth),
+          testing::comb_block(teeth, teeth)};
 }
 
-bool compare_walls(const std::string& file) {
-  Context context;
-  const Nef3 set = own_set(file);
+void compare_walls(PeerReport& report, const Solid& solid, int rounds) {
+  const Nef3 set = testing::solid(solid.mesh);
+  const PeerSet peer = peer_set(solid.mesh);
   ConvexPieces pieces;
-  const double own_seconds = seconds_of([&] {
-    pieces = decompose_by_walls(set, {DecomposeMethod::Walls, false}, context);
-  });
-  Rational volume = 0;
-  for (const Nef3& piece : pieces.pieces) volume += *marked_volume(piece.complex());
-  PeerSet peer = peer_set(file);
-  const double peer_seconds = seconds_of([&] { CGAL::convex_decomposition_3(peer); });
-  fmt::print("{}: reflex edges {}, pieces {} / {}, seconds {:.4f} / {:.4f}\n", file,
-             pieces.reflex_edges, pieces.pieces.size(), peer_pieces(peer), own_seconds,
-             peer_seconds);
-  std::fflush(stdout);
-  return volume == *marked_volume(set.complex());
+  report.compare(
+      {"convex pieces by walls", solid.name, "CGAL convex_decomposition_3", "volume", 1e-9, rounds},
+      [&] {
+        return timed_run(
+            [&] {
+              Context context;
+              pieces = decompose_by_walls(set, {DecomposeMethod::Walls, false}, context);
+            },
+            [&] {
+              Rational volume = 0;
+              for (const Nef3& piece : pieces.pieces) {
+                volume += *marked_volume(piece.complex());
+              }
+              return volume.convert_to<double>();
+            });
+      },
+      [&] {
+        PeerSet copy = peer;
+        return timed_run([&] { CGAL::convex_decomposition_3(copy); },
+                         [&] { return volume_of_pieces(copy); });
+      });
 }
 
-bool compare_sums(const std::string& a, const std::string& b) {
-  Context context;
-  const Nef3 own_a = own_set(a), own_b = own_set(b);
-  Nef3 own;
-  const double own_seconds = seconds_of([&] { own = minkowski_sum(own_a, own_b, context); });
-  PeerSet peer_a = peer_set(a), peer_b = peer_set(b), peer;
-  const double peer_seconds = seconds_of([&] { peer = CGAL::minkowski_sum_3(peer_a, peer_b); });
-  const auto volume = marked_volume(own.complex())->convert_to<double>();
-  const double other = peer_volume(peer);
-  fmt::print("{} + {}: volume {} / {}, seconds {:.4f} / {:.4f}\n", a, b, volume, other, own_seconds,
-             peer_seconds);
-  return std::fabs(volume - other) <= 1e-9 * volume;
+void compare_sums(PeerReport& report, const Solid& a, const Solid& b, int rounds) {
+  const Nef3 own_a = testing::solid(a.mesh), own_b = testing::solid(b.mesh);
+  const PeerSet peer_a = peer_set(a.mesh), peer_b = peer_set(b.mesh);
+  report.compare(
+      {"Minkowski sum", a.name + " + " + b.name, "CGAL minkowski_sum_3", "volume", 1e-9, rounds},
+      [&] {
+        Nef3 sum;
+        return timed_run(
+            [&] {
+              Context context;
+              sum = minkowski_sum(own_a, own_b, context);
+            },
+            [&] { return marked_volume(sum.complex())->convert_to<double>(); });
+      },
+      [&] {
+        PeerSet first = peer_a, second = peer_b, sum;
+        return timed_run([&] { sum = CGAL::minkowski_sum_3(first, second); },
+                         [&] { return peer_volume(sum); });
+      });
 }
 
 }  // namespace
 }  // namespace plumb::bench
 
 int main(int argc, char** argv) {
+  using namespace plumb::bench;
   CLI::App app("Convex decomposition and Minkowski sums against CGAL");
-  app.require_subcommand(1);
-  std::vector<std::string> files;
-  CLI::App* walls = app.add_subcommand("walls");
-  walls->add_option("files", files)->required();
-  std::string a, b;
-  CLI::App* sums = app.add_subcommand("sums");
-  sums->add_option("a", a)->required();
-  sums->add_option("b", b)->required();
+  std::vector<std::string> walls, sums;
+  double most = 100;
+  int rounds = 3;
+  std::string json;
+  app.add_option("--walls", walls, "OFF files to decompose");
+  app.add_option("--sums", sums, "two OFF files to add")->expected(2);
+  app.add_option("--most", most, "percent of the full sizes (default 100)");
+  app.add_option("--rounds", rounds, "of plumb and CGAL in turn (default 3)");
+  app.add_option("--json", json, "write the comparisons there");
   CLI11_PARSE(app, argc, argv);
-  bool agree = true;
-  if (sums->parsed()) agree = plumb::bench::compare_sums(a, b);
-  for (const std::string& file : files) agree = plumb::bench::compare_walls(file) && agree;
-  return agree ? 0 : 1;
+  PeerReport report("Convex pieces and Minkowski sums beside CGAL");
+  report.use("CGAL", CGAL_VERSION_STR);
+  for (const std::string& file : walls) compare_walls(report, solid_of_file(file), rounds);
+  if (!sums.empty()) {
+    compare_sums(report, solid_of_file(sums[0]), solid_of_file(sums[1]), rounds);
+  }
+  if (walls.empty() && sums.empty()) {
+    const Solid l = solid_of_file("corpus/solids/l-block.off");
+    compare_walls(report, l, rounds);
+    for (const int teeth : {4, 12}) {
+      compare_walls(report, comb(std::max(2, static_cast<int>(teeth * most / 100))), rounds);
+    }
+    compare_sums(report, l, l, rounds);
+    compare_sums(report, comb(2), l, rounds);
+  }
+  return report.finish(json);
 }

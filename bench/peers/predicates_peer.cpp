@@ -1,10 +1,19 @@
-// The same tuples through CGAL's Exact_predicates_inexact_constructions_kernel and through plumb,
-// paired in one run. plumb's own naive expressions are in bench/micro/predicates_bench.
+// Predicates on input doubles beside CGAL's Exact_predicates_inexact_constructions_kernel: the same tuples, in turn.
+// (plumb's own naive expressions: bench/micro/predicates_bench.)
+//
+//   predicates_peer [--rounds N] [--json FILE]
+//
+// Seconds are those of all 4096 tuples, a hundred times over; the answer is the sum of i times the i-th sign.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <fmt/core.h>
 
-#include "../micro/naive_predicates.h"
+#include <CLI/CLI.hpp>
+#include <string>
+#include <tuple>
+#include <vector>
+
 #include "../micro/predicate_data.h"
-#include "../micro/predicates_bench.h"
+#include "peer_report.h"
 #include "plumb/predicates/input_predicates.h"
 
 namespace plumb::bench {
@@ -24,33 +33,72 @@ auto convert_all(const Tuples<Point, N>& data) {
   return r;
 }
 
+// CGAL's signs of tetrahedra and spheres are the other way round: two corners swapped.
+constexpr auto kOrientation3 = [](const auto& a, const auto& b, const auto& c, const auto& d) {
+  return CGAL::orientation(b, a, c, d);
+};
+constexpr auto kSphereSide = [](const auto& a, const auto& b, const auto& c, const auto& d,
+                                const auto& e) {
+  return CGAL::side_of_oriented_sphere(b, a, c, d, e);
+};
+
 #define PLUMB_LIFT(f) [](const auto&... p) { return f(p...); }
 
-/// naive, plumb and EPICK on the same tuples, one after the other.
-template <class Data, class Naive, class Ours, class Theirs>
-void trio(const std::string& name, Family f, const Data& data, Naive naive, Ours ours,
-          Theirs theirs) {
-  measure(name + "/naive", f, data, naive);
-  measure(name + "/plumb", f, data, ours);
-  measure(name + "/epick", f, convert_all(data), theirs);
+template <class Data, class Predicate>
+PeerRun run_all(const Data& data, Predicate predicate) {
+  constexpr int kPasses = 100;
+  double sum = 0;
+  return timed_run(
+      [&] {
+        for (int pass = 0; pass < kPasses; ++pass) {
+          sum = 0;
+          double place = 0;
+          for (const auto& tuple : data) {
+            sum += ++place * static_cast<double>(static_cast<int>(std::apply(predicate, tuple)));
+          }
+        }
+      },
+      [&] { return sum; });
 }
 
-bool register_all() {
-  for (const Family f : {Family::Random, Family::Near, Family::Degenerate}) {
-    PredicateData data;
-    trio("orient2d", f, data.orient2d(f), PLUMB_LIFT(naive_orient2d), PLUMB_LIFT(orient2d),
-         PLUMB_LIFT(CGAL::orientation));
-    trio("orient3d", f, data.orient3d(f), PLUMB_LIFT(naive_orient3d), PLUMB_LIFT(orient3d),
-         PLUMB_LIFT(CGAL::orientation));
-    trio("incircle", f, data.incircle(f), PLUMB_LIFT(naive_incircle), PLUMB_LIFT(incircle),
-         PLUMB_LIFT(CGAL::side_of_oriented_circle));
-    trio("insphere", f, data.insphere(f), PLUMB_LIFT(naive_insphere), PLUMB_LIFT(insphere),
-         PLUMB_LIFT(CGAL::side_of_oriented_sphere));
+struct Session {
+  PeerReport& report;
+  Family family;
+  int rounds;
+
+  template <class Data, class Ours, class Theirs>
+  void compare(const std::string& name, const Data& data, Ours ours, Theirs theirs) const {
+    static constexpr const char* kNames[] = {"random", "near", "degenerate"};
+    const auto converted = convert_all(data);
+    report.compare(
+        {name, fmt::format("{} tuples, {}", data.size(), kNames[static_cast<int>(family)]),
+         "CGAL EPICK", "sum of signs by place", 0, rounds},
+        [&] { return run_all(data, ours); }, [&] { return run_all(converted, theirs); });
   }
-  return true;
-}
-
-const bool registered = register_all();
+};
 
 }  // namespace
 }  // namespace plumb::bench
+
+int main(int argc, char** argv) {
+  using namespace plumb::bench;
+  CLI::App app{"Predicates beside CGAL's"};
+  int rounds = 5;
+  std::string json;
+  app.add_option("--rounds", rounds, "of plumb and CGAL in turn (default 5)");
+  app.add_option("--json", json, "write the comparisons there");
+  CLI11_PARSE(app, argc, argv);
+  PeerReport report("Predicates beside CGAL's");
+  report.use("CGAL", CGAL_VERSION_STR);
+  for (const Family f : {Family::Random, Family::Near, Family::Degenerate}) {
+    PredicateData data;
+    const Session session{report, f, rounds};
+    session.compare("orient2d", data.orient2d(f), PLUMB_LIFT(plumb::orient2d),
+                    PLUMB_LIFT(CGAL::orientation));
+    session.compare("orient3d", data.orient3d(f), PLUMB_LIFT(plumb::orient3d), kOrientation3);
+    session.compare("incircle", data.incircle(f), PLUMB_LIFT(plumb::incircle),
+                    PLUMB_LIFT(CGAL::side_of_oriented_circle));
+    session.compare("insphere", data.insphere(f), PLUMB_LIFT(plumb::insphere), kSphereSide);
+  }
+  return report.finish(json);
+}

@@ -1,13 +1,13 @@
 // Small solids in special positions: every Boolean and operator of topology in plumb and in CGAL's
 // Nef_polyhedron_3.
 //
-//   space_agreement [--scenes N] [--first SEED] [--out DIR]      (default 10000 scenes)
+//   space_agreement [--scenes N] [--first SEED] [--out DIR] [--json FILE]      (default 10000 scenes)
 //
 // A scene is a random expression over boxes, tetrahedra and prisms with corners on a grid of 4 x 4 x 4. At every
 // node of it the numbers of vertices, edges, facets and volumes, how many of each are marked, the mark of the
 // outer volume and the exact volume are compared, up to the first difference in a scene. That goes to DIR as
 // files: the operands (SEED_a.nef, SEED_b.nef) and what differs (SEED.txt), with the verdict of the
-// brute-force twin of tests/oracle on plumb's answer. Exit 1 when there is one.
+// brute-force twin of tests/oracle on plumb's answer. Exit 1 when the twin is not of plumb's opinion, or plumb crashed.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polyhedron_3.h>
@@ -29,6 +29,7 @@
 #include "generate/dice.h"
 #include "generate/space_solids.h"
 #include "oracle/nef3_check.h"
+#include "peer_report.h"
 #include "plumb/io/nef3_writer.h"
 #include "plumb/space/space_audit.h"
 #include "plumb/space/space_measure.h"
@@ -47,6 +48,9 @@ using CgalMesh = CGAL::Polyhedron_3<Kernel>;
 using CgalNef = CGAL::Nef_polyhedron_3<Kernel>;
 
 // ---------------------------------------------------------------- scenes
+
+constexpr const char* kPeer = "CGAL Nef_polyhedron_3";
+constexpr const char* kAgrees = "agrees with plumb";  ///< the twin
 
 /// The same set three times.
 struct Solid {
@@ -248,8 +252,6 @@ Facts facts_of(const CgalNef& set) {
           size};
 }
 
-// ---------------------------------------------------------------- the run
-
 struct Step {
   SetOperator op;
   Solid a;
@@ -295,17 +297,17 @@ class Scene {
     const SpaceSetPointer second = testing::is_binary(op) ? b.expression : nullptr;
     Step step{op, a, b, {testing::apply(op, a.expression, second), {}, {}}};
     step.result.ours = testing::apply(op, a.ours, b.ours);
+    const Facts own = facts_of(step.result.ours);
     tally_.is_in_cgal = true;
     step.result.theirs = apply(op, a.theirs, b.theirs);
+    const Facts theirs = facts_of(step.result.theirs);
     tally_.is_in_cgal = false;
-    compare(step);
+    compare(step, own, theirs);
     return step.result;
   }
 
-  void compare(const Step& step) {
+  void compare(const Step& step, const Facts& ours, const Facts& theirs) {
     ++tally_.compared;
-    const Facts ours = facts_of(step.result.ours);
-    const Facts theirs = facts_of(step.result.theirs);
     if (ours == theirs) return;
     ++tally_.different;
     differs_ = true;
@@ -320,14 +322,12 @@ class Scene {
     std::ofstream b(name + "_b.nef");
     write_nef3(b, step.b.ours.complex());
     const std::string twin = testing::disagreement(*step.result.expression);
-    const std::string verdict = twin.empty() ? "agrees with plumb" : twin;
+    // Line by line what PeerReport::Judgement holds.
     std::ofstream text(name + ".txt");
-    text << "operator: " << testing::name_of(step.op)
-         << "\nset: " << testing::to_text(*step.result.expression) << "\nplumb: " << ours.counts
-         << ", volume " << ours.volume << "\nCGAL: " << theirs.counts << ", volume "
-         << theirs.volume << "\nthe twin: " << verdict << '\n';
-    fmt::print("seed {}: {} differs; the twin {}\n", seed_, testing::name_of(step.op), verdict);
-    std::fflush(stdout);
+    text << testing::name_of(step.op) << ": " << testing::to_text(*step.result.expression) << '\n'
+         << ours.counts << ", volume " << ours.volume << '\n'
+         << theirs.counts << ", volume " << theirs.volume << '\n'
+         << (twin.empty() ? kAgrees : twin) << '\n';
   }
 
   std::uint64_t seed_;
@@ -342,28 +342,52 @@ bool run_apart(std::uint64_t seed, const std::string& directory, Tally& tally) {
   const pid_t child = fork();
   if (child == 0) {
     Scene(seed, directory, tally).run();
-    std::fflush(stdout);
     _exit(0);
   }
   int status = 0;
   waitpid(child, &status, 0);
-  if (status == 0) return true;
-  fmt::print("seed {}: {} crashed\n", seed, tally.is_in_cgal ? "CGAL" : "plumb");
-  tally.is_in_cgal = false;
-  return false;
+  return status == 0;
 }
 
-int run(std::uint64_t first, std::uint64_t scenes, const std::string& directory) {
+/// What the process of the scene has left in the file.
+PeerReport::Judgement judgement(std::uint64_t seed, const std::string& directory) {
+  PeerReport::Judgement result{kPeer, "", "", "", false};
+  std::string twin;
+  std::ifstream text(fmt::format("{}/{}.txt", directory, seed));
+  std::getline(text, result.input);
+  std::getline(text, result.ours);
+  std::getline(text, result.theirs);
+  std::getline(text, twin);
+  result.is_ours_right = twin == kAgrees;
+  return result;
+}
+
+int run(std::uint64_t first, std::uint64_t scenes, const std::string& directory,
+        const std::string& json) {
   void* const shared =
       mmap(nullptr, sizeof(Tally), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   auto& tally = *new (shared) Tally;
+  PeerReport report("Random expressions of small solids beside CGAL, judged by brute force");
+  report.use("CGAL", CGAL_VERSION_STR);
   std::size_t crashed = 0;
   for (std::uint64_t seed = first; seed < first + scenes; ++seed) {
-    crashed += run_apart(seed, directory, tally) ? 0U : 1U;
+    const std::size_t before = tally.different;
+    if (!run_apart(seed, directory, tally)) {
+      ++crashed;
+      report.judge({kPeer, fmt::format("seed {}", seed), tally.is_in_cgal ? "no crash" : "crashed",
+                    tally.is_in_cgal ? "crashed" : "", tally.is_in_cgal});
+      tally.is_in_cgal = false;
+    } else if (tally.different > before) {
+      const PeerReport::Judgement found = judgement(seed, directory);
+      fmt::print("seed {}: {} is wrong of {}\n", seed, found.is_ours_right ? "CGAL" : "PLUMB",
+                 found.input);
+      report.judge(found);
+    }
   }
+  report.judged_of(tally.compared);
   fmt::print("{} scenes, {} sets compared, {} different, {} scenes crashed\n", scenes,
              tally.compared, tally.different, crashed);
-  return tally.different + crashed == 0 ? 0 : 1;
+  return report.finish(json);
 }
 
 }  // namespace
@@ -373,10 +397,11 @@ int main(int argc, char** argv) {
   CLI::App app{"Solids in plumb and in CGAL's Nef_polyhedron_3"};
   std::uint64_t scenes = 10000;
   std::uint64_t first = 0;
-  std::string directory = "space-differences";
+  std::string directory = "space-differences", json;
   app.add_option("--scenes", scenes, "how many (default 10000)");
   app.add_option("--first", first, "seed of the first (default 0)");
   app.add_option("--out", directory, "where differences go");
+  app.add_option("--json", json, "write them there, too");
   CLI11_PARSE(app, argc, argv);
-  return plumb::bench::run(first, scenes, directory);
+  return plumb::bench::run(first, scenes, directory, json);
 }

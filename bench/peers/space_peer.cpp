@@ -1,11 +1,12 @@
 // The union of two solids, from mesh to mesh, in plumb and in CGAL: CPU time and peak memory.
 //
-//   space_peer DIR [--pairs ico20480,elephant,bunny00] [--peers nef3,corefinement] [--rounds N]
+//   space_peer DIR [--make] [--pairs ico5120,...] [--peers nef3,corefinement] [--rounds N] [--json FILE]
 //
-// reads DIR/PAIR_a.off and DIR/PAIR_b.off. Every run is a process of its own (this program again, with --run):
-// plumb and the peer in turn, N rounds. Time: user and system, of making sets from the meshes in memory, the union
-// and the triangles of the result; reading files is left out. Memory: the largest resident set of the whole
-// process, reading included. Exit 1 if volumes differ by more than 1e-9 of them.
+// reads DIR/PAIR_a.off and DIR/PAIR_b.off; --make writes them first: ico1280, ico5120 and ico20480, two spheres of so many
+// triangles, and bunny, corpus/solids/bunny.off and itself moved. Every run is a process of its own (this program
+// again, with --run): plumb and the peer in turn, N rounds. Time: user and system, of making sets from the meshes in
+// memory, the union and the triangles of the result; reading files is left out. Memory: the largest resident set of the
+// whole process, reading included. The answer is the volume, to 1e-9 of it.
 //
 // Peers, over the exact kernel with lazy constructions (EPECK): nef3 is Nef_polyhedron_3, which like plumb
 // holds any set; corefinement is Polygon_mesh_processing::corefine_and_compute_union, for meshes that bound
@@ -24,13 +25,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "../complexity/cpu_time.h"
+#include "generate/meshes.h"
+#include "peer_report.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/to_mesh.h"
@@ -39,13 +43,6 @@ namespace plumb::bench {
 namespace {
 
 using Files = std::array<std::string, 2>;
-
-/// What a run says of itself.
-struct Outcome {
-  double seconds = 0;
-  double megabytes = 0;
-  double volume = 0;
-};
 
 /// Of a closed mesh of triangles around the origin, in doubles.
 template <class Corner>
@@ -63,7 +60,7 @@ double volume_of(std::size_t triangles, Corner corner) {
 
 // ---------------------------------------------------------------- the engines
 
-Outcome run_plumb(const Files& files) {
+PeerRun run_plumb(const Files& files) {
   Context context;
   const PolygonMesh a = read_mesh_file(files[0], {}, {}, context).mesh;
   const PolygonMesh b = read_mesh_file(files[1], {}, {}, context).mesh;
@@ -73,9 +70,10 @@ Outcome run_plumb(const Files& files) {
   const PolygonMesh mesh =
       mesh_of_complex(set.complex(), {MeshFaces::Triangles, false, false}, context).mesh;
   const double seconds = cpu_seconds() - start;
-  return {seconds, 0, volume_of(mesh.face_count(), [&](std::size_t f, std::size_t i) {
-            return mesh.points[mesh.face(f)[i]];
-          })};
+  const double volume = volume_of(mesh.face_count(), [&](std::size_t f, std::size_t i) {
+    return mesh.points[mesh.face(f)[i]];
+  });
+  return {seconds, volume, 0};
 }
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -101,7 +99,7 @@ double volume_of(const CgalMesh& mesh) {
   return volume_of(triangles.size(), [&](std::size_t t, std::size_t i) { return triangles[t][i]; });
 }
 
-Outcome run_nef3(const Files& files) {
+PeerRun run_nef3(const Files& files) {
   using Nef = CGAL::Nef_polyhedron_3<Kernel>;
   const CgalMesh a = read_cgal(files[0]);
   const CgalMesh b = read_cgal(files[1]);
@@ -110,10 +108,10 @@ Outcome run_nef3(const Files& files) {
   CgalMesh mesh;
   CGAL::convert_nef_polyhedron_to_polygon_mesh(set, mesh, true);
   const double seconds = cpu_seconds() - start;
-  return {seconds, 0, volume_of(mesh)};
+  return {seconds, volume_of(mesh), 0};
 }
 
-Outcome run_corefinement(const Files& files) {
+PeerRun run_corefinement(const Files& files) {
   CgalMesh a = read_cgal(files[0]);
   CgalMesh b = read_cgal(files[1]);
   const double start = cpu_seconds();
@@ -122,14 +120,14 @@ Outcome run_corefinement(const Files& files) {
     throw std::runtime_error("the union bounds no volume");
   }
   const double seconds = cpu_seconds() - start;
-  return {seconds, 0, volume_of(mesh)};
+  return {seconds, volume_of(mesh), 0};
 }
 
 int run_once(const std::string& engine, const Files& files) {
-  const Outcome r = engine == "plumb"  ? run_plumb(files)
+  const PeerRun r = engine == "plumb"  ? run_plumb(files)
                     : engine == "nef3" ? run_nef3(files)
                                        : run_corefinement(files);
-  fmt::print("{} {}\n", r.seconds, r.volume);
+  fmt::print("{:.6f} {:.17g}\n", r.seconds, r.answer);
   return 0;
 }
 
@@ -142,7 +140,7 @@ std::string own_path() {
 }
 
 /// The run in a process of its own; its memory as the kernel saw it.
-Outcome in_process(const std::string& engine, const Files& files) {
+PeerRun in_process(const std::string& engine, const Files& files) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
   const std::string self = own_path();
@@ -155,8 +153,8 @@ Outcome in_process(const std::string& engine, const Files& files) {
   }
   close(ends[1]);
   FILE* const out = fdopen(ends[0], "r");
-  Outcome outcome;
-  const bool is_read = std::fscanf(out, "%lf %lf", &outcome.seconds, &outcome.volume) == 2;
+  PeerRun outcome;
+  const bool is_read = std::fscanf(out, "%lf %lf", &outcome.seconds, &outcome.answer) == 2;
   std::fclose(out);
   int status = 0;
   rusage usage{};
@@ -166,39 +164,56 @@ Outcome in_process(const std::string& engine, const Files& files) {
   return outcome;
 }
 
-/// "0.071 (0.070 .. 0.074)"
-std::string summary(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return fmt::format("{:.4f} ({:.4f} .. {:.4f})", values[values.size() / 2], values.front(),
-                     values.back());
+// ---------------------------------------------------------------- pairs
+
+struct MeshPair {
+  std::string name;
+  std::array<PolygonMesh, 2> meshes;
+};
+
+MeshPair spheres(const std::string& name, int depth) {
+  return {name,
+          {testing::icosphere_mesh(depth, 1, {0, 0, 0}),
+           testing::icosphere_mesh(depth, 1, {0.3, 0.2, 0.1})}};
 }
 
-bool compare(const std::string& pair, const std::string& peer, const Files& files, int rounds) {
-  std::vector<double> time_ratios;
-  std::vector<double> memory_ratios;
-  Outcome least_ours{1e300, 1e300, 0};
-  Outcome least_theirs = least_ours;
-  for (int i = 0; i < rounds; ++i) {
-    const Outcome ours = in_process("plumb", files);
-    const Outcome theirs = in_process(peer, files);
-    time_ratios.push_back(ours.seconds / theirs.seconds);
-    memory_ratios.push_back(ours.megabytes / theirs.megabytes);
-    least_ours = {std::min(least_ours.seconds, ours.seconds),
-                  std::min(least_ours.megabytes, ours.megabytes), ours.volume};
-    least_theirs = {std::min(least_theirs.seconds, theirs.seconds),
-                    std::min(least_theirs.megabytes, theirs.megabytes), theirs.volume};
+MeshPair bunnies() {
+  Context context;
+  const PolygonMesh mesh = read_mesh_file("corpus/solids/bunny.off", {}, {}, context).mesh;
+  double low = mesh.points[0].x, high = low;
+  for (const Point3& p : mesh.points) low = std::min(low, p.x), high = std::max(high, p.x);
+  const double step = (high - low) / 7;
+  return {"bunny", {mesh, testing::moved(mesh, {step, step / 2, step / 3})}};
+}
+
+void make_pairs(const std::string& directory) {
+  std::filesystem::create_directories(directory);
+  for (const MeshPair& pair :
+       {spheres("ico1280", 3), spheres("ico5120", 4), spheres("ico20480", 5), bunnies()}) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      std::ofstream out(directory + '/' + pair.name + (i == 0 ? "_a.off" : "_b.off"));
+      write_mesh(out, pair.meshes[i], MeshFormat::Off);
+      if (!out.flush()) throw std::runtime_error("cannot write in " + directory);
+    }
   }
-  const bool agree =
-      std::fabs(least_ours.volume - least_theirs.volume) <= 1e-9 * std::fabs(least_ours.volume);
-  fmt::print("{:10} {:13} plumb {:8.3f} s {:7.0f} MB  peer {:8.3f} s {:7.0f} MB\n", pair, peer,
-             least_ours.seconds, least_ours.megabytes, least_theirs.seconds,
-             least_theirs.megabytes);
-  fmt::print(
-      "    time ratio {}  memory ratio {}{}\n", summary(time_ratios), summary(memory_ratios),
-      agree ? ""
-            : fmt::format("  VOLUMES DIFFER: {} and {}", least_ours.volume, least_theirs.volume));
-  std::fflush(stdout);
-  return agree;
+}
+
+int compare_all(const std::string& directory, const std::vector<std::string>& pairs,
+                const std::vector<std::string>& peers, int rounds, const std::string& json) {
+  PeerReport report("Union of two solids beside CGAL, from mesh to triangles");
+  report.use("CGAL", CGAL_VERSION_STR);
+  for (const std::string& peer : peers) {
+    const bool is_nef = peer == "nef3";
+    for (const std::string& pair : pairs) {
+      const std::string path = directory + '/' + pair;
+      const Files files{path + "_a.off", path + "_b.off"};
+      report.compare(
+          {"union", "two of " + pair, is_nef ? "CGAL Nef_polyhedron_3" : "CGAL corefinement",
+           "volume", 1e-9, rounds},
+          [&] { return in_process("plumb", files); }, [&] { return in_process(peer, files); });
+    }
+  }
+  return report.finish(json);
 }
 
 }  // namespace
@@ -208,23 +223,20 @@ int main(int argc, char** argv) {
   CLI::App app{"The union of two solids beside CGAL"};
   std::vector<std::string> run;
   std::string directory;
-  std::vector<std::string> pairs{"ico20480", "elephant", "bunny00"};
+  std::vector<std::string> pairs{"ico1280", "ico5120", "ico20480", "bunny"};
   std::vector<std::string> peers{"nef3", "corefinement"};
   int rounds = 3;
+  bool makes = false;
+  std::string json;
   app.add_option("directory", directory, "of PAIR_a.off and PAIR_b.off");
+  app.add_flag("--make", makes, "write the pairs there first");
   app.add_option("--pairs", pairs, "names of pairs")->delimiter(',');
   app.add_option("--peers", peers, "nef3, corefinement")->delimiter(',');
   app.add_option("--rounds", rounds, "of plumb and the peer in turn (default 3)");
+  app.add_option("--json", json, "write the comparisons there");
   app.add_option("--run", run, "ENGINE A B: one run; prints seconds and volume")->expected(3);
   CLI11_PARSE(app, argc, argv);
   if (!run.empty()) return plumb::bench::run_once(run[0], {run[1], run[2]});
-  fmt::print("CGAL {}\n", CGAL_VERSION_STR);
-  bool agree = true;
-  for (const std::string& peer : peers) {
-    for (const std::string& pair : pairs) {
-      const std::string path = directory + '/' + pair;
-      agree &= plumb::bench::compare(pair, peer, {path + "_a.off", path + "_b.off"}, rounds);
-    }
-  }
-  return agree ? 0 : 1;
+  if (makes) plumb::bench::make_pairs(directory);
+  return plumb::bench::compare_all(directory, pairs, peers, rounds, json);
 }

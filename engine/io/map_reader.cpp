@@ -40,6 +40,7 @@ class MapReader {
                                          std::to_string(counts_line_) + " announces " +
                                          std::to_string(faces_) + " faces");
     }
+    map_.corners.shrink_to_fit();  // no line says how many there will be
     return std::move(map_);
   }
 

@@ -1,0 +1,255 @@
+// Bytes that structures hold for each element, beside what the sizes of their fields add up to.
+//
+//   memory_table [--most PERCENT] [--json FILE]
+//
+// Measured: what the allocator holds more once the structure is there and everything it was made with is gone. Predicted:
+// arithmetic with the sizes of fields and the numbers of elements, as in the headers. Exit status 1 when one
+// holds more than 10 % above that.
+#include <fmt/core.h>
+#include <malloc.h>
+
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../complexity/cpu_time.h"
+#include "../complexity/plane_jobs.h"
+#include "generate/mesh_solid.h"
+#include "generate/meshes.h"
+#include "generate/sphere_families.h"
+#include "generate/surface_meshes.h"
+#include "macro_report.h"
+#include "plumb/io/map_reader.h"
+#include "plumb/io/map_writer.h"
+#include "plumb/io/solid_io.h"
+#include "plumb/plane/map_check.h"
+#include "plumb/testing/map_families.h"
+#include "plumb/testing/test_map.h"
+
+namespace plumb::bench {
+namespace {
+
+constexpr double kTolerance = 0.1;
+
+template <class T>
+constexpr auto kSize = static_cast<double>(sizeof(T));
+
+double held_bytes() { return static_cast<double>(mallinfo2().uordblks); }
+
+template <class Write>
+std::string text_of(Write write) {
+  std::ostringstream out;
+  write(out);
+  return std::move(out).str();
+}
+
+struct Row {
+  std::string structure;
+  std::string input;
+  std::string unit;  ///< of elements
+};
+
+/// What a structure says of itself once it is there.
+struct Facts {
+  double elements;
+  double predicted;  ///< bytes in all
+};
+
+class Table {
+ public:
+  explicit Table(nlohmann::ordered_json& rows) : rows_(rows) {}
+
+  /// `make` returns the structure; what else it makes is gone by then.
+  template <class Make, class Describe>
+  void add(const Row& row, Make make, Describe describe) {
+    { const auto once = make(); }  // tables that are made once, and freed memory to work in
+    const double before = held_bytes();
+    const auto structure = make();
+    const double measured = held_bytes() - before;
+    const Facts facts = describe(structure);
+    const bool is_within = measured <= (1 + kTolerance) * facts.predicted;
+    is_within_ = is_within_ && is_within;
+    rows_.push_back({{"structure", row.structure},
+                     {"input", row.input},
+                     {"unit", row.unit},
+                     {"elements", facts.elements},
+                     {"measured", measured / facts.elements},
+                     {"predicted", facts.predicted / facts.elements},
+                     {"within", is_within}});
+    fmt::print("{:34} {:40} {:8.0f} {:11} {:8.1f} bytes each, predicted {:8.1f}{}\n", row.structure,
+               row.input, facts.elements, row.unit, measured / facts.elements,
+               facts.predicted / facts.elements, is_within ? "" : "  ABOVE");
+  }
+  bool is_within() const { return is_within_; }
+
+ private:
+  nlohmann::ordered_json& rows_;
+  bool is_within_ = true;
+};
+
+/// Half-edges hold origin, next, prev, loop; loops first, face, next, prev; vertices and faces one id.
+double bytes_of(const Dcel& d) {
+  return 4 * kSize<HalfedgeId> * static_cast<double>(d.halfedge_slots()) +
+         kSize<VertexId> * static_cast<double>(d.vertex_slots()) +
+         4 * kSize<LoopId> * static_cast<double>(d.loop_slots()) +
+         kSize<LoopId> * static_cast<double>(d.face_slots());
+}
+
+/// Points that doubles hold; crossings; the half-edge structure; a point for each vertex, a line for each edge, marks.
+double bytes_of(const PlaneComplex& c) {
+  return kSize<Point2> * static_cast<double>(c.points.inputs.size()) +
+         kSize<Crossing2> * static_cast<double>(c.points.crossings.size()) + bytes_of(c.dcel) +
+         (kSize<std::uint32_t> + 1) * static_cast<double>(c.vertex_count()) +
+         (kSize<PlaneLine> + 1) * static_cast<double>(c.edge_count()) +
+         static_cast<double>(c.face_count());
+}
+
+/// Of the set itself: the fields of space_complex.h. Tables: planes with their rows, fingerprints, sources and two slots of an index; input
+/// points with their grids; constructed points with boxes and sources.
+double bytes_of(const SpaceComplex& c) {
+  const auto vertices = static_cast<double>(c.vertex_count()),
+             edges = static_cast<double>(c.edge_count()), uses = static_cast<double>(c.use_count()),
+             facets = static_cast<double>(c.facet_count()),
+             cycles = static_cast<double>(c.cycle.size()),
+             inner = static_cast<double>(c.inner.size());
+  constexpr double kId = kSize<std::uint32_t>;
+  double bytes = vertices * (4 * kId + kSize<Mark>)+2 * edges * kId;          // with star
+  bytes += edges * (4 * kId + kSize<Mark>)+2 * edges * kId + 5 * uses * kId;  // with origin
+  bytes += facets * (6 * kId + kSize<Mark>)+cycles * kId + inner * kId;
+  bytes += static_cast<double>(c.volume_count()) * kSize<Mark>;
+  const PlaneTable& planes = c.planes();
+  bytes += static_cast<double>(planes.points().size()) * (kSize<Point3> + kSize<Grid>);
+  bytes += static_cast<double>(planes.size()) *
+           (kSize<PlaneRow> + kSize<Fingerprint> + kSize<PlaneSource> + 36);
+  return bytes + static_cast<double>(c.points().size()) * (kSize<PointBox> + kSize<PointSource>);
+}
+
+double bytes_of(const SphereMap& m) {
+  constexpr double kId = kSize<std::uint32_t>;
+  return static_cast<double>(m.direction.size()) *
+             (kSize<SphereDirection> + kSize<Mark> + 2 * kId) +
+         static_cast<double>(m.circle.size()) *
+             (kSize<PlaneId> + kSize<Mark>)+static_cast<double>(m.origin.size()) * 3 * kId +
+         static_cast<double>(m.face_mark.size()) * kSize<Mark>;
+}
+
+double bytes_of(const PolygonMesh& m) {
+  return kSize<Point3> * static_cast<double>(m.points.size()) +
+         kSize<std::uint32_t> * static_cast<double>(m.corners.size() + m.face_begin.size());
+}
+
+void add_plane(Table& table, const MacroOptions& options) {
+  const auto faces = static_cast<std::uint32_t>(options.size(100000, 1000));
+  const testing::TestMap hexagons = testing::map_families()[5].make(faces);
+  table.add(
+      {"Map", fmt::format("hexagons, {} faces, as read", faces), "corners"},
+      [&] {
+        Context context;
+        return read_map(text_of([&](std::ostream& out) { write_map(out, to_map(hexagons)); }), {},
+                        context);
+      },
+      [](const Map& map) {
+        const auto corners = static_cast<double>(map.corners.size());
+        return Facts{corners,
+                     kSize<Point2> * static_cast<double>(map.points.size()) +
+                         kSize<std::uint32_t> *
+                             static_cast<double>(map.corners.size() + map.cycle_begin.size())};
+      });
+  table.add(
+      {"Dcel", fmt::format("hexagons, {} faces", faces), "half-edges"},
+      [&] {
+        Context context;
+        return to_dcel(check_map(to_map(hexagons), {}, context)).dcel;
+      },
+      [](const Dcel& d) {
+        return Facts{static_cast<double>(d.halfedge_count()), bytes_of(d)};
+      });
+  const std::size_t n = options.size(1000, 200);
+  const SegmentScene scene = scene_of(testing::long_segments(n));
+  table.add(
+      {"PlaneComplex", fmt::format("{} long segments", n), "crossings"},
+      [&] { return arranged(scene).complex; },
+      [](const PlaneComplex& c) {
+        return Facts{static_cast<double>(c.points.crossings.size()), bytes_of(c)};
+      });
+}
+
+void add_space(Table& table, const MacroOptions& options) {
+  const int depth = options.most < 50 ? 3 : 5;
+  const PolygonMesh mesh = testing::icosphere_mesh(depth, 1, {0, 0, 0});
+  const std::string sphere = fmt::format("icosphere of {}", mesh.face_count());
+  const auto describe = [](const Nef3& set) {
+    const SpaceComplex& c = set.complex();
+    return Facts{static_cast<double>(c.facet_count()), bytes_of(c)};
+  };
+  table.add(
+      {"PolygonMesh", sphere + ", as read", "faces"},
+      [&] {
+        Context context;
+        const std::string text =
+            text_of([&](std::ostream& out) { write_mesh(out, mesh, MeshFormat::Off); });
+        return read_mesh(text, MeshFormat::Off, {}, context).mesh;
+      },
+      [](const PolygonMesh& m) {
+        return Facts{static_cast<double>(m.face_count()), bytes_of(m)};
+      });
+  table.add(
+      {"Nef3 with its tables", sphere, "facets"}, [&] { return testing::solid(mesh); }, describe);
+  table.add(
+      {"Nef3 with its tables", "union of two of these", "facets"},
+      [&] {
+        Context context;
+        return combine(testing::solid(mesh), testing::solid(testing::moved(mesh, {0.3, 0.2, 0.1})),
+                       kUnion, context);
+      },
+      describe);
+}
+
+void add_sphere_and_surface(Table& table, const MacroOptions& options) {
+  const std::size_t n = options.size(10000, 1000) / 2 * 2;
+  table.add(
+      {"SphereMap", fmt::format("crown of {} corners", n), "arcs"},
+      [&] {
+        const NefSphere set = testing::crown(n, 0, 0.5, 1.5);
+        return SphereMap(set.map());
+      },
+      [](const SphereMap& m) {
+        return Facts{static_cast<double>(m.arc_count()), bytes_of(m)};
+      });
+  const int depth = options.most < 50 ? 4 : 6;
+  const SurfaceMesh made = testing::sphere_surface(depth);
+  table.add(
+      {"SurfaceMesh", fmt::format("sphere of 20 * 4^{}", depth), "triangles"},
+      [&] {
+        std::vector<Point3> points(made.vertex_count());
+        for (std::size_t i = 0; i < points.size(); ++i) points[i] = made.point(VertexId(i));
+        std::vector<SurfaceTriangle> triangles(made.face_count());
+        for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i] = made.corners(FaceId(i));
+        return SurfaceMesh(std::move(points), std::move(triangles));
+      },
+      [](const SurfaceMesh& m) {
+        const auto faces = static_cast<double>(m.face_count());
+        constexpr double kId = kSize<std::uint32_t>;
+        // corners, flipped, component; per half-edge twin and edge; per edge one; per vertex point and half-edge
+        return Facts{faces, faces * (kSize<SurfaceTriangle> + 1 + kId) + 3 * faces * 2 * kId +
+                                1.5 * faces * kId +
+                                static_cast<double>(m.vertex_count()) * (kSize<Point3> + kId)};
+      });
+}
+
+}  // namespace
+}  // namespace plumb::bench
+
+int main(int argc, char** argv) {
+  using namespace plumb::bench;
+  keep_freed_memory();  // mapped blocks are not counted
+  return macro_main("memory", "Memory of structures", argc, argv,
+                    [](const MacroOptions& options, nlohmann::ordered_json& rows) {
+                      Table table(rows);
+                      add_plane(table, options);
+                      add_space(table, options);
+                      add_sphere_and_surface(table, options);
+                      return table.is_within() ? 0 : 1;
+                    });
+}

@@ -1,0 +1,110 @@
+// What a second and further threads bring, by capability that has them: wall time, one thread and several in turn.
+//
+//   threads [--most PERCENT] [--json FILE]
+//
+// 1, 2 and 4 threads, where there are as many cores. Ratio: time with one to time with so many, median, least and greatest
+// of the rounds.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "../complexity/cpu_time.h"
+#include "generate/mesh_solid.h"
+#include "generate/meshes.h"
+#include "macro_report.h"
+#include "plumb/io/solid_io.h"
+#include "plumb/space/to_mesh.h"
+
+namespace plumb::bench {
+namespace {
+
+using Work = std::function<void(Context&)>;
+
+struct Job {
+  std::string capability;
+  std::string input;
+  Work work;
+};
+
+double wall_seconds(const Work& work, unsigned threads) {
+  Context context(Limits{}, std::stop_token{}, ProgressCallback{}, threads);
+  const auto start = std::chrono::steady_clock::now();
+  work(context);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+nlohmann::ordered_json compared(const Job& job, unsigned threads, int rounds) {
+  std::vector<double> one, many, ratios;
+  for (int i = 0; i < rounds; ++i) {
+    one.push_back(wall_seconds(job.work, 1));
+    many.push_back(wall_seconds(job.work, threads));
+    ratios.push_back(one.back() / many.back());
+  }
+  std::ranges::sort(ratios);
+  const double least_one = std::ranges::min(one), least_many = std::ranges::min(many);
+  fmt::print("{:34} {:28} {} threads: {:.4f} s, one: {:.4f} s, ratio {:.2f} ({:.2f} .. {:.2f})\n",
+             job.capability, job.input, threads, least_many, least_one, ratios[ratios.size() / 2],
+             ratios.front(), ratios.back());
+  std::fflush(stdout);
+  return {{"capability", job.capability},
+          {"input", job.input},
+          {"threads", threads},
+          {"one", least_one},
+          {"many", least_many},
+          {"ratio",
+           {{"least", ratios.front()},
+            {"median", ratios[ratios.size() / 2]},
+            {"greatest", ratios.back()}}}};
+}
+
+void add_jobs(std::vector<Job>& jobs, const std::string& input, const PolygonMesh& a,
+              const PolygonMesh& b) {
+  const std::vector<PolygonMesh> meshes{a, b};
+  jobs.push_back({"two meshes become sets", input, [meshes](Context& context) {
+                    static_cast<void>(Nef3::meshes(meshes, WindingRule::Positive, context));
+                  }});
+  const std::vector<Nef3> sets{testing::solid(a), testing::solid(b)};
+  jobs.push_back({"union of two sets", input, [sets](Context& context) {
+                    static_cast<void>(combine(sets[0], sets[1], kUnion, context));
+                  }});
+  jobs.push_back({"union, from meshes to triangles", input, [meshes](Context& context) {
+                    std::vector<Nef3> both = Nef3::meshes(meshes, WindingRule::Positive, context);
+                    const Nef3 set =
+                        combine(std::move(both[0]), std::move(both[1]), kUnion, context);
+                    static_cast<void>(mesh_of_complex(
+                        set.complex(), {MeshFaces::Triangles, false, false}, context));
+                  }});
+}
+
+int run(const MacroOptions& options, nlohmann::ordered_json& rows) {
+  const bool is_short = options.most < 50;
+  const int depth = is_short ? 2 : 6;
+  std::vector<Job> jobs;
+  add_jobs(jobs, fmt::format("icospheres of 20 * 4^{}", depth),
+           testing::icosphere_mesh(depth, 1, {0, 0, 0}),
+           testing::icosphere_mesh(depth, 1, {0.3, 0.2, 0.1}));
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  for (const Job& job : jobs) {
+    for (const unsigned threads : {2U, 4U}) {
+      if (threads <= cores || (is_short && threads == 2)) {
+        rows.push_back(compared(job, threads, is_short ? 1 : 5));
+      }
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace plumb::bench
+
+int main(int argc, char** argv) {
+  plumb::bench::keep_freed_memory();
+  return plumb::bench::macro_main("threads", "Threads", argc, argv, plumb::bench::run);
+}

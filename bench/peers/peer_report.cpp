@@ -1,0 +1,138 @@
+#include "peer_report.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <fstream>
+
+#include "../complexity/cpu_time.h"
+
+namespace plumb::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json spread(std::vector<double> values) {
+  std::ranges::sort(values);
+  return {{"least", values.front()},
+          {"median", values[values.size() / 2]},
+          {"greatest", values.back()}};
+}
+
+std::string text(const Json& spread) {
+  return fmt::format("{:.3f} ({:.3f} .. {:.3f})", spread["median"].get<double>(),
+                     spread["least"].get<double>(), spread["greatest"].get<double>());
+}
+
+/// What one library did in all rounds.
+struct Runs {
+  std::vector<PeerRun> runs;
+
+  double least(double PeerRun::*value) const {
+    return runs.empty() ? 0 : std::ranges::min(runs, {}, value).*value;
+  }
+  Json to_json() const {
+    Json json{{"seconds", least(&PeerRun::seconds)}};
+    if (runs.empty()) return json;
+    json["answer"] = runs.back().answer;
+    if (runs.back().megabytes > 0) json["megabytes"] = least(&PeerRun::megabytes);
+    return json;
+  }
+};
+
+Json ratios(const Runs& ours, const Runs& theirs, double PeerRun::*value) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < theirs.runs.size(); ++i) {
+    values.push_back(ours.runs[i].*value / theirs.runs[i].*value);
+  }
+  return spread(std::move(values));
+}
+
+}  // namespace
+
+PeerReport::PeerReport(std::string_view title)
+    : json_{{"title", title}, {"versions", Json::object()}, {"comparisons", Json::array()}} {}
+
+void PeerReport::use(std::string_view library, std::string_view version) {
+  json_["versions"][std::string(library)] = version;
+  fmt::print("{} {}\n", library, version);
+}
+
+void PeerReport::compare(const PeerJob& job, const std::function<PeerRun()>& ours,
+                         const std::function<PeerRun()>& theirs) {
+  Runs own, other;
+  std::string failure;
+  for (int i = 0; i < job.rounds && failure.empty(); ++i) {
+    own.runs.push_back(ours());
+    try {
+      other.runs.push_back(theirs());
+    } catch (const std::exception& error) {
+      failure = error.what();
+    }
+  }
+  Json& json = json_["comparisons"].emplace_back(Json{{"job", job.name},
+                                                      {"input", job.input},
+                                                      {"peer", job.peer},
+                                                      {"measure", job.measure},
+                                                      {"tolerance", job.tolerance},
+                                                      {"rounds", job.rounds}});
+  json["plumb"] = own.to_json();
+  json["other"] = other.to_json();
+  fmt::print("{:30} {:26} {:22} plumb {:9.4f} s  peer {:9.4f} s", job.name, job.input, job.peer,
+             own.least(&PeerRun::seconds), other.least(&PeerRun::seconds));
+  if (!other.runs.empty()) {
+    json["ratio"] = ratios(own, other, &PeerRun::seconds);
+    fmt::print("  ratio {}", text(json["ratio"]));
+    if (own.runs.back().megabytes > 0 && other.runs.back().megabytes > 0) {
+      json["memory_ratio"] = ratios(own, other, &PeerRun::megabytes);
+      fmt::print("  memory {}", text(json["memory_ratio"]));
+    }
+  }
+  if (!failure.empty()) {
+    json["failure"] = failure;
+    json["verdict"] = "the peer failed";
+    fmt::print("  THE PEER FAILED: {}\n", failure);
+  } else {
+    const double a = own.runs.back().answer, b = other.runs.back().answer;
+    const bool agree = std::fabs(a - b) <= job.tolerance * std::fabs(a);
+    json["verdict"] = agree ? "agree" : "answers differ";
+    fmt::print("{}\n",
+               agree ? "" : fmt::format("  ANSWERS DIFFER, {}: {} and {}", job.measure, a, b));
+    agree_ = agree_ && agree;
+  }
+  std::fflush(stdout);
+}
+
+void PeerReport::judge(const Judgement& j) {
+  json_["judged"].push_back(
+      {{"peer", j.peer},
+       {"input", j.input},
+       {"plumb", j.ours},
+       {"other", j.theirs},
+       {"verdict", j.is_ours_right ? "the peer is wrong" : "plumb is wrong"}});
+  agree_ = agree_ && j.is_ours_right;
+}
+
+void PeerReport::judged_of(std::size_t inputs) { json_["judged_of"] = inputs; }
+
+int PeerReport::finish(const std::string& file) const {
+  if (!file.empty()) {
+    std::ofstream out(file);
+    if (!(out << json_.dump(1) << '\n').flush()) {
+      fmt::print(stderr, "{}: cannot be written\n", file);
+      return 2;
+    }
+  }
+  return agree_ ? 0 : 1;
+}
+
+PeerRun timed_run(const std::function<void()>& work, const std::function<double()>& answer) {
+  const double start = cpu_seconds();
+  work();
+  const double seconds = cpu_seconds() - start;
+  return {seconds, answer(), 0};
+}
+
+}  // namespace plumb::bench
