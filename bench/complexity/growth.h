@@ -78,9 +78,8 @@ Work measured_in_turn(double size, std::vector<Input> inputs, Once once) {
           count};
 }
 
-/// From `least` to `most`, each `factor` times the one before.
-std::vector<std::size_t> sizes_between(double least, double most,
-                                       double factor = 3.1622776601683795);
+/// From `least` to `most`, each `factor` times the one before: six sizes over two decades.
+std::vector<std::size_t> sizes_between(double least, double most, double factor = 2.51188643150958);
 
 /// The whole program: [--most PERCENT] [--work] [--slack X] [--json FILE] [FAMILY...]. --most: no sizes above that share of
 /// the largest, but three at least. --slack: added to the bounds and goals. Exit status 2: no such family, or JSON cannot

@@ -31,7 +31,7 @@ std::vector<Family> families() {
          "the whole check of a map; the note on the DCEL implies O(m^2) for crossings alone",
          "faces",
          {1, 1},
-         sizes_between(1000, 1000000),
+         sizes_between(1000, 1000000, 3.1622776601683795),
          [make = family.make](std::size_t faces) {
            return check_of(make(static_cast<std::uint32_t>(faces)));
          },

@@ -187,7 +187,7 @@ const std::vector<Family> kFamilies{
      "n half-planes, one by one: O(n^2) in the note",
      "half-planes",
      {2, 0},
-     sizes_between(32, 1024, 2),
+     sizes_between(16, 1600),
      half_plane_intersection},
 };
 

@@ -182,7 +182,7 @@ Work tiny(std::size_t n) {
   return division_of(rings(side, side, static_cast<int>(n / 16), 0.05));
 }
 
-const std::vector<std::size_t> kSizes = sizes_between(1000, 100000, 2.1544346900318843);
+const std::vector<std::size_t> kSizes = sizes_between(1000, 100000);
 const std::vector<Family> kFamilies{
     {"scattered",
      "division of a surface, which grows with what is drawn",

@@ -18,7 +18,8 @@
 //
 // Only one part of the section is cut, so that lobes of the solid elsewhere stay whole, and the surface of
 // either side stays connected: a closed surface that holds one side of a connected wall, and not the
-// other, separates them. Source: Chazelle, SIAM J. Comput. 13 (1984), who cuts so. Cost: O(size of the piece).
+// other, separates them. Source: Chazelle, SIAM J. Comput. 13 (1984), who cuts so. Cost: O(size of the piece), and a walk
+// along the section for each vertex that touches T elsewhere (is_punctured()).
 #pragma once
 
 #include <cstdint>
