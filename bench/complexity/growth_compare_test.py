@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+"""What growth_compare says of doctored results: growth_compare_test.py PROGRAM"""
+import copy
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+program = sys.argv[1]
+folder = pathlib.Path(tempfile.mkdtemp())
+problems = []
+
+
+def sample(size):
+    return {"size": size, "seconds": 1e-6 * size, "instructions": 0, "allocations": 7.0 * size, "bytes": 90.0 * size,
+            "batches": [1e-6 * size * (1 + 0.01 * i) for i in range(5)]}
+
+
+old = {"programs": [{"title": "Growth", "families": [{"name": "family", "samples": [sample(n) for n in (100, 1000, 10000)]}]}]}
+
+
+def samples(results):
+    return results["programs"][0]["families"][0]["samples"]
+
+
+def expect(name, status, doctor):
+    new = copy.deepcopy(old)
+    doctor(new)
+    for file, results in (("old.json", old), ("new.json", new)):
+        (folder / file).write_text(json.dumps(results))
+    run = subprocess.run([program, folder / "old.json", folder / "new.json"], capture_output=True, text=True)
+    if run.returncode != status:
+        problems.append(f"{name}: exit status {run.returncode}, not {status}: {run.stdout}{run.stderr}")
+
+
+def times(factor, key):
+    def doctor(results):
+        samples(results)[1][key] *= factor
+    return doctor
+
+
+def slower(factor, batches=5):
+    def doctor(results):
+        for s in samples(results):
+            s["seconds"] *= factor
+            s["batches"] = [b * factor if i < batches else b for i, b in enumerate(s["batches"])]
+    return doctor
+
+
+expect("the same", 0, lambda results: None)
+for key in ("allocations", "bytes"):
+    expect(f"{key} 1.9 % up", 0, times(1.019, key))
+    expect(f"{key} 2.1 % up", 1, times(1.021, key))
+    expect(f"{key} 10 % down", 0, times(0.9, key))
+expect("14 % slower", 0, slower(1.14))
+expect("16 % slower", 1, slower(1.16))
+expect("16 % slower, in one batch of five", 0, slower(1.16, batches=1))
+expect("20 % faster", 0, slower(0.8))
+expect("another family", 2, lambda results: results["programs"][0]["families"][0].update(name="other"))
+expect("no programs", 2, lambda results: results.pop("programs"))
+
+print("\n".join(problems) or "growth_compare judges as it should")
+sys.exit(1 if problems else 0)
