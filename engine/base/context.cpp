@@ -5,19 +5,24 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 
 namespace plumb {
 
-Context::Context(Limits limits, std::stop_token stop, ProgressCallback progress, unsigned threads)
+Context::Context(Limits limits, std::stop_token stop, ProgressCallback progress,
+                 unsigned threads) try
     : limits_(limits),
       stops_{std::move(stop)},
       progress_(std::move(progress)),
       threads_(std::max(1U, threads)),
       charged_bytes_(std::make_shared<std::atomic<std::uint64_t>>(0)),
       start_(Clock::now()),
-      last_report_(start_) {}
+      last_report_(start_) {
+} catch (...) {
+  rethrow_refused_memory();
+}
 
-Context::Context(const Context& of, std::stop_token stop, unsigned threads, bool reports)
+Context::Context(const Context& of, std::stop_token stop, unsigned threads, bool reports) try
     : limits_(of.limits_),
       stops_(of.stops_),
       progress_(reports ? of.progress_ : ProgressCallback()),
@@ -26,6 +31,8 @@ Context::Context(const Context& of, std::stop_token stop, unsigned threads, bool
       start_(of.start_),
       last_report_(of.last_report_) {
   stops_.push_back(std::move(stop));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 void Context::checkpoint(std::string_view phase, std::uint64_t done, std::uint64_t total) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 
 namespace plumb {
 namespace {
@@ -126,6 +127,10 @@ class Parser {
 
 }  // namespace
 
-SetExpression parse_set_expression(std::string_view text) { return Parser(text).run(); }
+SetExpression parse_set_expression(std::string_view text) try {
+  return Parser(text).run();
+} catch (...) {
+  rethrow_refused_memory();
+}
 
 }  // namespace plumb

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/convex/vertex_tree.h"
 #include "plumb/convex/wall_sector.h"
 #include "plumb/predicates/input_predicates.h"
@@ -275,14 +276,16 @@ void number_as_input(std::vector<FailingFace>& faces, const PolygonMesh& mesh,
 
 }  // namespace
 
-bool is_convex_mesh(const PolygonMesh& mesh, Context& context) {
+bool is_convex_mesh(const PolygonMesh& mesh, Context& context) try {
   if (const std::optional<bool> known = StarTest(mesh, context).run()) return *known;
   MeshComplex complex = complex_of_mesh(mesh, {}, context);
   return is_plain(complex) &&
          Nef3::mesh(std::move(complex), WindingRule::NonZero, context).is_convex();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-ConvexityEvidence convexity_of_mesh(const PolygonMesh& mesh, Context& context) {
+ConvexityEvidence convexity_of_mesh(const PolygonMesh& mesh, Context& context) try {
   ConvexityEvidence evidence;
   evidence.is_convex = is_convex_mesh(mesh, context);
   if (evidence.is_convex) return evidence;
@@ -303,9 +306,11 @@ ConvexityEvidence convexity_of_mesh(const PolygonMesh& mesh, Context& context) {
       c, [&](FacetId f) { return turned(f) * Sign::Negative; }, context);
   number_as_input(evidence.faces, mesh, c);
   return evidence;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::vector<EdgeId> reflex_edges(const SpaceComplex& c) {
+std::vector<EdgeId> reflex_edges(const SpaceComplex& c) try {
   std::vector<EdgeId> edges =
       wide_edges(c, [&](UseId u) { return c.volume_mark[c.volume_after(u).value()] == 1; });
   for (std::size_t e = 0; e < c.edge_count(); ++e) {
@@ -314,9 +319,11 @@ std::vector<EdgeId> reflex_edges(const SpaceComplex& c) {
   }
   std::sort(edges.begin(), edges.end());
   return edges;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-ConvexityEvidence convexity_of_set(const Nef3& set, Context& context) {
+ConvexityEvidence convexity_of_set(const Nef3& set, Context& context) try {
   const SpaceComplex& c = set.complex();
   ConvexityEvidence evidence;
   evidence.is_convex = set.is_convex();
@@ -332,6 +339,8 @@ ConvexityEvidence convexity_of_set(const Nef3& set, Context& context) {
       },
       context);
   return evidence;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

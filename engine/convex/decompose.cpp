@@ -3,6 +3,7 @@
 #include <iterator>
 #include <utility>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/convex/convexity.h"
 #include "plumb/convex/cuts.h"
 #include "plumb/convex/facet_names.h"
@@ -37,11 +38,13 @@ ConvexPieces decompose_named(const Nef3& whole, const DecomposeOptions& options,
 
 }  // namespace
 
-ConvexPieces decompose(const Nef3& set, const DecomposeOptions& options, Context& context) {
+ConvexPieces decompose(const Nef3& set, const DecomposeOptions& options, Context& context) try {
   if (!has_unnamed(set)) return decompose_named(set, options, context);
   ConvexPieces result = decompose_named(with_names(set), options, context);
   remove_names(result.pieces);
   return result;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

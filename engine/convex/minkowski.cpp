@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/convex/convex_sum.h"
 #include "plumb/convex/cuts.h"
 #include "plumb/convex/decompose.h"
@@ -199,7 +200,7 @@ Nef3 room_around(const Nef3& a, const Nef3& b, Context& context) {
 
 }  // namespace
 
-Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context) {
+Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context) try {
   if (a.is_empty() || b.is_empty()) return Nef3::empty();
   require_bounded(a);
   require_bounded(b);
@@ -215,9 +216,11 @@ Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context) {
     }
   }
   return union_of(sums, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 minkowski_erosion(const Nef3& a, const Nef3& b, Context& context) {
+Nef3 minkowski_erosion(const Nef3& a, const Nef3& b, Context& context) try {
   require_bounded(b);
   if (b.is_empty()) return Nef3::space();
   const Nef3 mirrored = b.transformed(scaling(-1));
@@ -228,6 +231,8 @@ Nef3 minkowski_erosion(const Nef3& a, const Nef3& b, Context& context) {
                                   mirrored, context);
   const Nef3 candidates = minkowski_sum(a, mirrored, context);
   return combine(candidates, lost, kDifference, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/base/union_find.h"
 #include "plumb/convex/plane_region.h"
 
@@ -179,8 +180,10 @@ class PlaneConvexityTest {
 
 }  // namespace
 
-PlaneConvexity convexity_of_set(const Nef2& set, Context& context) {
+PlaneConvexity convexity_of_set(const Nef2& set, Context& context) try {
   return PlaneConvexityTest(set.complex(), context).run();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

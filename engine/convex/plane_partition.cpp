@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/convex/corner_sight.h"
 #include "plumb/convex/plane_cuts.h"
 #include "plumb/convex/plane_diagonals.h"
@@ -152,12 +153,14 @@ class PlanePartition {
 
 }  // namespace
 
-PlanePieces decompose(const Nef2& set, const PartitionOptions& options, Context& context) {
+PlanePieces decompose(const Nef2& set, const PartitionOptions& options, Context& context) try {
   return PlanePartition(set, options, context).run();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 std::optional<bool> do_areas_add_up(const Nef2& set, std::span<const Nef2> pieces,
-                                    Context& context) {
+                                    Context& context) try {
   const std::optional<Rational> whole = marked_area(set.complex(), context);
   if (!whole) return std::nullopt;
   RationalSum sum;
@@ -168,6 +171,8 @@ std::optional<bool> do_areas_add_up(const Nef2& set, std::span<const Nef2> piece
     sum.add(*area);
   }
   return sum.total() == *whole;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

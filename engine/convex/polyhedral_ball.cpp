@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/convex/minkowski.h"
 
 namespace plumb {
@@ -69,7 +70,7 @@ class BallMesh {
 
 }  // namespace
 
-Nef3 polyhedral_ball(double radius, unsigned rounds, Context& context) {
+Nef3 polyhedral_ball(double radius, unsigned rounds, Context& context) try {
   if (!std::isfinite(radius) || !(radius > 0)) {
     throw Error(ErrorCode::BadArgument, "a ball needs a positive radius");
   }
@@ -82,6 +83,8 @@ Nef3 polyhedral_ball(double radius, unsigned rounds, Context& context) {
   BallMesh ball;
   for (unsigned i = 0; i < rounds; ++i) ball.divide();
   return Nef3::mesh(std::move(ball).mesh(radius), WindingRule::Positive, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/convex/convexity.h"
 #include "plumb/convex/cuts.h"
 #include "plumb/convex/facet_names.h"
@@ -70,7 +71,7 @@ std::optional<SpaceComplex> subdivided(SpaceComplex complex, const VerticalDirec
 }  // namespace
 
 SpaceComplex wall_subdivision(const Nef3& set, const std::optional<VerticalDirection>& up,
-                              Context& context) {
+                              Context& context) try {
   if (!set.is_bounded()) throw Error(ErrorCode::BadArgument, "vertical walls need a bounded set");
   const VerticalDirection chosen = up ? *up : choose_vertical(set.complex(), context).up;
   const bool is_named = !has_unnamed(set);
@@ -81,9 +82,12 @@ SpaceComplex wall_subdivision(const Nef3& set, const std::optional<VerticalDirec
   }
   if (!is_named) remove_names(complex->facet_origin);
   return *std::move(complex);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::vector<Nef3> fewer_pieces_by_walls(const Nef3& volume, std::size_t most, Context& context) {
+std::vector<Nef3> fewer_pieces_by_walls(const Nef3& volume, std::size_t most,
+                                        Context& context) try {
   constexpr std::size_t kFew = 32;  // reflex edges: walls cost little
   constexpr double kOverrated =
       1.25;  // neither the number expected nor that before merging is the last word
@@ -101,6 +105,8 @@ std::vector<Nef3> fewer_pieces_by_walls(const Nef3& volume, std::size_t most, Co
   merge_sets(pieces, context);
   if (pieces.size() >= most) pieces.clear();
   return pieces;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 namespace {
@@ -141,11 +147,13 @@ ConvexPieces decompose_named(const Nef3& set, const DecomposeOptions& options, C
 }  // namespace
 
 ConvexPieces decompose_by_walls(const Nef3& set, const DecomposeOptions& options,
-                                Context& context) {
+                                Context& context) try {
   if (!has_unnamed(set)) return decompose_named(set, options, context);
   ConvexPieces result = decompose_named(with_names(set), options, context);
   remove_names(result.pieces);
   return result;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/io/input.h"
 #include "plumb/io/record_reader.h"
 #include "plumb/predicates/point_table2.h"
@@ -150,17 +151,21 @@ void MapReader::add_corner(std::uint32_t vertex) {
 
 }  // namespace
 
-Map read_map(std::string_view text, const ReadOptions& options, Context& context) {
+Map read_map(std::string_view text, const ReadOptions& options, Context& context) try {
   const RoundToNearest rounding;
   return MapReader(text, options, context).read();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Map read_map_file(const std::string& path, ReadOptions options, Context& context) {
+Map read_map_file(const std::string& path, ReadOptions options, Context& context) try {
   options.name = input_name(path);
   const std::string text = read_input(path, context);
   Map map = read_map(text, options, context);
   context.release_memory(text.size());
   return map;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

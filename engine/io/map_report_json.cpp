@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/io/map_report_text.h"
 #include "plumb/io/text_output.h"
 
@@ -124,7 +125,7 @@ Json feature_json(const MapReport& report, const MapDefect& defect) {
 
 }  // namespace
 
-void write_map_report_json(std::ostream& stream, const MapReport& report) {
+void write_map_report_json(std::ostream& stream, const MapReport& report) try {
   TextOutput out(stream);
   std::string summary = summary_json(report).dump();
   summary.pop_back();  // the closing brace: the lists follow
@@ -138,15 +139,19 @@ void write_map_report_json(std::ostream& stream, const MapReport& report) {
   }
   out << "}\n";
   out.flush();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-void write_map_report_geojson(std::ostream& stream, const MapReport& report) {
+void write_map_report_geojson(std::ostream& stream, const MapReport& report) try {
   TextOutput out(stream);
   out << R"({"type":"FeatureCollection","features":)";
   write_list(out, report.defects,
              [&](const MapDefect& defect) { out << feature_json(report, defect).dump(); });
   out << "}\n";
   out.flush();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/io/text_output.h"
 #include "plumb/plane/map_edges.h"
 
@@ -159,7 +160,7 @@ std::string_view name_of(WarningKind kind) {
   return {};
 }
 
-void write_map_report_text(std::ostream& stream, const MapReport& report) {
+void write_map_report_text(std::ostream& stream, const MapReport& report) try {
   TextOutput out(stream);
   if (report.verdict == MapVerdict::Valid) {
     write_listing(out, report);
@@ -170,6 +171,8 @@ void write_map_report_text(std::ostream& stream, const MapReport& report) {
     }
   }
   out.flush();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -1,5 +1,6 @@
 #include "plumb/io/map_writer.h"
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/io/text_output.h"
 
 namespace plumb {
@@ -17,7 +18,7 @@ void write_cycle(TextOutput& out, std::span<const std::uint32_t> cycle) {
 
 }  // namespace
 
-void write_map(std::ostream& stream, const Map& map) {
+void write_map(std::ostream& stream, const Map& map) try {
   TextOutput out(stream);
   out << std::uint64_t{map.vertex_count()} << ' ' << std::uint64_t{map.cycle_count()} << '\n';
   for (std::uint32_t v = 0; v < map.vertex_count(); ++v) {
@@ -26,6 +27,8 @@ void write_map(std::ostream& stream, const Map& map) {
   }
   for (std::size_t c = 0; c < map.cycle_count(); ++c) write_cycle(out, map.cycle(c));
   out.flush();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/io/nef3_links.h"
 #include "plumb/io/record_reader.h"
 #include "plumb/io/with_place.h"
@@ -342,12 +343,14 @@ void Nef3Reader::read_end() {
 
 }  // namespace
 
-SpaceComplex read_nef3(std::string_view text, const ReadOptions& options, Context& context) {
+SpaceComplex read_nef3(std::string_view text, const ReadOptions& options, Context& context) try {
   const RoundToNearest rounding;
   SpaceComplex complex = Nef3Reader(text, options, context).read();
   const std::string flaw = flaw_of_links(complex);
   if (!flaw.empty()) throw Error(ErrorCode::BadShape, flaw, {options.name});
   return complex;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

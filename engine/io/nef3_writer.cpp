@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/io/text_output.h"
 
 namespace plumb {
@@ -218,8 +219,10 @@ void Nef3Writer::write_facets() {
 
 }  // namespace
 
-void write_nef3(std::ostream& out, const SpaceComplex& complex) {
+void write_nef3(std::ostream& out, const SpaceComplex& complex) try {
   Nef3Writer(out, complex).write();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

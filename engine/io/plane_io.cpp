@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/io/geojson_reader.h"
 #include "plumb/io/geojson_writer.h"
 #include "plumb/io/input.h"
@@ -39,7 +40,7 @@ PlaneFormat guess_plane_format(std::string_view text) {
 }
 
 Nef2 read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions& options,
-                    Context& context) {
+                    Context& context) try {
   switch (format) {
     case PlaneFormat::Nef2:
       return read_nef2(text, options, context);
@@ -48,10 +49,12 @@ Nef2 read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions
     default:
       return to_set(read_wkt(text, options, context), context);
   }
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 Nef2 read_plane_set_file(const std::string& path, std::optional<PlaneFormat> format,
-                         ReadOptions options, Context& context) {
+                         ReadOptions options, Context& context) try {
   options.name = input_name(path);
   const std::string text = read_input(path, context);
   if (!format) format = plane_format_of(path);
@@ -59,6 +62,8 @@ Nef2 read_plane_set_file(const std::string& path, std::optional<PlaneFormat> for
   Nef2 set = read_plane_set(text, *format, options, context);
   context.release_memory(text.size());
   return set;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 PlaneCounts counts_of(const Nef2& set) {
@@ -66,7 +71,7 @@ PlaneCounts counts_of(const Nef2& set) {
   return {complex.vertex_count(), complex.edge_count(), complex.face_count()};
 }
 
-std::vector<std::string> PlaneLosses::sentences() const {
+std::vector<std::string> PlaneLosses::sentences() const try {
   std::vector<std::string> list;
   if (unbounded) list.push_back("unbounded parts were left out; unbounded sets need .nef2");
   if (open) list.push_back("the set is not closed; its closure was written (.nef2 keeps marks)");
@@ -75,9 +80,11 @@ std::vector<std::string> PlaneLosses::sentences() const {
                    " became " + to_text((*reshaped)[1]) + " (.nef2 is exact)");
   }
   return list;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-PlaneText::PlaneText(const Nef2& set, PlaneFormat format, Context& context)
+PlaneText::PlaneText(const Nef2& set, PlaneFormat format, Context& context) try
     : set_(set), format_(format) {
   if (format == PlaneFormat::Nef2) return;
   const PlaneParts parts = set.parts();
@@ -90,9 +97,11 @@ PlaneText::PlaneText(const Nef2& set, PlaneFormat format, Context& context)
   shapes_ = rounded(std::move(shapes_));
   const PlaneCounts after = counts_of(to_set(shapes_, context));
   if (before != after) losses_.reshaped = {before, after};
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-void PlaneText::write(std::ostream& out) const {
+void PlaneText::write(std::ostream& out) const try {
   switch (format_) {
     case PlaneFormat::Nef2:
       return write_nef2(out, to_records(set_.complex()));
@@ -101,6 +110,8 @@ void PlaneText::write(std::ostream& out) const {
     default:
       return write_wkt(out, shapes_);
   }
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/plane/sweep.h"
 #include "plumb/predicates/rounding.h"
 
@@ -208,16 +209,22 @@ void require_finite(double approx, const Rational& exact) {
 
 }  // namespace
 
-Nef2 to_set(const PlaneShapes& shapes, Context& context) {
+Nef2 to_set(const PlaneShapes& shapes, Context& context) try {
   std::vector<Nef2> sets;
   add_polygons(shapes, sets, context);
   add_lines(shapes, sets, context);
   return sets.size() == 1 ? sets.front() : union_of(sets, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-PlaneShapes to_shapes(const PlaneParts& parts) { return ShapesOfParts().convert(parts); }
+PlaneShapes to_shapes(const PlaneParts& parts) try {
+  return ShapesOfParts().convert(parts);
+} catch (...) {
+  rethrow_refused_memory();
+}
 
-PlaneShapes rounded(PlaneShapes shapes) {
+PlaneShapes rounded(PlaneShapes shapes) try {
   if (shapes.points.all_double()) return shapes;
   PointTable2 doubles;
   doubles.reserve(shapes.points.size());
@@ -232,6 +239,8 @@ PlaneShapes rounded(PlaneShapes shapes) {
   }
   shapes.points = std::move(doubles);
   return shapes;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

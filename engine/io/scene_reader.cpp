@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/io/input.h"
 #include "plumb/io/scene_drawing.h"
 #include "plumb/io/solid_io.h"
@@ -246,7 +247,7 @@ SurfaceScene make_scene(const ParsedScene& scene, std::shared_ptr<const SurfaceM
   return SceneMaker(scene, std::move(mesh), text, options, context).run(drawings);
 }
 
-SurfaceMesh fanned_surface(const PolygonMesh& mesh) {
+SurfaceMesh fanned_surface(const PolygonMesh& mesh) try {
   std::vector<SurfaceTriangle> triangles;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.face(f);
@@ -255,9 +256,11 @@ SurfaceMesh fanned_surface(const PolygonMesh& mesh) {
     }
   }
   return {mesh.points, std::move(triangles)};
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-SceneFile read_scene_file(const std::string& path, ReadOptions options, Context& context) {
+SceneFile read_scene_file(const std::string& path, ReadOptions options, Context& context) try {
   namespace fs = std::filesystem;
   options.name = input_name(path);
   const std::string text = read_input(path, context);
@@ -288,6 +291,8 @@ SceneFile read_scene_file(const std::string& path, ReadOptions options, Context&
     add_notes(name, entry->second.drawing.notes, notes);
   }
   return {make_scene(scene, mesh, text, options, context, drawings), model, std::move(notes)};
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/io/gltf_reader.h"
 #include "plumb/io/input.h"
 #include "plumb/io/mesh_text.h"
@@ -73,7 +74,7 @@ MeshFormat guess_mesh_format(std::string_view bytes) {
 }
 
 MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions& options,
-                   Context& context) {
+                   Context& context) try {
   switch (format) {
     case MeshFormat::Obj:
       return read_obj(bytes, options, context);
@@ -88,10 +89,12 @@ MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions&
     default:
       return read_off(bytes, options, context);
   }
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 MeshFile read_mesh_of(const std::string& path, std::string_view bytes, const ReadOptions& options,
-                      Context& context) {
+                      Context& context) try {
   const MeshFormat format = mesh_format_of(path).value_or(guess_mesh_format(bytes));
   if (format != MeshFormat::Gltf || path == "-") return read_mesh(bytes, format, options, context);
   const auto load = [&](const std::string& name) {
@@ -100,19 +103,23 @@ MeshFile read_mesh_of(const std::string& path, std::string_view bytes, const Rea
                       context);
   };
   return read_gltf(bytes, load, options, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> format,
-                        ReadOptions options, Context& context) {
+                        ReadOptions options, Context& context) try {
   options.name = input_name(path);
   const std::string bytes = read_input(path, context);
   MeshFile file = format ? read_mesh(bytes, *format, options, context)
                          : read_mesh_of(path, bytes, options, context);
   context.release_memory(bytes.size());
   return file;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format) {
+void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format) try {
   switch (format) {
     case MeshFormat::ExactOff:
       return write_off(out, mesh, MeshNumbers::Exact);
@@ -129,15 +136,19 @@ void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format) {
     default:
       return write_off(out, mesh);
   }
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-PolygonMesh as_written(PolygonMesh mesh, MeshFormat format) {
+PolygonMesh as_written(PolygonMesh mesh, MeshFormat format) try {
   if (format == MeshFormat::ExactOff) return mesh;
   if (format == MeshFormat::Stl || format == MeshFormat::StlBinary) require_triangles(mesh);
   if (format == MeshFormat::StlBinary) return rounded_to_floats(std::move(mesh));
   require_doubles(mesh);
   mesh.exact.clear();
   return mesh;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

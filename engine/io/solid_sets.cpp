@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/io/half_space_reader.h"
 #include "plumb/io/input.h"
 #include "plumb/io/nef3_reader.h"
@@ -98,7 +99,7 @@ bool is_nef_file(const std::string& path, std::string_view bytes) {
 }
 
 SolidRead read_solid(const std::string& path, const std::string& bytes,
-                     const SolidReadOptions& options, Context& context) {
+                     const SolidReadOptions& options, Context& context) try {
   const ReadOptions text{input_name(path), options.exact_decimals};
   if (is_nef_file(path, bytes)) return read_nef_set(bytes, text, context);
   MeshFile file = read_mesh_of(path, bytes, text, context);
@@ -110,23 +111,29 @@ SolidRead read_solid(const std::string& path, const std::string& bytes,
   describe(mesh.report, notes);
   Nef3 set = to_set(std::move(mesh), options, notes, context);
   return {std::move(set), std::move(notes)};
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 SolidRead read_solid_file(const std::string& path, const SolidReadOptions& options,
-                          Context& context) {
+                          Context& context) try {
   const std::string bytes = read_input(path, context);
   SolidRead read = read_solid(path, bytes, options, context);
   context.release_memory(bytes.size());
   return read;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 std::vector<HalfSpace3> read_half_spaces_file(const std::string& path, ReadOptions options,
-                                              Context& context) {
+                                              Context& context) try {
   options.name = input_name(path);
   const std::string text = read_input(path, context);
   std::vector<HalfSpace3> half_spaces = read_half_spaces(text, options, context);
   context.release_memory(text.size());
   return half_spaces;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/io/mesh_text.h"
 #include "plumb/io/text_output.h"
 #include "plumb/surface/surface_arrangement.h"
@@ -118,7 +119,7 @@ class SceneWriter {
 }  // namespace
 
 void write_surface_obj(std::ostream& stream, const SurfaceTriangulation& in, std::size_t cells,
-                       CellChoice chosen) {
+                       CellChoice chosen) try {
   const ChosenTriangles part(in, chosen);
   TextOutput out(stream);
   out << "# plumb: " << cells << " cells\n";
@@ -136,9 +137,12 @@ void write_surface_obj(std::ostream& stream, const SurfaceTriangulation& in, std
     out << '\n';
   }
   out.flush();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-void write_surface_ply(std::ostream& stream, const SurfaceTriangulation& in, CellChoice chosen) {
+void write_surface_ply(std::ostream& stream, const SurfaceTriangulation& in,
+                       CellChoice chosen) try {
   const ChosenTriangles part(in, chosen);
   TextOutput out(stream);
   out << "ply\nformat ascii 1.0\nelement vertex " << part.points.size()
@@ -155,18 +159,23 @@ void write_surface_ply(std::ostream& stream, const SurfaceTriangulation& in, Cel
     out << ' ' << in.cell[t].value() << '\n';
   }
   out.flush();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-CellStep upward_step(const SurfaceDivision& division, const CellEdge& edge) {
+CellStep upward_step(const SurfaceDivision& division, const CellEdge& edge) try {
   const auto bundle = division.arrangement().bundles[edge.bundle];
   CellStep step{edge.from, edge.to, {bundle.begin(), bundle.end()}};
   const bool is_upward = bundle.front().value > 0;
   if (is_upward != (edge.sign > 0)) std::swap(step.from, step.to);
   for (SignedEntry& e : step.polygons) e.value = is_upward ? e.value : -e.value;
   return step;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-void write_cell_graph(std::ostream& stream, const SurfaceDivision& division, CellChoice chosen) {
+void write_cell_graph(std::ostream& stream, const SurfaceDivision& division,
+                      CellChoice chosen) try {
   TextOutput out(stream);
   out << "digraph cells {\n  node [shape=ellipse];\n";
   for (std::uint32_t c = 0; c < division.cell_count(); ++c) {
@@ -187,10 +196,14 @@ void write_cell_graph(std::ostream& stream, const SurfaceDivision& division, Cel
   }
   out << "}\n";
   out.flush();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-void write_scene(std::ostream& out, const SurfaceScene& scene, const std::string& model) {
+void write_scene(std::ostream& out, const SurfaceScene& scene, const std::string& model) try {
   out << SceneWriter(scene).run(model).dump() << '\n';
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -11,6 +11,7 @@
 
 #include "plumb/base/degrees.h"
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/io/svg_outline.h"
 #include "plumb/io/svg_path.h"
 #include "plumb/io/svg_value.h"
@@ -313,9 +314,11 @@ void SvgReader::read_path() {
 }  // namespace
 
 SvgDrawing read_svg(std::string_view text, const ReadOptions& options,
-                    std::optional<double> tolerance, Context& context) {
+                    std::optional<double> tolerance, Context& context) try {
   const RoundToNearest rounding;
   return SvgReader(text, options, tolerance, context).read();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/plane/plane_rules.h"
 #include "plumb/plane/scene_order.h"
 
@@ -37,18 +38,23 @@ Arrangement arrange(PlaneScene scene, Context& context) {
 }  // namespace
 
 Arrangement arrange(const PlanePoints& points, std::span<const SweepCurve> curves,
-                    std::span<const std::uint32_t> isolated, Context& context) {
+                    std::span<const std::uint32_t> isolated, Context& context) try {
   return arrange(
       PlaneScene{points, {curves.begin(), curves.end()}, {isolated.begin(), isolated.end()}},
       context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Arrangement arrange(PointTable2 points, std::span<const SweepSegment> segments, Context& context) {
+Arrangement arrange(PointTable2 points, std::span<const SweepSegment> segments,
+                    Context& context) try {
   PlaneScene scene;
   scene.points.inputs = std::move(points);
   scene.curves.reserve(segments.size());
   for (const SweepSegment& s : segments) scene.curves.push_back({s.from, s.to, s.from, s.to});
   return arrange(std::move(scene), context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

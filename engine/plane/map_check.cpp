@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/plane/map_contacts.h"
 #include "plumb/plane/map_describe.h"
 #include "plumb/plane/map_edges.h"
@@ -208,11 +209,13 @@ std::vector<std::uint32_t> twin_positions(const MapEdges& edges) {
 
 }  // namespace
 
-MapReport check_map(Map map, const MapCheckOptions& options, Context& context) {
+MapReport check_map(Map map, const MapCheckOptions& options, Context& context) try {
   return MapChecker(std::move(map), options, context).run();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-DcelFromCycles to_dcel(const MapReport& report) {
+DcelFromCycles to_dcel(const MapReport& report) try {
   const Map& map = report.map;
   const MapEdges edges = match_twins(map);
   const bool complete = edges.extra_uses.empty() && 2 * edges.edge_count() == map.corners.size();
@@ -227,6 +230,8 @@ DcelFromCycles to_dcel(const MapReport& report) {
   }
   return Dcel::from_cycles(map.vertex_count(), map.corners, map.cycle_begin, twin_positions(edges),
                            face_of_cycle);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/plane/plane_rules.h"
 
 namespace plumb {
@@ -38,17 +39,21 @@ struct MapsScene {
 
 }  // namespace
 
-MapOverlay overlay_maps(const MapReport& first, const MapReport& second, Context& context) {
+MapOverlay overlay_maps(const MapReport& first, const MapReport& second, Context& context) try {
   MapsScene maps;
   maps.append(first, 0);
   maps.append(second, 1);
   return maps.build(context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-MapOverlay overlay_map(const MapReport& report, Context& context) {
+MapOverlay overlay_map(const MapReport& report, Context& context) try {
   MapsScene maps;
   maps.append(report, 0);
   return maps.build(context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

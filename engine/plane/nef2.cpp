@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/plane/nef2_state.h"
 #include "plumb/plane/plane_measure.h"
 #include "plumb/plane/plane_scene.h"
@@ -119,19 +120,33 @@ bool is_same(const PlaneComplex& a, const PlaneComplex& b) {
 
 // ---------------------------------------------------------------- holding
 
-Nef2::Nef2() : Nef2(one_face(false)) {}
+Nef2::Nef2() try : Nef2(one_face(false)) {
+} catch (...) {
+  rethrow_refused_memory();
+}
 
-Nef2::Nef2(PlaneComplex minimal) : state_(std::make_shared<const State>(std::move(minimal))) {}
+Nef2::Nef2(PlaneComplex minimal) try : state_(std::make_shared<const State>(std::move(minimal))) {
+} catch (...) {
+  rethrow_refused_memory();
+}
 
-Nef2 Nef2::plane() { return Nef2(one_face(true)); }
+Nef2 Nef2::plane() try { return Nef2(one_face(true)); } catch (...) {
+  rethrow_refused_memory();
+}
 
-Nef2 Nef2::from_complex(PlaneComplex complex) { return Nef2(simplify(std::move(complex))); }
+Nef2 Nef2::from_complex(PlaneComplex complex) try {
+  return Nef2(simplify(std::move(complex)));
+} catch (...) {
+  rethrow_refused_memory();
+}
 
-Nef2 Nef2::with_marks(PlaneMarks marks) const {
+Nef2 Nef2::with_marks(PlaneMarks marks) const try {
   require_sizes(complex(), marks);
   PlaneComplex other = complex();
   other.marks = std::move(marks);
   return from_complex(std::move(other));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 const PlaneComplex& Nef2::complex() const { return state_->complex; }
@@ -154,7 +169,7 @@ bool Nef2::is_plane() const {
   return m.face.size() == 1 && m.face[0] == 1 && m.vertex.empty() && m.edge.empty();
 }
 
-bool Nef2::is_bounded() const {
+bool Nef2::is_bounded() const try {
   const PlaneComplex& c = complex();
   for (std::size_t v = c.vertex_count(); v < c.dcel.vertex_count(); ++v) {
     for (const HalfedgeId h : c.dcel.around(VertexId(v))) {
@@ -164,49 +179,83 @@ bool Nef2::is_bounded() const {
     }
   }
   return !c.mark(FaceId(0));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-bool Nef2::is_closed() const { return closure_marks(complex()) == complex().marks; }
-bool Nef2::is_open() const { return interior_marks(complex()) == complex().marks; }
+bool Nef2::is_closed() const try {
+  return closure_marks(complex()) == complex().marks;
+} catch (...) {
+  rethrow_refused_memory();
+}
+bool Nef2::is_open() const try {
+  return interior_marks(complex()) == complex().marks;
+} catch (...) {
+  rethrow_refused_memory();
+}
 
-bool Nef2::has_on_boundary(const RationalPoint2& p) const {
+bool Nef2::has_on_boundary(const RationalPoint2& p) const try {
   // In minimal form every vertex and edge is on the boundary, and no face is.
   return !locate(p).face.is_valid();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-PlaneLocation Nef2::locate(const RationalPoint2& p) const { return locator().locate(p); }
+PlaneLocation Nef2::locate(const RationalPoint2& p) const try {
+  return locator().locate(p);
+} catch (...) {
+  rethrow_refused_memory();
+}
 
-PlaneLocation Nef2::locate(Point2 p) const {
+PlaneLocation Nef2::locate(Point2 p) const try {
   if (!is_finite(p.x) || !is_finite(p.y)) {
     throw Error(ErrorCode::NotFinite, "the coordinates of a point must be finite numbers");
   }
   return locator().locate(p);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::optional<Rational> Nef2::area() const { return marked_area(complex()); }
+std::optional<Rational> Nef2::area() const try { return marked_area(complex()); } catch (...) {
+  rethrow_refused_memory();
+}
 
 // ---------------------------------------------------------------- unary operations
 
-Nef2 Nef2::complement() const {
+Nef2 Nef2::complement() const try {
   PlaneComplex c = complex();
   c.marks = flipped(std::move(c.marks));
   return Nef2(std::move(c));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef2 Nef2::interior() const { return with_marks(interior_marks(complex())); }
-Nef2 Nef2::closure() const { return with_marks(closure_marks(complex())); }
-Nef2 Nef2::boundary() const { return with_marks(boundary_marks(complex())); }
+Nef2 Nef2::interior() const try { return with_marks(interior_marks(complex())); } catch (...) {
+  rethrow_refused_memory();
+}
+Nef2 Nef2::closure() const try { return with_marks(closure_marks(complex())); } catch (...) {
+  rethrow_refused_memory();
+}
+Nef2 Nef2::boundary() const try { return with_marks(boundary_marks(complex())); } catch (...) {
+  rethrow_refused_memory();
+}
 Nef2 Nef2::exterior() const { return complement().interior(); }
 Nef2 Nef2::regularization() const { return interior().closure(); }
 
 // ---------------------------------------------------------------- comparison
 
-bool operator==(const Nef2& a, const Nef2& b) {
+bool operator==(const Nef2& a, const Nef2& b) try {
   return a.state_ == b.state_ || is_same(a.complex(), b.complex());
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 bool operator<=(const Nef2& a, const Nef2& b) { return (a - b).is_empty(); }
 
-std::optional<DcelFlaw> Nef2::audit() const { return plumb::audit(complex(), true); }
+std::optional<DcelFlaw> Nef2::audit() const try {
+  return plumb::audit(complex(), true);
+} catch (...) {
+  rethrow_refused_memory();
+}
 
 }  // namespace plumb

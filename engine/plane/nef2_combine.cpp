@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/plane/nef2.h"
 #include "plumb/plane/plane_scene.h"
 
@@ -121,21 +122,29 @@ class BottomFace {
 
 }  // namespace
 
-Nef2 combine(const Nef2& a, const Nef2& b, MarkFunction f, Context& context) {
+Nef2 combine(const Nef2& a, const Nef2& b, MarkFunction f, Context& context) try {
   return combine_marked(a, a.complex().marks, b, b.complex().marks, f, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 Nef2 combine(const Nef2& a, const PlaneSelector& select_a, const Nef2& b,
-             const PlaneSelector& select_b, MarkFunction f, Context& context) {
+             const PlaneSelector& select_b, MarkFunction f, Context& context) try {
   return combine_marked(a, selected(a, select_a), b, selected(b, select_b), f, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef2 union_of(std::span<const Nef2> sets, Context& context) {
+Nef2 union_of(std::span<const Nef2> sets, Context& context) try {
   return sets.empty() ? Nef2::empty() : fold(sets, kUnion, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef2 intersection_of(std::span<const Nef2> sets, Context& context) {
+Nef2 intersection_of(std::span<const Nef2> sets, Context& context) try {
   return sets.empty() ? Nef2::plane() : fold(sets, kIntersection, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 Nef2 operator+(const Nef2& a, const Nef2& b) { return combine_plainly(a, b, kUnion); }
@@ -143,7 +152,7 @@ Nef2 operator*(const Nef2& a, const Nef2& b) { return combine_plainly(a, b, kInt
 Nef2 operator-(const Nef2& a, const Nef2& b) { return combine_plainly(a, b, kDifference); }
 Nef2 operator^(const Nef2& a, const Nef2& b) { return combine_plainly(a, b, kSymmetricDifference); }
 
-Nef2 Nef2::transformed(const AffineMap2& map) const {
+Nef2 Nef2::transformed(const AffineMap2& map) const try {
   const Rational determinant = map.xx * map.yy - map.xy * map.yx;
   if (determinant == 0) {
     throw Error(ErrorCode::BadArgument, "the affine map has determinant 0: it has no inverse");
@@ -159,6 +168,8 @@ Nef2 Nef2::transformed(const AffineMap2& map) const {
   Context context;
   return build(std::move(joined), {marks, marks}, MarkFunction{false, true, false, true}, bottom,
                context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

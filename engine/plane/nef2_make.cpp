@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/plane/map_overlay.h"
 #include "plumb/plane/nef2.h"
 #include "plumb/plane/plane_rules.h"
@@ -124,36 +125,44 @@ Line2 Line2::from_coefficients(const Rational& a, const Rational& b, const Ratio
   return {on, {on.x - b, on.y + a}};
 }
 
-Nef2 Nef2::half_plane(const Line2& line, Boundary boundary) {
+Nef2 Nef2::half_plane(const Line2& line, Boundary boundary) try {
   ChainScene chains(table_of(line));
   chains.scene.curves.push_back({SweepCurve::kUnbounded, SweepCurve::kUnbounded, 0, 1});
   chains.jump.push_back(1);
   Context context;
   return chains.build(WindingRule::Positive, boundary, context, is_bottom_on_left(line) ? 1 : 0);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef2 Nef2::half_plane(const Line2& line, const RationalPoint2& kept, Boundary boundary) {
+Nef2 Nef2::half_plane(const Line2& line, const RationalPoint2& kept, Boundary boundary) try {
   if (line.a == line.b) return half_plane(line, boundary);
   const Sign side = orient2d(line.a, line.b, kept);
   if (side == Sign::Zero) {
     throw Error(ErrorCode::BadArgument, "the point on the kept side lies on the line");
   }
   return half_plane(side == Sign::Positive ? line : Line2{line.b, line.a}, boundary);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef2 Nef2::line(const Line2& line) { return slit(line, SweepCurve::kUnbounded); }
+Nef2 Nef2::line(const Line2& line) try { return slit(line, SweepCurve::kUnbounded); } catch (...) {
+  rethrow_refused_memory();
+}
 
-Nef2 Nef2::ray(const Line2& line, Boundary boundary) {
+Nef2 Nef2::ray(const Line2& line, Boundary boundary) try {
   Nef2 closed = slit(line, 0);
   if (boundary == Boundary::Closed) return closed;
   PlaneMarks marks = closed.complex().marks;
   marks.vertex[0] = 0;
   return closed.with_marks(std::move(marks));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 Nef2 Nef2::polygons(const PointTable2& points, std::span<const std::uint32_t> corners,
                     std::span<const std::uint32_t> chain_begin, WindingRule rule, Boundary boundary,
-                    Context& context) {
+                    Context& context) try {
   require_chains(points, corners, chain_begin);
   ChainScene chains(points);
   chains.scene.curves.reserve(corners.size());
@@ -168,17 +177,21 @@ Nef2 Nef2::polygons(const PointTable2& points, std::span<const std::uint32_t> co
     }
   });
   return chains.build(rule, boundary, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef2 Nef2::polygon(std::span<const Point2> points, Boundary boundary) {
+Nef2 Nef2::polygon(std::span<const Point2> points, Boundary boundary) try {
   const OneChain chain(points.size());
   Context context;
   return polygons(table_of(points), chain.corners, chain.begin, WindingRule::NonZero, boundary,
                   context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 Nef2 Nef2::polylines(const PointTable2& points, std::span<const std::uint32_t> corners,
-                     std::span<const std::uint32_t> chain_begin, Context& context) {
+                     std::span<const std::uint32_t> chain_begin, Context& context) try {
   require_chains(points, corners, chain_begin);
   ChainScene chains(points);
   for_each_chain(corners, chain_begin, [&](std::span<const std::uint32_t> chain) {
@@ -189,29 +202,37 @@ Nef2 Nef2::polylines(const PointTable2& points, std::span<const std::uint32_t> c
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) chains.add_edge(chain[i], chain[i + 1], 0);
   });
   return chains.build(WindingRule::NonZero, Boundary::Closed, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef2 Nef2::polyline(std::span<const Point2> points) {
+Nef2 Nef2::polyline(std::span<const Point2> points) try {
   const OneChain chain(points.size());
   Context context;
   return polylines(table_of(points), chain.corners, chain.begin, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef2 Nef2::points(const PointTable2& points, Context& context) {
+Nef2 Nef2::points(const PointTable2& points, Context& context) try {
   ChainScene chains(points);
   for (std::uint32_t i = 0; i < points.size(); ++i) chains.add_point(i);
   return chains.build(WindingRule::NonZero, Boundary::Closed, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef2 Nef2::point(const RationalPoint2& point) {
+Nef2 Nef2::point(const RationalPoint2& point) try {
   PointTable2 table;
   table.push_back(point.x, point.y);
   Context context;
   return points(table, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 Nef2 Nef2::subdivision(const MapReport& report, std::span<const std::uint8_t> chosen,
-                       Boundary boundary, Context& context) {
+                       Boundary boundary, Context& context) try {
   if (chosen.size() != report.regions.size()) {
     throw Error(ErrorCode::BadArgument, "one choice is needed for each region");
   }
@@ -226,6 +247,8 @@ Nef2 Nef2::subdivision(const MapReport& report, std::span<const std::uint8_t> ch
   }
   complex.marks = boundary == Boundary::Open ? interior_marks(complex) : closure_marks(complex);
   return from_complex(std::move(complex));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

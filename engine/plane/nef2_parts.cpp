@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/plane/nef2.h"
 #include "plumb/plane/plane_measure.h"
 
@@ -98,11 +99,13 @@ class PartCollector {
 
 }  // namespace
 
-PlaneParts Nef2::parts() const {
+PlaneParts Nef2::parts() const try {
   const bool was_closed = is_closed();
   PlaneParts parts = PartCollector(was_closed ? complex() : closure().complex()).collect();
   parts.dropped_open = !was_closed;
   return parts;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -1,5 +1,6 @@
 // Nef2: ray shooting, element by element (ray_walk.h).
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/plane/nef2.h"
 #include "plumb/plane/nef2_state.h"
 #include "plumb/plane/ray_walk.h"
@@ -33,17 +34,21 @@ const PlaneTrapezoids& Nef2::trapezoids() const {
 }
 
 std::optional<RayHit> Nef2::shoot(const RationalPoint2& origin,
-                                  const RationalPoint2& direction) const {
+                                  const RationalPoint2& direction) const try {
   const QueryRay2 ray = ray_of(origin, direction);
   return first_met(RayWalk(complex(), locator(), trapezoids(), ray),
                    [](const PlaneLocation& at) { return at.marked; });
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 std::optional<RayHit> Nef2::shoot_to_boundary(const RationalPoint2& origin,
-                                              const RationalPoint2& direction) const {
+                                              const RationalPoint2& direction) const try {
   const QueryRay2 ray = ray_of(origin, direction);
   return first_met(RayWalk(complex(), locator(), trapezoids(), ray),
                    [](const PlaneLocation& at) { return !at.face.is_valid(); });
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -1,5 +1,6 @@
 #include "plumb/plane/overlay_areas.h"
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/plane/plane_measure.h"
 #include "plumb/predicates/polygon.h"
 #include "plumb/predicates/rational_sum.h"
@@ -35,7 +36,8 @@ std::vector<std::uint32_t> differences(const std::vector<Rational>& expected,
 
 }  // namespace
 
-OverlayAreas measure(const MapOverlay& overlay, const MapReport& first, const MapReport& second) {
+OverlayAreas measure(const MapOverlay& overlay, const MapReport& first,
+                     const MapReport& second) try {
   OverlayAreas areas;
   areas.first = areas_of(first);
   areas.second = areas_of(second);
@@ -48,6 +50,8 @@ OverlayAreas measure(const MapOverlay& overlay, const MapReport& first, const Ma
   areas.wrong_first = differences(areas.first, sum_first);
   areas.wrong_second = differences(areas.second, sum_second);
   return areas;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 Rational sum_of(const std::vector<Rational>& areas) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/plane/plane_records.h"
 
 namespace plumb {
@@ -157,13 +158,17 @@ class PlaneAudit {
 
 }  // namespace
 
-std::optional<DcelFlaw> audit(const PlaneComplex& complex, bool minimal) {
+std::optional<DcelFlaw> audit(const PlaneComplex& complex, bool minimal) try {
   Context context;
   return audit(complex, minimal, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::optional<DcelFlaw> audit(const PlaneComplex& complex, bool minimal, Context& context) {
+std::optional<DcelFlaw> audit(const PlaneComplex& complex, bool minimal, Context& context) try {
   return PlaneAudit(complex, minimal, context).run();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

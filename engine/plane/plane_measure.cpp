@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/predicates/rational_sum.h"
 
 namespace plumb {
@@ -116,7 +117,7 @@ bool is_counter_clockwise(const PlaneComplex& c, const std::vector<VertexId>& ri
 
 }  // namespace
 
-std::optional<Rational> face_area(const PlaneComplex& complex, FaceId f) {
+std::optional<Rational> face_area(const PlaneComplex& complex, FaceId f) try {
   if (is_unbounded(complex, f)) return std::nullopt;
   RationalSum sum;
   for (const LoopId l : complex.dcel.loops_of(f)) {
@@ -125,14 +126,18 @@ std::optional<Rational> face_area(const PlaneComplex& complex, FaceId f) {
     }
   }
   return sum.total() / 2;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::optional<Rational> marked_area(const PlaneComplex& complex) {
+std::optional<Rational> marked_area(const PlaneComplex& complex) try {
   Context context;
   return marked_area(complex, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::optional<Rational> marked_area(const PlaneComplex& complex, Context& context) {
+std::optional<Rational> marked_area(const PlaneComplex& complex, Context& context) try {
   for (std::size_t f = 0; f < complex.face_count(); ++f) {
     if (complex.mark(FaceId(f)) && is_unbounded(complex, FaceId(f))) return std::nullopt;
   }
@@ -145,14 +150,18 @@ std::optional<Rational> marked_area(const PlaneComplex& complex, Context& contex
     if (left != right) sum.add(twice_area_below(complex, left ? h : twin(h)));
   }
   return sum.total() / 2;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::vector<std::vector<VertexId>> face_rings(const PlaneComplex& complex, FaceId f) {
+std::vector<std::vector<VertexId>> face_rings(const PlaneComplex& complex, FaceId f) try {
   std::vector<std::vector<VertexId>> rings = FaceRings(complex, f).trace();
   std::stable_partition(rings.begin(), rings.end(), [&](const std::vector<VertexId>& ring) {
     return is_counter_clockwise(complex, ring);
   });
   return rings;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 bool is_unbounded(const PlaneComplex& complex, FaceId f) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/query_point3.h"
@@ -349,7 +350,7 @@ class Writing {
 
 }  // namespace
 
-SpaceComplex canonical(const SpaceComplex& minimal, Context& context) {
+SpaceComplex canonical(const SpaceComplex& minimal, Context& context) try {
   MemoryCharge memory(context);
   memory.add(2 * memory_bytes(minimal), "the canonical form");
   const CanonicalOrder order = canonical_order(minimal, context);
@@ -357,10 +358,14 @@ SpaceComplex canonical(const SpaceComplex& minimal, Context& context) {
   Naming(minimal, order, context).run(out);
   Writing(minimal, order).run(out);
   return out;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 canonical(const Nef3& set, Context& context) {
+Nef3 canonical(const Nef3& set, Context& context) try {
   return Nef3::from_minimal(canonical(set.complex(), context));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/space/link_facets.h"
 #include "plumb/space/mesh_borders.h"
 #include "plumb/space/mesh_components.h"
@@ -72,7 +73,8 @@ void describe_crossings(const MeshOptions& options, MeshComplex& result, MemoryC
 
 }  // namespace
 
-MeshComplex complex_of_mesh(const PolygonMesh& mesh, const MeshOptions& options, Context& context) {
+MeshComplex complex_of_mesh(const PolygonMesh& mesh, const MeshOptions& options,
+                            Context& context) try {
   MeshComplex result;
   MemoryCharge memory(context);
   memory.add(kBytesPerCorner * mesh.corners.size(), "a mesh");
@@ -96,6 +98,8 @@ MeshComplex complex_of_mesh(const PolygonMesh& mesh, const MeshOptions& options,
   describe_crossings(options, result, memory, context);
   result.jump = std::move(facets.jump);
   return result;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

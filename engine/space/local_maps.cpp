@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/sphere/sphere_parts.h"
 
 namespace plumb {
@@ -286,7 +287,7 @@ void map_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
 
 }  // namespace
 
-void local_map(const SpaceComplex& complex, SpaceItem item, LocalMap& out) {
+void local_map(const SpaceComplex& complex, SpaceItem item, LocalMap& out) try {
   clear(out);
   switch (item.kind()) {
     case SpaceItem::Kind::Vertex:
@@ -299,6 +300,8 @@ void local_map(const SpaceComplex& complex, SpaceItem item, LocalMap& out) {
       break;
   }
   PLUMB_CHECK(false);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 
 namespace plumb {
 namespace {
@@ -27,7 +28,7 @@ std::vector<Point3> points_of(std::span<const double> coordinates) {
 }  // namespace
 
 PolygonMesh mesh_of_triangles(std::span<const double> coordinates,
-                              std::span<const std::uint32_t> corners) {
+                              std::span<const std::uint32_t> corners) try {
   if (corners.size() % 3 != 0) {
     throw Error(ErrorCode::BadArgument, "the number of corners is no multiple of three");
   }
@@ -42,11 +43,13 @@ PolygonMesh mesh_of_triangles(std::span<const double> coordinates,
     mesh.face_begin[f] = static_cast<std::uint32_t>(3 * f);
   }
   return mesh;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 PolygonMesh mesh_of_polygons(std::span<const double> coordinates,
                              std::span<const std::uint32_t> face_begin,
-                             std::span<const std::uint32_t> corners) {
+                             std::span<const std::uint32_t> corners) try {
   if (face_begin.empty() || face_begin.front() != 0 || face_begin.back() != corners.size() ||
       !std::is_sorted(face_begin.begin(), face_begin.end())) {
     throw Error(ErrorCode::BadArgument, "face_begin does not divide the corners into faces");
@@ -56,6 +59,8 @@ PolygonMesh mesh_of_polygons(std::span<const double> coordinates,
   mesh.corners.assign(corners.begin(), corners.end());
   mesh.face_begin.assign(face_begin.begin(), face_begin.end());
   return mesh;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 std::span<const double> coordinates_of(const PolygonMesh& mesh) {

@@ -8,6 +8,7 @@
 
 #include "plumb/base/error.h"
 #include "plumb/base/parallel.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/space/append.h"
 #include "plumb/space/combine.h"
 #include "plumb/space/frame.h"
@@ -83,27 +84,39 @@ std::size_t standard_count(const std::vector<Mark>& marks) {
 
 // ---------------------------------------------------------------- holding
 
-Nef3::Nef3() : Nef3(without_boundary(0)) {}
+Nef3::Nef3() try : Nef3(without_boundary(0)) {
+} catch (...) {
+  rethrow_refused_memory();
+}
 
-Nef3::Nef3(SpaceComplex minimal) : state_(std::make_shared<State>(std::move(minimal))) {}
+Nef3::Nef3(SpaceComplex minimal) try : state_(std::make_shared<State>(std::move(minimal))) {
+} catch (...) {
+  rethrow_refused_memory();
+}
 
-Nef3 Nef3::space() { return Nef3(without_boundary(1)); }
+Nef3 Nef3::space() try { return Nef3(without_boundary(1)); } catch (...) {
+  rethrow_refused_memory();
+}
 
-Nef3 Nef3::from_complex(SpaceComplex complex, Context& context) {
+Nef3 Nef3::from_complex(SpaceComplex complex, Context& context) try {
   return Nef3(
       with_tidy_tables(without_idle_frame(simplified(std::move(complex), context), context)));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 const SpaceComplex& Nef3::complex() const { return state_->complex; }
 
-SpaceComplex Nef3::taken() && {
+SpaceComplex Nef3::taken() && try {
   const std::shared_ptr<const State> state = std::move(state_);
   if (state.use_count() > 1) return state->complex;
   std::atomic_thread_fence(std::memory_order_acquire);  // whoever shared it has read it before
   return std::move(const_cast<State&>(*state).complex);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::with_marks(const SpaceMarks& marks, Context& context) const {
+Nef3 Nef3::with_marks(const SpaceMarks& marks, Context& context) const try {
   SpaceComplex changed = complex();
   const auto set = [](std::vector<Mark>& to, const std::vector<Mark>& from) {
     if (to.size() != from.size()) {
@@ -119,18 +132,22 @@ Nef3 Nef3::with_marks(const SpaceMarks& marks, Context& context) const {
   set(changed.facet_mark, marks.facet);
   set(changed.volume_mark, marks.volume);
   return from_complex(std::move(changed), context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::with_origins(std::span<const std::uint32_t> facet_origin) const {
+Nef3 Nef3::with_origins(std::span<const std::uint32_t> facet_origin) const try {
   SpaceComplex changed = complex();
   if (facet_origin.size() != changed.facet_count()) {
     throw Error(ErrorCode::BadArgument, "one origin is needed for each facet");
   }
   changed.facet_origin.assign(facet_origin.begin(), facet_origin.end());
   return Nef3(std::move(changed));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::with_bounded_volumes() const {
+Nef3 Nef3::with_bounded_volumes() const try {
   Context context;
   SpaceComplex c = complex();
   const std::vector<std::uint8_t> is_far = unbounded_volumes(c);
@@ -138,6 +155,8 @@ Nef3 Nef3::with_bounded_volumes() const {
     if (is_far[v] == 0) c.volume_mark[v] = 1;
   }
   return from_complex(std::move(c), context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 // ---------------------------------------------------------------- reading
@@ -164,7 +183,7 @@ bool Nef3::is_space() const {
   return complex().vertex_count() == 0 && complex().volume_mark[0] == 1;
 }
 
-bool Nef3::is_bounded() const {
+bool Nef3::is_bounded() const try {
   const SpaceComplex& c = complex();
   const std::vector<std::uint8_t> is_far = unbounded_volumes(c);
   for (std::size_t v = 0; v < c.volume_count(); ++v) {
@@ -178,6 +197,8 @@ bool Nef3::is_bounded() const {
     if (c.edge_mark[h / 2] == 1 && c.vertex_mark[c.origin[h].value()] == kBeyond) return false;
   }
   return true;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 bool Nef3::is_closed() const {
@@ -215,7 +236,7 @@ bool is_on_one_cone(const SpaceComplex& c, VertexId v, LocalMap& local) {
 
 }  // namespace
 
-bool Nef3::is_simple() const {
+bool Nef3::is_simple() const try {
   const SpaceComplex& c = complex();
   for (std::size_t f = 0; f < c.facet_count(); ++f) {
     const auto& [above, below] = c.facet_volume[f];
@@ -229,45 +250,59 @@ bool Nef3::is_simple() const {
     if (c.vertex_mark[v] != kBeyond && !is_on_one_cone(c, VertexId(v), local)) return false;
   }
   return true;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-bool Nef3::is_convex() const { return plumb::is_convex(complex()); }
+bool Nef3::is_convex() const try { return plumb::is_convex(complex()); } catch (...) {
+  rethrow_refused_memory();
+}
 
 // ---------------------------------------------------------------- operations
 
-Nef3 Nef3::operator!() const {
+Nef3 Nef3::operator!() const try {
   SpaceComplex c = complex();
   for (auto* marks : {&c.vertex_mark, &c.edge_mark, &c.facet_mark, &c.volume_mark}) {
     for (Mark& m : *marks) m = m == kBeyond ? m : static_cast<Mark>(1 - m);
   }
   return Nef3(std::move(c));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::interior() const {
+Nef3 Nef3::interior() const try {
   Context context;
   SpaceComplex c = complex();
   fill_boundary(c, 0);
   return from_complex(std::move(c), context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::closure() const {
+Nef3 Nef3::closure() const try {
   Context context;
   SpaceComplex c = complex();
   fill_boundary(c, 1);
   return from_complex(std::move(c), context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::boundary() const {
+Nef3 Nef3::boundary() const try {
   Context context;
   SpaceComplex c = complex();
   fill_boundary(c, 1);
   fill(c.volume_mark, 0);
   return from_complex(std::move(c), context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::transformed(const AffineMap3& map) const {
+Nef3 Nef3::transformed(const AffineMap3& map) const try {
   Context context;
   return Nef3(plumb::transformed(complex(), map, context));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 namespace {
@@ -308,20 +343,24 @@ std::optional<Nef3> Nef3::combined_apart(Nef3& a, Nef3& b, MarkFunction f) {
   return both;
 }
 
-Nef3 combine(Nef3 a, Nef3 b, MarkFunction f, Context& context) {
+Nef3 combine(Nef3 a, Nef3 b, MarkFunction f, Context& context) try {
   if (const std::optional<Nef3> known = combine_marks(a, b, f)) return *known;
   if (std::optional<Nef3> both = Nef3::combined_apart(a, b, f)) return std::move(*both);
   return Nef3::from_minimal(combine_any(std::move(a).taken(), std::move(b).taken(), f, context));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 Nef3 combine(const Nef3& a, const SpaceSelector& select_a, const Nef3& b,
-             const SpaceSelector& select_b, MarkFunction f, Context& context) {
+             const SpaceSelector& select_b, MarkFunction f, Context& context) try {
   return Nef3::from_minimal(combine_any(selected(a.complex(), select_a, context),
                                         selected(b.complex(), select_b, context), f, context));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 Nef3 combine(const Nef3& a, const Plane3& plane, Section section, MarkFunction f,
-             Context& context) {
+             Context& context) try {
   const SpaceComplex& c = a.complex();
   const MarkTable table(f);
   const Mark outside = c.volume_mark[0];
@@ -335,6 +374,8 @@ Nef3 combine(const Nef3& a, const Plane3& plane, Section section, MarkFunction f
                                                            : PlaneSet::OpenBelow;
   SpaceComplex result = combine_with_plane(first, p, h, f, tables, context);
   return Nef3::from_minimal(with_tidy_tables(without_idle_frame(std::move(result), context)));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 namespace {
@@ -362,18 +403,24 @@ Nef3 operator*(const Nef3& a, const Nef3& b) { return combined(a, b, kIntersecti
 Nef3 operator-(const Nef3& a, const Nef3& b) { return combined(a, b, kDifference); }
 Nef3 operator^(const Nef3& a, const Nef3& b) { return combined(a, b, kSymmetricDifference); }
 
-bool operator==(const Nef3& a, const Nef3& b) {
+bool operator==(const Nef3& a, const Nef3& b) try {
   return a.state_ == b.state_ || is_same(a.complex(), b.complex());
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 bool operator<=(const Nef3& a, const Nef3& b) { return (a - b).is_empty(); }
 
-Nef3 union_of(std::span<const Nef3> sets, Context& context) {
+Nef3 union_of(std::span<const Nef3> sets, Context& context) try {
   return sets.empty() ? Nef3::empty() : combine_all(sets, kUnion, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 intersection_of(std::span<const Nef3> sets, Context& context) {
+Nef3 intersection_of(std::span<const Nef3> sets, Context& context) try {
   return sets.empty() ? Nef3::space() : combine_all(sets, kIntersection, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

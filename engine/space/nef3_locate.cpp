@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/space/nef3_state.h"
 
 namespace plumb {
@@ -44,15 +45,19 @@ const SpaceLocator& Nef3::locator() const {
   return *state_->locator;
 }
 
-SpaceLocation Nef3::locate(const RationalPoint3& p) const {
+SpaceLocation Nef3::locate(const RationalPoint3& p) const try {
   const SpaceItem item = locator().locate(p);
   return {item, is_marked(complex(), item)};
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-SpaceLocation Nef3::locate(const Point3& p) const {
+SpaceLocation Nef3::locate(const Point3& p) const try {
   require_finite(p);
   const SpaceItem item = locator().locate(p);
   return {item, is_marked(complex(), item)};
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 void Nef3::contains(std::span<const Point3> points, std::span<Mark> marked) const {
@@ -62,18 +67,22 @@ void Nef3::contains(std::span<const Point3> points, std::span<Mark> marked) cons
   for (std::size_t i = 0; i < points.size(); ++i) marked[i] = contains(points[i]) ? 1 : 0;
 }
 
-bool Nef3::has_on_boundary(const RationalPoint3& p) const {
+bool Nef3::has_on_boundary(const RationalPoint3& p) const try {
   return locator().on_item(p).is_valid();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-bool Nef3::has_on_boundary(const Point3& p) const {
+bool Nef3::has_on_boundary(const Point3& p) const try {
   require_finite(p);
   return locator().on_item(p).is_valid();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 // Between two hits the ray stays in one item, and any point there tells which.
 std::optional<SpaceHit> Nef3::shoot(const RationalPoint3& p, const RationalPoint3& direction,
-                                    const std::function<bool(SpaceItem)>& accepts) const {
+                                    const std::function<bool(SpaceItem)>& accepts) const try {
   if (direction.x == 0 && direction.y == 0 && direction.z == 0) {
     throw Error(ErrorCode::BadArgument, "the direction of a ray must not be zero");
   }
@@ -87,6 +96,8 @@ std::optional<SpaceHit> Nef3::shoot(const RationalPoint3& p, const RationalPoint
     if (!next) return std::nullopt;
     at = *next;
   }
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 std::optional<SpaceHit> Nef3::shoot_to_marked(const RationalPoint3& p,

@@ -5,6 +5,7 @@
 
 #include "plumb/base/error.h"
 #include "plumb/base/parallel.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/space/combine.h"
 #include "plumb/space/frame.h"
 #include "plumb/space/half_space_hull.h"
@@ -102,14 +103,16 @@ SphereMap lone_map(const SphereDirection* direction) {
 
 }  // namespace
 
-Nef3 Nef3::half_space(const Plane3& plane, Boundary boundary) {
+Nef3 Nef3::half_space(const Plane3& plane, Boundary boundary) try {
   Context context;
   const Section section =
       boundary == Boundary::Closed ? Section::ClosedHalfSpace : Section::OpenHalfSpace;
   return combine(empty(), plane, section, kUnion, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::half_space(const Plane3& plane, const RationalPoint3& kept, Boundary boundary) {
+Nef3 Nef3::half_space(const Plane3& plane, const RationalPoint3& kept, Boundary boundary) try {
   const Sign side =
       sign_of(Rational(plane.a * kept.x + plane.b * kept.y + plane.c * kept.z + plane.d));
   if (side == Sign::Zero) {
@@ -117,14 +120,18 @@ Nef3 Nef3::half_space(const Plane3& plane, const RationalPoint3& kept, Boundary 
   }
   if (side == Sign::Negative) return half_space(plane, boundary);
   return half_space({-plane.a, -plane.b, -plane.c, -plane.d}, boundary);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::plane(const Plane3& plane) {
+Nef3 Nef3::plane(const Plane3& plane) try {
   Context context;
   return combine(empty(), plane, Section::PlaneOnly, kUnion, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::intersection(std::span<const HalfSpace3> half_spaces, Context& context) {
+Nef3 Nef3::intersection(std::span<const HalfSpace3> half_spaces, Context& context) try {
   HalfSpaceHull hull = hull_of_half_spaces(half_spaces, context);
   if (hull.polytope) return Nef3(std::move(*hull.polytope));
   std::vector<Nef3> sets;
@@ -132,13 +139,17 @@ Nef3 Nef3::intersection(std::span<const HalfSpace3> half_spaces, Context& contex
     sets.push_back(half_space(half_spaces[i].plane, half_spaces[i].boundary));
   }
   return intersection_of(sets, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::mesh(const PolygonMesh& mesh, WindingRule rule, Context& context) {
+Nef3 Nef3::mesh(const PolygonMesh& mesh, WindingRule rule, Context& context) try {
   return Nef3::mesh(complex_of_mesh(mesh, {}, context), rule, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::mesh(MeshComplex mesh, WindingRule rule, Context& context) {
+Nef3 Nef3::mesh(MeshComplex mesh, WindingRule rule, Context& context) try {
   if (!mesh.report.is_closed()) {
     throw Error(
         ErrorCode::BadShape,
@@ -152,17 +163,21 @@ Nef3 Nef3::mesh(MeshComplex mesh, WindingRule rule, Context& context) {
   }
   close_volumes(c);
   return from_complex(std::move(c), context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 std::vector<Nef3> Nef3::meshes(std::span<const PolygonMesh> meshes, WindingRule rule,
-                               Context& context) {
+                               Context& context) try {
   std::vector<Nef3> sets(meshes.size());
   run_jobs(context, meshes.size(),
            [&](std::size_t i, Context& own) { sets[i] = mesh(meshes[i], rule, own); });
   return sets;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::surface(MeshComplex mesh, Context& context) {
+Nef3 Nef3::surface(MeshComplex mesh, Context& context) try {
   if (!mesh.complex.tables) {
     throw Error(ErrorCode::BadShape, "the mesh is open and was not read as a surface");
   }
@@ -172,22 +187,28 @@ Nef3 Nef3::surface(MeshComplex mesh, Context& context) {
   c.edge_mark.assign(c.edge_count(), 1);
   c.vertex_mark.assign(c.vertex_count(), 1);
   return from_complex(std::move(c), context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::facet(std::span<const Point3> corners) {
+Nef3 Nef3::facet(std::span<const Point3> corners) try {
   PolygonMesh mesh;
   mesh.points.assign(corners.begin(), corners.end());
   return only_facet(std::move(mesh));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::facet(std::span<const RationalPoint3> corners) {
+Nef3 Nef3::facet(std::span<const RationalPoint3> corners) try {
   PolygonMesh mesh;
   mesh.points.resize(corners.size());  // not read
   for (std::uint32_t i = 0; i < corners.size(); ++i) mesh.exact.emplace_back(i, corners[i]);
   return only_facet(std::move(mesh));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::segment(const RationalPoint3& a, const RationalPoint3& b) {
+Nef3 Nef3::segment(const RationalPoint3& a, const RationalPoint3& b) try {
   if (a.x == b.x && a.y == b.y && a.z == b.z) return point(a);
   Context context;
   const auto tables = std::make_shared<SpaceTables>();
@@ -197,6 +218,8 @@ Nef3 Nef3::segment(const RationalPoint3& a, const RationalPoint3& b) {
   draft.add(add_point(*tables, b), lone_map(&to_a), false, {});
   draft.twin = {1, 0};
   return Nef3(join(std::move(draft), context));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 Nef3 Nef3::polyline(std::span<const RationalPoint3> points, Context& context) {
@@ -205,7 +228,7 @@ Nef3 Nef3::polyline(std::span<const RationalPoint3> points, Context& context) {
 }
 
 Nef3 Nef3::polylines(std::span<const RationalPoint3> points, std::span<const std::uint32_t> begin,
-                     Context& context) {
+                     Context& context) try {
   if (begin.empty() || begin.front() != 0 || begin.back() != points.size() ||
       !std::is_sorted(begin.begin(), begin.end())) {
     throw Error(ErrorCode::BadArgument, "polylines do not follow each other in their points");
@@ -219,20 +242,26 @@ Nef3 Nef3::polylines(std::span<const RationalPoint3> points, std::span<const std
     }
   }
   return union_of(parts, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::point(const RationalPoint3& at) {
+Nef3 Nef3::point(const RationalPoint3& at) try {
   Context context;
   const auto tables = std::make_shared<SpaceTables>();
   SpaceDraft draft(tables);
   draft.add(add_point(*tables, at), lone_map(nullptr), false, {});
   return Nef3(join(std::move(draft), context));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Nef3 Nef3::points(std::span<const RationalPoint3> points, Context& context) {
+Nef3 Nef3::points(std::span<const RationalPoint3> points, Context& context) try {
   std::vector<Nef3> sets;
   for (const RationalPoint3& p : points) sets.push_back(point(p));
   return union_of(sets, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

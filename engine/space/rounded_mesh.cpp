@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "plumb/base/box_tree.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/space/from_mesh.h"
 #include "plumb/space/mesh_vertices.h"
@@ -179,8 +180,11 @@ class RoundingCheck {
 
 }  // namespace
 
-RoundingReport check_rounding(const PolygonMesh& mesh, std::uint64_t max_listed, Context& context) {
+RoundingReport check_rounding(const PolygonMesh& mesh, std::uint64_t max_listed,
+                              Context& context) try {
   return RoundingCheck(mesh, max_listed, context).run();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -3,17 +3,20 @@
 #include <cstdint>
 #include <vector>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/space/mesh_fans.h"
 #include "plumb/space/space_audit_parts.h"
 
 namespace plumb {
 
-std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal) {
+std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal) try {
   Context context;
   return audit(complex, minimal, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal, Context& context) {
+std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal, Context& context) try {
   std::optional<SpaceFlaw> flaw = audit_links(complex, context);
   if (flaw) return flaw;
   const std::vector<std::uint8_t> has_fan = find_fans(complex);
@@ -22,6 +25,8 @@ std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal, Contex
   if (!flaw) flaw = audit_meeting(complex, has_fan, context);
   if (!flaw) flaw = audit_marks(complex, minimal, context);
   return flaw;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

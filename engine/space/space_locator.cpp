@@ -9,6 +9,7 @@
 
 #include "plumb/base/box_tree.h"
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/predicates/query_point3.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/space/box_frame.h"
@@ -369,50 +370,78 @@ SpaceItem SpaceLocator::Tree::locate(const Point3& p) const {
 
 // --- the public class
 
-SpaceLocator::SpaceLocator(const SpaceComplex& complex)
-    : complex_(complex), tree_(std::make_unique<Tree>(complex)) {}
+SpaceLocator::SpaceLocator(const SpaceComplex& complex) try
+    : complex_(complex), tree_(std::make_unique<Tree>(complex)) {
+} catch (...) {
+  rethrow_refused_memory();
+}
 SpaceLocator::~SpaceLocator() = default;
 
-SpaceItem SpaceLocator::on_item(const RationalPoint3& p) const {
+SpaceItem SpaceLocator::on_item(const RationalPoint3& p) const try {
   return tree_->on_item(QueryPoint3(p));
+} catch (...) {
+  rethrow_refused_memory();
 }
-SpaceItem SpaceLocator::on_item(const Point3& p) const { return tree_->on_item(QueryPoint3(p)); }
+SpaceItem SpaceLocator::on_item(const Point3& p) const try {
+  return tree_->on_item(QueryPoint3(p));
+} catch (...) {
+  rethrow_refused_memory();
+}
 
-VolumeId SpaceLocator::volume_of(const RationalPoint3& p) const {
+VolumeId SpaceLocator::volume_of(const RationalPoint3& p) const try {
   return tree_->volume_of(QueryPoint3(p));
+} catch (...) {
+  rethrow_refused_memory();
 }
-VolumeId SpaceLocator::volume_of(const Point3& p) const { return tree_->volume_of(p); }
+VolumeId SpaceLocator::volume_of(const Point3& p) const try {
+  return tree_->volume_of(p);
+} catch (...) {
+  rethrow_refused_memory();
+}
 
-SpaceItem SpaceLocator::locate(const RationalPoint3& p) const {
+SpaceItem SpaceLocator::locate(const RationalPoint3& p) const try {
   return tree_->locate(QueryPoint3(p));
+} catch (...) {
+  rethrow_refused_memory();
 }
-SpaceItem SpaceLocator::locate(const Point3& p) const { return tree_->locate(p); }
+SpaceItem SpaceLocator::locate(const Point3& p) const try { return tree_->locate(p); } catch (...) {
+  rethrow_refused_memory();
+}
 
-void SpaceLocator::locate(std::span<const Point3> points, std::span<SpaceItem> items) const {
+void SpaceLocator::locate(std::span<const Point3> points, std::span<SpaceItem> items) const try {
   PLUMB_CHECK(points.size() == items.size());
   for (std::size_t i = 0; i < points.size(); ++i) items[i] = locate(points[i]);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 std::optional<SpaceHit> SpaceLocator::shoot(const RationalPoint3& origin,
-                                            const RationalPoint3& direction) const {
+                                            const RationalPoint3& direction) const try {
   const QueryPoint3 o(origin);
   const SpaceRay ray(complex_, o, direction);
   const std::optional<SpaceRayHit> hit = tree_->first_hit(ray);
   if (!hit || mark_of(complex_, hit->item) == kBeyond) return std::nullopt;
   return SpaceHit{hit->item, ray.point(*hit)};
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::optional<SpaceHit> SpaceLocator::shoot(const Point3& origin, const Point3& direction) const {
+std::optional<SpaceHit> SpaceLocator::shoot(const Point3& origin, const Point3& direction) const
+    try {
   const auto exact = [](const Point3& p) {
     return RationalPoint3{exact_rational(p.x), exact_rational(p.y), exact_rational(p.z)};
   };
   return shoot(exact(origin), exact(direction));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-SpaceItem SpaceLocator::shoot_left(SpacePoint origin) const {
+SpaceItem SpaceLocator::shoot_left(SpacePoint origin) const try {
   const QueryPoint3 o(complex_.points(), origin);
   const std::optional<SpaceRayHit> hit = tree_->first_hit(SpaceRay(complex_, o, kAxisX, true));
   return hit ? hit->item : SpaceItem();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

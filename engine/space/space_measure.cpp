@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/query_point3.h"
 #include "plumb/predicates/rational_sum.h"
@@ -135,36 +136,46 @@ double half_length(const RationalPoint3& v) {
 
 }  // namespace
 
-std::optional<Rational> marked_volume(const SpaceComplex& complex) {
+std::optional<Rational> marked_volume(const SpaceComplex& complex) try {
   Context context;
   return marked_volume(complex, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::optional<Rational> marked_volume(const SpaceComplex& complex, Context& context) {
+std::optional<Rational> marked_volume(const SpaceComplex& complex, Context& context) try {
   const std::optional<Integrals> all = integrals(complex, false, context);
   if (!all) return std::nullopt;
   return all->volume;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::optional<RationalPoint3> marked_centroid(const SpaceComplex& complex) {
+std::optional<RationalPoint3> marked_centroid(const SpaceComplex& complex) try {
   Context context;
   return marked_centroid(complex, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::optional<RationalPoint3> marked_centroid(const SpaceComplex& complex, Context& context) {
+std::optional<RationalPoint3> marked_centroid(const SpaceComplex& complex, Context& context) try {
   const std::optional<Integrals> all = integrals(complex, true, context);
   if (!all || all->volume == 0) return std::nullopt;
   const auto& [volume, moment] = *all;
   return RationalPoint3{moment.x / volume, moment.y / volume, moment.z / volume};
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::optional<double> surface_area(const SpaceComplex& complex) {
+std::optional<double> surface_area(const SpaceComplex& complex) try {
   Context context;
   return surface_area(complex, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 // The areas are not negative: their exact sum has the relative error of each, and is rounded once.
-std::optional<double> surface_area(const SpaceComplex& complex, Context& context) {
+std::optional<double> surface_area(const SpaceComplex& complex, Context& context) try {
   Steps step(complex, context);
   RationalSum sum;
   for (std::size_t f = 0; f < complex.facet_count(); ++f) {
@@ -180,6 +191,8 @@ std::optional<double> surface_area(const SpaceComplex& complex, Context& context
     sum.add(exact_rational(area));
   }
   return nearest_double(sum.total());
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

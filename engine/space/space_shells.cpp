@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/shell_nodes.h"
 
@@ -131,7 +132,7 @@ void group(const std::vector<OnShell<Item>>& items, const std::vector<ShellId>& 
 
 }  // namespace
 
-SpaceShells::SpaceShells(const SpaceComplex& complex) : complex_(complex) {
+SpaceShells::SpaceShells(const SpaceComplex& complex) try : complex_(complex) {
   ShellLister lister(complex);
   lister.run();
   std::vector<ShellId> id_of(2 * complex.facet_count() + complex.vertex_count());
@@ -146,6 +147,8 @@ SpaceShells::SpaceShells(const SpaceComplex& complex) : complex_(complex) {
   group(lister.sides_, id_of, size(), sides_, side_begin_);
   group(lister.edges_, id_of, size(), edges_, edge_begin_);
   group(lister.vertices_, id_of, size(), vertices_, vertex_begin_);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 std::span<const ShellId> SpaceShells::shells_of(VolumeId v) const {
@@ -164,7 +167,7 @@ void set_marks(std::span<const Id> items, const std::vector<Mark>& own, ShellMar
 }  // namespace
 
 MeshOfComplex mesh_of_shell(const SpaceShells& shells, ShellId s, ShellSolid solid,
-                            const ToMeshOptions& options, Context& context) {
+                            const ToMeshOptions& options, Context& context) try {
   std::vector<FacetSide> sides(shells.sides(s).begin(), shells.sides(s).end());
   for (FacetSide& side : sides) {
     if (is_unbounded(shells.complex(), side.facet)) {
@@ -173,10 +176,12 @@ MeshOfComplex mesh_of_shell(const SpaceShells& shells, ShellId s, ShellSolid sol
     if (solid == ShellSolid::Other) side.is_reversed = !side.is_reversed;
   }
   return mesh_of_sides(shells.complex(), sides, options, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 Nef3 set_of_shell(const Nef3& set, const SpaceShells& shells, ShellId s, ShellMarks marks,
-                  Context& context) {
+                  Context& context) try {
   const SpaceComplex& c = set.complex();
   SpaceMarks own{std::vector<Mark>(c.vertex_count(), 0), std::vector<Mark>(c.edge_count(), 0),
                  std::vector<Mark>(c.facet_count(), 0), std::vector<Mark>(c.volume_count(), 0)};
@@ -187,6 +192,8 @@ Nef3 set_of_shell(const Nef3& set, const SpaceShells& shells, ShellId s, ShellMa
   set_marks(shells.edges(s), c.edge_mark, marks, own.edge);
   set_marks(shells.vertices(s), c.vertex_mark, marks, own.vertex);
   return set.with_marks(own, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rounded_point3.h"
 #include "plumb/space/facet_triangles.h"
@@ -334,7 +335,7 @@ bool is_unbounded(const SpaceComplex& complex) {
 
 }  // namespace
 
-std::vector<FacetSide> boundary_sides(const SpaceComplex& complex) {
+std::vector<FacetSide> boundary_sides(const SpaceComplex& complex) try {
   std::vector<FacetSide> sides;
   for (std::size_t f = 0; f < complex.facet_count(); ++f) {
     const Mark above = complex.volume_mark[complex.facet_volume[f][0].value()];
@@ -342,17 +343,21 @@ std::vector<FacetSide> boundary_sides(const SpaceComplex& complex) {
     if ((above == 1) != (below == 1)) sides.push_back({FacetId(f), above == 1});
   }
   return sides;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 MeshOfComplex mesh_of_sides(const SpaceComplex& complex, std::span<const FacetSide> sides,
-                            const ToMeshOptions& options, Context& context) {
+                            const ToMeshOptions& options, Context& context) try {
   MemoryCharge memory(context);
   memory.add(kBytesPerUse * complex.use_count(), "a mesh");
   return MeshMaker(complex, sides, options, context).run();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& options,
-                              Context& context) {
+                              Context& context) try {
   MeshOfComplex result;
   if (is_unbounded(complex)) {
     result.report.is_unbounded = true;
@@ -361,6 +366,8 @@ MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& 
   result = mesh_of_sides(complex, boundary_sides(complex), options, context);
   ClosureCount(complex, result.report).run();
   return result;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 bool is_unbounded(const SpaceComplex& complex, FacetId f) {
@@ -372,7 +379,7 @@ bool is_unbounded(const SpaceComplex& complex, FacetId f) {
 }
 
 MeshOfComplex soup_of_complex(const SpaceComplex& complex, const ToMeshOptions& options,
-                              Context& context) {
+                              Context& context) try {
   std::vector<FacetSide> sides;
   bool has_far = false;
   for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
@@ -390,6 +397,8 @@ MeshOfComplex soup_of_complex(const SpaceComplex& complex, const ToMeshOptions& 
   result.report.dropped.facets = 0;
   result.report.is_unbounded = has_far;
   return result;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/sphere/sphere_simplify.h"
 #include "plumb/sphere/sphere_vectors.h"
 
@@ -80,7 +81,7 @@ bool is_one_face(const SphereMap& map, Mark mark) {
 
 }  // namespace
 
-SphereFaceBoundary face_boundary(const SphereMap& map, std::uint32_t face) {
+SphereFaceBoundary face_boundary(const SphereMap& map, std::uint32_t face) try {
   SphereFaceBoundary boundary;
   std::vector<std::uint8_t> is_walked(map.next.size(), 0);
   for (std::uint32_t first = 0; first < map.next.size(); ++first) {
@@ -92,27 +93,38 @@ SphereFaceBoundary face_boundary(const SphereMap& map, std::uint32_t face) {
     if (map.point_face[v] == face) boundary.points.push_back(v);
   }
   return boundary;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 // ---------------------------------------------------------------- sets and what they hold
 
-NefSphere::NefSphere() : NefSphere(empty()) {}
+NefSphere::NefSphere() try : NefSphere(empty()) {
+} catch (...) {
+  rethrow_refused_memory();
+}
 
-NefSphere NefSphere::empty() {
+NefSphere NefSphere::empty() try {
   static const NefSphere none = one_face(0);
   return none;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-NefSphere NefSphere::sphere() {
+NefSphere NefSphere::sphere() try {
   static const NefSphere all = one_face(1);
   return all;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-NefSphere NefSphere::from_minimal(std::shared_ptr<const PlaneTable> planes, SphereMap map) {
+NefSphere NefSphere::from_minimal(std::shared_ptr<const PlaneTable> planes, SphereMap map) try {
   return NefSphere(std::make_shared<const State>(State{std::move(planes), std::move(map)}));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-NefSphere NefSphere::from_map(const PlaneTable& planes, const SphereMap& map) {
+NefSphere NefSphere::from_map(const PlaneTable& planes, const SphereMap& map) try {
   if (const auto flaw = plumb::audit(planes, map, false)) {
     throw Error(ErrorCode::BadArgument,
                 "not a map of the sphere: " + flaw->invariant + ", " + flaw->place);
@@ -124,9 +136,11 @@ NefSphere NefSphere::from_map(const PlaneTable& planes, const SphereMap& map) {
   }
   std::shared_ptr<const PlaneTable> table = centred(planes, own);
   return simplified(std::move(table), std::move(own));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-NefSphere NefSphere::with_marks(SphereItemMarks marks) const {
+NefSphere NefSphere::with_marks(SphereItemMarks marks) const try {
   if (marks.point.size() != map().point_count() || marks.arc.size() != map().arc_count() ||
       marks.face.size() != map().face_count()) {
     throw Error(ErrorCode::BadArgument, "one mark is needed for each point, arc and face");
@@ -139,13 +153,17 @@ NefSphere NefSphere::with_marks(SphereItemMarks marks) const {
     for (Mark& m : *some) m = m != 0 ? 1 : 0;
   }
   return simplified(state_->planes, std::move(changed));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 const SphereMap& NefSphere::map() const { return state_->map; }
 const std::shared_ptr<const PlaneTable>& NefSphere::shared_planes() const { return state_->planes; }
 
-SphereItemMarks NefSphere::marks() const {
+SphereItemMarks NefSphere::marks() const try {
   return {map().point_mark, map().arc_mark, map().face_mark};
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 SphereVector NefSphere::direction(std::uint32_t point) const {
@@ -157,29 +175,51 @@ SphereVector NefSphere::normal(std::uint32_t arc) const {
 
 bool NefSphere::is_empty() const { return is_one_face(map(), 0); }
 bool NefSphere::is_sphere() const { return is_one_face(map(), 1); }
-bool NefSphere::is_closed() const { return are_marks_of(map(), closure_marks(map())); }
-bool NefSphere::is_open() const { return are_marks_of(map(), interior_marks(map())); }
+bool NefSphere::is_closed() const try {
+  return are_marks_of(map(), closure_marks(map()));
+} catch (...) {
+  rethrow_refused_memory();
+}
+bool NefSphere::is_open() const try {
+  return are_marks_of(map(), interior_marks(map()));
+} catch (...) {
+  rethrow_refused_memory();
+}
 
-std::optional<DcelFlaw> NefSphere::audit() const { return plumb::audit(planes(), map(), true); }
+std::optional<DcelFlaw> NefSphere::audit() const try {
+  return plumb::audit(planes(), map(), true);
+} catch (...) {
+  rethrow_refused_memory();
+}
 
 // ---------------------------------------------------------------- operators of topology
 
-NefSphere NefSphere::complement() const {
+NefSphere NefSphere::complement() const try {
   SphereMap flipped = map();
   for (auto* marks : {&flipped.point_mark, &flipped.arc_mark, &flipped.face_mark}) flip(*marks);
   return from_minimal(state_->planes, std::move(flipped));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-NefSphere NefSphere::interior() const { return with_marks(interior_marks(map())); }
-NefSphere NefSphere::closure() const { return with_marks(closure_marks(map())); }
+NefSphere NefSphere::interior() const try {
+  return with_marks(interior_marks(map()));
+} catch (...) {
+  rethrow_refused_memory();
+}
+NefSphere NefSphere::closure() const try { return with_marks(closure_marks(map())); } catch (...) {
+  rethrow_refused_memory();
+}
 
-NefSphere NefSphere::boundary() const {
+NefSphere NefSphere::boundary() const try {
   SphereItemMarks marks = closure_marks(map());
   const SphereItemMarks inner = interior_marks(map());
   take_off(marks.point, inner.point);
   take_off(marks.arc, inner.arc);
   take_off(marks.face, inner.face);
   return with_marks(std::move(marks));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 NefSphere NefSphere::exterior() const { return complement().interior(); }
@@ -187,12 +227,14 @@ NefSphere NefSphere::regularization() const { return interior().closure(); }
 
 // ---------------------------------------------------------------- comparison
 
-bool operator==(const NefSphere& a, const NefSphere& b) {
+bool operator==(const NefSphere& a, const NefSphere& b) try {
   if (a.state_ == b.state_) return true;
   const SphereMap& s = a.map();
   const SphereMap& t = b.map();
   return s.point_count() == t.point_count() && s.arc_count() == t.arc_count() &&
          s.face_count() == t.face_count() && (a ^ b).is_empty();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 bool operator<=(const NefSphere& a, const NefSphere& b) { return (a - b).is_empty(); }

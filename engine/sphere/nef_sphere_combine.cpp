@@ -1,6 +1,7 @@
 // NefSphere: operations of several sets.
 #include <utility>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/sphere/nef_sphere.h"
 #include "plumb/sphere/sphere_overlay.h"
 #include "plumb/sphere/sphere_vectors.h"
@@ -68,7 +69,7 @@ NefSphere combine_plainly(const NefSphere& a, const NefSphere& b, MarkFunction f
 }  // namespace
 
 NefSphere combine(const NefSphere& a, const SphereSelector& select_a, const NefSphere& b,
-                  const SphereSelector& select_b, MarkFunction f, Context& context) {
+                  const SphereSelector& select_b, MarkFunction f, Context& context) try {
   context.checkpoint("overlay", 0, 1);
   MemoryCharge memory(context);
   memory.add(memory_of_overlay(a.map(), b.map()), "an overlay of the sphere");
@@ -80,18 +81,26 @@ NefSphere combine(const NefSphere& a, const SphereSelector& select_a, const NefS
   SphereOverlay(*one.planes).combine(one.a, one.b, MarkTable(f), map, origins, &context);
   map.centre_mark = 0;
   return with_few_planes(std::move(one.planes), std::move(map));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-NefSphere combine(const NefSphere& a, const NefSphere& b, MarkFunction f, Context& context) {
+NefSphere combine(const NefSphere& a, const NefSphere& b, MarkFunction f, Context& context) try {
   return combine(a, {}, b, {}, f, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-NefSphere union_of(std::span<const NefSphere> sets, Context& context) {
+NefSphere union_of(std::span<const NefSphere> sets, Context& context) try {
   return sets.empty() ? NefSphere::empty() : fold(sets, kUnion, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-NefSphere intersection_of(std::span<const NefSphere> sets, Context& context) {
+NefSphere intersection_of(std::span<const NefSphere> sets, Context& context) try {
   return sets.empty() ? NefSphere::sphere() : fold(sets, kIntersection, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 NefSphere operator+(const NefSphere& a, const NefSphere& b) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/sphere/nef_sphere.h"
 #include "plumb/sphere/sphere_vectors.h"
 
@@ -101,20 +102,28 @@ bool comes_before(const SphereVector& u, const SphereVector& v) {
 
 }  // namespace
 
-NefSphere NefSphere::half_sphere(const SphereVector& normal, Boundary boundary) {
+NefSphere NefSphere::half_sphere(const SphereVector& normal, Boundary boundary) try {
   return loop(normal, mark_if(boundary == Boundary::Closed), 1);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-NefSphere NefSphere::circle(const SphereVector& normal) { return loop(normal, 1, 0); }
+NefSphere NefSphere::circle(const SphereVector& normal) try {
+  return loop(normal, 1, 0);
+} catch (...) {
+  rethrow_refused_memory();
+}
 
-NefSphere NefSphere::convex(std::span<const SphereVector> normals, Boundary boundary) {
+NefSphere NefSphere::convex(std::span<const SphereVector> normals, Boundary boundary) try {
   std::vector<NefSphere> sides;
   for (const SphereVector& n : normals) sides.push_back(half_sphere(n, boundary));
   Context context;
   return intersection_of(sides, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-NefSphere NefSphere::region(std::span<const SphereSide> sides, Boundary boundary) {
+NefSphere NefSphere::region(std::span<const SphereSide> sides, Boundary boundary) try {
   if (sides.empty()) return empty();
   const Mark border = mark_if(boundary == Boundary::Closed);
   const auto count = static_cast<std::uint32_t>(sides.size());
@@ -134,19 +143,23 @@ NefSphere NefSphere::region(std::span<const SphereSide> sides, Boundary boundary
   }
   chain.map().face_mark = {1, 0};
   return chain.result();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-NefSphere NefSphere::polygon(std::span<const SphereVector> corners, Boundary boundary) {
+NefSphere NefSphere::polygon(std::span<const SphereVector> corners, Boundary boundary) try {
   std::vector<SphereSide> sides;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const SphereVector& to = corners[i + 1 < corners.size() ? i + 1 : 0];
     sides.push_back({corners[i], normal_of_shorter(corners[i], to)});
   }
   return region(sides, boundary);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 NefSphere NefSphere::arc(const SphereVector& from, const SphereVector& to,
-                         const SphereVector& normal, Boundary boundary) {
+                         const SphereVector& normal, Boundary boundary) try {
   require_on(from, normal);
   require_on(to, normal);
   const Mark end = mark_if(boundary == Boundary::Closed);
@@ -165,15 +178,19 @@ NefSphere NefSphere::arc(const SphereVector& from, const SphereVector& to,
   chain.map().next[SphereMap::twin(h)] = h;
   chain.map().face_mark = {0};
   return chain.result();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-NefSphere NefSphere::arc(const SphereVector& from, const SphereVector& to, Boundary boundary) {
+NefSphere NefSphere::arc(const SphereVector& from, const SphereVector& to, Boundary boundary) try {
   return arc(from, to, normal_of_shorter(from, to), boundary);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 NefSphere NefSphere::point(const SphereVector& direction) { return points({&direction, 1}); }
 
-NefSphere NefSphere::points(std::span<const SphereVector> directions) {
+NefSphere NefSphere::points(std::span<const SphereVector> directions) try {
   std::vector<SphereVector> different;
   for (const SphereVector& v : directions) different.push_back(normal_form(v));
   std::sort(different.begin(), different.end(), comes_before);
@@ -188,6 +205,8 @@ NefSphere NefSphere::points(std::span<const SphereVector> directions) {
   }
   map.face_mark = {0};
   return from_minimal(std::move(planes), std::move(map));
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

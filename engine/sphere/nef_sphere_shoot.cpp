@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/sphere/nef_sphere.h"
 #include "plumb/sphere/sphere_locator.h"
 #include "plumb/sphere/sphere_overlay.h"
@@ -43,7 +44,7 @@ std::optional<SphereHit> shoot_once(const NefSphere& set, const SphereVector& or
 
 }  // namespace
 
-std::vector<SphereLocation> NefSphere::locate(std::span<const SphereVector> directions) const {
+std::vector<SphereLocation> NefSphere::locate(std::span<const SphereVector> directions) const try {
   std::vector<SphereLocation> locations;
   locations.reserve(directions.size());
   if (directions.size() > kMany) {
@@ -57,10 +58,14 @@ std::vector<SphereLocation> NefSphere::locate(std::span<const SphereVector> dire
     locations.push_back({cell, is_marked(map(), cell)});
   }
   return locations;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-SphereLocation NefSphere::locate(const SphereVector& direction) const {
+SphereLocation NefSphere::locate(const SphereVector& direction) const try {
   return locate({&direction, 1}).front();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 bool NefSphere::has_on_boundary(const SphereVector& direction) const {
@@ -68,16 +73,20 @@ bool NefSphere::has_on_boundary(const SphereVector& direction) const {
 }
 
 std::optional<SphereHit> NefSphere::shoot(const SphereVector& origin,
-                                          const SphereVector& towards) const {
+                                          const SphereVector& towards) const try {
   return shoot_once(*this, origin, towards,
                     [](const SphereRound& round, auto next) { return round.first_marked(next); });
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 std::optional<SphereHit> NefSphere::shoot_to_boundary(const SphereVector& origin,
-                                                      const SphereVector& towards) const {
+                                                      const SphereVector& towards) const try {
   return shoot_once(*this, origin, towards, [](const SphereRound& round, auto next) {
     return round.first_of_boundary(next);
   });
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

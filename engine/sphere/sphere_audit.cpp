@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/sphere/sphere_contacts.h"
 #include "plumb/sphere/sphere_parts.h"
@@ -247,8 +248,10 @@ bool SphereAudit::is_minimal() {
 
 }  // namespace
 
-std::optional<DcelFlaw> audit(const PlaneTable& planes, const SphereMap& map, bool minimal) {
+std::optional<DcelFlaw> audit(const PlaneTable& planes, const SphereMap& map, bool minimal) try {
   return SphereAudit(planes, map).run(minimal);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/sphere/sphere_round.h"
 #include "plumb/sphere/sphere_vectors.h"
 #include "plumb/sphere/sphere_walk.h"
@@ -91,7 +92,10 @@ std::optional<SphereHit> SphereLocator::State::shoot(const SphereVector& origin,
   return ask(SphereRound(planes, map, circle, from, start, origin), [&] { return way.next(); });
 }
 
-SphereLocator::SphereLocator(const NefSphere& set) : state_(std::make_unique<State>(set)) {}
+SphereLocator::SphereLocator(const NefSphere& set) try : state_(std::make_unique<State>(set)) {
+} catch (...) {
+  rethrow_refused_memory();
+}
 SphereLocator::~SphereLocator() = default;
 SphereLocator::SphereLocator(SphereLocator&&) noexcept = default;
 SphereLocator& SphereLocator::operator=(SphereLocator&&) noexcept = default;
@@ -99,31 +103,39 @@ SphereLocator& SphereLocator::operator=(SphereLocator&&) noexcept = default;
 const NefSphere& SphereLocator::set() const { return state_->set; }
 std::uint64_t SphereLocator::asked() const { return state_->memory.asked; }
 
-SphereLocation SphereLocator::locate(const SphereVector& direction) {
+SphereLocation SphereLocator::locate(const SphereVector& direction) try {
   state_->begin_query();
   const SphereDirection u = intern_direction(state_->planes, direction);
   const SphereCell cell = state_->locate(u, ball_of(direction));
   return {cell, is_marked(state_->map, cell)};
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-bool SphereLocator::has_on_boundary(const SphereVector& direction) {
+bool SphereLocator::has_on_boundary(const SphereVector& direction) try {
   state_->begin_query();
   const SphereDirection u = intern_direction(state_->planes, direction);
   return state_->on_item(u, ball_of(direction)).is_valid();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 std::optional<SphereHit> SphereLocator::shoot(const SphereVector& origin,
-                                              const SphereVector& towards) {
+                                              const SphereVector& towards) try {
   return state_->shoot(origin, towards, [](const SphereRound& round, auto next) {
     return round.first_marked(next);
   });
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 std::optional<SphereHit> SphereLocator::shoot_to_boundary(const SphereVector& origin,
-                                                          const SphereVector& towards) {
+                                                          const SphereVector& towards) try {
   return state_->shoot(origin, towards, [](const SphereRound& round, auto next) {
     return round.first_of_boundary(next);
   });
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -8,6 +8,7 @@
 
 #include "plumb/base/degrees.h"
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/surface/face_strip.h"
 
 namespace plumb {
@@ -51,7 +52,7 @@ struct ExponentialMap::Line {
 };
 
 ExponentialMap::ExponentialMap(const SurfacePointTable& points, SurfacePointId centre, FaceId face,
-                               double angle)
+                               double angle) try
     : mesh_(points.mesh()),
       positions_(scaled_positions(mesh_)),
       face_(face),
@@ -69,6 +70,8 @@ ExponentialMap::ExponentialMap(const SurfacePointTable& points, SurfacePointId c
   const Point2 side = laid_out(mesh_, positions_.at, face, 0)[2];
   const double size = length(side);
   if (size > 0) x_axis_ = turned({side.x / size, side.y / size}, turn);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 ExponentialMap::Fan ExponentialMap::fan_of(VertexId v) const {
@@ -238,7 +241,7 @@ SurfacePointId ExponentialMap::land(const Line& line, SurfacePointTable& points)
 }
 
 std::optional<SurfacePointId> ExponentialMap::add(Point2 offset, SurfacePointTable& points,
-                                                  Context& context) const {
+                                                  Context& context) const try {
   const std::uint64_t most = kSomeFaces + kMostRounds * mesh_.face_count();
   std::optional<Line> line = aim(offset, most);
   for (std::uint64_t faces = 0; line; ++faces) {
@@ -266,6 +269,8 @@ std::optional<SurfacePointId> ExponentialMap::add(Point2 offset, SurfacePointTab
     line->start = kInside;
   }
   return {};
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

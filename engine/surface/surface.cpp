@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/surface/surface_borders.h"
 #include "plumb/surface/surface_cells.h"
@@ -162,9 +163,11 @@ struct SurfaceDivision::State {
   }
 };
 
-SurfaceDivision::SurfaceDivision(SurfaceScene scene, Context& context) {
+SurfaceDivision::SurfaceDivision(SurfaceScene scene, Context& context) try {
   require_sane(scene);
   state_ = std::make_unique<State>(std::move(scene), context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 SurfaceDivision::~SurfaceDivision() = default;
 SurfaceDivision::SurfaceDivision(SurfaceDivision&&) noexcept = default;
@@ -192,7 +195,7 @@ std::span<const SignedEntry> SurfaceDivision::labels(CellId c) const { return st
 double SurfaceDivision::area(CellId c) const { return state_->cells.area[c.value()]; }
 
 SurfaceRegion SurfaceDivision::select(const SetExpression& expression, WindingRule rule,
-                                      Context& context) const {
+                                      Context& context) const try {
   const std::vector<std::uint32_t> shapes = state_->shapes_of(expression, rule);
   SurfaceRegion region;
   region.generators = state_->polygons_of(shapes);
@@ -211,28 +214,39 @@ SurfaceRegion SurfaceDivision::select(const SetExpression& expression, WindingRu
     region.area = clamped_to_finite(region.area + area(CellId(c)));
   }
   return region;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-SurfacePolygons SurfaceDivision::borders(const SurfaceRegion& region, Context& context) const {
+SurfacePolygons SurfaceDivision::borders(const SurfaceRegion& region, Context& context) const try {
   return trace_borders(scene().polygons, state_->arrangement, state_->cells, region.is_selected,
                        region.generators, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 SurfaceResult SurfaceDivision::evaluate(const SetExpression& expression, WindingRule rule,
-                                        Context& context) const {
+                                        Context& context) const try {
   SurfaceRegion region = select(expression, rule, context);
   SurfacePolygons loops = borders(region, context);
   return {std::move(region), std::move(loops)};
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-SurfaceRegion SurfaceDivision::select(const SetExpression& expression, WindingRule rule) const {
+SurfaceRegion SurfaceDivision::select(const SetExpression& expression, WindingRule rule) const try {
   Context context;
   return select(expression, rule, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-SurfaceResult SurfaceDivision::evaluate(const SetExpression& expression, WindingRule rule) const {
+SurfaceResult SurfaceDivision::evaluate(const SetExpression& expression, WindingRule rule) const
+    try {
   Context context;
   return evaluate(expression, rule, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

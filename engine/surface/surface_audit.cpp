@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/base/union_find.h"
 #include "plumb/surface/surface_arrangement.h"
 #include "plumb/surface/surface_cells.h"
@@ -300,8 +301,10 @@ class SurfaceAudit {
 
 }  // namespace
 
-std::optional<std::string> audit(const SurfaceDivision& division) {
+std::optional<std::string> audit(const SurfaceDivision& division) try {
   return SurfaceAudit(division).run();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "plumb/base/refused_memory.h"
+
 namespace plumb {
 namespace {
 
@@ -16,7 +18,7 @@ constexpr std::uint64_t kCrossingBytes = 3 * sizeof(SignedEntry) + sizeof(EdgeId
 
 }  // namespace
 
-SurfaceHomology::SurfaceHomology(const SurfaceMesh& mesh, Context& context) : mesh_(mesh) {
+SurfaceHomology::SurfaceHomology(const SurfaceMesh& mesh, Context& context) try : mesh_(mesh) {
   context.checkpoint("homology", 0, 1);
   context.charge_memory(kFaceBytes * mesh.face_count(), "the homology");
   is_in_tree_.assign(mesh.edge_count(), 0);
@@ -27,6 +29,8 @@ SurfaceHomology::SurfaceHomology(const SurfaceMesh& mesh, Context& context) : me
     if (is_in_tree_[e] == 0) generators_.push_back(EdgeId(e));
   }
   cross_dual_loops(context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 VertexId SurfaceHomology::across(EdgeId e, VertexId v) const {
@@ -185,7 +189,7 @@ std::vector<VertexId> SurfaceHomology::to_root(VertexId v) const {
 }
 
 /// Up the edge, and home over the tree.
-std::vector<VertexId> SurfaceHomology::generator(std::size_t i) const {
+std::vector<VertexId> SurfaceHomology::generator(std::size_t i) const try {
   const EdgeId e = generators_[i];
   std::vector<VertexId> from = to_root(mesh_.upper(e)), to = to_root(mesh_.lower(e));
   while (from.size() > 1 && to.size() > 1 && from[from.size() - 2] == to[to.size() - 2]) {
@@ -194,10 +198,12 @@ std::vector<VertexId> SurfaceHomology::generator(std::size_t i) const {
   }
   from.insert(from.end(), to.rbegin() + 1, to.rend());
   return from;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 void SurfaceHomology::add_generator(std::size_t i, bool is_reversed,
-                                    SurfacePolygons& polygons) const {
+                                    SurfacePolygons& polygons) const try {
   std::vector<VertexId> loop = generator(i);
   if (is_reversed) std::reverse(loop.begin(), loop.end());
   for (std::size_t k = 0; k < loop.size(); ++k) {
@@ -210,11 +216,13 @@ void SurfaceHomology::add_generator(std::size_t i, bool is_reversed,
     polygons.add_segment(polygons.points.add_vertex(from), SurfaceMesh::face(h), true);
   }
   polygons.close();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 std::vector<std::uint32_t> SurfaceHomology::add_repair(std::span<const std::uint32_t> shape,
                                                        SurfacePolygons& polygons,
-                                                       Context& context) const {
+                                                       Context& context) const try {
   const std::vector<std::int64_t> times = class_of(polygons, shape, context);
   std::vector<std::uint32_t> added;
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -227,6 +235,8 @@ std::vector<std::uint32_t> SurfaceHomology::add_repair(std::span<const std::uint
     }
   }
   return added;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 // ---------------------------------------------------------------- classes
@@ -275,7 +285,7 @@ void SurfaceHomology::count(const SurfacePolygons& polygons, std::size_t polygon
 
 std::vector<std::int64_t> SurfaceHomology::class_of(const SurfacePolygons& polygons,
                                                     std::span<const std::uint32_t> sum,
-                                                    Context& context) const {
+                                                    Context& context) const try {
   std::vector<std::int64_t> times(generators_.size());
   if (times.empty()) return times;
   MemoryCharge charge(context);
@@ -289,12 +299,17 @@ std::vector<std::int64_t> SurfaceHomology::class_of(const SurfacePolygons& polyg
     i = end;
   }
   return times;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 std::vector<std::int64_t> SurfaceHomology::class_of(const SurfacePolygons& polygons,
-                                                    std::size_t polygon, Context& context) const {
+                                                    std::size_t polygon, Context& context) const
+    try {
   const auto p = static_cast<std::uint32_t>(polygon);
   return class_of(polygons, std::span(&p, 1), context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 
 namespace plumb {
 namespace {
@@ -61,13 +62,15 @@ std::vector<HalfedgeId> halfedges_by_edge(const std::vector<SurfaceTriangle>& co
 
 }  // namespace
 
-SurfaceMesh::SurfaceMesh(std::vector<Point3> points, std::vector<SurfaceTriangle> triangles)
+SurfaceMesh::SurfaceMesh(std::vector<Point3> points, std::vector<SurfaceTriangle> triangles) try
     : points_(std::move(points)), corners_(std::move(triangles)) {
   check_corners();
   pair_halfedges();
   orient_faces();
   number_edges();
   find_fans();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 void SurfaceMesh::check_corners() const {

@@ -3,6 +3,7 @@
 #include <numeric>
 #include <vector>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/surface/surface_cells.h"
 
 namespace plumb {
@@ -44,7 +45,7 @@ std::vector<Component> components_of(const SurfaceDivision& d, const SurfaceRegi
 
 }  // namespace
 
-SurfaceScene result_scene(const SurfaceDivision& d, const SurfaceResult& result) {
+SurfaceScene result_scene(const SurfaceDivision& d, const SurfaceResult& result) try {
   std::vector<std::uint32_t> shape(result.borders.size());
   std::iota(shape.begin(), shape.end(), 0U);
   SurfaceScene scene{d.scene().mesh, result.borders, {{shape}}, FaceId{}};
@@ -60,6 +61,8 @@ SurfaceScene result_scene(const SurfaceDivision& d, const SurfaceResult& result)
     }
   }
   return scene;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

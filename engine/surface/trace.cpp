@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/surface/face_layout.h"
 #include "plumb/surface/flat_run.h"
 #include "plumb/surface/unfolded_strip.h"
@@ -138,11 +139,14 @@ class Reading {
 
 }  // namespace
 
-Tracer::Tracer(const SurfaceMesh& mesh)
-    : mesh_(mesh), positions_(scaled_positions(mesh).at), finder_(mesh, positions_) {}
+Tracer::Tracer(const SurfaceMesh& mesh) try
+    : mesh_(mesh), positions_(scaled_positions(mesh).at), finder_(mesh, positions_) {
+} catch (...) {
+  rethrow_refused_memory();
+}
 
 std::optional<SurfacePath> Tracer::trace(SurfacePointTable& points, SurfacePointId a,
-                                         SurfacePointId b, Context& context) {
+                                         SurfacePointId b, Context& context) try {
   if (points.is_same(a, b)) return SurfacePath{{a}, {}};
   if (is_lower(points, a, b)) return trace_upward(points, a, b, context);
   std::optional<SurfacePath> path = trace_upward(points, b, a, context);
@@ -151,10 +155,12 @@ std::optional<SurfacePath> Tracer::trace(SurfacePointTable& points, SurfacePoint
     std::ranges::reverse(path->faces);
   }
   return path;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 std::optional<SurfacePath> Tracer::trace_upward(SurfacePointTable& points, SurfacePointId a,
-                                                SurfacePointId b, Context& context) {
+                                                SurfacePointId b, Context& context) try {
   const std::vector<FaceId> near_a = faces_at(points, a), near_b = faces_at(points, b);
   if (near_a.empty() || near_b.empty()) return {};
   if (mesh_.component(near_a.front()) != mesh_.component(near_b.front())) return {};
@@ -167,9 +173,11 @@ std::optional<SurfacePath> Tracer::trace_upward(SurfacePointTable& points, Surfa
   const UnfoldedStrip unfolded(mesh_, positions_, strip, from, to);
   const std::vector<StripStop> stops = unfolded.stops();
   return Reading(stops, strip, a, b, points, context).path();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-FaceStrip Tracer::tightened(const StripEnd& from, const StripEnd& to, Context& context) {
+FaceStrip Tracer::tightened(const StripEnd& from, const StripEnd& to, Context& context) try {
   std::optional<FaceStrip> found = finder_.find(from, to, context);
   PLUMB_CHECK(found.has_value());
   FaceStrip strip = std::move(*found);
@@ -189,12 +197,14 @@ FaceStrip Tracer::tightened(const StripEnd& from, const StripEnd& to, Context& c
       return strip;
     }
   }
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
                                               std::span<const SurfacePointId> control,
                                               std::span<const FaceId> named,
-                                              SurfacePolygons& polygons, Context& context) {
+                                              SurfacePolygons& polygons, Context& context) try {
   std::vector<SurfacePath> legs;
   for (std::size_t i = 0; i < control.size(); ++i) {
     if (i % kLegs == 0) context.checkpoint("trace", i, control.size());
@@ -216,12 +226,16 @@ std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
   }
   polygons.close();
   return {};
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
                                               std::span<const SurfacePointId> control,
-                                              SurfacePolygons& polygons, Context& context) {
+                                              SurfacePolygons& polygons, Context& context) try {
   return add_traced_polygon(tracer, control, {}, polygons, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/space/triangulate.h"
 #include "plumb/surface/piece_points.h"
 #include "plumb/surface/surface_arrangement.h"
@@ -197,8 +198,10 @@ class SurfaceTriangulator {
 
 }  // namespace
 
-SurfaceTriangulation triangulate_surface(const SurfaceDivision& division, Context& context) {
+SurfaceTriangulation triangulate_surface(const SurfaceDivision& division, Context& context) try {
   return SurfaceTriangulator(division).run(context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 Point3 node_position(const SurfaceDivision& division, NodeId node) {

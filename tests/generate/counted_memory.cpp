@@ -1,6 +1,11 @@
 #include "generate/counted_memory.h"
 
+#include <gmp.h>
+#include <malloc.h>
+
+#include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <new>
 
 namespace plumb::testing {
@@ -8,13 +13,19 @@ namespace {
 
 CountedMemory memory;
 
+void hold(void* block) noexcept {
+  ++memory.held;
+  memory.held_bytes += static_cast<std::int64_t>(malloc_usable_size(block));
+  memory.peak_bytes = std::max(memory.peak_bytes, memory.held_bytes);
+}
+
 void* allocate(std::size_t bytes, std::size_t alignment) noexcept {
   ++memory.allocations;
   memory.bytes += bytes;
   if (memory.left == 0) return nullptr;
   if (memory.left > 0) --memory.left;
   void* const block = std::aligned_alloc(alignment, (bytes + alignment) / alignment * alignment);
-  if (block != nullptr) ++memory.held;
+  if (block != nullptr) hold(block);
   return block;
 }
 
@@ -24,15 +35,35 @@ void* allocate_or_throw(std::size_t bytes, std::size_t alignment) {
 }
 
 void give_back(void* block) noexcept {
-  if (block != nullptr) --memory.held;
+  if (block == nullptr) return;
+  --memory.held;
+  memory.held_bytes -= static_cast<std::int64_t>(malloc_usable_size(block));
   std::free(block);
 }
+
+void* allocate_number(std::size_t bytes) {
+  void* const block = std::malloc(bytes);
+  if (block == nullptr) std::abort();
+  hold(block);
+  return block;
+}
+
+void* grow_number(void* old, std::size_t old_bytes, std::size_t bytes) {
+  void* const block = allocate_number(bytes);
+  std::memcpy(block, old, std::min(old_bytes, bytes));
+  give_back(old);
+  return block;
+}
+
+void free_number(void* block, std::size_t) { give_back(block); }
 
 constexpr std::size_t kAlignment = __STDCPP_DEFAULT_NEW_ALIGNMENT__;
 
 }  // namespace
 
 CountedMemory& counted_memory() { return memory; }
+
+void count_numbers() { mp_set_memory_functions(allocate_number, grow_number, free_number); }
 
 }  // namespace plumb::testing
 
