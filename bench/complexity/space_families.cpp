@@ -228,7 +228,7 @@ const std::vector<Family> kFamilies{
      "union_of, O((n + k) log n)",
      "cubes",
      {1, 1},
-     {3, 5, 6, 7, 10, 14},
+     {5, 7, 10, 13, 17, 23},
      united_cubes,
      1.2},
     {"cubes-one-by-one",

@@ -159,7 +159,7 @@ int main(int argc, char** argv) {
   if (walls.empty() && sums.empty()) {
     const Solid l = solid_of_file("corpus/solids/l-block.off");
     compare_walls(report, l, rounds);
-    for (const int teeth : {4, 12}) {
+    for (const int teeth : {8, 24}) {
       compare_walls(report, comb(std::max(2, static_cast<int>(teeth * most / 100))), rounds);
     }
     compare_sums(report, l, l, rounds);
