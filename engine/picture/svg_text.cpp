@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "plumb/io/text_cursor.h"
+
 namespace plumb {
 namespace {
 
@@ -11,27 +13,13 @@ constexpr double kFarOff = 100000;  // picture units
 constexpr long kLeastStep = 3;      // tenths
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-/// Bytes of the UTF-8 sequence that begins text, 0 if none does.
+/// Bytes of the UTF-8 sequence that begins text, 0 if none does or XML does not know it.
 std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  const std::size_t length = lead < 0x80        ? 1
-                             : lead >> 5U == 6  ? 2
-                             : lead >> 4U == 14 ? 3
-                             : lead >> 3U == 30 ? 4
-                                                : 0;
-  if (length == 0 || length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if (byte(i) >> 6U != 2) return 0;
-  }
-  if (length == 2 && lead < 0xC2) return 0;
-  if (length == 3 && ((lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) >= 0xA0)))
-    return 0;
-  if (length == 3 && lead == 0xEF && byte(1) == 0xBF && byte(2) >= 0xBE) return 0;  // U+FFFE, FFFF
-  if (length == 4 &&
-      ((lead == 0xF0 && byte(1) < 0x90) || lead > 0xF4 || (lead == 0xF4 && byte(1) >= 0x90)))
-    return 0;
-  return length;
+  const auto lead = static_cast<unsigned char>(text[0]);
+  if (lead < 0x80) return 1;
+  const std::string_view sequence = text.substr(0, lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4);
+  if (sequence == "\xEF\xBF\xBE" || sequence == "\xEF\xBF\xBF") return 0;  // U+FFFE, FFFF
+  return text_prefix(sequence) == sequence.size() ? sequence.size() : 0;
 }
 
 std::string_view entity(char c) {

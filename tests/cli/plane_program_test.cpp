@@ -109,6 +109,18 @@ TEST(PlaneProgram, tells_what_a_set_is_like) {
 }
 
 /// |A + B| = |A| + |B| - |A * B| and so on, exactly, through files.
+TEST(PlaneProgram, tells_it_in_words) {
+  const ScratchDirectory scratch;
+  const auto words = [&](const std::string& wkt) {
+    write_file(scratch / "a.wkt", wkt);
+    return run({"plane", "info", (scratch / "a.wkt").string()}).out;
+  };
+  const std::string triangle = words("POLYGON((0 0, 3 0, 0 1, 0 0))");
+  EXPECT_TRUE(contains(triangle, "bounded\narea 3/2")) << triangle;
+  const std::string nothing = words("POLYGON EMPTY");
+  EXPECT_TRUE(contains(nothing, "bounded, empty\narea 0")) << nothing;
+}
+
 TEST(PlaneProgram, areas_add_up_exactly) {
   const auto area = [](const Json& json) {
     return Rational(json["area"]["exact"].get<std::string>());

@@ -245,6 +245,94 @@ TEST_F(SolidProgram, nef_files_are_told_by_name_or_by_their_beginning) {
   expect_refusal(run({"solid", "info", holding(text, "a.off")}), file("a.off") + ":1:1: ", "OFF");
 }
 
+/// Each kind of item of an octant, told alike in words and in JSON.
+TEST_F(SolidProgram, text_says_where_a_point_lies) {
+  const std::string octant = made(
+      {"halfspaces", holding("-1 0 0 0 closed\n0 -1 0 0 open\n0 0 -1 0 closed\n", "octant.txt")},
+      "octant.nef");
+  const std::vector<std::pair<Words, const char*>> places{
+      {{"0", "0", "0"}, "vertex"},  {{"3", "0", "0"}, "edge"},   {{"0", "1", "0"}, "edge"},
+      {{"0", "1/7", "2"}, "facet"}, {{"1", "1", "1"}, "volume"}, {{"-1", "1", "1"}, "volume"}};
+  for (const auto& [point, item] : places) {
+    Words words{"solid", "locate", octant};
+    words.insert(words.end(), point.begin(), point.end());
+    const std::string text = run(words).out;
+    words.push_back("--json");
+    const Json json = parsed(run(words));
+    EXPECT_EQ(json["on"], item);
+    EXPECT_EQ(json["marked"], point[0][0] != '-' && point[1] != "0") << text;
+    EXPECT_TRUE(contains(text, item)) << text;
+  }
+}
+
+TEST_F(SolidProgram, text_says_how_two_sets_lie) {
+  const std::string open = made({"interior", kBlock}, "open.nef");
+  const std::string rest = made({"complement", kBlock}, "rest.nef");
+  const auto compare = [](const std::string& a, const std::string& b) {
+    return run({"solid", "compare", a, b}).out;
+  };
+  EXPECT_EQ(compare(kBlock, kBlock), "equal\n");
+  EXPECT_EQ(compare(open, kBlock), "A lies in B\n");
+  EXPECT_EQ(compare(kBlock, open), "B lies in A\n");
+  EXPECT_EQ(compare(kBlock, rest), "disjoint\n");
+  const auto half = [&](const char* plane, const char* name) {
+    return made({"section", kBlock, "--plane", plane, "--side", "closed"}, name);
+  };
+  EXPECT_EQ(compare(half("1,0,0,-1/2", "x.nef"), half("0,1,0,-1/2", "y.nef")), "they overlap\n");
+  const std::string nothing = made({"difference", kBlock, kBlock}, "nothing.nef");
+  EXPECT_TRUE(contains(run({"solid", "info", nothing}).out, "bounded, empty")) << nothing;
+  EXPECT_TRUE(contains(run({"solid", "info", kCorner}).out, "simple, convex\nvolume "));
+  EXPECT_TRUE(contains(run({"solid", "info", kBlock}).out, "simple, not convex\n"));
+  const std::string sides = made({"boundary", kBlock}, "boundary.nef");
+  EXPECT_TRUE(contains(run({"solid", "info", sides}).out, "not simple"));
+}
+
+/// Whatever plane cuts, what lies within and what lies beyond are the set, and share nothing.
+TEST_F(SolidProgram, sections_add_up) {
+  for (const char* plane : {"0,0,-1,1/2", "1,1,1,-1"}) {
+    for (const char* side : {"closed", "open", "plane"}) {
+      Words words{"section", kBlock, "--plane", plane, "--side", side};
+      const std::string inside = made(words, "inside.nef");
+      words.insert(words.end(), {"--keep", "outside"});
+      const std::string outside = made(words, "outside.nef");
+      EXPECT_TRUE(is_equal(made({"union", inside, outside}, "all.nef"), kBlock)) << plane << side;
+      EXPECT_EQ(info(made({"intersection", inside, outside}, "both.nef"))["empty"], true);
+    }
+  }
+}
+
+/// Two cubes that overlap, the second inside out: the rules of docs/space.md.
+TEST_F(SolidProgram, rules_say_what_is_inside) {
+  std::string text = "OFF\n16 12 0\n";
+  for (const int low : {0, 1}) {
+    for (int i = 0; i < 8; ++i) {
+      text += std::to_string(low + (i & 1) * 2) + ' ' + std::to_string(low + (i >> 1 & 1) * 2) +
+              ' ' + std::to_string(low + (i >> 2) * 2) + '\n';
+    }
+  }
+  for (const int first : {0, 8}) {
+    for (std::array face : {std::array{0, 2, 3, 1},
+                            {4, 5, 7, 6},
+                            {0, 1, 5, 4},
+                            {2, 6, 7, 3},
+                            {0, 4, 6, 2},
+                            {1, 3, 7, 5}}) {
+      if (first != 0) std::swap(face[0], face[2]);
+      text += '4';
+      for (const int corner : face) text += ' ' + std::to_string(first + corner);
+      text += '\n';
+    }
+  }
+  const std::string cubes = holding(text, "cubes.off");
+  const auto by = [&](const char* rule) {
+    return volume(parsed(run({"solid", "info", cubes, "--rule", rule, "--json"})));
+  };
+  EXPECT_EQ(by("positive"), 7);
+  EXPECT_EQ(by("nonzero"), 14);
+  EXPECT_EQ(by("odd"), 14);
+  EXPECT_EQ(volume(info(cubes)), 15);
+}
+
 TEST_F(SolidProgram, wrong_usage_is_refused) {
   const auto refuse = [](Words words, const std::string& part) {
     words.insert(words.begin(), "solid");
@@ -258,6 +346,10 @@ TEST_F(SolidProgram, wrong_usage_is_refused) {
          "use .off, .obj, .stl, .ply, .nef or --format");
   refuse({"eval", "A+", "A=" + kBlock}, "expression:1:3");
   refuse({"eval", "A+B", "A=" + kBlock}, "no file for 'B'");
+  for (const char* binding : {"A", "=", "=a.off", "A="}) {
+    refuse({"eval", "A+B", "B=" + kBlock, binding}, "expected NAME=FILE");
+  }
+  refuse({"eval", "A", "A=" + kBlock, "A=" + kCorner}, "two files for 'A'");
   refuse({"section", kBlock, "--plane", "0,0,0,1", "--side", "open"}, "all zero");
   refuse({"section", kBlock, "--plane", "1,0,0", "--side", "open"}, "four numbers");
   refuse({"locate", kBlock, "1", "x", "2"}, "Y: expected a number");

@@ -382,6 +382,25 @@ TEST_F(SurfaceProgram, draws_every_layer_in_every_format) {
   }
 }
 
+/// Standard output holds what the file would.
+TEST_F(SurfaceProgram, writes_to_standard_output) {
+  const std::string file = two_boxes();
+  for (const std::string format : {"obj", "ply", "glb", "dot"}) {
+    const std::string out = (scratch_ / ("cells." + format)).string();
+    EXPECT_EQ(run({"surface", "cells", file, "-o", out}).code, 0) << format;
+    const RunResult direct = run({"surface", "cells", file, "--format", format});
+    EXPECT_EQ(direct.code, 0) << direct.err;
+    if (format != "glb") {  // which holds its name
+      EXPECT_EQ(direct.out, read_file(out)) << format;
+    }
+    EXPECT_EQ(run({"surface", "cells", file, "--format", format, "-o", "-"}).out, direct.out);
+  }
+  const RunResult svg = run({"surface", "draw", file, "--what", "cells", "--format", "svg"});
+  EXPECT_TRUE(contains(svg.out, "</svg>")) << svg.err;
+  EXPECT_EQ(run({"surface", "draw", file, "--what", "cells", "--format", "svg", "-o", "-"}).out,
+            svg.out);
+}
+
 // ---------------------------------------------------------------- refusals
 
 TEST_F(SurfaceProgram, refuses_what_cannot_be) {
@@ -392,6 +411,14 @@ TEST_F(SurfaceProgram, refuses_what_cannot_be) {
   expect_refusal(boolean("A +"), "plumb: --op", "is missing");
   expect_refusal(boolean("A + C"), "plumb: --op", "no shape is named C");
   EXPECT_FALSE(fs::exists(scratch_ / "no.obj"));
+  expect_refusal(run({"surface", "cells", file, "-o", "-"}), "plumb: ", "-o - needs --format");
+  expect_refusal(run({"surface", "cells", file, "--format", "obj", "--json"}),
+                 "plumb: ", "cannot both be standard output");
+  for (const Words& more : {Words{}, Words{"-o", "-"}}) {
+    Words words{"surface", "draw", file, "--what", "cells"};
+    words.insert(words.end(), more.begin(), more.end());
+    expect_refusal(run(words), "plumb: ", "draw needs -o OUT");
+  }
   expect_refusal(run({"surface", "draw", file, "--what", "result", "-o", "/tmp/x.png"}),
                  "plumb: ", "needs --op");
   expect_refusal(run({"surface", "cells", file, "-o", (scratch_ / "a.xyz").string()}),
