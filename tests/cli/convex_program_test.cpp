@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "refusal.h"
 #include "run_program.h"
 
 namespace plumb::testing {
@@ -76,6 +77,32 @@ TEST(ConvexProgram, decompose_writes_a_file_for_each_piece) {
   EXPECT_EQ(run({"solid", "compare", whole, kBlock}).code, 0);
 }
 
+TEST(ConvexProgram, decompose_by_every_method_and_in_every_format) {
+  const ScratchDirectory scratch;
+  for (const char* method : {"cuts", "walls"}) {
+    const fs::path directory = scratch / method;
+    const RunResult result = run({"convex", "decompose", kBlock, "--method", method, "--format",
+                                  "nef", "-o", directory.string(), "--json"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["volume_matches"], true) << method;
+    Words whole{"solid", "eval", "", "-o", (scratch / "whole.nef").string()};
+    for (std::size_t i = 1; i <= json["pieces"]; ++i) {
+      const std::string name = "piece_000" + std::to_string(i);
+      EXPECT_EQ(run({"convex", "check", (directory / (name + ".nef")).string()}).code, 0) << name;
+      whole[2] += (i == 1 ? "" : "+") + name;
+      whole.push_back(name + "=" + (directory / (name + ".nef")).string());
+    }
+    EXPECT_EQ(run(whole).code, 0);
+    EXPECT_EQ(run({"solid", "compare", whole[4], kBlock}).code, 0) << method;
+  }
+  for (const char* method : {"diagonals", "optimal"}) {
+    expect_refusal(run({"convex", "decompose", kBlock, "--method", method}),
+                   "plumb: ", "is for sets of the plane");
+  }
+  expect_refusal(run({"convex", "decompose", kBlock, "--svg", "-"}), "plumb: ", "needs a file");
+}
+
 TEST(ConvexProgram, decompose_leaves_no_folder_when_it_fails) {
   const ScratchDirectory scratch;
   const std::string far = (scratch / "far.off").string(), pieces = (scratch / "pieces").string();
@@ -96,7 +123,12 @@ TEST(ConvexProgram, decompose_removes_pieces_of_an_earlier_run_alone) {
   for (const auto* names : {&old, &others}) {
     for (const std::string& name : *names) write_file(directory / name, name);
   }
-  ASSERT_EQ(run({"convex", "decompose", kBlock, "-o", directory.string()}).code, 0);
+  fs::create_directories(directory / "piece_0004.off");
+  const std::string input = (directory / "piece_0007.off").string();
+  fs::copy_file(kBlock, input);
+  ASSERT_EQ(run({"convex", "decompose", input, "-o", directory.string()}).code, 0);
+  EXPECT_TRUE(fs::is_directory(directory / "piece_0004.off"));
+  EXPECT_EQ(read_file(input), read_file(kBlock)) << "what is read is not removed";
   for (const std::string& name : old) EXPECT_FALSE(fs::exists(directory / name)) << name;
   for (const std::string& name : others) EXPECT_TRUE(fs::exists(directory / name)) << name;
 }

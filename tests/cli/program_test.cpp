@@ -63,6 +63,14 @@ TEST(Program, suggests_what_was_meant) {
   }
 }
 
+TEST(Program, helps_however_it_is_asked) {
+  const std::string text = run({"--help"}).out;
+  EXPECT_TRUE(contains(text, "Usage: plumb COMMAND")) << text;
+  for (const char* word : {"-h", "help"}) EXPECT_EQ(run({word}).out, text) << word;
+  EXPECT_EQ(run({"map", "check", "-h"}).out, run({"map", "check", "--help"}).out);
+  expect_refusal(run({std::string(10000, 'x')}), "plumb: ", "xxx");
+}
+
 TEST(Program, refuses_wrong_usage) {
   const std::vector<Words> wrong{
       {},
@@ -81,6 +89,7 @@ TEST(Program, refuses_wrong_usage) {
       {"map", "check", kValid, "-o", "-"},
       {"map", "check", kValid, "--format", "pdf"},
       {"map", "check", kValid, "--json", "--svg", "-"},
+      {"map", "check", kValid, "--json", "--format", "text"},
       {"map", "check", kValid, "--svg"},
   };
   for (const Words& arguments : wrong) {
@@ -97,6 +106,21 @@ TEST(MapCheckProgram, lists_a_valid_map) {
   EXPECT_EQ(std::count(counts.begin(), counts.end(), ' '), 2) << counts;
 }
 
+TEST(MapCheckProgram, a_valid_map_is_valid_by_every_rule_for_its_outside) {
+  for (const char* rule : {"listed", "infer", "ignore"}) {
+    EXPECT_EQ(run({"map", "check", kValid, "--outer", rule}).code, 0) << rule;
+  }
+}
+
+// Not on a terminal: a line for each phase, and nothing that only a terminal understands.
+TEST(MapCheckProgram, tells_its_phases_in_a_file) {
+  const RunResult result = run({"map", "check", kValid, "--progress"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.out, run({"map", "check", kValid}).out);
+  EXPECT_FALSE(result.err.empty());
+  EXPECT_EQ(result.err.find_first_of("\r\x1b"), std::string::npos) << result.err;
+}
+
 TEST(MapCheckProgram, says_what_is_wrong_with_a_defective_map) {
   const RunResult result = run({"map", "check", kDefective});
   EXPECT_EQ(result.code, 1);
@@ -110,6 +134,11 @@ TEST(MapCheckProgram, prints_one_json_object) {
     const auto json = nlohmann::json::parse(result.out);
     EXPECT_EQ(json["verdict"] == "valid", code == 0);
   }
+}
+
+TEST(MapCheckProgram, what_is_asked_twice_is_said_once) {
+  EXPECT_EQ(run({"map", "check", kValid, "--json", "--format", "json", "-o", "-"}).out,
+            run({"map", "check", kValid, "--json"}).out);
 }
 
 TEST(MapCheckProgram, keeps_counts_complete_whatever_is_described) {

@@ -395,6 +395,10 @@ TEST_F(SurfaceProgram, writes_to_standard_output) {
     }
     EXPECT_EQ(run({"surface", "cells", file, "--format", format, "-o", "-"}).out, direct.out);
   }
+  // What is drawn of a result is what is selected: a mesh that other commands read.
+  const std::string glb = (scratch_ / "result.glb").string();
+  EXPECT_EQ(run({"surface", "boolean", file, "--op", "A ^ B", "-o", glb}).code, 0);
+  EXPECT_EQ(answer({"solid", "info", glb, "--surface"})["bounded"], true);
   const RunResult svg = run({"surface", "draw", file, "--what", "cells", "--format", "svg"});
   EXPECT_TRUE(contains(svg.out, "</svg>")) << svg.err;
   EXPECT_EQ(run({"surface", "draw", file, "--what", "cells", "--format", "svg", "-o", "-"}).out,
