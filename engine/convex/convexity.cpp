@@ -23,12 +23,12 @@ namespace {
 /// Zero that must not be.
 class StarTest {
  public:
-  StarTest(const PolygonMesh& mesh, Context& context) : m_(mesh), context_(context) {}
+  StarTest(const MeshView& mesh, Context& context) : m_(mesh), context_(context) {}
 
   std::optional<bool> run() {
     if (m_.face_count() < 4 || !m_.exact.empty()) return std::nullopt;
     for (std::size_t f = 0; f < m_.face_count(); ++f) {
-      if (m_.face_begin[f + 1] - m_.face_begin[f] < 3) return std::nullopt;
+      if (m_.face(f).size() < 3) return std::nullopt;
     }
     if (!are_points_there()) return std::nullopt;
     if (!find_middle() || !are_faces_convex()) return std::nullopt;
@@ -44,10 +44,10 @@ class StarTest {
   void checkpoint(std::size_t f) const {
     if (f % kStride == 0) context_.checkpoint("convexity", f, m_.face_count());
   }
-  const Point3& at(std::size_t corner) const { return m_.points[m_.corners[corner]]; }
+  Point3 at(std::size_t corner) const { return m_.point(m_.corners[corner]); }
   std::size_t next(std::size_t corner) const {
     const std::size_t f = face_[corner];
-    return corner + 1 == m_.face_begin[f + 1] ? m_.face_begin[f] : corner + 1;
+    return corner + 1 == m_.begin_of(f + 1) ? m_.begin_of(f) : corner + 1;
   }
   /// Of the plane through three corners that are not on a line.
   Sign side(std::size_t f, const Point3& x) const {
@@ -61,7 +61,7 @@ class StarTest {
   /// Whoever decides otherwise says which is not.
   bool are_points_there() const {
     return std::ranges::all_of(m_.corners, [&](std::uint32_t v) {
-      return v < m_.points.size() && is_finite(m_.points[v]);
+      return v < m_.point_count() && is_finite(m_.point(v));
     });
   }
 
@@ -78,7 +78,7 @@ class StarTest {
     three_.resize(m_.face_count());
     for (std::size_t f = 0; f < m_.face_count(); ++f) {
       checkpoint(f);
-      const std::uint32_t begin = m_.face_begin[f], end = m_.face_begin[f + 1];
+      const std::uint32_t begin = m_.begin_of(f), end = m_.begin_of(f + 1);
       Sign sign = Sign::Zero;
       for (std::uint32_t c = begin; c < end; ++c) {
         face_[c] = static_cast<std::uint32_t>(f);
@@ -95,7 +95,7 @@ class StarTest {
   /// Each in one plane, without right turns, around once.
   bool are_faces_convex() const {
     for (std::size_t f = 0; f < m_.face_count(); ++f) {
-      if (m_.face_begin[f + 1] - m_.face_begin[f] == 3) continue;
+      if (m_.face(f).size() == 3) continue;
       checkpoint(f);
       if (!is_convex_polygon(f)) return false;
     }
@@ -106,7 +106,7 @@ class StarTest {
   /// order of coordinates.
   bool is_convex_polygon(std::size_t f) const {
     std::size_t least = 0;
-    for (std::size_t a = m_.face_begin[f]; a < m_.face_begin[f + 1]; ++a) {
+    for (std::size_t a = m_.begin_of(f); a < m_.begin_of(f + 1); ++a) {
       const std::size_t b = next(a), c = next(b);
       if (side(f, at(a)) != Sign::Zero) return false;
       const Sign turn = orient3d(at(a), at(b), at(c), middle_);
@@ -117,24 +117,24 @@ class StarTest {
     return least == 1;
   }
   bool is_less(std::size_t a, std::size_t b) const {
-    const Point3 &p = at(a), &q = at(b);
+    const Point3 p = at(a), q = at(b);
     return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
   }
 
   /// Half-edges by the lesser end of their edge; there each waits, at the other end, for its reverse. None: not
   /// a closed 2-manifold.
   std::optional<bool> are_edges_convex() const {
-    std::vector<std::uint32_t> begin(m_.points.size() + 1, 0);
+    std::vector<std::uint32_t> begin(m_.point_count() + 1, 0);
     const auto least = [&](std::size_t c) { return std::min(m_.corners[c], m_.corners[next(c)]); };
     for (std::size_t c = 0; c < m_.corners.size(); ++c) ++begin[least(c) + 1];
-    for (std::size_t v = 0; v < m_.points.size(); ++v) begin[v + 1] += begin[v];
+    for (std::size_t v = 0; v < m_.point_count(); ++v) begin[v + 1] += begin[v];
     std::vector<std::uint32_t> sorted(m_.corners.size()), end(begin.begin(), begin.end() - 1);
     for (std::size_t c = 0; c < m_.corners.size(); ++c) {
       sorted[end[least(c)]++] = static_cast<std::uint32_t>(c);
     }
-    std::vector<std::uint32_t> waiting(m_.points.size(), kNone);
-    for (std::size_t v = 0; v < m_.points.size(); ++v) {
-      if (v % kStride == 0) context_.checkpoint("convexity", v, m_.points.size());
+    std::vector<std::uint32_t> waiting(m_.point_count(), kNone);
+    for (std::size_t v = 0; v < m_.point_count(); ++v) {
+      if (v % kStride == 0) context_.checkpoint("convexity", v, m_.point_count());
       std::size_t left = 0;
       for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i) {
         const std::uint32_t c = sorted[i];
@@ -178,7 +178,7 @@ class StarTest {
     for (std::size_t f = 0; f < m_.face_count(); ++f) {
       checkpoint(f);
       bool is_close = false, is_hit = true;
-      for (std::size_t c = m_.face_begin[f]; c < m_.face_begin[f + 1] && is_hit; ++c) {
+      for (std::size_t c = m_.begin_of(f); c < m_.begin_of(f + 1) && is_hit; ++c) {
         const Sign sign = orient3d(middle_, through, at(c), at(next(c)));
         is_hit = sign == inside || sign == Sign::Zero;
         is_close |= sign == Sign::Zero;
@@ -189,7 +189,7 @@ class StarTest {
     return count == 0 ? std::nullopt : std::optional(count == 1);
   }
 
-  const PolygonMesh& m_;
+  const MeshView& m_;
   Context& context_;
   Point3 middle_{0, 0, 0};
   Sign behind_ = Sign::Zero;
@@ -255,8 +255,7 @@ std::vector<FailingFace> failing_facets(const SpaceComplex& c, Outer&& outer, Co
 }
 
 /// Faces and vertices by their numbers in the mesh; a face that was cut into triangles is listed once.
-void number_as_input(std::vector<FailingFace>& faces, const PolygonMesh& mesh,
-                     const SpaceComplex& c) {
+void number_as_input(std::vector<FailingFace>& faces, const MeshView& mesh, const SpaceComplex& c) {
   SpaceTables tables;  // filled as those of the complex were
   const MeshVertices vertices = merge_equal_points(mesh, tables);
   std::vector<std::pair<SpacePoint, std::uint32_t>> inputs;
@@ -276,7 +275,7 @@ void number_as_input(std::vector<FailingFace>& faces, const PolygonMesh& mesh,
 
 }  // namespace
 
-bool is_convex_mesh(const PolygonMesh& mesh, Context& context) try {
+bool is_convex_mesh(const MeshView& mesh, Context& context) try {
   if (const std::optional<bool> known = StarTest(mesh, context).run()) return *known;
   MeshComplex complex = complex_of_mesh(mesh, {}, context);
   return is_plain(complex) &&
@@ -285,7 +284,7 @@ bool is_convex_mesh(const PolygonMesh& mesh, Context& context) try {
   rethrow_refused_memory();
 }
 
-ConvexityEvidence convexity_of_mesh(const PolygonMesh& mesh, Context& context) try {
+ConvexityEvidence convexity_of_mesh(const MeshView& mesh, Context& context) try {
   ConvexityEvidence evidence;
   evidence.is_convex = is_convex_mesh(mesh, context);
   if (evidence.is_convex) return evidence;

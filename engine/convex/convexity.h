@@ -21,14 +21,14 @@
 
 #include "plumb/base/context.h"
 #include "plumb/base/ids.h"
+#include "plumb/space/mesh_arrays.h"
 #include "plumb/space/nef3.h"
-#include "plumb/space/polygon_mesh.h"
 
 namespace plumb {
 
 /// Is the mesh, either way out, the surface of one convex body, every part of it once? Faces may lie in one
 /// plane. A mesh that is open, not connected or no 2-manifold is not. Throws as complex_of_mesh().
-bool is_convex_mesh(const PolygonMesh& mesh, Context& context);
+bool is_convex_mesh(const MeshView& mesh, Context& context);
 
 /// A face, with vertices strictly on both sides of its plane.
 struct FailingFace {
@@ -46,7 +46,7 @@ struct ConvexityEvidence {
 
 /// Edges between two faces are reflex where the solid behind them spans more than half a turn. Of a mesh
 /// that is not a closed 2-manifold neither is known: it is not convex, and only faces are listed.
-ConvexityEvidence convexity_of_mesh(const PolygonMesh& mesh, Context& context);
+ConvexityEvidence convexity_of_mesh(const MeshView& mesh, Context& context);
 
 /// The same of any set; is_convex as Nef3::is_convex(): as a point set, with its marks. Empty, the whole space,
 /// a point, an open or half-open convex body are convex; a closed cube without an inner point of an edge is

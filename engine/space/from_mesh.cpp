@@ -73,7 +73,7 @@ void describe_crossings(const MeshOptions& options, MeshComplex& result, MemoryC
 
 }  // namespace
 
-MeshComplex complex_of_mesh(const PolygonMesh& mesh, const MeshOptions& options,
+MeshComplex complex_of_mesh(const MeshView& mesh, const MeshOptions& options,
                             Context& context) try {
   MeshComplex result;
   MemoryCharge memory(context);

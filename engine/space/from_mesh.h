@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "plumb/base/context.h"
-#include "plumb/space/polygon_mesh.h"
+#include "plumb/space/mesh_arrays.h"
 #include "plumb/space/space_complex.h"
 
 namespace plumb {
@@ -89,7 +89,7 @@ struct MeshComplex {
 };
 
 /// Throws Error{BadIndex} for a corner that is no vertex, Error{NotFinite}, and what the context
-/// throws. Of an open mesh without options.surface only the report is filled.
-MeshComplex complex_of_mesh(const PolygonMesh& mesh, const MeshOptions& options, Context& context);
+/// throws. The arrays are not needed afterwards. Of an open mesh without options.surface only the report is filled.
+MeshComplex complex_of_mesh(const MeshView& mesh, const MeshOptions& options, Context& context);
 
 }  // namespace plumb

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <type_traits>
 
 #include "plumb/base/error.h"
-#include "plumb/base/refused_memory.h"
 
 namespace plumb {
 namespace {
@@ -14,53 +14,54 @@ namespace {
 static_assert(sizeof(Point3) == 3 * sizeof(double) && alignof(Point3) == alignof(double));
 static_assert(std::is_standard_layout_v<Point3> && std::is_trivially_copyable_v<Point3>);
 
-std::vector<Point3> points_of(std::span<const double> coordinates) {
-  if (coordinates.size() % 3 != 0) {
-    throw Error(ErrorCode::BadArgument, "the number of coordinates is no multiple of three");
+void require_triples(std::size_t size, const char* what) {
+  if (size % 3 != 0) {
+    throw Error(ErrorCode::BadArgument,
+                std::string("the number of ") + what + " is no multiple of three");
   }
-  std::vector<Point3> points(coordinates.size() / 3);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    points[i] = {coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]};
+}
+
+/// Points and corners have numbers of 32 bits.
+void require_countable(std::size_t count, const char* what) {
+  if (count > std::numeric_limits<std::uint32_t>::max()) {
+    throw Error(ErrorCode::BadArgument, std::string("more ") + what + " than 2^32 - 1");
   }
-  return points;
+}
+
+MeshView view_of(std::span<const double> coordinates, std::span<const std::uint32_t> corners) {
+  require_triples(coordinates.size(), "coordinates");
+  require_countable(coordinates.size() / 3, "points");
+  require_countable(corners.size(), "corners");
+  MeshView mesh;
+  mesh.coordinates = coordinates;
+  mesh.corners = corners;
+  return mesh;
 }
 
 }  // namespace
 
-PolygonMesh mesh_of_triangles(std::span<const double> coordinates,
-                              std::span<const std::uint32_t> corners) try {
-  if (corners.size() % 3 != 0) {
-    throw Error(ErrorCode::BadArgument, "the number of corners is no multiple of three");
-  }
-  if (corners.size() > std::numeric_limits<std::uint32_t>::max()) {
-    throw Error(ErrorCode::BadArgument, "more corners than 2^32 - 1");
-  }
-  PolygonMesh mesh;
-  mesh.points = points_of(coordinates);
-  mesh.corners.assign(corners.begin(), corners.end());
-  mesh.face_begin.resize(corners.size() / 3 + 1);
-  for (std::size_t f = 0; f < mesh.face_begin.size(); ++f) {
-    mesh.face_begin[f] = static_cast<std::uint32_t>(3 * f);
-  }
-  return mesh;
-} catch (...) {
-  rethrow_refused_memory();
+MeshView::MeshView(const PolygonMesh& mesh)
+    : coordinates(coordinates_of(mesh)),
+      exact(mesh.exact),
+      face_begin(mesh.face_begin),
+      corners(mesh.corners) {}
+
+MeshView mesh_of_triangles(std::span<const double> coordinates,
+                           std::span<const std::uint32_t> corners) {
+  require_triples(corners.size(), "corners");
+  return view_of(coordinates, corners);
 }
 
-PolygonMesh mesh_of_polygons(std::span<const double> coordinates,
-                             std::span<const std::uint32_t> face_begin,
-                             std::span<const std::uint32_t> corners) try {
+MeshView mesh_of_polygons(std::span<const double> coordinates,
+                          std::span<const std::uint32_t> face_begin,
+                          std::span<const std::uint32_t> corners) {
   if (face_begin.empty() || face_begin.front() != 0 || face_begin.back() != corners.size() ||
       !std::is_sorted(face_begin.begin(), face_begin.end())) {
     throw Error(ErrorCode::BadArgument, "face_begin does not divide the corners into faces");
   }
-  PolygonMesh mesh;
-  mesh.points = points_of(coordinates);
-  mesh.corners.assign(corners.begin(), corners.end());
-  mesh.face_begin.assign(face_begin.begin(), face_begin.end());
+  MeshView mesh = view_of(coordinates, corners);
+  mesh.face_begin = face_begin;
   return mesh;
-} catch (...) {
-  rethrow_refused_memory();
 }
 
 std::span<const double> coordinates_of(const PolygonMesh& mesh) {

@@ -27,7 +27,7 @@ struct Loop {
 
 class Flattener {
  public:
-  Flattener(const PolygonMesh& mesh, const MeshVertices& vertices, SpaceTables& tables,
+  Flattener(const MeshView& mesh, const MeshVertices& vertices, SpaceTables& tables,
             MeshReport& report, Context& context)
       : mesh_(mesh),
         vertices_(vertices),
@@ -382,7 +382,7 @@ class Flattener {
 
   SpacePoint point(std::uint32_t v) const { return vertices_.point[v]; }
 
-  const PolygonMesh& mesh_;
+  const MeshView& mesh_;
   const MeshVertices& vertices_;
   SpaceTables& tables_;
   MeshReport& report_;
@@ -416,7 +416,7 @@ OrientedPlane plane_through(SpaceTables& tables, SpacePoint a, SpacePoint b, Spa
   return tables.planes.intern(x, y, z, -(x * p.x + y * p.y + z * p.z));
 }
 
-MeshFacets flatten_mesh(const PolygonMesh& mesh, const MeshVertices& vertices, SpaceTables& tables,
+MeshFacets flatten_mesh(const MeshView& mesh, const MeshVertices& vertices, SpaceTables& tables,
                         MeshReport& report, Context& context) {
   MeshFacets facets = Flattener(mesh, vertices, tables, report, context).run();
   std::sort(report.degenerate.begin(), report.degenerate.end());

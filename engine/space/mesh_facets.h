@@ -31,7 +31,7 @@ struct MeshFacets {
 
 /// Main flow: corners -> a plane by three of them -> are all others on it? simple? -> else triangles.
 /// Notes in `report` what it changes. O(n log n).
-MeshFacets flatten_mesh(const PolygonMesh& mesh, const MeshVertices& vertices, SpaceTables& tables,
+MeshFacets flatten_mesh(const MeshView& mesh, const MeshVertices& vertices, SpaceTables& tables,
                         MeshReport& report, Context& context);
 
 /// The plane of three points, positive where they are seen counter-clockwise; not valid: on a line.

@@ -45,14 +45,14 @@ struct RationalLess {
 /// Adds points one after the other, each place once.
 class VertexMaker {
  public:
-  VertexMaker(const PolygonMesh& mesh, SpaceTables& tables) : mesh_(mesh), tables_(tables) {}
+  VertexMaker(const MeshView& mesh, SpaceTables& tables) : mesh_(mesh), tables_(tables) {}
 
   MeshVertices make() {
     mark_used();
-    doubles_.reserve(mesh_.points.size());
+    doubles_.reserve(mesh_.point_count());
     const auto* exact = mesh_.exact.data();
     const auto* const exact_end = exact + mesh_.exact.size();
-    for (std::uint32_t i = 0; i < mesh_.points.size(); ++i) {
+    for (std::uint32_t i = 0; i < mesh_.point_count(); ++i) {
       while (exact != exact_end && exact->first < i) ++exact;
       if (result_.of_point[i] == kNone) continue;
       const bool is_exact = exact != exact_end && exact->first == i;
@@ -64,11 +64,11 @@ class VertexMaker {
 
  private:
   void mark_used() {
-    result_.of_point.assign(mesh_.points.size(), kNone);
+    result_.of_point.assign(mesh_.point_count(), kNone);
     for (const std::uint32_t c : mesh_.corners) {
-      if (c >= mesh_.points.size()) {
+      if (c >= mesh_.point_count()) {
         throw Error(ErrorCode::BadIndex, "a face names vertex " + std::to_string(c) + " of " +
-                                             std::to_string(mesh_.points.size()));
+                                             std::to_string(mesh_.point_count()));
       }
       result_.of_point[c] = 0;
     }
@@ -80,7 +80,7 @@ class VertexMaker {
   }
 
   std::uint32_t find_or_add(std::uint32_t i) {
-    const Point3& p = mesh_.points[i];
+    const Point3 p = mesh_.point(i);
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
       throw Error(ErrorCode::NotFinite, "vertex " + std::to_string(i) + " is not finite");
     }
@@ -129,7 +129,7 @@ class VertexMaker {
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(result_.input.size()); }
 
-  const PolygonMesh& mesh_;
+  const MeshView& mesh_;
   SpaceTables& tables_;
   MeshVertices result_;
   std::vector<Point3> inputs_;
@@ -139,7 +139,7 @@ class VertexMaker {
 
 }  // namespace
 
-MeshVertices merge_equal_points(const PolygonMesh& mesh, SpaceTables& tables) {
+MeshVertices merge_equal_points(const MeshView& mesh, SpaceTables& tables) {
   return VertexMaker(mesh, tables).make();
 }
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "plumb/space/polygon_mesh.h"
+#include "plumb/space/mesh_arrays.h"
 #include "plumb/space/space_tables.h"
 
 namespace plumb {
@@ -19,6 +19,6 @@ struct MeshVertices {
 };
 
 /// Adds the points to the tables. -0 equals 0. Throws Error{BadIndex, NotFinite}. O(n) expected.
-MeshVertices merge_equal_points(const PolygonMesh& mesh, SpaceTables& tables);
+MeshVertices merge_equal_points(const MeshView& mesh, SpaceTables& tables);
 
 }  // namespace plumb

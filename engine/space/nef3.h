@@ -106,7 +106,7 @@ class Nef3 {
   /// The volumes of a closed mesh with a winding number inside the rule, with their boundary. The mesh may
   /// cross itself, overlap, be doubled or inside out: a soup whose directed edges cancel. Throws
   /// Error{BadShape} for an open mesh: look at the report of complex_of_mesh() first.
-  static Nef3 mesh(const PolygonMesh& mesh, WindingRule rule, Context& context);
+  static Nef3 mesh(const MeshView& mesh, WindingRule rule, Context& context);
   static Nef3 mesh(MeshComplex mesh, WindingRule rule, Context& context);
   /// mesh() of each, several at a time where the context has threads.
   static std::vector<Nef3> meshes(std::span<const PolygonMesh> meshes, WindingRule rule,

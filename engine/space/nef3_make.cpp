@@ -143,7 +143,7 @@ Nef3 Nef3::intersection(std::span<const HalfSpace3> half_spaces, Context& contex
   rethrow_refused_memory();
 }
 
-Nef3 Nef3::mesh(const PolygonMesh& mesh, WindingRule rule, Context& context) try {
+Nef3 Nef3::mesh(const MeshView& mesh, WindingRule rule, Context& context) try {
   return Nef3::mesh(complex_of_mesh(mesh, {}, context), rule, context);
 } catch (...) {
   rethrow_refused_memory();

@@ -192,9 +192,10 @@ OperationRoom extraction_operations() {
                  local_map(s->block.complex(), VertexId(0), map);
                  return map.map.face_count();
                }},
-              {"mesh_of_triangles",
-               [s](Context&) {
-                 return digest_of_mesh(mesh_of_triangles(s->coordinates, s->triangle));
+              {"complex_of_mesh, of arrays",
+               [s](Context& own) {
+                 const MeshView mesh = mesh_of_triangles(s->coordinates, s->triangle);
+                 return complex_of_mesh(mesh, {.surface = true}, own).complex.facet_count();
                }},
           }};
 }

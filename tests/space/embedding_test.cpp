@@ -1,15 +1,12 @@
-// What programs that embed the library rely on: plain arrays in and out, and const members called from several
-// threads at once.
+// What programs that embed the library rely on: const members called from several threads at once.
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <thread>
 
-#include "plumb/base/error.h"
 #include "plumb/plane/nef2.h"
 #include "plumb/space/mesh_arrays.h"
 #include "plumb/space/nef3.h"
-#include "plumb/space/to_mesh.h"
 #include "plumb/sphere/nef_sphere.h"
 
 namespace plumb::testing {
@@ -26,62 +23,6 @@ Nef3 tetrahedron(double shift) {
   for (double& x : moved) x += shift;
   Context context;
   return Nef3::mesh(mesh_of_triangles(moved, kTriangles), WindingRule::Positive, context);
-}
-
-TEST(MeshArrays, keep_what_they_are_given) {
-  const PolygonMesh mesh = mesh_of_triangles(kCorners, kTriangles);
-  EXPECT_EQ(mesh.corners, kTriangles);
-  EXPECT_EQ(mesh.face_begin, (Indices{0, 3, 6, 9, 12}));
-  const auto back = coordinates_of(mesh);
-  EXPECT_EQ(Doubles(back.begin(), back.end()), kCorners);
-  EXPECT_EQ(static_cast<const void*>(back.data()), mesh.points.data()) << "a view, no copy";
-}
-
-TEST(MeshArrays, of_polygons_are_those_of_triangles) {
-  const PolygonMesh a = mesh_of_triangles(kCorners, kTriangles);
-  const PolygonMesh b = mesh_of_polygons(kCorners, Indices{0, 3, 6, 9, 12}, kTriangles);
-  EXPECT_EQ(a.points, b.points);
-  EXPECT_EQ(a.face_begin, b.face_begin);
-  EXPECT_EQ(a.corners, b.corners);
-  EXPECT_EQ(mesh_of_polygons({}, Indices{0}, {}).face_count(), 0U);
-  EXPECT_EQ(mesh_of_triangles({}, {}).face_count(), 0U);
-}
-
-TEST(MeshArrays, go_through_a_boolean_and_come_back) {
-  Context context;
-  const Nef3 both = tetrahedron(0) + tetrahedron(.25);
-  const PolygonMesh mesh =
-      mesh_of_complex(both.complex(), {.faces = MeshFaces::Triangles}, context).mesh;
-  ASSERT_TRUE(mesh.exact.empty()) << "its corners are multiples of 1/4";
-  const Nef3 again = Nef3::mesh(mesh_of_triangles(coordinates_of(mesh), mesh.corners),
-                                WindingRule::Positive, context);
-  EXPECT_EQ(again, both);
-}
-
-TEST(MeshArrays, refuse_sizes_that_do_not_agree) {
-  const auto code = [](const std::function<void()>& make) {
-    try {
-      make();
-    } catch (const Error& error) {
-      return error.code();
-    }
-    return ErrorCode::CannotOpen;
-  };
-  const Doubles four(4);
-  const std::vector<Indices> begins = {{}, {1, 12}, {0, 11}, {0, 13}, {0, 9, 6, 12}};
-  EXPECT_EQ(code([&] { mesh_of_triangles(four, {}); }), ErrorCode::BadArgument);
-  EXPECT_EQ(code([&] {
-              mesh_of_triangles(kCorners, Indices{0, 1, 2, 3});
-            }),
-            ErrorCode::BadArgument);
-  for (const Indices& begin : begins) {
-    EXPECT_EQ(code([&] { mesh_of_polygons(kCorners, begin, kTriangles); }), ErrorCode::BadArgument);
-  }
-  Context context;
-  const Indices beyond = {0, 2, 1, 0, 1, 4, 0, 4, 2, 1, 2, 4};
-  EXPECT_EQ(
-      code([&] { Nef3::mesh(mesh_of_triangles(kCorners, beyond), WindingRule::EvenOdd, context); }),
-      ErrorCode::BadIndex);
 }
 
 /// The same value in every one of four threads that ask at the same time as for one that asks alone.
