@@ -4,8 +4,6 @@
 // reader throws an Error that names the file, a line and a column inside it, or polygons whose segments lie in
 // their faces, and every leg of theirs, traced the other way, is the same path.
 
-#include "plumb/io/scene_reader.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -14,6 +12,7 @@
 #include <vector>
 
 #include "generate/surface_meshes.h"
+#include "plumb/io/scene_text.h"
 #include "plumb/io/svg_reader.h"
 #include "plumb/surface/trace.h"
 #include "plumb/testing/oracle_reached.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "plumb/base/context.h"
-#include "plumb/io/scene_reader.h"
+#include "plumb/io/scene_text.h"
 #include "plumb/surface/surface.h"
 #include "plumb/surface/trace.h"
 

@@ -15,7 +15,7 @@
 #include "plumb/io/json_places.h"
 #include "plumb/io/number_reader.h"
 #include "plumb/io/scene_points.h"
-#include "plumb/io/scene_reader.h"
+#include "plumb/io/scene_text.h"
 #include "plumb/io/with_place.h"
 #include "plumb/predicates/rounding.h"
 

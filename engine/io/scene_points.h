@@ -10,7 +10,7 @@
 #include "plumb/io/json_places.h"
 #include "plumb/io/number_reader.h"
 #include "plumb/io/read_options.h"
-#include "plumb/io/scene_reader.h"
+#include "plumb/io/scene_text.h"
 
 namespace plumb {
 

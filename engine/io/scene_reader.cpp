@@ -10,6 +10,7 @@
 #include "plumb/base/refused_memory.h"
 #include "plumb/io/input.h"
 #include "plumb/io/scene_drawing.h"
+#include "plumb/io/scene_text.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/io/svg_reader.h"
 #include "plumb/io/text_cursor.h"

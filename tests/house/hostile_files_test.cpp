@@ -17,7 +17,7 @@
 #include "plumb/io/map_reader.h"
 #include "plumb/io/nef3_reader.h"
 #include "plumb/io/plane_io.h"
-#include "plumb/io/scene_reader.h"
+#include "plumb/io/scene_text.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/io/svg_reader.h"
 

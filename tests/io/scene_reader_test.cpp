@@ -13,6 +13,7 @@
 #include "expect_refusals.h"
 #include "generate/surface_meshes.h"
 #include "plumb/base/error.h"
+#include "plumb/io/scene_text.h"
 
 namespace plumb::testing {
 namespace {

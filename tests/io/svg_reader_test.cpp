@@ -19,6 +19,7 @@
 #include "oracle/surface_oracle.h"
 #include "plumb/base/error.h"
 #include "plumb/io/scene_reader.h"
+#include "plumb/io/scene_text.h"
 #include "plumb/surface/surface_audit.h"
 
 namespace plumb::testing {
