@@ -136,6 +136,9 @@ std::string guess_command(const std::string& first, const std::string& second) {
     names.emplace_back(command.name);
     last_words.emplace_back(command.name.substr(command.name.rfind(' ') + 1));
   }
+  if (second.empty()) {
+    for (const CommandGroup& group : command_groups()) names.emplace_back(group.word);
+  }
   std::string guess = nearest(second.empty() ? first : first + ' ' + second, names);
   if (guess.empty()) guess = nearest(first, names);
   if (!guess.empty()) return guess;

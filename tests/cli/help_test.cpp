@@ -114,6 +114,22 @@ TEST(Help, fits_a_screen_and_names_every_command_once) {
   EXPECT_EQ(std::set<Words>(commands.begin(), commands.end()).size(), commands.size());
 }
 
+/// All but examples, which are to be pasted.
+void expect_fits(const std::string& help, std::size_t most_lines) {
+  const Words lines = lines_of(help);
+  EXPECT_LE(lines.size(), most_lines);
+  for (const std::string& line : lines) {
+    EXPECT_TRUE(line.size() <= 80 || line.starts_with("  ./plumb ")) << line;
+  }
+}
+
+TEST(Help, of_groups_and_commands_fits_80_columns) {
+  for (const char* group : {"map", "plane", "solid", "convex", "surface"}) {
+    expect_fits(run({group, "--help"}).out, 30);
+  }
+  for (const Words& command : all_commands()) expect_fits(help_of(command), 40);
+}
+
 TEST(Help, has_examples_that_work_and_schemas_that_fit) {
   for (const Words& command : all_commands()) {
     SCOPED_TRACE(::testing::PrintToString(command));
