@@ -15,14 +15,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-nlohmann::ordered_json demo_json(const std::string& page, const std::vector<DemoStep>& steps,
-                                 const std::vector<DemoPicture>& pictures) {
+nlohmann::ordered_json demo_json(const std::string& page,
+                                 const std::vector<DemoChapter>& chapters) {
   nlohmann::ordered_json json{{"page", page}, {"steps", nullptr}, {"pictures", nullptr}};
-  for (const DemoStep& step : steps) {
-    json["steps"].push_back({{"what", step.what}, {"seconds", step.seconds}});
-  }
-  for (const DemoPicture& p : pictures) {
-    json["pictures"].push_back({{"title", p.title}, {"file", p.file}, {"caption", p.caption}});
+  for (const DemoChapter& chapter : chapters) {
+    for (const DemoStep& step : chapter.steps) {
+      json["steps"].push_back(
+          {{"chapter", chapter.title}, {"what", step.what}, {"seconds", step.seconds}});
+    }
+    for (const DemoPicture& p : chapter.pictures) {
+      json["pictures"].push_back({{"chapter", chapter.title},
+                                  {"title", p.title},
+                                  {"file", p.file},
+                                  {"caption", p.caption}});
+    }
   }
   return json;
 }
@@ -43,9 +49,14 @@ std::string DemoBook::bundled(const std::string& file) {
   return (fs::path(is_set ? root : PLUMB_SOURCE_DIR) / "corpus" / file).string();
 }
 
+void DemoBook::chapter(std::string title, std::string claim) {
+  chapters_.push_back({std::move(title), std::move(claim)});
+}
+
 void DemoBook::step(const std::string& what) {
   const auto now = Clock::now();
-  steps_.push_back({what, std::chrono::duration<double>(now - step_start_).count()});
+  chapters_.back().steps.push_back(
+      {what, std::chrono::duration<double>(now - step_start_).count()});
   step_start_ = now;
 }
 
@@ -59,7 +70,7 @@ void DemoBook::add(DemoPicture picture) {
   if (!picture.page.empty()) {
     write(fs::path(picture.file).replace_extension(".html").string(), picture.page);
   }
-  pictures_.push_back(std::move(picture));
+  chapters_.back().pictures.push_back(std::move(picture));
 }
 
 std::string in_full(const Rational& value) {
@@ -71,14 +82,14 @@ std::string in_full(const Rational& value) {
 
 void DemoBook::finish() {
   session_.outputs().add((directory_ / "index.html").string(),
-                         [this](std::ostream& out) { write_demo_page(out, steps_, pictures_); });
+                         [this](std::ostream& out) { write_demo_page(out, chapters_); });
   session_.outputs().add("-", [this](std::ostream& out) {
     const std::string page = (directory_ / "index.html").string();
     if (session_.options().json) {
-      out << demo_json(page, steps_, pictures_).dump() << '\n';
+      out << demo_json(page, chapters_).dump() << '\n';
       return;
     }
-    write_demo_steps(out, steps_);
+    write_demo_steps(out, chapters_);
     out << "open " << page << '\n';
   });
   session_.finish_progress();

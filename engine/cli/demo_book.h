@@ -21,6 +21,8 @@ class DemoBook {
   /// A file of the bundled data.
   static std::string bundled(const std::string& file);
 
+  /// What follows belongs to it. There is one before the first step.
+  void chapter(std::string title, std::string claim);
   /// Says what was done since the last step, and how long it took.
   void step(const std::string& what);
   void write(const std::string& name, std::string bytes);
@@ -35,8 +37,7 @@ class DemoBook {
   std::filesystem::path directory_;
   Session& session_;
   Clock::time_point step_start_ = Clock::now();
-  std::vector<DemoStep> steps_;
-  std::vector<DemoPicture> pictures_;
+  std::vector<DemoChapter> chapters_;
 };
 
 /// A number as text: exactly, whatever its length; a long one also rounded.

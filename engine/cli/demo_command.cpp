@@ -72,6 +72,8 @@ class PlaneDemo {
 };
 
 void PlaneDemo::check_defective() {
+  book_.chapter("A map, checked",
+                "Is every point of the plane covered once by these regions? All defects, exactly.");
   const MapReport report = check("us-counties.map");
   picture(report, "us-counties.svg",
           "US counties as published: the defects, each numbered and explained");
@@ -85,6 +87,7 @@ void PlaneDemo::check_defective() {
 }
 
 void PlaneDemo::build_dcel() {
+  book_.chapter("A clean map", "Without the defective regions it becomes a half-edge structure.");
   const MapReport report = check("us-counties.clean.map");
   const Dcel dcel = to_dcel(report).dcel;
   book_.step("turned it into a half-edge structure: " + std::to_string(dcel.halfedge_count()) +
@@ -101,6 +104,7 @@ void PlaneDemo::build_dcel() {
 }
 
 void PlaneDemo::combine_sets() {
+  book_.chapter("Sets of the plane", "Open or closed along every edge, bounded or not.");
   const Nef2 a = star(), b = quadrant();
   const Nef2 both = a * b, either = a + b, rest = a - b;
   book_.step("made a star and, of two half-planes, a quadrant; intersected, united, subtracted");
@@ -119,6 +123,7 @@ void PlaneDemo::combine_sets() {
 }
 
 void PlaneDemo::overlay() {
+  book_.chapter("Two maps, laid over each other", "Areas add up to the last digit.");
   const MapReport states = check("us-states.clean.map");
   const MapReport counties = check("us-counties.clean.map");
   const MapOverlay cells = overlay_maps(states, counties, book_.session().context());

@@ -82,6 +82,9 @@ class ConvexDemo {
 
 }  // namespace
 
-void demonstrate_convex(DemoBook& book) { ConvexDemo(book).run(); }
+void demonstrate_convex(DemoBook& book) {
+  book.chapter("Convex pieces", "None twice, nothing lost.");
+  ConvexDemo(book).run();
+}
 
 }  // namespace plumb::cli

@@ -1,6 +1,8 @@
 #include "demo_page.h"
 
+#include <cstddef>
 #include <cstdio>
+#include <numeric>
 #include <string_view>
 
 namespace plumb::cli {
@@ -14,25 +16,25 @@ constexpr std::string_view kHead = R"(<!DOCTYPE html>
 <title>plumb demo</title>
 <style>
 body { font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 75rem; padding: 0 1rem; }
-figure { margin: 2rem 0; }
-figure img { width: 100%; height: auto; border: 1px solid #ccc; }
-figure.small img { max-width: 37.5rem; }
+h2 { margin: 3rem 0 0.5rem; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 30rem), 1fr)); gap: 1.5rem; }
+.pictures { margin-top: 1rem; align-items: start; }
+figure { margin: 0; min-width: 0; }
+figure.wide { grid-column: 1 / -1; }
+figure img { width: 100%; height: auto; border: 1px solid #ccc; box-sizing: border-box; display: block; }
 .sheet { overflow-x: auto; }
-.sheet img { min-width: 50rem; box-sizing: border-box; }
-figure iframe { width: 100%; height: min(80vh, 40rem); border: 1px solid #ccc; display: block; }
-figure button { font: inherit; margin: 0.5rem 0; padding: 0.3rem 1rem; cursor: pointer; }
-figcaption { color: #444; overflow-wrap: anywhere; }
+.sheet img { min-width: 50rem; }
+figure iframe { width: 100%; height: min(80vh, 40rem); border: 1px solid #ccc; box-sizing: border-box; display: block; }
+figure button { font: inherit; margin: 0.5rem 0 0; padding: 0.3rem 1rem; cursor: pointer; }
+figcaption { color: #444; margin-top: 0.3rem; overflow-wrap: anywhere; }
+table { border-spacing: 0; }
 td { padding: 0.1rem 1rem 0.1rem 0; vertical-align: top; overflow-wrap: anywhere; }
 td.time { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
 </style>
 </head>
 <body>
 <h1>plumb demo</h1>
-<p>Real county regions, checked exactly: is every point of the plane covered once? Sets of the plane, open
-or closed along every edge, combined exactly. Two maps laid over each other: areas add up to the last digit.
-Two solids, united, intersected and subtracted: volumes add up to the last digit.
-Solids cut into convex pieces: none twice, nothing lost.
-Polygons on a torus and on the bunny: the cells they make, how often each winds around them, what a Boolean selects.</p>
+<p>What plumb does, on real data, with the time each step took here. Solids and surfaces can be turned around.</p>
 )";
 
 std::string escaped(std::string_view text) {
@@ -90,9 +92,9 @@ void write_picture(std::ostream& out, const DemoPicture& picture) {
   const std::string title = escaped(picture.title);
   const bool is_wide =
       !picture.is_small;  // its text would be too small on a phone: there it scrolls
-  out << "<h2>" << title << "</h2>\n<figure"
-      << (is_wide ? ">\n<div class=\"sheet\">" : " class=\"small\">\n") << "<img alt=\"" << title
-      << "\" src=\"" << data_uri(picture.svg) << "\">" << (is_wide ? "</div>\n" : "\n");
+  out << (is_wide ? "<figure class=\"wide\">\n<div class=\"sheet\">" : "<figure>\n")
+      << "<img alt=\"" << title << "\" src=\"" << data_uri(picture.svg) << "\">"
+      << (is_wide ? "</div>\n" : "\n");
   if (!picture.page.empty()) {
     out << "<button title=\"" << title << "\" data-page=\"" << escaped(picture.page)
         << "\">Turn it around</button>\n";
@@ -101,25 +103,53 @@ void write_picture(std::ostream& out, const DemoPicture& picture) {
       << picture.file << "</a>)</figcaption>\n</figure>\n";
 }
 
+void write_row(std::ostream& out, double seconds, const std::string& html) {
+  out << "<tr><td class=\"time\">" << milliseconds(seconds) << "</td><td>" << html
+      << "</td></tr>\n";
+}
+
+/// What there is, and how long each took in all.
+void write_contents(std::ostream& out, const std::vector<DemoChapter>& chapters) {
+  out << "<table>\n";
+  for (std::size_t i = 0; i < chapters.size(); ++i) {
+    write_row(out, chapters[i].seconds(),
+              "<a href=\"#chapter-" + std::to_string(i) + "\">" + escaped(chapters[i].title) +
+                  "</a>: " + escaped(chapters[i].claim));
+  }
+  out << "</table>\n";
+}
+
+void write_chapter(std::ostream& out, const DemoChapter& chapter, std::size_t number) {
+  out << "<h2 id=\"chapter-" << number << "\">" << escaped(chapter.title) << "</h2>\n<p>"
+      << escaped(chapter.claim) << "</p>\n<table>\n";
+  for (const DemoStep& step : chapter.steps) write_row(out, step.seconds, escaped(step.what));
+  out << "</table>\n<div class=\"pictures\">\n";
+  for (const DemoPicture& picture : chapter.pictures) write_picture(out, picture);
+  out << "</div>\n";
+}
+
 }  // namespace
 
-void write_demo_steps(std::ostream& out, const std::vector<DemoStep>& steps) {
-  for (const DemoStep& step : steps) {
-    const std::string time = milliseconds(step.seconds);
-    out << std::string(time.size() < 10 ? 10 - time.size() : 0, ' ') << time << "  " << step.what
-        << '\n';
+double DemoChapter::seconds() const {
+  return std::accumulate(steps.begin(), steps.end(), 0.0,
+                         [](double sum, const DemoStep& step) { return sum + step.seconds; });
+}
+
+void write_demo_steps(std::ostream& out, const std::vector<DemoChapter>& chapters) {
+  for (const DemoChapter& chapter : chapters) {
+    out << chapter.title << '\n';
+    for (const DemoStep& step : chapter.steps) {
+      const std::string time = milliseconds(step.seconds);
+      out << std::string(time.size() < 10 ? 10 - time.size() : 0, ' ') << time << "  " << step.what
+          << '\n';
+    }
   }
 }
 
-void write_demo_page(std::ostream& out, const std::vector<DemoStep>& steps,
-                     const std::vector<DemoPicture>& pictures) {
-  out << kHead << "<table>\n";
-  for (const DemoStep& step : steps) {
-    out << "<tr><td class=\"time\">" << milliseconds(step.seconds) << "</td><td>"
-        << escaped(step.what) << "</td></tr>\n";
-  }
-  out << "</table>\n";
-  for (const DemoPicture& picture : pictures) write_picture(out, picture);
+void write_demo_page(std::ostream& out, const std::vector<DemoChapter>& chapters) {
+  out << kHead;
+  write_contents(out, chapters);
+  for (std::size_t i = 0; i < chapters.size(); ++i) write_chapter(out, chapters[i], i);
   out << kTurning << "</body>\n</html>\n";
 }
 

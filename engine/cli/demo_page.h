@@ -21,11 +21,20 @@ struct DemoPicture {
   std::string page = {};  ///< HTML, to turn it around; empty: none
 };
 
-/// One line a step, with its time.
-void write_demo_steps(std::ostream& out, const std::vector<DemoStep>& steps);
+/// One capability: what was done, with times, and pictures of it.
+struct DemoChapter {
+  std::string title;
+  std::string claim;  ///< what its figures show, in a sentence
+  std::vector<DemoStep> steps = {};
+  std::vector<DemoPicture> pictures = {};
+
+  double seconds() const;
+};
+
+/// The title of each chapter, then one line a step, with its time.
+void write_demo_steps(std::ostream& out, const std::vector<DemoChapter>& chapters);
 
 /// One self-contained HTML file: pictures inlined, nothing loaded from anywhere.
-void write_demo_page(std::ostream& out, const std::vector<DemoStep>& steps,
-                     const std::vector<DemoPicture>& pictures);
+void write_demo_page(std::ostream& out, const std::vector<DemoChapter>& chapters);
 
 }  // namespace plumb::cli

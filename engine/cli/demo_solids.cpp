@@ -126,6 +126,9 @@ class SolidDemo {
 
 }  // namespace
 
-void demonstrate_solids(DemoBook& book) { SolidDemo(book).run(); }
+void demonstrate_solids(DemoBook& book) {
+  book.chapter("Solids", "United, intersected, subtracted: volumes add up to the last digit.");
+  SolidDemo(book).run();
+}
 
 }  // namespace plumb::cli

@@ -102,6 +102,10 @@ class SurfaceDemo {
 
 }  // namespace
 
-void demonstrate_surfaces(DemoBook& book) { SurfaceDemo(book).run(); }
+void demonstrate_surfaces(DemoBook& book) {
+  book.chapter("Polygons on surfaces",
+               "The cells they make, how often each winds around them, what a Boolean selects.");
+  SurfaceDemo(book).run();
+}
 
 }  // namespace plumb::cli
