@@ -131,7 +131,7 @@ void PlaneDemo::overlay() {
       "laid the states over the counties: " + std::to_string(cells.complex.face_count() - 1) +
       " cells, " + std::to_string(cells.complex.vertex_count()) + " vertices, " +
       std::to_string(cells.complex.edge_count()) + " edges");
-  const OverlayAreas areas = measure(cells, states, counties);
+  const OverlayAreas areas = measure(cells, states, counties, book_.session().context());
   if (!areas.add_up()) throw std::logic_error("the areas of the cells do not add up");
   book_.step("the cells add up to the area of each of " + std::to_string(areas.first.size() - 1) +
              " regions of the states and " + std::to_string(areas.second.size() - 1) +

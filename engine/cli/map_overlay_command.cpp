@@ -97,7 +97,7 @@ ExitCode MapOverlayCommand::run(Session& session) {
   first_ = read_valid(session, first_file_);
   second_ = read_valid(session, second_file_);
   overlay_ = overlay_maps(*first_, *second_, session.context());
-  areas_ = measure(overlay_, *first_, *second_);
+  areas_ = measure(overlay_, *first_, *second_, session.context());
   if (!areas_.add_up()) throw std::logic_error("the areas of the cells do not add up");
   session.finish_progress();
   session.outputs().deliver();

@@ -62,6 +62,8 @@ std::uint64_t address_space_now() {
 
 }  // namespace
 
+bool is_stop_requested() { return stop_source().stop_requested(); }
+
 std::stop_token prepare_process() {
   stop_source();  // made before a signal can ask for it
   handle(SIGINT, on_stop_signal);

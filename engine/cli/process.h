@@ -15,6 +15,9 @@ namespace plumb::cli {
 ///   GMP               throws std::bad_alloc when memory runs out, instead of aborting
 std::stop_token prepare_process();
 
+/// Has a signal asked for a stop? For work that has no Context.
+bool is_stop_requested();
+
 /// A safety net under the accounts of Context: the address space may grow by `bytes` and a little
 /// more; allocations beyond throw std::bad_alloc.
 void limit_address_space(std::uint64_t bytes);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "process.h"
 
 namespace plumb::cli {
 namespace {
@@ -27,6 +28,10 @@ std::string require_positive(const std::string& text) {
   double value = 0;
   const bool is_positive = CLI::detail::lexical_cast(text, value) && value > 0;
   return is_positive ? std::string() : "a positive number is needed, not " + text;
+}
+
+void require_no_stop() {
+  if (is_stop_requested()) throw Error(ErrorCode::Cancelled, "cancelled");
 }
 
 }  // namespace
@@ -67,13 +72,16 @@ void Outputs::add(const std::string& path, Writer writer) {
   to_stdout_ = std::move(writer);
 }
 
+/// Writers do not look at the Context: what was cancelled meanwhile is not delivered.
 void Outputs::deliver() {
   std::vector<std::unique_ptr<OutputFile>> finished;
   for (Pending& pending : files_) {
+    require_no_stop();
     pending.writer(pending.file->stream());
     pending.file->finish();
     finished.push_back(std::move(pending.file));
   }
+  require_no_stop();
   if (to_stdout_) {
     DescriptorStream stream(STDOUT_FILENO, "stdout");
     to_stdout_(stream);

@@ -30,13 +30,16 @@ class SolidCutter {
     find_reflex(left[0]);
     done.reflex_edges = reflex_.size();
     if (rule_ == CutRule::Fixed) planes_.emplace(s_, reflex_);
+    std::size_t faces_done = 0, faces_left = s_.faces.size();  // of pieces: more at every cut
     const std::size_t most = 64 + 4 * (reflex_.size() + 1) * (reflex_.size() + 1);
     while (!left.empty()) {
       std::vector<FaceId> piece = std::move(left.back());
       left.pop_back();
-      context_.checkpoint("cutting", done.convex.size(), done.convex.size() + left.size() + 1);
+      context_.checkpoint("cutting", faces_done, faces_done + faces_left);
+      faces_left -= piece.size();
       find_reflex(piece);
       if (reflex_.empty()) {
+        faces_done += piece.size();
         done.convex.push_back(std::move(piece));
         continue;
       }
@@ -46,7 +49,10 @@ class SolidCutter {
         done.stuck.push_back(std::move(piece));
         continue;
       }
-      for (std::size_t i = parts.size(); i-- > 0;) left.push_back(std::move(parts[i]));
+      for (std::size_t i = parts.size(); i-- > 0;) {
+        faces_left += parts[i].size();
+        left.push_back(std::move(parts[i]));
+      }
     }
     return done;
   }

@@ -210,9 +210,12 @@ Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context) try {
   const PairFilter filter(a, b);
   std::vector<Nef3> sums;
   const SumMarks marks = is_closed ? SumMarks::Closed : SumMarks::Open;
+  Context quiet(context, {}, context.threads(), false);  // one phase, not one for each pair
+  std::size_t pairs = 0;
   for (const ConvexPart& p : parts_a) {
     for (const ConvexPart& q : parts_b) {
-      if (filter.needs(p, q)) sums.push_back(convex_sum(p.body, q.body, marks, context));
+      context.checkpoint("sums of parts", pairs++, parts_a.size() * parts_b.size());
+      if (filter.needs(p, q)) sums.push_back(convex_sum(p.body, q.body, marks, quiet));
     }
   }
   return union_of(sums, context);

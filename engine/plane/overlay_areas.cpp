@@ -8,6 +8,8 @@
 namespace plumb {
 namespace {
 
+constexpr std::size_t kBetween = 1024;  // areas from one checkpoint to the next
+
 /// Holes are listed clockwise: their areas are negative.
 Rational area_of(const MapReport& report, const MapRegion& region) {
   if (!region.outer) return 0;
@@ -19,9 +21,14 @@ Rational area_of(const MapReport& report, const MapRegion& region) {
   return sum / 2;
 }
 
-std::vector<Rational> areas_of(const MapReport& report) {
+std::vector<Rational> areas_of(const MapReport& report, Context& context) {
   std::vector<Rational> areas;
-  for (const MapRegion& region : report.regions) areas.push_back(area_of(report, region));
+  for (const MapRegion& region : report.regions) {
+    if (areas.size() % kBetween == 0) {
+      context.checkpoint("areas of regions", areas.size(), report.regions.size());
+    }
+    areas.push_back(area_of(report, region));
+  }
   return areas;
 }
 
@@ -36,13 +43,16 @@ std::vector<std::uint32_t> differences(const std::vector<Rational>& expected,
 
 }  // namespace
 
-OverlayAreas measure(const MapOverlay& overlay, const MapReport& first,
-                     const MapReport& second) try {
+OverlayAreas measure(const MapOverlay& overlay, const MapReport& first, const MapReport& second,
+                     Context& context) try {
   OverlayAreas areas;
-  areas.first = areas_of(first);
-  areas.second = areas_of(second);
+  areas.first = areas_of(first, context);
+  areas.second = areas_of(second, context);
   std::vector<RationalSum> sum_first(areas.first.size()), sum_second(areas.second.size());
   for (std::size_t f = 0; f < overlay.complex.face_count(); ++f) {
+    if (f % kBetween == 0) {
+      context.checkpoint("areas of cells", f, overlay.complex.face_count());
+    }
     areas.cell.push_back(face_area(overlay.complex, FaceId(f)).value_or(0));
     sum_first[overlay.origin[f].first].add(areas.cell.back());
     sum_second[overlay.origin[f].second].add(areas.cell.back());

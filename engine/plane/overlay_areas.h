@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "plumb/base/context.h"
 #include "plumb/plane/map_overlay.h"
 
 namespace plumb {
@@ -19,8 +20,9 @@ struct OverlayAreas {
   bool add_up() const { return wrong_first.empty() && wrong_second.empty(); }
 };
 
-/// Requires the overlay of these two reports. O(n) exact terms.
-OverlayAreas measure(const MapOverlay& overlay, const MapReport& first, const MapReport& second);
+/// Requires the overlay of these two reports. O(n) exact terms. Throws what the context throws.
+OverlayAreas measure(const MapOverlay& overlay, const MapReport& first, const MapReport& second,
+                     Context& context);
 
 /// The area that the bounded regions of a map cover together.
 Rational sum_of(const std::vector<Rational>& areas);

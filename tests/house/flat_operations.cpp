@@ -77,7 +77,7 @@ OperationRoom map_operations() {
               {"overlay_maps, measure",
                [maps](Context& own) {
                  const MapOverlay overlay = overlay_maps(maps->first, maps->second, own);
-                 return measure(overlay, maps->first, maps->second).cell.size();
+                 return measure(overlay, maps->first, maps->second, own).cell.size();
                }},
               {"parse_set_expression",
                [](Context&) { return parse_set_expression("A + !(B ^ C) - A * B").steps.size(); }},
