@@ -150,6 +150,10 @@ std::string guess_command(const std::string& first, const std::string& second) {
 
 [[noreturn]] void fail_unknown_command(const Arguments& arguments) {
   std::string given = arguments.front();
+  if (given.size() > 1 && given.starts_with('-')) {
+    fail_usage("options come after the command, not first as '" + given +
+               "'; plumb --help lists both");
+  }
   const bool has_second = arguments.size() > 1 && !arguments[1].starts_with('-');
   const std::string second = has_second ? arguments[1] : std::string();
   if (is_group(given) && !has_second) {

@@ -50,6 +50,8 @@ TEST(Program, suggests_what_was_meant) {
       {{"map", "chekc", "x"}, "'map check'"},
       {{"check", "x"}, "'map check'"},
       {{"dmeo"}, "'demo'"},
+      {{"slid"}, "'solid'"},
+      {{"--json", "map", "check", "x"}, "after the command"},
       {{"map", "check", "--jsno", "x"}, "'--json'"},
       {{"map", "check", "--max-defect", "3", "x"}, "--max-defects"},
       {{"solid", "unoin", "x"}, "'solid union'"},

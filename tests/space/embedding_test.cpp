@@ -2,12 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <string>
 #include <thread>
+#include <vector>
 
+#include "plumb/base/set_expression.h"
+#include "plumb/io/scene_reader.h"
 #include "plumb/plane/nef2.h"
 #include "plumb/space/mesh_arrays.h"
 #include "plumb/space/nef3.h"
 #include "plumb/sphere/nef_sphere.h"
+#include "plumb/surface/surface.h"
 
 namespace plumb::testing {
 namespace {
@@ -99,6 +104,29 @@ TEST(Threads, may_share_a_set_of_the_sphere) {
         }
         return answer + digit((s + s) == s);
       });
+}
+
+TEST(Threads, may_share_a_divided_surface) {
+  Context context;
+  const SurfaceDivision division(read_scene_file("corpus/scenes/torus.json", {}, context).scene,
+                                 context);
+  const auto ask = [&division] {
+    std::string answer;
+    for (const char* text : {"A + B * !C", "A ^ C", "!(A - B)"}) {
+      const SurfaceResult result =
+          division.evaluate(parse_set_expression(text), WindingRule::EvenOdd);
+      answer += std::to_string(result.region.cells) + ' ' + std::to_string(result.borders.size());
+      for (const std::uint8_t selected : result.region.is_selected) answer += digit(selected != 0);
+    }
+    return answer;
+  };
+  const std::string expected = ask();
+  std::vector<std::string> answers(4);
+  {
+    std::vector<std::jthread> threads;
+    for (std::string& answer : answers) threads.emplace_back([&] { answer = ask(); });
+  }
+  for (const std::string& answer : answers) EXPECT_EQ(answer, expected);
 }
 
 }  // namespace
