@@ -38,7 +38,9 @@ PlaneMarks selected(const Nef2& set, const PlaneSelector& selector) {
 Nef2 combine_marked(const Nef2& a, const PlaneMarks& marks_a, const Nef2& b,
                     const PlaneMarks& marks_b, MarkFunction f, Context& context) {
   const std::array<const PlaneComplex*, 2> complexes = {&a.complex(), &b.complex()};
-  return build(join_scene(complexes), {view(marks_a), view(marks_b)}, f, {0, 0}, context);
+  JoinedScene joined = join_scene(complexes);
+  context.checkpoint("sweep", 0, 0);
+  return build(std::move(joined), {view(marks_a), view(marks_b)}, f, {0, 0}, context);
 }
 
 /// Halves the list until it is one set.

@@ -76,12 +76,14 @@ class PlaneAudit {
 
   bool names_points() {
     for (std::size_t v = 0; v < c_.vertex_count(); ++v) {
+      if (v % 1024 == 0) context_.checkpoint("audit", v, c_.vertex_count());
       if (!require(c_.vertex_point[v] < c_.points.size(), "a vertex has a point",
                    name(VertexId(v)))) {
         return false;
       }
     }
     for (std::size_t e = 0; e < c_.edge_count(); ++e) {
+      if (e % 1024 == 0) context_.checkpoint("audit", e, c_.edge_count());
       const PlaneLine& l = c_.line[e];
       const std::size_t n = c_.points.inputs.size();
       if (!require(l.a < n && l.b < n && compare_xy(c_.points.inputs, l.a, l.b) == Sign::Negative,
@@ -138,13 +140,14 @@ class PlaneAudit {
       return false;
     }
     for (std::size_t i = 0; i < c_.dcel.halfedge_count(); ++i) {
+      if (i % 1024 == 0) {
+        context_.checkpoint("audit", i, c_.dcel.halfedge_count());
+      }
       const HalfedgeId h(i);
-      if (!require(again.dcel.next(h) == c_.dcel.next(h) &&
-                       again.dcel.origin(h) == c_.dcel.origin(h) &&
-                       again.dcel.face(h) == c_.dcel.face(h),
-                   "a sweep over the edges finds the same links and faces",
-                   "half-edge " + std::to_string(i))) {
-        return false;
+      if (again.dcel.next(h) != c_.dcel.next(h) || again.dcel.origin(h) != c_.dcel.origin(h) ||
+          again.dcel.face(h) != c_.dcel.face(h)) {
+        return require(false, "a sweep over the edges finds the same links and faces",
+                       "half-edge " + std::to_string(i));
       }
     }
     return true;

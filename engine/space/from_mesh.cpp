@@ -94,6 +94,7 @@ MeshComplex complex_of_mesh(const MeshView& mesh, const MeshOptions& options,
   context.checkpoint("linking facets", 0, 1);
   drop_unused(facets, links, vertices);
   result.complex = link_facets(facets, links, vertices.point, tables);
+  context.checkpoint("components", 0, 1);
   describe_components(facets, result);
   describe_crossings(options, result, memory, context);
   result.jump = std::move(facets.jump);

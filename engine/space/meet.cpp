@@ -352,7 +352,10 @@ LeafTrees make_trees(const MeetLeaves& xs, const MeetLeaves& ys, Context& contex
     trees.is_turned = is_better_frame(expected_pairs(turned[0], turned[1]), pairs);
     if (trees.is_turned) boxes = {turned[0], turned[1]};
   }
-  run_jobs(context, 2, [&](std::size_t i, Context&) { trees.of[i] = BoxTree(boxes[i]); });
+  run_jobs(context, 2, [&](std::size_t i, Context& own) {
+    own.checkpoint("box trees", i, 2);
+    trees.of[i] = BoxTree(boxes[i]);
+  });
   return trees;
 }
 
@@ -391,7 +394,8 @@ std::vector<Contact> meet(const SpaceComplex& a, const SpaceComplex& b, SpaceTab
   MemoryCharge memory(context);
   memory.add((a.edge_count() + b.edge_count()) * kBytesAnItem, "box trees");
   std::array<std::optional<MeetLeaves>, 2> leaves;
-  run_jobs(context, 2, [&](std::size_t i, Context&) {
+  run_jobs(context, 2, [&](std::size_t i, Context& own) {
+    own.checkpoint("box trees", i, 2);
     i == 0 ? leaves[0].emplace(a, box_of(b)) : leaves[1].emplace(b, box_of(a));
   });
   const std::vector<std::uint64_t> keys = contact_keys(*leaves[0], *leaves[1], context);

@@ -260,7 +260,9 @@ class CrossingSearch {
   /// What the first tree cannot find in a few steps a box is left to one of two others: boxes of many scales, or boxes that
   /// tell little.
   void find_all() {
+    checkpoint();
     const std::vector<Box3> boxes = boxes_of_triangles();
+    checkpoint();
     const PackedBoxTree packed(boxes);
     if (packed.fits() && find_in(packed)) return;
     found_.clear();
