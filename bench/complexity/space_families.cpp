@@ -176,11 +176,25 @@ Work plates(std::size_t size) {
                   Context& context) { return combine(plate, other, kUnion, context); });
 }
 
-/// Two facets with all corners, and thin walls in all directions.
-Work star_mesh(std::size_t tips) {
-  return made(tips, [mesh = testing::star_prism(static_cast<int>(tips))](Context& context) {
+Work set_of_mesh(std::size_t size, PolygonMesh of) {
+  return made(size, [mesh = std::move(of)](Context& context) {
     return Nef3::mesh(mesh, WindingRule::Positive, context);
   });
+}
+
+/// Two facets with all corners, and thin walls in all directions.
+Work star_mesh(std::size_t tips) {
+  return set_of_mesh(tips, testing::star_prism(static_cast<int>(tips)));
+}
+
+/// Two vertices with all triangles.
+Work cone_mesh(std::size_t sides) {
+  return set_of_mesh(sides, testing::cone_mesh(static_cast<int>(sides), 1));
+}
+
+/// Two facets whose triangles meet in few vertices.
+Work comb_mesh(std::size_t teeth) {
+  return set_of_mesh(teeth, testing::comb_prism(static_cast<int>(teeth)));
 }
 
 /// The largest coefficient of a plane of the set, in bits.
@@ -286,6 +300,20 @@ const std::vector<Family> kFamilies{
      {1, 1},
      {160, 400, 1000, 2500, 6400, 16000},
      star_mesh,
+     1.25},
+    {"cones",
+     "a set of a mesh, two vertices with n triangles",
+     "sides",
+     {1, 1},
+     {160, 400, 1000, 2500, 6400, 16000},
+     cone_mesh,
+     1.25},
+    {"combs",
+     "a set of a mesh, two facets whose triangles share few vertices",
+     "teeth",
+     {1, 1},
+     {40, 100, 250, 630, 1600, 4000},
+     comb_mesh,
      1.25},
     {"complement-interior",
      "complement and interior, O(n) in the note on Nef polyhedra",

@@ -7,8 +7,10 @@
 // Main flow of find_mesh_crossings():
 //  1. gather_triangles
 //  2. pairs            of triangles whose boxes meet, of different facets (packed_boxes.h; where that takes more than
-//                      some steps a box, oriented_boxes.h; of many scales, box_tree.h)
-//  3. test             none where a common vertex has a fan (mesh_fans.h); by the number of common vertices
+//                      some steps a box, oriented_boxes.h; of many scales, box_tree.h); of very many around one
+//                      vertex, of directions from it that meet (triangle_groups.h)
+//  3. test             (triangle_crossing.h) none where a common vertex has a fan (mesh_fans.h); by the number of common
+//                      vertices
 //       2   same plane and same side of the edge: they overlap; else only the edge is common
 //       1   do the sectors at the vertex meet elsewhere?
 //       0   one plane: is no edge's line between them? else: does an edge of one meet the other?

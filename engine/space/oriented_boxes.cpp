@@ -10,7 +10,9 @@ namespace plumb {
 namespace {
 
 constexpr double kSlack = 0x1p-40;
-constexpr double kTiny = 0x1p-1000;  // what flushed subnormal numbers may lose
+constexpr double kTiny = 0x1p-1000;       // what flushed subnormal numbers may lose
+constexpr std::uint32_t kGroupShare = 4;  // a quarter of a node
+constexpr std::uint32_t kLongShare = 8;   // an eighth
 
 double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double length(const Vector3& a) { return std::fabs(a[0]) + std::fabs(a[1]) + std::fabs(a[2]); }
@@ -20,10 +22,20 @@ Vector3 minus(const Vector3& a, const Vector3& b) {
 
 }  // namespace
 
-OrientedBoxTree::OrientedBoxTree(std::span<const Triangle> triangles)
-    : order_(triangles.size()), key_(triangles.size()) {
+OrientedBoxTree::OrientedBoxTree(std::span<const Triangle> triangles,
+                                 std::span<const std::uint32_t> groups)
+    : order_(triangles.size()),
+      key_(triangles.size()),
+      groups_(groups.begin(), groups.end()),
+      count_(groups.size(), 0) {
   std::iota(order_.begin(), order_.end(), 0U);
-  nodes_.reserve(4 * triangles.size() / 3 + 1);  // at worst every three make leaves of 1 and 2
+  length_.reserve(triangles.size());
+  for (const Triangle& t : triangles) {
+    length_.push_back(
+        std::max({length(minus(t[1].mid, t[0].mid)), length(minus(t[2].mid, t[1].mid)),
+                  length(minus(t[0].mid, t[2].mid))}));
+  }
+  nodes_.reserve(2 * triangles.size());  // at most: leaves of one
   if (!triangles.empty()) add_node(triangles, 0, static_cast<std::uint32_t>(triangles.size()));
 }
 
@@ -31,9 +43,10 @@ std::uint32_t OrientedBoxTree::add_node(std::span<const Triangle> triangles, std
                                         std::uint32_t end) {
   const auto n = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(box_around(triangles, begin, end));
+  const LargestGroup largest = largest_group(begin, end);
+  if (largest.count == end - begin) nodes_[n].group = largest.group;
   if (end - begin <= kLeaf) return n;
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  halve(triangles, nodes_[n], middle);
+  const std::uint32_t middle = split(triangles, nodes_[n], largest);
   add_node(triangles, begin, middle);
   const std::uint32_t second = add_node(triangles, middle, end);
   nodes_[n].second = second;
@@ -47,7 +60,7 @@ OrientedBoxTree::Node OrientedBoxTree::box_around(std::span<const Triangle> tria
       for (const PointBox& corner : triangles[order_[i]]) visit(corner);
     }
   };
-  Node node{{}, {}, {}, {}, begin, end, 0};
+  Node node{{}, {}, {}, {}, begin, end, 0, kNoGroup};
   const double share = 1 / (3.0 * (end - begin));
   for_corners([&](const PointBox& p) {
     for (std::size_t k = 0; k < 3; ++k) node.middle[k] += share * p.mid[k];
@@ -60,6 +73,20 @@ OrientedBoxTree::Node OrientedBoxTree::box_around(std::span<const Triangle> tria
     }
   });
   node.axis = principal_axes(covariance);
+  Vector3 low{}, high{};  // the middle of the corners is not that of the box
+  for_corners([&](const PointBox& p) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double at = dot(node.axis[k], minus(p.mid, node.middle));
+      low[k] = std::min(low[k], at);
+      high[k] = std::max(high[k], at);
+    }
+  });
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double shift = (low[k] + high[k]) / 2;
+    for (std::size_t i = 0; i < 3 && std::isfinite(shift); ++i) {
+      node.middle[i] += shift * node.axis[k][i];
+    }
+  }
   double reach = 0, radius = 0;
   for_corners([&](const PointBox& p) {
     const Vector3 d = minus(p.mid, node.middle);
@@ -72,6 +99,42 @@ OrientedBoxTree::Node OrientedBoxTree::box_around(std::span<const Triangle> tria
   });
   for (double& half : node.half) half += 2 * radius + kSlack * (reach + radius) + kTiny;
   return node;
+}
+
+OrientedBoxTree::LargestGroup OrientedBoxTree::largest_group(std::uint32_t begin,
+                                                             std::uint32_t end) {
+  LargestGroup largest;
+  for (std::uint32_t i = begin; i < end; ++i) {
+    const std::uint32_t group = group_of(order_[i]);
+    if (group == kNoGroup || ++count_[group] <= largest.count) continue;
+    largest = {group, count_[group]};
+  }
+  for (std::uint32_t i = begin; i < end; ++i) {
+    if (group_of(order_[i]) != kNoGroup) count_[group_of(order_[i])] = 0;
+  }
+  return largest;
+}
+
+/// A group that is a large part of the node is parted from the rest; else long triangles from shorter ones, whose boxes would
+/// be as long as theirs; else there are two halves.
+std::uint32_t OrientedBoxTree::split(std::span<const Triangle> triangles, const Node& node,
+                                     const LargestGroup& largest) {
+  const std::uint32_t size = node.end - node.begin;
+  const auto first = order_.begin() + node.begin, last = order_.begin() + node.end;
+  if (largest.count < size && kGroupShare * largest.count > size) {
+    std::partition(first, last, [&](std::uint32_t i) { return group_of(i) == largest.group; });
+    return node.begin + largest.count;
+  }
+  const double half = *std::ranges::max_element(node.half);
+  const auto is_long = [&](std::uint32_t i) { return length_[i] > half; };
+  const auto count = static_cast<std::uint32_t>(std::count_if(first, last, is_long));
+  if (kLongShare * count > size && kLongShare * (size - count) > size) {
+    std::partition(first, last, is_long);
+    return node.begin + count;
+  }
+  const std::uint32_t middle = node.begin + size / 2;
+  halve(triangles, node, middle);
+  return middle;
 }
 
 /// By the sums of corners along the axis on which these are spread most. (Not the longest one: long triangles side by side
@@ -88,11 +151,11 @@ void OrientedBoxTree::halve(std::span<const Triangle> triangles, const Node& nod
   std::size_t widest = 0;
   double width = -1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    double low = 0, high = 0;  // the middle is among the sums
+    double low = Box3::kInfinity, high = -Box3::kInfinity;
     for (std::uint32_t i = node.begin; i < node.end; ++i) {
-      key_[order_[i]] = sum(order_[i], axis);
-      low = std::min(low, key_[order_[i]]);
-      high = std::max(high, key_[order_[i]]);
+      const double value = sum(order_[i], axis);
+      low = std::min(low, value);
+      high = std::max(high, value);
     }
     if (high - low > width) width = high - low, widest = axis;
   }

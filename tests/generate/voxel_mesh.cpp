@@ -93,6 +93,28 @@ PolygonMesh star_prism(int tips) {
   return prism_mesh(polygon, 0, 1);
 }
 
+PolygonMesh cone_mesh(int sides, double height) {
+  std::vector<Point3> points{{0, 0, height}, {0, 0, 0}};
+  std::vector<Face> faces;
+  const auto rim = [sides](int i) { return static_cast<std::uint32_t>(2 + i % sides); };
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 6.28318530717958 * i / sides;
+    points.push_back({std::cos(angle), std::sin(angle), 0});
+    faces.push_back({0, rim(i), rim(i + 1)});
+    faces.push_back({1, rim(i + 1), rim(i)});
+  }
+  return make_mesh(std::move(points), faces);
+}
+
+PolygonMesh comb_prism(int teeth) {
+  std::vector<Point2> polygon{{0, -1}, {2.0 * teeth, -1}, {2.0 * teeth, 0}};
+  for (int i = teeth - 1; i >= 0; --i) {
+    const double x = 2 * i;
+    polygon.insert(polygon.end(), {{x + 1, 0}, {x + 1, 10}, {x, 10}, {x, 0}});
+  }
+  return prism_mesh(polygon, 0, 1);
+}
+
 namespace {
 
 /// The outline of one side of a comb, from low to high t: (t, height) with notches.

@@ -36,6 +36,10 @@ VoxelGrid random_terrain(Dice& dice, int width, int depth, int height);
 
 /// The prism over a star with n tips.
 PolygonMesh star_prism(int tips);
+/// The cone over a polygon of so many sides, of triangles around its apex and around the middle of its base.
+PolygonMesh cone_mesh(int sides, double height);
+/// The prism over a comb of so many teeth.
+PolygonMesh comb_prism(int teeth);
 /// A block with `top` notches along y from above and `bottom` notches along x from below, that
 /// do not reach each other; their depths differ, so that no plane holds two of their edges.
 PolygonMesh comb_block(int top, int bottom);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "generate/dice.h"
@@ -15,6 +16,7 @@
 #include "plumb/space/from_mesh.h"
 #include "plumb/space/oriented_boxes.h"
 #include "plumb/space/packed_boxes.h"
+#include "plumb/space/triangle_groups.h"
 
 namespace plumb::testing {
 namespace {
@@ -237,11 +239,14 @@ using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
 
 /// The pairs that the tree shows, ascending; each once.
 std::vector<IndexPair> pairs_shown(std::span<const OrientedBoxTree::Triangle> triangles,
-                                   std::size_t& steps) {
+                                   std::size_t& steps, std::span<const std::uint32_t> groups = {}) {
   std::vector<IndexPair> shown;
-  OrientedBoxTree(triangles).for_each_pair_inside(
-      [&](std::uint32_t i, std::uint32_t j) { shown.emplace_back(std::min(i, j), std::max(i, j)); },
-      [&] { ++steps; });
+  OrientedBoxTree(triangles, groups)
+      .for_each_pair_inside(
+          [&](std::uint32_t i, std::uint32_t j) {
+            shown.emplace_back(std::min(i, j), std::max(i, j));
+          },
+          [&] { ++steps; });
   std::ranges::sort(shown);
   EXPECT_EQ(std::ranges::adjacent_find(shown), shown.end());
   return shown;
@@ -299,6 +304,32 @@ TEST(OrientedBoxTree, ShowsAllThatMeet) {
   EXPECT_GT(shown_in_all, found);
 }
 
+TEST(OrientedBoxTree, ShowsAllThatMeetButThoseOfAGroup) {
+  Dice dice(23);
+  std::size_t found = 0, steps = 0;
+  for (const std::uint32_t group_count : {1U, 2U, 5U, 20U}) {
+    const PolygonMesh mesh = thin_triangles(dice, 1, 60);
+    std::vector<std::uint32_t> groups(mesh.face_count(), OrientedBoxTree::kNoGroup);
+    for (std::uint32_t& group : groups) {
+      if (dice.below(4) != 0) group = static_cast<std::uint32_t>(dice.below(group_count));
+    }
+    const auto is_left_out = [&](std::uint32_t i, std::uint32_t j) {
+      return groups[i] == groups[j] && groups[i] != OrientedBoxTree::kNoGroup;
+    };
+    const std::vector<IndexPair> shown = pairs_shown(oriented_triangles(mesh), steps, groups);
+    for (const auto& [i, j] : shown) EXPECT_FALSE(is_left_out(i, j));
+    const MeshComplex complex = made(mesh);
+    for (const auto& [f, g] : complex.crossings) {
+      const auto [i, j] = std::minmax(complex.complex.facet_origin[f.value()],
+                                      complex.complex.facet_origin[g.value()]);
+      if (is_left_out(i, j)) continue;
+      EXPECT_TRUE(std::ranges::binary_search(shown, IndexPair(i, j)));
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 100U);
+}
+
 /// A box that says nothing is apart from none.
 TEST(OrientedBoxTree, ShowsUnknownPoints) {
   Dice dice(22);
@@ -339,6 +370,64 @@ TEST(MeshCrossings, StarsWithManyTips) {
   const MeshComplex bent = made(star);
   EXPECT_TRUE(bent.report.crosses_itself());
   EXPECT_LT(bent.report.crossing_count, 20U);
+}
+
+// Many triangles around a vertex, and of one facet: by all pairs of them this would take minutes.
+TEST(MeshCrossings, ManyTrianglesAtAVertex) {
+  EXPECT_FALSE(made(cone_mesh(20000, 1)).report.crosses_itself());
+  EXPECT_FALSE(made(cone_mesh(5000, 1e-6)).report.crosses_itself());
+  EXPECT_FALSE(made(comb_prism(1500)).report.crosses_itself());
+  PolygonMesh cone = cone_mesh(3000, 1);
+  cone.points[7] = {-2, 0.01, 0.25};  // a fold through the other side
+  const MeshComplex folded = made(cone);
+  EXPECT_GT(folded.report.crossing_count, 10U);
+  EXPECT_LT(folded.report.crossing_count, 4000U);
+}
+
+/// Triangles between some directions from two points.
+PolygonMesh pencil(Dice& dice, std::size_t count) {
+  PolygonMesh mesh;
+  while (mesh.face_count() < count) {
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    const double side = dice.below(5) == 0 ? 5 : 0;
+    mesh.points.push_back({side, 0, 0});
+    for (int i = 0; i < 2; ++i) {
+      const Point3 d = random_point(dice, 6, 1);
+      mesh.points.push_back({side + d.x - 3, d.y - 3, d.z - 3});
+    }
+    mesh.add_face(std::array{first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+TEST(MeshCrossings, ManyTrianglesAtAVertexAsBruteForce) {
+  Dice dice(19);
+  expect_as_brute_force(pencil(dice, 200));
+}
+
+// The points of an arc are within its box.
+TEST(TriangleGroups, DirectionsAreWithinTheirBoxes) {
+  Dice dice(20);
+  const auto box = [](const Point3& p) { return PointBox{{p.x, p.y, p.z}, 0}; };
+  for (int round = 0; round < 3000; ++round) {
+    const double unit = round % 3 == 0 ? 1e-200 : round % 3 == 1 ? 1 : 1e200;
+    const int size = round % 2 == 0 ? 3 : 1000;
+    const Point3 v = random_point(dice, size, unit);
+    const Point3 a = random_point(dice, size, unit);
+    const Point3 b = random_point(dice, size, unit);
+    const Box3 directions = box_of_directions(box(v), box(a), box(b));
+    for (int i = 0; i <= 8; ++i) {
+      const double s = i / 8.0, t = 1 - s;
+      const std::array to{(s * a.x + t * b.x - v.x) / unit, (s * a.y + t * b.y - v.y) / unit,
+                          (s * a.z + t * b.z - v.z) / unit};
+      const double length = std::hypot(to[0], to[1], to[2]);
+      if (length < 1e-3) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_LE(directions.low[k], to[k] / length + 1e-13);
+        EXPECT_GE(directions.high[k], to[k] / length - 1e-13);
+      }
+    }
+  }
 }
 
 // Small spheres far apart: the other tree.
