@@ -244,5 +244,32 @@ TEST(GeneratedMaps, AreJudgedAsTheTableSays) {
   for (const Row& row : rows) expect_row(row);
 }
 
+// ---------------------------------------------------------------- warnings
+
+/// Two triangles that meet in the origin, and a vertex of nobody.
+TestMap bow_tie() {
+  TestMap map;
+  for (const auto& [x, y] : {std::pair(0, 0), {-2, -1}, {-2, 1}, {2, -1}, {2, 1}, {5, 5}}) {
+    map.add_point(x, y);
+  }
+  map.cycles = {{0, 2, 1}, {0, 3, 4}, {0, 4, 3, 0, 1, 2}};
+  return map;
+}
+
+TEST(Warnings, NameTheirVertexWhateverItsNumber) {
+  std::vector<std::uint32_t> order = {0, 1, 2, 3, 4, 5};
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    std::rotate(order.begin(), order.begin() + 1, order.end());
+    const MapReport report = checked(relabelled(bow_tie(), order));
+    EXPECT_EQ(report.verdict, MapVerdict::Valid);
+    ASSERT_EQ(report.warnings.size(), 2U);
+    for (const MapWarning& warning : report.warnings) {
+      const Point2 at = report.map.points.approx(warning.vertex);
+      EXPECT_EQ(at.x, warning.kind == WarningKind::Pinch ? 0 : 5);
+    }
+    EXPECT_NE(report.warnings[0].kind, report.warnings[1].kind);
+  }
+}
+
 }  // namespace
 }  // namespace plumb::testing

@@ -206,6 +206,19 @@ void check_sides(const World& w, Judge& judge) {
   }
 }
 
+/// P0 of P0 + u R is in the box around it.
+void check_near_boxes(const World& w) {
+  for (const SpacePoint x : w.ids) {
+    const PointBox box = w.points.near_box(x);
+    if (!std::isfinite(box.radius)) continue;
+    const RationalPoint3 at = exact_parts(w.points, x).finite;
+    const std::array<Rational, 3> coordinates = {at.x, at.y, at.z};
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_LE(abs(Rational(coordinates[i] - Rational(box.mid[i]))), Rational(box.radius));
+    }
+  }
+}
+
 void check_orders(const World& w, Judge& judge) {
   const Point3Table& t = w.points;
   for (std::size_t i = 0; i < w.ids.size(); ++i) {
@@ -270,6 +283,7 @@ TEST_P(Frame, AnswersLikeAHugeNumber) {
     fill(world, random, numbers);
     check_planes(world, random, judge);
     check_sides(world, judge);
+    check_near_boxes(world);
     check_orders(world, judge);
     check_lines(world, random);
   }
@@ -303,6 +317,54 @@ TEST(FramePlanes, AreSixAndTheSameInEveryTable) {
   const std::vector<PlaneId> to_c = c.merge(a);
   for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(to_c[in_a[i].value()], c.frame()[i]);
   EXPECT_EQ(PlaneTable(c).frame(), c.frame());
+}
+
+/// A direction too small for boxes still beats any number.
+TEST(FramePoints, FollowTheLeastDirection) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    PlaneTable table;
+    const PlaneId far = table.intern_frame()[2 * ((axis + 1) % 3) + 1];
+    std::array<double, 3> flat{}, sloping{};
+    flat[(axis + 2) % 3] = 1;
+    sloping[axis] = 1;
+    sloping[(axis + 1) % 3] = 0x1p-950;
+    const PlaneId p = table.intern(flat[0], flat[1], flat[2], 0).plane();
+    const PlaneId q = table.intern(sloping[0], sloping[1], sloping[2], -5).plane();
+    const SpacePoint origin(table.add_point({0, 0, 0}));
+    Point3Table points(table);
+    const SpacePoint x = points.add(far, p, q);  // 5 - 2^-950 R along the axis
+    EXPECT_EQ(compare_axis(points, x, origin, axis), Sign::Negative);
+    EXPECT_NE(rung::far_compare_axis_filter(points, x, origin, axis), FilteredSign::Positive);
+  }
+}
+
+/// A plane is one plane, whatever pencil it comes from; far planes have one fingerprint in all tables.
+TEST(FramePlanes, AreKnownByPencilsToo) {
+  PlaneTable table, other;
+  const std::array<PlaneId, 6> frame = table.intern_frame(), there = other.intern_frame();
+  const auto sign = [](const OrientedPlane& p) { return p.is_opposite() ? -1 : 1; };
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = 0; j < 6; ++j) {
+      if (i == j) continue;
+      const OrientedPlane same = table.intern(Pencil{frame[i], frame[j], 0, 3});
+      const OrientedPlane turned = table.intern(Pencil{frame[i], frame[j], 0, -2});
+      EXPECT_EQ(same.plane(), frame[i]);
+      EXPECT_EQ(turned.plane(), frame[i]);
+      EXPECT_NE(sign(same), sign(turned));
+      if (i / 2 == j / 2) continue;
+      // a + s b - 2 R through an edge of the cube and a - s b through the origin: the sum is 2 a - 2 R.
+      const int s = i % 2 == j % 2 ? 1 : -1;
+      std::array<double, 3> n{};
+      n[i / 2] = 1;
+      n[j / 2] = -s;
+      const OrientedPlane edge = table.intern(Pencil{frame[i], frame[j], -s, 1});
+      const OrientedPlane origin = table.intern(n[0], n[1], n[2], 0);
+      const Pencil sum{edge.plane(), origin.plane(), -sign(edge) * sign(origin), 1};
+      EXPECT_EQ(table.intern(sum).plane(), frame[i]);
+      EXPECT_EQ(other.fingerprint(other.intern(Pencil{there[j], there[i], -4 * s, 4}).plane()),
+                table.fingerprint(edge.plane()));
+    }
+  }
 }
 
 /// No number is R, not even the one that stands for it in fingerprints.

@@ -32,6 +32,21 @@ TEST(RationalPredicates, AgreeWithTheOracleOnDoubles) {
   check<5, 3>([](const auto&... p) { return insphere(p...); });
 }
 
+/// As on doubles, which have an oracle of their own; no end is the origin here.
+TEST(RationalPredicates, CrossSignIsThatOfDoubles) {
+  Cases<3, 2> cases(12);
+  for (int i = 0; i < 2000; ++i) {
+    const auto family = static_cast<Family>(i % static_cast<int>(Family::kCount));
+    const auto s = cases.make(family);
+    const auto t = cases.make(family);
+    const auto& end = i % 2 == 0 ? s[2] : t[1];
+    ASSERT_EQ(cross_sign(rational(s[0]), rational(s[1]), rational(t[0]), rational(end)),
+              cross_sign(Point2{s[0][0], s[0][1]}, Point2{s[1][0], s[1][1]},
+                         Point2{t[0][0], t[0][1]}, Point2{end[0], end[1]}))
+        << i;
+  }
+}
+
 Rational third(int n) { return {n, 3}; }
 
 TEST(RationalPredicates, AreExactOnFractions) {
