@@ -62,7 +62,9 @@ class Decomposition : public CommandBody {
         ->type_name("METHOD")
         ->check(CLI::IsMember({"cuts", "walls", "diagonals", "optimal", "best"}).description(""));
     app.add_flag("--closed", closed_, "Closures of the pieces");
-    app.add_option("--svg", svg_, "Draw the pieces, one colour each; those of a solid moved apart")
+    app.add_option("--svg", svg_,
+                   "Draw the pieces, one colour each: of the plane those of dimension 2; of a "
+                   "solid moved apart")
         ->type_name("OUT");
     input_.declare(app);
   }
@@ -164,7 +166,7 @@ class Decomposition : public CommandBody {
     }
     if (!svg_.empty()) {
       std::ostringstream out;
-      write_nef2_svg(out, set, {.title = title(), .pieces = found.pieces});
+      write_nef2_svg(out, set, {.title = title(), .pieces = found.pieces, .context = &context});
       files.finish_picture(std::move(out).str());
     }
     Answer answer{found.pieces.size(), found.reflex_corners, "reflex corner", {}};

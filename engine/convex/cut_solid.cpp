@@ -29,7 +29,7 @@ class SolidCutter {
     std::size_t cuts = 0;
     find_reflex(left[0]);
     done.reflex_edges = reflex_.size();
-    if (rule_ == CutRule::Fixed) planes_.emplace(s_, reflex_);
+    if (rule_ == CutRule::Fixed) planes_.emplace(s_, reflex_, context_);
     std::size_t faces_done = 0, faces_left = s_.faces.size();  // of pieces: more at every cut
     const std::size_t most = 64 + 4 * (reflex_.size() + 1) * (reflex_.size() + 1);
     while (!left.empty()) {

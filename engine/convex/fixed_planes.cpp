@@ -8,9 +8,12 @@
 
 namespace plumb {
 
-FixedPlanes::FixedPlanes(CutSurface& surface, std::span<const HalfedgeId> reflex) : s_(surface) {
+FixedPlanes::FixedPlanes(CutSurface& surface, std::span<const HalfedgeId> reflex, Context& context)
+    : s_(surface) {
   find_tips(reflex);
-  for (const HalfedgeId h : reflex) {
+  for (std::size_t i = 0; i < reflex.size(); ++i) {
+    context.checkpoint("choosing planes", i, reflex.size());
+    const HalfedgeId h = reflex[i];
     const std::size_t e = s_.half(h).edge.value();
     if (plane_.size() <= e) plane_.resize(e + 1);
     plane_[e] = choose(h);

@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "plumb/base/context.h"
 #include "plumb/convex/cut_surface.h"
 
 namespace plumb {
@@ -24,7 +25,7 @@ namespace plumb {
 class FixedPlanes {
  public:
   /// Of the reflex edges of a surface that has not been cut.
-  FixedPlanes(CutSurface& surface, std::span<const HalfedgeId> reflex);
+  FixedPlanes(CutSurface& surface, std::span<const HalfedgeId> reflex, Context& context);
 
   PlaneId plane(EdgeId e) const { return plane_[e.value()]; }
 

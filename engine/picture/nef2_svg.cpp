@@ -118,7 +118,10 @@ class SetSheet {
     begin_fade();
     write_faces();
     if (has_pieces()) {
-      left_out_ += write_pieces(options_.pieces, window_, *view_, fades_, sheet_.body());
+      const PieceCounts counts =
+          write_pieces(options_.pieces, window_, *view_, fades_, options_.context, sheet_.body());
+      has_cuts_ = counts.drawn > 1;
+      left_out_ += counts.left_out;
     }
     write_edges();
     write_dots();
@@ -159,7 +162,7 @@ class SetSheet {
   std::vector<std::uint8_t> kind_;       ///< per edge: EdgeKind
   std::size_t left_out_ = 0;
   bool has_faces_ = false, has_solid_ = false, has_dashed_ = false;
-  bool has_dots_ = false, has_hollow_ = false;
+  bool has_dots_ = false, has_hollow_ = false, has_cuts_ = false;
 };
 
 // ------------------------------------------------------------------ places
@@ -338,7 +341,7 @@ void SetSheet::write_legend() {
     sheet_.write_item("<rect class=\"inside\" x=\"-11\" y=\"-8\" width=\"22\" height=\"16\"/>",
                       "inside", "points of the set");
   }
-  if (has_pieces()) {
+  if (has_cuts_) {
     sheet_.write_item("<path d=\"M-11 0H11\" stroke=\"#5b6672\"/>", "cut", "between two pieces");
   }
   if (has_solid_) {

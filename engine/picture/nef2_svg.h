@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 
+#include "plumb/base/context.h"
 #include "plumb/plane/nef2.h"
 
 namespace plumb {
@@ -20,8 +21,9 @@ namespace plumb {
 /// What the page of a set of the plane shows.
 struct Nef2SvgOptions {
   std::string title = {};  ///< e.g. the file's name; any bytes
-  /// Convex pieces of the set, each with a colour of its own, thin lines between them.
+  /// Convex pieces of the set: those of dimension 2 have a colour each and thin lines between them.
   std::span<const Nef2> pieces = {};
+  Context* context = nullptr;  ///< asked between pieces
 };
 
 /// Writes the picture of any set: any exact coordinates, any number of faces; the file stays below

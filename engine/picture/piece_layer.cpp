@@ -35,23 +35,26 @@ PathData path_of(const Nef2& piece, const PlaneWindow& window, const View& view)
 
 }  // namespace
 
-std::size_t write_pieces(std::span<const Nef2> pieces, const PlaneWindow& window, const View& view,
-                         bool is_cut, std::ostream& out) {
-  std::size_t points = 0, left_out = 0;
+PieceCounts write_pieces(std::span<const Nef2> pieces, const PlaneWindow& window, const View& view,
+                         bool is_cut, Context* context, std::ostream& out) {
+  std::size_t points = 0;
+  PieceCounts counts;
   out << "<g transform=\"scale(.1)\">\n";
   for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (context != nullptr) context->checkpoint("drawing pieces", i, pieces.size());
     const PathData path = path_of(is_cut ? cut_at(pieces[i], window) : pieces[i], window, view);
     if (path.empty()) continue;
     points += path.points();
     if (points > kMaxPoints) {
-      ++left_out;
+      ++counts.left_out;
       continue;
     }
+    ++counts.drawn;
     out << "<path class=\"piece\" fill=\"" << hex(distinct_colour(i)) << "\" d=\"" << path.data()
         << "\"/>\n";
   }
   out << "</g>\n";
-  return left_out;
+  return counts;
 }
 
 }  // namespace plumb

@@ -6,6 +6,7 @@
 #include <ostream>
 #include <span>
 
+#include "plumb/base/context.h"
 #include "plumb/picture/plane_window.h"
 #include "plumb/picture/view.h"
 #include "plumb/plane/nef2.h"
@@ -17,9 +18,14 @@ inline constexpr const char* kPieceStyle =
 .under{fill:none;stroke:#fff;stroke-linecap:butt}
 )";
 
-/// Marked faces of the pieces. `is_cut`: pieces may leave the window. Returns how many were left out: beyond what one file
-/// should hold; those too small to be seen are not counted.
-std::size_t write_pieces(std::span<const Nef2> pieces, const PlaneWindow& window, const View& view,
-                         bool is_cut, std::ostream& out);
+/// Those too small to be seen are not counted, nor those of dimension 1 and 0.
+struct PieceCounts {
+  std::size_t drawn = 0;
+  std::size_t left_out = 0;  ///< beyond what one file should hold
+};
+
+/// Marked faces of the pieces. `is_cut`: pieces may leave the window. `context`, if any, is asked at each piece.
+PieceCounts write_pieces(std::span<const Nef2> pieces, const PlaneWindow& window, const View& view,
+                         bool is_cut, Context* context, std::ostream& out);
 
 }  // namespace plumb

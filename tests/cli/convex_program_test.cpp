@@ -331,6 +331,17 @@ TEST(ConvexProgram, decompose_draws_pieces) {
   EXPECT_FALSE(fs::exists(none));
 }
 
+TEST(ConvexProgram, decompose_draws_no_cuts_where_none_are) {
+  const ScratchDirectory scratch;
+  const std::string file = (scratch / "thin.wkt").string();
+  const std::string picture = (scratch / "thin.svg").string();
+  write_file(file, "GEOMETRYCOLLECTION(LINESTRING(0 0,5 5),POINT(7 1))\n");
+  ASSERT_EQ(run({"convex", "decompose", file, "--svg", picture}).code, 0);
+  EXPECT_EQ(read_file(picture).find("between two pieces"), std::string::npos);
+  ASSERT_EQ(run({"convex", "decompose", "corpus/plane/star.wkt", "--svg", picture}).code, 0);
+  EXPECT_NE(read_file(picture).find("between two pieces"), std::string::npos);
+}
+
 TEST(ConvexProgram, decompose_keeps_picture_and_pieces_apart) {
   const ScratchDirectory scratch;
   const std::string outside = (scratch / "outside.nef").string();

@@ -251,7 +251,8 @@ bool has_blocked_edge(const Nef3& set) {
   for (const HalfedgeId h : reflex) {
     CutSurface surface = whole;
     surface.tables = copy(*whole.tables);
-    const FixedPlanes planes(surface, reflex);
+    Context context;
+    const FixedPlanes planes(surface, reflex, context);
     PlaneCut cut(surface);
     if (cut.run(all, planes.plane(surface.half(h).edge), h).empty()) {
       EXPECT_TRUE(cut.puncture().is_valid());
