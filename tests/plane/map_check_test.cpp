@@ -244,6 +244,52 @@ TEST(GeneratedMaps, AreJudgedAsTheTableSays) {
   for (const Row& row : rows) expect_row(row);
 }
 
+// ---------------------------------------------------------------- hints
+
+/// Two squares, on the edge between them k vertices that the right one alone knows, in any order of numbers.
+TestMap t_junctions(const std::vector<std::uint32_t>& order, bool is_healed) {
+  TestMap map;
+  for (const auto& [x, y] : {std::pair(0, 0), {0, 8}, {-8, 8}, {-8, 0}, {8, 0}, {8, 8}}) {
+    map.add_point(x, y);
+  }
+  std::vector<std::uint32_t> between(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    between[order[i]] = static_cast<std::uint32_t>(map.points.size());
+    map.add_point(0, static_cast<int>(order[i]) + 1);
+  }
+  std::vector<std::uint32_t> left = {0, 1, 2, 3}, right = {4, 5, 1}, outer = {0, 3, 2, 1, 5, 4};
+  if (is_healed) left.insert(left.begin() + 1, between.begin(), between.end());
+  right.insert(right.end(), between.rbegin(), between.rend());
+  right.push_back(0);
+  map.cycles = {left, right, outer};
+  return map;
+}
+
+/// What a hint says of a T-junction heals it.
+TEST(Hints, SpellTheVerticesOnAnEdgeInOrder) {
+  std::vector<std::uint32_t> order = {0, 1, 2};
+  do {
+    const MapReport report = checked(t_junctions(order, false));
+    ASSERT_EQ(report.verdict, MapVerdict::Open);
+    std::string path = "0";
+    for (std::uint32_t at = 0; at < order.size(); ++at) {
+      path += "-" + std::to_string(6 + (std::ranges::find(order, at) - order.begin()));
+    }
+    const std::string wanted = "T-junction, edge 0-1 is covered by " + path +
+                               "-1; insert the vertices between into face 0";
+    EXPECT_TRUE(std::ranges::any_of(
+        report.defects,
+        [&](const MapDefect& d) { return d.hint.find(wanted) != std::string::npos; }))
+        << wanted << " is not in:\n"
+        << [&] {
+             std::string all;
+             for (const MapDefect& d : report.defects) all += d.hint + "\n";
+             return all;
+           }();
+    EXPECT_EQ(checked(t_junctions(order, true)).verdict, MapVerdict::Valid);
+  } while (std::ranges::next_permutation(order).found);
+}
+
 // ---------------------------------------------------------------- warnings
 
 /// Two triangles that meet in the origin, and a vertex of nobody.

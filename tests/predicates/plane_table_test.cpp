@@ -261,5 +261,38 @@ TEST(PlaneTable, MergeMapsPlanesToEqualPlanes) {
   }
 }
 
+/// Every second triangle, its corners alone: planes are the same, and nothing else comes along.
+TEST(PlaneTable, CopiesOfAPartHoldThatPart) {
+  cases::Random random(16);
+  for (int round = 0; round < 50; ++round) {
+    PlaneTable table;
+    std::vector<PlaneId> planes;
+    std::vector<Point3> kept;
+    std::vector<PlaneId> plane_map;
+    std::vector<InputPointId> point_map;
+    for (int triangle = 0; triangle < 8; ++triangle) {
+      const cases::Corners c = cases::small_integers(random);
+      const std::size_t first = table.add_points(std::span(c).first(3)).value();
+      const OrientedPlane plane =
+          table.intern(InputPointId(first), InputPointId(first + 1), InputPointId(first + 2));
+      const bool is_new = plane.is_valid() && plane.plane().value() == plane_map.size();
+      const bool is_kept = is_new && triangle % 2 == 0;
+      if (is_new) plane_map.push_back(is_kept ? PlaneId(planes.size()) : PlaneId());
+      for (std::size_t i = 0; i < 3; ++i) {
+        point_map.push_back(is_kept ? InputPointId(kept.size()) : InputPointId());
+        if (is_kept) kept.push_back(c[i]);
+      }
+      if (is_kept) planes.push_back(plane.plane());
+    }
+    const PlaneTable copy(table, plane_map, point_map);
+    EXPECT_TRUE(std::ranges::equal(copy.points(), kept));
+    ASSERT_EQ(copy.size(), planes.size());
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      EXPECT_EQ(copy.primitive(PlaneId(i)), table.primitive(planes[i]));
+      EXPECT_EQ(copy.fingerprint(PlaneId(i)), table.fingerprint(planes[i]));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace plumb

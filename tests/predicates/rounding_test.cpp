@@ -3,6 +3,7 @@
 #include "plumb/predicates/rounding.h"
 
 #include <gtest/gtest.h>
+#include <mpfr.h>
 #include <rapidcheck.h>
 
 #include <bit>
@@ -207,6 +208,22 @@ TEST(DecimalText, Shapes) {
   EXPECT_EQ(decimal_text(Rational(100, 1), 3), "100");
   EXPECT_EQ(decimal_text(Rational(99996, 1), 4), "1e+5");
   EXPECT_EQ(decimal_text(power(-1074), 3), "4.94e-324");
+}
+
+/// A caller who computes with MPFR finds its range and flags as they were.
+TEST(Rounding, LeavesMpfrAsItWas) {
+  const mpfr_exp_t least = mpfr_get_emin(), most = mpfr_get_emax();
+  for (const mpfr_flags_t flags : {mpfr_flags_t{0}, mpfr_flags_t{MPFR_FLAGS_DIVBY0}}) {
+    mpfr_flags_restore(flags, MPFR_FLAGS_ALL);
+    static_cast<void>(nearest_double(power(-1075)));    // underflow
+    static_cast<void>(nearest_double(power(1025)));     // overflow
+    static_cast<void>(nearest_double(Rational(1, 3)));  // inexact
+    static_cast<void>(decimal_text(Rational(1, 3), 5));
+    EXPECT_EQ(mpfr_flags_save(), flags);
+    EXPECT_EQ(mpfr_get_emin(), least);
+    EXPECT_EQ(mpfr_get_emax(), most);
+  }
+  mpfr_flags_clear(MPFR_FLAGS_ALL);
 }
 
 /// Work is bounded by the operands' length: a million bits either way take milliseconds.
