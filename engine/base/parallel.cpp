@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <new>
 #include <stop_token>
 #include <system_error>
 #include <thread>
@@ -25,6 +26,7 @@ class Jobs {
       try {
         for (std::size_t i = 1; i < workers; ++i) others.emplace_back([this] { work(false); });
       } catch (const std::system_error&) {  // no more threads to be had: those there are do it
+      } catch (const std::bad_alloc&) {     // nor memory for one
       }
       work(true);
     }

@@ -1,7 +1,6 @@
 #include "plumb/base/refused_memory.h"
 
 #include <new>
-#include <stdexcept>
 
 #include "plumb/base/error.h"
 
@@ -23,9 +22,12 @@ void rethrow_refused_memory() {
   try {
     throw;
   } catch (const std::bad_alloc&) {
-  } catch (const std::length_error&) {
   }
   throw Error(out_of_memory());
+}
+
+bool is_refused_memory(const Error& error) {
+  return error.code() == ErrorCode::ResourceLimit && error.message() == out_of_memory().message();
 }
 
 }  // namespace plumb

@@ -13,6 +13,7 @@
 #include "command.h"
 #include "command_app.h"
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/base/version.h"
 #include "process.h"
 #include "session.h"
@@ -242,10 +243,16 @@ ExitCode exit_code_of(ErrorCode code) {
   }
 }
 
+ExitCode report_refused_memory() {
+  std::fputs("plumb: out of memory (raise --limit-memory, or use a smaller input)\n", stderr);
+  return ExitCode::Limit;
+}
+
 /// Errors with a place are "FILE:LINE:COLUMN: ..." as they are; others get the program's name.
 ExitCode report(const Error& error) {
   const ExitCode code = exit_code_of(error.code());
   if (code == ExitCode::ClosedPipe) return code;
+  if (is_refused_memory(error)) return report_refused_memory();
   const char* const prefix = error.place().file.empty() ? "plumb: " : "";
   std::fprintf(stderr, "%s%s\n", prefix, error.what());
   return code;
@@ -259,8 +266,7 @@ ExitCode run_program(const Arguments& arguments, std::stop_token stop) noexcept 
   } catch (const Error& error) {
     return report(error);
   } catch (const std::bad_alloc&) {
-    std::fputs("plumb: out of memory (raise --limit-memory, or use a smaller input)\n", stderr);
-    return ExitCode::Limit;
+    return report_refused_memory();
   } catch (const std::exception& error) {
     std::fprintf(stderr,
                  "plumb: internal error: %s.\nThis is a bug in plumb. Please report it with the "

@@ -72,7 +72,7 @@ void Outputs::add(const std::string& path, Writer writer) {
   to_stdout_ = std::move(writer);
 }
 
-/// Writers do not look at the Context: what was cancelled meanwhile is not delivered.
+/// Writers do not look at the Context: files are not put in place when a stop came before all was written.
 void Outputs::deliver() {
   std::vector<std::unique_ptr<OutputFile>> finished;
   for (Pending& pending : files_) {
@@ -86,6 +86,7 @@ void Outputs::deliver() {
     DescriptorStream stream(STDOUT_FILENO, "stdout");
     to_stdout_(stream);
     stream.flush();
+    if (!finished.empty()) require_no_stop();
   }
   commit_all(finished);
 }

@@ -46,6 +46,7 @@ class SolidCutter {
       CutPieces parts = cuts++ < most ? cut(piece) : CutPieces();
       charge_growth();
       if (parts.empty()) {
+        faces_done += piece.size();
         done.stuck.push_back(std::move(piece));
         continue;
       }

@@ -156,7 +156,7 @@ class GltfDocument {
     try {
       return loaded_.emplace(index, bytes_of_uri(uri, loader_, context_)).first->second;
     } catch (const Error& error) {
-      if (!error.place().file.empty()) throw;
+      if (!error.place().file.empty() || error.code() == ErrorCode::ResourceLimit) throw;
       fail(error.code(), where, error.message());
     }
   }

@@ -217,6 +217,7 @@ SurfaceMesh surface_in(const PolygonMesh& mesh, const std::string& name, Context
   try {
     return fanned_surface(mesh);
   } catch (const Error& error) {
+    if (error.code() == ErrorCode::ResourceLimit) throw;
     throw Error(error.code(), error.message(), {name});
   }
 }

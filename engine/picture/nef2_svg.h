@@ -23,7 +23,7 @@ struct Nef2SvgOptions {
   std::string title = {};  ///< e.g. the file's name; any bytes
   /// Convex pieces of the set: those of dimension 2 have a colour each and thin lines between them.
   std::span<const Nef2> pieces = {};
-  Context* context = nullptr;  ///< asked between pieces
+  Context* context = nullptr;  ///< asked between pieces; what it throws comes out
 };
 
 /// Writes the picture of any set: any exact coordinates, any number of faces; the file stays below

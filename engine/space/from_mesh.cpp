@@ -17,6 +17,7 @@ namespace plumb {
 namespace {
 
 constexpr std::uint64_t kBytesPerCorner = 200;
+constexpr std::uint64_t kBytesPerPoint = 4;  // also of points that no face names
 
 /// Vertices without a facet (corners of faces without area only) go.
 void drop_unused(MeshFacets& facets, MeshLinks& links, MeshVertices& vertices) {
@@ -77,7 +78,7 @@ MeshComplex complex_of_mesh(const MeshView& mesh, const MeshOptions& options,
                             Context& context) try {
   MeshComplex result;
   MemoryCharge memory(context);
-  memory.add(kBytesPerCorner * mesh.corners.size(), "a mesh");
+  memory.add(kBytesPerCorner * mesh.corners.size() + kBytesPerPoint * mesh.point_count(), "a mesh");
   const auto tables = std::make_shared<SpaceTables>();
   MeshVertices vertices = merge_equal_points(mesh, *tables);
   result.report.vertices_merged = vertices.merged;

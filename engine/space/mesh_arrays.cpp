@@ -55,6 +55,7 @@ MeshView mesh_of_triangles(std::span<const double> coordinates,
 MeshView mesh_of_polygons(std::span<const double> coordinates,
                           std::span<const std::uint32_t> face_begin,
                           std::span<const std::uint32_t> corners) {
+  require_countable(face_begin.size(), "faces");
   if (face_begin.empty() || face_begin.front() != 0 || face_begin.back() != corners.size() ||
       !std::is_sorted(face_begin.begin(), face_begin.end())) {
     throw Error(ErrorCode::BadArgument, "face_begin does not divide the corners into faces");

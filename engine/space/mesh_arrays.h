@@ -20,7 +20,8 @@
 
 namespace plumb {
 
-/// A mesh in arrays that somebody else holds; valid as long as they are. Every PolygonMesh is one.
+/// A mesh in arrays that somebody else holds; valid as long as they are: give it no name where they are temporaries.
+/// Every PolygonMesh is one. face_begin must be as mesh_of_polygons() demands; who uses a mesh does not look again.
 struct MeshView {
   std::span<const double> coordinates;  ///< x y z of each point
   /// As PolygonMesh::exact.
@@ -53,7 +54,7 @@ struct MeshView {
 };
 
 /// Triangle t has the corners 3 t, 3 t + 1, 3 t + 2. Throws Error{BadArgument} unless both sizes are multiples of
-/// three below 2^32. O(1).
+/// three, and there are less than 2^32 points and corners. O(1).
 MeshView mesh_of_triangles(std::span<const double> coordinates,
                            std::span<const std::uint32_t> corners);
 

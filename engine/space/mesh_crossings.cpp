@@ -47,9 +47,9 @@ class CrossingSearch {
     checkpoint();
     const PackedBoxTree packed(boxes);
     if (packed.fits() && find_in(packed)) return;
-    found_.clear();
     const TriangleGroups groups = group_triangles(triangles_, complex_.vertex_count());
-    if (packed.fits() || !groups.hub.empty() ||
+    checkpoint();
+    if (packed.fits() || groups.pairs > kStepsPerTriangle * triangles_.size() ||
         has_many_pairs(expected_pairs(boxes, boxes), boxes.size())) {
       find_thin(boxes, groups.of);
       find_around_hubs(groups);
@@ -70,9 +70,8 @@ class CrossingSearch {
   }
   template <class TriangleOf>
   void find_in(const BoxTree& tree, const TriangleOf& triangle_of) {
-    std::uint64_t visited = 0;
     tree.for_each_pair_inside([&](std::uint32_t i, std::uint32_t j) {
-      if (++visited % 4096 == 0) checkpoint();
+      take_step();
       look_at(triangle_of(i), triangle_of(j));
     });
   }
@@ -85,15 +84,13 @@ class CrossingSearch {
       const auto box = [&](std::size_t i) { return complex_.points().box(t.corner[i].point); };
       corners.push_back({box(0), box(1), box(2)});
     }
-    std::uint64_t steps = 0;
-    OrientedBoxTree(corners, groups)
+    const auto on_step = [this] { take_step(); };
+    OrientedBoxTree(corners, groups, on_step)
         .for_each_pair_inside(
             [&](std::uint32_t i, std::uint32_t j) {
               if (boxes[i].meets(boxes[j])) look_at(i, j);
             },
-            [&] {
-              if (++steps % 4096 == 0) checkpoint();
-            });
+            on_step);
   }
   /// The pairs that have been left out: a facet does not cross itself, and around a vertex directions tell.
   void find_around_hubs(const TriangleGroups& groups) {
@@ -112,6 +109,7 @@ class CrossingSearch {
   void find_around(VertexId hub, std::span<const std::uint32_t> triangles) {
     std::vector<Box3> boxes;
     for (const std::uint32_t t : triangles) {
+      take_step();
       const FacetTriangle& triangle = triangles_[t];
       std::size_t i = 0;
       while (triangle.corner[i].vertex != hub) ++i;
@@ -122,6 +120,9 @@ class CrossingSearch {
       boxes.push_back(box_of_directions(box(0), box(1), box(2)));
     }
     find_in(BoxTree(boxes), [&](std::uint32_t i) { return triangles[i]; });
+  }
+  void take_step() {
+    if (++steps_ % 4096 == 0) checkpoint();
   }
   void checkpoint() { context_.checkpoint("crossings of the mesh with itself", 0, 0); }
 
@@ -201,7 +202,8 @@ class CrossingSearch {
   TriangleCrossing test_;
   std::vector<FacetTriangle> triangles_;
   std::vector<std::pair<VertexId, VertexId>> boundary_;
-  FacetPairs found_;
+  FacetPairs found_;         // some of them more than once
+  std::uint64_t steps_ = 0;  // in all trees
 };
 
 }  // namespace

@@ -18,7 +18,8 @@
 // Source of 3: the cases of orient3d in Guigue and Devillers, "Fast and robust triangle-triangle overlap
 // test", JGT 8 (2003). No point is constructed.
 //
-// Cost: O(n log n + c) for c pairs of boxes that meet; most pairs cost two to six filtered signs.
+// Cost: O(n log n + c) for c pairs of boxes that meet, around vertices of many triangles boxes of directions
+// (triangle_groups.h); most pairs cost two to six filtered signs.
 #pragma once
 
 #include <cstdint>

@@ -2,6 +2,7 @@
 
 #include <tsl/robin_map.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <map>
@@ -49,7 +50,7 @@ class VertexMaker {
 
   MeshVertices make() {
     mark_used();
-    doubles_.reserve(mesh_.point_count());
+    doubles_.reserve(std::min(mesh_.point_count(), mesh_.corners.size()));
     const auto* exact = mesh_.exact.data();
     const auto* const exact_end = exact + mesh_.exact.size();
     for (std::uint32_t i = 0; i < mesh_.point_count(); ++i) {

@@ -23,7 +23,8 @@ Vector3 minus(const Vector3& a, const Vector3& b) {
 }  // namespace
 
 OrientedBoxTree::OrientedBoxTree(std::span<const Triangle> triangles,
-                                 std::span<const std::uint32_t> groups)
+                                 std::span<const std::uint32_t> groups,
+                                 const std::function<void()>& on_step)
     : order_(triangles.size()),
       key_(triangles.size()),
       groups_(groups.begin(), groups.end()),
@@ -36,19 +37,21 @@ OrientedBoxTree::OrientedBoxTree(std::span<const Triangle> triangles,
                   length(minus(t[0].mid, t[2].mid))}));
   }
   nodes_.reserve(2 * triangles.size());  // at most: leaves of one
-  if (!triangles.empty()) add_node(triangles, 0, static_cast<std::uint32_t>(triangles.size()));
+  if (!triangles.empty())
+    add_node(triangles, 0, static_cast<std::uint32_t>(triangles.size()), on_step);
 }
 
 std::uint32_t OrientedBoxTree::add_node(std::span<const Triangle> triangles, std::uint32_t begin,
-                                        std::uint32_t end) {
+                                        std::uint32_t end, const std::function<void()>& on_step) {
+  for (std::uint32_t i = begin; i < end && on_step; ++i) on_step();
   const auto n = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(box_around(triangles, begin, end));
   const LargestGroup largest = largest_group(begin, end);
   if (largest.count == end - begin) nodes_[n].group = largest.group;
   if (end - begin <= kLeaf) return n;
   const std::uint32_t middle = split(triangles, nodes_[n], largest);
-  add_node(triangles, begin, middle);
-  const std::uint32_t second = add_node(triangles, middle, end);
+  add_node(triangles, begin, middle, on_step);
+  const std::uint32_t second = add_node(triangles, middle, end, on_step);
   nodes_[n].second = second;
   return n;
 }

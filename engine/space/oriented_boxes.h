@@ -22,6 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -38,8 +39,10 @@ class OrientedBoxTree {
   static constexpr std::uint32_t kNoGroup = ~std::uint32_t{0};
 
   /// `groups`: per triangle the number of its group, less than the number of triangles, or kNoGroup; empty: of all.
+  /// on_step() is called for each triangle of each node.
   explicit OrientedBoxTree(std::span<const Triangle> triangles,
-                           std::span<const std::uint32_t> groups = {});
+                           std::span<const std::uint32_t> groups = {},
+                           const std::function<void()>& on_step = {});
 
   /// visit(i, j) for all pairs of triangles that meet, but those of one group, and of others that are near; each pair
   /// once. on_step() is called for each pair of nodes that is looked at.
@@ -70,7 +73,7 @@ class OrientedBoxTree {
   };
 
   std::uint32_t add_node(std::span<const Triangle> triangles, std::uint32_t begin,
-                         std::uint32_t end);
+                         std::uint32_t end, const std::function<void()>& on_step);
   Node box_around(std::span<const Triangle> triangles, std::uint32_t begin,
                   std::uint32_t end) const;
   LargestGroup largest_group(std::uint32_t begin, std::uint32_t end);

@@ -20,7 +20,7 @@ Direction direction(const PointBox& from, const PointBox& to) {
     d[i] = to.mid[i] - from.mid[i];
     most = std::max(most, std::fabs(d[i]));
   }
-  if (!(most > 0x1p-900 && most < 0x1p900)) return {};
+  if (!(most > 0x1p-1000 && most < Box3::kInfinity)) return {};
   double square = 0;
   for (double& x : d) x /= most, square += x * x;
   // Of a vector of length 1 at least, off by r in each coordinate, the unit vector is off by 2 sqrt(3) r at most.
@@ -59,6 +59,10 @@ TriangleGroups group_triangles(std::span<const FacetTriangle> triangles, std::si
       if (is_around && group == kNone) group = add_group(hub);
       groups.of[t] = is_around ? group : facet_group;
     }
+  }
+  std::vector<std::uint64_t> size(groups.hub.size(), 0);
+  for (const std::uint32_t g : groups.of) {
+    if (g != kNone) groups.pairs += size[g]++;
   }
   return groups;
 }

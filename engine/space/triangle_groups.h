@@ -4,7 +4,8 @@
 // have another point in common only if their directions from the vertex do: boxes of directions tell them apart.
 //
 // Notation: a group is a facet of many triangles, or a hub, a vertex of many. A triangle is in its facet's group if there is one,
-// else in that of its busiest corner.
+// else in that of its busiest corner,
+// if that is a hub.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +24,7 @@ struct TriangleGroups {
 
   std::vector<std::uint32_t> of;  ///< per triangle: its group, or kNone
   std::vector<VertexId> hub;      ///< per group: the vertex; of a facet invalid
+  std::uint64_t pairs = 0;        ///< of triangles of one group
 };
 
 /// Requires the triangles of a facet in a row, and vertices below `vertex_count`. O(n).

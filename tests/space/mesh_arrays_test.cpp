@@ -123,6 +123,29 @@ TEST(MeshArrays, may_go_when_the_set_is_there) {
   EXPECT_TRUE(set.contains(Point3{100, 15000, 0.5}));
 }
 
+/// A small part of a large buffer of points: what it takes for points of nobody is 4 bytes each, within the limits.
+TEST(MeshArrays, may_name_few_of_many_points) {
+  Doubles many = kCorners;
+  many.resize(3'000'000, 0.5);
+  const MeshView mesh = mesh_of_triangles(many, kTriangles);
+  Limits limits;
+  limits.max_memory_bytes = 4'500'000;
+  Context enough(limits);
+  Nef3 set;
+  const std::uint64_t bytes =
+      bytes_asked_for([&] { set = Nef3::mesh(mesh, WindingRule::Positive, enough); });
+  EXPECT_LT(bytes, limits.max_memory_bytes);
+  EXPECT_EQ(set, tetrahedron(0));
+  limits.max_memory_bytes = 3'500'000;
+  Context little(limits);
+  try {
+    static_cast<void>(Nef3::mesh(mesh, WindingRule::Positive, little));
+    FAIL() << "a million points are not charged";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::ResourceLimit);
+  }
+}
+
 TEST(MeshArrays, go_through_a_boolean_and_come_back) {
   Context context;
   const Nef3 both = tetrahedron(0) + tetrahedron(.25);
