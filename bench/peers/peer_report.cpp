@@ -42,6 +42,13 @@ struct Runs {
   }
 };
 
+/// In every round.
+bool do_agree(const Runs& ours, const Runs& theirs, double tolerance) {
+  return std::ranges::equal(ours.runs, theirs.runs, [&](const PeerRun& a, const PeerRun& b) {
+    return std::fabs(a.answer - b.answer) <= tolerance * std::fabs(a.answer);
+  });
+}
+
 Json ratios(const Runs& ours, const Runs& theirs, double PeerRun::*value) {
   std::vector<double> values;
   for (std::size_t i = 0; i < theirs.runs.size(); ++i) {
@@ -63,10 +70,12 @@ void PeerReport::use(std::string_view library, std::string_view version) {
 void PeerReport::compare(const PeerJob& job, const std::function<PeerRun()>& ours,
                          const std::function<PeerRun()>& theirs) {
   Runs own, other;
-  std::string failure;
+  std::string failure, failed;
   for (int i = 0; i < job.rounds && failure.empty(); ++i) {
-    own.runs.push_back(ours());
+    failed = "plumb";
     try {
+      own.runs.push_back(ours());
+      failed = "the peer";
       other.runs.push_back(theirs());
     } catch (const std::exception& error) {
       failure = error.what();
@@ -92,16 +101,17 @@ void PeerReport::compare(const PeerJob& job, const std::function<PeerRun()>& our
   }
   if (!failure.empty()) {
     json["failure"] = failure;
-    json["verdict"] = "the peer failed";
-    fmt::print("  THE PEER FAILED: {}\n", failure);
+    json["verdict"] = failed + " failed";
+    fmt::print("  FAILED, {}: {}\n", failed, failure);
   } else {
-    const double a = own.runs.back().answer, b = other.runs.back().answer;
-    const bool agree = std::fabs(a - b) <= job.tolerance * std::fabs(a);
+    const bool agree = do_agree(own, other, job.tolerance);
     json["verdict"] = agree ? "agree" : "answers differ";
-    fmt::print("{}\n",
-               agree ? "" : fmt::format("  ANSWERS DIFFER, {}: {} and {}", job.measure, a, b));
-    agree_ = agree_ && agree;
+    fmt::print("{}\n", agree ? ""
+                             : fmt::format("  ANSWERS DIFFER, {}: {} and {}", job.measure,
+                                           json["plumb"]["answer"].get<double>(),
+                                           json["other"]["answer"].get<double>()));
   }
+  agree_ = agree_ && json["verdict"] == "agree";
   std::fflush(stdout);
 }
 

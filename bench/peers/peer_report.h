@@ -2,7 +2,7 @@
 //
 // Main flow of a peer program:
 //  1. report.use(NAME, VERSION) of every library
-//  2. report.compare(...) of every job: plumb and the peer in turn, `rounds` times over; the last answers compared
+//  2. report.compare(...) of every job: plumb and the peer in turn, `rounds` times over; the answers of every round compared
 //  3. report.judge(...) of an answer that a third opinion, by brute force, has been had on
 //  4. return report.finish(FILE): the JSON that bench/run gathers, and the exit status
 #pragma once
@@ -37,7 +37,7 @@ class PeerReport {
 
   void use(std::string_view library, std::string_view version);
 
-  /// `theirs` may throw: that is an answer, too, and a wrong one.
+  /// Either may throw std::exception: a failure, which is no agreement.
   void compare(const PeerJob& job, const std::function<PeerRun()>& ours,
                const std::function<PeerRun()>& theirs);
 
@@ -54,7 +54,7 @@ class PeerReport {
   void judged_of(std::size_t inputs);
 
   /// Writes the JSON unless the name is empty. 0: all agree but for answers known to be wrong of the peer; 1: others
-  /// differ; 2: the file cannot be written.
+  /// differ, or one of the two failed; 2: the file cannot be written.
   int finish(const std::string& file) const;
 
  private:

@@ -2,7 +2,7 @@
 //
 //   plane_peer [--most PERCENT] [--rounds N] [--json FILE] [JOB...]     (short, long, stars, nef, unbounded; default: all)
 //
-// Answers are counts of vertices, edges and faces, marked faces, or areas.
+// unbounded: no other library, but plumb itself with sets clipped to a box. Answers are counts of vertices, edges and faces, marked faces, or areas.
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Exact_integer.h>
@@ -272,6 +272,6 @@ int main(int argc, char** argv) {
   app.add_option("--json", json, "write the comparisons there");
   app.add_option("jobs", jobs, "short, long, stars, nef, unbounded; default: all");
   CLI11_PARSE(app, argc, argv);
-  plumb::bench::PeerReport report("The plane beside CGAL");
+  plumb::bench::PeerReport report("The plane beside CGAL; unbounded sets beside the same in a box");
   return plumb::bench::run({report, rounds, most}, jobs, json);
 }

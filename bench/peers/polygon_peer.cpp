@@ -168,14 +168,24 @@ PeerRun boost_union(const std::vector<PlanePolygon>& polygons) {
       [&] { return area_of(result); });
 }
 
+PeerRun geos_union(const std::vector<PlanePolygon>& polygons) {
+  std::vector<GeosPointer> geometries;
+  GeosPointer result;
+  return timed_run(
+      [&] {
+        std::vector<geos::geom::Polygon*> pointers;
+        for (const PlanePolygon& p : polygons) {
+          geometries.push_back(geos_polygon(p));
+          pointers.push_back(dynamic_cast<geos::geom::Polygon*>(geometries.back().get()));
+        }
+        result = geos::operation::geounion::CascadedPolygonUnion::Union(&pointers);
+      },
+      [&] { return result->getArea(); });
+}
+
+/// All begin with corners: making polygons of them is a part of it.
 void octagons(const Session& session, std::size_t n) {
   const std::vector<PlanePolygon> polygons = testing::octagons(n);
-  std::vector<GeosPointer> geometries;
-  std::vector<geos::geom::Polygon*> pointers;
-  for (const PlanePolygon& p : polygons) {
-    geometries.push_back(geos_polygon(p));
-    pointers.push_back(dynamic_cast<geos::geom::Polygon*>(geometries.back().get()));
-  }
   const auto ours = [&] {
     Nef2 result;
     return timed_run([&] { result = union_of_polygons(polygons); },
@@ -185,12 +195,7 @@ void octagons(const Session& session, std::size_t n) {
               session.rounds};
   session.report.compare(job, ours, [&] { return boost_union(polygons); });
   job.peer = "GEOS CascadedPolygonUnion";
-  session.report.compare(job, ours, [&] {
-    GeosPointer result;
-    return timed_run(
-        [&] { result = geos::operation::geounion::CascadedPolygonUnion::Union(&pointers); },
-        [&] { return result->getArea(); });
-  });
+  session.report.compare(job, ours, [&] { return geos_union(polygons); });
 }
 
 }  // namespace

@@ -336,17 +336,17 @@ class Scene {
   bool differs_ = false;
 };
 
-/// In a process of its own: a crash ends one scene. True unless it crashed.
+/// In a process of its own: a crash ends one scene. True unless it crashed. Throws std::runtime_error when there is no process to be had.
 bool run_apart(std::uint64_t seed, const std::string& directory, Tally& tally) {
   std::fflush(stdout);
   const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("no process");
   if (child == 0) {
     Scene(seed, directory, tally).run();
     _exit(0);
   }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return status == 0;
+  int status = 1;
+  return waitpid(child, &status, 0) == child && status == 0;
 }
 
 /// What the process of the scene has left in the file.

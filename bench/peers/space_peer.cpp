@@ -4,8 +4,8 @@
 //
 // reads DIR/PAIR_a.off and DIR/PAIR_b.off; --make writes them first: ico1280, ico5120 and ico20480, two spheres of so many
 // triangles, and bunny, corpus/solids/bunny.off and itself moved. Every run is a process of its own (this program
-// again, with --run): plumb and the peer in turn, N rounds. Time: user and system, of making sets from the meshes in
-// memory, the union and the triangles of the result; reading files is left out. Memory: the largest resident set of the
+// again, with --run): plumb and the peer in turn, N rounds; plumb-warm runs twice and tells the second, for programs that
+// compare with a library already warm. Time: user and system, of making sets from the meshes in memory, the union and the triangles of the result; reading files is left out. Memory: the largest resident set of the
 // whole process, reading included. The answer is the volume, to 1e-9 of it.
 //
 // Peers, over the exact kernel with lazy constructions (EPECK): nef3 is Nef_polyhedron_3, which like plumb
@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -124,9 +125,10 @@ PeerRun run_corefinement(const Files& files) {
 }
 
 int run_once(const std::string& engine, const Files& files) {
-  const PeerRun r = engine == "plumb"  ? run_plumb(files)
-                    : engine == "nef3" ? run_nef3(files)
-                                       : run_corefinement(files);
+  if (engine == "plumb-warm") run_plumb(files);
+  const PeerRun r = engine.starts_with("plumb") ? run_plumb(files)
+                    : engine == "nef3"          ? run_nef3(files)
+                                                : run_corefinement(files);
   fmt::print("{:.6f} {:.17g}\n", r.seconds, r.answer);
   return 0;
 }
@@ -145,6 +147,7 @@ PeerRun in_process(const std::string& engine, const Files& files) {
   if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
   const std::string self = own_path();
   const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("no process");
   if (child == 0) {
     dup2(ends[1], STDOUT_FILENO);
     execl(self.c_str(), self.c_str(), "--run", engine.c_str(), files[0].c_str(), files[1].c_str(),
@@ -198,6 +201,22 @@ void make_pairs(const std::string& directory) {
   }
 }
 
+/// In a process of its own: the memory of this one is the least that the kernel reports of those it starts.
+bool make_pairs_apart(const std::string& directory) {
+  const pid_t child = fork();
+  if (child == 0) {
+    try {
+      make_pairs(directory);
+      _exit(0);
+    } catch (const std::exception& error) {
+      fmt::print(stderr, "{}\n", error.what());
+      _exit(1);
+    }
+  }
+  int status = 1;
+  return child > 0 && waitpid(child, &status, 0) == child && status == 0;
+}
+
 int compare_all(const std::string& directory, const std::vector<std::string>& pairs,
                 const std::vector<std::string>& peers, int rounds, const std::string& json) {
   PeerReport report("Union of two solids beside CGAL, from mesh to triangles");
@@ -234,9 +253,15 @@ int main(int argc, char** argv) {
   app.add_option("--peers", peers, "nef3, corefinement")->delimiter(',');
   app.add_option("--rounds", rounds, "of plumb and the peer in turn (default 3)");
   app.add_option("--json", json, "write the comparisons there");
-  app.add_option("--run", run, "ENGINE A B: one run; prints seconds and volume")->expected(3);
+  app.add_option("--run", run,
+                 "ENGINE A B: one run of plumb, plumb-warm, nef3 or corefinement; prints seconds "
+                 "and volume")
+      ->expected(3);
   CLI11_PARSE(app, argc, argv);
   if (!run.empty()) return plumb::bench::run_once(run[0], {run[1], run[2]});
-  if (makes) plumb::bench::make_pairs(directory);
+  if (makes && !plumb::bench::make_pairs_apart(directory)) {
+    fmt::print(stderr, "space_peer: no pairs were made\n");
+    return 2;
+  }
   return plumb::bench::compare_all(directory, pairs, peers, rounds, json);
 }
