@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -128,7 +129,7 @@ nlohmann::ordered_json to_json(const SizeCost& c) {
   return json;
 }
 
-/// True when the family is within its bound.
+/// True when the family is within its bound. Throws what its making of inputs throws.
 bool measure(const Family& family, const Options& options, Meter& meter,
              nlohmann::ordered_json& json) {
   fmt::print("{}: {}; bound {}\n", family.name, family.claim, bound_text(family.bound));
@@ -154,6 +155,22 @@ bool measure(const Family& family, const Options& options, Meter& meter,
   json["within"] = is_within;
   fmt::print("\n");
   return is_within;
+}
+
+/// The same; a family that throws is not within, its JSON says why, and the next ones are measured.
+bool measure_or_note(const Family& family, const Options& options, Meter& meter,
+                     nlohmann::ordered_json& json) {
+  try {
+    return measure(family, options, meter, json);
+  } catch (const std::exception& error) {
+    fmt::print("    FAILED: {}\n\n", error.what());
+    json = {{"name", family.name},
+            {"claim", family.claim},
+            {"unit", family.unit},
+            {"failure", error.what()},
+            {"within", false}};
+    return false;
+  }
 }
 
 }  // namespace
@@ -190,7 +207,9 @@ int growth_main(std::string_view title, std::span<const Family> families, int ar
   for (const Family& family : families) {
     if (!names.empty() && std::find(names.begin(), names.end(), family.name) == names.end())
       continue;
-    if (!measure(family, options, meter, json["families"].emplace_back())) is_within = false;
+    if (!measure_or_note(family, options, meter, json["families"].emplace_back())) {
+      is_within = false;
+    }
   }
   if (!json_file.empty()) {
     std::ofstream out(json_file);

@@ -5,7 +5,8 @@
 //  2. the work runs until it has taken long enough, several times over; a Meter counts each run, small inputs in turn
 //  3. time, instructions, allocations and bytes are each divided by the logarithms of the bound; what is left is
 //     fitted as a power of the size
-//  4. a table on stdout, on wish JSON; exit status 1 when a power is above the bound's by more than 0.15
+//  4. a table on stdout, on wish JSON; exit status 1 when a power is above the bound's by more than 0.15, or prepare()
+//     throws std::exception: a claim of its own that does not hold
 // Instructions and allocations are the same on a busy machine; time is not, and feels the caches. --work leaves it
 // out of the verdict, or, where instructions are not counted, judges it with more patience.
 #pragma once

@@ -1,6 +1,6 @@
-// Compares two files of bench/run: growth_compare OLD NEW
+// Compares two files of bench/run, growth and memory of structures: growth_compare OLD NEW
 //
-// Prints, for every family and size in both, what changed: allocations, their bytes and instructions by more than 2%, time by
+// Prints, for every family and size in both, what changed: allocations, their bytes and instructions by more than 2%, as bytes that structures hold, time by
 // more than 15% where its batches say so, too: a sign test of all batches of the family, every old one against the new one of
 // its place, at the 5% level. Exit status 1 when something has become worse, 2 when a file cannot be read or nothing is in both.
 #include <fmt/core.h>
@@ -25,20 +25,37 @@ constexpr double kWorkTolerance = 0.02;
 constexpr double kTimeTolerance = 0.15;
 constexpr double kLevel = 0.05;
 
+Json read(const std::string& path) {
+  std::ifstream in(path);
+  return Json::parse(in);
+}
+
 /// Samples of every family, by size.
 using Samples = std::map<std::string, std::map<double, Json>>;
 
-Samples samples_of(const std::string& path) {
-  std::ifstream in(path);
-  const Json all = Json::parse(in);
+Samples samples_of(const Json& all) {
   Samples result;
   for (const Json& program : all.at("programs")) {
     for (const Json& family : program.at("families")) {
+      if (!family.contains("samples")) continue;  // it failed
       for (const Json& sample : family.at("samples")) {
         const std::string name =
             program.at("title").get<std::string>() + ": " + family.at("name").get<std::string>();
         result[name][sample.at("size").get<double>()] = sample;
       }
+    }
+  }
+  return result;
+}
+
+/// Bytes that an element of every structure holds; empty for files without bench/macro.
+std::map<std::string, double> memory_of(const Json& all) {
+  std::map<std::string, double> result;
+  for (const Json& part : all.value("macro", Json::array())) {
+    if (part.at("part") != "memory") continue;
+    for (const Json& row : part.at("rows")) {
+      result[row.at("structure").get<std::string>() + ", " + row.at("input").get<std::string>()] =
+          row.at("measured").get<double>();
     }
   }
   return result;
@@ -79,6 +96,7 @@ struct Signs {
   }
 };
 
+/// True unless it has become worse. Requires a size in both.
 bool compare(const std::string& family, const std::map<double, Json>& before,
              const std::map<double, Json>& after) {
   bool is_well = true;
@@ -94,7 +112,6 @@ bool compare(const std::string& family, const std::map<double, Json>& before,
                            old_sample.at("seconds").get<double>());
     ++sizes;
   }
-  if (sizes == 0) return true;
   const double ratio = std::exp(logarithms / sizes);
   const bool is_slower = ratio > 1 + kTimeTolerance && signs.chance() < kLevel;
   if (is_slower || ratio < 1 / (1 + kTimeTolerance)) {
@@ -104,8 +121,31 @@ bool compare(const std::string& family, const std::map<double, Json>& before,
   return is_well && !is_slower;
 }
 
+bool have_common_size(const std::map<double, Json>& before, const std::map<double, Json>& after) {
+  return std::ranges::any_of(before, [&](const auto& s) { return after.contains(s.first); });
+}
+
+/// True unless a structure holds more.
+bool compare_memory(const Json& before, const Json& after) {
+  const std::map<std::string, double> old_bytes = memory_of(before), new_bytes = memory_of(after);
+  bool is_well = true;
+  std::size_t compared = 0;
+  for (const auto& [structure, bytes] : old_bytes) {
+    const auto found = new_bytes.find(structure);
+    if (found == new_bytes.end()) continue;
+    ++compared;
+    const double ratio = found->second / bytes;
+    if (std::fabs(ratio - 1) <= kWorkTolerance) continue;
+    fmt::print("{}: bytes held x {:.3f}\n", structure, ratio);
+    if (ratio > 1) is_well = false;
+  }
+  if (compared > 0) fmt::print("{} structures compared\n", compared);
+  return is_well;
+}
+
 int run(const std::string& before, const std::string& after) {
-  const Samples old_samples = samples_of(before), new_samples = samples_of(after);
+  const Json old_results = read(before), new_results = read(after);
+  const Samples old_samples = samples_of(old_results), new_samples = samples_of(new_results);
   bool is_well = true;
   std::size_t compared = 0;
   for (const auto& [family, samples] : old_samples) {
@@ -114,14 +154,20 @@ int run(const std::string& before, const std::string& after) {
       fmt::print("{}: not in {}\n", family, after);
       continue;
     }
+    if (!have_common_size(samples, found->second)) {
+      fmt::print("{}: no size in both\n", family);
+      continue;
+    }
     ++compared;
     if (!compare(family, samples, found->second)) is_well = false;
   }
   if (compared == 0) {
-    fmt::print(stderr, "growth_compare: no family is in both files\n");
+    fmt::print(stderr, "growth_compare: no family and size is in both files\n");
     return 2;
   }
-  fmt::print("{} families compared: {}\n", compared, is_well ? "none is worse" : "WORSE");
+  if (!compare_memory(old_results, new_results)) is_well = false;
+  fmt::print("{} of {} families compared: {}\n", compared, old_samples.size(),
+             is_well ? "none is worse" : "WORSE");
   return is_well ? 0 : 1;
 }
 

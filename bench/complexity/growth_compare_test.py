@@ -8,7 +8,8 @@ import sys
 import tempfile
 
 program = sys.argv[1]
-folder = pathlib.Path(tempfile.mkdtemp())
+scratch = tempfile.TemporaryDirectory()  # gone at the end
+folder = pathlib.Path(scratch.name)
 problems = []
 
 
@@ -17,7 +18,8 @@ def sample(size):
             "batches": [1e-6 * size * (1 + 0.01 * i) for i in range(5)]}
 
 
-old = {"programs": [{"title": "Growth", "families": [{"name": "family", "samples": [sample(n) for n in (100, 1000, 10000)]}]}]}
+old = {"programs": [{"title": "Growth", "families": [{"name": "family", "samples": [sample(n) for n in (100, 1000, 10000)]}]}],
+       "macro": [{"part": "memory", "rows": [{"structure": "Map", "input": "hexagons", "measured": 50.0}]}]}
 
 
 def samples(results):
@@ -57,6 +59,23 @@ expect("14 % slower", 0, slower(1.14))
 expect("16 % slower", 1, slower(1.16))
 expect("16 % slower, in one batch of five", 0, slower(1.16, batches=1))
 expect("20 % faster", 0, slower(0.8))
+def holds(factor):
+    def doctor(results):
+        results["macro"][0]["rows"][0]["measured"] *= factor
+    return doctor
+
+
+def other_sizes(results):
+    for s in samples(results):
+        s["size"] += 1
+
+
+expect("a structure 1.9 % larger", 0, holds(1.019))
+expect("a structure 2.1 % larger", 1, holds(1.021))
+expect("a structure 10 % smaller", 0, holds(0.9))
+expect("without structures", 0, lambda results: results.pop("macro"))
+expect("no size in both", 2, other_sizes)
+expect("a family that failed", 2, lambda results: results["programs"][0]["families"][0].pop("samples"))
 expect("another family", 2, lambda results: results["programs"][0]["families"][0].update(name="other"))
 expect("no programs", 2, lambda results: results.pop("programs"))
 

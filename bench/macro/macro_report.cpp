@@ -1,7 +1,7 @@
 #include "macro_report.h"
 
 #include <fmt/core.h>
-#include <sys/resource.h>
+#include <malloc.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,6 +11,7 @@
 #include <exception>
 #include <fstream>
 #include <stdexcept>
+#include <string>
 
 #include "../complexity/cpu_time.h"
 
@@ -20,9 +21,26 @@ namespace {
 constexpr double kEnoughSeconds = 0.3;
 constexpr int kMostRuns = 7;
 
+/// From here on the largest resident set is that of what follows: the kernel forgets the peak. Where it does not, of all.
+void forget_peak() {
+  malloc_trim(0);
+  std::ofstream("/proc/self/clear_refs") << "5";
+}
+
+/// The largest resident set of this process. (getrusage() keeps the peak, and that of the parent.)
+double peak_megabytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    double kilobytes = 0;
+    if (word == "VmHWM:" && status >> kilobytes) return kilobytes / 1024;
+  }
+  return 0;
+}
+
 /// In the process of the measurement.
-Timing least_of_runs(const std::function<std::function<Timing()>()>& prepare) {
+Measured least_of_runs(const std::function<std::function<Timing()>()>& prepare) {
   const std::function<Timing()> once = prepare();
+  forget_peak();
   Timing least = once();
   double sum = least.seconds;
   for (int run = 1; run < kMostRuns && sum < kEnoughSeconds; ++run) {
@@ -30,7 +48,7 @@ Timing least_of_runs(const std::function<std::function<Timing()>()>& prepare) {
     sum += next.seconds;
     least.seconds = std::min(least.seconds, next.seconds);
   }
-  return least;
+  return {least.seconds, least.size, peak_megabytes()};
 }
 
 }  // namespace
@@ -48,22 +66,21 @@ Measured in_own_process(const std::function<std::function<Timing()>()>& prepare)
   if (child == 0) {
     int status = 1;
     try {
-      const Timing timing = least_of_runs(prepare);
-      if (write(ends[1], &timing, sizeof timing) == sizeof timing) status = 0;
+      const Measured found = least_of_runs(prepare);
+      if (write(ends[1], &found, sizeof found) == sizeof found) status = 0;
     } catch (const std::exception& error) {
       fmt::print(stderr, "{}\n", error.what());
     }
     _exit(status);
   }
   close(ends[1]);
-  Timing timing{};
-  const bool is_read = read(ends[0], &timing, sizeof timing) == sizeof timing;
+  Measured found;
+  const bool is_read = read(ends[0], &found, sizeof found) == sizeof found;
   close(ends[0]);
   int status = 0;
-  rusage usage{};
-  wait4(child, &status, 0, &usage);
+  waitpid(child, &status, 0);
   if (!is_read || status != 0) throw std::runtime_error("a measurement failed");
-  return {timing.seconds, timing.size, static_cast<double>(usage.ru_maxrss) / 1024};
+  return found;
 }
 
 int macro_main(std::string_view part, std::string_view title, int argc, char** argv,

@@ -2,11 +2,11 @@
 // of 10,000 corners.
 #include <benchmark/benchmark.h>
 
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "../text_of.h"
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "generate/plane_families.h"
@@ -21,12 +21,7 @@
 namespace plumb {
 namespace {
 
-template <class Write>
-std::string text_of(Write write) {
-  std::ostringstream out;
-  write(out);
-  return std::move(out).str();
-}
+using bench::text_of;
 
 /// What `read` makes of the text that `write` writes.
 template <class Read>

@@ -1,5 +1,6 @@
 #include "plumb/testing/map_families.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "plumb/testing/dice.h"
@@ -232,6 +233,10 @@ const std::vector<MapFamily>& map_families() {
        [](std::uint32_t faces) { return line_arrangement(root(faces * 2), 1); }},
   };
   return kFamilies;
+}
+
+const MapFamily& map_family(std::string_view name) {
+  return *std::ranges::find(map_families(), name, &MapFamily::name);
 }
 
 }  // namespace plumb::testing

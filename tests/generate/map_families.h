@@ -42,5 +42,7 @@ struct MapFamily {
   TestMap (*make)(std::uint32_t faces);
 };
 const std::vector<MapFamily>& map_families();
+/// Requires a name of the table.
+const MapFamily& map_family(std::string_view name);
 
 }  // namespace plumb::testing
