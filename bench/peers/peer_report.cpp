@@ -42,11 +42,13 @@ struct Runs {
   }
 };
 
-/// In every round.
-bool do_agree(const Runs& ours, const Runs& theirs, double tolerance) {
-  return std::ranges::equal(ours.runs, theirs.runs, [&](const PeerRun& a, const PeerRun& b) {
+/// The first round whose answers differ; of all when none do.
+std::size_t first_difference(const Runs& ours, const Runs& theirs, double tolerance) {
+  const auto do_agree = [&](const PeerRun& a, const PeerRun& b) {
     return std::fabs(a.answer - b.answer) <= tolerance * std::fabs(a.answer);
-  });
+  };
+  const auto found = std::ranges::mismatch(ours.runs, theirs.runs, do_agree);
+  return static_cast<std::size_t>(found.in1 - ours.runs.begin());
 }
 
 Json ratios(const Runs& ours, const Runs& theirs, double PeerRun::*value) {
@@ -103,13 +105,16 @@ void PeerReport::compare(const PeerJob& job, const std::function<PeerRun()>& our
     json["failure"] = failure;
     json["verdict"] = failed + " failed";
     fmt::print("  FAILED, {}: {}\n", failed, failure);
+  } else if (const std::size_t i = first_difference(own, other, job.tolerance);
+             i < own.runs.size()) {
+    const double a = own.runs[i].answer, b = other.runs[i].answer;
+    json["plumb"]["answer"] = a;
+    json["other"]["answer"] = b;
+    json["verdict"] = "answers differ";
+    fmt::print("  ANSWERS DIFFER, {}: {} and {}\n", job.measure, a, b);
   } else {
-    const bool agree = do_agree(own, other, job.tolerance);
-    json["verdict"] = agree ? "agree" : "answers differ";
-    fmt::print("{}\n", agree ? ""
-                             : fmt::format("  ANSWERS DIFFER, {}: {} and {}", job.measure,
-                                           json["plumb"]["answer"].get<double>(),
-                                           json["other"]["answer"].get<double>()));
+    json["verdict"] = "agree";
+    fmt::print("\n");
   }
   agree_ = agree_ && json["verdict"] == "agree";
   std::fflush(stdout);
