@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -64,57 +65,56 @@ struct Surfaces {
 
 OperationRoom surface_operations() {
   const auto s = std::make_shared<const Surfaces>();
-  return {
-      "surface",
-      [s] { return std::uint64_t{s->scene.polygons.point.size()} + s->scene.mesh->face_count(); },
-      {
-          {"divide",
-           [s](Context& own) { return SurfaceDivision(own_copy(s->scene), own).cell_count(); }},
-          {"evaluate",
-           [s](Context& own) {
-             const SurfaceResult result = s->result(own);
-             return result.region.cells + 100 * result.borders.point.size();
-           }},
-          {"result_scene",
-           [s](Context& own) {
-             return result_scene(*s->division, s->result(own)).polygons.point.size();
-           }},
-          {"triangulate_surface, write_surface_obj",
-           [s](Context& own) {
-             Digest out;
-             write_surface_obj(out, triangulate_surface(*s->division, own),
-                               s->division->cell_count(), {});
-             return out.value();
-           }},
-          {"audit", [s](Context&) { return std::uint64_t{audit(*s->division).has_value()}; }},
-          {"homology",
-           [s](Context& own) {
-             const SurfaceHomology homology(*s->scene.mesh, own);
-             return homology.generator_count() +
-                    100 * homology.class_of(s->scene.polygons, 0, own).size();
-           }},
-          {"trace",
-           [s](Context& own) {
-             Tracer tracer(*s->scene.mesh);
-             SurfacePolygons polygons = unrefused([s] { return SurfacePolygons(*s->scene.mesh); });
-             const auto control = unrefused([&polygons] {
-               SurfacePointTable& points = polygons.points;
-               return std::array<SurfacePointId, 3>{points.add_vertex(VertexId(0)),
-                                                    points.add_vertex(VertexId(9)),
-                                                    points.add_vertex(VertexId(40))};
-             });
-             const bool is_closed = !add_traced_polygon(tracer, control, polygons, own);
-             return polygons.point.size() + std::uint64_t{is_closed};
-           }},
-          {"exponential_map",
-           [s](Context& own) {
-             SurfacePointTable points(*s->scene.mesh);
-             const SurfacePointId centre =
-                 unrefused([&points] { return points.add_in_face(FaceId(0), 0.25, 0.25); });
-             const ExponentialMap map(points, centre, FaceId(0), 30);
-             return std::uint64_t{map.add({0.3, 0.1}, points, own).has_value()};
-           }},
-      }};
+  return {"surface",
+          [s] { return digest_of(s->scene) ^ digest_of(*s->division); },
+          {
+              {"divide",
+               [s](Context& own) { return digest_of(SurfaceDivision(own_copy(s->scene), own)); }},
+              {"evaluate", [s](Context& own) { return digest_of(s->result(own)); }},
+              {"result_scene",
+               [s](Context& own) { return digest_of(result_scene(*s->division, s->result(own))); }},
+              {"triangulate_surface, write_surface_obj",
+               [s](Context& own) {
+                 Digest out;
+                 write_surface_obj(out, triangulate_surface(*s->division, own),
+                                   s->division->cell_count(), {});
+                 return out.value();
+               }},
+              {"audit", [s](Context&) { return std::uint64_t{audit(*s->division).has_value()}; }},
+              {"homology",
+               [s](Context& own) {
+                 const SurfaceHomology homology(*s->scene.mesh, own);
+                 Digest out;
+                 out.add(homology.generator_count());
+                 out.add_all(homology.class_of(s->scene.polygons, 0, own));
+                 return out.value();
+               }},
+              {"trace",
+               [s](Context& own) {
+                 Tracer tracer(*s->scene.mesh);
+                 SurfacePolygons polygons =
+                     unrefused([s] { return SurfacePolygons(*s->scene.mesh); });
+                 const auto control = unrefused([&polygons] {
+                   SurfacePointTable& points = polygons.points;
+                   return std::array<SurfacePointId, 3>{points.add_vertex(VertexId(0)),
+                                                        points.add_vertex(VertexId(9)),
+                                                        points.add_vertex(VertexId(40))};
+                 });
+                 const bool is_closed = !add_traced_polygon(tracer, control, polygons, own);
+                 return digest_of(polygons) + std::uint64_t{is_closed};
+               }},
+              {"exponential_map",
+               [s](Context& own) {
+                 SurfacePointTable points(*s->scene.mesh);
+                 const SurfacePointId centre =
+                     unrefused([&points] { return points.add_in_face(FaceId(0), 0.25, 0.25); });
+                 const ExponentialMap map(points, centre, FaceId(0), 30);
+                 const std::optional<SurfacePointId> end = map.add({0.3, 0.1}, points, own);
+                 Digest out;
+                 if (end) add(points, *end, out);
+                 return out.value();
+               }},
+          }};
 }
 
 OperationRoom reader_operations() {
@@ -148,23 +148,41 @@ OperationRoom reader_operations() {
   }
   texts->push_back(contents("corpus/scenes/rosette.svg"));
   room.operations.push_back({"read_svg", [texts, i = texts->size() - 1](Context& own) {
-                               return read_svg((*texts)[i], {}, 0.5, own).points.size();
+                               const SvgDrawing drawing = read_svg((*texts)[i], {}, 0.5, own);
+                               Digest out;
+                               for (const Point2 p : drawing.points) {
+                                 out.add_bits(p.x);
+                                 out.add_bits(p.y);
+                               }
+                               out.add_all(drawing.ring_begin);
+                               out.add_all(drawing.shape_begin);
+                               return out.value();
                              }});
   Context context;
   std::ostringstream nef;
   write_nef3(nef, read_solid_file("corpus/solids/l-block.off", {}, context).set.complex());
   texts->push_back(nef.str());
   room.operations.push_back({"read_nef3", [texts, i = texts->size() - 1](Context& own) {
-                               return read_nef3((*texts)[i], {}, own).facet_count();
+                               Digest out;
+                               write_nef3(out, read_nef3((*texts)[i], {}, own));
+                               return out.value();
                              }});
   room.operations.push_back(
       {"read_half_spaces_file", [path = std::string("corpus/solids/octahedron.txt")](Context& own) {
-         return read_half_spaces_file(path, {}, own).size();
+         Digest out;
+         for (const HalfSpace3& half_space : read_half_spaces_file(path, {}, own)) {
+           const Plane3& plane = half_space.plane;
+           for (const Rational* number : {&plane.a, &plane.b, &plane.c, &plane.d}) {
+             out.add(*number);
+           }
+           out.add(static_cast<std::uint64_t>(half_space.boundary));
+         }
+         return out.value();
        }});
   room.operations.push_back(
       {"read_scene_file",
        [path = std::string("corpus/scenes/torus-rosette.json")](Context& own) {
-         return read_scene_file(path, {}, own).scene.polygons.point.size();
+         return digest_of(read_scene_file(path, {}, own).scene);
        },
        true});
   room.operations.push_back({"a refusal", [](Context& own) -> std::uint64_t {

@@ -35,6 +35,15 @@ std::uint64_t sizes_of(const Range& sets, Context& context) {
   return out.value();
 }
 
+std::uint64_t digest_of(const MapOverlay& overlay) {
+  Digest out;
+  for (const MapOverlay::Origin& origin : overlay.origin) {
+    out.add(origin.first);
+    out.add(origin.second);
+  }
+  return out.value();
+}
+
 Nef2 plane_set(const char* text, PlaneFormat format) {
   Context context;
   return read_plane_set(text, format, {}, context);
@@ -60,28 +69,34 @@ OperationRoom map_operations() {
   const auto checks = [](const char* text) {
     return [text](Context& own) { return digest_of(check_map(read_map(text, {}, own), {}, own)); };
   };
-  return {"maps",
-          [maps] { return digest_of(maps->first) ^ digest_of(maps->second); },
-          {
-              {"check_map", checks(kMap)},
-              {"check_map of a crossing", checks(kCrossedMap)},
-              {"write_map",
-               [maps](Context&) {
-                 Digest out;
-                 write_map(out, maps->first.map);
-                 return out.value();
-               }},
-              {"to_dcel", [maps](Context&) { return to_dcel(maps->first).dcel.halfedge_count(); }},
-              {"overlay_map",
-               [maps](Context& own) { return overlay_map(maps->first, own).origin.size(); }},
-              {"overlay_maps, measure",
-               [maps](Context& own) {
-                 const MapOverlay overlay = overlay_maps(maps->first, maps->second, own);
-                 return measure(overlay, maps->first, maps->second, own).cell.size();
-               }},
-              {"parse_set_expression",
-               [](Context&) { return parse_set_expression("A + !(B ^ C) - A * B").steps.size(); }},
-          }};
+  return {
+      "maps",
+      [maps] { return digest_of(maps->first) ^ digest_of(maps->second); },
+      {
+          {"check_map", checks(kMap)},
+          {"check_map of a crossing", checks(kCrossedMap)},
+          {"write_map",
+           [maps](Context&) {
+             Digest out;
+             write_map(out, maps->first.map);
+             return out.value();
+           }},
+          {"to_dcel", [maps](Context&) { return to_dcel(maps->first).dcel.halfedge_count(); }},
+          {"overlay_map",
+           [maps](Context& own) { return digest_of(overlay_map(maps->first, own)); }},
+          {"overlay_maps, measure",
+           [maps](Context& own) {
+             const MapOverlay overlay = overlay_maps(maps->first, maps->second, own);
+             Digest out;
+             out.add(digest_of(overlay));
+             for (const Rational& area : measure(overlay, maps->first, maps->second, own).cell) {
+               out.add(area);
+             }
+             return out.value();
+           }},
+          {"parse_set_expression",
+           [](Context&) { return parse_set_expression("A + !(B ^ C) - A * B").steps.size(); }},
+      }};
 }
 
 OperationRoom plane_operations() {
