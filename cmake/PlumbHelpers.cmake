@@ -106,10 +106,11 @@ function(plumb_library target name)
   endif()
 endfunction()
 
-# plumb_test(NAME SOURCE... [LIBRARIES ...]): a GoogleTest program, one ctest per program. Compiling it takes
+# plumb_test(NAME SOURCE... [THREADS] [LIBRARIES ...]): a GoogleTest program, one ctest per program; THREADS: it runs
+# some, and the thread sanitizer looks (label threads, target threads_tests). Compiling it takes
 # longer than running it, so that little is spent on optimising it; the libraries it tests are what they are.
 function(plumb_test name)
-  cmake_parse_arguments(ARG "" "" "LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "THREADS" "" "LIBRARIES" ${ARGN})
   add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
   plumb_compile_options(${name})
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
@@ -118,4 +119,11 @@ function(plumb_test name)
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   # The same cases every time: what new ones find belongs to whoever looks for it, not to the next change.
   set_tests_properties(${name} PROPERTIES ENVIRONMENT RC_PARAMS=seed=20261122)
+  if(ARG_THREADS)
+    set_tests_properties(${name} PROPERTIES LABELS threads)
+    if(NOT TARGET threads_tests)
+      add_custom_target(threads_tests)
+    endif()
+    add_dependencies(threads_tests ${name})
+  endif()
 endfunction()

@@ -77,12 +77,12 @@ class File:
 
     def lines(self):
         """Of lines with code: [executed, all]."""
-        counts, current = {}, None
+        counts = {}
         for at, (line, _, count, counted, *_) in enumerate(self.segments):
             if counted:
                 counts[line] = max(counts.get(line, 0), count)
             end = self.segments[at + 1][0] if at + 1 < len(self.segments) else line
-            for other in range(line + 1, end + (0 if at + 1 == len(self.segments) else 0)):
+            for other in range(line + 1, end + 1):  # the line of the next one, too, begins in this one
                 if counted:
                     counts[other] = count
         return [sum(1 for count in counts.values() if count), len(counts)]

@@ -423,8 +423,9 @@ TEST_F(SurfaceProgram, refuses_what_cannot_be) {
     words.insert(words.end(), more.begin(), more.end());
     expect_refusal(run(words), "plumb: ", "draw needs -o OUT");
   }
-  expect_refusal(run({"surface", "draw", file, "--what", "result", "-o", "/tmp/x.png"}),
-                 "plumb: ", "needs --op");
+  expect_refusal(
+      run({"surface", "draw", file, "--what", "result", "-o", (scratch_ / "no.png").string()}),
+      "plumb: ", "needs --op");
   expect_refusal(run({"surface", "cells", file, "-o", (scratch_ / "a.xyz").string()}),
                  (scratch_ / "a.xyz").string() + ": ", "no format");
   const std::string bad = (scratch_ / "bad.json").string();

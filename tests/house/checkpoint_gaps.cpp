@@ -1,8 +1,8 @@
 // How long operations on large inputs go without a checkpoint: checkpoint_gaps [SIZE [ROOM]]
 //
 // Prints the longest time between two, in seconds of CPU time, and between which phases. SIZE 1 is for continuous
-// integration, 10 and more to look for offenders. ROOM: plane, maps, space, convex, surface; else all. Exit status 1 when one is longer than a limit and a stop may wait
-// (kLongest).
+// integration, 10 and more to look for offenders. ROOM: plane, maps, space, convex, surface; else all. Exit status 1 when a
+// stop may have to wait longer than kLongest.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
