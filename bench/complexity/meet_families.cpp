@@ -1,6 +1,8 @@
 // How finding contacts grows with two spheres of triangles in several positions (growth.h says how it is measured).
 #include <cmath>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "generate/meshes.h"
 #include "growth.h"
@@ -56,12 +58,18 @@ constexpr Position kPositions[] = {
     {"turned-by-0.5", [](const PolygonMesh& m) { return turned(m, 0.5); }},
 };
 
+/// Every pair stands otherwise, a little.
 Work meeting(const Position& position, std::size_t depth) {
   const PolygonMesh mesh = testing::icosphere_mesh(static_cast<int>(depth), 1, {0, 0, 0});
-  const auto pair = std::make_shared<const Operands>(operands(mesh, position.second(mesh)));
-  return measured(static_cast<double>(mesh.face_count()), [pair] {
+  const auto facets = static_cast<double>(mesh.face_count());
+  std::vector<Operands> pairs;
+  while (facets * static_cast<double>(pairs.size()) < kVariedElements) {
+    const PolygonMesh first = turned(mesh, 0.01 * static_cast<double>(pairs.size()));
+    pairs.push_back(operands(first, position.second(first)));
+  }
+  return measured_in_turn(facets, std::move(pairs), [](const Operands& pair) {
     Context context;
-    return meet(pair->a, pair->b, *pair->tables, context);
+    return meet(pair.a, pair.b, *pair.tables, context);
   });
 }
 
