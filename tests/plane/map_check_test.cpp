@@ -265,18 +265,18 @@ TestMap t_junctions(const std::vector<std::uint32_t>& order, bool is_healed) {
   return map;
 }
 
-/// What a hint says of a T-junction heals it.
+/// What a hint says of a T-junction heals it. Hints number from 1, as files do.
 TEST(Hints, SpellTheVerticesOnAnEdgeInOrder) {
   std::vector<std::uint32_t> order = {0, 1, 2};
   do {
     const MapReport report = checked(t_junctions(order, false));
     ASSERT_EQ(report.verdict, MapVerdict::Open);
-    std::string path = "0";
+    std::string path = "1";
     for (std::uint32_t at = 0; at < order.size(); ++at) {
-      path += "-" + std::to_string(6 + (std::ranges::find(order, at) - order.begin()));
+      path += "-" + std::to_string(7 + (std::ranges::find(order, at) - order.begin()));
     }
-    const std::string wanted = "T-junction, edge 0-1 is covered by " + path +
-                               "-1; insert the vertices between into face 0";
+    const std::string wanted = "T-junction, edge 1-2 is covered by " + path +
+                               "-2; insert the vertices between into face 1";
     EXPECT_TRUE(std::ranges::any_of(
         report.defects,
         [&](const MapDefect& d) { return d.hint.find(wanted) != std::string::npos; }))
