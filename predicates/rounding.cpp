@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #define MPFR_USE_INTMAX_T
@@ -11,6 +12,14 @@
 namespace plumb {
 
 namespace {
+
+/// (Boost's str() loses what GMP allocated for it when the string cannot be had.)
+std::string text_of(mpz_srcptr value) {
+  std::string text(mpz_sizeinbase(value, 10) + 2, '\0');
+  mpz_get_str(text.data(), 10, value);
+  text.resize(std::strlen(text.c_str()));
+  return text;
+}
 
 constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63;
 constexpr int kFractionBits = 52;
@@ -141,7 +150,7 @@ Decimal round_decimal(const Integer& p, const Integer& q, int digits) {
     rounded = least;
     ++exponent;
   }
-  return {rounded.str(), exponent};
+  return {exact_text(rounded), exponent};
 }
 
 void strip_zeros(std::string& digits) { digits.erase(digits.find_last_not_of('0') + 1); }
@@ -200,6 +209,12 @@ std::string decimal_text(const Rational& value, int digits) {
   return text += plain ? plain_text(d.digits, d.exponent) : exponent_text(d.digits, d.exponent);
 }
 
-std::string exact_text(const Rational& value) { return value.str(); }
+std::string exact_text(const Integer& value) { return text_of(value.backend().data()); }
+
+std::string exact_text(const Rational& value) {
+  const mpq_srcptr q = value.backend().data();
+  const std::string above = text_of(mpq_numref(q));
+  return mpz_cmp_ui(mpq_denref(q), 1) == 0 ? above : above + '/' + text_of(mpq_denref(q));
+}
 
 }  // namespace plumb

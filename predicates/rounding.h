@@ -52,5 +52,6 @@ std::string decimal_text(const Rational& value, int digits);
 
 /// "p/q" in lowest terms, "p" for integers.
 std::string exact_text(const Rational& value);
+std::string exact_text(const Integer& value);
 
 }  // namespace plumb

@@ -8,6 +8,7 @@
 
 #include "plumb/base/refused_memory.h"
 #include "plumb/io/text_output.h"
+#include "plumb/predicates/rounding.h"
 
 namespace plumb {
 namespace {
@@ -150,8 +151,8 @@ void Nef3Writer::write_planes() {
       continue;
     }
     const IntegerRow row = table.primitive(planes_[i]);
-    out_ << row[0].str() << ' ' << row[1].str() << ' ' << row[2].str() << ' ' << row[3].str();
-    out_ << '\n';
+    out_ << exact_text(row[0]) << ' ' << exact_text(row[1]) << ' ' << exact_text(row[2]) << ' '
+         << exact_text(row[3]) << '\n';
   }
 }
 

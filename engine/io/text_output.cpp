@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "plumb/predicates/rounding.h"
+
 namespace plumb {
 namespace {
 
@@ -28,7 +30,7 @@ std::string format_double(double value) {
   return {text, put_double(text, value)};
 }
 
-std::string format_exact(const Rational& value) { return value.str(); }
+std::string format_exact(const Rational& value) { return exact_text(value); }
 
 TextOutput::TextOutput(std::ostream& out)
     : out_(out), block_(std::make_unique_for_overwrite<char[]>(kBlock)) {}
