@@ -6,29 +6,21 @@
 #include <vector>
 
 #include "plumb/surface/surface.h"
+#include "plumb/surface/surface_arrays.h"
 
 namespace {
 
 using plumb::SurfaceMesh;
 
-/// The cube of side 1: its top is faces 2 and 3.
+/// The cube of side 1, of plain arrays: its top is faces 2 and 3.
 SurfaceMesh cube() {
-  std::vector<plumb::Point3> points;
+  std::vector<double> xyz;
   for (int i = 0; i < 8; ++i) {
-    points.push_back({double(i & 1), double((i >> 1) & 1), double((i >> 2) & 1)});
+    xyz.insert(xyz.end(), {double(i & 1), double((i >> 1) & 1), double((i >> 2) & 1)});
   }
-  return SurfaceMesh(points, {{0, 2, 3},
-                              {0, 3, 1},
-                              {4, 5, 7},
-                              {4, 7, 6},
-                              {0, 1, 5},
-                              {0, 5, 4},
-                              {2, 6, 7},
-                              {2, 7, 3},
-                              {0, 4, 6},
-                              {0, 6, 2},
-                              {1, 3, 7},
-                              {1, 7, 5}});
+  const std::vector<std::uint32_t> corners = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                                              2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+  return plumb::surface_of(plumb::mesh_of_triangles(xyz, corners));
 }
 
 /// A triangle inside one face, through three points given by the weights of its second and third corner.
