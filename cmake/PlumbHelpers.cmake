@@ -8,7 +8,7 @@ endfunction()
 function(plumb_header_list section result)
   set(list ${PROJECT_SOURCE_DIR}/cmake/public-headers.txt)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
-  file(STRINGS ${list} lines REGEX "^(plumb/|.(public|support).$)")
+  file(STRINGS ${list} lines REGEX "^(plumb/|.(public|support|between).$)")
   foreach(line ${lines})
     if(line MATCHES "^plumb/")
       list(APPEND found_${in} ${line})
@@ -81,28 +81,46 @@ function(plumb_precompile target kind)
     <boost/multiprecision/cpp_int.hpp> <boost/multiprecision/gmp.hpp> ${ARGN})
 endfunction()
 
-# plumb_exports(TARGET): a shared library shows what plumb.exports says; the public headers need no export
-# macros for that.
+# plumb_exports(TARGET): a shared library shows what has default visibility, and of that only what is plumb's
+# (plumb.exports).
 function(plumb_exports target)
   set_target_properties(${target} PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/plumb.exports)
   target_link_options(${target} PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/plumb.exports)
 endfunction()
 
-# plumb_library(TARGET EXPORT_NAME): what both libraries have in common.
+# plumb_inside(TARGET NAME [LIBRARIES...]): our own program, tests and benchmarks look into rooms, which a shared library
+# hides. They link this instead as plumb::NAME: the same objects as a static library, never installed.
+function(plumb_inside target name)
+  add_library(${target}_inside STATIC $<TARGET_OBJECTS:${target}>)
+  add_library(plumb::${name} ALIAS ${target}_inside)
+  set_target_properties(${target}_inside PROPERTIES LINKER_LANGUAGE CXX)
+  foreach(property INCLUDE_DIRECTORIES COMPILE_OPTIONS COMPILE_DEFINITIONS COMPILE_FEATURES)
+    set_property(TARGET ${target}_inside PROPERTY INTERFACE_${property} $<TARGET_PROPERTY:${target},INTERFACE_${property}>)
+  endforeach()
+  target_link_libraries(${target}_inside INTERFACE ${ARGN} PlumbGMP::gmp PlumbGMP::mpfr Threads::Threads)
+endfunction()
+
+# plumb_library(TARGET EXPORT_NAME [LIBRARIES...]): what both libraries have in common; the LIBRARIES of ours are what
+# it needs. Hidden is what no header listed in public-headers.txt declares.
 function(plumb_library target name)
-  add_library(plumb::${name} ALIAS ${target})
   plumb_compile_options(${target})
   plumb_precompile(${target} library)
   set_target_properties(${target} PROPERTIES
     EXPORT_NAME ${name}
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    CXX_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON
     DEFINE_SYMBOL ""
     POSITION_INDEPENDENT_CODE ON)
   get_target_property(type ${target} TYPE)
   if(type STREQUAL SHARED_LIBRARY)
     plumb_exports(${target})
+  endif()
+  if(PROJECT_IS_TOP_LEVEL AND type STREQUAL SHARED_LIBRARY)
+    plumb_inside(${target} ${name} ${ARGN})
+  else()
+    add_library(plumb::${name} ALIAS ${target})
   endif()
 endfunction()
 

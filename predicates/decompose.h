@@ -13,6 +13,7 @@
 #include "plumb/predicates/fixed.h"
 #include "plumb/predicates/sign.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 static_assert(std::numeric_limits<double>::is_iec559 && sizeof(double) == 8);
@@ -141,3 +142,4 @@ class Grid {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

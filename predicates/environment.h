@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// What self_test() found. `ok` is false exactly when `failures` is not empty.
@@ -24,3 +25,4 @@ struct SelfTestReport {
 SelfTestReport self_test();
 
 }  // namespace plumb
+#pragma GCC visibility pop

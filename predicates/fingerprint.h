@@ -23,6 +23,7 @@
 
 #include "plumb/predicates/rational.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// An element of F_q, q = 2^61 - 1; always reduced to [0, q).
@@ -201,3 +202,4 @@ IntegerRow primitive(const IntegerRow& row);
 Fingerprint fingerprint(const IntegerRow& row);
 
 }  // namespace plumb
+#pragma GCC visibility pop

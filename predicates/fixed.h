@@ -30,6 +30,7 @@
 #include "plumb/predicates/fixed_native.h"
 #endif
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// The product, exactly. Cost: A * B word products.
@@ -49,3 +50,4 @@ int bit_length(const Fixed<L>& x) {
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -23,6 +23,7 @@
 #define PLUMB_UNROLL _Pragma("GCC unroll 32")
 #endif
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 namespace detail {
@@ -231,5 +232,6 @@ Fixed<To> multiply_to(const Fixed<A>& x, const Fixed<B>& y) {
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop
 
 #undef PLUMB_UNROLL

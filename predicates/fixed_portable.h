@@ -17,6 +17,7 @@
 #pragma GCC diagnostic ignored "-Wstringop-overread"
 #endif
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 template <int L>
@@ -102,6 +103,7 @@ Fixed<To> multiply_to(const Fixed<A>& x, const Fixed<B>& y) {
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop

@@ -53,6 +53,7 @@
 static_assert(FLT_EVAL_METHOD == 0,
               "plumb's predicates need double arithmetic in double precision");
 
+#pragma GCC visibility push(default)
 namespace plumb::rung {
 
 namespace constants {
@@ -245,3 +246,4 @@ inline FilteredSign insphere_filter(const Point3& a, const Point3& b, const Poin
 }
 
 }  // namespace plumb::rung
+#pragma GCC visibility pop

@@ -22,6 +22,7 @@
 #include "plumb/predicates/rung_counters.h"
 #include "plumb/predicates/sign.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 namespace rung {
@@ -113,3 +114,4 @@ inline Sign insphere(const Point3& a, const Point3& b, const Point3& c, const Po
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -6,6 +6,7 @@
 
 #include "plumb/predicates/plane_table.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Does `plane` hold the line of p and q? Requires p, q not parallel. Degree 7 in coordinates.
@@ -22,3 +23,4 @@ bool is_same_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, Pla
 Fingerprint line_fingerprint(const PlaneTable& planes, PlaneId p, PlaneId q);
 
 }  // namespace plumb
+#pragma GCC visibility pop

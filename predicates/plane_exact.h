@@ -37,6 +37,7 @@
 #include "plumb/predicates/plane_table.h"
 #include "plumb/predicates/scaled.h"
 
+#pragma GCC visibility push(default)
 namespace plumb::exact3 {
 
 /// The widths a rung may work in: a whole number of limbs each.
@@ -310,3 +311,4 @@ Sign value_sign(const PointOf<Plane>& point, const Plane& plane) {
 }
 
 }  // namespace plumb::exact3
+#pragma GCC visibility pop

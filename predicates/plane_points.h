@@ -11,6 +11,7 @@
 
 #include "plumb/predicates/point_table2.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 struct PlanePoints {
@@ -63,3 +64,4 @@ inline Point2 approx(const PlanePointsView& points, std::uint32_t i) {
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop

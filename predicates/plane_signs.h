@@ -16,6 +16,7 @@
 #include "plumb/predicates/plane_table.h"
 #include "plumb/predicates/sign.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Zero: parallel to coordinate plane `axis` = 0, 1, 2, or p and q are parallel.
@@ -70,3 +71,4 @@ Sign det4_big(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId
 }  // namespace rung
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -36,6 +36,7 @@
 #include "plumb/predicates/sign.h"
 #include "plumb/predicates/strong_id.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 using PlaneId = StrongId<struct PlaneTag>;
@@ -221,3 +222,4 @@ Pencil wall_along(const PlaneTable& planes, PlaneId first, PlaneId second, const
 Pencil wall_through(const PlaneTable& planes, PlaneId first, PlaneId second, const Point3& x);
 
 }  // namespace plumb
+#pragma GCC visibility pop

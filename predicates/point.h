@@ -1,6 +1,7 @@
 // Input points: plain finite doubles, no more.
 #pragma once
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// A point of the plane. Every predicate requires finite coordinates; readers and public
@@ -20,3 +21,4 @@ struct Point3 {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -12,6 +12,7 @@
 #include "plumb/predicates/rational_point.h"
 #include "plumb/predicates/rung_counters.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// The side of the (canonical) plane: the sign of n.x + d. Positive: where its corners are seen
@@ -109,3 +110,4 @@ inline Sign side(const Point3Table& points, SpacePoint x, PlaneId plane,
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -14,6 +14,7 @@
 
 #include "plumb/predicates/plane_table.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// An input point or a constructed one, in 32 bits. Default-constructed: no point.
@@ -136,3 +137,4 @@ class Point3Table {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -14,6 +14,7 @@
 #include "plumb/predicates/rational_point.h"
 #include "plumb/predicates/sign.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Read-only view of an exact point as integers X : Y : W, W > 0; the point is (X / W, Y / W).
@@ -207,3 +208,4 @@ inline Sign compare_xy(const PointTable2& points, const Crossing2& p, const Cros
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop

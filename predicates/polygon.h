@@ -6,6 +6,7 @@
 
 #include "plumb/predicates/point_table2.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Sign of the signed area enclosed by the closed polygon through the given points: Positive when
@@ -18,3 +19,4 @@ Sign polygon_area_sign(const PointTable2& points, std::span<const std::uint32_t>
 Rational twice_polygon_area(const PointTable2& points, std::span<const std::uint32_t> polygon);
 
 }  // namespace plumb
+#pragma GCC visibility pop

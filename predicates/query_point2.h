@@ -8,6 +8,7 @@
 #include "plumb/predicates/rational_point.h"
 #include "plumb/predicates/sign.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 class QueryPoint2 {
@@ -37,3 +38,4 @@ Sign orient2d(const PlanePointsView& points, std::uint32_t a, std::uint32_t b,
               const QueryPoint2& q);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -11,6 +11,7 @@
 #include "plumb/predicates/rational_point.h"
 #include "plumb/predicates/sign.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Belongs to one thread: the exact coordinates are made when first asked for.
@@ -56,3 +57,4 @@ inline const Rational& coordinate(const RationalPoint3& p, std::size_t axis) {
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop

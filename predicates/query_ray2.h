@@ -11,6 +11,7 @@
 #include "plumb/predicates/rational_point.h"
 #include "plumb/predicates/sign.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 class QueryRay2 {
@@ -50,3 +51,4 @@ RationalPoint2 crossing(const PlanePointsView& points, const QueryRay2& ray, std
                         std::uint32_t b);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -3,6 +3,7 @@
 
 #include <boost/multiprecision/gmp.hpp>
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Exact rational and integer numbers, always in lowest terms (GMP underneath).
@@ -11,3 +12,4 @@ using Rational = boost::multiprecision::mpq_rational;
 using Integer = boost::multiprecision::mpz_int;  ///< Exact integer numbers.
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -3,6 +3,7 @@
 
 #include "plumb/predicates/rational.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// An exact point of the plane.
@@ -21,3 +22,4 @@ struct RationalPoint3 {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -7,6 +7,7 @@
 #include "plumb/predicates/rational_point.h"
 #include "plumb/predicates/sign.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Positive for a left turn.
@@ -25,3 +26,4 @@ Sign insphere(const RationalPoint3& a, const RationalPoint3& b, const RationalPo
               const RationalPoint3& d, const RationalPoint3& e);
 
 }  // namespace plumb
+#pragma GCC visibility pop

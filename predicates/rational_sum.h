@@ -6,6 +6,7 @@
 
 #include "plumb/predicates/rational.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Adds terms in a balanced tree: the sum of n fractions without common denominator is n times as
@@ -21,3 +22,4 @@ class RationalSum {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

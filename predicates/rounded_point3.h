@@ -3,6 +3,7 @@
 
 #include "plumb/predicates/point3_table.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 struct RoundedPoint3 {
@@ -15,3 +16,4 @@ struct RoundedPoint3 {
 RoundedPoint3 rounded(const Point3Table& points, SpacePoint x);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -13,6 +13,7 @@
 #include "plumb/predicates/rational.h"
 #include "plumb/predicates/sign.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Which of the doubles next to a number.
@@ -55,3 +56,4 @@ std::string exact_text(const Rational& value);
 std::string exact_text(const Integer& value);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -8,6 +8,7 @@
 
 #include "plumb/predicates/sign.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 enum class Predicate : std::uint8_t {
@@ -60,3 +61,4 @@ inline Sign decide(Predicate predicate, Rung rung, FilteredSign sign) {
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop

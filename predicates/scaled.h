@@ -10,6 +10,7 @@
 #include "plumb/predicates/fixed.h"
 #include "plumb/predicates/rational.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// value ~ mantissa * 2^exponent with 1/2 <= |mantissa| < 1, truncated: relative error < 2^-51
@@ -83,3 +84,4 @@ inline Integer to_integer(double value, int low) {
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -12,6 +12,7 @@
 #include "plumb/predicates/rational_point.h"
 #include "plumb/predicates/sign.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// `Point` is Point2 or RationalPoint2. Requires source != target.
@@ -110,3 +111,4 @@ std::optional<RationalPoint2> meeting_point(const BasicSegment2<Point>& s,
                                             const BasicSegment2<Point>& t);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Sign of an exact quantity. Also the answer of three-way comparisons: Negative = less.
@@ -36,3 +37,4 @@ constexpr FilteredSign filtered(Sign s) {
 }  ///< The same sign.
 
 }  // namespace plumb
+#pragma GCC visibility pop

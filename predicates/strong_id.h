@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// A 32-bit index into one kind of array. `Tag` is any (incomplete) type naming that kind.
@@ -31,6 +32,7 @@ class StrongId {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop
 
 template <class Tag>
 struct std::hash<plumb::StrongId<Tag>> {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Bounds on what an operation may use. Readers check a claim against the limits and against the
@@ -84,3 +85,4 @@ class MemoryCharge {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

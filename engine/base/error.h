@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Closed set of reasons, numbered in ranges: 1xx input text and files, 2xx resources and
@@ -62,6 +63,7 @@ namespace detail {
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop
 
 /// Loud stop on a broken invariant, in every build type.
 #define PLUMB_CHECK(condition)        \

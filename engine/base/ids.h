@@ -5,6 +5,7 @@
 
 #include "plumb/predicates/strong_id.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// A point where edges end, or alone in a face or volume.
@@ -22,3 +23,4 @@ using FacetId = StrongId<struct FacetTag>;    ///< a connected part of a plane, 
 using VolumeId = StrongId<struct VolumeTag>;  ///< a connected part of space off all facets
 
 }  // namespace plumb
+#pragma GCC visibility pop

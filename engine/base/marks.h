@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Does a set contain its boundary?
@@ -63,3 +64,4 @@ class MarkTable {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

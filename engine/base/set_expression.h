@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// What a step of an expression does.
@@ -58,3 +59,4 @@ Set evaluate(const SetExpression& expression, Operand operand, Complement comple
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop

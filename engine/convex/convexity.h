@@ -24,6 +24,7 @@
 #include "plumb/space/mesh_arrays.h"
 #include "plumb/space/nef3.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Is the mesh, either way out, the surface of one convex body, every part of it once? Faces may lie in one
@@ -58,3 +59,4 @@ ConvexityEvidence convexity_of_set(const Nef3& set, Context& context);
 std::vector<EdgeId> reflex_edges(const SpaceComplex& complex);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -29,6 +29,7 @@
 #include "plumb/base/context.h"
 #include "plumb/space/nef3.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// How pieces come about.
@@ -66,3 +67,4 @@ inline bool is_wall(const SpaceComplex& piece, FacetId f) {
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop

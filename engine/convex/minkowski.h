@@ -31,6 +31,7 @@
 #include "plumb/predicates/rational.h"
 #include "plumb/space/nef3.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// { a + b : a in A, b in B }. Operands of any kind: solids, facets, polylines, points, mixed ones. Identities:
@@ -49,3 +50,4 @@ Nef3 minkowski_erosion(const Nef3& a, const Nef3& b, Context& context);
 Nef3 polyhedral_ball(double radius, unsigned rounds, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

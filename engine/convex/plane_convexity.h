@@ -18,6 +18,7 @@
 #include "plumb/base/ids.h"
 #include "plumb/plane/nef2.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// A marked face that is not convex.
@@ -40,3 +41,4 @@ struct PlaneConvexity {
 PlaneConvexity convexity_of_set(const Nef2& set, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

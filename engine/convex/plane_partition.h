@@ -33,6 +33,7 @@
 #include "plumb/base/context.h"
 #include "plumb/plane/nef2.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// How faces are cut.
@@ -68,3 +69,4 @@ std::optional<bool> do_areas_add_up(const Nef2& set, std::span<const Nef2> piece
                                     Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -35,6 +35,7 @@
 #include "plumb/space/nef3.h"
 #include "plumb/space/space_complex.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// decompose() with method Walls. "Vertical" is the direction that gives the fewest pieces.
@@ -54,3 +55,4 @@ SpaceComplex wall_subdivision(const Nef3& set, const std::optional<VerticalDirec
                               Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -50,6 +50,7 @@
 
 #include "plumb/base/ids.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// The other direction of the same edge.
@@ -420,3 +421,4 @@ struct DcelFromCycles {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -18,6 +18,7 @@
 #include "plumb/io/read_options.h"
 #include "plumb/plane/map.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// The map written in `text`. The memory of the map stays charged to `context`.
@@ -27,3 +28,4 @@ Map read_map(std::string_view text, const ReadOptions& options, Context& context
 Map read_map_file(const std::string& path, ReadOptions options, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

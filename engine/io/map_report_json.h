@@ -5,6 +5,7 @@
 
 #include "plumb/plane/map_check.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// One line of JSON and a line break. Written as it goes: memory does not grow with the report.
@@ -17,3 +18,4 @@ void write_map_report_json(std::ostream& out, const MapReport& report);
 void write_map_report_geojson(std::ostream& out, const MapReport& report);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -6,6 +6,7 @@
 
 #include "plumb/plane/map_check.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// "valid", "not a planar subdivision", "open", "superposed".
@@ -23,3 +24,4 @@ std::string_view name_of(WarningKind kind);
 void write_map_report_text(std::ostream& out, const MapReport& report);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -5,6 +5,7 @@
 
 #include "plumb/plane/map.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Exact: read_map() of the text (without exact decimals) gives the same points and cycles.
@@ -12,3 +13,4 @@ namespace plumb {
 void write_map(std::ostream& out, const Map& map);
 
 }  // namespace plumb
+#pragma GCC visibility pop

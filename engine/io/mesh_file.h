@@ -6,6 +6,7 @@
 
 #include "plumb/space/polygon_mesh.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// What a reader of meshes gives.
@@ -16,3 +17,4 @@ struct MeshFile {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -18,6 +18,7 @@
 #include "plumb/io/read_options.h"
 #include "plumb/space/space_complex.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Coordinates of points are the nearest doubles, whatever `options` say of decimals: a writer prints doubles.
@@ -25,3 +26,4 @@ namespace plumb {
 SpaceComplex read_nef3(std::string_view text, const ReadOptions& options, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -5,6 +5,7 @@
 
 #include "plumb/space/space_complex.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Lossless: read_nef3() of the text gives the same complex, on tables that hold what it uses alone: the
@@ -14,3 +15,4 @@ namespace plumb {
 void write_nef3(std::ostream& out, const SpaceComplex& complex);
 
 }  // namespace plumb
+#pragma GCC visibility pop

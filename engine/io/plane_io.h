@@ -19,6 +19,7 @@
 #include "plumb/io/read_options.h"
 #include "plumb/plane/nef2.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Files of sets of the plane; .nef2 alone holds all of any set.
@@ -82,3 +83,4 @@ class PlaneText {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -13,6 +13,7 @@
 #include "plumb/plane/nef2.h"
 #include "plumb/predicates/point_table2.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// A ring or line is a chain of indices of `points`; the last corner of a ring is followed by its
@@ -62,3 +63,4 @@ PlaneShapes to_shapes(const PlaneParts& parts);
 PlaneShapes rounded(PlaneShapes shapes);
 
 }  // namespace plumb
+#pragma GCC visibility pop

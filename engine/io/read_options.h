@@ -3,6 +3,7 @@
 
 #include <string>
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// How a text is read.
@@ -12,3 +13,4 @@ struct ReadOptions {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

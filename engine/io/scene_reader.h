@@ -36,6 +36,7 @@
 #include "plumb/space/polygon_mesh.h"
 #include "plumb/surface/surface.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// A scene as it was read.
@@ -53,3 +54,4 @@ SceneFile read_scene_file(const std::string& path, ReadOptions options, Context&
 SurfaceMesh fanned_surface(const PolygonMesh& mesh);
 
 }  // namespace plumb
+#pragma GCC visibility pop

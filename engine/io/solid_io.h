@@ -14,6 +14,7 @@
 #include "plumb/io/mesh_file.h"
 #include "plumb/io/read_options.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// STL is read in either form, PLY in any; these say how they are written.
@@ -59,3 +60,4 @@ void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format);
 PolygonMesh as_written(PolygonMesh mesh, MeshFormat format);
 
 }  // namespace plumb
+#pragma GCC visibility pop

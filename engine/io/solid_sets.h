@@ -14,6 +14,7 @@
 #include "plumb/io/read_options.h"
 #include "plumb/space/nef3.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// How a file becomes a set.
@@ -48,3 +49,4 @@ std::vector<HalfSpace3> read_half_spaces_file(const std::string& path, ReadOptio
                                               Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

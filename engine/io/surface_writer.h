@@ -11,6 +11,7 @@
 #include "plumb/surface/surface_cells.h"
 #include "plumb/surface/triangulation.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Which cells are written; empty: all.
@@ -40,3 +41,4 @@ void write_cell_graph(std::ostream& out, const SurfaceDivision& division, CellCh
 void write_scene(std::ostream& out, const SurfaceScene& scene, const std::string& model);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -9,6 +9,7 @@
 
 #include "plumb/predicates/point.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Closed polygons, flat: shapes are lists of rings, rings are lists of points.
@@ -28,3 +29,4 @@ struct SvgDrawing {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

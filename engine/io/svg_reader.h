@@ -23,6 +23,7 @@
 #include "plumb/io/read_options.h"
 #include "plumb/io/svg_drawing.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// `tolerance`: how far a curve may be from its chords, in units of the drawing, more than zero; none: a thousandth of the
@@ -34,3 +35,4 @@ SvgDrawing read_svg(std::string_view text, const ReadOptions& options,
                     std::optional<double> tolerance, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -8,6 +8,7 @@
 
 #include "plumb/picture/scene.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Rows from the top, three bytes a pixel.
@@ -126,3 +127,4 @@ void Canvas::line(Spot a, Spot b, double width, const std::array<std::uint32_t, 
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop

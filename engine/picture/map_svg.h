@@ -8,6 +8,7 @@
 
 #include "plumb/plane/map_check.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// What the page of a map shows.
@@ -23,3 +24,4 @@ struct MapSvgOptions {
 void write_map_svg(std::ostream& out, const MapReport& report, const MapSvgOptions& options = {});
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -16,6 +16,7 @@
 #include "plumb/base/context.h"
 #include "plumb/plane/nef2.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// What the page of a set of the plane shows.
@@ -31,3 +32,4 @@ struct Nef2SvgOptions {
 void write_nef2_svg(std::ostream& out, const Nef2& set, const Nef2SvgOptions& options = {});
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -9,6 +9,7 @@
 
 #include "plumb/plane/map_overlay.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// What the page of an overlay shows.
@@ -38,3 +39,4 @@ inline constexpr std::size_t kShades = 4;  ///< shades of each tint
 std::vector<OverlayColour> colour_cells(const MapOverlay& overlay);
 
 }  // namespace plumb
+#pragma GCC visibility pop

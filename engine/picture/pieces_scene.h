@@ -6,6 +6,7 @@
 #include "plumb/picture/scene.h"
 #include "plumb/space/nef3.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Each set in a colour of its own, a group each; one layer. The middle of each set is moved away from the middle
@@ -14,3 +15,4 @@ namespace plumb {
 Scene exploded_scene(std::span<const Nef3> sets, double apart, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

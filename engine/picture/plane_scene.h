@@ -5,6 +5,7 @@
 #include "plumb/plane/map_check.h"
 #include "plumb/plane/nef2.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Marked faces, all edges, and vertices that say more than the edges; cut at a window as write_nef2_svg() does.
@@ -15,3 +16,4 @@ Scene scene_of(const Nef2& set);
 Scene scene_of(const MapReport& report);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -6,6 +6,7 @@
 #include "plumb/picture/scene.h"
 #include "plumb/picture/text_places.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Looks at a scene from far away, along a fixed direction (from above, for a flat one), so that all of it
@@ -48,3 +49,4 @@ Image rendered(const Scene& scene, const RenderOptions& options = {});
 Rendering rendered_without_text(const Scene& scene, const RenderOptions& options = {});
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -17,6 +17,7 @@
 
 #include "plumb/predicates/point.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// What a facet, a line or a dot is.
@@ -154,3 +155,4 @@ struct Scene {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

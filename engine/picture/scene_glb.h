@@ -11,9 +11,11 @@
 
 #include "plumb/picture/scene.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// O(n). Facets where a window cuts a set (Paint::Cut) are left out.
 void write_scene_glb(std::ostream& out, const Scene& scene, const std::string& title);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -7,6 +7,7 @@
 
 #include "plumb/picture/scene.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// What a page says of a scene.
@@ -20,3 +21,4 @@ struct SceneText {
 void write_scene_html(std::ostream& out, const Scene& scene, const SceneText& text);
 
 }  // namespace plumb
+#pragma GCC visibility pop

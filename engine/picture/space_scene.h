@@ -11,9 +11,11 @@
 #include "plumb/picture/scene.h"
 #include "plumb/space/nef3.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Any set. O(n log n).
 Scene scene_of(const Nef3& set, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

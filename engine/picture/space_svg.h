@@ -17,6 +17,7 @@
 #include "plumb/picture/scene_html.h"
 #include "plumb/space/nef3.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// What to render for the page: the place for it has these proportions.
@@ -44,3 +45,4 @@ struct ScenePage {
 void write_scene_svg(std::ostream& out, const Scene& scene, const ScenePage& page);
 
 }  // namespace plumb
+#pragma GCC visibility pop

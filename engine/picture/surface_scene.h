@@ -17,6 +17,7 @@
 #include "plumb/surface/surface.h"
 #include "plumb/surface/triangulation.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// What a picture of a division can show.
@@ -45,3 +46,4 @@ std::string shape_name(std::uint32_t shape);
 std::string label_text(std::span<const SignedEntry> label);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -8,6 +8,7 @@
 #include "plumb/picture/canvas.h"
 #include "plumb/picture/scene.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// A text and where it is to stand.
@@ -24,3 +25,4 @@ std::vector<PlacedText> place_texts(const Scene& scene, const Canvas& canvas, do
                                     double most);
 
 }  // namespace plumb
+#pragma GCC visibility pop

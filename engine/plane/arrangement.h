@@ -16,6 +16,7 @@
 #include "plumb/plane/segment_sets.h"
 #include "plumb/plane/sweep.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// What curves cut the plane into.
@@ -41,3 +42,4 @@ Arrangement arrange(const PlanePoints& points, std::span<const SweepCurve> curve
 Arrangement arrange(PointTable2 points, std::span<const SweepSegment> segments, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

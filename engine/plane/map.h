@@ -8,6 +8,7 @@
 #include "plumb/base/ids.h"
 #include "plumb/predicates/point_table2.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Regions as a user lists them (format: docs/formats.md, "map"). Interior cycles run
@@ -32,3 +33,4 @@ struct Map {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -29,6 +29,7 @@
 #include "plumb/dcel/dcel.h"
 #include "plumb/plane/map.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// What is demanded of outer boundaries.
@@ -118,3 +119,4 @@ MapReport check_map(Map map, const MapCheckOptions& options, Context& context);
 DcelFromCycles to_dcel(const MapReport& report);
 
 }  // namespace plumb
+#pragma GCC visibility pop

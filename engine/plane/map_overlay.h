@@ -11,6 +11,7 @@
 #include "plumb/plane/map_check.h"
 #include "plumb/plane/plane_complex.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Two maps as one subdivision.
@@ -33,3 +34,4 @@ MapOverlay overlay_maps(const MapReport& first, const MapReport& second, Context
 MapOverlay overlay_map(const MapReport& report, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

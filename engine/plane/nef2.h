@@ -39,6 +39,7 @@
 #include "plumb/plane/map_check.h"
 #include "plumb/plane/plane_complex.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Which winding numbers are inside.
@@ -94,8 +95,8 @@ struct PlaneParts {
   bool dropped_open = false;  ///< the set was not closed: the parts are its closure
 };
 
-class PlaneLocator;
-class PlaneTrapezoids;
+class [[gnu::visibility("hidden")]] PlaneLocator;
+class [[gnu::visibility("hidden")]] PlaneTrapezoids;
 
 /// A set of the plane: an immutable value, see above.
 class Nef2 {
@@ -225,7 +226,7 @@ class Nef2 {
   std::optional<DcelFlaw> audit() const;
 
  private:
-  struct State;
+  struct [[gnu::visibility("hidden")]] State;
   explicit Nef2(PlaneComplex minimal);
   const PlaneLocator& locator() const;
   const PlaneTrapezoids& trapezoids() const;
@@ -252,3 +253,4 @@ Nef2 union_of(std::span<const Nef2> sets, Context& context);
 Nef2 intersection_of(std::span<const Nef2> sets, Context& context);  ///< See union_of().
 
 }  // namespace plumb
+#pragma GCC visibility pop

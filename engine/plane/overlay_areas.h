@@ -7,6 +7,7 @@
 #include "plumb/base/context.h"
 #include "plumb/plane/map_overlay.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Exact areas of cells and of the regions they were cut from.
@@ -28,3 +29,4 @@ OverlayAreas measure(const MapOverlay& overlay, const MapReport& first, const Ma
 Rational sum_of(const std::vector<Rational>& areas);
 
 }  // namespace plumb
+#pragma GCC visibility pop

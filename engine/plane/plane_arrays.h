@@ -15,6 +15,7 @@
 #include "plumb/plane/map.h"
 #include "plumb/predicates/point_table2.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Point i is (xy[2 i], xy[2 i + 1]). Throws Error{BadArgument} for an odd number of coordinates or 2^32 - 1 points and
@@ -31,3 +32,4 @@ Map map_of_cycles(std::span<const double> xy, std::span<const std::uint32_t> cyc
 std::vector<double> coordinates_of(const PointTable2& points);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -25,6 +25,7 @@
 #include "plumb/dcel/dcel.h"
 #include "plumb/predicates/plane_points.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// A directed line through two different input points.
@@ -90,3 +91,4 @@ bool is_unbounded(const PlaneComplex& complex, FaceId f);
 std::optional<DcelFlaw> audit(const PlaneComplex& complex, bool minimal);
 
 }  // namespace plumb
+#pragma GCC visibility pop

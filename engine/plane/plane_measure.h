@@ -7,6 +7,7 @@
 #include "plumb/base/context.h"
 #include "plumb/plane/plane_complex.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// The area of face f, holes taken off; none when it is unbounded. O(length of its boundary)
@@ -23,3 +24,4 @@ std::optional<Rational> marked_area(const PlaneComplex& complex, Context& contex
 std::vector<std::vector<VertexId>> face_rings(const PlaneComplex& complex, FaceId f);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -18,6 +18,7 @@
 
 #include "plumb/base/ids.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 class SegmentSets {
@@ -75,3 +76,4 @@ class SegmentSets {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

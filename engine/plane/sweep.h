@@ -49,6 +49,7 @@
 #include "plumb/base/ids.h"
 #include "plumb/predicates/plane_points.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// A segment by the indices of its end points; any direction. Equal coordinates of both ends are
@@ -122,7 +123,7 @@ struct SweepEvent {
   }
 };
 
-class SweepCurves;
+class [[gnu::visibility("hidden")]] SweepCurves;
 
 class SweepVisitor {
  public:
@@ -143,3 +144,4 @@ void sweep(const PlanePointsView& points, std::span<const SweepCurve> curves,
            std::span<const std::uint32_t> stops, SweepVisitor& visitor, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

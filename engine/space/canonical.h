@@ -29,6 +29,7 @@
 #include "plumb/space/nef3.h"
 #include "plumb/space/space_complex.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// The same set; canonical(a) and canonical(b) have equal arrays and tables exactly if a == b, and write_nef3() then
@@ -38,3 +39,4 @@ Nef3 canonical(const Nef3& set, Context& context);
 SpaceComplex canonical(const SpaceComplex& minimal, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

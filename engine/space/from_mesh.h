@@ -28,6 +28,7 @@
 #include "plumb/space/mesh_arrays.h"
 #include "plumb/space/space_complex.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// How a mesh is read.
@@ -93,3 +94,4 @@ struct MeshComplex {
 MeshComplex complex_of_mesh(const MeshView& mesh, const MeshOptions& options, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -13,6 +13,7 @@
 #include "plumb/space/space_complex.h"
 #include "plumb/sphere/sphere_map.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// The sphere map of an item and what its cells are.
@@ -47,3 +48,4 @@ inline SphereDirection direction_of(const SpaceComplex& complex, HalfedgeId h) {
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop

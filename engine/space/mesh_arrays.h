@@ -18,6 +18,7 @@
 #include "plumb/predicates/rational_point.h"
 #include "plumb/space/polygon_mesh.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// A mesh in arrays that somebody else holds; valid as long as they are: give it no name where they are temporaries.
@@ -68,3 +69,4 @@ MeshView mesh_of_polygons(std::span<const double> coordinates,
 std::span<const double> coordinates_of(const PolygonMesh& mesh);
 
 }  // namespace plumb
+#pragma GCC visibility pop

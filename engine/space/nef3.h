@@ -39,6 +39,7 @@
 #include "plumb/space/space_complex.h"
 #include "plumb/space/space_locator.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// a x + b y + c z + d = 0 with (a, b, c) not zero. Below: a x + b y + c z + d < 0.
@@ -225,7 +226,7 @@ class Nef3 {
   friend bool operator>(const Nef3& a, const Nef3& b) { return b < a; }
 
  private:
-  struct State;
+  struct [[gnu::visibility("hidden")]] State;
   explicit Nef3(SpaceComplex minimal);
   friend Nef3 combine(Nef3 a, Nef3 b, MarkFunction f, Context& context);
   static std::optional<Nef3> combined_apart(Nef3& a, Nef3& b, MarkFunction f);
@@ -259,3 +260,4 @@ Nef3 union_of(std::span<const Nef3> sets, Context& context);
 Nef3 intersection_of(std::span<const Nef3> sets, Context& context);  ///< See union_of().
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -10,6 +10,7 @@
 #include "plumb/predicates/point.h"
 #include "plumb/predicates/rational_point.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Faces over shared points: flat arrays.
@@ -34,3 +35,4 @@ struct PolygonMesh {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -16,6 +16,7 @@
 #include "plumb/base/context.h"
 #include "plumb/space/polygon_mesh.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Numbers of faces and vertices are those of the mesh; lists ascend.
@@ -47,3 +48,4 @@ struct RoundingReport {
 RoundingReport check_rounding(const PolygonMesh& mesh, std::uint64_t max_listed, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -15,6 +15,7 @@
 #include "plumb/base/context.h"
 #include "plumb/space/space_complex.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// A broken invariant and where: "edge 3, facet 5".
@@ -33,3 +34,4 @@ std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal);
 std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -37,6 +37,7 @@
 #include "plumb/base/marks.h"
 #include "plumb/space/space_tables.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Items of space and how they hang together, in flat arrays; invariants above.
@@ -155,3 +156,4 @@ class SpaceItem {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -26,6 +26,7 @@
 #include "plumb/predicates/rational_point.h"
 #include "plumb/space/space_complex.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// What a ray meets first.
@@ -68,9 +69,10 @@ class SpaceLocator {
   SpaceItem shoot_left(SpacePoint origin) const;
 
  private:
-  struct Tree;
+  struct [[gnu::visibility("hidden")]] Tree;
   const SpaceComplex& complex_;
   std::unique_ptr<Tree> tree_;
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

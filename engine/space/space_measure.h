@@ -13,6 +13,7 @@
 #include "plumb/predicates/rational_point.h"
 #include "plumb/space/space_complex.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// The volume of all marked volumes; none when it is infinite. Lower items have no volume: 0 without
@@ -32,3 +33,4 @@ std::optional<double> surface_area(const SpaceComplex& complex);
 std::optional<double> surface_area(const SpaceComplex& complex, Context& context);  ///< As above.
 
 }  // namespace plumb
+#pragma GCC visibility pop

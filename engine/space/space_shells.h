@@ -22,6 +22,7 @@
 #include "plumb/space/space_complex.h"
 #include "plumb/space/to_mesh.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 using ShellId = StrongId<struct ShellTag>;  ///< a connected part of the boundary of a volume
@@ -102,3 +103,4 @@ Nef3 set_of_shell(const Nef3& set, const SpaceShells& shells, ShellId s, ShellMa
                   Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

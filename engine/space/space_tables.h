@@ -17,6 +17,7 @@
 #include "plumb/predicates/point3_table.h"
 #include "plumb/predicates/rational_point.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 struct SpaceTables {
@@ -78,3 +79,4 @@ CompactedTables compacted(const SpaceTables& tables, std::span<const PlaneId> pl
 SpacePoint add_point(SpaceTables& tables, const RationalPoint3& at);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -18,6 +18,7 @@
 #include "plumb/space/polygon_mesh.h"
 #include "plumb/space/space_complex.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// What becomes of facets.
@@ -95,3 +96,4 @@ MeshOfComplex mesh_of_sides(const SpaceComplex& complex, std::span<const FacetSi
                             const ToMeshOptions& options, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -37,6 +37,7 @@
 #include "plumb/sphere/sphere_audit.h"
 #include "plumb/sphere/sphere_map.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// A direction, or a normal.
@@ -213,7 +214,7 @@ class NefSphere {
   std::optional<DcelFlaw> audit() const;
 
  private:
-  struct State;
+  struct [[gnu::visibility("hidden")]] State;
   explicit NefSphere(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
   std::shared_ptr<const State> state_;
@@ -238,3 +239,4 @@ NefSphere union_of(std::span<const NefSphere> sets, Context& context);
 NefSphere intersection_of(std::span<const NefSphere> sets, Context& context);  ///< See union_of().
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -6,6 +6,7 @@
 #include "plumb/dcel/dcel.h"
 #include "plumb/sphere/sphere_map.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// A broken invariant of a map and where; nothing when all hold. In this order:
@@ -20,3 +21,4 @@ namespace plumb {
 std::optional<DcelFlaw> audit(const PlaneTable& planes, const SphereMap& map, bool minimal);
 
 }  // namespace plumb
+#pragma GCC visibility pop

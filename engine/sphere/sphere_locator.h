@@ -22,6 +22,7 @@
 
 #include "plumb/sphere/nef_sphere.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Location and shooting in one set. A query changes what it keeps inside: give each thread a locator of its own.
@@ -52,8 +53,9 @@ class SphereLocator {
   std::uint64_t asked() const;
 
  private:
-  struct State;
+  struct [[gnu::visibility("hidden")]] State;
   std::unique_ptr<State> state_;
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -25,6 +25,7 @@
 #include "plumb/base/marks.h"
 #include "plumb/predicates/plane_table.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// The direction n_p x n_q of two planes that are not parallel; {q, p} is the opposite one.
@@ -109,3 +110,4 @@ enum class PyramidKind : std::uint8_t {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

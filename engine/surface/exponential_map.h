@@ -30,6 +30,7 @@
 #include "plumb/surface/surface_mesh.h"
 #include "plumb/surface/surface_point.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Offsets in a plane as straight lines on a mesh, from one of its points.
@@ -84,3 +85,4 @@ class ExponentialMap {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

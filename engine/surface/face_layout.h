@@ -11,6 +11,7 @@
 #include "plumb/surface/surface_mesh.h"
 #include "plumb/surface/surface_point.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Vertices times 2^-exponent, so that no product of two of their coordinates overflows.
@@ -51,3 +52,4 @@ inline Point2 combined(const FaceCorners& p, const std::array<double, 3>& w) {
 
 }  // namespace layout
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -13,6 +13,7 @@
 #include "plumb/surface/surface_mesh.h"
 #include "plumb/surface/surface_point.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Faces, each across a side of the one before. `doors` are those sides, as half-edges of the face they lead
@@ -95,3 +96,4 @@ void for_halfedges_from(const SurfaceMesh& mesh, VertexId v, const Visit& visit)
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop

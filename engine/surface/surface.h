@@ -35,6 +35,7 @@
 #include "plumb/surface/surface_mesh.h"
 #include "plumb/surface/surface_path.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// What a label is in the cell at the first corner of a face, and so in that component of the mesh.
@@ -132,8 +133,9 @@ class SurfaceDivision {
   SurfaceResult evaluate(const SetExpression& expression, WindingRule rule) const;
 
  private:
-  struct State;
+  struct [[gnu::visibility("hidden")]] State;
   std::unique_ptr<State> state_;
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -24,6 +24,7 @@
 #include "plumb/surface/surface_ids.h"
 #include "plumb/surface/surface_path.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Where two segments between input nodes meet inside a face. Kept implicit.
@@ -143,3 +144,4 @@ SurfacePointId add_node_point(const SurfaceArrangement& arrangement,
                               const SurfacePointTable& points, NodeId node, SurfacePointTable& to);
 
 }  // namespace plumb
+#pragma GCC visibility pop

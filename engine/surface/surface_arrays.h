@@ -11,6 +11,7 @@
 #include "plumb/surface/surface_mesh.h"
 #include "plumb/surface/triangulation.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// The triangles of `mesh` as a surface; the arrays may go when it is there. Vertices keep their numbers and
@@ -25,3 +26,4 @@ MeshView view_of(const SurfaceMesh& mesh);
 MeshView view_of(const SurfaceTriangulation& triangulation);
 
 }  // namespace plumb
+#pragma GCC visibility pop

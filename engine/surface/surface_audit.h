@@ -15,6 +15,7 @@
 
 #include "plumb/surface/surface.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// The first broken invariant and where, or none. O(mesh + arrangement + labels), and rationals for each
@@ -22,3 +23,4 @@ namespace plumb {
 std::optional<std::string> audit(const SurfaceDivision& division);
 
 }  // namespace plumb
+#pragma GCC visibility pop

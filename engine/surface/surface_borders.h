@@ -17,6 +17,7 @@
 #include "plumb/surface/surface_cells.h"
 #include "plumb/surface/surface_path.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// `is_selected` per cell; `generators` ascending. Loops that are nothing but mesh border are left out.
@@ -26,3 +27,4 @@ SurfacePolygons trace_borders(const SurfacePolygons& polygons,
                               std::span<const std::uint32_t> generators, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

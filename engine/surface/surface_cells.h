@@ -13,6 +13,7 @@
 
 #include "plumb/surface/surface_arrangement.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// From cell `from` to cell `to` labels grow by sign times the bundle. from <= to.
@@ -42,3 +43,4 @@ SurfaceCells make_cells(const SurfaceMesh& mesh, const SurfaceArrangement& arran
 CellId cell_at_corner(const SurfaceArrangement& arrangement, const SurfaceCells& cells, FaceId f);
 
 }  // namespace plumb
+#pragma GCC visibility pop

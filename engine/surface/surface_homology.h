@@ -24,6 +24,7 @@
 #include "plumb/surface/surface_ids.h"
 #include "plumb/surface/surface_path.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Loops that generate the first homology of a mesh relative to its border, and classes of polygons
@@ -85,3 +86,4 @@ class SurfaceHomology {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

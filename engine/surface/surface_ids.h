@@ -7,6 +7,7 @@
 #include "plumb/base/error.h"
 #include "plumb/base/ids.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 using NodeId = StrongId<struct SurfaceNodeTag>;    ///< where arcs and sides end
@@ -32,3 +33,4 @@ inline std::int32_t entry_value(std::int64_t sum) {
 }
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -18,6 +18,7 @@
 #include "plumb/surface/surface.h"
 #include "plumb/surface/surface_cells.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// What cell edges do to shapes: the edge's sparse vector over shapes, from `from` to `to`.
@@ -61,3 +62,4 @@ CellLabels label_cells(const SurfaceCells& cells, const CellJumps& jumps, std::s
                        CellId outside, std::span<const CellLevel> levels, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -21,6 +21,7 @@
 #include "plumb/base/ids.h"
 #include "plumb/predicates/point.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 using SurfaceTriangle = std::array<std::uint32_t, 3>;  ///< indices of three points
@@ -98,3 +99,4 @@ class SurfaceMesh {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

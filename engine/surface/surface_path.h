@@ -7,6 +7,7 @@
 
 #include "plumb/surface/surface_point.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// A traced polyline. Segment i runs straight from points[i] to points[i + 1] in faces[i], which both lie
@@ -52,3 +53,4 @@ struct SurfacePolygons {
 void require_valid(const SurfacePolygons& polygons);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -7,6 +7,7 @@
 #include "plumb/predicates/point_table2.h"
 #include "plumb/surface/surface_mesh.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 using SurfacePointId = StrongId<struct SurfacePointTag>;  ///< a row of a table
@@ -77,3 +78,4 @@ class SurfacePointTable {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

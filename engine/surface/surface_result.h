@@ -3,6 +3,7 @@
 
 #include "plumb/surface/surface.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// The borders of a result as one shape, the same set again whatever the rule: its label is 1 in selected cells and 0
@@ -12,3 +13,4 @@ namespace plumb {
 SurfaceScene result_scene(const SurfaceDivision& division, const SurfaceResult& result);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -26,6 +26,7 @@
 #include "plumb/surface/surface_mesh.h"
 #include "plumb/surface/surface_path.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Paths between points of a mesh.
@@ -69,3 +70,4 @@ std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
                                               SurfacePolygons& polygons, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -15,6 +15,7 @@
 #include "plumb/base/context.h"
 #include "plumb/surface/surface.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Side 3 t + i runs from corner i of triangle t to corner i + 1.
@@ -36,3 +37,4 @@ SurfaceTriangulation triangulate_surface(const SurfaceDivision& division, Contex
 Point3 node_position(const SurfaceDivision& division, NodeId node);
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -95,9 +95,24 @@ recipe.set_version()
 recipe.export_sources()
 
 
+# The declarations of a header, all of them, as a shared library exports them.
+VISIBLE = re.compile(r"#pragma GCC visibility push\(default\)\nnamespace plumb.*\n}  // namespace plumb[:\w]*\n"
+                     r"#pragma GCC visibility pop\n(?!.*^namespace plumb)", flags=re.M | re.S)
+
+
+def check_visibility(listed):
+    for file in [*root.glob("predicates/*"), *root.glob("engine/*/*.h"), *root.glob("engine/*/*.cpp")]:
+        text, name = file.read_text(), f"plumb/{file.relative_to(root)}".replace("plumb/engine/", "plumb/")
+        if ("visibility push" in text) != (name in listed and "namespace plumb" in text) or (
+                "visibility push" in text and not VISIBLE.search(text)):
+            problems.append(f"{file}: visible is what public-headers.txt lists, all of it, and nothing else")
+
+
 def check_headers():
     lists = re.split(r"^\[(\w+)\]$", (root / "cmake/public-headers.txt").read_text(), flags=re.M)
-    listed = [name for part in lists[2::2] for name in part.split()]
+    parts = {part: names.split() for part, names in zip(lists[1::2], lists[2::2])}
+    listed = sum(parts.values(), [])
+    check_visibility(listed)
     for name in sorted(listed):
         file = root / name.replace("plumb/", "" if name.startswith("plumb/predicates/") else "engine/")
         if listed.count(name) > 1 or not file.exists():
@@ -105,7 +120,7 @@ def check_headers():
             continue
         text = file.read_text()
         for included in re.findall(r'#include "(plumb/[^"]+)"', text):
-            if included not in listed:
+            if included not in listed or (included in parts["between"] and name not in parts["between"]):
                 problems.append(f"{file}: includes {included}, which is not installed")
         for macro in set(re.findall(r"^ *# *define (\w+)", text, flags=re.M)):
             if not macro.startswith("PLUMB_"):
