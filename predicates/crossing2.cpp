@@ -26,6 +26,7 @@
 
 #include "plumb/predicates/homogeneous2.h"
 #include "plumb/predicates/point_table2.h"
+#include "plumb/predicates/rung_counters.h"
 
 namespace plumb {
 
@@ -148,22 +149,33 @@ FilteredSign rung::orient2d_filter(const PointTable2& points, std::uint32_t i, s
 }
 
 Sign orient2d(const PointTable2& points, std::uint32_t i, std::uint32_t j, const Crossing2& p) {
-  if (is_own_line(i, j, p)) return Sign::Zero;
-  FilteredSign f = rung::orient2d_filter(points, i, j, p);
-  if (!is_decided(f)) f = rung::orient2d_exact(points, i, j, p);
-  return is_decided(f) ? decided(f) : rung::orient2d_big(points, i, j, p);
+  if (is_own_line(i, j, p)) {
+    return decide(Predicate::SideOfCrossing2, Rung::Identity, FilteredSign::Zero);
+  }
+  const FilteredSign filter = rung::orient2d_filter(points, i, j, p);
+  if (is_decided(filter)) return decide(Predicate::SideOfCrossing2, Rung::Filter, filter);
+  const FilteredSign exact = rung::orient2d_exact(points, i, j, p);
+  if (is_decided(exact)) return decide(Predicate::SideOfCrossing2, Rung::Exact, exact);
+  count_rung(Predicate::SideOfCrossing2, Rung::Big);
+  return rung::orient2d_big(points, i, j, p);
 }
 
 Sign detail::compare_xy_unsure(const PointTable2& points, const Crossing2& p, std::uint32_t i) {
   const FilteredSign f = rung::compare_xy_exact(points, p, i);
-  return is_decided(f) ? decided(f) : rung::compare_xy_big(points, p, i);
+  if (is_decided(f)) return decide(Predicate::CompareCrossings2, Rung::Exact, f);
+  count_rung(Predicate::CompareCrossings2, Rung::Big);
+  return rung::compare_xy_big(points, p, i);
 }
 
 Sign detail::compare_xy_unsure(const PointTable2& points, const Crossing2& p, const Crossing2& q) {
   // A sweep finds the same crossing again and again: identity before arithmetic.
-  if (p.a == q.a && p.b == q.b && p.c == q.c && p.d == q.d) return Sign::Zero;
+  if (p.a == q.a && p.b == q.b && p.c == q.c && p.d == q.d) {
+    return decide(Predicate::CompareCrossings2, Rung::Identity, FilteredSign::Zero);
+  }
   const FilteredSign f = rung::compare_xy_exact(points, p, q);
-  return is_decided(f) ? decided(f) : rung::compare_xy_big(points, p, q);
+  if (is_decided(f)) return decide(Predicate::CompareCrossings2, Rung::Exact, f);
+  count_rung(Predicate::CompareCrossings2, Rung::Big);
+  return rung::compare_xy_big(points, p, q);
 }
 
 Sign rung::compare_xy_big(const PointTable2& points, const Crossing2& p, std::uint32_t i) {

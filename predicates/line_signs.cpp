@@ -7,6 +7,7 @@
 #include "plumb/predicates/plane_ladder.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/residues3.h"
+#include "plumb/predicates/rung_counters.h"
 
 namespace plumb {
 
@@ -55,10 +56,17 @@ Fingerprint primitive_fingerprint(const PlaneTable& planes, PlaneId p, PlaneId q
 
 bool holds_line(const PlaneTable& planes, PlaneId plane, PlaneId p, PlaneId q) {
   const std::array<PlaneId, 2> pair = {p, q};
-  if (plane == p || plane == q || planes.is_wall_of(plane, pair)) return true;
-  if (is_decided(rung::det3_filter(planes.row(p), planes.row(q), planes.row(plane)))) return false;
+  if (plane == p || plane == q || planes.is_wall_of(plane, pair)) {
+    count_rung(Predicate::HoldsLine, Rung::Identity);
+    return true;
+  }
+  if (is_decided(rung::det3_filter(planes.row(p), planes.row(q), planes.row(plane)))) {
+    count_rung(Predicate::HoldsLine, Rung::Filter);
+    return false;
+  }
   return exact3::exact_sign(exact3::operands<3>(planes, {p, q, plane}), PencilForm{},
-                            [](Rung) {}) == Sign::Zero;
+                            [](Rung rung) { count_rung(Predicate::HoldsLine, rung); }) ==
+         Sign::Zero;
 }
 
 bool is_same_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s) {

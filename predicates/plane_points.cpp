@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "plumb/predicates/decompose.h"
+#include "plumb/predicates/rung_counters.h"
 
 namespace plumb {
 namespace {
@@ -16,7 +17,9 @@ Sign compare_x_inputs(const PointTable2& inputs, std::uint32_t i, std::uint32_t 
   if (i == j) return Sign::Zero;
   const Sign seen = compare(inputs.approx(i).x, inputs.approx(j).x);
   // Rounding is monotone: different approximations are in the right order.
-  if (seen != Sign::Zero || (inputs.is_double(i) && inputs.is_double(j))) return seen;
+  const bool is_known = seen != Sign::Zero || (inputs.is_double(i) && inputs.is_double(j));
+  count_rung(Predicate::ComparePoints2, is_known ? Rung::Filter : Rung::Big);
+  if (is_known) return seen;
   return sign_of(inputs.exact(i).x.compare(inputs.exact(j).x));
 }
 
@@ -43,7 +46,8 @@ Sign compare_x(const PlanePointsView& points, const Crossing2& p, std::uint32_t 
   const double x = is_input ? inputs.approx(i).x : points.crossing(i).x;
   const double radius = p.radius + (is_input ? reach_of(inputs, i) : points.crossing(i).radius);
   const FilteredSign f = detail::compare_apart(p.x, x, radius);
-  if (is_decided(f)) return decided(f);
+  if (is_decided(f)) return decide(Predicate::CompareCrossings2, Rung::Filter, f);
+  count_rung(Predicate::CompareCrossings2, Rung::Big);
   return sign_of(exact(inputs, p).x.compare(exact(points, i).x));
 }
 

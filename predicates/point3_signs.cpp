@@ -237,7 +237,10 @@ namespace {
 
 bool is_apart(const Point3Table& points, SpacePoint x, SpacePoint y) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (is_decided(rough_order(points, x, y, axis))) return true;
+    if (is_decided(rough_order(points, x, y, axis))) {
+      count_rung(Predicate::CompareAxis, Rung::Filter);
+      return true;
+    }
   }
   return false;
 }
@@ -291,7 +294,7 @@ Sign order_along_line(const Point3Table& points, PlaneId p, PlaneId q, SpacePoin
   if (x == y) return Sign::Zero;
   const Direction along = direction_of(points.planes(), p, q);
   const FilteredSign s = rough_order(points, y, x, along.axis);
-  if (is_decided(s)) return decided(s) * along.sign;
+  if (is_decided(s)) return decide(Predicate::CompareAxis, Rung::Filter, s) * along.sign;
   const std::size_t known = y.is_input() ? 0 : points.source(y).plane_count();
   for (std::size_t i = 0; i < known; ++i) {
     const PlaneId cut = points.source(y).plane(i);

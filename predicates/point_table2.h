@@ -12,6 +12,7 @@
 #include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/point.h"
 #include "plumb/predicates/rational_point.h"
+#include "plumb/predicates/rung_counters.h"
 #include "plumb/predicates/sign.h"
 
 #pragma GCC visibility push(default)
@@ -171,7 +172,8 @@ inline FilteredSign rung::compare_xy_filter(const PointTable2& points, std::uint
 
 inline Sign compare_xy(const PointTable2& points, std::uint32_t i, std::uint32_t j) {
   const FilteredSign f = rung::compare_xy_filter(points, i, j);
-  return is_decided(f) ? decided(f) : detail::compare_xy_unsure(points, i, j);
+  if (!is_decided(f)) return detail::compare_xy_unsure(points, i, j);
+  return decide(Predicate::ComparePoints2, Rung::Filter, f);
 }
 
 inline Sign orient2d(const PointTable2& points, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
@@ -199,12 +201,14 @@ inline FilteredSign rung::compare_xy_filter(const Crossing2& p, const Crossing2&
 
 inline Sign compare_xy(const PointTable2& points, const Crossing2& p, std::uint32_t i) {
   const FilteredSign f = rung::compare_xy_filter(points, p, i);
-  return is_decided(f) ? decided(f) : detail::compare_xy_unsure(points, p, i);
+  if (!is_decided(f)) return detail::compare_xy_unsure(points, p, i);
+  return decide(Predicate::CompareCrossings2, Rung::Filter, f);
 }
 
 inline Sign compare_xy(const PointTable2& points, const Crossing2& p, const Crossing2& q) {
   const FilteredSign f = rung::compare_xy_filter(p, q);
-  return is_decided(f) ? decided(f) : detail::compare_xy_unsure(points, p, q);
+  if (!is_decided(f)) return detail::compare_xy_unsure(points, p, q);
+  return decide(Predicate::CompareCrossings2, Rung::Filter, f);
 }
 
 }  // namespace plumb

@@ -14,6 +14,7 @@
 #include "plumb/predicates/decompose.h"
 #include "plumb/predicates/homogeneous2.h"
 #include "plumb/predicates/point_table2.h"
+#include "plumb/predicates/rung_counters.h"
 
 namespace plumb {
 
@@ -58,7 +59,9 @@ FilteredSign rung::cross_sign_filter(const PointTable2& points, std::uint32_t a,
 }
 
 Sign detail::compare_xy_unsure(const PointTable2& points, std::uint32_t i, std::uint32_t j) {
-  if (!are_doubles(points, {i, j})) return rung::compare_xy_big(points, i, j);
+  const bool is_big = !are_doubles(points, {i, j});
+  count_rung(Predicate::ComparePoints2, is_big ? Rung::Big : Rung::Exact);
+  if (is_big) return rung::compare_xy_big(points, i, j);
   const Point2 p = points.approx(i);
   const Point2 q = points.approx(j);
   const Sign by_x = compare(p.x, q.x);
@@ -71,7 +74,9 @@ Sign detail::orient2d_mixed(const PointTable2& points, std::uint32_t i, std::uin
     return orient2d(points.approx(i), points.approx(j), points.approx(k));
   }
   const FilteredSign f = rung::orient2d_filter(points, i, j, k);
-  return is_decided(f) ? decided(f) : rung::orient2d_big(points, i, j, k);
+  if (is_decided(f)) return decide(Predicate::Orient2d, Rung::Filter, f);
+  count_rung(Predicate::Orient2d, Rung::Big);
+  return rung::orient2d_big(points, i, j, k);
 }
 
 Sign detail::cross_sign_mixed(const PointTable2& points, std::uint32_t a, std::uint32_t b,
@@ -80,7 +85,9 @@ Sign detail::cross_sign_mixed(const PointTable2& points, std::uint32_t a, std::u
     return cross_sign(points.approx(a), points.approx(b), points.approx(c), points.approx(d));
   }
   const FilteredSign f = rung::cross_sign_filter(points, a, b, c, d);
-  return is_decided(f) ? decided(f) : rung::cross_sign_big(points, a, b, c, d);
+  if (is_decided(f)) return decide(Predicate::CrossSign, Rung::Filter, f);
+  count_rung(Predicate::CrossSign, Rung::Big);
+  return rung::cross_sign_big(points, a, b, c, d);
 }
 
 Sign rung::compare_xy_big(const PointTable2& points, std::uint32_t i, std::uint32_t j) {

@@ -5,6 +5,7 @@
 #include "plumb/predicates/decompose.h"
 #include "plumb/predicates/rational_predicates.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/predicates/rung_counters.h"
 #include "plumb/predicates/segment2.h"
 
 namespace plumb {
@@ -38,12 +39,17 @@ QueryPoint2::QueryPoint2(const RationalPoint2& p) : exact_(p) {
 
 Sign compare_x(const PlanePointsView& points, std::uint32_t i, const QueryPoint2& q) {
   const FilteredSign f = compare_x_filter(points, i, q);
-  return is_decided(f) ? decided(f) : sign_of(exact(points, i).x.compare(q.exact().x));
+  if (is_decided(f)) return decide(Predicate::PointQuery2, Rung::Filter, f);
+  count_rung(Predicate::PointQuery2, Rung::Big);
+  return sign_of(exact(points, i).x.compare(q.exact().x));
 }
 
 Sign compare_xy(const PlanePointsView& points, std::uint32_t i, const QueryPoint2& q) {
   const FilteredSign f = compare_x_filter(points, i, q);
-  if (is_decided(f) && decided(f) != Sign::Zero) return decided(f);
+  if (is_decided(f) && decided(f) != Sign::Zero) {
+    return decide(Predicate::PointQuery2, Rung::Filter, f);
+  }
+  count_rung(Predicate::PointQuery2, Rung::Big);
   return compare_xy(exact(points, i), q.exact());
 }
 

@@ -6,6 +6,7 @@
 
 #include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/predicates/rung_counters.h"
 
 namespace plumb {
 namespace {
@@ -52,9 +53,12 @@ Sign side(const Point3Table& points, const QueryPoint3& q, PlaneId plane) {
   if (q.source().is_valid()) return side(points, q.source(), plane);
   const PlaneTable& planes = points.planes();
   const FilteredSign s = rung::side_filter(q.box(), planes.row(plane));
-  if (is_decided(s)) return decided(s);
+  if (is_decided(s)) return decide(Predicate::SideOfPlane, Rung::Filter, s);
   const PlaneSource& source = planes.source(plane);
-  if (!q.is_double() || source.is_explicit()) return exact_side(planes, q.exact(), plane);
+  if (!q.is_double() || source.is_explicit()) {
+    count_rung(Predicate::SideOfPlane, Rung::Big);
+    return exact_side(planes, q.exact(), plane);
+  }
   const auto corner = [&](std::size_t i) { return planes.points()[source.code[i]]; };
   return -orient3d(corner(0), corner(1), corner(2), q.point());
 }
@@ -62,10 +66,16 @@ Sign side(const Point3Table& points, const QueryPoint3& q, PlaneId plane) {
 Sign compare_axis(const Point3Table& points, SpacePoint x, const QueryPoint3& q, std::size_t axis) {
   if (q.source().is_valid()) return compare_axis(points, x, q.source(), axis);
   const PointBox box = points.box(x);
-  if (box.radius == 0 && q.is_double()) return compare(box.mid[axis], q.box().mid[axis]);
+  if (box.radius == 0 && q.is_double()) {
+    return decide(Predicate::CompareAxis, Rung::Filter,
+                  filtered(compare(box.mid[axis], q.box().mid[axis])));
+  }
   const FilteredSign s = rung::compare_axis_filter(box, q.box(), axis);
-  if (is_decided(s)) return decided(s);
-  if (is_far(box) && box.mid[axis] != 0) return sign_of(box.mid[axis]);
+  if (is_decided(s)) return decide(Predicate::CompareAxis, Rung::Filter, s);
+  if (is_far(box) && box.mid[axis] != 0) {
+    return decide(Predicate::CompareAxis, Rung::Filter, filtered(sign_of(box.mid[axis])));
+  }
+  count_rung(Predicate::CompareAxis, Rung::Big);
   const FramedPoint3 at = exact_parts(points, x);
   const Sign infinite = sign_of(coordinate(at.infinite, axis).sign());
   if (infinite != Sign::Zero) return infinite;

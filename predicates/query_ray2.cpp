@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "plumb/predicates/rung_counters.h"
+
 namespace plumb {
 namespace {
 
@@ -114,7 +116,8 @@ QueryRay2::QueryRay2(const RationalPoint2& origin, const RationalPoint2& directi
 Sign side(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t i) {
   const FilteredSign f =
       known_sign(cross(rough(ray.direction()), difference(rough(points, i), rough(ray.origin()))));
-  if (is_decided(f)) return decided(f);
+  if (is_decided(f)) return decide(Predicate::RayQuery2, Rung::Filter, f);
+  count_rung(Predicate::RayQuery2, Rung::Big);
   const Rational exactly =
       cross(ray.direction().exact(), difference(exact(points, i), ray.origin().exact()));
   return sign_of(exactly.sign());
@@ -123,7 +126,8 @@ Sign side(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t i) 
 Sign turn(const PlanePointsView& points, std::uint32_t a, std::uint32_t b, const QueryRay2& ray) {
   const FilteredSign f =
       known_sign(cross(difference(rough(points, b), rough(points, a)), rough(ray.direction())));
-  if (is_decided(f)) return decided(f);
+  if (is_decided(f)) return decide(Predicate::RayQuery2, Rung::Filter, f);
+  count_rung(Predicate::RayQuery2, Rung::Big);
   const Rational exactly =
       cross(difference(exact(points, b), exact(points, a)), ray.direction().exact());
   return sign_of(exactly.sign());
@@ -132,14 +136,16 @@ Sign turn(const PlanePointsView& points, std::uint32_t a, std::uint32_t b, const
 Sign compare_crossing_x(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t a,
                         std::uint32_t b, std::uint32_t i) {
   const FilteredSign f = compare_crossing_x_filter(points, ray, a, b, i);
-  if (is_decided(f)) return decided(f);
+  if (is_decided(f)) return decide(Predicate::RayQuery2, Rung::Filter, f);
+  count_rung(Predicate::RayQuery2, Rung::Big);
   return sign_of(crossing(points, ray, a, b).x.compare(exact(points, i).x));
 }
 
 Sign compare_crossing_xy(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t a,
                          std::uint32_t b, std::uint32_t i) {
   const FilteredSign f = compare_crossing_x_filter(points, ray, a, b, i);
-  if (is_decided(f)) return decided(f);
+  if (is_decided(f)) return decide(Predicate::RayQuery2, Rung::Filter, f);
+  count_rung(Predicate::RayQuery2, Rung::Big);
   const RationalPoint2 p = crossing(points, ray, a, b);
   const RationalPoint2 q = exact(points, i);
   const Sign by_x = sign_of(p.x.compare(q.x));

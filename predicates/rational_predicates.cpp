@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "plumb/predicates/big_rung.h"
+#include "plumb/predicates/rung_counters.h"
 
 namespace plumb {
 
@@ -39,6 +40,7 @@ auto axis_differences(const Rational& origin, const Rationals&... values) {
 
 Sign cross_sign(const RationalPoint2& a, const RationalPoint2& b, const RationalPoint2& c,
                 const RationalPoint2& d) {
+  count_rung(Predicate::CrossSign, Rung::Big);
   const Rational ux = b.x - a.x, uy = b.y - a.y;
   const Rational vx = d.x - c.x, vy = d.y - c.y;
   const Rational zero;
@@ -46,11 +48,13 @@ Sign cross_sign(const RationalPoint2& a, const RationalPoint2& b, const Rational
 }
 
 Sign orient2d(const RationalPoint2& a, const RationalPoint2& b, const RationalPoint2& c) {
+  count_rung(Predicate::Orient2d, Rung::Big);
   return rung::big_cross(axis_differences(c.x, a.x, b.x), axis_differences(c.y, a.y, b.y));
 }
 
 Sign orient3d(const RationalPoint3& a, const RationalPoint3& b, const RationalPoint3& c,
               const RationalPoint3& d) {
+  count_rung(Predicate::Orient3d, Rung::Big);
   return rung::big_orient3d(axis_differences(d.x, a.x, b.x, c.x),
                             axis_differences(d.y, a.y, b.y, c.y),
                             axis_differences(d.z, a.z, b.z, c.z));
@@ -58,6 +62,7 @@ Sign orient3d(const RationalPoint3& a, const RationalPoint3& b, const RationalPo
 
 Sign incircle(const RationalPoint2& a, const RationalPoint2& b, const RationalPoint2& c,
               const RationalPoint2& d) {
+  count_rung(Predicate::Incircle, Rung::Big);
   const Integer common = common_denominator({&a.x, &a.y, &b.x, &b.y, &c.x, &c.y, &d.x, &d.y});
   return rung::big_incircle(differences(common, d.x, a.x, b.x, c.x),
                             differences(common, d.y, a.y, b.y, c.y));
@@ -65,6 +70,7 @@ Sign incircle(const RationalPoint2& a, const RationalPoint2& b, const RationalPo
 
 Sign insphere(const RationalPoint3& a, const RationalPoint3& b, const RationalPoint3& c,
               const RationalPoint3& d, const RationalPoint3& e) {
+  count_rung(Predicate::Insphere, Rung::Big);
   const Integer common = common_denominator(
       {&a.x, &a.y, &a.z, &b.x, &b.y, &b.z, &c.x, &c.y, &c.z, &d.x, &d.y, &d.z, &e.x, &e.y, &e.z});
   return rung::big_insphere(differences(common, e.x, a.x, b.x, c.x, d.x),

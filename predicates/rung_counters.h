@@ -21,13 +21,26 @@ enum class Predicate : std::uint8_t {
   PlaneDet3,
   PlaneDet4,
   SideOfPlane,
-  CompareAxis
+  CompareAxis,
+  HoldsLine,          ///< three planes with a line in common?
+  ComparePoints2,     ///< order of points of a table of the plane
+  CompareCrossings2,  ///< the same, of which one at least is a crossing
+  SideOfCrossing2,    ///< orient2d of a line and a crossing
+  PointQuery2,        ///< a point that is in no table, and one that is
+  RayQuery2           ///< a ray that is in no table, and points and lines that are
 };
-inline constexpr std::size_t kPredicates = 10;
+inline constexpr std::size_t kPredicates = 16;
+inline constexpr std::array<const char*, kPredicates> kPredicateNames{
+    "orient2d",          "cross_sign",       "orient3d",    "incircle",
+    "insphere",          "plane minor",      "plane det3",  "plane det4",
+    "side of plane",     "compare axis",     "holds line",  "compare points",
+    "compare crossings", "side of crossing", "point query", "ray query"};
 
-/// Identity: answered by ids, without arithmetic (planes and points of space only).
+/// Identity: answered by ids, without arithmetic (planes, points of space, crossings).
 enum class Rung : std::uint8_t { Filter, Small, Exact, Big, Identity };
 inline constexpr std::size_t kRungs = 5;
+inline constexpr std::array<const char*, kRungs> kRungNames{"filter", "small", "exact", "big",
+                                                            "identity"};
 
 /// counts[predicate][rung]: calls decided there.
 using RungCounts = std::array<std::array<std::uint64_t, kRungs>, kPredicates>;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <numeric>
 
+#include "plumb/predicates/rung_counters.h"
 #include "plumb/space/facet_site.h"
 #include "plumb/space/flat_points.h"
 
@@ -12,7 +13,7 @@ namespace plumb {
 Sign PlacedPoint::compare(SpacePoint x, std::size_t axis) const {
   if (&own_ == &table_) return compare_axis(own_, x, at_, axis);
   const FilteredSign s = rung::compare_axis_filter(own_.box(x), box_, axis);
-  if (is_decided(s)) return decided(s);
+  if (is_decided(s)) return decide(Predicate::CompareAxis, Rung::Filter, s);
   Point3Table both(own_.planes());
   const auto copied = [&both](const Point3Table& from, SpacePoint p) {
     return p.is_input() ? p : both.add(from.source(p), from.box(p));

@@ -7,6 +7,7 @@
 
 #include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/rational_predicates.h"
+#include "plumb/predicates/rung_counters.h"
 
 namespace plumb {
 
@@ -67,7 +68,7 @@ Sign FlatPoints::orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
   }
   const double radii = 2 * std::max({a.radius, b.radius, c.radius});
   const FilteredSign s = orient_filter(a.mid, b.mid, c.mid, radii);
-  if (is_decided(s)) return decided(s);
+  if (is_decided(s)) return decide(Predicate::Orient2d, Rung::Filter, s);
   return orient2d(exact_point(i), exact_point(j), exact_point(k));
 }
 

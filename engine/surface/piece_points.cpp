@@ -5,6 +5,7 @@
 
 #include "plumb/predicates/rational_predicates.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/predicates/rung_counters.h"
 #include "plumb/predicates/segment2.h"
 
 namespace plumb {
@@ -96,7 +97,7 @@ Sign PiecePoints::orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) cons
   const Entry &a = at_[i], &b = at_[j], &c = at_[k];
   const double radii = 2 * std::max({a.radius, b.radius, c.radius});
   const FilteredSign s = orient_filter(a.mid, b.mid, c.mid, radii);
-  if (is_decided(s)) return decided(s);
+  if (is_decided(s)) return decide(Predicate::Orient2d, Rung::Filter, s);
   return orient2d(exact_point(i), exact_point(j), exact_point(k));
 }
 
@@ -122,7 +123,10 @@ Sign PiecePoints::incircle(std::uint32_t i, std::uint32_t j, std::uint32_t k,
   const double error = 72 * (e + 0x1p-44 * m) * form_scale_ * m * m * m;
   const bool is_in_range = form_scale_ >= 0x1p-500 && form_scale_ <= 0x1p500 && m >= 0x1p-100;
   const double value = circle_determinant(form_, p, q, r);
-  if (is_in_range && e <= m / 8 && std::fabs(value) > error) return sign_of(value);
+  if (is_in_range && e <= m / 8 && std::fabs(value) > error) {
+    return decide(Predicate::Incircle, Rung::Filter, filtered(sign_of(value)));
+  }
+  count_rung(Predicate::Incircle, Rung::Big);
   const RationalPoint2& o = exact_point(l);
   const auto exactly = [&](std::uint32_t n) {
     return RationalPoint2{exact_point(n).x - o.x, exact_point(n).y - o.y};
