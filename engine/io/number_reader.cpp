@@ -4,14 +4,26 @@
 #include <cfenv>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "plumb/base/error.h"
+#include "plumb/predicates/rounding.h"
 
 namespace plumb {
 namespace {
+
+/// std::from_chars. libc++ has it for doubles from version 20 on; before that it reads nothing.
+template <class Number>
+std::from_chars_result from_text(std::string_view text, Number& value) {
+  const char* const begin = text.data();
+  if constexpr (requires { std::from_chars(begin, begin, value); }) {
+    return std::from_chars(begin, begin + text.size(), value);
+  }
+  return {begin, std::errc::not_supported};
+}
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -94,6 +106,30 @@ Magnitude magnitude(const Decimal& decimal) {
   return {};
 }
 
+/// 10^shift times this is what the digits say, taken for one integer.
+std::int64_t shift_of(const Decimal& decimal) {
+  return decimal.exponent - static_cast<std::int64_t>(decimal.fraction.size());
+}
+
+/// Requires that both, digits and shift, are few.
+Rational exact_value(const Decimal& decimal, bool is_negative) {
+  const std::int64_t shift = shift_of(decimal);
+  Integer digits = to_integer(std::string(decimal.whole).append(decimal.fraction));
+  if (is_negative) digits.backend().negate();
+  const Integer power = power_of_ten(static_cast<std::uint32_t>(std::abs(shift)));
+  return shift >= 0 ? Rational(Integer(digits * power)) : Rational(digits, power);
+}
+
+/// Infinite beyond all doubles.
+double nearest_value(const Decimal& decimal, bool is_negative) {
+  constexpr std::int64_t kBeyond = 330;  // 10^330 and 10^-330 are no doubles, nor next to one
+  const Magnitude size = magnitude(decimal);
+  if (size.zero) return is_negative ? -0.0 : 0.0;
+  if (size.exponent > kBeyond) return std::numeric_limits<double>::infinity();
+  if (size.exponent < -kBeyond) return 0;
+  return nearest_double(exact_value(decimal, is_negative));
+}
+
 constexpr std::string_view kNumber = "a number";
 
 }  // namespace
@@ -154,7 +190,7 @@ bool NumberReader::read_ordinary(TextCursor& cursor, ReadNumber& number) const {
   if (exact_decimals_) return false;
   const std::string_view rest = cursor.rest().substr(0, kMost);
   double value = 0;
-  const auto [end, code] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  const auto [end, code] = from_text(rest, value);
   const auto size = static_cast<std::size_t>(end - rest.data());
   // from_chars also knows "inf" and "nan".
   if (code != std::errc() || !std::isfinite(value)) return false;
@@ -194,22 +230,26 @@ void NumberReader::read_fraction(const TextCursor& cursor, std::string_view toke
 
 void NumberReader::read_nearest(const TextCursor& cursor, std::string_view token,
                                 ReadNumber& number) const {
+  // Longer ones are rare, and take the way that all take where there is no from_chars.
+  constexpr std::size_t kMost = 64;
   // from_chars does not take a plus sign; "+-1" must not become "-1".
   const bool has_plus = token.starts_with('+') && !token.starts_with("+-");
   const std::string_view text = token.substr(has_plus ? 1 : 0);
   double value = 0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool complete = end == text.data() + text.size();
-  // from_chars also knows "inf" and "nan"; those are not finite and fall through.
-  if (complete && code == std::errc() && std::isfinite(value)) return number.set(value);
+  if (text.size() <= kMost) {
+    const auto [end, code] = from_text(text, value);
+    const bool complete = end == text.data() + text.size();
+    // from_chars also knows "inf" and "nan"; those are not finite and fall through.
+    if (complete && code == std::errc() && std::isfinite(value)) return number.set(value);
+  }
   const Decimal decimal = take_apart(token);
   if (!decimal.well_formed) cursor.fail_token(token, kNumber);
-  const Magnitude size = magnitude(decimal);
-  if (!size.zero && size.exponent > 0) {
+  value = nearest_value(decimal, is_negative(token));
+  if (!std::isfinite(value)) {
     cursor.fail(ErrorCode::NumberOutOfRange, quoted(token) + " is larger than the largest double",
                 token.data());
   }
-  number.set(0.0);  // too small: the nearest double is 0
+  number.set(value);
 }
 
 void NumberReader::read_exact_decimal(const TextCursor& cursor, std::string_view token,
@@ -217,8 +257,7 @@ void NumberReader::read_exact_decimal(const TextCursor& cursor, std::string_view
   const Decimal decimal = take_apart(token);
   if (!decimal.well_formed) cursor.fail_token(token, kNumber);
   if (magnitude(decimal).zero) return number.set(0.0);
-  const std::int64_t shift = decimal.exponent - static_cast<std::int64_t>(decimal.fraction.size());
-  const std::uint64_t distance = static_cast<std::uint64_t>(std::abs(shift));
+  const std::uint64_t distance = static_cast<std::uint64_t>(std::abs(shift_of(decimal)));
   const std::size_t digit_count = decimal.whole.size() + decimal.fraction.size();
   const bool is_far = static_cast<std::uint64_t>(std::abs(decimal.exponent)) > max_exponent_;
   // Numerator and denominator together: what is read can be written as p/q and read again.
@@ -233,10 +272,7 @@ void NumberReader::read_exact_decimal(const TextCursor& cursor, std::string_view
                 "the exact decimals of this file expand to too many digits", token.data());
   }
   expansion_left_ -= distance;
-  Integer digits = to_integer(std::string(decimal.whole).append(decimal.fraction));
-  if (is_negative(token)) digits.backend().negate();
-  const Integer power = power_of_ten(static_cast<std::uint32_t>(distance));
-  number.set(shift >= 0 ? Rational(Integer(digits * power)) : Rational(digits, power));
+  number.set(exact_value(decimal, is_negative(token)));
 }
 
 }  // namespace plumb

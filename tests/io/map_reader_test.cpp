@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <bit>
 #include <cfenv>
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -149,6 +154,37 @@ TEST(MapReader, reads_decimals_as_the_nearest_double) {
       {"0.000e99999999999999999999999", 0},
   };
   for (const auto& [text, value] : numbers) EXPECT_EQ(read_number(text).x, Rational(value)) << text;
+}
+
+/// As precise as the text is: whether it has few digits or hundreds, it is rounded once.
+TEST(MapReader, reads_long_decimals_as_the_nearest_double) {
+  const std::string zeros(100, '0');
+  EXPECT_EQ(read_number("0.1" + zeros).x, Rational(0.1));
+  EXPECT_EQ(read_number("-" + zeros + "1.5" + zeros + "e3").x, -1500);
+  EXPECT_EQ(read_number("+" + zeros + ".5").x, Rational(0.5));
+  EXPECT_EQ(read_number("-0." + zeros).x, 0);
+  EXPECT_EQ(read_number("0." + zeros + zeros + "1e190").x, Rational(1e-11));
+  EXPECT_EQ(read_number("9007199254740993." + zeros).x, Rational(9007199254740992.0));
+  EXPECT_EQ(read_number("9007199254740993." + zeros + "1").x, Rational(9007199254740994.0));
+  EXPECT_EQ(read_number("2.4703282292062327" + zeros + "e-324").x, 0);
+  EXPECT_EQ(read_number("2.4703282292062328" + zeros + "e-324").x, Rational(0x1p-1074));
+  EXPECT_EQ(read_number("1" + zeros + ".0e-999999999").x, 0);
+  EXPECT_EQ(read_number("1.7976931348623157" + zeros + "e308").x, Rational(1.7976931348623157e308));
+  EXPECT_THROW(read_number("1.7976931348623159" + zeros + "e308"), Error);
+  EXPECT_THROW(read_number("1" + zeros + ".0e999999999"), Error);
+  EXPECT_THROW(read_number("0.1" + zeros + "x"), Error);
+  EXPECT_THROW(read_number("0.1" + zeros + "e"), Error);
+}
+
+TEST(MapReader, reads_what_100_digits_say_of_a_double) {
+  std::mt19937_64 dice(20261122);
+  for (int i = 0; i < 2000; ++i) {
+    const auto value = std::bit_cast<double>(dice());
+    if (!std::isfinite(value)) continue;
+    std::array<char, 128> text{};
+    std::snprintf(text.data(), text.size(), "%.99e", value);
+    EXPECT_EQ(read_number(text.data()).x, Rational(value)) << text.data();
+  }
 }
 
 TEST(MapReader, reads_decimals_exactly_on_request) {
