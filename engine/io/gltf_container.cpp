@@ -103,13 +103,13 @@ void read_chunks(GltfContainer& out) {
   }
 }
 
-std::string from_data_uri(const std::string& uri, Context& context) {
+std::string from_data_uri(std::string_view uri, Context& context) {
   const std::size_t comma = uri.find(',');
-  if (comma == uri.npos || !std::string_view(uri).substr(0, comma).ends_with(";base64")) {
+  if (comma == uri.npos || !uri.substr(0, comma).ends_with(";base64")) {
     throw Error(ErrorCode::UnknownFormat, "data that is not base64");
   }
   context.charge_memory(uri.size(), "a buffer");
-  auto bytes = from_base64(std::string_view(uri).substr(comma + 1), context);
+  auto bytes = from_base64(uri.substr(comma + 1), context);
   if (!bytes) throw Error(ErrorCode::Syntax, "data that is not base64");
   context.release_memory(uri.size() - bytes->size());
   return std::move(*bytes);
@@ -138,7 +138,7 @@ GltfContainer open_gltf(std::string_view bytes, const std::string& name) {
   return out;
 }
 
-std::string bytes_of_uri(const std::string& uri, const GltfLoader& loader, Context& context) {
+std::string bytes_of_uri(std::string_view uri, const GltfLoader& loader, Context& context) {
   if (uri.starts_with("data:")) return from_data_uri(uri, context);
   const std::string file = decoded(uri);
   if (!is_file_name(file)) {

@@ -34,6 +34,6 @@ using GltfLoader = std::function<std::string(const std::string& name)>;
 
 /// The bytes that a uri names, charged as many as they are. Throws errors without a place: UnknownFormat, Syntax; CannotOpen for files
 /// that are not in the folder, or all if `loader` is empty; what it throws.
-std::string bytes_of_uri(const std::string& uri, const GltfLoader& loader, Context& context);
+std::string bytes_of_uri(std::string_view uri, const GltfLoader& loader, Context& context);
 
 }  // namespace plumb

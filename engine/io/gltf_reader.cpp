@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,7 +13,7 @@
 #include "plumb/base/error.h"
 #include "plumb/io/gltf_transform.h"
 #include "plumb/io/gltf_triangles.h"
-#include "plumb/io/json_text.h"
+#include "plumb/io/json_values.h"
 #include "plumb/io/text_cursor.h"
 #include "plumb/io/with_place.h"
 #include "plumb/predicates/rounding.h"
@@ -21,7 +21,7 @@
 namespace plumb {
 namespace {
 
-using Json = nlohmann::json;
+using Id = JsonValues::Id;
 
 constexpr std::size_t kItemsPerCheckpoint = 4096;
 constexpr std::uint64_t kMostCount = std::uint64_t{1} << 53U;
@@ -34,10 +34,14 @@ class GltfDocument {
       : container_(open_gltf(bytes, options.name)),
         loader_(loader),
         context_(context),
-        charge_(context) {
-    charge_.add(bytes_of_json_tree(container_.json), "the JSON");
-    parse();
-    if (!json_.is_object()) container_.fail(0, ErrorCode::Syntax, "expected an object");
+        charge_(context),
+        json_(
+            container_.json, options.name,
+            [this](std::size_t byte, ErrorCode code, const std::string& what) {
+              container_.fail(byte, code, what);
+            },
+            context) {
+    if (!json_.is_object(kDocument)) container_.fail(0, ErrorCode::Syntax, "expected an object");
     require_version();
   }
   /// Gives the memory of buffers back.
@@ -47,74 +51,106 @@ class GltfDocument {
   GltfDocument(const GltfDocument&) = delete;
   GltfDocument& operator=(const GltfDocument&) = delete;
 
-  const Json& json() const { return json_; }
+  static constexpr Id kDocument = JsonValues::kDocument;
+  const JsonValues& json() const { return json_; }
 
   [[noreturn]] void fail(ErrorCode code, const std::string& where, const std::string& what) const {
     throw Error(code, where + ": " + what, {container_.name});
   }
 
+  bool has(Id object, const char* member) const { return json_.find(object, member).has_value(); }
+
   /// The list that a member is; empty where it is missing.
-  const Json& list(const Json& object, const char* member, const std::string& where) const {
-    static const Json kEmpty = Json::array();
-    const auto found = object.find(member);
-    if (found == object.end()) return kEmpty;
-    if (!found->is_array()) fail(ErrorCode::Syntax, where, std::string(member) + " is no list");
-    return *found;
+  JsonValues::Items list(Id object, const char* member, const std::string& where) const {
+    const auto found = json_.find(object, member);
+    if (!found) return {&json_, 0, 0};
+    if (!json_.is_list(*found)) {
+      fail(ErrorCode::Syntax, where, std::string(member) + " is no list");
+    }
+    return json_.items(*found);
   }
-  const Json& list(const char* member) const { return list(json_, member, "the document"); }
+
+  /// The entries of a list of the document, to be found by number.
+  const std::vector<Id>& entries(const char* list_name) {
+    const auto [at, is_new] = entries_.try_emplace(list_name);
+    if (!is_new) return at->second;
+    const JsonValues::Items all = list(kDocument, list_name, "the document");
+    const std::size_t count = all.size();
+    charge_.add(count * sizeof(Id), "the JSON");
+    at->second.reserve(count);
+    for (const Id each : all) at->second.push_back(each);
+    return at->second;
+  }
 
   /// An entry of a list of the document: an object.
-  const Json& item(const char* list_name, std::size_t index) const {
-    const Json& all = list(list_name);
+  Id item(const char* list_name, std::size_t index) {
+    const std::vector<Id>& all = entries(list_name);
     if (index >= all.size()) fail(ErrorCode::BadIndex, entry(list_name, index), "there is none");
-    if (!all[index].is_object()) fail(ErrorCode::Syntax, entry(list_name, index), "no object");
+    if (!json_.is_object(all[index])) {
+      fail(ErrorCode::Syntax, entry(list_name, index), "no object");
+    }
     return all[index];
   }
 
   /// A whole number that a size can be; `otherwise` where the member is missing, an error if there is none.
-  std::size_t count(const Json& object, const char* member, std::optional<std::size_t> otherwise,
+  std::size_t count(Id object, const char* member, std::optional<std::size_t> otherwise,
                     const std::string& where) const {
-    const auto found = object.find(member);
-    if (found == object.end()) {
+    const auto found = json_.find(object, member);
+    if (!found) {
       if (!otherwise) fail(ErrorCode::Syntax, where, std::string("needs ") + member);
       return *otherwise;
     }
-    if (!found->is_number_unsigned() || found->get<std::uint64_t>() > kMostCount) {
+    const auto count = json_.count(*found);
+    if (!count || *count > kMostCount) {
       fail(ErrorCode::Syntax, where, std::string(member) + " is no count");
     }
-    return static_cast<std::size_t>(found->get<std::uint64_t>());
+    return static_cast<std::size_t>(*count);
   }
 
   /// As many numbers as `otherwise`, which they are where the member is missing.
   template <std::size_t N>
-  std::array<double, N> numbers(const Json& object, const char* member,
-                                std::array<double, N> otherwise, const std::string& where) const {
-    if (!object.contains(member)) return otherwise;
-    const Json& all = list(object, member, where);
+  std::array<double, N> numbers(Id object, const char* member, std::array<double, N> otherwise,
+                                const std::string& where) const {
+    if (!has(object, member)) return otherwise;
+    const JsonValues::Items all = list(object, member, where);
     if (all.size() != N) {
       fail(ErrorCode::CountMismatch, where,
            std::string(member) + " has not " + std::to_string(N) + " numbers");
     }
-    for (std::size_t i = 0; i < N; ++i) {
-      if (!all[i].is_number()) fail(ErrorCode::Syntax, where, std::string(member) + ": no number");
-      otherwise[i] = all[i].template get<double>();
+    std::size_t i = 0;
+    for (const Id each : all) {
+      if (!json_.is_number(each)) {
+        fail(ErrorCode::Syntax, where, std::string(member) + ": no number");
+      }
+      otherwise[i++] = json_.number(each);
     }
     return otherwise;
   }
 
   /// As many bytes as the buffer says. Files are read when they are first asked for.
   std::string_view buffer(std::size_t index) {
-    const Json& object = item("buffers", index);
+    const auto [at, is_new] = buffers_.try_emplace(index);
+    if (is_new) at->second = found_buffer(index);
+    return at->second;
+  }
+
+  static std::string entry(const char* list, std::size_t index) {
+    return std::string(list) + '[' + std::to_string(index) + ']';
+  }
+
+ private:
+  std::string_view found_buffer(std::size_t index) {
+    const Id object = item("buffers", index);
     const std::string where = entry("buffers", index);
     const std::size_t length = count(object, "byteLength", {}, where);
-    const auto uri = object.find("uri");
+    const auto uri = json_.find(object, "uri");
     std::string_view bytes;
-    if (uri == object.end()) {
+    if (!uri) {
       if (index != 0 || !container_.chunk) fail(ErrorCode::Syntax, where, "no bytes are there");
       bytes = *container_.chunk;
     } else {
-      if (!uri->is_string()) fail(ErrorCode::Syntax, where, "uri is no text");
-      bytes = loaded(index, uri->get_ref<const std::string&>(), where);
+      if (!json_.is_text(*uri)) fail(ErrorCode::Syntax, where, "uri is no text");
+      bytes = loaded(index, *uri, where);
     }
     if (length > bytes.size()) {
       fail(ErrorCode::CountMismatch, where,
@@ -124,37 +160,21 @@ class GltfDocument {
     return bytes.substr(0, length);
   }
 
-  static std::string entry(const char* list, std::size_t index) {
-    return std::string(list) + '[' + std::to_string(index) + ']';
-  }
-
- private:
-  void parse() {
-    try {
-      const std::string_view text = container_.json;
-      const CheckpointSteps steps{text.data(), text.size(), &context_};
-      using Text = SteppedText<CheckpointSteps>;
-      json_ = Json::parse(Text{text.data(), steps}, Text{text.data() + text.size(), steps});
-    } catch (const Json::parse_error& error) {
-      container_.fail(error.byte == 0 ? 0 : error.byte - 1, ErrorCode::Syntax, "not JSON");
-    } catch (const Json::exception&) {
-      container_.fail(0, ErrorCode::NumberOutOfRange, "a number too large");
-    }
-  }
-
   /// Any JSON, GeoJSON say, is an empty document but for this.
   void require_version() const {
-    const auto asset = json_.find("asset");
-    const bool is_there = asset != json_.end() && asset->is_object() &&
-                          asset->contains("version") && (*asset)["version"].is_string();
-    if (is_there && (*asset)["version"].get_ref<const std::string&>().starts_with("2.")) return;
+    const auto asset = json_.find(kDocument, "asset");
+    const auto version =
+        asset && json_.is_object(*asset) ? json_.find(*asset, "version") : std::nullopt;
+    if (version && json_.is_text(*version) && json_.text(*version).starts_with("2.")) return;
     fail(ErrorCode::UnknownFormat, "asset", "does not say version 2 of glTF");
   }
 
-  std::string_view loaded(std::size_t index, const std::string& uri, const std::string& where) {
-    if (const auto found = loaded_.find(index); found != loaded_.end()) return found->second;
+  std::string_view loaded(std::size_t index, Id uri, const std::string& where) {
     try {
-      return loaded_.emplace(index, bytes_of_uri(uri, loader_, context_)).first->second;
+      const auto plain = json_.plain_text(uri);
+      std::string bytes = plain ? bytes_of_uri(*plain, loader_, context_)
+                                : bytes_of_uri(json_.text(uri), loader_, context_);
+      return loaded_.emplace(index, std::move(bytes)).first->second;
     } catch (const Error& error) {
       if (!error.place().file.empty() || error.code() == ErrorCode::ResourceLimit) throw;
       fail(error.code(), where, error.message());
@@ -164,9 +184,11 @@ class GltfDocument {
   GltfContainer container_;
   const GltfLoader& loader_;
   Context& context_;
-  MemoryCharge charge_;  // of the JSON
-  Json json_;
-  std::map<std::size_t, std::string> loaded_;  // buffers
+  MemoryCharge charge_;  // of lists of entries
+  JsonValues json_;
+  std::map<std::string_view, std::vector<Id>> entries_;  // per list that was asked for
+  std::map<std::size_t, std::string> loaded_;            // buffers that are no chunk
+  std::map<std::size_t, std::string_view> buffers_;
 };
 
 class GltfReader {
@@ -180,12 +202,15 @@ class GltfReader {
 
   MeshFile read() {
     check_extensions();
+    above_.push_back(kGltfIdentity);
     find_roots();
-    std::reverse(open_.begin(), open_.end());
+    end_children(0);
     while (!open_.empty()) {
       const Placed top = open_.back();
       open_.pop_back();
-      place(top);
+      const GltfTransform above = above_.back();
+      if (top.is_last) above_.pop_back();
+      place(top.node, above);
     }
     MeshFile file = triangles_.take();
     if (file.mesh.face_count() == 0) {
@@ -195,18 +220,27 @@ class GltfReader {
   }
 
  private:
+  static constexpr Id kDocument = GltfDocument::kDocument;
+
+  /// A node that is to be placed by the topmost transform of above_, which goes with the last of them.
   struct Placed {
-    std::size_t node;
-    GltfTransform above;
+    std::uint32_t node;
+    bool is_last;
+  };
+
+  /// What an accessor says.
+  struct Accessor {
+    std::string type;
+    std::size_t component, count, offset, view;
   };
 
   // ---------------------------------------------------------------- nodes
 
   /// What changes colours only may be required.
   void check_extensions() const {
-    for (const Json& name : in_.list("extensionsRequired")) {
+    for (const Id name : in_.list(kDocument, "extensionsRequired", "the document")) {
       watch();
-      const std::string text = name.is_string() ? name.get<std::string>() : "";
+      const std::string text = in_.json().is_text(name) ? in_.json().text(name) : "";
       bool is_harmless = false;
       for (const char* prefix : {"KHR_materials_", "KHR_texture_", "KHR_lights_", "EXT_texture_"}) {
         is_harmless = is_harmless || text.starts_with(prefix);
@@ -223,65 +257,78 @@ class GltfReader {
   }
 
   void find_roots() {
-    const std::size_t nodes = in_.list("nodes").size();
+    const std::size_t nodes = in_.entries("nodes").size();
+    charge_.add((2 + sizeof(Placed)) * nodes, "nodes");
     is_placed_.resize(nodes);
-    if (!in_.list("scenes").empty() || in_.json().contains("scene")) {
-      const std::size_t scene = in_.count(in_.json(), "scene", 0, "the document");
+    open_.reserve(nodes);
+    if (!in_.entries("scenes").empty() || in_.has(kDocument, "scene")) {
+      const std::size_t scene = in_.count(kDocument, "scene", 0, "the document");
       const std::string where = GltfDocument::entry("scenes", scene);
-      for (const Json& node : in_.list(in_.item("scenes", scene), "nodes", where)) {
-        watch();
-        open(node, kGltfIdentity, where);
-      }
+      open_all(in_.list(in_.item("scenes", scene), "nodes", where), where);
       return;
     }
     std::vector<std::uint8_t> is_child(nodes);
     for (std::size_t n = 0; n < nodes; ++n) {
       watch();
-      for (const Json& child :
+      for (const Id child :
            in_.list(in_.item("nodes", n), "children", GltfDocument::entry("nodes", n))) {
         watch();
-        if (child.is_number_unsigned() && child.get<std::uint64_t>() < nodes) {
-          is_child[child.get<std::size_t>()] = 1;
-        }
+        const auto index = in_.json().count(child);
+        if (index && *index < nodes) is_child[*index] = 1;
       }
     }
     for (std::size_t n = 0; n < nodes; ++n) {
       watch();
-      if (is_child[n] == 0) open(n, kGltfIdentity, "nodes");
+      if (is_child[n] == 0) open(n);
     }
   }
 
-  void open(const Json& node, const GltfTransform& above, const std::string& where) {
-    if (!node.is_number_unsigned() || node.get<std::uint64_t>() >= is_placed_.size()) {
-      in_.fail(ErrorCode::BadIndex, where, "a node that there is not");
-    }
-    const auto index = node.get<std::size_t>();
-    if (std::exchange(is_placed_[index], std::uint8_t{1}) != 0) {
-      in_.fail(ErrorCode::BadShape, GltfDocument::entry("nodes", index), "hangs in two places");
-    }
-    open_.push_back({index, above});
-  }
-
-  void place(const Placed& top) {
-    const std::string where = GltfDocument::entry("nodes", top.node);
-    context_.checkpoint("read", 0, 1);
-    const Json& node = in_.item("nodes", top.node);
-    const GltfTransform here = product(top.above, transform_of(node, where));
-    const auto first = static_cast<std::ptrdiff_t>(open_.size());
-    for (const Json& child : in_.list(node, "children", where)) {
+  void open_all(const JsonValues::Items& nodes, const std::string& where) {
+    for (const Id node : nodes) {
       watch();
-      open(child, here, where);
+      const auto index = in_.json().count(node);
+      if (!index || *index >= is_placed_.size()) {
+        in_.fail(ErrorCode::BadIndex, where, "a node that there is not");
+      }
+      open(*index);
     }
-    std::reverse(open_.begin() + first, open_.end());  // the last is placed next
-    if (node.contains("skin")) triangles_.pass_over("skins");
-    if (!node.contains("mesh")) return;
+  }
+
+  void open(std::size_t node) {
+    if (std::exchange(is_placed_[node], std::uint8_t{1}) != 0) {
+      in_.fail(ErrorCode::BadShape, GltfDocument::entry("nodes", node), "hangs in two places");
+    }
+    open_.push_back({static_cast<std::uint32_t>(node), false});
+  }
+
+  /// Those opened since there were `first`: they are taken from the end. Without any, nobody needs their transform.
+  void end_children(std::size_t first) {
+    if (open_.size() == first) {
+      above_.pop_back();
+      return;
+    }
+    std::reverse(open_.begin() + static_cast<std::ptrdiff_t>(first), open_.end());
+    open_[first].is_last = true;
+  }
+
+  void place(std::size_t index, const GltfTransform& above) {
+    const std::string where = GltfDocument::entry("nodes", index);
+    context_.checkpoint("read", 0, 1);
+    const Id node = in_.item("nodes", index);
+    const GltfTransform here = product(above, transform_of(node, where));
+    const std::size_t first = open_.size();
+    above_.push_back(here);
+    open_all(in_.list(node, "children", where), where);
+    end_children(first);
+    if (in_.has(node, "skin")) triangles_.pass_over("skins");
+    if (!in_.has(node, "mesh")) return;
     const std::size_t mesh = in_.count(node, "mesh", {}, where);
     for (const GltfPrimitive& p : primitives_of(mesh))
       triangles_.add(p, here, place_of(mesh, p.number));
   }
 
-  GltfTransform transform_of(const Json& node, const std::string& where) const {
-    if (node.contains("matrix")) {
+  GltfTransform transform_of(Id node, const std::string& where) const {
+    if (in_.has(node, "matrix")) {
       return from_matrix(in_.numbers<16>(node, "matrix", {}, where));
     }
     const auto turn = in_.numbers<4>(node, "rotation", {0, 0, 0, 1}, where);
@@ -300,39 +347,40 @@ class GltfReader {
   const std::vector<GltfPrimitive>& primitives_of(std::size_t mesh) {
     const auto [at, is_new] = primitives_.try_emplace(mesh);
     if (!is_new) return at->second;
-    const Json& listed =
+    const JsonValues::Items listed =
         in_.list(in_.item("meshes", mesh), "primitives", GltfDocument::entry("meshes", mesh));
-    for (std::size_t p = 0; p < listed.size(); ++p) {
+    const std::size_t count = listed.size();
+    charge_.add(count * sizeof(GltfPrimitive), "parts of meshes");
+    at->second.reserve(count);
+    std::size_t p = 0;
+    for (const Id each : listed) {
       watch();
       const std::string where = place_of(mesh, p);
-      if (!listed[p].is_object()) in_.fail(ErrorCode::Syntax, where, "no object");
-      const std::optional<GltfPrimitive> primitive = primitive_of(listed[p], p, where);
-      if (!primitive) continue;
-      charge_.add(2 * sizeof(GltfPrimitive), "parts of meshes");
-      at->second.push_back(*primitive);
+      if (!in_.json().is_object(each)) in_.fail(ErrorCode::Syntax, where, "no object");
+      const std::optional<GltfPrimitive> primitive = primitive_of(each, p++, where);
+      if (primitive) at->second.push_back(*primitive);
     }
     return at->second;
   }
 
   /// None if it has no triangles.
-  std::optional<GltfPrimitive> primitive_of(const Json& primitive, std::size_t number,
+  std::optional<GltfPrimitive> primitive_of(Id primitive, std::size_t number,
                                             const std::string& where) {
     const std::size_t mode = in_.count(primitive, "mode", GltfMode::kTriangles, where);
-    if (primitive.contains("targets")) triangles_.pass_over("morph targets");
+    if (in_.has(primitive, "targets")) triangles_.pass_over("morph targets");
     if (mode != GltfMode::kTriangles && mode != GltfMode::kStrip && mode != GltfMode::kFan) {
       if (mode > GltfMode::kFan) in_.fail(ErrorCode::Syntax, where, "no such mode");
       triangles_.pass_over("lines and points");
       return {};
     }
-    const auto attributes = primitive.find("attributes");
-    if (attributes == primitive.end() || !attributes->is_object() ||
-        !attributes->contains("POSITION")) {
+    const auto attributes = in_.json().find(primitive, "attributes");
+    if (!attributes || !in_.json().is_object(*attributes) || !in_.has(*attributes, "POSITION")) {
       return {};  // as glTF has it: nothing to draw
     }
     GltfPrimitive p{number, mode, {}, {}};
     p.positions =
         elements(in_.count(*attributes, "POSITION", {}, where), "VEC3", 3, {GltfComponent::kFloat});
-    if (primitive.contains("indices")) {
+    if (in_.has(primitive, "indices")) {
       p.indices = elements(in_.count(primitive, "indices", {}, where), "SCALAR", 1,
                            {GltfComponent::kByte, GltfComponent::kShort, GltfComponent::kInteger});
     }
@@ -350,27 +398,21 @@ class GltfReader {
   GltfElements elements(std::size_t accessor, const char* type, std::size_t parts,
                         std::initializer_list<std::size_t> components) {
     const std::string where = GltfDocument::entry("accessors", accessor);
-    const Json& object = in_.item("accessors", accessor);
-    if (object.contains("sparse")) {
-      in_.fail(ErrorCode::UnknownFormat, where, "sparse accessors are not read");
-    }
-    if (!object.contains("type") || object["type"] != type) {
-      in_.fail(ErrorCode::Syntax, where, std::string("type is not ") + type);
-    }
+    const Accessor& a = accessor_of(accessor, where);
+    if (a.type != type) in_.fail(ErrorCode::Syntax, where, std::string("type is not ") + type);
     GltfElements e;
-    e.component = in_.count(object, "componentType", {}, where);
+    e.component = a.component;
     if (std::find(components.begin(), components.end(), e.component) == components.end()) {
       in_.fail(ErrorCode::UnknownFormat, where,
                "componentType " + std::to_string(e.component) + " is not read here");
     }
-    e.count = in_.count(object, "count", {}, where);
-    const std::size_t offset = in_.count(object, "byteOffset", 0, where);
+    e.count = a.count;
+    const std::size_t offset = a.offset;
     const std::size_t bytes =
         parts * (e.component == GltfComponent::kByte
                      ? 1
                      : (e.component == GltfComponent::kShort ? 2 : std::size_t{4}));
-    const std::size_t view = in_.count(object, "bufferView", {}, where);
-    const auto [data, stride] = view_bytes(view);
+    const auto [data, stride] = view_bytes(a.view);
     e.stride = stride == 0 ? bytes : stride;
     if (e.stride < bytes) in_.fail(ErrorCode::Syntax, where, "byteStride is less than an element");
     const bool fits = e.count == 0 || (offset <= data.size() && bytes <= data.size() - offset &&
@@ -383,10 +425,40 @@ class GltfReader {
     return e;
   }
 
+  /// Read once, however many primitives name it.
+  const Accessor& accessor_of(std::size_t accessor, const std::string& where) {
+    if (const auto known = accessors_.find(accessor); known != accessors_.end()) {
+      return known->second;
+    }
+    const Id object = in_.item("accessors", accessor);
+    if (in_.has(object, "sparse")) {
+      in_.fail(ErrorCode::UnknownFormat, where, "sparse accessors are not read");
+    }
+    const auto type = in_.json().find(object, "type");
+    Accessor a{};
+    if (type && in_.json().is_text(*type)) a.type = in_.json().text(*type);
+    a.component = in_.count(object, "componentType", {}, where);
+    a.count = in_.count(object, "count", {}, where);
+    a.offset = in_.count(object, "byteOffset", 0, where);
+    a.view = in_.count(object, "bufferView", {}, where);
+    charge_.add(sizeof(Accessor) + a.type.size(), "accessors");
+    return accessors_.emplace(accessor, std::move(a)).first->second;
+  }
+
+  using ViewBytes = std::pair<std::string_view, std::size_t>;
+
   /// And its stride, 0 if it says none.
-  std::pair<std::string_view, std::size_t> view_bytes(std::size_t view) {
+  const ViewBytes& view_bytes(std::size_t view) {
+    const auto [at, is_new] = views_.try_emplace(view);
+    if (is_new) {
+      charge_.add(sizeof(ViewBytes), "views of buffers");
+      at->second = found_view(view);
+    }
+    return at->second;
+  }
+  ViewBytes found_view(std::size_t view) {
     const std::string where = GltfDocument::entry("bufferViews", view);
-    const Json& object = in_.item("bufferViews", view);
+    const Id object = in_.item("bufferViews", view);
     const std::string_view buffer = in_.buffer(in_.count(object, "buffer", {}, where));
     const std::size_t offset = in_.count(object, "byteOffset", 0, where);
     const std::size_t length = in_.count(object, "byteLength", {}, where);
@@ -402,8 +474,11 @@ class GltfReader {
   MemoryCharge charge_;  // of lists of primitives
   mutable std::size_t watched_ = 0;
   std::vector<Placed> open_;
+  std::deque<GltfTransform> above_;                               // of open nodes
   std::vector<std::uint8_t> is_placed_;                           // per node
   std::map<std::size_t, std::vector<GltfPrimitive>> primitives_;  // per mesh that is placed
+  std::map<std::size_t, Accessor> accessors_;                     // that are named
+  std::map<std::size_t, ViewBytes> views_;
 };
 
 }  // namespace

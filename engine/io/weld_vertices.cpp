@@ -1,6 +1,10 @@
 #include "plumb/io/weld_vertices.h"
 
+#include <tsl/robin_set.h>
+
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -11,14 +15,69 @@ namespace plumb {
 namespace {
 
 constexpr std::uint32_t kNone = MeshVertices::kNone;
+constexpr std::uint32_t kPointsPerCheckpoint = 4096;
 
-/// Takes the faces that stay sound when corner v becomes vertex_of[v]; returns how many do not.
-std::size_t renumber_faces(PolygonMesh& mesh, const std::vector<std::uint32_t>& vertex_of) {
+/// -0 equals 0. By the bits: subnormals are not zero, whatever FTZ/DAZ say.
+std::array<std::uint64_t, 3> bits_of(const Point3& p) {
+  const auto bits = [](double value) {
+    const auto all = std::bit_cast<std::uint64_t>(value);
+    return all << 1U == 0 ? 0 : all;
+  };
+  return {bits(p.x), bits(p.y), bits(p.z)};
+}
+
+/// Points by their coordinates: a set of numbers, 4 bytes each.
+struct PointHash {
+  const std::vector<Point3>* points;
+
+  std::size_t operator()(std::uint32_t i) const {
+    constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15U;
+    std::uint64_t h = 0;
+    for (const std::uint64_t bits : bits_of((*points)[i])) h = (h ^ (h >> 29U) ^ bits) * kOdd;
+    return h ^ (h >> 32U);
+  }
+};
+
+struct PointEqual {
+  const std::vector<Point3>* points;
+
+  bool operator()(std::uint32_t i, std::uint32_t j) const {
+    return bits_of((*points)[i]) == bits_of((*points)[j]);
+  }
+};
+
+/// For each point the first with its coordinates.
+std::vector<std::uint32_t> first_equals(const PolygonMesh& mesh, Context& context) {
+  std::vector<std::uint32_t> first;
+  first.reserve(mesh.points.size());
+  tsl::robin_set<std::uint32_t, PointHash, PointEqual> known(0, PointHash{&mesh.points},
+                                                             PointEqual{&mesh.points});
+  for (std::uint32_t i = 0; i < mesh.points.size(); ++i) {
+    if (i % kPointsPerCheckpoint == 0) context.checkpoint("weld", i, mesh.points.size());
+    first.push_back(*known.insert(i).first);
+  }
+  return first;
+}
+
+/// The same where some coordinates are no doubles; kNone for points of no face.
+std::vector<std::uint32_t> first_exact_equals(const PolygonMesh& mesh) {
+  SpaceTables tables;
+  MeshVertices vertices = merge_equal_points(mesh, tables);
+  for (std::uint32_t& v : vertices.of_point) {
+    if (v != kNone) v = vertices.input[v];
+  }
+  return std::move(vertices.of_point);
+}
+
+/// Takes the faces that stay sound when corner v becomes first[v]; returns how many do not.
+std::size_t renumber_faces(PolygonMesh& mesh, const std::vector<std::uint32_t>& first) {
   PolygonMesh kept;
+  kept.corners.reserve(mesh.corners.size());
+  kept.face_begin.reserve(mesh.face_begin.size());
   std::vector<std::uint32_t> face;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     face.clear();
-    for (const std::uint32_t v : mesh.face(f)) face.push_back(vertex_of[v]);
+    for (const std::uint32_t v : mesh.face(f)) face.push_back(first[v]);
     const bool is_sound =
         face.front() != face.back() && std::adjacent_find(face.begin(), face.end()) == face.end();
     if (is_sound) kept.add_face(face);
@@ -29,13 +88,20 @@ std::size_t renumber_faces(PolygonMesh& mesh, const std::vector<std::uint32_t>& 
   return dropped;
 }
 
-/// Corners are vertices, point_of says where those are; afterwards they are points, in order of use.
-void renumber_points(PolygonMesh& mesh, const std::vector<std::uint32_t>& point_of) {
-  std::vector<std::uint32_t> number(point_of.size(), kNone);
+std::size_t used_points(const PolygonMesh& mesh) {
+  std::vector<std::uint8_t> is_used(mesh.points.size());
+  for (const std::uint32_t corner : mesh.corners) is_used[corner] = 1;
+  return static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1));
+}
+
+/// Only points with corners stay, in order of use.
+void renumber_points(PolygonMesh& mesh) {
+  std::vector<std::uint32_t> number(mesh.points.size(), kNone);
   PolygonMesh used;
+  used.points.reserve(used_points(mesh));
   for (std::uint32_t& corner : mesh.corners) {
-    const std::uint32_t point = point_of[corner];
-    std::uint32_t& now = number[corner];
+    const std::uint32_t point = corner;
+    std::uint32_t& now = number[point];
     if (now == kNone) {
       now = static_cast<std::uint32_t>(used.points.size());
       used.points.push_back(mesh.points[point]);
@@ -54,17 +120,19 @@ void renumber_points(PolygonMesh& mesh, const std::vector<std::uint32_t>& point_
 }  // namespace
 
 std::size_t weld_vertices(PolygonMesh& mesh, Context& context) {
-  constexpr std::uint64_t kPointBytes = 256;  // a table with an index, numbers, and a copy
-  constexpr std::uint64_t kExactBytes = 320;  // three planes
-  constexpr std::uint64_t kCornerBytes = 16;  // a copy of the faces
+  constexpr std::uint64_t kPointBytes = 64;   // a number, its place in a set that doubles, a copy
+  constexpr std::uint64_t kExactBytes = 320;  // three planes, numbers
+  constexpr std::uint64_t kCornerBytes = 4;   // a copy of the faces
+  constexpr std::uint64_t kTableBytes = 192;  // a point of a table with an index
+  const bool is_exact = !mesh.exact.empty();
   MemoryCharge charge(context);
-  charge.add(kPointBytes * mesh.points.size() + kExactBytes * mesh.exact.size() +
-                 kCornerBytes * mesh.corners.size(),
+  charge.add((kPointBytes + (is_exact ? kTableBytes : 0)) * mesh.points.size() +
+                 kExactBytes * mesh.exact.size() +
+                 kCornerBytes * (mesh.corners.size() + mesh.face_count()),
              "the vertices of the mesh");
-  SpaceTables tables;
-  const MeshVertices vertices = merge_equal_points(mesh, tables);
-  const std::size_t dropped = renumber_faces(mesh, vertices.of_point);
-  renumber_points(mesh, vertices.input);
+  const std::size_t dropped =
+      renumber_faces(mesh, is_exact ? first_exact_equals(mesh) : first_equals(mesh, context));
+  renumber_points(mesh);
   return dropped;
 }
 
