@@ -1,7 +1,6 @@
 #include "plumb/io/json_values.h"
 
 #include <charconv>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -162,9 +161,7 @@ std::optional<std::uint64_t> JsonValues::count(Id value) const {
 
 double JsonValues::number(Id value) const {
   const std::string_view all = rest(value);
-  double number = 0;
-  const auto [end, code] = std::from_chars(all.data(), all.data() + all.size(), number);
-  return code == std::errc() && std::isfinite(number) ? number : 0.0;  // else it is too small
+  return Json::parse(all.substr(0, all.find_first_not_of("+-.0123456789Ee"))).get<double>();
 }
 
 }  // namespace plumb
