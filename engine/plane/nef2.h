@@ -98,6 +98,15 @@ struct PlaneParts {
 class [[gnu::visibility("hidden")]] PlaneLocator;
 class [[gnu::visibility("hidden")]] PlaneTrapezoids;
 
+// A friend that is declared in its class alone g++ does not export.
+class Nef2;
+Nef2 operator+(const Nef2& a, const Nef2& b);   ///< union
+Nef2 operator*(const Nef2& a, const Nef2& b);   ///< intersection
+Nef2 operator-(const Nef2& a, const Nef2& b);   ///< the first without the second
+Nef2 operator^(const Nef2& a, const Nef2& b);   ///< symmetric difference
+bool operator==(const Nef2& a, const Nef2& b);  ///< the same set?
+bool operator<=(const Nef2& a, const Nef2& b);  ///< inclusion
+
 /// A set of the plane: an immutable value, see above.
 class Nef2 {
  public:

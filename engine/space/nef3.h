@@ -86,6 +86,15 @@ struct SpaceCounts {
   friend bool operator==(const SpaceCounts&, const SpaceCounts&) = default;
 };
 
+// A friend that is declared in its class alone g++ does not export.
+class Nef3;
+Nef3 operator+(const Nef3& a, const Nef3& b);   ///< union
+Nef3 operator*(const Nef3& a, const Nef3& b);   ///< intersection
+Nef3 operator-(const Nef3& a, const Nef3& b);   ///< the first without the second
+Nef3 operator^(const Nef3& a, const Nef3& b);   ///< symmetric difference
+bool operator==(const Nef3& a, const Nef3& b);  ///< the same set?
+bool operator<=(const Nef3& a, const Nef3& b);  ///< inclusion
+
 /// A set of space: an immutable value, see above.
 class Nef3 {
  public:

@@ -97,6 +97,15 @@ struct SphereFaceBoundary {
 /// What bounds a face of a map. O(size of the map).
 SphereFaceBoundary face_boundary(const SphereMap& map, std::uint32_t face);
 
+// A friend that is declared in its class alone g++ does not export.
+class NefSphere;
+NefSphere operator+(const NefSphere& a, const NefSphere& b);  ///< union
+NefSphere operator*(const NefSphere& a, const NefSphere& b);  ///< intersection
+NefSphere operator-(const NefSphere& a, const NefSphere& b);  ///< the first without the second
+NefSphere operator^(const NefSphere& a, const NefSphere& b);  ///< symmetric difference
+bool operator==(const NefSphere& a, const NefSphere& b);      ///< the same set?
+bool operator<=(const NefSphere& a, const NefSphere& b);      ///< inclusion
+
 /// A set of the sphere: an immutable value, see above.
 class NefSphere {
  public:
