@@ -10,6 +10,7 @@
 #include "plumb/space/mesh_components.h"
 #include "plumb/space/mesh_crossings.h"
 #include "plumb/space/mesh_facets.h"
+#include "plumb/space/mesh_fans.h"
 #include "plumb/space/mesh_links.h"
 #include "plumb/space/mesh_vertices.h"
 
@@ -58,7 +59,8 @@ void describe_crossings(const MeshOptions& options, MeshComplex& result, MemoryC
                         Context& context) {
   const SpaceComplex& complex = result.complex;
   std::vector<MeshReport::FacePair> pairs;
-  result.crossings = find_mesh_crossings(complex, context);
+  result.has_fan = find_fans(complex);
+  result.crossings = find_mesh_crossings(complex, result.has_fan, context);
   memory.add(result.crossings.size() * (sizeof(result.crossings[0]) + sizeof(pairs[0])),
              "crossings of the mesh");
   pairs.reserve(result.crossings.size());

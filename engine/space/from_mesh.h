@@ -75,6 +75,7 @@ struct MeshComplex {
   std::vector<std::uint8_t> is_inside_out;  ///< per component: negative volume
   /// Sheets that meet outside common vertices and edges, each pair once.
   std::vector<std::pair<FacetId, FacetId>> crossings;
+  std::vector<std::uint8_t> has_fan;  ///< per vertex (mesh_fans.h); empty once there are volumes
   // Filled by arrange().
   std::vector<std::uint32_t> sheet_begin;  ///< facet_count() + 1 entries into sheet
   std::vector<std::uint32_t> sheet;        ///< those that a facet lies in, ascending

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "plumb/space/combine.h"
-#include "plumb/space/mesh_fans.h"
 #include "plumb/space/mesh_layers.h"
 #include "plumb/space/volumes.h"
 
@@ -132,7 +131,7 @@ void unfold_sheets(SpaceComplex& arranged, Bundles& bundles, MeshComplex& mesh) 
 void arrange(MeshComplex& mesh, Context& context) {
   if (mesh.is_arranged()) return;
   if (mesh.crossings.empty()) {
-    label_volumes(mesh.complex, context, find_fans(mesh.complex));
+    label_volumes(mesh.complex, context, std::exchange(mesh.has_fan, {}));
     fill_sheets(mesh);
     return;
   }

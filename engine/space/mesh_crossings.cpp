@@ -6,7 +6,6 @@
 #include "plumb/base/box_tree.h"
 #include "plumb/space/box_frame.h"
 #include "plumb/space/facet_triangles.h"
-#include "plumb/space/mesh_fans.h"
 #include "plumb/space/oriented_boxes.h"
 #include "plumb/space/packed_boxes.h"
 #include "plumb/space/space_boxes.h"
@@ -22,8 +21,13 @@ using FacetPairs = std::vector<std::pair<FacetId, FacetId>>;
 
 class CrossingSearch {
  public:
-  CrossingSearch(const SpaceComplex& complex, Context& context)
-      : complex_(complex), context_(context), memory_(context), test_(complex.points()) {}
+  CrossingSearch(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan,
+                 Context& context)
+      : complex_(complex),
+        has_fan_(has_fan),
+        context_(context),
+        memory_(context),
+        test_(complex.points()) {}
 
   FacetPairs run() {
     memory_.add(kBytesPerCorner * complex_.use_count(), "boxes of triangles");
@@ -58,7 +62,7 @@ class CrossingSearch {
     }
   }
 
-  /// False: pairs are missing. Of spheres, and of triangles strewn about, the steps are 7 to 13 for each.
+  /// False: pairs are missing. Of spheres and scanned models, the steps are 7 to 8 for each.
   bool find_in(const PackedBoxTree& tree) {
     std::uint64_t left = kStepsPerTriangle * (triangles_.size() + 256);
     const auto may_go_on = [&] {
@@ -136,10 +140,9 @@ class CrossingSearch {
   void gather_triangles() {
     triangles_.reserve(complex_.use_count());
     FacetTriangles facets(complex_);
-    const std::vector<std::uint8_t> has_fan = find_fans(complex_);
     for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
       facets.for_each(FacetId(f), [&](VertexId a, VertexId b, VertexId c) {
-        const auto fans = has_fan[a.value()] | has_fan[b.value()] << 1 | has_fan[c.value()] << 2;
+        const auto fans = has_fan_[a.value()] | has_fan_[b.value()] << 1 | has_fan_[c.value()] << 2;
         triangles_.push_back({{corner(a), corner(b), corner(c)},
                               complex_.facet_plane[f],
                               FacetId(f),
@@ -197,6 +200,7 @@ class CrossingSearch {
   }
 
   const SpaceComplex& complex_;
+  const std::span<const std::uint8_t> has_fan_;
   Context& context_;
   MemoryCharge memory_;
   TriangleCrossing test_;
@@ -209,8 +213,9 @@ class CrossingSearch {
 }  // namespace
 
 std::vector<std::pair<FacetId, FacetId>> find_mesh_crossings(const SpaceComplex& complex,
+                                                             std::span<const std::uint8_t> has_fan,
                                                              Context& context) {
-  return CrossingSearch(complex, context).run();
+  return CrossingSearch(complex, has_fan, context).run();
 }
 
 }  // namespace plumb

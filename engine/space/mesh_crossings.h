@@ -23,6 +23,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -31,9 +32,10 @@
 
 namespace plumb {
 
-/// Pairs of facets, ascending, each once. Requires what link_facets() makes, of any mesh: edges and
+/// Pairs of facets, ascending, each once. has_fan: of find_fans(complex). Requires what link_facets() makes, of any mesh: edges and
 /// planes of facets, boundary cycles that are simple polygons; rings and volumes are not looked at.
 std::vector<std::pair<FacetId, FacetId>> find_mesh_crossings(const SpaceComplex& complex,
+                                                             std::span<const std::uint8_t> has_fan,
                                                              Context& context);
 
 }  // namespace plumb

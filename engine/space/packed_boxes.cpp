@@ -2,40 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
-
-#include "plumb/base/box_levels.h"
 
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kFieldBits = 21;
-constexpr std::uint64_t kLast = (std::uint64_t{1} << 20) - 1;  // beyond all places
-constexpr std::size_t kMostPoints = 64;   // boxes within a cell: as many all meet
+constexpr int kLast = 0xfffd;             // cell; 2 places more, where nothing is
+constexpr int kMiddle = 0x7fff;           // subtracted from cells, for places to be signed
+constexpr std::size_t kMostPoints = 64;   // boxes within a cell: as many may all meet
+constexpr std::size_t kPointShare = 8;    // of all boxes, one in so many may be one as well
 constexpr std::size_t kLongestRun = 256;  // of one code: the order says nothing of those
 
-/// The grid around all boxes. Places are 1 ... kLast - 1.
-class Places {
+/// The grid around all boxes.
+class Grid {
  public:
-  explicit Places(std::span<const Box3> boxes) {
+  explicit Grid(std::span<const Box3> boxes) {
     for (const Box3& box : boxes) all_.add(box);
     for (std::size_t i = 0; i < 3; ++i) {
       const double extent = all_.high[i] - all_.low[i];
       is_finite_ = is_finite_ && std::isfinite(extent);
-      scale_[i] = extent > 0x1p-900 ? static_cast<double>(kLast - 2) / extent : 0;
+      scale_[i] = extent > 0x1p-900 ? kLast / extent : 0;
     }
   }
   bool is_finite() const { return is_finite_; }
 
   /// Monotone in every coordinate: each step of the arithmetic is.
-  std::uint64_t packed(const std::array<double, 3>& at) const {
-    std::uint64_t fields = 0;
+  std::array<std::int16_t, 3> places(const std::array<double, 3>& at) const {
+    std::array<std::int16_t, 3> places;
     for (std::size_t i = 0; i < 3; ++i) {
-      const double place = (at[i] - all_.low[i]) * scale_[i];
-      const auto cell = std::min<std::uint64_t>(static_cast<std::uint64_t>(place), kLast - 2);
-      fields |= (cell + 1) << (kFieldBits * i);
+      const int cell = static_cast<int>((at[i] - all_.low[i]) * scale_[i]);
+      places[i] = static_cast<std::int16_t>(std::min(cell, kLast) - kMiddle);
     }
-    return fields;
+    return places;
   }
 
  private:
@@ -43,9 +42,6 @@ class Places {
   std::array<double, 3> scale_;
   bool is_finite_ = true;
 };
-
-/// All ones in the fields of a triple of guards that are set.
-std::uint64_t fields_of(std::uint64_t guards) { return guards - (guards >> 20); }
 
 /// Bit i of the argument, of 10 bits, becomes bit 3i.
 std::uint32_t spread_bits(std::uint32_t x) {
@@ -58,37 +54,68 @@ std::uint32_t spread_bits(std::uint32_t x) {
 }  // namespace
 
 void PackedBoxTree::Box::add(const Box& b) {
-  const std::uint64_t is_low_least = fields_of(((b.low | kGuards) - low) & kGuards);
-  const std::uint64_t is_high_most = fields_of(((high | kGuards) - b.high) & kGuards);
-  low = (low & is_low_least) | (b.low & ~is_low_least);
-  high = (high & is_high_most) | (b.high & ~is_high_most);
+  for (std::size_t i = 0; i < 3; ++i) {
+    low[i] = std::min(low[i], b.low[i]);
+    high[i] = std::max(high[i], b.high[i]);
+  }
 }
 
+void PackedBoxTree::Group::set(std::uint32_t i, const Box& b) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    low[axis][i] = b.low[axis];
+    high[axis][i] = b.high[axis];
+  }
+}
+
+/// Beyond all cells on both sides: it meets nothing, itself neither.
 constexpr PackedBoxTree::Box PackedBoxTree::nowhere() {
-  return {kLast | kLast << kFieldBits | kLast << (2 * kFieldBits), 0};
+  constexpr Place least = std::numeric_limits<Place>::min(),
+                  most = std::numeric_limits<Place>::max();
+  return {{most, most, most}, {least, least, least}};
 }
 
 PackedBoxTree::PackedBoxTree(std::span<const Box3> boxes) {
-  const std::vector<Box> packed = pack(boxes);
+  std::vector<Box> packed = pack(boxes);
   fits_ = fits_ && sort(packed);
-  if (!fits_) return;
-  boxes_.reserve((boxes.size() + kLeaf - 1) / kLeaf * kLeaf);
-  for (const std::uint32_t i : order_) boxes_.push_back(packed[i]);
-  boxes_.resize((boxes.size() + kLeaf - 1) / kLeaf * kLeaf, nowhere());
-  if (!boxes_.empty()) make_nodes();
+  if (!fits_ || boxes.empty()) return;
+  std::vector<Box> row;
+  row.reserve(boxes.size());
+  for (const std::uint32_t i : order_) row.push_back(packed[i]);
+  for (; levels_.empty() || row.size() > 1; row = around(levels_.back())) {
+    levels_.push_back(groups_of(row));
+  }
+}
+
+PackedBoxTree::Level PackedBoxTree::groups_of(std::span<const Box> boxes) {
+  Level level((boxes.size() + kWidth - 1) / kWidth);
+  for (std::uint32_t i = 0; i < kWidth * level.size(); ++i) {
+    level[i / kWidth].set(i % kWidth, i < boxes.size() ? boxes[i] : nowhere());
+  }
+  return level;
+}
+
+/// The box around each group.
+std::vector<PackedBoxTree::Box> PackedBoxTree::around(const Level& level) {
+  std::vector<Box> boxes;
+  boxes.reserve(level.size());
+  for (const Group& group : level) {
+    boxes.push_back(nowhere());
+    for (std::uint32_t i = 0; i < kWidth; ++i) boxes.back().add(group.box(i));
+  }
+  return boxes;
 }
 
 std::vector<PackedBoxTree::Box> PackedBoxTree::pack(std::span<const Box3> boxes) {
   std::vector<Box> packed;
-  const Places places(boxes);
-  if (!places.is_finite() && !boxes.empty()) return packed;
+  const Grid grid(boxes);
+  if (!grid.is_finite() && !boxes.empty()) return packed;
   packed.reserve(boxes.size());
   std::size_t points = 0;
   for (const Box3& box : boxes) {
-    packed.push_back({places.packed(box.low), places.packed(box.high)});
+    packed.push_back({grid.places(box.low), grid.places(box.high)});
     points += packed.back().low == packed.back().high ? 1 : 0;
   }
-  fits_ = points <= kMostPoints;
+  fits_ = points <= std::max(kMostPoints, boxes.size() / kPointShare);
   return packed;
 }
 
@@ -102,11 +129,10 @@ bool PackedBoxTree::sort(std::span<const Box> boxes) {
   std::vector<Coded> from, to(boxes.size());
   from.reserve(boxes.size());
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-    const std::uint64_t sum = boxes[i].low + boxes[i].high;  // twice the middle, guards used
     std::uint32_t code = 0;
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
-      const std::uint64_t field = sum >> (kFieldBits * axis) & ((std::uint64_t{1} << 21) - 1);
-      code |= spread_bits(static_cast<std::uint32_t>(field >> 11)) << (2 - axis);
+      const int twice_the_middle = boxes[i].low[axis] + boxes[i].high[axis] + 2 * kMiddle;
+      code |= spread_bits(static_cast<std::uint32_t>(twice_the_middle) >> 7) << (2 - axis);
     }
     from.push_back({code, i});
   }
@@ -128,12 +154,6 @@ bool PackedBoxTree::sort(std::span<const Box> boxes) {
   order_.reserve(boxes.size());
   for (const Coded& c : from) order_.push_back(c.box);
   return true;
-}
-
-void PackedBoxTree::make_nodes() {
-  BoxLevels<Box> levels = levels_over(boxes_, kLeaf, nowhere(), nowhere());
-  nodes_ = std::move(levels.nodes);
-  level_begin_ = std::move(levels.begin);
 }
 
 }  // namespace plumb
