@@ -256,7 +256,7 @@ class HalfSpaces : public SolidOperation {
   Nef3 compute(Session& session) override {
     const auto half_spaces = read_half_spaces_file(
         file_, {.exact_decimals = session.options().exact_decimals}, session.context());
-    return Nef3::intersection(half_spaces, session.context());
+    return intersection_of(half_spaces, session.context());
   }
 
   std::string file_;

@@ -1,6 +1,7 @@
 #include "plumb/io/half_space_reader.h"
 
-#include <array>
+#include <algorithm>
+#include <utility>
 
 #include "plumb/base/error.h"
 #include "plumb/io/number_reader.h"
@@ -18,43 +19,84 @@ Boundary read_boundary(TextCursor& cursor) {
   cursor.fail(ErrorCode::Syntax, "expected closed or open, found " + quoted(word), begin);
 }
 
-HalfSpace3 read_line(TextCursor& cursor, NumberReader& numbers) {
-  const char* const begin = cursor.position();
-  std::array<Rational, 4> row;
-  for (Rational& value : row) {
-    if (cursor.at_line_end()) {
-      cursor.fail(ErrorCode::Syntax, "expected a number: a line is a b c d closed|open");
-    }
-    ReadNumber number;
-    numbers.read_next(cursor, number);
-    value = number.exact();
-  }
-  const Boundary boundary = read_boundary(cursor);
-  if (!cursor.at_line_end()) {
-    cursor.fail(ErrorCode::Syntax, "nothing may follow on this line");
-  }
-  if (row[0] == 0 && row[1] == 0 && row[2] == 0) {
-    cursor.fail(ErrorCode::DegenerateFace, "a, b and c are all zero: no plane", begin);
-  }
-  return {{row[0], row[1], row[2], row[3]}, boundary};
+/// 13 bytes at least: "0 0 1 0 open" and the end of the line. So more are not there than `text` has room for.
+std::size_t most_lines(std::string_view text) {
+  constexpr std::size_t kLeastBytes = 13;
+  const auto breaks = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  return std::min(breaks, text.size() / kLeastBytes) + 1;
 }
+
+class HalfSpaceReader {
+ public:
+  HalfSpaceReader(std::string_view text, const ReadOptions& options, Context& context)
+      : cursor_(text, options.name),
+        numbers_(context.limits(), options.exact_decimals, text.size()),
+        size_(text.size()),
+        context_(context) {
+    const std::size_t most = most_lines(text);
+    context.charge_memory(most * HalfSpaceList::kBytes, "half-spaces");
+    list_.reserve(most);
+  }
+
+  HalfSpaceList read() {
+    while (cursor_.next_line()) {
+      if (list_.size() % kLinesPerCheckpoint == 0) {
+        context_.checkpoint("read", cursor_.bytes_read(), size_);
+      }
+      read_line();
+    }
+    return std::move(list_);
+  }
+
+ private:
+  static constexpr std::size_t kLinesPerCheckpoint = 1024;
+
+  void read_line() {
+    const char* const begin = cursor_.position();
+    bool has_normal = false;
+    for (int k = 0; k < 4; ++k) {
+      if (cursor_.at_line_end()) {
+        cursor_.fail(ErrorCode::Syntax, "expected a number: a line is a b c d closed|open");
+      }
+      numbers_.read_next(cursor_, number_);
+      has_normal |=
+          k < 3 && (number_.is_double() ? number_.as_double() != 0 : number_.exact() != 0);
+      add_number();
+    }
+    const Boundary boundary = read_boundary(cursor_);
+    if (!cursor_.at_line_end()) {
+      cursor_.fail(ErrorCode::Syntax, "nothing may follow on this line");
+    }
+    if (!has_normal) {
+      cursor_.fail(ErrorCode::DegenerateFace, "a, b and c are all zero: no plane", begin);
+    }
+    list_.end(boundary);
+  }
+
+  void add_number() {
+    if (number_.is_double()) return list_.add_number(number_.as_double());
+    Rational exact = number_.exact();
+    constexpr std::size_t kEntryBytes = sizeof(std::uint64_t) + sizeof(Rational);
+    const auto limbs =
+        mpz_size(mpq_numref(exact.backend().data())) + mpz_size(mpq_denref(exact.backend().data()));
+    context_.charge_memory(kEntryBytes + limbs * sizeof(mp_limb_t), "half-spaces");
+    list_.add_number(std::move(exact));
+  }
+
+  TextCursor cursor_;
+  NumberReader numbers_;
+  std::size_t size_;
+  Context& context_;
+  HalfSpaceList list_;
+  ReadNumber number_;
+};
 
 }  // namespace
 
-std::vector<HalfSpace3> read_half_spaces(std::string_view text, const ReadOptions& options,
-                                         Context& context) {
+HalfSpaceList read_half_spaces(std::string_view text, const ReadOptions& options,
+                               Context& context) {
   const RoundToNearest rounding;
-  TextCursor cursor(text, options.name);
-  NumberReader numbers(context.limits(), options.exact_decimals, text.size());
-  MemoryCharge charge(context);
-  std::vector<HalfSpace3> half_spaces;
-  while (cursor.next_line()) {
-    if (half_spaces.size() % 1024 == 0)
-      context.checkpoint("read", cursor.bytes_read(), text.size());
-    charge.add(sizeof(HalfSpace3), "half-spaces");
-    half_spaces.push_back(read_line(cursor, numbers));
-  }
-  return half_spaces;
+  return HalfSpaceReader(text, options, context).read();
 }
 
 }  // namespace plumb

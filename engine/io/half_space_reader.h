@@ -2,16 +2,14 @@
 #pragma once
 
 #include <string_view>
-#include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/io/read_options.h"
-#include "plumb/space/nef3.h"
+#include "plumb/space/half_space_list.h"
 
 namespace plumb {
 
-/// Errors, with their place: those of NumberReader, Syntax, DegenerateFace (a = b = c = 0), ResourceLimit.
-std::vector<HalfSpace3> read_half_spaces(std::string_view text, const ReadOptions& options,
-                                         Context& context);
+/// The memory of the list stays charged to `context`. Errors, with their place: those of NumberReader, Syntax, DegenerateFace (a = b = c = 0), ResourceLimit.
+HalfSpaceList read_half_spaces(std::string_view text, const ReadOptions& options, Context& context);
 
 }  // namespace plumb

@@ -125,11 +125,11 @@ SolidRead read_solid_file(const std::string& path, const SolidReadOptions& optio
   rethrow_refused_memory();
 }
 
-std::vector<HalfSpace3> read_half_spaces_file(const std::string& path, ReadOptions options,
-                                              Context& context) try {
+HalfSpaceList read_half_spaces_file(const std::string& path, ReadOptions options,
+                                    Context& context) try {
   options.name = input_name(path);
   const std::string text = read_input(path, context);
-  std::vector<HalfSpace3> half_spaces = read_half_spaces(text, options, context);
+  HalfSpaceList half_spaces = read_half_spaces(text, options, context);
   context.release_memory(text.size());
   return half_spaces;
 } catch (...) {

@@ -12,6 +12,7 @@
 
 #include "plumb/base/context.h"
 #include "plumb/io/read_options.h"
+#include "plumb/space/half_space_list.h"
 #include "plumb/space/nef3.h"
 
 #pragma GCC visibility push(default)
@@ -45,8 +46,7 @@ SolidRead read_solid(const std::string& path, const std::string& bytes,
 
 /// Lines `a b c d closed|open`: a x + b y + c z + d <= 0 or < 0. From a file or standard input. Errors: Syntax,
 /// NumberOutOfRange, with the place.
-std::vector<HalfSpace3> read_half_spaces_file(const std::string& path, ReadOptions options,
-                                              Context& context);
+HalfSpaceList read_half_spaces_file(const std::string& path, ReadOptions options, Context& context);
 
 }  // namespace plumb
 #pragma GCC visibility pop

@@ -14,10 +14,12 @@ namespace plumb {
 namespace {
 
 constexpr std::uint32_t kNone = HullPolytope::kNone;
+constexpr std::uint32_t kPlanesPerCheckpoint = 1024;
 
 class HullBuilder {
  public:
-  HullBuilder(std::span<const HalfSpace3> half_spaces, Context& context)
+  template <class HalfSpaces>
+  HullBuilder(const HalfSpaces& half_spaces, Context& context)
       : context_(context), tables_(std::make_shared<SpaceTables>()) {
     take_planes(half_spaces);
   }
@@ -46,19 +48,22 @@ class HullBuilder {
 
   // ---------------------------------------------------------------- 1. planes
 
-  void take_planes(std::span<const HalfSpace3> half_spaces) {
+  template <class HalfSpaces>
+  void take_planes(const HalfSpaces& half_spaces) {
     for (const PlaneId p : tables_->planes.intern_frame()) {
       const bool is_low = tables_->planes.source(p).frame_index() % 2 == 0;
       bounds_.push_back({{p, is_low}, false, kNone});
     }
     std::vector<std::uint32_t> known;  // per plane
     for (std::uint32_t i = 0; i < half_spaces.size(); ++i) {
-      const Plane3& plane = half_spaces[i].plane;
+      if (i % kPlanesPerCheckpoint == 0) context_.checkpoint("planes", i, half_spaces.size());
+      const HalfSpace3& half_space = half_spaces[i];
+      const Plane3& plane = half_space.plane;
       const OrientedPlane p = tables_->planes.intern(plane.a, plane.b, plane.c, plane.d);
       if (!p.is_valid()) {
         throw Error(ErrorCode::BadArgument, "a plane needs a normal that is not zero");
       }
-      const bool is_open = half_spaces[i].boundary == Boundary::Open;
+      const bool is_open = half_space.boundary == Boundary::Open;
       known.resize(std::max<std::size_t>(known.size(), p.plane().value() + 1), kNone);
       std::uint32_t& at = known[p.plane().value()];
       if (at == kNone) {
@@ -330,6 +335,10 @@ class HullBuilder {
 }  // namespace
 
 HalfSpaceHull hull_of_half_spaces(std::span<const HalfSpace3> half_spaces, Context& context) {
+  return HullBuilder(half_spaces, context).run(half_spaces.size());
+}
+
+HalfSpaceHull hull_of_half_spaces(const HalfSpaceList& half_spaces, Context& context) {
   return HullBuilder(half_spaces, context).run(half_spaces.size());
 }
 

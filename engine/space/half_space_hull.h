@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "plumb/base/context.h"
+#include "plumb/space/half_space_list.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/space_complex.h"
 
@@ -36,5 +37,6 @@ struct HalfSpaceHull {
 
 /// Throws Error{BadArgument} for a plane without a normal, and what the context throws.
 HalfSpaceHull hull_of_half_spaces(std::span<const HalfSpace3> half_spaces, Context& context);
+HalfSpaceHull hull_of_half_spaces(const HalfSpaceList& half_spaces, Context& context);
 
 }  // namespace plumb

@@ -29,6 +29,18 @@ bool is_inside(std::int32_t winding, WindingRule rule) {
   return winding > 0;
 }
 
+/// The intersection of the half-spaces that are needed, by Booleans.
+template <class HalfSpaces>
+Nef3 one_by_one(const HalfSpaces& half_spaces, const std::vector<std::uint32_t>& needed,
+                Context& context) {
+  std::vector<Nef3> sets;
+  for (const std::uint32_t i : needed) {
+    const HalfSpace3& half_space = half_spaces[i];
+    sets.push_back(Nef3::half_space(half_space.plane, half_space.boundary));
+  }
+  return intersection_of(sets, context);
+}
+
 /// Facets, edges and vertices belong to the set if a volume beside them does.
 void close_volumes(SpaceComplex& c) {
   c.facet_mark.assign(c.facet_count(), 0);
@@ -134,11 +146,15 @@ Nef3 Nef3::plane(const Plane3& plane) try {
 Nef3 Nef3::intersection(std::span<const HalfSpace3> half_spaces, Context& context) try {
   HalfSpaceHull hull = hull_of_half_spaces(half_spaces, context);
   if (hull.polytope) return Nef3(std::move(*hull.polytope));
-  std::vector<Nef3> sets;
-  for (const std::uint32_t i : hull.needed) {
-    sets.push_back(half_space(half_spaces[i].plane, half_spaces[i].boundary));
-  }
-  return intersection_of(sets, context);
+  return one_by_one(half_spaces, hull.needed, context);
+} catch (...) {
+  rethrow_refused_memory();
+}
+
+Nef3 intersection_of(const HalfSpaceList& half_spaces, Context& context) try {
+  HalfSpaceHull hull = hull_of_half_spaces(half_spaces, context);
+  if (hull.polytope) return Nef3::from_complex(std::move(*hull.polytope), context);
+  return one_by_one(half_spaces, hull.needed, context);
 } catch (...) {
   rethrow_refused_memory();
 }

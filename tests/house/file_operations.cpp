@@ -170,7 +170,9 @@ OperationRoom reader_operations() {
   room.operations.push_back(
       {"read_half_spaces_file", [path = std::string("corpus/solids/octahedron.txt")](Context& own) {
          Digest out;
-         for (const HalfSpace3& half_space : read_half_spaces_file(path, {}, own)) {
+         const HalfSpaceList all = read_half_spaces_file(path, {}, own);
+         for (std::size_t i = 0; i < all.size(); ++i) {
+           const HalfSpace3 half_space = all[i];
            const Plane3& plane = half_space.plane;
            for (const Rational* number : {&plane.a, &plane.b, &plane.c, &plane.d}) {
              out.add(*number);

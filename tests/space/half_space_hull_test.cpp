@@ -59,6 +59,18 @@ std::vector<HalfSpace3> scene(Dice& dice) {
   return result;
 }
 
+/// Thirds of the numbers, which are no doubles, say the same.
+HalfSpaceList list_of(const std::vector<HalfSpace3>& half_spaces) {
+  HalfSpaceList list;
+  for (const HalfSpace3& h : half_spaces) {
+    for (const Rational* number : {&h.plane.a, &h.plane.b, &h.plane.c, &h.plane.d}) {
+      list.add_number(Rational(*number / 3));
+    }
+    list.end(h.boundary);
+  }
+  return list;
+}
+
 TEST(HalfSpaceHull, IsTheFoldOfTheHalfSpaces) {
   Dice dice(7);
   std::size_t polytopes = 0, unbounded = 0, without_inside = 0, spared = 0;
@@ -78,6 +90,7 @@ TEST(HalfSpaceHull, IsTheFoldOfTheHalfSpaces) {
     for (const std::uint32_t k : hull.needed) needed.push_back(half_spaces[k]);
     EXPECT_EQ(fold(needed), expected) << i;
     EXPECT_EQ(Nef3::intersection(half_spaces, context), expected) << i;
+    EXPECT_EQ(intersection_of(list_of(half_spaces), context), expected) << i;
     ++(!is_solid ? without_inside : hull.polytope ? polytopes : unbounded);
     spared += half_spaces.size() - needed.size();
   }
