@@ -7,10 +7,11 @@
 #include <array>
 #include <cmath>
 #include <exception>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "../report/calls.h"
+#include "../report/report.h"
 #include "cpu_time.h"
 #include "power_fit.h"
 
@@ -20,6 +21,8 @@ namespace {
 constexpr double kTolerance = 0.15;
 constexpr int kBatches = 5;
 constexpr double kBatchSeconds = 0.02;
+constexpr std::size_t kLeastSizes = 6;
+constexpr double kLeastSpan = 100;
 constexpr double kLongSeconds = 4;  ///< no further batches after that
 constexpr double kBusySlack =
     0.3;  ///< for time, where it must stand in for instructions on a busy machine
@@ -30,12 +33,15 @@ struct Measure {
 };
 constexpr std::array kMeasures{
     Measure{"seconds", &Cost::seconds}, Measure{"instructions", &Cost::instructions},
-    Measure{"allocations", &Cost::allocations}, Measure{"bytes", &Cost::bytes}};
+    Measure{"allocations", &Cost::allocations}, Measure{"bytes", &Cost::bytes},
+    Measure{"predicates", &Cost::predicates}};
 
 struct SizeCost {
   double size = 0;
   Cost least;
   std::vector<double> batches;  ///< seconds of one run, of each batch
+  RungCounts rungs{};           ///< of the last batch
+  std::size_t runs = 0;         ///< in it
 };
 
 /// Other programs disturb caches: short runs are batched, all inputs of a size alike, and the least counts.
@@ -49,6 +55,9 @@ SizeCost cost_of(const Work& work, Meter& meter) {
       work.run(meter);
       const Cost cost = meter.take();
       for (const Measure& m : kMeasures) sum.*m.value += cost.*m.value;
+      for (std::size_t p = 0; p < kPredicates; ++p) {
+        for (std::size_t r = 0; r < kRungs; ++r) sum.rungs[p][r] += cost.rungs[p][r];
+      }
     }
     all += sum.seconds;
     for (const Measure& m : kMeasures) {
@@ -56,6 +65,8 @@ SizeCost cost_of(const Work& work, Meter& meter) {
       result.least.*m.value = batch == 0 ? mean : std::min(result.least.*m.value, mean);
     }
     result.batches.push_back(sum.seconds / static_cast<double>(runs));
+    result.rungs = sum.rungs;
+    result.runs = runs;
   }
   return result;
 }
@@ -122,11 +133,52 @@ bool judge(const Family& family, const std::vector<SizeCost>& costs, const Optio
   return is_within;
 }
 
+/// Calls of predicates in one run that neither ids nor the filter decided.
+double unfiltered_calls(const SizeCost& c) {
+  std::uint64_t sum = 0;
+  for (const auto& of_predicate : c.rungs) {
+    for (const Rung r : {Rung::Small, Rung::Exact, Rung::Big}) {
+      sum += of_predicate[static_cast<std::size_t>(r)];
+    }
+  }
+  return static_cast<double>(sum) / static_cast<double>(c.runs);
+}
+
 nlohmann::ordered_json to_json(const SizeCost& c) {
   nlohmann::ordered_json json{{"size", c.size}};
   for (const Measure& m : kMeasures) json[m.name] = c.least.*m.value;
+  json["unfiltered"] = unfiltered_calls(c);
   json["batches"] = c.batches;
   return json;
+}
+
+void print_calls(const nlohmann::ordered_json& calls) {
+  for (const auto& [predicate, rungs] : calls.items()) {
+    fmt::print("    {:18}", predicate);
+    for (const auto& [rung, count] : rungs.items()) {
+      fmt::print(" {:12.1f} {}", count.get<double>(), rung);
+    }
+    fmt::print("\n");
+  }
+}
+
+void print_size(const SizeCost& c, std::string_view unit) {
+  fmt::print(
+      "  {:10.0f} {:14} {:10.6f} s {:9.1f} ns {:9.0f} instructions {:8.2f} allocations {:8.1f} "
+      "bytes {:8.2f} predicates each\n",
+      c.size, unit, c.least.seconds, 1e9 * c.least.seconds / c.size, c.least.instructions / c.size,
+      c.least.allocations / c.size, c.least.bytes / c.size, c.least.predicates / c.size);
+  std::fflush(stdout);
+}
+
+/// Are these sizes that a power may be read off?
+bool are_enough(const std::vector<SizeCost>& costs) {
+  if (costs.size() >= kLeastSizes && costs.back().size >= kLeastSpan * costs.front().size) {
+    return true;
+  }
+  fmt::print("    TOO FEW SIZES: {} over a factor of {:.1f}\n", costs.size(),
+             costs.back().size / costs.front().size);
+  return false;
 }
 
 /// True when the family is within its bound. Throws what its making of inputs throws.
@@ -143,15 +195,14 @@ bool measure(const Family& family, const Options& options, Meter& meter,
   for (const std::size_t size : chosen_sizes(family, options.most)) {
     const Work work = family.prepare(size);
     const SizeCost& c = costs.emplace_back(cost_of(work, meter));
-    fmt::print(
-        "  {:10.0f} {:14} {:10.6f} s {:9.1f} ns {:9.0f} instructions {:8.2f} allocations {:8.1f} "
-        "bytes each\n",
-        c.size, family.unit, c.least.seconds, 1e9 * c.least.seconds / c.size,
-        c.least.instructions / c.size, c.least.allocations / c.size, c.least.bytes / c.size);
-    std::fflush(stdout);
+    print_size(c, family.unit);
     json["samples"].push_back(to_json(c));
   }
-  const bool is_within = judge(family, costs, options, json);
+  const SizeCost& largest = costs.back();
+  json["calls"] = calls_of(largest.rungs, static_cast<double>(largest.runs));
+  print_calls(json["calls"]);
+  const bool has_all_sizes = options.most < 100 || are_enough(costs);
+  const bool is_within = judge(family, costs, options, json) && has_all_sizes;
   json["within"] = is_within;
   fmt::print("\n");
   return is_within;
@@ -211,14 +262,7 @@ int growth_main(std::string_view title, std::span<const Family> families, int ar
       is_within = false;
     }
   }
-  if (!json_file.empty()) {
-    std::ofstream out(json_file);
-    if (!(out << json.dump(1) << '\n').flush()) {
-      fmt::print(stderr, "{}: cannot be written\n", json_file);
-      return 2;
-    }
-  }
-  return is_within ? 0 : 1;
+  return write_json(json_file, json, is_within ? 0 : 1);
 }
 
 }  // namespace plumb::bench

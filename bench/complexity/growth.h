@@ -3,12 +3,15 @@
 // Main flow of a program of families, growth_main():
 //  1. of every family and size, prepare() makes the input and returns the work
 //  2. the work runs until it has taken long enough, several times over; a Meter counts each run, small inputs in turn
-//  3. time, instructions, allocations and bytes are each divided by the logarithms of the bound; what is left is
-//     fitted as a power of the size
-//  4. a table on stdout, on wish JSON; exit status 1 when a power is above the bound's by more than 0.15, or prepare()
-//     throws std::exception: a claim of its own that does not hold
-// Instructions and allocations are the same on a busy machine; time is not, and feels the caches. --work leaves it
-// out of the verdict, or, where instructions are not counted, judges it with more patience.
+//  3. time, instructions, allocations, bytes and calls of predicates are each divided by the logarithms of the bound;
+//     what is left is fitted as a power of the size
+//  4. a table on stdout, on wish JSON; exit status 1 when a power is above the bound's by more than 0.15, when all sizes
+//     are fewer than six or span less than two decades, or when prepare() throws std::exception: a claim of its own that
+//     does not hold
+// Instructions, allocations and calls are the same on a busy machine; time is not, and feels the caches. --work leaves it
+// out of the verdict, or, where instructions are not counted, judges it with more patience. Calls are counted where the
+// build has PLUMB_COUNT_RUNGS. Elements of arrays have no counter of their own: every array is asked for before it is filled,
+// so that bytes bound the elements written once.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +41,8 @@ struct Family {
   std::string_view claim;  ///< the operation, and where the claim comes from
   std::string_view unit;   ///< of sizes
   Bound bound;
-  std::vector<std::size_t> sizes;  ///< what prepare() is given: at least three, ascending
+  std::vector<std::size_t>
+      sizes;  ///< what prepare() is given: at least six over two decades, ascending
   std::function<Work(std::size_t size)> prepare;
   double goal =
       0;  ///< most that the power of time alone, logarithms and all, is to be; 0: none is set

@@ -1,8 +1,10 @@
 // Compares two files of bench/run, growth and memory of structures: growth_compare OLD NEW
 //
-// Prints, for every family and size in both, what changed: allocations, their bytes and instructions by more than 2%, as bytes that structures hold, time by
-// more than 15% where its batches say so, too: a sign test of all batches of the family, every old one against the new one of
-// its place, at the 5% level. Exit status 1 when something has become worse, 2 when a file cannot be read or nothing is in both.
+// Prints, for every family and size in both, what changed: instructions, allocations, their bytes and calls of predicates by
+// more than 2%, calls that the filter did not decide by more than 2% of all, bytes that structures hold by more than 2%, and time
+// by more than 15% where its batches say so, too: a sign test of all batches of the family, every old one against the new one
+// of its place, at the 5% level. Then what of OLD has no counterpart in NEW. Exit status 1 when something has become worse or a
+// family or structure is gone, 2 when a file cannot be read or nothing is in both.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -63,8 +65,8 @@ std::map<std::string, double> memory_of(const Json& all) {
 
 bool compare_work(const std::string& family, double size, const Json& before, const Json& after) {
   bool is_well = true;
-  for (const char* const count : {"instructions", "allocations", "bytes"}) {
-    const double old_count = before.at(count), new_count = after.at(count);
+  for (const char* const count : {"instructions", "allocations", "bytes", "predicates"}) {
+    const double old_count = before.value(count, 0.0), new_count = after.value(count, 0.0);
     if (old_count <= 0 || new_count <= 0) continue;
     const double ratio = new_count / old_count;
     if (std::fabs(ratio - 1) <= kWorkTolerance) continue;
@@ -72,6 +74,22 @@ bool compare_work(const std::string& family, double size, const Json& before, co
     if (ratio > 1) is_well = false;
   }
   return is_well;
+}
+
+/// The share of calls of predicates that neither ids nor the filter decided.
+double unfiltered_share(const Json& sample) {
+  const double calls = sample.value("predicates", 0.0);
+  return calls > 0 ? sample.at("unfiltered").get<double>() / calls : 0;
+}
+
+/// True unless more calls pass the filter. Both have to count calls.
+bool compare_rungs(const std::string& family, double size, const Json& before, const Json& after) {
+  if (before.value("predicates", 0.0) <= 0 || after.value("predicates", 0.0) <= 0) return true;
+  const double old_share = unfiltered_share(before), new_share = unfiltered_share(after);
+  if (std::fabs(new_share - old_share) <= kWorkTolerance) return true;
+  fmt::print("{} {:.0f}: beyond the filter {:.1f}% of the calls, were {:.1f}%\n", family, size,
+             100 * new_share, 100 * old_share);
+  return new_share < old_share;
 }
 
 /// Batches that became slower, and all of them that changed.
@@ -107,6 +125,7 @@ bool compare(const std::string& family, const std::map<double, Json>& before,
     const auto found = after.find(size);
     if (found == after.end()) continue;
     if (!compare_work(family, size, old_sample, found->second)) is_well = false;
+    if (!compare_rungs(family, size, old_sample, found->second)) is_well = false;
     signs.add(old_sample.at("batches"), found->second.at("batches"));
     logarithms += std::log(found->second.at("seconds").get<double>() /
                            old_sample.at("seconds").get<double>());
@@ -125,14 +144,18 @@ bool have_common_size(const std::map<double, Json>& before, const std::map<doubl
   return std::ranges::any_of(before, [&](const auto& s) { return after.contains(s.first); });
 }
 
-/// True unless a structure holds more.
+/// True unless a structure holds more, or is gone.
 bool compare_memory(const Json& before, const Json& after) {
   const std::map<std::string, double> old_bytes = memory_of(before), new_bytes = memory_of(after);
   bool is_well = true;
   std::size_t compared = 0;
   for (const auto& [structure, bytes] : old_bytes) {
     const auto found = new_bytes.find(structure);
-    if (found == new_bytes.end()) continue;
+    if (found == new_bytes.end()) {
+      fmt::print("{}: GONE\n", structure);
+      is_well = false;
+      continue;
+    }
     ++compared;
     const double ratio = found->second / bytes;
     if (std::fabs(ratio - 1) <= kWorkTolerance) continue;
@@ -150,12 +173,9 @@ int run(const std::string& before, const std::string& after) {
   std::size_t compared = 0;
   for (const auto& [family, samples] : old_samples) {
     const auto found = new_samples.find(family);
-    if (found == new_samples.end()) {
-      fmt::print("{}: not in {}\n", family, after);
-      continue;
-    }
-    if (!have_common_size(samples, found->second)) {
-      fmt::print("{}: no size in both\n", family);
+    if (found == new_samples.end() || !have_common_size(samples, found->second)) {
+      fmt::print("{}: {}\n", family, found == new_samples.end() ? "GONE" : "GONE, no size in both");
+      is_well = false;
       continue;
     }
     ++compared;
@@ -167,7 +187,7 @@ int run(const std::string& before, const std::string& after) {
   }
   if (!compare_memory(old_results, new_results)) is_well = false;
   fmt::print("{} of {} families compared: {}\n", compared, old_samples.size(),
-             is_well ? "none is worse" : "WORSE");
+             is_well ? "none is worse" : "WORSE, or GONE");
   return is_well ? 0 : 1;
 }
 

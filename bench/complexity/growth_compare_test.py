@@ -15,10 +15,12 @@ problems = []
 
 def sample(size):
     return {"size": size, "seconds": 1e-6 * size, "instructions": 0, "allocations": 7.0 * size, "bytes": 90.0 * size,
+            "predicates": 5.0 * size, "unfiltered": 0.5 * size,
             "batches": [1e-6 * size * (1 + 0.01 * i) for i in range(5)]}
 
 
-old = {"programs": [{"title": "Growth", "families": [{"name": "family", "samples": [sample(n) for n in (100, 1000, 10000)]}]}],
+old = {"programs": [{"title": "Growth", "families": [{"name": name, "samples": [sample(n) for n in (100, 1000, 10000)]}
+                                                      for name in ("family", "other")]}],
        "macro": [{"part": "memory", "rows": [{"structure": "Map", "input": "hexagons", "measured": 50.0}]}]}
 
 
@@ -51,10 +53,13 @@ def slower(factor, batches=5):
 
 
 expect("the same", 0, lambda results: None)
-for key in ("allocations", "bytes"):
+for key in ("allocations", "bytes", "predicates"):
     expect(f"{key} 1.9 % up", 0, times(1.019, key))
     expect(f"{key} 2.1 % up", 1, times(1.021, key))
     expect(f"{key} 10 % down", 0, times(0.9, key))
+expect("beyond the filter 11.9 instead of 10 % of the calls", 0, times(1.19, "unfiltered"))
+expect("beyond the filter 12.1 %", 1, times(1.21, "unfiltered"))
+expect("beyond the filter 5 %", 0, times(0.5, "unfiltered"))
 expect("14 % slower", 0, slower(1.14))
 expect("16 % slower", 1, slower(1.16))
 expect("16 % slower, in one batch of five", 0, slower(1.16, batches=1))
@@ -65,18 +70,36 @@ def holds(factor):
     return doctor
 
 
-def other_sizes(results):
-    for s in samples(results):
-        s["size"] += 1
+def families(results):
+    return results["programs"][0]["families"]
+
+
+def other_sizes(results, count=2):
+    for family in families(results)[:count]:
+        for s in family["samples"]:
+            s["size"] += 1
+
+
+def without_calls(results):
+    for family in families(results):
+        for s in family["samples"]:
+            del s["predicates"], s["unfiltered"]
 
 
 expect("a structure 1.9 % larger", 0, holds(1.019))
 expect("a structure 2.1 % larger", 1, holds(1.021))
 expect("a structure 10 % smaller", 0, holds(0.9))
-expect("without structures", 0, lambda results: results.pop("macro"))
+expect("without structures", 1, lambda results: results.pop("macro"))
+expect("a structure that is gone", 1, lambda results: results["macro"][0]["rows"][0].update(structure="Other"))
+expect("calls are not counted", 0, without_calls)
 expect("no size in both", 2, other_sizes)
-expect("a family that failed", 2, lambda results: results["programs"][0]["families"][0].pop("samples"))
-expect("another family", 2, lambda results: results["programs"][0]["families"][0].update(name="other"))
+expect("no size of one family in both", 1, lambda results: other_sizes(results, 1))
+expect("a size that is gone", 0, lambda results: samples(results).pop())
+expect("a family that failed", 1, lambda results: families(results)[0].pop("samples"))
+expect("a family that is gone", 1, lambda results: families(results).pop())
+expect("a family with another name", 1, lambda results: families(results)[0].update(name="new"))
+expect("a new family", 0, lambda results: families(results).append({"name": "new", "samples": [sample(7)]}))
+expect("no families", 2, lambda results: families(results).clear())
 expect("no programs", 2, lambda results: results.pop("programs"))
 
 print("\n".join(problems) or "growth_compare judges as it should")

@@ -8,6 +8,19 @@
 #include "generate/counted_memory.h"
 
 namespace plumb::bench {
+namespace {
+
+void add_calls(Cost& sum, const RungCounts& before, const RungCounts& after) {
+  for (std::size_t p = 0; p < kPredicates; ++p) {
+    for (std::size_t r = 0; r < kRungs; ++r) {
+      const std::uint64_t calls = after[p][r] - before[p][r];
+      sum.rungs[p][r] += calls;
+      sum.predicates += static_cast<double>(calls);
+    }
+  }
+}
+
+}  // namespace
 
 Meter::Meter() {
   perf_event_attr attributes{};
@@ -37,6 +50,7 @@ std::uint64_t Meter::instructions_now() const {
 void Meter::start() {
   begin_.allocations = static_cast<double>(testing::counted_memory().allocations);
   begin_.bytes = static_cast<double>(testing::counted_memory().bytes);
+  begin_.rungs = rung_counts();
   begin_.seconds = cpu_seconds();
   begin_.instructions = static_cast<double>(instructions_now());
 }
@@ -49,6 +63,7 @@ void Meter::stop() {
   sum_.allocations +=
       static_cast<double>(testing::counted_memory().allocations) - begin_.allocations;
   sum_.bytes += static_cast<double>(testing::counted_memory().bytes) - begin_.bytes;
+  add_calls(sum_, begin_.rungs, rung_counts());
 }
 
 Cost Meter::take() {

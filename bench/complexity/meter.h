@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "plumb/predicates/rung_counters.h"
+
 namespace plumb::bench {
 
 struct Cost {
@@ -11,9 +13,12 @@ struct Cost {
   double instructions = 0;  ///< retired in user mode; 0 where the system does not count them
   double allocations = 0;   ///< calls of operator new
   double bytes = 0;         ///< what they asked for
+  double predicates = 0;    ///< calls of predicates; 0 where the build does not count them
+  RungCounts rungs{};       ///< the same by predicate and by the rung that decided
 };
 
 /// One work may be started and stopped several times, to leave out what does not belong to it.
+/// It has to run on the thread that starts and stops: others' calls of predicates are not seen.
 class Meter {
  public:
   Meter();
@@ -32,7 +37,7 @@ class Meter {
   std::uint64_t instructions_now() const;
 
   int counter_ = -1;  ///< of the kernel
-  Cost begin_;
+  Cost begin_;        ///< without `predicates`, which are the sum of `rungs`
   Cost sum_;
 };
 

@@ -308,6 +308,7 @@ int run(const MacroOptions& options, nlohmann::ordered_json& rows) {
     }
     row.update(
         {{"size", m.size}, {"unit", job.unit}, {"seconds", m.seconds}, {"megabytes", m.megabytes}});
+    if (!m.calls.empty()) row["calls"] = m.calls;
     fmt::print("{:36} {:44} {:9.0f} {:10} {:10.6f} s {:7.1f} MB\n", job.capability, job.input,
                m.size, job.unit, m.seconds, m.megabytes);
     std::fflush(stdout);

@@ -2,18 +2,19 @@
 
 #include <fmt/core.h>
 #include <malloc.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "../complexity/cpu_time.h"
+#include "../report/calls.h"
+#include "../report/report.h"
 
 namespace plumb::bench {
 namespace {
@@ -41,14 +42,16 @@ double peak_megabytes() {
 Measured least_of_runs(const std::function<std::function<Timing()>()>& prepare) {
   const std::function<Timing()> once = prepare();
   forget_peak();
+  reset_rung_counts();
   Timing least = once();
+  nlohmann::json calls = calls_of(rung_counts(), 1);
   double sum = least.seconds;
   for (int run = 1; run < kMostRuns && sum < kEnoughSeconds; ++run) {
     const Timing next = once();
     sum += next.seconds;
     least.seconds = std::min(least.seconds, next.seconds);
   }
-  return {least.seconds, least.size, peak_megabytes()};
+  return {least.seconds, least.size, peak_megabytes(), std::move(calls)};
 }
 
 }  // namespace
@@ -58,28 +61,16 @@ std::size_t MacroOptions::size(std::size_t full, std::size_t least) const {
 }
 
 Measured in_own_process(const std::function<std::function<Timing()>()>& prepare) {
-  std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
-  std::fflush(stdout);
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("no process");
-  if (child == 0) {
-    int status = 1;
-    try {
-      const Measured found = least_of_runs(prepare);
-      if (write(ends[1], &found, sizeof found) == sizeof found) status = 0;
-    } catch (const std::exception& error) {
-      fmt::print(stderr, "{}\n", error.what());
-    }
-    _exit(status);
-  }
-  close(ends[1]);
+  const Finished process = run_apart([&] {
+    const Measured found = least_of_runs(prepare);
+    fmt::print("{:.17g} {:.17g} {:.17g} {}\n", found.seconds, found.size, found.megabytes,
+               found.calls.dump());
+  });
   Measured found;
-  const bool is_read = read(ends[0], &found, sizeof found) == sizeof found;
-  close(ends[0]);
-  int status = 0;
-  waitpid(child, &status, 0);
-  if (!is_read || status != 0) throw std::runtime_error("a measurement failed");
+  std::istringstream output(process.output);
+  output >> found.seconds >> found.size >> found.megabytes;
+  if (!process.is_well || !output) throw std::runtime_error("a measurement failed");
+  found.calls = nlohmann::json::parse(output);
   return found;
 }
 
@@ -99,11 +90,7 @@ int macro_main(std::string_view part, std::string_view title, int argc, char** a
     fmt::print(stderr, "{}\n", error.what());
     return 2;
   }
-  if (options.json.empty()) return status;
-  std::ofstream out(options.json);
-  if ((out << json.dump(1) << '\n').flush()) return status;
-  fmt::print(stderr, "{}: cannot be written\n", options.json);
-  return 2;
+  return write_json(options.json, json, status);
 }
 
 }  // namespace plumb::bench

@@ -22,6 +22,7 @@ struct Measured {
   double seconds = 0;    ///< CPU time, the least of the runs
   double size = 0;       ///< of what was worked on
   double megabytes = 0;  ///< its largest resident set once the input was there, which counts
+  nlohmann::json calls;  ///< of predicates, in the first run (report/calls.h)
 };
 
 /// Runs `once` several times in a process of its own; each returns CPU seconds and size. Throws std::runtime_error when that

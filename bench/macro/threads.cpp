@@ -16,9 +16,14 @@
 #include <vector>
 
 #include "../complexity/cpu_time.h"
+#include "../report/report.h"
+#include "../text_of.h"
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
+#include "generate/voxel_mesh.h"
 #include "macro_report.h"
+#include "plumb/base/parallel.h"
+#include "plumb/convex/minkowski.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/space/to_mesh.h"
 
@@ -47,21 +52,14 @@ nlohmann::ordered_json compared(const Job& job, unsigned threads, int rounds) {
     many.push_back(wall_seconds(job.work, threads));
     ratios.push_back(one.back() / many.back());
   }
-  std::ranges::sort(ratios);
   const double least_one = std::ranges::min(one), least_many = std::ranges::min(many);
-  fmt::print("{:34} {:28} {} threads: {:.4f} s, one: {:.4f} s, ratio {:.2f} ({:.2f} .. {:.2f})\n",
-             job.capability, job.input, threads, least_many, least_one, ratios[ratios.size() / 2],
-             ratios.front(), ratios.back());
+  const nlohmann::ordered_json ratio = spread(std::move(ratios));
+  fmt::print("{:34} {:28} {} threads: {:.4f} s, one: {:.4f} s, ratio {}\n", job.capability,
+             job.input, threads, least_many, least_one, spread_text(ratio));
   std::fflush(stdout);
-  return {{"capability", job.capability},
-          {"input", job.input},
-          {"threads", threads},
-          {"one", least_one},
-          {"many", least_many},
-          {"ratio",
-           {{"least", ratios.front()},
-            {"median", ratios[ratios.size() / 2]},
-            {"greatest", ratios.back()}}}};
+  return {{"capability", job.capability}, {"input", job.input},
+          {"threads", threads},           {"one", least_one},
+          {"many", least_many},           {"ratio", ratio}};
 }
 
 void add_jobs(std::vector<Job>& jobs, const std::string& input, const PolygonMesh& a,
@@ -83,6 +81,38 @@ void add_jobs(std::vector<Job>& jobs, const std::string& input, const PolygonMes
                   }});
 }
 
+/// Every set meets the next ones.
+void add_jobs_of_many(std::vector<Job>& jobs, std::size_t count, int depth) {
+  std::vector<Nef3> sets;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = 0.07 * static_cast<double>(i);
+    sets.push_back(testing::solid(testing::icosphere_mesh(depth, 1, {x, x / 3, x / 7})));
+  }
+  const std::string input = fmt::format("{} icospheres of 20 * 4^{}", count, depth);
+  jobs.push_back({"union of many sets", input,
+                  [sets](Context& context) { static_cast<void>(union_of(sets, context)); }});
+  jobs.push_back({"intersection of many sets", input,
+                  [sets](Context& context) { static_cast<void>(intersection_of(sets, context)); }});
+}
+
+/// Two operands, each read by a job of its own, as the program does.
+void add_reading(std::vector<Job>& jobs, const std::string& input, const PolygonMesh& mesh) {
+  const std::string text =
+      text_of([&](std::ostream& out) { write_mesh(out, mesh, MeshFormat::Off); });
+  jobs.push_back({"two files become meshes", input, [text](Context& context) {
+                    run_jobs(context, 2, [&](std::size_t, Context& own) {
+                      static_cast<void>(read_mesh(text, MeshFormat::Off, {}, own));
+                    });
+                  }});
+}
+
+void add_sum(std::vector<Job>& jobs, int teeth) {
+  const Nef3 set = testing::solid(testing::comb_block(teeth, teeth));
+  jobs.push_back(
+      {"Minkowski sum", fmt::format("two blocks with {} + {} notches", teeth, teeth),
+       [set](Context& context) { static_cast<void>(minkowski_sum(set, set, context)); }});
+}
+
 int run(const MacroOptions& options, nlohmann::ordered_json& rows) {
   const bool is_short = options.most < 50;
   const int depth = is_short ? 2 : 6;
@@ -90,6 +120,10 @@ int run(const MacroOptions& options, nlohmann::ordered_json& rows) {
   add_jobs(jobs, fmt::format("icospheres of 20 * 4^{}", depth),
            testing::icosphere_mesh(depth, 1, {0, 0, 0}),
            testing::icosphere_mesh(depth, 1, {0.3, 0.2, 0.1}));
+  add_reading(jobs, fmt::format("icosphere of 20 * 4^{}", depth),
+              testing::icosphere_mesh(depth, 1, {0, 0, 0}));
+  add_jobs_of_many(jobs, is_short ? 4 : 32, is_short ? 1 : 3);
+  add_sum(jobs, is_short ? 1 : 4);
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   for (const Job& job : jobs) {
     for (const unsigned threads : {2U, 4U}) {
