@@ -94,12 +94,20 @@ struct Object {
   bool has(Member m) const { return (seen & bit(m)) != 0; }
 };
 
+/// Each ends with a bracket, and "[0,0]," are six bytes.
+std::size_t most_positions(std::string_view text) {
+  const auto ends = std::count(text.begin(), text.end(), ']');
+  return std::min(static_cast<std::size_t>(ends), text.size() / 6);
+}
+
 class GeoJsonHandler : public nlohmann::json_sax<Json> {
  public:
   GeoJsonHandler(std::string_view text, const ReadOptions& options, Context& context)
       : places_(text, options.name, context),
         numbers_(context.limits(), options.exact_decimals, text.size()),
-        shapes_(context, text.size()) {}
+        shapes_(context, text.size()) {
+    shapes_.expect(TextCursor(text, options.name), most_positions(text));
+  }
 
   PlaneShapes read() {
     Json::sax_parse(places_.begin(), places_.end(), this);

@@ -7,10 +7,15 @@ namespace {
 
 constexpr std::uint32_t kStep = 4096;  // positions between two looks at the context
 constexpr std::uint64_t kMostPositions = 0xffff'fffe - kStep;
-// A position lies in the table, and once or twice as a corner (vectors grow by doubling).
-constexpr std::uint64_t kPositionBytes = sizeof(Point2) + 3 * sizeof(std::uint32_t);
+// A position lies in the table, and as a corner in vectors that grow by doubling: for a moment there are two of them.
+constexpr std::uint64_t kCornerBytes = 3 * sizeof(std::uint32_t);
 
 }  // namespace
+
+void ShapeCollector::expect(const TextCursor& cursor, std::size_t positions) {
+  charge(cursor, positions * sizeof(Point2));
+  shapes_.points.reserve(positions);
+}
 
 /// Limits are told with the place that they were met at, like every other error.
 void ShapeCollector::charge(const TextCursor& cursor, std::uint64_t bytes) {
@@ -28,7 +33,7 @@ void ShapeCollector::add_position(const TextCursor& cursor, const ReadNumber& x,
       cursor.fail(ErrorCode::ResourceLimit, "more than 2^32 positions");
     }
     context_.checkpoint("read", cursor.bytes_read(), total_bytes_);
-    charge(cursor, kStep * kPositionBytes);
+    charge(cursor, kStep * kCornerBytes);
     charged_positions_ += kStep;
   }
   if (const std::size_t bytes = exact_bytes(x, y)) charge(cursor, bytes);

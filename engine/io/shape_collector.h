@@ -17,6 +17,9 @@ class ShapeCollector {
   ShapeCollector(Context& context, std::size_t total_bytes)
       : context_(context), total_bytes_(total_bytes) {}
 
+  /// Room for so many positions, charged at once: for counts that the file bears out. `cursor`: where a limit is told.
+  void expect(const TextCursor& cursor, std::size_t positions);
+
   /// Positions read so far: the index of the next one.
   std::uint32_t position_count() const { return static_cast<std::uint32_t>(shapes_.points.size()); }
   /// A position read up to the place of `cursor`, where a limit is told.
