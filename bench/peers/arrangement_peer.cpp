@@ -72,11 +72,9 @@ int main(int argc, char** argv) {
   using namespace plumb::bench;
   CLI::App app{"Maps beside CGAL's arrangements"};
   std::uint32_t faces = 10000;
-  int rounds = 3;
-  std::string json;
+  PeerOptions options;
+  options.add_to(app);
   app.add_option("faces", faces, "10 to 10^7")->check(CLI::Range(10, 10000000));
-  app.add_option("--rounds", rounds, "of plumb and CGAL in turn (default 3)");
-  app.add_option("--json", json, "write the comparisons there");
   CLI11_PARSE(app, argc, argv);
   PeerReport report("Maps beside CGAL's arrangements");
   report.use("CGAL", CGAL_VERSION_STR);
@@ -86,8 +84,8 @@ int main(int argc, char** argv) {
     const auto segments = segments_of(made);
     report.compare(
         {"map check", fmt::format("{}, {} faces", family.name, plumb::testing::face_count(made)),
-         "CGAL Arrangement_2", "faces", 0, rounds},
+         "CGAL Arrangement_2", "faces", 0, options.rounds},
         [&] { return with_plumb(map); }, [&] { return with_cgal(segments); });
   }
-  return report.finish(json);
+  return report.finish(options.json);
 }

@@ -143,29 +143,27 @@ int main(int argc, char** argv) {
   using namespace plumb::bench;
   CLI::App app("Convex decomposition and Minkowski sums against CGAL");
   std::vector<std::string> walls, sums;
-  double most = 100;
-  int rounds = 3;
-  std::string json;
+  PeerOptions options;
+  options.add_to(app);
+  options.add_most_to(app);
   app.add_option("--walls", walls, "OFF files to decompose");
   app.add_option("--sums", sums, "two OFF files to add")->expected(2);
-  app.add_option("--most", most, "percent of the full sizes (default 100)");
-  app.add_option("--rounds", rounds, "of plumb and CGAL in turn (default 3)");
-  app.add_option("--json", json, "write the comparisons there");
   CLI11_PARSE(app, argc, argv);
   PeerReport report("Convex pieces and Minkowski sums beside CGAL");
   report.use("CGAL", CGAL_VERSION_STR);
-  for (const std::string& file : walls) compare_walls(report, solid_of_file(file), rounds);
+  for (const std::string& file : walls) compare_walls(report, solid_of_file(file), options.rounds);
   if (!sums.empty()) {
-    compare_sums(report, solid_of_file(sums[0]), solid_of_file(sums[1]), rounds);
+    compare_sums(report, solid_of_file(sums[0]), solid_of_file(sums[1]), options.rounds);
   }
   if (walls.empty() && sums.empty()) {
     const Solid l = solid_of_file("corpus/solids/l-block.off");
-    compare_walls(report, l, rounds);
+    compare_walls(report, l, options.rounds);
     for (const auto& [teeth, least] : {std::pair{8, 2}, {24, 3}}) {
-      compare_walls(report, comb(std::max(least, static_cast<int>(teeth * most / 100))), rounds);
+      compare_walls(report, comb(std::max(least, static_cast<int>(teeth * options.most / 100))),
+                    options.rounds);
     }
-    compare_sums(report, l, l, rounds);
-    compare_sums(report, comb(2), l, rounds);
+    compare_sums(report, l, l, options.rounds);
+    compare_sums(report, comb(2), l, options.rounds);
   }
-  return report.finish(json);
+  return report.finish(options.json);
 }

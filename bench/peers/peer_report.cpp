@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -60,6 +61,27 @@ Json ratios(const Runs& ours, const Runs& theirs, double PeerRun::*value) {
 }
 
 }  // namespace
+
+void PeerOptions::add_to(CLI::App& app) {
+  app.add_option("--rounds", rounds,
+                 fmt::format("of plumb and the peer in turn (default {})", rounds));
+  app.add_option("--json", json, "write the comparisons there");
+}
+void PeerOptions::add_most_to(CLI::App& app) {
+  app.add_option("--most", most, "percent of the full sizes (default 100)");
+}
+void PeerOptions::add_jobs_to(CLI::App& app, const std::string& names) {
+  app.add_option("jobs", jobs, names + "; default: all");
+}
+
+bool PeerOptions::wants(std::string_view job) const {
+  return jobs.empty() || std::ranges::find(jobs, job) != jobs.end();
+}
+
+std::size_t PeerOptions::size(std::size_t full) const {
+  return std::max(std::size_t{10},
+                  static_cast<std::size_t>(static_cast<double>(full) * most / 100));
+}
 
 PeerReport::PeerReport(std::string_view title)
     : json_{{"title", title}, {"versions", Json::object()}, {"comparisons", Json::array()}} {}

@@ -1,19 +1,40 @@
 // What a peer program finds out: plumb and another library on the same input, in turn, their answers compared.
 //
 // Main flow of a peer program:
-//  1. report.use(NAME, VERSION) of every library
-//  2. report.compare(...) of every job: plumb and the peer in turn, `rounds` times over; the answers of every round compared
-//  3. report.judge(...) of an answer that a third opinion, by brute force, has been had on
-//  4. return report.finish(FILE): the JSON that bench/run gathers, and the exit status
+//  1. PeerOptions: what it was asked for
+//  2. report.use(NAME, VERSION) of every library
+//  3. report.compare(...) of every job: plumb and the peer in turn, `rounds` times over; the answers of every round compared
+//  4. report.judge(...) of an answer that a third opinion, by brute force, has been had on
+//  5. return report.finish(FILE): the JSON that bench/run gathers, and the exit status
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace plumb::bench {
+
+/// What peer programs may be told.
+struct PeerOptions {
+  int rounds = 3;                 ///< of plumb and the peer in turn
+  std::string json;               ///< file for the comparisons; empty: none
+  double most = 100;              ///< percent of the full sizes
+  std::vector<std::string> jobs;  ///< none: all
+
+  void add_to(CLI::App& app);  ///< --rounds, --json
+  void add_most_to(CLI::App& app);
+  void add_jobs_to(CLI::App& app, const std::string& names);
+
+  bool wants(std::string_view job) const;
+  std::size_t size(std::size_t full) const;  ///< ten at least
+};
 
 /// One run of one library.
 struct PeerRun {

@@ -16,38 +16,17 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "../complexity/plane_jobs.h"
-#include "peer_report.h"
-#include "plumb/predicates/rounding.h"
+#include "flat_booleans.h"
 
 namespace plumb::bench {
 namespace {
 
 using testing::PlanePolygon;
-
-/// What all jobs share.
-struct Session {
-  PeerReport& report;
-  int rounds;
-  double most;  ///< percent of the sizes
-
-  std::size_t size(std::size_t full) const {
-    return std::max<std::size_t>(10,
-                                 static_cast<std::size_t>(static_cast<double>(full) * most / 100));
-  }
-};
-
-template <class Work, class Answer>
-PeerRun timed(Work work, Answer answer) {
-  std::optional<decltype(work())> result;
-  return timed_run([&] { result.emplace(work()); }, [&] { return answer(*result); });
-}
 
 // ---------------------------------------------------------------- arrangements
 
@@ -64,16 +43,16 @@ double count(const CgalArrangement& a) {
   return static_cast<double>(a.number_of_vertices() + a.number_of_edges() + a.number_of_faces());
 }
 
-void arrangements(const Session& session, const std::string& input,
+void arrangements(PeerReport& report, const PeerOptions& options, const std::string& input,
                   const std::vector<testing::PlaneSegment>& segments) {
   const SegmentScene scene = scene_of(segments);
   std::vector<Traits::Curve_2> curves;
   for (const auto& [p, q] : segments) {
     curves.emplace_back(Exact::Point_2(p.x, p.y), Exact::Point_2(q.x, q.y));
   }
-  session.report.compare(
+  report.compare(
       {"arrangement", fmt::format("{} {} segments", segments.size(), input), "CGAL Arrangement_2",
-       "vertices, edges, faces", 0, session.rounds},
+       "vertices, edges, faces", 0, options.rounds},
       [&] {
         return timed([&] { return arranged(scene); },
                      [](const Arrangement& result) { return count(result); });
@@ -86,14 +65,6 @@ void arrangements(const Session& session, const std::string& input,
 }
 
 // ---------------------------------------------------------------- Booleans of two stars
-
-struct Operation {
-  const char* name;
-  MarkFunction marks;
-};
-constexpr Operation kOperations[] = {{"intersection", kIntersection},
-                                     {"union", kUnion},
-                                     {"symmetric difference", kSymmetricDifference}};
 
 using CgalPolygon = CGAL::Polygon_2<Exact>;
 using CgalSet = CGAL::Polygon_set_2<Exact>;
@@ -127,22 +98,18 @@ PeerRun cgal_set_boolean(const CgalPolygon& p, const CgalPolygon& q, const std::
       [&] { return cgal_area(a); });
 }
 
-void stars(const Session& session, std::size_t n) {
+void stars(PeerReport& report, const PeerOptions& options, std::size_t n) {
   const PlanePolygon p = testing::star_polygon(n, 1);
   const PlanePolygon q = testing::star_polygon(n, 2);
   const Nef2 a = Nef2::polygon(p);
   const Nef2 b = Nef2::polygon(q);
   const CgalPolygon cgal_p = cgal_polygon(p);
   const CgalPolygon cgal_q = cgal_polygon(q);
-  for (const Operation& o : kOperations) {
-    session.report.compare(
+  for (const FlatBoolean& o : kFlatBooleans) {
+    report.compare(
         {o.name, fmt::format("two stars of {}", n), "CGAL Polygon_set_2", "area", 1e-12,
-         session.rounds},
-        [&] {
-          Context context;
-          return timed([&] { return combine(a, b, o.marks, context); },
-                       [](const Nef2& set) { return nearest_double(*set.area()); });
-        },
+         options.rounds},
+        [&] { return timed_boolean(a, b, o.marks); },
         [&] { return cgal_set_boolean(cgal_p, cgal_q, o.name); });
   }
 }
@@ -181,22 +148,19 @@ PlanePolygon rounded(PlanePolygon polygon) {
   return polygon;
 }
 
-void nef(const Session& session, std::size_t n) {
+void nef(PeerReport& report, const PeerOptions& options, std::size_t n) {
   const PlanePolygon p = rounded(testing::star_polygon(n, 1));
   const PlanePolygon q = rounded(testing::star_polygon(n, 2));
   const Nef2 a = Nef2::polygon(p);
   const Nef2 b = Nef2::polygon(q);
   const CgalNef cgal_a = cgal_nef(p);
   const CgalNef cgal_b = cgal_nef(q);
-  for (const Operation& o : kOperations) {
+  for (const FlatBoolean& o : kFlatBooleans) {
     const std::string name = o.name;
-    session.report.compare(
+    report.compare(
         {name, fmt::format("two stars of {}", n), "CGAL Nef_polyhedron_2", "marked faces", 0,
-         session.rounds},
-        [&] {
-          Context context;
-          return timed([&] { return combine(a, b, o.marks, context); }, marked_faces);
-        },
+         options.rounds},
+        [&] { return timed_boolean(a, b, o.marks, marked_faces); },
         [&] {
           return timed(
               [&] {
@@ -212,13 +176,13 @@ void nef(const Session& session, std::size_t n) {
 // ---------------------------------------------------------------- unbounded sets
 
 /// Against the same half-planes clipped to a box, in plumb itself.
-void unbounded(const Session& session, std::size_t n) {
+void unbounded(PeerReport& report, const PeerOptions& options, std::size_t n) {
   const std::vector<Nef2> open_ended = half_planes(n);
   const Nef2 box =
       Nef2::polygon(std::vector<Point2>{{-4, -4}, {4, -4}, {4, 4}, {-4, 4}}, Boundary::Closed);
   std::vector<Nef2> clipped;
   for (const Nef2& h : open_ended) clipped.push_back(h * box);
-  for (const Operation& o : kOperations) {
+  for (const FlatBoolean& o : kFlatBooleans) {
     if (o.name == std::string("union")) continue;
     const auto fold = [&](const std::vector<Nef2>& sets) {
       return timed(
@@ -230,48 +194,38 @@ void unbounded(const Session& session, std::size_t n) {
             }
             return result;
           },
-          [&](const Nef2& set) { return nearest_double(*(set * box).area()); });
+          [&](const Nef2& set) { return area_of(set * box); });
     };
-    session.report.compare(
+    report.compare(
         {fmt::format("{}, one by one", o.name), fmt::format("{} half-planes", n),
-         "plumb, clipped to a box", "area in the box", 0, session.rounds},
+         "plumb, clipped to a box", "area in the box", 0, options.rounds},
         [&] { return fold(open_ended); }, [&] { return fold(clipped); });
   }
-}
-
-int run(const Session& session, const std::vector<std::string>& jobs, const std::string& json) {
-  const auto is_wanted = [&](const char* job) {
-    return jobs.empty() || std::ranges::find(jobs, job) != jobs.end();
-  };
-  session.report.use("CGAL", CGAL_VERSION_STR);
-  if (is_wanted("short")) {
-    arrangements(session, "short", testing::short_segments(session.size(100000)));
-  }
-  if (is_wanted("long")) {
-    arrangements(session, "long", testing::long_segments(session.size(2000)));
-  }
-  if (is_wanted("stars")) {
-    for (const std::size_t n : {1000, 30000}) stars(session, session.size(n));
-  }
-  if (is_wanted("nef")) nef(session, session.size(1000));
-  if (is_wanted("unbounded")) unbounded(session, session.size(40));
-  return session.report.finish(json);
 }
 
 }  // namespace
 }  // namespace plumb::bench
 
 int main(int argc, char** argv) {
+  using namespace plumb::bench;
   CLI::App app{"The plane beside CGAL"};
-  std::vector<std::string> jobs;
-  double most = 100;
-  int rounds = 3;
-  std::string json;
-  app.add_option("--most", most, "percent of the full sizes (default 100)");
-  app.add_option("--rounds", rounds, "of plumb and CGAL in turn (default 3)");
-  app.add_option("--json", json, "write the comparisons there");
-  app.add_option("jobs", jobs, "short, long, stars, nef, unbounded; default: all");
+  PeerOptions options;
+  options.add_to(app);
+  options.add_most_to(app);
+  options.add_jobs_to(app, "short, long, stars, nef, unbounded");
   CLI11_PARSE(app, argc, argv);
-  plumb::bench::PeerReport report("The plane beside CGAL; unbounded sets beside the same in a box");
-  return plumb::bench::run({report, rounds, most}, jobs, json);
+  PeerReport report("The plane beside CGAL; unbounded sets beside the same in a box");
+  report.use("CGAL", CGAL_VERSION_STR);
+  if (options.wants("short")) {
+    arrangements(report, options, "short", plumb::testing::short_segments(options.size(100000)));
+  }
+  if (options.wants("long")) {
+    arrangements(report, options, "long", plumb::testing::long_segments(options.size(2000)));
+  }
+  if (options.wants("stars")) {
+    for (const std::size_t n : {1000U, 30000U}) stars(report, options, options.size(n));
+  }
+  if (options.wants("nef")) nef(report, options, options.size(1000));
+  if (options.wants("unbounded")) unbounded(report, options, options.size(40));
+  return report.finish(options.json);
 }

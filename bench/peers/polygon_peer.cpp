@@ -27,27 +27,12 @@
 #include <vector>
 
 #include "../complexity/plane_jobs.h"
-#include "peer_report.h"
-#include "plumb/predicates/rounding.h"
+#include "flat_booleans.h"
 
 namespace plumb::bench {
 namespace {
 
 using testing::PlanePolygon;
-
-/// What all jobs share.
-struct Session {
-  PeerReport& report;
-  int rounds;
-  double most;  ///< percent of the sizes
-
-  std::size_t size(std::size_t full) const {
-    return std::max<std::size_t>(10,
-                                 static_cast<std::size_t>(static_cast<double>(full) * most / 100));
-  }
-};
-
-double area_of(const Nef2& set) { return nearest_double(*set.area()); }
 
 // ---------------------------------------------------------------- GEOS
 
@@ -103,18 +88,13 @@ PeerRun boost_overlay(const BoostPolygon& p, const BoostPolygon& q, const std::s
 
 // ---------------------------------------------------------------- Booleans of two stars
 
-struct Operation {
-  const char* name;
-  MarkFunction marks;
-  int geos;
-};
-constexpr Operation kOperations[] = {
-    {"intersection", kIntersection, geos::operation::overlayng::OverlayNG::INTERSECTION},
-    {"union", kUnion, geos::operation::overlayng::OverlayNG::UNION},
-    {"symmetric difference", kSymmetricDifference,
-     geos::operation::overlayng::OverlayNG::SYMDIFFERENCE}};
+int geos_code(const std::string& name) {
+  using geos::operation::overlayng::OverlayNG;
+  if (name == "union") return OverlayNG::UNION;
+  return name == "intersection" ? OverlayNG::INTERSECTION : OverlayNG::SYMDIFFERENCE;
+}
 
-void stars(const Session& session, std::size_t n) {
+void stars(PeerReport& report, const PeerOptions& options, std::size_t n) {
   const PlanePolygon p = testing::star_polygon(n, 1);
   const PlanePolygon q = testing::star_polygon(n, 2);
   const Nef2 a = Nef2::polygon(p);
@@ -123,19 +103,14 @@ void stars(const Session& session, std::size_t n) {
   const GeosPointer geos_q = geos_polygon(q);
   const BoostPolygon boost_p = boost_polygon(p);
   const BoostPolygon boost_q = boost_polygon(q);
-  for (const Operation& o : kOperations) {
-    const auto ours = [&] {
-      Context context;
-      Nef2 result;
-      return timed_run([&] { result = combine(a, b, o.marks, context); },
-                       [&] { return area_of(result); });
-    };
+  for (const FlatBoolean& o : kFlatBooleans) {
+    const auto ours = [&] { return timed_boolean(a, b, o.marks); };
     PeerJob job{o.name,        fmt::format("two stars of {}", n), "GEOS OverlayNG", "area", 1e-9,
-                session.rounds};
-    session.report.compare(job, ours, [&] { return geos_overlay(geos_p, geos_q, o.geos); });
+                options.rounds};
+    report.compare(job, ours, [&] { return geos_overlay(geos_p, geos_q, geos_code(o.name)); });
     job.peer = "Boost.Geometry";
     job.tolerance = 1e-6;  // it rounds to a grid
-    session.report.compare(job, ours, [&] { return boost_overlay(boost_p, boost_q, o.name); });
+    report.compare(job, ours, [&] { return boost_overlay(boost_p, boost_q, o.name); });
   }
 }
 
@@ -143,7 +118,7 @@ void stars(const Session& session, std::size_t n) {
 
 namespace bp = boost::polygon;
 
-double area_of(const std::vector<bp::polygon_with_holes_data<int>>& polygons) {
+double boost_area(const std::vector<bp::polygon_with_holes_data<int>>& polygons) {
   double area = 0;
   for (const auto& p : polygons) area += static_cast<double>(bp::area(p));
   return area;
@@ -165,7 +140,7 @@ PeerRun boost_union(const std::vector<PlanePolygon>& polygons) {
         }
         set.get(result);
       },
-      [&] { return area_of(result); });
+      [&] { return boost_area(result); });
 }
 
 PeerRun geos_union(const std::vector<PlanePolygon>& polygons) {
@@ -184,18 +159,17 @@ PeerRun geos_union(const std::vector<PlanePolygon>& polygons) {
 }
 
 /// All begin with corners: making polygons of them is a part of it.
-void octagons(const Session& session, std::size_t n) {
+void octagons(PeerReport& report, const PeerOptions& options, std::size_t n) {
   const std::vector<PlanePolygon> polygons = testing::octagons(n);
   const auto ours = [&] {
-    Nef2 result;
-    return timed_run([&] { result = union_of_polygons(polygons); },
-                     [&] { return area_of(result); });
+    return timed([&] { return union_of_polygons(polygons); },
+                 [](const Nef2& set) { return area_of(set); });
   };
   PeerJob job{"union",       fmt::format("{} octagons", n), "Boost.Polygon", "area", 1e-6,
-              session.rounds};
-  session.report.compare(job, ours, [&] { return boost_union(polygons); });
+              options.rounds};
+  report.compare(job, ours, [&] { return boost_union(polygons); });
   job.peer = "GEOS CascadedPolygonUnion";
-  session.report.compare(job, ours, [&] { return geos_union(polygons); });
+  report.compare(job, ours, [&] { return geos_union(polygons); });
 }
 
 }  // namespace
@@ -204,25 +178,17 @@ void octagons(const Session& session, std::size_t n) {
 int main(int argc, char** argv) {
   using namespace plumb::bench;
   CLI::App app{"Polygons beside libraries that round"};
-  std::vector<std::string> jobs;
-  double most = 100;
-  int rounds = 3;
-  std::string json;
-  app.add_option("--most", most, "percent of the full sizes (default 100)");
-  app.add_option("--rounds", rounds, "of plumb and the peer in turn (default 3)");
-  app.add_option("--json", json, "write the comparisons there");
-  app.add_option("jobs", jobs, "stars, octagons; default: both");
+  PeerOptions options;
+  options.add_to(app);
+  options.add_most_to(app);
+  options.add_jobs_to(app, "stars, octagons");
   CLI11_PARSE(app, argc, argv);
   PeerReport report("Polygons beside libraries that round");
   report.use("GEOS", GEOS_VERSION);
   report.use("Boost", BOOST_LIB_VERSION);
-  const Session session{report, rounds, most};
-  const auto is_wanted = [&](const char* job) {
-    return jobs.empty() || std::ranges::find(jobs, job) != jobs.end();
-  };
-  if (is_wanted("stars")) {
-    for (const std::size_t n : {1000, 10000}) stars(session, session.size(n));
+  if (options.wants("stars")) {
+    for (const std::size_t n : {1000U, 10000U}) stars(report, options, options.size(n));
   }
-  if (is_wanted("octagons")) octagons(session, session.size(30000));
-  return report.finish(json);
+  if (options.wants("octagons")) octagons(report, options, options.size(30000));
+  return report.finish(options.json);
 }

@@ -85,16 +85,15 @@ struct Session {
 int main(int argc, char** argv) {
   using namespace plumb::bench;
   CLI::App app{"Predicates beside CGAL's"};
-  int rounds = 5;
-  std::string json;
-  app.add_option("--rounds", rounds, "of plumb and CGAL in turn (default 5)");
-  app.add_option("--json", json, "write the comparisons there");
+  PeerOptions options;
+  options.rounds = 5;
+  options.add_to(app);
   CLI11_PARSE(app, argc, argv);
   PeerReport report("Predicates beside CGAL's");
   report.use("CGAL", CGAL_VERSION_STR);
   for (const Family f : {Family::Random, Family::Near, Family::Degenerate}) {
     PredicateData data;
-    const Session session{report, f, rounds};
+    const Session session{report, f, options.rounds};
     session.compare("orient2d", data.orient2d(f), PLUMB_LIFT(plumb::orient2d),
                     PLUMB_LIFT(CGAL::orientation));
     session.compare("orient3d", data.orient3d(f), PLUMB_LIFT(plumb::orient3d), kOrientation3);
@@ -102,5 +101,5 @@ int main(int argc, char** argv) {
                     PLUMB_LIFT(CGAL::side_of_oriented_circle));
     session.compare("insphere", data.insphere(f), PLUMB_LIFT(plumb::insphere), kSphereSide);
   }
-  return report.finish(json);
+  return report.finish(options.json);
 }

@@ -244,15 +244,13 @@ int main(int argc, char** argv) {
   std::string directory;
   std::vector<std::string> pairs{"ico1280", "ico5120", "ico20480", "bunny"};
   std::vector<std::string> peers{"nef3", "corefinement"};
-  int rounds = 3;
+  plumb::bench::PeerOptions options;
   bool makes = false;
-  std::string json;
   app.add_option("directory", directory, "of PAIR_a.off and PAIR_b.off");
   app.add_flag("--make", makes, "write the pairs there first");
   app.add_option("--pairs", pairs, "names of pairs")->delimiter(',');
   app.add_option("--peers", peers, "nef3, corefinement")->delimiter(',');
-  app.add_option("--rounds", rounds, "of plumb and the peer in turn (default 3)");
-  app.add_option("--json", json, "write the comparisons there");
+  options.add_to(app);
   app.add_option("--run", run,
                  "ENGINE A B: one run of plumb, plumb-warm, nef3 or corefinement; prints seconds "
                  "and volume")
@@ -263,5 +261,5 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "space_peer: no pairs were made\n");
     return 2;
   }
-  return plumb::bench::compare_all(directory, pairs, peers, rounds, json);
+  return plumb::bench::compare_all(directory, pairs, peers, options.rounds, options.json);
 }

@@ -1,0 +1,36 @@
+// Plumb's side of Booleans of the plane, beside whichever library.
+#pragma once
+
+#include <optional>
+
+#include "peer_report.h"
+#include "plumb/plane/nef2.h"
+#include "plumb/predicates/rounding.h"
+
+namespace plumb::bench {
+
+struct FlatBoolean {
+  const char* name;
+  MarkFunction marks;
+};
+inline constexpr FlatBoolean kFlatBooleans[] = {{"intersection", kIntersection},
+                                                {"union", kUnion},
+                                                {"symmetric difference", kSymmetricDifference}};
+
+/// The result of work() lives until answer() has seen it; only work() is timed.
+template <class Work, class Answer>
+PeerRun timed(Work work, Answer answer) {
+  std::optional<decltype(work())> result;
+  return timed_run([&] { result.emplace(work()); }, [&] { return answer(*result); });
+}
+
+inline double area_of(const Nef2& set) { return nearest_double(*set.area()); }
+
+/// The answer is answer(result), the area unless said otherwise.
+template <class Answer = double (*)(const Nef2&)>
+PeerRun timed_boolean(const Nef2& a, const Nef2& b, MarkFunction marks, Answer answer = area_of) {
+  Context context;
+  return timed([&] { return combine(a, b, marks, context); }, answer);
+}
+
+}  // namespace plumb::bench
