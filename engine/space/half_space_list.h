@@ -10,6 +10,7 @@
 
 #include "plumb/space/nef3.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// a x + b y + c z + d < 0 or <= 0: four doubles and a byte for each, and what is no double beside them. Append-only.
@@ -41,3 +42,4 @@ class HalfSpaceList {
 Nef3 intersection_of(const HalfSpaceList& half_spaces, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop
