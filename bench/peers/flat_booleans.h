@@ -26,11 +26,11 @@ PeerRun timed(Work work, Answer answer) {
 
 inline double area_of(const Nef2& set) { return nearest_double(*set.area()); }
 
-/// The answer is answer(result), the area unless said otherwise.
-template <class Answer = double (*)(const Nef2&)>
-PeerRun timed_boolean(const Nef2& a, const Nef2& b, MarkFunction marks, Answer answer = area_of) {
+/// The answer is the area.
+inline PeerRun timed_boolean(const Nef2& a, const Nef2& b, MarkFunction marks) {
   Context context;
-  return timed([&] { return combine(a, b, marks, context); }, answer);
+  return timed([&] { return combine(a, b, marks, context); },
+               [](const Nef2& set) { return area_of(set); });
 }
 
 }  // namespace plumb::bench

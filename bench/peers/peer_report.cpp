@@ -6,26 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <fstream>
+#include <utility>
 
 #include "../complexity/cpu_time.h"
+#include "../report/report.h"
 
 namespace plumb::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json spread(std::vector<double> values) {
-  std::ranges::sort(values);
-  return {{"least", values.front()},
-          {"median", values[values.size() / 2]},
-          {"greatest", values.back()}};
-}
-
-std::string text(const Json& spread) {
-  return fmt::format("{:.3f} ({:.3f} .. {:.3f})", spread["median"].get<double>(),
-                     spread["least"].get<double>(), spread["greatest"].get<double>());
-}
 
 /// What one library did in all rounds.
 struct Runs {
@@ -117,10 +106,10 @@ void PeerReport::compare(const PeerJob& job, const std::function<PeerRun()>& our
              own.least(&PeerRun::seconds), other.least(&PeerRun::seconds));
   if (!other.runs.empty()) {
     json["ratio"] = ratios(own, other, &PeerRun::seconds);
-    fmt::print("  ratio {}", text(json["ratio"]));
+    fmt::print("  ratio {}", spread_text(json["ratio"]));
     if (own.runs.back().megabytes > 0 && other.runs.back().megabytes > 0) {
       json["memory_ratio"] = ratios(own, other, &PeerRun::megabytes);
-      fmt::print("  memory {}", text(json["memory_ratio"]));
+      fmt::print("  memory {}", spread_text(json["memory_ratio"]));
     }
   }
   if (!failure.empty()) {
@@ -155,14 +144,7 @@ void PeerReport::judge(const Judgement& j) {
 void PeerReport::judged_of(std::size_t inputs) { json_["judged_of"] = inputs; }
 
 int PeerReport::finish(const std::string& file) const {
-  if (!file.empty()) {
-    std::ofstream out(file);
-    if (!(out << json_.dump(1) << '\n').flush()) {
-      fmt::print(stderr, "{}: cannot be written\n", file);
-      return 2;
-    }
-  }
-  return agree_ ? 0 : 1;
+  return write_json(file, json_, agree_ ? 0 : 1);
 }
 
 PeerRun timed_run(const std::function<void()>& work, const std::function<double()>& answer) {

@@ -14,8 +14,6 @@
 #include <CGAL/Polyhedron_incremental_builder_3.h>
 #include <fmt/core.h>
 #include <sys/mman.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -26,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "../report/report.h"
 #include "generate/dice.h"
 #include "generate/space_solids.h"
 #include "oracle/nef3_check.h"
@@ -336,17 +335,9 @@ class Scene {
   bool differs_ = false;
 };
 
-/// In a process of its own: a crash ends one scene. True unless it crashed. Throws std::runtime_error when there is no process to be had.
-bool run_apart(std::uint64_t seed, const std::string& directory, Tally& tally) {
-  std::fflush(stdout);
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("no process");
-  if (child == 0) {
-    Scene(seed, directory, tally).run();
-    _exit(0);
-  }
-  int status = 1;
-  return waitpid(child, &status, 0) == child && status == 0;
+/// In a process of its own: a crash ends one scene. True unless it crashed.
+bool ends_well(std::uint64_t seed, const std::string& directory, Tally& tally) {
+  return run_apart([&] { Scene(seed, directory, tally).run(); }).is_well;
 }
 
 /// What the process of the scene has left in the file.
@@ -372,7 +363,7 @@ int run(std::uint64_t first, std::uint64_t scenes, const std::string& directory,
   std::size_t crashed = 0;
   for (std::uint64_t seed = first; seed < first + scenes; ++seed) {
     const std::size_t before = tally.different;
-    if (!run_apart(seed, directory, tally)) {
+    if (!ends_well(seed, directory, tally)) {
       ++crashed;
       report.judge({kPeer, fmt::format("seed {}", seed), tally.is_in_cgal ? "no crash" : "crashed",
                     tally.is_in_cgal ? "crashed" : "", tally.is_in_cgal});

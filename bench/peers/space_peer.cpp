@@ -18,22 +18,21 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/convert_nef_polyhedron_to_polygon_mesh.h>
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "../complexity/cpu_time.h"
+#include "../report/report.h"
 #include "generate/meshes.h"
 #include "peer_report.h"
 #include "plumb/io/solid_io.h"
@@ -143,27 +142,17 @@ std::string own_path() {
 
 /// The run in a process of its own; its memory as the kernel saw it.
 PeerRun in_process(const std::string& engine, const Files& files) {
-  std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
   const std::string self = own_path();
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("no process");
-  if (child == 0) {
-    dup2(ends[1], STDOUT_FILENO);
+  const Finished process = run_apart([&] {
     execl(self.c_str(), self.c_str(), "--run", engine.c_str(), files[0].c_str(), files[1].c_str(),
           nullptr);
-    _exit(127);
-  }
-  close(ends[1]);
-  FILE* const out = fdopen(ends[0], "r");
+    throw std::runtime_error("cannot run " + self);
+  });
   PeerRun outcome;
-  const bool is_read = std::fscanf(out, "%lf %lf", &outcome.seconds, &outcome.answer) == 2;
-  std::fclose(out);
-  int status = 0;
-  rusage usage{};
-  wait4(child, &status, 0, &usage);
-  if (!is_read || status != 0) throw std::runtime_error(engine + " failed");
-  outcome.megabytes = static_cast<double>(usage.ru_maxrss) / 1024;
+  std::istringstream output(process.output);
+  output >> outcome.seconds >> outcome.answer;
+  if (!process.is_well || !output) throw std::runtime_error(engine + " failed");
+  outcome.megabytes = process.megabytes;
   return outcome;
 }
 
@@ -199,22 +188,6 @@ void make_pairs(const std::string& directory) {
       if (!out.flush()) throw std::runtime_error("cannot write in " + directory);
     }
   }
-}
-
-/// In a process of its own: the memory of this one is the least that the kernel reports of those it starts.
-bool make_pairs_apart(const std::string& directory) {
-  const pid_t child = fork();
-  if (child == 0) {
-    try {
-      make_pairs(directory);
-      _exit(0);
-    } catch (const std::exception& error) {
-      fmt::print(stderr, "{}\n", error.what());
-      _exit(1);
-    }
-  }
-  int status = 1;
-  return child > 0 && waitpid(child, &status, 0) == child && status == 0;
 }
 
 int compare_all(const std::string& directory, const std::vector<std::string>& pairs,
@@ -257,7 +230,8 @@ int main(int argc, char** argv) {
       ->expected(3);
   CLI11_PARSE(app, argc, argv);
   if (!run.empty()) return plumb::bench::run_once(run[0], {run[1], run[2]});
-  if (makes && !plumb::bench::make_pairs_apart(directory)) {
+  // Apart: the memory of this process is the least that the kernel reports of those it starts.
+  if (makes && !plumb::bench::run_apart([&] { plumb::bench::make_pairs(directory); }).is_well) {
     fmt::print(stderr, "space_peer: no pairs were made\n");
     return 2;
   }
