@@ -109,12 +109,16 @@ Operand operand(const PlaneTable& table, const PlaneSource& source) {
   return {&table, source, grid, grid_width(grid.bits())};
 }
 
+// g++ takes the visibility of a template from its definition, not from the header.
+#pragma GCC visibility push(default)
 template <class W>
 FixedPlane<W> load(const Operand& operand) {
   const PlaneTable& table = *operand.table;
   if (operand.source.is_explicit()) return load_slot<W>(table, table.slot(operand.source));
   return load_corners<W>(operand.grid, corners(table, operand.source));
 }
+
+#pragma GCC visibility pop
 
 template FixedPlane<Narrow> load(const Operand&);
 template FixedPlane<Medium> load(const Operand&);

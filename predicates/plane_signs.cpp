@@ -93,6 +93,8 @@ FilteredSign near_det4_filter(const PlaneTable& planes, PlaneId p, PlaneId q, Pl
                      near_row(planes, s));
 }
 
+// g++ takes the visibility of a template from its definition, not from the header.
+#pragma GCC visibility push(default)
 template <class W>
 FilteredSign minor_fixed(const PlaneTable& planes, PlaneId p, PlaneId q, std::size_t axis) {
   return exact3::fixed_sign<W>(operands<2>(planes, {p, q}), MinorForm{axis});
@@ -105,6 +107,8 @@ template <class W>
 FilteredSign det4_fixed(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s) {
   return exact3::fixed_sign<W>(operands<4>(planes, {p, q, r, s}), Det4Form{});
 }
+
+#pragma GCC visibility pop
 
 template FilteredSign minor_fixed<exact3::Narrow>(const PlaneTable&, PlaneId, PlaneId, std::size_t);
 template FilteredSign minor_fixed<exact3::Medium>(const PlaneTable&, PlaneId, PlaneId, std::size_t);

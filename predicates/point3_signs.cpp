@@ -119,6 +119,8 @@ FilteredSign far_compare_axis_filter(const Point3Table& points, SpacePoint x, Sp
   return compare_axis_filter(points.near_box(x), points.near_box(y), axis);
 }
 
+// g++ takes the visibility of a template from its definition, not from the header.
+#pragma GCC visibility push(default)
 template <class W>
 FilteredSign side_fixed(const Point3Table& points, SpacePoint x, PlaneId plane) {
   if (has_three_planes(points, x)) {
@@ -137,6 +139,8 @@ FilteredSign compare_axis_fixed(const Point3Table& points, SpacePoint x, SpacePo
   if (std::max(a.width, b.width) > W::kIndex) return FilteredSign::Unsure;
   return order_in<FixedPlane<W>>(a, b, axis);
 }
+
+#pragma GCC visibility pop
 
 #define PLUMB_POINT3_INSTANCE(W)                                                          \
   template FilteredSign side_fixed<W>(const Point3Table&, SpacePoint, PlaneId);           \

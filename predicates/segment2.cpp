@@ -75,6 +75,8 @@ Sign compare_xy(const RationalPoint2& p, const RationalPoint2& q) {
   return sign_of(by_x != 0 ? by_x : p.y.compare(q.y));
 }
 
+// g++ takes the visibility of a template from its definition, not from the header.
+#pragma GCC visibility push(default)
 template <class Point>
 Sign compare_along(const BasicSegment2<Point>& direction, const Point& p, const Point& q) {
   return compare_xy(p, q) * compare_xy(direction.target, direction.source);
@@ -135,6 +137,8 @@ std::optional<RationalPoint2> meeting_point(const BasicSegment2<Point>& s,
   if (r == SegmentRelation::ShareEndpoint) return exact_point(shared_end(s, t));
   return crossing_point(s, t);
 }
+
+#pragma GCC visibility pop
 
 template Sign compare_along(const Segment2&, const Point2&, const Point2&);
 template PlaceOnSegment place_on(const Segment2&, const Point2&);

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """What shared libraries export is what headers declare: exported_symbols.py NM CLANG LIST INCLUDE_DIR LIBRARY...
 
-Clang lists the declarations of all headers of LIST (public-headers.txt), with the names that the linker has for them. Each
-that is not inline is exported by one of the libraries, and nothing else is but what compilers make of the headers: inline
-functions, instances of templates, tables and type information of classes."""
+Clang lists the declarations of all headers of LIST (public-headers.txt), with the names that the linker has for them. The
+libraries export each that is not inline, of each template that is defined in no header an instance, and besides only what
+compilers make of headers: inline functions, instances of templates, tables and type information of classes."""
 import json
 import re
 import subprocess
@@ -44,12 +44,15 @@ def is_defined_here(node):
 
 
 declared, inline, templates, classes = set(), set(), set(), set()
+defined_templates = set()  # in headers
 
 
 def collect(node):
     kind = node.get("kind")
     if kind in TEMPLATES:
         templates.add(node["name"])
+        if kind != "FunctionTemplateDecl" or any(is_defined_here(child) for child in node["inner"] if child["kind"] in FUNCTIONS):
+            defined_templates.add(node["name"])
         return
     if kind == "CXXRecordDecl" and node.get("completeDefinition"):
         classes.add(node["name"] if "name" in node else "")
@@ -69,13 +72,18 @@ def without_brackets(text):
     return text
 
 
+def parts_of(name):
+    """Of a function, {"plumb", class, its own name}."""
+    words = without_brackets(name.replace("[abi:cxx11]", "")).removesuffix(" const").split(" ")
+    return set(words[-1].split("::"))
+
+
 def comes_of_headers(name):
     """Is it an instance of a template, or the table or type information of a class?"""
     of_class = re.match(r"(?:vtable|typeinfo|typeinfo name) for (?:\w+::)+(\w+)$", name)
     if of_class:
         return of_class[1] in classes
-    words = without_brackets(name.replace("[abi:cxx11]", "").replace("(anonymous", "[")).removesuffix(" const").split(" ")
-    return not templates.isdisjoint(words[-1].split("::"))
+    return not templates.isdisjoint(parts_of(name))
 
 
 for tree in syntax_tree():
@@ -88,6 +96,8 @@ for library in libraries:
 names = demangled(sorted(exported | declared))
 shown = {names[symbol] for symbol in exported}
 missing = {names[symbol] for symbol in declared - inline} - shown
+instantiated = set().union(*(parts_of(name) for name in shown if "<" in name))
+missing |= {f"an instance of {name}()" for name in templates - defined_templates - instantiated}
 foreign = {name for name in shown - {names[symbol] for symbol in declared} if not comes_of_headers(name)}
 print(f"{len(declared - inline)} declared by headers, {len(shown)} exported")
 for name in sorted(missing):
