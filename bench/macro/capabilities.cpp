@@ -19,6 +19,7 @@
 #include "generate/sphere_families.h"
 #include "generate/voxel_mesh.h"
 #include "macro_report.h"
+#include "plumb/base/error.h"
 #include "plumb/convex/convexity.h"
 #include "plumb/convex/decompose.h"
 #include "plumb/convex/minkowski.h"
@@ -32,6 +33,7 @@
 #include "plumb/io/solid_io.h"
 #include "plumb/plane/map_check.h"
 #include "plumb/plane/map_overlay.h"
+#include "plumb/space/space_audit.h"
 #include "plumb/space/space_measure.h"
 #include "plumb/space/to_mesh.h"
 #include "plumb/surface/surface.h"
@@ -261,7 +263,9 @@ void add_files(std::vector<Job>& jobs, const MacroOptions& options) {
                         text_of([&](std::ostream& out) { write_nef3(out, set.complex()); }),
                         [](const std::string& text) {
                           Context context;
-                          return read_nef3(text, {}, context);
+                          SpaceComplex complex = read_nef3(text, {}, context);
+                          PLUMB_CHECK(!audit(complex, true, context));
+                          return complex;
                         });
                   }});
   jobs.push_back({"read map", "corpus/maps/us-counties.map", true, "bytes", [] {
