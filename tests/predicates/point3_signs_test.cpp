@@ -287,11 +287,21 @@ TEST(Point3Signs, AgreeWithIntegersOnAdversarialFamilies) {
 }
 
 /// Boxes hold their points, whatever the environment they were computed in; none is wide, also where
-/// planes are all but parallel.
+/// planes are all but parallel, at every scale.
 TEST(Point3Table, BoxesHoldTheirPoints) {
   cases::Random random(22);
   for (std::uint64_t i = 0; i < 3000 && !HasFailure(); ++i) {
-    const cases::Case c = cases::any(random);
+    cases::Case c = cases::any(random);
+    const double scale = std::ldexp(1, cases::integer(random, -80, 80));
+    const auto can_scale = [&](double x) {
+      return x == 0 || (std::fabs(x) > 0x1p-800 && std::fabs(x) < 0x1p800);
+    };
+    if (std::all_of(c.corners.begin(), c.corners.end(), [&](const Point3& p) {
+          return can_scale(p.x) && can_scale(p.y) && can_scale(p.z);
+        })) {
+      c.corners =
+          cases::map_all(c.corners, [&](const Point3& p) { return cases::scaled(p, scale); });
+    }
     std::optional<Built> built;
     std::optional<Point3Table> points;
     std::vector<SpacePoint> ids;
