@@ -16,6 +16,7 @@
 #include "plumb/plane/plane_audit.h"
 #include "plumb/plane/plane_records.h"
 #include "plumb/space/space_audit.h"
+#include "progress_stages.h"
 
 namespace plumb::cli {
 namespace {
@@ -95,6 +96,8 @@ class Audit : public CommandBody {
 
   ExitCode run(Session& session) override {
     const ReadOptions options{input_name(file_), session.options().exact_decimals};
+    session.expect({auditing(), writing()});
+    session.begin("audit");
     const std::string text = read_input(file_, session.context());
     return answer(audit_text(file_, text, options, session.context()), session);
   }

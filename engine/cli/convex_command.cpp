@@ -21,6 +21,7 @@
 #include "plumb/io/solid_sets.h"
 #include "plumb/io/text_output.h"
 #include "plumb/picture/sheet.h"
+#include "progress_stages.h"
 #include "solid_input.h"
 
 namespace plumb::cli {
@@ -38,6 +39,8 @@ class ConvexCheck : public CommandBody {
   }
 
   ExitCode run(Session& session) override {
+    session.expect({reading_solid(), checking_convexity(), writing()});
+    session.begin("read");
     const std::string bytes = read_input(file_, session.context());
     if (kind_of_file(file_, bytes) == FileKind::PlaneSet) return check_plane(bytes, session);
     const ConvexityEvidence found = evidence(bytes, session);
@@ -59,6 +62,7 @@ class ConvexCheck : public CommandBody {
  private:
   ExitCode check_plane(const std::string& bytes, Session& session) const {
     const Nef2 set = input_.read_plane(file_, bytes, session);
+    session.begin("convexity");
     const PlaneConvexity found = convexity_of_set(set, session.context());
     Json faces = Json::array();
     Json corners = Json::array();
@@ -89,12 +93,15 @@ class ConvexCheck : public CommandBody {
     Context& context = session.context();
     require_solid(file_, bytes);
     if (is_nef_file(file_, bytes)) {
-      return convexity_of_set(input_.read(file_, bytes, session), context);
+      const Nef3 set = input_.read(file_, bytes, session);
+      session.begin("convexity");
+      return convexity_of_set(set, context);
     }
     ReadOptions options;
     options.name = input_name(file_);
     options.exact_decimals = session.options().exact_decimals;
     const PolygonMesh mesh = read_mesh_of(file_, bytes, options, context).mesh;
+    session.begin("convexity");
     ConvexityEvidence of_mesh = convexity_of_mesh(mesh, context);
     const bool is_solid = of_mesh.is_convex || of_mesh.reflex_edges > 0;
     if (input_.is_plain() && is_solid) return of_mesh;
@@ -120,6 +127,7 @@ class NoteReport : public CommandBody {
   }
 
   ExitCode run(Session& session) override {
+    session.expect(stages());
     for (const std::string& file : files_) test(file, session);
     const Json json{{"checks", lines_},
                     {"total", success_ + failed_},
@@ -134,9 +142,20 @@ class NoteReport : public CommandBody {
   }
 
  private:
+  std::vector<ProgressStage> stages() const {
+    std::vector<ProgressStage> stages;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      stages.insert(stages.end(), {reading_solid(), cutting_solid()});
+    }
+    stages.push_back(writing());
+    return stages;
+  }
+
   void test(const std::string& file, Session& session) {
     const std::string name = title(file);
+    session.begin("read");
     const Nef3 set = input_.read(file, session);
+    session.begin("cut");
     if (check(name + ": IsPolyhedronConvex", set.closure().is_convex())) return;
     const ConvexPieces pieces = decompose(set, {DecomposeMethod::Cuts, true}, session.context());
     check(name + ": ConcaveToConvexPolyhedron", true);

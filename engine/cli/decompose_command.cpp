@@ -26,6 +26,7 @@
 #include "plumb/io/solid_text.h"
 #include "plumb/picture/nef2_svg.h"
 #include "plumb/picture/sheet.h"
+#include "progress_stages.h"
 #include "solid_input.h"
 
 namespace plumb::cli {
@@ -70,6 +71,8 @@ class Decomposition : public CommandBody {
   }
 
   ExitCode run(Session& session) override {
+    session.expect(stages(session.options()));
+    session.begin("read");
     const std::string bytes = read_input(file_, session.context());
     PieceFiles files(session.options().out);
     const bool is_plane = kind_of_file(file_, bytes) == FileKind::PlaneSet;
@@ -82,12 +85,19 @@ class Decomposition : public CommandBody {
     session.outputs().add("-", [&, is_json = session.options().json](std::ostream& out) {
       is_json ? write_json(out, answer) : write_text(out, answer);
     });
-    session.outputs().deliver();
+    session.deliver();
     files.commit(names, file_);
     return ExitCode::Yes;
   }
 
  private:
+  std::vector<ProgressStage> stages(const CommonOptions& common) const {
+    std::vector<ProgressStage> stages{reading_solid(), cutting_solid()};
+    if (!common.out.empty()) stages.push_back(writing_pieces());
+    if (!svg_.empty()) stages.push_back(drawing());
+    stages.push_back(writing());
+    return stages;
+  }
   static void write_json(std::ostream& out, const Answer& answer) {
     Json matches = nullptr;
     if (answer.matches) matches = *answer.matches;
@@ -125,14 +135,19 @@ class Decomposition : public CommandBody {
       throw Error(ErrorCode::BadArgument, "--svg draws the pieces of bounded solids only",
                   {.file = input_name(file_)});
     }
+    session.begin("cut");
     const ConvexPieces found = decompose(set, {method, closed_}, context);
+    std::size_t done = 0;
+    session.begin("pieces");
     for (const Nef3& piece : found.pieces) {
       if (!files.is_wanted()) break;
+      context.checkpoint("pieces", done++, found.pieces.size());
       const SolidFormat& format = solid_format(piece, session.options().format);
       const SolidText text(piece, format, context);
       files.add(format.extension, text.losses(), [&text](std::ostream& out) { text.write(out); });
     }
     if (!svg_.empty()) {
+      session.begin("draw");
       files.finish_picture(picture_of(found.pieces, kApart, Picture::Svg, title(), context));
     }
     Answer answer{found.pieces.size(), found.reflex_edges, "reflex edge", {}};
@@ -156,15 +171,20 @@ class Decomposition : public CommandBody {
                                                             : PartitionMethod::Best;
     Context& context = session.context();
     const Nef2 set = input_.read_plane(file_, bytes, session);
+    session.begin("cut");
     const PlanePieces found = decompose(set, {method, closed_}, context);
+    std::size_t done = 0;
+    session.begin("pieces");
     for (const Nef2& piece : found.pieces) {
       if (!files.is_wanted()) break;
+      context.checkpoint("pieces", done++, found.pieces.size());
       const PlaneChoice& format = plane_format(piece, session.options().format);
       const PlaneText text(piece, format.format, context);
       files.add(format.extension, text.losses().sentences(),
                 [&text](std::ostream& out) { text.write(out); });
     }
     if (!svg_.empty()) {
+      session.begin("draw");
       std::ostringstream out;
       write_nef2_svg(out, set, {.title = title(), .pieces = found.pieces, .context = &context});
       files.finish_picture(std::move(out).str());

@@ -50,6 +50,7 @@ std::string DemoBook::bundled(const std::string& file) {
 }
 
 void DemoBook::chapter(std::string title, std::string claim) {
+  session_.begin("chapter");
   chapters_.push_back({std::move(title), std::move(claim)});
 }
 
@@ -92,8 +93,7 @@ void DemoBook::finish() {
     write_demo_steps(out, chapters_);
     out << "open " << page << '\n';
   });
-  session_.finish_progress();
-  session_.outputs().deliver();
+  session_.deliver();
 }
 
 }  // namespace plumb::cli

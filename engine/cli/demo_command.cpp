@@ -17,6 +17,7 @@
 #include "plumb/picture/overlay_svg.h"
 #include "plumb/plane/map_check.h"
 #include "plumb/plane/nef2.h"
+#include "progress_stages.h"
 
 namespace plumb::cli {
 namespace {
@@ -177,6 +178,7 @@ class Demo : public CommandBody {
 
   ExitCode run(Session& session) override {
     const std::string& out = session.options().out;
+    session.expect(stages_of_demo());
     DemoBook book(out.empty() ? "plumb-demo" : out, session);
     PlaneDemo plane(book);
     plane.check_defective();

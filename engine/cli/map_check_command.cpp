@@ -12,6 +12,7 @@
 #include "plumb/io/map_report_text.h"
 #include "plumb/picture/map_svg.h"
 #include "plumb/plane/map_check.h"
+#include "progress_stages.h"
 
 namespace plumb::cli {
 namespace {
@@ -86,9 +87,12 @@ ExitCode MapCheck::run(Session& session) {
   open_outputs(session);
   Context& context = session.context();
   const ReadOptions read_options{.exact_decimals = session.options().exact_decimals};
-  report_ = check_map(read_map_file(file_, read_options, context), options_, context);
-  session.finish_progress();
-  session.outputs().deliver();
+  session.expect({reading_map(), checking_map(), writing()});
+  session.begin("read");
+  Map map = read_map_file(file_, read_options, context);
+  session.begin("check");
+  report_ = check_map(std::move(map), options_, context);
+  session.deliver();
   tell_notes(session);
   return report_.verdict == MapVerdict::Valid ? ExitCode::Yes : ExitCode::No;
 }

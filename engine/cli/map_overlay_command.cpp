@@ -14,6 +14,7 @@
 #include "plumb/io/map_reader.h"
 #include "plumb/io/map_report_text.h"
 #include "plumb/picture/overlay_svg.h"
+#include "progress_stages.h"
 
 namespace plumb::cli {
 namespace {
@@ -94,13 +95,15 @@ void MapOverlayCommand::declare(CLI::App& app) {
 
 ExitCode MapOverlayCommand::run(Session& session) {
   open_outputs(session);
+  session.expect(
+      {reading_map(), checking_map(), reading_map(), checking_map(), overlaying_maps(), writing()});
   first_ = read_valid(session, first_file_);
   second_ = read_valid(session, second_file_);
+  session.begin("overlay");
   overlay_ = overlay_maps(*first_, *second_, session.context());
   areas_ = measure(overlay_, *first_, *second_, session.context());
   if (!areas_.add_up()) throw std::logic_error("the areas of the cells do not add up");
-  session.finish_progress();
-  session.outputs().deliver();
+  session.deliver();
   return ExitCode::Yes;
 }
 
@@ -109,8 +112,10 @@ MapReport MapOverlayCommand::read_valid(Session& session, const std::string& fil
   const ReadOptions read_options{.exact_decimals = session.options().exact_decimals};
   MapCheckOptions options;
   if (infers_outer_) options.outer = OuterRule::Infer;
-  MapReport report =
-      check_map(read_map_file(file, read_options, session.context()), options, session.context());
+  session.begin("read");
+  Map map = read_map_file(file, read_options, session.context());
+  session.begin("check");
+  MapReport report = check_map(std::move(map), options, session.context());
   if (report.verdict == MapVerdict::Valid) return report;
   throw Error(ErrorCode::BadArgument,
               "no planar subdivision to overlay: " + std::string(headline(report.verdict)) +

@@ -107,6 +107,9 @@ struct Plane {
   static constexpr const char* kHelp = "A set: .wkt, .geojson, .json, .nef2; - is standard input";
   static constexpr std::array<const char*, 2> kAxes{"X", "Y"};
 
+  static ProgressStage reading() { return reading_plane(); }
+  static ProgressStage combining() { return combining_plane(); }
+  static ProgressStage finishing() { return finishing_plane(); }
   static const auto& formats() { return kFormats; }
   static ReadyFile ready(const Nef2& set, const SetOutput& output, Context& context) {
     return ready_file(set, output, context);

@@ -2,60 +2,118 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
+#include <optional>
+#include <system_error>
+#include <utility>
 
 namespace plumb::cli {
 namespace {
 
-constexpr std::uint64_t kCells = 24;  // with everything else on 79 columns
+// With everything else on 79 columns.
+constexpr std::string_view kFull = "########################";
+constexpr std::string_view kEmpty = "........................";
 
-/// done / total in units of 1 / `parts`; sums do not overflow below 2^64 / 100.
-std::uint64_t share(std::uint64_t done, std::uint64_t total, std::uint64_t parts) {
-  return total == 0 ? 0 : std::min(done, total) * parts / total;
-}
+/// Threads started meanwhile get no signals: those are to interrupt what the first thread waits for.
+class BlockedSignals {
+ public:
+  BlockedSignals() {
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_BLOCK, &all, &before_);
+  }
+  ~BlockedSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  BlockedSignals(const BlockedSignals&) = delete;
+  BlockedSignals& operator=(const BlockedSignals&) = delete;
+
+ private:
+  sigset_t before_;
+};
 
 }  // namespace
 
-ProgressBar::ProgressBar(bool shown) : shown_(shown), terminal_(::isatty(STDERR_FILENO) == 1) {}
-
-std::string ProgressBar::time_text(const Phase& phase, std::uint64_t total) const {
-  constexpr double kLongEnough = 1;  // what is said earlier jumps
-  const auto seconds_since = [](Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  };
-  const double all = seconds_since(start_), here = seconds_since(phase.start);
-  if (all < kLongEnough) return {};
-  const double part = total == 0 ? 0 : static_cast<double>(phase.done) / static_cast<double>(total);
-  const bool is_known = here >= kLongEnough && !phase.is_repeated && part > 0.01 && part <= 1;
-  char text[48];
-  std::snprintf(text, sizeof text, is_known ? "  %.0f s left" : "  %.0f s so far",
-                is_known ? std::ceil(here * (1 - part) / part) : all);
-  return text;
+ProgressBar::ProgressBar(bool shown) : shown_(shown), terminal_(::isatty(STDERR_FILENO) == 1) {
+  if (!shown_ || !terminal_) return;
+  const BlockedSignals blocked;
+  try {
+    drawer_ = std::jthread([this](const std::stop_token& stop) { draw_until(stop); });
+  } catch (const std::system_error&) {  // no thread to be had: no bar
+  }
 }
 
-void ProgressBar::operator()(std::string_view name, std::uint64_t done, std::uint64_t total) {
-  if (!terminal_) {
-    if (name != phase_) {
-      std::fprintf(stderr, "%.*s\n", static_cast<int>(name.size()), name.data());
-    }
-    phase_ = name;
-    return;
-  }
-  const auto found = phases_.try_emplace(std::string(name), Phase{Clock::now()}).first;
-  Phase& phase = found->second;
-  phase.is_repeated |= done < phase.done;
-  phase.done = done;
-  const auto filled = static_cast<std::size_t>(share(done, total, kCells));
-  const std::string bar = std::string(filled, '#') + std::string(kCells - filled, '.');
-  std::fprintf(stderr, "\r\x1b[K%-12.34s [%s] %3llu%%%s", found->first.c_str(), bar.c_str(),
-               static_cast<unsigned long long>(share(done, total, 100)),
-               time_text(phase, total).c_str());
+ProgressBar::~ProgressBar() {
+  drawer_ = {};
+  clear();
+}
+
+double ProgressBar::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+void ProgressBar::expect(std::vector<ProgressStage> stages) {
+  const std::lock_guard lock(mutex_);
+  estimate_.expect(std::move(stages));
+}
+
+void ProgressBar::begin(std::string_view stage) {
+  if (!shown_) return;
+  const std::lock_guard lock(mutex_);
+  is_hidden_ = false;
+  estimate_.begin(stage, seconds());
+  name_phase(stage);
+}
+
+void ProgressBar::operator()(std::string_view phase, std::uint64_t done, std::uint64_t total) {
+  const std::lock_guard lock(mutex_);
+  estimate_.tell(phase, done, total, seconds());
+  name_phase(phase);
+}
+
+void ProgressBar::name_phase(std::string_view phase) {
+  if (phase == phase_) return;
+  phase_ = phase;
+  if (!terminal_) std::fprintf(stderr, "%s\n", phase_.c_str());
+}
+
+void ProgressBar::draw_until(const std::stop_token& stop) {
+  constexpr std::chrono::milliseconds kBetween(100);
+  std::unique_lock lock(mutex_);
+  while (!stopped_.wait_for(lock, stop, kBetween, [&] { return stop.stop_requested(); })) draw();
+}
+
+/// Allocates nothing: a thread's own heap would count against --limit-memory.
+void ProgressBar::draw() {
+  if (is_hidden_ || phase_.empty()) return;
+  const double now = seconds(), part = estimate_.part(now);
+  const int filled = static_cast<int>(part * static_cast<double>(kFull.size()));
+  std::fprintf(stderr, "\r\x1b[K%-12.34s [%.*s%.*s] %3.0f%%", phase_.c_str(), filled, kFull.data(),
+               static_cast<int>(kEmpty.size()) - filled, kEmpty.data(), std::floor(part * 100));
+  draw_time(now);
   on_line_ = true;
 }
 
+void ProgressBar::draw_time(double now) {
+  constexpr double kLongEnough = 1;  // what is said earlier jumps
+  if (now < kLongEnough) return;
+  const std::optional<double> left = estimate_.seconds_left(now);
+  std::fprintf(stderr, left ? "  %.0f s left" : "  %.0f s so far", left ? std::ceil(*left) : now);
+}
+
+void ProgressBar::print(std::string_view text) {
+  const std::lock_guard lock(mutex_);
+  wipe();
+  std::fprintf(stderr, "%.*s\n", static_cast<int>(text.size()), text.data());
+}
+
 void ProgressBar::clear() {
+  const std::lock_guard lock(mutex_);
+  is_hidden_ = true;
+  wipe();
+}
+
+void ProgressBar::wipe() {
   if (on_line_) std::fputs("\r\x1b[K", stderr);
   on_line_ = false;
 }

@@ -73,7 +73,7 @@ void Outputs::add(const std::string& path, Writer writer) {
 }
 
 /// Writers do not look at the Context: files are not put in place when a stop came before all was written.
-void Outputs::deliver() {
+void Outputs::deliver(const std::function<void()>& before_stdout) {
   std::vector<std::unique_ptr<OutputFile>> finished;
   for (Pending& pending : files_) {
     require_no_stop();
@@ -83,6 +83,7 @@ void Outputs::deliver() {
   }
   require_no_stop();
   if (to_stdout_) {
+    before_stdout();
     DescriptorStream stream(STDOUT_FILENO, "stdout");
     to_stdout_(stream);
     stream.flush();
@@ -106,14 +107,16 @@ void Session::answer(const std::string& json, const Outputs::Writer& text) {
       text(out);
     }
   });
-  finish_progress();
-  outputs_.deliver();
+  deliver();
+}
+
+void Session::deliver() {
+  begin("write");
+  outputs_.deliver([this] { progress_.clear(); });
 }
 
 void Session::note(std::string_view text) {
-  if (options_.quiet) return;
-  progress_.clear();
-  std::fprintf(stderr, "%.*s\n", static_cast<int>(text.size()), text.data());
+  if (!options_.quiet) progress_.print(text);
 }
 
 }  // namespace plumb::cli

@@ -9,6 +9,7 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "plumb/base/context.h"
@@ -43,7 +44,8 @@ class Outputs {
 
   /// Opens `path` now ("-" is standard output, once); `writer` runs in deliver().
   void add(const std::string& path, Writer writer);
-  void deliver();
+  /// `before_stdout` is called before anything goes to standard output.
+  void deliver(const std::function<void()>& before_stdout = [] {});
 
  private:
   struct Pending {
@@ -68,7 +70,12 @@ class Session {
 
   /// A line on standard error, unless --quiet. Requires no line break in `text`.
   void note(std::string_view text);
-  void finish_progress() { progress_.clear(); }
+
+  /// What the command will do, for the progress bar; begin() says when each stage begins (progress_stages.h).
+  void expect(std::vector<ProgressStage> stages) { progress_.expect(std::move(stages)); }
+  void begin(std::string_view stage) { progress_.begin(stage); }
+  /// Writes all outputs: the stage "write".
+  void deliver();
 
  private:
   CommonOptions options_;

@@ -4,6 +4,7 @@
 //                              the notes of a file
 //   kHelp, kAxes               the first operand in the help; names of the coordinates
 //   formats()                  what can be written (format_choice.h)
+//   reading(), combining(), finishing()  stages of the progress of a command (progress_stages.h)
 //   ready(set, output, context)  the set as a file of the output's format
 //   canonical(set, context)    where files tell how a set was made: the same set in a form that does not (--canonical)
 //   facts(set, context)        what the set is like: json(), write(out)
@@ -22,6 +23,7 @@
 #include "plumb/base/marks.h"
 #include "plumb/base/parallel.h"
 #include "plumb/io/input.h"
+#include "progress_stages.h"
 #include "set_output.h"
 
 namespace plumb::cli {
@@ -38,6 +40,8 @@ auto read_sets(const Input& input, const std::vector<std::string>& files, Sessio
   using Read = decltype(input.load(files[0], session.options(), session.context()));
   std::vector<Read> reads(files.size());
   run_jobs(session.context(), files.size(), [&](std::size_t i, Context& own) {
+    const bool is_alone = &own == &session.context();
+    if (is_alone || i == 0) session.begin("read");  // all at once are one stage
     reads[i] = input.load(files[i], session.options(), own);
   });
   std::vector<decltype(Read::set)> sets;
@@ -46,6 +50,16 @@ auto read_sets(const Input& input, const std::vector<std::string>& files, Sessio
     sets.push_back(std::move(reads[i].set));
   }
   return sets;
+}
+
+/// Some sets read, combined, and the result made ready to be written.
+template <class Kind>
+std::vector<ProgressStage> stages_of_sets(std::size_t operands, std::size_t operations) {
+  std::vector<ProgressStage> stages(operands, Kind::reading());
+  stages.insert(stages.end(), operations, Kind::combining());
+  stages.push_back(Kind::finishing());
+  stages.push_back(writing());
+  return stages;
 }
 
 template <class Kind>
@@ -77,7 +91,9 @@ class SetOperation : public CommandBody {
 
   ExitCode run(Session& session) override {
     output_.open(Kind::formats(), session);
+    session.expect(stages());
     const Set result = numbered(compute(session), session);
+    session.begin("result");
     output_.prepare([&] { return Kind::facts(result, session.context()).json(); },
                     [&] { return Kind::ready(result, output_, session.context()); }, strict_,
                     session);
@@ -87,6 +103,8 @@ class SetOperation : public CommandBody {
 
  protected:
   virtual void declare_operands(CLI::App& app) = 0;
+  virtual std::vector<ProgressStage> stages() const { return stages_of_sets<Kind>(1, 1); }
+  /// Begins a stage "combine" for each operation.
   virtual Set compute(Session& session) = 0;
   std::vector<Set> read_all(const std::vector<std::string>& files, Session& session) const {
     return read_sets(input_, files, session);
@@ -123,9 +141,11 @@ class BinaryOperation : public SetOperation<Kind> {
     declare_first<Kind>(app, a_);
     declare_second(app, b_);
   }
+  std::vector<ProgressStage> stages() const override { return stages_of_sets<Kind>(2, 1); }
   typename Kind::Set compute(Session& session) override {
     require_one_stdin(a_, b_);
     auto sets = this->read_all({a_, b_}, session);
+    session.begin("combine");
     return combine(std::move(sets[0]), std::move(sets[1]), function_, session.context());
   }
 
@@ -143,7 +163,9 @@ class UnaryOperation : public SetOperation<Kind> {
  private:
   void declare_operands(CLI::App& app) override { declare_first<Kind>(app, a_); }
   typename Kind::Set compute(Session& session) override {
-    return (this->read(a_, session).*function_)();
+    const typename Kind::Set set = this->read(a_, session);
+    session.begin("combine");
+    return (set.*function_)();
   }
 
   Function function_;
@@ -158,7 +180,9 @@ class SetInfo : public CommandBody {
     input_.declare(app);
   }
   ExitCode run(Session& session) override {
+    session.expect(stages_of_sets<Kind>(1, 0));
     const auto set = std::move(read_sets(input_, {a_}, session).front());
+    session.begin("result");
     prepare(set, a_, session);
     const auto facts = Kind::facts(set, session.context());
     session.answer(facts.json().dump(), [&](std::ostream& out) { facts.write(out); });
@@ -191,6 +215,7 @@ class SetLocate : public CommandBody {
     for (std::size_t i = 0; i < point.size(); ++i) {
       point[i] = read_number_argument(texts_[i], Kind::kAxes[i], session);
     }
+    session.expect(stages_of_sets<Kind>(1, 0));
     const auto [on, is_marked] = Kind::locate(read_sets(input_, {a_}, session).front(), point);
     const nlohmann::ordered_json json{{"on", on}, {"marked", is_marked}};
     session.answer(json.dump(), [&, on = on, is_marked = is_marked](std::ostream& out) {

@@ -36,8 +36,7 @@ void SetOutput::prepare(const std::function<nlohmann::ordered_json()>& info,
 }
 
 void SetOutput::deliver(Session& session) {
-  session.finish_progress();
-  session.outputs().deliver();
+  session.deliver();
   for (const std::string& loss : file_.losses) session.note(name() + ": warning: " + loss);
 }
 

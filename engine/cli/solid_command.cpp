@@ -95,6 +95,9 @@ struct Solid {
       "A solid: .off, .obj, .stl, .ply, .glb, .gltf, .nef; - is standard input";
   static constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"};
 
+  static ProgressStage reading() { return reading_solid(); }
+  static ProgressStage combining() { return combining_solids(); }
+  static ProgressStage finishing() { return finishing_solid(); }
   static std::span<const SolidFormat> formats() { return solid_formats(); }
   static ReadyFile ready(const Nef3& set, const SetOutput& output, Context& context) {
     const SolidFormat& format = output.format()
@@ -123,9 +126,13 @@ class MinkowskiSum : public SolidOperation {
     declare_first<Solid>(app, a_);
     declare_second(app, b_);
   }
+  std::vector<ProgressStage> stages() const override {
+    return {reading_solid(), reading_solid(), adding_solids(), finishing_solid(), writing()};
+  }
   Nef3 compute(Session& session) override {
     require_one_stdin(a_, b_);
     const std::vector<Nef3> sets = read_all({a_, b_}, session);
+    session.begin("combine");
     return minkowski_sum(sets[0], sets[1], session.context());
   }
 
@@ -174,8 +181,13 @@ class Evaluation : public SolidOperation {
         expression, [&](std::uint32_t name) { return operands[name]; },
         [](const Nef3& a) { return !a; },
         [&](SetOperator op, const Nef3& a, const Nef3& b) {
+          session.begin("combine");
           return combine(a, b, function_of(op), session.context());
         });
+  }
+
+  std::vector<ProgressStage> stages() const override {
+    return stages_of_sets<Solid>(bindings_.size(), bindings_.empty() ? 0 : bindings_.size() - 1);
   }
 
   std::map<std::string, std::string> bound_files() const {
@@ -220,7 +232,9 @@ class SectionOperation : public SolidOperation {
                             : side_ == "closed" ? Section::ClosedHalfSpace
                                                 : Section::OpenHalfSpace;
     const MarkFunction f = keep_ == "inside" ? kIntersection : kDifference;
-    return combine(read(a_, session), plane(session), section, f, session.context());
+    const Nef3 set = read(a_, session);
+    session.begin("combine");
+    return combine(set, plane(session), section, f, session.context());
   }
 
   Plane3 plane(Session& session) const {
@@ -254,8 +268,10 @@ class HalfSpaces : public SolidOperation {
         ->type_name("");
   }
   Nef3 compute(Session& session) override {
+    session.begin("read");
     const auto half_spaces = read_half_spaces_file(
         file_, {.exact_decimals = session.options().exact_decimals}, session.context());
+    session.begin("combine");
     return intersection_of(half_spaces, session.context());
   }
 
@@ -271,9 +287,12 @@ class SolidCompare : public CommandBody {
   }
   ExitCode run(Session& session) override {
     require_one_stdin(a_, b_);
+    session.expect(stages_of_sets<Solid>(2, 2));
     const std::vector<Nef3> sets = read_sets(input_, {a_, b_}, session);
     const Nef3 &a = sets[0], &b = sets[1];
+    session.begin("combine");
     const bool is_equal = a == b, a_in_b = is_equal || a <= b, b_in_a = is_equal || b <= a;
+    session.begin("combine");
     const bool is_disjoint = combine(a, b, kIntersection, session.context()).is_empty();
     const Json json{
         {"equal", is_equal}, {"a_in_b", a_in_b}, {"b_in_a", b_in_a}, {"disjoint", is_disjoint}};

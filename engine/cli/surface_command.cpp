@@ -24,6 +24,7 @@
 #include "plumb/surface/surface_arrangement.h"
 #include "plumb/surface/surface_cells.h"
 #include "plumb/surface/surface_result.h"
+#include "progress_stages.h"
 #include "surface_input.h"
 
 namespace plumb::cli {
@@ -122,8 +123,7 @@ class SurfaceCommand : public CommandBody {
 
   ExitCode deliver(const Json& json, const std::string& text, Session& session) {
     answer_ = session.options().json ? json.dump() + '\n' : text;
-    session.finish_progress();
-    session.outputs().deliver();
+    session.deliver();
     return ExitCode::Yes;
   }
 
@@ -159,7 +159,9 @@ class CellsCommand : public SurfaceCommand {
 
   ExitCode run(Session& session) override {
     open(kCellFormats, session);
+    session.expect(stages_of_surfaces());
     const DividedScene in = input_.read(session);
+    session.begin("result");
     fill(in, nullptr, session);
     return deliver(session.options().json ? json_of(in, session.context()) : Json(),
                    text_of(in.division), session);
@@ -254,7 +256,9 @@ class BooleanCommand : public SurfaceCommand {
 
   ExitCode run(Session& session) override {
     open(kResultFormats, session);
+    session.expect(stages_of_surfaces());
     const DividedScene in = input_.read(session);
+    session.begin("result");
     const SurfaceResult result = input_.evaluate(in.division, session.context());
     fill(in, &result, session);
     const std::size_t loops = result.borders.size();
@@ -298,7 +302,9 @@ class DrawCommand : public CommandBody {
 
   ExitCode run(Session& session) override {
     const PictureFormat& format = open(session);
+    session.expect(stages_of_surfaces());
     const DividedScene in = input_.read(session);
+    session.begin("result");
     std::optional<SurfaceResult> result;
     if (input_.has_expression()) result = input_.evaluate(in.division, session.context());
     const std::string title = std::filesystem::path(input_name(input_.file())).filename().string();
@@ -307,8 +313,7 @@ class DrawCommand : public CommandBody {
     if (session.options().json) {
       json_ = Json{{"what", what_}, {"format", format.name}}.dump();
     }
-    session.finish_progress();
-    session.outputs().deliver();
+    session.deliver();
     return ExitCode::Yes;
   }
 

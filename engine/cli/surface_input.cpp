@@ -53,11 +53,13 @@ void SurfaceInput::declare_expression(CLI::App& app, bool is_required) {
 }
 
 DividedScene SurfaceInput::read(Session& session) const {
+  session.begin("read");
   SceneFile file = read_scene_file(file_, {.exact_decimals = session.options().exact_decimals},
                                    session.context());
   for (const std::string& note : file.notes) session.note(note);
   std::vector<SurfaceRepair> repairs;
   if (repairs_) repairs = repair(file.scene, session.context());
+  session.begin("divide");
   return {SurfaceDivision(std::move(file.scene), session.context()), file.model,
           std::move(repairs)};
 }

@@ -15,6 +15,7 @@
 #include "plumb/io/map_reader.h"
 #include "plumb/io/plane_io.h"
 #include "plumb/plane/map_check.h"
+#include "progress_stages.h"
 #include "solid_input.h"
 
 namespace plumb::cli {
@@ -48,12 +49,12 @@ class View : public CommandBody {
 
   ExitCode run(Session& session) override {
     const Format& format = open_outputs(session);
+    session.expect(stages());
     const bool is_one = files_.size() == 1 && !apart_;
     const FileKind kind = is_one ? draw_file(format.picture, session) : FileKind::Solid;
     if (!is_one) draw_solids(format.picture, session);
     if (session.options().json) json_ = answer(kind, format);
-    session.finish_progress();
-    session.outputs().deliver();
+    session.deliver();
     return ExitCode::Yes;
   }
 
@@ -75,11 +76,18 @@ class View : public CommandBody {
     return format;
   }
 
+  std::vector<ProgressStage> stages() const {
+    std::vector<ProgressStage> stages(files_.size(), reading_solid());
+    stages.insert(stages.end(), {drawing(), writing()});
+    return stages;
+  }
+
   static std::string title_of(const std::string& file) {
     return std::filesystem::path(input_name(file)).filename().string();
   }
 
   FileKind draw_file(Picture picture, Session& session) {
+    session.begin("read");
     const std::string bytes = read_input(files_.front(), session.context());
     const FileKind kind = kind_of_file(files_.front(), bytes);
     picture_ = drawn(kind, bytes, picture, session);
@@ -93,22 +101,32 @@ class View : public CommandBody {
     const std::string title = title_of(file);
     const ReadOptions options{input_name(file), session.options().exact_decimals};
     switch (kind) {
-      case FileKind::Map:
-        return picture_of(check_map(read_map(bytes, options, context), {}, context), picture,
-                          title);
+      case FileKind::Map: {
+        const MapReport report = check_map(read_map(bytes, options, context), {}, context);
+        session.begin("draw");
+        return picture_of(report, picture, title);
+      }
       case FileKind::PlaneSet: {
         const PlaneFormat format = plane_format_of(file).value_or(guess_plane_format(bytes));
-        return picture_of(read_plane_set(bytes, format, options, context), picture, title);
+        const Nef2 set = read_plane_set(bytes, format, options, context);
+        session.begin("draw");
+        return picture_of(set, picture, title);
       }
       case FileKind::Solid:
         break;
     }
-    return picture_of(input_.read(file, bytes, session), picture, title, context);
+    const Nef3 set = input_.read(file, bytes, session);
+    session.begin("draw");
+    return picture_of(set, picture, title, context);
   }
 
   void draw_solids(Picture picture, Session& session) {
     std::vector<Nef3> sets;
-    for (const std::string& file : files_) sets.push_back(input_.read(file, session));
+    for (const std::string& file : files_) {
+      session.begin("read");
+      sets.push_back(input_.read(file, session));
+    }
+    session.begin("draw");
     std::string title = title_of(files_.front());
     if (files_.size() > 1) title += " and " + std::to_string(files_.size() - 1) + " more";
     picture_ = picture_of(sets, apart_.value_or(0), picture, title, session.context());

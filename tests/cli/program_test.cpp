@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -323,26 +324,83 @@ std::string seen_on_terminal(const Words& arguments) {
   return seen;
 }
 
-TEST(Progress, tells_phase_percentage_and_time_on_a_terminal) {
-  Words arguments = kLongJob;
-  arguments.insert(arguments.end(), {"--limit-seconds", "2.5"});
-  const std::string seen = seen_on_terminal(arguments);
-  const std::regex line("([a-z ]+)\\[[#.]+\\] +[0-9]+%(  [0-9]+ s (left|so far))?");
-  bool tells_time = false;
-  std::size_t lines = 0;
+/// What one line of the bar says.
+struct Shown {
+  int percent = 0;
+  bool tells_time_left = false;
+};
+
+/// The lines of the bar, each checked for itself.
+std::vector<Shown> bar_lines(const std::string& seen) {
+  const std::regex line("[A-Za-z -]+\\[#*\\.*\\] +([0-9]+)%(  [0-9]+ s (left|so far))?");
+  std::vector<Shown> lines;
   for (std::size_t at = 0; (at = seen.find("\r\x1b[K", at)) != seen.npos;) {
     at += 4;
-    const std::string shown = seen.substr(at, seen.find('\r', at) - at);
+    const std::string text = seen.substr(at, seen.find('\r', at) - at);
     std::smatch match;
-    if (!std::regex_match(shown, match, line)) continue;  // the message at the end
-    ++lines;
-    EXPECT_LT(shown.size(), 80U) << shown;
-    tells_time |= match[2].matched;
+    if (!std::regex_match(text, match, line)) continue;  // a message
+    EXPECT_LT(text.size(), 80U) << text;
+    lines.push_back({std::stoi(match[1]), match[3] == "left"});
   }
-  EXPECT_GT(lines, 5U) << seen.substr(0, 400);
-  EXPECT_TRUE(tells_time) << seen.substr(0, 400);
-  EXPECT_NE(seen.find("\r\x1b[Kplumb: "), seen.npos) << "the bar is wiped before the message";
-  arguments.push_back("--quiet");
+  return lines;
+}
+
+void write_grid_map(const std::string& file, std::uint32_t n) {
+  std::string text = std::to_string((n + 1) * (n + 1)) + ' ' + std::to_string(n * n) + '\n';
+  for (std::uint32_t i = 0; i < (n + 1) * (n + 1); ++i) {
+    text += std::to_string(i % (n + 1)) + ' ' + std::to_string(i / (n + 1)) + '\n';
+  }
+  for (std::uint32_t i = 0; i < n * n; ++i) {
+    const std::uint32_t v = i / n * (n + 1) + i % n + 1;
+    for (const std::uint32_t w : {v, v + 1, v + n + 2, v + n + 1}) text += std::to_string(w) + ' ';
+    text += '\n';
+  }
+  write_file(file, text);
+}
+
+void write_star(const std::string& file, std::uint32_t corners) {
+  std::string text = "POLYGON ((";
+  for (std::uint32_t i = 0; i <= corners; ++i) {
+    const double angle = 6.283185307179586 * (i % corners) / corners;
+    const double radius = i % 2 == 0 ? 1000 : 1500;
+    text += (i > 0 ? ", " : "") + std::to_string(radius * std::cos(angle)) + ' ' +
+            std::to_string(radius * std::sin(angle));
+  }
+  write_file(file, text + "))\n");
+}
+
+/// Of every kind of command one that takes more than two seconds, of inputs in a directory.
+std::vector<Words> long_jobs(const ScratchDirectory& scratch) {
+  const std::string map = (scratch / "grid.map").string(), star = (scratch / "star.wkt").string();
+  write_grid_map(map, 1500);
+  write_star(star, 600'000);
+  return {{"map", "check", map, "--outer", "infer"},
+          {"plane", "difference", star, "corpus/plane/frame.geojson", "--format", "nef2"},
+          {"plane", "info", star},
+          {"audit", star},
+          {"view", star, "--format", "svg"},
+          {"convex", "decompose", "corpus/solids/bunny.off", "-o", (scratch / "pieces").string()},
+          kLongJob};
+}
+
+TEST(Progress, tells_percentage_and_time_left_on_a_terminal) {
+  const ScratchDirectory scratch;
+  for (Words arguments : long_jobs(scratch)) {
+    SCOPED_TRACE(::testing::PrintToString(arguments));
+    arguments.insert(arguments.end(), {"--limit-seconds", "1.6"});
+    const std::string seen = seen_on_terminal(arguments);
+    const std::vector<Shown> lines = bar_lines(seen);
+    EXPECT_GT(lines.size(), 5U) << seen.substr(0, 400);
+    EXPECT_TRUE(std::ranges::is_sorted(lines, {}, &Shown::percent)) << seen;
+    EXPECT_TRUE(std::ranges::any_of(lines, &Shown::tells_time_left)) << seen;
+    EXPECT_EQ(seen.find('[', seen.rfind("\r\x1b[K") + 4), seen.npos)
+        << "the bar is wiped at the end";
+  }
+}
+
+TEST(Progress, is_not_shown_if_unwanted) {
+  Words arguments = kLongJob;
+  arguments.insert(arguments.end(), {"--limit-seconds", "0.5", "--quiet"});
   EXPECT_EQ(seen_on_terminal(arguments).find('['), std::string::npos);
 }
 
