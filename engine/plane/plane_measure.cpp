@@ -20,6 +20,53 @@ Rational twice_area_below(const PlaneComplex& c, HalfedgeId h) {
   return p.x * q.y - p.y * q.x;
 }
 
+/// The area as a sum over vertices, not edges: the triangle of the origin and a piece from p to q of the line through a and b
+/// is (t(q) - t(p)) (a x b) / 2, where a + t (b - a) are the points of the line. So what is long in the coordinates of a
+/// vertex is in one term only, and hardly anything is common to two denominators.
+class VertexAreas {
+ public:
+  VertexAreas(const PlaneComplex& complex, Context& context)
+      : c_(complex), context_(context), charge_(context) {
+    charge_.add(kVertexBytes * complex.vertex_count(), "the area");
+    twice_.resize(complex.vertex_count());
+  }
+
+  Rational total() {
+    for (std::size_t i = 0; i < c_.edge_count(); ++i) {
+      if (i % kEdgesPerCheckpoint == 0) context_.checkpoint("area", i, c_.edge_count());
+      const HalfedgeId h = first_half(EdgeId(i));
+      const bool left = c_.mark(c_.dcel.face(h)), right = c_.mark(c_.dcel.face(twin(h)));
+      if (left != right) add(left ? h : twin(h));
+    }
+    return sum_of_fractions(twice_, [&] { context_.checkpoint("area", 0, 1); }) / 2;
+  }
+
+ private:
+  static constexpr std::size_t kEdgesPerCheckpoint = 64;
+  static constexpr std::uint64_t kVertexBytes = 512;  // numbers, and their products on all levels
+
+  void add(HalfedgeId h) {
+    const PlaneLine line = c_.line[edge_of(h).value()];
+    const RationalPoint2 a = c_.points.inputs.exact(line.a), b = c_.points.inputs.exact(line.b);
+    const bool by_x = a.x != b.x;
+    const Rational from = by_x ? a.x : a.y, length = by_x ? b.x - a.x : b.y - a.y;
+    const Rational moment = a.x * b.y - a.y * b.x;
+    const auto part = [&](VertexId v) {
+      const RationalPoint2 p = point(c_, v);
+      const Rational t = ((by_x ? p.x : p.y) - from) / length;
+      return Rational(t * moment);
+    };
+    const VertexId p = c_.dcel.origin(h), q = c_.dcel.target(h);
+    twice_[p.value()] -= part(p);
+    twice_[q.value()] += part(q);
+  }
+
+  const PlaneComplex& c_;
+  Context& context_;
+  MemoryCharge charge_;
+  std::vector<Rational> twice_;
+};
+
 bool is_along_frame(const PlaneComplex& c, LoopId l) {
   for (const HalfedgeId h : c.dcel.along(l)) {
     if (c.is_frame(h)) return true;
@@ -141,15 +188,7 @@ std::optional<Rational> marked_area(const PlaneComplex& complex, Context& contex
   for (std::size_t f = 0; f < complex.face_count(); ++f) {
     if (complex.mark(FaceId(f)) && is_unbounded(complex, FaceId(f))) return std::nullopt;
   }
-  RationalSum sum;
-  for (std::size_t i = 0; i < complex.edge_count(); ++i) {
-    if (i % 256 == 0) context.checkpoint("area", i, complex.edge_count());
-    const HalfedgeId h = first_half(EdgeId(i));
-    const bool left = complex.mark(complex.dcel.face(h));
-    const bool right = complex.mark(complex.dcel.face(twin(h)));
-    if (left != right) sum.add(twice_area_below(complex, left ? h : twin(h)));
-  }
-  return sum.total() / 2;
+  return VertexAreas(complex, context).total();
 } catch (...) {
   rethrow_refused_memory();
 }

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <vector>
+
 #include "float_environment.h"
 #include "plane_families.h"
 #include "plumb/predicates/query_point2.h"
@@ -230,6 +233,33 @@ TEST(RationalSum, IsTheSumWhateverTheNumberOfTerms) {
     sum.add(term);
     ASSERT_EQ(sum.total(), expected) << i << " terms";
   }
+}
+
+// Denominators without common factors, with small ones, with long ones, powers of 2, all the same.
+TEST(RationalSum, OfFractionsIsTheSameInLowestTerms) {
+  std::mt19937_64 random(7);
+  std::size_t watched = 0;
+  const auto watch = [&] { ++watched; };
+  EXPECT_EQ(sum_of_fractions({}, watch), 0);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Rational> terms;
+    RationalSum expected;
+    const int count = 1 + static_cast<int>(random() % 40);
+    for (int i = 0; i < count; ++i) {
+      Integer below = 1 + random() % (round % 2 == 0 ? 40 : 1'000'000'007);
+      if (round % 3 == 0) below *= below;
+      if (round % 5 == 0) below <<= random() % 70;
+      if (round % 7 == 0) below = 90;
+      if (round % 4 == 0) below *= Integer(random()) | 1;
+      const Integer above = Integer(random()) - Integer(std::uint64_t{1} << 63U);
+      terms.emplace_back(above, below);
+      expected.add(terms.back());
+    }
+    const Rational sum = sum_of_fractions(terms, watch);
+    ASSERT_EQ(sum, expected.total()) << "round " << round;
+    ASSERT_EQ(gcd(numerator(sum), denominator(sum)), 1) << "round " << round;
+  }
+  EXPECT_GT(watched, 0U);
 }
 
 }  // namespace
