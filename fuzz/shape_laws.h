@@ -59,7 +59,7 @@ inline void require_text_round(const Nef2& set, PlaneFormat format) {
     require_sound(copy);
     require(counts_of(copy) == (losses.reshaped ? (*losses.reshaped)[1] : counts_of(set)),
             "a file is what the writer said it is");
-    if (to_shapes(set.parts()).points.all_double()) {
+    if (to_shapes(set.parts(), context).points.all_double()) {
       require(copy == set, "a set of doubles survives WKT and GeoJSON");
     }
   } catch (const Error& error) {
@@ -108,7 +108,8 @@ inline void judge_shapes(const PlaneShapes& shapes) {
 inline void require_formats_agree(const PlaneShapes& shapes) {
   if (!is_small(shapes)) return;
   try {
-    const PlaneShapes doubles = rounded(shapes);
+    Context context;
+    const PlaneShapes doubles = rounded(shapes, context);
     std::ostringstream wkt;
     std::ostringstream geojson;
     write_wkt(wkt, doubles);

@@ -12,6 +12,7 @@
 #include "plumb/io/nef2_writer.h"
 #include "plumb/io/wkt_reader.h"
 #include "plumb/io/wkt_writer.h"
+#include "plumb/plane/nef2_parts.h"
 
 namespace plumb {
 namespace {
@@ -87,14 +88,14 @@ std::vector<std::string> PlaneLosses::sentences() const try {
 PlaneText::PlaneText(const Nef2& set, PlaneFormat format, Context& context) try
     : set_(set), format_(format) {
   if (format == PlaneFormat::Nef2) return;
-  const PlaneParts parts = set.parts();
+  const PlaneParts parts = parts_of(set, context);
   losses_.unbounded = parts.dropped_unbounded;
   losses_.open = parts.dropped_open;
-  shapes_ = to_shapes(parts);
+  shapes_ = to_shapes(parts, context);
   if (shapes_.points.all_double()) return;
   const PlaneCounts before =
       counts_of(parts.dropped_unbounded ? to_set(shapes_, context) : set.closure());
-  shapes_ = rounded(std::move(shapes_));
+  shapes_ = rounded(std::move(shapes_), context);
   const PlaneCounts after = counts_of(to_set(shapes_, context));
   if (before != after) losses_.reshaped = {before, after};
 } catch (...) {

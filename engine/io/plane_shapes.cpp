@@ -13,6 +13,8 @@
 namespace plumb {
 namespace {
 
+constexpr std::uint32_t kPointsPerCheckpoint = 1024;
+
 void copy_point(const PointTable2& from, std::uint32_t i, PointTable2& to) {
   if (from.is_double(i)) return to.push_back(from.approx(i));
   const RationalPoint2 p = from.exact(i);
@@ -170,6 +172,8 @@ void add_lines(const PlaneShapes& shapes, std::vector<Nef2>& sets, Context& cont
 
 class ShapesOfParts {
  public:
+  explicit ShapesOfParts(Context& context) : context_(context) {}
+
   PlaneShapes convert(const PlaneParts& parts) {
     for (const PolygonWithHoles2& polygon : parts.polygons) {
       add_ring(polygon.outer);
@@ -188,6 +192,7 @@ class ShapesOfParts {
 
  private:
   std::uint32_t add_point(const RationalPoint2& p) {
+    if (shapes_.points.size() % kPointsPerCheckpoint == 0) context_.checkpoint("shapes", 0, 1);
     shapes_.points.push_back(p.x, p.y);
     return static_cast<std::uint32_t>(shapes_.points.size() - 1);
   }
@@ -196,6 +201,7 @@ class ShapesOfParts {
     shapes_.end_ring();
   }
 
+  Context& context_;
   PlaneShapes shapes_;
 };
 
@@ -218,17 +224,18 @@ Nef2 to_set(const PlaneShapes& shapes, Context& context) try {
   rethrow_refused_memory();
 }
 
-PlaneShapes to_shapes(const PlaneParts& parts) try {
-  return ShapesOfParts().convert(parts);
+PlaneShapes to_shapes(const PlaneParts& parts, Context& context) try {
+  return ShapesOfParts(context).convert(parts);
 } catch (...) {
   rethrow_refused_memory();
 }
 
-PlaneShapes rounded(PlaneShapes shapes) try {
+PlaneShapes rounded(PlaneShapes shapes, Context& context) try {
   if (shapes.points.all_double()) return shapes;
   PointTable2 doubles;
   doubles.reserve(shapes.points.size());
   for (std::uint32_t i = 0; i < shapes.points.size(); ++i) {
+    if (i % kPointsPerCheckpoint == 0) context.checkpoint("round", i, shapes.points.size());
     const Point2 p = shapes.points.approx(i);
     if (!shapes.points.is_double(i)) {
       const RationalPoint2 exact = shapes.points.exact(i);

@@ -56,11 +56,11 @@ struct PlaneShapes {
 Nef2 to_set(const PlaneShapes& shapes, Context& context);
 
 /// The parts of a set as shapes, exactly.
-PlaneShapes to_shapes(const PlaneParts& parts);
+PlaneShapes to_shapes(const PlaneParts& parts, Context& context);
 
 /// Every coordinate rounded to the nearest double. Throws Error{NumberOutOfRange} when one lies
 /// beyond the largest.
-PlaneShapes rounded(PlaneShapes shapes);
+PlaneShapes rounded(PlaneShapes shapes, Context& context);
 
 }  // namespace plumb
 #pragma GCC visibility pop

@@ -1,9 +1,9 @@
-// Nef2: the closure as polygons, lines and points.
+#include "plumb/plane/nef2_parts.h"
+
 #include <algorithm>
 #include <utility>
 
 #include "plumb/base/refused_memory.h"
-#include "plumb/plane/nef2.h"
 #include "plumb/plane/plane_measure.h"
 
 namespace plumb {
@@ -12,16 +12,21 @@ namespace {
 // Works on the complex of a closed set: no marked face has an edge or vertex in its inside.
 class PartCollector {
  public:
-  explicit PartCollector(const PlaneComplex& complex)
-      : c_(complex), is_used_(complex.edge_count(), 0) {}
+  PartCollector(const PlaneComplex& complex, Context& context)
+      : c_(complex), context_(context), is_used_(complex.edge_count(), 0) {}
 
   PlaneParts collect() {
     for (std::size_t f = 0; f < c_.face_count(); ++f) {
+      watch();
       if (c_.mark(FaceId(f))) add_face(FaceId(f));
     }
     // Chains from their ends first; what is left then are closed ones.
-    for (std::size_t e = 0; e < c_.edge_count(); ++e) add_open_chain(EdgeId(e));
     for (std::size_t e = 0; e < c_.edge_count(); ++e) {
+      watch();
+      add_open_chain(EdgeId(e));
+    }
+    for (std::size_t e = 0; e < c_.edge_count(); ++e) {
+      watch();
       if (is_line(EdgeId(e))) add_chain(first_half(EdgeId(e)));
     }
     for (std::size_t v = 0; v < c_.vertex_count(); ++v) {
@@ -32,7 +37,16 @@ class PartCollector {
   }
 
  private:
-  RationalPoint2 point(VertexId v) const { return exact(c_.points, c_.vertex_point[v.value()]); }
+  /// For every step: a look at the context now and then.
+  void watch() {
+    constexpr std::size_t kStepsPerCheckpoint = 1024;
+    if (++steps_ % kStepsPerCheckpoint == 0) context_.checkpoint("parts", 0, 1);
+  }
+
+  RationalPoint2 point(VertexId v) {
+    watch();
+    return exact(c_.points, c_.vertex_point[v.value()]);
+  }
 
   void add_face(FaceId f) {
     if (is_unbounded(c_, f)) {
@@ -93,6 +107,8 @@ class PartCollector {
   }
 
   const PlaneComplex& c_;
+  Context& context_;
+  std::size_t steps_ = 0;
   std::vector<std::uint8_t> is_used_;
   PlaneParts parts_;
 };
@@ -100,8 +116,16 @@ class PartCollector {
 }  // namespace
 
 PlaneParts Nef2::parts() const try {
-  const bool was_closed = is_closed();
-  PlaneParts parts = PartCollector(was_closed ? complex() : closure().complex()).collect();
+  Context context;
+  return parts_of(*this, context);
+} catch (...) {
+  rethrow_refused_memory();
+}
+
+PlaneParts parts_of(const Nef2& set, Context& context) try {
+  const bool was_closed = set.is_closed();
+  const Nef2 closed = was_closed ? set : set.closure();
+  PlaneParts parts = PartCollector(closed.complex(), context).collect();
   parts.dropped_open = !was_closed;
   return parts;
 } catch (...) {
