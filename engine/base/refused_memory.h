@@ -6,8 +6,8 @@
 //     rethrow_refused_memory();
 //   }
 //
-// unless all that allocates in it is such functions. Interior functions let std::bad_alloc pass, and so do pictures and
-// containers that grow. std::bad_alloc of what a caller handed in (a callback, a stream) is reported like the engine's own.
+// unless all that allocates in it is such functions. Interior functions let std::bad_alloc pass, and so do containers that
+// grow. std::bad_alloc of what a caller handed in (a callback, a stream) is reported like the engine's own.
 #pragma once
 
 #include "plumb/base/error.h"

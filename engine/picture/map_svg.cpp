@@ -5,6 +5,7 @@
 #include <optional>
 #include <sstream>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/io/map_report_text.h"
 #include "plumb/picture/map_insets.h"
 #include "plumb/picture/map_marks.h"
@@ -57,6 +58,7 @@ Rectangle main_window(const MapReport& report, const Plane& plane) {
 /// "x90", "x9200" or "x3e9": two digits.
 std::string zoom_text(double zoom) {
   std::ostringstream text;
+  text.exceptions(std::ios::badbit);  // memory that is refused
   text.precision(2);
   if (zoom < 1e6) {
     const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(zoom)) - 1));
@@ -334,8 +336,10 @@ void MapSheet::write_list() {
 
 }  // namespace
 
-void write_map_svg(std::ostream& out, const MapReport& report, const MapSvgOptions& options) {
+void write_map_svg(std::ostream& out, const MapReport& report, const MapSvgOptions& options) try {
   MapSheet(report, options).write(out);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/io/text_output.h"
 #include "plumb/picture/edge_chains.h"
 #include "plumb/picture/map_style.h"
@@ -80,6 +81,7 @@ std::string area_text(const Nef2& set) {
   const std::string exact = format_exact(*area);
   if (exact.size() <= kLongNumber) return "area " + exact;
   std::ostringstream text;
+  text.exceptions(std::ios::badbit);  // memory that is refused
   text << "area \xE2\x89\x88 " << static_cast<double>(*area);
   return text.str();
 }
@@ -373,8 +375,10 @@ void SetSheet::write_legend() {
 
 }  // namespace
 
-void write_nef2_svg(std::ostream& out, const Nef2& set, const Nef2SvgOptions& options) {
+void write_nef2_svg(std::ostream& out, const Nef2& set, const Nef2SvgOptions& options) try {
   SetSheet(set, options).write(out);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

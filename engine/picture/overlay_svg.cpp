@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/picture/cell_label.h"
 #include "plumb/picture/edge_chains.h"
 #include "plumb/picture/map_style.h"
@@ -392,7 +393,7 @@ void OverlaySheet::write_legend() {
 
 }  // namespace
 
-std::vector<OverlayColour> colour_cells(const MapOverlay& overlay) {
+std::vector<OverlayColour> colour_cells(const MapOverlay& overlay) try {
   const std::vector<std::uint8_t> tints = colour_first_regions(overlay);
   const Pairs pairs = pairs_of(overlay);
   Pairs neighbours;
@@ -408,11 +409,15 @@ std::vector<OverlayColour> colour_cells(const MapOverlay& overlay) {
     colours.push_back({tint, shades[index_of(pairs, o)]});
   }
   return colours;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 void write_overlay_svg(std::ostream& out, const MapOverlay& overlay,
-                       const OverlaySvgOptions& options) {
+                       const OverlaySvgOptions& options) try {
   OverlaySheet(overlay, options).write(out);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

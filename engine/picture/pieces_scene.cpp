@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plumb/base/error.h"
+#include "plumb/base/refused_memory.h"
 #include "plumb/convex/decompose.h"
 #include "plumb/picture/distinct_colour.h"
 #include "plumb/picture/scene_frame.h"
@@ -82,7 +83,7 @@ void append(const Scene& part, std::span<const Point3> points, Scene& all) {
 
 }  // namespace
 
-Scene exploded_scene(std::span<const Nef3> sets, double apart, Context& context) {
+Scene exploded_scene(std::span<const Nef3> sets, double apart, Context& context) try {
   if (!(apart >= 0) || !std::isfinite(apart)) {
     throw Error(ErrorCode::BadArgument, "pieces cannot be moved apart by that");
   }
@@ -125,6 +126,8 @@ Scene exploded_scene(std::span<const Nef3> sets, double apart, Context& context)
   all.layers.push_back(std::move(layer));
   all.shown = 1;
   return all;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

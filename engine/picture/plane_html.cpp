@@ -1,5 +1,6 @@
 #include "plumb/picture/plane_html.h"
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/picture/svg_text.h"
 
 namespace plumb {
@@ -74,7 +75,7 @@ reset();
 
 }  // namespace
 
-void write_plane_html(std::ostream& out, std::string_view svg, const std::string& title) {
+void write_plane_html(std::ostream& out, std::string_view svg, const std::string& title) try {
   out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          "<link rel=\"icon\" href=\"data:,\">\n<title>"
@@ -82,6 +83,8 @@ void write_plane_html(std::ostream& out, std::string_view svg, const std::string
       << kStyle << "</head>\n<body>\n<div id=\"view\" tabindex=\"0\"><div id=\"page\">\n"
       << svg << "</div></div>\n"
       << kProgram << "</body>\n</html>\n";
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/picture/map_style.h"
 #include "plumb/picture/plane_window.h"
 #include "plumb/picture/view.h"
@@ -143,7 +144,7 @@ void add_defects(const MapReport& report, const Plane& plane, FlatScene& flat) {
 
 }  // namespace
 
-Scene scene_of(const Nef2& set) {
+Scene scene_of(const Nef2& set) try {
   constexpr double kMargin = 0.1, kFadingMargin = 0.34;
   const bool fades = !set.is_bounded();
   const PlaneWindow window(set.complex(), fades ? kFadingMargin : kMargin);
@@ -164,9 +165,11 @@ Scene scene_of(const Nef2& set) {
   add_edges(complex, borders, flat);
   add_dots(complex, borders, flat);
   return std::move(flat.scene());
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Scene scene_of(const MapReport& report) {
+Scene scene_of(const MapReport& report) try {
   const Plane plane(report.map);
   FlatScene flat;
   for (std::uint32_t v = 0; v < report.map.points.size(); ++v) {
@@ -179,6 +182,8 @@ Scene scene_of(const MapReport& report) {
   add_borders(report, flat);
   add_defects(report, plane, flat);
   return std::move(flat.scene());
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

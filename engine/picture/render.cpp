@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/picture/stroke_font.h"
 
 namespace plumb {
@@ -246,12 +247,16 @@ Point3 Camera::point_at(const Spot& spot) const {
   return {along(&Point3::x), along(&Point3::y), along(&Point3::z)};
 }
 
-Image rendered(const Scene& scene, const RenderOptions& options) {
+Image rendered(const Scene& scene, const RenderOptions& options) try {
   return Renderer(scene, options).run();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-Rendering rendered_without_text(const Scene& scene, const RenderOptions& options) {
+Rendering rendered_without_text(const Scene& scene, const RenderOptions& options) try {
   return Renderer(scene, options).run_without_text();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

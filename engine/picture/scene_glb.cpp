@@ -10,6 +10,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "plumb/base/refused_memory.h"
+
 namespace plumb {
 namespace {
 
@@ -273,8 +275,10 @@ class GlbWriter {
 
 }  // namespace
 
-void write_scene_glb(std::ostream& out, const Scene& scene, const std::string& title) {
+void write_scene_glb(std::ostream& out, const Scene& scene, const std::string& title) try {
   GlbWriter(scene).write(out, title);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

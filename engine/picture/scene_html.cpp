@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/picture/base64.h"
 #include "plumb/picture/render.h"
 #include "plumb/picture/scene_page.h"
@@ -166,7 +167,7 @@ void write_legend(std::ostream& out, const Scene& scene) {
 
 }  // namespace
 
-void write_scene_html(std::ostream& out, const Scene& scene, const SceneText& text) {
+void write_scene_html(std::ostream& out, const Scene& scene, const SceneText& text) try {
   const std::string title = xml_escaped(text.title);
   out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -185,6 +186,8 @@ void write_scene_html(std::ostream& out, const Scene& scene, const SceneText& te
       << ", wheel or two fingers to enlarge, " << (scene.is_flat ? "" : "shift-drag to move, ")
       << "double-click to go back.</p>\n</footer>\n<script>\n'use strict';\nconst scene = "
       << scene_json(scene).dump() << ";" << kScenePageProgram << "</script>\n</body>\n</html>\n";
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/picture/scene_frame.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rounding.h"
@@ -225,13 +226,15 @@ class SceneMaker {
 
 }  // namespace
 
-Scene scene_of(const Nef3& set, Context& context) {
+Scene scene_of(const Nef3& set, Context& context) try {
   SceneFrame frame;
   WindowFinder(set.complex(), frame).run();
   const bool fades = !set.is_bounded();
   frame.close(fades ? kFadingMargin : 0);
   const Nef3 shown = fades ? inside_box(set, frame, context) : set;
   return SceneMaker(shown.complex(), frame, fades, context).run();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/io/text_output.h"
 #include "plumb/picture/base64.h"
 #include "plumb/picture/map_style.h"
@@ -79,35 +80,43 @@ void write_legend(Sheet& sheet, const Scene& scene) {
 
 }  // namespace
 
-std::string facts_of(const Nef3& set) {
+std::string facts_of(const Nef3& set) try {
   Context context;
   return facts_of(set, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::string facts_of(const Nef3& set, Context& context) {
+std::string facts_of(const Nef3& set, Context& context) try {
   const SpaceCounts n = set.counts();
   return counted(n.vertices, "vertex", "vertices") + ", " + counted(n.edges, "edge") + ", " +
          counted(n.facets, "facet") + ", " + counted(n.volumes, "volume") + ", " +
          volume_text(set, context);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::string kind_of(const Nef3& set) {
+std::string kind_of(const Nef3& set) try {
   if (set.is_empty()) return "empty set";
   if (set.is_space()) return "whole space";
   const char* facets = set.is_closed() ? "closed" : set.is_open() ? "open" : "partly open";
   return std::string(set.is_bounded() ? "bounded, " : "unbounded, ") + facets;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 void write_space_svg(std::ostream& out, const Nef3& set, const Scene& scene, std::string_view png,
-                     const std::string& title, Context& context) {
+                     const std::string& title, Context& context) try {
   ScenePage page{
       {title.empty() ? "set" : title, kind_of(set), facts_of(set, context)}, png, {}, ""};
   if (set.is_empty()) page.middle = "no point at all";
   if (set.is_space()) page.middle = "every point";
   write_scene_svg(out, scene, page);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-void write_scene_svg(std::ostream& out, const Scene& scene, const ScenePage& page) {
+void write_scene_svg(std::ostream& out, const Scene& scene, const ScenePage& page) try {
   Sheet sheet{{.width = kWidth}};
   sheet.write_header(page.text.title, {page.text.kind, kPlainBadge}, page.text.facts);
   const double scale = sheet.column() / kPageImage.width;
@@ -130,6 +139,8 @@ void write_scene_svg(std::ostream& out, const Scene& scene, const ScenePage& pag
   sheet.set_y(frame.bottom + 6);
   write_legend(sheet, scene);
   sheet.write(out, page.text.title + ": " + page.text.kind, kStyle);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

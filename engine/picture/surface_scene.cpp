@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/picture/distinct_colour.h"
 #include "plumb/picture/scene_frame.h"
 #include "plumb/picture/sheet.h"
@@ -218,28 +219,36 @@ class SurfaceSceneMaker {
 }  // namespace
 
 Scene scene_of(const SurfaceDivision& division, const SurfaceTriangulation& triangles,
-               const SurfaceResult* result) {
+               const SurfaceResult* result) try {
   return SurfaceSceneMaker(division, triangles, result).run();
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::string layer_name(SurfaceLayer layer) {
+std::string layer_name(SurfaceLayer layer) try {
   return std::string(kSurfaceLayerNames[static_cast<std::size_t>(layer)]);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::string facts_of(const SurfaceDivision& division) {
+std::string facts_of(const SurfaceDivision& division) try {
   const SurfaceCounts n = division.counts();
   return counted(n.triangles, "triangle") + ", " +
          counted(division.scene().polygons.size(), "polygon") + ", " +
          counted(n.segments, "segment") + ", " + counted(n.crossings, "crossing") + ", " +
          counted(n.cells, "cell");
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::string shape_name(std::uint32_t shape) {
+std::string shape_name(std::uint32_t shape) try {
   if (shape < 26) return {static_cast<char>('A' + shape)};
   return "s" + std::to_string(shape);
+} catch (...) {
+  rethrow_refused_memory();
 }
 
-std::string label_text(std::span<const SignedEntry> label) {
+std::string label_text(std::span<const SignedEntry> label) try {
   std::string text;
   for (const SignedEntry& e : label) {
     if (e.value < 0) {
@@ -251,6 +260,8 @@ std::string label_text(std::span<const SignedEntry> label) {
     text += shape_name(e.id);
   }
   return text.empty() ? "0" : text;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plumb/base/refused_memory.h"
 #include "plumb/picture/stroke_font.h"
 
 namespace plumb {
@@ -61,7 +62,7 @@ class Distances {
 }  // namespace
 
 std::vector<PlacedText> place_texts(const Scene& scene, const Canvas& canvas, double least,
-                                    double most) {
+                                    double most) try {
   const Distances distances(scene, canvas);
   std::vector<std::size_t> best(scene.groups.size(), distances.size());
   for (std::size_t s = 0; s < distances.size(); ++s) {
@@ -82,6 +83,8 @@ std::vector<PlacedText> place_texts(const Scene& scene, const Canvas& canvas, do
                      text});
   }
   return texts;
+} catch (...) {
+  rethrow_refused_memory();
 }
 
 }  // namespace plumb

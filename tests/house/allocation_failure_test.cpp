@@ -71,6 +71,7 @@ TEST(AllocationFailure, Extraction) { expect_survival(extraction_operations()); 
 TEST(AllocationFailure, Convex) { expect_survival(convex_operations()); }
 TEST(AllocationFailure, Surface) { expect_survival(surface_operations()); }
 TEST(AllocationFailure, Readers) { expect_survival(reader_operations()); }
+TEST(AllocationFailure, Pictures) { expect_survival(picture_operations()); }
 
 }  // namespace
 }  // namespace plumb::testing

@@ -2,7 +2,7 @@
 // operation leaves nothing behind.
 //
 // Left out are accessors, containers that grow (Dcel, SurfacePolygons, SurfacePointTable), which are like those of the
-// standard library, writers of JSON reports, whose library allocates in destructors, and pictures.
+// standard library, and writers of JSON reports, glTF and HTML, whose library allocates in destructors.
 #pragma once
 
 #include <cstdint>
@@ -36,5 +36,6 @@ OperationRoom extraction_operations();  ///< meshes, shells, measures of sets of
 OperationRoom convex_operations();
 OperationRoom surface_operations();
 OperationRoom reader_operations();
+OperationRoom picture_operations();
 
 }  // namespace plumb::testing
