@@ -1,0 +1,155 @@
+"""Every command of the program, on inputs too large for the limits it is given: exit code 3, a message that says which option
+to raise, nothing written. The time that a limit is passed by is printed; only much too late fails, as machines are busy.
+
+    limits_test.py PROGRAM
+"""
+import math
+import os
+import random
+import resource
+import subprocess
+import sys
+import tempfile
+
+SECONDS = 0.05
+MEGABYTES = 1
+LATEST = 1.0  # CPU time after the limit
+
+
+def star(count, seed):
+    numbers = random.Random(seed)
+    corners = []
+    for i in range(count):
+        turn = 2 * math.pi * (i + 0.9 * numbers.random()) / count
+        radius = 0.5 + 0.5 * numbers.random()
+        corners.append("%.17g %.17g" % (radius * math.cos(turn), radius * math.sin(turn)))
+    return "POLYGON ((%s))\n" % ", ".join(corners + corners[:1])
+
+
+def torus(around, shift):
+    points, faces = [], []
+    across = around // 2
+    for i in range(around):
+        for j in range(across):
+            a, b = 2 * math.pi * i / around, 2 * math.pi * j / across
+            r = 2 + math.cos(b)
+            points.append((r * math.cos(a) + shift, r * math.sin(a) + shift, math.sin(b) + shift))
+            c = [p % around * across + q % across for p, q in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1))]
+            faces += [(c[0], c[1], c[2]), (c[0], c[2], c[3])]
+    return points, faces
+
+
+def off(points, faces):
+    lines = ["OFF", "%d %d 0" % (len(points), len(faces))]
+    lines += ["%.17g %.17g %.17g" % p for p in points] + ["3 %d %d %d" % f for f in faces]
+    return "\n".join(lines) + "\n"
+
+
+def grid_map(side):
+    at = lambda i, j: i * (side + 1) + j + 1
+    points = ["%d %d" % (i, j) for i in range(side + 1) for j in range(side + 1)]
+    faces = ["%d %d %d %d" % (at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1))
+             for i in range(side) for j in range(side)]
+    outside = [at(0, j) for j in range(side)] + [at(i, side) for i in range(side)]
+    outside += [at(side, j) for j in range(side, 0, -1)] + [at(i, 0) for i in range(side, 0, -1)]
+    faces.append(" ".join(map(str, outside)))
+    return "%d %d\n%s\n" % (len(points), len(faces), "\n".join(points + faces))
+
+
+def half_spaces(count):
+    numbers = random.Random(1)
+    lines = []
+    for _ in range(count):
+        n = [numbers.randrange(-9999, 9999) for _ in range(3)]
+        lines.append("%d %d %d -%d closed" % (*n, 1 + int(math.sqrt(sum(x * x for x in n)))))
+    return "\n".join(lines) + "\n"
+
+
+def scene(faces):
+    corner = lambda f, k: "[%d, %g, %g]" % (f, (0.5, 0.25, 0.25)[k], (0.25, 0.5, 0.25)[k])
+    points = [corner(f, k) for f in range(faces) for k in range(3)]
+    polygons = ["[%d, %d, %d]" % (3 * f, 3 * f + 1, 3 * f + 2) for f in range(faces)]
+    return '{"model": "torus.off", "points": [%s], "polygons": [%s]}' % (", ".join(points), ", ".join(polygons))
+
+
+def write_inputs():
+    mesh = torus(240, 0)
+    files = {"a.wkt": star(60000, 1), "b.wkt": star(60000, 2), "torus.off": off(*mesh),
+             "moved.off": off(*torus(240, 0.3)), "a.map": grid_map(150), "b.map": grid_map(151),
+             "h.txt": half_spaces(60000), "s.json": scene(len(mesh[1]))}
+    for name, text in files.items():
+        with open(name, "w") as out:
+            out.write(text)
+
+
+COMMANDS = """
+map check a.map
+map overlay a.map b.map -o OUT.svg
+plane union a.wkt b.wkt -o OUT.nef2
+plane intersection a.wkt b.wkt -o OUT.wkt
+plane difference a.wkt b.wkt -o OUT.svg
+plane symmetric-difference a.wkt b.wkt -o OUT.geojson
+plane complement a.wkt -o OUT.nef2
+plane interior a.wkt -o OUT.nef2
+plane closure a.wkt -o OUT.nef2
+plane boundary a.wkt -o OUT.nef2
+plane regularize a.wkt -o OUT.nef2
+plane info a.wkt
+plane locate a.wkt 0 0
+solid union torus.off moved.off -o OUT.off
+solid intersection torus.off moved.off -o OUT.nef
+solid difference torus.off moved.off -o OUT.obj
+solid symmetric-difference torus.off moved.off -o OUT.nef
+solid eval A+B A=torus.off B=moved.off -o OUT.nef
+solid complement torus.off -o OUT.nef
+solid interior torus.off -o OUT.nef
+solid closure torus.off -o OUT.nef
+solid boundary torus.off -o OUT.nef
+solid regularize torus.off -o OUT.nef
+solid section torus.off --plane 1,2,3,0 --side closed -o OUT.nef
+solid halfspaces h.txt -o OUT.nef
+solid info torus.off
+solid locate torus.off 0 0 0
+solid compare torus.off moved.off
+convex check torus.off
+convex decompose torus.off -o OUT
+convex report torus.off
+convex minkowski torus.off moved.off -o OUT.nef
+surface cells s.json
+surface boolean s.json --op 0 -o OUT.obj
+surface draw s.json --what labels -o OUT.svg
+view torus.off -o OUT.svg
+audit a.map
+""".split("\n")
+
+
+def run(program, command, limit):
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = subprocess.run([program, *command.split(), *limit], capture_output=True, text=True, check=False)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return done.returncode, done.stderr.strip(), seconds
+
+
+def main():
+    program = os.path.abspath(sys.argv[1])
+    failures = []
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        write_inputs()
+        inputs = set(os.listdir("."))
+        for command in filter(None, COMMANDS):
+            for option, limit in (("--limit-seconds", SECONDS), ("--limit-memory", MEGABYTES)):
+                code, message, seconds = run(program, command, [option, str(limit)])
+                left = set(os.listdir(".")) - inputs
+                late = seconds - SECONDS if option == "--limit-seconds" else 0
+                is_good = code == 3 and "raise " + option in message and not left and late < LATEST
+                print("%-4s %-60s %-15s %.2f s: %d, %s" % ("" if is_good else "BAD", command, option, seconds, code,
+                                                          message[:120]))
+                if not is_good:
+                    failures.append(command)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
