@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-SECONDS = 0.05
+SECONDS = 0.002
 MEGABYTES = 1
 LATEST = 1.0  # CPU time after the limit
 
@@ -116,7 +116,7 @@ convex decompose torus.off -o OUT
 convex report torus.off
 convex minkowski torus.off moved.off -o OUT.nef
 surface cells s.json
-surface boolean s.json --op 0 -o OUT.obj
+surface boolean s.json --op A -o OUT.obj
 surface draw s.json --what labels -o OUT.svg
 view torus.off -o OUT.svg
 audit a.map
