@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What shared libraries export is what headers declare: exported_symbols.py NM CLANG LIST INCLUDE_DIR LIBRARY...
+"""What shared libraries export is what headers declare: exported_symbols.py NM CLANG LIST INCLUDE_DIR [-D...] LIBRARY...
 
 Clang lists the declarations of all headers of LIST (public-headers.txt), with the names that the linker has for them. The
 libraries export each that is not inline, of each template that is defined in no header an instance, and besides only what
@@ -9,7 +9,9 @@ import re
 import subprocess
 import sys
 
-nm, clang, header_list, include_dir, *libraries = sys.argv[1:]
+nm, clang, header_list, include_dir, *rest = sys.argv[1:]
+definitions = [word for word in rest if word.startswith("-D")]
+libraries = [word for word in rest if not word.startswith("-D")]
 FUNCTIONS = ("FunctionDecl", "CXXMethodDecl", "CXXConstructorDecl", "CXXDestructorDecl", "CXXConversionDecl")
 TEMPLATES = ("FunctionTemplateDecl", "ClassTemplateDecl", "ClassTemplatePartialSpecializationDecl")
 

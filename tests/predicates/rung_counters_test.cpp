@@ -149,6 +149,20 @@ TEST(RungCounters, CountQuestionsOfSpaceOnce) {
   for (const Question& q : questions) expect_counted_once(q);
 }
 
+TEST(RungCounters, CountQuestionsOfFractionsOnce) {
+  using enum Predicate;
+  const RationalPoint2 a{0, 0}, b{1, 0}, c{0, Rational(1, 3)};
+  const RationalPoint3 o{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, Rational(1, 3)};
+  const Question questions[] = {
+      {"a turn", Orient2d, Rung::Big, [&] { orient2d(a, b, c); }},
+      {"directions", CrossSign, Rung::Big, [&] { cross_sign(a, b, a, c); }},
+      {"a side", Orient3d, Rung::Big, [&] { orient3d(o, x, y, z); }},
+      {"a circle", Incircle, Rung::Big, [&] { incircle(a, b, c, c); }},
+      {"a sphere", Insphere, Rung::Big, [&] { insphere(o, x, y, z, z); }},
+  };
+  for (const Question& q : questions) expect_counted_once(q);
+}
+
 TEST(RungCounters, AreThoseOfTheirThread) {
   reset_rung_counts();
   std::thread([] { orient2d(Point2{0, 0}, Point2{1, 0}, Point2{0, 1}); }).join();
