@@ -66,7 +66,7 @@ TEST(PlaneArrays, go_through_a_set_and_come_back) {
   Doubles moved = kSquare;
   for (double& x : moved) x += .5;
   const Nef2 both = set(kSquare, {0, 1, 2, 3}, {0, 4}) + set(moved, {0, 1, 2, 3}, {0, 4});
-  const PlaneShapes shapes = to_shapes(both.parts());
+  const PlaneShapes shapes = to_shapes(both.parts(), context);
   const Doubles xy = coordinates_of(shapes.points);
   EXPECT_EQ(xy.size(), 2 * 8U);
   EXPECT_EQ(set(xy, shapes.ring_corners, shapes.ring_begin), both);
