@@ -28,8 +28,8 @@ def demangled(symbols):
 def syntax_tree():
     headers = [line for line in open(header_list, encoding="utf-8").read().split("\n") if line.startswith("plumb/")]
     headers.remove("plumb/predicates/fixed_portable.h")  # of the two, fixed.h chooses one
-    text = output_of(clang, "-std=c++20", "-fsyntax-only", f"-I{include_dir}", "-Xclang", "-ast-dump=json", "-Xclang",
-                     "-ast-dump-filter=plumb::", "-x", "c++", "-", text="".join(f'#include "{h}"\n' for h in headers))
+    text = output_of(clang, "-std=c++20", "-fsyntax-only", f"-I{include_dir}", *definitions, "-Xclang", "-ast-dump=json",
+                     "-Xclang", "-ast-dump-filter=plumb::", "-x", "c++", "-", text="".join(f'#include "{h}"\n' for h in headers))
     decoder, at = json.JSONDecoder(), 0
     while at < len(text):
         node, at = decoder.raw_decode(text, at)
