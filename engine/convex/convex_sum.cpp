@@ -9,6 +9,7 @@
 #include "plumb/base/error.h"
 #include "plumb/convex/fan_walk.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/predicates/seeded_hash.h"
 #include "plumb/space/link_facets.h"
 #include "plumb/space/mesh_links.h"
 
@@ -62,8 +63,7 @@ class SumBuilder {
 
   std::uint32_t vertex(std::uint32_t i, std::uint32_t j) {
     const auto next = static_cast<std::uint32_t>(names_.size());
-    // A dense key: the table's hash is the identity, and many pairs share one of the two.
-    const auto [at, is_new] = number_.try_emplace(i * b_.point.size() + j, next);
+    const auto [at, is_new] = number_.try_emplace(std::uint64_t{i} << 32U | j, next);
     if (is_new) names_.emplace_back(i, j);
     return at->second;
   }
@@ -166,7 +166,7 @@ class SumBuilder {
   const ConvexBody& a_;
   const ConvexBody& b_;
   std::shared_ptr<SpaceTables> tables_;
-  tsl::robin_map<std::uint64_t, std::uint32_t> number_;
+  tsl::robin_map<std::uint64_t, std::uint32_t, SeededHash> number_;
   std::vector<Name> names_;  // vertices of a and b
   std::vector<SpacePoint> point_;
   MeshFacets facets_;

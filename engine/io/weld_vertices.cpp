@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/predicates/seeded_hash.h"
 #include "plumb/space/mesh_vertices.h"
 
 namespace plumb {
@@ -30,12 +31,7 @@ std::array<std::uint64_t, 3> bits_of(const Point3& p) {
 struct PointHash {
   const std::vector<Point3>* points;
 
-  std::size_t operator()(std::uint32_t i) const {
-    constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15U;
-    std::uint64_t h = 0;
-    for (const std::uint64_t bits : bits_of((*points)[i])) h = (h ^ (h >> 29U) ^ bits) * kOdd;
-    return h ^ (h >> 32U);
-  }
+  std::size_t operator()(std::uint32_t i) const { return SeededHash{}(bits_of((*points)[i])); }
 };
 
 struct PointEqual {

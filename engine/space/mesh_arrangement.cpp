@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "plumb/predicates/seeded_hash.h"
 #include "plumb/space/combine.h"
 #include "plumb/space/mesh_layers.h"
 #include "plumb/space/volumes.h"
@@ -43,17 +44,9 @@ class Bundles {
   }
 
  private:
-  /// Many pairs share a number: the identity, the standard's hash, would put these into one place.
-  struct Hash {
-    std::size_t operator()(std::uint64_t key) const {
-      key *= 0x9e3779b97f4a7c15U;
-      return key ^ key >> 32U;
-    }
-  };
-
   std::uint32_t sheets_;
   std::vector<std::array<std::uint32_t, 2>> pairs_;
-  tsl::robin_map<std::uint64_t, std::uint32_t, Hash> numbers_;
+  tsl::robin_map<std::uint64_t, std::uint32_t, SeededHash> numbers_;
   std::vector<std::uint32_t> open_;
 };
 

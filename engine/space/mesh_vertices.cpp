@@ -3,6 +3,7 @@
 #include <tsl/robin_map.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <map>
@@ -11,6 +12,7 @@
 
 #include "plumb/base/error.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/predicates/seeded_hash.h"
 
 namespace plumb {
 namespace {
@@ -22,20 +24,7 @@ double without_negative_zero(double value) {
   return std::bit_cast<std::uint64_t>(value) << 1U == 0 ? 0.0 : value;
 }
 
-struct Bits {
-  std::uint64_t x, y, z;
-  friend bool operator==(const Bits&, const Bits&) = default;
-};
-
-struct BitsHash {
-  std::size_t operator()(const Bits& b) const {
-    constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15U;
-    std::uint64_t h = b.x * kOdd;
-    h = (h ^ (h >> 29U) ^ b.y) * kOdd;
-    h = (h ^ (h >> 29U) ^ b.z) * kOdd;
-    return h ^ (h >> 32U);
-  }
-};
+using Bits = std::array<std::uint64_t, 3>;
 
 struct RationalLess {
   bool operator()(const RationalPoint3& a, const RationalPoint3& b) const {
@@ -134,7 +123,7 @@ class VertexMaker {
   SpaceTables& tables_;
   MeshVertices result_;
   std::vector<Point3> inputs_;
-  tsl::robin_map<Bits, std::uint32_t, BitsHash> doubles_;
+  tsl::robin_map<Bits, std::uint32_t, SeededHash> doubles_;
   std::map<RationalPoint3, std::uint32_t, RationalLess> rationals_;
 };
 

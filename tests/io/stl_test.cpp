@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -8,6 +10,7 @@
 #include <vector>
 
 #include "expect_refusals.h"
+#include "generate/crowded_points.h"
 #include "hostile_meshes.h"
 #include "mesh_checks.h"
 #include "plumb/io/stl_reader.h"
@@ -153,6 +156,19 @@ TEST(StlReader, merges_by_exact_coordinates) {
   ASSERT_EQ(mesh.exact.size(), 1U);
   EXPECT_EQ(mesh.exact[0].first, 0U);
   EXPECT_EQ(mesh.points[0], mesh.points[2]);
+}
+
+TEST(StlReader, points_that_crowd_in_a_table_take_no_more_memory) {
+  PolygonMesh mesh;
+  mesh.points = testing::crowded_points(9999);
+  for (std::uint32_t i = 0; i < 9999; i += 3) mesh.add_face(std::array{i, i + 1, i + 2});
+  const PolygonMesh soup = mesh;
+  for (std::uint32_t i = 9999; i-- > 0;)
+    mesh.add_face(std::array{i, (i + 1) % 9999, (i + 2) % 9999});
+  Context context;
+  EXPECT_EQ(weld_vertices(mesh, context), 0U);
+  EXPECT_TRUE(
+      std::equal(soup.points.begin(), soup.points.end(), mesh.points.begin(), mesh.points.end()));
 }
 
 TEST(StlReader, keeps_to_its_limits) {

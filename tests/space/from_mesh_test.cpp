@@ -5,8 +5,10 @@
 
 #include <algorithm>
 
+#include "generate/crowded_points.h"
 #include "generate/meshes.h"
 #include "plumb/base/error.h"
+#include "plumb/space/mesh_vertices.h"
 #include "space/complex_links.h"
 
 namespace plumb::testing {
@@ -66,6 +68,22 @@ TEST(FromMesh, EqualPointsAreOneVertex) {
   EXPECT_EQ(result.complex.vertex_count(), 8U);
   EXPECT_EQ(result.report.vertices_merged, 28U);
   EXPECT_EQ(enclosed_volume(result.complex, result.jump), 6);
+}
+
+TEST(FromMesh, PointsThatCrowdInATableAreFoundAsOthersAre) {
+  PolygonMesh soup;
+  soup.points = crowded_points(9999);
+  soup.points.insert(soup.points.end(), soup.points.begin(), soup.points.end());
+  for (std::uint32_t i = 0; i < soup.points.size(); i += 3)
+    soup.add_face(std::array{i, i + 1, i + 2});
+  SpaceTables tables;
+  const MeshVertices vertices = merge_equal_points(soup, tables);
+  EXPECT_EQ(vertices.point.size(), 9999U);
+  EXPECT_EQ(vertices.merged, 9999U);
+  for (std::uint32_t i = 0; i < 9999; ++i) {
+    ASSERT_EQ(vertices.of_point[i], i);
+    ASSERT_EQ(vertices.of_point[9999 + i], i);
+  }
 }
 
 TEST(FromMesh, RationalVertices) {
