@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "plumb/predicates/decompose.h"
 #include "plumb/predicates/plane_ladder.h"
 #include "plumb/predicates/plane_row.h"
 #include "plumb/predicates/residues3.h"
+#include "plumb/predicates/seeded_hash.h"
 
 namespace plumb {
 
@@ -72,42 +75,58 @@ bool is_same_plane(const PlaneTable& table, const PlaneSource& a, const PlaneSou
   return exact3::exact_sign(both, SamePlane{}, [](Rung) {}) == Sign::Zero;
 }
 
-/// A stored plane: its id and the low half of its fingerprint, which is its hash.
+/// A stored plane: its id and the hash of its fingerprint.
 struct Key {
   std::uint32_t id;
   std::uint32_t hash;
 };
 
-/// A plane looked for. It equals a key when the planes are equal.
+/// A fingerprint looked for.
 struct Candidate {
   const PlaneTable* table;
-  PlaneSource source;
   Fingerprint fingerprint;
+  std::uint32_t hash;
 };
 
 struct Hash {
   std::size_t operator()(const Key& key) const { return key.hash; }
-  std::size_t operator()(const Candidate& c) const {
-    return static_cast<std::uint32_t>(c.fingerprint);
-  }
+  std::size_t operator()(const Candidate& c) const { return c.hash; }
 };
 
 struct Equal {
   using is_transparent = void;
   bool operator()(const Key& a, const Key& b) const { return a.id == b.id; }
   bool operator()(const Key& key, const Candidate& c) const {
-    if (key.hash != static_cast<std::uint32_t>(c.fingerprint)) return false;
-    const PlaneId plane{key.id};
-    return c.table->fingerprint(plane) == c.fingerprint &&
-           is_same_plane(*c.table, c.table->source(plane), c.source);
+    return key.hash == c.hash && c.table->fingerprint(PlaneId(key.id)) == c.fingerprint;
   }
   bool operator()(const Candidate& c, const Key& key) const { return operator()(key, c); }
 };
 
+/// (a, b, c, d) as integers on one scale.
+IntegerRow integer_row(const BigPlane& plane) {
+  const int scale = plane.scale == kAnyScale ? 0 : plane.scale;
+  const int up = std::max(-scale, 0);
+  return {shifted(plane.n[0], up), shifted(plane.n[1], up), shifted(plane.n[2], up),
+          shifted(plane.d, std::max(scale, 0))};
+}
+
+IntegerRow integer_row(const PlaneTable& table, const PlaneSource& source) {
+  return integer_row(exact3::load_big(exact3::operand(table, source)));
+}
+
+/// What equal planes have in common, however they are defined: are they of the frame, and the primitive row.
+using ExactPlane = std::pair<bool, IntegerRow>;
+
+ExactPlane exact_plane(const PlaneTable& table, const PlaneSource& source) {
+  return {source.is_frame(), primitive(integer_row(table, source))};
+}
+
 }  // namespace
 
 struct PlaneTable::Index {
-  tsl::robin_set<Key, Hash, Equal> keys;
+  tsl::robin_set<Key, Hash, Equal> firsts;  // of each fingerprint the plane that was there first
+  /// The others. Few, unless somebody looks for them: 33^3 planes through points at powers of 2^61 on the axes are one residue.
+  std::map<ExactPlane, PlaneId> others;
 };
 
 /// A plane before its interning.
@@ -137,7 +156,7 @@ void PlaneTable::reserve(std::size_t planes) {
   rows_.reserve(planes);
   fingerprints_.reserve(planes);
   sources_.reserve(planes);
-  index_->keys.reserve(planes);
+  index_->firsts.reserve(planes);
 }
 
 /// Room for as many planes, in one step; many small calls still grow geometrically.
@@ -155,16 +174,23 @@ InputPointId PlaneTable::add_points(std::span<const Point3> points) {
 }
 
 OrientedPlane PlaneTable::find_or_add(const Draft& draft, Fingerprint fingerprint) {
-  const Candidate candidate{this, draft.source, fingerprint};
-  const auto found = index_->keys.find(candidate);
-  if (found != index_->keys.end()) return {PlaneId(found->id), draft.is_flipped};
-  return {push(draft.row, fingerprint, draft.source), draft.is_flipped};
+  const auto hash = static_cast<std::uint32_t>(SeededHash{}(fingerprint));
+  const PlaneId next{rows_.size()};
+  PlaneId plane = next;
+  const auto first = index_->firsts.find(Candidate{this, fingerprint, hash});
+  if (first == index_->firsts.end()) {
+    index_->firsts.insert({next.value(), hash});
+  } else if (is_same_plane(*this, source(PlaneId(first->id)), draft.source)) {
+    plane = PlaneId(first->id);
+  } else {
+    plane = index_->others.try_emplace(exact_plane(*this, draft.source), next).first->second;
+  }
+  return {plane == next ? push(draft.row, fingerprint, draft.source) : plane, draft.is_flipped};
 }
 
-/// Requires a plane the table does not hold.
+/// Requires a plane that only the index holds.
 PlaneId PlaneTable::push(const PlaneRow& row, Fingerprint fingerprint, const PlaneSource& source) {
   const PlaneId id{rows_.size()};
-  index_->keys.insert({id.value(), static_cast<std::uint32_t>(fingerprint)});
   rows_.push_back(row);
   fingerprints_.push_back(fingerprint);
   sources_.push_back(source);
@@ -200,18 +226,6 @@ Sign canonical_row(Plane plane, PlaneRow& row) {
   if (sign == Sign::Negative) negate(plane);
   row = exact_row(plane);
   return sign;
-}
-
-/// (a, b, c, d) as integers on one scale.
-IntegerRow integer_row(const BigPlane& plane) {
-  const int scale = plane.scale == kAnyScale ? 0 : plane.scale;
-  const int up = std::max(-scale, 0);
-  return {shifted(plane.n[0], up), shifted(plane.n[1], up), shifted(plane.n[2], up),
-          shifted(plane.d, std::max(scale, 0))};
-}
-
-IntegerRow integer_row(const PlaneTable& table, const PlaneSource& source) {
-  return integer_row(exact3::load_big(exact3::operand(table, source)));
 }
 
 }  // namespace
@@ -397,7 +411,7 @@ std::array<PlaneId, 6> PlaneTable::intern_frame() {
     doubles.n[i / 2] = 1;
     PlaneSource source = push_slot(row, 0, {});
     source.code[2] = static_cast<std::uint32_t>(i) + 1;
-    push(doubles, plumb::fingerprint(residues), source);
+    find_or_add({true, false, doubles, source}, plumb::fingerprint(residues));
   }
   return frame_;
 }
@@ -512,7 +526,7 @@ PlaneTable::PlaneTable(const PlaneTable& other, std::span<const PlaneId> plane_m
     } else {
       for (std::uint32_t& p : source.code) p = point_map[p].value();
     }
-    push(other.rows_[i], other.fingerprints_[i], source);
+    find_or_add({true, false, other.rows_[i], source}, other.fingerprints_[i]);
   }
 }
 

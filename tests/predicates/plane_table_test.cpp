@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <vector>
 
@@ -151,6 +153,41 @@ TEST(PlaneTable, CollisionsModuloQAreTold) {
   EXPECT_EQ(unit.opposite(), plane(-q * q, 0, 0, -q * q));
   EXPECT_EQ(plane(1, q, 0, 1), plane(q, q * q, 0, q));
   EXPECT_EQ(table.size(), planes);
+}
+
+/// Powers of 2^61 are one residue, and planes through them on the axes one fingerprint.
+TEST(PlaneTable, TellsManyPlanesOfOneFingerprint) {
+  PlaneTable table;
+  constexpr int kMost = 10, kSteps = 2 * kMost + 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int i = -kMost; i <= kMost; ++i) {
+      const double at = std::ldexp(1.0, 61 * i);
+      table.add_point({axis == 0 ? at : 0.0, axis == 1 ? at : 0.0, axis == 2 ? at : 0.0});
+    }
+  }
+  std::vector<std::array<InputPointId, 3>> triangles;
+  for (int i = 0; i < kSteps * kSteps * kSteps; ++i) {
+    triangles.push_back({InputPointId(i % kSteps), InputPointId(kSteps + i / kSteps % kSteps),
+                         InputPointId(2 * kSteps + i / kSteps / kSteps)});
+  }
+  std::vector<OrientedPlane> planes(triangles.size());
+  table.intern_triangles(triangles, planes);
+  EXPECT_EQ(table.size(), triangles.size());
+  EXPECT_EQ(table.fingerprint(PlaneId(0)), table.fingerprint(PlaneId(triangles.size() - 1)));
+  for (std::uint32_t i = 0; i < planes.size(); ++i) ASSERT_EQ(planes[i].plane(), PlaneId(i));
+
+  for (auto& [p, q, r] : triangles) std::swap(p, r);
+  std::vector<OrientedPlane> again(triangles.size());
+  table.intern_triangles(triangles, again);
+  for (std::uint32_t i = 0; i < planes.size(); ++i) ASSERT_EQ(again[i], planes[i].opposite());
+  const IntegerRow row = table.coefficients(PlaneId(1234));
+  EXPECT_EQ(table.intern(Rational(row[0]), Rational(row[1]), Rational(row[2]), Rational(row[3])),
+            planes[1234]);
+
+  PlaneTable copy(table);
+  const std::vector<PlaneId> map = copy.merge(table);
+  for (std::uint32_t i = 0; i < map.size(); ++i) ASSERT_EQ(map[i], PlaneId(i));
+  EXPECT_EQ(copy.size(), table.size());
 }
 
 /// Corners whose differences are multiples of q: all residues of the normal are 0.
