@@ -63,7 +63,9 @@ class PackedBoxTree {
     std::uint64_t meeting(const Box& b) const {
       const Places apart = (low[0] > b.high[0]) | (low[1] > b.high[1]) | (low[2] > b.high[2]) |
                            (high[0] < b.low[0]) | (high[1] < b.low[1]) | (high[2] < b.low[2]);
-      return ~std::bit_cast<std::uint64_t>(__builtin_convertvector(apart, Flags)) & kOnes;
+      const auto bytes = std::bit_cast<std::uint64_t>(__builtin_convertvector(apart, Flags));
+      constexpr bool is_little = std::endian::native == std::endian::little;
+      return ~(is_little ? bytes : __builtin_bswap64(bytes)) & kOnes;
     }
     static constexpr std::uint64_t kOnes = 0x0101010101010101U;
   };
