@@ -6,6 +6,7 @@
 #include "plumb/base/error.h"
 #include "plumb/io/number_reader.h"
 #include "plumb/io/text_cursor.h"
+#include "plumb/io/with_place.h"
 
 namespace plumb {
 namespace {
@@ -31,25 +32,30 @@ class HalfSpaceReader {
   HalfSpaceReader(std::string_view text, const ReadOptions& options, Context& context)
       : cursor_(text, options.name),
         numbers_(context.limits(), options.exact_decimals, text.size()),
-        size_(text.size()),
-        context_(context) {
-    const std::size_t most = most_lines(text);
-    context.charge_memory(most * HalfSpaceList::kBytes, "half-spaces");
-    list_.reserve(most);
-  }
+        text_(text),
+        context_(context) {}
 
   HalfSpaceList read() {
-    while (cursor_.next_line()) {
-      if (list_.size() % kLinesPerCheckpoint == 0) {
-        context_.checkpoint("read", cursor_.bytes_read(), size_);
+    return with_place(cursor_, [this] {
+      make_room();
+      while (cursor_.next_line()) {
+        if (list_.size() % kLinesPerCheckpoint == 0) {
+          context_.checkpoint("read", cursor_.bytes_read(), text_.size());
+        }
+        read_line();
       }
-      read_line();
-    }
-    return std::move(list_);
+      return std::move(list_);
+    });
   }
 
  private:
   static constexpr std::size_t kLinesPerCheckpoint = 1024;
+
+  void make_room() {
+    const std::size_t most = most_lines(text_);
+    context_.charge_memory(most * HalfSpaceList::kBytes, "half-spaces");
+    list_.reserve(most);
+  }
 
   void read_line() {
     const char* const begin = cursor_.position();
@@ -85,7 +91,7 @@ class HalfSpaceReader {
 
   TextCursor cursor_;
   NumberReader numbers_;
-  std::size_t size_;
+  std::string_view text_;
   Context& context_;
   HalfSpaceList list_;
   ReadNumber number_;

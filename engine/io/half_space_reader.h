@@ -9,7 +9,8 @@
 
 namespace plumb {
 
-/// The memory of the list stays charged to `context`. Errors, with their place: those of NumberReader, Syntax, DegenerateFace (a = b = c = 0), ResourceLimit.
+/// The memory of the list stays charged to `context`. Errors, with their place: those of NumberReader, Syntax, DegenerateFace
+/// (a = b = c = 0), ResourceLimit.
 HalfSpaceList read_half_spaces(std::string_view text, const ReadOptions& options, Context& context);
 
 }  // namespace plumb
