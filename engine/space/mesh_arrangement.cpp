@@ -123,8 +123,9 @@ void unfold_sheets(SpaceComplex& arranged, Bundles& bundles, MeshComplex& mesh) 
 
 void arrange(MeshComplex& mesh, Context& context) {
   if (mesh.is_arranged()) return;
+  const std::vector<std::uint8_t> has_fan = std::exchange(mesh.has_fan, {});
   if (mesh.crossings.empty()) {
-    label_volumes(mesh.complex, context, std::exchange(mesh.has_fan, {}));
+    label_volumes(mesh.complex, context, has_fan);
     fill_sheets(mesh);
     return;
   }

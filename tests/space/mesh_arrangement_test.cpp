@@ -136,6 +136,7 @@ TEST(MeshArrangement, TouchingIsNotCrossing) {
     arrange(mesh, context);
     EXPECT_EQ(mesh.complex.facet_count(), facets) << soup.name;
     EXPECT_EQ(facet_jumps(mesh), mesh.jump) << soup.name;
+    EXPECT_TRUE(mesh.has_fan.empty()) << soup.name;
   }
 }
 
@@ -350,6 +351,7 @@ TEST(MeshArrangement, FacetsComeFromTheirFaces) {
       joined(box_mesh({0, 0, 0}, {2, 2, 2}), box_mesh({1, 0, 0}, {3, 2, 2})), {}, context);
   EXPECT_EQ(mesh.jump.size(), 12U);
   arrange(mesh, context);
+  EXPECT_TRUE(mesh.has_fan.empty());
   for (std::uint32_t f = 0; f < mesh.complex.facet_count(); ++f) {
     const auto sheets = mesh.sheets_of(FacetId(f));
     EXPECT_LE(sheets.size(), 2U);
