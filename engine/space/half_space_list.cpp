@@ -1,7 +1,9 @@
 #include "plumb/space/half_space_list.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "plumb/base/error.h"
 #include "plumb/predicates/rounding.h"
 
 namespace plumb {
@@ -11,7 +13,10 @@ void HalfSpaceList::reserve(std::size_t count) {
   is_open_.reserve(count);
 }
 
-void HalfSpaceList::add_number(double value) { numbers_.push_back(value); }
+void HalfSpaceList::add_number(double value) {
+  if (!std::isfinite(value)) throw Error(ErrorCode::NotFinite, "a half-space of no finite number");
+  numbers_.push_back(value);
+}
 
 void HalfSpaceList::add_number(Rational value) {
   const RoundedDouble near = round_to_double(value);

@@ -20,7 +20,7 @@ class HalfSpaceList {
 
   /// Room for so many.
   void reserve(std::size_t count);
-  /// Takes a double, or what follows for the next of a, b, c, d.
+  /// The next of a, b, c, d. Throws Error{NotFinite}; nothing is added then.
   void add_number(double value);
   void add_number(Rational value);  ///< As above; any number.
   /// After four numbers.

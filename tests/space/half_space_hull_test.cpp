@@ -71,6 +71,19 @@ HalfSpaceList list_of(const std::vector<HalfSpace3>& half_spaces) {
   return list;
 }
 
+TEST(HalfSpaceList, RefusesNumbersThatAreNotFinite) {
+  HalfSpaceList list;
+  for (const double value : {HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+    EXPECT_THROW(list.add_number(value), Error);
+  }
+  for (const double value : {0.5, 0.0, -0.0, 0x1p-1074}) list.add_number(value);
+  list.end(Boundary::Closed);
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_EQ(list[0].plane.a, Rational(1, 2));
+  EXPECT_EQ(list[0].plane.c, 0);
+  EXPECT_EQ(list[0].plane.d, Rational(1, Integer(1) << 1074));
+}
+
 TEST(HalfSpaceHull, IsTheFoldOfTheHalfSpaces) {
   Dice dice(7);
   std::size_t polytopes = 0, unbounded = 0, without_inside = 0, spared = 0;
