@@ -1,6 +1,7 @@
 #include "plumb/surface/surface_arrays.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -26,6 +27,14 @@ void require_triangles(const MeshView& mesh) {
   }
 }
 
+Point3 finite_point(const MeshView& mesh, std::size_t i) {
+  const Point3 p = mesh.point(i);
+  if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+    throw Error(ErrorCode::NotFinite, "vertex " + std::to_string(i) + " is not finite");
+  }
+  return p;
+}
+
 MeshView view_of(std::span<const Point3> points, std::span<const SurfaceTriangle> triangles) {
   MeshView view;
   view.coordinates = {reinterpret_cast<const double*>(points.data()), 3 * points.size()};
@@ -44,7 +53,7 @@ auto span_of(std::size_t count, First first) {
 SurfaceMesh surface_of(const MeshView& mesh) try {
   require_triangles(mesh);
   std::vector<Point3> points(mesh.point_count());
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] = mesh.point(i);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = finite_point(mesh, i);
   std::vector<SurfaceTriangle> triangles(mesh.face_count());
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     std::copy_n(mesh.face(f).begin(), 3, triangles[f].begin());

@@ -15,8 +15,9 @@
 namespace plumb {
 
 /// The triangles of `mesh` as a surface; the arrays may go when it is there. Vertices keep their numbers and
-/// faces theirs (some are turned: SurfaceMesh::is_flipped). Throws what the constructor of SurfaceMesh throws, and
-/// Error{BadArgument} for a face that is no triangle. O(n).
+/// faces theirs (some are turned: SurfaceMesh::is_flipped). Coordinates are the nearest doubles of what MeshView::exact has. Throws
+/// what the constructor of SurfaceMesh throws, Error{NotFinite} with the number of the vertex, and Error{BadArgument}
+/// for a face that is no triangle. O(n).
 SurfaceMesh surface_of(const MeshView& mesh);
 
 /// Vertices and faces of a surface, by their numbers. Valid as long as the surface, and until it is moved from.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -106,6 +107,11 @@ TEST(SurfaceArrays, refuse_what_is_no_surface) {
   EXPECT_EQ(code_of(mesh_of_polygons(kCorners, begin, square)), ErrorCode::BadArgument);
   const Indices beyond = {0, 1, 4};
   EXPECT_EQ(code_of(mesh_of_triangles(kCorners, beyond)), ErrorCode::BadIndex);
+  for (const double value : {HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+    Doubles xyz = kCorners;
+    xyz[5] = value;
+    EXPECT_EQ(code_of(mesh_of_triangles(xyz, kTriangles)), ErrorCode::NotFinite);
+  }
   const Indices twice = {0, 1, 2, 0, 1, 3, 0, 1, 2};
   EXPECT_EQ(code_of(mesh_of_triangles(kCorners, twice)), ErrorCode::BadShape);
 }
