@@ -1,4 +1,4 @@
-// What the program says of itself is true: examples of the help, JSON schemas, completion, the manual page.
+// What the program says of itself is true: examples of the help and of documents, JSON schemas, completion, the manual page.
 
 #include <gtest/gtest.h>
 
@@ -156,6 +156,35 @@ TEST(Help, has_an_example_for_every_group) {
     ASSERT_EQ(example.size(), 1U) << group;
     EXPECT_NE(example[0].find(group), std::string::npos);
   }
+}
+
+/// Lines of a document that call the program; the demo is for program_test.
+Words commands_of(const fs::path& page) {
+  Words commands = lines_of(read_file(page));
+  std::erase_if(commands, [](const std::string& line) {
+    return !line.starts_with("    ./plumb ") || line.starts_with("    ./plumb demo ");
+  });
+  return commands;
+}
+
+TEST(Documents, have_commands_that_work_when_pasted) {
+  std::size_t found = 0;
+  std::vector<fs::path> pages{"README.md"};
+  for (const auto& entry : fs::directory_iterator("docs")) {
+    if (entry.path().extension() == ".md") pages.push_back(entry.path());
+  }
+  for (const fs::path& page : pages) {
+    const ExampleFolder folder;
+    folder.shell(
+        "cp corpus/solids/l-block.off A.off; cp corpus/solids/tetrahedron.off B.off; "
+        "./plumb solid union A.off B.off -o any.nef");
+    for (const std::string& command : commands_of(page)) {
+      const RunResult result = folder.shell(command);
+      EXPECT_TRUE(result.code == 0 || result.code == 1) << page << command << result.err;
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 20U);
 }
 
 TEST(Json, fits_its_schema_whatever_the_answer) {
