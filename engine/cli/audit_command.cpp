@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "command.h"
 #include "plumb/base/error.h"
@@ -50,20 +51,28 @@ Flaw audit_nef2(const std::string& text, const ReadOptions& options, Context& co
   }
 }
 
-Flaw audit_map(const std::string& text, const ReadOptions& options, Context& context) {
-  const MapReport report = check_map(read_map(text, options, context), {}, context);
+Flaw audit_map(const std::string& text, const ReadOptions& options, Session& session) {
+  session.expect({reading_map(), checking_map(), auditing_map(), writing()});
+  session.begin("read");
+  Map map = read_map(text, options, session.context());
+  session.begin("check");
+  const MapReport report = check_map(std::move(map), {}, session.context());
   if (report.verdict != MapVerdict::Valid) {
     return DcelFlaw{std::string(headline(report.verdict)), report.defects.front().hint};
   }
+  session.begin("audit");
   const Dcel dcel = to_dcel(report).dcel;
   Flaw flaw = dcel.audit();
   return flaw ? flaw : dcel.audit_planar();
 }
 
 Flaw audit_text(const std::string& path, const std::string& text, const ReadOptions& options,
-                Context& context) {
+                Session& session) {
   const FileKind kind = kind_of_file(path, text);
-  if (kind == FileKind::Map) return audit_map(text, options, context);
+  if (kind == FileKind::Map) return audit_map(text, options, session);
+  session.expect({kind == FileKind::Solid ? auditing_solid() : auditing_plane(), writing()});
+  session.begin("audit");
+  Context& context = session.context();
   if (kind == FileKind::Solid) {
     return is_nef_file(path, text) ? audit_nef3(text, options, context)
                                    : audit_mesh(path, text, options, context);
@@ -96,10 +105,8 @@ class Audit : public CommandBody {
 
   ExitCode run(Session& session) override {
     const ReadOptions options{input_name(file_), session.options().exact_decimals};
-    session.expect({auditing(), writing()});
-    session.begin("audit");
     const std::string text = read_input(file_, session.context());
-    return answer(audit_text(file_, text, options, session.context()), session);
+    return answer(audit_text(file_, text, options, session), session);
   }
 
  private:

@@ -39,10 +39,11 @@ class ConvexCheck : public CommandBody {
   }
 
   ExitCode run(Session& session) override {
-    session.expect({reading_solid(), checking_convexity(), writing()});
-    session.begin("read");
     const std::string bytes = read_input(file_, session.context());
-    if (kind_of_file(file_, bytes) == FileKind::PlaneSet) return check_plane(bytes, session);
+    const bool is_plane = kind_of_file(file_, bytes) == FileKind::PlaneSet;
+    session.expect({is_plane ? reading_plane() : reading_solid(), checking_convexity(), writing()});
+    session.begin("read");
+    if (is_plane) return check_plane(bytes, session);
     const ConvexityEvidence found = evidence(bytes, session);
     Json faces = Json::array();
     for (const FailingFace& failing : found.faces) faces.push_back(failing.face);
@@ -142,8 +143,8 @@ class NoteReport : public CommandBody {
   }
 
  private:
-  std::vector<ProgressStage> stages() const {
-    std::vector<ProgressStage> stages;
+  ProgressStages stages() const {
+    ProgressStages stages;
     for (std::size_t i = 0; i < files_.size(); ++i) {
       stages.insert(stages.end(), {reading_solid(), cutting_solid()});
     }

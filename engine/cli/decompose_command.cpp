@@ -71,11 +71,11 @@ class Decomposition : public CommandBody {
   }
 
   ExitCode run(Session& session) override {
-    session.expect(stages(session.options()));
-    session.begin("read");
     const std::string bytes = read_input(file_, session.context());
     PieceFiles files(session.options().out);
     const bool is_plane = kind_of_file(file_, bytes) == FileKind::PlaneSet;
+    session.expect(stages(is_plane, session.options()));
+    session.begin("read");
     const auto names = is_plane ? extensions(kPlaneFormats) : extensions(solid_formats());
     if (!svg_.empty()) files.open_picture(svg_, names);
     const Answer answer =
@@ -91,10 +91,10 @@ class Decomposition : public CommandBody {
   }
 
  private:
-  std::vector<ProgressStage> stages(const CommonOptions& common) const {
-    std::vector<ProgressStage> stages{reading_solid(), cutting_solid()};
+  ProgressStages stages(bool is_plane, const CommonOptions& common) const {
+    ProgressStages stages{is_plane ? reading_plane() : reading_solid(), cutting_solid()};
     if (!common.out.empty()) stages.push_back(writing_pieces());
-    if (!svg_.empty()) stages.push_back(drawing());
+    if (!svg_.empty()) stages.push_back(drawing_pieces());
     stages.push_back(writing());
     return stages;
   }

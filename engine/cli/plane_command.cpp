@@ -109,7 +109,15 @@ struct Plane {
 
   static ProgressStage reading() { return reading_plane(); }
   static ProgressStage combining() { return combining_plane(); }
-  static ProgressStage finishing() { return finishing_plane(); }
+  static ProgressStage measuring() { return measuring_plane(); }
+  static ProgressStage locating() { return locating_plane(); }
+  static ProgressStages writing(const SetOutput& output) {
+    const auto index = output.format();
+    if (!index) return writing_plane_text();
+    const auto format = kFormats[static_cast<std::size_t>(*index)].text;
+    if (!format) return writing_plane_picture();
+    return *format == PlaneFormat::Nef2 ? writing_nef2() : writing_plane_text();
+  }
   static const auto& formats() { return kFormats; }
   static ReadyFile ready(const Nef2& set, const SetOutput& output, Context& context) {
     return ready_file(set, output, context);

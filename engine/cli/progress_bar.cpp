@@ -52,7 +52,7 @@ double ProgressBar::seconds() const {
   return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
-void ProgressBar::expect(std::vector<ProgressStage> stages) {
+void ProgressBar::expect(ProgressStages stages) {
   const std::lock_guard lock(mutex_);
   estimate_.expect(std::move(stages));
 }
@@ -86,18 +86,18 @@ void ProgressBar::draw_until(const std::stop_token& stop) {
 /// Allocates nothing: a thread's own heap would count against --limit-memory.
 void ProgressBar::draw() {
   if (is_hidden_ || phase_.empty()) return;
-  const double now = seconds(), part = estimate_.part(now);
+  const double now = seconds();
+  const auto [part, left] = estimate_.at(now);
   const int filled = static_cast<int>(part * static_cast<double>(kFull.size()));
   std::fprintf(stderr, "\r\x1b[K%-12.34s [%.*s%.*s] %3.0f%%", phase_.c_str(), filled, kFull.data(),
                static_cast<int>(kEmpty.size()) - filled, kEmpty.data(), std::floor(part * 100));
-  draw_time(now);
+  draw_time(now, left);
   on_line_ = true;
 }
 
-void ProgressBar::draw_time(double now) {
+void ProgressBar::draw_time(double now, std::optional<double> left) {
   constexpr double kLongEnough = 1;  // what is said earlier jumps
   if (now < kLongEnough) return;
-  const std::optional<double> left = estimate_.seconds_left(now);
   std::fprintf(stderr, left ? "  %.0f s left" : "  %.0f s so far", left ? std::ceil(*left) : now);
 }
 

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -27,7 +28,7 @@ class ProgressBar {
 
   bool is_shown() const { return shown_; }
   /// What the command will do. See ProgressEstimate.
-  void expect(std::vector<ProgressStage> stages);
+  void expect(ProgressStages stages);
   /// The next stage of this name. Shows the line again.
   void begin(std::string_view stage);
   /// A ProgressCallback.
@@ -45,7 +46,7 @@ class ProgressBar {
   void draw_until(const std::stop_token& stop);
   void draw();
   void wipe();
-  void draw_time(double now);
+  void draw_time(double now, std::optional<double> left);
 
   bool shown_;
   bool terminal_;

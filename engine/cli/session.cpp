@@ -1,5 +1,6 @@
 #include "session.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -28,6 +29,11 @@ std::string require_positive(const std::string& text) {
   double value = 0;
   const bool is_positive = CLI::detail::lexical_cast(text, value) && value > 0;
   return is_positive ? std::string() : "a positive number is needed, not " + text;
+}
+
+bool is_regular_file(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
 void require_no_stop() {
@@ -112,7 +118,9 @@ void Session::answer(const std::string& json, const Outputs::Writer& text) {
 
 void Session::deliver() {
   begin("write");
-  outputs_.deliver([this] { progress_.clear(); });
+  outputs_.deliver([this] {
+    if (!is_regular_file(STDOUT_FILENO)) progress_.clear();  // it may be seen on the same terminal
+  });
 }
 
 void Session::note(std::string_view text) {

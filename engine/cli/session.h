@@ -72,7 +72,7 @@ class Session {
   void note(std::string_view text);
 
   /// What the command will do, for the progress bar; begin() says when each stage begins (progress_stages.h).
-  void expect(std::vector<ProgressStage> stages) { progress_.expect(std::move(stages)); }
+  void expect(ProgressStages stages) { progress_.expect(std::move(stages)); }
   void begin(std::string_view stage) { progress_.begin(stage); }
   /// Writes all outputs: the stage "write".
   void deliver();

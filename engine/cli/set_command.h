@@ -4,7 +4,8 @@
 //                              the notes of a file
 //   kHelp, kAxes               the first operand in the help; names of the coordinates
 //   formats()                  what can be written (format_choice.h)
-//   reading(), combining(), finishing()  stages of the progress of a command (progress_stages.h)
+//   reading(), combining(), measuring(), locating(), writing(output)  stages of the progress of a command
+//                              (progress_stages.h): a file read; an operation; facts(); locate(); ready() and the file written
 //   ready(set, output, context)  the set as a file of the output's format
 //   canonical(set, context)    where files tell how a set was made: the same set in a form that does not (--canonical)
 //   facts(set, context)        what the set is like: json(), write(out)
@@ -52,13 +53,11 @@ auto read_sets(const Input& input, const std::vector<std::string>& files, Sessio
   return sets;
 }
 
-/// Some sets read, combined, and the result made ready to be written.
+/// Some sets read and combined.
 template <class Kind>
-std::vector<ProgressStage> stages_of_sets(std::size_t operands, std::size_t operations) {
-  std::vector<ProgressStage> stages(operands, Kind::reading());
+ProgressStages stages_of_sets(std::size_t operands, std::size_t operations) {
+  ProgressStages stages(operands, Kind::reading());
   stages.insert(stages.end(), operations, Kind::combining());
-  stages.push_back(Kind::finishing());
-  stages.push_back(writing());
   return stages;
 }
 
@@ -91,19 +90,25 @@ class SetOperation : public CommandBody {
 
   ExitCode run(Session& session) override {
     output_.open(Kind::formats(), session);
-    session.expect(stages());
+    session.expect(all_stages(session.options()));
     const Set result = numbered(compute(session), session);
-    session.begin("result");
-    output_.prepare([&] { return Kind::facts(result, session.context()).json(); },
-                    [&] { return Kind::ready(result, output_, session.context()); }, strict_,
-                    session);
+    const auto facts = [&] {
+      session.begin("measure");
+      return Kind::facts(result, session.context()).json();
+    };
+    const auto file = [&] {
+      session.begin("result");
+      return Kind::ready(result, output_, session.context());
+    };
+    output_.prepare(facts, file, strict_, session);
     output_.deliver(session);
     return ExitCode::Yes;
   }
 
  protected:
   virtual void declare_operands(CLI::App& app) = 0;
-  virtual std::vector<ProgressStage> stages() const { return stages_of_sets<Kind>(1, 1); }
+  /// Up to the result.
+  virtual ProgressStages stages() const { return stages_of_sets<Kind>(1, 1); }
   /// Begins a stage "combine" for each operation.
   virtual Set compute(Session& session) = 0;
   std::vector<Set> read_all(const std::vector<std::string>& files, Session& session) const {
@@ -118,9 +123,20 @@ class SetOperation : public CommandBody {
     Kind::canonical(set, context);
   };
 
+  ProgressStages all_stages(const CommonOptions& common) const {
+    ProgressStages all = stages();
+    if constexpr (kHasCanonical) {
+      if (canonical_) all.push_back(numbering_solid());
+    }
+    if (common.json) all.push_back(Kind::measuring());
+    for (const ProgressStage& stage : Kind::writing(output_)) all.push_back(stage);
+    return all;
+  }
   Set numbered(Set set, Session& session) const {
     if constexpr (kHasCanonical) {
-      if (canonical_) return Kind::canonical(set, session.context());
+      if (!canonical_) return set;
+      session.begin("number");
+      return Kind::canonical(set, session.context());
     }
     return set;
   }
@@ -141,7 +157,7 @@ class BinaryOperation : public SetOperation<Kind> {
     declare_first<Kind>(app, a_);
     declare_second(app, b_);
   }
-  std::vector<ProgressStage> stages() const override { return stages_of_sets<Kind>(2, 1); }
+  ProgressStages stages() const override { return stages_of_sets<Kind>(2, 1); }
   typename Kind::Set compute(Session& session) override {
     require_one_stdin(a_, b_);
     auto sets = this->read_all({a_, b_}, session);
@@ -180,9 +196,9 @@ class SetInfo : public CommandBody {
     input_.declare(app);
   }
   ExitCode run(Session& session) override {
-    session.expect(stages_of_sets<Kind>(1, 0));
+    session.expect({Kind::reading(), Kind::measuring(), writing()});
     const auto set = std::move(read_sets(input_, {a_}, session).front());
-    session.begin("result");
+    session.begin("measure");
     prepare(set, a_, session);
     const auto facts = Kind::facts(set, session.context());
     session.answer(facts.json().dump(), [&](std::ostream& out) { facts.write(out); });
@@ -215,8 +231,10 @@ class SetLocate : public CommandBody {
     for (std::size_t i = 0; i < point.size(); ++i) {
       point[i] = read_number_argument(texts_[i], Kind::kAxes[i], session);
     }
-    session.expect(stages_of_sets<Kind>(1, 0));
-    const auto [on, is_marked] = Kind::locate(read_sets(input_, {a_}, session).front(), point);
+    session.expect({Kind::reading(), Kind::locating(), writing()});
+    const auto set = std::move(read_sets(input_, {a_}, session).front());
+    session.begin("locate");
+    const auto [on, is_marked] = Kind::locate(set, point);
     const nlohmann::ordered_json json{{"on", on}, {"marked", is_marked}};
     session.answer(json.dump(), [&, on = on, is_marked = is_marked](std::ostream& out) {
       out << on << (is_marked ? ", in the set\n" : ", not in the set\n");

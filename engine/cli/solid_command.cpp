@@ -1,5 +1,6 @@
 // plumb solid ...: sets of space, combined, transformed, asked.
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -97,13 +98,18 @@ struct Solid {
 
   static ProgressStage reading() { return reading_solid(); }
   static ProgressStage combining() { return combining_solids(); }
-  static ProgressStage finishing() { return finishing_solid(); }
+  static ProgressStage measuring() { return measuring_solid(); }
+  static ProgressStage locating() { return locating_solid(); }
+  static ProgressStages writing(const SetOutput& output) {
+    return format_of(output).name == "nef" ? writing_nef() : writing_mesh();
+  }
   static std::span<const SolidFormat> formats() { return solid_formats(); }
+  static const SolidFormat& format_of(const SetOutput& output) {
+    return output.format() ? formats()[static_cast<std::size_t>(*output.format())]
+                           : format_named(formats(), "nef");
+  }
   static ReadyFile ready(const Nef3& set, const SetOutput& output, Context& context) {
-    const SolidFormat& format = output.format()
-                                    ? formats()[static_cast<std::size_t>(*output.format())]
-                                    : format_named(formats(), "nef");
-    const auto text = std::make_shared<SolidText>(set, format, context);
+    const auto text = std::make_shared<SolidText>(set, format_of(output), context);
     return {[text](std::ostream& out) { text->write(out); }, text->losses()};
   }
   static Nef3 canonical(const Nef3& set, Context& context) {
@@ -126,8 +132,8 @@ class MinkowskiSum : public SolidOperation {
     declare_first<Solid>(app, a_);
     declare_second(app, b_);
   }
-  std::vector<ProgressStage> stages() const override {
-    return {reading_solid(), reading_solid(), adding_solids(), finishing_solid(), writing()};
+  ProgressStages stages() const override {
+    return {reading_solid(), reading_solid(), adding_solids()};
   }
   Nef3 compute(Session& session) override {
     require_one_stdin(a_, b_);
@@ -186,8 +192,13 @@ class Evaluation : public SolidOperation {
         });
   }
 
-  std::vector<ProgressStage> stages() const override {
-    return stages_of_sets<Solid>(bindings_.size(), bindings_.empty() ? 0 : bindings_.size() - 1);
+  ProgressStages stages() const override {
+    const SetExpression expression = parse_set_expression(text_);
+    const auto combines = [](const SetExpression::Step& step) {
+      return step.op != SetOperator::Operand && step.op != SetOperator::Complement;
+    };
+    const auto operations = std::ranges::count_if(expression.steps, combines);
+    return stages_of_sets<Solid>(expression.names.size(), static_cast<std::size_t>(operations));
   }
 
   std::map<std::string, std::string> bound_files() const {
@@ -267,6 +278,7 @@ class HalfSpaces : public SolidOperation {
         ->required()
         ->type_name("");
   }
+  ProgressStages stages() const override { return {reading_solid(), intersecting_half_spaces()}; }
   Nef3 compute(Session& session) override {
     session.begin("read");
     const auto half_spaces = read_half_spaces_file(
@@ -287,7 +299,9 @@ class SolidCompare : public CommandBody {
   }
   ExitCode run(Session& session) override {
     require_one_stdin(a_, b_);
-    session.expect(stages_of_sets<Solid>(2, 2));
+    ProgressStages stages = stages_of_sets<Solid>(2, 2);
+    stages.push_back(writing());
+    session.expect(std::move(stages));
     const std::vector<Nef3> sets = read_sets(input_, {a_, b_}, session);
     const Nef3 &a = sets[0], &b = sets[1];
     session.begin("combine");

@@ -49,7 +49,6 @@ class View : public CommandBody {
 
   ExitCode run(Session& session) override {
     const Format& format = open_outputs(session);
-    session.expect(stages());
     const bool is_one = files_.size() == 1 && !apart_;
     const FileKind kind = is_one ? draw_file(format.picture, session) : FileKind::Solid;
     if (!is_one) draw_solids(format.picture, session);
@@ -76,18 +75,11 @@ class View : public CommandBody {
     return format;
   }
 
-  std::vector<ProgressStage> stages() const {
-    std::vector<ProgressStage> stages(files_.size(), reading_solid());
-    stages.insert(stages.end(), {drawing(), writing()});
-    return stages;
-  }
-
   static std::string title_of(const std::string& file) {
     return std::filesystem::path(input_name(file)).filename().string();
   }
 
   FileKind draw_file(Picture picture, Session& session) {
-    session.begin("read");
     const std::string bytes = read_input(files_.front(), session.context());
     const FileKind kind = kind_of_file(files_.front(), bytes);
     picture_ = drawn(kind, bytes, picture, session);
@@ -102,11 +94,17 @@ class View : public CommandBody {
     const ReadOptions options{input_name(file), session.options().exact_decimals};
     switch (kind) {
       case FileKind::Map: {
-        const MapReport report = check_map(read_map(bytes, options, context), {}, context);
+        session.expect({reading_map(), checking_map(), drawing_map(), writing()});
+        session.begin("read");
+        Map map = read_map(bytes, options, context);
+        session.begin("check");
+        const MapReport report = check_map(std::move(map), {}, context);
         session.begin("draw");
         return picture_of(report, picture, title);
       }
       case FileKind::PlaneSet: {
+        session.expect({reading_plane(), drawing_plane(), writing()});
+        session.begin("read");
         const PlaneFormat format = plane_format_of(file).value_or(guess_plane_format(bytes));
         const Nef2 set = read_plane_set(bytes, format, options, context);
         session.begin("draw");
@@ -115,12 +113,17 @@ class View : public CommandBody {
       case FileKind::Solid:
         break;
     }
+    session.expect({reading_solid(), drawing_solid(), writing()});
+    session.begin("read");
     const Nef3 set = input_.read(file, bytes, session);
     session.begin("draw");
     return picture_of(set, picture, title, context);
   }
 
   void draw_solids(Picture picture, Session& session) {
+    ProgressStages stages(files_.size(), reading_solid());
+    stages.insert(stages.end(), {drawing_solid(), writing()});
+    session.expect(std::move(stages));
     std::vector<Nef3> sets;
     for (const std::string& file : files_) {
       session.begin("read");

@@ -345,10 +345,12 @@ std::vector<Shown> bar_lines(const std::string& seen) {
   return lines;
 }
 
-void write_grid_map(const std::string& file, std::uint32_t n) {
+/// Corners at whole numbers, with `digits` behind each.
+void write_grid_map(const std::string& file, std::uint32_t n, const std::string& digits = "") {
   std::string text = std::to_string((n + 1) * (n + 1)) + ' ' + std::to_string(n * n) + '\n';
   for (std::uint32_t i = 0; i < (n + 1) * (n + 1); ++i) {
-    text += std::to_string(i % (n + 1)) + ' ' + std::to_string(i / (n + 1)) + '\n';
+    text += std::to_string(i % (n + 1)) + digits + ' ';
+    text += std::to_string(i / (n + 1)) + digits + '\n';
   }
   for (std::uint32_t i = 0; i < n * n; ++i) {
     const std::uint32_t v = i / n * (n + 1) + i % n + 1;
@@ -372,11 +374,16 @@ void write_star(const std::string& file, std::uint32_t corners) {
 /// Of every kind of command one that takes more than two seconds, of inputs in a directory.
 std::vector<Words> long_jobs(const ScratchDirectory& scratch) {
   const std::string map = (scratch / "grid.map").string(), star = (scratch / "star.wkt").string();
+  const std::string coarse = (scratch / "coarse.map").string();
+  const std::string shifted = (scratch / "shifted.map").string();
   write_grid_map(map, 1500);
+  write_grid_map(coarse, 300);
+  write_grid_map(shifted, 300, ".5");
   write_star(star, 600'000);
   return {{"map", "check", map, "--outer", "infer"},
           {"plane", "difference", star, "corpus/plane/frame.geojson", "--format", "nef2"},
           {"plane", "info", star},
+          {"map", "overlay", coarse, shifted, "--infer-outer"},
           {"audit", star},
           {"view", star, "--format", "svg"},
           {"convex", "decompose", "corpus/solids/bunny.off", "-o", (scratch / "pieces").string()},
@@ -396,6 +403,16 @@ TEST(Progress, tells_percentage_and_time_left_on_a_terminal) {
     EXPECT_EQ(seen.find('[', seen.rfind("\r\x1b[K") + 4), seen.npos)
         << "the bar is wiped at the end";
   }
+}
+
+TEST(Progress, goes_from_little_to_nearly_all) {
+  const ScratchDirectory scratch;
+  const std::string star = (scratch / "star.wkt").string();
+  write_star(star, 300'000);
+  const std::vector<Shown> lines = bar_lines(seen_on_terminal({"plane", "info", star}));
+  ASSERT_GT(lines.size(), 5U);
+  EXPECT_LT(lines.front().percent, 30);
+  EXPECT_GT(lines.back().percent, 70);
 }
 
 TEST(Progress, is_not_shown_if_unwanted) {
