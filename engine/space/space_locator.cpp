@@ -85,6 +85,8 @@ struct SpaceLocator::Tree {
 // --- the tree
 
 SpaceLocator::Tree::Tree(const SpaceComplex& used_complex) : complex(used_complex) {
+  items.reserve(complex.facet_count());
+  boxes.reserve(complex.facet_count());
   for (std::size_t f = 0; f < complex.facet_count(); ++f) add(FacetId(f));
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
     if (!complex.edge_use[e].is_valid()) add(EdgeId(e));
@@ -99,7 +101,7 @@ SpaceLocator::Tree::Tree(const SpaceComplex& used_complex) : complex(used_comple
   for (const Box3& box : boxes) sum += std::isfinite(box.extent()) ? box.extent() : 0;
   if (!boxes.empty()) mean_extent = sum / static_cast<double>(boxes.size());
   boxes_tree = BoxTree(boxes);
-  boxes = {};
+  boxes = std::vector<Box3>();  // gives its memory back, which {} would not
 }
 
 Box3 SpaceLocator::Tree::axis_box(SpaceItem item) const {

@@ -169,7 +169,7 @@ void VolumeGrid::ask(std::uint32_t parts, std::size_t questions,
       }
     }
   }
-  part_ = {};
+  part_ = std::vector<std::uint32_t>();  // gives its memory back, which {} would not
 }
 
 // ---------------------------------------------------------------- questions

@@ -71,6 +71,7 @@ double UnitWay::angle_of(const UnitBall& at) const {
 
 std::vector<SphereBound> bounds_of(const PlaneTable& planes, const SphereMap& map) {
   std::vector<SphereBound> bounds;
+  bounds.reserve(map.direction.size() + map.arc_count());
   for (const SphereDirection u : map.direction) {
     bounds.push_back({SphereBound::Kind::Point, ball_of(planes, u), {}, {}});
   }
@@ -123,6 +124,7 @@ Box3 SphereBoundTree::box_of(const SphereBound& bound) {
 
 SphereBoundTree::SphereBoundTree(std::vector<SphereBound> bounds)
     : bounds_(std::move(bounds)), order_(bounds_.size()) {
+  boxes_.reserve(bounds_.size());
   for (const SphereBound& bound : bounds_) boxes_.push_back(box_of(bound));
   std::iota(order_.begin(), order_.end(), std::uint32_t{0});
   if (!order_.empty()) build(0, 0, static_cast<std::uint32_t>(order_.size()));

@@ -10,8 +10,8 @@
 //
 // Answers are those of NefSphere's functions of the same names, and as exact: doubles only choose what is asked.
 //
-// Cost: O(n log n) to build, about 350 bytes an item. A query asks the items near its way as far as it has to go, and
-// walks down the tree to them: O(log n) where small arcs are spread evenly over the sphere. A shot that passes many
+// Cost: O(n log n) to build, about 330 bytes an item and a copy of the planes. A query asks the items near its way as far as
+// it has to go, and walks down the tree to them: O(log n) where small arcs are spread evenly over the sphere. A shot that passes many
 // items pays for each; a point met costs its degree; items that doubles cannot tell apart are all asked. Worst: O(n).
 // Memory for planes of queries is bounded: the table is copied afresh when it has doubled, O(1) a query on average.
 #pragma once

@@ -161,6 +161,7 @@ class CellMaker {
         std::unique(cells_.edges.begin(), cells_.edges.end(),
                     [&](const CellEdge& a, const CellEdge& b) { return compare(a, b) == 0; });
     cells_.edges.erase(end, cells_.edges.end());
+    cells_.edges.shrink_to_fit();  // there was one for each arc
   }
 
   /// By cells, then by the signed bundles.
