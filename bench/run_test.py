@@ -19,7 +19,10 @@ with tempfile.TemporaryDirectory() as folder:
     command = [run, "--build", build, "-o", folder, "--most", "0.1", "map_families", "memory_table", "numbers_bench"]
     done = subprocess.run(command, capture_output=True, text=True)
     expect(f"exit status {done.returncode}: {done.stderr}", done.returncode == 0)
-    results = json.loads((pathlib.Path(folder) / "benchmarks.json").read_text())
+    file = pathlib.Path(folder) / "benchmarks.json"
+    results = json.loads(file.read_text())
+    same = subprocess.run([run, "--build", build, "--compare", file, file], capture_output=True, text=True)
+    expect(f"compared with itself: {same.returncode}: {same.stdout}{same.stderr}", same.returncode == 0)
     page = (pathlib.Path(folder) / "benchmarks.html").read_text()
 
 expect("one program of families", [len(p["families"]) > 0 for p in results["programs"]] == [True])

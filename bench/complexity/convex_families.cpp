@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,19 @@ Work combs(std::size_t teeth) {
 }
 Work discs(std::size_t corners) {
   return decomposition(static_cast<double>(corners), notched_disc(static_cast<int>(corners)));
+}
+
+/// Reflex edges are pairwise askew: a piece for each pair, and a few more.
+Work saddles(std::size_t notches) {
+  const int n = static_cast<int>(notches);
+  const Nef3 set = solid(testing::saddle_block(n));
+  Context context;
+  const std::size_t pieces = decompose(set, {}, context).pieces.size();
+  if (pieces > (notches + 1) * (notches + 1)) throw std::runtime_error("too many pieces");
+  return measured(2.0 * n, [set] {
+    Context own;
+    return decompose(set, {}, own);
+  });
 }
 
 /// A prism over n corners, and pyramids on both of its ends: quads, and two vertices beside n faces each.
@@ -103,6 +117,12 @@ const std::vector<Family> kFamilies{
      {2, 4, 8, 16, 32, 64, 128, 200},
      combs,
      2.1},
+    {"saddles",
+     "the same, reflex edges along the lines of a saddle: so many pieces are needed",
+     "reflex edges",
+     {2, 1},
+     {1, 2, 4, 10, 25, 64, 100},
+     saddles},
     {"one-notch",
      "convex decomposition, one reflex edge",
      "corners",

@@ -1,10 +1,10 @@
-// Compares two files of bench/run, growth and memory of structures: growth_compare OLD NEW
+// Compares two files of bench/run, growth, memory of structures and capabilities: growth_compare OLD NEW
 //
 // Prints, for every family and size in both, what changed: instructions, allocations, their bytes and calls of predicates by
-// more than 2%, calls that the filter did not decide by more than 2% of all, bytes that structures hold by more than 2%, and time
-// by more than 15% where its batches say so, too: a sign test of all batches of the family, every old one against the new one
-// of its place, at the 5% level. Then what of OLD has no counterpart in NEW. Exit status 1 when something has become worse or a
-// family or structure is gone, 2 when a file cannot be read or nothing is in both.
+// more than 2%, calls that the filter did not decide by more than 2% of all, and time by more than 15% where its batches say so,
+// too: a sign test of all batches of the family, every old one against the new one of its place, at the 5% level. Then bytes that
+// structures hold and calls of predicates of capabilities, by more than 2%, and what of OLD has no counterpart in NEW. Exit status 1
+// when something has become worse or a family, structure or capability is gone, 2 when a file cannot be read or nothing is in both.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -50,17 +50,39 @@ Samples samples_of(const Json& all) {
   return result;
 }
 
-/// Bytes that an element of every structure holds; empty for files without bench/macro.
-std::map<std::string, double> memory_of(const Json& all) {
-  std::map<std::string, double> result;
-  for (const Json& part : all.value("macro", Json::array())) {
-    if (part.at("part") != "memory") continue;
-    for (const Json& row : part.at("rows")) {
-      result[row.at("structure").get<std::string>() + ", " + row.at("input").get<std::string>()] =
-          row.at("measured").get<double>();
+/// A figure of every row of a part of bench/macro that has one; empty for files without that part.
+using Figures = std::map<std::string, double>;
+
+template <class Figure>
+Figures figures_of(const Json& all, const char* part, const char* name, Figure figure) {
+  Figures result;
+  for (const Json& found : all.value("macro", Json::array())) {
+    if (found.at("part") != part) continue;
+    for (const Json& row : found.at("rows")) {
+      const double value = figure(row);
+      if (value > 0) {
+        result[row.at(name).get<std::string>() + ", " + row.at("input").get<std::string>()] = value;
+      }
     }
   }
   return result;
+}
+
+/// Bytes that an element of every structure holds.
+Figures memory_of(const Json& all) {
+  return figures_of(all, "memory", "structure",
+                    [](const Json& row) { return row.at("measured").get<double>(); });
+}
+
+/// Calls of predicates of every capability that makes any.
+Figures calls_of(const Json& all) {
+  return figures_of(all, "capabilities", "capability", [](const Json& row) {
+    double sum = 0;
+    for (const Json& rungs : row.value("calls", Json::object())) {
+      for (const Json& calls : rungs) sum += calls.get<double>();
+    }
+    return sum;
+  });
 }
 
 bool compare_work(const std::string& family, double size, const Json& before, const Json& after) {
@@ -144,26 +166,30 @@ bool have_common_size(const std::map<double, Json>& before, const std::map<doubl
   return std::ranges::any_of(before, [&](const auto& s) { return after.contains(s.first); });
 }
 
-/// True unless a structure holds more, or is gone.
-bool compare_memory(const Json& before, const Json& after) {
-  const std::map<std::string, double> old_bytes = memory_of(before), new_bytes = memory_of(after);
+/// True unless a row has more of `what`, or is gone.
+bool compare_rows(const char* what, const Figures& before, const Figures& after) {
   bool is_well = true;
   std::size_t compared = 0;
-  for (const auto& [structure, bytes] : old_bytes) {
-    const auto found = new_bytes.find(structure);
-    if (found == new_bytes.end()) {
-      fmt::print("{}: GONE\n", structure);
+  for (const auto& [row, old_figure] : before) {
+    const auto found = after.find(row);
+    if (found == after.end()) {
+      fmt::print("{}: GONE\n", row);
       is_well = false;
       continue;
     }
     ++compared;
-    const double ratio = found->second / bytes;
+    const double ratio = found->second / old_figure;
     if (std::fabs(ratio - 1) <= kWorkTolerance) continue;
-    fmt::print("{}: bytes held x {:.3f}\n", structure, ratio);
+    fmt::print("{}: {} x {:.3f}\n", row, what, ratio);
     if (ratio > 1) is_well = false;
   }
-  if (compared > 0) fmt::print("{} structures compared\n", compared);
+  if (compared > 0) fmt::print("{} compared: {}\n", compared, what);
   return is_well;
+}
+
+/// Where both count calls.
+bool compare_calls(const Figures& before, const Figures& after) {
+  return after.empty() || compare_rows("calls of predicates", before, after);
 }
 
 int run(const std::string& before, const std::string& after) {
@@ -185,7 +211,8 @@ int run(const std::string& before, const std::string& after) {
     fmt::print(stderr, "growth_compare: no family and size is in both files\n");
     return 2;
   }
-  if (!compare_memory(old_results, new_results)) is_well = false;
+  if (!compare_rows("bytes held", memory_of(old_results), memory_of(new_results))) is_well = false;
+  if (!compare_calls(calls_of(old_results), calls_of(new_results))) is_well = false;
   fmt::print("{} of {} families compared: {}\n", compared, old_samples.size(),
              is_well ? "none is worse" : "WORSE, or GONE");
   return is_well ? 0 : 1;

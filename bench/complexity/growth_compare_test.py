@@ -21,7 +21,10 @@ def sample(size):
 
 old = {"programs": [{"title": "Growth", "families": [{"name": name, "samples": [sample(n) for n in (100, 1000, 10000)]}
                                                       for name in ("family", "other")]}],
-       "macro": [{"part": "memory", "rows": [{"structure": "Map", "input": "hexagons", "measured": 50.0}]}]}
+       "macro": [{"part": "memory", "rows": [{"structure": "Map", "input": "hexagons", "measured": 50.0}]},
+                 {"part": "capabilities", "rows": [
+                     {"capability": "map check", "input": "hexagons", "calls": {"orient2d": {"filter": 900, "small": 100}}},
+                     {"capability": "read map", "input": "hexagons"}]}]}
 
 
 def samples(results):
@@ -92,6 +95,17 @@ expect("a structure 10 % smaller", 0, holds(0.9))
 expect("without structures", 1, lambda results: results.pop("macro"))
 expect("a structure that is gone", 1, lambda results: results["macro"][0]["rows"][0].update(structure="Other"))
 expect("calls are not counted", 0, without_calls)
+def asks(count):
+    def doctor(results):
+        results["macro"][1]["rows"][0]["calls"]["orient2d"]["filter"] = count
+    return doctor
+
+
+expect("a capability that asks 1.9 % more", 0, asks(919))
+expect("a capability that asks 2.1 % more", 1, asks(921))
+expect("a capability that asks less", 0, asks(500))
+expect("a capability that is gone", 1, lambda results: results["macro"][1]["rows"][0].update(input="fan"))
+expect("no capability counts its calls", 0, lambda results: results["macro"][1]["rows"].pop(0))
 expect("no size in both", 2, other_sizes)
 expect("no size of one family in both", 1, lambda results: other_sizes(results, 1))
 expect("a size that is gone", 0, lambda results: samples(results).pop())

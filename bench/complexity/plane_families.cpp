@@ -9,6 +9,8 @@
 
 #include "growth.h"
 #include "plane_jobs.h"
+#include "plumb/io/plane_shapes.h"
+#include "plumb/plane/nef2_parts.h"
 
 namespace plumb::bench {
 namespace {
@@ -56,6 +58,16 @@ Work stars(std::size_t n, MarkFunction f) {
 Work star_intersection(std::size_t n) { return stars(n, kIntersection); }
 Work star_union(std::size_t n) { return stars(n, kUnion); }
 Work star_difference(std::size_t n) { return stars(n, kSymmetricDifference); }
+
+/// Polygons with holes, in fractions, then as shapes that files have.
+Work polygons_of_union(std::size_t n) {
+  const Nef2 set =
+      Nef2::polygon(testing::star_polygon(n, 1)) + Nef2::polygon(testing::star_polygon(n, 2));
+  return measured(static_cast<double>(set.complex().edge_count()), [set] {
+    Context context;
+    return to_shapes(parts_of(set, context), context);
+  });
+}
 
 Work octagon_union(std::size_t n) {
   return measured(static_cast<double>(8 * n),
@@ -155,6 +167,13 @@ const std::vector<Family> kFamilies{
      {1, 1},
      sizes_between(300, 33334),
      octagon_union,
+     1.25},
+    {"polygons-of-union",
+     "conversion to polygons, O(n) in the note on Nef polyhedra",
+     "edges",
+     {1, 1},
+     sizes_between(1000, 100000),
+     polygons_of_union,
      1.25},
     {"octagons-regularize",
      "regularization, O(n) in the note on Nef polyhedra",

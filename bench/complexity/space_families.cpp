@@ -16,6 +16,7 @@
 #include "growth.h"
 #include "plumb/base/error.h"
 #include "plumb/space/nef3.h"
+#include "plumb/space/to_mesh.h"
 
 namespace plumb::bench {
 namespace {
@@ -158,6 +159,63 @@ Work complement_and_interior(std::size_t depth) {
   const SpaceCounts counts = ball.counts();
   return made(counts.vertices + counts.edges + counts.facets,
               [ball](Context&) { return (!ball).interior(); });
+}
+
+/// Two spheres that cross, each of 20 * 4^depth triangles.
+std::array<PolygonMesh, 2> crossing_spheres(std::size_t depth) {
+  const int d = static_cast<int>(depth);
+  return {testing::icosphere_mesh(d, 1, {0, 0, 0}),
+          testing::icosphere_mesh(d, 1, {0.5, 0.25, 0.125})};
+}
+
+PolygonMesh triangles_of(const Nef3& set, Context& context) {
+  return mesh_of_complex(set.complex(), {MeshFaces::Triangles, false, false}, context).mesh;
+}
+
+Work triangles_of_union(std::size_t depth) {
+  const auto [a, b] = crossing_spheres(depth);
+  const Nef3 both = solid(a) + solid(b);
+  return made(both.complex().facet_count(),
+              [both](Context& context) { return triangles_of(both, context); });
+}
+
+/// Two meshes become sets, these one, and that triangles.
+Work whole_path(std::size_t depth) {
+  const auto meshes = std::make_shared<const std::array<PolygonMesh, 2>>(crossing_spheres(depth));
+  return made((*meshes)[0].face_count() + (*meshes)[1].face_count(), [meshes](Context& context) {
+    return triangles_of(
+        combine(Nef3::mesh((*meshes)[0], WindingRule::Positive, context),
+                Nef3::mesh((*meshes)[1], WindingRule::Positive, context), kUnion, context),
+        context);
+  });
+}
+
+/// 1,000 points anywhere in a box around a ball; `ask(ball, point)`. The locator is made before.
+template <class Ask>
+Work asked_in_ball(std::size_t depth, Ask ask) {
+  const Nef3 ball = solid(testing::icosphere_mesh(static_cast<int>(depth), 1, {0, 0, 0}));
+  Dice dice(7);
+  const auto coordinate = [&] {
+    return 1e-6 * static_cast<double>(dice.between(-1200000, 1200000));
+  };
+  std::vector<Point3> points;
+  for (int i = 0; i < 1000; ++i) {
+    const double x = coordinate(), y = coordinate();
+    points.push_back({x, y, coordinate()});
+  }
+  static_cast<void>(ball.contains(points[0]));
+  return made(ball.complex().facet_count(), [ball, points, ask](Context&) {
+    return std::ranges::count_if(points, [&](const Point3& p) { return ask(ball, p); });
+  });
+}
+Work locate_in_ball(std::size_t depth) {
+  return asked_in_ball(depth, [](const Nef3& in, const Point3& p) { return in.contains(p); });
+}
+Work shoot_in_ball(std::size_t depth) {
+  return asked_in_ball(depth, [](const Nef3& in, const Point3& p) {
+    const RationalPoint3 from{Rational(p.x), Rational(p.y), Rational(p.z)};
+    return in.shoot_to_boundary(from, {3, 2, 1}).has_value();
+  });
 }
 
 /// Two facets with all holes, and as many facets in these.
@@ -323,6 +381,34 @@ const std::vector<Family> kFamilies{
      {1, 2, 3, 4, 5, 6},
      complement_and_interior,
      1.15},
+    {"triangles-of-union",
+     "conversion to a mesh, O(n) in the note on Nef polyhedra",
+     "facets",
+     {1, 1},
+     {1, 2, 3, 4, 5, 6},
+     triangles_of_union,
+     1.15},
+    {"meshes-to-triangles",
+     "the whole path: two meshes become sets, these one, that triangles",
+     "triangles",
+     {1, 1},
+     {2, 3, 4, 5, 6, 7},
+     whole_path,
+     1.15},
+    {"ball-locate",
+     "1,000 points; O(n) a point in the note on Nef polyhedra",
+     "facets",
+     {0, 1},
+     {1, 2, 3, 4, 5, 6},
+     locate_in_ball,
+     0.3},
+    {"ball-shoot",
+     "1,000 rays; a question to every facet would be O(n) a ray",
+     "facets",
+     {0, 1},
+     {1, 2, 3, 4, 5, 6},
+     shoot_in_ball,
+     0.3},
     {"drill",
      "a chain of subtractions, linear in what is written",
      "facets written",

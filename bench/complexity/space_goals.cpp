@@ -5,7 +5,7 @@
 // prints a line for each goal and exits 1 if one is missed by more than the factor --slack (default 1). --depth bounds the
 // icospheres: 20 * 4^depth triangles (default 7).
 //
-//   path       two icospheres from mesh to triangles of their union: growth, and memory at the largest size
+//   memory     two icospheres from mesh to triangles of their union; how time grows: space_families, meshes-to-triangles
 //   degenerate pairs in almost equal or partly equal planes, the same way
 //   locate     random points in an icosphere
 //   file       an icosphere to .nef text and back
@@ -31,7 +31,6 @@
 #include "plumb/space/nef3.h"
 #include "plumb/space/space_audit.h"
 #include "plumb/space/to_mesh.h"
-#include "power_fit.h"
 
 namespace plumb::bench {
 namespace {
@@ -89,25 +88,16 @@ double resident_bytes() {
   return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-bool measure_path(const Options& options) {
-  std::vector<Sample> samples;
-  double bytes = 0, faces = 0;
-  for (int depth = std::max(2, options.depth - 4); depth <= options.depth; ++depth) {
-    const PolygonMesh a = ball(depth, {0, 0, 0}), b = ball(depth, {0.5, 0.25, 0.125});
-    const double before = resident_bytes();
-    faces = static_cast<double>(a.face_count() + b.face_count());
-    samples.push_back({faces, least_seconds([&] { return seconds_of([&] { unite(a, b); }); })});
-    bytes = peak_bytes() - before;
-    fmt::print("{:52} {:10.4g} s, {:.0f} ns a face\n",
-               fmt::format("path: two icospheres, {:.0f} faces", faces), samples.back().seconds,
-               samples.back().seconds / faces * 1e9);
-  }
-  const PowerFit fit = fit_power(samples);
-  const std::string growth = fmt::format("path: exponent (+- {:.3f})", fit.half_width);
-  bool is_met = report(growth, fit.slope, 1.1, "", options.slack);
-  is_met &=
-      report("path: memory, input left out", bytes / faces, 600, "bytes a face", options.slack);
-  return is_met;
+bool measure_memory(const Options& options) {
+  const PolygonMesh a = ball(options.depth, {0, 0, 0}), b = ball(options.depth, {0.5, 0.25, 0.125});
+  const double before = resident_bytes();
+  const double faces = static_cast<double>(a.face_count() + b.face_count());
+  const double seconds = least_seconds([&] { return seconds_of([&] { unite(a, b); }); });
+  const double bytes = peak_bytes() - before;
+  fmt::print("{:52} {:10.4g} s\n", fmt::format("memory: two icospheres, {:.0f} faces", faces),
+             seconds);
+  return report("memory: mesh to triangles, input left out", bytes / faces, 600, "bytes a face",
+                options.slack);
 }
 
 /// A cube of n^3 whose faces are grids of triangles.
@@ -238,7 +228,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   using namespace plumb::bench;
   const std::vector<std::pair<std::string, bool (*)(const Options&)>> goals{
-      {"path", measure_path},
+      {"memory", measure_memory},
       {"degenerate", measure_degenerate},
       {"locate", measure_location},
       {"file", measure_files},

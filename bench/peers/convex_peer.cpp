@@ -4,7 +4,7 @@
 //
 // Time: user and system, of the operation alone; reading and making sets from meshes are left out. Vertical walls
 // against convex_decomposition_3: the answer is the volume of all pieces. minkowski_sum against minkowski_sum_3: the volume
-// of the sum. Without files: blocks with notches on both sides, an L, and sums of these.
+// of the sum. Without files: blocks with notches on both sides, also along a saddle, an L, and sums of these.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -87,6 +87,11 @@ Solid comb(int teeth) {
           testing::comb_block(teeth, teeth)};
 }
 
+Solid saddle(int notches) {
+  return {fmt::format("block with {} + {} notches along a saddle", notches, notches),
+          testing::saddle_block(notches)};
+}
+
 void compare_walls(PeerReport& report, const Solid& solid, int rounds) {
   const Nef3 set = testing::solid(solid.mesh);
   const PeerSet peer = peer_set(solid.mesh);
@@ -162,6 +167,8 @@ int main(int argc, char** argv) {
       compare_walls(report, comb(std::max(least, static_cast<int>(teeth * options.most / 100))),
                     options.rounds);
     }
+    compare_walls(report, saddle(std::max(2, static_cast<int>(8 * options.most / 100))),
+                  options.rounds);
     compare_sums(report, l, l, options.rounds);
     compare_sums(report, comb(2), l, options.rounds);
   }

@@ -1,12 +1,14 @@
 // The union of two solids, from mesh to mesh, in plumb and in CGAL: CPU time and peak memory.
 //
-//   space_peer DIR [--make] [--pairs ico5120,...] [--peers nef3,corefinement] [--rounds N] [--json FILE]
+//   space_peer DIR [--make] [--of FILE,...] [--pairs ico5120,...] [--peers nef3,corefinement] [--rounds N] [--json FILE]
 //
 // reads DIR/PAIR_a.off and DIR/PAIR_b.off; --make writes them first: ico1280, ico5120 and ico20480, two spheres of so many
-// triangles, and bunny, corpus/solids/bunny.off and itself moved. Every run is a process of its own (this program
-// again, with --run): plumb and the peer in turn, N rounds; plumb-warm runs twice and tells the second, for programs that
-// compare with a library already warm. Time: user and system, of making sets from the meshes in memory, the union and the triangles of the result; reading files is left out. Memory: the largest resident set of the
-// whole process, reading included. The answer is the volume, to 1e-9 of it.
+// triangles; bunny, corpus/solids/bunny.off and itself moved; and bunny58784, the same with every triangle in sixteen on
+// a surface that is wavy. --of writes and compares pairs of other meshes, each and itself moved. Every run is a process of
+// its own (this program again, with --run): plumb and the peer in turn, N rounds; plumb-warm runs twice and tells the second,
+// for programs that compare with a library already warm. Time: user and system, of making sets from the meshes in memory,
+// the union and the triangles of the result; reading files is left out. Memory: the largest resident set of the whole
+// process, reading included. The answer is the volume, to 1e-9 of it.
 //
 // Peers, over the exact kernel with lazy constructions (EPECK): nef3 is Nef_polyhedron_3, which like plumb
 // holds any set; corefinement is Polygon_mesh_processing::corefine_and_compute_union, for meshes that bound
@@ -23,12 +25,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../complexity/cpu_time.h"
@@ -169,25 +175,76 @@ MeshPair spheres(const std::string& name, int depth) {
            testing::icosphere_mesh(depth, 1, {0.3, 0.2, 0.1})}};
 }
 
-MeshPair bunnies() {
-  Context context;
-  const PolygonMesh mesh = read_mesh_file("corpus/solids/bunny.off", {}, {}, context).mesh;
+MeshPair itself_moved(const std::string& name, const PolygonMesh& mesh) {
   double low = mesh.points[0].x, high = low;
   for (const Point3& p : mesh.points) low = std::min(low, p.x), high = std::max(high, p.x);
   const double step = (high - low) / 7;
-  return {"bunny", {mesh, testing::moved(mesh, {step, step / 2, step / 3})}};
+  return {name, {mesh, testing::moved(mesh, {step, step / 2, step / 3})}};
 }
 
-void make_pairs(const std::string& directory) {
+PolygonMesh read_plumb(const std::string& file) {
+  Context context;
+  return read_mesh_file(file, {}, {}, context).mesh;
+}
+
+/// Every triangle in four.
+PolygonMesh split(const PolygonMesh& mesh) {
+  PolygonMesh result;
+  result.points = mesh.points;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+  const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+    const auto next = static_cast<std::uint32_t>(result.points.size());
+    const auto [place, is_new] = middles.try_emplace(std::minmax(a, b), next);
+    if (is_new) {
+      const Point3 p = mesh.points[a], q = mesh.points[b];
+      result.points.push_back({(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2});
+    }
+    return place->second;
+  };
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto corners = mesh.face(f);
+    const std::uint32_t a = corners[0], b = corners[1], c = corners[2];
+    const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    for (const auto& [u, v, w] : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) {
+      result.add_face(std::array{u, v, w});
+    }
+  }
+  return result;
+}
+
+/// Points move by less than they are apart, so that nothing crosses; the four triangles of one no longer lie in a plane.
+PolygonMesh wavy(PolygonMesh mesh) {
+  double width = 0;
+  for (const Point3& p : mesh.points) width = std::max({width, std::fabs(p.x), std::fabs(p.y)});
+  const auto wave = [width](double t) { return width / 500 * std::sin(60 * t / width); };
+  for (Point3& p : mesh.points) p = {p.x + wave(p.y), p.y + wave(p.z), p.z + wave(p.x)};
+  return mesh;
+}
+
+std::vector<MeshPair> pairs_of_the_tree() {
+  const PolygonMesh bunny = read_plumb("corpus/solids/bunny.off");
+  return {spheres("ico1280", 3), spheres("ico5120", 4), spheres("ico20480", 5),
+          itself_moved("bunny", bunny), itself_moved("bunny58784", wavy(split(split(bunny))))};
+}
+
+void write_pairs(const std::string& directory, const std::vector<MeshPair>& pairs) {
   std::filesystem::create_directories(directory);
-  for (const MeshPair& pair :
-       {spheres("ico1280", 3), spheres("ico5120", 4), spheres("ico20480", 5), bunnies()}) {
+  for (const MeshPair& pair : pairs) {
     for (std::size_t i = 0; i < 2; ++i) {
       std::ofstream out(directory + '/' + pair.name + (i == 0 ? "_a.off" : "_b.off"));
       write_mesh(out, pair.meshes[i], MeshFormat::Off);
       if (!out.flush()) throw std::runtime_error("cannot write in " + directory);
     }
   }
+}
+
+std::string name_of(const std::string& file) { return std::filesystem::path(file).stem(); }
+
+std::vector<MeshPair> pairs_of(const std::vector<std::string>& files) {
+  std::vector<MeshPair> pairs;
+  for (const std::string& file : files)
+    pairs.push_back(itself_moved(name_of(file), read_plumb(file)));
+  return pairs;
 }
 
 int compare_all(const std::string& directory, const std::vector<std::string>& pairs,
@@ -215,12 +272,14 @@ int main(int argc, char** argv) {
   CLI::App app{"The union of two solids beside CGAL"};
   std::vector<std::string> run;
   std::string directory;
-  std::vector<std::string> pairs{"ico1280", "ico5120", "ico20480", "bunny"};
+  std::vector<std::string> pairs{"ico1280", "ico5120", "ico20480", "bunny", "bunny58784"}, files;
   std::vector<std::string> peers{"nef3", "corefinement"};
   plumb::bench::PeerOptions options;
   bool makes = false;
   app.add_option("directory", directory, "of PAIR_a.off and PAIR_b.off");
   app.add_flag("--make", makes, "write the pairs there first");
+  app.add_option("--of", files, "write the pairs of these meshes, and compare no others")
+      ->delimiter(',');
   app.add_option("--pairs", pairs, "names of pairs")->delimiter(',');
   app.add_option("--peers", peers, "nef3, corefinement")->delimiter(',');
   options.add_to(app);
@@ -231,9 +290,15 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   if (!run.empty()) return plumb::bench::run_once(run[0], {run[1], run[2]});
   // Apart: the memory of this process is the least that the kernel reports of those it starts.
-  if (makes && !plumb::bench::run_apart([&] { plumb::bench::make_pairs(directory); }).is_well) {
+  const auto make = [&] {
+    using namespace plumb::bench;
+    write_pairs(directory, files.empty() ? pairs_of_the_tree() : pairs_of(files));
+  };
+  if ((makes || !files.empty()) && !plumb::bench::run_apart(make).is_well) {
     fmt::print(stderr, "space_peer: no pairs were made\n");
     return 2;
   }
+  if (!files.empty()) pairs.clear();
+  for (const std::string& file : files) pairs.push_back(plumb::bench::name_of(file));
   return plumb::bench::compare_all(directory, pairs, peers, options.rounds, options.json);
 }

@@ -1,5 +1,7 @@
 #include "generate/voxel_mesh.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -129,6 +131,28 @@ std::vector<std::pair<double, double>> outline(int notches, double base, double 
   return line;
 }
 
+/// A side of saddle_block(): from corner to corner over n notches, whose bottoms lie at z = slope t + lift for t = 1 .. n.
+/// Walls rise by `steep` for each unit to the side, so that they are planes. `place(t, z)` is a point of it.
+template <class Place>
+std::vector<std::uint32_t> notched_side(PolygonMesh& mesh, int n, double slope, double lift,
+                                        double level, double steep, Place place) {
+  std::vector<std::uint32_t> corners;
+  const auto add = [&](double t, double z) {
+    corners.push_back(static_cast<std::uint32_t>(mesh.points.size()));
+    mesh.points.push_back(place(t, z));
+  };
+  add(0, level);
+  for (int t = 1; t <= n; ++t) {
+    const double bottom = slope * t + lift;
+    const double half = std::fabs(level - bottom) / steep;
+    add(t - half, level);
+    add(t, bottom);
+    add(t + half, level);
+  }
+  add(n + 1.0, level);
+  return corners;
+}
+
 }  // namespace
 
 PolygonMesh comb_block(int top, int bottom) {
@@ -169,6 +193,38 @@ PolygonMesh comb_block(int top, int bottom) {
   end(along[0], across[0].front(), across[1].front(), true);
   end(along[1], across[1].back(), across[0].back(), false);
   return make_mesh(std::move(points), faces);
+}
+
+PolygonMesh saddle_block(int n) {
+  PolygonMesh mesh;
+  const double side = n + 1.0, top = side * side + 1;
+  const double steep = std::exp2(std::ceil(std::log2(4 * top + 8)));  // notches stay apart
+  const auto upper = [&](double x) {
+    return notched_side(mesh, n, x, 0.25, top, steep, [x](double y, double z) {
+      return Point3{x, y, z};
+    });
+  };
+  const auto lower = [&](double y) {
+    return notched_side(mesh, n, y, -0.25, -1, steep, [y](double x, double z) {
+      return Point3{x, y, z};
+    });
+  };
+  const auto left = upper(0), right = upper(side), front = lower(0), back = lower(side);
+  for (std::size_t i = 0; i + 1 < left.size(); ++i) {
+    mesh.add_face(std::array{left[i], right[i], right[i + 1], left[i + 1]});
+    mesh.add_face(std::array{front[i], back[i], back[i + 1], front[i + 1]});
+  }
+  const auto add_end = [&](std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t> profile,
+                           bool is_reversed) {
+    if (is_reversed) std::ranges::reverse(profile);
+    profile.insert(profile.begin(), {a, b});
+    mesh.add_face(profile);
+  };
+  add_end(back.front(), front.front(), left, false);
+  add_end(front.back(), back.back(), right, true);
+  add_end(right.front(), left.front(), front, false);
+  add_end(left.back(), right.back(), back, true);
+  return mesh;
 }
 
 }  // namespace plumb::testing

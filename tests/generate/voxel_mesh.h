@@ -43,5 +43,8 @@ PolygonMesh comb_prism(int teeth);
 /// A block with `top` notches along y from above and `bottom` notches along x from below, that
 /// do not reach each other; their depths differ, so that no plane holds two of their edges.
 PolygonMesh comb_block(int top, int bottom);
+/// A block with n notches from above, along x, and n from below, along y, whose bottoms nearly touch where they pass
+/// each other: along the lines of the saddle z = x y. The worst known for convex pieces: about n^2 are needed.
+PolygonMesh saddle_block(int n);
 
 }  // namespace plumb::testing
