@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 
 #include "../complexity/plane_jobs.h"
 #include "generate/sphere_families.h"
@@ -39,16 +40,25 @@ Once dcel_of(const Map& map) {
                [](const Dcel& dcel) { return dcel.halfedge_count(); });
 }
 
-/// With all areas.
 Once overlay_of(const Map& a, const Map& b) {
   return timed(
       [first = report_of(a), second = report_of(b)] {
         Context context;
-        MapOverlay overlay = overlay_maps(first, second, context);
-        static_cast<void>(measure(overlay, first, second, context));
-        return overlay;
+        return overlay_maps(first, second, context);
       },
       [](const MapOverlay& overlay) { return overlay.complex.face_count(); });
+}
+
+/// Of all cells, exactly.
+Once areas_of_overlay(const Map& a, const Map& b) {
+  Context context;
+  const auto first = std::make_shared<const MapReport>(report_of(a));
+  const auto second = std::make_shared<const MapReport>(report_of(b));
+  const auto overlay = std::make_shared<const MapOverlay>(overlay_maps(*first, *second, context));
+  return timed_of(overlay->complex.face_count(), [=] {
+    Context own;
+    return measure(*overlay, *first, *second, own);
+  });
 }
 
 Map generated_map(const char* family, std::size_t faces) {
@@ -67,12 +77,20 @@ void add_maps(std::vector<Job>& jobs, const MacroOptions& options) {
       {"DCEL of a map", kCounties, true, "half-edges", [] { return dcel_of(map_of(kCounties)); }});
   jobs.push_back(
       {"DCEL of a map", "hexagons", false, "half-edges", [=] { return dcel_of(hexagons()); }});
-  jobs.push_back({"map overlay, with areas", "corpus/maps: us-states over us-counties", true,
-                  "faces", [] { return overlay_of(map_of(kStates), map_of(kCounties)); }});
-  jobs.push_back({"map overlay, with areas", "hexagons over half as many", false, "faces", [=] {
-                    return overlay_of(generated_map("hexagons", faces / 3),
-                                      generated_map("hexagons", faces / 6));
-                  }});
+  const auto real = [](Once (*of)(const Map&, const Map&)) {
+    return [of] { return of(map_of(kStates), map_of(kCounties)); };
+  };
+  const auto generated = [faces](Once (*of)(const Map&, const Map&)) {
+    return [=] {
+      return of(generated_map("hexagons", faces / 3), generated_map("hexagons", faces / 6));
+    };
+  };
+  const char* const states = "corpus/maps: us-states over us-counties";
+  const char* const half = "hexagons over half as many";
+  jobs.push_back({"map overlay", states, true, "faces", real(overlay_of)});
+  jobs.push_back({"map overlay", half, false, "faces", generated(overlay_of)});
+  jobs.push_back({"exact areas of an overlay", states, true, "faces", real(areas_of_overlay)});
+  jobs.push_back({"exact areas of an overlay", half, false, "faces", generated(areas_of_overlay)});
 }
 
 // ---------------------------------------------------------------- sets of the plane
