@@ -16,7 +16,8 @@ def expect(name, is_so):
 
 
 with tempfile.TemporaryDirectory() as folder:
-    command = [run, "--build", build, "-o", folder, "--most", "0.1", "map_families", "memory_table", "numbers_bench"]
+    command = [run, "--build", build, "-o", folder, "--most", "0.1", "map_families", "memory_table", "numbers_bench",
+               "space_unbounded"]
     done = subprocess.run(command, capture_output=True, text=True)
     expect(f"exit status {done.returncode}: {done.stderr}", done.returncode == 0)
     file = pathlib.Path(folder) / "benchmarks.json"
@@ -28,7 +29,7 @@ with tempfile.TemporaryDirectory() as folder:
 expect("one program of families", [len(p["families"]) > 0 for p in results["programs"]] == [True])
 samples = [s for p in results["programs"] for f in p["families"] for s in f["samples"]]
 expect("every size has its counts", all(s["allocations"] > 0 and s["bytes"] > 0 for s in samples))
-expect("memory, and no other part", [m["part"] for m in results["macro"]] == ["memory"])
+expect("memory and unbounded sets, and no other part", [m["part"] for m in results["macro"]] == ["memory", "unbounded"])
 expect("cases of one micro-benchmark", [len(m["benchmarks"]) > 0 for m in results["micro"]] == [True])
 expect("of the machine no name", "host_name" not in json.dumps(results) and "executable" not in json.dumps(results))
 expect("nothing failed", results["failed"] == [])

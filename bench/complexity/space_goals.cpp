@@ -1,6 +1,6 @@
 // What operations on sets of space cost beside what they are meant to cost.
 //
-//   space_goals [--depth N] [--slack X] [--only TEXT]
+//   space_goals [--depth N] [--slack X] [--only TEXT] [--json FILE]
 //
 // prints a line for each goal and exits 1 if one is missed by more than the factor --slack (default 1). --depth bounds the
 // icospheres: 20 * 4^depth triangles (default 7).
@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "../report/report.h"
 #include "cpu_time.h"
 #include "generate/dice.h"
 #include "generate/meshes.h"
@@ -38,6 +39,7 @@ namespace {
 struct Options {
   int depth = 7;
   double slack = 1;
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();  ///< what was measured
 };
 
 /// The seconds that once() takes.
@@ -48,10 +50,16 @@ double seconds_of(const Once& once) {
   return cpu_seconds() - start;
 }
 
-bool report(const std::string& what, double value, double goal, const char* unit, double slack) {
-  const bool is_met = value <= goal * slack;
-  fmt::print("{:52} {:10.4g} {:12} goal {:8.4g}  {}\n", what, value, unit, goal,
-             is_met ? "" : "MISSED");
+/// Is the goal met, or missed by no more than the slack? 0: there is none.
+bool report(Options& options, const std::string& what, double value, const char* unit,
+            double goal = 0) {
+  const bool is_met = goal == 0 || value <= goal * options.slack;
+  fmt::print("{:60} {:10.4g} {:14}", what, value, unit);
+  if (goal > 0) fmt::print(" goal {:8.4g}  {}", goal, is_met ? "" : "MISSED");
+  fmt::print("\n");
+  options.rows.push_back({{"what", what}, {"value", value}, {"unit", unit}});
+  if (goal > 0) options.rows.back()["goal"] = goal;
+  options.rows.back()["within"] = goal == 0 || value <= goal;
   return is_met;
 }
 
@@ -88,16 +96,15 @@ double resident_bytes() {
   return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-bool measure_memory(const Options& options) {
+bool measure_memory(Options& options) {
   const PolygonMesh a = ball(options.depth, {0, 0, 0}), b = ball(options.depth, {0.5, 0.25, 0.125});
   const double before = resident_bytes();
   const double faces = static_cast<double>(a.face_count() + b.face_count());
   const double seconds = least_seconds([&] { return seconds_of([&] { unite(a, b); }); });
   const double bytes = peak_bytes() - before;
-  fmt::print("{:52} {:10.4g} s\n", fmt::format("memory: two icospheres, {:.0f} faces", faces),
-             seconds);
-  return report("memory: mesh to triangles, input left out", bytes / faces, 600, "bytes a face",
-                options.slack);
+  const std::string what = fmt::format("two icospheres, mesh to triangles, {:.0f} faces", faces);
+  report(options, what, seconds, "s");
+  return report(options, "the same, memory, input left out", bytes / faces, "bytes a face", 600);
 }
 
 /// A cube of n^3 whose faces are grids of triangles.
@@ -140,21 +147,19 @@ PolygonMesh turned(PolygonMesh mesh, double angle) {
   return mesh;
 }
 
-bool measure_degenerate(const Options&) {
-  const auto print = [](const char* what, const PolygonMesh& a, const PolygonMesh& b) {
-    std::size_t faces = 0;
-    const double seconds = least_seconds([&] { return seconds_of([&] { faces = unite(a, b); }); });
-    fmt::print("{:52} {:10.4g} s, {} triangles\n", what, seconds, faces);
+bool measure_degenerate(Options& options) {
+  const auto print = [&](const char* what, const PolygonMesh& a, const PolygonMesh& b) {
+    report(options, what, least_seconds([&] { return seconds_of([&] { unite(a, b); }); }), "s");
   };
   const PolygonMesh ico = ball(4, {0.1, 0.2, 0.3}), large = ball(5, {0.1, 0.2, 0.3});
-  print("degenerate: icosphere of 5,120, turned by 1e-12", ico, turned(ico, 1e-12));
-  print("degenerate: icosphere of 20,480 twice", large, large);
-  print("degenerate: cubes of 19,200, shifted in two planes", grid_cube(40, {0, 0, 0}),
+  print("an icosphere of 5,120 and itself turned by 1e-12", ico, turned(ico, 1e-12));
+  print("an icosphere of 20,480 twice", large, large);
+  print("two cubes of 19,200 triangles, shifted in two planes", grid_cube(40, {0, 0, 0}),
         grid_cube(40, {3.25, 2.5, 0}));
   return true;
 }
 
-bool measure_location(const Options& options) {
+bool measure_location(Options& options) {
   const Nef3 set = solid(ball(std::min(options.depth, 6), {0, 0, 0}));
   testing::Dice dice(7);
   const auto coordinate = [&] {
@@ -170,12 +175,12 @@ bool measure_location(const Options& options) {
   const double seconds =
       least_seconds([&] { return seconds_of([&] { set.contains(points, marks); }); });
   const std::string what =
-      fmt::format("locate: points in an icosphere of {}", set.complex().facet_count());
-  return report(what, seconds / static_cast<double>(points.size()) * 1e6, 1, "microseconds",
-                options.slack);
+      fmt::format("a point located in an icosphere of {}", set.complex().facet_count());
+  return report(options, what, seconds / static_cast<double>(points.size()) * 1e6, "microseconds",
+                1);
 }
 
-bool measure_files(const Options& options) {
+bool measure_files(Options& options) {
   const Nef3 set = solid(ball(std::min(options.depth, 6), {0, 0, 0}));
   std::string text;
   const double writing = least_seconds([&] {
@@ -192,14 +197,13 @@ bool measure_files(const Options& options) {
     });
   });
   const double megabytes = static_cast<double>(text.size()) * 1e-6;
-  fmt::print("file: {:.1f} MB, written at {:.0f} MB/s, read at {:.0f} MB/s\n", megabytes,
-             megabytes / writing, megabytes / reading);
-  bool is_met = report("file: writing", writing / megabytes * 1e3, 20, "ms/MB", options.slack);
-  is_met &= report("file: reading", reading / megabytes * 1e3, 20, "ms/MB", options.slack);
+  const std::string what = fmt::format(".nef of {:.0f} MB", megabytes);
+  bool is_met = report(options, what + " written", writing / megabytes * 1e3, "ms a MB", 20);
+  is_met &= report(options, what + " read", reading / megabytes * 1e3, "ms a MB", 20);
   return is_met;
 }
 
-bool measure_audit(const Options& options) {
+bool measure_audit(Options& options) {
   const int depth = std::min(options.depth, 5);
   const Nef3 a = solid(ball(depth, {0, 0, 0})), b = solid(ball(depth, {0.5, 0.25, 0.125}));
   Nef3 both;
@@ -211,8 +215,7 @@ bool measure_audit(const Options& options) {
   });
   const double auditing =
       least_seconds([&] { return seconds_of([&] { audit(both.complex(), true); }); });
-  return report("audit: of a union, beside the union", auditing / uniting, 1, "times",
-                options.slack);
+  return report(options, "a union audited, beside the union", auditing / uniting, "times", 1);
 }
 
 }  // namespace
@@ -221,13 +224,14 @@ bool measure_audit(const Options& options) {
 int main(int argc, char** argv) {
   CLI::App app{"Goals for operations on sets of space"};
   plumb::bench::Options options;
-  std::string only;
+  std::string only, json;
   app.add_option("--depth", options.depth, "of the largest icosphere (default 7)");
   app.add_option("--slack", options.slack, "a goal is missed above this times it (default 1)");
   app.add_option("--only", only, "goals with this in their names");
+  app.add_option("--json", json, "write the rows there");
   CLI11_PARSE(app, argc, argv);
   using namespace plumb::bench;
-  const std::vector<std::pair<std::string, bool (*)(const Options&)>> goals{
+  const std::vector<std::pair<std::string, bool (*)(Options&)>> goals{
       {"memory", measure_memory},
       {"degenerate", measure_degenerate},
       {"locate", measure_location},
@@ -237,5 +241,7 @@ int main(int argc, char** argv) {
   for (const auto& [name, measure] : goals) {
     if (name.find(only) != std::string::npos) is_met &= measure(options);
   }
-  return is_met ? 0 : 1;
+  return write_json(
+      json, {{"part", "goals"}, {"title", "Goals for sets of space"}, {"rows", options.rows}},
+      is_met ? 0 : 1);
 }
