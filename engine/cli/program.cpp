@@ -1,6 +1,8 @@
 #include "program.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <iterator>
@@ -248,13 +250,25 @@ ExitCode report_refused_memory() {
   return ExitCode::Limit;
 }
 
+/// Of what files have a part in: one line, without control characters, and not of any length. Takes no memory.
+void print_line(std::string_view text) {
+  std::array<char, 4096> line{};
+  const std::size_t size = std::min(text.size(), line.size());
+  std::replace_copy_if(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(size), line.begin(),
+                       is_control, '?');
+  std::fprintf(stderr, "%.*s\n", static_cast<int>(size), line.data());
+}
+
 /// Errors with a place are "FILE:LINE:COLUMN: ..." as they are; others get the program's name.
 ExitCode report(const Error& error) {
   const ExitCode code = exit_code_of(error.code());
   if (code == ExitCode::ClosedPipe) return code;
   if (is_refused_memory(error)) return report_refused_memory();
-  const char* const prefix = error.place().file.empty() ? "plumb: " : "";
-  std::fprintf(stderr, "%s%s\n", prefix, error.what());
+  if (error.place().file.empty()) {
+    std::fprintf(stderr, "plumb: %s\n", error.what());
+  } else {
+    print_line(error.what());
+  }
   return code;
 }
 

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <limits>
 #include <utility>
@@ -124,7 +125,10 @@ void Session::deliver() {
 }
 
 void Session::note(std::string_view text) {
-  if (!options_.quiet) progress_.print(text);
+  if (options_.quiet) return;
+  std::string line(text);
+  std::replace_if(line.begin(), line.end(), is_control, '?');
+  progress_.print(line);
 }
 
 }  // namespace plumb::cli

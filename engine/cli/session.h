@@ -56,6 +56,9 @@ class Outputs {
   Writer to_stdout_;
 };
 
+/// Control characters, which names in files may hold, are told as '?': nothing that a file says gives orders to a terminal.
+constexpr bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
 class Session {
  public:
   Session(const CommonOptions& options, std::stop_token stop);
@@ -68,7 +71,7 @@ class Session {
   /// --json the object `json`.
   void answer(const std::string& json, const Outputs::Writer& text);
 
-  /// A line on standard error, unless --quiet. Requires no line break in `text`.
+  /// A line on standard error, unless --quiet, without control characters.
   void note(std::string_view text);
 
   /// What the command will do, for the progress bar; begin() says when each stage begins (progress_stages.h).

@@ -67,7 +67,8 @@ std::string decoded(std::string_view uri) {
 }
 
 bool is_file_name(const std::string& name) {
-  return !name.empty() && name != "." && name != ".." &&
+  constexpr std::size_t kLongest = 255;  // that systems know
+  return !name.empty() && name.size() <= kLongest && name != "." && name != ".." &&
          name.find_first_of(std::string_view("/\\:\0", 4)) == name.npos;
 }
 

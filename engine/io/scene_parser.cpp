@@ -300,7 +300,9 @@ bool SceneHandler::string(string_t& value) {
   if (!means_something() || is_other()) return true;
   const bool is_file = is_open_ && (is_drawing_ ? part_ == Part::File : member_ == Member::Model);
   if (is_file) {
-    if (value.empty() || value.find('\0') != value.npos) fail_expected("a file name");
+    constexpr std::size_t kLongest = 4095;  // that systems know
+    const bool is_path = value.size() <= kLongest && value.find('\0') == value.npos;
+    if (value.empty() || !is_path) fail_expected("a file name");
     (is_drawing_ ? drawing_.file : scene_.model) = value;
     return true;
   }

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
@@ -406,6 +408,16 @@ TEST_F(SurfaceProgram, writes_to_standard_output) {
 }
 
 // ---------------------------------------------------------------- refusals
+
+TEST_F(SurfaceProgram, tells_names_in_files_without_control_characters) {
+  const std::string scene = (scratch_ / "orders.json").string();
+  std::ofstream(scene)
+      << R"({"model": "a\u001b[31m\nfake.json:1:1: b\u007f.off", "points": [], "polygons": []})";
+  const RunResult result = run({"surface", "cells", scene});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_TRUE(contains(result.err, "a?[31m?fake.json:1:1: b?.off")) << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+}
 
 TEST_F(SurfaceProgram, refuses_what_cannot_be) {
   const std::string file = two_boxes();

@@ -249,6 +249,8 @@ TEST(GltfReader, names_of_buffers_may_be_encoded) {
   for (const char* name : {"", ".", "..", "%2e", "%2E.", "%00"}) {
     EXPECT_THROW(loaded(name), Error) << name;
   }
+  EXPECT_EQ(loaded(std::string(255, 'a')).size(), 255U);
+  EXPECT_THROW(loaded(std::string(256, 'a')), Error);
   Document d = tetrahedron_document();
   d.json["buffers"][0]["uri"] = "b.bin";
   const GltfLoader refuses = [](const std::string& name) -> std::string {

@@ -267,6 +267,7 @@ std::vector<HostileText> hostile_scenes() {
       {"weight with a blank", head + "\n\"points\": [[3, \"1 /3\", 0]]}", 2, 16, "a fraction"},
       {"weight escaped", head + "\n\"points\": [[3, \"1\\/3\", 0]]}", 2, 16, "a fraction"},
       {"model empty", R"({"model": ""})", 1, 11, "expected a file name"},
+      {"model too long", R"({"model": ")" + std::string(4096, 'a') + "\"}", 1, 11, "a file name"},
       {"points no list", head + "\n\"points\": 3}", 2, 11, "expected a list"},
       {"point no list", head + "\n\"points\": [3]}", 2, 12, "expected a point"},
       {"point too short", head + "\n\"points\": [[3, 0.5]]}", 2, 19, "too few"},
