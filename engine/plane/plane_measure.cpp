@@ -22,7 +22,8 @@ Rational twice_area_below(const PlaneComplex& c, HalfedgeId h) {
 
 /// The area as a sum over vertices, not edges: the triangle of the origin and a piece from p to q of the line through a and b
 /// is (t(q) - t(p)) (a x b) / 2, where a + t (b - a) are the points of the line. So what is long in the coordinates of a
-/// vertex is in one term only, and hardly anything is common to two denominators.
+/// vertex is in one term only, and hardly anything is common to two denominators. Where q is b, as in a polygon that crosses
+/// nothing, terms are those of edges, which neighbours have more in common with.
 class VertexAreas {
  public:
   VertexAreas(const PlaneComplex& complex, Context& context)
@@ -38,6 +39,7 @@ class VertexAreas {
       const bool left = c_.mark(c_.dcel.face(h)), right = c_.mark(c_.dcel.face(twin(h)));
       if (left != right) add(left ? h : twin(h));
     }
+    twice_.push_back(at_ends_.total());
     return sum_of_fractions(twice_, [&] { context_.checkpoint("area", 0, 1); }) / 2;
   }
 
@@ -45,26 +47,31 @@ class VertexAreas {
   static constexpr std::size_t kEdgesPerCheckpoint = 64;
   static constexpr std::uint64_t kVertexBytes = 512;  // numbers, and their products on all levels
 
+  /// t of p = a + t (b - a).
+  static Rational place_between(const RationalPoint2& a, const RationalPoint2& b,
+                                const RationalPoint2& p) {
+    return a.x != b.x ? (p.x - a.x) / (b.x - a.x) : (p.y - a.y) / (b.y - a.y);
+  }
+
   void add(HalfedgeId h) {
     const PlaneLine line = c_.line[edge_of(h).value()];
     const RationalPoint2 a = c_.points.inputs.exact(line.a), b = c_.points.inputs.exact(line.b);
-    const bool by_x = a.x != b.x;
-    const Rational from = by_x ? a.x : a.y, length = by_x ? b.x - a.x : b.y - a.y;
     const Rational moment = a.x * b.y - a.y * b.x;
-    const auto part = [&](VertexId v) {
-      const RationalPoint2 p = point(c_, v);
-      const Rational t = ((by_x ? p.x : p.y) - from) / length;
-      return Rational(t * moment);
+    const auto add_part = [&](VertexId v, int sign) {
+      const std::uint32_t at = c_.vertex_point[v.value()];
+      if (at == line.b) at_ends_.add(sign * moment);
+      if (at == line.a || at == line.b) return;
+      twice_[v.value()] += sign * place_between(a, b, point(c_, v)) * moment;
     };
-    const VertexId p = c_.dcel.origin(h), q = c_.dcel.target(h);
-    twice_[p.value()] -= part(p);
-    twice_[q.value()] += part(q);
+    add_part(c_.dcel.origin(h), -1);
+    add_part(c_.dcel.target(h), 1);
   }
 
   const PlaneComplex& c_;
   Context& context_;
   MemoryCharge charge_;
-  std::vector<Rational> twice_;
+  std::vector<Rational> twice_;  // per vertex between ends
+  RationalSum at_ends_;
 };
 
 bool is_along_frame(const PlaneComplex& c, LoopId l) {
