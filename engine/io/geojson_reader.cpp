@@ -111,6 +111,7 @@ class GeoJsonHandler : public nlohmann::json_sax<Json> {
 
   PlaneShapes read() {
     Json::sax_parse(places_.begin(), places_.end(), this);
+    places_.require_end();
     return shapes_.take();
   }
 

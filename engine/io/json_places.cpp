@@ -36,6 +36,16 @@ void JsonPlaces::find_number() {
       std::find_if(token_, read_to_, [&](char c) { return kNumber.find(c) == kNumber.npos; });
 }
 
+const char* JsonPlaces::early_end() const {
+  constexpr std::string_view kNothing(" \t\r\n\0", 5);
+  const std::string_view rest = text_.substr(static_cast<std::size_t>(read_to_ - text_.data()));
+  return rest.find_first_not_of(kNothing) == rest.npos ? nullptr : read_to_ - 1;
+}
+
+void JsonPlaces::require_end() const {
+  if (const char* const at = early_end()) fail(ErrorCode::Syntax, "not JSON: byte 0x00", at);
+}
+
 void JsonPlaces::fail(ErrorCode code, const std::string& message, const char* where) const {
   TextCursor cursor(text_, name_);
   if (where > cursor.position()) cursor.move_to(where);

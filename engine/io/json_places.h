@@ -34,6 +34,11 @@ class JsonPlaces {
   /// The parser sees that a number has ended by looking at what follows it.
   void find_number();
 
+  /// The parser takes a zero byte for the end of the text. Where it did so, if more than such bytes and blanks follow; else null.
+  const char* early_end() const;
+  /// After the parser's end: fails there.
+  void require_end() const;
+
   const char* token() const { return token_; }
   std::string_view token_text() const {
     return {token_, static_cast<std::size_t>(token_end_ - token_)};

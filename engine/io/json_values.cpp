@@ -41,7 +41,12 @@ class JsonListener : public nlohmann::json_sax<Json> {
                const JsonValues::Fail& fail, Context& context)
       : spans_(spans), begin_(text.data()), places_(text, name, context), fail_(fail) {}
 
-  void listen() { Json::sax_parse(places_.begin(), places_.end(), this); }
+  void listen() {
+    Json::sax_parse(places_.begin(), places_.end(), this);
+    const char* const end = places_.early_end();
+    if (end != nullptr)
+      fail_(static_cast<std::size_t>(end - begin_), ErrorCode::Syntax, "not JSON");
+  }
 
   bool null() override { return add_token(); }
   bool boolean(bool) override { return add_token(); }

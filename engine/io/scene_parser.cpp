@@ -55,6 +55,7 @@ class SceneHandler : public nlohmann::json_sax<Json> {
 
   ParsedScene read() {
     Json::sax_parse(places_.begin(), places_.end(), this);
+    places_.require_end();
     check_members();
     check_indices(scene_.polygons, scene_.points.size(), "point");
     if (scene_.shapes) check_indices(*scene_.shapes, scene_.polygons.size(), "polygon");

@@ -441,15 +441,18 @@ TEST(GltfReader, refuses_hostile_bytes) {
 }
 
 TEST(GltfReader, refuses_hostile_texts_with_their_place) {
-  testing::expect_refusals({{"empty", "", 1, 1, "not JSON"},
-                            {"a list", "[]", 1, 1, "expected an object"},
-                            {"cut off", "{\n\"nodes\": [", 2, 11, "not JSON"},
-                            {"no text", "{\n\"\xff\": 1}", 2, 2, "not JSON"},
-                            {"number", "{\"x\": 1e999}", 1, 11, "too large"}},
-                           [](const std::string& text) { read(text); });
+  testing::expect_refusals(
+      {{"empty", "", 1, 1, "not JSON"},
+       {"a list", "[]", 1, 1, "expected an object"},
+       {"cut off", "{\n\"nodes\": [", 2, 11, "not JSON"},
+       {"no text", "{\n\"\xff\": 1}", 2, 2, "not JSON"},
+       {"number", "{\"x\": 1e999}", 1, 11, "too large"},
+       {"zero byte", testing::bytes_with_nul("{}\n \0{", 6), 2, 2, "not JSON"}},
+      [](const std::string& text) { read(text); });
   const std::string deep(100000, '[');
   expect_refused(deep, "not JSON");
   const std::string good = text(tetrahedron_document());
+  EXPECT_TRUE(is_same(read(good + std::string(3, '\0')).mesh, expected()));  // as some pad chunks
   const std::string passed = "{\"x\": " + deep + std::string(100000, ']') + ", " + good.substr(1);
   EXPECT_TRUE(is_same(read(passed).mesh, expected()));
   Limits limits;

@@ -149,6 +149,8 @@ inline std::vector<HostileText> hostile_geojson() {
       {"a plus", R"({"type":"Point","coordinates":[+1,2]})", 1, 32, "not JSON"},
       {"a fraction", R"({"type":"Point","coordinates":[1/3,2]})", 1, 33, "not JSON"},
       {"1e400", R"({"type":"Point","coordinates":[1e400,2]})", 1, 32, "largest double"},
+      {"a zero byte", R"({"type":"Point","coordinates":[1,2]})" + std::string("\n\0}", 3), 2, 1,
+       "byte 0x00"},
       {"1e999999999", R"({"type":"Point","coordinates":[1e999999999,2]})", 1, 42, "too large"},
       {"10^6 digits", R"({"type":"Point","coordinates":[)" + million + ",2]}", 1, 1'000'031,
        "too large"},

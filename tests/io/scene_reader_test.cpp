@@ -244,6 +244,8 @@ std::vector<HostileText> hostile_scenes() {
       {"empty", "", 1, 1, "not JSON"},
       {"a list", "[]", 1, 1, "expected an object"},
       {"a number", " 7", 1, 2, "expected an object"},
+      {"zero byte", head + R"("points": [], "polygons": []})" + std::string("\0\0x", 3), 1, 45,
+       "byte 0x00"},
       {"no model", R"({"points": [], "polygons": []})", 1, 1, "needs \"model\""},
       {"no points", head + R"("polygons": []})", 1, 1, "needs \"points\""},
       {"no polygons", head + R"("points": []})", 1, 1, "needs \"polygons\""},
