@@ -92,6 +92,7 @@ class ExampleFolder {
     result.err = read_file(err);
     return result;
   }
+  std::string read(const std::string& file) const { return read_file(scratch_ / file); }
 
  private:
   ScratchDirectory scratch_;
@@ -185,6 +186,23 @@ TEST(Documents, have_commands_that_work_when_pasted) {
     }
   }
   EXPECT_GT(found, 20U);
+}
+
+/// Those without images in them, whose bytes depend on zlib.
+TEST(Documents, show_pictures_that_the_program_makes) {
+  const std::vector<std::pair<const char*, const char*>> cases{
+      {"us-counties.svg", "./plumb map check corpus/maps/us-counties.map --svg us-counties.svg"},
+      {"frame-pieces.svg",
+       "./plumb plane difference corpus/plane/frame.geojson corpus/plane/star.wkt -o "
+       "frame-without-star.nef2 && ./plumb convex decompose frame-without-star.nef2 --svg "
+       "frame-pieces.svg"},
+  };
+  const ExampleFolder folder;
+  for (const auto& [picture, commands] : cases) {
+    folder.shell(commands);
+    const bool is_shown = folder.read(picture) == read_file(fs::path("docs/pictures") / picture);
+    EXPECT_TRUE(is_shown) << picture;
+  }
 }
 
 TEST(Json, fits_its_schema_whatever_the_answer) {

@@ -486,6 +486,9 @@ TEST(Demo, leaves_a_page_with_pictures) {
     EXPECT_TRUE(fs::exists(scratch / (std::string("demo/") + name))) << name;
     EXPECT_TRUE(contains(page, name) || !std::string_view(name).ends_with(".svg")) << name;
   }
+  for (const std::string name : {"star-or-quadrant.svg", "star-without-quadrant.svg"}) {
+    EXPECT_EQ(read_file(scratch / ("demo/" + name)), read_file("docs/pictures/" + name)) << name;
+  }
 }
 
 TEST(SelfTest, answers_in_text_and_json) {
