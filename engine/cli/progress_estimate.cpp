@@ -15,7 +15,7 @@ void ProgressEstimate::expect(ProgressStages stages) {
 void ProgressEstimate::Report::note(std::uint64_t so_far, std::uint64_t total) {
   if (total == 0) return;
   const double now_done = std::min(1.0, static_cast<double>(so_far) / static_cast<double>(total));
-  starts_over |= done && now_done < *done;
+  starts_over |= done && now_done < *done / 2;  // less is what there is to do growing
   done = now_done;
 }
 
@@ -63,25 +63,23 @@ double ProgressEstimate::share_to_come() const {
   return sum;
 }
 
-double ProgressEstimate::left_of_step(double pace, double now) const {
+double ProgressEstimate::Report::left(double expected, double now) const {
   constexpr double kTrusted = .05;  // done, from where on its own pace is all that counts
-  const double taken = now - report_.since;
-  double left = std::max(pace * step().share - taken, taken / 4);
-  if (report_.is_known()) {
-    const double trust = std::min(1.0, *report_.done / kTrusted);
-    left = trust * report_.left(now) + (1 - trust) * left;
-  }
-  if (!other_) return left;
-  return std::max(left, other_->is_known() ? other_->left(now) : (now - other_->since) / 4);
+  const double taken = now - since, by_share = std::max(expected - taken, taken / 4);
+  if (!is_known()) return by_share;
+  const double trust = std::min(1.0, *done / kTrusted);
+  return trust * taken * (1 - *done) / *done + (1 - trust) * by_share;
 }
 
 std::optional<double> ProgressEstimate::left(double now) const {
   if (!has_begun()) return std::nullopt;
   const bool is_known = report_.is_known();
-  const double shares = been_ + (is_known ? *report_.done * step().share : 0);
-  if (shares <= 0) return std::nullopt;
-  const double pace = (is_known ? now : report_.since) / shares;
-  return left_of_step(pace, now) + pace * share_to_come();
+  double shares = been_ + (is_known ? *report_.done * step().share : 0);
+  const bool counts_step = is_known || shares <= 0;
+  if (shares <= 0) shares = step().share / 2;  // as good a guess as any
+  const double pace = (counts_step ? now : report_.since) / shares;
+  const double of_step = report_.left(pace * step().share, now);
+  return std::max(of_step, other_ ? other_->left(0, now) : 0) + pace * share_to_come();
 }
 
 ProgressEstimate::View ProgressEstimate::at(double now) {

@@ -59,8 +59,8 @@ class ProgressEstimate {
 
     void note(std::uint64_t done, std::uint64_t total);
     bool is_known() const { return done && *done > 0 && !starts_over; }
-    /// At its own pace. Requires is_known().
-    double left(double now) const { return (now - since) * (1 - *done) / *done; }
+    /// Of a phase that is expected to take so long.
+    double left(double expected, double now) const;
   };
 
   bool has_begun() const { return next_ > 0; }
@@ -68,7 +68,6 @@ class ProgressEstimate {
   void enter(std::size_t stage, std::size_t step, double now);
   double share_to_come() const;
   std::optional<double> left(double now) const;
-  double left_of_step(double pace, double now) const;
 
   ProgressStages stages_;
   std::size_t next_ = 0;     ///< the stage after the present one

@@ -96,7 +96,9 @@ ProgressStage checking_convexity() {
 ProgressStage cutting_solid() { return {"cut", {{"cutting", 1000}, {"merging", 20}}}; }
 ProgressStage writing_pieces() { return {"pieces", {{"pieces", 1500}}}; }
 ProgressStage drawing_pieces() { return {"draw", {{"", 100}}}; }
-ProgressStage adding_solids() { return {"combine", {{"", 20}, {"sums of parts", 400}}}; }
+ProgressStage adding_solids() {
+  return {"combine", {{"", 20}, {"sums of parts", 400}, {"box trees", 1200}}};
+}
 
 ProgressStages stages_of_surfaces() {
   return {{"read", {{"load", .1}, {"read", .2}, {"trace", 2.3}}},
