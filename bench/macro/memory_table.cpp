@@ -27,6 +27,7 @@
 #include "plumb/io/map_writer.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/plane/map_check.h"
+#include "plumb/plane/plane_locator.h"
 #include "plumb/space/space_locator.h"
 #include "plumb/sphere/sphere_bounds.h"
 #include "plumb/sphere/sphere_locator.h"
@@ -109,6 +110,30 @@ double bytes_of(const PlaneComplex& c) {
          (kSize<std::uint32_t> + 1) * static_cast<double>(c.vertex_count()) +
          (kSize<PlaneLine> + 1) * static_cast<double>(c.edge_count()) +
          static_cast<double>(c.face_count());
+}
+
+/// Nodes of a segment tree over [begin, end) that [from, to) is made of.
+double nodes_of(std::size_t begin, std::size_t end, std::size_t from, std::size_t to) {
+  if (to <= begin || end <= from) return 0;
+  if (from <= begin && end <= to) return 1;
+  const std::size_t middle = begin + (end - begin) / 2;
+  return nodes_of(begin, middle, from, to) + nodes_of(middle, end, from, to);
+}
+
+/// A locator of a complex whose vertices are at different abscissae, and bounded: columns, and a list for each of four nodes a
+/// slab.
+double locator_bytes_of(const PlaneComplex& c) {
+  const std::size_t slabs = c.vertex_count() + 1;
+  double entries = 0;
+  for (std::size_t e = 0; e < c.edge_count(); ++e) {
+    const HalfedgeId h = first_half(EdgeId(e));
+    entries += nodes_of(0, slabs, c.dcel.origin(h).value() + std::size_t{1},
+                        c.dcel.target(h).value() + std::size_t{1});
+  }
+  constexpr double kColumn = 12, kId = kSize<std::uint32_t>;
+  return (kColumn + kId) * static_cast<double>(c.vertex_count()) +
+         kId * (static_cast<double>(c.edge_count()) + entries) +
+         4 * kSize<std::vector<EdgeId>> * static_cast<double>(slabs);
 }
 
 /// Planes with their rows, fingerprints, sources and two slots of an index; input points with their grids.
@@ -201,6 +226,15 @@ void add_plane(Table& table, const MacroOptions& options) {
       [&] { return arranged(scene).complex; },
       [](const PlaneComplex& c) {
         return Facts{static_cast<double>(c.points.crossings.size()), bytes_of(c)};
+      });
+  const std::size_t corners = options.size(10000, 100);
+  const Nef2 star = Nef2::polygon(testing::star_polygon(corners, 1));
+  table.add(
+      {"PlaneLocator", fmt::format("star of {} corners", corners), "edges", true},
+      [&] { return std::make_unique<PlaneLocator>(star.complex()); },
+      [&](const auto&) {
+        return Facts{static_cast<double>(star.complex().edge_count()),
+                     locator_bytes_of(star.complex())};
       });
 }
 
