@@ -72,7 +72,8 @@ void CommonOptions::declare(CLI::App& app) {
 
 void Outputs::add(const std::string& path, Writer writer) {
   if (path != "-") {
-    files_.push_back({std::make_unique<OutputFile>(path), std::move(writer)});
+    auto file = std::make_unique<OutputFile>(path);
+    files_.push_back({std::move(file), std::move(writer)});
     return;
   }
   if (to_stdout_) throw Error(ErrorCode::Usage, "only one output can go to standard output");
