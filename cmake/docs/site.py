@@ -17,6 +17,9 @@ pages, api, site = map(pathlib.Path, sys.argv[1:4])
 docs = pathlib.Path("docs")
 LINK = re.compile(r"(?<!`)(\]\()([^)\s#]+)(#[^)\s]*)?(\))")
 
+# Nothing is wider than a telephone but tables, which scroll.
+NARROW = "table { display: block; overflow-x: auto } img { max-width: 100% } code { overflow-wrap: anywhere }\n"
+
 
 def listing(folder, title):
     """A page that links to the files of a folder."""
@@ -53,6 +56,7 @@ def stage():
     for page in sorted(docs.glob("*.md")):
         text = LINK.sub(lambda m: m[1] + staged(m[2]) + (m[3] or "") + m[4], page.read_text())
         (pages / page.name).write_text(text)
+    (pages / "narrow.css").write_text(NARROW)
     index = (pages / "index.md").read_text()
     (pages / "index.md").write_text(index + "\n[The interface](api/index.html), class by class.\n")
 
@@ -65,6 +69,7 @@ def build():
         "use_directory_urls": False,
         # The theme's own highlighter comes from another server.
         "theme": {"name": "mkdocs", "highlightjs": False},
+        "extra_css": ["narrow.css"],
         "plugins": ["search"],
         "markdown_extensions": ["tables", "fenced_code", "toc"],
         "nav": navigation(),
