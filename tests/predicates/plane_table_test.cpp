@@ -158,7 +158,8 @@ TEST(PlaneTable, CollisionsModuloQAreTold) {
 /// Powers of 2^61 are one residue, and planes through them on the axes one fingerprint.
 TEST(PlaneTable, TellsManyPlanesOfOneFingerprint) {
   PlaneTable table;
-  constexpr int kMost = 10, kSteps = 2 * kMost + 1;
+  constexpr int kMost = 10;
+  constexpr std::uint32_t kSteps = 2 * kMost + 1;
   for (int axis = 0; axis < 3; ++axis) {
     for (int i = -kMost; i <= kMost; ++i) {
       const double at = std::ldexp(1.0, 61 * i);
@@ -166,7 +167,7 @@ TEST(PlaneTable, TellsManyPlanesOfOneFingerprint) {
     }
   }
   std::vector<std::array<InputPointId, 3>> triangles;
-  for (int i = 0; i < kSteps * kSteps * kSteps; ++i) {
+  for (std::uint32_t i = 0; i < kSteps * kSteps * kSteps; ++i) {
     triangles.push_back({InputPointId(i % kSteps), InputPointId(kSteps + i / kSteps % kSteps),
                          InputPointId(2 * kSteps + i / kSteps / kSteps)});
   }
