@@ -36,7 +36,7 @@ expect("nothing failed", results["failed"] == [])
 expect("the page holds the results", '"numbers_bench"' in page and "/*DATA*/" not in page)
 unknown = subprocess.run([run, "--build", build, "no_such_program"], capture_output=True, text=True)
 expect(f"a program that is not there: {unknown.returncode}", unknown.returncode == 2)
-part = subprocess.run([run, "--build", build, "--record", "map_families"], capture_output=True, text=True)
+part = subprocess.run([run, "--build", build, "--record", "--accesses", "--peers", "map_families"], capture_output=True, text=True)
 expect(f"a part is not recorded: {part.returncode}", part.returncode == 2)
 
 print("\n".join(problems) or "bench/run leaves what it should")

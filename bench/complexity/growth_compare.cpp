@@ -1,10 +1,11 @@
 // Compares two files of bench/run, growth, memory of structures and capabilities: growth_compare OLD NEW
 //
-// Prints, for every family and size in both, what changed: instructions, allocations, their bytes and calls of predicates by
-// more than 2%, calls that the filter did not decide by more than 2% of all, and time by more than 15% where its batches say so,
-// too: a sign test of all batches of the family, every old one against the new one of its place, at the 5% level. Then bytes that
-// structures hold and calls of predicates of capabilities, by more than 2%, and what of OLD has no counterpart in NEW. Exit status 1
-// when something has become worse or a family, structure or capability is gone, 2 when a file cannot be read or nothing is in both.
+// Prints, for every family and size in both, what changed: instructions, allocations, their bytes, loads and stores and calls
+// of predicates by more than 2%, calls that the filter did not decide by more than 2% of all, and time by more than 15% where
+// its batches say so, too: a sign test of all batches of the family, every old one against the new one of its place, at the 5%
+// level. Then bytes that structures hold and calls of predicates of capabilities, by more than 2%, and what of OLD has no
+// counterpart in NEW. Exit status 1 when something has become worse or a family, structure or capability is gone, 2 when a file
+// cannot be read or nothing is in both.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -87,7 +88,8 @@ Figures calls_of(const Json& all) {
 
 bool compare_work(const std::string& family, double size, const Json& before, const Json& after) {
   bool is_well = true;
-  for (const char* const count : {"instructions", "allocations", "bytes", "predicates"}) {
+  for (const char* const count :
+       {"instructions", "allocations", "bytes", "accesses", "predicates"}) {
     const double old_count = before.value(count, 0.0), new_count = after.value(count, 0.0);
     if (old_count <= 0 || new_count <= 0) continue;
     const double ratio = new_count / old_count;

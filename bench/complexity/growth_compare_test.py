@@ -15,7 +15,7 @@ problems = []
 
 def sample(size):
     return {"size": size, "seconds": 1e-6 * size, "instructions": 0, "allocations": 7.0 * size, "bytes": 90.0 * size,
-            "predicates": 5.0 * size, "unfiltered": 0.5 * size,
+            "accesses": 300.0 * size, "predicates": 5.0 * size, "unfiltered": 0.5 * size,
             "batches": [1e-6 * size * (1 + 0.01 * i) for i in range(5)]}
 
 
@@ -56,7 +56,7 @@ def slower(factor, batches=5):
 
 
 expect("the same", 0, lambda results: None)
-for key in ("allocations", "bytes", "predicates"):
+for key in ("allocations", "bytes", "accesses", "predicates"):
     expect(f"{key} 1.9 % up", 0, times(1.019, key))
     expect(f"{key} 2.1 % up", 1, times(1.021, key))
     expect(f"{key} 10 % down", 0, times(0.9, key))

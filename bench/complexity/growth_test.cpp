@@ -1,11 +1,11 @@
-// That a family above its bound fails, by calls of predicates or by allocations alone, and so does one of too few sizes.
+// That a family above its bound fails, by calls of predicates, allocations or accesses alone, and so does one of too few sizes.
 #include "growth.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <fstream>
 #include <list>
 #include <stdexcept>
 #include <string>
@@ -48,10 +48,27 @@ const std::vector<Family> kFamilies{
 };
 
 /// By what is the same on a busy machine.
-int status_of(std::string family) {
-  std::array<std::string, 2> words{"growth_test", "--work"};
-  std::array<char*, 4> arguments{words[0].data(), words[1].data(), family.data(), nullptr};
-  return growth_main("Families that are made up", kFamilies, 3, arguments.data());
+int status_of(std::vector<std::string> words) {
+  words.insert(words.begin(), {"growth_test", "--work"});
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  return growth_main("Families that are made up", kFamilies, static_cast<int>(words.size()),
+                     arguments.data());
+}
+
+/// What another build would have counted of `linear`, but for the sizes after `known`.
+std::string accesses_file(double power, std::size_t known) {
+  std::string samples;
+  for (std::size_t i = 0; i < known; ++i) {
+    const auto size = static_cast<double>(kSizes[i]);
+    samples += fmt::format("{}{{\"size\": {}, \"accesses\": {}}}", i == 0 ? "" : ", ", size,
+                           7 * std::pow(size, power));
+  }
+  const std::string path = "growth_test_accesses.json";
+  std::ofstream(path) << fmt::format(R"({{"families": [{{"name": "linear", "samples": [{}]}}]}})",
+                                     samples);
+  return path;
 }
 
 bool are_calls_counted() {
@@ -65,24 +82,25 @@ bool are_calls_counted() {
 
 int main() {
   using namespace plumb::bench;
-  struct Expected {
-    const char* family;
-    int status;
-  };
-  const std::array<Expected, 8> all{{{"linear", 0},
-                                     {"calls", are_calls_counted() ? 1 : 0},
-                                     {"as-claimed", 0},
-                                     {"allocations", 1},
-                                     {"five-sizes", 1},
-                                     {"narrow", 1},
-                                     {"impossible", 1},
-                                     {"no-such-family", 2}}};
   int failures = 0;
-  for (const Expected& e : all) {
-    const int status = status_of(e.family);
-    if (status == e.status) continue;
-    fmt::print(stderr, "{}: exit status {}, not {}\n", e.family, status, e.status);
+  const auto expect = [&](const std::vector<std::string>& words, int expected) {
+    const int status = status_of(words);
+    if (status == expected) return;
+    fmt::print(stderr, "{}: exit status {}, not {}\n", fmt::join(words, " "), status, expected);
     ++failures;
-  }
+  };
+  expect({"linear"}, 0);
+  expect({"calls"}, are_calls_counted() ? 1 : 0);
+  expect({"as-claimed"}, 0);
+  expect({"allocations"}, 1);
+  expect({"five-sizes"}, 1);
+  expect({"narrow"}, 1);
+  expect({"impossible"}, 1);
+  expect({"no-such-family"}, 2);
+  expect({"linear", "--counts"}, 0);
+  expect({"linear", "--accesses", accesses_file(1, kSizes.size())}, 0);
+  expect({"linear", "--accesses", accesses_file(1.4, kSizes.size())}, 1);
+  expect({"linear", "--accesses", accesses_file(1, kSizes.size() - 1)}, 1);
+  expect({"linear", "--accesses", "no-such-file.json"}, 2);
   return failures == 0 ? 0 : 1;
 }
