@@ -28,7 +28,8 @@ inline void require_sound(const Nef2& set) {
 
 inline std::string text_of(const PlaneText& ready) {
   std::ostringstream out;
-  ready.write(out);
+  Context context;
+  ready.write(out, context);
   return out.str();
 }
 
@@ -112,8 +113,8 @@ inline void require_formats_agree(const PlaneShapes& shapes) {
     const PlaneShapes doubles = rounded(shapes, context);
     std::ostringstream wkt;
     std::ostringstream geojson;
-    write_wkt(wkt, doubles);
-    write_geojson(geojson, doubles);
+    write_wkt(wkt, doubles, context);
+    write_geojson(geojson, doubles, context);
     require(
         read_back(wkt.str(), PlaneFormat::Wkt) == read_back(geojson.str(), PlaneFormat::GeoJson),
         "WKT and GeoJSON say the same");

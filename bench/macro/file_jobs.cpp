@@ -98,7 +98,7 @@ void add_plane_sets(std::vector<Job>& jobs, const std::string& input, bool is_re
     const auto write = [format = format](const Nef2& set) {
       return [=](std::ostream& out) {
         Context context;
-        PlaneText(set, format, context).write(out);
+        PlaneText(set, format, context).write(out, context);
       };
     };
     jobs.push_back(

@@ -103,7 +103,7 @@ void add_sets_of_the_plane() {
   for (const auto& [name, format] : kFormats) {
     const auto write = [format = format](std::ostream& out) {
       Context context;
-      PlaneText(star, format, context).write(out);
+      PlaneText(star, format, context).write(out, context);
     };
     benchmark::RegisterBenchmark(
         (std::string("read/") + name).c_str(), [=, format = format](benchmark::State& state) {

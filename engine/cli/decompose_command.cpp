@@ -181,7 +181,7 @@ class Decomposition : public CommandBody {
       const PlaneChoice& format = plane_format(piece, session.options().format);
       const PlaneText text(piece, format.format, context);
       files.add(format.extension, text.losses().sentences(),
-                [&text](std::ostream& out) { text.write(out); });
+                [&](std::ostream& out) { text.write(out, context); });
     }
     if (!svg_.empty()) {
       session.begin("draw");

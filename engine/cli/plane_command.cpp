@@ -85,7 +85,8 @@ ReadyFile ready_file(const Nef2& set, const SetOutput& output, Context& context)
   const PlaneFormat by_itself = set.is_bounded() ? PlaneFormat::Wkt : PlaneFormat::Nef2;
   const PlaneFormat format = index ? *kFormats[static_cast<std::size_t>(*index)].text : by_itself;
   const PlaneText text(set, format, context);
-  return {[text](std::ostream& out) { text.write(out); }, text.losses().sentences()};
+  return {[text, &context](std::ostream& out) { text.write(out, context); },
+          text.losses().sentences()};
 }
 
 struct PlaneInput {

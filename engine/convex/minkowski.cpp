@@ -13,6 +13,7 @@
 #include "plumb/convex/decompose.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/facet_triangles.h"
+#include "plumb/space/unite.h"
 
 namespace plumb {
 namespace {
@@ -218,7 +219,7 @@ Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context) try {
       if (filter.needs(p, q)) sums.push_back(convex_sum(p.body, q.body, marks, quiet));
     }
   }
-  return union_of(sums, context);
+  return united(std::move(sums), context);
 } catch (...) {
   rethrow_refused_memory();
 }

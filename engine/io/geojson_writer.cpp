@@ -7,8 +7,8 @@ namespace {
 
 class GeoJsonWriter : public ShapeWriter {
  public:
-  GeoJsonWriter(std::ostream& out, const PlaneShapes& shapes)
-      : ShapeWriter(out, shapes, {'[', ",", ']'}) {}
+  GeoJsonWriter(std::ostream& out, const PlaneShapes& shapes, Context& context)
+      : ShapeWriter(out, shapes, {'[', ",", ']'}, context) {}
 
  private:
   void begin_collection(bool) override { out_ << R"({"type":"GeometryCollection","geometries":[)"; }
@@ -23,8 +23,8 @@ class GeoJsonWriter : public ShapeWriter {
 
 }  // namespace
 
-void write_geojson(std::ostream& out, const PlaneShapes& shapes) {
-  GeoJsonWriter(out, shapes).write();
+void write_geojson(std::ostream& out, const PlaneShapes& shapes, Context& context) {
+  GeoJsonWriter(out, shapes, context).write();
 }
 
 }  // namespace plumb

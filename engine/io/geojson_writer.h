@@ -9,7 +9,7 @@ namespace plumb {
 
 /// One geometry object on one line: a Point .. MultiPolygon, or a GeometryCollection of those when
 /// dimensions mix or there is nothing. Numbers are the nearest doubles, as format_double(). Throws
-/// what `out` throws.
-void write_geojson(std::ostream& out, const PlaneShapes& shapes);
+/// what `out` throws, and Error{Cancelled} or Error{ResourceLimit} as the context says.
+void write_geojson(std::ostream& out, const PlaneShapes& shapes, Context& context);
 
 }  // namespace plumb

@@ -10,16 +10,21 @@ namespace {
 
 class Nef2Writer {
  public:
-  Nef2Writer(std::ostream& stream, const PlaneRecords& records) : out_(stream), records_(records) {}
+  Nef2Writer(std::ostream& stream, const PlaneComplex& complex, Context& context)
+      : out_(stream, context), complex_(complex) {}
 
   void write() {
     write_header();
-    for (std::uint32_t i = 0; i < records_.points.inputs.size(); ++i) write_point(i);
-    for (const Crossing2& c : records_.points.crossings) {
+    for (std::uint32_t i = 0; i < complex_.points.inputs.size(); ++i) write_point(i);
+    for (const Crossing2& c : complex_.points.crossings) {
       write_line(c.a + 1, c.b + 1, c.c + 1, c.d + 1);
     }
-    for (const PlaneRecords::Vertex& v : records_.vertices) write_line(v.point + 1, mark(v.mark));
-    for (const PlaneRecords::Edge& e : records_.edges) {
+    for (std::uint32_t i = 0; i < complex_.vertex_count(); ++i) {
+      const PlaneRecords::Vertex v = record_of(complex_, VertexId(i));
+      write_line(v.point + 1, mark(v.mark));
+    }
+    for (std::uint32_t i = 0; i < complex_.edge_count(); ++i) {
+      const PlaneRecords::Edge e = record_of(complex_, EdgeId(i));
       write_line(end(e.from), end(e.to), e.line.a + 1, e.line.b + 1, mark(e.mark), mark(e.left),
                  mark(e.right));
     }
@@ -29,12 +34,12 @@ class Nef2Writer {
  private:
   void write_header() {
     out_ << "plumb-nef2 1\n";
-    write_line(records_.points.inputs.size(), records_.points.crossings.size(),
-               records_.vertices.size(), records_.edges.size(), mark(records_.bottom));
+    write_line(complex_.points.inputs.size(), complex_.points.crossings.size(),
+               complex_.vertex_count(), complex_.edge_count(), mark(complex_.mark(FaceId(0))));
   }
 
   void write_point(std::uint32_t i) {
-    const PointTable2& points = records_.points.inputs;
+    const PointTable2& points = complex_.points.inputs;
     const Point2 p = points.approx(i);
     if (points.is_double(i) && is_short_integer(p.x) && is_short_integer(p.y)) {
       out_ << p.x << ' ' << p.y << '\n';
@@ -61,13 +66,13 @@ class Nef2Writer {
   }
 
   TextOutput out_;
-  const PlaneRecords& records_;
+  const PlaneComplex& complex_;
 };
 
 }  // namespace
 
-void write_nef2(std::ostream& out, const PlaneRecords& records) {
-  Nef2Writer(out, records).write();
+void write_nef2(std::ostream& out, const PlaneComplex& complex, Context& context) {
+  Nef2Writer(out, complex, context).write();
 }
 
 }  // namespace plumb

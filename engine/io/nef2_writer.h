@@ -7,8 +7,8 @@
 
 namespace plumb {
 
-/// Lossless: read_nef2_records() of the text gives the same records. Coordinates are integers or
-/// fractions, never decimals. Throws what `out` throws.
-void write_nef2(std::ostream& out, const PlaneRecords& records);
+/// Lossless: read_nef2_records() of the text gives to_records(complex). Coordinates are integers or
+/// fractions, never decimals. Throws what `out` throws, and Error{Cancelled} or Error{ResourceLimit} as the context says.
+void write_nef2(std::ostream& out, const PlaneComplex& complex, Context& context);
 
 }  // namespace plumb

@@ -102,14 +102,14 @@ PlaneText::PlaneText(const Nef2& set, PlaneFormat format, Context& context) try
   rethrow_refused_memory();
 }
 
-void PlaneText::write(std::ostream& out) const try {
+void PlaneText::write(std::ostream& out, Context& context) const try {
   switch (format_) {
     case PlaneFormat::Nef2:
-      return write_nef2(out, to_records(set_.complex()));
+      return write_nef2(out, set_.complex(), context);
     case PlaneFormat::GeoJson:
-      return write_geojson(out, shapes_);
+      return write_geojson(out, shapes_, context);
     default:
-      return write_wkt(out, shapes_);
+      return write_wkt(out, shapes_, context);
   }
 } catch (...) {
   rethrow_refused_memory();

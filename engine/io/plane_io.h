@@ -73,7 +73,8 @@ class PlaneText {
   PlaneText(const Nef2& set, PlaneFormat format, Context& context);
 
   const PlaneLosses& losses() const { return losses_; }  ///< What the file will not say.
-  void write(std::ostream& out) const;  ///< Writes the file. Throws what `out` throws.
+  /// Writes the file. Throws what `out` throws; a checkpoint each 64 kB.
+  void write(std::ostream& out, Context& context) const;
 
  private:
   Nef2 set_;

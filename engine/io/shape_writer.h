@@ -25,8 +25,8 @@ class ShapeWriter {
     std::string_view separator;
     char close;
   };
-  ShapeWriter(std::ostream& out, const PlaneShapes& shapes, Lists lists)
-      : out_(out), shapes_(shapes), lists_(lists) {}
+  ShapeWriter(std::ostream& out, const PlaneShapes& shapes, Lists lists, Context& context)
+      : out_(out, context), shapes_(shapes), lists_(lists) {}
 
   /// Around the geometries, when their number is not one.
   virtual void begin_collection(bool is_empty) = 0;

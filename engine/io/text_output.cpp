@@ -61,6 +61,7 @@ TextOutput& TextOutput::operator<<(double value) {
 void TextOutput::flush() {
   const std::size_t size = used_;
   used_ = 0;
+  if (context_ != nullptr) context_->checkpoint("write", 0, 0);
   out_.write(block_.get(), static_cast<std::streamsize>(size));
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "plumb/base/context.h"
 #include "plumb/predicates/point_table2.h"
 #include "plumb/predicates/rational.h"
 
@@ -24,6 +25,8 @@ std::string format_exact(const Rational& value);
 class TextOutput {
  public:
   explicit TextOutput(std::ostream& out);
+  /// With a checkpoint at each block.
+  TextOutput(std::ostream& out, Context& context) : TextOutput(out) { context_ = &context; }
 
   TextOutput& operator<<(char c) {
     *room(1) = c;
@@ -49,6 +52,7 @@ class TextOutput {
   }
 
   std::ostream& out_;
+  Context* context_ = nullptr;
   std::unique_ptr<char[]> block_;
   std::size_t used_ = 0;
 };

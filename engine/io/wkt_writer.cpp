@@ -12,8 +12,8 @@ char upper(char c) { return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + '
 
 class WktWriter : public ShapeWriter {
  public:
-  WktWriter(std::ostream& out, const PlaneShapes& shapes)
-      : ShapeWriter(out, shapes, {'(', ", ", ')'}) {}
+  WktWriter(std::ostream& out, const PlaneShapes& shapes, Context& context)
+      : ShapeWriter(out, shapes, {'(', ", ", ')'}, context) {}
 
  private:
   void begin_collection(bool is_empty) override {
@@ -36,6 +36,8 @@ class WktWriter : public ShapeWriter {
 
 }  // namespace
 
-void write_wkt(std::ostream& out, const PlaneShapes& shapes) { WktWriter(out, shapes).write(); }
+void write_wkt(std::ostream& out, const PlaneShapes& shapes, Context& context) {
+  WktWriter(out, shapes, context).write();
+}
 
 }  // namespace plumb

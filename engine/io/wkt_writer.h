@@ -9,7 +9,8 @@ namespace plumb {
 
 /// One geometry on one line: POINT .. MULTIPOLYGON, a GEOMETRYCOLLECTION of those when dimensions
 /// mix, GEOMETRYCOLLECTION EMPTY when there is nothing. Numbers are the nearest doubles, as
-/// format_double(). Throws what `out` throws.
-void write_wkt(std::ostream& out, const PlaneShapes& shapes);
+/// format_double(). Throws what `out` throws,
+/// and Error{Cancelled} or Error{ResourceLimit} as the context says.
+void write_wkt(std::ostream& out, const PlaneShapes& shapes, Context& context);
 
 }  // namespace plumb

@@ -171,21 +171,32 @@ RecordError::RecordError(Kind kind, std::size_t index, const std::string& why)
       kind_(kind),
       index_(index) {}
 
+PlaneRecords::Vertex record_of(const PlaneComplex& complex, VertexId v) {
+  return {complex.vertex_point[v.value()], complex.mark(v)};
+}
+
+PlaneRecords::Edge record_of(const PlaneComplex& complex, EdgeId e) {
+  const auto vertex = [&](VertexId v) {
+    return complex.is_at_infinity(v) ? PlaneRecords::kUnbounded : v.value();
+  };
+  const HalfedgeId h = first_half(e);
+  return {vertex(complex.dcel.origin(h)),
+          vertex(complex.dcel.target(h)),
+          complex.line[e.value()],
+          complex.mark(e),
+          complex.mark(complex.dcel.face(h)),
+          complex.mark(complex.dcel.face(twin(h)))};
+}
+
 PlaneRecords to_records(const PlaneComplex& complex) {
   PlaneRecords r;
   r.points = complex.points;
   r.bottom = complex.mark(FaceId(0));
   for (std::size_t i = 0; i < complex.vertex_count(); ++i) {
-    r.vertices.push_back({complex.vertex_point[i], complex.mark(VertexId(i))});
+    r.vertices.push_back(record_of(complex, VertexId(i)));
   }
-  const auto vertex = [&](VertexId v) {
-    return complex.is_at_infinity(v) ? PlaneRecords::kUnbounded : v.value();
-  };
   for (std::size_t i = 0; i < complex.edge_count(); ++i) {
-    const HalfedgeId h = first_half(EdgeId(i));
-    r.edges.push_back({vertex(complex.dcel.origin(h)), vertex(complex.dcel.target(h)),
-                       complex.line[i], complex.mark(EdgeId(i)), complex.mark(complex.dcel.face(h)),
-                       complex.mark(complex.dcel.face(twin(h)))});
+    r.edges.push_back(record_of(complex, EdgeId(i)));
   }
   return r;
 }

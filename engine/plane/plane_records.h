@@ -53,6 +53,9 @@ class RecordError : public Error {
 };
 
 PlaneRecords to_records(const PlaneComplex& complex);
+/// One of its records.
+PlaneRecords::Vertex record_of(const PlaneComplex& complex, VertexId v);
+PlaneRecords::Edge record_of(const PlaneComplex& complex, EdgeId e);
 
 /// Rebuilds the minimal complex. from_records(to_records(c)) is c when c is minimal. Throws
 /// Error{BadArgument}, mostly a RecordError, with the first thing that is wrong: an index, a line through two equal points

@@ -20,6 +20,7 @@
 #include "plumb/space/space_memory.h"
 #include "plumb/space/tidy_tables.h"
 #include "plumb/space/transform.h"
+#include "plumb/space/unite.h"
 #include "plumb/space/volumes.h"
 
 namespace plumb {
@@ -385,11 +386,11 @@ Nef3 combined(const Nef3& a, const Nef3& b, MarkFunction f) {
   return combine(a, b, f, context);
 }
 
-/// Pairwise, neighbours first: every set takes part in O(log n) operations.
-Nef3 combine_all(std::span<const Nef3> sets, MarkFunction f, Context& context) {
-  if (sets.size() == 1) return sets[0];
+/// Pairwise, neighbours first: every set takes part in O(log n) operations. Uses up the sets.
+Nef3 combine_all(std::span<Nef3> sets, MarkFunction f, Context& context) {
+  if (sets.size() == 1) return std::move(sets[0]);
   const std::size_t half = sets.size() / 2;
-  const std::array<std::span<const Nef3>, 2> parts{sets.first(half), sets.subspan(half)};
+  const std::array<std::span<Nef3>, 2> parts{sets.first(half), sets.subspan(half)};
   std::array<Nef3, 2> both;
   run_jobs(context, 2,
            [&](std::size_t i, Context& own) { both[i] = combine_all(parts[i], f, own); });
@@ -411,14 +412,19 @@ bool operator==(const Nef3& a, const Nef3& b) try {
 
 bool operator<=(const Nef3& a, const Nef3& b) { return (a - b).is_empty(); }
 
-Nef3 union_of(std::span<const Nef3> sets, Context& context) try {
+Nef3 united(std::vector<Nef3> sets, Context& context) {
   return sets.empty() ? Nef3::empty() : combine_all(sets, kUnion, context);
+}
+
+Nef3 union_of(std::span<const Nef3> sets, Context& context) try {
+  return united({sets.begin(), sets.end()}, context);
 } catch (...) {
   rethrow_refused_memory();
 }
 
 Nef3 intersection_of(std::span<const Nef3> sets, Context& context) try {
-  return sets.empty() ? Nef3::space() : combine_all(sets, kIntersection, context);
+  std::vector<Nef3> own(sets.begin(), sets.end());
+  return own.empty() ? Nef3::space() : combine_all(own, kIntersection, context);
 } catch (...) {
   rethrow_refused_memory();
 }

@@ -50,7 +50,7 @@ class Digest : public std::streambuf, public std::ostream {
 
 inline std::uint64_t digest_of(const Nef2& set, Context& context) {
   Digest out;
-  PlaneText(set, PlaneFormat::Nef2, context).write(out);
+  PlaneText(set, PlaneFormat::Nef2, context).write(out, context);
   return out.value();
 }
 

@@ -116,7 +116,7 @@ OperationRoom plane_operations() {
     return [s, format](Context& own) {
       Digest out;
       const PlaneText text(s->a, format, own);
-      text.write(out);
+      text.write(out, own);
       return out.value() + text.losses().sentences().size();
     };
   };

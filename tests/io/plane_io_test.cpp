@@ -34,7 +34,8 @@ PlaneText prepared(const Nef2& set, PlaneFormat format) {
 
 std::string written(const Nef2& set, PlaneFormat format) {
   std::ostringstream out;
-  prepared(set, format).write(out);
+  Context context;
+  prepared(set, format).write(out, context);
   return out.str();
 }
 
@@ -155,7 +156,8 @@ TEST(PlaneText, keeps_closed_bounded_sets_of_doubles) {
       const PlaneText ready = prepared(set, format);
       EXPECT_FALSE(ready.losses().unbounded || ready.losses().open) << text;
       std::ostringstream out;
-      ready.write(out);
+      Context context;
+      ready.write(out, context);
       const Nef2 copy = read(out.str());
       expect_sound(copy);
       // Crossings are rounded: what comes back is a set of doubles, and then nothing changes.

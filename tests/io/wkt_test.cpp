@@ -20,7 +20,8 @@ PlaneShapes read(const std::string& text, bool exact_decimals = false, Limits li
 
 std::string written(const PlaneShapes& shapes) {
   std::ostringstream out;
-  write_wkt(out, shapes);
+  Context context;
+  write_wkt(out, shapes, context);
   return out.str();
 }
 
