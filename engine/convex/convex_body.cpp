@@ -133,6 +133,16 @@ void add_polygon_facets(ConvexBody& body) {
 
 ConvexBody convex_body_of(const SpaceComplex& complex) { return BodyReader(complex).run(); }
 
+std::size_t memory_bytes(const ConvexBody& body) {
+  constexpr std::size_t kLimbBytes = 6 * 32;  // of the numbers of a point
+  const auto bytes = [](const auto&... arrays) {
+    return ((arrays.capacity() * sizeof(arrays[0])) + ...);
+  };
+  return kLimbBytes * (body.point.size() + body.normal.size()) +
+         bytes(body.point, body.rough_point, body.star_begin, body.neighbour, body.edge,
+               body.facet_begin, body.corner, body.normal, body.rough_normal);
+}
+
 ConvexBody convex_body_of(std::span<const RationalPoint3> points) {
   PLUMB_CHECK(!points.empty() && points.size() <= 3);
   ConvexBody body;

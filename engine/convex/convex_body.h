@@ -76,6 +76,8 @@ struct ConvexBody {
 /// The closure of a bounded convex set that is not empty, by its complex. Requires the minimal complex of a
 /// closed convex set. O(n).
 ConvexBody convex_body_of(const SpaceComplex& complex);
+/// What it takes, of numbers of ordinary length. O(1).
+std::size_t memory_bytes(const ConvexBody& body);
 /// A point, a segment or a triangle: one to three points, not on a line.
 ConvexBody convex_body_of(std::span<const RationalPoint3> points);
 

@@ -19,10 +19,11 @@ namespace {
 /// Steps 3 and 4: facets by the faces of the operands, in one complex.
 class SumBuilder {
  public:
-  SumBuilder(const ConvexBody& a, const ConvexBody& b)
-      : a_(a), b_(b), tables_(std::make_shared<SpaceTables>()) {}
+  SumBuilder(const ConvexBody& a, const ConvexBody& b, Context& context)
+      : a_(a), b_(b), tables_(std::make_shared<SpaceTables>()), memory_(context) {}
 
   void add_facet(const FacetDirection& d) {
+    if (facets_.size() >= charged_) charge();
     cycle_.clear();
     merge(d);
     const auto [i, j] = names_[cycle_[0]];
@@ -60,6 +61,14 @@ class SumBuilder {
 
  private:
   using Name = std::pair<std::uint32_t, std::uint32_t>;
+
+  /// For more facets, as many as there are.
+  void charge() {
+    constexpr std::size_t kFew = 64, kBytesPerFacet = 400;
+    const std::size_t more = std::max(kFew, charged_);
+    memory_.add(kBytesPerFacet * more, "a convex sum");
+    charged_ += more;
+  }
 
   std::uint32_t vertex(std::uint32_t i, std::uint32_t j) {
     const auto next = static_cast<std::uint32_t>(names_.size());
@@ -172,6 +181,8 @@ class SumBuilder {
   MeshFacets facets_;
   std::vector<std::uint32_t> outer_side_;  // per facet: 0 positive
   std::vector<std::uint32_t> cycle_;
+  MemoryCharge memory_;
+  std::size_t charged_ = 0;  // facets
 };
 
 RationalPoint3 sum_of(const RationalPoint3& p, const RationalPoint3& q) {
@@ -228,7 +239,7 @@ Nef3 convex_sum(const ConvexBody& a, const ConvexBody& b, SumMarks marks, Contex
   const RationalPoint3 normal = common_normal(a, b);
   const bool is_flat = !is_zero(normal);
   if (a.dimension < 2 && b.dimension < 2 && !is_flat) return thin_sum(a, b, marks);
-  SumBuilder builder(a, b);
+  SumBuilder builder(a, b, context);
   if (is_flat) {
     const auto face_a = flat_face(a, normal), face_b = flat_face(b, normal);
     const BallVector unknown{{Ball::unknown(), Ball::unknown(), Ball::unknown()}};

@@ -25,6 +25,15 @@ struct ConvexPart {
   bool is_maximal = false;  ///< in the boundary of no other part of its set
 };
 
+constexpr const char* kMemoryName = "a Minkowski sum";
+constexpr std::uint64_t kBytesPerSet = 2500;  // besides what is in its arrays
+
+std::uint64_t memory_of(const std::vector<ConvexPart>& parts) {
+  std::uint64_t bytes = 0;
+  for (const ConvexPart& part : parts) bytes += sizeof(part) + memory_bytes(part.body);
+  return bytes;
+}
+
 bool has_mark(const std::vector<Mark>& marks, Mark mark) {
   return std::find(marks.begin(), marks.end(), mark) != marks.end();
 }
@@ -210,13 +219,17 @@ Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context) try {
   const auto parts_b = parts_of_operand(b, is_closed, context);
   const PairFilter filter(a, b);
   std::vector<Nef3> sums;
+  MemoryCharge memory(context);
+  memory.add(memory_of(parts_a) + memory_of(parts_b), kMemoryName);
   const SumMarks marks = is_closed ? SumMarks::Closed : SumMarks::Open;
   Context quiet(context, {}, context.threads(), false);  // one phase, not one for each pair
   std::size_t pairs = 0;
   for (const ConvexPart& p : parts_a) {
     for (const ConvexPart& q : parts_b) {
       context.checkpoint("sums of parts", pairs++, parts_a.size() * parts_b.size());
-      if (filter.needs(p, q)) sums.push_back(convex_sum(p.body, q.body, marks, quiet));
+      if (!filter.needs(p, q)) continue;
+      sums.push_back(convex_sum(p.body, q.body, marks, quiet));
+      memory.add(sums.back().bytes() + kBytesPerSet, kMemoryName);
     }
   }
   return united(std::move(sums), context);

@@ -1,5 +1,6 @@
 #include "plumb/io/json_values.h"
 
+#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -73,12 +74,19 @@ class JsonListener : public nlohmann::json_sax<Json> {
  private:
   static constexpr JsonValues::Id kNone = 0xffff'ffff;
 
+  /// Of more values than there is room for none is kept: the parser is about to find out that this is no JSON.
+  bool is_full() const { return spans_.size() == spans_.capacity(); }
   JsonValues::Id add(JsonValues::Id next) {
     spans_.push_back({static_cast<std::uint32_t>(places_.token() - begin_), next});
     return static_cast<JsonValues::Id>(spans_.size() - 1);
   }
   bool add_here() {
+    if (is_full()) return pass_over();
     add(static_cast<JsonValues::Id>(spans_.size() + 1));
+    return true;
+  }
+  bool pass_over() {
+    is_passed_over_ = true;
     return true;
   }
   bool add_token() {
@@ -91,11 +99,13 @@ class JsonListener : public nlohmann::json_sax<Json> {
   }
   bool open() {
     places_.find_token();
+    if (is_full()) return pass_over();
     open_ = add(open_);
     return true;
   }
   bool close() {
     places_.find_token();
+    if (is_passed_over_) return true;
     const auto next = static_cast<JsonValues::Id>(spans_.size());
     open_ = std::exchange(spans_[open_].next, next);
     return true;
@@ -106,13 +116,16 @@ class JsonListener : public nlohmann::json_sax<Json> {
   JsonPlaces places_;
   const JsonValues::Fail& fail_;
   JsonValues::Id open_ = kNone;
+  bool is_passed_over_ = false;
 };
 
 JsonValues::JsonValues(std::string_view text, const std::string& name, const Fail& fail,
                        Context& context)
     : text_(text), context_(context), charge_(context) {
   if (text.size() >= 0xffff'ffff) fail(0, ErrorCode::ResourceLimit, "JSON of more than 2^32 bytes");
-  const std::uint64_t values = count_values(text, context);
+  // In JSON a comma, a colon or a bracket goes with every value but one.
+  const std::uint64_t values =
+      std::min<std::uint64_t>(count_values(text, context), text.size() / 2 + 1);
   charge_.add(values * sizeof(Span), "the JSON");
   MemoryCharge parsing(context);
   parsing.add(kParsingBytes * text.size(), "the JSON");

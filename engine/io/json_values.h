@@ -1,7 +1,8 @@
 // A JSON text as a flat list of its values: 8 bytes for each, wherever it stands and whatever it holds. Texts and numbers
 // stay in the JSON and are read when somebody asks for them.
 //
-//   1. a pass over the bytes counts values, so that the list is charged and reserved before it is filled
+//   1. a pass over the bytes counts values, so that the list is charged and reserved before it is filled; for no more
+//      values than a text of its size can hold
 //   2. nlohmann-json splits the text into events (no recursion, no tree); each value notes where it begins and, when it
 //      ends, which value comes after it
 //

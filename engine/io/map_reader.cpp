@@ -138,12 +138,12 @@ void MapReader::check_face(const char* start) const {
 }
 
 void MapReader::add_corner(std::uint32_t vertex) {
-  constexpr std::uint64_t kStep = 1U << 16U;
+  constexpr std::uint64_t kStep = 1U << 14U;
   if (map_.corners.size() == charged_corners_) {
     if (charged_corners_ > RecordReader::kMostIds - kStep) {
       fail(ErrorCode::ResourceLimit, "more than 2^32 corners");
     }
-    in_.charge(kStep * sizeof(std::uint32_t));
+    in_.charge(3 * kStep * sizeof(std::uint32_t));  // while the list grows, the old one is there
     charged_corners_ += kStep;
   }
   map_.corners.push_back(vertex);

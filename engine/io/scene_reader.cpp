@@ -30,6 +30,8 @@ SurfacePointId add_on_edge(SurfacePointTable& points, HalfedgeId h,
   return points.add_on_edge(mesh.edge(h), t);
 }
 
+constexpr std::uint64_t kTracerBytesPerFace = 40;
+
 class SceneMaker {
  public:
   SceneMaker(const ParsedScene& scene, std::shared_ptr<const SurfaceMesh> mesh,
@@ -39,6 +41,8 @@ class SceneMaker {
   SurfaceScene run(std::span<const DrawingFile* const> drawings) {
     SurfaceScene scene{mesh_, SurfacePolygons(*mesh_), {}, {}};
     add_points(in_.points, scene.polygons.points);
+    MemoryCharge memory(context_);
+    memory.add(kTracerBytesPerFace * mesh_->face_count(), "traced paths");
     Tracer tracer(*mesh_);
     trace(tracer, scene.polygons);
     if (in_.shapes) add_shapes(*in_.shapes, scene.shapes.emplace());

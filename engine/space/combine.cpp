@@ -9,10 +9,13 @@
 #include "plumb/base/parallel.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/combiner.h"
+#include "plumb/space/space_memory.h"
 
 namespace plumb {
 
 namespace {
+
+constexpr const char* kMemoryName = "a Boolean of space";
 
 SpaceComplex joined(CombinedDraft draft, Context& context) {
   SpaceComplex result = join(std::move(draft.vertices), context);
@@ -56,11 +59,19 @@ Context with_useful_threads(const SpaceComplex& a, const SpaceComplex& b, const 
   return Context(context, std::stop_token(), is_small ? 1U : context.threads(), true);
 }
 
-/// Phases 2 to 6.
+/// Of the draft and what is joined: its arrays have so many bytes for each corner of a facet, and for all that a contact
+/// adds: pairs of items, a point of the tables, a vertex with its map.
+std::uint64_t draft_bytes(std::size_t uses, std::size_t contacts) {
+  constexpr std::uint64_t kBytesPerUse = 60, kBytesPerContact = 600;
+  return kBytesPerUse * uses + kBytesPerContact * contacts;
+}
+
+/// Phases 2 to 6. What they take until the draft is joined is charged to `memory`.
 CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
                        const SpaceComplex& b, const MarkTable& f, const CommonOrigin& origin,
-                       Context& context) {
+                       MemoryCharge& memory, Context& context) {
   const std::vector<Contact> contacts = meet(a, b, *tables, context);
+  memory.add(draft_bytes(a.use_count() + b.use_count(), contacts.size()), kMemoryName);
   const std::array<const SpaceComplex*, 2> operands{&a, &b};
   std::array<std::optional<TouchedComplex>, 2> touched;
   std::array<std::vector<VolumeId>, 2> labels;
@@ -95,8 +106,10 @@ CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceCo
 
 SpaceComplex combine(SpaceComplex a, SpaceComplex b, MarkFunction f, Context& context) {
   Context own = with_useful_threads(a, b, context);
+  MemoryCharge memory(context);
+  memory.add(memory_bytes(a) + memory_bytes(b), kMemoryName);
   const std::shared_ptr<SpaceTables> tables = unite_tables(a, b);
-  CombinedDraft draft = draft_of(tables, a, b, MarkTable(f), lesser_origin, own);
+  CombinedDraft draft = draft_of(tables, a, b, MarkTable(f), lesser_origin, memory, own);
   a = b = {};  // the peak of memory is yet to come
   return joined(std::move(draft), own);
 }
@@ -105,7 +118,8 @@ SpaceComplex combine_on(const std::shared_ptr<SpaceTables>& tables, const SpaceC
                         const SpaceComplex& b, const MarkTable& f, const CommonOrigin& origin,
                         Context& context) {
   Context own = with_useful_threads(a, b, context);
-  return joined(draft_of(tables, a, b, f, origin, own), own);
+  MemoryCharge memory(context);
+  return joined(draft_of(tables, a, b, f, origin, memory, own), own);
 }
 
 namespace {
@@ -168,16 +182,17 @@ void meet_plane(const SpaceComplex& a, PlaneId plane, SpaceTables& tables,
 
 }  // namespace
 
-SpaceComplex combine_with_plane(const SpaceComplex& a, OrientedPlane plane, PlaneSet h,
-                                MarkFunction f, std::shared_ptr<SpaceTables> tables,
-                                Context& context) {
-  SpaceComplex first = a;
+SpaceComplex combine_with_plane(SpaceComplex first, OrientedPlane plane, PlaneSet h, MarkFunction f,
+                                std::shared_ptr<SpaceTables> tables, Context& context) {
+  MemoryCharge memory(context);
+  memory.add(memory_bytes(first), kMemoryName);
   first.tables = tables;
   if (plane.is_opposite()) h = opposite(h);
   const SpaceComplex second = plane_operand(tables, plane.plane(), h);
   std::vector<Contact> contacts;
   std::vector<VolumeId> labels;
   meet_plane(first, plane.plane(), *tables, contacts, labels);
+  memory.add(draft_bytes(first.use_count(), contacts.size()), kMemoryName);
   const TouchedComplex touched(first, contacts, 0);
   const CommonOrigin origin = lesser_origin;
   Combiner combiner({&first, &second}, tables, contacts, MarkTable(f), origin);

@@ -153,7 +153,7 @@ SpaceComplex inside(SpaceComplex complex, const FarBox& box, std::shared_ptr<Spa
     const OrientedPlane plane = far_plane(tables->planes, n, offset);
     if (is_framed_by(complex, plane.plane())) continue;
     const PlaneSet outside = i % 2 == 0 ? PlaneSet::BeyondAbove : PlaneSet::BeyondBelow;
-    complex = combine_with_plane(complex, plane, outside, kFirst, tables, context);
+    complex = combine_with_plane(std::move(complex), plane, outside, kFirst, tables, context);
   }
   return complex;
 }

@@ -100,6 +100,8 @@ Nef3 Nef3::space() try { return Nef3(without_boundary(1)); } catch (...) {
 }
 
 Nef3 Nef3::from_complex(SpaceComplex complex, Context& context) try {
+  MemoryCharge memory(context);
+  memory.add(memory_bytes(complex), "a set of space");
   return Nef3(
       with_tidy_tables(without_idle_frame(simplified(std::move(complex), context), context)));
 } catch (...) {
@@ -367,13 +369,13 @@ Nef3 combine(const Nef3& a, const Plane3& plane, Section section, MarkFunction f
   const Mark outside = c.volume_mark[0];
   const bool needs_frame = !has_frame(c) && table(outside, 0) != table(outside, 1);
   const std::shared_ptr<SpaceTables> tables = copy(*c.tables);
-  const SpaceComplex first = needs_frame ? with_frame(c, tables, context) : c;
+  SpaceComplex first = needs_frame ? with_frame(c, tables, context) : c;
   const OrientedPlane p = tables->planes.intern(plane.a, plane.b, plane.c, plane.d);
   if (!p.is_valid()) throw Error(ErrorCode::BadArgument, "a plane needs a normal that is not zero");
   const PlaneSet h = section == Section::PlaneOnly         ? PlaneSet::Plane
                      : section == Section::ClosedHalfSpace ? PlaneSet::ClosedBelow
                                                            : PlaneSet::OpenBelow;
-  SpaceComplex result = combine_with_plane(first, p, h, f, tables, context);
+  SpaceComplex result = combine_with_plane(std::move(first), p, h, f, tables, context);
   return Nef3::from_minimal(with_tidy_tables(without_idle_frame(std::move(result), context)));
 } catch (...) {
   rethrow_refused_memory();
@@ -392,8 +394,11 @@ Nef3 combine_all(std::span<Nef3> sets, MarkFunction f, Context& context) {
   const std::size_t half = sets.size() / 2;
   const std::array<std::span<Nef3>, 2> parts{sets.first(half), sets.subspan(half)};
   std::array<Nef3, 2> both;
-  run_jobs(context, 2,
-           [&](std::size_t i, Context& own) { both[i] = combine_all(parts[i], f, own); });
+  std::array<MemoryCharge, 2> memory{MemoryCharge(context), MemoryCharge(context)};
+  run_jobs(context, 2, [&](std::size_t i, Context& own) {
+    both[i] = combine_all(parts[i], f, own);
+    if (parts[i].size() > 1) memory[i].add(both[i].bytes(), "a set of space");
+  });
   return combine(std::move(both[0]), std::move(both[1]), f, context);
 }
 

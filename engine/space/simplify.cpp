@@ -12,6 +12,8 @@ namespace plumb {
 
 namespace {
 
+constexpr std::uint64_t kBytesPerUse = 110;  // a draft, and what is joined
+
 /// Step 1.
 class MinimalForm {
  public:
@@ -72,6 +74,8 @@ class MinimalForm {
 
 SpaceComplex simplified(SpaceComplex complex, Context& context) {
   if (MinimalForm(complex).holds(context)) return complex;
+  MemoryCharge memory(context);
+  memory.add(kBytesPerUse * complex.use_count(), "the minimal form");
   SpaceDraft draft(std::const_pointer_cast<SpaceTables>(complex.tables));
   SphereOverlay overlay(complex.planes());
   VertexCarrier carrier(complex, draft, overlay);

@@ -6,6 +6,7 @@
 #include "plumb/base/refused_memory.h"
 #include "plumb/space/mesh_fans.h"
 #include "plumb/space/space_audit_parts.h"
+#include "plumb/space/space_memory.h"
 
 namespace plumb {
 
@@ -17,6 +18,8 @@ std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal) try {
 }
 
 std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal, Context& context) try {
+  MemoryCharge memory(context);
+  memory.add(memory_bytes(complex), "an audit");
   std::optional<SpaceFlaw> flaw = audit_links(complex, context);
   if (flaw) return flaw;
   const std::vector<std::uint8_t> has_fan = find_fans(complex);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "plumb/base/refused_memory.h"
@@ -23,6 +24,9 @@ RationalPoint3 cross(const RationalPoint3& a, const RationalPoint3& b) {
 Rational dot(const RationalPoint3& a, const RationalPoint3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+
+constexpr std::uint64_t kBytesPerVertex =
+    10;  // of a sum: it is about as long as all their coordinates
 
 bool is_marked(const SpaceComplex& c, VolumeId v) { return c.volume_mark[v.value()] == 1; }
 
@@ -103,6 +107,8 @@ struct Integrals {
 std::optional<Integrals> integrals(const SpaceComplex& c, bool with_moments, Context& context) {
   if (is_volume_infinite(c)) return std::nullopt;
   Steps step(c, context);
+  MemoryCharge memory(context);
+  memory.add((with_moments ? 4 : 1) * kBytesPerVertex * c.vertex_count(), "numbers of a measure");
   RationalSum volume;
   std::array<RationalSum, 3> moments;
   for (std::size_t f = 0; f < c.facet_count(); ++f) {

@@ -14,6 +14,8 @@ namespace plumb {
 namespace {
 
 constexpr std::uint32_t kNone = SurfaceTriangulation::kNone;
+constexpr std::uint64_t kBytesPerTriangle = 56;  // 44 in the result, 12 for sides of the mesh
+constexpr std::uint64_t kBytesPerPoint = 32;
 
 class SurfaceTriangulator {
  public:
@@ -25,6 +27,12 @@ class SurfaceTriangulator {
         points_(division) {}
 
   SurfaceTriangulation run(Context& context) {
+    MemoryCharge memory(context);
+    const std::size_t triangles = mesh_.face_count() + a_.halfedge_count();
+    memory.add(
+        kBytesPerTriangle * triangles + kBytesPerPoint * (mesh_.vertex_count() + a_.node_count()),
+        "triangles of a surface");
+    reserve(triangles);
     add_points();
     side_of_halfedge_.assign(a_.halfedge_count(), kNone);
     side_of_mesh_.assign(3 * mesh_.face_count(), kNone);
@@ -45,6 +53,18 @@ class SurfaceTriangulator {
   }
 
  private:
+  /// Whole faces are triangles, and most pieces have fewer than sides.
+  void reserve(std::size_t triangles) {
+    const std::size_t points = mesh_.vertex_count() + a_.node_count();
+    out_.points.reserve(points);
+    out_.node.reserve(points);
+    out_.triangles.reserve(triangles);
+    out_.face.reserve(triangles);
+    out_.cell.reserve(triangles);
+    out_.across.reserve(3 * triangles);
+    out_.arc.reserve(3 * triangles);
+  }
+
   /// Vertices of the mesh, then other nodes that half-edges start in.
   void add_points() {
     out_.node.assign(mesh_.vertex_count(), NodeId{});

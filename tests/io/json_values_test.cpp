@@ -127,6 +127,22 @@ TEST(JsonValues, FindsTheLastOfMembersOfOneNameWhateverItsSpelling) {
   EXPECT_EQ(values.count(*values.find(0, "a")), 4U);
 }
 
+TEST(JsonValues, TakesNoMoreThanJsonOfThatSizeNeeds) {
+  Limits limits;
+  for (const std::string unit : {"[", "{", "[{", ",", "[,", R"({"":)", "0,", "]["}) {
+    std::string text;
+    while (text.size() < 10000) text += unit;
+    limits.max_memory_bytes = 8 * (text.size() / 2 + 1) + 5 * text.size();
+    Context context(limits);
+    try {
+      JsonValues(text, "file", fail_at, context);
+      ADD_FAILURE() << unit;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::Syntax) << unit;
+    }
+  }
+}
+
 /// 8 bytes for a value, 5 for a byte while it is parsed.
 TEST(JsonValues, ChargesWhatItTakes) {
   std::string text = "[0";
