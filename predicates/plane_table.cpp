@@ -1,7 +1,5 @@
 #include "plumb/predicates/plane_table.h"
 
-#include <tsl/robin_set.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "plumb/predicates/decompose.h"
+#include "plumb/predicates/id_index.h"
 #include "plumb/predicates/plane_ladder.h"
 #include "plumb/predicates/plane_row.h"
 #include "plumb/predicates/residues3.h"
@@ -75,32 +74,9 @@ bool is_same_plane(const PlaneTable& table, const PlaneSource& a, const PlaneSou
   return exact3::exact_sign(both, SamePlane{}, [](Rung) {}) == Sign::Zero;
 }
 
-/// A stored plane: its id and the hash of its fingerprint.
-struct Key {
-  std::uint32_t id;
-  std::uint32_t hash;
-};
-
-/// A fingerprint looked for.
-struct Candidate {
-  const PlaneTable* table;
-  Fingerprint fingerprint;
-  std::uint32_t hash;
-};
-
-struct Hash {
-  std::size_t operator()(const Key& key) const { return key.hash; }
-  std::size_t operator()(const Candidate& c) const { return c.hash; }
-};
-
-struct Equal {
-  using is_transparent = void;
-  bool operator()(const Key& a, const Key& b) const { return a.id == b.id; }
-  bool operator()(const Key& key, const Candidate& c) const {
-    return key.hash == c.hash && c.table->fingerprint(PlaneId(key.id)) == c.fingerprint;
-  }
-  bool operator()(const Candidate& c, const Key& key) const { return operator()(key, c); }
-};
+std::uint32_t hash_of(Fingerprint fingerprint) {
+  return static_cast<std::uint32_t>(SeededHash{}(fingerprint));
+}
 
 /// (a, b, c, d) as integers on one scale.
 IntegerRow integer_row(const BigPlane& plane) {
@@ -124,9 +100,14 @@ ExactPlane exact_plane(const PlaneTable& table, const PlaneSource& source) {
 }  // namespace
 
 struct PlaneTable::Index {
-  tsl::robin_set<Key, Hash, Equal> firsts;  // of each fingerprint the plane that was there first
+  IdIndex firsts;  // of each fingerprint the plane that was there first
   /// The others. Few, unless somebody looks for them: 33^3 planes through points at powers of 2^61 on the axes are one residue.
   std::map<ExactPlane, PlaneId> others;
+
+  /// Planes with these will be looked for next. Not too many: they stay in the cache.
+  void look_ahead(std::span<const Fingerprint> fingerprints) const {
+    for (const Fingerprint f : fingerprints) firsts.prefetch(hash_of(f));
+  }
 };
 
 /// A plane before its interning.
@@ -174,15 +155,10 @@ InputPointId PlaneTable::add_points(std::span<const Point3> points) {
 }
 
 OrientedPlane PlaneTable::find_or_add(const Draft& draft, Fingerprint fingerprint) {
-  const auto hash = static_cast<std::uint32_t>(SeededHash{}(fingerprint));
   const PlaneId next{rows_.size()};
-  PlaneId plane = next;
-  const auto first = index_->firsts.find(Candidate{this, fingerprint, hash});
-  if (first == index_->firsts.end()) {
-    index_->firsts.insert({next.value(), hash});
-  } else if (is_same_plane(*this, source(PlaneId(first->id)), draft.source)) {
-    plane = PlaneId(first->id);
-  } else {
+  const auto has_fingerprint = [&](std::uint32_t id) { return fingerprints_[id] == fingerprint; };
+  PlaneId plane{index_->firsts.find_or_add(hash_of(fingerprint), next.value(), has_fingerprint)};
+  if (plane != next && !is_same_plane(*this, source(plane), draft.source)) {
     plane = index_->others.try_emplace(exact_plane(*this, draft.source), next).first->second;
   }
   return {plane == next ? push(draft.row, fingerprint, draft.source) : plane, draft.is_flipped};
@@ -286,7 +262,7 @@ OrientedPlane PlaneTable::intern(InputPointId p, InputPointId q, InputPointId r)
   return result;
 }
 
-/// Phases: residues, inversion, then row and look-up of each triangle.
+/// Phases: residues, inversion and fingerprints, then row and look-up of each triangle.
 void PlaneTable::intern_block(std::span<const std::array<InputPointId, 3>> triangles,
                               std::span<OrientedPlane> result, const ResidueSource& residues) {
   std::array<ResidueRow, kBlock> rows;
@@ -299,6 +275,11 @@ void PlaneTable::intern_block(std::span<const std::array<InputPointId, 3>> trian
     inverses[i] = leading(rows[i]);
   }
   invert_all(std::span(inverses).first(count), std::span(scratch).first(count));
+  std::array<Fingerprint, kBlock> fingerprints;  // 0: not known yet
+  for (std::size_t i = 0; i < count; ++i) {
+    fingerprints[i] = inverses[i].is_zero() ? 0 : plumb::fingerprint(rows[i], inverses[i]);
+  }
+  index_->look_ahead(std::span(fingerprints).first(count));
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [p, q, r] = triangles[i];
     const Draft plane = draft({{p.value(), q.value(), r.value()}});
@@ -306,7 +287,7 @@ void PlaneTable::intern_block(std::span<const std::array<InputPointId, 3>> trian
     if (!plane.is_plane) continue;
     const Fingerprint f = inverses[i].is_zero()
                               ? plumb::fingerprint(integer_row(*this, plane.source))
-                              : plumb::fingerprint(rows[i], inverses[i]);
+                              : fingerprints[i];
     result[i] = find_or_add(plane, f);
   }
 }
@@ -535,7 +516,11 @@ std::vector<PlaneId> PlaneTable::merge(const PlaneTable& other) {
   make_room(other.size());
   std::vector<PlaneId> map;
   map.reserve(other.size());
+  const std::span ahead(other.fingerprints_);
   for (std::size_t i = 0; i < other.size(); ++i) {
+    if (i % kBlock == 0) {
+      index_->look_ahead(ahead.subspan(i, std::min(kBlock, other.size() - i)));
+    }
     PlaneSource source = other.sources_[i];
     if (source.is_explicit()) {
       source = copy_slot(other, source, map);

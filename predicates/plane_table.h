@@ -6,7 +6,7 @@
 //   fingerprint  of the exact homogeneous row (n, d): what interning reads
 //   source       three input points, or a slot of exact limbs: what exact rungs read
 //
-// 60 bytes a plane, about 36 in the index, and no allocation for a plane through three input points. Exact coefficients of
+// 60 bytes a plane, 12 to 24 in the index, and no allocation for a plane through three input points. Exact coefficients of
 // such a plane are never stored: rebuilding them costs less than fetching them.
 //
 // Canonical orientation: the first nonzero one of (a, b, c) is positive, so opposite orientations

@@ -1,7 +1,5 @@
 #include "plumb/io/weld_vertices.h"
 
-#include <tsl/robin_set.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -9,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/predicates/id_index.h"
 #include "plumb/predicates/seeded_hash.h"
 #include "plumb/space/mesh_vertices.h"
 
@@ -27,30 +26,17 @@ std::array<std::uint64_t, 3> bits_of(const Point3& p) {
   return {bits(p.x), bits(p.y), bits(p.z)};
 }
 
-/// Points by their coordinates: a set of numbers, 4 bytes each.
-struct PointHash {
-  const std::vector<Point3>* points;
-
-  std::size_t operator()(std::uint32_t i) const { return SeededHash{}(bits_of((*points)[i])); }
-};
-
-struct PointEqual {
-  const std::vector<Point3>* points;
-
-  bool operator()(std::uint32_t i, std::uint32_t j) const {
-    return bits_of((*points)[i]) == bits_of((*points)[j]);
-  }
-};
-
 /// For each point the first with its coordinates.
 std::vector<std::uint32_t> first_equals(const PolygonMesh& mesh, Context& context) {
   std::vector<std::uint32_t> first;
   first.reserve(mesh.points.size());
-  tsl::robin_set<std::uint32_t, PointHash, PointEqual> known(0, PointHash{&mesh.points},
-                                                             PointEqual{&mesh.points});
+  IdIndex known;
   for (std::uint32_t i = 0; i < mesh.points.size(); ++i) {
     if (i % kPointsPerCheckpoint == 0) context.checkpoint("weld", i, mesh.points.size());
-    first.push_back(*known.insert(i).first);
+    const auto bits = bits_of(mesh.points[i]);
+    first.push_back(
+        known.find_or_add(static_cast<std::uint32_t>(SeededHash{}(bits)), i,
+                          [&](std::uint32_t j) { return bits_of(mesh.points[j]) == bits; }));
   }
   return first;
 }

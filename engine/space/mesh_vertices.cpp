@@ -1,7 +1,5 @@
 #include "plumb/space/mesh_vertices.h"
 
-#include <tsl/robin_map.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -11,6 +9,7 @@
 #include <tuple>
 
 #include "plumb/base/error.h"
+#include "plumb/predicates/id_index.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/predicates/seeded_hash.h"
 
@@ -18,6 +17,7 @@ namespace plumb {
 namespace {
 
 constexpr std::uint32_t kNone = MeshVertices::kNone;
+constexpr std::size_t kBlock = 256;
 
 /// -0 becomes 0. By the bits: subnormals stay what they are, whatever FTZ/DAZ say.
 double without_negative_zero(double value) {
@@ -25,6 +25,12 @@ double without_negative_zero(double value) {
 }
 
 using Bits = std::array<std::uint64_t, 3>;
+
+Bits bits_of(const Point3& p) { return std::bit_cast<Bits>(p); }
+
+std::uint32_t hash_of(const Point3& p) {
+  return static_cast<std::uint32_t>(SeededHash{}(bits_of(p)));
+}
 
 struct RationalLess {
   bool operator()(const RationalPoint3& a, const RationalPoint3& b) const {
@@ -43,6 +49,7 @@ class VertexMaker {
     const auto* exact = mesh_.exact.data();
     const auto* const exact_end = exact + mesh_.exact.size();
     for (std::uint32_t i = 0; i < mesh_.point_count(); ++i) {
+      if (i % kBlock == 0) look_ahead(i);
       while (exact != exact_end && exact->first < i) ++exact;
       if (result_.of_point[i] == kNone) continue;
       const bool is_exact = exact != exact_end && exact->first == i;
@@ -69,32 +76,46 @@ class VertexMaker {
     return known;
   }
 
-  std::uint32_t find_or_add(std::uint32_t i) {
+  Point3 place(std::uint32_t i) const {
     const Point3 p = mesh_.point(i);
+    return {without_negative_zero(p.x), without_negative_zero(p.y), without_negative_zero(p.z)};
+  }
+
+  /// The hashes of the next points; the index is told what will be looked for.
+  void look_ahead(std::uint32_t first) {
+    const std::size_t count = std::min(kBlock, mesh_.point_count() - first);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      hashes_[k] = hash_of(place(first + k));
+      doubles_.prefetch(hashes_[k]);
+    }
+  }
+
+  std::uint32_t find_or_add(std::uint32_t i) {
+    const Point3 p = place(i);
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
       throw Error(ErrorCode::NotFinite, "vertex " + std::to_string(i) + " is not finite");
     }
-    return find_or_add(i, Point3{without_negative_zero(p.x), without_negative_zero(p.y),
-                                 without_negative_zero(p.z)});
+    return find_or_add(i, p, hashes_[i % kBlock]);
   }
 
-  std::uint32_t find_or_add(std::uint32_t i, const Point3& p) {
+  std::uint32_t find_or_add(std::uint32_t i, const Point3& p, std::uint32_t hash) {
     const std::uint32_t next = count();
-    const Bits key{std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y),
-                   std::bit_cast<std::uint64_t>(p.z)};
-    const auto [at, is_new] = doubles_.try_emplace(key, next);
-    if (is_new) {
+    const auto next_input = static_cast<std::uint32_t>(inputs_.size());
+    const std::uint32_t input = doubles_.find_or_add(
+        hash, next_input, [&](std::uint32_t k) { return bits_of(inputs_[k]) == bits_of(p); });
+    if (input == next_input) {
       result_.input.push_back(i);
       inputs_.push_back(p);
+      vertex_of_input_.push_back(next);
       result_.point.emplace_back();
     }
-    return take(at->second, next);
+    return take(vertex_of_input_[input], next);
   }
 
   std::uint32_t find_or_add(std::uint32_t i, const RationalPoint3& p) {
     const Point3 near{nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
     if (is_exactly(near.x, p.x) && is_exactly(near.y, p.y) && is_exactly(near.z, p.z)) {
-      return find_or_add(i, near);
+      return find_or_add(i, near, hash_of(near));
     }
     const std::uint32_t next = count();
     const auto [at, is_new] = rationals_.try_emplace(p, next);
@@ -122,8 +143,10 @@ class VertexMaker {
   const MeshView& mesh_;
   SpaceTables& tables_;
   MeshVertices result_;
-  std::vector<Point3> inputs_;
-  tsl::robin_map<Bits, std::uint32_t, SeededHash> doubles_;
+  std::vector<Point3> inputs_;                  // the vertices that are doubles
+  std::vector<std::uint32_t> vertex_of_input_;  // of each of these
+  IdIndex doubles_;                             // finds them
+  std::array<std::uint32_t, kBlock> hashes_{};  // of the points of this block
   std::map<RationalPoint3, std::uint32_t, RationalLess> rationals_;
 };
 
