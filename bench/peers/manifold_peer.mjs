@@ -3,7 +3,7 @@
 //   npm install --no-save --prefix build/peers manifold-3d
 //   node bench/peers/manifold_peer.mjs DIR [PAIR...] [--rounds N] [--prefix FOLDER] [--plumb SPACE_PEER] [--json FILE]
 //
-// reads DIR/PAIR_a.off and DIR/PAIR_b.off (space_peer DIR --make writes them; default: ico1280 ico5120 ico20480 bunny bunny58784). CPU
+// reads DIR/PAIR_a.off and DIR/PAIR_b.off (space_peer DIR --make writes them; default: all of those). CPU
 // time, user and system, from arrays of vertices and triangles to such arrays: Manifold's in this process, plumb's in that
 // of SPACE_PEER --run plumb-warm (default build/bench/bench/peers/space_peer); both have done the same once before. The answer is the volume of the union; Manifold
 // keeps floats and rounds, so 10^-4 of it may differ. Native builds of Manifold were measured 2.3 to 4.8 times faster than
@@ -100,7 +100,7 @@ function compare(pair) {
 }
 
 console.log(`manifold-3d ${version}`);
-const comparisons = (named.length > 0 ? named : ['ico1280', 'ico5120', 'ico20480', 'bunny', 'bunny58784']).map(compare);
+const comparisons = (named.length > 0 ? named : ['ico1280', 'ico5120', 'ico20480', 'bunny', 'bunny58784', 'ico81920', 'ico327680']).map(compare);
 if (json) {
   const title = 'Union of two solids beside Manifold, from mesh to triangles';
   writeFileSync(json, JSON.stringify({title, versions: {'manifold-3d': version}, comparisons}, null, 1) + '\n');

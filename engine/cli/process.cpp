@@ -10,6 +10,7 @@
 #include <new>
 
 #include "exit_code.h"
+#include "plumb/base/keep_freed_memory.h"
 #include "plumb/io/output_file.h"
 
 namespace plumb::cli {
@@ -72,6 +73,7 @@ std::stop_token prepare_process() {
   handle(SIGXFSZ, SIG_IGN);
   handle(SIGABRT, on_abort);
   ::mp_set_memory_functions(gmp_allocate, gmp_reallocate, gmp_free);
+  keep_freed_memory();
   return stop_source().get_token();
 }
 

@@ -12,6 +12,7 @@ namespace plumb::cli {
 ///                     shell ignores SIGINT for what it starts in the background
 ///   SIGPIPE, SIGXFSZ  ignored: a failed write says so (closed pipe, file too large)
 ///   SIGABRT           a broken invariant, reported already: temporary files removed, exit 70
+///   malloc            keeps what is freed
 ///   GMP               throws std::bad_alloc when memory runs out, instead of aborting
 std::stop_token prepare_process();
 

@@ -1,0 +1,50 @@
+// Freed memory is used again: no page of a second large block is touched for the first time.
+#include "plumb/base/keep_freed_memory.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <cstddef>
+#include <memory>
+
+namespace plumb {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+#define PLUMB_HAS_OWN_MALLOC 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || \
+    __has_feature(memory_sanitizer)
+#define PLUMB_HAS_OWN_MALLOC 1
+#endif
+#endif
+
+long pages_touched_first() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_minflt;
+}
+
+/// First touches of pages while a block is made, written all over and freed.
+long touches_of_a_block(std::size_t bytes) {
+  const long before = pages_touched_first();
+  const std::unique_ptr<volatile char[]> block(new char[bytes]);
+  for (std::size_t i = 0; i < bytes; i += 1024) block[i] = 1;
+  return pages_touched_first() - before;
+}
+
+TEST(KeepFreedMemory, ASecondBlockTakesThePagesOfTheFirst) {
+#if !defined(__GLIBC__) || defined(PLUMB_HAS_OWN_MALLOC)
+  GTEST_SKIP() << "another malloc";
+#else
+  keep_freed_memory();
+  constexpr std::size_t kBytes = std::size_t{24} << 20;
+  touches_of_a_block(kBytes);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_LT(touches_of_a_block(kBytes - static_cast<std::size_t>(i) * 4096), 16);
+  }
+#endif
+}
+
+}  // namespace
+}  // namespace plumb
