@@ -15,6 +15,8 @@
 #include "float_environment.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_table.h"
+#include "plumb/predicates/rounded_point3.h"
+#include "plumb/predicates/rounding.h"
 #include "space_cases.h"
 #include "space_oracle.h"
 
@@ -328,6 +330,34 @@ TEST(Point3Table, BoxesHoldTheirPoints) {
       }
     }
   }
+}
+
+/// Each coordinate is the double nearest to it; exact where all three are doubles.
+TEST(RoundedPoint3, IsNearestInEachCoordinate) {
+  cases::Random random(23);
+  std::size_t exact_ones = 0, others = 0;
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    const cases::Case c = cases::any(random);
+    const Built built(c);
+    if (!built.has_all_planes()) continue;
+    Point3Table points(built.table);
+    const SpacePoint x = points.add(built.id(0), built.id(1), built.id(2));
+    if (!x.is_valid()) continue;
+    const RationalPoint3 at = exact(points, x);
+    const RoundedPoint3 near = rounded(points, x);
+    EXPECT_EQ(near.at.x, nearest_double(at.x)) << text(c);
+    EXPECT_EQ(near.at.y, nearest_double(at.y)) << text(c);
+    EXPECT_EQ(near.at.z, nearest_double(at.z)) << text(c);
+    const auto is_double = [](const Rational& coordinate, double d) {
+      return std::isfinite(d) && exact_rational(d) == coordinate;
+    };
+    const bool is_exact =
+        is_double(at.x, near.at.x) && is_double(at.y, near.at.y) && is_double(at.z, near.at.z);
+    EXPECT_EQ(near.is_exact, is_exact) << text(c);
+    ++(is_exact ? exact_ones : others);
+  }
+  EXPECT_GT(exact_ones, 50U);
+  EXPECT_GT(others, 50U);
 }
 
 TEST(Point3Signs, IdentityNeedsNoArithmetic) {

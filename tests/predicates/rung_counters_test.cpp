@@ -52,6 +52,7 @@ struct Planes {
   PlaneId left = table.intern(origin, back, peak).plane();
   PlaneId front = table.intern(origin, peak, right).plane();
   PlaneId slope = table.intern(right, back, peak).plane();
+  PlaneId diagonal = table.intern(origin, right, far).plane();
 };
 
 struct Question {
@@ -117,6 +118,18 @@ TEST(RungCounters, CountQuestionsOfThePlaneOnce) {
        [&] {
          side(points, QueryRay2({0, 0}, {1, 0}), 6);
        }},
+      {"steeper than a ray", RayQuery2, Rung::Filter, [&] { turn(points, 4, 5, ray); }},
+      {"parallel to a ray", RayQuery2, Rung::Big,
+       [&] {
+         turn(points, 0, 3, QueryRay2({0, 1}, {1, 0}));
+       }},
+      {"a crossing on a ray, by x", RayQuery2, Rung::Filter,
+       [&] { compare_crossing_x(points, ray, 4, 5, 7); }},
+      {"above a point", RayQuery2, Rung::Big, [&] { compare_crossing_x(points, ray, 4, 5, 4); }},
+      {"a crossing on a ray", RayQuery2, Rung::Filter,
+       [&] { compare_crossing_xy(points, ray, 4, 5, 7); }},
+      {"above a point, by y", RayQuery2, Rung::Big,
+       [&] { compare_crossing_xy(points, ray, 4, 5, 4); }},
   };
   for (const Question& q : questions) expect_counted_once(q);
 }
@@ -124,7 +137,8 @@ TEST(RungCounters, CountQuestionsOfThePlaneOnce) {
 TEST(RungCounters, CountQuestionsOfSpaceOnce) {
   using enum Predicate;
   const Planes p;
-  const Point3Table points(p.table);
+  Point3Table points(p.table);
+  const SpacePoint corner = points.add(p.floor, p.left, p.front);
   const SpacePoint peak(p.peak), far(p.far);
   const QueryPoint3 query(RationalPoint3{Rational(1, 3), 0, 0});
   const Question questions[] = {
@@ -135,6 +149,7 @@ TEST(RungCounters, CountQuestionsOfSpaceOnce) {
        [&] { det4_sign(p.table, p.floor, p.left, p.front, p.slope); }},
       {"side", SideOfPlane, Rung::Filter, [&] { side(points, far, p.slope); }},
       {"on a plane of its own", SideOfPlane, Rung::Identity, [&] { side(points, peak, p.slope); }},
+      {"on a plane of others", SideOfPlane, Rung::Small, [&] { side(points, corner, p.diagonal); }},
       {"order", CompareAxis, Rung::Filter, [&] { compare_axis(points, peak, far, 0); }},
       {"the same height", CompareAxis, Rung::Identity, [&] { compare_axis(points, peak, far, 2); }},
       {"points apart", CompareAxis, Rung::Filter, [&] { equal(points, peak, far); }},
@@ -145,6 +160,21 @@ TEST(RungCounters, CountQuestionsOfSpaceOnce) {
       {"side of a query", SideOfPlane, Rung::Filter, [&] { side(points, query, p.slope); }},
       {"a query on a plane", SideOfPlane, Rung::Big, [&] { side(points, query, p.floor); }},
       {"order of a query", CompareAxis, Rung::Filter, [&] { compare_axis(points, far, query, 0); }},
+  };
+  for (const Question& q : questions) expect_counted_once(q);
+}
+
+// Degenerate, and too wide for all rungs but the last: on the line, or the plane, x = y.
+TEST(RungCounters, CountQuestionsOfWideDoublesOnce) {
+  using enum Predicate;
+  const Point2 a{1, 1}, b{0x1p400, 0x1p400}, c{0x1p-400, 0x1p-400}, d{3, 3};
+  const Point3 o{1, 1, 0}, x{0x1p200, 0x1p200, 1}, y{0x1p-200, 0x1p-200, 2}, z{3, 3, 5}, w{7, 7, 1};
+  const Question questions[] = {
+      {"a turn", Orient2d, Rung::Big, [&] { orient2d(a, b, c); }},
+      {"directions", CrossSign, Rung::Big, [&] { cross_sign(a, b, a, c); }},
+      {"a circle", Incircle, Rung::Big, [&] { incircle(a, b, c, d); }},
+      {"a side", Orient3d, Rung::Big, [&] { orient3d(o, x, y, z); }},
+      {"a sphere", Insphere, Rung::Big, [&] { insphere(o, x, y, z, w); }},
   };
   for (const Question& q : questions) expect_counted_once(q);
 }

@@ -75,7 +75,7 @@ TEST(Filters, DecideInputPointsUpToTheirGates) {
 }
 
 TEST(Filters, DecideFractions) {
-  at_scales(-290, 300, [](Moved m) {
+  at_scales(-295, 300, [](Moved m) {
     PointTable2 t;
     for (const Point2 p : {Point2{0, 0}, Point2{1, 0}, Point2{0, 1}}) {
       const Point2 q = m(p);
