@@ -349,6 +349,27 @@ Fingerprint fingerprint(const Point3Table& points, SpacePoint x) {
   return exact3::primitive_fingerprint(exact3::operand(points, x));
 }
 
+std::vector<Fingerprint> fingerprints(const Point3Table& points, std::span<const SpacePoint> x) {
+  constexpr std::size_t kBlock = 256;
+  std::array<ResidueRow, kBlock> rows;
+  std::array<Residue, kBlock> inverses, scratch;
+  std::vector<Fingerprint> result;
+  result.reserve(x.size());
+  while (result.size() < x.size()) {
+    const auto block = x.subspan(result.size(), std::min(kBlock, x.size() - result.size()));
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      rows[i] = residues(points, block[i]);
+      inverses[i] = leading(rows[i]);
+    }
+    invert_all(std::span(inverses).first(block.size()), scratch);
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      result.push_back(inverses[i].is_zero() ? fingerprint(points, block[i])
+                                             : fingerprint(rows[i], inverses[i]));
+    }
+  }
+  return result;
+}
+
 namespace {
 
 RationalPoint3 exact_part(const PointOperand& operand, exact3::Part part) {

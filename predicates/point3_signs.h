@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "plumb/predicates/plane_exact.h"
 #include "plumb/predicates/point3_table.h"
@@ -39,12 +40,15 @@ Sign compare_xyz(const Point3Table& points, SpacePoint x, SpacePoint y);
 /// confirmed: one point's three planes on the other.
 bool equal(const Point3Table& points, SpacePoint x, SpacePoint y);
 
-/// The sign of y - x along n_p x n_q for two points on the line of p and q (which must not be
-/// parallel): boxes, then a plane that defines y and cuts the line, degree 9.
+/// The sign of y - x along n_p x n_q for two points on the line of p and q (of parallel planes: Zero):
+/// boxes, then a plane that defines y and cuts the line, degree 9.
 Sign order_along_line(const Point3Table& points, PlaneId p, PlaneId q, SpacePoint x, SpacePoint y);
 
 /// Equal points have equal fingerprints, however they are defined.
 Fingerprint fingerprint(const Point3Table& points, SpacePoint x);
+
+/// Of many points, each as above, by one inversion for some hundred. Cost: ~40 ns an input point in place of ~250.
+std::vector<Fingerprint> fingerprints(const Point3Table& points, std::span<const SpacePoint> x);
 
 /// The exact coordinates, for output. Requires !points.depends_on_frame(x).
 RationalPoint3 exact(const Point3Table& points, SpacePoint x);

@@ -34,6 +34,12 @@ struct OtherPlane {
 /// Requires an edge that lies in `plane`.
 OtherPlane other_plane(const SpaceComplex& complex, EdgeId e, PlaneId plane);
 
+/// The side of a half-edge, in the plane n of a facet, on which a point of that plane lies: Positive is left, seen from
+/// the positive side of n. The half-edge runs along s (n x m); to the left of it, along n x (n x m) = n (n.m) - m (n.n),
+/// the value of m falls when s is positive. The point is of the complex, or of a copy of its table with more points.
+Sign side_in_plane(const SpaceComplex& complex, PlaneId n, HalfedgeId h, const Point3Table& points,
+                   SpacePoint x);
+
 /// A point with coordinates: its sections are two coordinate planes, shifted.
 class PointPlace {
  public:

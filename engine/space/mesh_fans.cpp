@@ -3,6 +3,9 @@
 #include <array>
 #include <cstddef>
 
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/facet_site.h"
+
 namespace plumb {
 namespace {
 
@@ -27,6 +30,7 @@ class FanSearch {
     find_sides();
     for (std::uint32_t e = 0; e < complex_.edge_count(); ++e) look_at_edge(EdgeId(e));
     for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) count_turns(FacetId(f));
+    for (const VertexId v : complex_.inner) can_be_[v.value()] = 0;
     for (std::size_t v = 0; v < can_be_.size(); ++v) {
       can_be_[v] = (can_be_[v] & turns_[v].once & ~turns_[v].twice) != 0 ? 1 : 0;
     }
@@ -77,13 +81,13 @@ class FanSearch {
     for (std::size_t i = 1; i < 3; ++i) uses[i] = complex_.use_next[uses[i - 1].value()];
     const bool is_triangle =
         complex_.cycles_of(f).size() == 1 && complex_.use_next[uses[2].value()] == first;
-    if (!is_triangle) return forget_corners(f);
+    if (!is_triangle) return count_turns_of_any(f);
     std::array<std::uint32_t, 3> corner;
     std::array<const Point3*, 3> at;
     for (std::size_t i = 0; i < 3; ++i) {
       const VertexId v = complex_.use_origin(uses[i]);
       const SpacePoint p = complex_.vertex_point[v.value()];
-      if (!p.is_input()) return forget_corners(f);
+      if (!p.is_input()) return count_turns_of_any(f);
       corner[i] = v.value();
       at[i] = &complex_.planes().point(p.input());
     }
@@ -95,10 +99,13 @@ class FanSearch {
       const Axes begins_up = rises[i], ends_up = ~rises[i == 0 ? 2 : i - 1];
       const Axes passes =
           (is_reversed & begins_up & ~ends_up) | (~is_reversed & ~begins_up & ends_up);
-      Turns& turns = turns_[corner[i]];
-      turns.twice |= turns.once & passes;
-      turns.once |= passes;
+      count(corner[i], passes);
     }
+  }
+  void count(std::uint32_t v, unsigned passes) {
+    Turns& turns = turns_[v];
+    turns.twice |= static_cast<Axes>(turns.once & passes);
+    turns.once |= static_cast<Axes>(passes);
   }
 
   /// Axes along which q is in the upper half-plane around p: above it, or level with it and to the right.
@@ -113,14 +120,55 @@ class FanSearch {
     return static_cast<Axes>(axes);
   }
 
-  void forget_corners(FacetId f) {
+  // ---- corners of polygons, and constructed ones
+
+  void count_turns_of_any(FacetId f) {
     for (const UseId first : complex_.cycles_of(f)) {
       UseId u = first;
       do {
-        can_be_[complex_.use_origin(u).value()] = 0;
+        count_turn(f, u);
         u = complex_.use_next[u.value()];
       } while (u != first);
     }
+  }
+  void count_turn(FacetId f, UseId u) {
+    const VertexId v = complex_.use_origin(u);
+    const HalfedgeId next = complex_.use_halfedge[u.value()];
+    const HalfedgeId before =
+        SpaceComplex::twin(complex_.use_halfedge[complex_.use_prev[u.value()].value()]);
+    const Rises ahead = rises_along(v, complex_.target(next)),
+                behind = rises_along(v, complex_.target(before));
+    can_be_[v.value()] &= ahead.known & behind.known;
+    if (can_be_[v.value()] == 0) return;
+    const Axes is_reversed = sides_[f.value()].negative;
+    const Axes begins_up = (is_reversed & behind.up) | (~is_reversed & ahead.up),
+               ends_up = (is_reversed & ahead.up) | (~is_reversed & behind.up);
+    const Axes is_level = ~(begins_up ^ ends_up) & can_be_[v.value()];
+    const bool is_reflex =
+        is_level != 0 &&
+        side_in_plane(complex_, complex_.facet_plane[f.value()], next, complex_.points(),
+                      complex_.vertex_point[complex_.target(before).value()]) != Sign::Positive;
+    count(v.value(), (~begins_up & ends_up) | (is_reflex ? is_level : 0));
+  }
+
+  struct Rises {
+    Axes up = 0;  // as above
+    Axes known = 0;
+  };
+  Rises rises_along(VertexId v, VertexId w) const {
+    const SpacePoint p = complex_.vertex_point[v.value()], q = complex_.vertex_point[w.value()];
+    const PlaneTable& planes = complex_.planes();
+    if (p.is_input() && q.is_input()) {
+      return {rises_along(planes.point(p.input()), planes.point(q.input())), kAllAxes};
+    }
+    Rises rises;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const FilteredSign above = rung::compare_axis_filter(complex_.points().box(q),
+                                                           complex_.points().box(p), (i + 2) % 3);
+      rises.up |= static_cast<Axes>((above == FilteredSign::Positive ? 1U : 0U) << i);
+      rises.known |= static_cast<Axes>((is_decided(above) ? 1U : 0U) << i);
+    }
+    return rises;
   }
 
   const SpaceComplex& complex_;

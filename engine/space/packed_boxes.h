@@ -85,9 +85,18 @@ class PackedBoxTree {
   // Boxes i and j are counted through their level. False: stopped.
   template <class MayGoOn, class Take>
   bool inside(std::size_t level, std::uint32_t group, Take& take, MayGoOn& may_go_on) const;
+  /// Of the boxes i and j, which meet, or one each of those within them.
   template <class MayGoOn, class Take>
   bool between(std::size_t level, std::uint32_t i, std::uint32_t j, Take& take,
-               MayGoOn& may_go_on) const;
+               MayGoOn& may_go_on) const {
+    if (level > 0) return between_groups(level, i, j, take, may_go_on);
+    if (!may_go_on()) return false;
+    take(i, j);
+    return true;
+  }
+  template <class MayGoOn, class Take>
+  bool between_groups(std::size_t level, std::uint32_t i, std::uint32_t j, Take& take,
+                      MayGoOn& may_go_on) const;
 
   bool fits_ = false;
   std::vector<std::uint32_t> order_;  // numbers of the boxes, neighbours together
@@ -115,15 +124,11 @@ bool PackedBoxTree::inside(std::size_t level, std::uint32_t group, Take& take,
   return true;
 }
 
-/// Of the boxes i and j, which meet, or one each of those within them.
+/// Of one box each within the boxes i and j, which meet.
 template <class MayGoOn, class Take>
-bool PackedBoxTree::between(std::size_t level, std::uint32_t i, std::uint32_t j, Take& take,
-                            MayGoOn& may_go_on) const {
+bool PackedBoxTree::between_groups(std::size_t level, std::uint32_t i, std::uint32_t j, Take& take,
+                                   MayGoOn& may_go_on) const {
   if (!may_go_on()) return false;
-  if (level == 0) {
-    take(i, j);
-    return true;
-  }
   const Group &in_i = levels_[level - 1][i], &in_j = levels_[level - 1][j];
   const Box all_of_j = levels_[level][j / kWidth].box(j % kWidth);
   for (std::uint64_t near = in_i.meeting(all_of_j); near != 0; near &= near - 1) {

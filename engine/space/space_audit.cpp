@@ -26,7 +26,7 @@ std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal, Contex
   flaw = audit_places(complex, has_fan, context);
   if (!flaw) flaw = audit_cycles(complex, context);
   if (!flaw) flaw = audit_meeting(complex, has_fan, context);
-  if (!flaw) flaw = audit_marks(complex, minimal, context);
+  if (!flaw) flaw = audit_marks(complex, has_fan, minimal, context);
   return flaw;
 } catch (...) {
   rethrow_refused_memory();

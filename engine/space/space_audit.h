@@ -6,7 +6,7 @@
 //               around edges, sphere maps are drawn without crossings
 //  3. cycles    simple, outer first and counter-clockwise, holes inside and apart
 //  4. meeting   nothing meets but at common vertices and edges
-//  5. marks     volumes as label_volumes() finds them, the frame sane, minimal form
+//  5. marks     volumes as find_volumes() finds them, the frame sane, minimal form
 #pragma once
 
 #include <optional>
@@ -27,8 +27,9 @@ struct SpaceFlaw {
 /// The first flaw found, or none. `minimal`: also that no item could go without changing the set (the
 /// form of a Nef3). A complex that names a plane or point that is not there is a flaw too; nothing is read
 /// before its id was checked.
-/// Cost: O(n log n + pairs of boxes that meet), of one facet with n uses and k vertices or edges in its
-/// box O(n k), around one vertex of degree d O(d^2). Memory: a copy of the complex.
+/// Cost: O(n log n + pairs of boxes that meet), of one facet with n uses and k vertices or edges inside it or in the box of
+/// its surface, k holes among them, O(k) times the cycles whose boxes they lie in; around one vertex of degree d without a
+/// fan of corners (mesh_fans.h) O(d^2). Memory: about that of the complex.
 std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal);
 /// The same, within the limits of a context.
 std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal, Context& context);

@@ -1,9 +1,14 @@
 // Step 3 of audit(): the boundary cycles of facets in their planes.
-#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
 
+#include "plumb/base/box_tree.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/space/facet_site.h"
 #include "plumb/space/space_audit_parts.h"
+#include "plumb/space/space_boxes.h"
 
 namespace plumb {
 namespace {
@@ -19,38 +24,22 @@ std::size_t varying_axis(const PlaneTable& planes, PlaneId plane) {
   return 2;
 }
 
-/// The side of a half-edge, in the plane n of a facet, on which a point of that plane lies: Positive is
-/// left, seen from the positive side of n. The half-edge runs along s (n x m); to the left of it, along
-/// n x (n x m) = n (n.m) - m (n.n), the value of m falls when s is positive.
-Sign side_in_plane(const SpaceComplex& complex, PlaneId n, HalfedgeId h, const Point3Table& points,
-                   SpacePoint x) {
-  const auto& [p, q] = complex.edge_planes[h.value() / 2];
-  const PlaneId m = p == n ? q : p;
-  std::size_t axis = 0;
-  while (minor_sign(complex.planes(), p, q, axis) == Sign::Zero) ++axis;
-  Sign s = minor_sign(complex.planes(), p, q, axis) * minor_sign(complex.planes(), n, m, axis);
-  if (SpaceComplex::is_reverse(h)) s = -s;
-  return -(s * side(points, x, m));
-}
-
 class CycleAudit : SpaceAuditPart {
  public:
   CycleAudit(const SpaceComplex& complex, Context& context) : SpaceAuditPart(complex, context, 2) {}
 
   std::optional<SpaceFlaw> run() {
     cycle_at_.assign(c_.vertex_count(), UseId());
-    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
-      if (!has_cycles_apart(FacetId(f)) || !has_cycles_in_order(FacetId(f)) ||
-          !has_holes_inside(FacetId(f))) {
-        break;
-      }
-    }
+    all_of<FacetId>(c_.facet_count(), [this](FacetId f) {
+      return has_cycles_apart(f) && has_cycles_in_order(f) && has_holes_inside(f);
+    });
     return flaw_;
   }
 
  private:
   /// A connected facet has one cycle for each connected part of its boundary.
   bool has_cycles_apart(FacetId f) {
+    if (c_.cycles_of(f).size() == 1) return true;
     for (const UseId cycle : c_.cycles_of(f)) {
       const bool apart = all_of_cycle(cycle, [&](UseId u) {
         UseId& known = cycle_at_[c_.use_origin(u).value()];
@@ -74,14 +63,34 @@ class CycleAudit : SpaceAuditPart {
   }
 
   /// At the least vertex all edges leave within half a turn. Around a hole one corner there is more than
-  /// that, around the facet none is.
+  /// that, around the facet none is. Of a triangle any corner tells.
   bool is_outer(UseId cycle) const {
+    if (is_triangle(cycle)) return defines_plane(cycle) || is_convex(cycle);
     const VertexId least = least_vertex(cycle);
-    return all_of_cycle(cycle, [&](UseId u) {
-      if (c_.use_origin(u) != least) return true;
-      const VertexId end = c_.target(corner_end(u));
-      return side_in_plane(c_, plane(u), halfedge(u), c_.points(), at(end)) == Sign::Positive;
-    });
+    return all_of_cycle(cycle, [&](UseId u) { return c_.use_origin(u) != least || is_convex(u); });
+  }
+  bool is_triangle(UseId u) const {
+    return c_.use_next[c_.use_next[c_.use_next[u.value()].value()].value()] == u;
+  }
+  /// Is the plane defined as that of the triangle's corners, as they come?
+  bool defines_plane(UseId u) const {
+    const PlaneSource& source = c_.planes().source(plane(u));
+    if (source.is_explicit()) return false;
+    std::array<std::uint32_t, 3> input;
+    for (std::uint32_t& p : input) {
+      const SpacePoint x = at(c_.use_origin(u));
+      if (!x.is_input()) return false;
+      p = x.input().value();
+      u = c_.use_next[u.value()];
+    }
+    const std::array<std::uint32_t, 3>& ccw = source.code;
+    return input == ccw || input == std::array{ccw[1], ccw[2], ccw[0]} ||
+           input == std::array{ccw[2], ccw[0], ccw[1]};
+  }
+  /// Is the corner of the use below half a turn?
+  bool is_convex(UseId u) const {
+    const VertexId end = c_.target(corner_end(u));
+    return side_in_plane(c_, plane(u), halfedge(u), c_.points(), at(end)) == Sign::Positive;
   }
 
   bool has_cycles_in_order(FacetId f) {
@@ -97,13 +106,11 @@ class CycleAudit : SpaceAuditPart {
 
   bool has_holes_inside(FacetId f) {
     const auto cycles = c_.cycles_of(f);
-    for (const UseId hole : cycles.subspan(1)) {
-      const SpacePoint x = at(c_.use_origin(hole));
-      for (const UseId other : cycles) {
-        if (other == hole) continue;
-        const FacetPlace place = place_in_cycle(c_, other, c_.points(), x, step_);
-        if (!require(!place.on.is_valid() && place.is_inside == (other == cycles.front()),
-                     "a hole lies in its facet and in no other hole", f, hole)) {
+    if (cycles.size() > 1) {
+      const BoxTree tree(boxes_of(cycles));
+      for (std::uint32_t hole = 1; hole < cycles.size(); ++hole) {
+        if (!require(is_inside_and_apart(cycles, hole, tree),
+                     "a hole lies in its facet and in no other hole", f, cycles[hole])) {
           return false;
         }
       }
@@ -115,6 +122,31 @@ class CycleAudit : SpaceAuditPart {
       }
     }
     return true;
+  }
+
+  std::vector<Box3> boxes_of(std::span<const UseId> cycles) const {
+    std::vector<Box3> boxes;
+    boxes.reserve(cycles.size());
+    for (const UseId cycle : cycles) {
+      Box3& box = boxes.emplace_back();
+      all_of_cycle(cycle, [&](UseId u) {
+        box.add(box_of(c_, c_.use_origin(u)));
+        return true;
+      });
+    }
+    return boxes;
+  }
+  /// A vertex of the hole lies in the first cycle, and beyond the box of another one or outside of it.
+  bool is_inside_and_apart(std::span<const UseId> cycles, std::uint32_t hole, const BoxTree& tree) {
+    const VertexId v = c_.use_origin(cycles[hole]);
+    bool is_inside = false, is_apart = true;
+    tree.for_each_meeting(box_of(c_, v), [&](std::uint32_t i) {
+      if (i == hole) return true;
+      const FacetPlace place = place_in_cycle(c_, cycles[i], c_.points(), at(v), step_);
+      if (i == 0) return is_inside = place.is_inside;
+      return is_apart = !place.on.is_valid() && !place.is_inside;
+    });
+    return is_inside && is_apart;
   }
 
   std::vector<UseId> cycle_at_;  ///< per vertex: the last cycle seen there

@@ -54,28 +54,37 @@ class LinkAudit : SpaceAuditPart {
   }
 
   bool names_tables() {
-    const auto is_plane = [this](PlaneId p) { return p.value() < c_.planes().size(); };
-    for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
-      const SpacePoint p = c_.vertex_point[v];
-      const bool known =
-          p.is_valid() && (p.is_input() ? p.input().value() < c_.planes().points().size()
-                                        : p.index() < c_.points().size());
-      if (!require(known, "a vertex has a point", VertexId(v))) return false;
-    }
-    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
-      const auto& [p, q] = c_.edge_planes[e];
-      if (!require(is_plane(p) && is_plane(q), "an edge has two planes", EdgeId(e))) return false;
-    }
-    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
-      if (!require(is_plane(c_.facet_plane[f]), "a facet has a plane", FacetId(f))) return false;
-    }
-    return true;
+    const std::size_t planes = c_.planes().size(), inputs = c_.planes().points().size(),
+                      points = c_.points().size();
+    const auto is_plane = [&](PlaneId p) { return p.value() < planes; };
+    return all_of<VertexId>(c_.vertex_count(),
+                            [&](VertexId v) {
+                              const SpacePoint p = at(v);
+                              const bool known =
+                                  p.is_valid() &&
+                                  (p.is_input() ? p.input().value() < inputs : p.index() < points);
+                              return require(known, "a vertex has a point", v);
+                            }) &&
+           all_of<EdgeId>(c_.edge_count(),
+                          [&](EdgeId e) {
+                            const auto& [p, q] = c_.edge_planes[e.value()];
+                            return require(is_plane(p) && is_plane(q), "an edge has two planes", e);
+                          }) &&
+           all_of<FacetId>(c_.facet_count(), [&](FacetId f) {
+             return require(is_plane(plane(f)), "a facet has a plane", f);
+           });
   }
 
+  /// The number after that of an id that is not valid is 0.
   template <class Id>
   static bool are_below(const std::vector<Id>& ids, std::size_t end, bool may_be_invalid) {
-    return std::all_of(ids.begin(), ids.end(),
-                       [&](Id id) { return id.is_valid() ? id.value() < end : may_be_invalid; });
+    std::uint32_t least_after = ~std::uint32_t{0}, most_after = 0;
+    for (const Id id : ids) {
+      const std::uint32_t after = id.value() + 1;
+      most_after = std::max(most_after, after);
+      least_after = std::min(least_after, after);
+    }
+    return most_after <= end && (may_be_invalid || least_after > 0);
   }
   bool names_items() {
     bool right = are_below(c_.star, c_.origin.size(), false) &&
@@ -100,59 +109,50 @@ class LinkAudit : SpaceAuditPart {
   // ---- links
 
   bool has_edges_with_two_ends() {
-    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
-      if (!require(c_.origin[2 * e] != c_.origin[2 * e + 1], "an edge has two ends", EdgeId(e))) {
-        return false;
-      }
-    }
-    return true;
+    return all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) {
+      return require(c_.origin[2 * e.value()] != c_.origin[2 * e.value() + 1],
+                     "an edge has two ends", e);
+    });
   }
 
   bool has_stars() {
     std::vector<std::uint8_t> is_listed(c_.origin.size());
-    for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
-      for (const HalfedgeId h : c_.star_of(VertexId(v))) {
-        if (!require(c_.origin[h.value()] == VertexId(v), "a star holds what leaves its vertex",
-                     VertexId(v), h) ||
-            !require(is_listed[h.value()]++ == 0, "a star lists a half-edge once", VertexId(v),
-                     h)) {
+    const auto has_star = [&](VertexId v) {
+      for (const HalfedgeId h : c_.star_of(v)) {
+        if (!require(c_.origin[h.value()] == v, "a star holds what leaves its vertex", v, h) ||
+            !require(is_listed[h.value()]++ == 0, "a star lists a half-edge once", v, h)) {
           return false;
         }
       }
-    }
-    return require(c_.star.size() == c_.origin.size(), "each half-edge is in a star");
+      return true;
+    };
+    return all_of<VertexId>(c_.vertex_count(), has_star) &&
+           require(c_.star.size() == c_.origin.size(), "each half-edge is in a star");
   }
 
   bool has_linked_uses() {
-    for (std::uint32_t i = 0; i < c_.use_count(); ++i) {
-      const UseId u(i);
-      const UseId next = c_.use_next[i];
-      if (!require(c_.use_prev[next.value()] == u, "prev undoes next", u) ||
-          !require(c_.use_origin(next) == c_.target(halfedge(u)),
-                   "a use starts where the one before ends", u, next) ||
-          !require(facet(next) == facet(u), "a cycle stays with its facet", u, next)) {
-        return false;
-      }
-    }
-    return true;
+    return all_of<UseId>(c_.use_count(), [this](UseId u) {
+      const UseId next = c_.use_next[u.value()];
+      return require(c_.use_prev[next.value()] == u, "prev undoes next", u) &&
+             require(c_.use_origin(next) == c_.target(halfedge(u)),
+                     "a use starts where the one before ends", u, next) &&
+             require(facet(next) == facet(u), "a cycle stays with its facet", u, next);
+    });
   }
 
   bool has_radial_cycles() {
     std::vector<std::uint8_t> is_reached(c_.use_count());
-    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
-      const UseId first = c_.edge_use[e];
-      if (first.is_valid() && !has_radial_cycle(EdgeId(e), first, is_reached)) return false;
-    }
-    for (std::uint32_t u = 0; u < c_.use_count(); ++u) {
-      if (!require(is_reached[u] != 0, "the radial cycle of an edge has all its uses", UseId(u))) {
-        return false;
-      }
-    }
-    return true;
+    return all_of<EdgeId>(c_.edge_count(),
+                          [&](EdgeId e) {
+                            const UseId first = c_.edge_use[e.value()];
+                            return !first.is_valid() || has_radial_cycle(e, first, is_reached);
+                          }) &&
+           are_all_reached(is_reached, "the radial cycle of an edge has all its uses");
   }
   bool has_radial_cycle(EdgeId e, UseId first, std::vector<std::uint8_t>& is_reached) {
     UseId u = first;
     do {
+      step_();
       if (!require(SpaceComplex::edge_of(halfedge(u)) == e, "a radial cycle stays at its edge", e,
                    u) ||
           !require(is_reached[u.value()]++ == 0, "a radial cycle returns to its start", e, u)) {
@@ -163,26 +163,27 @@ class LinkAudit : SpaceAuditPart {
     return true;
   }
 
+  bool are_all_reached(const std::vector<std::uint8_t>& is_reached, const char* invariant) {
+    const auto missing = std::ranges::find(is_reached, 0);
+    return missing == is_reached.end() ||
+           fail_at(invariant, UseId(static_cast<std::size_t>(missing - is_reached.begin())));
+  }
+
   bool has_boundary_cycles() {
     std::vector<std::uint8_t> is_reached(c_.use_count());
-    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
-      if (!require(!c_.cycles_of(FacetId(f)).empty(), "a facet has a boundary", FacetId(f)))
-        return false;
-      for (const UseId first : c_.cycles_of(FacetId(f))) {
-        if (!require(facet(first) == FacetId(f), "a facet lists its own cycles", FacetId(f),
-                     first) ||
-            !require(is_reached[first.value()] == 0, "a facet lists a cycle once", FacetId(f),
-                     first)) {
+    const auto has_cycles = [&](FacetId f) {
+      if (!require(!c_.cycles_of(f).empty(), "a facet has a boundary", f)) return false;
+      for (const UseId first : c_.cycles_of(f)) {
+        if (!require(facet(first) == f, "a facet lists its own cycles", f, first) ||
+            !require(is_reached[first.value()] == 0, "a facet lists a cycle once", f, first)) {
           return false;
         }
         all_of_cycle(first, [&](UseId u) { return is_reached[u.value()] = 1; });
       }
-    }
-    for (std::uint32_t u = 0; u < c_.use_count(); ++u) {
-      if (!require(is_reached[u] != 0, "each use is on a cycle of its facet", UseId(u)))
-        return false;
-    }
-    return true;
+      return true;
+    };
+    return all_of<FacetId>(c_.facet_count(), has_cycles) &&
+           are_all_reached(is_reached, "each use is on a cycle of its facet");
   }
 
   // ---- free parts
@@ -191,34 +192,31 @@ class LinkAudit : SpaceAuditPart {
     std::size_t inside = 0;
     for (const FacetId f : c_.vertex_facet) inside += f.is_valid() ? 1U : 0U;
     std::vector<std::uint8_t> is_listed(c_.vertex_count());
-    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
-      for (const VertexId v : c_.inner_of(FacetId(f))) {
-        if (!require(c_.vertex_facet[v.value()] == FacetId(f),
-                     "a facet lists the vertices inside it", FacetId(f), v) ||
-            !require(is_listed[v.value()]++ == 0, "a facet lists an inner vertex once", FacetId(f),
-                     v)) {
+    const auto has_own = [&](FacetId f) {
+      for (const VertexId v : c_.inner_of(f)) {
+        if (!require(c_.vertex_facet[v.value()] == f, "a facet lists the vertices inside it", f,
+                     v) ||
+            !require(is_listed[v.value()]++ == 0, "a facet lists an inner vertex once", f, v)) {
           return false;
         }
       }
-    }
-    return require(inside == c_.inner.size(), "a vertex inside a facet is listed there");
+      return true;
+    };
+    return all_of<FacetId>(c_.facet_count(), has_own) &&
+           require(inside == c_.inner.size(), "a vertex inside a facet is listed there");
   }
 
   bool has_volumes_where_needed() {
-    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
-      if (!require(c_.edge_use[e].is_valid() != c_.edge_volume[e].is_valid(),
-                   "an edge has uses or lies in a volume", EdgeId(e))) {
-        return false;
-      }
-    }
-    for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
-      const bool is_alone = c_.star_of(VertexId(v)).empty() && !c_.vertex_facet[v].is_valid();
-      if (!require(is_alone == c_.vertex_volume[v].is_valid(), "a vertex alone lies in a volume",
-                   VertexId(v))) {
-        return false;
-      }
-    }
-    return true;
+    const auto has_one = [this](EdgeId e) {
+      return require(c_.edge_use[e.value()].is_valid() != c_.edge_volume[e.value()].is_valid(),
+                     "an edge has uses or lies in a volume", e);
+    };
+    return all_of<EdgeId>(c_.edge_count(), has_one) &&
+           all_of<VertexId>(c_.vertex_count(), [this](VertexId v) {
+             const bool is_alone = c_.star_of(v).empty() && !c_.vertex_facet[v.value()].is_valid();
+             return require(is_alone == c_.vertex_volume[v.value()].is_valid(),
+                            "a vertex alone lies in a volume", v);
+           });
   }
 };
 

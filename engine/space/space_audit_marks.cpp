@@ -13,8 +13,8 @@ namespace {
 
 class MarkAudit : SpaceAuditPart {
  public:
-  MarkAudit(const SpaceComplex& complex, Context& context)
-      : SpaceAuditPart(complex, context, 4), overlay_(complex.planes()) {}
+  MarkAudit(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan, Context& context)
+      : SpaceAuditPart(complex, context, 4), has_fan_(has_fan), overlay_(complex.planes()) {}
 
   std::optional<SpaceFlaw> run(bool minimal) {
     static_cast<void>(has_right_volumes() && has_sane_frame() &&
@@ -26,28 +26,29 @@ class MarkAudit : SpaceAuditPart {
   // ---- volumes
 
   bool has_right_volumes() {
-    SpaceComplex again = c_;
-    label_volumes(again, step_.context());
-    if (!require(again.volume_count() == c_.volume_count(),
+    const VolumeLabels again = find_volumes(c_, step_.context(), has_fan_);
+    if (!require(again.count == c_.volume_count(),
                  "volumes are the connected parts between facets")) {
       return false;
     }
     forth_.assign(c_.volume_count(), VolumeId());
     back_.assign(c_.volume_count(), VolumeId());
     forth_[0] = back_[0] = VolumeId(0);
-    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
-      for (std::size_t s = 0; s < 2; ++s) {
-        if (!has_same_volume(c_.facet_volume[f][s], again.facet_volume[f][s], FacetId(f)))
-          return false;
-      }
-    }
-    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
-      if (!has_same_volume(c_.edge_volume[e], again.edge_volume[e], EdgeId(e))) return false;
-    }
-    for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
-      if (!has_same_volume(c_.vertex_volume[v], again.vertex_volume[v], VertexId(v))) return false;
-    }
-    return true;
+    return all_of<FacetId>(c_.facet_count(),
+                           [&](FacetId f) {
+                             const auto& [above, below] = c_.facet_volume[f.value()];
+                             const auto& there = again.facet[f.value()];
+                             return has_same_volume(above, there[0], f) &&
+                                    has_same_volume(below, there[1], f);
+                           }) &&
+           all_of<EdgeId>(c_.edge_count(),
+                          [&](EdgeId e) {
+                            return has_same_volume(c_.edge_volume[e.value()], again.edge[e.value()],
+                                                   e);
+                          }) &&
+           all_of<VertexId>(c_.vertex_count(), [&](VertexId v) {
+             return has_same_volume(c_.vertex_volume[v.value()], again.vertex[v.value()], v);
+           });
   }
   /// Up to a renumbering that keeps volume 0.
   template <class Id>
@@ -77,30 +78,24 @@ class MarkAudit : SpaceAuditPart {
       if (!require(!is_beyond(c_.volume_mark[v]), "only volume 0 is beyond", VolumeId(v)))
         return false;
     }
-    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
-      const auto [above, below] = c_.facet_volume[f];
-      const bool at_frame = has_frame() && (above == VolumeId(0)) != (below == VolumeId(0));
-      const bool in_beyond = has_frame() && above == VolumeId(0) && below == VolumeId(0);
-      if (!require(!in_beyond && at_frame == is_beyond(FacetId(f)),
-                   "facets of the frame, and no others, have the beyond on one side", FacetId(f)) ||
-          !require(is_beyond(FacetId(f)) == c_.planes().is_frame(plane(FacetId(f))),
-                   "facets of the frame, and no others, lie in its planes", FacetId(f))) {
-        return false;
-      }
-    }
-    return has_sane_frame_edges() && has_sane_frame_vertices();
+    return all_of<FacetId>(c_.facet_count(), [this](FacetId f) { return is_sane(f); }) &&
+           all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) { return is_sane(e); }) &&
+           all_of<VertexId>(c_.vertex_count(), [this](VertexId v) { return is_sane(v); });
   }
-  bool has_sane_frame_edges() {
-    for (std::uint32_t i = 0; i < c_.edge_count(); ++i) {
-      const EdgeId e(i);
-      if (!require(!(has_frame() && c_.edge_volume[i] == VolumeId(0)), "nothing is in the beyond",
-                   e) ||
-          !require(is_beyond(c_.edge_mark[i]) == has_facet_of_frame(e),
-                   "edges of the frame, and no others, bound its facets", e)) {
-        return false;
-      }
-    }
-    return true;
+  bool is_sane(FacetId f) {
+    const auto [above, below] = c_.facet_volume[f.value()];
+    const bool at_frame = has_frame() && (above == VolumeId(0)) != (below == VolumeId(0));
+    const bool in_beyond = has_frame() && above == VolumeId(0) && below == VolumeId(0);
+    return require(!in_beyond && at_frame == is_beyond(f),
+                   "facets of the frame, and no others, have the beyond on one side", f) &&
+           require(is_beyond(f) == c_.planes().is_frame(plane(f)),
+                   "facets of the frame, and no others, lie in its planes", f);
+  }
+  bool is_sane(EdgeId e) {
+    const bool in_beyond = has_frame() && c_.edge_volume[e.value()] == VolumeId(0);
+    return require(!in_beyond, "nothing is in the beyond", e) &&
+           require(is_beyond(c_.edge_mark[e.value()]) == has_facet_of_frame(e),
+                   "edges of the frame, and no others, bound its facets", e);
   }
   bool has_facet_of_frame(EdgeId e) const {
     const UseId first = c_.edge_use[e.value()];
@@ -115,23 +110,17 @@ class MarkAudit : SpaceAuditPart {
     } while (u != first);
     return true;
   }
-  bool has_sane_frame_vertices() {
-    for (std::uint32_t i = 0; i < c_.vertex_count(); ++i) {
-      const VertexId v(i);
-      const auto star = c_.star_of(v);
-      const bool at_frame = std::any_of(star.begin(), star.end(), [&](HalfedgeId h) {
-        return is_beyond(c_.edge_mark[h.value() / 2]);
-      });
-      const FacetId inside = c_.vertex_facet[i];
-      if (!require(!(has_frame() && c_.vertex_volume[i] == VolumeId(0)), "nothing is in the beyond",
-                   v) ||
-          !require(is_beyond(c_.vertex_mark[i]) ==
+  bool is_sane(VertexId v) {
+    const auto star = c_.star_of(v);
+    const bool at_frame = std::any_of(star.begin(), star.end(), [&](HalfedgeId h) {
+      return is_beyond(c_.edge_mark[h.value() / 2]);
+    });
+    const FacetId inside = c_.vertex_facet[v.value()];
+    const bool in_beyond = has_frame() && c_.vertex_volume[v.value()] == VolumeId(0);
+    return require(!in_beyond, "nothing is in the beyond", v) &&
+           require(is_beyond(c_.vertex_mark[v.value()]) ==
                        (at_frame || (inside.is_valid() && is_beyond(inside))),
-                   "vertices of the frame, and no others, are ends of its edges", v)) {
-        return false;
-      }
-    }
-    return true;
+                   "vertices of the frame, and no others, are ends of its edges", v);
   }
   /// A facet or an edge of the set reaches the frame.
   bool has_needed_frame() {
@@ -162,25 +151,21 @@ class MarkAudit : SpaceAuditPart {
 
   template <class Id>
   bool is_needed(Id item, PyramidKind kind) {
-    step_();
     if (is_surely_needed(item)) return true;
     local_map(c_, item, local_);
     return require(!overlay_.simplify(local_.map) && classify(c_.planes(), local_.map) == kind,
                    "no item can go without changing the set", item);
   }
   bool is_minimal() {
-    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
-      if (!is_needed(FacetId(f), PyramidKind::Facet)) return false;
-    }
-    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
-      if (!is_needed(EdgeId(e), PyramidKind::Edge)) return false;
-    }
-    for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
-      if (!is_needed(VertexId(v), PyramidKind::Vertex)) return false;
-    }
-    return true;
+    return all_of<FacetId>(c_.facet_count(),
+                           [this](FacetId f) { return is_needed(f, PyramidKind::Facet); }) &&
+           all_of<EdgeId>(c_.edge_count(),
+                          [this](EdgeId e) { return is_needed(e, PyramidKind::Edge); }) &&
+           all_of<VertexId>(c_.vertex_count(),
+                            [this](VertexId v) { return is_needed(v, PyramidKind::Vertex); });
   }
 
+  std::span<const std::uint8_t> has_fan_;  ///< per vertex
   SphereOverlay overlay_;
   LocalMap local_;
   std::vector<VolumeId> forth_;
@@ -189,8 +174,10 @@ class MarkAudit : SpaceAuditPart {
 
 }  // namespace
 
-std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex, bool minimal, Context& context) {
-  return MarkAudit(complex, context).run(minimal);
+std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex,
+                                     std::span<const std::uint8_t> has_fan, bool minimal,
+                                     Context& context) {
+  return MarkAudit(complex, has_fan, context).run(minimal);
 }
 
 }  // namespace plumb

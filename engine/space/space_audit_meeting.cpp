@@ -18,6 +18,7 @@
 #include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/meet_leaves.h"
+#include "plumb/space/packed_boxes.h"
 #include "plumb/space/space_audit_parts.h"
 #include "plumb/space/space_boxes.h"
 
@@ -34,16 +35,21 @@ class MeetingAudit : SpaceAuditPart {
         points_(complex.points()),
         leaves_(complex, kEverywhere),
         items_(leaves_) {
-    find_triangles(has_fan);
+    is_triangle_.resize(c_.facet_count());
+    triangles_.reserve(leaves_.boxes().size());
+    corner_begin_.reserve(leaves_.boxes().size() + 1);
+    corner_begin_.push_back(0);
+    for (std::size_t x = 0; x < leaves_.boxes().size(); ++x) gather_corners(leaves_[x], has_fan);
   }
 
   std::optional<SpaceFlaw> run() {
-    BoxTree(leaves_.boxes()).for_each_pair_inside([this](std::uint32_t x, std::uint32_t y) {
-      step_();
-      if (share_fan(x, y)) return;
-      test_against_facet(x, y);
-      test_against_facet(y, x);
-    });
+    if (!test_pairs_of(PackedBoxTree(leaves_.boxes()))) {
+      BoxTree(leaves_.boxes()).for_each_pair_inside([this](std::uint32_t x, std::uint32_t y) {
+        step_();
+        test(x, y);
+      });
+    }
+    gather_edges();
     test_vertices_on_edges();
     test_flat_edges();
     return flaw_;
@@ -62,36 +68,83 @@ class MeetingAudit : SpaceAuditPart {
     fail(kInvariants[kind], name(a) + ", " + name(b));
   }
 
-  // ---- triangles
+  // ---- pairs
 
+  /// False: some are missing, as the tree does not suit the boxes.
+  bool test_pairs_of(const PackedBoxTree& tree) {
+    constexpr std::size_t kStepsPerLeaf = 32;
+    if (!tree.fits()) return false;
+    std::size_t left = kStepsPerLeaf * (leaves_.boxes().size() + 256);
+    const auto may_go_on = [&] {
+      step_();
+      return --left > 0;
+    };
+    return tree.for_each_pair_inside([this](std::uint32_t x, std::uint32_t y) { test(x, y); },
+                                     may_go_on);
+  }
+  void test(std::uint32_t x, std::uint32_t y) {
+    const Triangle &s = triangles_[x], &t = triangles_[y];
+    if (share_fan(s, t) || !leaves_.boxes()[x].meets(leaves_.boxes()[y])) return;
+    if (lies_beside(x, y) || lies_beside(y, x)) return;
+    test_against_facet(x, y);
+    test_against_facet(y, x);
+  }
+
+  // ---- corners
+
+  /// Corners are not valid where the facet is none.
   struct Triangle {
     std::array<VertexId, 3> corner;
-    std::array<bool, 3> has_fan{};
-    bool is_valid = false;
+    std::uint32_t fans = 0;  ///< bit i: corner i has a fan
+    bool is_valid() const { return corner[0].is_valid(); }
   };
-  void find_triangles(std::span<const std::uint8_t> fans) {
-    triangles_.resize(c_.facet_count());
-    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
-      if (c_.cycles_of(FacetId(f)).size() != 1 || !c_.inner_of(FacetId(f)).empty()) continue;
-      const UseId first = c_.cycles_of(FacetId(f))[0];
-      UseId u = first;
-      for (std::size_t i = 0; i < 3; ++i, u = c_.use_next[u.value()]) {
-        triangles_[f].corner[i] = c_.use_origin(u);
-        triangles_[f].has_fan[i] = fans[c_.use_origin(u).value()] != 0;
+  void gather_corners(const MeetLeaf& leaf, std::span<const std::uint8_t> has_fan) {
+    Triangle t;
+    if (leaf.facet.is_valid()) {
+      UseId u = leaf.first;
+      for (std::uint32_t i = 0; i < leaf.count; ++i, u = c_.use_next[u.value()]) {
+        corner_.push_back(c_.use_origin(u));
       }
-      triangles_[f].is_valid = u == first;
+      if (leaf.count == 3 && c_.inner_of(leaf.facet).empty()) {
+        std::copy_n(corner_.end() - 3, 3, t.corner.begin());
+        for (std::size_t i = 0; i < 3; ++i) {
+          t.fans |= std::uint32_t{has_fan[t.corner[i].value()]} << i;
+        }
+        is_triangle_[leaf.facet.value()] = 1;
+      }
     }
+    triangles_.push_back(t);
+    corner_begin_.push_back(static_cast<std::uint32_t>(corner_.size()));
   }
-  bool share_fan(std::size_t x, std::size_t y) const {
-    if (!leaves_[x].facet.is_valid() || !leaves_[y].facet.is_valid()) return false;
-    const Triangle& s = triangles_[leaves_[x].facet.value()];
-    const Triangle& t = triangles_[leaves_[y].facet.value()];
-    if (!s.is_valid || !t.is_valid) return false;
+  /// Of its facet, where that is small and has one cycle; else none.
+  std::span<const VertexId> corners_of(std::uint32_t leaf) const {
+    return std::span(corner_).subspan(corner_begin_[leaf],
+                                      corner_begin_[leaf + 1] - corner_begin_[leaf]);
+  }
+  static bool share_fan(const Triangle& s, const Triangle& t) {
+    unsigned shared = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const VertexId v = s.corner[i];
-      if (s.has_fan[i] && (v == t.corner[0] || v == t.corner[1] || v == t.corner[2])) return true;
+      const unsigned is_shared = static_cast<unsigned>(v == t.corner[0]) |
+                                 static_cast<unsigned>(v == t.corner[1]) |
+                                 static_cast<unsigned>(v == t.corner[2]);
+      shared |= is_shared << i;
     }
-    return false;
+    return (shared & s.fans) != 0;
+  }
+
+  /// Are all corners of leaf x's facet, but common ones, on one side of the plane of leaf y's?
+  bool lies_beside(std::uint32_t x, std::uint32_t y) const {
+    const auto others = corners_of(y);
+    if (others.empty()) return false;
+    Sign known = Sign::Zero;
+    for (const VertexId v : corners_of(x)) {
+      if (std::ranges::find(others, v) != others.end()) continue;
+      const Sign here = side_of(v, plane(leaves_[y].facet));
+      if (here == Sign::Zero || here == -known) return false;
+      known = here;
+    }
+    return known != Sign::Zero;
   }
 
   // ---- against facets
@@ -117,7 +170,7 @@ class MeetingAudit : SpaceAuditPart {
       if (sides[i] == Sign::Zero) test(vertices[i], f);
     }
     for (const LeafEdge& e : items.edges()) {
-      if (sides[e.from] * sides[e.to] == Sign::Negative) test(e.edge, f);
+      if (sides[e.from] * sides[e.to] == Sign::Negative) test(e.edge, f, triangles_[y]);
     }
   }
 
@@ -144,8 +197,8 @@ class MeetingAudit : SpaceAuditPart {
   }
 
   /// Requires an edge that passes the facet's plane.
-  void test(EdgeId e, FacetId f) {
-    if (surely_passes_by(e, triangles_[f.value()])) return;
+  void test(EdgeId e, FacetId f, const Triangle& triangle) {
+    if (surely_passes_by(e, triangle)) return;
     const SpacePoint x = crossing(e, plane(f));
     const FacetPlace place = place_in_facet(c_, f, points_, x, step_);
     if (place.on.is_valid()) {
@@ -159,7 +212,7 @@ class MeetingAudit : SpaceAuditPart {
   }
   /// Its line passes two sides of the triangle in different directions.
   bool surely_passes_by(EdgeId e, const Triangle& t) const {
-    if (!t.is_valid) return false;
+    if (!t.is_valid()) return false;
     std::array<const Point3*, 5> p{};
     const std::array<VertexId, 5> vertices{end(e, 0), end(e, 1), t.corner[0], t.corner[1],
                                            t.corner[2]};
@@ -179,19 +232,16 @@ class MeetingAudit : SpaceAuditPart {
 
   // ---- the other edges
 
-  template <class IsWanted>
-  void gather_edges(IsWanted is_wanted) {
-    edges_.clear();
-    edge_boxes_.clear();
-    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
-      if (!is_wanted(EdgeId(e))) continue;
-      edges_.push_back(EdgeId(e));
-      edge_boxes_.push_back(box_of(c_, EdgeId(e)));
-    }
+  struct Edges {
+    std::vector<EdgeId> edge;
+    std::vector<Box3> box;
+  };
+  void add(Edges& edges, EdgeId e) const {
+    edges.edge.push_back(e);
+    edges.box.push_back(box_of(c_, e));
   }
   template <class Holds>
-  bool all_uses(EdgeId e, Holds holds) const {
-    const UseId first = c_.edge_use[e.value()];
+  bool all_uses(UseId first, Holds holds) const {
     if (!first.is_valid()) return true;
     UseId u = first;
     do {
@@ -200,19 +250,27 @@ class MeetingAudit : SpaceAuditPart {
     } while (u != first);
     return true;
   }
+  void gather_edges() {
+    all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) {
+      const UseId first = c_.edge_use[e.value()];
+      if (all_uses(first, [&](UseId u) { return plane(u) == plane(first); })) add(flat_, e);
+      if (all_uses(first, [this](UseId u) { return is_triangle_[facet(u).value()] == 0; })) {
+        add(untried_, e);
+      }
+      return true;
+    });
+  }
 
   void test_vertices_on_edges() {
-    gather_edges([this](EdgeId e) {
-      return all_uses(e, [this](UseId u) { return !triangles_[facet(u).value()].is_valid; });
-    });
-    const BoxTree tree(edge_boxes_);
-    for (std::uint32_t v = 0; v < c_.vertex_count() && !edges_.empty(); ++v) {
-      step_();
-      tree.for_each_meeting(box_of(c_, VertexId(v)), [&](std::uint32_t i) {
+    if (untried_.edge.empty()) return;
+    const BoxTree tree(untried_.box);
+    all_of<VertexId>(c_.vertex_count(), [&](VertexId v) {
+      tree.for_each_meeting(box_of(c_, v), [&](std::uint32_t i) {
         step_();
-        if (lies_inside(VertexId(v), edges_[i])) note(kVertexInEdge, VertexId(v), edges_[i]);
+        if (lies_inside(v, untried_.edge[i])) note(kVertexInEdge, v, untried_.edge[i]);
       });
-    }
+      return true;
+    });
   }
   bool lies_inside(VertexId v, EdgeId e) const {
     const auto& [p, q] = c_.edge_planes[e.value()];
@@ -227,13 +285,9 @@ class MeetingAudit : SpaceAuditPart {
   }
 
   void test_flat_edges() {
-    gather_edges([this](EdgeId e) {
-      const UseId first = c_.edge_use[e.value()];
-      return all_uses(e, [&](UseId u) { return plane(u) == plane(first); });
-    });
-    BoxTree(edge_boxes_).for_each_pair_inside([this](std::uint32_t i, std::uint32_t j) {
+    BoxTree(flat_.box).for_each_pair_inside([this](std::uint32_t i, std::uint32_t j) {
       step_();
-      if (cross(edges_[i], edges_[j])) note(kEdgesCross, edges_[i], edges_[j]);
+      if (cross(flat_.edge[i], flat_.edge[j])) note(kEdgesCross, flat_.edge[i], flat_.edge[j]);
     });
   }
   /// In one point inside both: then one passes a plane of the other.
@@ -250,9 +304,12 @@ class MeetingAudit : SpaceAuditPart {
   Point3Table points_;  ///< those of the complex and crossings
   MeetLeaves leaves_;
   LeafCache items_;
-  std::vector<Triangle> triangles_;  ///< per facet
-  std::vector<EdgeId> edges_;
-  std::vector<Box3> edge_boxes_;
+  std::vector<Triangle> triangles_;          ///< per leaf
+  std::vector<std::uint32_t> corner_begin_;  ///< leaves + 1 entries into corner_
+  std::vector<VertexId> corner_;
+  std::vector<std::uint8_t> is_triangle_;  ///< per facet
+  Edges untried_;  ///< against which vertices have not been tested with a triangle at them
+  Edges flat_;     ///< all of whose facets are in one plane
   Kind worst_ = kNothing;
 };
 

@@ -19,8 +19,10 @@ class SpaceAuditSteps {
 
   void operator()() {
     constexpr std::uint32_t kBetween = 256;  // exact signs of long numbers take up to 100 us each
-    if (++count_ % kBetween == 0) context_.checkpoint("audit", part_, 5);
+    if (++count_ % kBetween == 0) [[unlikely]]
+      checkpoint();
   }
+  [[gnu::noinline]] void checkpoint() { context_.checkpoint("audit", part_, 5); }
   Context& context() { return context_; }
 
  private:
@@ -49,8 +51,11 @@ class SpaceAuditPart {
   }
   template <class... Ids>
   bool require(bool holds, const char* invariant, Ids... ids) {
-    step_();
-    if (holds) return true;
+    return holds || fail_at(invariant, ids...);
+  }
+
+  template <class... Ids>
+  [[gnu::cold, gnu::noinline]] bool fail_at(const char* invariant, Ids... ids) {
     std::string place;
     ((place += (place.empty() ? "" : ", ") + name(ids)), ...);
     return fail(invariant, place.empty() ? "complex" : place);
@@ -65,6 +70,15 @@ class SpaceAuditPart {
   FacetId facet(UseId u) const { return c_.use_facet[u.value()]; }
   PlaneId plane(FacetId f) const { return c_.facet_plane[f.value()]; }
   PlaneId plane(UseId u) const { return plane(facet(u)); }
+  /// Does `holds`, asked of 0, 1, ... as ids, for all of so many items? Each is a step.
+  template <class Id, class Holds>
+  bool all_of(std::size_t count, const Holds& holds) const {
+    for (std::size_t i = 0; i < count; ++i) {
+      step_();
+      if (!holds(Id(i))) return false;
+    }
+    return true;
+  }
   template <class Visit>
   bool all_of_cycle(UseId first, Visit visit) const {
     UseId u = first;
@@ -100,6 +114,8 @@ std::optional<SpaceFlaw> audit_places(const SpaceComplex& complex,
 std::optional<SpaceFlaw> audit_cycles(const SpaceComplex& complex, Context& context);
 std::optional<SpaceFlaw> audit_meeting(const SpaceComplex& complex,
                                        std::span<const std::uint8_t> has_fan, Context& context);
-std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex, bool minimal, Context& context);
+std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex,
+                                     std::span<const std::uint8_t> has_fan, bool minimal,
+                                     Context& context);
 
 }  // namespace plumb

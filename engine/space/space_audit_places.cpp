@@ -3,12 +3,16 @@
 // Directions in a plane n are sign (n x m) for another plane m of the line. Seen from the positive side
 // of n, s (n x m) turns to t (n x k) counter-clockwise exactly when s t det3(n, m, k) is positive.
 #include <algorithm>
-#include <numeric>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/space/facet_site.h"
 #include "plumb/space/space_audit_parts.h"
 
 namespace plumb {
@@ -28,45 +32,94 @@ class PlaceAudit : SpaceAuditPart {
  private:
   // ---- planes and points
 
+  struct Keyed {
+    Fingerprint print;
+    std::uint32_t item;
+  };
+  /// The items whose fingerprint another one has, too, by fingerprint. Where an item is alone in a place that its
+  /// low bits name, it has no equal: few are left to be sorted.
+  static std::vector<Keyed> with_equal_prints(std::span<const Fingerprint> prints) {
+    std::vector<std::uint8_t> seen(std::bit_ceil(8 * prints.size() + 1));
+    const auto place = [&](Fingerprint print) -> std::uint8_t& {
+      return seen[print & (seen.size() - 1)];
+    };
+    for (const Fingerprint print : prints) {
+      std::uint8_t& times = place(print);
+      times = times == 0 ? 1 : 2;
+    }
+    std::vector<Keyed> items;
+    for (std::uint32_t i = 0; i < prints.size(); ++i) {
+      if (place(prints[i]) == 2) items.push_back({prints[i], i});
+    }
+    std::ranges::stable_sort(items, {}, &Keyed::print);
+    return items;
+  }
+  /// Looks for equal items among those of one fingerprint, which is_before() orders, and are_equal() compares.
+  template <class Before, class Equal>
+  static std::optional<std::pair<std::uint32_t, std::uint32_t>> find_equal(std::vector<Keyed> items,
+                                                                           const Before& is_before,
+                                                                           const Equal& are_equal) {
+    for (auto first = items.begin(), last = first; first != items.end(); first = last) {
+      while (last != items.end() && last->print == first->print) ++last;
+      if (last - first > 2) std::sort(first, last, is_before);
+      const auto equal = std::adjacent_find(first, last, are_equal);
+      if (equal != last) return std::minmax(equal->item, std::next(equal)->item);
+    }
+    return std::nullopt;
+  }
+
   bool has_distinct_planes() {
     const PlaneTable& planes = c_.planes();
-    std::vector<std::uint32_t> order(planes.size());
-    std::iota(order.begin(), order.end(), 0U);
-    const auto key = [&](std::uint32_t i) { return planes.fingerprint(PlaneId(i)); };
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t i, std::uint32_t j) { return key(i) < key(j); });
-    for (std::size_t i = 0; i + 1 < order.size(); ++i) {
-      const PlaneId p(order[i]), q(order[i + 1]);
-      if (planes.fingerprint(p) != planes.fingerprint(q)) continue;
-      if (planes.is_frame(p) == planes.is_frame(q) && planes.primitive(p) == planes.primitive(q)) {
-        return fail("planes are different",
-                    "planes " + std::to_string(p.value()) + ", " + std::to_string(q.value()));
-      }
-    }
-    return true;
+    std::vector<Fingerprint> prints(planes.size());
+    for (std::uint32_t i = 0; i < prints.size(); ++i) prints[i] = planes.fingerprint(PlaneId(i));
+    const auto key = [&](const Keyed& k) {
+      step_();
+      return std::pair(planes.is_frame(PlaneId(k.item)), planes.primitive(PlaneId(k.item)));
+    };
+    const auto equal = find_equal(
+        with_equal_prints(prints), [&](const Keyed& p, const Keyed& q) { return key(p) < key(q); },
+        [&](const Keyed& p, const Keyed& q) { return key(p) == key(q); });
+    if (!equal) return true;
+    return fail("planes are different",
+                "planes " + std::to_string(equal->first) + ", " + std::to_string(equal->second));
   }
 
   /// Equal points have equal fingerprints.
   bool has_distinct_vertices() {
-    std::vector<std::pair<Fingerprint, VertexId>> order(c_.vertex_count());
-    for (std::uint32_t v = 0; v < order.size(); ++v) {
+    const auto point = [this](const Keyed& k) {
       step_();
-      order[v] = {fingerprint(c_.points(), at(VertexId(v))), VertexId(v)};
-    }
-    std::sort(order.begin(), order.end());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const auto& [print, v] = order[i];
-      for (std::size_t j = i + 1; j < order.size() && order[j].first == print; ++j) {
-        const VertexId w = order[j].second;
-        if (!require(!equal(c_.points(), at(v), at(w)), "vertices have different points", v, w)) {
-          return false;
-        }
-      }
-    }
-    return true;
+      return at(VertexId(k.item));
+    };
+    const auto equal_vertices = find_equal(
+        with_equal_prints(prints_of_vertices()),
+        [&](const Keyed& v, const Keyed& w) {
+          return compare_xyz(c_.points(), point(v), point(w)) == Sign::Negative;
+        },
+        [&](const Keyed& v, const Keyed& w) { return equal(c_.points(), point(v), point(w)); });
+    if (!equal_vertices) return true;
+    const auto [v, w] = *equal_vertices;
+    return fail_at("vertices have different points", VertexId(v), VertexId(w));
   }
 
-  bool lies_on(VertexId v, PlaneId p) const { return side(c_.points(), at(v), p) == Sign::Zero; }
+  std::vector<Fingerprint> prints_of_vertices() {
+    constexpr std::size_t kBlock = 4096;
+    std::vector<Fingerprint> prints;
+    prints.reserve(c_.vertex_count());
+    while (prints.size() < c_.vertex_count()) {
+      step_.checkpoint();
+      const std::size_t count = std::min(kBlock, c_.vertex_count() - prints.size());
+      const auto block =
+          fingerprints(c_.points(), std::span(c_.vertex_point).subspan(prints.size(), count));
+      prints.insert(prints.end(), block.begin(), block.end());
+    }
+    return prints;
+  }
+
+  bool lies_on(VertexId v, PlaneId p) const {
+    const SpacePoint x = at(v);
+    if (x.is_input() && c_.planes().source(p).has_point(x.input())) return true;
+    return side(c_.points(), x, p) == Sign::Zero;
+  }
   bool are_parallel(PlaneId p, PlaneId q) const {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (minor_sign(c_.planes(), p, q, axis) != Sign::Zero) return false;
@@ -74,35 +127,57 @@ class PlaceAudit : SpaceAuditPart {
     return true;
   }
 
+  /// Where all uses lie in the planes of their facets, edges lie in those, too, without another look.
   bool has_true_edges() {
-    for (std::uint32_t i = 0; i < c_.edge_count(); ++i) {
-      const EdgeId e(i);
-      const auto& [p, q] = c_.edge_planes[i];
-      const VertexId from = c_.origin[2 * i], to = c_.origin[2 * i + 1];
-      if (!require(p != q && !are_parallel(p, q), "the planes of an edge cross", e)) return false;
-      for (const VertexId v : {from, to}) {
-        if (!require(lies_on(v, p) && lies_on(v, q), "the ends of an edge lie on its planes", e,
-                     v)) {
-          return false;
-        }
-      }
-      if (!require(order_along_line(c_.points(), p, q, at(from), at(to)) == Sign::Positive,
-                   "an edge runs as its planes say", e)) {
+    are_uses_flat_ = have_uses_their_planes();
+    return all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) {
+      const auto& [p, q] = c_.edge_planes[e.value()];
+      const bool lies_in_both = are_uses_flat_ && has_facet_in(e, p) && has_facet_in(e, q);
+      return (p != q && lies_in_both && runs_forward(e)) || is_true_edge(e);
+    });
+  }
+  bool is_true_edge(EdgeId e) {
+    const auto& [p, q] = c_.edge_planes[e.value()];
+    if (!require(p != q && !are_parallel(p, q), "the planes of an edge cross", e)) return false;
+    for (const std::uint32_t h : {2 * e.value(), 2 * e.value() + 1}) {
+      const VertexId v = c_.origin[h];
+      if (!require(lies_on(v, p) && lies_on(v, q), "the ends of an edge lie on its planes", e, v)) {
         return false;
       }
     }
-    return true;
+    return require(runs_forward(e), "an edge runs as its planes say", e);
+  }
+  /// Requires ends that lie on its planes. Never along parallel planes.
+  bool runs_forward(EdgeId e) const {
+    const auto& [p, q] = c_.edge_planes[e.value()];
+    const SpacePoint from = at(c_.origin[2 * e.value()]), to = at(c_.origin[2 * e.value() + 1]);
+    const PointBox start = c_.points().box(from), end = c_.points().box(to);
+    std::size_t axis = 0;  // where they are farthest apart
+    for (std::size_t i = 1; i < 3; ++i) {
+      if (std::fabs(end.mid[i] - start.mid[i]) > std::fabs(end.mid[axis] - start.mid[axis]))
+        axis = i;
+    }
+    const FilteredSign rises = rung::compare_axis_filter(end, start, axis);
+    if (is_decided(rises)) return decided(rises) == minor_sign(c_.planes(), p, q, axis);
+    return order_along_line(c_.points(), p, q, from, to) == Sign::Positive;
+  }
+  /// One of the first two around it.
+  bool has_facet_in(EdgeId e, PlaneId p) const {
+    const UseId u = c_.edge_use[e.value()];
+    return u.is_valid() && (plane(u) == p || plane(c_.use_radial[u.value()]) == p);
   }
 
+  bool lies_in_its_plane(UseId u) const {  // where it ends the next one of its cycle begins
+    return lies_on(c_.use_origin(u), plane(u));
+  }
+  bool have_uses_their_planes() const {
+    return all_of<UseId>(c_.use_count(), [this](UseId u) { return lies_in_its_plane(u); });
+  }
   bool has_uses_in_their_planes() {
-    for (std::uint32_t i = 0; i < c_.use_count(); ++i) {
-      const UseId u(i);  // where it ends the next one of its cycle begins
-      if (!require(lies_on(c_.use_origin(u), plane(u)), "the edges of a facet lie in its plane", u,
-                   facet(u))) {
-        return false;
-      }
-    }
-    return true;
+    return are_uses_flat_ || all_of<UseId>(c_.use_count(), [this](UseId u) {
+             return require(lies_in_its_plane(u), "the edges of a facet lie in its plane", u,
+                            facet(u));
+           });
   }
 
   // ---- around an edge
@@ -123,17 +198,18 @@ class PlaceAudit : SpaceAuditPart {
   }
 
   bool has_turning_rings() {
-    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
-      if (c_.edge_use[e].is_valid() && !has_turning_ring(EdgeId(e))) return false;
-    }
-    return true;
+    return all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) {
+      return !c_.edge_use[e.value()].is_valid() || has_turning_ring(e);
+    });
   }
   bool has_turning_ring(EdgeId e) {
-    const UseId first = c_.edge_use[e.value()];
+    const UseId first = c_.edge_use[e.value()], second = c_.use_radial[first.value()];
+    if (c_.use_radial[second.value()] == first && plane(first) != plane(second)) return true;
     UseId before = first;
-    for (UseId u = c_.use_radial[first.value()]; u != first; u = c_.use_radial[u.value()]) {
+    int turned_before = 0;
+    for (UseId u = second; u != first; u = c_.use_radial[u.value()]) {
+      step_();
       const int turned = turn_class(e, first, u);
-      const int turned_before = turn_class(e, first, before);
       const bool is_after =
           turned > turned_before ||
           (turned == turned_before && turn_about_edge(e, before, u) == Sign::Positive);
@@ -141,6 +217,7 @@ class PlaceAudit : SpaceAuditPart {
         return false;
       }
       before = u;
+      turned_before = turned;
     }
     return true;
   }
@@ -158,11 +235,8 @@ class PlaceAudit : SpaceAuditPart {
     return SpaceComplex::is_reverse(h) ? -s : s;
   }
   DirectionInPlane direction_in_plane(PlaneId n, HalfedgeId h) const {
-    const auto& [p, q] = c_.edge_planes[h.value() / 2];
-    const PlaneId m = p == n ? q : p;
-    std::size_t axis = 0;
-    while (coordinate_sign(h, axis) == Sign::Zero) ++axis;
-    return {m, coordinate_sign(h, axis) * minor_sign(c_.planes(), n, m, axis)};
+    const OtherPlane m = other_plane(c_, SpaceComplex::edge_of(h), n);
+    return {m.plane, SpaceComplex::is_reverse(h) ? -m.turn : m.turn};
   }
   Sign turn_in_plane(PlaneId n, DirectionInPlane a, DirectionInPlane b) const {
     return a.sign * b.sign * det3_sign(c_.planes(), n, a.m, b.m);
@@ -181,17 +255,14 @@ class PlaceAudit : SpaceAuditPart {
     return are_opposite(n, a, b) ? 2 : 0;
   }
 
-  /// Around a vertex with a fan directions differ, and triangles lie side by side.
+  /// Around a vertex with a fan directions differ, and corners lie side by side.
   bool has_sound_stars() {
-    for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
-      if (has_fan_[v] != 0 && !c_.vertex_facet[v].is_valid()) continue;
-      const std::vector<UseId> corners = corners_at(VertexId(v));
-      if (!has_distinct_directions(VertexId(v)) || !has_undivided_corners(VertexId(v), corners) ||
-          !has_corners_apart(VertexId(v), corners) || !has_undivided_disk(VertexId(v), corners)) {
-        return false;
-      }
-    }
-    return true;
+    return all_of<VertexId>(c_.vertex_count(), [this](VertexId v) {
+      if (has_fan_[v.value()] != 0) return true;
+      const std::vector<UseId> corners = corners_at(v);
+      return has_distinct_directions(v) && has_undivided_corners(v, corners) &&
+             has_corners_apart(v, corners) && has_undivided_disk(v, corners);
+    });
   }
 
   bool lies_on(HalfedgeId h, PlaneId p) const { return lies_on(c_.target(h), p); }
@@ -202,6 +273,7 @@ class PlaceAudit : SpaceAuditPart {
     for (std::size_t i = 0; i < star.size(); ++i) {
       for (std::size_t j = i + 1; j < star.size(); ++j) {
         const HalfedgeId g = star[i], h = star[j];
+        step_();
         if (!is_on_line_of(g, h)) continue;
         if (!require(leave_oppositely(g, h), "edges leave a vertex in different directions", v, g,
                      h)) {
@@ -254,6 +326,7 @@ class PlaceAudit : SpaceAuditPart {
     const std::vector<HalfedgeId> around = edges_in_plane(v, n, halfedge(corners.front()));
     UseId inside;
     for (std::size_t i = 0; i <= around.size(); ++i) {
+      step_();
       const HalfedgeId h = around[i % around.size()];
       if (!require(!inside.is_valid() || corner_end(inside) == h,
                    "a corner turns to the next edge in its plane", v, inside, h)) {
@@ -295,6 +368,7 @@ class PlaceAudit : SpaceAuditPart {
   bool has_corners_apart(VertexId v, const std::vector<UseId>& corners) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       for (std::size_t j = i + 1; j < corners.size(); ++j) {
+        step_();
         if (!require(!cross(corners[i], corners[j]), "corners do not cross", v, corners[i],
                      corners[j])) {
           return false;
@@ -334,6 +408,7 @@ class PlaceAudit : SpaceAuditPart {
   }
 
   std::span<const std::uint8_t> has_fan_;  ///< per vertex
+  bool are_uses_flat_ = false;             ///< do all lie in the planes of their facets?
 };
 
 }  // namespace

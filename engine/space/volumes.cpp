@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "plumb/base/error.h"
 #include "plumb/base/parallel.h"
@@ -21,14 +22,13 @@ constexpr SphereDirection kRight{kPlaneY, kPlaneZ};
 
 class Labeller {
  public:
-  Labeller(SpaceComplex& complex, Context& context, std::span<const std::uint8_t> connected)
+  Labeller(const SpaceComplex& complex, Context& context, std::span<const std::uint8_t> connected)
       : complex_(complex),
         context_(context),
         connected_(connected),
         pieces_(complex.vertex_count()) {}
 
-  void run() {
-    clear();
+  VolumeLabels run() {
     run_jobs(context_, 2, [this](std::size_t i, Context&) {
       if (i == 0) {
         shells_.emplace(complex_, connected_);
@@ -37,17 +37,10 @@ class Labeller {
       }
     });
     nest_pieces();
-    number_volumes();
+    return numbered();
   }
 
  private:
-  void clear() {
-    complex_.volume_mark.clear();
-    complex_.facet_volume.assign(complex_.facet_count(), {});
-    complex_.edge_volume.assign(complex_.edge_count(), {});
-    complex_.vertex_volume.assign(complex_.vertex_count(), {});
-  }
-
   // ---- connected pieces
 
   void find_pieces() {
@@ -105,32 +98,35 @@ class Labeller {
 
   // ---- numbering
 
-  void number_volumes() {
+  VolumeLabels numbered() {
+    VolumeLabels labels;
     std::vector<VolumeId> number(shells_->size());
-    std::uint32_t count = 0;
     const auto volume_of = [&](std::uint32_t node) {
       VolumeId& volume = number[shells_->root(node)];
-      if (!volume.is_valid()) volume = VolumeId(count++);
+      if (!volume.is_valid()) volume = VolumeId(labels.count++);
       return volume;
     };
     volume_of(outermost_[0]);
+    labels.facet.reserve(complex_.facet_count());
     for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
-      complex_.facet_volume[f] = {volume_of(2 * f), volume_of(2 * f + 1)};
+      labels.facet.push_back({volume_of(2 * f), volume_of(2 * f + 1)});
     }
+    labels.edge.resize(complex_.edge_count());
     for (std::uint32_t e = 0; e < complex_.edge_count(); ++e) {
       const std::uint32_t node = shells_->free_node(EdgeId(e));
-      if (node != ShellNodes::kNone) complex_.edge_volume[e] = volume_of(node);
+      if (node != ShellNodes::kNone) labels.edge[e] = volume_of(node);
     }
+    labels.vertex.resize(complex_.vertex_count());
     for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
       const bool is_alone = complex_.star_of(VertexId(v)).empty();
       if (is_alone && !complex_.vertex_facet[v].is_valid()) {
-        complex_.vertex_volume[v] = volume_of(shells_->vertex_node(VertexId(v)));
+        labels.vertex[v] = volume_of(shells_->vertex_node(VertexId(v)));
       }
     }
-    complex_.volume_mark.assign(count, 0);
+    return labels;
   }
 
-  SpaceComplex& complex_;
+  const SpaceComplex& complex_;
   Context& context_;
   std::span<const std::uint8_t> connected_;
   std::optional<ShellNodes> shells_;
@@ -142,13 +138,23 @@ class Labeller {
 
 }  // namespace
 
+VolumeLabels find_volumes(const SpaceComplex& complex, Context& context,
+                          std::span<const std::uint8_t> connected) {
+  if (complex.vertex_count() == 0) return {{}, {}, {}, 1};
+  return Labeller(complex, context, connected).run();
+}
+
 void label_volumes(SpaceComplex& complex, Context& context,
                    std::span<const std::uint8_t> connected) {
-  if (complex.vertex_count() == 0) {
-    complex.volume_mark = {0};
-    return;
-  }
-  Labeller(complex, context, connected).run();
+  complex.volume_mark.clear();
+  complex.facet_volume.clear();
+  complex.edge_volume.assign(complex.edge_count(), {});
+  complex.vertex_volume.clear();
+  VolumeLabels labels = find_volumes(complex, context, connected);
+  complex.facet_volume = std::move(labels.facet);
+  complex.edge_volume = std::move(labels.edge);
+  complex.vertex_volume = std::move(labels.vertex);
+  complex.volume_mark.assign(labels.count, 0);
 }
 
 std::vector<std::int32_t> winding_numbers(const SpaceComplex& complex,

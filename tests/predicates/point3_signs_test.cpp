@@ -380,6 +380,36 @@ TEST(Point3Signs, IdentityNeedsNoArithmetic) {
   EXPECT_EQ(exact(points, one), (RationalPoint3{1, 1, 1}));
 }
 
+/// Many at once: more than a block of them, input points and constructed ones.
+TEST(Point3Signs, FingerprintsOfManyAreThoseOfEach) {
+  constexpr double kOne = 0x1p61;  // for fingerprints
+  PlaneTable table;
+  std::vector<SpacePoint> ids;
+  for (int i = 0; i < 600; ++i) {
+    ids.emplace_back(table.add_point({1.0 * (i % 7), 0.5 * i, i % 3 == 0 ? kOne : 1}));
+  }
+  Point3Table points(table);
+  const PlaneId x = table.intern(1.0, 0.0, 0.0, 0.0).plane(),
+                y = table.intern(0.0, 1.0, 0.0, 0.0).plane();
+  for (int i = 0; i < 9; ++i) {
+    ids.push_back(points.add(x, y, table.intern(0.0, 0.0, 1.0 + i, 3.0).plane()));
+  }
+  std::vector<Fingerprint> each;
+  for (const SpacePoint p : ids) each.push_back(fingerprint(points, p));
+  EXPECT_EQ(fingerprints(points, ids), each);
+  EXPECT_TRUE(fingerprints(points, {}).empty());
+}
+
+TEST(Point3Signs, ParallelPlanesHaveNoOrder) {
+  PlaneTable table;
+  const PlaneId low = table.intern(0.0, 0.0, 1.0, 0.0).plane(),
+                high = table.intern(0.0, 0.0, 1.0, -1.0).plane();
+  const SpacePoint a(table.add_point({0, 0, 0})), b(table.add_point({1, 0, 0}));
+  const Point3Table points(table);
+  EXPECT_EQ(order_along_line(points, low, high, a, b), Sign::Zero);
+  EXPECT_EQ(order_along_line(points, low, low, a, b), Sign::Zero);
+}
+
 /// A point is the same however it is made: its fingerprint too, and the order is a total one.
 TEST(Point3Signs, EqualPointsOfAllKinds) {
   PlaneTable table;
@@ -397,6 +427,7 @@ TEST(Point3Signs, EqualPointsOfAllKinds) {
       EXPECT_EQ(compare_xyz(points, a, b), Sign::Zero);
       EXPECT_EQ(fingerprint(points, a), fingerprint(points, b));
     }
+    EXPECT_EQ(fingerprints(points, same), std::vector<Fingerprint>(3, fingerprint(points, a)));
     EXPECT_FALSE(equal(points, a, SpacePoint(above)));
     EXPECT_EQ(compare_xyz(points, a, SpacePoint(above)), Sign::Negative);
     EXPECT_EQ(compare_xyz(points, SpacePoint(above), a), Sign::Positive);

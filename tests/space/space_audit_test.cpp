@@ -533,6 +533,51 @@ TEST(SpaceAudit, NamesDamagedCycles) { expect_named(damaged_cycles()); }
 TEST(SpaceAudit, NamesDamagedMeetings) { expect_named(damaged_meetings()); }
 TEST(SpaceAudit, NamesDamagedMarks) { expect_named(damaged_marks()); }
 
+/// Fingerprints are residues modulo 2^61 - 1, for which 2^61 is 1.
+TEST(SpaceAudit, TellsItemsOfOneFingerprintApart) {
+  Nef3 result;
+  const BigRational much = std::int64_t{1} << 61;
+  for (const BigRational& x : {BigRational(1), much, BigRational(much * much)}) {
+    result += point({x, 0, 0}) + segment({x, 1, 0}, {x, 2, 0});
+  }
+  SpaceComplex c = result.complex();
+  EXPECT_FALSE(audit(c, true));
+  const std::uint32_t first = vertex_at(c, {1, 0, 0}), last = vertex_at(c, {much, 0, 0});
+  c.vertex_point[last] = c.vertex_point[first];
+  const std::optional<SpaceFlaw> flaw = audit(c, true);
+  ASSERT_TRUE(flaw);
+  EXPECT_EQ(flaw->invariant, "vertices have different points");
+}
+
+/// A plate within the hole of another one, whose own hole is given to that.
+TEST(SpaceAudit, FindsTheHoleWithinAHole) {
+  const Nef3 outer = solid(box({0, 0, 0}, {10, 10, 1})) - solid(box({1, 1, 0}, {9, 9, 1}));
+  const Nef3 inner = solid(box({2, 2, 0}, {8, 8, 1})) - solid(box({3, 3, 0}, {5, 5, 1}));
+  SpaceComplex c = (outer + inner).complex();
+  EXPECT_FALSE(audit(c, true));
+  const auto facet_at = [&](const ExactPoint3& corner) {
+    const VertexId v(vertex_at(c, corner));
+    return c.use_facet[first_where(c.use_count(), [&](std::uint32_t u) {
+      return c.use_origin(UseId(u)) == v && c.cycles_of(c.use_facet[u]).size() == 2;
+    })];
+  };
+  const FacetId around = facet_at({1, 1, 1}), within = facet_at({3, 3, 1});
+  ASSERT_NE(around, within);
+  const UseId hole = c.cycles_of(within)[1];
+  c.cycle.erase(c.cycle.begin() + c.cycle_begin[within.value()] + 1);
+  for (std::size_t f = within.value() + 1; f <= c.facet_count(); ++f) --c.cycle_begin[f];
+  c.cycle.insert(c.cycle.begin() + c.cycle_begin[around.value() + 1], hole);
+  for (std::size_t f = around.value() + 1; f <= c.facet_count(); ++f) ++c.cycle_begin[f];
+  UseId u = hole;
+  do {
+    c.use_facet[u.value()] = around;
+    u = c.use_next[u.value()];
+  } while (u != hole);
+  const std::optional<SpaceFlaw> flaw = audit(c, true);
+  ASSERT_TRUE(flaw);
+  EXPECT_EQ(flaw->invariant, "a hole lies in its facet and in no other hole");
+}
+
 // Marks that let items go are no flaw of a complex that need not be minimal.
 TEST(SpaceAudit, AsksForTheMinimalFormOnlyWhenTold) {
   SpaceComplex c = decorated_cube();
