@@ -144,7 +144,8 @@ class Decomposition : public CommandBody {
       context.checkpoint("pieces", done++, found.pieces.size());
       const SolidFormat& format = solid_format(piece, session.options().format);
       const SolidText text(piece, format, context);
-      files.add(format.extension, text.losses(), [&text](std::ostream& out) { text.write(out); });
+      files.add(format.extension, text.losses(),
+                [&](std::ostream& out) { text.write(out, context); });
     }
     if (!svg_.empty()) {
       session.begin("draw");

@@ -19,8 +19,8 @@ constexpr std::array<std::string_view, 6> kFrame{"-x", "+x", "-y", "+y", "-z", "
 
 class Nef3Writer {
  public:
-  Nef3Writer(std::ostream& stream, const SpaceComplex& complex)
-      : out_(stream),
+  Nef3Writer(std::ostream& stream, const SpaceComplex& complex, Context& context)
+      : out_(stream, context),
         complex_(complex),
         plane_(complex.planes().size(), kUnused),
         input_(complex.planes().points().size(), kUnused),
@@ -221,7 +221,19 @@ void Nef3Writer::write_facets() {
 }  // namespace
 
 void write_nef3(std::ostream& out, const SpaceComplex& complex) try {
-  Nef3Writer(out, complex).write();
+  Context context;
+  write_nef3(out, complex, context);
+} catch (...) {
+  rethrow_refused_memory();
+}
+
+void write_nef3(std::ostream& out, const SpaceComplex& complex, Context& context) try {
+  MemoryCharge memory(
+      context);  // new numbers of planes and points, and a list of planes that grows
+  memory.add(sizeof(std::uint32_t) * (4 * complex.planes().size() +
+                                      complex.planes().points().size() + complex.points().size()),
+             "numbers of planes and points");
+  Nef3Writer(out, complex, context).write();
 } catch (...) {
   rethrow_refused_memory();
 }

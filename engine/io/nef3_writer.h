@@ -3,6 +3,7 @@
 
 #include <ostream>
 
+#include "plumb/base/context.h"
 #include "plumb/space/space_complex.h"
 
 #pragma GCC visibility push(default)
@@ -13,6 +14,8 @@ namespace plumb {
 /// in the order of the ids. Equal complexes on equal tables give equal bytes. Throws what `out` throws.
 /// Cost: O(n); a gcd a plane.
 void write_nef3(std::ostream& out, const SpaceComplex& complex);
+/// The same, with a checkpoint each 64 kB.
+void write_nef3(std::ostream& out, const SpaceComplex& complex, Context& context);
 
 }  // namespace plumb
 #pragma GCC visibility pop

@@ -86,11 +86,11 @@ void SolidText::make_mesh(MeshFormat format, Context& context) {
   mesh_ = std::move(made.mesh);
 }
 
-void SolidText::write(std::ostream& out) const {
+void SolidText::write(std::ostream& out, Context& context) const {
   if (format_.mesh) {
     write_mesh(out, mesh_, *format_.mesh);
   } else {
-    write_nef3(out, set_.complex());
+    write_nef3(out, set_.complex(), context);
   }
 }
 

@@ -33,7 +33,8 @@ class SolidText {
 
   /// What the file does not say of the set, or says otherwise after rounding; one sentence each.
   const std::vector<std::string>& losses() const { return losses_; }
-  void write(std::ostream& out) const;
+  /// `.nef` with checkpoints.
+  void write(std::ostream& out, Context& context) const;
 
  private:
   void make_mesh(MeshFormat format, Context& context);

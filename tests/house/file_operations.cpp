@@ -164,7 +164,7 @@ OperationRoom reader_operations() {
   texts->push_back(nef.str());
   room.operations.push_back({"read_nef3", [texts, i = texts->size() - 1](Context& own) {
                                Digest out;
-                               write_nef3(out, read_nef3((*texts)[i], {}, own));
+                               write_nef3(out, read_nef3((*texts)[i], {}, own), own);
                                return out.value();
                              }});
   room.operations.push_back(

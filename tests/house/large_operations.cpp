@@ -159,6 +159,10 @@ void measure_space() {
                      (void)read_mesh(t, format, {}, context);
                    });
   }
+  measure("write .nef", [&](Context& context) {
+    std::ostream nowhere(nullptr);
+    write_nef3(nowhere, c.complex(), context);
+  });
   measure_reader(written([&](std::ostream& out) { write_nef3(out, c.complex()); }), ".nef",
                  [](const std::string& t, Context& context) { (void)read_nef3(t, {}, context); });
 }
