@@ -131,8 +131,21 @@ std::size_t words_matched(const Arguments& arguments, std::string_view name) {
   return count;
 }
 
+/// The command of this group that `second` was probably meant to be; or empty.
+std::string guess_in_group(const std::string& group, const std::string& second) {
+  Arguments words;
+  for (const Command& command : commands()) {
+    if (command.name.starts_with(group + ' ')) {
+      words.emplace_back(command.name.substr(group.size() + 1));
+    }
+  }
+  const std::string guess = nearest(second, words);
+  return guess.empty() ? guess : group + ' ' + guess;
+}
+
 /// The command that `first`, alone or with `second`, was probably meant to be; or empty.
 std::string guess_command(const std::string& first, const std::string& second) {
+  if (is_group(first)) return guess_in_group(first, second);
   Arguments names;
   Arguments last_words;
   for (const Command& command : commands()) {

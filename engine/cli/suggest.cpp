@@ -31,7 +31,7 @@ std::string nearest(std::string_view word, std::span<const std::string> known) {
   constexpr std::size_t kLongest = 64;  // nobody mistypes that: do not spend time on it
   if (word.size() > kLongest) return {};
   std::string best;
-  std::size_t least = std::max<std::size_t>(word.size() / 2, 1) + 1;
+  std::size_t least = std::max<std::size_t>(word.size() / 3, 1) + 1;
   for (const std::string& candidate : known) {
     const std::size_t d = distance(word, candidate);
     if (d < least) {

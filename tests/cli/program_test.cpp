@@ -66,6 +66,17 @@ TEST(Program, suggests_what_was_meant) {
   }
 }
 
+TEST(Program, suggests_nothing_that_is_far_off) {
+  for (const Words& arguments : std::vector<Words>{{"frobnicate"},
+                                                   {"frobnicate", "x"},
+                                                   {"plane", "frobnicate"},
+                                                   {"map", "check", "--frobnicate", "x"}}) {
+    const RunResult result = run(arguments);
+    expect_refusal(result, "plumb: ", "");
+    EXPECT_FALSE(contains(result.err, "did you mean")) << result.err;
+  }
+}
+
 TEST(Program, helps_however_it_is_asked) {
   const std::string text = run({"--help"}).out;
   EXPECT_TRUE(contains(text, "Usage: plumb COMMAND")) << text;
@@ -371,7 +382,8 @@ void write_star(const std::string& file, std::uint32_t corners) {
   write_file(file, text + "))\n");
 }
 
-/// Of every kind of command one that takes longer than the time from which on the bar tells time, one second, of inputs in a directory.
+/// Of every kind of command one that takes longer than a second, from which on the bar tells time; its inputs are written
+/// into a directory.
 std::vector<Words> long_jobs(const ScratchDirectory& scratch) {
   const std::string map = (scratch / "grid.map").string(), star = (scratch / "star.wkt").string();
   const std::string coarse = (scratch / "coarse.map").string();
