@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "fixed_rungs.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/point3_table.h"
@@ -162,10 +163,6 @@ struct Judge {
   }
 };
 
-using exact3::Medium;
-using exact3::Narrow;
-using exact3::Wide;
-
 void check_planes(const World& w, Random& r, Judge& judge) {
   const PlaneTable& t = w.table;
   const int last = static_cast<int>(w.planes.size()) - 1;
@@ -178,16 +175,12 @@ void check_planes(const World& w, Random& r, Judge& judge) {
     judge("det4", sgn(oracle::det4(a, b, c, d)),
           {rung::det4_filter(t.row(p[0]), t.row(p[1]), t.row(p[2]), t.row(p[3])),
            rung::far_det4_filter(t, p[0], p[1], p[2], p[3])},
-          {rung::det4_fixed<Narrow>(t, p[0], p[1], p[2], p[3]),
-           rung::det4_fixed<Medium>(t, p[0], p[1], p[2], p[3]),
-           rung::det4_fixed<Wide>(t, p[0], p[1], p[2], p[3])},
-          rung::det4_big(t, p[0], p[1], p[2], p[3]), det4_sign(t, p[0], p[1], p[2], p[3]));
+          fixed_rungs::det4(t, p[0], p[1], p[2], p[3]), rung::det4_big(t, p[0], p[1], p[2], p[3]),
+          det4_sign(t, p[0], p[1], p[2], p[3]));
     judge("det3", sgn(oracle::det3(a, b, c)),
           {rung::det3_filter(t.row(p[0]), t.row(p[1]), t.row(p[2])), FilteredSign::Unsure},
-          {rung::det3_fixed<Narrow>(t, p[0], p[1], p[2]),
-           rung::det3_fixed<Medium>(t, p[0], p[1], p[2]),
-           rung::det3_fixed<Wide>(t, p[0], p[1], p[2])},
-          rung::det3_big(t, p[0], p[1], p[2]), det3_sign(t, p[0], p[1], p[2]));
+          fixed_rungs::det3(t, p[0], p[1], p[2]), rung::det3_big(t, p[0], p[1], p[2]),
+          det3_sign(t, p[0], p[1], p[2]));
   }
 }
 
@@ -199,9 +192,7 @@ void check_sides(const World& w, Judge& judge) {
       const PlaneId p = w.planes[j];
       judge("side", oracle::side(w.rows[j], w.coordinates[i]),
             {rung::side_filter(t.box(x), w.table.row(p)), rung::far_side_filter(t, x, p)},
-            {rung::side_fixed<Narrow>(t, x, p), rung::side_fixed<Medium>(t, x, p),
-             rung::side_fixed<Wide>(t, x, p)},
-            rung::side_big(t, x, p), side(t, x, p));
+            fixed_rungs::side(t, x, p), rung::side_big(t, x, p), side(t, x, p));
     }
   }
 }
@@ -229,10 +220,8 @@ void check_orders(const World& w, Judge& judge) {
       judge("compare_axis", oracle::compare_axis(a, b, axis),
             {rung::compare_axis_filter(t.box(x), t.box(y), axis),
              rung::far_compare_axis_filter(t, x, y, axis)},
-            {rung::compare_axis_fixed<Narrow>(t, x, y, axis),
-             rung::compare_axis_fixed<Medium>(t, x, y, axis),
-             rung::compare_axis_fixed<Wide>(t, x, y, axis)},
-            rung::compare_axis_big(t, x, y, axis), compare_axis(t, x, y, axis));
+            fixed_rungs::compare_axis(t, x, y, axis), rung::compare_axis_big(t, x, y, axis),
+            compare_axis(t, x, y, axis));
       int order = 0;
       for (std::size_t k = 0; k < 3 && order == 0; ++k) order = oracle::compare_axis(a, b, k);
       EXPECT_EQ(static_cast<int>(compare_xyz(t, x, y)), order);

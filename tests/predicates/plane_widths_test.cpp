@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fixed_rungs.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/point3_table.h"
@@ -17,9 +18,7 @@ namespace {
 
 using cases::integer;
 using cases::Random;
-using exact3::Medium;
-using exact3::Narrow;
-using exact3::Wide;
+using fixed_rungs::Fixed3;
 using oracle::Int;
 using oracle::Row;
 using oracle::sgn;
@@ -33,33 +32,6 @@ struct Width {
 };
 constexpr std::array<Width, 3> kWidths = {
     {{"narrow", 1, 2, 29}, {"medium", 2, 3, 61}, {"wide", 4, 6, 125}}};
-
-using Fixed3 = std::array<FilteredSign, 3>;
-
-Fixed3 det3_rungs(const PlaneTable& t, const std::array<PlaneId, 4>& p) {
-  return {rung::det3_fixed<Narrow>(t, p[0], p[1], p[2]),
-          rung::det3_fixed<Medium>(t, p[0], p[1], p[2]),
-          rung::det3_fixed<Wide>(t, p[0], p[1], p[2])};
-}
-Fixed3 det4_rungs(const PlaneTable& t, const std::array<PlaneId, 4>& p) {
-  return {rung::det4_fixed<Narrow>(t, p[0], p[1], p[2], p[3]),
-          rung::det4_fixed<Medium>(t, p[0], p[1], p[2], p[3]),
-          rung::det4_fixed<Wide>(t, p[0], p[1], p[2], p[3])};
-}
-Fixed3 minor_rungs(const PlaneTable& t, const std::array<PlaneId, 4>& p, std::size_t axis) {
-  return {rung::minor_fixed<Narrow>(t, p[0], p[1], axis),
-          rung::minor_fixed<Medium>(t, p[0], p[1], axis),
-          rung::minor_fixed<Wide>(t, p[0], p[1], axis)};
-}
-Fixed3 side_rungs(const Point3Table& t, SpacePoint x, PlaneId p) {
-  return {rung::side_fixed<Narrow>(t, x, p), rung::side_fixed<Medium>(t, x, p),
-          rung::side_fixed<Wide>(t, x, p)};
-}
-Fixed3 order_rungs(const Point3Table& t, SpacePoint x, SpacePoint y, std::size_t axis) {
-  return {rung::compare_axis_fixed<Narrow>(t, x, y, axis),
-          rung::compare_axis_fixed<Medium>(t, x, y, axis),
-          rung::compare_axis_fixed<Wide>(t, x, y, axis)};
-}
 
 void expect_right(const char* what, const Fixed3& rungs, Sign big, int expected) {
   for (std::size_t w = 0; w < 3; ++w) {
@@ -120,7 +92,9 @@ Row row_of_bits(Random& r, int normal_bits, int offset_bits) {
 
 void check_all(const World& w, std::size_t det3_least, std::size_t det4_least) {
   const auto& r = w.rows;
-  const Fixed3 det4 = det4_rungs(w.table, w.ids()), det3 = det3_rungs(w.table, w.ids());
+  const auto p = w.ids();
+  const Fixed3 det4 = fixed_rungs::det4(w.table, p[0], p[1], p[2], p[3]);
+  const Fixed3 det3 = fixed_rungs::det3(w.table, p[0], p[1], p[2]);
   expect_right("det4", det4,
                rung::det4_big(w.table, w.planes[0], w.planes[1], w.planes[2], w.planes[3]),
                sgn(oracle::det4(r[0], r[1], r[2], r[3])));
@@ -130,7 +104,7 @@ void check_all(const World& w, std::size_t det3_least, std::size_t det4_least) {
   expect_reach("det3", det3, det3_least);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::size_t j = (axis + 1) % 3, k = (axis + 2) % 3;
-    expect_right("minor", minor_rungs(w.table, w.ids(), axis),
+    expect_right("minor", fixed_rungs::minor(w.table, p[0], p[1], axis),
                  rung::minor_big(w.table, w.planes[0], w.planes[1], axis),
                  sgn(Int(r[0][j] * r[1][k] - r[0][k] * r[1][j])));
   }
@@ -143,12 +117,12 @@ void check_points(World& w, Random& random, std::size_t least) {
   if (!x[0].is_valid() || !x[1].is_valid()) return;
   const Row p = oracle::common_point(w.rows[0], w.rows[1], w.rows[2]);
   const Row q = oracle::common_point(w.rows[3], w.rows[1], w.rows[2]);
-  const Fixed3 side = side_rungs(w.points, x[0], w.planes[3]);
+  const Fixed3 side = fixed_rungs::side(w.points, x[0], w.planes[3]);
   expect_right("side", side, rung::side_big(w.points, x[0], w.planes[3]),
                oracle::side(w.rows[3], p));
   expect_reach("side", side, least);
   const auto axis = static_cast<std::size_t>(integer(random, 0, 2));
-  const Fixed3 order = order_rungs(w.points, x[0], x[1], axis);
+  const Fixed3 order = fixed_rungs::compare_axis(w.points, x[0], x[1], axis);
   expect_right("order", order, rung::compare_axis_big(w.points, x[0], x[1], axis),
                oracle::compare_axis(p, q, axis));
   expect_reach("order", order, least);
@@ -255,12 +229,12 @@ void check_inputs(World& w, Random& random, int bits, std::size_t least) {
               c = add_input(w, spanning_point(random, bits));
   const SpacePoint input(c.id), line = w.points.add(a.id, b.id, w.planes[0]);
   const auto check = [&](SpacePoint x, const Row& at) {
-    const Fixed3 side = side_rungs(w.points, x, w.planes[1]);
+    const Fixed3 side = fixed_rungs::side(w.points, x, w.planes[1]);
     expect_right("side", side, rung::side_big(w.points, x, w.planes[1]),
                  oracle::side(w.rows[1], at));
     expect_reach("side", side, least);
     const auto axis = static_cast<std::size_t>(integer(random, 0, 2));
-    const Fixed3 order = order_rungs(w.points, x, input, axis);
+    const Fixed3 order = fixed_rungs::compare_axis(w.points, x, input, axis);
     expect_right("order", order, rung::compare_axis_big(w.points, x, input, axis),
                  oracle::compare_axis(at, c.row, axis));
     expect_reach("order", order, least);
@@ -304,13 +278,13 @@ TEST(PlaneWidths, NoWrongAnswerWhereScalesBreak) {
           oracle::common_point(world.rows[3], world.rows[4], world.rows[5])};
       if (!x[0].is_valid() || !x[1].is_valid()) continue;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        expect_right("order", order_rungs(world.points, x[0], x[1], axis),
+        expect_right("order", fixed_rungs::compare_axis(world.points, x[0], x[1], axis),
                      rung::compare_axis_big(world.points, x[0], x[1], axis),
                      oracle::compare_axis(at[0], at[1], axis));
       }
       for (const std::size_t k : {0u, 1u}) {
         const PlaneId plane = world.planes[3 - 3 * k];
-        expect_right("side", side_rungs(world.points, x[k], plane),
+        expect_right("side", fixed_rungs::side(world.points, x[k], plane),
                      rung::side_big(world.points, x[k], plane),
                      oracle::side(world.rows[3 - 3 * k], at[k]));
       }

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "fixed_rungs.h"
 #include "float_environment.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_table.h"
@@ -23,9 +24,7 @@
 namespace plumb {
 namespace {
 
-using exact3::Medium;
-using exact3::Narrow;
-using exact3::Wide;
+using fixed_rungs::Fixed3;
 using oracle::Int;
 using oracle::Row;
 using oracle::sgn;
@@ -37,8 +36,7 @@ constexpr auto kModes = testing_environment::kSettings;
 struct Answers {
   const char* question;
   FilteredSign filter = FilteredSign::Unsure;
-  std::array<FilteredSign, 3> fixed = {FilteredSign::Unsure, FilteredSign::Unsure,
-                                       FilteredSign::Unsure};
+  Fixed3 fixed = {FilteredSign::Unsure, FilteredSign::Unsure, FilteredSign::Unsure};
   Sign big = Sign::Zero;
   Sign ladder = Sign::Zero;
 };
@@ -76,48 +74,29 @@ bool agree(const Answers& a, int expected, const cases::Case& c, Shares& shares)
 }
 
 Answers det3_answers(const PlaneTable& t, PlaneId p, PlaneId q, PlaneId r) {
-  return {"det3",
-          rung::det3_filter(t.row(p), t.row(q), t.row(r)),
-          {rung::det3_fixed<Narrow>(t, p, q, r), rung::det3_fixed<Medium>(t, p, q, r),
-           rung::det3_fixed<Wide>(t, p, q, r)},
-          rung::det3_big(t, p, q, r),
-          det3_sign(t, p, q, r)};
+  return {"det3", rung::det3_filter(t.row(p), t.row(q), t.row(r)), fixed_rungs::det3(t, p, q, r),
+          rung::det3_big(t, p, q, r), det3_sign(t, p, q, r)};
 }
 
 Answers det4_answers(const PlaneTable& t, PlaneId p, PlaneId q, PlaneId r, PlaneId s) {
-  return {"det4",
-          rung::det4_filter(t.row(p), t.row(q), t.row(r), t.row(s)),
-          {rung::det4_fixed<Narrow>(t, p, q, r, s), rung::det4_fixed<Medium>(t, p, q, r, s),
-           rung::det4_fixed<Wide>(t, p, q, r, s)},
-          rung::det4_big(t, p, q, r, s),
+  return {"det4", rung::det4_filter(t.row(p), t.row(q), t.row(r), t.row(s)),
+          fixed_rungs::det4(t, p, q, r, s), rung::det4_big(t, p, q, r, s),
           det4_sign(t, p, q, r, s)};
 }
 
 Answers minor_answers(const PlaneTable& t, PlaneId p, PlaneId q, std::size_t axis) {
-  return {"minor",
-          rung::minor_filter(t.row(p), t.row(q), axis),
-          {rung::minor_fixed<Narrow>(t, p, q, axis), rung::minor_fixed<Medium>(t, p, q, axis),
-           rung::minor_fixed<Wide>(t, p, q, axis)},
-          rung::minor_big(t, p, q, axis),
-          minor_sign(t, p, q, axis)};
+  return {"minor", rung::minor_filter(t.row(p), t.row(q), axis), fixed_rungs::minor(t, p, q, axis),
+          rung::minor_big(t, p, q, axis), minor_sign(t, p, q, axis)};
 }
 
 Answers side_answers(const Point3Table& t, SpacePoint x, PlaneId p) {
-  return {"side",
-          rung::side_filter(t.box(x), t.planes().row(p)),
-          {rung::side_fixed<Narrow>(t, x, p), rung::side_fixed<Medium>(t, x, p),
-           rung::side_fixed<Wide>(t, x, p)},
-          rung::side_big(t, x, p),
-          side(t, x, p)};
+  return {"side", rung::side_filter(t.box(x), t.planes().row(p)), fixed_rungs::side(t, x, p),
+          rung::side_big(t, x, p), side(t, x, p)};
 }
 
 Answers axis_answers(const Point3Table& t, SpacePoint x, SpacePoint y, std::size_t axis) {
-  return {"compare_axis",
-          rung::compare_axis_filter(t.box(x), t.box(y), axis),
-          {rung::compare_axis_fixed<Narrow>(t, x, y, axis),
-           rung::compare_axis_fixed<Medium>(t, x, y, axis),
-           rung::compare_axis_fixed<Wide>(t, x, y, axis)},
-          rung::compare_axis_big(t, x, y, axis),
+  return {"compare_axis", rung::compare_axis_filter(t.box(x), t.box(y), axis),
+          fixed_rungs::compare_axis(t, x, y, axis), rung::compare_axis_big(t, x, y, axis),
           compare_axis(t, x, y, axis)};
 }
 
