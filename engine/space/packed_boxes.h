@@ -35,9 +35,16 @@ class PackedBoxTree {
   /// Requires fits().
   template <class Visit, class MayGoOn>
   bool for_each_pair_inside(Visit&& visit, MayGoOn&& may_go_on) const {
-    const auto take = [&](std::uint32_t i, std::uint32_t j) { visit(order_[i], order_[j]); };
-    return levels_.empty() || inside(levels_.size() - 1, 0, take, may_go_on);
+    return for_each_pair_in_order(
+        [&](std::uint32_t i, std::uint32_t j) { visit(order_[i], order_[j]); }, may_go_on);
   }
+  /// The same, with their places in order() for the boxes: what is looked at for many pairs may be kept in that order.
+  template <class Visit, class MayGoOn>
+  bool for_each_pair_in_order(Visit&& visit, MayGoOn&& may_go_on) const {
+    return levels_.empty() || inside(levels_.size() - 1, 0, visit, may_go_on);
+  }
+  /// The boxes, neighbours together.
+  std::span<const std::uint32_t> order() const { return order_; }
 
  private:
   static constexpr std::uint32_t kWidth = 8;

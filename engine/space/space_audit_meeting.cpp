@@ -46,7 +46,7 @@ class MeetingAudit : SpaceAuditPart {
     if (!test_pairs_of(PackedBoxTree(leaves_.boxes()))) {
       BoxTree(leaves_.boxes()).for_each_pair_inside([this](std::uint32_t x, std::uint32_t y) {
         step_();
-        test(x, y);
+        if (!share_fan(triangles_[x], triangles_[y])) test(x, y);
       });
     }
     gather_edges();
@@ -79,12 +79,16 @@ class MeetingAudit : SpaceAuditPart {
       step_();
       return --left > 0;
     };
-    return tree.for_each_pair_inside([this](std::uint32_t x, std::uint32_t y) { test(x, y); },
-                                     may_go_on);
+    std::vector<Triangle> triangles;
+    triangles.reserve(tree.order().size());
+    for (const std::uint32_t x : tree.order()) triangles.push_back(triangles_[x]);
+    const auto look_at = [&](std::uint32_t i, std::uint32_t j) {
+      if (!share_fan(triangles[i], triangles[j])) test(tree.order()[i], tree.order()[j]);
+    };
+    return tree.for_each_pair_in_order(look_at, may_go_on);
   }
   void test(std::uint32_t x, std::uint32_t y) {
-    const Triangle &s = triangles_[x], &t = triangles_[y];
-    if (share_fan(s, t) || !leaves_.boxes()[x].meets(leaves_.boxes()[y])) return;
+    if (!leaves_.boxes()[x].meets(leaves_.boxes()[y])) return;
     if (lies_beside(x, y) || lies_beside(y, x)) return;
     test_against_facet(x, y);
     test_against_facet(y, x);
