@@ -1,9 +1,9 @@
 // Disjoint classes of 0, 1, 2, ...
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace plumb {
@@ -17,16 +17,20 @@ class UnionFind {
   }
   std::size_t size() const { return parent_.size(); }
   std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
+    for (;;) {
+      const std::uint32_t parent = parent_[i], beyond = parent_[parent];
+      if (parent == beyond) return parent;
+      parent_[i] = beyond;
+      i = beyond;
+    }
   }
   /// False if they were in one class already.
   bool unite(std::uint32_t i, std::uint32_t j) {
     i = root(i);
     j = root(j);
-    if (i < j) std::swap(i, j);
-    parent_[i] = j;
-    return i != j;
+    if (i == j) return false;
+    parent_[std::max(i, j)] = std::min(i, j);
+    return true;
   }
 
  private:

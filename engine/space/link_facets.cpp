@@ -162,10 +162,16 @@ class Linker {
       const bool is_reverse = out_.origin[2 * e].value() != facets_.corner[u];
       out_.use_halfedge[u] = HalfedgeId(2 * e + (is_reverse ? 1 : 0));
     }
+    if (uses.size() == 2) {
+      out_.use_radial[uses[0]] = UseId(uses[1]);
+      out_.use_radial[uses[1]] = UseId(uses[0]);
+      out_.edge_use[e] = UseId(uses[0]);
+      return;
+    }
     ring_.assign(uses.begin(), uses.end());
-    if (ring_.size() > 2) sort_ring(e);
+    sort_ring(e);
     for (std::size_t i = 0; i < ring_.size(); ++i) {
-      out_.use_radial[ring_[i]] = UseId(ring_[(i + 1) % ring_.size()]);
+      out_.use_radial[ring_[i]] = UseId(ring_[i + 1 < ring_.size() ? i + 1 : 0]);
     }
     out_.edge_use[e] = UseId(ring_[0]);
   }

@@ -22,8 +22,11 @@ class Joiner {
   std::vector<std::uint32_t> run(std::size_t& count) {
     std::vector<UseId> rest;  // of edges that are not plain and balanced
     for (const UseId u : complex_.edge_use) {
-      if (is_plain(u)) classes_.unite(facet(u), facet(complex_.use_radial[u.value()]));
-      if (!is_plain(u) || !is_balanced(u)) rest.push_back(u);
+      const UseId v = complex_.use_radial[u.value()];
+      const bool is_plain = complex_.use_radial[v.value()] == u;  // one facet or two at the edge
+      const std::uint32_t f = facet(u), g = facet(v);
+      if (is_plain) classes_.unite(f, g);
+      if (!is_plain || !is_balanced(u, f, v, g)) rest.push_back(u);
     }
     for (const UseId u : rest) {
       if (!is_plain(u)) unite_unbalanced(u);
@@ -41,12 +44,10 @@ class Joiner {
     return complex_.use_radial[complex_.use_radial[u.value()].value()] == u;
   }
 
-  /// Of a plain one: do two facets rise to the same side? They do at most edges of most meshes.
-  bool is_balanced(UseId u) const {
-    const UseId v = complex_.use_radial[u.value()];
+  /// Of a plain one, of facets f and g: do two facets rise to the same side? They do at most edges of most meshes.
+  bool is_balanced(UseId u, std::uint32_t f, UseId v, std::uint32_t g) const {
     const bool is_one_way = complex_.use_halfedge[u.value()] == complex_.use_halfedge[v.value()];
-    const std::int32_t jump = jump_[facet(u)], other = jump_[facet(v)];
-    return v != u && (is_one_way ? jump == -other : jump == other);
+    return v != u && (is_one_way ? jump_[f] == -jump_[g] : jump_[f] == jump_[g]);
   }
 
   /// Components that run through the edge more often one way than the other belong together, and to

@@ -6,8 +6,6 @@
 namespace plumb {
 namespace {
 
-using VertexPair = std::array<std::uint32_t, 2>;
-
 void link_cycles(const MeshFacets& facets, MeshLinks& links) {
   links.next.resize(facets.corner.size());
   links.facet.resize(facets.corner.size());
@@ -56,11 +54,13 @@ MeshLinks link_corners(const MeshFacets& facets, std::size_t vertex_count) {
     const auto first = buckets.entry.begin() + buckets.begin[v];
     const auto last = buckets.entry.begin() + buckets.begin[v + 1];
     std::sort(first, last);
+    std::uint32_t known = ~std::uint32_t{0};  // the other end of the last edge of v
     for (auto i = first; i != last; ++i) {
       const auto other = static_cast<std::uint32_t>(*i >> 32U);
-      if (links.end.empty() || links.end.back() != VertexPair{v, other}) {
+      if (other != known) {
         links.begin.push_back(static_cast<std::uint32_t>(links.use.size()));
         links.end.push_back({v, other});
+        known = other;
       }
       links.use.push_back(static_cast<std::uint32_t>(*i));
     }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "plumb/base/refused_memory.h"
+#include "plumb/base/union_find.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rounded_point3.h"
 #include "plumb/space/facet_triangles.h"
@@ -35,8 +35,7 @@ class Cones {
   Cones(const SpaceComplex& complex, std::span<const std::array<std::uint8_t, 2>> shown)
       : complex_(complex),
         shown_(shown),
-        parent_(2 * (complex.use_count() + complex.inner.size())) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
+        classes_(2 * (complex.use_count() + complex.inner.size())) {
     for (std::uint32_t e = 0; e < complex.edge_count(); ++e) join_around(EdgeId(e));
   }
 
@@ -46,18 +45,11 @@ class Cones {
   std::uint32_t corner_of_inner(std::size_t i, bool side) const {
     return static_cast<std::uint32_t>(2 * (complex_.use_count() + i) + (side ? 1 : 0));
   }
-  std::size_t size() const { return parent_.size(); }
+  std::size_t size() const { return classes_.size(); }
   /// The cone of a corner.
-  std::uint32_t root(std::uint32_t c) {
-    while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
-    return c;
-  }
+  std::uint32_t root(std::uint32_t c) { return classes_.root(c); }
   /// One facet around the same vertex twice keeps one vertex there.
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-  }
+  void join(std::uint32_t a, std::uint32_t b) { classes_.unite(a, b); }
 
  private:
   struct Entry {
@@ -96,7 +88,7 @@ class Cones {
 
   const SpaceComplex& complex_;
   std::span<const std::array<std::uint8_t, 2>> shown_;
-  std::vector<std::uint32_t> parent_;
+  UnionFind classes_;  // of corners
   std::vector<Entry> ring_;
   std::uint32_t crowded_edges_ = 0;
 };
@@ -117,6 +109,9 @@ class MeshMaker {
 
   MeshOfComplex run() {
     number_vertices();
+    out_.mesh.face_begin.reserve(sides_.size() + 1);
+    out_.mesh.corners.reserve(3 * sides_.size());
+    out_.facet.reserve(sides_.size());
     for (std::size_t i = 0; i < sides_.size(); ++i) {
       if (i % 4096 == 0) context_.checkpoint("faces of the mesh", i, sides_.size());
       add_faces(sides_[i]);
