@@ -34,10 +34,10 @@ constexpr std::size_t kMostText = 1U << 14U;
 constexpr std::size_t kMostRings = 20;
 constexpr std::size_t kMostPoints = 200;
 constexpr double kClose = 1e-9;
-// What a drawing may be charged at most: a chord of a curve takes 48 bytes; there may be 2^20 of them, and 16 more for each
-// byte. An attribute takes 64 bytes from 5, a point 48 from 2.
+// What a drawing may be charged at most: a chord of a curve takes 48 bytes; there may be 2^20 of them, and one more for every 8
+// bytes. An attribute takes 64 bytes from 5, a point 48 from 2.
 constexpr std::size_t kBytesOfChords = std::size_t{48} << 20U;
-constexpr std::size_t kBytesPerByte = 16 * 48 + 48;
+constexpr std::size_t kBytesPerByte = 48 / 8 + 48;
 
 void require_rings(const SvgDrawing& drawing, std::string_view text) {
   require(drawing.places.size() == drawing.points.size(), "every point has a place");

@@ -25,8 +25,8 @@ Point2 applied(const SvgTransform& t, Point2 p);
 /// Collects the shapes of a drawing. Coordinates come in the units of an element; curves are replaced by chords that are
 /// nowhere further from them than the tolerance, measured in those of the drawing.
 ///
-/// The chords of all curves together are at most 2^20 and 16 for each byte of the text: what a drawing takes is in
-/// proportion to its file, however fine the tolerance.
+/// The chords of all curves together are at most 2^20 and one for every 8 bytes of the text: they take no more than 64 MB and
+/// ten times the text, however fine the tolerance.
 ///
 /// Every function that adds points takes a cursor at what says so. Errors there: NumberOutOfRange beyond the
 /// largest double; BadShape for a curve without a tolerance; ResourceLimit, of too many chords, too; Cancelled.
@@ -36,7 +36,7 @@ class SvgOutline {
   SvgOutline(std::string_view text, std::optional<double> tolerance, Context& context)
       : text_(text.data()),
         tolerance_(tolerance),
-        most_chords_(kMostChords + kChordsPerByte * text.size()),
+        most_chords_(kMostChords + text.size() / kBytesPerChord),
         context_(context) {}
 
   void set_tolerance(double tolerance) { tolerance_ = tolerance; }
@@ -67,7 +67,7 @@ class SvgOutline {
   std::size_t chords(const TextCursor& at, double bend);
 
   static constexpr std::size_t kMostChords = std::size_t{1} << 20U;
-  static constexpr std::size_t kChordsPerByte = 16;
+  static constexpr std::size_t kBytesPerChord = 8;
 
   const char* text_;
   std::optional<double> tolerance_;
