@@ -1,5 +1,7 @@
 #include "plumb/predicates/scaled.h"
 
+#include <span>
+
 namespace plumb {
 
 Scaled scaled(const Integer& x) {
@@ -15,9 +17,9 @@ void append_limbs(const Integer& x, std::size_t count, std::vector<std::uint64_t
   mpz_export(limbs.data() + first, nullptr, -1, sizeof(std::uint64_t), 0, 0, x.backend().data());
   if (x.sign() >= 0) return;
   std::uint64_t carry = 1;
-  for (std::size_t i = first; i < limbs.size(); ++i) {
-    limbs[i] = ~limbs[i] + carry;
-    carry = static_cast<std::uint64_t>(carry != 0 && limbs[i] == 0);
+  for (std::uint64_t& limb : std::span(limbs).subspan(first)) {
+    limb = ~limb + carry;
+    carry = static_cast<std::uint64_t>(carry != 0 && limb == 0);
   }
 }
 

@@ -193,6 +193,14 @@ PointTable2 table(const std::vector<RationalPoint2>& points) {
   return t;
 }
 
+TEST(PlanePoints, ApproximationsAreThoseOfInputsAndCrossings) {
+  PlanePoints points;
+  for (const Point2 p : {Point2{0, 0}, {4, 4}, {0, 4}, {4, 0}}) points.inputs.push_back(p);
+  points.crossings.push_back(make_crossing(points.inputs, 0, 1, 2, 3));
+  EXPECT_EQ(approx(points, 1), (Point2{4, 4}));
+  EXPECT_EQ(approx(points, 4), (Point2{2, 2}));
+}
+
 TEST(PointTable2, AppendKeepsBothTables) {
   const std::vector<std::vector<RationalPoint2>> tables = {{}, {{3, 4}, {5, 6}}, mixed_points()};
   for (const auto& first : tables) {

@@ -299,6 +299,29 @@ TEST(PlaneTable, MergeMapsPlanesToEqualPlanes) {
   }
 }
 
+/// Rows of one limb to many, which lie one behind the other in the table.
+TEST(PlaneTable, ExplicitRowsOfAnyLengthAreCopied) {
+  PlaneTable table;
+  for (const int bits : {10, 130, 62, 400, 64, 1}) {
+    const Rational long_one((Integer(1) << bits) + 1);
+    ASSERT_TRUE(table.intern(long_one, Rational(-3), Rational(5), -long_one).is_valid());
+    ASSERT_TRUE(table.intern(Rational(7), long_one, -long_one, Rational(2)).is_valid());
+  }
+  PlaneTable merged;
+  merged.intern(1, 2, 3, 4);
+  const std::vector<PlaneId> map = merged.merge(table);
+  std::vector<PlaneId> odd_ones;  // of a copy of every second one
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    odd_ones.push_back(i % 2 == 1 ? PlaneId(i / 2) : PlaneId());
+    EXPECT_EQ(merged.primitive(map[i]), table.primitive(PlaneId(i)));
+  }
+  const PlaneTable part(table, odd_ones, {});
+  ASSERT_EQ(part.size(), table.size() / 2);
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    EXPECT_EQ(part.primitive(PlaneId(i)), table.primitive(PlaneId(2 * i + 1)));
+  }
+}
+
 /// Every second triangle, its corners alone: planes are the same, and nothing else comes along.
 TEST(PlaneTable, CopiesOfAPartHoldThatPart) {
   cases::Random random(16);

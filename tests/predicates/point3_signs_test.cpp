@@ -339,6 +339,24 @@ TEST(RoundedPoint3, IsNearestInEachCoordinate) {
   EXPECT_GT(others, 50U);
 }
 
+TEST(RoundedPoint3, IsExactOnlyIfAllCoordinatesAre) {
+  for (std::size_t inexact = 0; inexact < 4; ++inexact) {
+    PlaneTable table;
+    std::array<PlaneId, 3> planes;
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::array<Rational, 3> n{0, 0, 0};
+      n[i] = i == inexact ? 3 : 4;
+      planes[i] = table.intern(n[0], n[1], n[2], Rational(-1)).plane();
+    }
+    Point3Table points(table);
+    const RoundedPoint3 near = rounded(points, points.add(planes[0], planes[1], planes[2]));
+    EXPECT_EQ(near.is_exact, inexact == 3);
+    EXPECT_EQ(near.at.x, inexact == 0 ? 1.0 / 3 : 0.25);
+    EXPECT_EQ(near.at.y, inexact == 1 ? 1.0 / 3 : 0.25);
+    EXPECT_EQ(near.at.z, inexact == 2 ? 1.0 / 3 : 0.25);
+  }
+}
+
 TEST(Point3Signs, IdentityNeedsNoArithmetic) {
   PlaneTable table;
   const OrientedPlane x = table.intern(1.0, 0.0, 0.0, -1.0), y = table.intern(0.0, 1.0, 0.0, -1.0),

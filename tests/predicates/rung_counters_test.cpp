@@ -134,6 +134,16 @@ TEST(RungCounters, CountQuestionsOfThePlaneOnce) {
   for (const Question& q : questions) expect_counted_once(q);
 }
 
+TEST(RungCounters, DoNotCountAPointAndItself) {
+  const PlanePoints points = square();
+  reset_rung_counts();
+  for (std::uint32_t i = 0; i < 10; ++i) {
+    EXPECT_EQ(compare_x(points, i, i), Sign::Zero);
+    EXPECT_EQ(compare_xy(points, i, i), Sign::Zero);
+  }
+  EXPECT_EQ(rung_counts(), RungCounts{});
+}
+
 TEST(RungCounters, CountQuestionsOfSpaceOnce) {
   using enum Predicate;
   const Planes p;
