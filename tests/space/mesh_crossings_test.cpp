@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 
 #include "generate/dice.h"
 #include "generate/meshes.h"
@@ -16,6 +18,7 @@
 #include "plumb/space/from_mesh.h"
 #include "plumb/space/oriented_boxes.h"
 #include "plumb/space/packed_boxes.h"
+#include "plumb/space/space_audit_parts.h"
 #include "plumb/space/triangle_groups.h"
 
 namespace plumb::testing {
@@ -144,6 +147,73 @@ TEST(MeshCrossings, StarsAsBruteForce) {
     SCOPED_TRACE(round);
     expect_as_brute_force(star(points));
   }
+}
+
+/// The invariant that the steps of the audit find broken, given those vertices with a fan.
+std::string flaw_of(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan) {
+  Context context;
+  std::optional<SpaceFlaw> flaw = audit_places(complex, has_fan, context);
+  if (!flaw) flaw = audit_cycles(complex, context);
+  if (!flaw) flaw = audit_meeting(complex, has_fan, context);
+  return flaw ? flaw->invariant : "";
+}
+
+/// A polygon that is seen from the origin, in a plane, and a point joined to its sides. The point may see the polygon from
+/// above, from beside or through itself.
+PolygonMesh pyramid(Dice& dice, std::size_t corners, bool is_closed) {
+  std::vector<Point3> points;
+  const double slope = static_cast<double>(dice.between(-1, 1));
+  while (points.size() < corners) {
+    const auto x = static_cast<double>(dice.between(-3, 3)),
+               y = static_cast<double>(dice.between(-3, 3));
+    const auto is_in_line = [&](const Point3& p) {
+      return p.x * y == p.y * x && p.x * x + p.y * y >= 0;
+    };
+    const bool is_new = (x != 0 || y != 0) && std::ranges::none_of(points, is_in_line);
+    if (is_new) points.push_back({x, y, slope * x + y});
+  }
+  std::ranges::sort(points, {}, [](const Point3& p) { return std::atan2(p.y, p.x); });
+  const auto n = static_cast<std::uint32_t>(corners);
+  std::vector<Face> faces(is_closed ? 1 : 0);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    faces.push_back({n, i, (i + 1) % n});
+    if (is_closed) faces[0].push_back(n - 1 - i);
+  }
+  points.push_back({static_cast<double>(dice.between(-4, 4)),
+                    static_cast<double>(dice.between(-4, 4)),
+                    static_cast<double>(dice.between(-4, 4))});
+  return make_mesh(std::move(points), faces);
+}
+
+// Around corners of polygons, reflex ones too, and around points with fractions, which are constructed: fans hide no
+// crossing from the test of meshes nor from the audit. (The brute force knows convex facets alone.)
+TEST(MeshCrossings, FansOfPyramidsHideNothing) {
+  Dice dice(15);
+  std::size_t fans = 0, crossing = 0;
+  constexpr int kRounds = 600;
+  for (int round = 0; round < kRounds; ++round) {
+    SCOPED_TRACE(round);
+    const std::size_t corners = 3 + static_cast<std::size_t>(round) % 5;
+    PolygonMesh mesh = pyramid(dice, corners, round % 4 != 0);
+    const Rational third = Rational(1) / 3;
+    for (std::uint32_t i = 0; i < mesh.points.size() && round % 2 == 0; ++i) {
+      const Point3& p = mesh.points[i];
+      mesh.exact.emplace_back(i, RationalPoint3{p.x * third, p.y * third, p.z * third});
+    }
+    if (corners == 3) expect_as_brute_force(mesh);
+    const MeshComplex read = made(mesh);
+    const std::vector<std::uint8_t> none(read.has_fan.size());
+    Context context;
+    EXPECT_EQ(read.crossings, find_mesh_crossings(read.complex, none, context));
+    const bool crosses = read.report.crosses_itself();
+    EXPECT_EQ(!flaw_of(read.complex, none).empty(), crosses) << flaw_of(read.complex, none);
+    EXPECT_EQ(!flaw_of(read.complex, read.has_fan).empty(), crosses)
+        << flaw_of(read.complex, read.has_fan);
+    fans += static_cast<std::size_t>(std::ranges::count(read.has_fan, 1));
+    crossing += crosses ? 1 : 0;
+  }
+  EXPECT_GT(fans, kRounds / 2);
+  EXPECT_GT(crossing, kRounds / 10);
 }
 
 // Every step turns left, as in a fan, but they go around twice.
