@@ -33,65 +33,72 @@ Once reading(std::string text, Read read) {
   });
 }
 
+/// Jobs of one input, which `make()` makes.
+template <class Made>
+struct Input {
+  std::vector<Job>& jobs;
+  std::string name;
+  bool is_real;
+  std::function<Made()> make;
+
+  void add(const std::string& capability, std::function<Once()> prepare) const {
+    jobs.push_back({capability, name, is_real, "bytes", std::move(prepare)});
+  }
+  /// `write(made)` writes to a stream.
+  template <class Write, class Read>
+  void add_reading(const std::string& format, Write write, Read read) const {
+    add("read " + format,
+        [make = make, write, read] { return reading(text_of(write(make())), read); });
+  }
+  template <class Write>
+  void add_writing(const std::string& format, Write write) const {
+    add("write " + format, [make = make, write] { return writing(write(make())); });
+  }
+};
+
 constexpr std::pair<const char*, MeshFormat> kMeshFormats[] = {
     {"OFF", MeshFormat::Off},           {"OBJ", MeshFormat::Obj},
     {"STL, text", MeshFormat::Stl},     {"STL, binary", MeshFormat::StlBinary},
     {"PLY, text", MeshFormat::PlyText}, {"PLY, binary", MeshFormat::Ply}};
 
-void add_meshes(std::vector<Job>& jobs, const std::string& input, bool is_real,
-                const std::function<PolygonMesh()>& make) {
+auto mesh_reader(MeshFormat format) {
+  return [=](const std::string& text, Context& own) { return read_mesh(text, format, {}, own); };
+}
+
+void add_meshes(const Input<PolygonMesh>& meshes) {
   for (const auto& [name, format] : kMeshFormats) {
     const auto write = [format = format](const PolygonMesh& mesh) {
       return [=](std::ostream& out) { write_mesh(out, mesh, format); };
     };
-    jobs.push_back(
-        {fmt::format("read {}", name), input, is_real, "bytes", [make, write, format = format] {
-           return reading(text_of(write(make())), [format](const std::string& text, Context& own) {
-             return read_mesh(text, format, {}, own);
-           });
-         }});
-    jobs.push_back({fmt::format("write {}", name), input, is_real, "bytes",
-                    [make, write] { return writing(write(make())); }});
+    meshes.add_reading(name, write, mesh_reader(format));
+    meshes.add_writing(name, write);
   }
-  jobs.push_back({"read glTF", input, is_real, "bytes", [make] {
-                    Context context;
-                    const Scene scene = scene_of(testing::solid(make()), context);
-                    return reading(
-                        text_of([&](std::ostream& out) { write_scene_glb(out, scene, ""); }),
-                        [](const std::string& text, Context& own) {
-                          return read_mesh(text, MeshFormat::Gltf, {}, own);
-                        });
-                  }});
-  const auto write_set = [](const Nef3& set) {
-    return [=](std::ostream& out) { write_nef3(out, set.complex()); };
+  const auto write_gltf = [](const PolygonMesh& mesh) {
+    return [=](std::ostream& out) {
+      Context context;
+      write_scene_glb(out, scene_of(testing::solid(mesh), context), "");
+    };
   };
-  jobs.push_back({"read .nef, with its audit", input, is_real, "bytes", [make, write_set] {
-                    return reading(text_of(write_set(testing::solid(make()))),
-                                   [](const std::string& text, Context& own) {
-                                     SpaceComplex complex = read_nef3(text, {}, own);
-                                     PLUMB_CHECK(!audit(complex, true, own));
-                                     return complex;
-                                   });
-                  }});
-  jobs.push_back({"write .nef", input, is_real, "bytes",
-                  [make, write_set] { return writing(write_set(testing::solid(make()))); }});
+  meshes.add_reading("glTF", write_gltf, mesh_reader(MeshFormat::Gltf));
+  const auto write_set = [](const PolygonMesh& mesh) {
+    return [set = testing::solid(mesh)](std::ostream& out) { write_nef3(out, set.complex()); };
+  };
+  meshes.add_reading(".nef, with its audit", write_set, [](const std::string& text, Context& own) {
+    SpaceComplex complex = read_nef3(text, {}, own);
+    PLUMB_CHECK(!audit(complex, true, own));
+    return complex;
+  });
+  meshes.add_writing(".nef", write_set);
 }
 
-void add_maps(std::vector<Job>& jobs, const std::string& input, bool is_real,
-              const std::function<Map()>& make) {
+void add_maps(const Input<Map>& maps) {
   const auto write = [](const Map& map) { return [=](std::ostream& out) { write_map(out, map); }; };
-  jobs.push_back({"read map", input, is_real, "bytes", [make, write] {
-                    return reading(text_of(write(make())),
-                                   [](const std::string& text, Context& own) {
-                                     return read_map(text, {}, own);
-                                   });
-                  }});
-  jobs.push_back(
-      {"write map", input, is_real, "bytes", [make, write] { return writing(write(make())); }});
+  maps.add_reading("map", write,
+                   [](const std::string& text, Context& own) { return read_map(text, {}, own); });
+  maps.add_writing("map", write);
 }
 
-void add_plane_sets(std::vector<Job>& jobs, const std::string& input, bool is_real,
-                    const std::function<Nef2()>& make) {
+void add_plane_sets(const Input<Nef2>& sets) {
   constexpr std::pair<const char*, PlaneFormat> kFormats[] = {
       {"WKT", PlaneFormat::Wkt}, {"GeoJSON", PlaneFormat::GeoJson}, {".nef2", PlaneFormat::Nef2}};
   for (const auto& [name, format] : kFormats) {
@@ -101,39 +108,35 @@ void add_plane_sets(std::vector<Job>& jobs, const std::string& input, bool is_re
         PlaneText(set, format, context).write(out, context);
       };
     };
-    jobs.push_back(
-        {fmt::format("read {}", name), input, is_real, "bytes", [make, write, format = format] {
-           return reading(text_of(write(make())), [format](const std::string& text, Context& own) {
-             return read_plane_set(text, format, {}, own);
-           });
-         }});
-    jobs.push_back({fmt::format("write {}", name), input, is_real, "bytes",
-                    [make, write] { return writing(write(make())); }});
+    sets.add_reading(name, write, [format = format](const std::string& text, Context& own) {
+      return read_plane_set(text, format, {}, own);
+    });
+    sets.add_writing(name, write);
   }
 }
 
 }  // namespace
 
 void add_file_jobs(std::vector<Job>& jobs, const MacroOptions& options) {
-  add_meshes(jobs, "corpus/solids/bunny.off", true,
-             [] { return mesh_of("corpus/solids/bunny.off"); });
+  const std::string bunny = "corpus/solids/bunny.off";
+  add_meshes({jobs, bunny, true, [bunny] { return mesh_of(bunny); }});
   const int depth = options.most < 50 ? 3 : 6;
-  add_meshes(jobs, fmt::format("icosphere of 20 * 4^{}", depth), false, [depth] {
-    return testing::icosphere_mesh(depth, 1, {0, 0, 0});
-  });
+  add_meshes({jobs, fmt::format("icosphere of 20 * 4^{}", depth), false, [depth] {
+                return testing::icosphere_mesh(depth, 1, {0, 0, 0});
+              }});
   const std::string counties = "corpus/maps/us-counties.map";
-  add_maps(jobs, counties, true, [counties] { return map_of(counties); });
+  add_maps({jobs, counties, true, [counties] { return map_of(counties); }});
   const auto faces = static_cast<std::uint32_t>(options.size(100000, 1000));
-  add_maps(jobs, "hexagons", false,
-           [faces] { return to_map(testing::map_family("hexagons").make(faces)); });
+  add_maps({jobs, "hexagons", false,
+            [faces] { return to_map(testing::map_family("hexagons").make(faces)); }});
   const std::string frame = "corpus/plane/frame.geojson";
-  add_plane_sets(jobs, frame, true, [frame] {
-    Context context;
-    return read_plane_set_file(frame, {}, {}, context);
-  });
+  add_plane_sets({jobs, frame, true, [frame] {
+                    Context context;
+                    return read_plane_set_file(frame, {}, {}, context);
+                  }});
   const std::size_t corners = options.size(100000, 1000);
-  add_plane_sets(jobs, "a star", false,
-                 [corners] { return Nef2::polygon(testing::star_polygon(corners, 1)); });
+  add_plane_sets({jobs, "a star", false,
+                  [corners] { return Nef2::polygon(testing::star_polygon(corners, 1)); }});
 }
 
 }  // namespace plumb::bench

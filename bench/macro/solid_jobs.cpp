@@ -116,16 +116,20 @@ Once comparison_of(const PolygonMesh& mesh) {
 /// Of each capability that needs one mesh.
 void add_mesh_jobs(std::vector<Job>& jobs, const std::string& input, bool is_real,
                    const std::function<PolygonMesh()>& make) {
-  const auto add = [&](const char* capability, const char* unit, Once (*of)(const PolygonMesh&)) {
-    jobs.push_back({capability, input, is_real, unit, [make, of] { return of(make()); }});
+  using Of = Once (*)(const PolygonMesh&);
+  const auto add_of = [&](const char* capability, const std::string& of_what, const char* unit,
+                          Of of) {
+    jobs.push_back({capability, of_what, is_real, unit, [make, of] { return of(make()); }});
+  };
+  const auto add = [&](const char* capability, const char* unit, Of of) {
+    add_of(capability, input, unit, of);
   };
   add("a set of a mesh", "facets", [](const PolygonMesh& mesh) {
     return timed([mesh] { return testing::solid(mesh); }, facets_of);
   });
-  jobs.push_back({"space Boolean, mesh to triangles", input + " and itself moved", is_real,
-                  "triangles", [make] { return union_of_meshes(make()); }});
-  jobs.push_back({"what rounding does", "union of " + input + " and itself moved", is_real,
-                  "facets", [make] { return rounding_of(make()); }});
+  const std::string two = input + " and itself moved";
+  add_of("space Boolean, mesh to triangles", two, "triangles", union_of_meshes);
+  add_of("what rounding does", "union of " + two, "facets", rounding_of);
   add("section with a half-space", "facets", section_of);
   add("space topology: boundary of complement", "facets", [](const PolygonMesh& mesh) {
     return timed([set = testing::solid(mesh)] { return (!set).boundary(); }, facets_of);
