@@ -40,6 +40,9 @@ function(plumb_sanitize target)
   if(PLUMB_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${PLUMB_SANITIZE} -fno-sanitize-recover=all
       -fno-omit-frame-pointer)
+    if(PLUMB_SANITIZE_WITHOUT)
+      target_compile_options(${target} PRIVATE -fno-sanitize=${PLUMB_SANITIZE_WITHOUT})
+    endif()
     target_link_options(${target} PUBLIC -fsanitize=${PLUMB_SANITIZE})
     target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
   endif()
@@ -127,6 +130,26 @@ function(plumb_library target name)
   endif()
 endfunction()
 
+# plumb_random_cases(TEST... [SEED seed] [CASES n] [SIZE n]): what tests draw at random is the same every time (what new cases
+# find belongs to whoever looks for it, not to the next change), and of RapidCheck's `CASES` for each property, as of the tests'
+# own (generate/test_share.h), as many percent are run as PLUMB_TEST_SHARE says.
+function(plumb_random_cases)
+  cmake_parse_arguments(ARG "" "SEED;CASES;SIZE" "" ${ARGN})
+  if(NOT ARG_SEED)
+    set(ARG_SEED 20261122)
+  endif()
+  if(NOT ARG_CASES)
+    set(ARG_CASES 100)
+  endif()
+  math(EXPR cases "(${ARG_CASES} * ${PLUMB_TEST_SHARE} + 99) / 100")
+  set(parameters "seed=${ARG_SEED} max_success=${cases}")
+  if(ARG_SIZE)
+    string(APPEND parameters " max_size=${ARG_SIZE}")
+  endif()
+  set_tests_properties(${ARG_UNPARSED_ARGUMENTS} PROPERTIES
+    ENVIRONMENT "RC_PARAMS=${parameters};PLUMB_TEST_SHARE=${PLUMB_TEST_SHARE}")
+endfunction()
+
 # plumb_test(NAME SOURCE... [THREADS] [LIBRARIES ...]): a GoogleTest program, one ctest per program; THREADS: it runs
 # some, and the thread sanitizer looks (label threads, target threads_tests). Compiling it takes
 # longer than running it, so that little is spent on optimising it; the libraries it tests are what they are.
@@ -138,8 +161,7 @@ function(plumb_test name)
   plumb_precompile(${name} test <gtest/gtest.h>)
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest GTest::gtest_main)
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-  # The same cases every time: what new ones find belongs to whoever looks for it, not to the next change.
-  set_tests_properties(${name} PROPERTIES ENVIRONMENT RC_PARAMS=seed=20261122)
+  plumb_random_cases(${name})
   if(ARG_THREADS)
     set_tests_properties(${name} PROPERTIES LABELS threads)
     if(NOT TARGET threads_tests)

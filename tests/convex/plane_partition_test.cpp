@@ -11,6 +11,7 @@
 #include "generate/dice.h"
 #include "generate/plane_families.h"
 #include "generate/plane_program.h"
+#include "generate/test_share.h"
 #include "oracle/nef2_check.h"
 #include "oracle/partition_check.h"
 #include "plumb/base/error.h"
@@ -143,7 +144,7 @@ void expect_bounds(const Nef2& set, std::size_t holes) {
 }
 
 TEST(PlanePartition, IsOptimalForSmallPolygons) {
-  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+  for (std::uint64_t seed = 0; seed < share_of(400); ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     const std::size_t corners = 4 + dice.below(8);
@@ -164,7 +165,7 @@ TEST(PlanePartition, IsOptimalForSmallPolygons) {
 
 /// Maps keep lines: as many pieces of polygons with crossings for corners, wherever they lie.
 TEST(PlanePartition, IsOptimalForImagesToo) {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < share_of(60); ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(seed + 1000);
     const Nef2 set = polygon(random_polygon(dice, 14, 6));
@@ -206,7 +207,7 @@ TEST(PlanePartition, StaysNearTheFewestWithHoles) {
 }
 
 TEST(PlanePartition, OfManyHolesHasItsBounds) {
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (std::uint64_t seed = 0; seed < share_of(40); ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     Nef2 set = box(0, 0, 20, 20);
@@ -356,7 +357,7 @@ TEST(PlanePartition, OfRandomExpressions) {
     const auto method = *rc::gen::element(PartitionMethod::Cuts, PartitionMethod::Best);
     RC_ASSERT(flaw(set, method, *rc::gen::arbitrary<bool>()) == "");
   }));
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (std::uint64_t seed = 0; seed < share_of(300); ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     const auto values = static_cast<ProgramValues>(dice.below(kProgramValues));

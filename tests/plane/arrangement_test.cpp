@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "generate/curve_scenes.h"
+#include "generate/test_share.h"
 #include "oracle/arrangement_check.h"
 
 namespace plumb::testing {
@@ -24,7 +25,7 @@ class Arrangements : public ::testing::TestWithParam<SceneKind> {};
 
 TEST_P(Arrangements, MatchBruteForce) {
   const bool is_wild = GetParam() == SceneKind::Wild;
-  const std::uint64_t rounds = is_wild ? 20 : 200;
+  const std::uint64_t rounds = share_of(is_wild ? 20 : 200);
   for (std::uint64_t seed = 0; seed < rounds && !HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     const std::uint32_t curves = static_cast<std::uint32_t>(seed) % (is_wild ? 4 : 7);

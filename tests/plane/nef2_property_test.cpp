@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "generate/plane_program.h"
+#include "generate/test_share.h"
 #include "oracle/nef2_check.h"
 #include "oracle/program_property.h"
 #include "oracle/set_laws.h"
@@ -24,13 +25,13 @@ class RandomSets : public ::testing::TestWithParam<int> {
     switch (values()) {
       case ProgramValues::Plain:
       case ProgramValues::Thirds:
-        return plain;
+        return share_of(plain);
       case ProgramValues::Large:
       case ProgramValues::Small:
       case ProgramValues::Uneven:
-        return plain / 24;
+        return share_of(plain / 24);
       default:
-        return plain / 4;
+        return share_of(plain / 4);
     }
   }
   static PlaneSetPointer any_set(Dice& dice, std::size_t records, std::size_t max_lines) {

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "generate/curve_scenes.h"
+#include "generate/test_share.h"
 #include "plumb/plane/sweep_members.h"
 
 namespace plumb::testing {
@@ -256,7 +257,7 @@ class SweepUnbounded : public ::testing::TestWithParam<SceneKind> {};
 // Wide exponents make the oracle slow.
 TEST_P(SweepUnbounded, MatchesBruteForce) {
   const bool is_wild = GetParam() == SceneKind::Wild;
-  const std::uint64_t rounds = is_wild ? 40 : 500;
+  const std::uint64_t rounds = share_of(is_wild ? 40 : 500);
   for (std::uint64_t seed = 0; seed < rounds && !HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     const std::uint32_t curves = 1 + static_cast<std::uint32_t>(seed) % (is_wild ? 6 : 12);

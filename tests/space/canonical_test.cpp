@@ -13,6 +13,7 @@
 #include "generate/dice.h"
 #include "generate/meshes.h"
 #include "generate/space_program.h"
+#include "generate/test_share.h"
 #include "oracle/nef3_check.h"
 #include "oracle/program_property.h"
 #include "plumb/base/error.h"
@@ -99,7 +100,7 @@ class CanonicalSets : public ::testing::TestWithParam<int> {};
 
 TEST_P(CanonicalSets, DoNotTellHowTheyWereMade) {
   const auto values = static_cast<ProgramValues>(GetParam());
-  const std::uint64_t rounds = values == ProgramValues::Plain ? 50 : 12;
+  const std::uint64_t rounds = share_of(values == ProgramValues::Plain ? 50 : 12);
   for (std::uint64_t seed = 0; seed < rounds && !HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(seed * kProgramValues + static_cast<std::uint64_t>(GetParam()));

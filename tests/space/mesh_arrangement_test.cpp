@@ -8,6 +8,7 @@
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "generate/space_solids.h"
+#include "generate/test_share.h"
 #include "oracle/nef3_check.h"
 #include "plumb/base/error.h"
 #include "plumb/space/space_measure.h"
@@ -188,7 +189,7 @@ MeshLeaf maybe_inside_out(Dice& dice, MeshLeaf mesh) {
 }
 
 TEST(MeshArrangement, RandomBoxesAreThoseOfTheTwin) {
-  for (std::uint64_t seed = 0; seed < 40 && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 0; seed < share_of(40) && !HasFailure(); ++seed) {
     Dice dice(seed);
     MeshLeaf soup = random_box(dice);
     const std::size_t more = 1 + seed % 4;
@@ -202,7 +203,7 @@ TEST(MeshArrangement, RandomBoxesAreThoseOfTheTwin) {
 }
 
 TEST(MeshArrangement, RandomSlantedSoupsAreThoseOfTheTwin) {
-  for (std::uint64_t seed = 0; seed < 60 && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 0; seed < share_of(60) && !HasFailure(); ++seed) {
     Dice dice(seed);
     MeshLeaf soup = seed % 2 == 0 ? random_tetrahedron(dice) : random_bipyramid(dice);
     if (seed % 3 != 0) {

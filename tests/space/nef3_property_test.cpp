@@ -3,6 +3,7 @@
 
 #include "generate/space_program.h"
 #include "generate/space_solids.h"
+#include "generate/test_share.h"
 #include "oracle/nef3_check.h"
 #include "oracle/program_property.h"
 #include "oracle/set_laws.h"
@@ -19,7 +20,7 @@ class RandomSpaceSets : public ::testing::TestWithParam<int> {
   static ProgramValues values() { return static_cast<ProgramValues>(GetParam()); }
   // Long numbers make the twin slow.
   static std::uint64_t rounds(std::uint64_t plain) {
-    return values() == ProgramValues::Plain ? plain : plain / 8;
+    return share_of(values() == ProgramValues::Plain ? plain : plain / 8);
   }
   static SpaceSetPointer any_set(Dice& dice, std::size_t records, std::size_t max_planes) {
     return space_set_of_program(random_space_program(dice, values(), records), max_planes);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "generate/sphere_program.h"
+#include "generate/test_share.h"
 #include "oracle/set_laws.h"
 #include "plumb/sphere/sphere_locator.h"
 
@@ -12,7 +13,7 @@ class RandomSpheres : public ::testing::TestWithParam<int> {
  protected:
   static SphereValues values() { return static_cast<SphereValues>(GetParam()); }
   static std::uint64_t rounds(std::uint64_t plain) {
-    return values() == SphereValues::Plain ? plain : plain / 6;
+    return share_of(values() == SphereValues::Plain ? plain : plain / 6);
   }
   static std::uint64_t seed_of(std::uint64_t round) {
     return round * kSphereValues + static_cast<std::uint64_t>(GetParam());
@@ -160,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(NefSphere, RandomSpheres, ::testing::Range(0, kSphereVa
                          name_of_values);
 
 TEST(NefSpherePrograms, OfAnyBytesAreThoseOfTheTwin) {
-  for (std::uint64_t seed = 0; seed < 60 && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 0; seed < share_of(60) && !HasFailure(); ++seed) {
     Dice dice(seed);
     EXPECT_EQ(disagreement_on_sphere(wild_sphere_program(dice, 2 + seed % 10), 9), "")
         << "seed " << seed;

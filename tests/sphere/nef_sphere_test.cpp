@@ -8,6 +8,7 @@
 
 #include "generate/sphere_families.h"
 #include "generate/sphere_program.h"
+#include "generate/test_share.h"
 #include "plumb/base/error.h"
 #include "plumb/sphere/sphere_contacts.h"
 #include "plumb/sphere/sphere_overlay.h"
@@ -304,7 +305,7 @@ TEST(SphereAudit, FindsEveryChangedLink) {
 // ---------------------------------------------------------------- large maps
 
 TEST(SphereContacts, AreTheSameByTablesAndByBoxes) {
-  for (std::uint64_t seed = 0; seed < 300 && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 0; seed < share_of(300) && !HasFailure(); ++seed) {
     Dice dice(seed);
     const auto values = static_cast<SphereValues>(seed % kSphereValues);
     const auto sets = sets_on_sphere(random_sphere_program(dice, values, 10), 12);

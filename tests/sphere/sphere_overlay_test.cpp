@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "generate/dice.h"
+#include "generate/test_share.h"
 #include "oracle/sphere_check.h"
 
 namespace plumb::testing {
@@ -124,7 +125,7 @@ TEST(SphereCells, OfCoordinateCirclesAreThoseOfAnOctahedron) {
 }
 
 TEST(SphereOverlay, OfFewCirclesIsTheTwins) {
-  for (std::uint64_t seed = 0; seed < 400 && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 0; seed < share_of(400) && !HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     Family family(dice, 1 + dice.below(4), 1);
@@ -133,7 +134,7 @@ TEST(SphereOverlay, OfFewCirclesIsTheTwins) {
 }
 
 TEST(SphereOverlay, OfMoreCirclesIsTheTwins) {
-  for (std::uint64_t seed = 0; seed < 100 && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 0; seed < share_of(100) && !HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     Family family(dice, 4 + dice.below(4), 2);
