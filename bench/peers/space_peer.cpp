@@ -1,15 +1,17 @@
 // The union of two solids, from mesh to mesh, in plumb and in CGAL: CPU time and peak memory.
 //
-//   space_peer DIR [--make] [--of FILE,...] [--pairs ico5120,...] [--peers nef3,corefinement] [--rounds N] [--json FILE]
+//   space_peer DIR [--make] [--of FILE,... [--along x]] [--pairs ico5120,...] [--peers nef3,corefinement] [--rounds N]
+//              [--json FILE]
 //
 // reads DIR/PAIR_a.off and DIR/PAIR_b.off; --make writes them first: ico1280 ... ico327680, two spheres of so many
 // triangles; bunny, corpus/solids/bunny.off and itself moved; and bunny58784, the same with every triangle in sixteen on
-// a surface that is wavy. --of writes and compares pairs of other meshes, each and itself moved. Every run is a process of
-// its own (this program again, with --run): plumb and the peer in turn, N rounds; plumb-warm runs twice and tells the second,
-// for programs that compare with a library already warm. Whatever the engine, malloc keeps what is freed
-// (keep_freed_memory.h). Time: user and system, of making sets from the meshes in memory, the union and the triangles of the
-// result; reading files is left out. Memory: the largest resident set of the whole process, reading included. The answer is
-// the volume, to 1e-9 of it.
+// a surface that is wavy. --of writes and compares pairs of other meshes, each and itself moved: by a seventh of its width
+// in x, half and a third of that in y and z; or with --along by a seventh of its width along one axis, so that faces along
+// it slide in their planes. Every run is a process of its own (this program again, with --run): plumb and the peer in turn,
+// N rounds; plumb-warm runs twice and tells the second, for programs that compare with a library already warm. Whatever the
+// engine, malloc keeps what is freed (keep_freed_memory.h). Time: user and system, of making sets from the meshes in memory,
+// the union and the triangles of the result; reading files is left out. Memory: the largest resident set of the whole
+// process, reading included. The answer is the volume, to 1e-9 of it.
 //
 // Peers, over the exact kernel with lazy constructions (EPECK): nef3 is Nef_polyhedron_3, which like plumb holds any set, and
 // is not asked for the two largest pairs; corefinement is Polygon_mesh_processing::corefine_and_compute_union, for meshes that
@@ -178,11 +180,23 @@ MeshPair spheres(const std::string& name, int depth) {
            testing::icosphere_mesh(depth, 1, {0.3, 0.2, 0.1})}};
 }
 
+double width_along(const PolygonMesh& mesh, double Point3::*axis) {
+  const auto [low, high] = std::ranges::minmax(mesh.points, {}, axis);
+  return high.*axis - low.*axis;
+}
+
 MeshPair itself_moved(const std::string& name, const PolygonMesh& mesh) {
-  double low = mesh.points[0].x, high = low;
-  for (const Point3& p : mesh.points) low = std::min(low, p.x), high = std::max(high, p.x);
-  const double step = (high - low) / 7;
+  const double step = width_along(mesh, &Point3::x) / 7;
   return {name, {mesh, testing::moved(mesh, {step, step / 2, step / 3})}};
+}
+
+/// `axis`: x, y or z.
+MeshPair itself_slid(const std::string& name, const PolygonMesh& mesh, char axis) {
+  constexpr std::array kAxes{&Point3::x, &Point3::y, &Point3::z};
+  const auto along = kAxes[static_cast<std::size_t>(axis - 'x')];
+  Point3 step;
+  step.*along = width_along(mesh, along) / 7;
+  return {name, {mesh, testing::moved(mesh, step)}};
 }
 
 PolygonMesh read_plumb(const std::string& file) {
@@ -251,7 +265,17 @@ void write_pair(const std::string& directory, const MeshPair& pair) {
   }
 }
 
-std::string name_of(const std::string& file) { return std::filesystem::path(file).stem(); }
+/// Of a mesh moved, or slid along an axis: "fandisk", "fandisk-z".
+std::string pair_of(const std::string& file, const std::string& along) {
+  const std::string name = std::filesystem::path(file).stem();
+  return along.empty() ? name : name + '-' + along;
+}
+
+MeshPair pair_from(const std::string& file, const std::string& along) {
+  const PolygonMesh mesh = read_plumb(file);
+  const std::string name = pair_of(file, along);
+  return along.empty() ? itself_moved(name, mesh) : itself_slid(name, mesh, along[0]);
+}
 
 int compare_all(const std::string& directory, const std::vector<std::string>& pairs,
                 const std::vector<std::string>& peers, int rounds, const std::string& json) {
@@ -278,7 +302,7 @@ int compare_all(const std::string& directory, const std::vector<std::string>& pa
 int main(int argc, char** argv) {
   CLI::App app{"The union of two solids beside CGAL"};
   std::vector<std::string> run;
-  std::string directory;
+  std::string directory, along;
   std::vector<std::string> pairs{"ico1280",    "ico5120",  "ico20480", "bunny",
                                  "bunny58784", "ico81920", "ico327680"},
       files;
@@ -289,6 +313,8 @@ int main(int argc, char** argv) {
   app.add_flag("--make", makes, "write the pairs there first");
   app.add_option("--of", files, "write the pairs of these meshes, and compare no others")
       ->delimiter(',');
+  app.add_option("--along", along, "x, y or z: they are moved along this axis alone")
+      ->check(CLI::IsMember({"x", "y", "z"}));
   app.add_option("--pairs", pairs, "names of pairs")->delimiter(',');
   app.add_option("--peers", peers, "nef3, corefinement")->delimiter(',');
   options.add_to(app);
@@ -304,15 +330,13 @@ int main(int argc, char** argv) {
     if (files.empty()) {
       for (const std::string& pair : pairs) write_pair(directory, pair_of_the_tree(pair));
     }
-    for (const std::string& file : files) {
-      write_pair(directory, itself_moved(name_of(file), read_plumb(file)));
-    }
+    for (const std::string& file : files) write_pair(directory, pair_from(file, along));
   };
   if ((makes || !files.empty()) && !plumb::bench::run_apart(make).is_well) {
     fmt::print(stderr, "space_peer: no pairs were made\n");
     return 2;
   }
   if (!files.empty()) pairs.clear();
-  for (const std::string& file : files) pairs.push_back(plumb::bench::name_of(file));
+  for (const std::string& file : files) pairs.push_back(plumb::bench::pair_of(file, along));
   return plumb::bench::compare_all(directory, pairs, peers, options.rounds, options.json);
 }
