@@ -225,6 +225,26 @@ TEST(MeshCrossings, AStarThatGoesAroundTwiceIsNoFan) {
   expect_as_brute_force(star(points));
 }
 
+// The reflex corner of a polygon goes nearly around the first point, triangles above it a little more than that.
+TEST(MeshCrossings, APolygonAndTrianglesThatGoAroundTwiceAreNoFan) {
+  const PolygonMesh mesh =
+      make_mesh({{0, 0, 0},
+                 {0, 2, 0},
+                 {-3, 2, 0},
+                 {-3, -3, 0},
+                 {3, -3, 0},
+                 {3, 2, 0},
+                 {1, 2, 0},
+                 {-1, 1, 1},
+                 {-1, -1, 2},
+                 {1, -1, 2},
+                 {2, 2, 1}},
+                {{0, 1, 2, 3, 4, 5, 6}, {0, 6, 7}, {0, 7, 8}, {0, 8, 9}, {0, 9, 10}, {0, 10, 1}});
+  const MeshComplex read = made(mesh);
+  EXPECT_TRUE(read.report.crosses_itself());
+  EXPECT_NE(flaw_of(read.complex, read.has_fan), "");
+}
+
 // ---------------------------------------------------------------- packed boxes
 
 Box3 random_box(Dice& dice, double unit) {

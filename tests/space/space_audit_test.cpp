@@ -13,6 +13,7 @@
 #include "plumb/base/error.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/frame.h"
+#include "plumb/space/from_mesh.h"
 
 namespace plumb::testing {
 namespace {
@@ -228,6 +229,8 @@ std::vector<Row> damaged_links() {
        [](SpaceComplex& c) { c.facet_plane[0] = PlaneId(c.planes().size()); }},
       {"ids name items that are there", decorated_cube,
        [](SpaceComplex& c) { c.use_next[0] = UseId(c.use_count()); }},
+      {"ids name items that are there", decorated_cube,
+       [](SpaceComplex& c) { c.use_prev[1] = UseId(); }},
       {"an edge has two ends", decorated_cube, [](SpaceComplex& c) { c.origin[1] = c.origin[0]; }},
       {"a star holds what leaves its vertex", decorated_cube,
        [](SpaceComplex& c) { std::swap(c.star.front(), c.star.back()); }},
@@ -299,6 +302,13 @@ std::vector<Row> damaged_places() {
       {"the ends of an edge lie on its planes", decorated_cube,
        [](SpaceComplex& c) {
          c.vertex_point[c.origin[0].value()] = add_point(own_tables(c), {7, 8, 9});
+       }},
+      {"an edge runs as its planes say", cubes_at_an_edge,
+       [](SpaceComplex& c) {
+         const UseId u(first_where(c.use_count(),
+                                   [&](std::uint32_t w) { return ring_size(c, UseId(w)) == 2; }));
+         auto& planes = c.edge_planes[c.use_halfedge[u.value()].value() / 2];
+         std::swap(planes[0], planes[1]);
        }},
       {"an edge runs as its planes say", decorated_cube,
        [](SpaceComplex& c) { std::swap(c.edge_planes[3][0], c.edge_planes[3][1]); }},
@@ -542,40 +552,78 @@ TEST(SpaceAudit, TellsItemsOfOneFingerprintApart) {
   }
   SpaceComplex c = result.complex();
   EXPECT_FALSE(audit(c, true));
-  const std::uint32_t first = vertex_at(c, {1, 0, 0}), last = vertex_at(c, {much, 0, 0});
+  const std::uint32_t first = vertex_at(c, {1, 0, 0}), last = vertex_at(c, {much * much, 0, 0});
   c.vertex_point[last] = c.vertex_point[first];
   const std::optional<SpaceFlaw> flaw = audit(c, true);
   ASSERT_TRUE(flaw);
   EXPECT_EQ(flaw->invariant, "vertices have different points");
 }
 
-/// A plate within the hole of another one, whose own hole is given to that.
-TEST(SpaceAudit, FindsTheHoleWithinAHole) {
-  const Nef3 outer = solid(box({0, 0, 0}, {10, 10, 1})) - solid(box({1, 1, 0}, {9, 9, 1}));
-  const Nef3 inner = solid(box({2, 2, 0}, {8, 8, 1})) - solid(box({3, 3, 0}, {5, 5, 1}));
-  SpaceComplex c = (outer + inner).complex();
-  EXPECT_FALSE(audit(c, true));
-  const auto facet_at = [&](const ExactPoint3& corner) {
-    const VertexId v(vertex_at(c, corner));
-    return c.use_facet[first_where(c.use_count(), [&](std::uint32_t u) {
-      return c.use_origin(UseId(u)) == v && c.cycles_of(c.use_facet[u]).size() == 2;
-    })];
-  };
-  const FacetId around = facet_at({1, 1, 1}), within = facet_at({3, 3, 1});
-  ASSERT_NE(around, within);
-  const UseId hole = c.cycles_of(within)[1];
-  c.cycle.erase(c.cycle.begin() + c.cycle_begin[within.value()] + 1);
-  for (std::size_t f = within.value() + 1; f <= c.facet_count(); ++f) --c.cycle_begin[f];
-  c.cycle.insert(c.cycle.begin() + c.cycle_begin[around.value() + 1], hole);
-  for (std::size_t f = around.value() + 1; f <= c.facet_count(); ++f) ++c.cycle_begin[f];
+/// The facet in z = 1 of a plate 1 high that has a corner there.
+FacetId top_at(const SpaceComplex& c, const ExactPoint3& corner) {
+  const VertexId v(vertex_at(c, corner));
+  return c.use_facet[first_where(c.use_count(), [&](std::uint32_t u) {
+    const IntegerRow plane = c.planes().coefficients(c.facet_plane[c.use_facet[u].value()]);
+    return c.use_origin(UseId(u)) == v && plane[0] == 0 && plane[1] == 0;
+  })];
+}
+void give_hole(SpaceComplex& c, FacetId from, FacetId to) {
+  const UseId hole = c.cycles_of(from)[1];
+  c.cycle.erase(c.cycle.begin() + c.cycle_begin[from.value()] + 1);
+  for (std::size_t f = from.value() + 1; f <= c.facet_count(); ++f) --c.cycle_begin[f];
+  c.cycle.insert(c.cycle.begin() + c.cycle_begin[to.value() + 1], hole);
+  for (std::size_t f = to.value() + 1; f <= c.facet_count(); ++f) ++c.cycle_begin[f];
   UseId u = hole;
   do {
-    c.use_facet[u.value()] = around;
+    c.use_facet[u.value()] = to;
     u = c.use_next[u.value()];
   } while (u != hole);
+}
+/// The hole of a plate given to another one, in whose box it is: to one with a hole around it, and to one with a notch.
+TEST(SpaceAudit, FindsTheHoleThatIsNotInItsFacet) {
+  const auto plate = [](int low, int high) { return solid(box({low, low, 0}, {high, high, 1})); };
+  const Nef3 pierced = plate(5, 9) - plate(6, 8);
+  for (const int end : {11, 10}) {
+    SCOPED_TRACE(end);
+    SpaceComplex c = (plate(0, end) - plate(4, 10) + pierced).complex();
+    EXPECT_FALSE(audit(c, true));
+    give_hole(c, top_at(c, {5, 5, 1}), top_at(c, {4, 4, 1}));
+    const std::optional<SpaceFlaw> flaw = audit(c, true);
+    ASSERT_TRUE(flaw);
+    EXPECT_EQ(flaw->invariant, "a hole lies in its facet and in no other hole");
+  }
+}
+
+/// Whichever corner of a triangle it is that touches a sheet.
+TEST(SpaceAudit, FindsEveryCornerInAFacet) {
+  const Nef3 triangle = to_nef(*space_set(PolygonLeaf{{{0, 0, 1}, {1, 0, 2}, {-1, 0, 2}}}));
+  const Nef3 floor = to_nef(*space_set(PolygonLeaf{{{-9, -9, 0}, {9, -8, 0}, {0, 9, 0}}}));
+  const SpaceComplex apart = (triangle + floor).complex();
+  EXPECT_FALSE(audit(apart, true));
+  const std::vector<std::pair<ExactPoint3, ExactPoint3>> moves{
+      {{0, 0, 1}, {0, 0, 0}}, {{1, 0, 2}, {3, 0, 0}}, {{-1, 0, 2}, {-3, 0, 0}}};
+  for (const auto& [from, to] : moves) {
+    SpaceComplex c = apart;
+    move_vertex(c, VertexId(vertex_at(c, from)), to, {0, 1, 0});
+    const std::optional<SpaceFlaw> flaw = audit(c, true);
+    ASSERT_TRUE(flaw);
+    EXPECT_EQ(flaw->invariant, "no vertex lies inside a facet unlisted");
+  }
+}
+
+/// A triangle that defines its plane, run around the other way.
+TEST(SpaceAudit, FindsTheTriangleThatIsTurned) {
+  Context context;
+  const PolygonMesh mesh = make_mesh({{0, 0, 0}, {2, 0, 1}, {0, 3, 1}}, {{0, 1, 2}});
+  const Nef3 sheet = Nef3::surface(complex_of_mesh(mesh, {.surface = true}, context), context);
+  SpaceComplex c = sheet.complex();
+  ASSERT_EQ(c.use_count(), 3U);
+  EXPECT_FALSE(audit(c, true));
+  std::swap(c.use_next, c.use_prev);
+  for (HalfedgeId& h : c.use_halfedge) h = SpaceComplex::twin(h);
   const std::optional<SpaceFlaw> flaw = audit(c, true);
   ASSERT_TRUE(flaw);
-  EXPECT_EQ(flaw->invariant, "a hole lies in its facet and in no other hole");
+  EXPECT_EQ(flaw->invariant, "the first cycle runs around its facet");
 }
 
 // Marks that let items go are no flaw of a complex that need not be minimal.
