@@ -36,6 +36,14 @@ function(plumb_compile_options target)
   plumb_sanitize(${target})
 endfunction()
 
+# plumb_outline_checks(TARGET): what takes longer to compile than to run calls functions for what AddressSanitizer checks, the same
+# checks: a fifth less for the compiler.
+function(plumb_outline_checks target)
+  if(PLUMB_SANITIZE MATCHES address AND CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    target_compile_options(${target} PRIVATE -fsanitize-address-outline-instrumentation)
+  endif()
+endfunction()
+
 function(plumb_sanitize target)
   if(PLUMB_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${PLUMB_SANITIZE} -fno-sanitize-recover=all
@@ -158,6 +166,7 @@ function(plumb_test name)
   add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
   plumb_compile_options(${name})
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  plumb_outline_checks(${name})
   plumb_precompile(${name} test <gtest/gtest.h>)
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest GTest::gtest_main)
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
