@@ -299,6 +299,19 @@ TEST(PlaneTable, MergeMapsPlanesToEqualPlanes) {
   }
 }
 
+// 2^61 - 1 is the residue 0: these planes have one fingerprint, and nearly all numbers in common.
+TEST(PlaneTable, CoefficientsBeforeTheLeadingOneCount) {
+  const Rational q((Integer(1) << 61) - 1);
+  PlaneTable table;
+  const PlaneId upright = table.intern(0.0, 1.0, 0.0, 0.0).plane();
+  const PlaneId oblique = table.intern(q, Rational(1), Rational(0), Rational(0)).plane();
+  EXPECT_EQ(table.fingerprint(upright), table.fingerprint(oblique));
+  EXPECT_NE(upright, oblique);
+  PlaneTable reversed;
+  const PlaneId first = reversed.intern(q, Rational(1), Rational(0), Rational(0)).plane();
+  EXPECT_NE(first, reversed.intern(0.0, 1.0, 0.0, 0.0).plane());
+}
+
 /// Rows of one limb to many, which lie one behind the other in the table.
 TEST(PlaneTable, ExplicitRowsOfAnyLengthAreCopied) {
   PlaneTable table;
