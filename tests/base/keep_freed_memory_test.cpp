@@ -10,13 +10,13 @@
 namespace plumb {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-#define PLUMB_HAS_OWN_MALLOC 1
+#if !defined(__GLIBC__) || defined(__SANITIZE_ADDRESS__)
+constexpr bool kHasOtherMalloc = true;
 #elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || \
-    __has_feature(memory_sanitizer)
-#define PLUMB_HAS_OWN_MALLOC 1
-#endif
+constexpr bool kHasOtherMalloc = __has_feature(address_sanitizer) ||
+                                 __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer);
+#else
+constexpr bool kHasOtherMalloc = false;
 #endif
 
 long pages_touched_first() {
@@ -34,16 +34,13 @@ long touches_of_a_block(std::size_t bytes) {
 }
 
 TEST(KeepFreedMemory, ASecondBlockTakesThePagesOfTheFirst) {
-#if !defined(__GLIBC__) || defined(PLUMB_HAS_OWN_MALLOC)
-  GTEST_SKIP() << "another malloc";
-#else
+  if (kHasOtherMalloc) GTEST_SKIP() << "another malloc";
   keep_freed_memory();
   constexpr std::size_t kBytes = std::size_t{24} << 20;
   touches_of_a_block(kBytes);
   for (int i = 0; i < 3; ++i) {
     EXPECT_LT(touches_of_a_block(kBytes - static_cast<std::size_t>(i) * 4096), 16);
   }
-#endif
 }
 
 }  // namespace
