@@ -327,6 +327,7 @@ TEST(PlaneTable, ExplicitRowsOfAnyLengthAreCopied) {
   for (std::size_t i = 0; i < table.size(); ++i) {
     odd_ones.push_back(i % 2 == 1 ? PlaneId(i / 2) : PlaneId());
     EXPECT_EQ(merged.primitive(map[i]), table.primitive(PlaneId(i)));
+    EXPECT_FALSE(merged.is_frame(map[i]));
   }
   const PlaneTable part(table, odd_ones, {});
   ASSERT_EQ(part.size(), table.size() / 2);

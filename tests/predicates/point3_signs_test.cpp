@@ -357,6 +357,15 @@ TEST(RoundedPoint3, IsExactOnlyIfAllCoordinatesAre) {
   }
 }
 
+TEST(PointSource, HasThePlanesThatDefineIt) {
+  const PointSource of_planes(PlaneId(3), PlaneId(5), PlaneId(8));
+  const PointSource of_line(InputPointId(3), InputPointId(5), PlaneId(8));
+  for (const std::uint32_t p : {0U, 3U, 5U, 8U}) {
+    EXPECT_EQ(of_planes.has_plane(PlaneId(p)), p != 0);
+    EXPECT_EQ(of_line.has_plane(PlaneId(p)), p == 8);
+  }
+}
+
 TEST(Point3Signs, IdentityNeedsNoArithmetic) {
   PlaneTable table;
   const OrientedPlane x = table.intern(1.0, 0.0, 0.0, -1.0), y = table.intern(0.0, 1.0, 0.0, -1.0),

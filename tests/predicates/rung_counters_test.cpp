@@ -53,6 +53,7 @@ struct Planes {
   PlaneId front = table.intern(origin, peak, right).plane();
   PlaneId slope = table.intern(right, back, peak).plane();
   PlaneId diagonal = table.intern(origin, right, far).plane();
+  PlaneId middle = table.intern(1.0, -1.0, 0.0, 0.0).plane();
 };
 
 struct Question {
@@ -149,6 +150,7 @@ TEST(RungCounters, CountQuestionsOfSpaceOnce) {
   const Planes p;
   Point3Table points(p.table);
   const SpacePoint corner = points.add(p.floor, p.left, p.front);
+  const SpacePoint third = points.add(p.origin, p.far, p.slope);
   const SpacePoint peak(p.peak), far(p.far);
   const QueryPoint3 query(RationalPoint3{Rational(1, 3), 0, 0});
   const Question questions[] = {
@@ -159,6 +161,7 @@ TEST(RungCounters, CountQuestionsOfSpaceOnce) {
        [&] { det4_sign(p.table, p.floor, p.left, p.front, p.slope); }},
       {"side", SideOfPlane, Rung::Filter, [&] { side(points, far, p.slope); }},
       {"on a plane of its own", SideOfPlane, Rung::Identity, [&] { side(points, peak, p.slope); }},
+      {"on a plane of its line", SideOfPlane, Rung::Small, [&] { side(points, third, p.middle); }},
       {"on a plane of others", SideOfPlane, Rung::Small, [&] { side(points, corner, p.diagonal); }},
       {"order", CompareAxis, Rung::Filter, [&] { compare_axis(points, peak, far, 0); }},
       {"the same height", CompareAxis, Rung::Identity, [&] { compare_axis(points, peak, far, 2); }},
