@@ -78,6 +78,10 @@ void map_facet(const SpaceComplex& complex, FacetId f, LocalMap& out) {
   out.map.centre_mark = complex.facet_mark[f.value()];
 }
 
+VolumeId volume_of_free_edge(const SpaceComplex& complex, HalfedgeId h) {
+  return complex.edge_volume.empty() ? VolumeId() : complex.edge_volume[h.value() >> 1U];
+}
+
 void map_edge(const SpaceComplex& complex, EdgeId e, LocalMap& out) {
   SphereMap& map = out.map;
   const HalfedgeId forward(2 * e.value()), backward(2 * e.value() + 1);
@@ -86,7 +90,8 @@ void map_edge(const SpaceComplex& complex, EdgeId e, LocalMap& out) {
   map.centre_mark = complex.edge_mark[e.value()];
   const UseId first = complex.edge_use[e.value()];
   if (!first.is_valid()) {
-    map.point_face[0] = map.point_face[1] = add_face(complex, complex.edge_volume[e.value()], out);
+    const VolumeId around = volume_of_free_edge(complex, forward);
+    map.point_face[0] = map.point_face[1] = add_face(complex, around, out);
     return;
   }
   std::vector<std::uint32_t> ring, reversed;
@@ -249,10 +254,6 @@ class FaceNumbers {
   LocalMap& out_;
   std::vector<std::uint32_t> face_;
 };
-
-VolumeId volume_of_free_edge(const SpaceComplex& complex, HalfedgeId h) {
-  return complex.edge_volume.empty() ? VolumeId() : complex.edge_volume[h.value() >> 1U];
-}
 
 void map_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
   SphereMap& map = out.map;

@@ -25,8 +25,8 @@ Rational dot(const RationalPoint3& a, const RationalPoint3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-constexpr std::uint64_t kBytesPerVertex =
-    10;  // of a sum: it is about as long as all their coordinates
+/// Of a sum, which is about as long as the coordinates of all vertices.
+constexpr std::uint64_t kBytesPerVertex = 10;
 
 bool is_marked(const SpaceComplex& c, VolumeId v) { return c.volume_mark[v.value()] == 1; }
 

@@ -148,7 +148,7 @@ void label_volumes(SpaceComplex& complex, Context& context,
                    std::span<const std::uint8_t> connected) {
   complex.volume_mark.clear();
   complex.facet_volume.clear();
-  complex.edge_volume.assign(complex.edge_count(), {});
+  complex.edge_volume.clear();
   complex.vertex_volume.clear();
   VolumeLabels labels = find_volumes(complex, context, connected);
   complex.facet_volume = std::move(labels.facet);
