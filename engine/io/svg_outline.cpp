@@ -13,7 +13,9 @@ namespace {
 
 constexpr std::uint64_t kPointBytes = 2 * (sizeof(Point2) + sizeof(std::size_t));
 constexpr std::uint64_t kRingBytes = 4 * sizeof(std::uint32_t);
-constexpr std::size_t kMostPoints = std::size_t{1} << 30U;
+constexpr std::size_t kPointsOfAnyText = std::size_t{1} << 20U;
+constexpr std::size_t kBytesPerPoint = 7;                   // of the text, beyond those
+constexpr std::size_t kMostPoints = std::size_t{1} << 30U;  // that a surface can hold
 constexpr std::size_t kStepsPerCheckpoint = 4096;
 
 Point2 mixed(Point2 a, double s, Point2 b, double t) {
@@ -60,6 +62,10 @@ Point2 SvgOutline::placed(const TextCursor& at, Point2 p) const {
   return placed;
 }
 
+std::size_t SvgOutline::most_points(std::size_t bytes) {
+  return std::min(kMostPoints, kPointsOfAnyText + bytes / kBytesPerPoint);
+}
+
 void SvgOutline::step() {
   if (++steps_ % kStepsPerCheckpoint == 0) context_.checkpoint("flatten", steps_, steps_);
 }
@@ -68,8 +74,9 @@ void SvgOutline::add(const TextCursor& at, Point2 placed) {
   step();
   require_finite(at, placed);
   with_place(at, [&] { context_.charge_memory(kPointBytes, "the drawing"); });
-  if (drawing_.points.size() == kMostPoints) {
-    at.fail(ErrorCode::ResourceLimit, "more points than a surface can hold");
+  if (drawing_.points.size() == most_points_) {
+    at.fail(ErrorCode::ResourceLimit, "more than " + std::to_string(most_points_) +
+                                          " points in a drawing of this size: cut it into several");
   }
   drawing_.points.push_back(placed);
   drawing_.places.push_back(static_cast<std::size_t>(at.position() - text_));
@@ -90,15 +97,13 @@ std::size_t SvgOutline::chords(const TextCursor& at, double bend) {
             "a curve in a drawing without viewBox, width and height: give a tolerance");
   }
   const double count = std::ceil(std::sqrt(bend / (8 * *tolerance_)));
-  if (!(count <= static_cast<double>(most_chords_ - chords_))) {
+  if (!(count <= static_cast<double>(most_points_ - drawing_.points.size()))) {
     at.fail(ErrorCode::ResourceLimit,
-            "more than " + std::to_string(most_chords_) +
-                " chords for the curves of a drawing of this size: a larger "
+            "more than " + std::to_string(most_points_) +
+                " points in a drawing of this size, where this curve is to be that close: a larger "
                 "tolerance takes fewer");
   }
-  const auto n = static_cast<std::size_t>(count);
-  chords_ += n;
-  return std::max<std::size_t>(1, n);
+  return std::max<std::size_t>(1, static_cast<std::size_t>(count));
 }
 
 void SvgOutline::cubic_to(const TextCursor& at, Point2 c1, Point2 c2, Point2 p) {

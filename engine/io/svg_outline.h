@@ -25,18 +25,18 @@ Point2 applied(const SvgTransform& t, Point2 p);
 /// Collects the shapes of a drawing. Coordinates come in the units of an element; curves are replaced by chords that are
 /// nowhere further from them than the tolerance, measured in those of the drawing.
 ///
-/// The chords of all curves together are at most 2^20 and one for every 8 bytes of the text: they take no more than 64 MB and
-/// ten times the text, however fine the tolerance.
+/// All points together are at most 2^20 and one for every 7 bytes of the text: their lists take no more than 64 MB and ten
+/// times the text, doubling as they grow, however fine the tolerance and whatever the text repeats.
 ///
 /// Every function that adds points takes a cursor at what says so. Errors there: NumberOutOfRange beyond the
-/// largest double; BadShape for a curve without a tolerance; ResourceLimit, of too many chords, too; Cancelled.
+/// largest double; BadShape for a curve without a tolerance; ResourceLimit, of too many points, too; Cancelled.
 class SvgOutline {
  public:
   /// `text` is where places are counted from.
   SvgOutline(std::string_view text, std::optional<double> tolerance, Context& context)
       : text_(text.data()),
         tolerance_(tolerance),
-        most_chords_(kMostChords + text.size() / kBytesPerChord),
+        most_points_(most_points(text.size())),
         context_(context) {}
 
   void set_tolerance(double tolerance) { tolerance_ = tolerance; }
@@ -66,12 +66,11 @@ class SvgOutline {
   /// How many chords keep within the tolerance, for a second derivative of at most `bend`, parameters 0 to 1.
   std::size_t chords(const TextCursor& at, double bend);
 
-  static constexpr std::size_t kMostChords = std::size_t{1} << 20U;
-  static constexpr std::size_t kBytesPerChord = 8;
+  static std::size_t most_points(std::size_t bytes);
 
   const char* text_;
   std::optional<double> tolerance_;
-  std::size_t most_chords_, chords_ = 0;  // of curves, so far
+  std::size_t most_points_;
   Context& context_;
   std::size_t steps_ = 0;
   SvgTransform transform_;

@@ -10,6 +10,7 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kMostNested = 256;
+constexpr std::size_t kMostAttributes = 4096;  // of an element
 constexpr std::size_t kStepsPerCheckpoint = 1024;
 constexpr std::size_t kBytesPerCheckpoint = std::size_t{1} << 16U;
 constexpr std::size_t kLongestCharacter = 4;
@@ -139,6 +140,9 @@ void XmlScanner::take(char c, const char* what) {
 }
 
 void XmlScanner::read_attribute() {
+  if (attributes_.size() == kMostAttributes) {
+    fail(ErrorCode::Syntax, "an element of more than 4096 attributes", tag_);
+  }
   XmlAttribute attribute;
   attribute.name = take_name("an attribute, '>' or '/>'");
   skip_blanks();

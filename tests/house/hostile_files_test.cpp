@@ -125,6 +125,19 @@ std::vector<Format::Mass> masses_of_geojson() {
           {R"({"type": "MultiPolygon", "coordinates": [)", "[],", "[]]}"}};
 }
 
+std::vector<Format::Mass> masses_of_svg() {
+  return {{"<svg>", "<g>", ""},
+          {"<svg>", "<g/>", "</svg>"},
+          {"<svg ", "a", "='1'></svg>"},
+          {"<svg><path d='", "M0 0z", "'/></svg>"},
+          {"<svg><path d='M0 0", "h1", "'/></svg>"},
+          {"<svg><path d='M0 0", "h1z", "'/></svg>"},
+          {"<svg viewBox='0 0 9 9'><path d='M0 0", "c9 9 0 9 0 0", "'/></svg>"},
+          {"<svg ", "a='' ", "></svg>"},
+          {"<svg><g transform='", "scale(9)", "'><path d='M0 0h1v1z'/></g></svg>"},
+          {"<!DOCTYPE svg [<!ENTITY a '", "&a;&a;", "'>]><svg>&a;</svg>"}};
+}
+
 std::vector<Format> flat_formats() {
   const std::string most = "4294967294", half = "2147483647";
   const std::string wkt = "POLYGON ((0 0, @ 0, 0 1, 0 0))";
@@ -150,16 +163,7 @@ std::vector<Format> flat_formats() {
       {"SVG",
        read_drawing,
        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M0 0L@ 0 0 1z"/></svg>)",
-       {{"<svg>", "<g>", ""},
-        {"<svg>", "<g/>", "</svg>"},
-        {"<svg ", "a", "='1'></svg>"},
-        {"<svg><path d='", "M0 0z", "'/></svg>"},
-        {"<svg><path d='M0 0", "h1", "'/></svg>"},
-        {"<svg><path d='M0 0", "h1z", "'/></svg>"},
-        {"<svg viewBox='0 0 9 9'><path d='M0 0", "c9 9 0 9 0 0", "'/></svg>"},
-        {"<svg ", "a='' ", "></svg>"},
-        {"<svg><g transform='", "scale(9)", "'><path d='M0 0h1v1z'/></g></svg>"},
-        {"<!DOCTYPE svg [<!ENTITY a '", "&a;&a;", "'>]><svg>&a;</svg>"}},
+       masses_of_svg(),
        {},
        35},
       {"scene",
@@ -335,6 +339,28 @@ void expect_bounded(const std::vector<Format>& formats) {
     std::printf("%-14s %6.1f bytes of memory for a byte, %5.2f s/MB\n", format.name, worst.bytes,
                 worst.seconds);
   }
+}
+
+/// A rule for every reader: at most ten times the file and 64 MB. Drawings take more than ten times a small one.
+TEST(HostileFiles, LargeDrawings) {
+  constexpr std::size_t kLargeBytes = 12'000'000;
+  constexpr double kOfAnyFile = 64e6;
+  CountedMemory& memory = counted_memory();
+  bool is_refused = false;
+  for (const Format::Mass& mass : masses_of_svg()) {
+    const std::string file = repeated_to(mass, kLargeBytes);
+    SCOPED_TRACE(file.substr(0, 100));
+    const std::int64_t held = memory.peak_bytes = memory.held_bytes;
+    try {
+      Context context;
+      read_drawing(file, {}, context);
+    } catch (const Error& error) {
+      is_refused |= error.code() == ErrorCode::ResourceLimit;
+    }
+    EXPECT_LE(static_cast<double>(memory.peak_bytes - held),
+              10 * static_cast<double>(file.size()) + kOfAnyFile);
+  }
+  EXPECT_TRUE(is_refused);  // as it has to be for so many points
 }
 
 TEST(HostileFiles, FlatFormats) { expect_bounded(flat_formats()); }
