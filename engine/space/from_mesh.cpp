@@ -12,13 +12,15 @@
 #include "plumb/space/mesh_facets.h"
 #include "plumb/space/mesh_fans.h"
 #include "plumb/space/mesh_links.h"
+#include "plumb/space/mesh_order.h"
 #include "plumb/space/mesh_vertices.h"
 
 namespace plumb {
 namespace {
 
 constexpr std::uint64_t kBytesPerCorner = 200;
-constexpr std::uint64_t kBytesPerPoint = 4;  // also of points that no face names
+constexpr std::uint64_t kBytesPerPoint = 4;   // also of points that no face names
+constexpr std::size_t kWorthOrdering = 4096;  // faces: fewer are close together in any order
 
 /// Vertices without a facet (corners of faces without area only) go.
 void drop_unused(MeshFacets& facets, MeshLinks& links, MeshVertices& vertices) {
@@ -47,12 +49,14 @@ void describe_components(const MeshFacets& facets, MeshComplex& result) {
   for (const Sign s : components.volume) {
     result.is_inside_out.push_back(s == Sign::Negative ? 1 : 0);
   }
-  std::uint32_t next = 0;
+  std::vector<std::uint32_t> least(components.volume.size(), MeshVertices::kNone);  // input face
   for (std::uint32_t f = 0; f < facets.size(); ++f) {
-    if (result.component[f] != next) continue;
-    if (result.is_inside_out[next] != 0) result.report.inside_out.push_back(facets.origin[f]);
-    ++next;
+    least[result.component[f]] = std::min(least[result.component[f]], facets.origin[f]);
   }
+  for (std::size_t c = 0; c < least.size(); ++c) {
+    if (result.is_inside_out[c] != 0) result.report.inside_out.push_back(least[c]);
+  }
+  std::ranges::sort(result.report.inside_out);
 }
 
 void describe_crossings(const MeshOptions& options, MeshComplex& result, MemoryCharge& memory,
@@ -65,7 +69,8 @@ void describe_crossings(const MeshOptions& options, MeshComplex& result, MemoryC
              "crossings of the mesh");
   pairs.reserve(result.crossings.size());
   for (const auto& [f, g] : result.crossings) {
-    pairs.emplace_back(complex.facet_origin[f.value()], complex.facet_origin[g.value()]);
+    pairs.push_back(
+        std::minmax({complex.facet_origin[f.value()], complex.facet_origin[g.value()]}));
   }
   result.report.crossing_count = pairs.size();
   std::sort(pairs.begin(), pairs.end());
@@ -74,20 +79,34 @@ void describe_crossings(const MeshOptions& options, MeshComplex& result, MemoryC
   result.report.crossings = std::move(pairs);
 }
 
-}  // namespace
+/// Faces of an ordered mesh get the numbers they had before.
+void rename_faces(std::span<const std::uint32_t> name, MeshFacets& facets, MeshReport& report) {
+  for (std::uint32_t& f : facets.origin) f = name[f];
+  for (auto* const list : {&report.degenerate, &report.trimmed}) {  // all that triangles can be
+    for (std::uint32_t& f : *list) f = name[f];
+    std::ranges::sort(*list);
+  }
+  for (auto& [f, g] : report.doubled) {
+    f = name[f];
+    g = name[g];
+  }
+  std::ranges::sort(report.doubled);
+}
 
-MeshComplex complex_of_mesh(const MeshView& mesh, const MeshOptions& options,
-                            Context& context) try {
+/// Of `ordered`, if it is not empty, which comes from `input`; borders have the numbers that points have there.
+MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const MeshOptions& options,
+                             MemoryCharge& memory, Context& context) {
   MeshComplex result;
-  MemoryCharge memory(context);
-  memory.add(kBytesPerCorner * mesh.corners.size() + kBytesPerPoint * mesh.point_count(), "a mesh");
   const auto tables = std::make_shared<SpaceTables>();
+  const MeshView mesh = ordered.is_empty() ? input : ordered.view();
   MeshVertices vertices = merge_equal_points(mesh, *tables);
   result.report.vertices_merged = vertices.merged;
   context.checkpoint("reading faces", 0, 1);
   MeshFacets facets = flatten_mesh(mesh, vertices, *tables, result.report, context);
   MeshLinks links = link_corners(facets, vertices.point.size());
   result.report.doubled = merge_doubled(facets, links, vertices.point.size());
+  if (!ordered.is_empty()) rename_faces(ordered.face, facets, result.report);
+  ordered = {};
   result.report.borders = trace_borders(facets, links, vertices.point, tables->points);
   for (auto& chain : result.report.borders) {
     for (std::uint32_t& v : chain) v = vertices.input[v];
@@ -102,6 +121,22 @@ MeshComplex complex_of_mesh(const MeshView& mesh, const MeshOptions& options,
   describe_crossings(options, result, memory, context);
   result.jump = std::move(facets.jump);
   return result;
+}
+
+}  // namespace
+
+MeshComplex complex_of_mesh(const MeshView& mesh, const MeshOptions& options,
+                            Context& context) try {
+  MemoryCharge memory(context);
+  memory.add(kBytesPerCorner * mesh.corners.size() + kBytesPerPoint * mesh.point_count(), "a mesh");
+  if (mesh.face_count() >= kWorthOrdering && !options.surface) {
+    OrderedMesh ordered = ordered_in_space(mesh);
+    if (!ordered.is_empty()) {
+      MeshComplex result = complex_in_order(mesh, std::move(ordered), options, memory, context);
+      if (result.report.is_closed()) return result;
+    }
+  }
+  return complex_in_order(mesh, {}, options, memory, context);
 } catch (...) {
   rethrow_refused_memory();
 }

@@ -115,7 +115,9 @@ void unfold_sheets(SpaceComplex& arranged, Bundles& bundles, MeshComplex& mesh) 
     bundles.unfold(origin, mesh.sheet);
     std::sort(mesh.sheet.begin() + first, mesh.sheet.end());
     mesh.sheet_begin.push_back(static_cast<std::uint32_t>(mesh.sheet.size()));
-    origin = face[mesh.sheet[static_cast<std::size_t>(first)]];  // faces ascend
+    const auto sheets = std::span(mesh.sheet).subspan(static_cast<std::size_t>(first));
+    origin = face[sheets.front()];
+    for (const std::uint32_t s : sheets) origin = std::min(origin, face[s]);
   }
 }
 

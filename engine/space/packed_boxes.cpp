@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+
+#include "plumb/space/morton.h"
 
 namespace plumb {
 namespace {
@@ -42,14 +43,6 @@ class Grid {
   std::array<double, 3> scale_;
   bool is_finite_ = true;
 };
-
-/// Bit i of the argument, of 10 bits, becomes bit 3i.
-std::uint32_t spread_bits(std::uint32_t x) {
-  x = (x | x << 16) & 0x030000ffU;
-  x = (x | x << 8) & 0x0300f00fU;
-  x = (x | x << 4) & 0x030c30c3U;
-  return (x | x << 2) & 0x09249249U;
-}
 
 }  // namespace
 
@@ -119,40 +112,24 @@ std::vector<PackedBoxTree::Box> PackedBoxTree::pack(std::span<const Box3> boxes)
   return packed;
 }
 
-/// By the place of the middle on a grid of 2^10 cells an axis, bits of the axes interleaved: three passes by a digit.
-/// False: too many are in one place.
+/// In Morton order of their middles. False: too many are in one place.
 bool PackedBoxTree::sort(std::span<const Box> boxes) {
-  struct Coded {
-    std::uint32_t code;
-    std::uint32_t box;
-  };
-  std::vector<Coded> from, to(boxes.size());
-  from.reserve(boxes.size());
+  std::vector<MortonCoded> sorted;
+  sorted.reserve(boxes.size());
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-    std::uint32_t code = 0;
-    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+    std::array<std::uint32_t, 3> cell{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
       const int twice_the_middle = boxes[i].low[axis] + boxes[i].high[axis] + 2 * kMiddle;
-      code |= spread_bits(static_cast<std::uint32_t>(twice_the_middle) >> 7) << (2 - axis);
+      cell[axis] = static_cast<std::uint32_t>(twice_the_middle) >> 7;
     }
-    from.push_back({code, i});
+    sorted.push_back({morton_code(cell), i});
   }
-  constexpr std::uint32_t kDigitBits = 10;
-  for (std::uint32_t shift = 0; shift < 30; shift += kDigitBits) {
-    std::array<std::uint32_t, std::size_t{1} << kDigitBits> place{};
-    const auto digit = [shift](const Coded& c) {
-      return c.code >> shift & ((1U << kDigitBits) - 1);
-    };
-    for (const Coded& c : from) ++place[digit(c)];
-    std::uint32_t sum = 0;
-    for (std::uint32_t& p : place) sum += std::exchange(p, sum);
-    for (const Coded& c : from) to[place[digit(c)]++] = c;
-    from.swap(to);
-  }
-  for (std::size_t i = kLongestRun; i < from.size(); ++i) {
-    if (from[i].code == from[i - kLongestRun].code) return false;
+  sort_by_code(sorted);
+  for (std::size_t i = kLongestRun; i < sorted.size(); ++i) {
+    if (sorted[i].code == sorted[i - kLongestRun].code) return false;
   }
   order_.reserve(boxes.size());
-  for (const Coded& c : from) order_.push_back(c.box);
+  for (const MortonCoded& c : sorted) order_.push_back(c.item);
   return true;
 }
 

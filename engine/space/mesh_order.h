@@ -1,0 +1,32 @@
+// A mesh of triangles in an order in which neighbours in space are neighbours in memory.
+//
+// Files name points and faces in any order. Whatever is made of a mesh follows links from facets to edges, vertices and planes,
+// and waits for memory where they lead far away: a union of two scans took 1.4 times as long in the order of their files.
+//
+// Notation: the place of a point is its cell on a grid of 2^10 cells an axis around all points, in Morton order; that of a face is
+// the least one of its corners. So points of equal coordinates have equal places, and faces over the same points have, too:
+// what is equal keeps its order.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "plumb/space/mesh_arrays.h"
+
+namespace plumb {
+
+struct OrderedMesh {
+  std::vector<double> coordinates;
+  std::vector<std::uint32_t> corners;
+  std::vector<std::uint32_t> face;  ///< per face: its number in the mesh that was ordered
+
+  MeshView view() const { return mesh_of_triangles(coordinates, corners); }
+  bool is_empty() const { return face.empty(); }
+};
+
+/// Points and faces by their places. Empty for meshes that stay as they are: of other faces than triangles, with points that are
+/// no doubles or not finite or too far apart, with corners that are no points, and without faces.
+/// O(n), about 40 ns a triangle.
+OrderedMesh ordered_in_space(const MeshView& mesh);
+
+}  // namespace plumb
