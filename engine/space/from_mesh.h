@@ -1,15 +1,16 @@
 // From polygons to a complex in space: everything but volumes and marks.
 //
 // Main flow of complex_of_mesh():
-//  1. merge_equal_points   points of equal coordinates are one vertex; unused ones go
-//  2. flatten_mesh         a plane for every face; faces that are not planar or not simple become triangles,
+//  1. ordered_in_space     of 4,096 triangles and more: neighbours in space close together in memory
+//  2. merge_equal_points   points of equal coordinates are one vertex; unused ones go
+//  3. flatten_mesh         a plane for every face; faces that are not planar or not simple become triangles,
 //                          faces without area go; each is reported
-//  3. merge_doubled        facets with the same boundary become one; jumps add up
-//  4. trace_borders        every directed edge as often as its reverse, edges cut at vertices on them? else
-//                          the border is listed
-//  5. link_facets          edges, uses, radial order, stars
-//  6. orient_components    connected parts and the signs of their volumes
-//  7. find_mesh_crossings  does the mesh meet itself anywhere but in common vertices and edges?
+//  4. merge_doubled        facets with the same boundary become one; jumps add up
+//  5. trace_borders        every directed edge as often as its reverse, edges cut at vertices on them? else
+//                          the border is listed, in the order of the input
+//  6. link_facets          edges, uses, radial order, stars
+//  7. find_components      connected parts and the signs of their volumes
+//  8. find_mesh_crossings  does the mesh meet itself anywhere but in common vertices and edges?
 //
 // What follows is up to the caller: arrange() (mesh_arrangement.h), winding_numbers() of the jumps, marks by
 // a rule, simplification (which merges coplanar neighbours). The facets of a mesh that crosses itself are
