@@ -256,7 +256,7 @@ std::vector<FailingFace> failing_facets(const SpaceComplex& c, Outer&& outer, Co
 
 /// Faces and vertices by their numbers in the mesh; a face that was cut into triangles is listed once.
 void number_as_input(std::vector<FailingFace>& faces, const MeshView& mesh, const SpaceComplex& c) {
-  SpaceTables tables;  // filled as those of the complex were
+  SpaceTables tables;  // filled as those of the complex were, a surface in the order of the input
   const MeshVertices vertices = merge_equal_points(mesh, tables);
   std::vector<std::pair<SpacePoint, std::uint32_t>> inputs;
   for (std::size_t v = 0; v < vertices.point.size(); ++v) {

@@ -1,7 +1,7 @@
 // From polygons to a complex in space: everything but volumes and marks.
 //
 // Main flow of complex_of_mesh():
-//  1. ordered_in_space     of 4,096 triangles and more: neighbours in space close together in memory
+//  1. ordered_in_space     of 4,096 triangles and more, no surface: neighbours close together in memory
 //  2. merge_equal_points   points of equal coordinates are one vertex; unused ones go
 //  3. flatten_mesh         a plane for every face; faces that are not planar or not simple become triangles,
 //                          faces without area go; each is reported
@@ -34,7 +34,8 @@ namespace plumb {
 
 /// How a mesh is read.
 struct MeshOptions {
-  bool surface = false;  ///< an open mesh is its facets (else: no complex, borders listed)
+  /// An open mesh is its facets (else: no complex, borders listed). Vertices and facets are in the order of the input.
+  bool surface = false;
   std::uint64_t max_listed = 1000;  ///< pairs of crossing faces to list; counts are complete
 };
 

@@ -4,8 +4,8 @@
 //   in     mesh_of_triangles(xyz, corners), mesh_of_polygons(xyz, face_begin, corners): a MeshView
 //   out    coordinates_of(mesh), mesh.corners, mesh.face_begin
 //
-// No array is copied either way: a view is read where it lies. What a set made of it keeps are its vertices as points
-// of its own tables, so that the arrays may go as soon as the set is there. Corners that are no points are
+// A view is read where it lies; of 4,096 triangles and more a copy is sorted, which goes at once. What a set keeps are
+// its vertices as points of its own tables, so that the arrays may go as soon as the set is there. Corners that are no points are
 // found by whoever uses the mesh (complex_of_mesh(): Error{BadIndex}), as are coordinates that are not finite.
 #pragma once
 
