@@ -244,6 +244,10 @@ TEST(ConvexityEvidence, IsThatOfBruteForce) {
     Dice dice(seed);
     expect_evidence(voxel_mesh(random_voxels(dice, {3, 2, 2}, 7)));
   }
+  PolygonMesh dented = icosphere_mesh(4, 1, {});  // as many triangles as are sorted (mesh_order.h)
+  Point3& in = dented.points[100];
+  in = {in.x / 2, in.y / 2, in.z / 2};
+  expect_evidence(dented);
 }
 
 // Reflex edges of the mesh are those of the set, where no two faces lie in one plane side by side.
