@@ -36,7 +36,7 @@ PolygonMesh shuffled(const PolygonMesh& mesh, std::uint32_t seed) {
   for (const std::uint32_t f : shuffled_numbers(mesh.face_count(), random)) {
     Face face(mesh.face(f).begin(), mesh.face(f).end());
     for (std::uint32_t& c : face) c = place[c];
-    std::ranges::rotate(face, face.begin() + random() % face.size());
+    std::rotate(face.begin(), face.begin() + random() % 3, face.end());
     result.add_face(face);
   }
   return result;
