@@ -25,30 +25,19 @@ bool is_sound(const MeshView& mesh) {
 
 /// The code of each point's place; none where the extent is no double.
 std::vector<std::uint32_t> places_of(const MeshView& mesh) {
-  constexpr double kLast = 1023;
-  std::array<double, 3> low = {}, high = {}, scale = {};
-  const std::size_t n = mesh.point_count();
-  for (std::size_t axis = 0; axis < 3; ++axis) low[axis] = high[axis] = mesh.coordinates[axis];
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double x = mesh.coordinates[3 * i + axis];
-      low[axis] = std::min(low[axis], x);
-      high[axis] = std::max(high[axis], x);
-    }
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double extent = high[axis] - low[axis];
-    if (!std::isfinite(extent)) return {};
-    scale[axis] = extent > 0x1p-900 ? kLast / extent : 0;
-  }
-  std::vector<std::uint32_t> places(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    std::array<std::uint32_t, 3> cell{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double along = (mesh.coordinates[3 * i + axis] - low[axis]) * scale[axis];
-      cell[axis] = static_cast<std::uint32_t>(std::min(along, kLast));
-    }
-    places[i] = morton_code(cell);
+  constexpr std::uint32_t kLast = 1023;
+  const auto at = [&](std::size_t i) {
+    const Point3 p = mesh.point(i);
+    return std::array{p.x, p.y, p.z};
+  };
+  Box3 around;
+  for (std::size_t i = 0; i < mesh.point_count(); ++i) around.add({at(i), at(i)});
+  const CellGrid grid(around, kLast);
+  std::vector<std::uint32_t> places;
+  if (!grid.is_finite()) return places;
+  places.reserve(mesh.point_count());
+  for (std::size_t i = 0; i < mesh.point_count(); ++i) {
+    places.push_back(morton_code(grid.cell(at(i))));
   }
   return places;
 }

@@ -1,7 +1,6 @@
 #include "plumb/space/packed_boxes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "plumb/space/morton.h"
@@ -15,34 +14,20 @@ constexpr std::size_t kMostPoints = 64;   // boxes within a cell: as many may al
 constexpr std::size_t kPointShare = 8;    // of all boxes, one in so many may be one as well
 constexpr std::size_t kLongestRun = 256;  // of one code: the order says nothing of those
 
-/// The grid around all boxes.
-class Grid {
- public:
-  explicit Grid(std::span<const Box3> boxes) {
-    for (const Box3& box : boxes) all_.add(box);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double extent = all_.high[i] - all_.low[i];
-      is_finite_ = is_finite_ && std::isfinite(extent);
-      scale_[i] = extent > 0x1p-900 ? kLast / extent : 0;
-    }
-  }
-  bool is_finite() const { return is_finite_; }
+Box3 box_around(std::span<const Box3> boxes) {
+  Box3 all;
+  for (const Box3& box : boxes) all.add(box);
+  return all;
+}
 
-  /// Monotone in every coordinate: each step of the arithmetic is.
-  std::array<std::int16_t, 3> places(const std::array<double, 3>& at) const {
-    std::array<std::int16_t, 3> places;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int cell = static_cast<int>((at[i] - all_.low[i]) * scale_[i]);
-      places[i] = static_cast<std::int16_t>(std::min(cell, kLast) - kMiddle);
-    }
-    return places;
+std::array<std::int16_t, 3> places(const CellGrid& grid, const std::array<double, 3>& at) {
+  std::array<std::int16_t, 3> places;
+  const std::array<std::uint32_t, 3> cell = grid.cell(at);
+  for (std::size_t i = 0; i < 3; ++i) {
+    places[i] = static_cast<std::int16_t>(static_cast<int>(cell[i]) - kMiddle);
   }
-
- private:
-  Box3 all_;
-  std::array<double, 3> scale_;
-  bool is_finite_ = true;
-};
+  return places;
+}
 
 }  // namespace
 
@@ -100,12 +85,12 @@ std::vector<PackedBoxTree::Box> PackedBoxTree::around(const Level& level) {
 
 std::vector<PackedBoxTree::Box> PackedBoxTree::pack(std::span<const Box3> boxes) {
   std::vector<Box> packed;
-  const Grid grid(boxes);
+  const CellGrid grid(box_around(boxes), kLast);
   if (!grid.is_finite() && !boxes.empty()) return packed;
   packed.reserve(boxes.size());
   std::size_t points = 0;
   for (const Box3& box : boxes) {
-    packed.push_back({grid.places(box.low), grid.places(box.high)});
+    packed.push_back({places(grid, box.low), places(grid, box.high)});
     points += packed.back().low == packed.back().high ? 1 : 0;
   }
   fits_ = points <= std::max(kMostPoints, boxes.size() / kPointShare);
