@@ -10,6 +10,7 @@
 #include "generate/map_families.h"
 #include "generate/meshes.h"
 #include "generate/plane_families.h"
+#include "generate/sphere_families.h"
 #include "generate/surface_scenes.h"
 #include "plumb/convex/decompose.h"
 #include "plumb/convex/minkowski.h"
@@ -30,6 +31,7 @@
 #include "plumb/space/space_audit.h"
 #include "plumb/space/space_measure.h"
 #include "plumb/space/to_mesh.h"
+#include "plumb/sphere/nef_sphere.h"
 #include "plumb/surface/surface_homology.h"
 #include "plumb/surface/trace.h"
 #include "plumb/surface/triangulation.h"
@@ -117,6 +119,20 @@ void measure_maps() {
   measure_reader(path + "z'/></svg>", "SVG", [](const std::string& t, Context& context) {
     (void)read_svg(t, {}, 0.5, context);
   });
+}
+
+// ---------------------------------------------------------------- sphere
+
+void measure_sphere() {
+  const std::size_t n = 2 * sized(5'000);
+  const NefSphere a = crown(n, 0, -0.1, 0.3), b = crown(n, 0.5, -0.1, 0.3);
+  measure("sphere: combine", [&](Context& context) { (void)combine(a, b, kUnion, context); });
+  std::vector<NefSphere> patches;
+  for (std::size_t i = 0; i < sized(200); ++i) {
+    patches.push_back(
+        crown(12, static_cast<double>(i) / 200, -0.1, 0.3 + 1e-4 * static_cast<double>(i)));
+  }
+  measure("sphere: union_of", [&](Context& context) { (void)union_of(patches, context); });
 }
 
 // ---------------------------------------------------------------- space
@@ -220,11 +236,9 @@ void measure_surface() {
 void measure_large_operations(double size, const std::string& room, const Measure& measured) {
   size_factor = size;
   measure = measured;
-  const std::pair<const char*, void (*)()> rooms[] = {{"plane", measure_plane},
-                                                      {"maps", measure_maps},
-                                                      {"space", measure_space},
-                                                      {"convex", measure_convex},
-                                                      {"surface", measure_surface}};
+  const std::pair<const char*, void (*)()> rooms[] = {
+      {"plane", measure_plane}, {"maps", measure_maps},     {"sphere", measure_sphere},
+      {"space", measure_space}, {"convex", measure_convex}, {"surface", measure_surface}};
   for (const auto& [name, measure_room] : rooms) {
     if (room.empty() || room == name) measure_room();
   }

@@ -12,8 +12,8 @@ namespace plumb::testing {
 using Measure =
     std::function<void(const std::string& name, const std::function<void(Context&)>& run)>;
 
-/// Size 1 is for continuous integration, 10 and more to look for offenders. `room`: plane, maps, space, convex, surface; empty:
-/// all.
+/// Size 1 is for continuous integration, 10 and more to look for offenders. `room`: plane, maps, sphere, space, convex, surface;
+/// empty: all.
 void measure_large_operations(double size, const std::string& room, const Measure& measured);
 
 }  // namespace plumb::testing
