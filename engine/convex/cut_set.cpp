@@ -16,6 +16,7 @@
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/plane_cycles.h"
+#include "plumb/space/space_memory.h"
 
 namespace plumb {
 namespace {
@@ -168,7 +169,7 @@ Nef3 with_walls_named(const Nef3& cut) {
 class SetCutter {
  public:
   SetCutter(CutRule rule, const DecomposeOptions& options, Context& context)
-      : rule_(rule), options_(options), context_(context) {}
+      : rule_(rule), options_(options), context_(context), memory_(context) {}
 
   std::vector<Nef3> run(SetPart part) {
     left_.push_back(std::move(part));
@@ -179,7 +180,7 @@ class SetCutter {
       if (next.dimension == 3 && cut_as_solid(next)) continue;
       const Nef3 inside = next.dimension < 2 ? Nef3() : relative_interior(next, context_);
       if (next.dimension < 2 || inside.is_convex()) {
-        done_.push_back(next.set);
+        add(next.set);
       } else {
         divide(next, plane_of({inside, next.dimension}));
       }
@@ -199,6 +200,8 @@ class SetCutter {
   /// False: nothing was done. Where wedges meet in an edge, cuts make points of their own in each, so that a piece
   /// no longer knows its own contacts (touches_itself()).
   bool cut_as_solid(const SetPart& part) {
+    MemoryCharge memory(context_);
+    memory.add(part.set.bytes(), "the surface of a solid");
     std::optional<CutSurface> surface = cut_surface_of(part.set.complex());
     if (!surface) return false;
     std::vector<FaceId> all;
@@ -214,12 +217,17 @@ class SetCutter {
     if (is_whole && !touches) most_ = most_pieces(cut.reflex_edges);
     is_one_solid_ = is_whole && cut.stuck.empty();
     for (const auto& faces : cut.convex) {
-      done_.push_back(set_of_piece(*surface, faces, is_one_solid_ && options_.closed, context_));
+      add(set_of_piece(*surface, faces, is_one_solid_ && options_.closed, context_));
     }
     for (const auto& faces : cut.stuck) {
       left_.push_back({set_of_piece(*surface, faces, false, context_), 3});
     }
     return true;
+  }
+
+  void add(Nef3 piece) {
+    memory_.add(array_bytes(piece.complex()) + kBytesPerSet, "convex pieces");
+    done_.push_back(std::move(piece));
   }
 
   static Plane3 plane_of(const SetPart& inside) {
@@ -236,6 +244,8 @@ class SetCutter {
     };
     const Nef3 low = cut(kIntersection);
     Nef3 high = cut(kDifference);
+    memory_.add(low.bytes() + high.bytes(),
+                "convex pieces");  // their pieces keep the tables of each
     std::vector<SetPart> below = parts_of(low, context_);
     for (const SetPart& p : below) {
       if (p.dimension < part.dimension) high = combine(high, p.set, kUnion, context_);
@@ -250,6 +260,7 @@ class SetCutter {
   CutRule rule_;
   const DecomposeOptions options_;
   Context& context_;
+  MemoryCharge memory_;
   std::vector<SetPart> left_;
   std::vector<Nef3> done_;
   bool is_one_solid_ = false;

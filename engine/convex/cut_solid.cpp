@@ -62,9 +62,9 @@ class SolidCutter {
   /// Of the pool, and of what cuts note for each of its items.
   void charge_growth() {
     constexpr std::size_t kNotes = 16;
-    const std::size_t bytes = s_.halves.size() * (sizeof(CutSurface::Half) + kNotes) +
-                              s_.faces.size() * (sizeof(CutSurface::Face) + kNotes) +
-                              s_.point.size() * (sizeof(SpacePoint) + kNotes);
+    const std::size_t bytes = s_.halves.capacity() * (sizeof(CutSurface::Half) + kNotes) +
+                              s_.faces.capacity() * (sizeof(CutSurface::Face) + kNotes) +
+                              s_.point.capacity() * (sizeof(SpacePoint) + kNotes);
     charge_.add(bytes - std::exchange(charged_, bytes), "pieces");
   }
 

@@ -11,6 +11,7 @@
 #include "plumb/convex/convex_sum.h"
 #include "plumb/convex/cuts.h"
 #include "plumb/convex/decompose.h"
+#include "plumb/convex/set_parts.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/facet_triangles.h"
 #include "plumb/space/unite.h"
@@ -26,7 +27,6 @@ struct ConvexPart {
 };
 
 constexpr const char* kMemoryName = "a Minkowski sum";
-constexpr std::uint64_t kBytesPerSet = 2500;  // besides what is in its arrays
 
 std::uint64_t memory_of(const std::vector<ConvexPart>& parts) {
   std::uint64_t bytes = 0;

@@ -10,6 +10,7 @@
 // a part.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "plumb/base/context.h"
@@ -25,5 +26,8 @@ struct SetPart {
 
 /// By dimension, downwards; empty for the empty set. Origins of facets are kept.
 std::vector<SetPart> parts_of(const Nef3& set, Context& context);
+
+/// Bytes that a set takes besides its arrays and its tables.
+inline constexpr std::uint64_t kBytesPerSet = 2500;
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plumb/convex/decompose.h"
+#include "plumb/convex/set_parts.h"
 #include "plumb/convex/wall_conflicts.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/combine.h"
@@ -12,6 +13,7 @@
 #include "plumb/space/local_maps.h"
 #include "plumb/space/mesh_arrangement.h"
 #include "plumb/space/mesh_links.h"
+#include "plumb/space/space_memory.h"
 #include "plumb/space/vertex_carrier.h"
 
 namespace plumb {
@@ -117,6 +119,7 @@ class VolumeSplitter {
 
   std::vector<Nef3> run(Context& context) {
     std::vector<Nef3> sets;
+    MemoryCharge memory(context);
     SpaceDraft none(std::const_pointer_cast<SpaceTables>(c_.tables));
     VertexCarrier carrier(c_, none, overlay_);
     for (std::size_t i = 0; i < vertices_.size();) {
@@ -131,6 +134,7 @@ class VolumeSplitter {
       }
       carrier.face_ends();
       sets.push_back(Nef3::from_minimal(join(std::move(draft), context)));
+      memory.add(array_bytes(sets.back().complex()) + kBytesPerSet, "convex pieces");
     }
     return sets;
   }
@@ -242,6 +246,8 @@ SpaceComplex with_walls(SpaceComplex complex, std::shared_ptr<SpaceTables> table
                         const std::vector<WallPolygon>& walls, Context& context) {
   MeshComplex surface = WallSurface(walls, tables->points).complex(tables, context);
   if (surface.complex.facet_count() == 0) return complex;
+  MemoryCharge memory(context);
+  memory.add(array_bytes(surface.complex), "walls");
   arrange(surface, context);
   SpaceComplex& cutters = surface.complex;
   cutters.vertex_mark.assign(cutters.vertex_count(), 1);
@@ -249,6 +255,7 @@ SpaceComplex with_walls(SpaceComplex complex, std::shared_ptr<SpaceTables> table
   cutters.facet_mark.assign(cutters.facet_count(), 1);
   cutters.volume_mark.assign(cutters.volume_count(), 0);
   complex.tables = cutters.tables;
+  memory.add(memory_bytes(complex) + array_bytes(cutters), "a set and its walls");
   const auto common_origin = [](std::uint32_t of_set, std::uint32_t) { return of_set; };
   return combine_on(std::const_pointer_cast<SpaceTables>(cutters.tables), complex, cutters,
                     MarkTable::walled(), common_origin, context);

@@ -15,6 +15,7 @@
 #include "plumb/convex/wall_direction.h"
 #include "plumb/convex/wall_sector.h"
 #include "plumb/convex/wall_spread.h"
+#include "plumb/space/space_memory.h"
 #include "plumb/space/space_tables.h"
 
 namespace plumb {
@@ -41,6 +42,8 @@ bool has_reflex_items(const SpaceComplex& complex) {
 using Step = std::vector<WallPolygon> (*)(const SpaceComplex&, SpaceTables&, Vertical&, Context&);
 
 SpaceComplex after(Step step, SpaceComplex complex, const VerticalDirection& up, Context& context) {
+  MemoryCharge memory(context);
+  memory.add(memory_bytes(complex), "a set with its walls");
   const std::shared_ptr<SpaceTables> tables = copy(*complex.tables);
   complex.tables = tables;
   Vertical vertical(up, *tables);

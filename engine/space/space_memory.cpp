@@ -28,7 +28,11 @@ std::size_t bytes_of(const PlaneTable& planes) {
 
 std::size_t memory_bytes(const SpaceComplex& c) {
   return bytes_of(c.planes()) + c.points().size() * (sizeof(PointBox) + sizeof(PointSource)) +
-         bytes_of(c.vertex_point, c.vertex_mark, c.vertex_volume, c.vertex_facet, c.star_begin,
+         array_bytes(c);
+}
+
+std::size_t array_bytes(const SpaceComplex& c) {
+  return bytes_of(c.vertex_point, c.vertex_mark, c.vertex_volume, c.vertex_facet, c.star_begin,
                   c.star, c.edge_planes, c.edge_mark, c.edge_use, c.edge_volume, c.origin) +
          bytes_of(c.use_halfedge, c.use_next, c.use_prev, c.use_radial, c.use_facet) +
          bytes_of(c.facet_plane, c.facet_mark, c.facet_volume, c.facet_origin, c.cycle_begin,

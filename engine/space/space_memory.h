@@ -11,4 +11,7 @@ namespace plumb {
 /// share all of it. O(planes).
 std::size_t memory_bytes(const SpaceComplex& complex);
 
+/// The arrays alone, of a complex that shares its tables with others. O(1).
+std::size_t array_bytes(const SpaceComplex& complex);
+
 }  // namespace plumb

@@ -74,12 +74,14 @@ NefSphere combine(const NefSphere& a, const SphereSelector& select_a, const NefS
   MemoryCharge memory(context);
   memory.add(memory_of_overlay(a.map(), b.map()), "an overlay of the sphere");
   OneTable one = over_one_table(a, b);
+  context.checkpoint("overlay", 0, 1);
   select(select_a, one.a);
   select(select_b, one.b);
   SphereMap map;
   SphereOrigins origins;
   SphereOverlay(*one.planes).combine(one.a, one.b, MarkTable(f), map, origins, &context);
   map.centre_mark = 0;
+  context.checkpoint("overlay", 0, 1);
   return with_few_planes(std::move(one.planes), std::move(map));
 } catch (...) {
   rethrow_refused_memory();

@@ -79,7 +79,9 @@ void SphereContacts::find_pairs() {
   for (std::vector<Pair>& pairs : pairs_) pairs.clear();
   const auto points_a = static_cast<std::uint32_t>(map_[0]->point_count());
   const auto points_b = static_cast<std::uint32_t>(map_[1]->point_count());
+  look_at_limits();
   const SphereBoundTree tree(bounds_of(*planes_, *map_[1]));
+  look_at_limits();
   const std::vector<SphereBound> bounds = bounds_of(*planes_, *map_[0]);
   for (std::uint32_t i = 0; i < bounds.size(); ++i) {
     if (i % 256 == 0) look_at_limits();

@@ -178,18 +178,24 @@ void SphereLabels::fill_cells(SphereOrigins& cells) {
 }
 
 void SphereLabels::build(const PlaneTable& planes, const SphereMap& a, const SphereMap& b,
-                         const SphereContacts& contacts, SpherePieces& pieces,
-                         SphereOrigins& cells) {
+                         const SphereContacts& contacts, SpherePieces& pieces, SphereOrigins& cells,
+                         SphereLimits* limits) {
   planes_ = &planes;
   map_ = {&a, &b};
   pieces_ = &pieces;
   for (auto* pairs : {&cells.point, &cells.arc, &cells.face}) pairs->clear();
   take_known(contacts);
   parts_.find(planes, pieces.map);
+  look(limits);
   join_cycles();
-  for (std::size_t k = 0; k < 2; ++k) label_parts(k);
+  look(limits);
+  for (std::size_t k = 0; k < 2; ++k) {
+    label_parts(k);
+    look(limits);
+  }
   number_faces(cells);
   fill_cells(cells);
+  look(limits);
 }
 
 }  // namespace plumb

@@ -23,9 +23,10 @@ namespace plumb {
 /// Keeps its memory between calls.
 class SphereLabels {
  public:
-  /// Turns the cycles of pieces.map into faces; fills `cells`.
+  /// Turns the cycles of pieces.map into faces; fills `cells`. `limits` are looked at between steps; may be null.
   void build(const PlaneTable& planes, const SphereMap& a, const SphereMap& b,
-             const SphereContacts& contacts, SpherePieces& pieces, SphereOrigins& cells);
+             const SphereContacts& contacts, SpherePieces& pieces, SphereOrigins& cells,
+             SphereLimits* limits = nullptr);
 
  private:
   void take_known(const SphereContacts& contacts);

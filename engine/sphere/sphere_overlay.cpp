@@ -85,11 +85,10 @@ void SphereOverlay::combine(const SphereMap& a, const SphereMap& b, const MarkTa
   Work& w = *work_;
   std::optional<SphereLimits> limits;
   if (context != nullptr && !SphereContacts::are_small(a, b)) limits.emplace(*context);
-  w.contacts.find(w.planes, a, b, SphereContacts::kMostTabled, limits ? &*limits : nullptr);
-  w.pieces.build(w.planes, a, b, w.contacts);
-  if (limits) limits->look(0, 0);
-  w.labels.build(w.planes, a, b, w.contacts, w.pieces, w.cells);
-  if (limits) limits->look(0, 0);
+  SphereLimits* const watch = limits ? &*limits : nullptr;
+  w.contacts.find(w.planes, a, b, SphereContacts::kMostTabled, watch);
+  w.pieces.build(w.planes, a, b, w.contacts, watch);
+  w.labels.build(w.planes, a, b, w.contacts, w.pieces, w.cells, watch);
   w.select(a, b, table);
   w.simplify(out, origins);
 }

@@ -166,18 +166,23 @@ void SpherePieces::trace() {
 }
 
 void SpherePieces::build(const PlaneTable& planes, const SphereMap& a, const SphereMap& b,
-                         SphereContacts& contacts) {
+                         SphereContacts& contacts, SphereLimits* limits) {
   planes_ = &planes;
   map_ = {&a, &b};
   pieces_.clear();
   for (std::size_t k = 0; k < 2; ++k) {
     sort_stops(k, contacts);
+    look(limits);
     cut_arcs(k, contacts);
+    look(limits);
   }
   if (contacts.shares_circles) merge();
   place_pieces(contacts);
+  look(limits);
   link_rings(contacts);
+  look(limits);
   trace();
+  look(limits);
 }
 
 }  // namespace plumb

@@ -20,8 +20,9 @@ namespace plumb {
 /// Keeps its memory between calls.
 class SpherePieces {
  public:
+  /// `limits` are looked at between steps; may be null.
   void build(const PlaneTable& planes, const SphereMap& a, const SphereMap& b,
-             SphereContacts& contacts);
+             SphereContacts& contacts, SphereLimits* limits = nullptr);
 
   /// Points of the contacts; one arc for each piece; without marks. face: the cycle of each
   /// half-arc; point_face: of isolated points, numbers following the cycles.

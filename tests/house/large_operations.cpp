@@ -189,7 +189,8 @@ void measure_convex() {
     return Nef3::mesh(icosphere_mesh(depth, radius, {0, 0, 0}), WindingRule::NonZero, unwatched);
   };
   const int more = size_factor >= 4 ? 1 : 0;
-  const Nef3 shell = set(1 + more, 1) - set(1, 0.5);
+  const Nef3 shell =
+      set(1 + static_cast<int>(std::lround(std::log(size_factor) / std::log(4))), 1) - set(1, 0.5);
   for (const DecomposeMethod method : {DecomposeMethod::Cuts, DecomposeMethod::Walls}) {
     measure("decompose", [&](Context& context) { (void)decompose(shell, {method}, context); });
   }
