@@ -147,8 +147,10 @@ TEST(PlaneTable, CollisionsModuloQAreTold) {
   EXPECT_NE(unit, plane(1, q, 0, 1));
   EXPECT_NE(plane(1, q, 0, 1), plane(1, 0, q, 1));
   EXPECT_NE(unit, plane(1, 0, 0, 1 - q));
+  EXPECT_NE(plane(0, 1, 0, 1), plane(0, 1, q, 1));
+  EXPECT_NE(plane(0, 0, 1, 1), plane(0, 0, 1, 1 + q));
   const std::size_t planes = table.size();
-  EXPECT_EQ(planes, 8u);
+  EXPECT_EQ(planes, 12u);
   EXPECT_EQ(unit, plane(q, 0, 0, q));
   EXPECT_EQ(unit.opposite(), plane(-q * q, 0, 0, -q * q));
   EXPECT_EQ(plane(1, q, 0, 1), plane(q, q * q, 0, q));
@@ -210,6 +212,19 @@ TEST(PlaneTable, RefusesWhatIsNoPlane) {
   EXPECT_FALSE(table.intern(0.0, 0.0, 0.0, 1.0).is_valid());
   EXPECT_FALSE(table.intern(Rational(0), Rational(0), Rational(0), Rational(0)).is_valid());
   EXPECT_EQ(table.size(), 0u);
+}
+
+TEST(PlaneTable, TrianglesThatAreNoneHaveNoPlaneWhateverStoodThere) {
+  PlaneTable table;
+  const InputPointId o = table.add_point({0, 0, 0}), a = table.add_point({1, 2, 3}),
+                     b = table.add_point({2, 4, 6}), c = table.add_point({1, 0, 0});
+  const std::array<std::array<InputPointId, 3>, 3> triangles = {{{o, a, b}, {o, a, c}, {c, c, a}}};
+  std::array<OrientedPlane, 3> planes;
+  planes.fill(table.intern(1.0, 1.0, 1.0, 1.0));
+  table.intern_triangles(triangles, planes);
+  EXPECT_FALSE(planes[0].is_valid());
+  EXPECT_EQ(planes[1], table.intern(o, a, c));
+  EXPECT_FALSE(planes[2].is_valid());
 }
 
 TEST(PlaneTable, PrimitiveIsCanonicalWithGcdOne) {

@@ -406,6 +406,25 @@ TEST(Point3Signs, FingerprintsOfManyAreThoseOfEach) {
   EXPECT_TRUE(fingerprints(points, {}).empty());
 }
 
+// Far along any axis, either way: |x| e is more than the value there.
+TEST(Point3Signs, FilterCountsTheErrorOfEachNormalCoordinate) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const double far : {0x1p20, -0x1p20}) {
+      for (const double other : {0.0, 0x1p10, -0x1p10}) {
+        PointBox x{{other, other, other}, 0};
+        x.mid[axis] = far;
+        for (const double d : {0.75, -0.75}) {
+          PlaneRow row{{0, 0, 0}, d, 0x1p-20F, 0};
+          EXPECT_EQ(rung::side_filter(x, row), FilteredSign::Unsure);
+          row.normal_error = 0x1p-21F;
+          EXPECT_EQ(rung::side_filter(x, row),
+                    d > 0 ? FilteredSign::Positive : FilteredSign::Negative);
+        }
+      }
+    }
+  }
+}
+
 TEST(Point3Signs, ParallelPlanesHaveNoOrder) {
   PlaneTable table;
   const PlaneId low = table.intern(0.0, 0.0, 1.0, 0.0).plane(),

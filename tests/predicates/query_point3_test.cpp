@@ -128,6 +128,9 @@ TEST(QueryPoint3, IsWhereTheRationalsSay) {
       EXPECT_EQ(query.is_double(), rational(p) == q);
       check(w, query, q, mode);
       check(w, QueryPoint3(p), rational(p), mode);
+      const QueryPoint3 rounded(p);
+      EXPECT_EQ(rounded.parts().finite, rational(p));
+      EXPECT_EQ(rounded.parts().infinite, (RationalPoint3{0, 0, 0}));
     }
   }
 }

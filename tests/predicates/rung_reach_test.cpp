@@ -56,6 +56,10 @@ TEST(Filters, DecideInputPointsUpToTheirGates) {
     const Point2 a = m(Point2{0, 0}), b = m(Point2{1, 0}), c = m(Point2{0, 1});
     EXPECT_EQ(rung::orient2d_filter(a, b, c), FilteredSign::Positive);
     EXPECT_EQ(rung::cross_sign_filter(a, b, a, c), FilteredSign::Positive);
+    PointTable2 t;
+    for (const Point2& p : {a, b}) t.push_back(p);
+    EXPECT_EQ(rung::compare_xy_filter(t, 0, 1), FilteredSign::Negative);
+    EXPECT_EQ(rung::compare_xy_filter(t, 1, 0), FilteredSign::Positive);
   });
   at_scales(-203, 198, [](Moved m) {
     EXPECT_EQ(rung::orient3d_filter(m(Point3{1, 0, 0}), m(Point3{0, 1, 0}), m(Point3{0, 0, 1}),

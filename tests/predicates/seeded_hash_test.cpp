@@ -52,6 +52,28 @@ TEST(SeededHash, TellsWordsApart) {
   EXPECT_NE(hash(Key{1, 2, 3}), hash(Key{3, 2, 1}));
 }
 
+// Where two parts of 32 bits had one factor, keys in which they are exchanged would have one hash.
+TEST(SeededHash, TellsPartsOfWordsApart) {
+  const SeededHash hash;
+  const auto key = [](std::size_t part, std::uint64_t value, std::size_t other,
+                      std::uint64_t more) {
+    Key k{};
+    k[part / 2] |= value << 32 * (part % 2);
+    k[other / 2] |= more << 32 * (other % 2);
+    return k;
+  };
+  for (std::size_t part = 0; part < 6; ++part) {
+    for (std::size_t other = 0; other < part; ++other) {
+      int equal = 0;
+      for (std::uint64_t k = 0; k < 100; ++k) {
+        equal +=
+            hash(key(part, 2 * k, other, 2 * k + 1)) == hash(key(part, 2 * k + 1, other, 2 * k));
+      }
+      EXPECT_LT(equal, 3) << part << " and " << other;
+    }
+  }
+}
+
 TEST(SeededHash, IsTheSameEachTime) {
   EXPECT_EQ(SeededHash{}(17), SeededHash{}(17));
   EXPECT_EQ(SeededHash{}(Key{1, 2, 3}), SeededHash{}(Key{1, 2, 3}));
