@@ -327,6 +327,22 @@ TEST(PlaneTable, CoefficientsBeforeTheLeadingOneCount) {
   EXPECT_NE(first, reversed.intern(0.0, 1.0, 0.0, 0.0).plane());
 }
 
+TEST(PlaneTable, CopiesOfWallsKnowTheCopiesOfTheirParents) {
+  PlaneTable table;
+  const PlaneId a = table.intern(1, 0, 0, -1).plane(), b = table.intern(0, 1, 0, -2).plane();
+  const PlaneId wall = table.intern(Pencil{a, b, 1, 3}).plane();
+  PlaneTable merged;
+  for (int i = 1; i < 5; ++i) merged.intern(i, 2, 3, 4);
+  const std::vector<PlaneId> map = merged.merge(table);
+  const auto parents = merged.parents(map[wall.value()]);
+  ASSERT_TRUE(parents.has_value());
+  EXPECT_EQ(*parents, (std::array{map[a.value()], map[b.value()]}));
+  EXPECT_FALSE(merged.parents(map[a.value()]).has_value());
+  // A copy without one of the parents.
+  const std::array<PlaneId, 3> some = {PlaneId(0), PlaneId(), PlaneId(1)};
+  EXPECT_FALSE(PlaneTable(table, some, {}).parents(PlaneId(1)).has_value());
+}
+
 /// Rows of one limb to many, which lie one behind the other in the table.
 TEST(PlaneTable, ExplicitRowsOfAnyLengthAreCopied) {
   PlaneTable table;

@@ -425,6 +425,30 @@ TEST(Point3Signs, FilterCountsTheErrorOfEachNormalCoordinate) {
   }
 }
 
+// Their boxes are the origin with a radius: coordinates below 2^-900 are rounded away.
+TEST(Point3Signs, PointsNextToTheOriginAreNotIt) {
+  PlaneTable table;
+  const std::array<PlaneId, 3> walls = {table.intern(1.0, 0.0, 0.0, 0.0).plane(),
+                                        table.intern(0.0, 1.0, 0.0, 0.0).plane(),
+                                        table.intern(0.0, 0.0, 1.0, 0.0).plane()};
+  const SpacePoint origin(table.add_point({0, 0, 0}));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const double at : {0x1p-950, -0x1p-950}) {
+      std::array<double, 3> n{};
+      n[axis] = 1;
+      const PlaneId beside = table.intern(n[0], n[1], n[2], -at).plane();
+      Point3Table points(table);
+      const SpacePoint p = points.add(walls[(axis + 1) % 3], walls[(axis + 2) % 3], beside);
+      const SpacePoint o = points.add(walls[0], walls[1], walls[2]);
+      const Sign sign = at > 0 ? Sign::Positive : Sign::Negative;
+      EXPECT_EQ(compare_axis(points, p, o, axis), sign);
+      EXPECT_EQ(compare_axis(points, p, origin, axis), sign);
+      EXPECT_FALSE(equal(points, p, o));
+      EXPECT_TRUE(equal(points, o, origin));
+    }
+  }
+}
+
 TEST(Point3Signs, ParallelPlanesHaveNoOrder) {
   PlaneTable table;
   const PlaneId low = table.intern(0.0, 0.0, 1.0, 0.0).plane(),

@@ -54,6 +54,7 @@ struct Planes {
   PlaneId slope = table.intern(right, back, peak).plane();
   PlaneId diagonal = table.intern(origin, right, far).plane();
   PlaneId middle = table.intern(1.0, -1.0, 0.0, 0.0).plane();
+  PlaneId wall = table.intern(Pencil{left, front, 2, 3}).plane();
 };
 
 struct Question {
@@ -172,6 +173,10 @@ TEST(RungCounters, CountQuestionsOfSpaceOnce) {
       {"points apart", CompareAxis, Rung::Filter, [&] { equal(points, peak, far); }},
       {"a line in its own plane", HoldsLine, Rung::Identity,
        [&] { holds_line(p.table, p.left, p.left, p.front); }},
+      {"a line in its other plane", HoldsLine, Rung::Identity,
+       [&] { holds_line(p.table, p.front, p.left, p.front); }},
+      {"a line in a wall through it", HoldsLine, Rung::Identity,
+       [&] { holds_line(p.table, p.wall, p.left, p.front); }},
       {"a line across", HoldsLine, Rung::Filter,
        [&] { holds_line(p.table, p.floor, p.left, p.front); }},
       {"side of a query", SideOfPlane, Rung::Filter, [&] { side(points, query, p.slope); }},
