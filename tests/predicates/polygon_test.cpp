@@ -93,6 +93,20 @@ TEST(PolygonArea, ThatRoundsToNothingHasItsSign) {
   }
 }
 
+// Corners rounded from one line: products are rounded by more than is left of them.
+TEST(PolygonArea, OfCornersNearALineHasItsSign) {
+  Polygons polygons(5, 1, 1, 0.5);
+  for (int round = 0; round < 500; ++round) {
+    const Point2 a = polygons.corner(), b = polygons.corner();
+    PointTable2 points;
+    points.push_back(a);
+    for (const double t : {0.3, 0.9, 2.0, 0.7}) {
+      points.push_back(Point2{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+    }
+    expect_area(points);
+  }
+}
+
 TEST(PolygonArea, OfAFewCornersOrASymmetricBowTieIsNothing) {
   PointTable2 points;
   for (const Point2 p : {Point2{0, 0}, {1, 1}, {1, 0}, {0, 1}}) points.push_back(p);
