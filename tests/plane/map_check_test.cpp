@@ -290,6 +290,95 @@ TEST(Hints, SpellTheVerticesOnAnEdgeInOrder) {
   } while (std::ranges::next_permutation(order).found);
 }
 
+/// What check_map says when it refuses a map.
+std::string refusal_of(const TestMap& map, OracleOptions options = {}) {
+  try {
+    checked(map, options);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+/// A triangle, and a second face.
+TestMap triangle_and(std::vector<std::uint32_t> face) {
+  TestMap map;
+  for (const auto& [x, y] : {std::pair(0, 0), {4, 0}, {0, 2}, {9, 9}, {12, 9}, {9, 9}}) {
+    map.add_point(x, y);
+  }
+  map.cycles = {{0, 1, 2}, std::move(face)};
+  return map;
+}
+
+TEST(Refusals, NumberFacesAndVerticesFromOne) {
+  EXPECT_NE(refusal_of(triangle_and({0, 1, 6})).find("face 2 uses vertex 7 of 6"),
+            std::string::npos);
+  OracleOptions merging;
+  merging.merge_vertices = true;
+  EXPECT_NE(refusal_of(triangle_and({3, 4, 5}), merging).find("face 2 collapses"),
+            std::string::npos);
+}
+
+TEST(Defects, OfOneEdgeAreInItsMiddle) {
+  TestMap map = triangle_and({});
+  map.cycles.pop_back();
+  const MapReport report = checked(map);
+  ASSERT_EQ(report.counts.open, 3U);
+  for (const MapDefect& defect : report.defects) {
+    ASSERT_TRUE(defect.point.has_value());
+    const RationalPoint2 p = report.map.points.exact(defect.edges.at(0).from),
+                         q = report.map.points.exact(defect.edges.at(0).to);
+    EXPECT_EQ(defect.point->x + defect.point->x, p.x + q.x);
+    EXPECT_EQ(defect.point->y + defect.point->y, p.y + q.y);
+  }
+}
+
+/// A dozen vertices are named; of more there are dots.
+TEST(Hints, NameADozenVertices) {
+  for (const std::uint32_t corners : {5U, 12U, 13U, 30U}) {
+    TestMap map;
+    map.cycles.emplace_back();
+    for (std::uint32_t i = 0; i < corners; ++i) {
+      map.add_point(static_cast<int>(i), static_cast<int>(i * i));
+      map.cycles[0].push_back(i);
+    }
+    const MapReport report = checked(map);
+    ASSERT_EQ(report.counts.open, corners);
+    const bool has_dots = std::ranges::any_of(
+        report.defects, [](const MapDefect& d) { return d.hint.find("...") != std::string::npos; });
+    EXPECT_EQ(has_dots, corners > 12) << report.defects[0].hint;
+  }
+}
+
+// ---------------------------------------------------------------- half-edge structures
+
+/// A square in a square: regions are faces, also that with a hole, and the unbounded one.
+TEST(ToDcel, FacesAreRegions) {
+  TestMap map;
+  for (const int size : {3, 1}) {
+    for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
+      map.add_point(size * x, size * y);
+    }
+  }
+  map.cycles = {{0, 1, 2, 3}, {7, 6, 5, 4}, {4, 5, 6, 7}, {3, 2, 1, 0}};
+  const MapReport report = checked(map);
+  ASSERT_EQ(report.verdict, MapVerdict::Valid);
+  ASSERT_EQ(report.regions.size(), 3U);
+  const DcelFromCycles made = to_dcel(report);
+  EXPECT_EQ(made.dcel.face_count(), 3U);
+  std::size_t cycles = 0;
+  for (std::uint32_t r = 0; r < report.regions.size(); ++r) {
+    std::vector<std::uint32_t> of_region = report.regions[r].holes;
+    if (report.regions[r].outer) of_region.push_back(*report.regions[r].outer);
+    for (const std::uint32_t c : of_region) {
+      ++cycles;
+      const HalfedgeId h = made.halfedge_of_corner[report.map.cycle_begin[c]];
+      EXPECT_EQ(made.dcel.face(h), FaceId(r)) << "cycle " << c;
+    }
+  }
+  EXPECT_EQ(cycles, 4U);
+}
+
 // ---------------------------------------------------------------- warnings
 
 /// Two triangles that meet in the origin, and a vertex of nobody.
