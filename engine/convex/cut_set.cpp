@@ -16,7 +16,6 @@
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/plane_cycles.h"
-#include "plumb/space/space_memory.h"
 
 namespace plumb {
 namespace {
@@ -226,7 +225,7 @@ class SetCutter {
   }
 
   void add(Nef3 piece) {
-    memory_.add(array_bytes(piece.complex()) + kBytesPerSet, "convex pieces");
+    memory_.add(bytes_beside_tables(piece), "convex pieces");
     done_.push_back(std::move(piece));
   }
 
@@ -244,8 +243,8 @@ class SetCutter {
     };
     const Nef3 low = cut(kIntersection);
     Nef3 high = cut(kDifference);
-    memory_.add(low.bytes() + high.bytes(),
-                "convex pieces");  // their pieces keep the tables of each
+    // Their pieces keep the tables of each.
+    memory_.add(low.bytes() + high.bytes(), "convex pieces");
     std::vector<SetPart> below = parts_of(low, context_);
     for (const SetPart& p : below) {
       if (p.dimension < part.dimension) high = combine(high, p.set, kUnion, context_);

@@ -21,7 +21,10 @@ ConvexPieces decompose_named(const Nef3& whole, const DecomposeOptions& options,
   if (options.method == DecomposeMethod::Walls) return decompose_by_walls(whole, options, context);
   ConvexPieces result;
   result.reflex_edges = reflex_edges(whole.complex()).size();
-  for (const SetPart& part : parts_of(whole, context)) {
+  MemoryCharge memory(context);
+  const std::vector<SetPart> parts = parts_of(whole, context);
+  for (const SetPart& part : parts) memory.add(bytes_beside_tables(part.set), "parts of a set");
+  for (const SetPart& part : parts) {
     std::vector<Nef3> pieces = cut_set(part, options, context);
     if (options.method == DecomposeMethod::Best && part.dimension == 3) {
       std::vector<Nef3> fewer = fewer_pieces_by_walls(part.set, pieces.size(), context);
@@ -30,6 +33,10 @@ ConvexPieces decompose_named(const Nef3& whole, const DecomposeOptions& options,
         result.method = DecomposeMethod::Walls;
         if (options.closed) close(pieces);
       }
+    }
+    // A part that is convex is its own piece.
+    for (const Nef3& piece : pieces) {
+      if (pieces.size() > 1) memory.add(bytes_beside_tables(piece), "convex pieces");
     }
     std::move(pieces.begin(), pieces.end(), std::back_inserter(result.pieces));
   }

@@ -11,9 +11,9 @@
 #include "plumb/convex/convex_sum.h"
 #include "plumb/convex/cuts.h"
 #include "plumb/convex/decompose.h"
-#include "plumb/convex/set_parts.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/facet_triangles.h"
+#include "plumb/space/space_memory.h"
 #include "plumb/space/unite.h"
 
 namespace plumb {

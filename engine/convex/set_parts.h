@@ -10,11 +10,11 @@
 // a part.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/space/nef3.h"
+#include "plumb/space/space_memory.h"
 
 namespace plumb {
 
@@ -27,7 +27,9 @@ struct SetPart {
 /// By dimension, downwards; empty for the empty set. Origins of facets are kept.
 std::vector<SetPart> parts_of(const Nef3& set, Context& context);
 
-/// Bytes that a set takes besides its arrays and its tables.
-inline constexpr std::uint64_t kBytesPerSet = 2500;
+/// Bytes of a set that shares its tables with others, as the parts and pieces of one set do. O(1).
+inline std::size_t bytes_beside_tables(const Nef3& set) {
+  return array_bytes(set.complex()) + kBytesPerSet;
+}
 
 }  // namespace plumb

@@ -134,7 +134,7 @@ class VolumeSplitter {
       }
       carrier.face_ends();
       sets.push_back(Nef3::from_minimal(join(std::move(draft), context)));
-      memory.add(array_bytes(sets.back().complex()) + kBytesPerSet, "convex pieces");
+      memory.add(bytes_beside_tables(sets.back()), "convex pieces");
     }
     return sets;
   }

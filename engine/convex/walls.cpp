@@ -129,7 +129,9 @@ ConvexPieces decompose_named(const Nef3& set, const DecomposeOptions& options, C
   cuts.method = DecomposeMethod::Cuts;
   ConvexPieces result;
   result.reflex_edges = reflex_edges(set.complex()).size();
-  const auto add = [&result](std::vector<Nef3> pieces) {
+  MemoryCharge memory(context);
+  const auto add = [&](std::vector<Nef3> pieces) {
+    for (const Nef3& piece : pieces) memory.add(bytes_beside_tables(piece), "convex pieces");
     std::move(pieces.begin(), pieces.end(), std::back_inserter(result.pieces));
   };
   if (set.is_bounded()) {

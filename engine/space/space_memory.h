@@ -14,4 +14,7 @@ std::size_t memory_bytes(const SpaceComplex& complex);
 /// The arrays alone, of a complex that shares its tables with others. O(1).
 std::size_t array_bytes(const SpaceComplex& complex);
 
+/// What a set takes besides its arrays and its tables.
+inline constexpr std::size_t kBytesPerSet = 2500;
+
 }  // namespace plumb

@@ -194,6 +194,8 @@ void measure_convex() {
   for (const DecomposeMethod method : {DecomposeMethod::Cuts, DecomposeMethod::Walls}) {
     measure("decompose", [&](Context& context) { (void)decompose(shell, {method}, context); });
   }
+  const Nef3 facets = set(2 + more, 1).boundary();
+  measure("decompose, facets", [&](Context& context) { (void)decompose(facets, {}, context); });
   const Nef3 ball = set(3 + more, 1), small = set(2 + more, 0.25);
   measure("minkowski_sum, convex",
           [&](Context& context) { (void)minkowski_sum(ball, small, context); });
