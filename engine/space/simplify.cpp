@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "plumb/space/local_maps.h"
+#include "plumb/space/merge_coplanar.h"
 #include "plumb/space/space_draft.h"
 #include "plumb/space/vertex_carrier.h"
 #include "plumb/sphere/sphere_overlay.h"
@@ -12,68 +13,44 @@ namespace plumb {
 
 namespace {
 
-constexpr std::uint64_t kBytesPerUse = 110;  // a draft, and what is joined
+constexpr std::uint64_t kBytesPerUse = 110;       // a draft, and what is joined
+constexpr std::uint64_t kBytesPerUseMerged = 60;  // what is merged, and numbers of items
 
-/// Step 1.
-class MinimalForm {
+/// Does a facet, a free edge or a lone vertex go?
+class MapChanges {
  public:
-  explicit MinimalForm(const SpaceComplex& complex)
-      : complex_(complex), overlay_(complex.planes()) {}
+  explicit MapChanges(const SpaceComplex& complex) : c_(complex) {}
 
-  bool holds(Context& context) {
-    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
-      if (dissolves(FacetId(f))) return false;
+  bool exist() const {
+    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
+      if (has_mark(c_.facet_volume[f][0], c_.facet_mark[f]) &&
+          has_mark(c_.facet_volume[f][1], c_.facet_mark[f])) {
+        return true;
+      }
     }
-    for (std::uint32_t e = 0; e < complex_.edge_count(); ++e) {
-      if (dissolves(EdgeId(e))) return false;
+    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
+      if (!c_.edge_use[e].is_valid() && has_mark(c_.edge_volume[e], c_.edge_mark[e])) return true;
     }
-    for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
-      if (v % 4096 == 0) context.checkpoint("simplify", v, complex_.vertex_count());
-      if (dissolves(VertexId(v))) return false;
+    for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
+      if (c_.star_of(VertexId(v)).empty() && goes_alone(v)) return true;
     }
-    return true;
+    return false;
   }
 
  private:
-  bool dissolves(FacetId f) const {
-    const auto& [above, below] = complex_.facet_volume[f.value()];
-    const Mark own = complex_.facet_mark[f.value()];
-    return complex_.volume_mark[above.value()] == own && complex_.volume_mark[below.value()] == own;
+  bool has_mark(VolumeId v, Mark mark) const { return c_.volume_mark[v.value()] == mark; }
+  bool goes_alone(std::uint32_t v) const {
+    const FacetId f = c_.vertex_facet[v];
+    if (f.is_valid()) return c_.facet_mark[f.value()] == c_.vertex_mark[v];
+    return has_mark(c_.vertex_volume[v], c_.vertex_mark[v]);
   }
 
-  /// Facets stay: an edge goes if it lies inside one, or in a volume.
-  bool dissolves(EdgeId e) const {
-    const Mark own = complex_.edge_mark[e.value()];
-    const UseId first = complex_.edge_use[e.value()];
-    if (!first.is_valid()) {
-      return complex_.volume_mark[complex_.edge_volume[e.value()].value()] == own;
-    }
-    const UseId second = complex_.use_radial[first.value()];
-    if (second == first || complex_.use_radial[second.value()] != first) return false;
-    const std::uint32_t f = complex_.use_facet[first.value()].value();
-    const std::uint32_t g = complex_.use_facet[second.value()].value();
-    return complex_.facet_plane[f] == complex_.facet_plane[g] && complex_.facet_mark[f] == own &&
-           complex_.facet_mark[g] == own;
-  }
-
-  /// Edges stay: only where there are none, or two, can a vertex be a place inside something else.
-  bool dissolves(VertexId v) {
-    const std::size_t degree = complex_.star_of(v).size();
-    if (degree != 0 && degree != 2) return false;
-    local_map(complex_, v, local_);
-    return overlay_.simplify(local_.map) ||
-           classify(complex_.planes(), local_.map) != PyramidKind::Vertex;
-  }
-
-  const SpaceComplex& complex_;
-  SphereOverlay overlay_;
-  LocalMap local_;
+  const SpaceComplex& c_;
 };
 
 }  // namespace
 
-SpaceComplex simplified(SpaceComplex complex, Context& context) {
-  if (MinimalForm(complex).holds(context)) return complex;
+SpaceComplex simplified_by_maps(const SpaceComplex& complex, Context& context) {
   MemoryCharge memory(context);
   memory.add(kBytesPerUse * complex.use_count(), "the minimal form");
   SpaceDraft draft(std::const_pointer_cast<SpaceTables>(complex.tables));
@@ -89,6 +66,16 @@ SpaceComplex simplified(SpaceComplex complex, Context& context) {
   SpaceComplex result = join(std::move(draft), context);
   if (result.vertex_count() == 0) result.volume_mark[0] = complex.volume_mark[0];
   return result;
+}
+
+SpaceComplex simplified(SpaceComplex complex, Context& context) {
+  context.checkpoint("simplify", 0, complex.vertex_count());
+  if (MapChanges(complex).exist()) return simplified_by_maps(complex, context);
+  CoplanarMerge merge(complex);
+  if (!merge.is_needed()) return complex;
+  MemoryCharge memory(context);
+  memory.add(kBytesPerUseMerged * complex.use_count(), "the minimal form");
+  return merge.run(context);
 }
 
 }  // namespace plumb

@@ -2,10 +2,11 @@
 // around them go.
 //
 // Main flow of simplified():
-//  1. look      is it minimal already? Flat passes over facets, edges and vertices; sphere maps are made only
-//               of vertices with exactly two half-edges, which may be places inside an edge
-//  2. carry     else the map of every vertex is simplified and put into a draft (vertex_carrier.h)
-//  3. join      (space_draft.h)
+//  1. look      flat passes over facets, edges and vertices: what goes?
+//  2. merge     at most edges between facets of one plane, and places inside edges: joined as they lie in the arrays
+//               (merge_coplanar.h)
+//  3. carry     else the map of every vertex is simplified and put into a draft (vertex_carrier.h)
+//  4. join      (space_draft.h)
 #pragma once
 
 #include "plumb/base/context.h"
@@ -15,5 +16,8 @@ namespace plumb {
 
 /// The same set in minimal form. O(n); a minimal complex is given back as it is.
 SpaceComplex simplified(SpaceComplex complex, Context& context);
+
+/// The same by steps 3 and 4 alone, whatever goes; several times as long where step 2 would do.
+SpaceComplex simplified_by_maps(const SpaceComplex& complex, Context& context);
 
 }  // namespace plumb
