@@ -8,6 +8,7 @@
 
 #include "plumb/predicates/decompose.h"
 #include "plumb/predicates/id_index.h"
+#include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/plane_ladder.h"
 #include "plumb/predicates/plane_row.h"
 #include "plumb/predicates/residues3.h"
@@ -64,11 +65,28 @@ bool is_same_definition(const PlaneTable& table, const PlaneSource& a, const Pla
   });
 }
 
+/// Of planes through input points: on which side of a do the points of b lie, the first that is not on it? Unsure: they have more
+/// bits than fixed widths.
+FilteredSign first_off_plane(const PlaneTable& table, const PlaneSource& a, const PlaneSource& b) {
+  const std::span<const Point3> points = table.points();
+  for (const std::uint32_t i : b.code) {
+    if (a.has_point(InputPointId(i))) continue;
+    const FilteredSign side =
+        rung::orient3d_exact(points[a.code[0]], points[a.code[1]], points[a.code[2]], points[i]);
+    if (side != FilteredSign::Zero) return side;
+  }
+  return FilteredSign::Zero;
+}
+
 /// Equal fingerprints are confirmed here. There is no interval check before: planes that collide
 /// without being equal are too rare for it to pay.
 bool is_same_plane(const PlaneTable& table, const PlaneSource& a, const PlaneSource& b) {
   if (a.is_frame() != b.is_frame()) return false;
   if (is_same_definition(table, a, b)) return true;
+  if (!a.is_explicit() && !b.is_explicit()) {
+    const FilteredSign off = first_off_plane(table, a, b);
+    if (is_decided(off)) return off == FilteredSign::Zero;
+  }
   const std::array<exact3::Operand, 2> both = {exact3::operand(table, a),
                                                exact3::operand(table, b)};
   return exact3::exact_sign(both, SamePlane{}, [](Rung) {}) == Sign::Zero;

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <optional>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -337,6 +339,85 @@ TEST(RoundedPoint3, IsNearestInEachCoordinate) {
   }
   EXPECT_GT(exact_ones, 50U);
   EXPECT_GT(others, 50U);
+}
+
+/// What the filter tells is what exact numbers say; of points in general position it tells nearly all, in no rounding mode but one.
+TEST(RoundedPoint3, FilterTellsWhatIsClear) {
+  std::mt19937_64 random(31);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (const double scale : {1.0, 0x1p-12, 0x1p30, 0x1p58}) {
+    std::size_t told = 0;
+    for (std::size_t i = 0; i < 300; ++i) {
+      PlaneTable table;
+      std::array<PlaneId, 3> planes;
+      for (PlaneId& plane : planes) {
+        std::array<Point3, 3> corners;
+        for (Point3& p : corners)
+          p = {scale * unit(random), scale * unit(random), scale * unit(random)};
+        if (i % 3 == 1 && &plane == planes.data()) corners[1].x = corners[2].x = corners[0].x;
+        const InputPointId first = table.add_points(corners);
+        plane =
+            table.intern(first, InputPointId(first.value() + 1), InputPointId(first.value() + 2))
+                .plane();
+      }
+      Point3Table points(table);
+      const SpacePoint x = points.add(planes[0], planes[1], planes[2]);
+      ASSERT_TRUE(x.is_valid());
+      const RoundedPoint3 exactly = rung::rounded_exact(points, x);
+      for (const auto& setting : testing_environment::kSettings) {
+        std::optional<RoundedPoint3> clear;
+        {
+          testing_environment::Scope scope(setting);
+          clear = rung::rounded_filter(points, x);
+        }
+        if (setting.rounding != FE_TONEAREST) {
+          EXPECT_FALSE(clear) << setting.name;
+          continue;
+        }
+        if (!clear) continue;
+        ++told;
+        EXPECT_EQ(clear->at, exactly.at);
+        EXPECT_EQ(clear->is_exact, exactly.is_exact);
+      }
+    }
+    EXPECT_GE(told, 2U * 295U) << scale;
+  }
+}
+
+/// The x of a point at or next to a double, or to the middle of two, by 2^-j of their distance.
+TEST(RoundedPoint3, NextToTiesAndToDoubles) {
+  constexpr double kLow = 0x1p52;  // doubles are 1 apart
+  std::size_t clear_ones = 0;
+  for (int j = 2; j <= 59; ++j) {
+    const double whole = std::ldexp(1.0, j), half = whole / 2;
+    for (const double y : {half - 1, half, half + 1, 1.0, whole - 1}) {
+      for (const double step : {1.0, 3.0}) {
+        PlaneTable table;
+        const auto plane = [&table](const std::array<Point3, 3>& corners) {
+          const InputPointId first = table.add_points(corners);
+          return table
+              .intern(first, InputPointId(first.value() + 1), InputPointId(first.value() + 2))
+              .plane();
+        };
+        // x = kLow + step y / whole in the plane y, at z = 0.
+        const PlaneId level = plane({Point3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+        const PlaneId wall = plane({Point3{0, y, 0}, {1, y, 0}, {0, y, 1}});
+        const PlaneId slope = plane({Point3{kLow, 0, 0}, {kLow + step, whole, 0}, {kLow, 0, 1}});
+        Point3Table points(table);
+        const SpacePoint x = points.add(level, wall, slope);
+        ASSERT_TRUE(x.is_valid());
+        const RoundedPoint3 near = rounded(points, x), exactly = rung::rounded_exact(points, x);
+        EXPECT_EQ(near.at, exactly.at) << j << " " << y << " " << step;
+        EXPECT_EQ(near.is_exact, exactly.is_exact) << j << " " << y << " " << step;
+        const bool is_clear = rung::rounded_filter(points, x).has_value();
+        if (y == half || j <= 30) {
+          EXPECT_EQ(is_clear, y != half) << j << " " << y << " " << step;
+        }
+        clear_ones += is_clear ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(clear_ones, 200U);
 }
 
 TEST(RoundedPoint3, IsExactOnlyIfAllCoordinatesAre) {
