@@ -12,7 +12,9 @@ namespace plumb::testing {
 namespace {
 
 constexpr std::size_t kMaxPlanes = 9;
-constexpr std::size_t kMostVertices = 14;  // of an operand: parts multiply
+// Parts of operands multiply, and every marked item is a part where one is neither open nor are both closed.
+constexpr std::size_t kMostVertices = 10;  // of an operand
+constexpr std::size_t kMostMixed = 20;     // product of both
 constexpr std::size_t kMostEroded = 12;    // vertices of a sum
 constexpr std::size_t kSamples = 8;
 
@@ -43,7 +45,12 @@ Nef3 bounded(std::span<const std::uint8_t> program) {
 
 std::string difference_of(std::span<const std::uint8_t> program) {
   const std::size_t half = program.size() / kProgramRecord / 2 * kProgramRecord;
-  const Nef3 a = bounded(program.first(half)), b = bounded(program.subspan(half));
+  Nef3 a = bounded(program.first(half)), b = bounded(program.subspan(half));
+  const bool has_few_parts = (a.is_closed() && b.is_closed()) || a.is_open() || b.is_open();
+  if (!has_few_parts && a.counts().vertices * b.counts().vertices > kMostMixed) {
+    a = a.closure();
+    b = b.closure();
+  }
   Context context;
   const Nef3 both = minkowski_sum(a, b, context);
   if (a.is_empty() || b.is_empty()) return both.is_empty() ? "" : "a sum with nothing";
