@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plumb/predicates/decompose.h"
 #include "plumb/predicates/double_double.h"
 #include "plumb/predicates/point3_exact.h"
 #include "plumb/predicates/rounding.h"
@@ -39,7 +40,10 @@ using Corners = std::array<const Point3*, 3>;
 
 std::array<double, 3> coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
 
-bool is_in_range(double c) { return c == 0 || (std::fabs(c) >= 0x1p-60 && std::fabs(c) <= 0x1p60); }
+/// By bits where it is about equality: subnormal numbers may compare as zero.
+bool is_in_range(double c) {
+  return is_equal(c, 0) || (std::fabs(c) >= 0x1p-60 && std::fabs(c) <= 0x1p60);
+}
 
 /// (a x b)_i
 Twofold cross_component(const std::array<Twofold, 3>& a, const std::array<Twofold, 3>& b,
@@ -111,7 +115,8 @@ std::array<double, 3> clear_coordinates(const std::array<Corners, 3>& corners) {
 /// Have the corners of a plane one coordinate along the axis?
 bool is_across(const Corners& corners, std::size_t axis) {
   const auto along = [axis](const Point3* p) { return coordinates(*p)[axis]; };
-  return along(corners[0]) == along(corners[1]) && along(corners[0]) == along(corners[2]);
+  return is_equal(along(corners[0]), along(corners[1])) &&
+         is_equal(along(corners[0]), along(corners[2]));
 }
 
 /// Of the planes that define a point, if there are three, all through input points within range.

@@ -10,13 +10,17 @@
 
 namespace plumb {
 
-CoplanarMerge::CoplanarMerge(const SpaceComplex& complex)
-    : in_(complex), is_flat_(complex.edge_count()), fate_(complex.vertex_count()) {
+CoplanarMerge::CoplanarMerge(const SpaceComplex& complex, Context& context)
+    : in_(complex),
+      is_flat_(complex.edge_count()),
+      is_crossed_(complex.origin.size()),
+      fate_(complex.vertex_count()) {
   for (std::uint32_t e = 0; e < in_.edge_count(); ++e) {
     is_flat_[e] = is_flat_edge(EdgeId(e)) ? 1 : 0;
     is_needed_ |= is_flat_[e] != 0;
   }
   for (std::uint32_t v = 0; v < in_.vertex_count(); ++v) {
+    if (v % 4096 == 0) context.checkpoint("simplify", v, in_.vertex_count());
     fate_[v] = fate_of(VertexId(v));
     is_needed_ |= fate_[v] != Fate::Kept;
   }
@@ -66,7 +70,7 @@ CoplanarMerge::Fate CoplanarMerge::fate_of(VertexId v) {
       left[count - 1] = h;
     }
   }
-  if (flat > 0 && crossed_from_left(v) < flat) {
+  if (flat > 0 && cross_from_left(v) < flat) {
     const FacetId around = facet_around(v);
     if (count == 0 && in_.vertex_mark[v.value()] == in_.facet_mark[around.value()])
       return Fate::Gone;
@@ -76,8 +80,8 @@ CoplanarMerge::Fate CoplanarMerge::fate_of(VertexId v) {
   return count == 2 && is_passed(v, left[0], left[1]) ? Fate::Passed : Fate::Kept;
 }
 
-/// How many flat half-edges at v lie in corners between edges that are left.
-std::size_t CoplanarMerge::crossed_from_left(VertexId v) const {
+/// Notes the flat half-edges at v that lie in corners between edges that are left; how many.
+std::size_t CoplanarMerge::cross_from_left(VertexId v) {
   std::size_t crossed = 0;
   for (const HalfedgeId h : in_.star_of(v)) {
     const UseId first = in_.edge_use[h.value() / 2];
@@ -85,7 +89,10 @@ std::size_t CoplanarMerge::crossed_from_left(VertexId v) const {
     UseId u = first;
     do {
       if (in_.use_halfedge[u.value()] == h) {
-        for (UseId w = in_.use_prev[u.value()]; is_flat(w); w = prev_around(w)) ++crossed;
+        for (UseId w = in_.use_prev[u.value()]; is_flat(w); w = prev_around(w)) {
+          is_crossed_[SpaceComplex::twin(in_.use_halfedge[w.value()]).value()] = 1;
+          ++crossed;
+        }
       }
       u = in_.use_radial[u.value()];
     } while (u != first);
@@ -93,19 +100,13 @@ std::size_t CoplanarMerge::crossed_from_left(VertexId v) const {
   return crossed;
 }
 
-/// A facet with flat edges all around v. Requires that there is one.
+/// The facet whose flat edges go all around v: those that no corner holds. Requires that there are some.
 FacetId CoplanarMerge::facet_around(VertexId v) const {
-  for (const HalfedgeId h : in_.star_of(v)) {
-    if (is_flat_[h.value() / 2] == 0) continue;
-    const UseId first = in_.edge_use[h.value() / 2];
-    const bool leaves = in_.use_halfedge[first.value()] == h;
-    const UseId start = leaves ? in_.use_radial[first.value()] : first;  // arrives at v
-    UseId w = prev_around(start);
-    while (w != start && is_flat(w)) w = prev_around(w);
-    if (w == start) return in_.use_facet[w.value()];
-  }
-  PLUMB_CHECK(false);
-  return FacetId();
+  const std::span<const HalfedgeId> star = in_.star_of(v);
+  const HalfedgeId h = *std::ranges::find_if(star, [this](HalfedgeId g) {
+    return is_flat_[g.value() / 2] != 0 && is_crossed_[g.value()] == 0;
+  });
+  return in_.use_facet[in_.edge_use[h.value() / 2].value()];
 }
 
 /// Of two half-edges that alone are left at v: do they and the facets of both continue each other there? Facets in two planes
@@ -240,16 +241,14 @@ void CoplanarMerge::make_facets() {
     const std::uint32_t root = classes.root(f);
     if (root != f) {
       facet_number_[f] = facet_number_[root];
-      std::uint32_t& origin = out_.facet_origin[facet_number_[f].value()];
-      origin = std::min(origin, in_.facet_origin[f]);
       continue;
     }
     facet_number_[f] = FacetId(out_.facet_count());
     out_.facet_plane.push_back(in_.facet_plane[f]);
     out_.facet_mark.push_back(in_.facet_mark[f]);
     out_.facet_volume.push_back(in_.facet_volume[f]);
-    out_.facet_origin.push_back(in_.facet_origin[f]);
   }
+  name_facets();
   std::vector<UseId> first_uses;  // of the cycles
   out_.cycle_begin.assign(out_.facet_count() + 1, 0);
   for (std::uint32_t u = 0; u < in_.use_count(); ++u) {
@@ -273,6 +272,17 @@ void CoplanarMerge::make_facets() {
     const auto outer = std::find_if(begin, end, [&](UseId u) { return is_outer(out_, u); });
     PLUMB_CHECK(outer != end);
     std::rotate(begin, outer, outer + 1);
+  }
+}
+
+/// Of a facet, the pieces at its corners: those whose uses leave a vertex that stays along an edge that does.
+void CoplanarMerge::name_facets() {
+  out_.facet_origin.assign(out_.facet_count(), ~std::uint32_t{0});
+  for (std::uint32_t u = 0; u < in_.use_count(); ++u) {
+    if (is_flat(UseId(u)) || fate_[in_.use_origin(UseId(u)).value()] != Fate::Kept) continue;
+    const FacetId piece = in_.use_facet[u];
+    std::uint32_t& name = out_.facet_origin[facet_number_[piece.value()].value()];
+    name = std::min(name, in_.facet_origin[piece.value()]);
   }
 }
 

@@ -11,7 +11,8 @@
 //  1. chains     followed from the first edge of each to both ends; vertices and edges numbered anew
 //  2. uses       those of edges that stand for a chain; the next one is found by walking on along the facet, across flat
 //                edges around their ends
-//  3. facets     classes over flat edges; their cycles traced anew, the outer one by the corner at its least vertex
+//  3. facets     classes over flat edges; their cycles traced anew, the outer one by the corner at its least vertex. A facet has
+//                the least id of the pieces that begin its corners, as it has by sphere maps
 //  4. stars      and what lies inside facets
 //
 // Cost: O(n alpha), with signs for the cycles of facets that have several, and at vertices with two edges of facets in one
@@ -32,7 +33,7 @@ namespace plumb {
 class CoplanarMerge {
  public:
   /// Looks which edges and vertices go. Keeps a reference to the complex.
-  explicit CoplanarMerge(const SpaceComplex& complex);
+  CoplanarMerge(const SpaceComplex& complex, Context& context);
 
   /// Does any?
   bool is_needed() const { return is_needed_; }
@@ -44,7 +45,7 @@ class CoplanarMerge {
 
   bool is_flat_edge(EdgeId e) const;
   Fate fate_of(VertexId v);
-  std::size_t crossed_from_left(VertexId v) const;
+  std::size_t cross_from_left(VertexId v);
   FacetId facet_around(VertexId v) const;
   bool is_passed(VertexId v, HalfedgeId h, HalfedgeId other) const;
   HalfedgeId other_left(VertexId v, HalfedgeId h) const;
@@ -57,6 +58,7 @@ class CoplanarMerge {
   VertexId end_of_chain(HalfedgeId h, EdgeId number);
   void make_uses();
   void make_facets();
+  void name_facets();
   void make_stars();
   void gather_inner();
 
@@ -68,7 +70,9 @@ class CoplanarMerge {
   SpaceComplex out_;
   bool is_needed_ = false;
   std::vector<std::uint8_t> is_flat_;  // per edge
-  std::vector<Fate> fate_;             // per vertex
+  std::vector<std::uint8_t>
+      is_crossed_;          // per half-edge: does a corner between edges that are left hold it?
+  std::vector<Fate> fate_;  // per vertex
   std::vector<std::pair<VertexId, FacetId>>
       inside_;  // vertices that now lie inside a facet, and one of its parts
 

@@ -14,6 +14,7 @@ namespace plumb {
 namespace {
 
 constexpr std::uint64_t kBytesPerUse = 110;       // a draft, and what is joined
+constexpr std::uint64_t kBytesPerHalfedge = 2;    // to look
 constexpr std::uint64_t kBytesPerUseMerged = 60;  // what is merged, and numbers of items
 
 /// Does a facet, a free edge or a lone vertex go?
@@ -71,9 +72,10 @@ SpaceComplex simplified_by_maps(const SpaceComplex& complex, Context& context) {
 SpaceComplex simplified(SpaceComplex complex, Context& context) {
   context.checkpoint("simplify", 0, complex.vertex_count());
   if (MapChanges(complex).exist()) return simplified_by_maps(complex, context);
-  CoplanarMerge merge(complex);
-  if (!merge.is_needed()) return complex;
   MemoryCharge memory(context);
+  memory.add(kBytesPerHalfedge * complex.origin.size(), "the minimal form");
+  CoplanarMerge merge(complex, context);
+  if (!merge.is_needed()) return complex;
   memory.add(kBytesPerUseMerged * complex.use_count(), "the minimal form");
   return merge.run(context);
 }

@@ -384,6 +384,41 @@ TEST(RoundedPoint3, FilterTellsWhatIsClear) {
   }
 }
 
+/// Numbers that compare as zero where subnormal ones are flushed, and are not.
+TEST(RoundedPoint3, TellsSubnormalNumbersApart) {
+  constexpr double t = 0x1p-1074;
+  const std::array<std::array<Point3, 3>, 3> level_and_wall{
+      {{Point3{0, 0, 0}, {t, t, 1}, {2 * t, 2 * t, 1}},
+       {Point3{3, 0, 0}, {1, 1, 0}, {1, 1, 1}},
+       {Point3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}};
+  const std::array<std::array<Point3, 3>, 3> walls{{{Point3{t, 0, 0}, {t, 1, 0}, {t, 0, 1}},
+                                                    {Point3{0, 2, 0}, {1, 2, 0}, {0, 2, 1}},
+                                                    {Point3{0, 0, 3}, {1, 0, 3}, {0, 1, 3}}}};
+  for (const auto& [corners, expected] :
+       {std::pair(level_and_wall, Point3{1, 1, 0}), std::pair(walls, Point3{t, 2, 3})}) {
+    PlaneTable table;
+    std::array<PlaneId, 3> planes;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const InputPointId first = table.add_points(corners[i]);
+      planes[i] =
+          table.intern(first, InputPointId(first.value() + 1), InputPointId(first.value() + 2))
+              .plane();
+    }
+    Point3Table points(table);
+    const SpacePoint x = points.add(planes[0], planes[1], planes[2]);
+    ASSERT_TRUE(x.is_valid());
+    for (const auto& setting : testing_environment::kSettings) {
+      RoundedPoint3 near;
+      {
+        testing_environment::Scope scope(setting);
+        near = rounded(points, x);
+      }
+      EXPECT_EQ(near.at, expected) << setting.name;
+      EXPECT_TRUE(near.is_exact) << setting.name;
+    }
+  }
+}
+
 /// The x of a point at or next to a double, or to the middle of two, by 2^-j of their distance.
 TEST(RoundedPoint3, NextToTiesAndToDoubles) {
   constexpr double kLow = 0x1p52;  // doubles are 1 apart

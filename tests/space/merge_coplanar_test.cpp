@@ -60,9 +60,19 @@ bool is_same_set(const SpaceComplex& a, const SpaceComplex& b) {
                       canonical(Nef3::from_minimal(b), context).complex());
 }
 
+/// Planes of facets and the ids they carry.
+std::vector<std::pair<PlaneId, std::uint32_t>> names(const SpaceComplex& c) {
+  std::vector<std::pair<PlaneId, std::uint32_t>> all;
+  for (std::size_t f = 0; f < c.facet_count(); ++f) {
+    all.emplace_back(c.facet_plane[f], c.facet_origin[f]);
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
 void expect_as_by_maps(const SpaceComplex& c, const std::string& what) {
   Context context;
-  CoplanarMerge merge(c);
+  CoplanarMerge merge(c, context);
   const SpaceComplex merged = merge.is_needed() ? merge.run(context) : c;
   const auto flaw = audit(merged, true);
   ASSERT_FALSE(flaw) << what << ": " << flaw->invariant << ": " << flaw->place;
@@ -71,6 +81,7 @@ void expect_as_by_maps(const SpaceComplex& c, const std::string& what) {
   EXPECT_EQ(merged.edge_count(), other.edge_count()) << what;
   EXPECT_EQ(merged.facet_count(), other.facet_count()) << what;
   EXPECT_TRUE(is_same_set(merged, other)) << what;
+  EXPECT_EQ(names(merged), names(other)) << what;
 }
 
 /// A tetrahedron above or below the point that touches it with a corner.
@@ -109,7 +120,7 @@ TEST(CoplanarMerge, LeavesConesOnFlatRegions) {
     expect_as_by_maps(c, "cones " + std::to_string(i));
     if (i == 0) {
       Context context;
-      CoplanarMerge merge(c);
+      CoplanarMerge merge(c, context);
       const SpaceComplex merged = merge.run(context);
       EXPECT_EQ(merged.vertex_count(), 8U + 4U);
       EXPECT_EQ(merged.facet_count(), 6U + 4U);
@@ -146,21 +157,23 @@ TEST(CoplanarMerge, OfSurfacesIsAsByMaps) {
   }
 }
 
-TEST(CoplanarMerge, KeepsTheLeastOriginOfAFacet) {
-  VoxelGrid grid({2, 2, 2});
-  grid.is_full.assign(8, 1);
-  const SpaceComplex c = subdivided(voxel_mesh(grid));
-  Context context;
-  CoplanarMerge merge(c);
-  const SpaceComplex merged = merge.run(context);
-  ASSERT_EQ(merged.facet_count(), 6U);
-  for (std::uint32_t f = 0; f < 6; ++f) {
-    std::uint32_t least = ~std::uint32_t{0};
-    for (std::uint32_t g = 0; g < c.facet_count(); ++g) {
-      if (c.facet_plane[g] == merged.facet_plane[f]) least = std::min(least, c.facet_origin[g]);
-    }
-    EXPECT_EQ(merged.facet_origin[f], least);
+/// An inner piece gives a facet no name.
+TEST(CoplanarMerge, NamesFacetsByTheirCorners) {
+  PolygonMesh mesh;
+  for (int y = 0; y <= 3; ++y) {
+    for (int x = 0; x <= 3; ++x) mesh.points.push_back({x / 1.0, y / 1.0, 0});
   }
+  for (const std::uint32_t a :
+       {5U, 4U, 6U, 1U, 9U, 0U, 2U, 8U, 10U}) {  // the middle, sides, corners
+    const std::array<std::uint32_t, 4> corners{a, a + 1, a + 5, a + 4};
+    mesh.add_face(corners);
+  }
+  Context context;
+  const SpaceComplex c = subdivided(mesh, true);
+  CoplanarMerge merge(c, context);
+  const SpaceComplex merged = merge.run(context);
+  ASSERT_EQ(merged.facet_count(), 1U);
+  EXPECT_EQ(merged.facet_origin[0], 5U);
 }
 
 }  // namespace
