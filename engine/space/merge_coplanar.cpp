@@ -10,20 +10,30 @@
 
 namespace plumb {
 
-CoplanarMerge::CoplanarMerge(const SpaceComplex& complex, Context& context)
-    : in_(complex),
-      is_flat_(complex.edge_count()),
-      is_crossed_(complex.origin.size()),
-      fate_(complex.vertex_count()) {
-  for (std::uint32_t e = 0; e < in_.edge_count(); ++e) {
-    is_flat_[e] = is_flat_edge(EdgeId(e)) ? 1 : 0;
-    is_needed_ |= is_flat_[e] != 0;
-  }
+CoplanarMerge::CoplanarMerge(const SpaceComplex& complex, Context& context) : in_(complex) {
+  find_flat_edges();
+  const bool has_flat = !is_flat_.empty();
   for (std::uint32_t v = 0; v < in_.vertex_count(); ++v) {
     if (v % 4096 == 0) context.checkpoint("simplify", v, in_.vertex_count());
-    fate_[v] = fate_of(VertexId(v));
-    is_needed_ |= fate_[v] != Fate::Kept;
+    if (!has_flat && in_.star_of(VertexId(v)).size() != 2) continue;  // kept
+    const Fate fate = fate_of(VertexId(v));
+    if (fate == Fate::Kept) continue;
+    fate_.resize(in_.vertex_count());
+    fate_[v] = fate;
   }
+  is_needed_ = has_flat || !fate_.empty();
+  if (is_needed_) fate_.resize(in_.vertex_count());
+}
+
+/// Makes no arrays where nothing is flat, as in sets that are minimal.
+void CoplanarMerge::find_flat_edges() {
+  const auto count = static_cast<std::uint32_t>(in_.edge_count());
+  std::uint32_t e = 0;
+  while (e < count && !is_flat_edge(EdgeId(e))) ++e;
+  if (e == count) return;
+  is_crossed_.resize(in_.origin.size());
+  is_flat_.resize(count);
+  for (; e < count; ++e) is_flat_[e] = is_flat_edge(EdgeId(e)) ? 1 : 0;
 }
 
 SpaceComplex CoplanarMerge::run(Context& context) {
@@ -64,7 +74,7 @@ CoplanarMerge::Fate CoplanarMerge::fate_of(VertexId v) {
   std::array<HalfedgeId, 2> left;
   std::size_t flat = 0, count = 0;
   for (const HalfedgeId h : star) {
-    if (is_flat_[h.value() / 2] != 0) {
+    if (is_flat(h)) {
       ++flat;
     } else if (count++ < 2) {
       left[count - 1] = h;
@@ -85,7 +95,7 @@ std::size_t CoplanarMerge::cross_from_left(VertexId v) {
   std::size_t crossed = 0;
   for (const HalfedgeId h : in_.star_of(v)) {
     const UseId first = in_.edge_use[h.value() / 2];
-    if (is_flat_[h.value() / 2] != 0 || !first.is_valid()) continue;
+    if (is_flat(h) || !first.is_valid()) continue;
     UseId u = first;
     do {
       if (in_.use_halfedge[u.value()] == h) {
@@ -103,9 +113,8 @@ std::size_t CoplanarMerge::cross_from_left(VertexId v) {
 /// The facet whose flat edges go all around v: those that no corner holds. Requires that there are some.
 FacetId CoplanarMerge::facet_around(VertexId v) const {
   const std::span<const HalfedgeId> star = in_.star_of(v);
-  const HalfedgeId h = *std::ranges::find_if(star, [this](HalfedgeId g) {
-    return is_flat_[g.value() / 2] != 0 && is_crossed_[g.value()] == 0;
-  });
+  const HalfedgeId h = *std::ranges::find_if(
+      star, [this](HalfedgeId g) { return is_flat(g) && is_crossed_[g.value()] == 0; });
   return in_.use_facet[in_.edge_use[h.value() / 2].value()];
 }
 
@@ -138,8 +147,7 @@ bool CoplanarMerge::is_passed(VertexId v, HalfedgeId h, HalfedgeId other) const 
 /// The other one that is left at a passed vertex.
 HalfedgeId CoplanarMerge::other_left(VertexId v, HalfedgeId h) const {
   const std::span<const HalfedgeId> star = in_.star_of(v);
-  return *std::ranges::find_if(
-      star, [&](HalfedgeId g) { return g != h && is_flat_[g.value() / 2] == 0; });
+  return *std::ranges::find_if(star, [&](HalfedgeId g) { return g != h && !is_flat(g); });
 }
 
 /// Along the facet, across flat edges.
@@ -177,7 +185,7 @@ void CoplanarMerge::number_vertices() {
 void CoplanarMerge::make_edges() {
   number_.resize(in_.edge_count());
   for (std::uint32_t e = 0; e < in_.edge_count(); ++e) {
-    if (is_flat_[e] != 0 || number_[e].is_valid()) continue;
+    if (is_flat(EdgeId(e)) || number_[e].is_valid()) continue;
     const EdgeId number(out_.edge_count());
     first_.push_back(EdgeId(e));
     out_.edge_planes.push_back(in_.edge_planes[e]);
@@ -231,7 +239,7 @@ void CoplanarMerge::make_uses() {
 void CoplanarMerge::make_facets() {
   UnionFind& classes = classes_.emplace(in_.facet_count());
   for (std::uint32_t e = 0; e < in_.edge_count(); ++e) {
-    if (is_flat_[e] == 0) continue;
+    if (!is_flat(EdgeId(e))) continue;
     const UseId u = in_.edge_use[e];
     classes.unite(in_.use_facet[u.value()].value(),
                   in_.use_facet[in_.use_radial[u.value()].value()].value());

@@ -43,6 +43,7 @@ class CoplanarMerge {
  private:
   enum class Fate : std::uint8_t { Kept, Passed, Gone };
 
+  void find_flat_edges();
   bool is_flat_edge(EdgeId e) const;
   Fate fate_of(VertexId v);
   std::size_t cross_from_left(VertexId v);
@@ -62,7 +63,9 @@ class CoplanarMerge {
   void make_stars();
   void gather_inner();
 
-  bool is_flat(UseId u) const { return is_flat_[edge(u).value()] != 0; }
+  bool is_flat(EdgeId e) const { return !is_flat_.empty() && is_flat_[e.value()] != 0; }
+  bool is_flat(HalfedgeId h) const { return is_flat(SpaceComplex::edge_of(h)); }
+  bool is_flat(UseId u) const { return is_flat(edge(u)); }
   EdgeId edge(UseId u) const { return SpaceComplex::edge_of(in_.use_halfedge[u.value()]); }
   bool stands_for_chain(EdgeId e) const { return first_[number_[e.value()].value()] == e; }
 
