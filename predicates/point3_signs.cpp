@@ -396,6 +396,14 @@ RationalPoint3 exact_part(const PointOperand& operand, exact3::Part part) {
 
 }  // namespace
 
+IntegerRow homogeneous(const Point3Table& points, SpacePoint x) {
+  IntegerRow row = exact3::integer_row(exact3::operand(points, x));
+  if (row[3] < 0) {
+    for (Integer& c : row) c = -c;
+  }
+  return row;
+}
+
 RationalPoint3 exact(const Point3Table& points, SpacePoint x) {
   return exact_part(exact3::operand(points, x), exact3::Part::Finite);
 }

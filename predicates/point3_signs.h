@@ -50,6 +50,10 @@ Fingerprint fingerprint(const Point3Table& points, SpacePoint x);
 /// Of many points, each as above, by one inversion for some hundred. Cost: ~40 ns an input point in place of ~250.
 std::vector<Fingerprint> fingerprints(const Point3Table& points, std::span<const SpacePoint> x);
 
+/// (x w, y w, z w, w) with w > 0, maybe with a common factor. Requires !points.depends_on_frame(x). Cost: of a constructed point
+/// ~0.5 us, a tenth of exact().
+IntegerRow homogeneous(const Point3Table& points, SpacePoint x);
+
 /// The exact coordinates, for output. Requires !points.depends_on_frame(x).
 RationalPoint3 exact(const Point3Table& points, SpacePoint x);
 

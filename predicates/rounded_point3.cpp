@@ -22,7 +22,7 @@
 
 #include "plumb/predicates/decompose.h"
 #include "plumb/predicates/double_double.h"
-#include "plumb/predicates/point3_exact.h"
+#include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rounding.h"
 
 namespace plumb {
@@ -171,10 +171,7 @@ std::optional<RoundedPoint3> rung::rounded_filter(const Point3Table& points, Spa
 }
 
 RoundedPoint3 rung::rounded_exact(const Point3Table& points, SpacePoint x) {
-  IntegerRow row = exact3::integer_row(exact3::operand(points, x));
-  if (row[3] < 0) {
-    for (Integer& c : row) c = -c;
-  }
+  IntegerRow row = homogeneous(points, x);
   Rational scratch;
   std::array<RoundedDouble, 3> c;
   for (std::size_t i = 0; i < 3; ++i) c[i] = round_quotient(row[i], row[3], scratch);

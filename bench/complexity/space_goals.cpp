@@ -153,6 +153,8 @@ bool measure_degenerate(Options& options) {
   };
   const PolygonMesh ico = ball(4, {0.1, 0.2, 0.3}), large = ball(5, {0.1, 0.2, 0.3});
   print("an icosphere of 5,120 and itself turned by 1e-12", ico, turned(ico, 1e-12));
+  const PolygonMesh centred = ball(4, {0, 0, 0});
+  print("the same about its own centre, 22,890 contacts", centred, turned(centred, 1e-12));
   print("an icosphere of 20,480 twice", large, large);
   print("two cubes of 19,200 triangles, shifted in two planes", grid_cube(40, {0, 0, 0}),
         grid_cube(40, {3.25, 2.5, 0}));

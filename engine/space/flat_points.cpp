@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/rational_predicates.h"
@@ -25,6 +26,7 @@ FlatView FlatView::of_plane(const PlaneTable& planes, PlaneId plane) {
 void FlatPoints::reset(FlatView view) {
   view_ = view;
   at_.clear();
+  homogeneous_.clear();
   exact_.clear();
 }
 
@@ -41,6 +43,16 @@ const RationalPoint2& FlatPoints::exact_point(std::uint32_t i) const {
     exact_[i] = RationalPoint2{*c[view_.coordinate(0)], *c[view_.coordinate(1)]};
   }
   return *exact_[i];
+}
+
+const FlatPoints::HomogeneousPoint& FlatPoints::homogeneous_point(std::uint32_t i) const {
+  if (homogeneous_.size() < at_.size()) homogeneous_.resize(at_.size());
+  if (!homogeneous_[i]) {
+    IntegerRow row = homogeneous(points_, at_[i].point);
+    homogeneous_[i] = HomogeneousPoint{std::move(row[view_.coordinate(0)]),
+                                       std::move(row[view_.coordinate(1)]), std::move(row[3])};
+  }
+  return *homogeneous_[i];
 }
 
 namespace {
@@ -69,7 +81,13 @@ Sign FlatPoints::orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
   const double radii = 2 * std::max({a.radius, b.radius, c.radius});
   const FilteredSign s = orient_filter(a.mid, b.mid, c.mid, radii);
   if (is_decided(s)) return decide(Predicate::Orient2d, Rung::Filter, s);
-  return orient2d(exact_point(i), exact_point(j), exact_point(k));
+  const auto& [ax, ay, aw] = homogeneous_point(i);
+  const auto& [bx, by, bw] = homogeneous_point(j);
+  const auto& [cx, cy, cw] = homogeneous_point(k);
+  const Integer det =
+      ax * (by * cw - bw * cy) - ay * (bx * cw - bw * cx) + aw * (bx * cy - by * cx);
+  count_rung(Predicate::Orient2d, Rung::Big);
+  return sign_of(det);
 }
 
 Sign FlatPoints::compare_along(std::size_t i, std::size_t j, std::size_t side) const {

@@ -2,6 +2,7 @@
 // plane are asked.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -29,7 +30,7 @@ struct FlatView {
 };
 
 /// A list of points in a view. Predicates by index, exact.
-/// Ladder: doubles with the points' boxes; input points go on as orient2d() does, others in rationals.
+/// Ladder: doubles with the points' boxes; input points go on as orient2d() does, others in integers, circles in rationals.
 class FlatPoints final : public PlanarPoints {
  public:
   explicit FlatPoints(const Point3Table& points) : points_(points) {}
@@ -53,13 +54,19 @@ class FlatPoints final : public PlanarPoints {
     double radius;
     SpacePoint point;
   };
+  /// (x w, y w, w) with w > 0.
+  using HomogeneousPoint = std::array<Integer, 3>;
+
   Sign compare_along(std::size_t i, std::size_t j, std::size_t side) const;
+  const HomogeneousPoint& homogeneous_point(std::uint32_t i) const;
   const RationalPoint2& exact_point(std::uint32_t i) const;
 
   const Point3Table& points_;
   FlatView view_;
   std::vector<Entry> at_;
-  mutable std::vector<std::optional<RationalPoint2>> exact_;  // of constructed points, when asked
+  // When asked.
+  mutable std::vector<std::optional<HomogeneousPoint>> homogeneous_;
+  mutable std::vector<std::optional<RationalPoint2>> exact_;
 };
 
 }  // namespace plumb

@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include "generate/dice.h"
 #include "plumb/predicates/rational_predicates.h"
+#include "plumb/space/flat_points.h"
 #include "plumb/space/flat_polygon.h"
 #include "plumb/space/space_tables.h"
 
@@ -250,6 +253,53 @@ TEST(FlatPolygon, Shapes) {
       EXPECT_EQ(orientation_of(laid.flat, c.corners), Sign::Positive);
     }
   }
+}
+
+/// Input points and points of three planes, of small numbers and nearly parallel planes, against rationals.
+TEST(FlatPoints, TurnAsRationalsSay) {
+  Dice dice(5);
+  std::array<int, 3> seen{};
+  for (int round = 0; round < 20; ++round) {
+    SpaceTables tables;
+    const auto small = [&] { return Rational(static_cast<int>(dice.below(7)) - 3); };
+    const PlaneId base = tables.planes.intern(1.0, 2.0, -1.0, 0.0).plane();  // z = x + 2 y
+    std::vector<SpacePoint> at;
+    std::vector<PlaneId> cuts;
+    for (int i = 0; i < 6; ++i) {
+      const double x = static_cast<double>(dice.below(4)), y = static_cast<double>(dice.below(4));
+      at.emplace_back(tables.planes.add_point({x, y, x + 2 * y}));
+      const Rational tilt = i % 3 == 0 ? Rational(1) / (Integer(1) << 50U) : small();
+      const Rational a = small() + tilt, b = small(), c = small();
+      if (a == 0 && b == 0 && c == 0) continue;
+      cuts.push_back(tables.planes.intern(a, b, c, small()).plane());
+    }
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const SpacePoint p = tables.points.add(base, cuts[i], cuts[j]);
+        if (p.is_valid()) at.push_back(p);
+      }
+    }
+    const FlatView view = FlatView::of_plane(tables.planes, base);
+    FlatPoints flat(tables.points);
+    flat.reset(view);
+    std::vector<RationalPoint2> exactly;
+    for (const SpacePoint p : at) {
+      flat.push_back(p);
+      const RationalPoint3 e = exact(tables.points, p);
+      const std::array<Rational, 3> c{e.x, e.y, e.z};
+      exactly.push_back({c[view.coordinate(0)], c[view.coordinate(1)]});
+    }
+    for (std::uint32_t i = 0; i < flat.size(); ++i) {
+      for (std::uint32_t j = 0; j < i; ++j) {
+        for (std::uint32_t k = 0; k < flat.size(); k += 1 + (i + j) % 3) {
+          const Sign turn = orient2d(exactly[i], exactly[j], exactly[k]);
+          ASSERT_EQ(flat.orient(i, j, k), turn) << round << ": " << i << " " << j << " " << k;
+          ++seen[static_cast<std::size_t>(static_cast<int>(turn) + 1)];
+        }
+      }
+    }
+  }
+  for (const int count : seen) EXPECT_GT(count, 100);
 }
 
 }  // namespace
