@@ -61,7 +61,8 @@ std::string difference_of(std::span<const std::uint8_t> program) {
       (b.is_closed() || b.is_open())) {
     return "a sum of closed and open sets";
   }
-  if (both.counts().vertices <= kMostEroded && !(a <= minkowski_erosion(both, b, context))) {
+  if (both.is_closed() && both.counts().vertices <= kMostEroded &&
+      !(a <= minkowski_erosion(both, b, context))) {
     return "an erosion of the sum";
   }
   return "";
