@@ -14,4 +14,10 @@ inline std::uint64_t share_of(std::uint64_t cases) {
   return (cases * std::strtoull(percent, nullptr, 10) + 99) / 100;
 }
 
+/// For tests that can run on for longer: environment variable PLUMB_CASES, else share_of(standard).
+inline std::uint64_t case_count(std::uint64_t standard) {
+  const char* text = std::getenv("PLUMB_CASES");
+  return text == nullptr ? share_of(standard) : std::strtoull(text, nullptr, 10);
+}
+
 }  // namespace plumb::testing

@@ -86,6 +86,7 @@ class AllDiagonals {
         if (is_diagonal({i, j})) diagonals_.push_back({i, j});
       }
     }
+    fill_tables();
   }
 
   std::size_t fewest() {
@@ -120,6 +121,25 @@ class AllDiagonals {
     return is_in;
   }
 
+  /// What the search asks again and again.
+  void fill_tables() {
+    const std::size_t n = points_.size();
+    for (std::size_t i = 0; i < n * n * n; ++i) {
+      turns_.push_back(orient2d(points_[i / n / n], points_[i / n % n], points_[i % n]));
+    }
+    for (const Pair& a : diagonals_) {
+      for (const Pair& b : diagonals_) {
+        const SegmentRelation r = relation(segment(a), segment(b));
+        const bool is_apart = r == SegmentRelation::Disjoint || r == SegmentRelation::ShareEndpoint;
+        crossings_.push_back(is_apart ? 0 : 1);
+      }
+    }
+  }
+  Sign turn(std::size_t a, std::size_t b, std::size_t c) const {
+    const std::size_t n = points_.size();
+    return turns_[(a * n + b) * n + c];
+  }
+
   /// Diagonals are sorted by their first end: of a vertex below that of the next one, all are decided. Where every wedge
   /// is convex no hole is left apart, as its outermost vertex would have one that is not.
   void choose(std::size_t at, std::size_t vertex) {
@@ -133,12 +153,9 @@ class AllDiagonals {
       return;
     }
     choose(at + 1, vertex);
-    const auto crosses = [&](const Pair& p) {
-      const SegmentRelation r = relation(segment(p), segment(diagonals_[at]));
-      return r != SegmentRelation::Disjoint && r != SegmentRelation::ShareEndpoint;
-    };
+    const auto crosses = [&](std::size_t i) { return crossings_[i * diagonals_.size() + at] != 0; };
     if (std::ranges::any_of(chosen_, crosses)) return;
-    chosen_.push_back(diagonals_[at]);
+    chosen_.push_back(at);
     choose(at + 1, vertex);
     chosen_.pop_back();
   }
@@ -150,13 +167,14 @@ class AllDiagonals {
       if (s[0] == v) out = s[1];
       if (s[1] == v) in = s[0];
     }
-    for (const Pair& d : chosen_) {
+    for (const std::size_t i : chosen_) {
+      const Pair& d = diagonals_[i];
       if (d[0] == v || d[1] == v) ends.push_back(d[0] == v ? d[1] : d[0]);
     }
     std::ranges::sort(ends, [&](std::size_t a, std::size_t b) {
       const bool far_a = is_beyond_half(v, out, a), far_b = is_beyond_half(v, out, b);
       if (far_a != far_b) return far_b;
-      return orient2d(points_[v], points_[a], points_[b]) == Sign::Positive;
+      return turn(v, a, b) == Sign::Positive;
     });
     ends.push_back(in);
     std::size_t from = out;
@@ -168,11 +186,14 @@ class AllDiagonals {
   }
   /// More than half a turn from one to the other?
   bool is_beyond_half(std::size_t v, std::size_t from, std::size_t to) const {
-    return orient2d(points_[v], points_[from], points_[to]) == Sign::Negative;
+    return turn(v, from, to) == Sign::Negative;
   }
 
   std::vector<RationalPoint2> points_;
-  std::vector<Pair> sides_, diagonals_, chosen_;
+  std::vector<Pair> sides_, diagonals_;
+  std::vector<Sign> turns_;              // of three points each
+  std::vector<std::uint8_t> crossings_;  // of two diagonals each
+  std::vector<std::size_t> chosen_;      // diagonals
   std::size_t rings_ = 0;
   std::size_t best_ = 0;
 };

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "generate/test_share.h"
 #include "plumb/plane/sweep_members.h"
 
 namespace plumb {
@@ -217,9 +218,9 @@ Scene random_scene(std::mt19937_64& random, int points, int segments, int range,
 // Tiny grids: overlaps, concurrent segments, equal points and zero lengths are the rule.
 TEST(Sweep, MatchesBruteForceOnTinyGrids) {
   std::mt19937_64 random(20261121);
-  for (int round = 0; round < 3000 && !HasFailure(); ++round) {
-    const int range = 1 + round % 6;
-    const int count = 2 + round % 13;
+  for (std::uint64_t round = 0; round < testing::share_of(3000) && !HasFailure(); ++round) {
+    const int range = 1 + static_cast<int>(round % 6);
+    const int count = 2 + static_cast<int>(round % 13);
     SCOPED_TRACE(round);
     expect_right(random_scene(random, 2 + count, count, range, 1));
   }
@@ -235,7 +236,7 @@ TEST(Sweep, MatchesBruteForceWithFractions) {
 
 TEST(Sweep, MatchesBruteForceInGeneralPosition) {
   std::mt19937_64 random(11);
-  for (int round = 0; round < 60 && !HasFailure(); ++round) {
+  for (std::uint64_t round = 0; round < testing::share_of(60) && !HasFailure(); ++round) {
     SCOPED_TRACE(round);
     expect_right(random_scene(random, 50, 25, 1000000, 1));
   }

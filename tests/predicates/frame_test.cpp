@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fixed_rungs.h"
+#include "generate/test_share.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/point3_table.h"
@@ -260,13 +261,13 @@ void check_lines(const World& w, Random& r) {
   }
 }
 
-class Frame : public testing::TestWithParam<std::size_t> {};
+class Frame : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(Frame, AnswersLikeAHugeNumber) {
   const Numbers& numbers = kNumbers[GetParam()];
   Random random(41);
   Judge judge;
-  const std::uint64_t count = cases::count(60);
+  const std::uint64_t count = testing::case_count(60);
   for (std::uint64_t i = 0; i < count && !HasFailure(); ++i) {
     World world;
     fill(world, random, numbers);
@@ -385,7 +386,7 @@ TEST(FramePlanes, FingerprintsOfPointsWithZeroResidues) {
   EXPECT_EQ(point(1), point(q));
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, Frame, testing::Range(std::size_t{0}, kNumbers.size()),
+INSTANTIATE_TEST_SUITE_P(Families, Frame, ::testing::Range(std::size_t{0}, kNumbers.size()),
                          [](const auto& i) { return std::string(kNumbers[i.param].name); });
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "float_environment.h"
+#include "generate/test_share.h"
 #include "plumb/predicates/plane_signs.h"
 #include "space_cases.h"
 #include "space_oracle.h"
@@ -108,7 +109,7 @@ void judge(const Planes& w, const std::vector<Answer>& answers, const std::strin
 
 TEST(LineSigns, AgreeWithPlueckerCoordinates) {
   cases::Random random(51);
-  const std::uint64_t count = cases::count(1500);
+  const std::uint64_t count = testing::case_count(1500);
   const auto modes = testing_environment::kSettings;
   std::size_t same = 0;
   for (std::uint64_t i = 0; i < count && !HasFailure(); ++i) {
@@ -138,7 +139,8 @@ TEST(LineSigns, PencilsWallsAndTheFrame) {
   cases::Random random(52);
   const Int huge = Int(1) << 4000;
   std::size_t same = 0;
-  for (int i = 0; i < 60 && !HasFailure(); ++i) {
+  const std::uint64_t count = testing::share_of(60);
+  for (std::uint64_t i = 0; i < count && !HasFailure(); ++i) {
     Planes w;
     const auto add = [&](int a, int b, int c, int d) {
       w.add(w.table.intern(double(a), double(b), double(c), double(d)), {a, b, c, d});
@@ -157,7 +159,7 @@ TEST(LineSigns, PencilsWallsAndTheFrame) {
     add_of_pencil(any(), any());
     add_of_pencil(3, -5);
     const std::array<PlaneId, 6> frame = w.table.intern_frame();
-    for (const std::size_t k : {std::size_t{0}, std::size_t{3}, std::size_t(i % 6)}) {
+    for (const std::size_t k : {std::size_t{0}, std::size_t{3}, std::size_t{i % 6}}) {
       Row row = {0, 0, 0, k % 2 == 0 ? huge : -huge};
       row[k / 2] = 1;
       w.add({frame[k], false}, row);
@@ -166,7 +168,7 @@ TEST(LineSigns, PencilsWallsAndTheFrame) {
     add(1, 1, 0, 1);
     judge(w, ask(w), "round " + std::to_string(i), same);
   }
-  EXPECT_GT(same, 60u * 100u);
+  EXPECT_GT(same, count * 100);
 }
 
 TEST(LineSigns, WallsHoldTheirLine) {

@@ -235,9 +235,4 @@ const std::vector<PlaneFamily>& plane_families() {
   return families;
 }
 
-std::uint64_t case_count(std::uint64_t standard) {
-  const char* text = std::getenv("PLUMB_CASES");
-  return text == nullptr ? standard : std::strtoull(text, nullptr, 10);
-}
-
 }  // namespace plumb

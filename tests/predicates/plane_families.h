@@ -25,7 +25,4 @@ struct PlaneFamily {
 
 const std::vector<PlaneFamily>& plane_families();
 
-/// From environment variable PLUMB_CASES, else `standard`.
-std::uint64_t case_count(std::uint64_t standard);
-
 }  // namespace plumb

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "float_environment.h"
+#include "generate/test_share.h"
 #include "plane_families.h"
 #include "plumb/predicates/query_point2.h"
 #include "plumb/predicates/query_ray2.h"
@@ -117,11 +118,11 @@ void check_ray(const PlanePoints& points, const std::vector<RationalPoint2>& tru
   }
 }
 
-class Families : public testing::TestWithParam<PlaneFamily> {};
+class Families : public ::testing::TestWithParam<PlaneFamily> {};
 
 TEST_P(Families, OrderAndSidesAreThoseOfTheRationals) {
   TestRandom random(20261121);
-  const std::uint64_t rounds = case_count(10);
+  const std::uint64_t rounds = testing::case_count(10);
   for (std::uint64_t round = 0; round < rounds; ++round) {
     const EightPoints given = GetParam().make(random);
     const PlanePoints exact_points = points_of(given);
@@ -139,7 +140,7 @@ TEST_P(Families, OrderAndSidesAreThoseOfTheRationals) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Plane, Families, testing::ValuesIn(plane_families()));
+INSTANTIATE_TEST_SUITE_P(Plane, Families, ::testing::ValuesIn(plane_families()));
 
 // Products that are far from zero though a factor is subnormal.
 TEST(QueryRay2, SubnormalDirectionsCountWhateverTheEnvironment) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "float_environment.h"
+#include "generate/test_share.h"
 #include "space_cases.h"
 #include "space_oracle.h"
 
@@ -75,7 +76,7 @@ void expect_interned(const cases::Case& c, testing_environment::Setting mode) {
 
 TEST(PlaneTable, InternsByEqualityOfPlanes) {
   cases::Random random(11);
-  const std::uint64_t count = cases::count(12000);
+  const std::uint64_t count = testing::case_count(12000);
   const auto modes = testing_environment::kSettings;
   for (std::uint64_t i = 0; i < count && !HasFailure(); ++i) {
     const cases::Case c = cases::any(random);

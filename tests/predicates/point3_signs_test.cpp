@@ -16,6 +16,7 @@
 
 #include "fixed_rungs.h"
 #include "float_environment.h"
+#include "generate/test_share.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_table.h"
 #include "plumb/predicates/rounded_point3.h"
@@ -243,7 +244,7 @@ bool check_points(const cases::Case& c, const World& w, const Built& b,
 
 TEST(Point3Signs, AgreeWithIntegersOnAdversarialFamilies) {
   cases::Random random(21);
-  const std::uint64_t count = cases::count(8000);
+  const std::uint64_t count = testing::case_count(8000);
   Shares shares;
   std::uint64_t wrong = 0, used = 0;
   for (std::uint64_t i = 0; i < count && wrong < 10; ++i) {

@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "float_environment.h"
+#include "generate/test_share.h"
 #include "plane_families.h"
 #include "plane_oracle.h"
 #include "plumb/predicates/rounding.h"
@@ -160,10 +161,10 @@ void check_case(const EightPoints& points, bool in_all_modes, Score& score) {
   if (in_all_modes) check_exact_points(t, points, answers, score);
 }
 
-class Families : public testing::TestWithParam<PlaneFamily> {};
+class Families : public ::testing::TestWithParam<PlaneFamily> {};
 
 TEST_P(Families, NoWrongAnswerOnAnyRung) {
-  const std::uint64_t wanted = case_count(600000) / plane_families().size();
+  const std::uint64_t wanted = testing::case_count(600000) / plane_families().size();
   TestRandom random(20250101);
   Score score;
   for (int round = 0; score.asked < wanted; ++round) {
@@ -174,7 +175,7 @@ TEST_P(Families, NoWrongAnswerOnAnyRung) {
               score.asked, score.wrong, score.by_filter, score.by_exact);
 }
 
-INSTANTIATE_TEST_SUITE_P(Plane, Families, testing::ValuesIn(plane_families()));
+INSTANTIATE_TEST_SUITE_P(Plane, Families, ::testing::ValuesIn(plane_families()));
 
 /// A rung that never answers would pass the test above.
 TEST(Rungs, AnswerWhereTheyShould) {

@@ -5,12 +5,12 @@
 // of points: its sign by the oracle, once, and by the whole ladder and each rung in every mode.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "float_environment.h"
+#include "generate/test_share.h"
 #include "plumb/predicates/input_predicates.h"
 #include "predicate_cases.h"
 #include "predicate_oracle.h"
@@ -18,10 +18,7 @@
 namespace plumb::test {
 namespace {
 
-std::uint64_t total_cases() {
-  const char* text = std::getenv("PLUMB_CASES");
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : 60000;
-}
+std::uint64_t total_cases() { return plumb::testing::case_count(60000); }
 
 Point2 point(const std::array<double, 2>& p) { return {p[0], p[1]}; }
 Point3 point(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
@@ -92,7 +89,7 @@ void check_families(const char* name, Evaluate evaluate) {
   for (std::uint64_t f = 0; f < kFamilies; ++f) {
     for (std::uint64_t i = 0; i < each; ++i) {
       check_tuple<N, D>(evaluate, cases.make(static_cast<Family>(f)), counts);
-      if (testing::Test::HasFatalFailure()) return;
+      if (::testing::Test::HasFatalFailure()) return;
     }
   }
   // The families must reach every rung and many exact zeros, or they test nothing.

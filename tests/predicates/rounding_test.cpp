@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "float_environment.h"
+#include "generate/test_share.h"
 #include "plane_families.h"
 
 namespace plumb {
@@ -125,7 +126,7 @@ Rational some_value(TestRandom& random) {
 TEST(Rounding, IsWhatItsDefinitionSays) {
   const auto modes = testing_environment::kSettings;
   TestRandom random(20250103);
-  const std::uint64_t cases = case_count(20000);
+  const std::uint64_t cases = testing::case_count(20000);
   for (std::uint64_t i = 0; i < cases; ++i) {
     check_value(some_value(random), modes[i % modes.size()]);
     if (HasFatalFailure()) FAIL() << "seed 20250103, value " << i;

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "float_environment.h"
+#include "generate/test_share.h"
 #include "plane_families.h"
 #include "plane_oracle.h"
 #include "plumb/predicates/rounding.h"
@@ -133,10 +134,10 @@ void check_case(const EightPoints& points, Score& score, testing_environment::Se
   if (doubles) check_segments(oracle, *doubles, score);
 }
 
-class Families : public testing::TestWithParam<PlaneFamily> {};
+class Families : public ::testing::TestWithParam<PlaneFamily> {};
 
 TEST_P(Families, NoWrongAnswer) {
-  const std::uint64_t wanted = case_count(200000) / plane_families().size();
+  const std::uint64_t wanted = testing::case_count(200000) / plane_families().size();
   const auto modes = testing_environment::kSettings;
   TestRandom random(20250102);
   Score score;
@@ -148,7 +149,7 @@ TEST_P(Families, NoWrongAnswer) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Plane, Families, testing::ValuesIn(plane_families()));
+INSTANTIATE_TEST_SUITE_P(Plane, Families, ::testing::ValuesIn(plane_families()));
 
 TEST(Segment2, EveryRelationOccurs) {
   TestRandom random(1);

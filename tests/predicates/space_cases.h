@@ -1,5 +1,5 @@
 // Adversarial families of twelve points: the corners of four planes. Fixed seeds; every coordinate
-// is finite. The number of cases is PLUMB_CASES or the default given.
+// is finite.
 #pragma once
 
 #include <array>
@@ -17,11 +17,6 @@ namespace plumb::cases {
 
 using Corners = std::array<Point3, 12>;  // of plane i: 3i, 3i + 1, 3i + 2
 using Random = std::mt19937_64;
-
-inline std::uint64_t count(std::uint64_t fallback) {
-  const char* text = std::getenv("PLUMB_CASES");
-  return text == nullptr ? fallback : std::stoull(text);
-}
 
 inline double uniform(Random& r, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(r);

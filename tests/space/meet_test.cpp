@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <map>
 #include <string>
 
 #include "generate/complex_draft.h"
+#include "generate/test_share.h"
 #include "oracle/contacts.h"
 #include "plumb/predicates/point3_signs.h"
 
@@ -57,11 +57,6 @@ void check(const Scene& scene, Dice& dice, Census& census) {
     }
     ++census[{name_of(contacts[i].a)[0], name_of(contacts[i].b)[0]}];
   }
-}
-
-std::uint64_t case_count(std::uint64_t fallback) {
-  const char* text = std::getenv("PLUMB_CASES");
-  return text == nullptr ? fallback : std::stoull(text);
 }
 
 ExactPoint3 random_point(Dice& dice, int size) {
@@ -211,7 +206,7 @@ TEST(Meet, AgreesWithAllPairsOnNeedles) {
 
 TEST(Meet, AgreesWithAllPairsOnRandomShapes) {
   Census census;
-  const std::uint64_t cases = case_count(240);
+  const std::uint64_t cases = testing::case_count(240);
   for (std::uint64_t seed = 0; seed < cases; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Dice dice(seed);
@@ -229,7 +224,7 @@ TEST(Meet, AgreesWithAllPairsOnRandomShapes) {
 
 TEST(Meet, AgreesWithAllPairsOnSimilarShapes) {
   Census census;
-  for (std::uint64_t seed = 0; seed < case_count(60); ++seed) {
+  for (std::uint64_t seed = 0; seed < testing::case_count(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Dice dice(seed);
     const ComplexDraft shape = random_shape(dice, 3);

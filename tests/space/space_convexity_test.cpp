@@ -14,6 +14,7 @@
 
 #include "generate/dice.h"
 #include "generate/space_solids.h"
+#include "generate/test_share.h"
 #include "oracle/space_set.h"
 #include "plumb/space/nef3.h"
 
@@ -377,7 +378,7 @@ TEST(Convexity, RandomSetsAgainstSegments) {
   constexpr std::uint64_t kSeed = 4711;
   Dice dice(kSeed);
   std::size_t convex = 0, others = 0;
-  for (std::size_t round = 0; round < 150; ++round) {
+  for (std::size_t round = 0; round < share_of(150); ++round) {
     Pair set = random_base(dice);
     for (std::size_t changes = dice.below(3); changes > 0; --changes) {
       const Pair change = random_change(dice);
@@ -389,8 +390,8 @@ TEST(Convexity, RandomSetsAgainstSegments) {
     ASSERT_EQ(oracle.is_convex(dice, claim ? 200 : 3000), claim)
         << "seed " << kSeed << ", round " << round << ": " << to_text(*set.twin);
   }
-  EXPECT_GT(convex, 30U);
-  EXPECT_GT(others, 30U);
+  EXPECT_GT(convex, share_of(30));
+  EXPECT_GT(others, share_of(30));
 }
 
 }  // namespace

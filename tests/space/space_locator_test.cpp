@@ -13,6 +13,7 @@
 #include "generate/dice.h"
 #include "generate/meshes.h"
 #include "generate/space_scenes.h"
+#include "generate/test_share.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/space/from_mesh.h"
@@ -343,7 +344,7 @@ SpaceScene framed_scene(Dice& dice) {
 
 TEST(SpaceLocator, SeesThroughTheFrame) {
   std::size_t hits = 0, beyond = 0;
-  for (std::uint64_t seed = 3000; seed < 3025; ++seed) {
+  for (std::uint64_t seed = 3000; seed < 3000 + share_of(25); ++seed) {
     Dice dice(seed);
     const SpaceComplex finite = complex_of(framed_scene(dice));
     SpaceComplex complex = framed(finite);
@@ -375,8 +376,8 @@ TEST(SpaceLocator, SeesThroughTheFrame) {
       hits += hit ? 1 : 0;
     }
   }
-  EXPECT_GT(beyond, 10U);
-  EXPECT_GT(hits, 10U);
+  EXPECT_GT(beyond, share_of(10));
+  EXPECT_GT(hits, share_of(10));
 }
 
 // Known is the volume nearly everywhere, and rightly so.
