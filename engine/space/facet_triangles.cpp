@@ -51,7 +51,14 @@ void FacetTriangles::show(FacetId f) {
     walk(first, [&](VertexId v, VertexId w) { edges_.push_back({index(v), index(w)}); });
   }
   flat_.reset(FlatView::of_plane(complex_.planes(), complex_.facet_plane[f.value()]));
-  for (const VertexId v : shown_) flat_.push_back(complex_.vertex_point[v.value()]);
+  for (const VertexId v : shown_) {
+    const SpacePoint p = complex_.vertex_point[v.value()];
+    if (nearest_.empty()) {
+      flat_.push_back(p);
+    } else {
+      flat_.push_back(p, nearest_[v.value()]);
+    }
+  }
 }
 
 }  // namespace plumb

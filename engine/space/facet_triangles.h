@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "plumb/space/flat_points.h"
@@ -15,6 +16,8 @@ class FacetTriangles {
  public:
   explicit FacetTriangles(const SpaceComplex& complex)
       : complex_(complex), flat_(complex.points()) {}
+  /// From now on looks at the nearest doubles of vertices (rounded_point3.h), per vertex of the facets to come.
+  void use_nearest(std::span<const RoundedPoint3> nearest) { nearest_ = nearest; }
 
   /// Calls visit(a, b, c) with the vertices of each triangle, counter-clockwise seen from the positive
   /// side of the facet's plane. Vertices inside the facet are corners too; no triangle has a vertex in its
@@ -41,6 +44,7 @@ class FacetTriangles {
 
   const SpaceComplex& complex_;
   FlatPoints flat_;
+  std::span<const RoundedPoint3> nearest_;
   std::vector<VertexId> shown_;  // per point of flat_, ascending
   std::vector<IndexEdge> edges_;
   std::vector<IndexTriangle> triangles_;

@@ -32,7 +32,15 @@ void FlatPoints::reset(FlatView view) {
 
 void FlatPoints::push_back(SpacePoint p) {
   const PointBox box = points_.box(p);
-  at_.push_back({{box.mid[view_.coordinate(0)], box.mid[view_.coordinate(1)]}, box.radius, p});
+  at_.push_back(
+      {{box.mid[view_.coordinate(0)], box.mid[view_.coordinate(1)]}, box.radius, p, p.is_input()});
+}
+
+void FlatPoints::push_back(SpacePoint p, const RoundedPoint3& nearest) {
+  const std::array c{nearest.at.x, nearest.at.y, nearest.at.z};
+  const Point2 mid{c[view_.coordinate(0)], c[view_.coordinate(1)]};
+  const double half_ulp = 0x1p-53 * std::max(std::fabs(mid.x), std::fabs(mid.y));
+  at_.push_back({mid, nearest.is_exact ? 0 : half_ulp, p, true});
 }
 
 const RationalPoint2& FlatPoints::exact_point(std::uint32_t i) const {
@@ -57,8 +65,8 @@ const FlatPoints::HomogeneousPoint& FlatPoints::homogeneous_point(std::uint32_t 
 
 namespace {
 
-/// A difference of coordinates is off by E = the radii (and what flushed subnormals lose: 2^-1000
-/// covers it) and one rounding; the determinant by E times the four differences, 2 E^2 and 2^-50 of its
+/// A difference of coordinates is off by E = the radii (and what subnormals lose, flushed or rounded:
+/// 2^-1000 covers it) and one rounding; the determinant by E times the four differences, 2 E^2 and 2^-50 of its
 /// products; the factor 2 pays for the roundings of the bound. Overflow: not decided.
 FilteredSign orient_filter(const Point2& a, const Point2& b, const Point2& c, double radii) {
   const double e = radii + 0x1p-1000;
@@ -96,6 +104,10 @@ Sign FlatPoints::compare_along(std::size_t i, std::size_t j, std::size_t side) c
   const bool are_inputs = a.point.is_input() && b.point.is_input();
   if (are_inputs && std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y)) {
     return Sign::Zero;
+  }
+  if (a.is_nearest && b.is_nearest && (x < y || x > y)) {
+    const FilteredSign s = x < y ? FilteredSign::Negative : FilteredSign::Positive;
+    return decide(Predicate::CompareAxis, Rung::Filter, s);
   }
   return compare_axis(points_, a.point, b.point, view_.coordinate(side));
 }

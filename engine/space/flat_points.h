@@ -10,6 +10,7 @@
 
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/point_table2.h"
+#include "plumb/predicates/rounded_point3.h"
 #include "plumb/space/planar_points.h"
 
 namespace plumb {
@@ -30,13 +31,15 @@ struct FlatView {
 };
 
 /// A list of points in a view. Predicates by index, exact.
-/// Ladder: doubles with the points' boxes; input points go on as orient2d() does, others in integers, circles in rationals.
+/// Ladder: doubles with the points' boxes, or with the nearest doubles where they are given; input points go on as orient2d() does, others in integers, circles in rationals.
 class FlatPoints final : public PlanarPoints {
  public:
   explicit FlatPoints(const Point3Table& points) : points_(points) {}
 
   void reset(FlatView view);
   void push_back(SpacePoint p);
+  /// Closer than boxes are, so that filters decide more. Requires nearest == rounded(points, p).
+  void push_back(SpacePoint p, const RoundedPoint3& nearest);
   std::uint32_t size() const override { return static_cast<std::uint32_t>(at_.size()); }
   Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const override;
   Sign compare(std::uint32_t i, std::uint32_t j) const override;
@@ -53,6 +56,7 @@ class FlatPoints final : public PlanarPoints {
     Point2 mid;
     double radius;
     SpacePoint point;
+    bool is_nearest;  // mid is; orders of different ones are those of the points
   };
   /// (x w, y w, w) with w > 0.
   using HomogeneousPoint = std::array<Integer, 3>;

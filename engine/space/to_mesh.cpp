@@ -109,6 +109,8 @@ class MeshMaker {
 
   MeshOfComplex run() {
     number_vertices();
+    add_points();
+    cutter_.use_nearest(nearest_);
     out_.mesh.face_begin.reserve(sides_.size() + 1);
     out_.mesh.corners.reserve(3 * sides_.size());
     out_.facet.reserve(sides_.size());
@@ -116,7 +118,6 @@ class MeshMaker {
       if (i % 4096 == 0) context_.checkpoint("faces of the mesh", i, sides_.size());
       add_faces(sides_[i]);
     }
-    add_points();
     out_.report.non_manifold_edges = cones_.crowded_edges();
     return std::move(out_);
   }
@@ -233,9 +234,12 @@ class MeshMaker {
 
   void add_points() {
     out_.mesh.points.reserve(vertex_.size());
+    nearest_.resize(complex_.vertex_count());
     for (std::uint32_t i = 0; i < vertex_.size(); ++i) {
       const SpacePoint p = complex_.vertex_point[vertex_[i].value()];
-      const RoundedPoint3 nearest = rounded(complex_.points(), p);
+      RoundedPoint3& nearest = nearest_[vertex_[i].value()];
+      const bool is_first = i == 0 || vertex_[i] != vertex_[i - 1];
+      if (is_first) nearest = rounded(complex_.points(), p);
       out_.mesh.points.push_back(nearest.at);
       if (options_.keeps_exact && !nearest.is_exact) {
         out_.mesh.exact.emplace_back(i, exact(complex_.points(), p));
@@ -253,7 +257,8 @@ class MeshMaker {
   MeshOfComplex out_;
   std::vector<std::uint32_t>
       number_;  // vertex of the mesh per cone if vertices are split, else per vertex
-  std::vector<VertexId> vertex_;                             // per vertex of the mesh
+  std::vector<VertexId> vertex_;        // per vertex of the mesh
+  std::vector<RoundedPoint3> nearest_;  // per vertex of the complex with a number
   std::vector<std::pair<VertexId, std::uint32_t>> corners_;  // of the side being written
   std::vector<std::uint32_t> face_;
   std::vector<std::uint32_t> seen_;  // per vertex: the last polygon, counted by polygons_

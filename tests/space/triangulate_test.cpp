@@ -11,6 +11,7 @@
 
 #include "generate/dice.h"
 #include "plumb/predicates/rational_predicates.h"
+#include "plumb/predicates/segment2.h"
 #include "plumb/space/flat_points.h"
 #include "plumb/space/flat_polygon.h"
 #include "plumb/space/space_tables.h"
@@ -255,8 +256,9 @@ TEST(FlatPolygon, Shapes) {
   }
 }
 
-/// Input points and points of three planes, of small numbers and nearly parallel planes, against rationals.
-TEST(FlatPoints, TurnAsRationalsSay) {
+/// Input points and points of three planes, of small numbers and nearly parallel planes, against rationals: with their
+/// boxes and with the nearest doubles.
+TEST(FlatPoints, TurnAndComeAsRationalsSay) {
   Dice dice(5);
   std::array<int, 3> seen{};
   for (int round = 0; round < 20; ++round) {
@@ -280,20 +282,26 @@ TEST(FlatPoints, TurnAsRationalsSay) {
       }
     }
     const FlatView view = FlatView::of_plane(tables.planes, base);
-    FlatPoints flat(tables.points);
+    FlatPoints flat(tables.points), near(tables.points);
     flat.reset(view);
+    near.reset(view);
     std::vector<RationalPoint2> exactly;
     for (const SpacePoint p : at) {
       flat.push_back(p);
+      near.push_back(p, rounded(tables.points, p));
       const RationalPoint3 e = exact(tables.points, p);
       const std::array<Rational, 3> c{e.x, e.y, e.z};
       exactly.push_back({c[view.coordinate(0)], c[view.coordinate(1)]});
     }
     for (std::uint32_t i = 0; i < flat.size(); ++i) {
       for (std::uint32_t j = 0; j < i; ++j) {
+        const Sign order = compare_xy(exactly[i], exactly[j]);
+        ASSERT_EQ(flat.compare(i, j), order) << round << ": " << i << " " << j;
+        ASSERT_EQ(near.compare(i, j), order) << round << ": " << i << " " << j;
         for (std::uint32_t k = 0; k < flat.size(); k += 1 + (i + j) % 3) {
           const Sign turn = orient2d(exactly[i], exactly[j], exactly[k]);
           ASSERT_EQ(flat.orient(i, j, k), turn) << round << ": " << i << " " << j << " " << k;
+          ASSERT_EQ(near.orient(i, j, k), turn) << round << ": " << i << " " << j << " " << k;
           ++seen[static_cast<std::size_t>(static_cast<int>(turn) + 1)];
         }
       }
