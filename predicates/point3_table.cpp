@@ -24,8 +24,8 @@ namespace plumb {
 
 namespace {
 
-constexpr double kTooWide =
-    kDirectionError;  // of the coordinates: then the exact rung gives the box
+constexpr double kTooWide = 0x1p-34;  // of the coordinates: then the exact rung gives the box
+static_assert(kTooWide <= kDirectionError);
 constexpr double kRounding = 0x1p-48;
 constexpr double kTiny = 0x1p-960;
 constexpr PointBox kEverywhere = {{}, std::numeric_limits<double>::infinity()};
@@ -126,7 +126,7 @@ PointBox fast_direction(const PlaneTable& planes, const PointSource& source) {
   return box;
 }
 
-/// x 2^scale / w; both parts are off by 2^-51 at most.
+/// x 2^scale / w; both parts are off by 2^-52 at most, as is the division: 2^-50 in all.
 template <class X, class W>
 PointBox exact_box(const exact3::Homogeneous<X, W>& p) {
   const Scaled w = scaled(p.w);
@@ -138,8 +138,7 @@ PointBox exact_box(const exact3::Homogeneous<X, W>& p) {
     if (exponent > 900) return kEverywhere;
     box.mid[i] = x.mantissa / w.mantissa * power_of_two(static_cast<int>(exponent));
   }
-  const double largest = max_abs(box.mid);
-  box.radius = kRounding * largest;
+  box.radius = 0x1p-50 * max_abs(box.mid);
   const bool is_origin = exact3::sign_of(p.x[0]) == Sign::Zero &&
                          exact3::sign_of(p.x[1]) == Sign::Zero &&
                          exact3::sign_of(p.x[2]) == Sign::Zero;

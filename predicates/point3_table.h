@@ -102,7 +102,7 @@ class Point3Table {
 
   /// The common point. Not valid (and nothing added) when the planes have none or many.
   /// Equal points are not merged: ask equal(). Cost: ~25 ns; ~300 ns when doubles do not give the
-  /// box to 2^-30 of its coordinates.
+  /// box to 2^-34 of its coordinates.
   SpacePoint add(PlaneId p, PlaneId q, PlaneId r);
   /// Where the line of two input points meets the plane. Not valid when it does not, or lies in it.
   SpacePoint add(InputPointId a, InputPointId b, PlaneId p);

@@ -13,8 +13,12 @@
 // q is taken for rounded if q.high is what both ends of an interval twice as wide round to, and none of its points is
 // q.high itself: so the coordinate is no double.
 //
+// Fixed widths. The top 106 bits of exact integers x and w are mantissas of 1/2 at least, off by 2 u^2 at most: they go the same
+// way, with themselves for terms.
+//
 // Range. Coordinates are 0 or in [2^-60, 2^60], multiples of 2^-112: what comes of up to seven of them, with what is lost
-// on the way, is 0 or in [2^-784, 2^440]; that of x - q1 w, too, as |w.high| >= 2^-400 and |q1| >= 2^-200.
+// on the way, is 0 or in [2^-784, 2^440]; that of x - q1 w, too, as |w.high| >= 2^-400 and |q1| >= 2^-200. Quotients of mantissas
+// lie between 1/2 and 2; a coordinate in [2^-1000, 2^1000] is such a one times a power of two.
 #include "plumb/predicates/rounded_point3.h"
 
 #include <algorithm>
@@ -22,8 +26,10 @@
 
 #include "plumb/predicates/decompose.h"
 #include "plumb/predicates/double_double.h"
+#include "plumb/predicates/point3_exact.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/predicates/scaled.h"
 
 namespace plumb {
 namespace {
@@ -119,21 +125,99 @@ bool is_across(const Corners& corners, std::size_t axis) {
          is_equal(along(corners[0]), along(corners[2]));
 }
 
+/// Of a plane, if it goes through input points.
+std::optional<Corners> corners_of(const PlaneTable& planes, PlaneId plane) {
+  const PlaneSource& source = planes.source(plane);
+  if (source.is_explicit()) return {};
+  Corners corners;
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = &planes.points()[source.code[i]];
+  return corners;
+}
+
 /// Of the planes that define a point, if there are three, all through input points within range.
 std::optional<std::array<Corners, 3>> corners_of_planes(const Point3Table& points, SpacePoint x) {
   const PointSource& source = points.source(x);
   if (source.is_line()) return {};
   std::array<Corners, 3> corners;
   for (std::size_t i = 0; i < 3; ++i) {
-    const PlaneSource& plane = points.planes().source(source.plane(i));
-    if (plane.is_explicit()) return {};
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Point3& p = points.planes().points()[plane.code[j]];
-      if (!std::ranges::all_of(coordinates(p), is_in_range)) return {};
-      corners[i][j] = &p;
+    const std::optional<Corners> found = corners_of(points.planes(), source.plane(i));
+    if (!found) return {};
+    for (const Point3* p : *found) {
+      if (!std::ranges::all_of(coordinates(*p), is_in_range)) return {};
     }
+    corners[i] = *found;
   }
   return corners;
+}
+
+/// `clear`: coordinates that are not exact, 0 for others; these have to be those of planes across their axes.
+std::optional<RoundedPoint3> with_coordinates_across(std::array<double, 3> clear,
+                                                     std::span<const Corners> planes) {
+  bool is_exact = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto across = std::ranges::find_if(
+        planes, [axis](const Corners& plane) { return is_across(plane, axis); });
+    if (across != planes.end()) {
+      const double c = coordinates(*across->front())[axis];
+      clear[axis] = is_equal(c, 0) ? 0 : c;  // not -0.0
+    } else if (clear[axis] == 0) {
+      return {};
+    } else {
+      is_exact = false;
+    }
+  }
+  return RoundedPoint3{{clear[0], clear[1], clear[2]}, is_exact};
+}
+
+// ---------------------------------------------------------------- fixed widths
+
+/// value ~ mantissa * 2^exponent
+struct TwofoldScaled {
+  Twofold mantissa;
+  int exponent;
+};
+
+/// Requires x != 0.
+template <int L>
+TwofoldScaled top_bits(const Fixed<L>& x) {
+  const bool is_negative = x.is_negative();
+  const Fixed<L> magnitude = is_negative ? -x : x;
+  int top = L - 1;
+  while (magnitude.limb(top) == 0) --top;
+  const int zeros = std::countl_zero(magnitude.limb(top));
+  const auto bits = [&](int limb) {  // 64 of them, from the highest 1 of the number on
+    const std::uint64_t high = limb >= 0 ? magnitude.limb(limb) << zeros : 0;
+    return limb > 0 && zeros > 0 ? high | (magnitude.limb(limb - 1) >> (64 - zeros)) : high;
+  };
+  const auto as_double = [](std::uint64_t b) {
+    return static_cast<double>(static_cast<std::int64_t>(b));
+  };
+  const std::uint64_t first = bits(top), second = bits(top - 1);
+  const double high = as_double(first >> 11U) * 0x1p-53;
+  const double low = as_double(((first & 0x7ffU) << 42U) | (second >> 22U)) * 0x1p-106;
+  const Twofold mantissa = twofold::exact_sum(high, low, high);
+  return {is_negative ? twofold::negative(mantissa) : mantissa, 64 * top + 64 - zeros};
+}
+
+/// As clear_coordinates(). The width is the operand's at least.
+template <class W>
+std::optional<std::array<double, 3>> clear_coordinates_in(const exact3::PointOperand& operand) {
+  using Plane = exact3::FixedPlane<W>;
+  exact3::PointOf<Plane> point;
+  if (operand.width > W::kIndex ||
+      !exact3::load_point<Plane>(operand, exact3::Part::Finite, point)) {
+    return {};
+  }
+  const TwofoldScaled w = top_bits(point.w);
+  std::array<double, 3> found{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (point.x[i].is_zero()) continue;
+    const TwofoldScaled x = top_bits(point.x[i]);
+    const int exponent = x.exponent - w.exponent + point.scale;
+    if (std::abs(exponent) > 1000) continue;
+    found[i] = clear_quotient(twofold::negative(x.mantissa), w.mantissa) * power_of_two(exponent);
+  }
+  return found;
 }
 
 // ---------------------------------------------------------------- exactly
@@ -154,20 +238,24 @@ RoundedDouble round_quotient(Integer& numerator, Integer& denominator, Rational&
 std::optional<RoundedPoint3> rung::rounded_filter(const Point3Table& points, SpacePoint x) {
   const auto corners = corners_of_planes(points, x);
   if (!corners || !rounds_to_nearest()) return {};
-  std::array<double, 3> at = clear_coordinates(*corners);
-  bool is_exact = true;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto across = std::ranges::find_if(
-        *corners, [axis](const Corners& plane) { return is_across(plane, axis); });
-    if (across != corners->end()) {
-      at[axis] = coordinates(*across->front())[axis] + 0.0;  // not -0.0
-    } else if (at[axis] == 0) {
-      return {};
-    } else {
-      is_exact = false;
-    }
+  return with_coordinates_across(clear_coordinates(*corners), *corners);
+}
+
+std::optional<RoundedPoint3> rung::rounded_fixed(const Point3Table& points, SpacePoint x) {
+  if (!rounds_to_nearest()) return {};
+  const exact3::PointOperand operand = exact3::operand(points, x);
+  auto clear = clear_coordinates_in<exact3::Narrow>(operand);
+  if (!clear) clear = clear_coordinates_in<exact3::Medium>(operand);
+  if (!clear) clear = clear_coordinates_in<exact3::Wide>(operand);
+  if (!clear) return {};
+  const PointSource& source = points.source(x);
+  std::array<Corners, 3> planes;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < source.plane_count(); ++i) {
+    if (const auto corners = corners_of(points.planes(), source.plane(i)))
+      planes[count++] = *corners;
   }
-  return RoundedPoint3{{at[0], at[1], at[2]}, is_exact};
+  return with_coordinates_across(*clear, std::span(planes).first(count));
 }
 
 RoundedPoint3 rung::rounded_exact(const Point3Table& points, SpacePoint x) {
@@ -181,7 +269,8 @@ RoundedPoint3 rung::rounded_exact(const Point3Table& points, SpacePoint x) {
 
 RoundedPoint3 rounded(const Point3Table& points, SpacePoint x) {
   if (x.is_input()) return {points.planes().point(x.input()), true};
-  const std::optional<RoundedPoint3> clear = rung::rounded_filter(points, x);
+  std::optional<RoundedPoint3> clear = rung::rounded_filter(points, x);
+  if (!clear) clear = rung::rounded_fixed(points, x);
   return clear ? *clear : rung::rounded_exact(points, x);
 }
 

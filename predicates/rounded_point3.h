@@ -19,6 +19,9 @@ namespace rung {
 /// a double or the middle of two, but for one that a plane across its axis says. Nothing, too, where arithmetic does not
 /// round to nearest. Cost: ~0.5 us.
 std::optional<RoundedPoint3> rounded_filter(const Point3Table& points, SpacePoint x);
+/// The same of the exact coordinates in fixed widths, however close to parallel the planes are, and of lines, too. Requires a
+/// constructed point that does not depend on the frame. Cost: ~0.5 us.
+std::optional<RoundedPoint3> rounded_fixed(const Point3Table& points, SpacePoint x);
 /// Requires a constructed point. Cost: ~1.5 us, a third of exact(): three divisions, no gcd.
 RoundedPoint3 rounded_exact(const Point3Table& points, SpacePoint x);
 

@@ -317,7 +317,7 @@ TEST(Point3Table, BoxesHoldTheirPoints) {
 /// Each coordinate is the double nearest to it; exact where all three are doubles.
 TEST(RoundedPoint3, IsNearestInEachCoordinate) {
   cases::Random random(23);
-  std::size_t exact_ones = 0, others = 0;
+  std::size_t exact_ones = 0, others = 0, told_in_fixed = 0;
   for (std::uint64_t i = 0; i < 2000; ++i) {
     const cases::Case c = cases::any(random);
     const Built built(c);
@@ -337,9 +337,15 @@ TEST(RoundedPoint3, IsNearestInEachCoordinate) {
         is_double(at.x, near.at.x) && is_double(at.y, near.at.y) && is_double(at.z, near.at.z);
     EXPECT_EQ(near.is_exact, is_exact) << text(c);
     ++(is_exact ? exact_ones : others);
+    const auto in_fixed = rung::rounded_fixed(points, x);
+    if (!in_fixed) continue;
+    ++told_in_fixed;
+    EXPECT_EQ(in_fixed->at, near.at) << text(c);
+    EXPECT_EQ(in_fixed->is_exact, near.is_exact) << text(c);
   }
   EXPECT_GT(exact_ones, 50U);
   EXPECT_GT(others, 50U);
+  EXPECT_GT(told_in_fixed, 50U);
 }
 
 /// What the filter tells is what exact numbers say; of points in general position it tells nearly all, in no rounding mode but one.
@@ -385,6 +391,41 @@ TEST(RoundedPoint3, FilterTellsWhatIsClear) {
   }
 }
 
+/// Where planes are all but parallel and the filter knows little: fixed widths tell nearly all, of lines too.
+TEST(RoundedPoint3, FixedWidthsTellOfNearlyParallelPlanes) {
+  std::mt19937_64 random(32);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::size_t told = 0, all = 0;
+  for (std::size_t i = 0; i < 300; ++i) {
+    PlaneTable table;
+    const auto any = [&] { return Point3{unit(random), unit(random), unit(random)}; };
+    const std::array<Point3, 3> corners{any(), any(), any()};
+    std::array<PlaneId, 3> planes;
+    InputPointId first;
+    for (PlaneId& plane : planes) {
+      std::array<Point3, 3> turned = corners;
+      for (Point3& p : turned) p.z += 1e-12 * unit(random);
+      first = table.add_points(turned);
+      plane = table.intern(first, InputPointId(first.value() + 1), InputPointId(first.value() + 2))
+                  .plane();
+    }
+    Point3Table points(table);
+    for (const SpacePoint x : {points.add(planes[0], planes[1], planes[2]),
+                               points.add(first, InputPointId(first.value() + 1), planes[0])}) {
+      if (!x.is_valid()) continue;
+      ++all;
+      const auto clear = rung::rounded_fixed(points, x);
+      if (!clear) continue;
+      ++told;
+      const RoundedPoint3 exactly = rung::rounded_exact(points, x);
+      EXPECT_EQ(clear->at, exactly.at);
+      EXPECT_FALSE(clear->is_exact);
+    }
+  }
+  EXPECT_GT(all, 590U);
+  EXPECT_GE(told, all - 5);
+}
+
 /// Numbers that compare as zero where subnormal ones are flushed, and are not.
 TEST(RoundedPoint3, TellsSubnormalNumbersApart) {
   constexpr double t = 0x1p-1074;
@@ -395,8 +436,13 @@ TEST(RoundedPoint3, TellsSubnormalNumbersApart) {
   const std::array<std::array<Point3, 3>, 3> walls{{{Point3{t, 0, 0}, {t, 1, 0}, {t, 0, 1}},
                                                     {Point3{0, 2, 0}, {1, 2, 0}, {0, 2, 1}},
                                                     {Point3{0, 0, 3}, {1, 0, 3}, {0, 1, 3}}}};
+  const std::array<std::array<Point3, 3>, 3> tiny{
+      {{Point3{t, 0, 0}, {t, t, 0}, {t, 0, t}},
+       {Point3{0, 2 * t, 0}, {t, 2 * t, 0}, {0, 2 * t, t}},
+       {Point3{0, 0, 3 * t}, {t, 0, 3 * t}, {0, t, 3 * t}}}};
   for (const auto& [corners, expected] :
-       {std::pair(level_and_wall, Point3{1, 1, 0}), std::pair(walls, Point3{t, 2, 3})}) {
+       {std::pair(level_and_wall, Point3{1, 1, 0}), std::pair(walls, Point3{t, 2, 3}),
+        std::pair(tiny, Point3{t, 2 * t, 3 * t})}) {
     PlaneTable table;
     std::array<PlaneId, 3> planes;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -445,6 +491,14 @@ TEST(RoundedPoint3, NextToTiesAndToDoubles) {
         const RoundedPoint3 near = rounded(points, x), exactly = rung::rounded_exact(points, x);
         EXPECT_EQ(near.at, exactly.at) << j << " " << y << " " << step;
         EXPECT_EQ(near.is_exact, exactly.is_exact) << j << " " << y << " " << step;
+        const auto in_fixed = rung::rounded_fixed(points, x);
+        if (y == half || j <= 40) {
+          EXPECT_EQ(in_fixed.has_value(), y != half) << j << " " << y << " " << step;
+        }
+        if (in_fixed) {
+          EXPECT_EQ(in_fixed->at, exactly.at) << j << " " << y << " " << step;
+          EXPECT_FALSE(in_fixed->is_exact);
+        }
         const bool is_clear = rung::rounded_filter(points, x).has_value();
         if (y == half || j <= 30) {
           EXPECT_EQ(is_clear, y != half) << j << " " << y << " " << step;
