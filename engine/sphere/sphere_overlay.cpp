@@ -4,6 +4,7 @@
 
 #include "plumb/sphere/sphere_labels.h"
 #include "plumb/sphere/sphere_limits.h"
+#include "plumb/sphere/sphere_lunes.h"
 #include "plumb/sphere/sphere_simplify.h"
 
 namespace plumb {
@@ -43,10 +44,12 @@ void name_all(std::size_t count, SphereCell::Kind kind, std::vector<SphereOrigin
 struct SphereOverlay::Work {
   explicit Work(const PlaneTable& p) : planes(p) {}
 
+  void overlay(const SphereMap& a, const SphereMap& b, SphereLimits* limits);
   void select(const SphereMap& a, const SphereMap& b, const MarkTable& table);
   void simplify(SphereMap& out, SphereOrigins& origins);
 
   const PlaneTable& planes;
+  SphereLunes lunes;
   SphereContacts contacts;
   SpherePieces pieces;
   SphereLabels labels;
@@ -54,6 +57,14 @@ struct SphereOverlay::Work {
   SphereSimplifier simplifier;
   SphereMap spare;
 };
+
+/// To pieces.map and cells, without marks.
+void SphereOverlay::Work::overlay(const SphereMap& a, const SphereMap& b, SphereLimits* limits) {
+  if (lunes.build(planes, a, b, pieces.map, cells)) return;
+  contacts.find(planes, a, b, SphereContacts::kMostTabled, limits);
+  pieces.build(planes, a, b, contacts, limits);
+  labels.build(planes, a, b, contacts, pieces, cells, limits);
+}
 
 void SphereOverlay::Work::select(const SphereMap& a, const SphereMap& b, const MarkTable& table) {
   const auto add = [&](const std::vector<SphereOrigins::Pair>& pairs, std::vector<Mark>& marks) {
@@ -85,10 +96,7 @@ void SphereOverlay::combine(const SphereMap& a, const SphereMap& b, const MarkTa
   Work& w = *work_;
   std::optional<SphereLimits> limits;
   if (context != nullptr && !SphereContacts::are_small(a, b)) limits.emplace(*context);
-  SphereLimits* const watch = limits ? &*limits : nullptr;
-  w.contacts.find(w.planes, a, b, SphereContacts::kMostTabled, watch);
-  w.pieces.build(w.planes, a, b, w.contacts, watch);
-  w.labels.build(w.planes, a, b, w.contacts, w.pieces, w.cells, watch);
+  w.overlay(a, b, limits ? &*limits : nullptr);
   w.select(a, b, table);
   w.simplify(out, origins);
 }

@@ -6,6 +6,7 @@
 //  2. link       pieces around each point in circular order; orbits; components
 //  3. label      each cell gets the pair of cells it lies in: across an arc the pair changes as its
 //                sides say; a component that meets nothing of the other map asks once where it lies
+//     Where an edge pierces a facet, all of this is known (sphere_lunes.h).
 //  4. select     marks of the pairs through the table
 //  5. simplify   arcs equal to both faces go, then points inside an arc or a face
 //

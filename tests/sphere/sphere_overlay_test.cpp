@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "generate/dice.h"
 #include "generate/test_share.h"
 #include "oracle/sphere_check.h"
@@ -23,10 +25,12 @@ struct Twins {
 class Family {
  public:
   Family(Dice& dice, std::size_t circles, std::int64_t reach)
-      : dice_(dice), normals_(any_normals(circles, reach)), cells_(normals_) {}
+      : Family(dice, any_normals(dice, circles, reach)) {}
+  Family(Dice& dice, std::vector<CellVector> normals)
+      : dice_(dice), normals_(std::move(normals)), cells_(normals_) {}
 
-  Twins half_sphere() {
-    const CellVector& n = normals_[dice_.below(normals_.size())];
+  Twins half_sphere() { return half_sphere(normals_[dice_.below(normals_.size())]); }
+  Twins half_sphere(const CellVector& n) {
     const bool closed = dice_.below(2) == 0;
     const bool other_side = dice_.below(2) == 0;
     Twins result;
@@ -70,11 +74,11 @@ class Family {
   }
 
  private:
-  std::vector<CellVector> any_normals(std::size_t count, std::int64_t reach) {
+  static std::vector<CellVector> any_normals(Dice& dice, std::size_t count, std::int64_t reach) {
     std::vector<CellVector> normals;
     while (normals.size() < count) {
-      const CellVector n{dice_.between(-reach, reach), dice_.between(-reach, reach),
-                         dice_.between(-reach, reach)};
+      const CellVector n{dice.between(-reach, reach), dice.between(-reach, reach),
+                         dice.between(-reach, reach)};
       if (n != CellVector{0, 0, 0}) normals.push_back(n);
     }
     return normals;
@@ -140,6 +144,45 @@ TEST(SphereOverlay, OfMoreCirclesIsTheTwins) {
     Family family(dice, 4 + dice.below(4), 2);
     family.any_set(4 + dice.below(10));
   }
+}
+
+/// Circles through two opposite points make lunes, of which some are joined; then a circle that crosses them, or one more of
+/// theirs, on either side.
+TEST(SphereOverlay, OfLunesAndACircleIsTheTwins) {
+  std::map<std::size_t, int> seen;  // per number of half-circles
+  for (std::uint64_t seed = 0; seed < 150 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    const auto any = [&] {
+      CellVector v;
+      do {
+        v = {dice.between(-2, 2), dice.between(-2, 2), dice.between(-2, 2)};
+      } while (v == CellVector{0, 0, 0});
+      return v;
+    };
+    const CellVector axis = any();
+    std::vector<CellVector> normals;
+    for (const std::size_t count = 2 + dice.below(4); normals.size() < count;) {
+      const CellVector n = cross(axis, any());
+      if (n != CellVector{0, 0, 0}) normals.push_back(n);
+    }
+    const CellVector across = any();
+    normals.push_back(across);
+    Family family(dice, normals);
+    Twins lunes = family.half_sphere(normals[0]);
+    for (std::size_t leaves = 1 + dice.below(6); leaves > 0; --leaves) {
+      const CellVector& n = normals[dice.below(normals.size() - 1)];
+      lunes = family.combine(lunes, family.half_sphere(n), function_of(dice.below(16)));
+    }
+    const Twins half = family.half_sphere(across);
+    ++seen[lunes.map.point_count() == 2 ? lunes.map.arc_count() : 0];
+    for (int i = 0; i < 4; ++i) {
+      const MarkFunction f = function_of(dice.below(16));
+      family.combine(lunes, half, f);
+      family.combine(half, lunes, f);
+    }
+  }
+  for (const std::size_t arcs : {1U, 2U, 3U, 4U}) EXPECT_GT(seen[arcs], 2) << arcs;
 }
 
 }  // namespace
