@@ -350,7 +350,8 @@ std::vector<FacetSide> boundary_sides(const SpaceComplex& complex) try {
 MeshOfComplex mesh_of_sides(const SpaceComplex& complex, std::span<const FacetSide> sides,
                             const ToMeshOptions& options, Context& context) try {
   MemoryCharge memory(context);
-  memory.add(kBytesPerUse * complex.use_count(), "a mesh");
+  memory.add(kBytesPerUse * complex.use_count() + sizeof(RoundedPoint3) * complex.vertex_count(),
+             "a mesh");
   return MeshMaker(complex, sides, options, context).run();
 } catch (...) {
   rethrow_refused_memory();
