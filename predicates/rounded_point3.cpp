@@ -252,8 +252,8 @@ std::optional<RoundedPoint3> rung::rounded_fixed(const Point3Table& points, Spac
   std::array<Corners, 3> planes;
   std::size_t count = 0;
   for (std::size_t i = 0; i < source.plane_count(); ++i) {
-    if (const auto corners = corners_of(points.planes(), source.plane(i)))
-      planes[count++] = *corners;
+    const std::optional<Corners> corners = corners_of(points.planes(), source.plane(i));
+    if (corners) planes[count++] = *corners;
   }
   return with_coordinates_across(*clear, std::span(planes).first(count));
 }

@@ -31,7 +31,8 @@ struct FlatView {
 };
 
 /// A list of points in a view. Predicates by index, exact.
-/// Ladder: doubles with the points' boxes, or with the nearest doubles where they are given; input points go on as orient2d() does, others in integers, circles in rationals.
+/// Ladder: doubles with the points' boxes, or with the nearest doubles where they are given; input points go on as
+/// orient2d() does, others in integers, circles in rationals.
 class FlatPoints final : public PlanarPoints {
  public:
   explicit FlatPoints(const Point3Table& points) : points_(points) {}
