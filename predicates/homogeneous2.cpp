@@ -36,8 +36,9 @@ Triple Scratch2::point(Point2 p) {
   const Decomposed y = decompose(p.y);
   const int shift = std::max({0, -x.exponent, -y.exponent});
   const auto scale = [shift](mpz_ptr out, const Decomposed& d) {
+    const int bits = d.exponent + shift;
     mpz_set_si(out, d.mantissa);
-    mpz_mul_2exp(out, out, static_cast<mp_bitcnt_t>(d.exponent + shift));
+    mpz_mul_2exp(out, out, static_cast<mp_bitcnt_t>(bits));
   };
   Slot& s = next();
   scale(s.x, x);

@@ -12,7 +12,6 @@
 namespace plumb {
 
 using exact3::BigPlane;
-using exact3::Part;
 
 namespace {
 

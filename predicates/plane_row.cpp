@@ -21,8 +21,6 @@
 
 namespace plumb {
 
-using exact3::kAnyScale;
-
 float rounded_up(double x) {
   // One float rounding loses at most 2^-23 in any mode.
   const double widened = x * (1 + 0x1p-20);

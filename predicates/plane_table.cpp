@@ -450,7 +450,7 @@ namespace {
 /// unit^-1 (n.x + d w) for x on the grid of the given unit; the multiplier of a wall.
 Integer value_at(const IntegerRow& row, const Point3& x, int w) {
   const int low = Grid{x.x, x.y, x.z}.low();
-  const Integer sum =
+  Integer sum =
       row[0] * to_integer(x.x, low) + row[1] * to_integer(x.y, low) + row[2] * to_integer(x.z, low);
   if (w == 0) return sum;
   return shifted(sum, std::max(low, 0)) + shifted(row[3], std::max(-low, 0));

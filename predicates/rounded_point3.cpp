@@ -36,6 +36,12 @@ namespace {
 
 // ---------------------------------------------------------------- filter
 
+using twofold::difference;
+using twofold::exact_sum;
+using twofold::negative;
+using twofold::product;
+using twofold::sum;
+
 /// n.x + d = 0
 struct TwofoldPlane {
   std::array<Twofold, 3> n;
@@ -54,7 +60,6 @@ bool is_in_range(double c) {
 /// (a x b)_i
 Twofold cross_component(const std::array<Twofold, 3>& a, const std::array<Twofold, 3>& b,
                         std::size_t i) {
-  using namespace twofold;
   const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
   return sum(product(a[j], b[k]), negative(product(a[k], b[j])));
 }
@@ -64,7 +69,6 @@ std::array<Twofold, 3> cross(const std::array<Twofold, 3>& a, const std::array<T
 }
 
 TwofoldPlane plane_through(const Corners& corners) {
-  using namespace twofold;
   const std::array p = coordinates(*corners[0]), q = coordinates(*corners[1]),
                    r = coordinates(*corners[2]);
   std::array<Twofold, 3> to_q, to_r;
@@ -83,7 +87,6 @@ double error_of(const Twofold& x) { return 0x1p-99 * x.terms; }
 
 /// -x / w rounded to nearest, if that is clear and not -x / w itself; else 0.
 double clear_quotient(const Twofold& x, const Twofold& w) {
-  using namespace twofold;
   if (!(std::fabs(w.high) >= std::max(0x1p-400, 0x1p20 * error_of(w)))) return 0;
   const double q1 = -x.high / w.high;
   const Twofold rest = sum(negative(x), negative(product(w, q1)));
@@ -96,7 +99,6 @@ double clear_quotient(const Twofold& x, const Twofold& w) {
 
 /// Of the point of three planes, coordinates that are clear and not exact; the others are 0.
 std::array<double, 3> clear_coordinates(const std::array<Corners, 3>& corners) {
-  using namespace twofold;
   std::array<TwofoldPlane, 3> planes;
   std::transform(corners.begin(), corners.end(), planes.begin(), plane_through);
   std::array<std::array<Twofold, 3>, 3> minors;  // of the two planes after each
@@ -195,8 +197,8 @@ TwofoldScaled top_bits(const Fixed<L>& x) {
   const std::uint64_t first = bits(top), second = bits(top - 1);
   const double high = as_double(first >> 11U) * 0x1p-53;
   const double low = as_double(((first & 0x7ffU) << 42U) | (second >> 22U)) * 0x1p-106;
-  const Twofold mantissa = twofold::exact_sum(high, low, high);
-  return {is_negative ? twofold::negative(mantissa) : mantissa, 64 * top + 64 - zeros};
+  const Twofold mantissa = exact_sum(high, low, high);
+  return {is_negative ? negative(mantissa) : mantissa, 64 * top + 64 - zeros};
 }
 
 /// As clear_coordinates(). The width is the operand's at least.
@@ -215,7 +217,7 @@ std::optional<std::array<double, 3>> clear_coordinates_in(const exact3::PointOpe
     const TwofoldScaled x = top_bits(point.x[i]);
     const int exponent = x.exponent - w.exponent + point.scale;
     if (std::abs(exponent) > 1000) continue;
-    found[i] = clear_quotient(twofold::negative(x.mantissa), w.mantissa) * power_of_two(exponent);
+    found[i] = clear_quotient(negative(x.mantissa), w.mantissa) * power_of_two(exponent);
   }
   return found;
 }

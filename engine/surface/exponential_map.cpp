@@ -14,7 +14,11 @@
 namespace plumb {
 namespace {
 
-using namespace layout;
+using layout::combined;
+using layout::cross;
+using layout::dot;
+using layout::length;
+using layout::operator-;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kClose = 0x1p-40;  // of the way there; of a weight

@@ -8,7 +8,11 @@
 namespace plumb {
 namespace {
 
-using namespace layout;
+using layout::combined;
+using layout::cross;
+using layout::dot;
+using layout::length;
+using layout::operator-;
 
 constexpr double kClose =
     0x1p-40;                    // of a side's length: so near to a vertex a path passes through it
