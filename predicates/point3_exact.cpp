@@ -225,7 +225,7 @@ FilteredSign axis_order(const PointOf<Plane>& x, const PointOf<Plane>& y, std::s
       !shift_within(b, std::max(-shift, 0), Numbers<Plane>::kNumeratorBits)) {
     return FilteredSign::Unsure;
   }
-  Sign difference;
+  Sign difference = Sign::Zero;
   if constexpr (std::is_same_v<Plane, BigPlane>) {
     difference = sign_of(Integer(a * y.w - b * x.w));
   } else {
