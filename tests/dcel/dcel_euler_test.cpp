@@ -6,6 +6,7 @@
 
 #include "dcel_model.h"
 #include "fixtures.h"
+#include "generate/test_share.h"
 
 namespace plumb::test {
 namespace {
@@ -250,7 +251,7 @@ TEST(DcelEuler, EveryOperatorIsUndoneByItsPartner) {
     RC_ASSERT(told(d.audit()) == "");
     RC_ASSERT(names.shape(d) == before);
   }));
-  EXPECT_GT(applied, 30U);
+  EXPECT_GT(applied, testing::share_of(80));
 }
 
 /// Cuts the plane up as a map is drawn: an edge across a face splits the face at once.
