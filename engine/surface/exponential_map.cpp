@@ -18,7 +18,7 @@ using layout::combined;
 using layout::cross;
 using layout::dot;
 using layout::length;
-using layout::operator-;
+using layout::operator-;  // NOLINT(misc-unused-using-decls): it is used
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kClose = 0x1p-40;  // of the way there; of a weight

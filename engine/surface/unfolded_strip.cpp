@@ -12,7 +12,7 @@ using layout::combined;
 using layout::cross;
 using layout::dot;
 using layout::length;
-using layout::operator-;
+using layout::operator-;  // NOLINT(misc-unused-using-decls): it is used
 
 constexpr double kClose =
     0x1p-40;                    // of a side's length: so near to a vertex a path passes through it
