@@ -342,6 +342,20 @@ TEST(DegenerateFamilies, VertexOnEdgeOnFacet) {
 
 // ---------------------------------------------------------------- voids, many facets, far numbers
 
+// Pages around one edge; facets pierce it and all of them.
+TEST(DegenerateFamilies, BooksWithPiercedSpines) {
+  Context context;
+  std::vector<Nef3> pages;
+  for (const auto& [x, y] :
+       {std::pair{8., 1.}, {5., 6.}, {-1., 7.}, {-7., 3.}, {-6., -5.}, {0., -9.}, {6., -4.}}) {
+    pages.push_back(
+        solid(tetrahedron_mesh({0, 0, -4}, {0, 0, 4}, {x, y, 0}, {x - y / 64, y + x / 64, 0})));
+    const Nef3 book = union_of(pages, context);
+    expect_laws("a slab", book, box({-12, -12, -1}, {12, 12, 1}));
+    expect_laws("a slanted slab", sheared(book), box({-40, -40, -1}, {40, 40, 1}));
+  }
+}
+
 Nef3 octahedron(double r) {
   const std::vector<Point3> points{{r, 0, 0},  {0, r, 0}, {-r, 0, 0},
                                    {0, -r, 0}, {0, 0, r}, {0, 0, -r}};
