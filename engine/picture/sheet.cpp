@@ -7,6 +7,7 @@ namespace plumb {
 namespace {
 
 constexpr double kTitleSize = 30;
+constexpr double kBold = 1.15;  // how much wider bold letters may be
 constexpr double kBadgeSize = 22;
 constexpr double kFactsSize = 17;
 constexpr double kNoteSize = 15;
@@ -34,7 +35,7 @@ void Sheet::write_badge(const Badge& badge) {
 
 /// The facts stand beside the badge where they fit, else below it.
 void Sheet::write_header(const std::string& title, const Badge& badge, const std::string& facts) {
-  for (const std::string& line : wrapped(title, text(kTitleSize + 1), column(), 2)) {
+  for (const std::string& line : wrapped(title, text(kBold * kTitleSize), column(), 2)) {
     y_ += text(kTitleSize - 2);
     write_line("title", kMargin, line);
     y_ += text(6);
