@@ -17,6 +17,7 @@
 // Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", DCG 18, 1997).
 #pragma once
 
+#include "plumb/predicates/decompose.h"
 #include "plumb/predicates/input_filters.h"
 #include "plumb/predicates/point.h"
 #include "plumb/predicates/rung_counters.h"
@@ -43,6 +44,9 @@ inline constexpr int kExactBits = 125;
 FilteredSign orient2d_exact(const Point2& a, const Point2& b, const Point2& c);
 FilteredSign cross_sign_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 FilteredSign orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
+/// The same of points on a grid that is known, a third of the cost where that has 61 bits at most.
+FilteredSign orient3d_exact(const Grid& grid, const Point3& a, const Point3& b, const Point3& c,
+                            const Point3& d);
 FilteredSign incircle_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 FilteredSign insphere_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                             const Point3& e);

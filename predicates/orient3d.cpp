@@ -1,4 +1,7 @@
 // orient3d beyond its filter.
+#include <bit>
+#include <cstdlib>
+
 #include "plumb/predicates/big_rung.h"
 #include "plumb/predicates/exact_rung.h"
 #include "plumb/predicates/input_predicates.h"
@@ -31,6 +34,20 @@ Columns<L> columns(const Grids3& g, const Point3& a, const Point3& b, const Poin
           differences<L, 3>(g.z, {a.z, b.z, c.z}, d.z)};
 }
 
+/// The power of two that makes integers of the coordinates on a grid, in doubles and without an error, subnormal ones being far
+/// from such a grid; 0: not in doubles.
+double scale_of(const Grid& g) {
+  if (g.bits() > kOneLimbBits || std::abs(g.low()) > 1000) return 0;
+  return std::bit_cast<double>(static_cast<std::uint64_t>(1023 - g.low()) << 52);
+}
+
+std::array<Fixed<1>, 3> scaled_differences(double scale, const std::array<double, 3>& values,
+                                           double origin) {
+  const auto at = [scale](double v) { return Fixed<1>(static_cast<std::int64_t>(v * scale)); };
+  const Fixed<1> o = at(origin);
+  return {at(values[0]) - o, at(values[1]) - o, at(values[2]) - o};
+}
+
 template <int Minor, int To, int L>
 FilteredSign determinant(const Columns<L>& m) {
   return filtered(dot<To>(m.z, cyclic_minors<Minor>(m.x, m.y)).sign());
@@ -57,6 +74,15 @@ FilteredSign orient3d_exact(const Point3& a, const Point3& b, const Point3& c, c
   // Differences <= 2^126: minors <= 2^253, the determinant < 2^381.
   if (g.bits() <= kTwoLimbBits) return determinant<4, 6>(columns<2>(g, a, b, c, d));
   return FilteredSign::Unsure;
+}
+
+FilteredSign orient3d_exact(const Grid& grid, const Point3& a, const Point3& b, const Point3& c,
+                            const Point3& d) {
+  const double scale = scale_of(grid);
+  if (scale == 0) return orient3d_exact(a, b, c, d);
+  return one_limb({scaled_differences(scale, {a.x, b.x, c.x}, d.x),
+                   scaled_differences(scale, {a.y, b.y, c.y}, d.y),
+                   scaled_differences(scale, {a.z, b.z, c.z}, d.z)});
 }
 
 Sign orient3d_big(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {

@@ -1,6 +1,7 @@
 #include "plumb/predicates/plane_exact.h"
 
 #include "plumb/predicates/decompose.h"
+#include "plumb/predicates/input_predicates.h"
 
 // Inlines everything a function calls. Left to itself g++ calls every product of a determinant with
 // its operands in memory, which costs a tenth of the rung; but Wide gets slower by it (stack traffic).
@@ -102,6 +103,13 @@ BigPlane load_big_corners(int low, const std::array<const Point3*, 3>& at) {
 }
 
 }  // namespace
+
+FilteredSign side_by_corners(const PlaneTable& table, InputPointId x, const PlaneSource& plane) {
+  Grid grid = grid_of(table, plane);
+  grid.add(table.grid(x));
+  const auto [p, q, r] = corners(table, plane);
+  return rung::orient3d_exact(grid, *q, *p, *r, table.point(x));  // positive above
+}
 
 Operand operand(const PlaneTable& table, const PlaneSource& source) {
   if (source.is_explicit()) return {&table, source, Grid{}, slot_width(table.slot(source))};

@@ -98,6 +98,10 @@ inline Operand operand(const PlaneTable& table, PlaneId plane) {
   return operand(table, table.source(plane));
 }
 
+/// On which side of a plane through input points one of them lies: a determinant of differences, with no plane loaded.
+/// Unsure: more bits than fixed widths hold.
+FilteredSign side_by_corners(const PlaneTable& table, InputPointId x, const PlaneSource& plane);
+
 /// What of a number that may depend on the frame.
 enum class Part { Finite, Infinite };
 

@@ -8,7 +8,6 @@
 
 #include "plumb/predicates/decompose.h"
 #include "plumb/predicates/id_index.h"
-#include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/plane_ladder.h"
 #include "plumb/predicates/plane_row.h"
 #include "plumb/predicates/residues3.h"
@@ -65,26 +64,31 @@ bool is_same_definition(const PlaneTable& table, const PlaneSource& a, const Pla
   });
 }
 
-/// Of planes through input points: on which side of a do the points of b lie, the first that is not on it? Unsure: they have more
-/// bits than fixed widths.
-FilteredSign first_off_plane(const PlaneTable& table, const PlaneSource& a, const PlaneSource& b) {
-  const std::span<const Point3> points = table.points();
-  for (const std::uint32_t i : b.code) {
-    if (a.has_point(InputPointId(i))) continue;
-    const FilteredSign side =
-        rung::orient3d_exact(points[a.code[0]], points[a.code[1]], points[a.code[2]], points[i]);
+/// Of planes through input points: on which side of one do the corners of another lie, the first that is not on it? Unsure: they
+/// have more bits than fixed widths. Points that are known to be on it are not asked; others become known.
+template <class Notes>
+FilteredSign first_off_plane(const PlaneTable& table, PlaneId plane, const PlaneSource& other,
+                             Notes* notes) {
+  const PlaneSource& source = table.source(plane);
+  for (const std::uint32_t i : other.code) {
+    const InputPointId p(i);
+    if (source.has_point(p) || (notes != nullptr && notes->is_on(p, plane))) continue;
+    const FilteredSign side = exact3::side_by_corners(table, p, source);
     if (side != FilteredSign::Zero) return side;
+    if (notes != nullptr) notes->note(p, plane);
   }
   return FilteredSign::Zero;
 }
 
 /// Equal fingerprints are confirmed here. There is no interval check before: planes that collide
 /// without being equal are too rare for it to pay.
-bool is_same_plane(const PlaneTable& table, const PlaneSource& a, const PlaneSource& b) {
+template <class Notes>
+bool is_same_plane(const PlaneTable& table, PlaneId plane, const PlaneSource& b, Notes* notes) {
+  const PlaneSource& a = table.source(plane);
   if (a.is_frame() != b.is_frame()) return false;
   if (is_same_definition(table, a, b)) return true;
   if (!a.is_explicit() && !b.is_explicit()) {
-    const FilteredSign off = first_off_plane(table, a, b);
+    const FilteredSign off = first_off_plane(table, plane, b, notes);
     if (is_decided(off)) return off == FilteredSign::Zero;
   }
   const std::array<exact3::Operand, 2> both = {exact3::operand(table, a),
@@ -136,6 +140,37 @@ struct PlaneTable::Draft {
   PlaneSource source;  ///< canonical
 };
 
+/// What is kept of all input points while many triangles are interned: residues, and some planes that each is on.
+class PlaneTable::CornerNotes {
+ public:
+  CornerNotes(std::span<const Point3> points, bool keep) : points_(points) {
+    if (!keep) return;
+    residues_.reserve(points.size());
+    for (const Point3& p : points) residues_.push_back(residues(p));
+    planes_.resize(points.size());
+  }
+  Residues3 residues_of(InputPointId p) const {
+    return residues_.empty() ? residues(points_[p.value()]) : residues_[p.value()];
+  }
+  bool is_on(InputPointId p, PlaneId plane) const {
+    if (planes_.empty()) return false;
+    const auto& known = planes_[p.value()];
+    return std::find(known.begin(), known.end(), plane) != known.end();
+  }
+  /// Forgets the oldest.
+  void note(InputPointId p, PlaneId plane) {
+    if (planes_.empty()) return;
+    auto& known = planes_[p.value()];
+    std::move_backward(known.begin(), known.end() - 1, known.end());
+    known[0] = plane;
+  }
+
+ private:
+  std::span<const Point3> points_;
+  std::vector<Residues3> residues_;
+  std::vector<std::array<PlaneId, 4>> planes_;
+};
+
 PlaneTable::PlaneTable() : index_(std::make_unique<Index>()) {}
 PlaneTable::~PlaneTable() = default;
 PlaneTable::PlaneTable(const PlaneTable& other)
@@ -172,11 +207,12 @@ InputPointId PlaneTable::add_points(std::span<const Point3> points) {
   return first;
 }
 
-OrientedPlane PlaneTable::find_or_add(const Draft& draft, Fingerprint fingerprint) {
+OrientedPlane PlaneTable::find_or_add(const Draft& draft, Fingerprint fingerprint,
+                                      CornerNotes* notes) {
   const PlaneId next{rows_.size()};
   const auto has_fingerprint = [&](std::uint32_t id) { return fingerprints_[id] == fingerprint; };
   PlaneId plane{index_->firsts.find_or_add(hash_of(fingerprint), next.value(), has_fingerprint)};
-  if (plane != next && !is_same_plane(*this, source(plane), draft.source)) {
+  if (plane != next && !is_same_plane(*this, plane, draft.source, notes)) {
     plane = index_->others.try_emplace(exact_plane(*this, draft.source), next).first->second;
   }
   return {plane == next ? push(draft.row, fingerprint, draft.source) : plane, draft.is_flipped};
@@ -246,49 +282,34 @@ constexpr std::size_t kBlock = 256;  // one inversion for so many triangles; the
 
 }  // namespace
 
-/// The residues of input points: kept for all of them while many triangles are interned.
-class PlaneTable::ResidueSource {
- public:
-  ResidueSource(std::span<const Point3> points, bool keep) : points_(points) {
-    if (!keep) return;
-    kept_.reserve(points.size());
-    for (const Point3& p : points) kept_.push_back(residues(p));
-  }
-  Residues3 of(InputPointId p) const {
-    return kept_.empty() ? residues(points_[p.value()]) : kept_[p.value()];
-  }
-
- private:
-  std::span<const Point3> points_;
-  std::vector<Residues3> kept_;
-};
-
 void PlaneTable::intern_triangles(std::span<const std::array<InputPointId, 3>> triangles,
                                   std::span<OrientedPlane> result) {
-  const ResidueSource residues(points_, triangles.size() >= points_.size() / 2);
+  CornerNotes notes(points_, triangles.size() >= points_.size() / 2);
   make_room(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); i += kBlock) {
     const std::size_t count = std::min(kBlock, triangles.size() - i);
-    intern_block(triangles.subspan(i, count), result.subspan(i, count), residues);
+    intern_block(triangles.subspan(i, count), result.subspan(i, count), notes);
   }
 }
 
 OrientedPlane PlaneTable::intern(InputPointId p, InputPointId q, InputPointId r) {
   OrientedPlane result;
   const std::array<InputPointId, 3> triangle = {p, q, r};
-  intern_block({&triangle, 1}, {&result, 1}, ResidueSource(points_, false));
+  CornerNotes none(points_, false);
+  intern_block({&triangle, 1}, {&result, 1}, none);
   return result;
 }
 
 /// Phases: residues, inversion and fingerprints, then row and look-up of each triangle.
 void PlaneTable::intern_block(std::span<const std::array<InputPointId, 3>> triangles,
-                              std::span<OrientedPlane> result, const ResidueSource& residues) {
+                              std::span<OrientedPlane> result, CornerNotes& notes) {
   std::array<ResidueRow, kBlock> rows;
   std::array<Residue, kBlock> inverses, scratch;
   const std::size_t count = triangles.size();
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [p, q, r] = triangles[i];
-    const auto [n, d] = plane_residues(residues.of(p), residues.of(q), residues.of(r));
+    const auto [n, d] =
+        plane_residues(notes.residues_of(p), notes.residues_of(q), notes.residues_of(r));
     rows[i] = {n[0], n[1], n[2], d};
     inverses[i] = leading(rows[i]);
   }
@@ -306,7 +327,7 @@ void PlaneTable::intern_block(std::span<const std::array<InputPointId, 3>> trian
     const Fingerprint f = inverses[i].is_zero()
                               ? plumb::fingerprint(integer_row(*this, plane.source))
                               : fingerprints[i];
-    result[i] = find_or_add(plane, f);
+    result[i] = find_or_add(plane, f, &notes);
   }
 }
 

@@ -190,14 +190,15 @@ class PlaneTable {
  private:
   struct Index;
   struct Draft;
-  class ResidueSource;
+  class CornerNotes;
 
   void make_room(std::size_t planes);
   Draft draft(const PlaneSource& corners) const;
-  OrientedPlane find_or_add(const Draft& draft, Fingerprint fingerprint);
+  OrientedPlane find_or_add(const Draft& draft, Fingerprint fingerprint,
+                            CornerNotes* notes = nullptr);
   PlaneId push(const PlaneRow& row, Fingerprint fingerprint, const PlaneSource& source);
   void intern_block(std::span<const std::array<InputPointId, 3>> triangles,
-                    std::span<OrientedPlane> result, const ResidueSource& residues);
+                    std::span<OrientedPlane> result, CornerNotes& notes);
   PlaneSource push_slot(const IntegerRow& row, int scale, std::array<PlaneId, 2> parents);
   PlaneSource copy_slot(const PlaneTable& other, const PlaneSource& source,
                         std::span<const PlaneId> map);

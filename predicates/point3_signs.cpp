@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "plumb/predicates/frame_filters.h"
-#include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/plane_ladder.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_exact.h"
@@ -63,14 +62,6 @@ FilteredSign order_in(const PointOperand& x, const PointOperand& y, std::size_t 
   });
 }
 
-/// Of an input point, by the input points that define the plane: a determinant of differences, with no plane loaded.
-FilteredSign side_of_input(const PlaneTable& planes, InputPointId x, const PlaneSource& plane) {
-  const auto corner = [&](std::size_t i) -> const Point3& {
-    return planes.points()[plane.code[i]];
-  };
-  return rung::orient3d_exact(corner(1), corner(0), corner(2), planes.point(x));
-}
-
 Sign exact_side(const Point3Table& points, SpacePoint x, PlaneId plane) {
   const auto count = [](Rung rung) { count_rung(Predicate::SideOfPlane, rung); };
   if (has_three_planes(points, x)) {
@@ -81,7 +72,7 @@ Sign exact_side(const Point3Table& points, SpacePoint x, PlaneId plane) {
   const Operand other = exact3::operand(points.planes(), plane);
   const int width = std::max(point.width, other.width);
   if (x.is_input() && !other.source.is_explicit() && width <= exact3::Wide::kIndex) {
-    const FilteredSign s = side_of_input(points.planes(), x.input(), other.source);
+    const FilteredSign s = exact3::side_by_corners(points.planes(), x.input(), other.source);
     if (is_decided(s)) {
       count(width == exact3::Narrow::kIndex ? Rung::Small : Rung::Exact);
       return decided(s);

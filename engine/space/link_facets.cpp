@@ -69,8 +69,7 @@ class Linker {
       const std::size_t axis = FlatView::of_plane(tables_.planes, out_.edge_planes[e][0]).axis;
       const SpacePoint a = points_[links_.end[e][0]], b = points_[links_.end[e][1]];
       if (a.is_input() && b.is_input()) {
-        const Point3 above = moved_along(tables_.planes.point(a.input()), axis);
-        triples.push_back({a.input(), b.input(), tables_.planes.add_point(above)});
+        triples.push_back({a.input(), b.input(), above(a.input(), axis)});
         edges.push_back(e);
       } else {
         out_.edge_planes[e][1] = rational_plane(a, b, axis);
@@ -81,6 +80,16 @@ class Linker {
     for (std::size_t i = 0; i < edges.size(); ++i) {
       out_.edge_planes[edges[i]][1] = planes[i].plane();
     }
+  }
+
+  /// The point straight above an input point, added once.
+  InputPointId above(InputPointId p, std::size_t axis) {
+    if (above_.empty()) above_.resize(tables_.planes.points().size());
+    InputPointId& known = above_[p.value()][axis];
+    if (!known.is_valid()) {
+      known = tables_.planes.add_point(moved_along(tables_.planes.point(p), axis));
+    }
+    return known;
   }
 
   PlaneId rational_plane(SpacePoint a, SpacePoint b, std::size_t axis) {
@@ -233,7 +242,8 @@ class Linker {
   std::span<const SpacePoint> points_;
   SpaceTables& tables_;
   SpaceComplex out_;
-  std::vector<std::uint32_t> flat_edges_;  // all facets there are in one plane
+  std::vector<std::uint32_t> flat_edges_;           // all facets there are in one plane
+  std::vector<std::array<InputPointId, 3>> above_;  // of input points, along each axis
   std::vector<std::uint32_t> ring_;
 };
 

@@ -39,7 +39,36 @@ class CornerSigns {
     return orient2d(flat(exact_at(a), view), flat(exact_at(b), view), flat(exact_at(c), view));
   }
 
+  /// Have two triangles of one plane a common point? Convex polygons are apart when one is strictly beyond a side of the other.
+  bool overlap_in_plane(const Triangle& s, const Triangle& t) const {
+    const FlatView view = FlatView::of_plane(points_.planes(), s.plane);
+    const auto seen = [&](const Triangle& u, auto at) {
+      return std::array{flat(at(u.corner[0]), view), flat(at(u.corner[1]), view),
+                        flat(at(u.corner[2]), view)};
+    };
+    const auto overlap = [&](auto at) {
+      const auto p = seen(s, at), q = seen(t, at);
+      return !is_beyond_a_side(p, q) && !is_beyond_a_side(q, p);
+    };
+    const auto is_input = [](const Corner& c) { return c.point.is_input(); };
+    if (std::ranges::all_of(s.corner, is_input) && std::ranges::all_of(t.corner, is_input)) {
+      return overlap([this](const Corner& c) -> const Point3& { return at(c); });
+    }
+    return overlap([this](const Corner& c) { return exact_at(c); });
+  }
+
  private:
+  template <class Point>
+  static bool is_beyond_a_side(const std::array<Point, 3>& s, const std::array<Point, 3>& t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto is_beyond = [&](const Point& x) {
+        return orient2d(s[i], s[next(i)], x) == Sign::Negative;
+      };
+      if (std::ranges::all_of(t, is_beyond)) return true;
+    }
+    return false;
+  }
+
   static bool are_inputs(const Corner& a, const Corner& b) {
     return a.point.is_input() && b.point.is_input();
   }
@@ -85,7 +114,7 @@ class PairTest {
   explicit PairTest(const Point3Table& points) : signs_(points) {}
 
   bool run(const Triangle& s, const Triangle& t, bool share_corners) const {
-    if (!share_corners) return s.plane == t.plane ? overlap_in_plane(s, t) : cross(s, t);
+    if (!share_corners) return s.plane == t.plane ? signs_.overlap_in_plane(s, t) : cross(s, t);
     const Common common = common_corners(s, t);
     switch (common.count) {
       case 1:
@@ -137,20 +166,6 @@ class PairTest {
   }
 
   // ---------------------------------------------------------------- no common corner
-
-  /// Convex polygons are apart when one is strictly beyond a side of the other.
-  bool overlap_in_plane(const Triangle& s, const Triangle& t) const {
-    return !is_beyond_a_side(s, t) && !is_beyond_a_side(t, s);
-  }
-  bool is_beyond_a_side(const Triangle& s, const Triangle& t) const {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto is_beyond = [&](const Corner& x) {
-        return signs_.turn(s.plane, s.corner[i], s.corner[next(i)], x) == Sign::Negative;
-      };
-      if (std::ranges::all_of(t.corner, is_beyond)) return true;
-    }
-    return false;
-  }
 
   /// Different planes: where they meet, a side of one meets the other.
   bool cross(const Triangle& s, const Triangle& t) const {

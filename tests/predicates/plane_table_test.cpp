@@ -195,6 +195,62 @@ TEST(PlaneTable, TellsManyPlanesOfOneFingerprint) {
 }
 
 /// Corners whose differences are multiples of q: all residues of the normal are 0.
+/// Corners known to be on some planes, of a plane with the fingerprint of another one: on that they are not.
+TEST(PlaneTable, WhatIsKnownOfACornerIsOfOnePlane) {
+  constexpr double far = 0x1p61;  // as a residue 1
+  PlaneTable table;
+  const std::vector<Point3> points{{far, 0, 0},
+                                   {0, far, 0},
+                                   {0, 0, far / 2},  // 0
+                                   {far / 2, far / 2, 0},
+                                   {0, far / 2, far / 2},
+                                   {far / 2, 0, far / 2},  // 3
+                                   {1, 0, far / 2},
+                                   {0, 1, far / 2},
+                                   {1, 1, far / 2},  // 6
+                                   {1, 0, 0},
+                                   {0, 1, 0},
+                                   {0, 0, .5},
+                                   {0, 0, far}};  // 9
+  table.add_points(points);
+  const auto triangle = [](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+    return std::array{InputPointId(p), InputPointId(q), InputPointId(r)};
+  };
+  const std::vector<std::array<InputPointId, 3>> triangles{
+      triangle(3, 4, 5),   triangle(0, 1, 12),  // x + y + z = far
+      triangle(6, 7, 8),   triangle(2, 6, 7),   // z = far / 2
+      triangle(9, 10, 11),                      // x + y + 2 z = 1
+      triangle(0, 1, 2)};                       // x + y + 2 z = far
+  std::vector<OrientedPlane> planes(triangles.size());
+  table.intern_triangles(triangles, planes);
+  EXPECT_EQ(planes[0].plane(), planes[1].plane());
+  EXPECT_EQ(planes[2].plane(), planes[3].plane());
+  ASSERT_EQ(table.fingerprint(planes[4].plane()), table.fingerprint(planes[5].plane()));
+  EXPECT_NE(planes[4].plane(), planes[5].plane());
+  EXPECT_EQ(table.size(), 4U);
+}
+
+/// Points of a lattice, each on many planes.
+TEST(PlaneTable, TrianglesOfALatticeTogetherAreAsOneByOne) {
+  std::vector<Point3> points;
+  for (int i = 0; i < 64; ++i) points.push_back({i % 4 - 1.25, i / 4 % 4 * .5, i / 16 - 2.});
+  std::mt19937_64 random(20261124);
+  std::vector<std::array<InputPointId, 3>> triangles(4000);
+  for (auto& t : triangles) {
+    for (InputPointId& p : t) p = InputPointId(static_cast<std::uint32_t>(random() % 64));
+  }
+  PlaneTable together, single;
+  together.add_points(points);
+  single.add_points(points);
+  std::vector<OrientedPlane> planes(triangles.size());
+  together.intern_triangles(triangles, planes);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& [p, q, r] = triangles[i];
+    EXPECT_EQ(planes[i], single.intern(p, q, r));
+  }
+  EXPECT_EQ(together.size(), single.size());
+}
+
 TEST(PlaneTable, TrianglesWithZeroResidues) {
   PlaneTable table;
   const double big = 0x1p61, q_up = 0x1p61 - 0x1p9;  // both doubles; q itself is none

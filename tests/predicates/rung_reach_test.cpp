@@ -3,7 +3,9 @@
 // degenerate, at every scale within their gates; Small and Exact what their contracts name.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 #include "plumb/predicates/input_predicates.h"
@@ -188,6 +190,33 @@ TEST(Rungs, ExactDecidesExactlyWhatFits) {
                                                                          t = wide3(next);
       EXPECT_EQ(is_decided(rung::orient3d_exact(p, q, r, s)), fits);
       EXPECT_EQ(is_decided(rung::insphere_exact(p, q, r, s, t)), fits);
+    }
+  }
+}
+
+/// At every scale, where integers are made of doubles and where they are not; coplanar points, nearly coplanar ones and others.
+TEST(Rungs, ExactIsTheSameOnAKnownGrid) {
+  std::mt19937_64 random(20261124);
+  for (const int scale : {-1074, -1001, -1000, -999, -500, 0, 7, 900, 963}) {
+    for (const int bits : {1, 20, 50, 59, 60, 61, 70, 100}) {
+      if (scale + bits > 1020) continue;
+      SCOPED_TRACE(::testing::Message() << scale << ' ' << bits);
+      const auto next = [&] {
+        const int up =
+            std::max(0, bits - 52);  // the lowest of 53 bits is on the grid, now and then
+        const std::uint64_t top = random() >> (64 - std::min(bits, 52));
+        const double v = std::ldexp(static_cast<double>(top), random() % 2 == 0 ? up : 0);
+        return std::ldexp(random() % 2 == 0 ? v : -v, scale);
+      };
+      for (int i = 0; i < 60; ++i) {
+        const Point3 a = wide3(next), b = wide3(next), c = wide3(next);
+        Point3 d =
+            i % 3 == 0 ? wide3(next) : Point3{a.x + b.x - c.x, a.y + b.y - c.y, a.z + b.z - c.z};
+        if (i % 3 == 2) d.z += std::ldexp(1, scale);
+        Grid grid{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z};
+        grid.add(Grid{d.x, d.y, d.z});
+        EXPECT_EQ(rung::orient3d_exact(grid, a, b, c, d), rung::orient3d_exact(a, b, c, d));
+      }
     }
   }
 }
