@@ -14,7 +14,7 @@ const Error& out_of_memory() {
   return error;
 }
 
-[[maybe_unused]] const Error& kMadeEarly = out_of_memory();
+[[maybe_unused]] const Error& made_early = out_of_memory();
 
 }  // namespace
 

@@ -46,7 +46,7 @@ std::unique_ptr<CommandBody> make_completion();
 std::unique_ptr<CommandBody> make_manual();
 std::unique_ptr<CommandBody> make_self_test();
 
-std::span<const Command> commands() {
+std::span<const Command> commands() {  // NOLINT(readability-function-size): a table
   static constexpr std::array kCommands{
       Command{"map check", "FILE", "A planar subdivision? All defects, or the DCEL",
               "./plumb map check corpus/maps/us-counties.map --svg out.svg", "map-check",

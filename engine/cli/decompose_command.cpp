@@ -114,6 +114,7 @@ class Decomposition : public CommandBody {
   template <class Table>
   static std::vector<std::string_view> extensions(const Table& formats) {
     std::vector<std::string_view> all;
+    all.reserve(std::size(formats));
     for (const auto& format : formats) all.push_back(format.extension);
     return all;
   }

@@ -62,8 +62,8 @@ class SolidDemo {
   Nef3 combine_both(const Nef3& a, const Nef3& b) {
     const Nef3 either = timed(a + b, "united the two");
     const Nef3 both = timed(a * b, "intersected them");
-    const Nef3 rest = timed(a - b, "subtracted the second from the first");
-    for (const Nef3* set : {&either, &both, &rest}) require_sound(*set);
+    Nef3 rest = timed(a - b, "subtracted the second from the first");
+    for (const Nef3* set : {&either, &both, &std::as_const(rest)}) require_sound(*set);
     book_.step("audited every invariant of the three: all hold");
     const bool adds_up = volume_of(either) + volume_of(both) == volume_of(a) + volume_of(b) &&
                          volume_of(rest) + volume_of(both) == volume_of(a) && rest + b == either &&

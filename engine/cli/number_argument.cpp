@@ -33,7 +33,7 @@ Rational read_number_argument(const std::string& text, const std::string& name, 
 std::string readable(const Rational& value) {
   constexpr std::size_t kLongest = 60;
   constexpr int kDigits = 17;
-  const std::string exact = format_exact(value);
+  std::string exact = format_exact(value);
   if (exact.size() <= kLongest) return exact;
   const double nearest = nearest_double(value);
   const bool is_ordinary = std::isnormal(nearest);

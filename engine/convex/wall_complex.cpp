@@ -242,7 +242,7 @@ class VolumeSplitter {
 
 }  // namespace
 
-SpaceComplex with_walls(SpaceComplex complex, std::shared_ptr<SpaceTables> tables,
+SpaceComplex with_walls(SpaceComplex complex, const std::shared_ptr<SpaceTables>& tables,
                         const std::vector<WallPolygon>& walls, Context& context) {
   MeshComplex surface = WallSurface(walls, tables->points).complex(tables, context);
   if (surface.complex.facet_count() == 0) return complex;

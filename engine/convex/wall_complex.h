@@ -17,7 +17,7 @@ namespace plumb {
 ///  2. arrange  (mesh_arrangement.h) the walls among themselves
 ///  3. combine  once with the complex
 /// Requires polygons over `tables`, those of the complex. O((n + c) log(n + c)) for c contacts.
-SpaceComplex with_walls(SpaceComplex complex, std::shared_ptr<SpaceTables> tables,
+SpaceComplex with_walls(SpaceComplex complex, const std::shared_ptr<SpaceTables>& tables,
                         const std::vector<WallPolygon>& walls, Context& context);
 
 /// The marked volumes of a complex, each with the marked items of its boundary that no volume before it has, in

@@ -120,7 +120,8 @@ class SceneMaker {
     auto [u, v] = in.weights.exact(i);
     if (is_flipped) std::swap(u, v);
     const bool is_inside = u > 0 && v > 0 && u + v < 1;
-    const bool is_vertex = (u == 0 || u == 1) && (v == 0 || v == 1);
+    const auto is_end = [](const Rational& x) { return x.is_zero() || x == 1; };
+    const bool is_vertex = is_end(u) && is_end(v);
     if (is_inside || is_vertex) {
       points.add_in_face(f, u, v);
     } else if (v == 0) {

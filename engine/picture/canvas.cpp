@@ -44,13 +44,18 @@ bool Canvas::is_seen(Spot at, const std::array<std::uint32_t, 2>& patches) const
 
 void Canvas::stamp(Spot at, double radius, Colour colour, double part) {
   const double r = std::max(radius, .5);
-  const double left = std::max(std::ceil(at.x - r - .5), 0.);
-  const double right = std::min(std::floor(at.x + r - .5), width_ - 1.);
-  for (double j = std::max(std::ceil(at.y - r - .5), 0.);
-       j <= std::min(std::floor(at.y + r - .5), height_ - 1.); ++j) {
-    for (double i = left; i <= right; ++i) {
+  const auto first = [r](double centre, std::uint32_t size) {
+    return static_cast<std::uint32_t>(
+        std::clamp(std::ceil(centre - r - .5), 0., static_cast<double>(size)));
+  };
+  const auto end = [r](double centre, std::uint32_t size) {
+    return static_cast<std::uint32_t>(
+        std::clamp(std::floor(centre + r + .5), 0., static_cast<double>(size)));
+  };
+  for (std::uint32_t j = first(at.y, height_); j < end(at.y, height_); ++j) {
+    for (std::uint32_t i = first(at.x, width_); i < end(at.x, width_); ++i) {
       if (std::hypot(i + .5 - at.x, j + .5 - at.y) > r) continue;
-      Ink& ink = ink_[static_cast<std::size_t>(j) * width_ + static_cast<std::size_t>(i)];
+      Ink& ink = ink_[std::size_t{j} * width_ + i];
       const auto strength = static_cast<std::uint8_t>(std::lround(255 * part));
       if (strength >= ink.part) ink = {colour, strength};
     }
@@ -86,7 +91,7 @@ Image Canvas::finish(std::uint32_t samples) {
         for (std::size_t i = 0; i < 3; ++i) sum[i] += c[i];
       }
       for (const std::uint32_t part : sum) {
-        image.rgb.push_back(static_cast<std::uint8_t>(part / (samples * samples)));
+        image.rgb.push_back(static_cast<std::uint8_t>(part / samples / samples));
       }
     }
   }

@@ -238,8 +238,7 @@ void SetSheet::begin_fade() {
 
 void SetSheet::write_face(FaceId f, PathData& path, TinyFaces& tiny) {
   for (const std::vector<VertexId>& ring : face_rings(complex_, f)) {
-    std::vector<Point2> places;
-    for (const VertexId v : ring) places.push_back(at_[v.value()]);
+    const std::vector<Point2> places = points_of(ring, at_);
     const Rectangle box = box_of(places);
     const bool is_tiny = std::max(box.width(), box.height()) < kVisible;
     if (is_tiny || path.points() > kMaxPoints) {

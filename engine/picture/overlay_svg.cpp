@@ -250,9 +250,7 @@ void OverlaySheet::collect_cells() {
   for (std::size_t f = 1; f < complex_.face_count(); ++f) {  // face 0 is unbounded
     Cell cell{FaceId(f), {}, {}};
     for (const std::vector<VertexId>& ring : face_rings(complex_, FaceId(f))) {
-      std::vector<Point2> places;
-      for (const VertexId v : ring) places.push_back(at_[v.value()]);
-      cell.rings.push_back(std::move(places));
+      cell.rings.push_back(points_of(ring, at_));
     }
     if (cell.rings.empty()) continue;
     cell.box = box_of(cell.rings[0]);

@@ -24,8 +24,7 @@ PathData path_of(const Nef2& piece, const PlaneWindow& window, const View& view)
   for (std::size_t f = 0; f < c.face_count(); ++f) {
     if (!c.mark(FaceId(f))) continue;
     for (const std::vector<VertexId>& ring : face_rings(c, FaceId(f))) {
-      std::vector<Point2> places;
-      for (const VertexId v : ring) places.push_back(at[v.value()]);
+      const std::vector<Point2> places = points_of(ring, at);
       const Rectangle box = box_of(places);
       if (std::max(box.width(), box.height()) >= kVisible) append_ring(places, path);
     }

@@ -13,6 +13,13 @@ Rectangle box_of(const std::vector<Point2>& ring) {
   return box;
 }
 
+std::vector<Point2> points_of(std::span<const VertexId> ring, std::span<const Point2> of_vertex) {
+  std::vector<Point2> points;
+  points.reserve(ring.size());
+  for (const VertexId v : ring) points.push_back(of_vertex[v.value()]);
+  return points;
+}
+
 std::vector<Point2> placed(const View& view, const std::vector<Point2>& ring) {
   std::vector<Point2> places;
   places.reserve(ring.size());
@@ -53,7 +60,8 @@ void TinyFaces::write(std::ostream& out) const {
 
 void TinyFaces::write_run(std::size_t begin, std::size_t length, std::ostream& out) const {
   const double x = frame_.left + static_cast<double>(begin % columns_) * kCell;
-  const double y = frame_.top + static_cast<double>(begin / columns_) * kCell;
+  const std::size_t row = begin / columns_;
+  const double y = frame_.top + static_cast<double>(row) * kCell;
   out << 'M' << svg_number(x) << ' ' << svg_number(y) << 'h'
       << svg_number(static_cast<double>(length) * kCell) << "v2h-"
       << svg_number(static_cast<double>(length) * kCell) << 'z';

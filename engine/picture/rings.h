@@ -3,6 +3,7 @@
 #pragma once
 
 #include <ostream>
+#include <span>
 #include <vector>
 
 #include "plumb/picture/svg_text.h"
@@ -12,6 +13,9 @@ namespace plumb {
 
 /// Requires a point.
 Rectangle box_of(const std::vector<Point2>& ring);
+
+/// The points of its vertices, from those of all vertices.
+std::vector<Point2> points_of(std::span<const VertexId> ring, std::span<const Point2> of_vertex);
 
 /// The ring in picture units.
 std::vector<Point2> placed(const View& view, const std::vector<Point2>& ring);

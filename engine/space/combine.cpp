@@ -44,7 +44,7 @@ std::shared_ptr<SpaceTables> unite_tables(SpaceComplex& a, SpaceComplex& b) {
   const bool is_own = a.tables.use_count() == 1;
   // What another thread read before it let go of them comes before what is written here.
   if (is_own) std::atomic_thread_fence(std::memory_order_acquire);
-  const auto tables = is_own ? std::const_pointer_cast<SpaceTables>(a.tables) : copy(*a.tables);
+  auto tables = is_own ? std::const_pointer_cast<SpaceTables>(a.tables) : copy(*a.tables);
   if (!is_shared) translate(b, merge(*tables, *b.tables));
   a.tables = b.tables = tables;
   return tables;
@@ -183,7 +183,7 @@ void meet_plane(const SpaceComplex& a, PlaneId plane, SpaceTables& tables,
 }  // namespace
 
 SpaceComplex combine_with_plane(SpaceComplex first, OrientedPlane plane, PlaneSet h, MarkFunction f,
-                                std::shared_ptr<SpaceTables> tables, Context& context) {
+                                const std::shared_ptr<SpaceTables>& tables, Context& context) {
   MemoryCharge memory(context);
   memory.add(memory_bytes(first), kMemoryName);
   first.tables = tables;

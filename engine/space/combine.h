@@ -77,6 +77,6 @@ constexpr PlaneSet opposite(PlaneSet h) {
 /// f(a, h), `tables` being a copy of a's that holds the plane. O(size) besides the join. Requires a frame,
 /// or that f of the mark of a's volume 0 does not depend on h.
 SpaceComplex combine_with_plane(SpaceComplex a, OrientedPlane plane, PlaneSet h, MarkFunction f,
-                                std::shared_ptr<SpaceTables> tables, Context& context);
+                                const std::shared_ptr<SpaceTables>& tables, Context& context);
 
 }  // namespace plumb

@@ -142,8 +142,8 @@ FarBox general_box(const SpaceComplex& complex) {
   }
 }
 
-SpaceComplex inside(SpaceComplex complex, const FarBox& box, std::shared_ptr<SpaceTables> tables,
-                    Context& context) {
+SpaceComplex inside(SpaceComplex complex, const FarBox& box,
+                    const std::shared_ptr<SpaceTables>& tables, Context& context) {
   complex.tables = tables;
   for (std::uint64_t i = 0; i < 6; ++i) {
     context.checkpoint("far box", i, 6);

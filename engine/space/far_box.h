@@ -39,7 +39,7 @@ FarBox general_box(const SpaceComplex& complex);
 
 /// The part inside the box. Requires a complex framed by a larger box, or by the same one: then it
 /// is returned as it is. `tables`: the complex's own, or a copy.
-SpaceComplex inside(SpaceComplex complex, const FarBox& box, std::shared_ptr<SpaceTables> tables,
-                    Context& context);
+SpaceComplex inside(SpaceComplex complex, const FarBox& box,
+                    const std::shared_ptr<SpaceTables>& tables, Context& context);
 
 }  // namespace plumb

