@@ -18,8 +18,8 @@ constexpr const char* kPhase = "convex partition";
 constexpr std::uint32_t kStride = 4096;  // steps between checkpoints
 
 /// The vertices of a region that has no cuts yet: input points. Who asks for signs looks at the context.
-class RegionPoints final
-    : public PlanarPoints {  // NOLINT(cppcoreguidelines-virtual-class-destructor): final
+// NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): final
+class RegionPoints final : public PlanarPoints {
  public:
   RegionPoints(const PlaneRegion& region, Context& context) : r_(region), context_(context) {}
   std::uint32_t size() const override { return static_cast<std::uint32_t>(r_.vertex_count()); }
