@@ -100,7 +100,7 @@ CutCandidate CutChooser::judged(const Row& row, CutCandidate candidate) {
   }
   int spared = 0, below = 0, above = 0;
   for (const Edge& edge : edges_) {
-    const auto a = static_cast<int>(signs_[edge.a]), b = static_cast<int>(signs_[edge.b]);
+    const signed char a = signs_[edge.a], b = signs_[edge.b];
     if (a * b < 0) ++candidate.crossed;
     below += a + b < 0 ? 1 : 0;
     above += a + b > 0 ? 1 : 0;
