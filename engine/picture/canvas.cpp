@@ -1,5 +1,6 @@
 #include "plumb/picture/canvas.h"
 
+#include <array>
 #include <limits>
 
 namespace plumb {
@@ -44,16 +45,16 @@ bool Canvas::is_seen(Spot at, const std::array<std::uint32_t, 2>& patches) const
 
 void Canvas::stamp(Spot at, double radius, Colour colour, double part) {
   const double r = std::max(radius, .5);
-  const auto first = [r](double centre, std::uint32_t size) {
-    return static_cast<std::uint32_t>(
-        std::clamp(std::ceil(centre - r - .5), 0., static_cast<double>(size)));
+  const auto range = [r](double centre, std::uint32_t size) {
+    const auto pixel = [size](double c) {
+      return static_cast<std::uint32_t>(std::clamp(c, 0., static_cast<double>(size)));
+    };
+    return std::array{pixel(std::ceil(centre - r - .5)), pixel(std::floor(centre + r + .5))};
   };
-  const auto end = [r](double centre, std::uint32_t size) {
-    return static_cast<std::uint32_t>(
-        std::clamp(std::floor(centre + r + .5), 0., static_cast<double>(size)));
-  };
-  for (std::uint32_t j = first(at.y, height_); j < end(at.y, height_); ++j) {
-    for (std::uint32_t i = first(at.x, width_); i < end(at.x, width_); ++i) {
+  const auto [top, bottom] = range(at.y, height_);
+  const auto [left, right] = range(at.x, width_);
+  for (std::uint32_t j = top; j < bottom; ++j) {
+    for (std::uint32_t i = left; i < right; ++i) {
       if (std::hypot(i + .5 - at.x, j + .5 - at.y) > r) continue;
       Ink& ink = ink_[std::size_t{j} * width_ + i];
       const auto strength = static_cast<std::uint8_t>(std::lround(255 * part));

@@ -410,9 +410,9 @@ SpaceItem SpaceLocator::locate(const Point3& p) const try { return tree_->locate
   rethrow_refused_memory();
 }
 
-void SpaceLocator::locate(std::span<const Point3> points, std::span<SpaceItem> items_) const try {
-  PLUMB_CHECK(points.size() == items_.size());
-  for (std::size_t i = 0; i < points.size(); ++i) items_[i] = locate(points[i]);
+void SpaceLocator::locate(std::span<const Point3> points, std::span<SpaceItem> items) const try {
+  PLUMB_CHECK(points.size() == items.size());
+  for (std::size_t i = 0; i < points.size(); ++i) items[i] = locate(points[i]);
 } catch (...) {
   rethrow_refused_memory();
 }
