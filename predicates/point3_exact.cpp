@@ -1,6 +1,7 @@
 #include "plumb/predicates/point3_exact.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace plumb::exact3 {
 
@@ -151,8 +152,39 @@ bool has_frame(const PointOperand& operand) {
                      [](const Operand& plane) { return plane.source.is_frame(); });
 }
 
-PointOperand operand(const Point3Table& points, const PointSource& source) {
+namespace {
+
+/// Input points that two planes are defined by: if there are two, their line is that of the planes.
+std::optional<std::array<InputPointId, 2>> common_points(const PlaneSource& p,
+                                                         const PlaneSource& q) {
+  if (p.is_explicit() || q.is_explicit()) return {};
+  std::array<InputPointId, 2> common;
+  std::size_t count = 0;
+  for (const std::uint32_t x : p.code) {
+    const bool is_common = x == q.code[0] || x == q.code[1] || x == q.code[2];
+    if (is_common && count < 2) common[count++] = InputPointId(x);
+  }
+  if (count < 2) return {};
+  return common;
+}
+
+}  // namespace
+
+PointSource as_line(const PlaneTable& planes, const PointSource& source) {
+  if (source.is_line()) return source;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const PlaneId p = source.plane(i), q = source.plane((i + 1) % 3),
+                  other = source.plane((i + 2) % 3);
+    if (planes.is_frame(other)) continue;
+    const auto common = common_points(planes.source(p), planes.source(q));
+    if (common) return {(*common)[0], (*common)[1], other};
+  }
+  return source;
+}
+
+PointOperand operand(const Point3Table& points, const PointSource& given) {
   const PlaneTable& planes = points.planes();
+  const PointSource source = as_line(planes, given);
   PointOperand result;
   if (source.is_line()) {
     set_ends(result, planes, source.end(0), source.end(1));

@@ -34,6 +34,11 @@ struct PointOperand {
 /// Does the point depend on the frame?
 bool has_frame(const PointOperand& operand);
 
+/// The same point as that of a line and a plane, if two of its planes go through two common input points, as those of neighbours
+/// in a mesh do, and the third is not of the frame: fewer and smaller products. Else the source itself.
+PointSource as_line(const PlaneTable& planes, const PointSource& source);
+
+/// Of as_line(source).
 PointOperand operand(const Point3Table& points, const PointSource& source);
 PointOperand operand(const Point3Table& points, SpacePoint point);
 

@@ -16,9 +16,11 @@
 #include <cfloat>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "plumb/predicates/frame_filters.h"
 #include "plumb/predicates/point3_exact.h"
+#include "plumb/predicates/rounded_source.h"
 
 namespace plumb {
 
@@ -128,7 +130,7 @@ PointBox fast_direction(const PlaneTable& planes, const PointSource& source) {
 
 /// x 2^scale / w; both parts are off by 2^-52 at most, as is the division: 2^-50 in all.
 template <class X, class W>
-PointBox exact_box(const exact3::Homogeneous<X, W>& p) {
+PointBox box_of(const exact3::Homogeneous<X, W>& p) {
   const Scaled w = scaled(p.w);
   PointBox box{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -155,21 +157,50 @@ bool has_exact_signs(const exact3::Homogeneous<X, W>& p, const PointBox& box) {
   return true;
 }
 
-/// Zero: the point does not exist (w = 0). The box is set otherwise; of a point of the frame around u.
-Sign exact_box(const exact3::PointOperand& operand, PointBox& box) {
+PointBox box_around(const RoundedPoint3& nearest) {
+  PointBox box{{nearest.at.x, nearest.at.y, nearest.at.z}, 0};
+  if (!nearest.is_exact) box.radius = 0x1p-53 * max_abs(box.mid);  // half an ulp at most
+  return box;
+}
+
+/// Of a constructed point, by exact integers; of a point of the frame around u.
+struct ExactBox {
+  Sign w;  ///< Zero: the point does not exist, and has no box
+  PointBox box;
+  bool is_nearest = false;
+};
+
+template <class Plane>
+void set_box(const exact3::PointOf<Plane>& point, const PlaneTable& planes,
+             const PointSource& source, bool is_framed, ExactBox& result) {
+  if constexpr (!std::is_same_v<Plane, exact3::BigPlane>) {
+    if (!is_framed) {
+      const auto nearest = exact3::rounded_fixed(point, planes, source);
+      if (nearest) result.box = box_around(*nearest);
+      result.is_nearest = nearest && is_good(result.box);
+      if (result.is_nearest) return;
+    }
+  }
+  result.box = box_of(point);
+  if (is_framed && !has_exact_signs(point, result.box)) result.box = kEverywhere;
+}
+
+ExactBox exact_box(const Point3Table& points, const PointSource& source) {
+  const exact3::PointOperand operand = exact3::operand(points, source);
   const bool is_framed = exact3::has_frame(operand);
   const auto part = is_framed ? exact3::Part::Infinite : exact3::Part::Finite;
-  return exact3::point_ladder(
+  ExactBox result;
+  result.w = exact3::point_ladder(
       operand.width,
       [&]<class Plane>() {
         exact3::PointOf<Plane> point;
         if (!exact3::load_point<Plane>(operand, part, point)) return FilteredSign::Unsure;
         const Sign sign = exact3::sign_of(point.w);
-        if (sign != Sign::Zero) box = exact_box(point);
-        if (is_framed && sign != Sign::Zero && !has_exact_signs(point, box)) box = kEverywhere;
+        if (sign != Sign::Zero) set_box<Plane>(point, points.planes(), source, is_framed, result);
         return filtered(sign);
       },
       [](Rung) {});
+  return result;
 }
 
 }  // namespace
@@ -177,21 +208,27 @@ Sign exact_box(const exact3::PointOperand& operand, PointBox& box) {
 void Point3Table::reserve(std::size_t points) {
   boxes_.reserve(points);
   sources_.reserve(points);
+  is_nearest_.reserve(points);
 }
 
 SpacePoint Point3Table::add_new(const PointSource& source, const PointBox& fast) {
-  PointBox box = fast;
-  if (is_good(box)) return add(source, box);
+  if (is_good(fast)) return add(source, fast);
   const bool is_framed = depends_on_frame(source);
-  if (is_framed) box = fast_direction(*planes_, source);
-  if (!is_good(box) && exact_box(exact3::operand(*this, source), box) == Sign::Zero) return {};
-  if (is_framed) box = far_from(box);
-  return add(source, box);
+  if (is_framed) {
+    const PointBox direction = fast_direction(*planes_, source);
+    if (is_good(direction)) return add(source, far_from(direction));
+  }
+  const auto nearest = exact3::rounded_on_line(*planes_, source);
+  if (nearest) return add(source, box_around(*nearest), true);
+  const ExactBox found = exact_box(*this, source);
+  if (found.w == Sign::Zero) return {};
+  return add(source, is_framed ? far_from(found.box) : found.box, found.is_nearest);
 }
 
-SpacePoint Point3Table::add(const PointSource& source, const PointBox& box) {
+SpacePoint Point3Table::add(const PointSource& source, const PointBox& box, bool is_nearest) {
   boxes_.push_back(box);
   sources_.push_back(source);
+  is_nearest_.push_back(is_nearest ? 1 : 0);
   return SpacePoint::constructed(size() - 1);
 }
 
@@ -227,6 +264,7 @@ std::uint32_t Point3Table::merge(const Point3Table& other, std::span<const Plane
                                  std::uint32_t input_offset) {
   const std::size_t offset = size();
   boxes_.insert(boxes_.end(), other.boxes_.begin(), other.boxes_.end());
+  is_nearest_.insert(is_nearest_.end(), other.is_nearest_.begin(), other.is_nearest_.end());
   sources_.reserve(boxes_.capacity());
   for (const PointSource& source : other.sources_) {
     sources_.push_back(

@@ -2,7 +2,7 @@
 // common point of three planes. Coordinates are never rounded, because none are kept: a point is
 // its definition, plus a cached box in doubles that decides nearly every question.
 //
-// 44 bytes a constructed point. Input points cost nothing: they live in the PlaneTable.
+// 45 bytes a constructed point. Input points cost nothing: they live in the PlaneTable.
 // Const members may be called from many threads at once.
 #pragma once
 
@@ -101,13 +101,13 @@ class Point3Table {
   void reserve(std::size_t points);
 
   /// The common point. Not valid (and nothing added) when the planes have none or many.
-  /// Equal points are not merged: ask equal(). Cost: ~25 ns; ~300 ns when doubles do not give the
-  /// box to 2^-34 of its coordinates.
+  /// Equal points are not merged: ask equal(). Cost: ~25 ns; ~500 ns when doubles do not give the
+  /// box to 2^-34 of its coordinates, which then is around the nearest doubles (is_nearest()).
   SpacePoint add(PlaneId p, PlaneId q, PlaneId r);
   /// Where the line of two input points meets the plane. Not valid when it does not, or lies in it.
   SpacePoint add(InputPointId a, InputPointId b, PlaneId p);
-  /// A point known to exist and a box that holds it: one that moves from another table.
-  SpacePoint add(const PointSource& source, const PointBox& box);
+  /// A point known to exist, a box that holds it, and is_nearest() of it: one that moves from another table.
+  SpacePoint add(const PointSource& source, const PointBox& box, bool is_nearest = false);
   /// Adds the points of a table whose planes were merged into ours: its plane i is plane_map[i], its
   /// input point i is i + input_offset. Its constructed point i becomes i + the result. Boxes are
   /// copied.
@@ -122,6 +122,9 @@ class Point3Table {
     const Point3& at = planes_->point(p.input());
     return {{at.x, at.y, at.z}, 0};
   }
+  /// Is the box's mid known to be the nearest doubles (and with a radius of 0 the point itself)? It is where the exact rung gave the
+  /// box, but for points of the frame and coordinates that are doubles or half-way, if no plane across the axis says so.
+  bool is_nearest(SpacePoint p) const { return p.is_input() || is_nearest_[p.index()] != 0; }
   /// Around P0, the point with 0 for R; of a point without R its box. Cost: ~25 ns if there is R.
   PointBox near_box(SpacePoint p) const;
   /// Is one of the planes that define it of the frame? (Its coordinates then grow with R.)
@@ -134,6 +137,7 @@ class Point3Table {
   const PlaneTable* planes_;
   std::vector<PointBox> boxes_;
   std::vector<PointSource> sources_;
+  std::vector<std::uint8_t> is_nearest_;
 };
 
 }  // namespace plumb

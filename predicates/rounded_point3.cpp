@@ -7,18 +7,17 @@
 //   w = n.(m x k)             15 + 45 + 9 + 12 = 81
 //   x = sum of d (n x m)      36 + 45 + 9 + 12 = 102
 //
-// 2^7 u^2 terms is taken for w and x; the slack pays for the roundings of the terms and for products of errors. With E and F
-// these bounds of x and w, the quotient q = q1 + q2, q1 = x.high / w.high, q2 = (x - q1 w).high / w.high, is off by at most
-// 2 (E + |q| F) / |w.high|: E + |q| F for the operands, at most 64 u^2 terms for x - q1 w and q2, where |w.high| >= 2^20 F.
-// q is taken for rounded if q.high is what both ends of an interval twice as wide round to, and none of its points is
-// q.high itself: so the coordinate is no double.
+// Where two planes go through two common points a and b, the point is a + s(a) (b - a) / (s(a) - s(b)), which takes a sixth of the
+// products and loses no bits to planes that are nearly parallel to each other:
 //
-// Fixed widths. The top 106 bits of exact integers x and w are mantissas of 1/2 at least, off by 2 u^2 at most: they go the same
-// way, with themselves for terms.
+//   s = n.(x - p)             15 + 9, two sums 12 more: 36
+//   w = s(a) - s(b)           36 + 6 = 42
+//   x = s(a) (b - a)          36 + 9 = 45
 //
-// Range. Coordinates are 0 or in [2^-60, 2^60], multiples of 2^-112: what comes of up to seven of them, with what is lost
-// on the way, is 0 or in [2^-784, 2^440]; that of x - q1 w, too, as |w.high| >= 2^-400 and |q1| >= 2^-200. Quotients of mantissas
-// lie between 1/2 and 2; a coordinate in [2^-1000, 2^1000] is such a one times a power of two.
+// 2^7 u^2 terms is taken for w and x (nearest_quotient.h); the slack pays for the roundings of the terms and for products of errors.
+//
+// Range. Coordinates are 0 or in [2^-60, 2^60], multiples of 2^-112: what comes of up to seven of them (of a line: four), with what is lost
+// on the way, is 0 or in [2^-784, 2^440]; that of x - q1 w, too, as |w.high| >= 2^-400 and |q1| >= 2^-200.
 #include "plumb/predicates/rounded_point3.h"
 
 #include <algorithm>
@@ -26,10 +25,11 @@
 
 #include "plumb/predicates/decompose.h"
 #include "plumb/predicates/double_double.h"
+#include "plumb/predicates/nearest_quotient.h"
 #include "plumb/predicates/point3_exact.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/predicates/rounded_source.h"
 #include "plumb/predicates/rounding.h"
-#include "plumb/predicates/scaled.h"
 
 namespace plumb {
 namespace {
@@ -37,7 +37,6 @@ namespace {
 // ---------------------------------------------------------------- filter
 
 using twofold::difference;
-using twofold::exact_sum;
 using twofold::negative;
 using twofold::product;
 using twofold::sum;
@@ -53,8 +52,14 @@ using Corners = std::array<const Point3*, 3>;
 std::array<double, 3> coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
 
 /// By bits where it is about equality: subnormal numbers may compare as zero.
-bool is_in_range(double c) {
-  return is_equal(c, 0) || (std::fabs(c) >= 0x1p-60 && std::fabs(c) <= 0x1p60);
+bool is_in_range(const Point3& p) {
+  return std::ranges::all_of(coordinates(p), [](double c) {
+    return is_equal(c, 0) || (std::fabs(c) >= 0x1p-60 && std::fabs(c) <= 0x1p60);
+  });
+}
+
+bool are_in_range(const Corners& corners) {
+  return std::ranges::all_of(corners, [](const Point3* p) { return is_in_range(*p); });
 }
 
 /// (a x b)_i
@@ -68,33 +73,37 @@ std::array<Twofold, 3> cross(const std::array<Twofold, 3>& a, const std::array<T
   return {cross_component(a, b, 0), cross_component(a, b, 1), cross_component(a, b, 2)};
 }
 
-TwofoldPlane plane_through(const Corners& corners) {
-  const std::array p = coordinates(*corners[0]), q = coordinates(*corners[1]),
-                   r = coordinates(*corners[2]);
-  std::array<Twofold, 3> to_q, to_r;
-  for (std::size_t i = 0; i < 3; ++i) {
-    to_q[i] = difference(q[i], p[i]);
-    to_r[i] = difference(r[i], p[i]);
-  }
-  TwofoldPlane plane;
-  plane.n = cross(to_q, to_r);
-  plane.d = negative(
-      sum(sum(product(plane.n[0], p[0]), product(plane.n[1], p[1])), product(plane.n[2], p[2])));
-  return plane;
+std::array<Twofold, 3> between(const Point3& from, const Point3& to) {
+  return {difference(to.x, from.x), difference(to.y, from.y), difference(to.z, from.z)};
 }
 
-double error_of(const Twofold& x) { return 0x1p-99 * x.terms; }
+std::array<Twofold, 3> normal_of(const Corners& corners) {
+  return cross(between(*corners[0], *corners[1]), between(*corners[0], *corners[2]));
+}
 
-/// -x / w rounded to nearest, if that is clear and not -x / w itself; else 0.
-double clear_quotient(const Twofold& x, const Twofold& w) {
-  if (!(std::fabs(w.high) >= std::max(0x1p-400, 0x1p20 * error_of(w)))) return 0;
-  const double q1 = -x.high / w.high;
-  const Twofold rest = sum(negative(x), negative(product(w, q1)));
-  const Twofold q = exact_sum(q1, rest.high / w.high, 0);
-  const double error = 4 * (error_of(x) + std::fabs(q.high) * error_of(w)) / std::fabs(w.high);
-  const bool is_clear = q.high + (q.low + error) == q.high && q.high + (q.low - error) == q.high &&
-                        std::fabs(q.low) > error;
-  return is_clear && std::fabs(q1) >= 0x1p-200 ? q.high : 0;
+TwofoldPlane plane_through(const Corners& corners) {
+  const std::array p = coordinates(*corners[0]);
+  const std::array<Twofold, 3> n = normal_of(corners);
+  return {n, negative(sum(sum(product(n[0], p[0]), product(n[1], p[1])), product(n[2], p[2])))};
+}
+
+/// As the next one, of the point where a line through two input points meets a plane; nothing where it may not.
+std::optional<std::array<double, 3>> clear_coordinates(const Point3& a, const Point3& b,
+                                                       const Corners& corners) {
+  const std::array<Twofold, 3> n = normal_of(corners);
+  const auto side = [&](const Point3& x) {
+    const std::array<Twofold, 3> to_x = between(*corners[0], x);
+    return sum(sum(product(n[0], to_x[0]), product(n[1], to_x[1])), product(n[2], to_x[2]));
+  };
+  const Twofold at_a = side(a), w = sum(at_a, negative(side(b)));
+  if (!is_divisor(w)) return {};
+  const std::array<Twofold, 3> step = between(a, b);
+  const std::array<double, 3> from = coordinates(a);
+  std::array<double, 3> found;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    found[axis] = nearest_to(plumb::sum(from[axis], quotient(product(at_a, step[axis]), w)));
+  }
+  return found;
 }
 
 /// Of the point of three planes, coordinates that are clear and not exact; the others are 0.
@@ -113,18 +122,11 @@ std::array<double, 3> clear_coordinates(const std::array<Corners, 3>& corners) {
                                 [&](std::size_t i) { return minors[0][i]; });
   std::array<double, 3> found;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    found[axis] = clear_quotient(combination([&](std::size_t i) { return planes[i].d; },
-                                             [&](std::size_t i) { return minors[i][axis]; }),
-                                 w);
+    const Twofold x = combination([&](std::size_t i) { return planes[i].d; },
+                                  [&](std::size_t i) { return minors[i][axis]; });
+    found[axis] = nearest_to(quotient(negative(x), w));
   }
   return found;
-}
-
-/// Have the corners of a plane one coordinate along the axis?
-bool is_across(const Corners& corners, std::size_t axis) {
-  const auto along = [axis](const Point3* p) { return coordinates(*p)[axis]; };
-  return is_equal(along(corners[0]), along(corners[1])) &&
-         is_equal(along(corners[0]), along(corners[2]));
 }
 
 /// Of a plane, if it goes through input points.
@@ -136,90 +138,54 @@ std::optional<Corners> corners_of(const PlaneTable& planes, PlaneId plane) {
   return corners;
 }
 
-/// Of the planes that define a point, if there are three, all through input points within range.
-std::optional<std::array<Corners, 3>> corners_of_planes(const Point3Table& points, SpacePoint x) {
-  const PointSource& source = points.source(x);
-  if (source.is_line()) return {};
+const double& along(const Point3& p, std::size_t axis) {
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+/// What all points of a plane through input points have along an axis; nothing if they differ.
+const double* coordinate_across(const PlaneTable& planes, PlaneId plane, std::size_t axis) {
+  const std::optional<Corners> corners = corners_of(planes, plane);
+  if (!corners) return nullptr;
+  const double& c = along(*(*corners)[0], axis);
+  const bool is_across =
+      is_equal(c, along(*(*corners)[1], axis)) && is_equal(c, along(*(*corners)[2], axis));
+  return is_across ? &c : nullptr;
+}
+
+/// The same of the points of a line.
+const double* coordinate_along(const PlaneTable& planes, const PointSource& source,
+                               std::size_t axis) {
+  if (!source.is_line()) return nullptr;
+  const double& c = along(planes.point(source.end(0)), axis);
+  return is_equal(c, along(planes.point(source.end(1)), axis)) ? &c : nullptr;
+}
+
+/// Of the three planes that define a point, if all go through input points within range.
+std::optional<std::array<Corners, 3>> corners_of_planes(const PlaneTable& planes,
+                                                        const PointSource& source) {
   std::array<Corners, 3> corners;
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::optional<Corners> found = corners_of(points.planes(), source.plane(i));
-    if (!found) return {};
-    for (const Point3* p : *found) {
-      if (!std::ranges::all_of(coordinates(*p), is_in_range)) return {};
-    }
+    const std::optional<Corners> found = corners_of(planes, source.plane(i));
+    if (!found || !are_in_range(*found)) return {};
     corners[i] = *found;
   }
   return corners;
 }
 
-/// `clear`: coordinates that are not exact, 0 for others; these have to be those of planes across their axes.
-std::optional<RoundedPoint3> with_coordinates_across(std::array<double, 3> clear,
-                                                     std::span<const Corners> planes) {
-  bool is_exact = true;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto across = std::ranges::find_if(
-        planes, [axis](const Corners& plane) { return is_across(plane, axis); });
-    if (across != planes.end()) {
-      const double c = coordinates(*across->front())[axis];
-      clear[axis] = is_equal(c, 0) ? 0 : c;  // not -0.0
-    } else if (clear[axis] == 0) {
-      return {};
-    } else {
-      is_exact = false;
-    }
-  }
-  return RoundedPoint3{{clear[0], clear[1], clear[2]}, is_exact};
-}
-
 // ---------------------------------------------------------------- fixed widths
 
-/// value ~ mantissa * 2^exponent
-struct TwofoldScaled {
-  Twofold mantissa;
-  int exponent;
-};
-
-/// Requires x != 0.
-template <int L>
-TwofoldScaled top_bits(const Fixed<L>& x) {
-  const bool is_negative = x.is_negative();
-  const Fixed<L> magnitude = is_negative ? -x : x;
-  int top = L - 1;
-  while (magnitude.limb(top) == 0) --top;
-  const int zeros = std::countl_zero(magnitude.limb(top));
-  const auto bits = [&](int limb) {  // 64 of them, from the highest 1 of the number on
-    const std::uint64_t high = limb >= 0 ? magnitude.limb(limb) << zeros : 0;
-    return limb > 0 && zeros > 0 ? high | (magnitude.limb(limb - 1) >> (64 - zeros)) : high;
-  };
-  const auto as_double = [](std::uint64_t b) {
-    return static_cast<double>(static_cast<std::int64_t>(b));
-  };
-  const std::uint64_t first = bits(top), second = bits(top - 1);
-  const double high = as_double(first >> 11U) * 0x1p-53;
-  const double low = as_double(((first & 0x7ffU) << 42U) | (second >> 22U)) * 0x1p-106;
-  const Twofold mantissa = exact_sum(high, low, high);
-  return {is_negative ? negative(mantissa) : mantissa, 64 * top + 64 - zeros};
-}
-
-/// As clear_coordinates(). The width is the operand's at least.
+/// False if the width is less than the operand's, or a scale breaks it.
 template <class W>
-std::optional<std::array<double, 3>> clear_coordinates_in(const exact3::PointOperand& operand) {
+bool round_in(const exact3::PointOperand& operand, const Point3Table& points, SpacePoint x,
+              std::optional<RoundedPoint3>& rounded) {
   using Plane = exact3::FixedPlane<W>;
   exact3::PointOf<Plane> point;
   if (operand.width > W::kIndex ||
       !exact3::load_point<Plane>(operand, exact3::Part::Finite, point)) {
-    return {};
+    return false;
   }
-  const TwofoldScaled w = top_bits(point.w);
-  std::array<double, 3> found{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (point.x[i].is_zero()) continue;
-    const TwofoldScaled x = top_bits(point.x[i]);
-    const int exponent = x.exponent - w.exponent + point.scale;
-    if (std::abs(exponent) > 1000) continue;
-    found[i] = clear_quotient(negative(x.mantissa), w.mantissa) * power_of_two(exponent);
-  }
-  return found;
+  rounded = exact3::rounded_fixed(point, points.planes(), points.source(x));
+  return true;
 }
 
 // ---------------------------------------------------------------- exactly
@@ -237,27 +203,55 @@ RoundedDouble round_quotient(Integer& numerator, Integer& denominator, Rational&
 
 }  // namespace
 
+std::optional<RoundedPoint3> exact3::with_coordinates_across(std::array<double, 3> clear,
+                                                             const PlaneTable& planes,
+                                                             const PointSource& source) {
+  bool is_exact = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (clear[axis] != 0) {
+      is_exact = false;
+      continue;
+    }
+    const double* only = nullptr;
+    for (std::size_t i = 0; i < source.plane_count() && only == nullptr; ++i) {
+      only = coordinate_across(planes, source.plane(i), axis);
+    }
+    if (only == nullptr) only = coordinate_along(planes, exact3::as_line(planes, source), axis);
+    if (only == nullptr) return {};
+    clear[axis] = is_equal(*only, 0) ? 0 : *only;  // not -0.0
+  }
+  return RoundedPoint3{{clear[0], clear[1], clear[2]}, is_exact};
+}
+
+std::optional<RoundedPoint3> exact3::rounded_on_line(const PlaneTable& planes,
+                                                     const PointSource& source) {
+  const PointSource line = as_line(planes, source);
+  if (!line.is_line() || !rounds_to_nearest()) return {};
+  const std::optional<Corners> corners = corners_of(planes, line.plane(0));
+  const Point3 &a = planes.point(line.end(0)), &b = planes.point(line.end(1));
+  if (!corners || !are_in_range(*corners) || !is_in_range(a) || !is_in_range(b)) return {};
+  const auto clear = clear_coordinates(a, b, *corners);
+  if (!clear) return {};
+  return with_coordinates_across(*clear, planes, source);
+}
+
 std::optional<RoundedPoint3> rung::rounded_filter(const Point3Table& points, SpacePoint x) {
-  const auto corners = corners_of_planes(points, x);
-  if (!corners || !rounds_to_nearest()) return {};
-  return with_coordinates_across(clear_coordinates(*corners), *corners);
+  const PlaneTable& planes = points.planes();
+  const PointSource& source = points.source(x);
+  auto rounded = exact3::rounded_on_line(planes, source);
+  if (rounded || source.is_line() || !rounds_to_nearest()) return rounded;
+  const auto corners = corners_of_planes(planes, source);
+  if (!corners) return {};
+  return exact3::with_coordinates_across(clear_coordinates(*corners), planes, source);
 }
 
 std::optional<RoundedPoint3> rung::rounded_fixed(const Point3Table& points, SpacePoint x) {
-  if (!rounds_to_nearest()) return {};
   const exact3::PointOperand operand = exact3::operand(points, x);
-  auto clear = clear_coordinates_in<exact3::Narrow>(operand);
-  if (!clear) clear = clear_coordinates_in<exact3::Medium>(operand);
-  if (!clear) clear = clear_coordinates_in<exact3::Wide>(operand);
-  if (!clear) return {};
-  const PointSource& source = points.source(x);
-  std::array<Corners, 3> planes;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < source.plane_count(); ++i) {
-    const std::optional<Corners> corners = corners_of(points.planes(), source.plane(i));
-    if (corners) planes[count++] = *corners;
-  }
-  return with_coordinates_across(*clear, std::span(planes).first(count));
+  std::optional<RoundedPoint3> rounded;
+  round_in<exact3::Narrow>(operand, points, x, rounded) ||
+      round_in<exact3::Medium>(operand, points, x, rounded) ||
+      round_in<exact3::Wide>(operand, points, x, rounded);
+  return rounded;
 }
 
 RoundedPoint3 rung::rounded_exact(const Point3Table& points, SpacePoint x) {
@@ -271,6 +265,10 @@ RoundedPoint3 rung::rounded_exact(const Point3Table& points, SpacePoint x) {
 
 RoundedPoint3 rounded(const Point3Table& points, SpacePoint x) {
   if (x.is_input()) return {points.planes().point(x.input()), true};
+  if (points.is_nearest(x)) {
+    const PointBox box = points.box(x);
+    return {{box.mid[0], box.mid[1], box.mid[2]}, box.radius == 0};
+  }
   std::optional<RoundedPoint3> clear = rung::rounded_filter(points, x);
   if (!clear) clear = rung::rounded_fixed(points, x);
   return clear ? *clear : rung::rounded_exact(points, x);

@@ -27,7 +27,7 @@ std::size_t bytes_of(const PlaneTable& planes) {
 }  // namespace
 
 std::size_t memory_bytes(const SpaceComplex& c) {
-  return bytes_of(c.planes()) + c.points().size() * (sizeof(PointBox) + sizeof(PointSource)) +
+  return bytes_of(c.planes()) + c.points().size() * (sizeof(PointBox) + sizeof(PointSource) + 1) +
          array_bytes(c);
 }
 

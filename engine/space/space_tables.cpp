@@ -101,7 +101,7 @@ CompactedTables compacted(const SpaceTables& tables, std::span<const PlaneId> pl
     result.tables->points.add(
         tables.points.source(old).mapped([&](PlaneId p) { return result.plane[p.value()]; },
                                          [&](InputPointId p) { return result.input[p.value()]; }),
-        tables.points.box(old));
+        tables.points.box(old), tables.points.is_nearest(old));
   }
   return result;
 }

@@ -18,8 +18,10 @@
 #include "float_environment.h"
 #include "generate/test_share.h"
 #include "plumb/predicates/plane_signs.h"
+#include "plumb/predicates/point3_exact.h"
 #include "plumb/predicates/point3_table.h"
 #include "plumb/predicates/rounded_point3.h"
+#include "plumb/predicates/rounded_source.h"
 #include "plumb/predicates/rounding.h"
 #include "space_cases.h"
 #include "space_oracle.h"
@@ -424,6 +426,163 @@ TEST(RoundedPoint3, FixedWidthsTellOfNearlyParallelPlanes) {
   }
   EXPECT_GT(all, 590U);
   EXPECT_GE(told, all - 5);
+}
+
+/// (b - a) x (c - a) . (x - a) in rationals: zero on the plane through a, b and c.
+Rational distance(const std::array<Point3, 3>& corners, const RationalPoint3& x) {
+  const auto row = [&](const auto& at) {
+    const Point3& a = corners[0];
+    return std::array<Rational, 3>{Rational(at.x) - Rational(a.x), Rational(at.y) - Rational(a.y),
+                                   Rational(at.z) - Rational(a.z)};
+  };
+  const auto [u, v, w] = std::array{row(corners[1]), row(corners[2]), row(x)};
+  return w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
+         w[2] * (u[0] * v[1] - u[1] * v[0]);
+}
+
+/// The point of the planes of two triangles with a common edge and of a third one, which may be nearly parallel to the first.
+struct EdgeAndPlane {
+  std::array<std::array<Point3, 3>, 3> corners;
+  PlaneTable table;
+  InputPointId first;
+  std::array<PlaneId, 3> planes;
+
+  EdgeAndPlane(std::mt19937_64& random, double scale, double apart, bool is_along_x) {
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const auto any = [&] {
+      return Point3{scale * unit(random), scale * unit(random), scale * unit(random)};
+    };
+    Point3 a = any(), b = any();
+    if (!is_along_x) b.x = a.x;
+    corners[0] = {a, b, any()};
+    corners[1] = {any(), b, a};
+    corners[2] = corners[0];
+    for (Point3& p : corners[2]) p.z += scale * apart * unit(random);
+    const std::vector<Point3> points{
+        a, b, corners[0][2], corners[1][0], corners[2][0], corners[2][1], corners[2][2]};
+    first = table.add_points(points);
+    planes = {plane(0, 1, 2), plane(3, 1, 0), plane(4, 5, 6)};
+  }
+  InputPointId point(std::uint32_t i) const { return InputPointId(first.value() + i); }
+  PlaneId plane(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+    return table.intern(point(i), point(j), point(k)).plane();
+  }
+};
+
+/// Whatever the order of the planes, however close they are to parallel: the line through the common points stands for the two.
+TEST(PointSource, OfTwoPlanesWithACommonEdgeIsALine) {
+  std::mt19937_64 random(33);
+  for (int i = 0; i < 200; ++i) {
+    const double scale = std::ldexp(1.0, (i % 5 - 2) * 25);
+    EdgeAndPlane e(random, scale, i % 2 == 0 ? 1e-12 : 1, i % 3 != 0);
+    std::ranges::rotate(e.planes, e.planes.begin() + i % 3);
+    Point3Table points(e.table);
+    const SpacePoint x = points.add(e.planes[0], e.planes[1], e.planes[2]);
+    const PointSource line = exact3::as_line(e.table, points.source(x));
+    ASSERT_TRUE(line.is_line());
+    const RationalPoint3 at = exact(points, x);
+    for (const auto& corners : e.corners) EXPECT_EQ(distance(corners, at), 0);
+    for (const PlaneId plane : e.planes) EXPECT_EQ(side(points, x, plane), Sign::Zero);
+    const SpacePoint again = points.add(line.end(0), line.end(1), line.plane(0));
+    EXPECT_TRUE(equal(points, x, again));
+    EXPECT_EQ(fingerprint(points, x), fingerprint(points, again));
+    EXPECT_EQ(exact(points, again), at);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      EXPECT_EQ(compare_axis(points, x, again, axis), Sign::Zero);
+    }
+  }
+}
+
+TEST(PointSource, IsNoLineForTheFrameOrForPlanesThatShareAPoint) {
+  std::mt19937_64 random(34);
+  EdgeAndPlane e(random, 1, 1, true);
+  const PlaneId at_corner = e.plane(2, 3, 4), far = e.table.intern_frame()[0],
+                wall = e.table.intern(1.0, 0.0, 0.0, -1.0).plane(),
+                level = e.table.intern(0.0, 0.0, 1.0, -1.0).plane();
+  for (const PointSource& source :
+       {PointSource(e.planes[0], e.planes[2], at_corner),
+        PointSource(e.planes[0], e.planes[1], far), PointSource(wall, level, e.planes[0])}) {
+    EXPECT_FALSE(exact3::as_line(e.table, source).is_line());
+  }
+}
+
+/// Boxes that doubles do not give are around the nearest doubles, which rounded() then takes from there: nearly always, in the one
+/// rounding mode that allows it.
+TEST(RoundedPoint3, OfNearlyParallelPlanesIsKnownFromTheStart) {
+  std::mt19937_64 random(35);
+  std::size_t nearest = 0, all = 0;
+  for (int i = 0; i < 300; ++i) {
+    EdgeAndPlane e(random, 1, 1e-12, i % 3 != 0);
+    for (const auto& setting : testing_environment::kSettings) {
+      Point3Table points(e.table);
+      SpacePoint x;
+      RoundedPoint3 near;
+      {
+        testing_environment::Scope scope(setting);
+        x = points.add(e.planes[0], e.planes[1], e.planes[2]);
+        near = rounded(points, x);
+      }
+      const RoundedPoint3 exactly = rung::rounded_exact(points, x);
+      EXPECT_EQ(near.at, exactly.at);
+      EXPECT_EQ(near.is_exact, exactly.is_exact);
+      const PointBox box = points.box(x);
+      const RationalPoint3 at = exact(points, x);
+      for (const auto& [mid, c] :
+           {std::pair(box.mid[0], at.x), {box.mid[1], at.y}, {box.mid[2], at.z}}) {
+        EXPECT_LE(abs(Rational(c - Rational(mid))), Rational(box.radius));
+      }
+      if (setting.rounding != FE_TONEAREST) {
+        EXPECT_FALSE(points.is_nearest(x)) << setting.name;
+        continue;
+      }
+      ++all;
+      if (!points.is_nearest(x)) continue;
+      ++nearest;
+      EXPECT_EQ((Point3{box.mid[0], box.mid[1], box.mid[2]}), exactly.at) << setting.name;
+      Point3Table other(e.table);
+      other.add(points.source(x), box);
+      EXPECT_FALSE(other.is_nearest(SpacePoint::constructed(0)));
+      const std::vector<PlaneId> same = [&] {
+        std::vector<PlaneId> ids;
+        for (std::uint32_t p = 0; p < e.table.size(); ++p) ids.emplace_back(p);
+        return ids;
+      }();
+      EXPECT_EQ(other.merge(points, same, 0), 1U);
+      EXPECT_TRUE(other.is_nearest(SpacePoint::constructed(1)));
+    }
+  }
+  EXPECT_GE(nearest, all - 5);
+}
+
+/// Walls at doubles, nearly parallel ones among them: the box is the point.
+TEST(RoundedPoint3, OfAPointAtDoublesHasABoxWithoutWidth) {
+  PlaneTable table;
+  const InputPointId p =
+      table.add_points(std::vector<Point3>{{0.1, 0, 0},
+                                           {0.1, 1, 0},
+                                           {0.1, 0, 1},  // x = 0.1
+                                           {0, 0.3, 0},
+                                           {1, 0.3, 0},
+                                           {0, 0.3, 1},  // y = 0.3
+                                           {0, 0, 0.7},
+                                           {1, 0, 0.7},
+                                           {0.1, 0x1p-40, 0.7}});  // z = 0.7, by a needle
+  const auto plane = [&](std::uint32_t i) {
+    return table
+        .intern(InputPointId(p.value() + i), InputPointId(p.value() + i + 1),
+                InputPointId(p.value() + i + 2))
+        .plane();
+  };
+  Point3Table points(table);
+  const auto rounded_box = exact3::rounded_on_line(
+      table, PointSource(p, InputPointId(p.value() + 1), plane(3)));  // along x = 0.1, z = 0
+  ASSERT_TRUE(rounded_box);
+  EXPECT_EQ(rounded_box->at, (Point3{0.1, 0.3, 0}));
+  EXPECT_TRUE(rounded_box->is_exact);
+  const SpacePoint x = points.add(plane(0), plane(3), plane(6));
+  const RoundedPoint3 near = rounded(points, x);
+  EXPECT_EQ(near.at, (Point3{0.1, 0.3, 0.7}));
+  EXPECT_TRUE(near.is_exact);
 }
 
 /// Numbers that compare as zero where subnormal ones are flushed, and are not.
