@@ -107,57 +107,17 @@ bool measure_memory(Options& options) {
   return report(options, "the same, memory, input left out", bytes / faces, "bytes a face", 600);
 }
 
-/// A cube of n^3 whose faces are grids of triangles.
-PolygonMesh grid_cube(std::uint32_t n, Point3 low) {
-  PolygonMesh mesh;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (const double side : {0.0, static_cast<double>(n)}) {
-      const auto first = static_cast<std::uint32_t>(mesh.points.size());
-      for (std::uint32_t i = 0; i <= n; ++i) {
-        for (std::uint32_t j = 0; j <= n; ++j) {
-          std::array<double, 3> at{low.x, low.y, low.z};
-          at[axis] += side;
-          at[(axis + 1) % 3] += i;
-          at[(axis + 2) % 3] += j;
-          mesh.points.push_back({at[0], at[1], at[2]});
-        }
-      }
-      for (std::uint32_t i = 0; i < n; ++i) {
-        for (std::uint32_t j = 0; j < n; ++j) {
-          const std::uint32_t a = first + i * (n + 1) + j, b = a + n + 1, c = b + 1, d = a + 1;
-          if (side > 0) {
-            mesh.add_face(std::array{a, b, c});
-            mesh.add_face(std::array{a, c, d});
-          } else {
-            mesh.add_face(std::array{a, c, b});
-            mesh.add_face(std::array{a, d, c});
-          }
-        }
-      }
-    }
-  }
-  return mesh;
-}
-
-PolygonMesh turned(PolygonMesh mesh, double angle) {
-  for (Point3& p : mesh.points) {
-    const double c = std::cos(angle), s = std::sin(angle);
-    p = {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
-  }
-  return mesh;
-}
-
 bool measure_degenerate(Options& options) {
   const auto print = [&](const char* what, const PolygonMesh& a, const PolygonMesh& b) {
     report(options, what, least_seconds([&] { return seconds_of([&] { unite(a, b); }); }), "s");
   };
   const PolygonMesh ico = ball(4, {0.1, 0.2, 0.3}), large = ball(5, {0.1, 0.2, 0.3});
-  print("an icosphere of 5,120 and itself turned by 1e-12", ico, turned(ico, 1e-12));
+  print("an icosphere of 5,120 and itself turned by 1e-12", ico, testing::turned(ico, 1e-12));
   const PolygonMesh centred = ball(4, {0, 0, 0});
-  print("the same about its own centre, 22,890 contacts", centred, turned(centred, 1e-12));
+  print("the same about its own centre, 22,890 contacts", centred, testing::turned(centred, 1e-12));
   print("an icosphere of 20,480 twice", large, large);
-  print("two cubes of 19,200 triangles, shifted in two planes", grid_cube(40, {0, 0, 0}),
-        grid_cube(40, {3.25, 2.5, 0}));
+  print("two cubes of 19,200 triangles, shifted in two planes",
+        testing::grid_cube_mesh(40, {0, 0, 0}), testing::grid_cube_mesh(40, {3.25, 2.5, 0}));
   return true;
 }
 

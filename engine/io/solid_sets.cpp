@@ -105,6 +105,7 @@ SolidRead read_solid(const std::string& path, const std::string& bytes,
   MeshFile file = read_mesh_of(path, bytes, text, context);
   MeshOptions mesh_options;
   mesh_options.surface = options.surface;
+  mesh_options.joins_coplanar = true;
   MeshComplex mesh = complex_of_mesh(file.mesh, mesh_options, context);
   require_closed(mesh.report, options.surface, input_name(path));
   std::vector<std::string> notes = std::move(file.notes);

@@ -6,6 +6,7 @@
 
 #include "plumb/base/refused_memory.h"
 #include "plumb/space/link_facets.h"
+#include "plumb/space/merge_coplanar.h"
 #include "plumb/space/mesh_borders.h"
 #include "plumb/space/mesh_components.h"
 #include "plumb/space/mesh_crossings.h"
@@ -79,6 +80,34 @@ void describe_crossings(const MeshOptions& options, MeshComplex& result, MemoryC
   result.report.crossings = std::move(pairs);
 }
 
+/// What is known of items that stay, under their new numbers. Items with one number know the same.
+template <class T, class Id>
+void renumber(std::span<const Id> number, std::vector<T>& known) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < number.size(); ++i) {  // numbers ascend where they come first
+    if (number[i].is_valid() && number[i].value() == count) known[count++] = known[i];
+  }
+  known.resize(count);
+}
+
+/// Open edges go, and neighbours are joined; or else they are completed.
+void settle_flat_edges(const MeshOptions& options, MeshComplex& mesh, Context& context) {
+  const bool has_open = std::ranges::any_of(
+      mesh.complex.edge_planes, [](const auto& planes) { return !planes[1].is_valid(); });
+  if (!has_open) return;
+  if (!options.joins_coplanar || options.surface || !mesh.crossings.empty()) {
+    return complete_flat_edges(mesh.complex);
+  }
+  MemoryCharge memory(context);
+  memory.add(CoplanarMerge::kBytesPerUse * mesh.complex.use_count(), "the minimal form");
+  CoplanarMerge merge(mesh.complex, context);
+  SpaceComplex joined = merge.run(context);
+  renumber(merge.facet_numbers(), mesh.jump);
+  renumber(merge.facet_numbers(), mesh.component);
+  renumber(merge.vertex_numbers(), mesh.has_fan);
+  mesh.complex = std::move(joined);
+}
+
 /// Faces of an ordered mesh get the numbers they had before.
 void rename_faces(std::span<const std::uint32_t> name, MeshFacets& facets, MeshReport& report) {
   for (std::uint32_t& f : facets.origin) f = name[f];
@@ -115,11 +144,12 @@ MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const M
 
   context.checkpoint("linking facets", 0, 1);
   drop_unused(facets, links, vertices);
-  result.complex = link_facets(facets, links, vertices.point, tables);
+  result.complex = link_facets(facets, links, vertices.point, tables, FlatEdges::Open);
   context.checkpoint("components", 0, 1);
   describe_components(facets, result);
   describe_crossings(options, result, memory, context);
   result.jump = std::move(facets.jump);
+  settle_flat_edges(options, result, context);
   return result;
 }
 

@@ -11,6 +11,7 @@
 //  6. link_facets          edges, uses, radial order, stars
 //  7. find_components      connected parts and the signs of their volumes
 //  8. find_mesh_crossings  does the mesh meet itself anywhere but in common vertices and edges?
+//  9. CoplanarMerge        if asked for: neighbours in one plane are one facet (merge_coplanar.h)
 //
 // What follows is up to the caller: arrange() (mesh_arrangement.h), winding_numbers() of the jumps, marks by
 // a rule, simplification (which merges coplanar neighbours). The facets of a mesh that crosses itself are
@@ -36,6 +37,9 @@ namespace plumb {
 struct MeshOptions {
   /// An open mesh is its facets (else: no complex, borders listed). Vertices and facets are in the order of the input.
   bool surface = false;
+  /// Neighbours in one plane are one facet, as in minimal sets, if the mesh is no surface and does not cross itself: then the
+  /// edges between them need no planes.
+  bool joins_coplanar = false;
   std::uint64_t max_listed = 1000;  ///< pairs of crossing faces to list; counts are complete
 };
 
@@ -65,8 +69,8 @@ struct MeshReport {
   bool crosses_itself() const { return crossing_count > 0; }
 };
 
-/// A complex without volumes and marks (all 0), not minimal, and where its facets come from. A sheet is a facet
-/// before the mesh is arranged.
+/// A complex without volumes and marks (all 0), minimal at most where neighbours were joined, and where its facets come
+/// from. A sheet is a facet before the mesh is arranged.
 struct MeshComplex {
   SpaceComplex complex;  ///< facet_origin: the (least) input face
   /// Per sheet: how much the winding number rises from its negative to its positive side. An input

@@ -18,68 +18,43 @@ Point3 moved_along(Point3 p, std::size_t axis) {
   return p;
 }
 
-class Linker {
+/// The planes and directions of edges of which the first plane and both ends are known.
+class EdgePlanes {
  public:
-  Linker(const MeshFacets& facets, const MeshLinks& links, std::span<const SpacePoint> points,
-         SpaceTables& tables)
-      : facets_(facets), links_(links), points_(points), tables_(tables) {}
+  EdgePlanes(SpaceComplex& complex, SpaceTables& tables) : c_(complex), tables_(tables) {}
 
-  SpaceComplex run() {
-    fill_vertices();
-    choose_planes();
-    fill_edges();
-    fill_uses();
-    fill_facets();
-    fill_stars();
-    return std::move(out_);
-  }
-
- private:
-  void fill_vertices() {
-    const std::size_t n = points_.size();
-    out_.vertex_point.assign(points_.begin(), points_.end());
-    out_.vertex_mark.assign(n, 0);
-    out_.vertex_volume.resize(n);
-    out_.vertex_facet.resize(n);
-  }
-
-  // ---------------------------------------------------------------- planes of edges
-
-  PlaneId plane_of(std::uint32_t use) const { return facets_.plane[links_.facet[use]]; }
-
-  /// Two planes through every edge: of the first use, and the first other one; planes that share
-  /// a line are not parallel. Where there is none, one is made.
-  void choose_planes() {
-    out_.edge_planes.resize(links_.edge_count());
-    for (std::uint32_t e = 0; e < links_.edge_count(); ++e) {
-      const auto uses = links_.uses_of(e);
-      const PlaneId first = plane_of(uses[0]);
-      const auto other =
-          std::ranges::find_if(uses, [&](std::uint32_t u) { return plane_of(u) != first; });
-      out_.edge_planes[e] = {first, other == uses.end() ? PlaneId() : plane_of(*other)};
-      if (other == uses.end()) flat_edges_.push_back(e);
-    }
-    add_auxiliary_planes();
-  }
-
-  void add_auxiliary_planes() {
+  /// A second plane for each: through the edge, parallel to the axis along which the first one is seen.
+  void add_second(std::span<const std::uint32_t> edges) {
     std::vector<std::array<InputPointId, 3>> triples;
-    std::vector<std::uint32_t> edges;
-    for (const std::uint32_t e : flat_edges_) {
-      const std::size_t axis = FlatView::of_plane(tables_.planes, out_.edge_planes[e][0]).axis;
-      const SpacePoint a = points_[links_.end[e][0]], b = points_[links_.end[e][1]];
+    std::vector<std::uint32_t> of_inputs;
+    for (const std::uint32_t e : edges) {
+      const std::size_t axis = FlatView::of_plane(tables_.planes, c_.edge_planes[e][0]).axis;
+      const SpacePoint a = end(2 * e), b = end(2 * e + 1);
       if (a.is_input() && b.is_input()) {
         triples.push_back({a.input(), b.input(), above(a.input(), axis)});
-        edges.push_back(e);
+        of_inputs.push_back(e);
       } else {
-        out_.edge_planes[e][1] = rational_plane(a, b, axis);
+        c_.edge_planes[e][1] = rational_plane(a, b, axis);
       }
     }
     std::vector<OrientedPlane> planes(triples.size());
     tables_.planes.intern_triangles(triples, planes);
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      out_.edge_planes[edges[i]][1] = planes[i].plane();
+    for (std::size_t i = 0; i < of_inputs.size(); ++i) {
+      c_.edge_planes[of_inputs[i]][1] = planes[i].plane();
     }
+  }
+
+  /// Does half-edge 2e run along n_p x n_q? It does from the lesser end if the two agree along the axis in
+  /// which the edge is longest.
+  bool is_along(std::uint32_t e) const {
+    const auto [axis, runs] = longest_axis(end(2 * e), end(2 * e + 1));
+    const auto [p, q] = c_.edge_planes[e];
+    return runs == minor_sign(tables_.planes, p, q, axis);
+  }
+
+ private:
+  SpacePoint end(std::uint32_t halfedge) const {
+    return c_.vertex_point[c_.origin[halfedge].value()];
   }
 
   /// The point straight above an input point, added once.
@@ -101,26 +76,6 @@ class Linker {
     n[i] = d[j];
     n[j] = -d[i];
     return tables_.planes.intern(n[0], n[1], n[2], -(n[i] * at[i] + n[j] * at[j])).plane();
-  }
-
-  // ---------------------------------------------------------------- edges
-
-  /// Half-edge 2e runs along n_p x n_q: from the lesser vertex if the two agree along the axis in
-  /// which the edge is longest.
-  void fill_edges() {
-    const std::size_t n = links_.edge_count();
-    out_.edge_mark.assign(n, 0);
-    out_.edge_volume.resize(n);
-    out_.edge_use.resize(n);
-    out_.origin.resize(2 * n);
-    for (std::uint32_t e = 0; e < n; ++e) {
-      const auto [a, b] = links_.end[e];
-      const auto [axis, runs] = longest_axis(points_[a], points_[b]);
-      const auto [p, q] = out_.edge_planes[e];
-      const bool is_up = runs == minor_sign(tables_.planes, p, q, axis);
-      out_.origin[2 * e] = VertexId(is_up ? a : b);
-      out_.origin[2 * e + 1] = VertexId(is_up ? b : a);
-    }
   }
 
   struct Run {
@@ -146,6 +101,84 @@ class Linker {
     best = 0;
     while (compare_axis(tables_.points, a, b, best) == Sign::Zero) ++best;
     return {best, compare_axis(tables_.points, b, a, best)};
+  }
+
+  SpaceComplex& c_;
+  SpaceTables& tables_;
+  std::vector<std::array<InputPointId, 3>> above_;  // of input points, along each axis
+};
+
+class Linker {
+ public:
+  Linker(const MeshFacets& facets, const MeshLinks& links, std::span<const SpacePoint> points,
+         SpaceTables& tables)
+      : facets_(facets), links_(links), points_(points), tables_(tables) {}
+
+  SpaceComplex run() {
+    fill_vertices();
+    fill_edges();
+    fill_uses();
+    fill_facets();
+    fill_stars();
+    return std::move(out_);
+  }
+
+ private:
+  void fill_vertices() {
+    const std::size_t n = points_.size();
+    out_.vertex_point.assign(points_.begin(), points_.end());
+    out_.vertex_mark.assign(n, 0);
+    out_.vertex_volume.resize(n);
+    out_.vertex_facet.resize(n);
+  }
+
+  // ---------------------------------------------------------------- edges
+
+  PlaneId plane_of(std::uint32_t use) const { return facets_.plane[links_.facet[use]]; }
+
+  void fill_edges() {
+    const std::size_t n = links_.edge_count();
+    out_.edge_mark.assign(n, 0);
+    out_.edge_volume.resize(n);
+    out_.edge_use.resize(n);
+    out_.origin.reserve(2 * n);
+    for (const auto& [a, b] : links_.end) {
+      out_.origin.emplace_back(a);
+      out_.origin.emplace_back(b);
+    }
+    choose_planes();
+  }
+
+  bool can_be_open(std::span<const std::uint32_t> uses) const {
+    return uses.size() == 2 && is_input_triangle(uses[0]) && is_input_triangle(uses[1]);
+  }
+  bool is_input_triangle(std::uint32_t use) const {
+    const std::uint32_t f = links_.facet[use];
+    const auto corners = std::span(facets_.corner)
+                             .subspan(facets_.begin[f], facets_.begin[f + 1] - facets_.begin[f]);
+    return corners.size() == 3 &&
+           std::ranges::all_of(corners, [this](std::uint32_t v) { return points_[v].is_input(); });
+  }
+
+  /// Two planes through every edge: of the first use, and the first other one; planes that share
+  /// a line are not parallel. Where there is none, one is made, or the edge stays open.
+  void choose_planes() {
+    out_.edge_planes.resize(links_.edge_count());
+    std::vector<std::uint32_t> flat;
+    for (std::uint32_t e = 0; e < links_.edge_count(); ++e) {
+      const auto uses = links_.uses_of(e);
+      const PlaneId first = plane_of(uses[0]);
+      const auto other =
+          std::ranges::find_if(uses, [&](std::uint32_t u) { return plane_of(u) != first; });
+      out_.edge_planes[e] = {first, other == uses.end() ? PlaneId() : plane_of(*other)};
+      if (other == uses.end() && !can_be_open(uses)) flat.push_back(e);
+    }
+    EdgePlanes planes(out_, tables_);
+    planes.add_second(flat);
+    for (std::uint32_t e = 0; e < links_.edge_count(); ++e) {
+      if (!out_.edge_planes[e][1].is_valid() || planes.is_along(e)) continue;
+      std::swap(out_.origin[2 * e], out_.origin[2 * e + 1]);
+    }
   }
 
   // ---------------------------------------------------------------- uses
@@ -242,18 +275,47 @@ class Linker {
   std::span<const SpacePoint> points_;
   SpaceTables& tables_;
   SpaceComplex out_;
-  std::vector<std::uint32_t> flat_edges_;           // all facets there are in one plane
-  std::vector<std::array<InputPointId, 3>> above_;  // of input points, along each axis
   std::vector<std::uint32_t> ring_;
 };
+
+/// Half-edges 2e and 2e + 1 change their names.
+void turn_edge(SpaceComplex& complex, std::uint32_t e) {
+  const HalfedgeId h(2 * e), twin(2 * e + 1);
+  const auto turned = [&](HalfedgeId g) { return g == h ? twin : h; };
+  for (const HalfedgeId g : {h, twin}) {
+    const VertexId v = complex.origin[g.value()];
+    const auto begin = complex.star.begin();
+    *std::find(begin + complex.star_begin[v.value()], begin + complex.star_begin[v.value() + 1],
+               g) = turned(g);
+  }
+  std::swap(complex.origin[h.value()], complex.origin[twin.value()]);
+  const UseId first = complex.edge_use[e];
+  for (const UseId u : {first, complex.use_radial[first.value()]}) {
+    complex.use_halfedge[u.value()] = turned(complex.use_halfedge[u.value()]);
+  }
+}
 
 }  // namespace
 
 SpaceComplex link_facets(const MeshFacets& facets, const MeshLinks& links,
-                         std::span<const SpacePoint> points, std::shared_ptr<SpaceTables> tables) {
+                         std::span<const SpacePoint> points, std::shared_ptr<SpaceTables> tables,
+                         FlatEdges flat_edges) {
   SpaceComplex complex = Linker(facets, links, points, *tables).run();
   complex.tables = std::move(tables);
+  if (flat_edges == FlatEdges::Complete) complete_flat_edges(complex);
   return complex;
+}
+
+void complete_flat_edges(SpaceComplex& complex) {
+  std::vector<std::uint32_t> flat;
+  for (std::uint32_t e = 0; e < complex.edge_count(); ++e) {
+    if (!complex.edge_planes[e][1].is_valid()) flat.push_back(e);
+  }
+  EdgePlanes planes(complex, *std::const_pointer_cast<SpaceTables>(complex.tables));
+  planes.add_second(flat);
+  for (const std::uint32_t e : flat) {
+    if (!planes.is_along(e)) turn_edge(complex, e);
+  }
 }
 
 }  // namespace plumb

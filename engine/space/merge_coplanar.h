@@ -21,6 +21,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,13 @@ class CoplanarMerge {
   bool is_needed() const { return is_needed_; }
   /// The complex without them: minimal, if no facet, free edge or lone vertex goes. Requires is_needed().
   SpaceComplex run(Context& context);
+
+  /// After run(), the new numbers of facets, the same of those that were joined, and of vertices, not valid of those that went.
+  /// They ascend where they come first.
+  std::span<const FacetId> facet_numbers() const { return facet_number_; }
+  std::span<const VertexId> vertex_numbers() const { return vertex_number_; }
+
+  static constexpr std::uint64_t kBytesPerUse = 60;  ///< memory at most, for whoever charges it
 
  private:
   enum class Fate : std::uint8_t { Kept, Passed, Gone };

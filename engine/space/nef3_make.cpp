@@ -160,7 +160,9 @@ Nef3 intersection_of(const HalfSpaceList& half_spaces, Context& context) try {
 }
 
 Nef3 Nef3::mesh(const MeshView& mesh, WindingRule rule, Context& context) try {
-  return Nef3::mesh(complex_of_mesh(mesh, {}, context), rule, context);
+  MeshOptions options;
+  options.joins_coplanar = true;
+  return Nef3::mesh(complex_of_mesh(mesh, options, context), rule, context);
 } catch (...) {
   rethrow_refused_memory();
 }

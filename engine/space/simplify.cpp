@@ -13,9 +13,8 @@ namespace plumb {
 
 namespace {
 
-constexpr std::uint64_t kBytesPerUse = 110;       // a draft, and what is joined
-constexpr std::uint64_t kBytesPerHalfedge = 2;    // to look
-constexpr std::uint64_t kBytesPerUseMerged = 60;  // what is merged, and numbers of items
+constexpr std::uint64_t kBytesPerUse = 110;     // a draft, and what is joined
+constexpr std::uint64_t kBytesPerHalfedge = 2;  // to look
 
 /// Does a facet, a free edge or a lone vertex go?
 class MapChanges {
@@ -76,7 +75,7 @@ SpaceComplex simplified(SpaceComplex complex, Context& context) {
   memory.add(kBytesPerHalfedge * complex.origin.size(), "the minimal form");
   CoplanarMerge merge(complex, context);
   if (!merge.is_needed()) return complex;
-  memory.add(kBytesPerUseMerged * complex.use_count(), "the minimal form");
+  memory.add(CoplanarMerge::kBytesPerUse * complex.use_count(), "the minimal form");
   return merge.run(context);
 }
 

@@ -94,6 +94,37 @@ PolygonMesh icosphere_mesh(int depth, double radius, Point3 centre) {
   return make_mesh(std::move(points), faces);
 }
 
+PolygonMesh grid_cube_mesh(std::uint32_t n, Point3 low) {
+  PolygonMesh mesh;
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> vertices;
+  const auto vertex = [&](const std::array<std::uint32_t, 3>& at) {
+    const auto next = static_cast<std::uint32_t>(mesh.points.size());
+    const auto [place, is_new] = vertices.try_emplace(at, next);
+    if (is_new) mesh.points.push_back({low.x + at[0], low.y + at[1], low.z + at[2]});
+    return place->second;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const std::uint32_t side : {0U, n}) {
+      const auto corner = [&](std::uint32_t i, std::uint32_t j) {
+        std::array<std::uint32_t, 3> at{};
+        at[axis] = side;
+        at[(axis + 1) % 3] = i;
+        at[(axis + 2) % 3] = j;
+        return vertex(at);
+      };
+      for (std::uint32_t i = 0; i < n; ++i) {
+        for (std::uint32_t j = 0; j < n; ++j) {
+          const std::uint32_t a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1),
+                              d = corner(i, j + 1);
+          mesh.add_face(side == 0 ? std::array{a, c, b} : std::array{a, b, c});
+          mesh.add_face(side == 0 ? std::array{a, d, c} : std::array{a, c, d});
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
 PolygonMesh reversed(PolygonMesh mesh) {
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     std::reverse(mesh.corners.begin() + mesh.face_begin[f],
@@ -116,6 +147,12 @@ PolygonMesh joined(PolygonMesh a, const PolygonMesh& b) {
 
 PolygonMesh moved(PolygonMesh mesh, Point3 by) {
   for (Point3& p : mesh.points) p = {p.x + by.x, p.y + by.y, p.z + by.z};
+  return mesh;
+}
+
+PolygonMesh turned(PolygonMesh mesh, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (Point3& p : mesh.points) p = {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
   return mesh;
 }
 

@@ -19,7 +19,9 @@
 #include "plumb/space/same_complex.h"
 #include "plumb/space/simplify.h"
 #include "plumb/space/space_audit.h"
+#include "plumb/space/turn.h"
 #include "plumb/space/volumes.h"
+#include "space/complex_links.h"
 
 namespace plumb::testing {
 namespace {
@@ -155,6 +157,74 @@ TEST(CoplanarMerge, OfSurfacesIsAsByMaps) {
       expect_as_by_maps(c, "surface with marks " + std::to_string(i));
     }
   }
+}
+
+SpaceComplex solid_of(const PolygonMesh& mesh, WindingRule rule, bool joins) {
+  Context context;
+  MeshOptions options;
+  options.joins_coplanar = joins;
+  MeshComplex made = complex_of_mesh(mesh, options, context);
+  const SpaceComplex& c = made.complex;
+  EXPECT_EQ(broken_link(c), "");
+  EXPECT_EQ(made.jump.size(), c.facet_count());
+  EXPECT_EQ(made.component.size(), c.facet_count());
+  EXPECT_EQ(made.has_fan.size(), c.vertex_count());
+  turn_inside_out(made, context);
+  return Nef3::mesh(std::move(made), rule, context).complex();
+}
+
+/// Neighbours in one plane may be joined before there are volumes: sets are the same, in the same arrays but for their edges' planes.
+void expect_same_if_joined_first(const PolygonMesh& mesh, const std::string& what) {
+  for (const WindingRule rule :
+       {WindingRule::NonZero, WindingRule::EvenOdd, WindingRule::Positive}) {
+    const SpaceComplex early = solid_of(mesh, rule, true), late = solid_of(mesh, rule, false);
+    const auto flaw = audit(early, true);
+    ASSERT_FALSE(flaw) << what << ": " << flaw->invariant << ": " << flaw->place;
+    EXPECT_TRUE(is_same_set(early, late)) << what;
+    EXPECT_EQ(names(early), names(late)) << what;
+    EXPECT_EQ(early.facet_volume, late.facet_volume) << what;
+    EXPECT_EQ(early.use_next, late.use_next) << what;
+    EXPECT_EQ(early.star, late.star) << what;
+    EXPECT_EQ(early.inner, late.inner) << what;
+  }
+}
+
+TEST(CoplanarMerge, BeforeThereAreVolumesIsAsAfter) {
+  Dice dice(74);
+  for (int i = 0; i < 40; ++i) {
+    const VoxelGrid grid = random_voxels(dice, {3, 3, 1 + i % 3}, 2 + i % 7);
+    PolygonMesh mesh = fanned(voxel_mesh(grid));
+    expect_same_if_joined_first(mesh, "voxels " + std::to_string(i));
+    if (i % 4 == 0) expect_same_if_joined_first(reversed(mesh), "reversed");
+    if (i % 4 == 1) expect_same_if_joined_first(joined(mesh, mesh), "twice");
+    if (i % 4 == 2)
+      expect_same_if_joined_first(joined(mesh, moved(mesh, {0.5, 0.25, 0})), "crossing");
+    if (i % 4 == 3) {
+      mesh = joined(mesh, cone_at({0.5, 0.5, 0.5}, 0.25));
+      expect_same_if_joined_first(mesh, "with a tetrahedron inside");
+      expect_same_if_joined_first(joined(mesh, cone_at({7, 0, 0}, 1)), "apart");
+    }
+  }
+  PolygonMesh touched = fanned(box_mesh({0, 0, 0}, {2, 2, 1}));
+  touched = joined(touched, moved(touched, {2, 0, 0}));
+  expect_same_if_joined_first(touched, "boxes with a common face");
+  expect_same_if_joined_first(grid_cube_mesh(4, {0, 0, 0}), "a cube of a grid");
+}
+
+/// A mesh whose faces are joined has no planes but those of its faces; one that crosses itself has one for each edge.
+TEST(CoplanarMerge, SparesThePlanesOfEdgesThatGo) {
+  Context context;
+  MeshOptions options;
+  options.joins_coplanar = true;
+  const PolygonMesh cube = grid_cube_mesh(4, {0, 0, 0});
+  const MeshComplex made = complex_of_mesh(cube, options, context);
+  EXPECT_EQ(made.complex.facet_count(), 6U);
+  EXPECT_EQ(made.complex.edge_count(), 12U);
+  EXPECT_EQ(made.complex.planes().size(), 6U);  // three of them are the axes'
+  const MeshComplex crossing =
+      complex_of_mesh(joined(cube, moved(cube, {0.5, 0.5, 0.5})), options, context);
+  EXPECT_EQ(crossing.complex.facet_count(), 2 * cube.face_count());
+  EXPECT_EQ(broken_link(crossing.complex), "");
 }
 
 /// An inner piece gives a facet no name.
