@@ -2,8 +2,13 @@
 
 #if defined(__GLIBC__)
 #include <malloc.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <climits>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 #endif
 
 namespace plumb {
@@ -14,6 +19,24 @@ void keep_freed_memory() {
       32 << 20;  // glibc takes no more; larger blocks come and go by themselves
   mallopt(M_MMAP_THRESHOLD, kMostOfThreshold);
   mallopt(M_TRIM_THRESHOLD, INT_MAX);
+#endif
+}
+
+void use_huge_pages() {
+#if defined(__GLIBC__) && defined(MADV_HUGEPAGE)
+  constexpr int kHeap = 64 << 20, kUsualPad = 128 << 10;
+  constexpr std::uintptr_t kHugePage = std::uintptr_t{2} << 20;
+  const auto end_of_heap = [] { return reinterpret_cast<std::uintptr_t>(sbrk(0)); };
+  const std::uintptr_t begin = (end_of_heap() + kHugePage - 1) / kHugePage * kHugePage;
+  mallopt(M_TOP_PAD, kHeap);
+  {
+    // More than is left: the heap grows by this and the pad.
+    const std::unique_ptr<volatile char[]> block(new char[std::size_t{1} << 20]);
+    block[0] = 0;
+  }
+  mallopt(M_TOP_PAD, kUsualPad);
+  const std::uintptr_t end = end_of_heap() / kHugePage * kHugePage;
+  if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 #endif
 }
 

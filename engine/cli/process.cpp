@@ -74,6 +74,7 @@ std::stop_token prepare_process() {
   handle(SIGABRT, on_abort);
   ::mp_set_memory_functions(gmp_allocate, gmp_reallocate, gmp_free);
   keep_freed_memory();
+  use_huge_pages();
   return stop_source().get_token();
 }
 

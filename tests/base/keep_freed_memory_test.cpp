@@ -1,11 +1,13 @@
-// Freed memory is used again: no page of a second large block is touched for the first time.
+// Freed memory is used again: no page of a second large block is touched for the first time. The heap asks for huge pages.
 #include "plumb/base/keep_freed_memory.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
 #include <cstddef>
+#include <fstream>
 #include <memory>
+#include <string>
 
 namespace plumb {
 namespace {
@@ -31,6 +33,29 @@ long touches_of_a_block(std::size_t bytes) {
   const std::unique_ptr<volatile char[]> block(new char[bytes]);
   for (std::size_t i = 0; i < bytes; i += 1024) block[i] = 1;
   return pages_touched_first() - before;
+}
+
+/// What the kernel says of the heap: "VmFlags: rd wr ... hg".
+std::string flags_of_heap() {
+  std::ifstream maps("/proc/self/smaps");
+  std::string line;
+  bool is_heap = false;
+  std::string flags;
+  while (std::getline(maps, line)) {
+    if (line.find('-') < line.find(' ')) is_heap = line.ends_with("[heap]");
+    if (is_heap && line.starts_with("VmFlags:")) flags += line + ' ';
+  }
+  return flags;
+}
+
+// Before the other: of a heap that has room nothing is asked.
+TEST(UseHugePages, TheHeapAsksForThem) {
+  if (kHasOtherMalloc) GTEST_SKIP() << "another malloc";
+  if (!std::ifstream("/sys/kernel/mm/transparent_hugepage/enabled")) GTEST_SKIP() << "no such";
+  keep_freed_memory();
+  EXPECT_EQ(flags_of_heap().find(" hg "), std::string::npos);
+  use_huge_pages();
+  EXPECT_NE(flags_of_heap().find(" hg "), std::string::npos);
 }
 
 TEST(KeepFreedMemory, ASecondBlockTakesThePagesOfTheFirst) {
