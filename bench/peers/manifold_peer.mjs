@@ -100,7 +100,8 @@ function compare(pair) {
 }
 
 console.log(`manifold-3d ${version}`);
-const comparisons = (named.length > 0 ? named : ['ico1280', 'ico5120', 'ico20480', 'bunny', 'bunny58784', 'ico81920', 'ico327680']).map(compare);
+const comparisons = (named.length > 0 ? named : ['ico1280', 'ico5120', 'ico20480', 'bunny', 'bunny58784', 'cubes19200', 'ico5120-turned',
+  'ico20480-twice', 'ico81920', 'ico327680']).map(compare);
 if (json) {
   const title = 'Union of two solids beside Manifold, from mesh to triangles';
   writeFileSync(json, JSON.stringify({title, versions: {'manifold-3d': version}, comparisons}, null, 1) + '\n');

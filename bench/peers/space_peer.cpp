@@ -4,13 +4,15 @@
 //              [--json FILE]
 //
 // reads DIR/PAIR_a.off and DIR/PAIR_b.off; --make writes them first: ico1280 ... ico327680, two spheres of so many
-// triangles; bunny, corpus/solids/bunny.off and itself moved; and bunny58784, the same with every triangle in sixteen on
-// a surface that is wavy. --of writes and compares pairs of other meshes, each and itself moved: by a seventh of its width
-// in x, half and a third of that in y and z; or with --along by a seventh of its width along one axis, so that faces along
-// it slide in their planes. Every run is a process of its own (this program again, with --run): plumb and the peer in turn,
-// N rounds; plumb-warm runs twice and tells the second, for programs that compare with a library already warm. Whatever the
-// engine, malloc keeps what is freed (keep_freed_memory.h). Time: user and system, of making sets from the meshes in memory,
-// the union and the triangles of the result; reading files is left out. Memory: the largest resident set of the whole
+// triangles; bunny, corpus/solids/bunny.off and itself moved; bunny58784, the same with every triangle in sixteen on
+// a surface that is wavy; and degenerate ones: cubes19200, two cubes of so many triangles, shifted within two of their
+// planes; ico5120-turned, by 1e-12, whose planes are nearly parallel; ico20480-twice, the same mesh. --of writes and
+// compares pairs of other meshes, each and itself moved: by a seventh of its width in x, half and a third of that in y and
+// z; or with --along by a seventh of its width along one axis, so that faces along it slide in their planes. Every run is
+// a process of its own (this program again, with --run): plumb and the peer in turn, N rounds; plumb-warm runs twice and
+// tells the second, for programs that compare with a library already warm. Whatever the engine, malloc keeps what is
+// freed and has huge pages (keep_freed_memory.h). Time: user and system, of making sets from the meshes in memory, the
+// union and the triangles of the result; reading files is left out. Memory: the largest resident set of the whole
 // process, reading included. The answer is the volume, to 1e-9 of it.
 //
 // Peers, over the exact kernel with lazy constructions (EPECK): nef3 is Nef_polyhedron_3, which like plumb holds any set, and
@@ -135,6 +137,7 @@ PeerRun run_corefinement(const Files& files) {
 
 int run_once(const std::string& engine, const Files& files) {
   keep_freed_memory();
+  use_huge_pages();
   if (engine == "plumb-warm") run_plumb(files);
   const PeerRun r = engine.starts_with("plumb") ? run_plumb(files)
                     : engine == "nef3"          ? run_nef3(files)
@@ -246,6 +249,18 @@ bool is_large(const std::string& pair) {
 }
 
 MeshPair pair_of_the_tree(const std::string& name) {
+  if (name == "cubes19200") {  // half of their faces lie in common planes
+    return {name,
+            {testing::grid_cube_mesh(40, {0, 0, 0}), testing::grid_cube_mesh(40, {3.25, 2.5, 0})}};
+  }
+  if (name == "ico5120-turned") {
+    const PolygonMesh mesh = testing::icosphere_mesh(4, 1, {0, 0, 0});
+    return {name, {mesh, testing::turned(mesh, 1e-12)}};
+  }
+  if (name == "ico20480-twice") {
+    const PolygonMesh mesh = testing::icosphere_mesh(5, 1, {0.1, 0.2, 0.3});
+    return {name, {mesh, mesh}};
+  }
   if (name == "bunny") return itself_moved(name, read_plumb("corpus/solids/bunny.off"));
   if (name == "bunny58784") {
     return itself_moved(name, wavy(split(split(read_plumb("corpus/solids/bunny.off")))));
@@ -303,8 +318,9 @@ int main(int argc, char** argv) {
   CLI::App app{"The union of two solids beside CGAL"};
   std::vector<std::string> run;
   std::string directory, along;
-  std::vector<std::string> pairs{"ico1280",    "ico5120",  "ico20480", "bunny",
-                                 "bunny58784", "ico81920", "ico327680"},
+  std::vector<std::string> pairs{"ico1280",    "ico5120",    "ico20480",       "bunny",
+                                 "bunny58784", "cubes19200", "ico5120-turned", "ico20480-twice",
+                                 "ico81920",   "ico327680"},
       files;
   std::vector<std::string> peers{"nef3", "corefinement"};
   plumb::bench::PeerOptions options;
