@@ -266,6 +266,15 @@ TEST(MapCheckProgram, stops_at_its_limits) {
   }
 }
 
+/// Until the program has opened its output beside a file there, or has ended.
+void wait_for_output(const ScratchDirectory& scratch, pid_t child) {
+  siginfo_t ended{};
+  while (scratch.files().size() < 2 && ended.si_pid == 0) {
+    std::this_thread::yield();
+    ::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
+  }
+}
+
 TEST(MapCheckProgram, is_cancelled_by_a_signal) {
   const ScratchDirectory scratch;
   const std::string pipe = (scratch / "pipe").string();
@@ -274,7 +283,7 @@ TEST(MapCheckProgram, is_cancelled_by_a_signal) {
     RunOptions options;
     options.in = pipe;  // opened for both directions: never ends, so the program waits
     options.meanwhile = [&](pid_t child) {
-      while (scratch.files().size() < 2) std::this_thread::yield();  // its output is open: it runs
+      wait_for_output(scratch, child);
       ::kill(child, signal);
     };
     const RunResult result =
@@ -295,7 +304,7 @@ TEST(Signals, end_a_long_job_and_leave_nothing) {
     std::chrono::steady_clock::time_point sent;
     RunOptions options;
     options.meanwhile = [&](pid_t child) {
-      while (scratch.files().size() < 2) std::this_thread::yield();  // its output is open
+      wait_for_output(scratch, child);
       std::this_thread::sleep_for(std::chrono::milliseconds(300));
       sent = std::chrono::steady_clock::now();
       ::kill(child, signal);
