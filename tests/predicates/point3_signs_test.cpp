@@ -475,7 +475,7 @@ TEST(PointSource, OfTwoPlanesWithACommonEdgeIsALine) {
   for (int i = 0; i < 200; ++i) {
     const double scale = std::ldexp(1.0, (i % 5 - 2) * 25);
     EdgeAndPlane e(random, scale, i % 2 == 0 ? 1e-12 : 1, i % 3 != 0);
-    std::ranges::rotate(e.planes, e.planes.begin() + i % 3);
+    std::rotate(e.planes.begin(), e.planes.begin() + i % 3, e.planes.end());
     Point3Table points(e.table);
     const SpacePoint x = points.add(e.planes[0], e.planes[1], e.planes[2]);
     const PointSource line = exact3::as_line(e.table, points.source(x));
