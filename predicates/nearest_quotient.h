@@ -24,9 +24,10 @@
 #include "plumb/predicates/scaled.h"
 
 namespace plumb {
+namespace twofold {
 
 /// |number - (high + low)| <= error, |low| <= u |high|.
-struct TwofoldNumber {
+struct Number {
   double high;
   double low;
   double error;
@@ -41,29 +42,31 @@ inline bool is_divisor(const Twofold& w) {
 
 /// x / w, the error infinite where that is less than 2^-200 or w may be 0. Requires rounds_to_nearest(), and that x - q1 w does not
 /// become subnormal where |w| >= 2^-400 and |q1| >= 2^-200.
-inline TwofoldNumber quotient(const Twofold& x, const Twofold& w) {
+inline Number quotient(const Twofold& x, const Twofold& w) {
   const double q1 = x.high / w.high;
   if (!is_divisor(w) || !(std::fabs(q1) >= 0x1p-200)) {
     return {0, 0, std::numeric_limits<double>::infinity()};
   }
-  const Twofold rest = twofold::sum(x, twofold::negative(twofold::product(w, q1)));
-  const Twofold q = twofold::exact_sum(q1, rest.high / w.high, 0);
+  const Twofold rest = sum(x, negative(product(w, q1)));
+  const Twofold q = exact_sum(q1, rest.high / w.high, 0);
   return {q.high, q.low, 4 * (error_of(x) + std::fabs(q.high) * error_of(w)) / std::fabs(w.high)};
 }
 
 /// a + q
-inline TwofoldNumber sum(double a, const TwofoldNumber& q) {
-  const Twofold leading = twofold::exact_sum(a, q.high, 0);
-  const Twofold s = twofold::exact_sum(leading.high, leading.low + q.low, 0);
+inline Number sum(double a, const Number& q) {
+  const Twofold leading = exact_sum(a, q.high, 0);
+  const Twofold s = exact_sum(leading.high, leading.low + q.low, 0);
   return {s.high, s.low, q.error + 0x1p-104 * (std::fabs(leading.high) + std::fabs(q.high))};
 }
 
 /// The number rounded to nearest, if that is clear and not the number itself; else 0.
-inline double nearest_to(const TwofoldNumber& q) {
+inline double nearest_to(const Number& q) {
   const bool is_clear = q.high + (q.low + q.error) == q.high &&
                         q.high + (q.low - q.error) == q.high && std::fabs(q.low) > q.error;
   return is_clear ? q.high : 0;
 }
+
+}  // namespace twofold
 
 /// value ~ mantissa * 2^exponent
 struct TwofoldScaled {
@@ -93,14 +96,14 @@ TwofoldScaled top_bits(const Fixed<L>& x) {
   return {is_negative ? twofold::negative(mantissa) : mantissa, 64 * top + 64 - zeros};
 }
 
-/// nearest_to() x 2^scale / w. Requires rounds_to_nearest(). Cost: ~20 ns.
+/// twofold::nearest_to() x 2^scale / w. Requires rounds_to_nearest(). Cost: ~20 ns.
 template <int L>
 double nearest_quotient(const Fixed<L>& x, const TwofoldScaled& w, int scale) {
   if (x.is_zero()) return 0;
   const TwofoldScaled numerator = top_bits(x);
   const long exponent = static_cast<long>(numerator.exponent) - w.exponent + scale;
   if (exponent < -900 || exponent > 900) return 0;
-  return nearest_to(quotient(numerator.mantissa, w.mantissa)) *
+  return twofold::nearest_to(twofold::quotient(numerator.mantissa, w.mantissa)) *
          power_of_two(static_cast<int>(exponent));
 }
 

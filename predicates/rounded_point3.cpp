@@ -16,8 +16,8 @@
 //
 // 2^7 u^2 terms is taken for w and x (nearest_quotient.h); the slack pays for the roundings of the terms and for products of errors.
 //
-// Range. Coordinates are 0 or in [2^-60, 2^60], multiples of 2^-112: what comes of up to seven of them (of a line: four), with what is lost
-// on the way, is 0 or in [2^-784, 2^440]; that of x - q1 w, too, as |w.high| >= 2^-400 and |q1| >= 2^-200.
+// Range. Coordinates are 0 or in [2^-60, 2^60], multiples of 2^-112: what comes of up to seven of them (of a line: four),
+// with what is lost on the way, is 0 or in [2^-784, 2^440]; that of x - q1 w, too, as |w.high| >= 2^-400 and |q1| >= 2^-200.
 #include "plumb/predicates/rounded_point3.h"
 
 #include <algorithm>
@@ -37,8 +37,11 @@ namespace {
 // ---------------------------------------------------------------- filter
 
 using twofold::difference;
+using twofold::is_divisor;
+using twofold::nearest_to;
 using twofold::negative;
 using twofold::product;
+using twofold::quotient;
 using twofold::sum;
 
 /// n.x + d = 0
@@ -101,7 +104,7 @@ std::optional<std::array<double, 3>> clear_coordinates(const Point3& a, const Po
   const std::array<double, 3> from = coordinates(a);
   std::array<double, 3> found;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    found[axis] = nearest_to(plumb::sum(from[axis], quotient(product(at_a, step[axis]), w)));
+    found[axis] = nearest_to(sum(from[axis], quotient(product(at_a, step[axis]), w)));
   }
   return found;
 }

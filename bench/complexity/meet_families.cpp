@@ -34,12 +34,6 @@ Operands operands(const PolygonMesh& a, const PolygonMesh& b) {
   return result;
 }
 
-PolygonMesh turned(PolygonMesh mesh, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  for (Point3& p : mesh.points) p = {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
-  return mesh;
-}
-
 struct Position {
   const char* name;
   PolygonMesh (*second)(const PolygonMesh&);
@@ -54,8 +48,8 @@ constexpr Position kPositions[] = {
        return testing::moved(m, {1.2, 1.2, 1.2});
      }},
     {"the-same", [](const PolygonMesh& m) { return m; }},
-    {"turned-by-1e-12", [](const PolygonMesh& m) { return turned(m, 1e-12); }},
-    {"turned-by-0.5", [](const PolygonMesh& m) { return turned(m, 0.5); }},
+    {"turned-by-1e-12", [](const PolygonMesh& m) { return testing::turned(m, 1e-12); }},
+    {"turned-by-0.5", [](const PolygonMesh& m) { return testing::turned(m, 0.5); }},
 };
 
 /// Every pair stands otherwise, a little.
@@ -64,7 +58,7 @@ Work meeting(const Position& position, std::size_t depth) {
   const auto facets = static_cast<double>(mesh.face_count());
   std::vector<Operands> pairs;
   while (facets * static_cast<double>(pairs.size()) < kVariedElements) {
-    const PolygonMesh first = turned(mesh, 0.01 * static_cast<double>(pairs.size()));
+    const PolygonMesh first = testing::turned(mesh, 0.01 * static_cast<double>(pairs.size()));
     pairs.push_back(operands(first, position.second(first)));
   }
   return measured_in_turn(facets, std::move(pairs), [](const Operands& pair) {

@@ -90,17 +90,13 @@ void renumber(std::span<const Id> number, std::vector<T>& known) {
   known.resize(count);
 }
 
-/// Open edges go, and neighbours are joined; or else they are completed.
+/// Neighbours are joined, where open edges go; or else these are completed.
 void settle_flat_edges(const MeshOptions& options, MeshComplex& mesh, Context& context) {
-  const bool has_open = std::ranges::any_of(
-      mesh.complex.edge_planes, [](const auto& planes) { return !planes[1].is_valid(); });
-  if (!has_open) return;
   if (!options.joins_coplanar || options.surface || !mesh.crossings.empty()) {
     return complete_flat_edges(mesh.complex);
   }
-  MemoryCharge memory(context);
-  memory.add(CoplanarMerge::kBytesPerUse * mesh.complex.use_count(), "the minimal form");
   CoplanarMerge merge(mesh.complex, context);
+  if (!merge.is_needed()) return;
   SpaceComplex joined = merge.run(context);
   renumber(merge.facet_numbers(), mesh.jump);
   renumber(merge.facet_numbers(), mesh.component);

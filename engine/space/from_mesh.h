@@ -37,8 +37,8 @@ namespace plumb {
 struct MeshOptions {
   /// An open mesh is its facets (else: no complex, borders listed). Vertices and facets are in the order of the input.
   bool surface = false;
-  /// Neighbours in one plane are one facet, as in minimal sets, if the mesh is no surface and does not cross itself: then the
-  /// edges between them need no planes.
+  /// Neighbours in one plane are one facet, and edges that continue each other one, as in minimal sets, if the mesh is no surface
+  /// and does not cross itself: then edges between triangles of one plane need no second one.
   bool joins_coplanar = false;
   std::uint64_t max_listed = 1000;  ///< pairs of crossing faces to list; counts are complete
 };

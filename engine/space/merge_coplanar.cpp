@@ -9,8 +9,16 @@
 #include "plumb/sphere/sphere_directions.h"
 
 namespace plumb {
+namespace {
 
-CoplanarMerge::CoplanarMerge(const SpaceComplex& complex, Context& context) : in_(complex) {
+constexpr std::uint64_t kBytesPerHalfedge = 2;  // to look
+constexpr std::uint64_t kBytesPerUse = 60;      // what is merged, and numbers of items
+
+}  // namespace
+
+CoplanarMerge::CoplanarMerge(const SpaceComplex& complex, Context& context)
+    : memory_(context), in_(complex) {
+  memory_.add(kBytesPerHalfedge * in_.origin.size(), "the minimal form");
   find_flat_edges();
   const bool has_flat = !is_flat_.empty();
   for (std::uint32_t v = 0; v < in_.vertex_count(); ++v) {
@@ -37,6 +45,7 @@ void CoplanarMerge::find_flat_edges() {
 }
 
 SpaceComplex CoplanarMerge::run(Context& context) {
+  memory_.add(kBytesPerUse * in_.use_count(), "the minimal form");
   const auto checkpoint = [&context](std::uint64_t step) {
     context.checkpoint("simplify", step, 4);
   };

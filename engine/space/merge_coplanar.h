@@ -33,7 +33,7 @@ namespace plumb {
 
 class CoplanarMerge {
  public:
-  /// Looks which edges and vertices go. Keeps a reference to the complex.
+  /// Looks which edges and vertices go. Keeps a reference to the complex; charges the context for memory while it lives.
   CoplanarMerge(const SpaceComplex& complex, Context& context);
 
   /// Does any?
@@ -45,8 +45,6 @@ class CoplanarMerge {
   /// They ascend where they come first.
   std::span<const FacetId> facet_numbers() const { return facet_number_; }
   std::span<const VertexId> vertex_numbers() const { return vertex_number_; }
-
-  static constexpr std::uint64_t kBytesPerUse = 60;  ///< memory at most, for whoever charges it
 
  private:
   enum class Fate : std::uint8_t { Kept, Passed, Gone };
@@ -77,6 +75,7 @@ class CoplanarMerge {
   EdgeId edge(UseId u) const { return SpaceComplex::edge_of(in_.use_halfedge[u.value()]); }
   bool stands_for_chain(EdgeId e) const { return first_[number_[e.value()].value()] == e; }
 
+  MemoryCharge memory_;
   const SpaceComplex& in_;
   SpaceComplex out_;
   bool is_needed_ = false;

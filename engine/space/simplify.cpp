@@ -13,8 +13,7 @@ namespace plumb {
 
 namespace {
 
-constexpr std::uint64_t kBytesPerUse = 110;     // a draft, and what is joined
-constexpr std::uint64_t kBytesPerHalfedge = 2;  // to look
+constexpr std::uint64_t kBytesPerUse = 110;  // a draft, and what is joined
 
 /// Does a facet, a free edge or a lone vertex go?
 class MapChanges {
@@ -71,11 +70,8 @@ SpaceComplex simplified_by_maps(const SpaceComplex& complex, Context& context) {
 SpaceComplex simplified(SpaceComplex complex, Context& context) {
   context.checkpoint("simplify", 0, complex.vertex_count());
   if (MapChanges(complex).exist()) return simplified_by_maps(complex, context);
-  MemoryCharge memory(context);
-  memory.add(kBytesPerHalfedge * complex.origin.size(), "the minimal form");
   CoplanarMerge merge(complex, context);
   if (!merge.is_needed()) return complex;
-  memory.add(CoplanarMerge::kBytesPerUse * complex.use_count(), "the minimal form");
   return merge.run(context);
 }
 

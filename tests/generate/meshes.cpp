@@ -116,8 +116,8 @@ PolygonMesh grid_cube_mesh(std::uint32_t n, Point3 low) {
         for (std::uint32_t j = 0; j < n; ++j) {
           const std::uint32_t a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1),
                               d = corner(i, j + 1);
-          mesh.add_face(side == 0 ? std::array{a, c, b} : std::array{a, b, c});
-          mesh.add_face(side == 0 ? std::array{a, d, c} : std::array{a, c, d});
+          mesh.add_face(side == 0 ? std::array{a, d, c} : std::array{a, b, c});
+          mesh.add_face(side == 0 ? std::array{a, c, b} : std::array{a, c, d});
         }
       }
     }

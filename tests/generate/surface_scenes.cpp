@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <numeric>
 #include <optional>
 
 #include "generate/dice.h"
+#include "generate/meshes.h"
 #include "plumb/base/error.h"
 #include "plumb/predicates/rational_predicates.h"
 #include "plumb/predicates/rounding.h"
@@ -111,36 +111,14 @@ MeshPointer cylinder_mesh(std::uint32_t around, std::uint32_t up) {
 MeshPointer cube_mesh() { return sphere_mesh(1); }
 
 MeshPointer sphere_mesh(std::uint32_t n) {
-  std::map<std::array<std::uint32_t, 3>, std::uint32_t> known;
-  std::vector<Point3> points;
-  const auto id = [&](std::array<std::uint32_t, 3> p) {
-    const auto [at, is_new] = known.emplace(p, static_cast<std::uint32_t>(points.size()));
-    if (is_new) {
-      points.push_back({static_cast<double>(p[0]) / n, static_cast<double>(p[1]) / n,
-                        static_cast<double>(p[2]) / n});
-    }
-    return at->second;
-  };
+  PolygonMesh cube = grid_cube_mesh(n, {0, 0, 0});
+  for (Point3& p : cube.points) p = {p.x / n, p.y / n, p.z / n};
   Triangles triangles;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (const bool is_high : {false, true}) {
-      const auto corner = [&](std::uint32_t u, std::uint32_t v) {
-        std::array<std::uint32_t, 3> p{};
-        p[axis] = is_high ? n : 0;
-        p[(axis + 1) % 3] = u;
-        p[(axis + 2) % 3] = v;
-        return id(p);
-      };
-      for (std::uint32_t u = 0; u < n; ++u) {
-        for (std::uint32_t v = 0; v < n; ++v) {
-          const std::uint32_t a = corner(u, v), b = corner(u + 1, v), c = corner(u + 1, v + 1),
-                              d = corner(u, v + 1);
-          is_high ? add_quad(triangles, a, b, c, d) : add_quad(triangles, a, d, c, b);
-        }
-      }
-    }
+  for (std::size_t f = 0; f < cube.face_count(); ++f) {
+    const auto corners = cube.face(f);
+    triangles.push_back({corners[0], corners[1], corners[2]});
   }
-  return made(std::move(points), std::move(triangles));
+  return made(std::move(cube.points), std::move(triangles));
 }
 
 MeshPointer joined_meshes(std::span<const MeshPointer> parts) {

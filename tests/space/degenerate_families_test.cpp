@@ -288,13 +288,7 @@ TEST(DegenerateFamilies, SlidAlongAFace) {
 TEST(DegenerateFamilies, TurnedByTheLeastBit) {
   const PolygonMesh sphere = icosphere_mesh(1, 1, {0.25, -0.5, 1});
   for (const double angle : {1e-12, 1e-15}) {
-    PolygonMesh turned = sphere;
-    for (Point3& p : turned.points) {
-      const double c = std::cos(angle);
-      const double s = std::sin(angle);
-      p = {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
-    }
-    expect_laws("turned", solid(sphere), solid(turned));
+    expect_laws("turned", solid(sphere), solid(turned(sphere, angle)));
   }
 }
 
