@@ -124,9 +124,6 @@ function(plumb_library target name)
     VISIBILITY_INLINES_HIDDEN ON
     DEFINE_SYMBOL ""
     POSITION_INDEPENDENT_CODE ON)
-  if(PLUMB_COUNT_ACCESSES)
-    target_compile_options(${target} PRIVATE -fsanitize-coverage=func,trace-loads,trace-stores)
-  endif()
   get_target_property(type ${target} TYPE)
   if(type STREQUAL SHARED_LIBRARY)
     plumb_exports(${target})

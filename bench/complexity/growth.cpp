@@ -7,9 +7,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 
 #include "../report/calls.h"
@@ -21,12 +19,8 @@ namespace plumb::bench {
 namespace {
 
 constexpr double kTolerance = 0.15;
-/// How often a work runs.
-struct Batches {
-  int count = 5;
-  double seconds = 0.02;
-};
-constexpr Batches kForCounts{2, 0};  ///< the first one may fill what an input keeps
+constexpr int kBatches = 5;
+constexpr double kBatchSeconds = 0.02;
 constexpr std::size_t kLeastSizes = 6;
 constexpr double kLeastSpan = 100;
 constexpr double kLongSeconds = 4;  ///< no further batches after that
@@ -38,26 +32,25 @@ struct Measure {
   double Cost::*value;
 };
 constexpr std::array kMeasures{
-    Measure{"seconds", &Cost::seconds},         Measure{"instructions", &Cost::instructions},
+    Measure{"seconds", &Cost::seconds}, Measure{"instructions", &Cost::instructions},
     Measure{"allocations", &Cost::allocations}, Measure{"bytes", &Cost::bytes},
-    Measure{"accesses", &Cost::accesses},       Measure{"predicates", &Cost::predicates}};
+    Measure{"predicates", &Cost::predicates}};
 
 struct SizeCost {
   double size = 0;
   Cost least;
-  std::vector<double> batches;  ///< seconds of one run, of each batch
-  RungCounts rungs{};           ///< of the last batch
-  std::size_t runs = 0;         ///< in it
+  RungCounts rungs{};    ///< of the last batch
+  std::size_t runs = 0;  ///< in it
 };
 
 /// Other programs disturb caches: short runs are batched, all inputs of a size alike, and the least counts.
-SizeCost cost_of(const Work& work, const Batches& batches, Meter& meter) {
-  SizeCost result{work.size, {}, {}};
+SizeCost cost_of(const Work& work, Meter& meter) {
+  SizeCost result{work.size, {}};
   double all = 0;
-  for (int batch = 0; batch < batches.count && all < kLongSeconds; ++batch) {
+  for (int batch = 0; batch < kBatches && all < kLongSeconds; ++batch) {
     Cost sum;
     std::size_t runs = 0;
-    for (; runs == 0 || sum.seconds < batches.seconds || runs % work.inputs != 0; ++runs) {
+    for (; runs == 0 || sum.seconds < kBatchSeconds || runs % work.inputs != 0; ++runs) {
       work.run(meter);
       const Cost cost = meter.take();
       for (const Measure& m : kMeasures) sum.*m.value += cost.*m.value;
@@ -70,7 +63,6 @@ SizeCost cost_of(const Work& work, const Batches& batches, Meter& meter) {
       const double mean = sum.*m.value / static_cast<double>(runs);
       result.least.*m.value = batch == 0 ? mean : std::min(result.least.*m.value, mean);
     }
-    result.batches.push_back(sum.seconds / static_cast<double>(runs));
     result.rungs = sum.rungs;
     result.runs = runs;
   }
@@ -90,22 +82,7 @@ struct Options {
   double most = 100;
   double slack = 0;
   bool work_only = false;
-  bool counts_only = false;
-  nlohmann::json accesses;  ///< the families of another build; empty: none are given
-
-  Batches batches() const { return counts_only ? kForCounts : Batches{}; }
 };
-
-/// What another build counted for a size of a family. Throws nlohmann::json::exception or std::runtime_error when it did not.
-double accesses_of(const nlohmann::json& families, std::string_view family, double size) {
-  for (const nlohmann::json& f : families) {
-    if (f.at("name") != family) continue;
-    for (const nlohmann::json& sample : f.at("samples")) {
-      if (sample.at("size") == size) return sample.at("accesses");
-    }
-  }
-  throw std::runtime_error(fmt::format("no accesses are given of {} {}", family, size));
-}
 
 std::vector<std::size_t> chosen_sizes(const Family& family, double percent) {
   std::vector<std::size_t> sizes = family.sizes;
@@ -131,9 +108,7 @@ bool judge(const Family& family, const std::vector<SizeCost>& costs, const Optio
     if (!are_counted(costs, m.value)) continue;
     const PowerFit f = fit(costs, m.value, family.bound.logs);
     const bool stands_in = m.value == &Cost::seconds && options.work_only;
-    const bool is_judged =
-        m.value != &Cost::seconds ||
-        !(options.counts_only || (stands_in && are_counted(costs, &Cost::instructions)));
+    const bool is_judged = !(stands_in && are_counted(costs, &Cost::instructions));
     const double limit =
         family.bound.power + kTolerance + options.slack + (stands_in ? kBusySlack : 0);
     const bool is_over = f.slope > limit;
@@ -151,27 +126,14 @@ bool judge(const Family& family, const std::vector<SizeCost>& costs, const Optio
                     {"half_width", f.half_width},
                     {"most", family.goal},
                     {"within", !is_over}};
-    if (is_over && !options.work_only && !options.counts_only) is_within = false;
+    if (is_over && !options.work_only) is_within = false;
   }
   return is_within;
-}
-
-/// Calls of predicates in one run that neither ids nor the filter decided.
-double unfiltered_calls(const SizeCost& c) {
-  std::uint64_t sum = 0;
-  for (const auto& of_predicate : c.rungs) {
-    for (const Rung r : {Rung::Small, Rung::Exact, Rung::Big}) {
-      sum += of_predicate[static_cast<std::size_t>(r)];
-    }
-  }
-  return static_cast<double>(sum) / static_cast<double>(c.runs);
 }
 
 nlohmann::ordered_json to_json(const SizeCost& c) {
   nlohmann::ordered_json json{{"size", c.size}};
   for (const Measure& m : kMeasures) json[m.name] = c.least.*m.value;
-  json["unfiltered"] = unfiltered_calls(c);
-  json["batches"] = c.batches;
   return json;
 }
 
@@ -188,10 +150,9 @@ void print_calls(const nlohmann::ordered_json& calls) {
 void print_size(const SizeCost& c, std::string_view unit) {
   fmt::print(
       "  {:10.0f} {:14} {:10.6f} s {:9.1f} ns {:9.0f} instructions {:8.2f} allocations {:8.1f} "
-      "bytes {:8.1f} accesses {:8.2f} predicates each\n",
+      "bytes {:8.2f} predicates each\n",
       c.size, unit, c.least.seconds, 1e9 * c.least.seconds / c.size, c.least.instructions / c.size,
-      c.least.allocations / c.size, c.least.bytes / c.size, c.least.accesses / c.size,
-      c.least.predicates / c.size);
+      c.least.allocations / c.size, c.least.bytes / c.size, c.least.predicates / c.size);
   std::fflush(stdout);
 }
 
@@ -218,10 +179,7 @@ bool measure(const Family& family, const Options& options, Meter& meter,
   std::vector<SizeCost> costs;
   for (const std::size_t size : chosen_sizes(family, options.most)) {
     const Work work = family.prepare(size);
-    SizeCost& c = costs.emplace_back(cost_of(work, options.batches(), meter));
-    if (!options.accesses.empty()) {
-      c.least.accesses = accesses_of(options.accesses, family.name, c.size);
-    }
+    const SizeCost& c = costs.emplace_back(cost_of(work, meter));
     print_size(c, family.unit);
     json["samples"].push_back(to_json(c));
   }
@@ -264,26 +222,14 @@ std::vector<std::size_t> sizes_between(double least, double most, double factor)
 int growth_main(std::string_view title, std::span<const Family> families, int argc, char** argv) {
   CLI::App app{std::string(title)};
   Options options;
-  std::string json_file, accesses_file;
+  std::string json_file;
   std::vector<std::string> names;
   app.add_option("--most", options.most, "percent of the largest size to go to (default 100)");
   app.add_option("--slack", options.slack, "added to every bound and goal");
   app.add_flag("--work", options.work_only, "judge instructions and allocations, not time");
-  app.add_flag("--counts", options.counts_only,
-               "as few runs as counts need, judged by these alone");
-  app.add_option("--accesses", accesses_file, "JSON of a build that counts loads and stores");
   app.add_option("--json", json_file, "write the measurements there");
   app.add_option("families", names, "only these (default: all)");
   CLI11_PARSE(app, argc, argv);
-  if (!accesses_file.empty()) {
-    std::ifstream in(accesses_file);
-    const auto given = nlohmann::json::parse(in, nullptr, false);
-    if (!given.is_object() || given.value("families", nlohmann::json()).empty()) {
-      fmt::print(stderr, "no families in '{}'\n", accesses_file);
-      return 2;
-    }
-    options.accesses = given["families"];
-  }
   keep_freed_memory();
   Meter meter;
   if (!meter.counts_instructions()) fmt::print("This system does not count instructions.\n\n");

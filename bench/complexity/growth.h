@@ -3,15 +3,14 @@
 // Main flow of a program of families, growth_main():
 //  1. of every family and size, prepare() makes the input and returns the work
 //  2. the work runs until it has taken long enough, several times over; a Meter counts each run, small inputs in turn
-//  3. time, instructions, allocations, bytes, accesses and calls of predicates are each divided by the logarithms of the
-//     bound; what is left is fitted as a power of the size
+//  3. time, instructions, allocations, bytes and calls of predicates are each divided by the logarithms of the bound; what
+//     is left is fitted as a power of the size
 //  4. a table on stdout, on wish JSON; exit status 1 when a power is above the bound's by more than 0.15, when all sizes
 //     are fewer than six or span less than two decades, or when prepare() throws std::exception: a claim of its own that
 //     does not hold
-// Instructions, allocations, accesses and calls are the same on a busy machine; time is not, and feels the caches. --work
-// leaves it out of the verdict, or, where instructions are not counted, judges it with more patience. Calls are counted where
-// the build has PLUMB_COUNT_RUNGS, accesses (access_counter.h), with which time says nothing, where another one has
-// PLUMB_COUNT_ACCESSES: what that program writes with --counts is given to this one.
+// Instructions, allocations and calls do not depend on how busy the machine is; time does, and on the caches. --work leaves
+// time out of the verdict or, if instructions are not counted, judges it with more slack. Calls are counted if the build has
+// PLUMB_COUNT_RUNGS.
 #pragma once
 
 #include <cstddef>
@@ -86,10 +85,9 @@ Work measured_in_turn(double size, std::vector<Input> inputs, Once once) {
 /// From `least` to `most`, each `factor` times the one before: six sizes over two decades.
 std::vector<std::size_t> sizes_between(double least, double most, double factor = 2.51188643150958);
 
-/// The whole program: [--most PERCENT] [--work] [--slack X] [--counts] [--accesses FILE] [--json FILE] [FAMILY...]. --most: no
-/// sizes above that share of the largest, but three at least. --slack: added to the bounds and goals. --counts: as few runs as
-/// counts need, judged by these alone. --accesses: of each family and size, from the JSON of another build. Exit status 2: no
-/// such family, or a file that cannot be read or written.
+/// The whole program: [--most PERCENT] [--work] [--slack X] [--json FILE] [FAMILY...]. --most leaves out sizes above that share
+/// of the largest, but keeps three. --slack is added to the bounds and goals. Exit status 2 if there is no such family, or if the
+/// file cannot be written.
 int growth_main(std::string_view title, std::span<const Family> families, int argc, char** argv);
 
 }  // namespace plumb::bench

@@ -1,11 +1,10 @@
-// That a family above its bound fails, by calls of predicates, allocations or accesses alone, and so does one of too few sizes.
+// That a family above its bound fails, by calls of predicates or allocations alone, and so does one of too few sizes.
 #include "growth.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <list>
 #include <stdexcept>
 #include <string>
@@ -57,20 +56,6 @@ int status_of(std::vector<std::string> words) {
                      arguments.data());
 }
 
-/// What another build would have counted of `linear`, but for the sizes after `known`.
-std::string accesses_file(double power, std::size_t known) {
-  std::string samples;
-  for (std::size_t i = 0; i < known; ++i) {
-    const auto size = static_cast<double>(kSizes[i]);
-    samples += fmt::format("{}{{\"size\": {}, \"accesses\": {}}}", i == 0 ? "" : ", ", size,
-                           7 * std::pow(size, power));
-  }
-  const std::string path = "growth_test_accesses.json";
-  std::ofstream(path) << fmt::format(R"({{"families": [{{"name": "linear", "samples": [{}]}}]}})",
-                                     samples);
-  return path;
-}
-
 bool are_calls_counted() {
   reset_rung_counts();
   static_cast<void>(orient2d({0, 0}, {1, 0}, {0, 1}));
@@ -97,10 +82,5 @@ int main() {
   expect({"narrow"}, 1);
   expect({"impossible"}, 1);
   expect({"no-such-family"}, 2);
-  expect({"linear", "--counts"}, 0);
-  expect({"linear", "--accesses", accesses_file(1, kSizes.size())}, 0);
-  expect({"linear", "--accesses", accesses_file(1.4, kSizes.size())}, 1);
-  expect({"linear", "--accesses", accesses_file(1, kSizes.size() - 1)}, 1);
-  expect({"linear", "--accesses", "no-such-file.json"}, 2);
   return failures == 0 ? 0 : 1;
 }

@@ -4,7 +4,6 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include "access_counter.h"
 #include "cpu_time.h"
 #include "generate/counted_memory.h"
 
@@ -52,7 +51,6 @@ void Meter::start() {
   begin_.allocations = static_cast<double>(testing::counted_memory().allocations);
   begin_.bytes = static_cast<double>(testing::counted_memory().bytes);
   begin_.rungs = rung_counts();
-  begin_.accesses = static_cast<double>(counted_accesses());
   begin_.seconds = cpu_seconds();
   begin_.instructions = static_cast<double>(instructions_now());
 }
@@ -60,7 +58,6 @@ void Meter::start() {
 void Meter::stop() {
   const auto instructions = static_cast<double>(instructions_now());
   const double seconds = cpu_seconds();
-  sum_.accesses += static_cast<double>(counted_accesses()) - begin_.accesses;
   sum_.instructions += instructions - begin_.instructions;
   sum_.seconds += seconds - begin_.seconds;
   sum_.allocations +=

@@ -13,13 +13,12 @@ struct Cost {
   double instructions = 0;  ///< retired in user mode; 0 where the system does not count them
   double allocations = 0;   ///< calls of operator new
   double bytes = 0;         ///< what they asked for
-  double accesses = 0;      ///< loads and stores by the libraries; 0 where they do not count them
   double predicates = 0;    ///< calls of predicates; 0 where the build does not count them
   RungCounts rungs{};       ///< the same by predicate and by the rung that decided
 };
 
 /// One work may be started and stopped several times, to leave out what does not belong to it.
-/// It has to run on the thread that starts and stops: others' accesses and calls of predicates are not seen.
+/// It has to run on the thread that starts and stops: calls of predicates on other threads are not seen.
 class Meter {
  public:
   Meter();

@@ -2,11 +2,13 @@
 """Documents, recipes and the list of headers: documents_test.py ROOT
 
 Every relative link and anchor in README.md, CHANGELOG.md and docs/*.md leads somewhere; JSON files parse; the Conan
-recipe runs as far as it does without Conan; the version is the same wherever it is written; what installed headers
+recipe runs as far as it does without Conan; the figures that documents quote are the recorded ones (bench/figures.json, which
+stays small) and no generated page is kept; the version is the same wherever it is written; what installed headers
 include is installed, and the macros they leave behind are plumb's."""
 import json
 import pathlib
 import re
+import subprocess
 import sys
 import types
 
@@ -132,6 +134,14 @@ def check_headers():
 
 
 check_headers()
+
+checked = subprocess.run([sys.executable, root / "bench/figures", "--check"], cwd=root, capture_output=True, text=True)
+if checked.returncode != 0:
+    problems.append(f"{checked.stdout}{checked.stderr}(bench/figures puts the recorded figures into the documents)")
+if len((root / "bench/figures.json").read_text().splitlines()) > 2000:
+    problems.append("bench/figures.json: more than 2,000 lines")
+for page in root.glob("docs/**/*.html"):
+    problems.append(f"{page}: a generated page does not belong here (bench/run -o, target docs)")
 
 header = (root / "engine/base/version.h").read_text()
 version = ".".join(re.findall(r"#define PLUMB_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", header))
