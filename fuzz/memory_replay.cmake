@@ -3,40 +3,20 @@
 # Strings and streams are templates of which the C++ library has ready-made instances; without extern templates they are
 # compiled here, where the sanitizer sees them. Functions that nobody calls would need all of the predicates: they are left out.
 add_library(memory_readers STATIC EXCLUDE_FROM_ALL)
-set(memory_sources
-  engine/base/context.cpp
-  engine/base/error.cpp
-  engine/base/refused_memory.cpp
-  engine/io/input.cpp
-  engine/io/map_reader.cpp
-  engine/io/mesh_collector.cpp
-  engine/io/number_reader.cpp
-  engine/io/obj_reader.cpp
-  engine/io/off_reader.cpp
-  engine/io/ply_header.cpp
-  engine/io/ply_reader.cpp
-  engine/io/record_reader.cpp
-  engine/io/svg_outline.cpp
-  engine/io/svg_path.cpp
-  engine/io/svg_reader.cpp
-  engine/io/svg_value.cpp
-  engine/io/text_cursor.cpp
-  engine/io/xml_scanner.cpp
-  predicates/big_rung.cpp
-  predicates/homogeneous2.cpp
-  predicates/orient2d.cpp
-  predicates/point_table2.cpp
-  predicates/point_table2_mixed.cpp
-  predicates/rounding.cpp)
-list(TRANSFORM memory_sources PREPEND ${PROJECT_SOURCE_DIR}/)
+# By name, wherever the files are; a name that is gone shows at link time.
+set(memory_names
+  context error refused_memory input map_reader mesh_collector number_reader obj_reader off_reader
+  ply_header ply_reader record_reader svg_outline svg_path svg_reader svg_value text_cursor
+  xml_scanner big_rung homogeneous2 orient2d point_table2 point_table2_mixed rounding)
+list(JOIN memory_names "|" memory_names)
+file(GLOB_RECURSE memory_sources ${PROJECT_SOURCE_DIR}/engine/*.cpp ${PROJECT_SOURCE_DIR}/predicates/*.cpp)
+list(FILTER memory_sources INCLUDE REGEX "/(${memory_names})\\.cpp$")
 target_sources(memory_readers PRIVATE ${memory_sources})
-plumb_broken_source(memory_replay engine/io/svg_reader.cpp
-  [[std::array<double, 6> n{};]]
-  [[std::array<double, 6> n;]]
-  memory_broken_source)
+plumb_planted_source(memory_replay memory_broken_source)
 
 add_executable(memory_replay EXCLUDE_FROM_ALL memory_replay.cpp)
 add_executable(planted_memory_replay EXCLUDE_FROM_ALL memory_replay.cpp ${memory_broken_source})
+add_dependencies(planted_memory_replay plant_memory_replay)
 foreach(target memory_readers memory_replay planted_memory_replay)
   plumb_compile_options(${target})
   target_compile_options(${target} PRIVATE -fsanitize-memory-track-origins -ffunction-sections)
