@@ -5,6 +5,7 @@ templates do not. Comments, strings, preprocessor lines, static_assert, PLUMB_CH
 that only an option of the build compiles (PLUMB_PORTABLE, PLUMB_COUNT_RUNGS) have no mutants."""
 import dataclasses
 import hashlib
+import os
 import re
 
 
@@ -15,7 +16,7 @@ class Mutant:
     old: str  # the line as it is
     new: str  # the line as it becomes
     rule: str
-    key: str = ""  # the same as long as the line is, wherever it moves
+    key: str = ""  # the same as long as the line is, wherever it and its file move
 
     def __str__(self):
         return f"{self.file}:{self.line}: {self.rule}: {self.old.strip()}  =>  {self.new.strip()}"
@@ -148,7 +149,7 @@ def mutants_of(file, text):
             continue
         for rule, new in changes_of(line, code, begins):
             times = seen[line, new] = seen.get((line, new), 0) + 1
-            key = hashlib.sha1(f"{file}|{line}|{new}|{times}".encode()).hexdigest()[:16]
+            key = hashlib.sha1(f"{os.path.basename(file)}|{line}|{new}|{times}".encode()).hexdigest()[:16]
             found.append(Mutant(file, number, line, new, rule, key))
     return found
 
