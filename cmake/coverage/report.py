@@ -4,8 +4,8 @@
 PROGRAMS is a file with the path of an instrumented program a line. Runs ctest (--measured: takes the counts of the last
 run), then writes into BUILD_DIR/report:
 
-  table.txt       lines and branches by part, and what each part must reach; those not taken of engine/, by class; also printed
-  uncovered.txt   FILE:LINE:COLUMN of every branch that is not taken both ways, by part, with its class and its text
+  table.txt       lines and branches by part, and what each part must reach; also printed
+  uncovered.txt   FILE:LINE:COLUMN of every branch that is not taken both ways, by part, with its text
   html            the sources with their counts
 
 Exits 1 where a test fails or a part is below its limit. All programs count together, with the templates and inline
@@ -27,33 +27,20 @@ import shutil
 import subprocess
 import sys
 
-# engine/io without what writes.
-READER = re.compile(r"engine/io/(?!\w*(writer|output|report|mesh_text|solid_text))")
-ROOMS = ["base", "dcel", "plane", "sphere", "space", "convex", "surface", "io", "picture", "cli"]
+# Files of the module io that do not write.
+READER = re.compile(r"(?!\w*(writer|output|report|mesh_text|solid_text))")
+MODULES = ["base", "dcel", "plane", "sphere", "space", "convex", "surface", "io", "picture", "cli"]
 # part -> the percentage of its branches that tests have to take.
-LIMITS = {"predicates": 95, "readers": 95, **{room: 90 for room in ROOMS}, "engine": 90}
-# Why no test takes a branch, by the words of its line or of its file: the first class that fits. docs/testing.md has the reasons.
-CLASSES = {
-    "audits": re.compile(r"audit"),
-    "own results": re.compile(r"engine/cli/(demo|self_test)"),
-    "failures": re.compile(r"\b(Error\(|throw|catch|errno|errc|error\.code|error \|\|)|(?<!\w)::\w+\(|\bfail|is_open|refused|nullptr"),
-    "ends of doubles": re.compile(r"(?i)finite|infinity|isn?nan|isinf|0x1p|1e-?\d|radius|bound\b|reach|error <|is_sure|is_good"),
-    "sizes": re.compile(r"% \d{3}|% k|\bk(Most|Max|Longest|Steps|Many)|> limit|numeric_limits"),
-    "parts of conditions": re.compile(r"&&|\|\|"),
-    "nothing, one, equal": re.compile(r"empty\(\)|[=!<>]=? [0123]\b|size\(\) [<=!>]|\w == \w|is_valid\(\)"),
-}
+LIMITS = {"predicates": 95, "readers": 95, **{module: 90 for module in MODULES}, "engine": 90}
 
 
 def parts_of(path):
-    """The rows of the table that a file counts in; readers are part of io, every room of engine."""
-    room = path.split("/")
-    if room[0] == "predicates":
+    """The rows of the table that a file counts in; readers are part of io, every module of engine."""
+    folders = [folder for folder in path.split("/")[:-1] if folder != "plumb"]
+    if folders[0] == "predicates":
         return ["predicates"]
-    return (["readers"] if READER.match(path) else []) + [room[1], "engine"]
-
-
-def class_of(path, text):
-    return next((name for name, words in CLASSES.items() if words.search(f"{path}\t{text}")), "others")
+    is_reader = folders[1] == "io" and READER.match(os.path.basename(path))
+    return (["readers"] if is_reader else []) + [folders[1], "engine"]
 
 
 def run(command, **options):
@@ -151,10 +138,6 @@ def table(counts):
     return "\n".join(rows) + "\n", good
 
 
-def table_of_classes(counts):
-    return "\n".join(["\nnot taken in engine/, by class", *(f"{counts.get(name, 0):6}  {name}" for name in [*CLASSES, "others"])]) + "\n"
-
-
 def main():
     arguments = argparse.ArgumentParser()
     arguments.add_argument("source", type=pathlib.Path)
@@ -171,7 +154,7 @@ def main():
     run(["llvm-profdata", "merge", "-sparse", "-failure-mode=all", "-o", profile, *profiles.glob("*.profraw")], check=True)
     programs = given.programs.read_text().split()
     objects = [programs[0], *(word for program in programs[1:] for word in ("-object", program))]
-    counts, classes, uncovered = {}, {}, []
+    counts, uncovered = {}, []
     for file in load(given.source, objects, profile):
         parts = parts_of(file.path)
         outcomes = list(file.outcomes())
@@ -181,14 +164,9 @@ def main():
         for (line, column), way, count in outcomes:
             if count:
                 continue
-            text = file.text[line - 1].strip()
-            name = class_of(file.path, text)
-            uncovered.append(f"{parts[0]}\t{file.path}:{line}:{column}: {way}\t{name}\t{text}")
-            if "engine" in parts:
-                classes[name] = classes.get(name, 0) + 1
+            uncovered.append(f"{parts[0]}\t{file.path}:{line}:{column}: {way}\t{file.text[line - 1].strip()}")
     (report / "uncovered.txt").write_text("\n".join(uncovered) + "\n")
     text, good = table(counts)
-    text += table_of_classes(classes)
     (report / "table.txt").write_text(text)
     run(["llvm-cov", "show", "-format=html", "-show-branches=count", "-show-instantiations=false",
          f"-output-dir={report / 'html'}", f"-instr-profile={profile}", *objects, *others(given.source)],
