@@ -9,8 +9,8 @@ if(NOT PLUMB_DOXYGEN OR NOT PLUMB_MKDOCS OR NOT Python3_FOUND)
 endif()
 
 set(plumb_docs ${PROJECT_BINARY_DIR}/docs)
-list(TRANSFORM plumb_public_headers REPLACE "^plumb/" "engine/" OUTPUT_VARIABLE plumb_docs_headers)
-list(TRANSFORM plumb_docs_headers REPLACE "^engine/predicates/" "predicates/")
+list(TRANSFORM plumb_public_headers PREPEND "engine/" OUTPUT_VARIABLE plumb_docs_headers)
+list(TRANSFORM plumb_docs_headers REPLACE "^engine/plumb/predicates/" "predicates/plumb/predicates/")
 list(JOIN plumb_docs_headers " " PLUMB_DOCS_HEADERS)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/docs/Doxyfile.in ${plumb_docs}/Doxyfile @ONLY)
 add_custom_target(docs

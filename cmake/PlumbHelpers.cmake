@@ -1,9 +1,3 @@
-# plumb_link_headers(ROOM DIR): <build>/include/plumb/ROOM -> DIR
-function(plumb_link_headers room dir)
-  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include/plumb)
-  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${dir} ${PROJECT_BINARY_DIR}/include/plumb/${room} SYMBOLIC)
-endfunction()
-
 # plumb_header_list(SECTION RESULT): the headers of a section of public-headers.txt, as programs spell them.
 function(plumb_header_list section result)
   set(list ${PROJECT_SOURCE_DIR}/cmake/public-headers.txt)
@@ -17,6 +11,15 @@ function(plumb_header_list section result)
     endif()
   endforeach()
   set(${result} ${found_${section}} PARENT_SCOPE)
+endfunction()
+
+# plumb_header_path(HEADER RESULT): the file of a header that programs spell plumb/MODULE/.../name.h.
+function(plumb_header_path header result)
+  if(header MATCHES "^plumb/predicates/")
+    set(${result} ${PROJECT_SOURCE_DIR}/predicates/${header} PARENT_SCOPE)
+  else()
+    set(${result} ${PROJECT_SOURCE_DIR}/engine/${header} PARENT_SCOPE)
+  endif()
 endfunction()
 
 # plumb_compile_options(TARGET): what every translation unit of ours is compiled with. Nothing of it
@@ -89,7 +92,7 @@ function(plumb_precompile target kind)
   target_precompile_headers(${target} PRIVATE <algorithm> <array> <bit> <cmath> <cstdint> <cstdio>
     <filesystem> <fstream> <functional> <limits> <map> <memory> <numeric> <optional> <ostream> <random>
     <set> <span> <sstream> <string> <string_view> <utility> <vector>
-    <boost/multiprecision/cpp_int.hpp> <boost/multiprecision/gmp.hpp> ${ARGN})
+    ${ARGN})
 endfunction()
 
 # plumb_exports(TARGET): a shared library shows what has default visibility, and of that only what is plumb's
@@ -99,9 +102,15 @@ function(plumb_exports target)
   target_link_options(${target} PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/plumb.exports)
 endfunction()
 
-# plumb_inside(TARGET NAME [LIBRARIES...]): our own program, tests and benchmarks look into rooms, which a shared library
-# hides. They link this instead as plumb::NAME: the same objects as a static library, never installed.
+# plumb_inside(TARGET NAME [LIBRARIES...]): the target plumb::NAME for our own program, tests and benchmarks. They use headers
+# that are not installed, whose symbols a shared library hides; where TARGET is one they link the same objects as a static library,
+# which is never installed. LIBRARIES are the targets of ours below it.
 function(plumb_inside target name)
+  get_target_property(type ${target} TYPE)
+  if(NOT PROJECT_IS_TOP_LEVEL OR NOT type STREQUAL SHARED_LIBRARY)
+    add_library(plumb::${name} ALIAS ${target})
+    return()
+  endif()
   add_library(${target}_inside STATIC $<TARGET_OBJECTS:${target}>)
   add_library(plumb::${name} ALIAS ${target}_inside)
   set_target_properties(${target}_inside PROPERTIES LINKER_LANGUAGE CXX)
@@ -111,8 +120,8 @@ function(plumb_inside target name)
   target_link_libraries(${target}_inside INTERFACE ${ARGN} PlumbGMP::gmp PlumbGMP::mpfr Threads::Threads)
 endfunction()
 
-# plumb_library(TARGET EXPORT_NAME [LIBRARIES...]): what both libraries have in common; the LIBRARIES of ours are what
-# it needs. Hidden is what no header listed in public-headers.txt declares.
+# plumb_library(TARGET EXPORT_NAME): what all libraries have in common. Hidden is what no header listed in public-headers.txt
+# declares.
 function(plumb_library target name)
   plumb_compile_options(${target})
   plumb_precompile(${target} library)
@@ -127,11 +136,6 @@ function(plumb_library target name)
   get_target_property(type ${target} TYPE)
   if(type STREQUAL SHARED_LIBRARY)
     plumb_exports(${target})
-  endif()
-  if(PROJECT_IS_TOP_LEVEL AND type STREQUAL SHARED_LIBRARY)
-    plumb_inside(${target} ${name} ${ARGN})
-  else()
-    add_library(plumb::${name} ALIAS ${target})
   endif()
 endfunction()
 
@@ -162,9 +166,10 @@ function(plumb_test name)
   cmake_parse_arguments(ARG "THREADS" "" "LIBRARIES" ${ARGN})
   add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
   plumb_compile_options(${name})
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  # Tests call functions for what they throw.
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1> -Wno-unused-result)
   plumb_outline_checks(${name})
-  plumb_precompile(${name} test <gtest/gtest.h>)
+  plumb_precompile(${name} test <gtest/gtest.h> <boost/multiprecision/cpp_int.hpp>)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest GTest::gtest_main)
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})

@@ -1,4 +1,5 @@
-// Predicates alone (plumb::predicates): a sign that plain doubles get wrong, and a constructed point.
+// Predicates alone (plumb::predicates): a sign that plain doubles get wrong, and a constructed
+// point.
 #include <cstdio>
 
 #include "plumb/predicates/point_table2.h"

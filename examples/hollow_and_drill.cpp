@@ -1,4 +1,5 @@
-// A block made hollow with walls of 1/4, then drilled through: is it still one piece, is the inside still closed?
+// A block made hollow with walls of 1/4, then drilled through: is it still one piece, is the inside
+// still closed?
 #include <iostream>
 #include <vector>
 
@@ -12,13 +13,12 @@ using plumb::Nef3;
 using plumb::Rational;
 
 /// The closed box between two corners, made of six half-spaces.
-Nef3 box(const plumb::RationalPoint3& low, const plumb::RationalPoint3& high,
-         plumb::Context& context) {
+Nef3 box(const plumb::RationalPoint3& low, const plumb::RationalPoint3& high) {
   const std::vector<plumb::HalfSpace3> sides = {
       {{-1, 0, 0, low.x}},  {{0, -1, 0, low.y}},  {{0, 0, -1, low.z}},
       {{1, 0, 0, -high.x}}, {{0, 1, 0, -high.y}}, {{0, 0, 1, -high.z}},
   };
-  return Nef3::intersection(sides, context);
+  return Nef3::intersection(sides);
 }
 
 void describe(const char* what, const Nef3& set) {
@@ -31,14 +31,13 @@ void describe(const char* what, const Nef3& set) {
 }  // namespace
 
 int main() {
-  plumb::Context context;
   const Rational wall(1, 4);
-  const Nef3 block = box({0, 0, 0}, {4, 3, 2}, context);
+  const Nef3 block = box({0, 0, 0}, {4, 3, 2});
 
-  // The erosion by a small box is what is further than a wall from every side. Its interior is taken away: the walls
-  // keep both of their sides, and are exactly 1/4 thick.
-  const Nef3 corner = box({-wall, -wall, -wall}, {wall, wall, wall}, context);
-  const Nef3 hollow = block - minkowski_erosion(block, corner, context).interior();
+  // The erosion by a small box is what is further than a wall from every side. Its interior is
+  // taken away: the walls keep both of their sides, and are exactly 1/4 thick.
+  const Nef3 corner = box({-wall, -wall, -wall}, {wall, wall, wall});
+  const Nef3 hollow = block - minkowski_erosion(block, corner).interior();
   describe("hollow", hollow);
 
   // A square drill as long as space is wide: no overshoot has to be chosen.
@@ -48,7 +47,7 @@ int main() {
       {{0, -1, 0, Rational(5, 4)}, plumb::Boundary::Open},
       {{0, 1, 0, Rational(-7, 4)}, plumb::Boundary::Open},
   };
-  const Nef3 drilled = hollow - Nef3::intersection(drill, context);
+  const Nef3 drilled = hollow - Nef3::intersection(drill);
   describe("drilled", drilled);
 
   const bool is_closed = hollow.is_closed() && drilled.is_closed();

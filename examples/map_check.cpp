@@ -23,14 +23,12 @@ plumb::Map unit_square_corners() {
 }  // namespace
 
 int main() {
-  plumb::Context context;
-
   // Two triangles, counter-clockwise, and the outer boundary, clockwise.
   plumb::Map square = unit_square_corners();
   list(square, {0, 1, 3});
   list(square, {1, 2, 3});
   list(square, {3, 2, 1, 0});
-  const plumb::MapReport good = plumb::check_map(square, {}, context);
+  const plumb::MapReport good = plumb::check_map(square);
   if (good.verdict != plumb::MapVerdict::Valid) return 1;
   const plumb::Dcel dcel = plumb::to_dcel(good).dcel;
   std::cout << "valid: " << good.regions.size() << " regions, " << dcel.halfedge_count()
@@ -40,7 +38,7 @@ int main() {
   plumb::Map broken = unit_square_corners();
   list(broken, {0, 1, 3});
   list(broken, {3, 2, 1, 0});
-  const plumb::MapReport bad = plumb::check_map(broken, {}, context);
+  const plumb::MapReport bad = plumb::check_map(broken);
   if (bad.verdict != plumb::MapVerdict::Open) return 1;
   std::cout << "open: " << bad.counts.open << " edges lack their other side\n";
   for (const plumb::MapDefect& defect : bad.defects) std::cout << defect.hint << "\n";

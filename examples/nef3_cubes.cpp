@@ -1,9 +1,9 @@
-// Sets of space: two cubes, each of six half-spaces; is a point in them, what they make together, as a mesh.
+// Sets of space: two cubes, each of six half-spaces; is a point in them, what they make together,
+// as a mesh.
 #include <array>
 #include <iostream>
 
-#include "plumb/space/nef3.h"
-#include "plumb/space/to_mesh.h"
+#include "plumb/plumb.h"
 
 namespace {
 
@@ -13,7 +13,8 @@ using plumb::Point3;
 
 const char* yes_or_no(bool answer) { return answer ? "yes" : "no"; }
 
-/// The closed cube between two corners. A half-space is what lies below its plane: a x + b y + c z + d <= 0.
+/// The closed cube between two corners. A half-space is what lies below its plane: a x + b y + c z
+/// + d <= 0.
 Nef3 cube(const Point3& min, const Point3& max) {
   const std::array<plumb::HalfSpace3, 6> sides = {{
       {{-1, 0, 0, min.x}},  // x >= min.x
@@ -23,8 +24,7 @@ Nef3 cube(const Point3& min, const Point3& max) {
       {{0, 0, -1, min.z}},  // z >= min.z
       {{0, 0, 1, -max.z}},  // z <= max.z
   }};
-  plumb::Context context;
-  return Nef3::intersection(sides, context);
+  return Nef3::intersection(sides);
 }
 
 }  // namespace
@@ -48,9 +48,7 @@ int main() {
             << "difference and second cube make the union: " << yes_or_no(rest + second == either)
             << "\n";
 
-  plumb::Context context;
-  const plumb::MeshOfComplex made =
-      plumb::mesh_of_complex(both.complex(), {.faces = plumb::MeshFaces::Polygons}, context);
+  const plumb::MeshOfComplex made = both.to_polygons({.faces = plumb::MeshFaces::Polygons});
   std::cout << "intersection as a mesh: " << made.mesh.points.size() << " vertices, "
             << made.mesh.face_count() << " faces\n";
 }

@@ -1,4 +1,5 @@
-// Three cubes combined; the volumes of the result with their marks; its regularization, compared by ==.
+// Three cubes combined; the volumes of the result with their marks; its regularization, compared by
+// ==.
 #include <array>
 #include <iostream>
 
@@ -19,8 +20,7 @@ Nef3 cube(const Point3& min, const Point3& max) {
                                                    {{0, 1, 0, -max.y}},
                                                    {{0, 0, -1, min.z}},
                                                    {{0, 0, 1, -max.z}}}};
-  plumb::Context context;
-  return Nef3::intersection(sides, context);
+  return Nef3::intersection(sides);
 }
 
 }  // namespace
@@ -34,7 +34,8 @@ int main() {
             << "is bounded: " << yes_or_no(result.is_bounded()) << "\n"
             << "vertices: " << result.counts().vertices << "\n";
 
-  // Volume 0 is what lies around a bounded set. The seams of the union are gone: one volume is left.
+  // Volume 0 is what lies around a bounded set. The seams of the union are gone: one volume is
+  // left.
   for (const plumb::Mark mark : result.complex().volume_mark) {
     std::cout << "volume mark: " << static_cast<int>(mark) << "\n";
   }

@@ -23,7 +23,8 @@ SurfaceMesh cube() {
   return plumb::surface_of(plumb::mesh_of_triangles(xyz, corners));
 }
 
-/// A triangle inside one face, through three points given by the weights of its second and third corner.
+/// A triangle inside one face, through three points given by the weights of its second and third
+/// corner.
 void add_triangle(plumb::SurfacePolygons& polygons, plumb::FaceId face,
                   const std::array<std::array<double, 2>, 3>& corners) {
   for (const auto& [u, v] : corners) {
@@ -35,14 +36,13 @@ void add_triangle(plumb::SurfacePolygons& polygons, plumb::FaceId face,
 }  // namespace
 
 int main() {
-  plumb::Context context;
   const auto mesh = std::make_shared<const SurfaceMesh>(cube());
   plumb::SurfacePolygons polygons(*mesh);
   const plumb::FaceId top(2);
   add_triangle(polygons, top, {{{0.125, 0.125}, {0.5, 0.125}, {0.125, 0.5}}});
   add_triangle(polygons, top, {{{0.25, 0.25}, {0.625, 0.25}, {0.25, 0.625}}});
 
-  const plumb::SurfaceDivision division({mesh, polygons, {}, plumb::FaceId(0)}, context);
+  const plumb::SurfaceDivision division({mesh, polygons, {}, plumb::FaceId(0)});
   std::cout << division.cell_count() << " cells, " << division.counts().crossings << " crossings\n";
   for (std::size_t c = 0; c < division.cell_count(); ++c) {
     std::cout << "cell " << c << ": ";

@@ -1,7 +1,7 @@
 // Convex pieces of any set: each convex, together the set, no point twice; open and closed.
 //
-// Input: a program of records of eight bytes (tests/generate/space_program.h), an expression over sets of
-// space. The judge is tests/oracle/pieces_check.h.
+// Input: a program of records of eight bytes (tests/generate/space_program.h), an expression over
+// sets of space. The judge is tests/oracle/pieces_check.h.
 #include "generate/space_program.h"
 #include "oracle/nef3_check.h"
 #include "oracle/pieces_check.h"

@@ -1,5 +1,6 @@
-// A mutator for glTF: bytes changed anywhere break the JSON or the lengths of chunks, and nothing of what
-// follows is tried. It changes numbers of the JSON and bytes of the binary chunk, and writes the container anew.
+// A mutator for glTF: bytes changed anywhere break the JSON or the lengths of chunks, and nothing
+// of what follows is tried. It changes numbers of the JSON and bytes of the binary chunk, and
+// writes the container anew.
 #pragma once
 
 #include <algorithm>

@@ -1,12 +1,11 @@
 // The glTF reader on arbitrary bytes.
 //
-// Either the reader throws an Error that names the file, or the mesh it read is sound, and written as OFF and STL it
-// is read again as it was. Nothing beside the file is opened.
-
-#include "plumb/io/gltf_reader.h"
+// Either the reader throws an Error that names the file, or the mesh it read is sound, and written
+// as OFF and STL it is read again as it was. Nothing beside the file is opened.
 
 #include "gltf_mutator.h"
 #include "mesh_laws.h"
+#include "plumb/io/mesh/gltf.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace plumb;

@@ -1,11 +1,11 @@
 // The reader of half-spaces on arbitrary bytes, and the set they intersect in.
 //
-// The first byte chooses exact decimals or nearest doubles; the rest is the file. Either the reader throws an Error that names the
-// file and a place in it, or it read what the words of the lines say, and reads it again as it was once written. Of a few short
-// lines the intersection is a sound set, the same as by Booleans one by one, and holds of some points those that all
-// lines hold.
+// The first byte chooses exact decimals or nearest doubles; the rest is the file. Either the reader
+// throws an Error that names the file and a place in it, or it read what the words of the lines
+// say, and reads it again as it was once written. Of a few short lines the intersection is a sound
+// set, the same as by Booleans one by one, and holds of some points those that all lines hold.
 
-#include "plumb/io/half_space_reader.h"
+#include "plumb/io/solid/half_space_reader.h"
 
 #include <algorithm>
 #include <array>
@@ -54,7 +54,8 @@ std::optional<HalfSpaceList> list_of(std::string_view text, bool exact) {
   }
 }
 
-/// The words of the lines that are not empty; # begins a comment, and a mark of the byte order may begin the file.
+/// The words of the lines that are not empty; # begins a comment, and a mark of the byte order may
+/// begin the file.
 std::vector<std::vector<std::string>> words_of(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   std::vector<std::vector<std::string>> lines(1);
@@ -132,7 +133,7 @@ void judge_set(const HalfSpaceList& list) {
   const Nef3 set = plumb::intersection_of(list, context);
   require(!plumb::audit(set.complex(), true), "an intersection passes its audit");
   std::vector<HalfSpace3> all;
-  Nef3 folded = Nef3::space();
+  Nef3 folded = Nef3::whole();
   for (std::size_t i = 0; i < list.size(); ++i) {
     all.push_back(list[i]);
     folded *= Nef3::half_space(list[i].plane, list[i].boundary);

@@ -1,7 +1,7 @@
 // check_map against its brute-force twin: verdict, counts, every defect, regions.
 //
-// Input: a program of records of four bytes (tests/generate/map_program.h); the last byte of the first
-// chooses the options. The mutator works on records, so every input is a map.
+// Input: a program of records of four bytes (tests/generate/map_program.h); the last byte of the
+// first chooses the options. The mutator works on records, so every input is a map.
 #include <cstdio>
 #include <cstdlib>
 #include <span>

@@ -1,8 +1,8 @@
 // Two maps laid over each other against brute force: every cell, its regions, and areas.
 //
-// Input: a program of records of four bytes, {shape, p, q, r}: a triangle or a parallelogram of three points, a nibble for each
-// coordinate; the lowest bit of the first byte says of which map. A map is the subdivision that its shapes induce, so that
-// every input is two maps.
+// Input: a program of records of four bytes, {shape, p, q, r}: a triangle or a parallelogram of
+// three points, a nibble for each coordinate; the lowest bit of the first byte says of which map. A
+// map is the subdivision that its shapes induce, so that every input is two maps.
 #include <array>
 #include <cstdint>
 #include <span>

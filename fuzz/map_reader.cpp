@@ -1,11 +1,9 @@
 // The map reader on arbitrary bytes.
 //
 // The first byte chooses exact decimals or nearest doubles; the rest is the file. Either the reader
-// throws an Error that names the file, a line and a column inside it, or
-// writing what was read and reading it again gives the same points and cycles. Memory charged to the
-// context stays in proportion to the input.
-
-#include "plumb/io/map_reader.h"
+// throws an Error that names the file, a line and a column inside it, or writing what was read and
+// reading it again gives the same points and cycles. Memory charged to the context stays in
+// proportion to the input.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +12,8 @@
 #include <string>
 #include <string_view>
 
-#include "plumb/base/error.h"
-#include "plumb/io/map_writer.h"
+#include "plumb/io/map_io.h"
+#include "plumb/predicates/error.h"
 #include "plumb/testing/oracle_reached.h"
 #include "reader_laws.h"
 
@@ -25,8 +23,8 @@ using plumb::Map;
 using plumb::fuzz::require;
 using plumb::fuzz::require_place;
 
-/// What a map of `bytes` bytes may be charged at most: a vertex line "1/3 2" (6 bytes) takes 16 + 32
-/// + 64 bytes; corners come in steps of 2^18 bytes.
+/// What a map of `bytes` bytes may be charged at most: a vertex line "1/3 2" (6 bytes) takes 16 +
+/// 32 + 64 bytes; corners come in steps of 2^18 bytes.
 plumb::Limits limits_for(std::size_t bytes) {
   plumb::Limits limits;
   limits.max_memory_bytes = 20 * bytes + (std::size_t{1} << 18U);

@@ -5,9 +5,9 @@
 add_library(memory_readers STATIC EXCLUDE_FROM_ALL)
 # By name, wherever the files are; a name that is gone shows at link time.
 set(memory_names
-  context error refused_memory input map_reader mesh_collector number_reader obj_reader off_reader
-  ply_header ply_reader record_reader svg_outline svg_path svg_reader svg_value text_cursor
-  xml_scanner big_rung homogeneous2 orient2d point_table2 point_table2_mixed rounding)
+  context error files map_io mesh_formats number_reader obj off ply ply_header record_reader
+  svg_outline svg_reader svg_syntax input_cursors text_output determinants input_predicates
+  point2_exact point_table2 rational rounding)
 list(JOIN memory_names "|" memory_names)
 file(GLOB_RECURSE memory_sources ${PROJECT_SOURCE_DIR}/engine/*.cpp ${PROJECT_SOURCE_DIR}/predicates/*.cpp)
 list(FILTER memory_sources INCLUDE REGEX "/(${memory_names})\\.cpp$")
@@ -21,7 +21,8 @@ foreach(target memory_readers memory_replay planted_memory_replay)
   plumb_compile_options(${target})
   target_compile_options(${target} PRIVATE -fsanitize-memory-track-origins -ffunction-sections)
   target_compile_definitions(${target} PRIVATE _GLIBCXX_EXTERN_TEMPLATE=0)
-  target_include_directories(${target} PRIVATE $<TARGET_PROPERTY:plumb_plumb,INCLUDE_DIRECTORIES>)
+  target_include_directories(${target} PRIVATE $<TARGET_PROPERTY:plumb_plumb,INCLUDE_DIRECTORIES>
+    ${PROJECT_SOURCE_DIR}/tests/testing)
   target_link_libraries(${target} PRIVATE Boost::headers PlumbGMP::gmp PlumbGMP::mpfr)
 endforeach()
 foreach(target memory_replay planted_memory_replay)

@@ -1,14 +1,16 @@
-// Readers under MemorySanitizer: memory_replay FILE... ; ./check --full memory gives it the corpora.
+// Readers under MemorySanitizer: memory_replay FILE... ; ./check --full memory gives it the
+// corpora.
 //
-// MemorySanitizer knows only what is compiled with it, and GMP, MPFR and the C++ library are not. So this program is
-// made of the readers alone and what they need, of which everything on the way of an ordinary number is compiled here
-// (fuzz/CMakeLists.txt). Where a file needs GMP, for an integer of 16 digits, a fraction, an exact decimal, the reading
-// is given up (NeedsGmp).
+// MemorySanitizer knows only what is compiled with it, and GMP, MPFR and the C++ library are not.
+// So this program is made of the readers alone and what they need, of which everything on the way
+// of an ordinary number is compiled here (fuzz/CMakeLists.txt). Where a file needs GMP, for an
+// integer of 16 digits, a fraction, an exact decimal, the reading is given up (NeedsGmp).
 //
-// Every reader gets every file, as it stands and without its first byte, which chooses exact decimals in inputs of fuzz
-// targets; and versions that were cut off or changed in some bytes, the same ones every time. A value that was never
-// written and decides a branch ends the program with a report; so does one in a result or in the message of an error.
-// Exit status 1 when a file cannot be read, or one of the readers took nothing.
+// Every reader gets every file, as it stands and without its first byte, which chooses exact
+// decimals in inputs of fuzz targets; and versions that were cut off or changed in some bytes, the
+// same ones every time. A value that was never written and decides a branch ends the program with a
+// report; so does one in a result or in the message of an error. Exit status 1 when a file cannot
+// be read, or one of the readers took nothing.
 
 #include <gmp.h>
 #include <sanitizer/msan_interface.h>
@@ -22,12 +24,12 @@
 #include <string_view>
 #include <vector>
 
-#include "plumb/base/error.h"
-#include "plumb/io/map_reader.h"
-#include "plumb/io/obj_reader.h"
-#include "plumb/io/off_reader.h"
-#include "plumb/io/ply_reader.h"
+#include "plumb/io/map_io.h"
+#include "plumb/io/mesh/obj.h"
+#include "plumb/io/mesh/off.h"
+#include "plumb/io/mesh/ply.h"
 #include "plumb/io/svg_reader.h"
+#include "plumb/predicates/error.h"
 
 namespace {
 
@@ -35,7 +37,8 @@ struct NeedsGmp {};
 
 }  // namespace
 
-// A number is 0 and takes no memory until it gets a value; the first value that only GMP can hold ends the reading.
+// A number is 0 and takes no memory until it gets a value; the first value that only GMP can hold
+// ends the reading.
 static mp_limb_t one = 1;
 extern "C" void __gmpz_init(mpz_ptr z) { *z = {0, 0, &one}; }
 extern "C" void __gmpz_clear(mpz_ptr /*z*/) {}

@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-#include "plumb/io/solid_io.h"
-#include "plumb/io/weld_vertices.h"
+#include "plumb/io/mesh/mesh_formats.h"
+#include "plumb/io/mesh_io.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/testing/oracle_reached.h"
 #include "reader_laws.h"
@@ -87,8 +87,8 @@ inline void require_mesh_place(const Error& error, std::string_view bytes) {
   require(error.place().file == kFileName, "an error names the file");
 }
 
-/// What a file of `bytes` bytes may be charged at most: records come in steps; "1/3 0 0" (8 bytes with
-/// its line break) takes 48 + 208 + 192 + 48, and 96 while vertices are merged.
+/// What a file of `bytes` bytes may be charged at most: records come in steps; "1/3 0 0" (8 bytes
+/// with its line break) takes 48 + 208 + 192 + 48, and 96 while vertices are merged.
 inline Limits mesh_limits_for(std::size_t bytes) {
   Limits limits;
   limits.max_memory_bytes = 80 * bytes + (std::size_t{1} << 19U);
@@ -108,8 +108,8 @@ inline std::optional<MeshFile> mesh_of(std::string_view bytes, MeshFormat format
   }
 }
 
-/// A reader on arbitrary bytes: the first says how decimals are read, the rest is the file. `formats` are
-/// those it can be written in again, the first the one it is read as.
+/// A reader on arbitrary bytes: the first says how decimals are read, the rest is the file.
+/// `formats` are those it can be written in again, the first the one it is read as.
 inline void judge_mesh_reader(std::initializer_list<MeshFormat> formats, const std::uint8_t* data,
                               std::size_t size) {
   begin_input();

@@ -1,7 +1,8 @@
 // Minkowski sums of any two bounded sets, place by place, and what an erosion undoes.
 //
-// Input: a program of records of eight bytes (tests/generate/space_program.h). The first half is one expression over sets of
-// space, the rest the other one; what is unbounded is cut to a box. The judge is tests/oracle/minkowski_check.h.
+// Input: a program of records of eight bytes (tests/generate/space_program.h). The first half is
+// one expression over sets of space, the rest the other one; what is unbounded is cut to a box. The
+// judge is tests/oracle/minkowski_check.h.
 #include "generate/space_program.h"
 #include "oracle/minkowski_check.h"
 #include "oracle/nef3_check.h"
@@ -12,7 +13,8 @@ namespace plumb::testing {
 namespace {
 
 constexpr std::size_t kMaxPlanes = 9;
-// Parts of operands multiply, and every marked item is a part where one is neither open nor are both closed.
+// Parts of operands multiply, and every marked item is a part where one is neither open nor are
+// both closed.
 constexpr std::size_t kMostVertices = 10;  // of an operand
 constexpr std::size_t kMostMixed = 20;     // product of both
 constexpr std::size_t kMostEroded = 12;    // vertices of a sum
@@ -62,7 +64,7 @@ std::string difference_of(std::span<const std::uint8_t> program) {
     return "a sum of closed and open sets";
   }
   if (both.is_closed() && both.counts().vertices <= kMostEroded &&
-      !(a <= minkowski_erosion(both, b, context))) {
+      !a.is_subset_of(minkowski_erosion(both, b, context))) {
     return "an erosion of the sum";
   }
   return "";

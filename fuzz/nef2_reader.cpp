@@ -1,11 +1,10 @@
 // The .nef2 reader on arbitrary bytes, and on what the writer writes with a few words changed.
 //
 // First byte even: the rest is the file. Odd: records of four bytes build a set by operations on
-// half-planes, rays, lines and small polygons; it is written, and the records left over change words
-// of the text. Either the reader throws an Error (with a place in the file, but for records that are
-// no set), or the set it read passes its audit and is written and read again as it was, byte for byte.
-
-#include "plumb/io/nef2_reader.h"
+// half-planes, rays, lines and small polygons; it is written, and the records left over change
+// words of the text. Either the reader throws an Error (with a place in the file, but for records
+// that are no set), or the set it read passes its audit and is written and read again as it was,
+// byte for byte.
 
 #include <algorithm>
 #include <cstddef>
@@ -17,6 +16,7 @@
 #include <vector>
 
 #include "io/plane_sets.h"
+#include "plumb/io/plane/nef2_format.h"
 #include "plumb/testing/oracle_reached.h"
 #include "reader_laws.h"
 #include "shape_laws.h"

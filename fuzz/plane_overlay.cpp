@@ -1,5 +1,5 @@
-// Expressions over sets of the plane against their brute-force twin: every node of the tree element by
-// element, the whole set in everything that can be asked of it.
+// Expressions over sets of the plane against their brute-force twin: every node of the tree element
+// by element, the whole set in everything that can be asked of it.
 //
 // Input: a program of records of eight bytes (tests/generate/plane_program.h). The mutator works on
 // records; every input is an expression.

@@ -1,10 +1,11 @@
-// Convex pieces of any set of the plane, by every method that cuts it: each convex, together the set, no point twice.
+// Convex pieces of any set of the plane, by every method that cuts it: each convex, together the
+// set, no point twice.
 //
-// Input: a program of records of eight bytes (tests/generate/plane_program.h), an expression over sets of the
-// plane. The judge is tests/oracle/partition_check.h.
+// Input: a program of records of eight bytes (tests/generate/plane_program.h), an expression over
+// sets of the plane. The judge is tests/oracle/partition_check.h.
 #include "generate/plane_program.h"
 #include "oracle/partition_check.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 #include "record_target.h"
 
 namespace plumb::testing {

@@ -1,8 +1,8 @@
 // Every rung of every predicate on input doubles against Boost integers, and the constructed points
 // of PointTable2 against Boost rationals; in any rounding mode, with and without flush-to-zero.
 //
-// Input: {predicate, environment, construction, scale}, then the coordinates, each {how, ...}; an input
-// that is too short goes on with zeros.
+// Input: {predicate, environment, construction, scale}, then the coordinates, each {how, ...}; an
+// input that is too short goes on with zeros.
 #include <algorithm>
 #include <cfenv>
 #include <cmath>

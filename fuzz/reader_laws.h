@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb::fuzz {
 

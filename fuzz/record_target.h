@@ -1,5 +1,5 @@
-// A fuzz target whose inputs are programs of records, mutated as such: the target says what kTarget is,
-// record_target.cpp does the rest.
+// A fuzz target whose inputs are programs of records, mutated as such: the target says what kTarget
+// is, record_target.cpp does the rest.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,9 @@
 // The scene reader and the tracer on arbitrary bytes.
 //
-// The first byte chooses the mesh, and exact decimals or nearest doubles; the rest is the scene. Either the
-// reader throws an Error that names the file, a line and a column inside it, or polygons whose segments lie in
-// their faces, and every leg of theirs, traced the other way, is the same path.
+// The first byte chooses the mesh, and exact decimals or nearest doubles; the rest is the scene.
+// Either the reader throws an Error that names the file, a line and a column inside it, or polygons
+// whose segments lie in their faces, and every leg of theirs, traced the other way, is the same
+// path.
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,7 @@
 #include <vector>
 
 #include "generate/surface_meshes.h"
-#include "plumb/io/scene_text.h"
+#include "plumb/io/surface/scene_parser.h"
 #include "plumb/io/svg_reader.h"
 #include "plumb/surface/trace.h"
 #include "plumb/testing/oracle_reached.h"

@@ -9,11 +9,9 @@
 #include <string_view>
 
 #include "oracle/shape_oracle.h"
-#include "plumb/io/geojson_reader.h"
-#include "plumb/io/geojson_writer.h"
+#include "plumb/io/plane/geojson.h"
+#include "plumb/io/plane/wkt.h"
 #include "plumb/io/plane_io.h"
-#include "plumb/io/wkt_reader.h"
-#include "plumb/io/wkt_writer.h"
 #include "plumb/testing/oracle_reached.h"
 #include "reader_laws.h"
 
@@ -58,7 +56,7 @@ inline void require_text_round(const Nef2& set, PlaneFormat format) {
     require(!losses.open && !losses.unbounded, "nothing of a closed bounded set is left out");
     const Nef2 copy = read_back(text_of(ready), format);
     require_sound(copy);
-    require(counts_of(copy) == (losses.reshaped ? (*losses.reshaped)[1] : counts_of(set)),
+    require(copy.counts() == (losses.reshaped ? (*losses.reshaped)[1] : set.counts()),
             "a file is what the writer said it is");
     if (to_shapes(set.parts(), context).points.all_double()) {
       require(copy == set, "a set of doubles survives WKT and GeoJSON");
@@ -123,8 +121,8 @@ inline void require_formats_agree(const PlaneShapes& shapes) {
   }
 }
 
-/// What a file of `bytes` bytes may be charged at most: shapes come in steps of 2^17 bytes; "1/3 2,"
-/// (6 bytes) takes 28 + 32 + 64.
+/// What a file of `bytes` bytes may be charged at most: shapes come in steps of 2^17 bytes; "1/3
+/// 2," (6 bytes) takes 28 + 32 + 64.
 inline Limits limits_for(std::size_t bytes) {
   Limits limits;
   limits.max_memory_bytes = 32 * bytes + (std::size_t{1} << 18U);

@@ -1,8 +1,8 @@
 // Programs over sets of the sphere against their brute-force twin: every set made item by item, the
 // last one in everything that can be asked of it.
 //
-// Input: a program of records of eight bytes (tests/generate/sphere_program.h). The mutator works on
-// records; every input is a program.
+// Input: a program of records of eight bytes (tests/generate/sphere_program.h). The mutator works
+// on records; every input is a program.
 #include "generate/sphere_program.h"
 #include "record_target.h"
 

@@ -1,8 +1,8 @@
 // The STL reader on arbitrary bytes.
 //
-// The first byte chooses exact decimals or nearest doubles; the rest is the file. Either the reader throws
-// an Error that names the file and a place in it, or the mesh it read is sound, and written in this and other
-// formats it is read again as it was.
+// The first byte chooses exact decimals or nearest doubles; the rest is the file. Either the reader
+// throws an Error that names the file and a place in it, or the mesh it read is sound, and written
+// in this and other formats it is read again as it was.
 
 #include "mesh_laws.h"
 

@@ -1,10 +1,10 @@
 // The reader of drawings on arbitrary bytes, and where drawings lie on a surface.
 //
-// The first byte chooses the tolerance, the place and the mesh; the rest is the file. Either the reader throws an Error
-// that names the file, a line and a column inside it, or rings of two points or more, finite ones; what it takes is in
-// proportion to the file. On a flat mesh
-// their points lie where a similarity puts them, or beyond the border and are refused; elsewhere lines to them end in
-// the mesh, and the rings are polygons.
+// The first byte chooses the tolerance, the place and the mesh; the rest is the file. Either the
+// reader throws an Error that names the file, a line and a column inside it, or rings of two points
+// or more, finite ones; what it takes is in proportion to the file. On a flat mesh their points lie
+// where a similarity puts them, or beyond the border and are refused; elsewhere lines to them end
+// in the mesh, and the rings are polygons.
 
 #include "plumb/io/svg_reader.h"
 
@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "generate/surface_meshes.h"
-#include "plumb/base/degrees.h"
+#include "plumb/base/internal/degrees.h"
 #include "plumb/surface/exponential_map.h"
 #include "plumb/surface/surface_path.h"
 #include "plumb/surface/trace.h"
@@ -34,8 +34,8 @@ constexpr std::size_t kMostText = 1U << 14U;
 constexpr std::size_t kMostRings = 20;
 constexpr std::size_t kMostPoints = 200;
 constexpr double kClose = 1e-9;
-// What a drawing may be charged at most: a chord of a curve takes 48 bytes; there may be 2^20 of them, and one more for every 8
-// bytes. An attribute takes 64 bytes from 5, a point 48 from 2.
+// What a drawing may be charged at most: a chord of a curve takes 48 bytes; there may be 2^20 of
+// them, and one more for every 8 bytes. An attribute takes 64 bytes from 5, a point 48 from 2.
 constexpr std::size_t kBytesOfChords = std::size_t{48} << 20U;
 constexpr std::size_t kBytesPerByte = 48 / 8 + 48;
 
@@ -54,7 +54,8 @@ void require_rings(const SvgDrawing& drawing, std::string_view text) {
   }
 }
 
-/// A square of 4 x 4, turned by some degrees, and a centre in the lower face right of its middle or on the side of that.
+/// A square of 4 x 4, turned by some degrees, and a centre in the lower face right of its middle or
+/// on the side of that.
 struct FlatPlace {
   FlatPlace(double degrees, double u, double v)
       : turn(unit_vector(degrees)), mesh(turned(turn)), u(u), v(v) {}

@@ -1,4 +1,5 @@
-// How convexity tests and convex decomposition grow, family by family (growth.h says how it is measured).
+// How convexity tests and convex decomposition grow, family by family (growth.h says how it is
+// measured).
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -18,7 +19,7 @@ namespace {
 
 Nef3 solid(const PolygonMesh& mesh) {
   Context context;
-  return Nef3::mesh(mesh, WindingRule::Positive, context);
+  return Nef3::from_mesh(mesh, {.rule = WindingRule::Positive}, context);
 }
 
 /// A disc of n corners with one notch: a single reflex edge.
@@ -61,7 +62,8 @@ Work saddles(std::size_t notches) {
   });
 }
 
-/// A prism over n corners, and pyramids on both of its ends: quads, and two vertices beside n faces each.
+/// A prism over n corners, and pyramids on both of its ends: quads, and two vertices beside n faces
+/// each.
 PolygonMesh pencil(int n) {
   PolygonMesh mesh;
   const auto at = [n](int i, int k) { return static_cast<std::uint32_t>(2 * (i % n) + k); };
@@ -80,7 +82,8 @@ PolygonMesh pencil(int n) {
   return mesh;
 }
 
-/// The same with a step at its side: one reflex edge, and a plane through it meets a share of all faces.
+/// The same with a step at its side: one reflex edge, and a plane through it meets a share of all
+/// faces.
 Work stepped_pencils(std::size_t corners) {
   const Nef3 set = solid(pencil(static_cast<int>(corners))) -
                    solid(testing::box_mesh({0.75, -2, 0.5}, {2, 2, 3}));

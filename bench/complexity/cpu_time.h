@@ -8,15 +8,16 @@
 
 namespace plumb::bench {
 
-/// Memory that is freed stays with the process. Otherwise every run of a large size, and of no small one, waits for the
-/// kernel to clear pages: system time, which cpu_seconds() cannot tell from user time.
+/// Memory that is freed stays with the process. Otherwise every run of a large size, and of no
+/// small one, waits for the kernel to clear pages: system time, which cpu_seconds() cannot tell
+/// from user time.
 inline void keep_freed_memory() {
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, -1);
 }
 
-/// User and system time together. (The kernel measures only their sum; it divides it in two by sampling,
-/// which is far off for single calls of some milliseconds.)
+/// User and system time together. (The kernel measures only their sum; it divides it in two by
+/// sampling, which is far off for single calls of some milliseconds.)
 inline double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);

@@ -43,7 +43,8 @@ struct SizeCost {
   std::size_t runs = 0;  ///< in it
 };
 
-/// Other programs disturb caches: short runs are batched, all inputs of a size alike, and the least counts.
+/// Other programs disturb caches: short runs are batched, all inputs of a size alike, and the least
+/// counts.
 SizeCost cost_of(const Work& work, Meter& meter) {
   SizeCost result{work.size, {}};
   double all = 0;

@@ -1,4 +1,5 @@
-// That a family above its bound fails, by calls of predicates or allocations alone, and so does one of too few sizes.
+// That a family above its bound fails, by calls of predicates or allocations alone, and so does one
+// of too few sizes.
 #include "growth.h"
 
 #include <fmt/format.h>
@@ -10,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "plumb/predicates/input/rung_counters.h"
 #include "plumb/predicates/input_predicates.h"
-#include "plumb/predicates/rung_counters.h"
 
 namespace plumb::bench {
 namespace {

@@ -1,12 +1,12 @@
 // How the check of a map grows with its faces, family by family (growth.h says how it is measured).
-#include "generate/map_families.h"
+#include "plumb/testing/map_families.h"
 
 #include <memory>
 #include <utility>
 
 #include "growth.h"
-#include "plumb/base/error.h"
 #include "plumb/plane/map_check.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb::bench {
 namespace {

@@ -1,4 +1,5 @@
-// How finding contacts grows with two spheres of triangles in several positions (growth.h says how it is measured).
+// How finding contacts grows with two spheres of triangles in several positions (growth.h says how
+// it is measured).
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -6,8 +7,8 @@
 
 #include "generate/meshes.h"
 #include "growth.h"
+#include "plumb/space/boolean/find_contacts.h"
 #include "plumb/space/from_mesh.h"
-#include "plumb/space/meet.h"
 
 namespace plumb::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "plumb/predicates/rung_counters.h"
+#include "plumb/predicates/input/rung_counters.h"
 
 namespace plumb::bench {
 
@@ -17,8 +17,9 @@ struct Cost {
   RungCounts rungs{};       ///< the same by predicate and by the rung that decided
 };
 
-/// One work may be started and stopped several times, to leave out what does not belong to it.
-/// It has to run on the thread that starts and stops: calls of predicates on other threads are not seen.
+/// One work may be started and stopped several times, to leave out what does not belong to it. It
+/// has to run on the thread that starts and stops: calls of predicates on other threads are not
+/// seen.
 class Meter {
  public:
   Meter();

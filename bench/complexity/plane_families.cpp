@@ -1,5 +1,6 @@
-// How arrangements, Booleans and queries of the plane grow (growth.h says how it is measured), and the memory of
-// an arrangement: exit status 1, too, when 2,000 long segments peak above 400 bytes a crossing.
+// How arrangements, Booleans and queries of the plane grow (growth.h says how it is measured), and
+// the memory of an arrangement: exit status 1, too, when 2,000 long segments peak above 400 bytes a
+// crossing.
 #include <fmt/core.h>
 #include <sys/resource.h>
 
@@ -9,8 +10,7 @@
 
 #include "growth.h"
 #include "plane_jobs.h"
-#include "plumb/io/plane_shapes.h"
-#include "plumb/plane/nef2_parts.h"
+#include "plumb/io/plane_io.h"
 
 namespace plumb::bench {
 namespace {
@@ -52,7 +52,7 @@ Work stars(std::size_t n, MarkFunction f) {
   }
   return measured_in_turn(static_cast<double>(2 * n), std::move(pairs), [f](const auto& pair) {
     Context context;
-    return combine(pair.first, pair.second, f, context);
+    return boolean_op(pair.first, pair.second, f, context);
   });
 }
 Work star_intersection(std::size_t n) { return stars(n, kIntersection); }
@@ -65,7 +65,7 @@ Work polygons_of_union(std::size_t n) {
       Nef2::polygon(testing::star_polygon(n, 1)) + Nef2::polygon(testing::star_polygon(n, 2));
   return measured(static_cast<double>(set.complex().edge_count()), [set] {
     Context context;
-    return to_shapes(parts_of(set, context), context);
+    return to_shapes(set.parts(context), context);
   });
 }
 
@@ -95,8 +95,8 @@ Work locate(std::size_t n) {
   });
 }
 
-/// From each corner of 200 octagons towards its next one but two, to the first place that is met. Wherever a ray starts,
-/// something is near. The structures are made before.
+/// From each corner of 200 octagons towards its next one but two, to the first place that is met.
+/// Wherever a ray starts, something is near. The structures are made before.
 Work shoot(std::size_t n) {
   const Nef2 set = union_of_polygons(testing::octagons(n));
   std::vector<Line2> rays;
@@ -118,8 +118,8 @@ Work shoot(std::size_t n) {
 Work half_plane_intersection(std::size_t n) {
   return measured(static_cast<double>(n), [planes = half_planes(n)] {
     Context context;
-    Nef2 all = Nef2::plane();
-    for (const Nef2& h : planes) all = combine(all, h, kIntersection, context);
+    Nef2 all = Nef2::whole();
+    for (const Nef2& h : planes) all = boolean_op(all, h, kIntersection, context);
     return all;
   });
 }

@@ -1,5 +1,6 @@
-// How operations on sets of space grow, family by family (growth.h says how it is measured). The chain of subtractions
-// fails, too, when a plane of its result has a coefficient of more than 160 bits: Booleans add no planes.
+// How operations on sets of space grow, family by family (growth.h says how it is measured). The
+// chain of subtractions fails, too, when a plane of its result has a coefficient of more than 160
+// bits: Booleans add no planes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,14 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include "generate/dice.h"
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
 #include "growth.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/to_mesh.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::bench {
 namespace {
@@ -100,14 +101,14 @@ Work united_cubes(std::size_t side) {
 Work cubes_one_by_one(std::size_t side) {
   return made(side * side * side, [cubes = separated_cubes(side)](Context& context) {
     Nef3 all;
-    for (const Nef3& cube : cubes) all = combine(std::move(all), cube, kUnion, context);
+    for (const Nef3& cube : cubes) all = boolean_op(std::move(all), cube, kUnion, context);
     return all;
   });
 }
 
 Work united_needles(std::size_t n) {
   return made(n, [a = needles(n, 0), b = needles(n, 2)](Context& context) {
-    return combine(a, b, kUnion, context);
+    return boolean_op(a, b, kUnion, context);
   });
 }
 
@@ -126,8 +127,8 @@ std::vector<Nef3> half_spaces(std::size_t n) {
 
 Work half_spaces_one_by_one(std::size_t n) {
   return made(n, [sets = half_spaces(n)](Context& context) {
-    Nef3 all = Nef3::space();
-    for (const Nef3& set : sets) all = combine(std::move(all), set, kIntersection, context);
+    Nef3 all = Nef3::whole();
+    for (const Nef3& set : sets) all = boolean_op(std::move(all), set, kIntersection, context);
     return all;
   });
 }
@@ -137,7 +138,7 @@ Nef3 parity_of(const std::vector<Nef3>& sets, Context& context) {
   while (level.size() > 1) {
     std::vector<Nef3> pairs;
     for (std::size_t i = 0; i + 1 < level.size(); i += 2) {
-      pairs.push_back(combine(level[i], level[i + 1], kSymmetricDifference, context));
+      pairs.push_back(boolean_op(level[i], level[i + 1], kSymmetricDifference, context));
     }
     if (level.size() % 2 == 1) pairs.push_back(level.back());
     level = std::move(pairs);
@@ -184,8 +185,9 @@ Work whole_path(std::size_t depth) {
   const auto meshes = std::make_shared<const std::array<PolygonMesh, 2>>(crossing_spheres(depth));
   return made((*meshes)[0].face_count() + (*meshes)[1].face_count(), [meshes](Context& context) {
     return triangles_of(
-        combine(Nef3::mesh((*meshes)[0], WindingRule::Positive, context),
-                Nef3::mesh((*meshes)[1], WindingRule::Positive, context), kUnion, context),
+        boolean_op(Nef3::from_mesh((*meshes)[0], {.rule = WindingRule::Positive}, context),
+                   Nef3::from_mesh((*meshes)[1], {.rule = WindingRule::Positive}, context), kUnion,
+                   context),
         context);
   });
 }
@@ -223,7 +225,7 @@ Work columns_and_slab(std::size_t size) {
   const double side = 2 * static_cast<double>(size) + 1;
   return made(size * size, [slab = solid(testing::box_mesh({0, 0, 0}, {side, side, 1})),
                             all = solid(columns(size))](Context& context) {
-    return combine(slab, all, kSymmetricDifference, context);
+    return boolean_op(slab, all, kSymmetricDifference, context);
   });
 }
 
@@ -232,12 +234,12 @@ Work plates(std::size_t size) {
   const PolygonMesh mesh = testing::voxel_mesh(testing::pierced_plate(static_cast<int>(size)));
   return made(size * size,
               [plate = solid(mesh), other = solid(testing::moved(mesh, {0.5, 0.25, 0}))](
-                  Context& context) { return combine(plate, other, kUnion, context); });
+                  Context& context) { return boolean_op(plate, other, kUnion, context); });
 }
 
 Work set_of_mesh(std::size_t size, PolygonMesh of) {
   return made(size, [mesh = std::move(of)](Context& context) {
-    return Nef3::mesh(mesh, WindingRule::Positive, context);
+    return Nef3::from_mesh(mesh, {.rule = WindingRule::Positive}, context);
   });
 }
 
@@ -277,7 +279,7 @@ struct Drilled {
 Drilled drilled(const std::vector<Nef3>& drills, Context& context) {
   Drilled result{solid(testing::box_mesh({0, 0, 0}, {1000, 100, 100}))};
   for (const Nef3& drill : drills) {
-    result.block = combine(std::move(result.block), drill, kDifference, context);
+    result.block = boolean_op(std::move(result.block), drill, kDifference, context);
     result.facets_written += result.block.complex().facet_count();
   }
   return result;

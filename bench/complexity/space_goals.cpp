@@ -2,10 +2,11 @@
 //
 //   space_goals [--depth N] [--slack X] [--only TEXT] [--json FILE]
 //
-// prints a line for each goal and exits 1 if one is missed by more than the factor --slack (default 1). --depth bounds the
-// icospheres: 20 * 4^depth triangles (default 7).
+// prints a line for each goal and exits 1 if one is missed by more than the factor --slack (default
+// 1). --depth bounds the icospheres: 20 * 4^depth triangles (default 7).
 //
-//   memory     two icospheres from mesh to triangles of their union; how time grows: space_families, meshes-to-triangles
+//   memory     two icospheres from mesh to triangles of their union; how time grows:
+//              space_families, meshes-to-triangles
 //   degenerate pairs in almost equal or partly equal planes, the same way
 //   locate     random points in an icosphere
 //   file       an icosphere to .nef text and back
@@ -25,13 +26,13 @@
 
 #include "../report/report.h"
 #include "cpu_time.h"
-#include "generate/dice.h"
 #include "generate/meshes.h"
 #include "plumb/io/nef3_reader.h"
 #include "plumb/io/nef3_writer.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/space_audit.h"
 #include "plumb/space/to_mesh.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::bench {
 namespace {
@@ -65,7 +66,7 @@ bool report(Options& options, const std::string& what, double value, const char*
 
 Nef3 solid(const PolygonMesh& mesh) {
   Context context;
-  return Nef3::mesh(mesh, WindingRule::Positive, context);
+  return Nef3::from_mesh(mesh, {.rule = WindingRule::Positive}, context);
 }
 
 PolygonMesh ball(int depth, Point3 centre) { return testing::icosphere_mesh(depth, 1, centre); }
@@ -73,8 +74,9 @@ PolygonMesh ball(int depth, Point3 centre) { return testing::icosphere_mesh(dept
 /// From meshes to the triangles of the union.
 std::size_t unite(const PolygonMesh& a, const PolygonMesh& b) {
   Context context;
-  const Nef3 both = combine(Nef3::mesh(a, WindingRule::Positive, context),
-                            Nef3::mesh(b, WindingRule::Positive, context), kUnion, context);
+  const Nef3 both =
+      boolean_op(Nef3::from_mesh(a, {.rule = WindingRule::Positive}, context),
+                 Nef3::from_mesh(b, {.rule = WindingRule::Positive}, context), kUnion, context);
   return mesh_of_complex(both.complex(), {MeshFaces::Triangles, false, false}, context)
       .mesh.face_count();
 }
@@ -172,7 +174,7 @@ bool measure_audit(Options& options) {
   const double uniting = least_seconds([&] {
     return seconds_of([&] {
       Context context;
-      both = combine(a, b, kUnion, context);
+      both = boolean_op(a, b, kUnion, context);
     });
   });
   const double auditing =

@@ -1,5 +1,5 @@
-// What sets that reach to infinity cost: unions and intersections of sets with unbounded facets against those of
-// the same sets clipped to a box.
+// What sets that reach to infinity cost: unions and intersections of sets with unbounded facets
+// against those of the same sets clipped to a box.
 //
 //   space_unbounded [--size N] [--limit X] [--json FILE]
 //
@@ -15,9 +15,9 @@
 
 #include "../report/report.h"
 #include "cpu_time.h"
-#include "generate/dice.h"
 #include "generate/meshes.h"
 #include "plumb/space/nef3.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::bench {
 namespace {
@@ -64,7 +64,7 @@ std::vector<Nef3> corners(std::size_t n) {
   Dice dice(2);
   std::vector<Nef3> sets;
   while (sets.size() < n) {
-    Nef3 corner = Nef3::space();
+    Nef3 corner = Nef3::whole();
     for (int side = 0; side < 3; ++side) {
       const std::int64_t a = dice.between(-5, 5) + (side == 0 ? 12 : 0);
       const std::int64_t b = dice.between(-5, 5) + (side == 1 ? 12 : 0);
@@ -83,8 +83,8 @@ std::vector<Nef3> pierced_slabs(std::size_t n) {
     Context context;
     const auto at = static_cast<std::int64_t>(i);
     const Point3 centre{static_cast<double>(5 * i), 0.5, 1.5};
-    const Nef3 ball =
-        Nef3::mesh(testing::icosphere_mesh(2, 2, centre), WindingRule::Positive, context);
+    const Nef3 ball = Nef3::from_mesh(testing::icosphere_mesh(2, 2, centre),
+                                      {.rule = WindingRule::Positive}, context);
     sets.push_back(below(-1, 0, -3, 0) * below(1, 0, 3, -20 - at) - ball);
   }
   return sets;
@@ -101,7 +101,7 @@ double seconds(const std::vector<Nef3>& sets, MarkFunction f) {
     Context context;
     const double start = cpu_seconds();
     Nef3 result = sets.front();
-    for (std::size_t i = 1; i < sets.size(); ++i) result = combine(result, sets[i], f, context);
+    for (std::size_t i = 1; i < sets.size(); ++i) result = boolean_op(result, sets[i], f, context);
     return cpu_seconds() - start;
   });
 }
@@ -109,8 +109,9 @@ double seconds(const std::vector<Nef3>& sets, MarkFunction f) {
 bool measure(const std::string& name, const std::vector<Nef3>& sets, double limit,
              nlohmann::ordered_json& rows) {
   Context context;
-  const Nef3 box = Nef3::mesh(testing::box_mesh({-kClip, -kClip, -kClip}, {kClip, kClip, kClip}),
-                              WindingRule::Positive, context);
+  const Nef3 box =
+      Nef3::from_mesh(testing::box_mesh({-kClip, -kClip, -kClip}, {kClip, kClip, kClip}),
+                      {.rule = WindingRule::Positive}, context);
   std::vector<Nef3> clipped;
   for (const Nef3& set : sets) clipped.push_back(set * box);
   bool is_within = true;

@@ -1,5 +1,5 @@
-// How overlays of the sphere grow (growth.h says how it is measured): SphereOverlay::combine alone. And location in
-// a large set, locators made before.
+// How overlays of the sphere grow (growth.h says how it is measured): SphereOverlay::boolean_op
+// alone. And location in a large set, locators made before.
 #include "generate/sphere_families.h"
 
 #include <memory>
@@ -7,8 +7,8 @@
 
 #include "growth.h"
 #include "plumb/sphere/nef_sphere.h"
+#include "plumb/sphere/overlay/sphere_overlay.h"
 #include "plumb/sphere/sphere_locator.h"
-#include "plumb/sphere/sphere_overlay.h"
 
 namespace plumb::bench {
 namespace {
@@ -34,12 +34,12 @@ Work overlay_of(const NefSphere& first, const NefSphere& second) {
   const auto overlay = std::make_shared<SphereOverlay>(o->planes);
   SphereMap out;
   SphereOrigins origins;
-  overlay->combine(o->a, o->b, MarkTable(kUnion), out, origins);
+  overlay->boolean_op(o->a, o->b, MarkTable(kUnion), out, origins);
   const std::size_t size = o->a.arc_count() + o->b.arc_count() + out.point_count();
   return measured(static_cast<double>(size), [o, overlay] {
     SphereMap result;
     SphereOrigins from;
-    overlay->combine(o->a, o->b, MarkTable(kUnion), result, from);
+    overlay->boolean_op(o->a, o->b, MarkTable(kUnion), result, from);
     return result;
   });
 }

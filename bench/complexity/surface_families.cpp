@@ -1,5 +1,6 @@
-// How dividing surfaces grows, family by family (growth.h says how it is measured): SurfaceDivision alone (slicing, cells,
-// labels) against s + k, segments and crossings. With --goals instead: scenes of the sizes others publish, once each.
+// How dividing surfaces grows, family by family (growth.h says how it is measured): SurfaceDivision
+// alone (slicing, cells, labels) against s + k, segments and crossings. With --goals instead:
+// scenes of the sizes others publish, once each.
 #include <fmt/core.h>
 #include <sys/resource.h>
 
@@ -21,7 +22,8 @@
 namespace plumb::bench {
 namespace {
 
-/// A torus of columns x rows squares, each cut by its diagonal; and rings drawn on it, from square to square.
+/// A torus of columns x rows squares, each cut by its diagonal; and rings drawn on it, from square
+/// to square.
 class TorusScene {
  public:
   TorusScene(std::uint32_t columns, std::uint32_t rows)
@@ -122,7 +124,8 @@ class TorusScene {
   /// On the side of a face that lies on a line of that kind; `t` from its lower or left end.
   SurfacePointId add_on_line(FaceId f, int line, double t) {
     const bool upper = f.value() % 2 == 1;
-    // Lower: bottom, right, diagonal (downwards). Upper: diagonal (upwards), top (to the left), left (downwards).
+    // Lower: bottom, right, diagonal (downwards). Upper: diagonal (upwards), top (to the left),
+    // left (downwards).
     const std::size_t side =
         line == 2 ? (upper ? 0 : 2) : (line == 0 ? (upper ? 2 : 1) : (upper ? 1 : 0));
     const bool is_forward = side == 0 || (side == 1 && !upper);
@@ -209,7 +212,8 @@ std::size_t peak_megabytes() {
   return static_cast<std::size_t>(usage.ru_maxrss) / 1024;
 }
 
-/// A sphere of 20 * 4^depth triangles whose radius swells and shrinks by up to `bumps`: triangles of all shapes.
+/// A sphere of 20 * 4^depth triangles whose radius swells and shrinks by up to `bumps`: triangles
+/// of all shapes.
 std::shared_ptr<const SurfaceMesh> bumpy_sphere(int depth, double bumps) {
   const SurfaceMesh sphere = testing::sphere_surface(depth);
   std::vector<Point3> points;
@@ -267,8 +271,8 @@ void measure_goal(const char* name, const SurfaceScene& scene) {
       label_entries(division), meter.take().seconds, peak_megabytes());
 }
 
-/// On tori, spheres and spheres with bumps. In the order of their size, so that the peak so far is that of the last
-/// one.
+/// On tori, spheres and spheres with bumps. In the order of their size, so that the peak so far is
+/// that of the last one.
 void measure_goals() {
   struct Goal {
     const char* name;

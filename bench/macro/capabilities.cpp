@@ -1,5 +1,5 @@
-// Every capability on real and on generated inputs: CPU time and the largest resident set, a process for each. Exit
-// status 1 when one of them fails.
+// Every capability on real and on generated inputs: CPU time and the largest resident set, a
+// process for each. Exit status 1 when one of them fails.
 //
 //   capabilities [--most PERCENT] [--json FILE]     (from the root of the tree: corpus/)
 #include <fmt/core.h>
@@ -12,8 +12,8 @@
 #include "generate/meshes.h"
 #include "jobs.h"
 #include "macro_report.h"
-#include "plumb/io/map_reader.h"
-#include "plumb/io/solid_io.h"
+#include "plumb/io/map_io.h"
+#include "plumb/io/mesh_io.h"
 
 namespace plumb::bench {
 

@@ -8,12 +8,11 @@
 #include "../complexity/plane_jobs.h"
 #include "generate/sphere_families.h"
 #include "jobs.h"
-#include "plumb/base/error.h"
 #include "plumb/convex/plane_partition.h"
 #include "plumb/plane/map_check.h"
 #include "plumb/plane/map_overlay.h"
-#include "plumb/plane/overlay_areas.h"
 #include "plumb/plane/plane_audit.h"
+#include "plumb/predicates/error.h"
 #include "plumb/sphere/sphere_locator.h"
 #include "plumb/testing/map_families.h"
 
@@ -114,7 +113,7 @@ Once union_of_sets(const Nef2& a, const Nef2& b) {
   return timed(
       [a, b] {
         Context context;
-        return combine(a, b, kUnion, context);
+        return boolean_op(a, b, kUnion, context);
       },
       edges_of);
 }
@@ -211,7 +210,7 @@ void add_sphere(std::vector<Job>& jobs, const MacroOptions& options) {
                     return timed(
                         [a, b] {
                           Context context;
-                          return combine(a, b, kUnion, context);
+                          return boolean_op(a, b, kUnion, context);
                         },
                         [](const NefSphere& set) { return set.map().arc_count(); });
                   }});

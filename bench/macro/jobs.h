@@ -11,7 +11,7 @@
 #include "../text_of.h"
 #include "macro_report.h"
 #include "plumb/plane/map.h"
-#include "plumb/space/polygon_mesh.h"
+#include "plumb/space/mesh_arrays.h"
 
 namespace plumb::bench {
 

@@ -22,7 +22,8 @@ namespace {
 constexpr double kEnoughSeconds = 0.3;
 constexpr int kMostRuns = 7;
 
-/// From here on the largest resident set is that of what follows: the kernel forgets the peak. Where it does not, of all.
+/// From here on the largest resident set is that of what follows: the kernel forgets the peak.
+/// Where it does not, of all.
 void forget_peak() {
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << "5";

@@ -25,16 +25,16 @@ struct Measured {
   nlohmann::json calls;  ///< of predicates, in the first run (report/calls.h)
 };
 
-/// Runs `once` several times in a process of its own; each returns CPU seconds and size. Throws std::runtime_error when that
-/// process fails.
+/// Runs `once` several times in a process of its own; each returns CPU seconds and size. Throws
+/// std::runtime_error when that process fails.
 struct Timing {
   double seconds;
   double size;
 };
 Measured in_own_process(const std::function<std::function<Timing()>()>& prepare);
 
-/// Parses, calls `fill` with the rows to add to, writes {"part", "title", "rows"}. Exit status: that of `fill`, 2 when the file
-/// cannot be written.
+/// Parses, calls `fill` with the rows to add to, writes {"part", "title", "rows"}. Exit status:
+/// that of `fill`, 2 when the file cannot be written.
 int macro_main(std::string_view part, std::string_view title, int argc, char** argv,
                const std::function<int(const MacroOptions&, nlohmann::ordered_json& rows)>& fill);
 

@@ -2,10 +2,11 @@
 //
 //   memory_table [--most PERCENT] [--json FILE]
 //
-// Measured: what the allocator holds more once the structure is there and everything it was made with is gone. Predicted:
-// arithmetic with the sizes of fields and the numbers of elements, as in the headers. Exit status 1 when one
-// holds more than 10 % above that (where arrays grow element by element and may hold twice what is in them, 110 %), or less
-// than half of it: then something was not counted.
+// Measured: what the allocator holds more once the structure is there and everything it was made
+// with is gone. Predicted: arithmetic with the sizes of fields and the numbers of elements, as in
+// the headers. Exit status 1 when one holds more than 10 % above that (where arrays grow element by
+// element and may hold twice what is in them, 110 %), or less than half of it: then something was
+// not counted.
 #include <fmt/core.h>
 #include <malloc.h>
 
@@ -23,16 +24,15 @@
 #include "generate/sphere_families.h"
 #include "generate/surface_meshes.h"
 #include "macro_report.h"
-#include "plumb/io/map_reader.h"
-#include "plumb/io/map_writer.h"
-#include "plumb/io/solid_io.h"
+#include "plumb/io/map_io.h"
+#include "plumb/io/mesh_io.h"
 #include "plumb/plane/map_check.h"
-#include "plumb/plane/plane_locator.h"
+#include "plumb/plane/query/plane_locator.h"
 #include "plumb/space/space_locator.h"
-#include "plumb/sphere/sphere_bounds.h"
+#include "plumb/sphere/arcs/sphere_bounds.h"
 #include "plumb/sphere/sphere_locator.h"
-#include "plumb/surface/surface_arrangement.h"
-#include "plumb/surface/surface_cells.h"
+#include "plumb/surface/cells/surface_arrangement.h"
+#include "plumb/surface/cells/surface_cells.h"
 #include "plumb/testing/map_families.h"
 #include "plumb/testing/test_map.h"
 #include "traced_polygons.h"
@@ -95,7 +95,8 @@ class Table {
   bool is_within_ = true;
 };
 
-/// Half-edges hold origin, next, prev, loop; loops first, face, next, prev; vertices and faces one id.
+/// Half-edges hold origin, next, prev, loop; loops first, face, next, prev; vertices and faces one
+/// id.
 double bytes_of(const Dcel& d) {
   return 4 * kSize<HalfedgeId> * static_cast<double>(d.halfedge_slots()) +
          kSize<VertexId> * static_cast<double>(d.vertex_slots()) +
@@ -103,7 +104,8 @@ double bytes_of(const Dcel& d) {
          kSize<LoopId> * static_cast<double>(d.face_slots());
 }
 
-/// Points that doubles hold; crossings; the half-edge structure; a point for each vertex, a line for each edge, marks.
+/// Points that doubles hold; crossings; the half-edge structure; a point for each vertex, a line
+/// for each edge, marks.
 double bytes_of(const PlaneComplex& c) {
   return kSize<Point2> * static_cast<double>(c.points.inputs.size()) +
          kSize<Crossing2> * static_cast<double>(c.points.crossings.size()) + bytes_of(c.dcel) +
@@ -120,8 +122,8 @@ double nodes_of(std::size_t begin, std::size_t end, std::size_t from, std::size_
   return nodes_of(begin, middle, from, to) + nodes_of(middle, end, from, to);
 }
 
-/// A locator of a complex whose vertices are at different abscissae, and bounded: columns, and a list for each of four nodes a
-/// slab.
+/// A locator of a complex whose vertices are at different abscissae, and bounded: columns, and a
+/// list for each of four nodes a slab.
 double locator_bytes_of(const PlaneComplex& c) {
   const std::size_t slabs = c.vertex_count() + 1;
   double entries = 0;
@@ -136,14 +138,16 @@ double locator_bytes_of(const PlaneComplex& c) {
          4 * kSize<std::vector<EdgeId>> * static_cast<double>(slabs);
 }
 
-/// Planes with their rows, fingerprints, sources and two slots of an index; input points with their grids.
+/// Planes with their rows, fingerprints, sources and two slots of an index; input points with their
+/// grids.
 double bytes_of(const PlaneTable& planes) {
   return static_cast<double>(planes.points().size()) *
          (kSize<Point3> + kSize<Grid>)+static_cast<double>(planes.size()) *
          (kSize<PlaneRow> + kSize<Fingerprint> + kSize<PlaneSource> + 36);
 }
 
-/// Of the set itself: the fields of space_complex.h. Tables: planes; constructed points with boxes and sources.
+/// Of the set itself: the fields of space_complex.h. Tables: planes; constructed points with boxes
+/// and sources.
 double bytes_of(const SpaceComplex& c) {
   const auto vertices = static_cast<double>(c.vertex_count()),
              edges = static_cast<double>(c.edge_count()), uses = static_cast<double>(c.use_count()),
@@ -263,8 +267,8 @@ void add_space(Table& table, const MacroOptions& options) {
       {"Nef3 with its tables", "union of two of these", "facets"},
       [&] {
         Context context;
-        return combine(testing::solid(mesh), testing::solid(testing::moved(mesh, {0.3, 0.2, 0.1})),
-                       kUnion, context);
+        return boolean_op(testing::solid(mesh),
+                          testing::solid(testing::moved(mesh, {0.3, 0.2, 0.1})), kUnion, context);
       },
       describe);
   const Nef3 set = testing::solid(mesh);
@@ -351,7 +355,8 @@ void add_sphere_and_surface(Table& table, const MacroOptions& options) {
       [](const SurfaceMesh& m) {
         const auto faces = static_cast<double>(m.face_count());
         constexpr double kId = kSize<std::uint32_t>;
-        // corners, flipped, component; per half-edge twin and edge; per edge one; per vertex point and half-edge
+        // corners, flipped, component; per half-edge twin and edge; per edge one; per vertex point
+        // and half-edge
         return Facts{faces, faces * (kSize<SurfaceTriangle> + 1 + kId) + 3 * faces * 2 * kId +
                                 1.5 * faces * kId +
                                 static_cast<double>(m.vertex_count()) * (kSize<Point3> + kId)};

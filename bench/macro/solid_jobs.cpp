@@ -5,12 +5,11 @@
 #include <array>
 #include <memory>
 
-#include "generate/dice.h"
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "jobs.h"
-#include "plumb/base/error.h"
-#include "plumb/io/solid_sets.h"
+#include "plumb/io/solid_io.h"
+#include "plumb/predicates/error.h"
 #include "plumb/space/canonical.h"
 #include "plumb/space/half_space_list.h"
 #include "plumb/space/nef3.h"
@@ -18,6 +17,7 @@
 #include "plumb/space/space_audit.h"
 #include "plumb/space/space_measure.h"
 #include "plumb/space/to_mesh.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::bench {
 namespace {
@@ -33,15 +33,17 @@ Once union_of_meshes(const PolygonMesh& mesh) {
   return timed(
       [a = mesh, b = shifted(mesh)] {
         Context context;
-        return triangles_of(combine(testing::solid(a), testing::solid(b), kUnion, context));
+        return triangles_of(boolean_op(testing::solid(a), testing::solid(b), kUnion, context));
       },
       [](const PolygonMesh& result) { return result.face_count(); });
 }
 
-/// A polyhedron from the union of a mesh and itself moved, as rounded triangles: what does rounding do to it?
+/// A polyhedron from the union of a mesh and itself moved, as rounded triangles: what does rounding
+/// do to it?
 Once rounding_of(const PolygonMesh& mesh) {
   Context context;
-  const Nef3 both = combine(testing::solid(mesh), testing::solid(shifted(mesh)), kUnion, context);
+  const Nef3 both =
+      boolean_op(testing::solid(mesh), testing::solid(shifted(mesh)), kUnion, context);
   return timed_of(facets_of(both), [result = mesh_of_complex(both.complex(), {}, context).mesh] {
     Context own;
     return check_rounding(result, 10, own);
@@ -94,7 +96,7 @@ Once section_of(const PolygonMesh& mesh) {
   return timed(
       [set = testing::solid(mesh), plane] {
         Context context;
-        return combine(set, plane, Section::ClosedHalfSpace, kIntersection, context);
+        return boolean_op(set, plane, Section::ClosedHalfSpace, kIntersection, context);
       },
       facets_of);
 }

@@ -1,9 +1,10 @@
-// What a second and further threads bring, by capability that has them: wall time, one thread and several in turn.
+// What a second and further threads bring, by capability that has them: wall time, one thread and
+// several in turn.
 //
 //   threads [--most PERCENT] [--json FILE]
 //
-// 1, 2 and 4 threads, where there are as many cores. Ratio: time with one to time with so many, median, least and greatest
-// of the rounds.
+// 1, 2 and 4 threads, where there are as many cores. Ratio: time with one to time with so many,
+// median, least and greatest of the rounds.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -22,9 +23,9 @@
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
 #include "macro_report.h"
-#include "plumb/base/parallel.h"
+#include "plumb/base/internal/parallel.h"
 #include "plumb/convex/minkowski.h"
-#include "plumb/io/solid_io.h"
+#include "plumb/io/mesh_io.h"
 #include "plumb/space/to_mesh.h"
 
 namespace plumb::bench {
@@ -66,16 +67,18 @@ void add_jobs(std::vector<Job>& jobs, const std::string& input, const PolygonMes
               const PolygonMesh& b) {
   const std::vector<PolygonMesh> meshes{a, b};
   jobs.push_back({"two meshes become sets", input, [meshes](Context& context) {
-                    static_cast<void>(Nef3::meshes(meshes, WindingRule::Positive, context));
+                    static_cast<void>(
+                        Nef3::from_meshes(meshes, {.rule = WindingRule::Positive}, context));
                   }});
   const std::vector<Nef3> sets{testing::solid(a), testing::solid(b)};
   jobs.push_back({"union of two sets", input, [sets](Context& context) {
-                    static_cast<void>(combine(sets[0], sets[1], kUnion, context));
+                    static_cast<void>(boolean_op(sets[0], sets[1], kUnion, context));
                   }});
   jobs.push_back({"union, from meshes to triangles", input, [meshes](Context& context) {
-                    std::vector<Nef3> both = Nef3::meshes(meshes, WindingRule::Positive, context);
+                    std::vector<Nef3> both =
+                        Nef3::from_meshes(meshes, {.rule = WindingRule::Positive}, context);
                     const Nef3 set =
-                        combine(std::move(both[0]), std::move(both[1]), kUnion, context);
+                        boolean_op(std::move(both[0]), std::move(both[1]), kUnion, context);
                     static_cast<void>(mesh_of_complex(
                         set.complex(), {MeshFaces::Triangles, false, false}, context));
                   }});

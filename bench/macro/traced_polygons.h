@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 #include "plumb/surface/trace.h"
 
 namespace plumb::bench {

@@ -1,6 +1,7 @@
 // Planes and constructed points of space: interning, construction, side. Paired with the naive
-// orient3d expression, by which figures of different machines are scaled. Counters: share of the calls
-// each rung decides (filter, narrow, medium, wide; mpz is the rest), each = time of one triangle, point or sign.
+// orient3d expression, by which figures of different machines are scaled. Counters: share of the
+// calls each rung decides (filter, narrow, medium, wide; mpz is the rest), each = time of one
+// triangle, point or sign.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -12,7 +13,7 @@
 #include "plumb/predicates/line_signs.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/predicates/point3_table.h"
+#include "plumb/predicates/space/point3_table.h"
 
 namespace plumb {
 namespace {
@@ -108,7 +109,8 @@ void BM_InternOne(benchmark::State& state) {
 }
 BENCHMARK(BM_InternOne);
 
-// --- points ----------------------------------------------------------------------------------------
+// --- points
+// ----------------------------------------------------------------------------------------
 
 /// Planes of random triangles, points of consecutive triples, queries against the plane after them.
 /// Coordinates in [1, 2) have 53 bits on one grid; those in [-1, 1) spread further.
@@ -354,7 +356,8 @@ void BM_HoldsLine(benchmark::State& state) {
 }
 BENCHMARK(BM_HoldsLine);
 
-// --- tables ----------------------------------------------------------------------------------------
+// --- tables
+// ----------------------------------------------------------------------------------------
 
 void BM_CopyPlaneTable(benchmark::State& state) {
   const Mesh mesh = height_field(320, false);

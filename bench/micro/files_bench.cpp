@@ -1,5 +1,5 @@
-// Readers and writers, in memory, in bytes a second: a sphere of 20,480 triangles, a map of 10,000 hexagons, a star
-// of 10,000 corners.
+// Readers and writers, in memory, in bytes a second: a sphere of 20,480 triangles, a map of 10,000
+// hexagons, a star of 10,000 corners.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -10,13 +10,12 @@
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "generate/plane_families.h"
-#include "plumb/base/error.h"
-#include "plumb/io/map_reader.h"
-#include "plumb/io/map_writer.h"
+#include "plumb/io/map_io.h"
+#include "plumb/io/mesh_io.h"
 #include "plumb/io/nef3_reader.h"
 #include "plumb/io/nef3_writer.h"
 #include "plumb/io/plane_io.h"
-#include "plumb/io/solid_io.h"
+#include "plumb/predicates/error.h"
 #include "plumb/space/space_audit.h"
 #include "plumb/testing/map_families.h"
 

@@ -1,13 +1,13 @@
-// The kernels under exact predicates: integers of fixed width beside GMP's, sums and roundings of fractions, decimals.
-// "per_call" is CPU time of one operation.
+// The kernels under exact predicates: integers of fixed width beside GMP's, sums and roundings of
+// fractions, decimals. "per_call" is CPU time of one operation.
 #include <benchmark/benchmark.h>
 
 #include <random>
 #include <string>
 #include <vector>
 
-#include "plumb/predicates/fixed.h"
-#include "plumb/predicates/rational_sum.h"
+#include "plumb/predicates/arithmetic/fixed.h"
+#include "plumb/predicates/arithmetic/rational_sum.h"
 #include "plumb/predicates/rounding.h"
 
 namespace plumb {

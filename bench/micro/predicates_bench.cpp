@@ -1,5 +1,6 @@
 // Predicates on input doubles against the naive expressions, on random, nearly degenerate and
-// exactly degenerate input. Counters: CPU time a call, and the share of calls that each rung decides.
+// exactly degenerate input. Counters: CPU time a call, and the share of calls that each rung
+// decides.
 #include "predicates_bench.h"
 
 #include <benchmark/benchmark.h>

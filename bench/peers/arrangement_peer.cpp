@@ -1,9 +1,10 @@
-// check_map beside CGAL's Arrangement_2 (exact predicates, exact constructions) on the same clean maps.
+// check_map beside CGAL's Arrangement_2 (exact predicates, exact constructions) on the same clean
+// maps.
 //
 //   arrangement_peer [FACES] [--rounds N] [--json FILE]      (default 10000 faces)
 //
-// CGAL inserts all edges of the map at once (CGAL::insert of a range: its sweep); CPU time of the insertion
-// alone against that of check_map alone. Both must count the same faces. (CGAL needs time
+// CGAL inserts all edges of the map at once (CGAL::insert of a range: its sweep); CPU time of the
+// insertion alone against that of check_map alone. Both must count the same faces. (CGAL needs time
 // quadratic in the edges at one vertex: minutes for a fan of 100000.)
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
@@ -15,9 +16,9 @@
 #include <vector>
 
 #include "../complexity/cpu_time.h"
-#include "generate/map_families.h"
 #include "peer_report.h"
 #include "plumb/plane/map_check.h"
+#include "plumb/testing/map_families.h"
 
 namespace plumb::bench {
 namespace {

@@ -1,10 +1,12 @@
 // Convex decomposition and Minkowski sums, in plumb and in CGAL: CPU time, pieces and volumes.
 //
-//   convex_peer [--most PERCENT] [--rounds N] [--json FILE] [--walls FILE.off...] [--sums A.off B.off]
+//   convex_peer [--most PERCENT] [--rounds N] [--json FILE] [--walls FILE.off...] [--sums A.off
+//   B.off]
 //
-// Time: user and system, of the operation alone; reading and making sets from meshes are left out. Vertical walls
-// against convex_decomposition_3: the answer is the volume of all pieces. minkowski_sum against minkowski_sum_3: the volume
-// of the sum. Without files: blocks with notches on both sides, also along a saddle, an L, and sums of these.
+// Time: user and system, of the operation alone; reading and making sets from meshes are left out.
+// Vertical walls against convex_decomposition_3: the answer is the volume of all pieces.
+// minkowski_sum against minkowski_sum_3: the volume of the sum. Without files: blocks with notches
+// on both sides, also along a saddle, an L, and sums of these.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -29,7 +31,7 @@
 #include "peer_report.h"
 #include "plumb/convex/minkowski.h"
 #include "plumb/convex/walls.h"
-#include "plumb/io/solid_io.h"
+#include "plumb/io/mesh_io.h"
 #include "plumb/space/space_measure.h"
 
 namespace plumb::bench {
@@ -58,7 +60,8 @@ double peer_volume(const PeerSet& set) {
   return CGAL::to_double(CGAL::Polygon_mesh_processing::volume(mesh));
 }
 
-/// Of all marked volumes, which the outer one is not: shells of CGAL's pieces are meshes, volume by volume.
+/// Of all marked volumes, which the outer one is not: shells of CGAL's pieces are meshes, volume by
+/// volume.
 double volume_of_pieces(PeerSet& set) {
   double sum = 0;
   for (auto v = set.volumes_begin(); v != set.volumes_end(); ++v) {

@@ -29,7 +29,7 @@ inline double area_of(const Nef2& set) { return nearest_double(*set.area()); }
 /// The answer is the area.
 inline PeerRun timed_boolean(const Nef2& a, const Nef2& b, MarkFunction marks) {
   Context context;
-  return timed([&] { return combine(a, b, marks, context); },
+  return timed([&] { return boolean_op(a, b, marks, context); },
                [](const Nef2& set) { return area_of(set); });
 }
 

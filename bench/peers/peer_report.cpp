@@ -17,7 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the other library has freed is put in order now: the next allocation would do it, and be charged with it.
+/// What the other library has freed is put in order now: the next allocation would do it, and be
+/// charged with it.
 PeerRun after_tidying(const std::function<PeerRun()>& run) {
   malloc_trim(0);
   return run();

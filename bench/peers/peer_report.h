@@ -1,9 +1,11 @@
-// What a peer program finds out: plumb and another library on the same input, in turn, their answers compared.
+// What a peer program finds out: plumb and another library on the same input, in turn, their
+// answers compared.
 //
 // Main flow of a peer program:
 //  1. PeerOptions: what it was asked for
 //  2. report.use(NAME, VERSION) of every library
-//  3. report.compare(...) of every job: plumb and the peer in turn, `rounds` times over; the answers of every round compared
+//  3. report.compare(...) of every job: plumb and the peer in turn, `rounds` times over; the
+//     answers of every round compared
 //  4. report.judge(...) of an answer that a third opinion, by brute force, has been had on
 //  5. return report.finish(FILE): the JSON that bench/run gathers, and the exit status
 #pragma once
@@ -74,8 +76,8 @@ class PeerReport {
   /// How many inputs judge() has been asked to judge of, those with equal answers included.
   void judged_of(std::size_t inputs);
 
-  /// Writes the JSON unless the name is empty. 0: all agree but for answers known to be wrong of the peer; 1: others
-  /// differ, or one of the two failed; 2: the file cannot be written.
+  /// Writes the JSON unless the name is empty. 0: all agree but for answers known to be wrong of
+  /// the peer; 1: others differ, or one of the two failed; 2: the file cannot be written.
   int finish(const std::string& file) const;
 
  private:

@@ -1,8 +1,10 @@
 // Arrangements and Booleans of the plane beside CGAL, on the same data.
 //
-//   plane_peer [--most PERCENT] [--rounds N] [--json FILE] [JOB...]     (short, long, stars, nef, unbounded; default: all)
+//   plane_peer [--most PERCENT] [--rounds N] [--json FILE] [JOB...]     (short, long, stars, nef,
+//   unbounded; default: all)
 //
-// unbounded: no other library, but plumb itself with sets clipped to a box. Answers are counts of vertices, edges and faces, or areas.
+// unbounded: no other library, but plumb itself with sets clipped to a box. Answers are counts of
+// vertices, edges and faces, or areas.
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Exact_integer.h>
@@ -193,7 +195,7 @@ void unbounded(PeerReport& report, const PeerOptions& options, std::size_t n) {
             Nef2 result = sets.front();
             for (std::size_t i = 1; i < sets.size(); ++i) {
               Context context;
-              result = combine(result, sets[i], o.marks, context);
+              result = boolean_op(result, sets[i], o.marks, context);
             }
             return result;
           },

@@ -1,8 +1,11 @@
-// Booleans of polygons beside libraries that round: GEOS, Boost.Geometry and Boost.Polygon, on the same data.
+// Booleans of polygons beside libraries that round: GEOS, Boost.Geometry and Boost.Polygon, on the
+// same data.
 //
-//   polygon_peer [--most PERCENT] [--rounds N] [--json FILE] [JOB...]     (stars, octagons; default: both)
+//   polygon_peer [--most PERCENT] [--rounds N] [--json FILE] [JOB...]     (stars, octagons;
+//   default: both)
 //
-// The answer is the area, compared to 10^-9, with Boost, which rounds to grids of integers, to 10^-6.
+// The answer is the area, compared to 10^-9, with Boost, which rounds to grids of integers, to
+// 10^-6.
 #include <fmt/core.h>
 #include <geos/geom/CoordinateSequence.h>
 #include <geos/geom/CoordinateSequenceFactory.h>

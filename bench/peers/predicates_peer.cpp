@@ -1,9 +1,10 @@
-// Predicates on input doubles beside CGAL's Exact_predicates_inexact_constructions_kernel: the same tuples, in turn.
-// (plumb's own naive expressions: bench/micro/predicates_bench.)
+// Predicates on input doubles beside CGAL's Exact_predicates_inexact_constructions_kernel: the same
+// tuples, in turn. (plumb's own naive expressions: bench/micro/predicates_bench.)
 //
 //   predicates_peer [--rounds N] [--json FILE]
 //
-// Seconds are those of all 4096 tuples, the mean of a hundred passes; the answer is the sum of i times the i-th sign.
+// Seconds are those of all 4096 tuples, the mean of a hundred passes; the answer is the sum of i
+// times the i-th sign.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <fmt/core.h>
 

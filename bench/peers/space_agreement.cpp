@@ -1,13 +1,15 @@
 // Small solids in special positions: every Boolean and operator of topology in plumb and in CGAL's
 // Nef_polyhedron_3.
 //
-//   space_agreement [--scenes N] [--first SEED] [--out DIR] [--json FILE]      (default 10000 scenes)
+//   space_agreement [--scenes N] [--first SEED] [--out DIR] [--json FILE]      (default 10000
+//   scenes)
 //
-// A scene is a random expression over boxes, tetrahedra and prisms with corners on a grid of 4 x 4 x 4. At every
-// node of it the numbers of vertices, edges, facets and volumes, how many of each are marked, the mark of the
-// outer volume and the exact volume are compared, up to the first difference in a scene. That goes to DIR as
-// files: the operands (SEED_a.nef, SEED_b.nef) and what differs (SEED.txt), with the verdict of the
-// brute-force twin of tests/oracle on plumb's answer. Exit 1 when the twin is not of plumb's opinion, or plumb crashed.
+// A scene is a random expression over boxes, tetrahedra and prisms with corners on a grid of 4 x 4
+// x 4. At every node of it the numbers of vertices, edges, facets and volumes, how many of each are
+// marked, the mark of the outer volume and the exact volume are compared, up to the first
+// difference in a scene. That goes to DIR as files: the operands (SEED_a.nef, SEED_b.nef) and what
+// differs (SEED.txt), with the verdict of the brute-force twin of tests/oracle on plumb's answer.
+// Exit 1 when the twin is not of plumb's opinion, or plumb crashed.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polyhedron_3.h>
@@ -25,13 +27,13 @@
 #include <vector>
 
 #include "../report/report.h"
-#include "generate/dice.h"
 #include "generate/space_solids.h"
 #include "oracle/nef3_check.h"
 #include "peer_report.h"
 #include "plumb/io/nef3_writer.h"
 #include "plumb/space/space_audit.h"
 #include "plumb/space/space_measure.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::bench {
 namespace {
@@ -213,8 +215,8 @@ std::string to_text(const Kernel::FT& number) {
   return out.str();
 }
 
-/// The volumes of a set, the outer one first: the facets of any other see a positive volume before them.
-/// (The first in CGAL's own order is not always the outer one.)
+/// The volumes of a set, the outer one first: the facets of any other see a positive volume before
+/// them. (The first in CGAL's own order is not always the outer one.)
 std::pair<std::vector<Mark>, std::string> volumes_of(const CgalNef& set) {
   std::map<const void*, Kernel::FT> size;
   for (auto f = set.halffacets_begin(); f != set.halffacets_end(); ++f) {
@@ -265,7 +267,8 @@ struct Tally {
   bool is_in_cgal = false;
 };
 
-/// One scene: two to four leaves, each opened now and then, joined by Booleans; up to the first difference.
+/// One scene: two to four leaves, each opened now and then, joined by Booleans; up to the first
+/// difference.
 class Scene {
  public:
   Scene(std::uint64_t seed, std::string directory, Tally& tally)

@@ -1,23 +1,26 @@
 // The union of two solids, from mesh to mesh, in plumb and in CGAL: CPU time and peak memory.
 //
-//   space_peer DIR [--make] [--of FILE,... [--along x]] [--pairs ico5120,...] [--peers nef3,corefinement] [--rounds N]
+//   space_peer DIR [--make] [--of FILE,... [--along x]] [--pairs ico5120,...] [--peers
+//   nef3,corefinement] [--rounds N]
 //              [--json FILE]
 //
-// reads DIR/PAIR_a.off and DIR/PAIR_b.off; --make writes them first: ico1280 ... ico327680, two spheres of so many
-// triangles; bunny, corpus/solids/bunny.off and itself moved; bunny58784, the same with every triangle in sixteen on
-// a surface that is wavy; and degenerate ones: cubes19200, two cubes of so many triangles, shifted within two of their
-// planes; ico5120-turned, by 1e-12, whose planes are nearly parallel; ico20480-twice, the same mesh. --of writes and
-// compares pairs of other meshes, each and itself moved: by a seventh of its width in x, half and a third of that in y and
-// z; or with --along by a seventh of its width along one axis, so that faces along it slide in their planes. Every run is
-// a process of its own (this program again, with --run): plumb and the peer in turn, N rounds; plumb-warm runs twice and
-// tells the second, for programs that compare with a library already warm. Whatever the engine, malloc keeps what is
-// freed and has huge pages (keep_freed_memory.h). Time: user and system, of making sets from the meshes in memory, the
-// union and the triangles of the result; reading files is left out. Memory: the largest resident set of the whole
-// process, reading included. The answer is the volume, to 1e-9 of it.
+// reads DIR/PAIR_a.off and DIR/PAIR_b.off; --make writes them first: ico1280 ... ico327680, two
+// spheres of so many triangles; bunny, corpus/solids/bunny.off and itself moved; bunny58784, the
+// same with every triangle in sixteen on a surface that is wavy; and degenerate ones: cubes19200,
+// two cubes of so many triangles, shifted within two of their planes; ico5120-turned, by 1e-12,
+// whose planes are nearly parallel; ico20480-twice, the same mesh. --of writes and compares pairs
+// of other meshes, each and itself moved: by a seventh of its width in x, half and a third of that
+// in y and z; or with --along by a seventh of its width along one axis, so that faces along it
+// slide in their planes. Every run is a process of its own (this program again, with --run): plumb
+// and the peer in turn, N rounds; plumb-warm runs twice and tells the second, for programs that
+// compare with a library already warm. Whatever the engine, malloc keeps what is freed and has huge
+// pages (keep_freed_memory.h). Time: user and system, of making sets from the meshes in memory, the
+// union and the triangles of the result; reading files is left out. Memory: the largest resident
+// set of the whole process, reading included. The answer is the volume, to 1e-9 of it.
 //
-// Peers, over the exact kernel with lazy constructions (EPECK): nef3 is Nef_polyhedron_3, which like plumb holds any set, and
-// is not asked for the two largest pairs; corefinement is Polygon_mesh_processing::corefine_and_compute_union, for meshes that
-// bound volumes.
+// Peers, over the exact kernel with lazy constructions (EPECK): nef3 is Nef_polyhedron_3, which
+// like plumb holds any set, and is not asked for the two largest pairs; corefinement is
+// Polygon_mesh_processing::corefine_and_compute_union, for meshes that bound volumes.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -47,7 +50,7 @@
 #include "generate/meshes.h"
 #include "peer_report.h"
 #include "plumb/base/keep_freed_memory.h"
-#include "plumb/io/solid_io.h"
+#include "plumb/io/mesh_io.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/to_mesh.h"
 
@@ -77,8 +80,9 @@ PeerRun run_plumb(const Files& files) {
   const PolygonMesh a = read_mesh_file(files[0], {}, {}, context).mesh;
   const PolygonMesh b = read_mesh_file(files[1], {}, {}, context).mesh;
   const double start = cpu_seconds();
-  const Nef3 set = combine(Nef3::mesh(a, WindingRule::Positive, context),
-                           Nef3::mesh(b, WindingRule::Positive, context), kUnion, context);
+  const Nef3 set =
+      boolean_op(Nef3::from_mesh(a, {.rule = WindingRule::Positive}, context),
+                 Nef3::from_mesh(b, {.rule = WindingRule::Positive}, context), kUnion, context);
   const PolygonMesh mesh =
       mesh_of_complex(set.complex(), {MeshFaces::Triangles, false, false}, context).mesh;
   const double seconds = cpu_seconds() - start;
@@ -232,7 +236,8 @@ PolygonMesh split(const PolygonMesh& mesh) {
   return result;
 }
 
-/// Points move by less than they are apart, so that nothing crosses; the four triangles of one no longer lie in a plane.
+/// Points move by less than they are apart, so that nothing crosses; the four triangles of one no
+/// longer lie in a plane.
 PolygonMesh wavy(PolygonMesh mesh) {
   double width = 0;
   for (const Point3& p : mesh.points) width = std::max({width, std::fabs(p.x), std::fabs(p.y)});

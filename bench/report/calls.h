@@ -4,11 +4,12 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
-#include "plumb/predicates/rung_counters.h"
+#include "plumb/predicates/input/rung_counters.h"
 
 namespace plumb::bench {
 
-/// Calls in one of so many runs, by predicate and by the rung that decided; what was never called is left out.
+/// Calls in one of so many runs, by predicate and by the rung that decided; what was never called
+/// is left out.
 inline nlohmann::ordered_json calls_of(const RungCounts& counts, double runs) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   for (std::size_t p = 0; p < kPredicates; ++p) {

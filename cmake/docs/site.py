@@ -87,7 +87,7 @@ def navigation():
             title = head[1].capitalize()
             groups.append({title: []})
         elif title:
-            groups[-1][title] += [{n: p} for n, p in re.findall(r"\[([^\]]+)\]\(([\w-]+\.md)\)", line)]
+            groups[-1][title] += [{n: p} for n, p in re.findall(r"\[([^\]]+)\]\(([\w/-]+\.md)\)", line)]
     return [{"plumb": "index.md"}, *groups, {"Interface": "api/index.html"}]
 
 

@@ -82,9 +82,7 @@ void list_loops(const Dcel& dcel) {
 }  // namespace
 
 int main() {
-  plumb::Context context;
-  const plumb::MapReport report =
-      check_map(plumb::map_of_cycles(kCorners, kBegin, kCycles), {}, context);
+  const plumb::MapReport report = check_map(plumb::map_of_cycles(kCorners, kBegin, kCycles));
   const Dcel dcel = to_dcel(report).dcel;
   if (dcel.audit()) return 1;
   begin_page(760, 430, "A map as half-edges",

@@ -1,5 +1,6 @@
-// Left of a line, right of it or on it? Points one unit in the last place apart, judged by the usual determinant in doubles
-// and by orient2d: an SVG file on standard output. (After Kettner, Mehlhorn, Pion, Schirra, Yap, 2008.)
+// Left of a line, right of it or on it? Points one unit in the last place apart, judged by the
+// usual determinant in doubles and by orient2d: an SVG file on standard output. (After Kettner,
+// Mehlhorn, Pion, Schirra, Yap, 2008.)
 #include <cstdio>
 #include <string>
 

@@ -67,7 +67,8 @@ void fill(const NefSphere& set) {
   std::printf("\"/>\n");
 }
 
-/// From `from` counter-clockwise about `normal` by an angle: what of it faces the viewer, or what does not.
+/// From `from` counter-clockwise about `normal` by an angle: what of it faces the viewer, or what
+/// does not.
 void draw_arc(const Vector& from, const Vector& normal, double angle, bool faces, const char* css) {
   constexpr int kSteps = 120;
   const Vector aside = cross(normal, from);

@@ -22,7 +22,7 @@ class PlumbConan(ConanFile):
         return os.path.join(self.recipe_folder, os.pardir, os.pardir)
 
     def set_version(self):
-        header = load(self, os.path.join(self._root(), "engine", "base", "version.h"))
+        header = load(self, os.path.join(self._root(), "engine", "plumb", "base", "version.h"))
         self.version = header.split('PLUMB_VERSION_STRING "')[1].split('"')[0]
 
     def export_sources(self):
@@ -41,7 +41,6 @@ class PlumbConan(ConanFile):
         self.requires("gmp/[>=6.2 <7]", transitive_headers=True, transitive_libs=True)
         self.requires("mpfr/[>=4.1 <5]", transitive_headers=True, transitive_libs=True)
         self.requires("nlohmann_json/[>=3.11 <4]", visible=False)
-        self.requires("tsl-robin-map/[>=1.2 <2]", visible=False)
 
     def validate(self):
         check_min_cppstd(self, 20)

@@ -1,5 +1,5 @@
 // Every query of a box tree against a loop over all boxes.
-#include "plumb/base/box_tree.h"
+#include "plumb/base/internal/box_tree.h"
 
 #include <gtest/gtest.h>
 

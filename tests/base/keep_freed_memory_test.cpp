@@ -1,4 +1,5 @@
-// Freed memory is used again: no page of a second large block is touched for the first time. The heap asks for huge pages.
+// Freed memory is used again: no page of a second large block is touched for the first time. The
+// heap asks for huge pages.
 #include "plumb/base/keep_freed_memory.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Jobs on several threads do what a loop does: all of them, with the error of the first that fails.
 
-#include "plumb/base/parallel.h"
+#include "plumb/base/internal/parallel.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb {
 namespace {

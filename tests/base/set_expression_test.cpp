@@ -1,4 +1,5 @@
-// A random tree, printed with as few parentheses as the ranks allow, must read back as the same function.
+// A random tree, printed with as few parentheses as the ranks allow, must read back as the same
+// function.
 
 #include "plumb/base/set_expression.h"
 
@@ -8,7 +9,7 @@
 #include <memory>
 #include <random>
 
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb {
 namespace {

@@ -178,7 +178,8 @@ TEST(ConvexProgram, check_lists_every_face_that_fails) {
     const RunResult result = run(words);
     EXPECT_EQ(result.code, 1);
     const Json json = Json::parse(result.out);
-    // Of each column's ten squares the four on the planes x = 1 and y = 1 have the other column behind them.
+    // Of each column's ten squares the four on the planes x = 1 and y = 1 have the other column
+    // behind them.
     EXPECT_EQ(json["faces"].size(), 8U) << result.out;
     EXPECT_EQ(json["reflex_edges"],
               0);  // a quarter turn of solid on both sides of the edge they share

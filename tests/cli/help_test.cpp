@@ -1,4 +1,5 @@
-// What the program says of itself is true: examples of the help and of documents, JSON schemas, completion, the manual page.
+// What the program says of itself is true: examples of the help and of documents, JSON schemas,
+// completion, the manual page.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Does a JSON value fit a schema? The part of JSON Schema (2020-12) that docs/schema uses; a keyword beyond it is
-// reported, so that none is taken for checked.
+// Does a JSON value fit a schema? The part of JSON Schema (2020-12) that docs/schema uses; a
+// keyword beyond it is reported, so that none is taken for checked.
 #pragma once
 
 #include <algorithm>

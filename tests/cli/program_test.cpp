@@ -391,8 +391,8 @@ void write_star(const std::string& file, std::uint32_t corners) {
   write_file(file, text + "))\n");
 }
 
-/// Of every kind of command one that takes longer than a second, from which on the bar tells time; its inputs are written
-/// into a directory.
+/// Of every kind of command one that takes longer than a second, from which on the bar tells time;
+/// its inputs are written into a directory.
 std::vector<Words> long_jobs(const ScratchDirectory& scratch) {
   const std::string map = (scratch / "grid.map").string(), star = (scratch / "star.wkt").string();
   const std::string coarse = (scratch / "coarse.map").string();
@@ -430,7 +430,8 @@ TEST(Progress, goes_from_little_to_nearly_all) {
   const ScratchDirectory scratch;
   const std::string star = (scratch / "star.wkt").string();
   write_star(star, 500'000);
-  // When it is drawn depends on the clock: on a busy machine the program may not run for a while, at its end, too.
+  // When it is drawn depends on the clock: on a busy machine the program may not run for a while,
+  // at its end, too.
   int first = 100, last = 0;
   for (int run = 0; run < 5 && (first >= 30 || last <= 70); ++run) {
     const std::vector<Shown> lines = bar_lines(seen_on_terminal({"plane", "info", star}));

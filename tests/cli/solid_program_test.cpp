@@ -214,7 +214,8 @@ TEST_F(SolidProgram, what_a_mesh_cannot_say_is_told) {
   EXPECT_EQ(run({"solid", "interior", kBlock, "-o", file("c.nef"), "--strict"}).code, 0);
 }
 
-/// The exact volume of rounded coordinates has hundreds of digits: text does not print them, JSON does.
+/// The exact volume of rounded coordinates has hundreds of digits: text does not print them, JSON
+/// does.
 TEST_F(SolidProgram, long_numbers_are_for_programs) {
   const std::string mesh = holding(
       "OFF\n4 4 0\n0.1 0.2 0.3\n1e20 0.7 1e-9\n0.3 1e-20 1e10\n0.9 1e18 0.11\n"

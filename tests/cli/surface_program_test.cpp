@@ -41,7 +41,8 @@ std::string grid_obj(int n) {
   return out.str();
 }
 
-/// A torus of quads, `at` apart on the axis x: vertex i tube + j. Quad i tube + j lies between i, i + 1 and j, j + 1.
+/// A torus of quads, `at` apart on the axis x: vertex i tube + j. Quad i tube + j lies between i, i
+/// + 1 and j, j + 1.
 std::string torus_obj(int ring, int tube, double at, int first_vertex) {
   std::ostringstream out;
   out.precision(17);

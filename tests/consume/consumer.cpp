@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "plumb/base/context.h"
-#include "plumb/base/error.h"
 #include "plumb/plane/map_check.h"
+#include "plumb/predicates/error.h"
 #include "plumb/predicates/point_table2.h"
 
 namespace {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What shared libraries export is what headers declare: exported_symbols.py NM CLANG LIST INCLUDE_DIR [-D...] LIBRARY...
+"""What shared libraries export is what headers declare: exported_symbols.py NM CLANG LIST -I... [-D...] LIBRARY...
 
 Clang lists the declarations of all headers of LIST (public-headers.txt), with the names that the linker has for them. The
 libraries export each that is not inline, of each template that is defined in no header an instance, and besides only what
@@ -9,9 +9,9 @@ import re
 import subprocess
 import sys
 
-nm, clang, header_list, include_dir, *rest = sys.argv[1:]
-definitions = [word for word in rest if word.startswith("-D")]
-libraries = [word for word in rest if not word.startswith("-D")]
+nm, clang, header_list, *rest = sys.argv[1:]
+definitions = [word for word in rest if word.startswith(("-D", "-I"))]
+libraries = [word for word in rest if not word.startswith(("-D", "-I"))]
 FUNCTIONS = ("FunctionDecl", "CXXMethodDecl", "CXXConstructorDecl", "CXXDestructorDecl", "CXXConversionDecl")
 TEMPLATES = ("FunctionTemplateDecl", "ClassTemplateDecl", "ClassTemplatePartialSpecializationDecl")
 
@@ -27,8 +27,8 @@ def demangled(symbols):
 
 def syntax_tree():
     headers = [line for line in open(header_list, encoding="utf-8").read().split("\n") if line.startswith("plumb/")]
-    headers.remove("plumb/predicates/fixed_portable.h")  # of the two, fixed.h chooses one
-    text = output_of(clang, "-std=c++20", "-fsyntax-only", f"-I{include_dir}", *definitions, "-Xclang", "-ast-dump=json",
+    headers.remove("plumb/predicates/arithmetic/fixed_portable.h")  # of the two, fixed.h chooses one
+    text = output_of(clang, "-std=c++20", "-fsyntax-only", *definitions, "-Xclang", "-ast-dump=json",
                      "-Xclang", "-ast-dump-filter=plumb::", "-x", "c++", "-", text="".join(f'#include "{h}"\n' for h in headers))
     decoder, at = json.JSONDecoder(), 0
     while at < len(text):

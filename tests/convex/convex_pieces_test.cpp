@@ -1,4 +1,5 @@
-// Convex pieces of sets, judged by tests/oracle/pieces_check.h: each convex, together the set, none twice.
+// Convex pieces of sets, judged by tests/oracle/pieces_check.h: each convex, together the set, none
+// twice.
 
 #include <gtest/gtest.h>
 
@@ -13,12 +14,12 @@
 #include "generate/voxel_mesh.h"
 #include "oracle/nef3_check.h"
 #include "oracle/pieces_check.h"
-#include "plumb/base/error.h"
-#include "plumb/convex/cuts.h"
 #include "plumb/convex/decompose.h"
-#include "plumb/convex/merge_sets.h"
-#include "plumb/convex/volume_sum.h"
-#include "plumb/io/solid_io.h"
+#include "plumb/convex/part/cut_set.h"
+#include "plumb/convex/part/merge_parts.h"
+#include "plumb/convex/sum/volume_sum.h"
+#include "plumb/io/mesh_io.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb::testing {
 namespace {
@@ -156,8 +157,9 @@ TEST(Decompose, CutsRandomLatticeSolids) {
   }
 }
 
-/// A block with grooves along y above and below, of which Booleans made every vertex: no plane through a groove's
-/// edge and a vertex of the input resolves two of them, sums of the faces' equations do.
+/// A block with grooves along y above and below, of which Booleans made every vertex: no plane
+/// through a groove's edge and a vertex of the input resolves two of them, sums of the faces'
+/// equations do.
 Nef3 block_with_grooves(double shift) {
   const auto groove = [](double x, double side) {
     std::vector<Point3> p;
@@ -165,9 +167,9 @@ Nef3 block_with_grooves(double shift) {
       p.insert(p.end(), {{x - 1, y, 9 * side}, {x + 1, y, 9 * side}, {x, y, side}});
     }
     Context context;
-    return Nef3::mesh(
+    return Nef3::from_mesh(
         make_mesh(p, {{0, 1, 2}, {5, 4, 3}, {0, 3, 4, 1}, {1, 4, 5, 2}, {2, 5, 3, 0}}),
-        WindingRule::NonZero, context);
+        {.rule = WindingRule::NonZero}, context);
   };
   Nef3 set = solid(box_mesh({-4, -3, -3}, {4, 3, 3}));
   for (const double x : {-2., 0., 2.}) set = set - groove(x, 1) - groove(x + shift, -1);
@@ -219,7 +221,8 @@ TEST(Decompose, TakesSetsOfManyVolumes) {
   EXPECT_EQ(piece_count(set, kBest), 18U);
 }
 
-// Two towers on a base that share an edge; slants and pits so that cuts run across the edge, through one of them.
+// Two towers on a base that share an edge; slants and pits so that cuts run across the edge,
+// through one of them.
 TEST(Decompose, CutsTowersThatShareAnEdge) {
   const Nef3 base = solid(box_mesh({-4, -4, -2}, {4, 4, 0}));
   const Nef3 towers =
@@ -245,7 +248,8 @@ TEST(Decompose, TakesTheFewerPieces) {
   }
 }
 
-// Of one volume, where greedy cuts give more pieces than are allowed: it is cut again by the other rule.
+// Of one volume, where greedy cuts give more pieces than are allowed: it is cut again by the other
+// rule.
 TEST(Decompose, FallsBackOnTheClassicalRule) {
   Dice dice(2);
   const Nef3 terrain = solid(voxel_mesh(random_terrain(dice, 3, 3, 3)));
@@ -316,7 +320,7 @@ TEST(Decompose, TakesAnySet) {
   const std::vector<RationalPoint3> ell{{0, 0, 5}, {3, 0, 5}, {3, 1, 5},
                                         {1, 1, 5}, {1, 3, 5}, {0, 3, 5}};
   EXPECT_EQ(piece_count(Nef3::empty(), kBest), 0U);
-  EXPECT_EQ(piece_count(Nef3::space(), kBest), 1U);
+  EXPECT_EQ(piece_count(Nef3::whole(), kBest), 1U);
   EXPECT_EQ(piece_count(below + beside, kBest), 2U);
   EXPECT_EQ(piece_count(Nef3::facet(ell), kBest), 2U);
   expect_pieces(below + beside, "three quarters of space");

@@ -1,4 +1,5 @@
-// Convexity of meshes and sets: cases that can be argued by hand, and random meshes against brute force.
+// Convexity of meshes and sets: cases that can be argued by hand, and random meshes against brute
+// force.
 
 #include "plumb/convex/convexity.h"
 
@@ -11,18 +12,13 @@
 
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
-#include "plumb/base/error.h"
-#include "plumb/io/solid_io.h"
+#include "plumb/io/mesh_io.h"
+#include "plumb/predicates/error.h"
 #include "plumb/predicates/input_predicates.h"
 #include "plumb/space/from_mesh.h"
 
 namespace plumb::testing {
 namespace {
-
-bool is_convex_mesh(const PolygonMesh& mesh) {
-  Context context;
-  return plumb::is_convex_mesh(mesh, context);
-}
 
 /// Two pyramids over a ring of points around the z axis, which runs around `turns` times.
 PolygonMesh double_pyramid(int points, int turns) {
@@ -51,7 +47,8 @@ TEST(ConvexMesh, IsTheSurfaceOfOneConvexBody) {
   EXPECT_TRUE(is_convex_mesh(tetrahedron_mesh({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 5e-324})));
 }
 
-/// A prism over a regular polygon on a lattice of many places: sides are planar quads, ends have many corners.
+/// A prism over a regular polygon on a lattice of many places: sides are planar quads, ends have
+/// many corners.
 PolygonMesh regular_prism(int corners, double x) {
   std::vector<Point2> polygon;
   for (int i = 0; i < corners; ++i) {
@@ -92,7 +89,7 @@ std::optional<bool> is_convex_by_set(const PolygonMesh& mesh) {
     const MeshComplex complex = complex_of_mesh(mesh, {}, context);
     const MeshReport& report = complex.report;
     if (!report.is_closed() || report.crosses_itself() || !report.doubled.empty()) return false;
-    const Nef3 set = Nef3::mesh(mesh, WindingRule::NonZero, context);
+    const Nef3 set = Nef3::from_mesh(mesh, {.rule = WindingRule::NonZero}, context);
     return !set.is_empty() && set.is_convex();
   } catch (const Error&) {
     return std::nullopt;
@@ -186,8 +183,8 @@ TEST(ConvexMesh, HasNoReflexEdge) {
   EXPECT_FALSE(is_convex_mesh(fanned(comb_block(1, 0))));
 }
 
-/// Faces with a vertex strictly on either side, by all signs. Requires planar faces with a turn at their
-/// second corner.
+/// Faces with a vertex strictly on either side, by all signs. Requires planar faces with a turn at
+/// their second corner.
 std::vector<std::uint32_t> failing_by_force(const PolygonMesh& mesh) {
   std::vector<std::uint32_t> failing;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -244,7 +241,8 @@ TEST(ConvexityEvidence, IsThatOfBruteForce) {
     Dice dice(seed);
     expect_evidence(voxel_mesh(random_voxels(dice, {3, 2, 2}, 7)));
   }
-  PolygonMesh dented = icosphere_mesh(4, 1, {});  // as many triangles as are sorted (mesh_order.h)
+  PolygonMesh dented =
+      icosphere_mesh(4, 1, {});  // as many triangles as are sorted (mesh_vertices.h)
   Point3& in = dented.points[100];
   in = {in.x / 2, in.y / 2, in.z / 2};
   expect_evidence(dented);
@@ -254,7 +252,7 @@ TEST(ConvexityEvidence, IsThatOfBruteForce) {
 TEST(ConvexityEvidence, OfMeshAndSetAgree) {
   for (const PolygonMesh& mesh : {star_prism(6), comb_block(2, 2), comb_block(0, 3)}) {
     Context context;
-    const Nef3 set = Nef3::mesh(mesh, WindingRule::Positive, context);
+    const Nef3 set = Nef3::from_mesh(mesh, {.rule = WindingRule::Positive}, context);
     EXPECT_EQ(convexity_of_mesh(mesh, context).reflex_edges,
               convexity_of_set(set, context).reflex_edges);
     EXPECT_EQ(convexity_of_mesh(reversed(mesh), context).reflex_edges,
@@ -266,9 +264,10 @@ TEST(ConvexityEvidence, OfSetsHasAnAnswerForEveryKind) {
   Context context;
   const Nef3 below = Nef3::half_space({0, 0, 1, 0}, Boundary::Closed);
   const Nef3 beside = Nef3::half_space({1, 0, 0, 0}, Boundary::Open);
-  const Nef3 box = Nef3::mesh(box_mesh({0, 0, 0}, {2, 2, 2}), WindingRule::Positive, context);
+  const Nef3 box =
+      Nef3::from_mesh(box_mesh({0, 0, 0}, {2, 2, 2}), {.rule = WindingRule::Positive}, context);
   const auto of = [&](const Nef3& set) { return convexity_of_set(set, context); };
-  for (const Nef3& set : {Nef3::empty(), Nef3::space(), below, below * beside, box, box.interior(),
+  for (const Nef3& set : {Nef3::empty(), Nef3::whole(), below, below * beside, box, box.interior(),
                           Nef3::point({1, 2, 3}), Nef3::plane({1, 1, 1, 0})}) {
     EXPECT_TRUE(of(set).is_convex);
     EXPECT_EQ(of(set).reflex_edges, 0U);

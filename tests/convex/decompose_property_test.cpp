@@ -1,5 +1,5 @@
-// Random solids of every family, by every method: the pieces are convex, disjoint, and make up the set. And what once
-// failed elsewhere.
+// Random solids of every family, by every method: the pieces are convex, disjoint, and make up the
+// set. And what once failed elsewhere.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -10,8 +10,8 @@
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
 #include "oracle/pieces_check.h"
-#include "plumb/base/error.h"
 #include "plumb/convex/decompose.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb::testing {
 namespace {
@@ -20,7 +20,7 @@ constexpr std::array kMethods{DecomposeMethod::Cuts, DecomposeMethod::Walls, Dec
 
 Nef3 solid(const PolygonMesh& mesh) {
   Context context;
-  return Nef3::mesh(mesh, WindingRule::NonZero, context);
+  return Nef3::from_mesh(mesh, {.rule = WindingRule::NonZero}, context);
 }
 Nef3 box(Point3 low, Point3 high) { return solid(box_mesh(low, high)); }
 
@@ -52,7 +52,8 @@ void expect_law(const Law& law) {
 
 // ---------------------------------------------------------------- families
 
-/// One change of a set: what it takes four points of a lattice for. Zeros, to which numbers shrink, are the simplest.
+/// One change of a set: what it takes four points of a lattice for. Zeros, to which numbers shrink,
+/// are the simplest.
 using Change = std::array<std::uint8_t, 5>;
 
 Point3 lattice_point(std::uint8_t code) {

@@ -1,5 +1,5 @@
-// Minkowski sums: convex ones against the hull of all sums of two vertices, any against sums that a Boolean finds
-// point by point; and the laws.
+// Minkowski sums: convex ones against the hull of all sums of two vertices, any against sums that a
+// Boolean finds point by point; and the laws.
 #include "plumb/convex/minkowski.h"
 
 #include <gtest/gtest.h>
@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "generate/dice.h"
 #include "generate/meshes.h"
 #include "oracle/minkowski_check.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/space_audit.h"
 #include "plumb/space/space_measure.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -27,7 +27,7 @@ Nef3 sum(const Nef3& a, const Nef3& b) {
 }
 Nef3 box(Point3 low, Point3 high) {
   Context context;
-  return Nef3::mesh(box_mesh(low, high), WindingRule::Positive, context);
+  return Nef3::from_mesh(box_mesh(low, high), {.rule = WindingRule::Positive}, context);
 }
 Nef3 translated(const Nef3& set, const RationalPoint3& by) {
   AffineMap3 map;
@@ -65,8 +65,8 @@ Nef3 simplex(Dice& dice, std::size_t corners, int size) {
   Context context;
   try {
     if (corners == 3) return Nef3::facet(p);
-    return Nef3::mesh(make_mesh(p, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}),
-                      WindingRule::NonZero, context);
+    return Nef3::from_mesh(make_mesh(p, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}),
+                           {.rule = WindingRule::NonZero}, context);
   } catch (const Error&) {  // on a line
     return Nef3::point(lattice_point(dice, size));
   }
@@ -99,8 +99,8 @@ Nef3 convex_set(Dice& dice, int depth) {
   }
 }
 
-/// Empty if `set` is the convex hull of all sums of two vertices: it is convex and holds them, and its vertices are some of
-/// them.
+/// Empty if `set` is the convex hull of all sums of two vertices: it is convex and holds them, and
+/// its vertices are some of them.
 std::string difference_from_hull(const Nef3& set, const Nef3& a, const Nef3& b) {
   if (!flaw(set).empty()) return flaw(set);
   if (!set.is_convex() || !set.is_closed()) return "not closed and convex";
@@ -132,7 +132,8 @@ TEST(ConvexSum, IsTheHullOfAllSumsOfVertices) {
 TEST(ConvexSum, OfSpheresIsTheHullToo) {
   Context context;
   const auto sphere = [&](int depth, double radius, Point3 centre) {
-    return Nef3::mesh(icosphere_mesh(depth, radius, centre), WindingRule::Positive, context);
+    return Nef3::from_mesh(icosphere_mesh(depth, radius, centre), {.rule = WindingRule::Positive},
+                           context);
   };
   const Nef3 a = sphere(1, 1, {0, 0, 0}), b = sphere(1, 0.7, {0.1, 0.2, 0.3});
   EXPECT_EQ(difference_from_hull(sum(a, b), a, b), "");
@@ -277,7 +278,7 @@ TEST(MinkowskiSum, OfNothingIsNothing) {
 }
 
 TEST(MinkowskiSum, RefusesWhatIsUnbounded) {
-  EXPECT_THROW(sum(Nef3::space(), Nef3::point({0, 0, 0})), Error);
+  EXPECT_THROW(sum(Nef3::whole(), Nef3::point({0, 0, 0})), Error);
   EXPECT_THROW(sum(Nef3::point({0, 0, 0}), Nef3::plane({1, 0, 0, 0})), Error);
 }
 
@@ -310,7 +311,7 @@ TEST(Erosion, UndoesASumOfConvexSets) {
   EXPECT_EQ(minkowski_erosion(sum(a, cube).interior(), cube, context), a.interior());
   EXPECT_EQ(minkowski_erosion(block, cube, context),
             box({0, 0, 0}, {1.5, 1.5, 0.5}) - box({0.5, 0.5, -1}, {2, 2, 1}).interior());
-  EXPECT_TRUE(minkowski_erosion(a, Nef3::empty(), context).is_space());
+  EXPECT_TRUE(minkowski_erosion(a, Nef3::empty(), context).is_whole());
 }
 
 }  // namespace

@@ -7,10 +7,10 @@
 #include <stop_token>
 #include <vector>
 
-#include "generate/dice.h"
 #include "generate/plane_families.h"
-#include "plumb/base/error.h"
 #include "plumb/convex/plane_partition.h"
+#include "plumb/predicates/error.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -39,7 +39,7 @@ bool is_interval(const Nef2& set) {
   if (c.edge_count() > 1 || c.vertex_count() > 2) return false;
   const Nef2 inside = closed.with_marks(
       {std::vector<std::uint8_t>(c.vertex_count(), 0), c.marks.edge, c.marks.face});
-  return inside <= set;
+  return inside.is_subset_of(set);
 }
 
 Rational cross(const RationalPoint2& a, const RationalPoint2& b, const RationalPoint2& c) {
@@ -71,13 +71,13 @@ bool is_convex_by_hull(const Nef2& set) {
   if (points.size() < 2) return true;
   const std::vector<RationalPoint2> hull = hull_of(points);
   if (hull.size() < 3) return is_interval(set);
-  Nef2 inside = Nef2::plane();
+  Nef2 inside = Nef2::whole();
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Line2 along{hull[i], hull[(i + 1) % hull.size()]};
     inside *= Nef2::half_plane(along, Boundary::Open);
     if (!is_interval(set * Nef2::line(along))) return false;
   }
-  return inside <= set;
+  return inside.is_subset_of(set);
 }
 
 /// An unbounded set within a box around all crossings of its lines.
@@ -102,7 +102,7 @@ TEST(PlaneConvexity, OfEverySet) {
   };
   const std::vector<Case> cases{
       {"empty", Nef2::empty(), true, 0, 0},
-      {"plane", Nef2::plane(), true, 0, 1},
+      {"plane", Nef2::whole(), true, 0, 1},
       {"point", point(1, 2), true, 0, 1},
       {"two points", point(1, 2) + point(2, 2), false, 0, 2},
       {"segment", segment({0, 0}, {3, 1}), true, 0, 1},

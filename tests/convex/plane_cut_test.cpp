@@ -1,6 +1,5 @@
-// Single cuts of a surface, along any plane through any reflex edge: every point of the set belongs to one side.
-#include "plumb/convex/plane_cut.h"
-
+// Single cuts of a surface, along any plane through any reflex edge: every point of the set belongs
+// to one side.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,26 +9,26 @@
 #include <utility>
 #include <vector>
 
-#include "generate/dice.h"
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
 #include "oracle/pieces_check.h"
-#include "plumb/convex/choose_plane.h"
-#include "plumb/convex/cuts.h"
 #include "plumb/convex/decompose.h"
-#include "plumb/convex/fixed_planes.h"
-#include "plumb/io/solid_sets.h"
+#include "plumb/convex/part/choose_plane.h"
+#include "plumb/convex/part/cut_set.h"
+#include "plumb/convex/part/surface_cut.h"
+#include "plumb/io/solid_io.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/space/space_tables.h"
+#include "plumb/space/complex/space_tables.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
 
 // ---------------------------------------------------------------- the oracle
 
-/// How many rings of half-edges own each vertex, and how many edges between the same ends their insides. One cut
-/// leaves the same vertices and edges on both sides.
+/// How many rings of half-edges own each vertex, and how many edges between the same ends their
+/// insides. One cut leaves the same vertices and edges on both sides.
 class Owners {
  public:
   explicit Owners(const CutSurface& surface) : s_(surface) {
@@ -235,7 +234,7 @@ TEST(FixedPlanes, KeepTheBoundOfVoxels) {
 Nef3 pit_to(Point3 tip, Point3 a, Point3 b, Point3 c) {
   Context context;
   const PolygonMesh mesh = make_mesh({tip, a, b, c}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
-  return Nef3::mesh(mesh, WindingRule::NonZero, context).interior();
+  return Nef3::from_mesh(mesh, {.rule = WindingRule::NonZero}, context).interior();
 }
 
 /// Is there an edge whose own plane a tip touches, so that nothing can be cut?
@@ -262,8 +261,9 @@ bool has_blocked_edge(const Nef3& set) {
   return false;
 }
 
-// A step, whose edge runs along y at x = 4, z = 4, for y < 8. Tips in the way of its planes: above that at z = 4, beside that at
-// x = 4, and one on the edge's line that touches every plane of the pencil that the edge could be cut by.
+// A step, whose edge runs along y at x = 4, z = 4, for y < 8. Tips in the way of its planes: above
+// that at z = 4, beside that at x = 4, and one on the edge's line that touches every plane of the
+// pencil that the edge could be cut by.
 TEST(FixedPlanes, PassTipsOfPits) {
   const Nef3 step =
       solid(box_mesh({0, 0, 0}, {8, 12, 8})) - solid(box_mesh({4, -1, 4}, {9, 8, 9})).interior();

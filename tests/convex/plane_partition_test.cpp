@@ -1,4 +1,5 @@
-// Convex pieces of sets of the plane: convex, disjoint, together the set; as few as can be, or nearly.
+// Convex pieces of sets of the plane: convex, disjoint, together the set; as few as can be, or
+// nearly.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -8,14 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "generate/dice.h"
 #include "generate/plane_families.h"
 #include "generate/plane_program.h"
 #include "generate/test_share.h"
 #include "oracle/nef2_check.h"
 #include "oracle/partition_check.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 #include "plumb/predicates/segment2.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -240,15 +241,15 @@ std::vector<Named> odd_sets() {
   const Nef2 cross = segment({-1, 0}, {1, 0}) + segment({0, -1}, {0, 1});
   return {
       {"empty", Nef2::empty(), 0},
-      {"plane", Nef2::plane(), 1},
+      {"plane", Nef2::whole(), 1},
       {"half-plane", Nef2::half_plane({{0, 0}, {1, 3}}, Boundary::Open), 1},
-      {"without a point", Nef2::plane() - Nef2::point({1, 2}), 2},
-      {"without a segment", Nef2::plane() - segment({0, 0}, {3, 1}), 2},
-      {"without a line", Nef2::plane() - line({0, 0}, {3, 1}), 2},
+      {"without a point", Nef2::whole() - Nef2::point({1, 2}), 2},
+      {"without a segment", Nef2::whole() - segment({0, 0}, {3, 1}), 2},
+      {"without a line", Nef2::whole() - line({0, 0}, {3, 1}), 2},
       {"without two parallel lines", !strip, 3},
-      {"without a ray", Nef2::plane() - ray({0, 0}, {0, 1}), 2},
-      {"without two parallel rays", Nef2::plane() - ray({0, 0}, {1, 0}) - ray({0, 1}, {1, 1}), 0},
-      {"without opposite rays", Nef2::plane() - ray({1, 0}, {2, 0}) - ray({-1, 0}, {-2, 0}), 2},
+      {"without a ray", Nef2::whole() - ray({0, 0}, {0, 1}), 2},
+      {"without two parallel rays", Nef2::whole() - ray({0, 0}, {1, 0}) - ray({0, 1}, {1, 1}), 0},
+      {"without opposite rays", Nef2::whole() - ray({1, 0}, {2, 0}) - ray({-1, 0}, {-2, 0}), 2},
       {"without a square", !square, 4},
       {"without an open square", !square.interior(), 4},
       {"without a triangle and a point", !polygon({{0, 0}, {3, 0}, {0, 3}}) - Nef2::point({5, 5}),

@@ -1,4 +1,5 @@
-// Vertical walls: pieces are convex, disjoint, and make up the set; how many there are; which facets are walls.
+// Vertical walls: pieces are convex, disjoint, and make up the set; how many there are; which
+// facets are walls.
 #include "plumb/convex/walls.h"
 
 #include <gtest/gtest.h>
@@ -11,14 +12,14 @@
 #include <utility>
 #include <vector>
 
-#include "generate/dice.h"
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "oracle/pieces_check.h"
-#include "plumb/base/error.h"
 #include "plumb/convex/decompose.h"
+#include "plumb/predicates/error.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/space_audit.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -45,8 +46,8 @@ std::size_t piece_count(const Nef3& set) {
 
 // ---------------------------------------------------------------- families
 
-/// A slab with V-shaped grooves along x on top, and with them along y below: every upper wall crosses every
-/// lower one.
+/// A slab with V-shaped grooves along x on top, and with them along y below: every upper wall
+/// crosses every lower one.
 Nef3 crossed_grooves(int count) {
   Nef3 set = box({0, 0, 0}, {static_cast<double>(4 * count), static_cast<double>(4 * count), 10});
   for (int i = 0; i < count; ++i) {
@@ -59,9 +60,9 @@ Nef3 crossed_grooves(int count) {
         }
       }
       Context context;
-      return Nef3::mesh(
+      return Nef3::from_mesh(
           make_mesh(p, {{0, 1, 2}, {5, 4, 3}, {0, 3, 4, 1}, {1, 4, 5, 2}, {2, 5, 3, 0}}),
-          WindingRule::NonZero, context);
+          {.rule = WindingRule::NonZero}, context);
     };
     set -= groove(6, 11, true);
     set -= groove(4, -1, false);
@@ -150,7 +151,8 @@ TEST(Walls, CutVoidsComponentsAndPartsThatTouch) {
   const Nef3 hollow = box({0, 0, 0}, {6, 6, 6}) - box({2, 2, 2}, {4, 4, 4});
   EXPECT_EQ(fault(hollow), "");
   EXPECT_EQ(fault(hollow + box({7, 0, 0}, {8, 1, 1})), "");
-  // Two boxes on a common edge, and two on a common corner: nothing is reflex but in the ring around.
+  // Two boxes on a common edge, and two on a common corner: nothing is reflex but in the ring
+  // around.
   const Nef3 on_edge = box({0, 0, 0}, {1, 1, 1}) + box({1, 1, 0}, {2, 2, 1});
   EXPECT_EQ(piece_count(on_edge), 2U);
   EXPECT_EQ(fault(on_edge), "");
@@ -190,7 +192,7 @@ TEST(Walls, NeedABoundedSet) {
   const Nef3 wedge = !(Nef3::half_space({1, 0, 0, 0}, Boundary::Closed) *
                        Nef3::half_space({0, 1, 0, 0}, Boundary::Closed));
   EXPECT_EQ(piece_count(wedge), 2U);  // by planes
-  EXPECT_THROW(wall_subdivision(Nef3::space(), {}, context), Error);
+  EXPECT_THROW(wall_subdivision(Nef3::whole(), {}, context), Error);
 }
 
 /// Of a plane's integers or a point's coordinates.
@@ -205,7 +207,8 @@ std::size_t longest_number(const SpaceComplex& c) {
   return bits;
 }
 
-// Tetrahedra with coordinates of 53 bits, united or taken out of a block: walls are planes of short numbers.
+// Tetrahedra with coordinates of 53 bits, united or taken out of a block: walls are planes of short
+// numbers.
 TEST(Walls, HaveShortNumbers) {
   std::size_t longest = 0;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
@@ -224,8 +227,8 @@ TEST(Walls, HaveShortNumbers) {
         p.push_back({x, y, z});
       }
       Context context;
-      const Nef3 cut = Nef3::mesh(make_mesh(p, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}),
-                                  WindingRule::NonZero, context);
+      const Nef3 cut = Nef3::from_mesh(make_mesh(p, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}),
+                                       {.rule = WindingRule::NonZero}, context);
       set = is_union ? set + cut : set - cut;
     }
     Context context;
@@ -261,8 +264,8 @@ TEST(Walls, MakeConvexPiecesOfRandomSolids) {
         p.push_back({x, y, z});
       }
       Context context;
-      const Nef3 cut = Nef3::mesh(make_mesh(p, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}),
-                                  WindingRule::NonZero, context);
+      const Nef3 cut = Nef3::from_mesh(make_mesh(p, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}),
+                                       {.rule = WindingRule::NonZero}, context);
       set = dice.below(3) == 0 ? set ^ cut : dice.below(2) == 0 ? set - cut : set - cut.interior();
     }
     RC_ASSERT(fault(set, seed % 2 == 0) == "");
@@ -286,7 +289,8 @@ RationalPoint3 middle_of(const SpaceComplex& c, FacetId f) {
   return {sum.x / count, sum.y / count, sum.z / count};
 }
 
-/// Facets of pieces that lie in no facet of the set are walls, others are not; those of facets without an id neither.
+/// Facets of pieces that lie in no facet of the set are walls, others are not; those of facets
+/// without an id neither.
 void expect_walls(const Nef3& set, const ConvexPieces& pieces) {
   const SpaceComplex& whole = set.complex();
   std::size_t walls = 0;

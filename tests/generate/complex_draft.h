@@ -1,5 +1,5 @@
-// Complexes given outright, item by item: for tests of what works on items and asks for no set behind
-// them. They need not be minimal, and their items may meet each other.
+// Complexes given outright, item by item: for tests of what works on items and asks for no set
+// behind them. They need not be minimal, and their items may meet each other.
 #pragma once
 
 #include <array>
@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include "generate/dice.h"
-#include "generate/exact.h"
 #include "plumb/space/space_complex.h"
+#include "plumb/testing/dice.h"
+#include "plumb/testing/exact.h"
 
 namespace plumb::testing {
 
@@ -33,8 +33,8 @@ struct ComplexDraft {
   void add(const ComplexDraft& other);
 };
 
-/// Vertices that are doubles are input points, but for a third of them (which `dice` picks); the others are
-/// constructed of planes. No volumes, all marks 0; radial lists are not in order.
+/// Vertices that are doubles are input points, but for a third of them (which `dice` picks); the
+/// others are constructed of planes. No volumes, all marks 0; radial lists are not in order.
 SpaceComplex build_complex(const ComplexDraft& draft, std::shared_ptr<SpaceTables> tables,
                            Dice& dice);
 

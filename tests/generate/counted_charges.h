@@ -1,5 +1,5 @@
-// What is charged to Contexts, counted. A program has it by linking plumb_counted_charges, whose calls the linker then leads
-// here first; in programs whose plumb is a static library.
+// What is charged to Contexts, counted. A program has it by linking plumb_counted_charges, whose
+// calls the linker then leads here first; in programs whose plumb is a static library.
 #pragma once
 
 #include <cstdint>

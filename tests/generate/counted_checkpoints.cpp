@@ -4,9 +4,10 @@
 #include <string_view>
 
 #include "plumb/base/context.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 
-// The linker's option --wrap gives these names to the function that is called and to the one that was meant.
+// The linker's option --wrap gives these names to the function that is called and to the one that
+// was meant.
 #define PLUMB_CHECKPOINT \
   "_ZN5plumb7Context10checkpointESt17basic_string_viewIcSt11char_traitsIcEEmm"
 

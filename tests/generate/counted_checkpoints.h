@@ -1,5 +1,6 @@
-// Context::checkpoint(), counted, and made to cancel. A program has it by linking plumb_counted_checkpoints, whose calls the
-// linker then leads here first; in programs whose plumb is a static library.
+// Context::checkpoint(), counted, and made to cancel. A program has it by linking
+// plumb_counted_checkpoints, whose calls the linker then leads here first; in programs whose plumb
+// is a static library.
 #pragma once
 
 #include <cstdint>

@@ -19,7 +19,8 @@ struct CountedMemory {
 /// Of this program.
 CountedMemory& counted_memory();
 
-/// From now on numbers of GMP and MPFR are counted, too; they never fail. To be called before there are any.
+/// From now on numbers of GMP and MPFR are counted, too; they never fail. To be called before there
+/// are any.
 void count_numbers();
 
 /// make(), without refusals: what is the caller's own.

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "generate/dice.h"
-#include "generate/exact.h"
-#include "plumb/plane/sweep.h"
+#include "plumb/plane/sweep/sweep.h"
+#include "plumb/testing/dice.h"
+#include "plumb/testing/exact.h"
 
 namespace plumb::testing {
 

@@ -32,7 +32,7 @@ struct ToNef {
       }
     }
     for (const auto& face : m.faces) add_face(face, mesh);
-    return Nef3::mesh(mesh, rule_of(m.rule), context);
+    return Nef3::from_mesh(mesh, {.rule = rule_of(m.rule)}, context);
   }
   Nef3 operator()(const PolygonLeaf& p) const {
     std::vector<RationalPoint3> corners;

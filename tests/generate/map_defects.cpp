@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <ostream>
 
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb::testing {
 namespace {
@@ -351,7 +351,8 @@ DefectiveMap isolated_vertex(const TestMap& valid, DefectPlace place) {
   return result;
 }
 
-// A triangle in the cycle's own region with a corner at its vertex: the region's boundary touches itself there.
+// A triangle in the cycle's own region with a corner at its vertex: the region's boundary touches
+// itself there.
 DefectiveMap self_touch(const TestMap& valid, DefectPlace place) {
   DefectiveMap result{valid, {}};
   const Corner c = corner_at(valid, place);

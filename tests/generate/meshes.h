@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "plumb/space/polygon_mesh.h"
+#include "plumb/space/mesh_arrays.h"
 
 namespace plumb::testing {
 
@@ -19,7 +19,8 @@ PolygonMesh box_mesh(Point3 low, Point3 high);
 PolygonMesh tetrahedron_mesh(Point3 a, Point3 b, Point3 c, Point3 d);
 /// A sphere of 20 * 4^depth triangles.
 PolygonMesh icosphere_mesh(int depth, double radius, Point3 centre);
-/// A cube of width n whose faces are grids of squares of width 1, each in two triangles: 12 n^2 of them.
+/// A cube of width n whose faces are grids of squares of width 1, each in two triangles: 12 n^2 of
+/// them.
 PolygonMesh grid_cube_mesh(std::uint32_t n, Point3 low);
 /// The prism over a polygon of the plane z = low, counter-clockwise.
 PolygonMesh prism_mesh(const std::vector<Point2>& polygon, double low, double high);

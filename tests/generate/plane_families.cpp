@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "generate/dice.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {

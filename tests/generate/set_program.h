@@ -1,7 +1,8 @@
-// What programs that make sets from bytes have in common, in the plane and in space: a stack machine of
-// records of eight bytes. The first says how numbers are meant and how what is left is combined: {values,
-// operator, unused...}; each later one pushes a set or operates on the sets pushed: {what, how, six
-// points}. A leaf without extent pushes nothing. In the end all sets left are combined.
+// What programs that make sets from bytes have in common, in the plane and in space: a stack
+// machine of records of eight bytes. The first says how numbers are meant and how what is left is
+// combined: {values, operator, unused...}; each later one pushes a set or operates on the sets
+// pushed: {what, how, six points}. A leaf without extent pushes nothing. In the end all sets left
+// are combined.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "generate/dice.h"
-#include "generate/exact.h"
 #include "oracle/cell_marks.h"
+#include "plumb/testing/dice.h"
+#include "plumb/testing/exact.h"
 
 namespace plumb::testing {
 

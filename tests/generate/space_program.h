@@ -1,6 +1,6 @@
-// Sets of space from bytes (set_program.h): any sequence of bytes is an expression, and one with fewer
-// records is a simpler one. For random tests and the fuzz target. A point is a byte, two bits for each
-// of x, y, z and two that move it between the grid points.
+// Sets of space from bytes (set_program.h): any sequence of bytes is an expression, and one with
+// fewer records is a simpler one. For random tests and the fuzz target. A point is a byte, two bits
+// for each of x, y, z and two that move it between the grid points.
 #pragma once
 
 #include <cstdint>

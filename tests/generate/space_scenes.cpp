@@ -5,7 +5,7 @@
 #include <memory>
 #include <numeric>
 
-#include "plumb/space/volumes.h"
+#include "plumb/space/query/volumes.h"
 
 namespace plumb::testing {
 namespace {

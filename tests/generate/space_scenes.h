@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "generate/dice.h"
 #include "plumb/predicates/rational_point.h"
 #include "plumb/space/space_complex.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 
@@ -56,8 +56,8 @@ void add_frame_box(SpaceScene& scene, const RationalPoint3& low, const RationalP
 inline constexpr int kFar = 1000000;
 /// The cube |x|, |y|, |z| <= kFar cut by planes x = at + slope y, which part it into slabs.
 void add_slabs(SpaceScene& scene, const std::vector<int>& at, const Rational& slope);
-/// The same complex with R for kFar; what lies on the cube gets the mark kBeyond. Every vertex there must be
-/// the common point of planes of its edges.
+/// The same complex with R for kFar; what lies on the cube gets the mark kBeyond. Every vertex
+/// there must be the common point of planes of its edges.
 SpaceComplex framed(SpaceComplex complex);
 
 /// A scene of disjoint pieces with small rational coordinates: boxes, tetrahedra, boxes in boxes,

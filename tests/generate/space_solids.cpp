@@ -113,8 +113,8 @@ SpaceSetPointer half_space(int a, int b, int c, int d, bool closed) {
 // ---------------------------------------------------------------- pairs
 
 std::vector<SolidPair> overlapping_boxes() {
-  // In halves: before, meets, overlaps, starts, equals, started by, finished by, contains, finishes,
-  // overlapped by, met by, after, during.
+  // In halves: before, meets, overlaps, starts, equals, started by, finished by, contains,
+  // finishes, overlapped by, met by, after, during.
   static constexpr std::array<std::array<int, 2>, 13> kWays = {{{0, 2},
                                                                 {0, 4},
                                                                 {2, 6},

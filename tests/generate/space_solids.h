@@ -13,8 +13,8 @@ MeshLeaf box(const ExactPoint3& p, const ExactPoint3& q);
 /// Corners in any order; requires that they do not lie in one plane.
 MeshLeaf tetrahedron(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c,
                      const ExactPoint3& d);
-/// The convex polygon moved from `low` to `high` along an axis (0, 1, 2), its own coordinate there unread. Requires
-/// an area seen along that axis and low < high.
+/// The convex polygon moved from `low` to `high` along an axis (0, 1, 2), its own coordinate there
+/// unread. Requires an area seen along that axis and low < high.
 MeshLeaf prism(const Chain3& polygon, std::size_t axis, const BigRational& low,
                const BigRational& high);
 /// The other way out.
@@ -40,8 +40,8 @@ struct SolidPair {
   SpaceSetPointer b;
 };
 
-/// The box [2, 4]^3 and boxes whose extents lie to [2, 4] in each of the 13 ways two intervals can lie, along
-/// every axis: 455 pairs (up to the order of axes).
+/// The box [2, 4]^3 and boxes whose extents lie to [2, 4] in each of the 13 ways two intervals can
+/// lie, along every axis: 455 pairs (up to the order of axes).
 std::vector<SolidPair> overlapping_boxes();
 /// Touching at a facet, edge, vertex; slid along a face; voids; needles; checkerboards.
 std::vector<SolidPair> special_pairs();

@@ -6,15 +6,16 @@
 #include <numbers>
 #include <utility>
 
-#include "generate/dice.h"
-#include "plumb/sphere/sphere_vectors.h"
+#include "plumb/sphere/set/sphere_vectors.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
 
 using Triangle = std::array<SphereVector, 3>;
 
-/// Place i of a spiral from pole to pole, each with the same share of the sphere; counter-clockwise.
+/// Place i of a spiral from pole to pole, each with the same share of the sphere;
+/// counter-clockwise.
 Triangle triangle_at(std::size_t i, std::size_t count) {
   const double share = 1 / static_cast<double>(count);
   const double z = 1 - (2 * static_cast<double>(i) + 1) * share;
@@ -30,7 +31,8 @@ Triangle triangle_at(std::size_t i, std::size_t count) {
   return {corner(-1, -0.5), corner(1, -0.7), corner(0.1, 1)};
 }
 
-/// A corner is where two sides' circles cross; every triangle is a face of its own, all else face 0.
+/// A corner is where two sides' circles cross; every triangle is a face of its own, all else face
+/// 0.
 void add_triangle(PlaneTable& planes, SphereMap& map, const Triangle& corners) {
   const auto first_arc = static_cast<std::uint32_t>(map.arc_count());
   const auto inside = static_cast<std::uint32_t>(map.face_count());
@@ -72,7 +74,7 @@ NefSphere scattered_triangles(std::size_t count) {
   map.point_mark.assign(map.point_count(), 1);
   map.point_face.assign(map.point_count(), SphereMap::kNone);
   map.arc_mark.assign(map.arc_count(), 1);
-  return NefSphere::from_minimal(std::move(planes), std::move(map));
+  return NefSphere::from_minimal_unchecked({std::move(planes), std::move(map)});
 }
 
 NefSphere crown(std::size_t n, double turn, double low, double high) {

@@ -9,12 +9,12 @@
 
 namespace plumb::testing {
 
-/// Closed triangles, none near another: 3 arcs each, 1 / sqrt(count) long or so. Made without an overlay, in
-/// O(count).
+/// Closed triangles, none near another: 3 arcs each, 1 / sqrt(count) long or so. Made without an
+/// overlay, in O(count).
 NefSphere scattered_triangles(std::size_t count);
 
-/// A polygon around the z axis whose n corners lie in turn at two heights above a circle of radius 1; n even.
-/// `turn`: by how many corners it is turned.
+/// A polygon around the z axis whose n corners lie in turn at two heights above a circle of radius
+/// 1; n even. `turn`: by how many corners it is turned.
 NefSphere crown(std::size_t n, double turn, double low, double high);
 /// Any directions, none on a plane through two axes.
 std::vector<SphereVector> any_directions(std::size_t count, std::uint64_t seed);

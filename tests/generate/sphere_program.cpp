@@ -172,7 +172,8 @@ class StackMachine {
     const Entry a = pop();
     const MarkFunction f = function_of(r[1]);
     Context context;
-    push(combine(a.sets.engine, b.sets.engine, f, context), combined(f, a.sets.twin, b.sets.twin),
+    push(boolean_op(a.sets.engine, b.sets.engine, f, context),
+         combined(f, a.sets.twin, b.sets.twin),
          '(' + a.text + ") op" + std::to_string(r[1] % 16) + " (" + b.text + ')');
   }
 
@@ -208,7 +209,7 @@ class StackMachine {
     for (std::size_t c = 0; c < cells_.size(); ++c) samples.push_back(vector_of(cells_[c].sample));
     CellMarks marks;
     for (const SphereLocation& l : e.sets.engine.locate(samples)) marks.push_back(mark(l.cell));
-    SphereItemMarks changed = e.sets.engine.marks();
+    SphereMarks changed = e.sets.engine.marks();
     for (std::uint32_t i = 0; i < changed.point.size(); ++i) {
       changed.point[i] = mark(SphereCell::point(i)) ? 1 : 0;
     }

@@ -1,8 +1,8 @@
 // Sets of the sphere from bytes, in the engine and in its twin: a little stack machine, so that any
 // bytes are a program and neighbouring bytes are similar ones.
 //
-// Records of eight bytes. The first is {values, ...}; each other one pushes a set or operates on the
-// sets pushed: {what, how, six vectors}. A vector is a byte, with coordinates from -2 to 2.
+// Records of eight bytes. The first is {values, ...}; each other one pushes a set or operates on
+// the sets pushed: {what, how, six vectors}. A vector is a byte, with coordinates from -2 to 2.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "generate/dice.h"
 #include "oracle/sphere_check.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 
@@ -28,9 +28,9 @@ enum class SphereValues : std::uint8_t {
 };
 inline constexpr int kSphereValues = 6;
 
-/// Runs a program with the twin beside it; stops where it would need more than `max_circles` circles.
-/// Every set made is compared, the last one deeply. Empty, or the first difference and how the set was
-/// made.
+/// Runs a program with the twin beside it; stops where it would need more than `max_circles`
+/// circles. Every set made is compared, the last one deeply. Empty, or the first difference and how
+/// the set was made.
 std::string disagreement_on_sphere(std::span<const std::uint8_t> program, std::size_t max_circles);
 
 /// The sets left in the end, without any comparison.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "oracle/surface_oracle.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 #include "plumb/surface/surface_audit.h"
 #include "plumb/surface/triangulation.h"
 

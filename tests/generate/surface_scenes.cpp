@@ -7,12 +7,12 @@
 #include <numeric>
 #include <optional>
 
-#include "generate/dice.h"
 #include "generate/meshes.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 #include "plumb/predicates/rational_predicates.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/predicates/segment2.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {

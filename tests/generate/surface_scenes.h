@@ -14,10 +14,12 @@ namespace plumb::testing {
 
 using MeshPointer = std::shared_ptr<const SurfaceMesh>;
 
-/// Squares [0, columns] x [0, rows] of the plane z = 0, each cut in two by a diagonal; vertex (x, y) is
-/// y (columns + 1) + x. `shuffle`: seed of a random order of vertices and faces, and turn of each; 0: none.
+/// Squares [0, columns] x [0, rows] of the plane z = 0, each cut in two by a diagonal; vertex (x,
+/// y) is y (columns + 1) + x. `shuffle`: seed of a random order of vertices and faces, and turn of
+/// each; 0: none.
 MeshPointer grid_mesh(std::uint32_t columns, std::uint32_t rows, std::uint64_t shuffle = 0);
-/// Vertex (i, j) is i * minor + j: i the long way around, j the short way. A meridian has constant i.
+/// Vertex (i, j) is i * minor + j: i the long way around, j the short way. A meridian has constant
+/// i.
 MeshPointer torus_mesh(std::uint32_t major, std::uint32_t minor);
 /// Rings of `around` vertices at heights 0 ... up; open at both ends.
 MeshPointer cylinder_mesh(std::uint32_t around, std::uint32_t up);
@@ -30,8 +32,8 @@ MeshPointer joined_meshes(std::span<const MeshPointer> parts);
 /// `handles` tori in a row, joined along triangles: of that genus.
 MeshPointer chain_of_tori(std::uint32_t handles, std::uint32_t major, std::uint32_t minor);
 
-/// A closed walk on edges of a mesh: any bytes are one. The first chooses where it starts, the others where it goes on;
-/// then it leads home on a shortest way.
+/// A closed walk on edges of a mesh: any bytes are one. The first chooses where it starts, the
+/// others where it goes on; then it leads home on a shortest way.
 std::vector<std::uint32_t> closed_walk(const SurfaceMesh& mesh,
                                        std::span<const std::uint8_t> steps);
 

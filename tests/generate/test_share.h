@@ -6,8 +6,9 @@
 
 namespace plumb::testing {
 
-/// All `cases`, or as many percent of them as the environment's PLUMB_TEST_SHARE says (set by ctest from the option of that
-/// name: under sanitizers a case takes about ten times as long), rounded up.
+/// All `cases`, or as many percent of them as the environment's PLUMB_TEST_SHARE says (set by ctest
+/// from the option of that name: under sanitizers a case takes about ten times as long), rounded
+/// up.
 inline std::uint64_t share_of(std::uint64_t cases) {
   const char* percent = std::getenv("PLUMB_TEST_SHARE");
   if (percent == nullptr) return cases;

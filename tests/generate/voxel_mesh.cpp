@@ -131,8 +131,9 @@ std::vector<std::pair<double, double>> outline(int notches, double base, double 
   return line;
 }
 
-/// A side of saddle_block(): from corner to corner over n notches, whose bottoms lie at z = slope t + lift for t = 1 .. n.
-/// Walls rise by `steep` for each unit to the side, so that they are planes. `place(t, z)` is a point of it.
+/// A side of saddle_block(): from corner to corner over n notches, whose bottoms lie at z = slope t
+/// + lift for t = 1 .. n. Walls rise by `steep` for each unit to the side, so that they are planes.
+/// `place(t, z)` is a point of it.
 template <class Place>
 std::vector<std::uint32_t> notched_side(PolygonMesh& mesh, int n, double slope, double lift,
                                         double level, double steep, Place place) {

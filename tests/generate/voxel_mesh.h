@@ -1,13 +1,13 @@
-// Solids of unit cubes: the surface of any set of cells of a grid, non-manifold where cells meet in an edge or
-// vertex, with voids and components as they come.
+// Solids of unit cubes: the surface of any set of cells of a grid, non-manifold where cells meet in
+// an edge or vertex, with voids and components as they come.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "generate/dice.h"
-#include "plumb/space/polygon_mesh.h"
+#include "plumb/space/mesh_arrays.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 
@@ -36,15 +36,17 @@ VoxelGrid random_terrain(Dice& dice, int width, int depth, int height);
 
 /// The prism over a star with n tips.
 PolygonMesh star_prism(int tips);
-/// The cone over a polygon of so many sides, of triangles around its apex and around the middle of its base.
+/// The cone over a polygon of so many sides, of triangles around its apex and around the middle of
+/// its base.
 PolygonMesh cone_mesh(int sides, double height);
 /// The prism over a comb of so many teeth.
 PolygonMesh comb_prism(int teeth);
 /// A block with `top` notches along y from above and `bottom` notches along x from below, that
 /// do not reach each other; their depths differ, so that no plane holds two of their edges.
 PolygonMesh comb_block(int top, int bottom);
-/// A block with n notches from above, along x, and n from below, along y, whose bottoms nearly touch where they pass
-/// each other: along the lines of the saddle z = x y. The worst known for convex pieces: about n^2 are needed.
+/// A block with n notches from above, along x, and n from below, along y, whose bottoms nearly
+/// touch where they pass each other: along the lines of the saddle z = x y. The worst known for
+/// convex pieces: about n^2 are needed.
 PolygonMesh saddle_block(int n);
 
 }  // namespace plumb::testing

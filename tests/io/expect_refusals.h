@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hostile_text.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb::testing {
 

@@ -1,3 +1,5 @@
+#include "plumb/io/plane/geojson.h"
+
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -7,8 +9,7 @@
 
 #include "expect_refusals.h"
 #include "hostile_shapes.h"
-#include "plumb/io/geojson_reader.h"
-#include "plumb/io/geojson_writer.h"
+#include "plumb/io/plane/geojson.h"
 
 namespace plumb {
 namespace {

@@ -1,5 +1,7 @@
 // glTF: known files in both containers, every layout, hostile files, and our own writer's.
 
+#include "plumb/io/mesh/gltf.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -16,11 +18,10 @@
 
 #include "expect_refusals.h"
 #include "mesh_checks.h"
-#include "plumb/io/gltf_reader.h"
-#include "plumb/io/solid_io.h"
-#include "plumb/io/weld_vertices.h"
-#include "plumb/picture/base64.h"
+#include "plumb/io/mesh/mesh_formats.h"
+#include "plumb/io/mesh_io.h"
 #include "plumb/picture/scene_glb.h"
+#include "plumb/picture/svg/svg_text.h"
 
 namespace plumb {
 namespace {
@@ -153,7 +154,8 @@ TEST(GltfReader, strips_fans_and_no_indices) {
   expect_refused(glb(d), "no triangles");
 }
 
-// Placed twice, below a node that turns and moves; the second is mirrored, so its triangles turn around.
+// Placed twice, below a node that turns and moves; the second is mirrored, so its triangles turn
+// around.
 TEST(GltfReader, nodes_place_meshes) {
   Document d = tetrahedron_document();
   const double half = std::sqrt(.5);
@@ -491,7 +493,8 @@ TEST(GltfReader, parts_without_triangles_are_looked_at_once) {
   EXPECT_TRUE(is_same(read(glb(d), limits).mesh, expected()));
 }
 
-// A file with a large buffer in its text is charged a few times its size, and only while it is read.
+// A file with a large buffer in its text is charged a few times its size, and only while it is
+// read.
 TEST(GltfReader, gives_back_what_it_needs_to_read) {
   Document d = tetrahedron_document();
   d.buffer += std::string(4U << 20, 'x');

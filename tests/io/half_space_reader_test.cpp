@@ -1,5 +1,5 @@
 // Lists of half-spaces: what lines say, and the place of what is wrong.
-#include "plumb/io/half_space_reader.h"
+#include "plumb/io/solid/half_space_reader.h"
 
 #include <gtest/gtest.h>
 

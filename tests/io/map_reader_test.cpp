@@ -1,5 +1,3 @@
-#include "plumb/io/map_reader.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,10 +13,10 @@
 
 #include "expect_refusals.h"
 #include "hostile_maps.h"
-#include "plumb/base/error.h"
-#include "plumb/io/map_writer.h"
-#include "plumb/io/text_cursor.h"
-#include "plumb/io/text_output.h"
+#include "plumb/io/map_io.h"
+#include "plumb/io/text/input_cursors.h"
+#include "plumb/io/text/text_output.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb {
 namespace {
@@ -71,7 +69,8 @@ std::string utf8(std::uint32_t code) {
   return {static_cast<char>(0xf0U | code >> 18U), tail(12), tail(6), tail(0)};
 }
 
-// What an encoder writes is text, and nothing else: of all beginnings of three bytes, and tails of a fourth.
+// What an encoder writes is text, and nothing else: of all beginnings of three bytes, and tails of
+// a fourth.
 TEST(TextPrefix, is_what_an_encoder_writes) {
   std::vector<bool> is_written(std::size_t{1} << 24U);
   const auto key = [](const std::string& bytes) {

@@ -10,9 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "plumb/io/map_reader.h"
-#include "plumb/io/map_report_json.h"
-#include "plumb/io/map_report_text.h"
+#include "plumb/io/map_io.h"
+#include "plumb/io/map_report_io.h"
 #include "plumb/plane/map_check.h"
 
 namespace plumb {
@@ -111,7 +110,8 @@ TEST(MapListing, is_a_dcel_of_the_cycles) {
   const std::vector<std::string> maps{
       "3 2\n0 0\n1 0\n0 1\n1 2 3\n3 2 1\n",
       "5 2\n1/3 0\n1 0.5\n0 9007199254740993\n7 7\n8 8\n1 2 3\n2 1 3\n",  // isolated vertices
-      "8 4\n0 0\n9 0\n9 9\n0 9\n3 3\n6 3\n6 6\n3 6\n1 2 3 4\n4 3 2 1\n5 6 7 8\n8 7 6 5\n",  // island
+      // island
+      "8 4\n0 0\n9 0\n9 9\n0 9\n3 3\n6 3\n6 6\n3 6\n1 2 3 4\n4 3 2 1\n5 6 7 8\n8 7 6 5\n",
       "0 0\n",
   };
   for (const std::string& text : maps) {

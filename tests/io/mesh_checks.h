@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "plumb/space/polygon_mesh.h"
+#include "plumb/space/mesh_arrays.h"
 
 namespace plumb::testing {
 

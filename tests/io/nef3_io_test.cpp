@@ -8,12 +8,12 @@
 #include "expect_refusals.h"
 #include "hostile_meshes.h"
 #include "mesh_checks.h"
-#include "plumb/io/nef3_links.h"
+#include "plumb/io/mesh_io.h"
 #include "plumb/io/nef3_reader.h"
 #include "plumb/io/nef3_writer.h"
-#include "plumb/io/solid_io.h"
+#include "plumb/io/solid/nef3_links.h"
 #include "plumb/space/from_mesh.h"
-#include "plumb/space/volumes.h"
+#include "plumb/space/query/volumes.h"
 
 namespace plumb {
 namespace {
@@ -90,8 +90,8 @@ void expect_same_planes(const SpaceComplex& a, const SpaceComplex& b) {
   }
 }
 
-/// A set of every kind of lone item in an unbounded space: a vertex in a volume, one where three planes meet,
-/// one on a line and a plane, a free edge, and of marks.
+/// A set of every kind of lone item in an unbounded space: a vertex in a volume, one where three
+/// planes meet, one on a line and a plane, a free edge, and of marks.
 const std::string kLoners =
     "plumb-nef3 1\n"
     "11 6 4 1 0 0 2\n"

@@ -1,3 +1,5 @@
+#include "plumb/io/mesh/obj.h"
+
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -7,8 +9,7 @@
 #include "expect_refusals.h"
 #include "hostile_meshes.h"
 #include "mesh_checks.h"
-#include "plumb/io/obj_reader.h"
-#include "plumb/io/obj_writer.h"
+#include "plumb/io/mesh/obj.h"
 
 namespace plumb {
 namespace {

@@ -1,3 +1,5 @@
+#include "plumb/io/mesh/off.h"
+
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -10,8 +12,7 @@
 #include "expect_refusals.h"
 #include "hostile_meshes.h"
 #include "mesh_checks.h"
-#include "plumb/io/off_reader.h"
-#include "plumb/io/off_writer.h"
+#include "plumb/io/mesh/off.h"
 
 namespace plumb {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "generate/dice.h"
 #include "plumb/plane/nef2.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 

@@ -1,3 +1,5 @@
+#include "plumb/io/mesh/ply.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,8 +16,7 @@
 #include "expect_refusals.h"
 #include "hostile_meshes.h"
 #include "mesh_checks.h"
-#include "plumb/io/ply_reader.h"
-#include "plumb/io/ply_writer.h"
+#include "plumb/io/mesh/ply.h"
 
 namespace plumb {
 namespace {

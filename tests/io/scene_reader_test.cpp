@@ -12,8 +12,8 @@
 
 #include "expect_refusals.h"
 #include "generate/surface_meshes.h"
-#include "plumb/base/error.h"
-#include "plumb/io/scene_text.h"
+#include "plumb/io/surface/scene_parser.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb::testing {
 namespace {
@@ -65,7 +65,8 @@ TEST(scene_reader, points_lie_on_vertices_edges_and_in_faces) {
   EXPECT_EQ(p.vertex(SurfacePointId(2)), VertexId(4));
 }
 
-/// Faces 0 and 1 of the grid share the diagonal from vertex 0 to vertex 4: (w, 0, u) and (1 - u, u, 0).
+/// Faces 0 and 1 of the grid share the diagonal from vertex 0 to vertex 4: (w, 0, u) and (1 - u, u,
+/// 0).
 TEST(scene_reader, one_point_from_two_faces) {
   for (int tenths = 1; tenths < 10; ++tenths) {
     const std::string t = "0." + std::to_string(tenths), rest = "0." + std::to_string(10 - tenths);
@@ -79,7 +80,8 @@ TEST(scene_reader, one_point_from_two_faces) {
   }
 }
 
-/// Face 0 is (0, 1, 4) and face 3 is (1, 5, 4): they share the edge from 1 to 4, given by its other end.
+/// Face 0 is (0, 1, 4) and face 3 is (1, 5, 4): they share the edge from 1 to 4, given by its other
+/// end.
 TEST(scene_reader, decimals_that_no_doubles_add_up_to) {
   for (const ReadOptions& options : {kOptions, kExact}) {
     for (int hundredths = 1; hundredths < 100; ++hundredths) {

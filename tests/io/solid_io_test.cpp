@@ -1,139 +1,99 @@
+// Sets from mesh files: what is turned, what is cut, what is told, and what is refused.
 #include "plumb/io/solid_io.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
-#include <cfenv>
-#include <sstream>
-#include <string>
-#include <vector>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 
-#include "hostile_meshes.h"
-#include "mesh_checks.h"
-#include "plumb/base/error.h"
-#include "plumb/io/weld_vertices.h"
+#include "generate/mesh_solid.h"
+#include "generate/meshes.h"
+#include "plumb/io/mesh_io.h"
+#include "plumb/predicates/error.h"
 
-namespace plumb {
+namespace plumb::testing {
 namespace {
 
-using testing::is_same;
+/// A file that is gone with the object.
+class MeshFile {
+ public:
+  explicit MeshFile(const PolygonMesh& mesh) {
+    std::ofstream out(path_);
+    write_mesh(out, mesh, MeshFormat::Off);
+  }
+  ~MeshFile() { std::filesystem::remove(path_); }
+  MeshFile(const MeshFile&) = delete;
+  MeshFile& operator=(const MeshFile&) = delete;
+  const std::string& path() const { return path_; }
 
-constexpr MeshFormat kFormats[] = {MeshFormat::Off,    MeshFormat::ExactOff,  MeshFormat::Obj,
-                                   MeshFormat::Stl,    MeshFormat::StlBinary, MeshFormat::Ply,
-                                   MeshFormat::PlyText};
+ private:
+  std::string path_ = (std::filesystem::temp_directory_path() /
+                       ("plumb-solid-sets-" + std::to_string(::getpid()) + ".off"))
+                          .string();
+};
 
-bool is_stl(MeshFormat format) {
-  return format == MeshFormat::Stl || format == MeshFormat::StlBinary;
-}
-
-std::string written(const PolygonMesh& mesh, MeshFormat format) {
-  std::ostringstream out;
-  write_mesh(out, mesh, format);
-  return out.str();
-}
-
-PolygonMesh read(const std::string& bytes, MeshFormat format) {
+SolidRead read(const PolygonMesh& mesh, const SolidReadOptions& options = {}) {
+  const MeshFile file(mesh);
   Context context;
-  return read_mesh(bytes, format, {"some.file"}, context).mesh;
+  return read_solid_file(file.path(), options, context);
 }
 
-TEST(SolidIo, reads_what_it_said_it_would_write) {
-  PolygonMesh mesh = testing::exact_mesh();
-  mesh.points[2] = {0.1, 1e-40, 12345678.9};
-  for (const MeshFormat format : kFormats) {
-    PolygonMesh expected = as_written(mesh, format);
-    Context context;
-    if (is_stl(format)) weld_vertices(expected, context);
-    EXPECT_TRUE(is_same(read(written(mesh, format), format), expected));
-  }
+bool has_note(const SolidRead& read, const std::string& part) {
+  return std::ranges::any_of(
+      read.notes, [&](const std::string& note) { return note.find(part) != std::string::npos; });
 }
 
-TEST(SolidIo, tells_formats_by_their_first_bytes) {
-  for (const MeshFormat format : kFormats) {
-    const std::string bytes = written(testing::tetrahedron(), format);
-    const PolygonMesh mesh = read(bytes, guess_mesh_format(bytes));
-    EXPECT_EQ(mesh.face_count(), 4U);
-  }
-  EXPECT_EQ(guess_mesh_format("# x\n\n  STCNOFF 8"), MeshFormat::Off);
-  EXPECT_EQ(guess_mesh_format("4 4 6"), MeshFormat::Off);
-  EXPECT_EQ(guess_mesh_format("\xEF\xBB\xBFOFF"), MeshFormat::Off);
-  EXPECT_EQ(guess_mesh_format("# x\no thing\n"), MeshFormat::Obj);
-  EXPECT_EQ(guess_mesh_format(""), MeshFormat::Obj);
-  EXPECT_EQ(guess_mesh_format("solid"), MeshFormat::Stl);
-  EXPECT_EQ(guess_mesh_format("\n SOLID name"), MeshFormat::Stl);
-}
+const PolygonMesh kCube = box_mesh({0, 0, 0}, {2, 2, 2});
+const PolygonMesh kOther = box_mesh({1, 1, 1}, {3, 3, 3});
 
-TEST(SolidIo, knows_extensions_and_names) {
-  EXPECT_EQ(mesh_format_of("a/b.off"), MeshFormat::Off);
-  EXPECT_EQ(mesh_format_of("b.obj"), MeshFormat::Obj);
-  EXPECT_EQ(mesh_format_of("b.c.stl"), MeshFormat::Stl);
-  EXPECT_EQ(mesh_format_of("b.ply"), MeshFormat::Ply);
-  EXPECT_EQ(mesh_format_of("b.ply-text"), std::nullopt);
-  EXPECT_EQ(mesh_format_of("off"), std::nullopt);
-  EXPECT_EQ(mesh_format_of("-"), std::nullopt);
-  EXPECT_EQ(mesh_format_named("stl-binary"), MeshFormat::StlBinary);
-  EXPECT_EQ(mesh_format_named("stl-text"), std::nullopt);
-}
-
-TEST(SolidIo, reads_the_corpus_alike_in_every_format) {
-  for (const std::string name : {"tetrahedron", "l-block", "square-hole"}) {
-    Context context;
-    PolygonMesh off = read_mesh_file("corpus/solids/" + name + ".off", {}, {}, context).mesh;
-    EXPECT_GE(off.face_count(), 4U);
-    for (const std::string extension : {".obj", ".ply"}) {
-      const MeshFile file = read_mesh_file("corpus/solids/" + name + extension, {}, {}, context);
-      EXPECT_TRUE(is_same(file.mesh, off)) << name << extension;
-    }
-  }
+TEST(SolidSets, TwoOverlappingSolidsInOneFileAreTheirUnion) {
   Context context;
-  PolygonMesh off = read_mesh_file("corpus/solids/tetrahedron.off", {}, {}, context).mesh;
-  weld_vertices(off, context);
-  for (const std::string file : {"tetrahedron.stl", "tetrahedron.binary.stl"}) {
-    EXPECT_TRUE(is_same(read_mesh_file("corpus/solids/" + file, {}, {}, context).mesh, off));
+  const SolidRead read = read_solid_file("corpus/solids/two-tetrahedra.off", {}, context);
+  const Nef3 one = solid(tetrahedron_mesh({0, 0, 0}, {0, 3, 0}, {3, 0, 0}, {0, 0, 3}));
+  const Nef3 two = solid(tetrahedron_mesh({1, 0, 0}, {1, 3, 0}, {4, 0, 0}, {1, 0, 3}));
+  EXPECT_TRUE(read.set == one + two);
+  EXPECT_TRUE(has_note(read, "crosses itself"));
+  EXPECT_FALSE(has_note(read, "turned"));
+}
+
+TEST(SolidSets, CrossingsAreToldNotRefused) {
+  const SolidRead crossing = read(joined(kCube, kOther));
+  EXPECT_TRUE(crossing.set == solid(kCube) + solid(kOther));
+  EXPECT_TRUE(has_note(crossing, "the mesh crosses itself and is cut there; 6 pair(s) of faces"));
+  EXPECT_TRUE(read(kCube).notes.empty());
+  EXPECT_FALSE(has_note(read(joined(kCube, moved(kCube, {2, 2, 0}))), "crosses"));
+}
+
+TEST(SolidSets, WithoutARuleComponentsAreTurned) {
+  const PolygonMesh mesh = joined(kCube, reversed(kOther));
+  const SolidRead turned = read(mesh);
+  EXPECT_TRUE(turned.set == solid(kCube) + solid(kOther));
+  EXPECT_TRUE(has_note(turned, "components that were inside out, turned; their first faces: 6"));
+  for (const WindingRule rule :
+       {WindingRule::Positive, WindingRule::NonZero, WindingRule::EvenOdd}) {
+    SolidReadOptions options;
+    options.rule = rule;
+    const SolidRead kept = read(mesh, options);
+    EXPECT_TRUE(kept.set == solid(mesh, rule));
+    EXPECT_FALSE(has_note(kept, "turned"));
   }
 }
 
-TEST(SolidIo, json_of_another_format_is_no_solid) {
-  Context context;
-  EXPECT_THROW(read_mesh_file("corpus/plane/frame.geojson", {}, {}, context), Error);
-}
-
-TEST(SolidIo, refuses_coordinates_beyond_the_largest_double) {
-  PolygonMesh mesh = testing::exact_mesh();
-  mesh.exact[0].second.x = Rational("1" + std::string(400, '0'));
-  for (const MeshFormat format : kFormats) {
-    if (format == MeshFormat::ExactOff) continue;
-    EXPECT_THROW(written(mesh, format), Error);
-    EXPECT_THROW(as_written(mesh, format), Error);
-  }
-  EXPECT_TRUE(is_same(as_written(mesh, MeshFormat::ExactOff), mesh));
-}
-
-TEST(SolidIo, writes_the_same_in_every_rounding_mode) {
-  PolygonMesh mesh = testing::awkward_mesh();
-  mesh.points[1].y = 1e30;
-  mesh.points[1].z = -0.7;
-  const PolygonMesh triangles = testing::mesh_of(mesh.points, {{0, 1, 2}, {2, 1, 3}, {4, 0, 3}});
-  for (const MeshFormat format : kFormats) {
-    const PolygonMesh expected = read(written(triangles, format), format);
-    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
-      std::fesetround(mode);
-      const PolygonMesh again = read(written(triangles, format), format);
-      std::fesetround(FE_TONEAREST);
-      EXPECT_TRUE(is_same(again, expected));
-    }
-  }
-}
-
-TEST(SolidIo, gives_back_the_memory_of_the_bytes) {
-  Limits limits;
-  limits.max_memory_bytes = 1 << 20;
-  Context context(limits);
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(read_mesh_file("corpus/solids/tetrahedron.off", {}, {}, context).mesh.face_count(),
-              4U);
-  }
-  EXPECT_THROW(read_mesh_file("no/such.off", {}, {}, context), Error);
+TEST(SolidSets, OpenMeshesAreRefusedOrSurfaces) {
+  PolygonMesh open = joined(kCube, kOther);
+  open.face_begin.pop_back();
+  open.corners.resize(open.face_begin.back());
+  EXPECT_THROW(read(open), Error);
+  SolidReadOptions options;
+  options.surface = true;
+  const SolidRead surface = read(open, options);
+  EXPECT_TRUE(has_note(surface, "crosses itself"));
+  EXPECT_EQ(surface.set.counts().marked_volumes, 0U);
+  EXPECT_TRUE(surface.set.contains(Point3{1, 2, 1.5}));  // where faces cross
+  EXPECT_FALSE(surface.set.contains(Point3{0.5, 0.5, 0.5}));
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::testing

@@ -1,3 +1,5 @@
+#include "plumb/io/mesh/stl.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,9 +15,8 @@
 #include "generate/crowded_points.h"
 #include "hostile_meshes.h"
 #include "mesh_checks.h"
-#include "plumb/io/stl_reader.h"
-#include "plumb/io/stl_writer.h"
-#include "plumb/io/weld_vertices.h"
+#include "plumb/io/mesh/mesh_formats.h"
+#include "plumb/io/mesh/stl.h"
 
 namespace plumb {
 namespace {

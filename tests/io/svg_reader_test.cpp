@@ -17,9 +17,9 @@
 #include "expect_refusals.h"
 #include "generate/surface_scenes.h"
 #include "oracle/surface_oracle.h"
-#include "plumb/base/error.h"
 #include "plumb/io/scene_reader.h"
-#include "plumb/io/scene_text.h"
+#include "plumb/io/surface/scene_parser.h"
+#include "plumb/predicates/error.h"
 #include "plumb/surface/surface_audit.h"
 
 namespace plumb::testing {
@@ -172,8 +172,8 @@ double distance_to(Point2 p, const Ring& ring) {
   return least;
 }
 
-/// No point of a curve is further from its chords than the tolerance, and not ten times as many chords are used as
-/// that takes.
+/// No point of a curve is further from its chords than the tolerance, and not ten times as many
+/// chords are used as that takes.
 TEST(svg_reader, curves_keep_within_the_tolerance) {
   for (const double tolerance : {1., .1, .001}) {
     const Ring circle = ring(drawn("<circle cx='3' cy='4' r='20'/>", tolerance), 0);
@@ -439,8 +439,8 @@ RationalPoint2 exact_position(const SurfacePointTable& points, SurfacePointId p,
           Rational(a.y) + w.x * Rational(b.y - a.y) + w.y * Rational(c.y - a.y)};
 }
 
-/// The corners lie exactly where the similarity puts them; with what is traced between them given, the plane gives the
-/// same answers.
+/// The corners lie exactly where the similarity puts them; with what is traced between them given,
+/// the plane gives the same answers.
 TEST_F(DrawingScene, OnFlatMeshesItIsASimilarity) {
   const SceneFile file = scene(
       "<svg viewBox='0 0 10 10'><path d='M1 1h4v3h-4z M2 2v1h2v-1z'/>"
@@ -484,7 +484,8 @@ TEST_F(DrawingScene, OnFlatMeshesItIsASimilarity) {
               (12 - 2) / 4., 1e-12);
 }
 
-/// Seen from outside the drawing is upright: clockwise in it, with y downwards, is clockwise on the surface.
+/// Seen from outside the drawing is upright: clockwise in it, with y downwards, is clockwise on the
+/// surface.
 TEST_F(DrawingScene, IsNotMirrored) {
   const SceneFile file = scene("<svg><rect width='2' height='2'/></svg>", kPlace);
   const SurfaceDivision division(file.scene, context_);
@@ -608,7 +609,8 @@ TEST_F(DrawingScene, RefusedAtPlacesOfTheDrawing) {
   refuse(R"({"center": [56, 0.5, 0.25], "scale": 1})", 0);
 }
 
-/// Without a word of the scene the label is zero far from the drawing: with one for the component, it is not said twice.
+/// Without a word of the scene the label is zero far from the drawing: with one for the component,
+/// it is not said twice.
 TEST_F(DrawingScene, ZeroIsFarAwayUnlessTheSceneSaysMore) {
   const std::string triangle = "<svg><path d='M0 0L1 0L0 1z'/></svg>";
   const SceneFile plain = scene(triangle, kPlace);

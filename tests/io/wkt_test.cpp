@@ -1,3 +1,5 @@
+#include "plumb/io/plane/wkt.h"
+
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -7,8 +9,7 @@
 
 #include "expect_refusals.h"
 #include "hostile_shapes.h"
-#include "plumb/io/wkt_reader.h"
-#include "plumb/io/wkt_writer.h"
+#include "plumb/io/plane/wkt.h"
 
 namespace plumb {
 namespace {

@@ -2,6 +2,7 @@
 
 #include "oracle/plane_graph.h"
 #include "plumb/plane/arrangement.h"
+#include "plumb/plane/plane_audit.h"
 
 namespace plumb::testing {
 namespace {

@@ -1,8 +1,9 @@
-// Marks on the cells of an arrangement, and the set operations on them: what the twins of the plane and
-// of space have in common.
+// Marks on the cells of an arrangement, and the set operations on them: what the twins of the plane
+// and of space have in common.
 //
-// Cells: a type with size() and cells[c].around, the cells of higher dimension whose closure contains
-// cell c. The interior is "and everything around the cell", the closure "or something around it".
+// Cells: a type with size() and cells[c].around, the cells of higher dimension whose closure
+// contains cell c. The interior is "and everything around the cell", the closure "or something
+// around it".
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// The contacts of two complexes by trying every pair of items in rational coordinates: the twin of meet().
+// The contacts of two complexes by trying every pair of items in rational coordinates: the twin of
+// meet().
 #pragma once
 
 #include <vector>
@@ -13,8 +14,8 @@ struct ExpectedContact {
   ExactPoint3 point;
 };
 
-/// Of the complexes built from two drafts; sorted by (a, b). Only the ends of edges are read from the
-/// complexes, so that their numbers are known.
+/// Of the complexes built from two drafts; sorted by (a, b). Only the ends of edges are read from
+/// the complexes, so that their numbers are known.
 std::vector<ExpectedContact> contacts_by_force(const ComplexDraft& a, const SpaceComplex& built_a,
                                                const ComplexDraft& b, const SpaceComplex& built_b);
 

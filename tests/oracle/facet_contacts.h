@@ -1,5 +1,5 @@
-// Do two convex polygons in space meet outside their common vertices and edges? By clipping one with
-// the other in rationals.
+// Do two convex polygons in space meet outside their common vertices and edges? By clipping one
+// with the other in rationals.
 #pragma once
 
 #include <vector>

@@ -1,8 +1,9 @@
-// Every cell that a set of whole lines cuts the plane into, each with a point in it: the vertices, the
-// open edges between them and the open faces, unbounded ones included. By all pairs, in integers.
+// Every cell that a set of whole lines cuts the plane into, each with a point in it: the vertices,
+// the open edges between them and the open faces, unbounded ones included. By all pairs, in
+// integers.
 //
-// A cell is known by the signs of all lines on it: c lies in the closure of d exactly when every sign
-// of c is that of d or zero.
+// A cell is known by the signs of all lines on it: c lies in the closure of d exactly when every
+// sign of c is that of d or zero.
 #pragma once
 
 #include <bitset>
@@ -11,7 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "generate/exact.h"
+#include "plumb/testing/exact.h"
 
 namespace plumb::testing {
 
@@ -26,7 +27,8 @@ bool operator<(const CellLine& s, const CellLine& t);
 
 /// The line p -> q; requires two different points.
 CellLine line_through(const ExactPoint& p, const ExactPoint& q);
-/// The same line, in lowest terms and whichever way it ran: (b, -a), the way it runs, is lexicographically positive.
+/// The same line, in lowest terms and whichever way it ran: (b, -a), the way it runs, is
+/// lexicographically positive.
 CellLine undirected(CellLine line);
 CellLine vertical_through(const ExactPoint& p);
 

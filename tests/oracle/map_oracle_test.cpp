@@ -1,11 +1,11 @@
 // The twin itself against the truth table, and the generators against the twin.
-#include "oracle/map_oracle.h"
+#include "plumb/testing/map_oracle.h"
 
 #include <gtest/gtest.h>
 
-#include "generate/map_defects.h"
-#include "generate/map_families.h"
-#include "generate/small_maps.h"
+#include "plumb/testing/map_defects.h"
+#include "plumb/testing/map_families.h"
+#include "plumb/testing/small_maps.h"
 
 namespace plumb::testing {
 namespace {

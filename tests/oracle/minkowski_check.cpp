@@ -21,8 +21,8 @@ RationalPoint3 middle(const RationalPoint3& p, const RationalPoint3& q) {
   return {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2};
 }
 
-/// A point in every item of a bounded set, and beside its facets: vertices, middles of edges, of two middles of a
-/// facet, and of what the complex has been made of.
+/// A point in every item of a bounded set, and beside its facets: vertices, middles of edges, of
+/// two middles of a facet, and of what the complex has been made of.
 std::vector<RationalPoint3> places(const Nef3& set) {
   const SpaceComplex& c = set.complex();
   std::vector<RationalPoint3> points = vertices(set);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "oracle/twin_check.h"
-#include "plumb/plane/plane_records.h"
+#include "plumb/plane/complex/plane_records.h"
 
 namespace plumb::testing {
 namespace {
@@ -52,7 +52,7 @@ class Checker {
     const auto none = std::none_of(twin_.begin(), twin_.end(), [](bool b) { return b; });
     const auto all = std::all_of(twin_.begin(), twin_.end(), [](bool b) { return b; });
     expect_same(engine_.is_empty(), none, "is_empty");
-    expect_same(engine_.is_plane(), all, "is_plane");
+    expect_same(engine_.is_whole(), all, "is_plane");
     expect_same(engine_.is_bounded(), is_bounded(cells_, twin_), "is_bounded");
     expect_same(engine_.is_closed(), closure_of(cells_, twin_) == twin_, "is_closed");
     expect_same(engine_.is_open(), interior_of(cells_, twin_) == twin_, "is_open");
@@ -125,15 +125,15 @@ class Checker {
     return directions;
   }
 
-  void check_hit(const std::optional<RayHit>& got, const std::optional<CellHit>& expected,
+  void check_hit(const std::optional<PlaneHit>& got, const std::optional<CellHit>& expected,
                  const ExactPoint& origin, const ExactPoint& direction) const {
     const std::string what =
         "ray from " + testing::to_text(origin) + " towards " + testing::to_text(direction);
     expect_same(got.has_value(), expected.has_value(), what + " hits");
     if (!got) return;
     const PlaneLocation on = expected_at(expected->cell);
-    if (!(got->on == on)) {
-      throw what + ": engine " + to_text(got->on) + ", twin " + to_text(on);
+    if (!(got->location == on)) {
+      throw what + ": engine " + to_text(got->location) + ", twin " + to_text(on);
     }
     const ExactPoint at = exact_of(got->point);
     if (!(at == expected->point)) {

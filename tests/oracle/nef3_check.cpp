@@ -54,7 +54,7 @@ class Checker {
     const auto none = std::none_of(twin_.begin(), twin_.end(), [](bool b) { return b; });
     const auto all = std::all_of(twin_.begin(), twin_.end(), [](bool b) { return b; });
     expect_same(engine_.is_empty(), none, "is_empty");
-    expect_same(engine_.is_space(), all, "is_space");
+    expect_same(engine_.is_whole(), all, "is_space");
     expect_same(engine_.is_bounded(), is_bounded(cells_, twin_), "is_bounded");
     expect_same(engine_.is_closed(), closure_of(cells_, twin_) == twin_, "is_closed");
     expect_same(engine_.is_open(), interior_of(cells_, twin_) == twin_, "is_open");

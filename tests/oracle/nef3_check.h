@@ -24,7 +24,8 @@ struct TwoSpaceSets {
 /// boundedness, openness, volume; else the first difference in words.
 std::string difference(const SpaceCells& cells, const TwoSpaceSets& sets);
 
-/// The same, and everything else that a set can be asked: location of a point in each cell, operators, marks.
+/// The same, and everything else that a set can be asked: location of a point in each cell,
+/// operators, marks.
 std::string deep_difference(const SpaceCells& cells, const TwoSpaceSets& sets);
 
 /// Builds the expression in the engine and looks at every node of the tree; at the root deeply.

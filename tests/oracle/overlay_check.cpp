@@ -4,8 +4,9 @@
 
 #include "oracle/nef2_check.h"
 #include "plane/checked.h"
+#include "plumb/plane/plane_audit.h"
 #include "plumb/plane/plane_measure.h"
-#include "plumb/predicates/polygon.h"
+#include "plumb/predicates/plane/plane_points.h"
 
 namespace plumb::testing {
 namespace {

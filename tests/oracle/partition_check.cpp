@@ -16,7 +16,7 @@ std::size_t count(const std::vector<std::uint8_t>& marks) {
 /// The open half-planes at the sides of the marked faces, intersected.
 Nef2 kernel(const Nef2& piece) {
   const PlaneComplex& c = piece.complex();
-  Nef2 kernel = Nef2::plane();
+  Nef2 kernel = Nef2::whole();
   for (std::uint32_t e = 0; e < c.edge_count(); ++e) {
     const HalfedgeId h = first_half(EdgeId(e));
     const Line2 up{c.points.inputs.exact(c.line[e].a), c.points.inputs.exact(c.line[e].b)};
@@ -30,7 +30,7 @@ Nef2 kernel(const Nef2& piece) {
 bool is_one_cell(const Nef2& piece) {
   const PlaneComplex& c = piece.complex();
   if (count(c.marks.face) > 0) {
-    return piece.interior() == kernel(piece) && piece <= piece.regularization();
+    return piece.interior() == kernel(piece) && piece.is_subset_of(piece.regularization());
   }
   if (count(c.marks.edge) > 0) return c.edge_count() == 1 && c.vertex_count() <= 2;
   return c.vertex_count() == 1 && count(c.marks.vertex) == 1;
@@ -140,8 +140,9 @@ class AllDiagonals {
     return turns_[(a * n + b) * n + c];
   }
 
-  /// Diagonals are sorted by their first end: of a vertex below that of the next one, all are decided. Where every wedge
-  /// is convex no hole is left apart, as its outermost vertex would have one that is not.
+  /// Diagonals are sorted by their first end: of a vertex below that of the next one, all are
+  /// decided. Where every wedge is convex no hole is left apart, as its outermost vertex would have
+  /// one that is not.
   void choose(std::size_t at, std::size_t vertex) {
     if (chosen_.size() >= best_) return;
     const bool is_end = at == diagonals_.size();

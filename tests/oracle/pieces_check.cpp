@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "plumb/convex/volume_sum.h"
+#include "plumb/convex/sum/volume_sum.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/space_audit.h"
 #include "plumb/space/space_measure.h"
@@ -56,13 +56,13 @@ bool is_one_cell(const Nef3& piece) {
   Context context;
   if (count(c.volume_mark) > 0) {
     if (count(c.volume_mark) > 1 || !piece.interior().is_convex()) return false;
-    return piece <= piece.regularization() && is_supported(c);
+    return piece.is_subset_of(piece.regularization()) && is_supported(c);
   }
   if (count(c.facet_mark) > 0) {
     const SpaceMarks open{std::vector<Mark>(c.vertex_count(), 0),
                           std::vector<Mark>(c.edge_count(), 0), c.facet_mark, c.volume_mark};
     const Nef3 inside = piece.with_marks(open, context);
-    return count(c.facet_mark) == 1 && inside.is_convex() && piece <= inside.closure();
+    return count(c.facet_mark) == 1 && inside.is_convex() && piece.is_subset_of(inside.closure());
   }
   if (count(c.edge_mark) > 0) return count(c.edge_mark) == 1 && piece.closure().is_convex();
   return count(c.vertex_mark) == 1;

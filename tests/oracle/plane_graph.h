@@ -1,11 +1,11 @@
-// The complex that cells and their marks amount to, and how it differs from the engine's: the twin of
-// PlaneComplex, element by element.
+// The complex that cells and their marks amount to, and how it differs from the engine's: the twin
+// of PlaneComplex, element by element.
 //
 // Cells that are not needed melt into what lies around them. Which are needed:
 //   minimal_graph       an edge whose mark differs from a face beside it; a vertex around which not
 //                       everything is alike, nor just one straight edge passes
-//   arrangement_graph   an edge some curve runs along; a vertex that is an end of a curve, isolated,
-//                       or where curves of two directions meet
+//   arrangement_graph   an edge some curve runs along; a vertex that is an end of a curve,
+//                       isolated, or where curves of two directions meet
 #pragma once
 
 #include <optional>

@@ -139,8 +139,8 @@ class Matcher {
     }
   }
 
-  // -1: e comes before f, by the left ends and then from bottom to top. Vertical edges from infinity
-  // are not compared with anything.
+  // -1: e comes before f, by the left ends and then from bottom to top. Vertical edges from
+  // infinity are not compared with anything.
   int order(const PlaneGraph::Edge& e, const PlaneGraph::Edge& f) const {
     if (e.from != f.from) {
       if ((e.from == kNone && e.line.b == 0) || (f.from == kNone && f.line.b == 0)) return 0;

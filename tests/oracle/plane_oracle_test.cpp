@@ -1,8 +1,8 @@
 // The twin of the plane's sets on cases a person can check, and by laws it was not built on.
 #include <gtest/gtest.h>
 
-#include "generate/dice.h"
 #include "oracle/plane_graph.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {

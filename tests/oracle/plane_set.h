@@ -2,8 +2,8 @@
 //
 // An expression is a tree: leaves are half-planes, lines, rays, chains and points, inner nodes are
 // the set operations and the operators of topology. All of it is decided on the cells of all lines
-// involved (line_cells.h): leaves at the point in each cell, operations cell by cell, the interior as
-// "and everything around the cell", the closure as "or something around it".
+// involved (line_cells.h): leaves at the point in each cell, operations cell by cell, the interior
+// as "and everything around the cell", the closure as "or something around it".
 #pragma once
 
 #include <memory>

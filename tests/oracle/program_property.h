@@ -1,5 +1,5 @@
-// Laws of sets for any program of records, under RapidCheck: a program that breaks one is shrunk, record by record
-// and byte by byte, before it is shown.
+// Laws of sets for any program of records, under RapidCheck: a program that breaks one is shrunk,
+// record by record and byte by byte, before it is shown.
 #pragma once
 
 #include <gtest/gtest-spi.h>
@@ -51,7 +51,8 @@ inline std::span<const std::uint8_t> part_of_program(std::span<const std::uint8_
   return program.subspan(begin * kProgramRecord, (end - begin) * kProgramRecord);
 }
 
-/// Sets made by `make(program)` of a third of a program each obey the laws of sets. `all` is the whole of their space.
+/// Sets made by `make(program)` of a third of a program each obey the laws of sets. `all` is the
+/// whole of their space.
 template <class Nef, class Make>
 void expect_programs_obey_the_laws(const Nef& all, Make make) {
   const auto flaw = [&](std::span<const std::uint8_t> program) {

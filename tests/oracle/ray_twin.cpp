@@ -72,34 +72,34 @@ class Ray {
 
 }  // namespace
 
-std::optional<RayHit> shoot_slowly(const Nef2& set, const RationalPoint2& origin,
-                                   const RationalPoint2& direction) {
+std::optional<PlaneHit> shoot_slowly(const Nef2& set, const RationalPoint2& origin,
+                                     const RationalPoint2& direction) {
   const Ray ray(origin, direction);
   const PlaneLocation start = set.locate(origin);
-  if (start.marked) return RayHit{start, origin};
+  if (start.marked) return PlaneHit{start, origin};
   std::vector<Rational> contacts = ray.contacts(set.complex());
   if (contacts.empty() || contacts.front() != 0) contacts.insert(contacts.begin(), Rational(0));
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const RationalPoint2 here = ray.at(contacts[i]);
     const PlaneLocation on = set.locate(here);
-    if (on.marked) return RayHit{on, here};
+    if (on.marked) return PlaneHit{on, here};
     const Rational later =
         i + 1 < contacts.size() ? Rational((contacts[i] + contacts[i + 1]) / 2) : contacts[i] + 1;
     const PlaneLocation after = set.locate(ray.at(later));
-    if (after.marked) return RayHit{after, here};
+    if (after.marked) return PlaneHit{after, here};
   }
   return std::nullopt;
 }
 
-std::optional<RayHit> shoot_to_boundary_slowly(const Nef2& set, const RationalPoint2& origin,
-                                               const RationalPoint2& direction) {
+std::optional<PlaneHit> shoot_to_boundary_slowly(const Nef2& set, const RationalPoint2& origin,
+                                                 const RationalPoint2& direction) {
   const Ray ray(origin, direction);
   const PlaneLocation start = set.locate(origin);
-  if (!start.face.is_valid()) return RayHit{start, origin};
+  if (!start.face.is_valid()) return PlaneHit{start, origin};
   const std::vector<Rational> contacts = ray.contacts(set.complex());
   if (contacts.empty()) return std::nullopt;
   const RationalPoint2 here = ray.at(contacts.front());
-  return RayHit{set.locate(here), here};
+  return PlaneHit{set.locate(here), here};
 }
 
 }  // namespace plumb::testing

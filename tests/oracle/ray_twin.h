@@ -9,9 +9,9 @@
 namespace plumb::testing {
 
 /// What Nef2::shoot and Nef2::shoot_to_boundary are to answer. O(n) rationals.
-std::optional<RayHit> shoot_slowly(const Nef2& set, const RationalPoint2& origin,
-                                   const RationalPoint2& direction);
-std::optional<RayHit> shoot_to_boundary_slowly(const Nef2& set, const RationalPoint2& origin,
-                                               const RationalPoint2& direction);
+std::optional<PlaneHit> shoot_slowly(const Nef2& set, const RationalPoint2& origin,
+                                     const RationalPoint2& direction);
+std::optional<PlaneHit> shoot_to_boundary_slowly(const Nef2& set, const RationalPoint2& origin,
+                                                 const RationalPoint2& direction);
 
 }  // namespace plumb::testing

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "generate/exact.h"
+#include "plumb/testing/exact.h"
 
 namespace plumb::testing {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "generate/exact.h"
-#include "plumb/io/plane_shapes.h"
+#include "plumb/io/plane_io.h"
+#include "plumb/testing/exact.h"
 
 namespace plumb::testing {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "generate/exact.h"
 #include "plumb/predicates/point.h"
 #include "plumb/predicates/sign.h"
+#include "plumb/testing/exact.h"
 
 namespace plumb::testing {
 

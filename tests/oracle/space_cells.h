@@ -1,13 +1,16 @@
 // Every cell that a set of whole planes cuts space into, each with a point in it: the vertices, the
-// open edges between them, the open facets between those and the open volumes, unbounded ones included.
-// By all pairs of planes, in integers.
+// open edges between them, the open facets between those and the open volumes, unbounded ones
+// included. By all pairs of planes, in integers.
 //
-//   lines     every pair of planes that is not parallel; cut by all other planes: vertices and edges
-//   facets    a step off every edge, within each plane through it; a plane without lines is one facet
+//   lines     every pair of planes that is not parallel; cut by all other planes: vertices and
+//             edges
+//   facets    a step off every edge, within each plane through it; a plane without lines is one
+//             facet
 //   volumes   a step off every facet; no plane at all: one volume
 //
-// Each step keeps all signs but those it was meant to change, so a cell is known by the signs of all
-// planes on it, and no cell is missed: every facet but a whole plane has an edge, every volume a facet.
+// Each step keeps all signs but those it was meant to change, so a cell is known by the signs of
+// all planes on it, and no cell is missed: every facet but a whole plane has an edge, every volume
+// a facet.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +18,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "generate/exact.h"
+#include "plumb/testing/exact.h"
 
 namespace plumb::testing {
 

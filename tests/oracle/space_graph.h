@@ -1,11 +1,12 @@
-// The complex that cells and their marks amount to, and how it differs from the engine's: the twin of
-// SpaceComplex, element by element.
+// The complex that cells and their marks amount to, and how it differs from the engine's: the twin
+// of SpaceComplex, element by element.
 //
 // Near a point a set looks like a cone, its pyramid. The pyramid of every point of a cell is made
 // of the cells around it, and invariant
 //   along everything             if all cells around are marked alike,
 //   along a plane through it     if the marks depend only on the side of that plane,
-//   along a line through it      if the marks depend only on the sides of the planes through that line.
+//   along a line through it      if the marks depend only on the sides of the planes through that
+//   line.
 // Vertices, edges, facets and volumes are the connected parts of the places where the greatest such
 // dimension is 0, 1, 2, 3: a matter of the set alone (SPACE.md 0).
 #pragma once
@@ -77,8 +78,8 @@ struct SpaceMatch {
   SpaceItem item(const SpaceGraph::Element& element) const;
 };
 
-/// Compares geometry, incidences and marks. Items of the engine's frame (marked kBeyond) are skipped;
-/// there must be some exactly when a facet or an edge of the graph is unbounded.
+/// Compares geometry, incidences and marks. Items of the engine's frame (marked kBeyond) are
+/// skipped; there must be some exactly when a facet or an edge of the graph is unbounded.
 SpaceMatch match(const SpaceComplex& complex, const SpaceGraph& graph, const SpaceCells& cells);
 
 }  // namespace plumb::testing

@@ -1,9 +1,9 @@
 // Sets of space as expressions, and what they contain, by brute force: the twin of Nef3.
 //
-// An expression is a tree: leaves are half-spaces, planes, closed meshes, polygons, chains and points,
-// inner nodes are the set operations and the operators of topology. All of it is decided on the cells of
-// all planes involved (space_cells.h): leaves at the point in each cell, operations cell by cell
-// (cell_marks.h).
+// An expression is a tree: leaves are half-spaces, planes, closed meshes, polygons, chains and
+// points, inner nodes are the set operations and the operators of topology. All of it is decided on
+// the cells of all planes involved (space_cells.h): leaves at the point in each cell, operations
+// cell by cell (cell_marks.h).
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,8 @@ struct PlaneLeaf {
 /// Which winding numbers are inside.
 enum class MeshRule : std::uint8_t { NonZero, Odd, Positive };
 /// Planar faces by their corners, counter-clockwise seen from outside, whose edges cancel: several
-/// shells, crossing and repeated ones too. The set is the closure of the volumes inside by the rule.
+/// shells, crossing and repeated ones too. The set is the closure of the volumes inside by the
+/// rule.
 struct MeshLeaf {
   std::vector<ExactPoint3> points;
   std::vector<std::vector<std::size_t>> faces;

@@ -2,8 +2,8 @@
 // and open faces. By all pairs, in integers: a cell is a cone of homogeneous linear inequalities.
 //
 // The three coordinate circles are always among the circles. So no cell is longer or wider than a
-// quarter, and a cell is known by the signs of all normals on it: c lies in the closure of d exactly
-// when every sign of c is that of d or zero.
+// quarter, and a cell is known by the signs of all normals on it: c lies in the closure of d
+// exactly when every sign of c is that of d or zero.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 #include <map>
 #include <vector>
 
-#include "generate/exact.h"
 #include "oracle/cell_marks.h"
+#include "plumb/testing/exact.h"
 
 namespace plumb::testing {
 
@@ -35,7 +35,8 @@ class SphereCells {
 
   static constexpr std::size_t kMaxCircles = 64;
 
-  /// Throws std::length_error for more than kMaxCircles. The circles orthogonal to these normals, given repeatedly and in any direction.
+  /// Throws std::length_error for more than kMaxCircles. The circles orthogonal to these normals,
+  /// given repeatedly and in any direction.
   explicit SphereCells(const std::vector<CellVector>& normals);
 
   const std::vector<CellVector>& normals() const { return normals_; }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "plumb/sphere/overlay/sphere_overlay.h"
 #include "plumb/sphere/sphere_audit.h"
-#include "plumb/sphere/sphere_overlay.h"
 
 namespace plumb::testing {
 namespace {
@@ -163,7 +163,7 @@ class DeepChecker {
     expect(match_.difference.empty(), match_.difference);
     expect(engine_.is_empty() == std::none_of(twin_.begin(), twin_.end(), [](bool b) { return b; }),
            "is_empty");
-    expect(engine_.is_sphere() == std::all_of(twin_.begin(), twin_.end(), [](bool b) { return b; }),
+    expect(engine_.is_whole() == std::all_of(twin_.begin(), twin_.end(), [](bool b) { return b; }),
            "is_sphere");
     expect(engine_.is_closed() == (closure_of(cells_, twin_) == twin_), "is_closed");
     expect(engine_.is_open() == (interior_of(cells_, twin_) == twin_), "is_open");
@@ -187,9 +187,8 @@ class DeepChecker {
 
   void check_marks() const {
     expect(engine_.with_marks(engine_.marks()) == engine_, "with_marks of its own marks");
-    expect(NefSphere::from_map(engine_.planes(), engine_.map()) == engine_,
-           "from_map of its own map");
-    SphereItemMarks flipped = engine_.marks();
+    expect(NefSphere::from_complex(engine_.complex()) == engine_, "from_map of its own map");
+    SphereMarks flipped = engine_.marks();
     for (auto* marks : {&flipped.point, &flipped.arc, &flipped.face}) {
       for (Mark& m : *marks) m = m == 0 ? 1 : 0;
     }
@@ -228,11 +227,11 @@ class DeepChecker {
     expect(got.has_value() == expected.has_value(), what + ": hits or not");
     if (!got) return;
     const Item on = match_.engine_item.at(match_.items.item_of[expected->cell]);
-    if (item_of(got->on.cell) != on) {
-      throw what + ": engine " + to_text(item_of(got->on.cell)) + ", twin " + to_text(on);
+    if (item_of(got->location.cell) != on) {
+      throw what + ": engine " + to_text(item_of(got->location.cell)) + ", twin " + to_text(on);
     }
-    expect(got->on.marked == twin_[expected->cell], what + ": mark");
-    expect(is_same_direction(got->direction, vector_of(expected->direction)), what + ": direction");
+    expect(got->location.marked == twin_[expected->cell], what + ": mark");
+    expect(is_same_direction(got->point, vector_of(expected->direction)), what + ": direction");
   }
 
  public:

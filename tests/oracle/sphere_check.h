@@ -13,9 +13,9 @@ SphereDirection direction_in(PlaneTable& planes, const CellVector& v);
 SphereVector vector_of(const CellVector& v);
 CellVector cell_vector(const SphereVector& v);
 
-/// Empty when the map is the minimal form of the marked cells: audit, as many points, arcs and faces,
-/// with their marks, and each cell located in the one item that it is a part of; else the first
-/// difference in words.
+/// Empty when the map is the minimal form of the marked cells: audit, as many points, arcs and
+/// faces, with their marks, and each cell located in the one item that it is a part of; else the
+/// first difference in words.
 std::string difference(PlaneTable& planes, const SphereMap& map, const SphereCells& cells,
                        const CellMarks& marks);
 

@@ -1,5 +1,5 @@
-// The sets of the sphere that programs start from: what they contain, by inequalities alone, and the
-// same in the engine.
+// The sets of the sphere that programs start from: what they contain, by inequalities alone, and
+// the same in the engine.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// Divided surfaces against engine/plane: on a flat mesh cells are faces of an arrangement of the plane.
+// Divided surfaces against engine/plane: on a flat mesh cells are faces of an arrangement of the
+// plane.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +18,9 @@ struct FlatScene {
   std::vector<std::vector<RationalPoint2>> polygons;
 };
 
-/// Divides grid_mesh(columns, rows, shuffle) and compares: cells with their labels and areas, regions and their
-/// loops as sets of the plane, and the same for borders as input. "" or what differs.
+/// Divides grid_mesh(columns, rows, shuffle) and compares: cells with their labels and areas,
+/// regions and their loops as sets of the plane, and the same for borders as input. "" or what
+/// differs.
 std::string disagreement_on_plane(const FlatScene& scene, std::uint64_t shuffle);
 
 }  // namespace plumb::testing

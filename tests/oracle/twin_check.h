@@ -1,4 +1,5 @@
-// What the comparisons of an engine with its twin in rationals have in common, in the plane and in space.
+// What the comparisons of an engine with its twin in rationals have in common, in the plane and in
+// space.
 #pragma once
 
 #include <string>

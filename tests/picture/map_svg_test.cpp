@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "plumb/picture/map_style.h"
+#include "plumb/picture/svg/sheet.h"
 #include "svg_checks.h"
 
 namespace plumb {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "plumb/convex/plane_partition.h"
-#include "plumb/picture/plane_window.h"
+#include "plumb/picture/plane/plane_view.h"
 #include "svg_checks.h"
 
 namespace plumb {
@@ -99,7 +99,7 @@ TEST(Nef2Svg, SimpleSetsShowWhatTheyAre) {
   };
   const Case cases[] = {
       {"empty", Nef2::empty(), false, false, false, 0, 0},
-      {"plane", Nef2::plane(), true, false, false, 0, 0},
+      {"plane", Nef2::whole(), true, false, false, 0, 0},
       {"line", Nef2::line({at(0, 0), at(1, 2)}), false, true, false, 0, 0},
       {"plane without a line", !Nef2::line({at(0, 0), at(1, 2)}), true, false, true, 0, 0},
       {"closed half-plane", half_plane(1, 0, -3, Boundary::Closed), true, true, false, 0, 0},
@@ -173,7 +173,7 @@ TEST(Nef2Svg, ManyPointsStayBoundedAndSaySo) {
 
 TEST(Nef2Svg, AnyCoordinates) {
   constexpr double kMax = std::numeric_limits<double>::max();
-  const Rational huge = Rational(boost::multiprecision::pow(Integer(10), 400));
+  const Rational huge = Rational(pow(Integer(10), 400));
   const std::vector<std::pair<const char*, Nef2>> cases = {
       {"whole range", Nef2::polygon(std::vector<Point2>{{-kMax, -kMax}, {kMax, 0}, {0, kMax}})},
       {"subnormal", Nef2::polygon(std::vector<Point2>{{0, 0}, {5e-324, 0}, {0, 5e-324}})},
@@ -232,7 +232,7 @@ TEST(Nef2Svg, PiecesFillTheSet) {
 }
 
 TEST(Nef2Svg, TitlesAreEscaped) {
-  const std::string svg = drawn(Nef2::plane(), {.title = "<a href=\"x\">&\xFF</a>"});
+  const std::string svg = drawn(Nef2::whole(), {.title = "<a href=\"x\">&\xFF</a>"});
   expect_sound(svg);
   EXPECT_EQ(svg.find("<a "), std::string::npos);
 }

@@ -7,8 +7,8 @@
 #include <random>
 #include <set>
 
-#include "plumb/picture/cell_label.h"
-#include "plumb/picture/map_style.h"
+#include "plumb/picture/plane/outlines.h"
+#include "plumb/picture/svg/sheet.h"
 #include "svg_checks.h"
 
 namespace plumb {

@@ -5,11 +5,10 @@
 #include <map>
 #include <random>
 
-#include "plumb/picture/label_place.h"
-#include "plumb/picture/map_marks.h"
-#include "plumb/picture/map_style.h"
-#include "plumb/picture/svg_text.h"
-#include "plumb/picture/view.h"
+#include "plumb/picture/map/map_marks.h"
+#include "plumb/picture/plane/plane_view.h"
+#include "plumb/picture/svg/sheet.h"
+#include "plumb/picture/svg/svg_text.h"
 #include "svg_checks.h"
 
 namespace plumb {

@@ -8,14 +8,13 @@
 #include <set>
 #include <sstream>
 
-#include "plumb/base/error.h"
 #include "plumb/convex/decompose.h"
-#include "plumb/picture/base64.h"
-#include "plumb/picture/pieces_scene.h"
 #include "plumb/picture/render.h"
 #include "plumb/picture/scene_html.h"
 #include "plumb/picture/space_scene.h"
 #include "plumb/picture/space_svg.h"
+#include "plumb/picture/svg/svg_text.h"
+#include "plumb/predicates/error.h"
 #include "plumb/space/space_measure.h"
 #include "svg_checks.h"
 
@@ -103,7 +102,7 @@ TEST(SpaceScene, cuts_what_has_no_end) {
 
 TEST(SpaceScene, stays_in_its_box_whatever_the_coordinates) {
   for (const Nef3& set :
-       {cube(-1e300, 1e300), cube(0, 5e-324), cube(1e15, 1e15 + 0.125), Nef3(), Nef3::space(),
+       {cube(-1e300, 1e300), cube(0, 5e-324), cube(1e15, 1e15 + 0.125), Nef3(), Nef3::whole(),
         Nef3::point({7, 8, 9}), !cube(1e200, 1e201), Nef3::plane({1, 1, 1, -1e100})}) {
     for (const Point3& p : scene(set).points) {
       for (const double x : {p.x, p.y, p.z}) EXPECT_LE(std::fabs(x), 1.000001);
@@ -208,7 +207,7 @@ TEST(Render, marks_are_colours) {
 }
 
 TEST(SpaceSvg, is_sound_and_says_what_the_set_is) {
-  for (const Nef3& set : {cube(0, 1), !cube(0, 1), Nef3(), Nef3::space(), cube(0, 1).boundary()}) {
+  for (const Nef3& set : {cube(0, 1), !cube(0, 1), Nef3(), Nef3::whole(), cube(0, 1).boundary()}) {
     std::ostringstream out;
     Context context;
     write_space_svg(out, set, scene(set), "no image", "a <set>", context);
@@ -249,13 +248,14 @@ TEST(PiecesScene, moves_pieces_away_from_the_middle_and_keeps_their_volume) {
       EXPECT_LE(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}), 1 + 1e-12);
     }
   }
-  // Middles were 0.5, 1.5, 3 and are half as far again from 2; the widest cube goes from 2.5 to 4.5.
+  // Middles were 0.5, 1.5, 3 and are half as far again from 2; the widest cube goes from 2.5 to
+  // 4.5.
   EXPECT_NEAR(4 * together.quarter_scale, 2, 1e-12);
   EXPECT_NEAR(4 * apart.quarter_scale, (4.5 + .75) / 2, 1e-12);
   std::set<Colour> colours;
   for (const Scene::Patch& p : apart.patches) colours.insert(apart.colour_of(p));
   EXPECT_EQ(colours.size(), 3U);
-  EXPECT_THROW(exploded_scene(std::vector{Nef3::space()}, 0, context), Error);
+  EXPECT_THROW(exploded_scene(std::vector{Nef3::whole()}, 0, context), Error);
   EXPECT_THROW(exploded_scene(pieces, -1, context), Error);
 }
 
@@ -284,7 +284,7 @@ TEST(PiecesScene, hatches_no_facets_without_ids) {
   Context context;
   const Plane3 plane{1, 1, 1, -1};
   for (const Nef3& set :
-       {combine(cube(0, 1), plane, Section::ClosedHalfSpace, kIntersection, context),
+       {boolean_op(cube(0, 1), plane, Section::ClosedHalfSpace, kIntersection, context),
         cube(0, 1).with_origins(std::vector<std::uint32_t>(6, kNoOrigin))}) {
     const Scene scene = exploded_scene(std::vector{set}, 0, context);
     EXPECT_TRUE(std::ranges::none_of(scene.patches, &Scene::Patch::is_hatched));

@@ -1,5 +1,5 @@
-// Arrangements of segments, rays, lines and points against brute force: every vertex, edge and face,
-// and the curves each edge came from.
+// Arrangements of segments, rays, lines and points against brute force: every vertex, edge and
+// face, and the curves each edge came from.
 #include "plumb/plane/arrangement.h"
 
 #include <gtest/gtest.h>

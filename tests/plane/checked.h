@@ -4,10 +4,10 @@
 #include <limits>
 #include <string>
 
-#include "generate/test_map.h"
-#include "oracle/map_oracle.h"
-#include "plumb/base/error.h"
 #include "plumb/plane/map_check.h"
+#include "plumb/predicates/error.h"
+#include "plumb/testing/map_oracle.h"
+#include "plumb/testing/test_map.h"
 
 namespace plumb::testing {
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "generate/dice.h"
-#include "generate/garbage_maps.h"
-#include "generate/map_families.h"
 #include "plane/checked.h"
+#include "plumb/testing/dice.h"
+#include "plumb/testing/garbage_maps.h"
+#include "plumb/testing/map_families.h"
 
 namespace plumb::testing {
 namespace {

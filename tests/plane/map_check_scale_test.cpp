@@ -1,9 +1,10 @@
-// Sizes at which a quadratic step or a recursion would show, and coordinates at which doubles would.
+// Sizes at which a quadratic step or a recursion would show, and coordinates at which doubles
+// would.
 #include <gtest/gtest.h>
 
-#include "generate/map_defects.h"
-#include "generate/map_families.h"
 #include "plane/checked.h"
+#include "plumb/testing/map_defects.h"
+#include "plumb/testing/map_families.h"
 
 namespace plumb::testing {
 namespace {
@@ -62,8 +63,8 @@ TEST(MapCheckScale, BarAcrossAComb) {
   EXPECT_EQ(report.defects.size(), 5U);
 }
 
-// Two lattices, one turned by 45 degrees and scaled so that its vertices lie on the other's: edges of
-// one pass exactly through vertices of the other.
+// Two lattices, one turned by 45 degrees and scaled so that its vertices lie on the other's: edges
+// of one pass exactly through vertices of the other.
 TEST(MapCheckScale, FacesCrossingExactlyAtVertices) {
   const TestMap upright = grid(6);
   TestMap turned = grid(4);

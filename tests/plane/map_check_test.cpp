@@ -8,10 +8,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "generate/map_defects.h"
-#include "generate/map_families.h"
-#include "generate/small_maps.h"
 #include "plane/checked.h"
+#include "plumb/testing/map_defects.h"
+#include "plumb/testing/map_families.h"
+#include "plumb/testing/small_maps.h"
 
 namespace plumb::testing {
 namespace {
@@ -246,7 +246,8 @@ TEST(GeneratedMaps, AreJudgedAsTheTableSays) {
 
 // ---------------------------------------------------------------- hints
 
-/// Two squares, on the edge between them k vertices that the right one alone knows, in any order of numbers.
+/// Two squares, on the edge between them k vertices that the right one alone knows, in any order of
+/// numbers.
 TestMap t_junctions(const std::vector<std::uint32_t>& order, bool is_healed) {
   TestMap map;
   for (const auto& [x, y] : {std::pair(0, 0), {0, 8}, {-8, 8}, {-8, 0}, {8, 0}, {8, 8}}) {

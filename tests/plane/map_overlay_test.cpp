@@ -7,13 +7,13 @@
 #include <map>
 #include <sstream>
 
-#include "generate/dice.h"
-#include "generate/map_families.h"
-#include "generate/small_maps.h"
 #include "oracle/nef2_check.h"
 #include "oracle/overlay_check.h"
 #include "plane/checked.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
+#include "plumb/testing/dice.h"
+#include "plumb/testing/map_families.h"
+#include "plumb/testing/small_maps.h"
 
 namespace plumb::testing {
 namespace {
@@ -33,8 +33,8 @@ TEST(MapOverlay, MatchesBruteForce) {
   }
 }
 
-// Any choice of the regions of a map is a set: closed it has everything next to a chosen region; open
-// it has the same closure, and of the rest nothing.
+// Any choice of the regions of a map is a set: closed it has everything next to a chosen region;
+// open it has the same closure, and of the rest nothing.
 TEST(MapOverlay, ChosenRegionsOfAMapAreASet) {
   for (std::uint64_t seed = 0; seed < 100 && !HasFailure(); ++seed) {
     SCOPED_TRACE(seed);

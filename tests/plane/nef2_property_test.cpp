@@ -8,7 +8,7 @@
 #include "oracle/nef2_check.h"
 #include "oracle/program_property.h"
 #include "oracle/set_laws.h"
-#include "plumb/plane/plane_records.h"
+#include "plumb/plane/complex/plane_records.h"
 
 namespace plumb::testing {
 namespace {
@@ -58,8 +58,8 @@ TEST_P(RandomSets, ObeyTheLaws) {
     const Nef2 a = to_nef(*one);
     const Nef2 b = to_nef(*two);
     const Nef2 c = to_nef(*three);
-    expect_laws(a, b, c, Nef2::plane());
-    EXPECT_TRUE((a + !a).is_plane());
+    expect_laws(a, b, c, Nef2::whole());
+    EXPECT_TRUE((a + !a).is_whole());
   }
 }
 
@@ -173,14 +173,14 @@ TEST_P(RandomSets, CombineSelectively) {
     const CellMarks in_a = selected(cells, a, seed);
     const CellMarks in_b = selected(cells, b, seed + 5);
     Context context;
-    EXPECT_EQ(difference(cells, {combine(a.engine, selector(seed), b.engine, selector(seed + 5),
-                                         kUnion, context),
+    EXPECT_EQ(difference(cells, {boolean_op(a.engine, selector(seed), b.engine, selector(seed + 5),
+                                            kUnion, context),
                                  apply(SetOperator::Union, cells, in_a, in_b)}),
               "")
         << "seed " << seed << ": " << to_text(*one) << "\n"
         << to_text(*two);
-    EXPECT_EQ(difference(cells, {combine(a.engine, {}, b.engine, selector(seed + 5),
-                                         kSymmetricDifference, context),
+    EXPECT_EQ(difference(cells, {boolean_op(a.engine, {}, b.engine, selector(seed + 5),
+                                            kSymmetricDifference, context),
                                  apply(SetOperator::SymmetricDifference, cells, a.twin, in_b)}),
               "");
   }
@@ -229,7 +229,8 @@ TEST(Nef2Programs, OfAnyBytesAreThoseOfTheTwin) {
   }
 }
 
-// ---------------------------------------------------------------- any program, shrunk when it fails
+// ---------------------------------------------------------------- any program, shrunk when it
+// fails
 
 TEST(Nef2, OfAnyProgramIsTheTwins) {
   expect_no_flaw_of_programs("programs agree", 8, [](std::span<const std::uint8_t> program) {
@@ -238,7 +239,7 @@ TEST(Nef2, OfAnyProgramIsTheTwins) {
 }
 
 TEST(Nef2, OfAnyProgramsObeyTheLaws) {
-  expect_programs_obey_the_laws(Nef2::plane(), [](std::span<const std::uint8_t> program) {
+  expect_programs_obey_the_laws(Nef2::whole(), [](std::span<const std::uint8_t> program) {
     return to_nef(*set_of_program(program, kMaxLines));
   });
 }

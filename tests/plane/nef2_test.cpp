@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "oracle/nef2_check.h"
-#include "plumb/base/error.h"
 #include "plumb/plane/plane_audit.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb::testing {
 namespace {
@@ -233,7 +233,8 @@ TEST_P(SetCases, CombineWithAllOthers) {
     }
     EXPECT_EQ(a.engine == b.engine, a.twin == b.twin);
     const CellMarks rest = testing::apply(SetOperator::Difference, cells, a.twin, b.twin);
-    EXPECT_EQ(a.engine <= b.engine, std::find(rest.begin(), rest.end(), true) == rest.end());
+    EXPECT_EQ(a.engine.is_subset_of(b.engine),
+              std::find(rest.begin(), rest.end(), true) == rest.end());
   }
 }
 
@@ -250,12 +251,12 @@ TEST(Nef2, AWedgeOfHalfPlanesInAnyOrderIsTheSame) {
   }
   std::vector<std::size_t> order(sides.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  Nef2 first = Nef2::plane();
+  Nef2 first = Nef2::whole();
   for (const Nef2& side : sides) first *= side;
   EXPECT_EQ(counts(first), (Counts{3, 3, 2}));
   EXPECT_EQ(first.area(), Rational(81) / 2);
   do {
-    Nef2 all = Nef2::plane();
+    Nef2 all = Nef2::whole();
     Nef2 none;
     for (const std::size_t i : order) {
       all *= sides[i];
@@ -294,10 +295,10 @@ TEST(Nef2, RefusesWhatIsNoSet) {
   expect_bad_argument([] { Nef2::line(line(1, 1, 1, 1)); });
   expect_bad_argument([] { Nef2::ray(line(1, 1, 1, 1), kClosed); });
   expect_bad_argument([] { Line2::from_coefficients(0, 0, 1); });
-  expect_bad_argument([] { Nef2::plane().shoot(point(0, 0), point(0, 0)); });
-  expect_bad_argument([] { Nef2::plane().shoot_to_boundary(point(0, 0), point(0, 0)); });
-  expect_bad_argument([] { Nef2::plane().transformed({1, 2, 0, 2, 4, 0}); });
-  expect_bad_argument([] { Nef2::plane().with_marks({{1}, {}, {1}}); });
+  expect_bad_argument([] { Nef2::whole().shoot(point(0, 0), point(0, 0)); });
+  expect_bad_argument([] { Nef2::whole().shoot_to_boundary(point(0, 0), point(0, 0)); });
+  expect_bad_argument([] { Nef2::whole().transformed({1, 2, 0, 2, 4, 0}); });
+  expect_bad_argument([] { Nef2::whole().with_marks({{1}, {}, {1}}); });
 }
 
 TEST(Nef2, RefusesCoordinatesThatAreNoNumbers) {
@@ -313,7 +314,7 @@ TEST(Nef2, RefusesCoordinatesThatAreNoNumbers) {
       }
     };
     const std::vector<Point2> points{{0, 0}, p, {1, 0}};
-    expect_not_finite([&] { Nef2::plane().locate(p); });
+    expect_not_finite([&] { Nef2::whole().locate(p); });
     expect_not_finite([&] { Nef2::polygon(points); });
     expect_not_finite([&] { Nef2::polyline(points); });
   }
@@ -331,17 +332,17 @@ TEST(Nef2, AnyFunctionOfMarksIsApplied) {
     CellMarks expected(cells.size());
     for (std::size_t c = 0; c < cells.size(); ++c) expected[c] = f(in_a[c], in_b[c]);
     Context context;
-    EXPECT_EQ(difference(cells, {combine(to_nef(*a), to_nef(*b), f, context), expected}), "");
+    EXPECT_EQ(difference(cells, {boolean_op(to_nef(*a), to_nef(*b), f, context), expected}), "");
   }
 }
 
 TEST(Nef2, UnionsOfNoneOneAndMany) {
   Context context;
   EXPECT_TRUE(union_of({}, context).is_empty());
-  EXPECT_TRUE(intersection_of({}, context).is_plane());
+  EXPECT_TRUE(intersection_of({}, context).is_whole());
   std::vector<Nef2> sets;
   Nef2 sum;
-  Nef2 product = Nef2::plane();
+  Nef2 product = Nef2::whole();
   for (int i = 0; i < 13; ++i) {
     const std::vector<Point2> triangle{{i * 1.0, 0}, {i + 3.0, 0}, {i * 1.0, 3.0 + i % 3}};
     sets.push_back(i % 4 == 3 ? Nef2::half_plane(line(0, -1, 1, i), kOpen)
@@ -354,7 +355,7 @@ TEST(Nef2, UnionsOfNoneOneAndMany) {
 }
 
 TEST(Nef2, ChainsOfOperationsNeverGrowNumbers) {
-  Nef2 set = Nef2::plane();
+  Nef2 set = Nef2::whole();
   for (int i = 0; i < 60; ++i) {
     const Nef2 side = Nef2::half_plane(line(i, -i * i, i + 3, 7 - i), i % 2 == 0 ? kOpen : kClosed);
     set = i % 3 == 0 ? set ^ side : set * (side + set);
@@ -374,7 +375,7 @@ TEST(Nef2, AStopRequestIsHonouredAndChangesNothing) {
   std::stop_source stop;
   stop.request_stop();
   Context context({}, stop.get_token());
-  EXPECT_THROW(combine(a, b, kUnion, context), Error);
+  EXPECT_THROW(boolean_op(a, b, kUnion, context), Error);
   expect_clean(a);
   EXPECT_TRUE(a == Nef2::half_plane(line(0, 0, 1, 0), kClosed));
 }
@@ -398,7 +399,7 @@ TEST(Nef2, AreEqualWhereNothingIsBetween) {
     sets.push_back(Nef2::point(point(x, 0)));
   }
   sets.push_back(Nef2::empty());
-  sets.push_back(Nef2::plane());
+  sets.push_back(Nef2::whole());
   for (const Nef2& a : sets) {
     for (const Nef2& b : sets) EXPECT_EQ(a == b, (a ^ b).is_empty());
   }
@@ -512,7 +513,7 @@ TEST(PlaneAudit, TellsWhatCouldGo) {
     for (std::uint8_t& mark : complex.marks.vertex) mark = 1;
     EXPECT_FALSE(audit(complex, false).has_value());
     EXPECT_TRUE(audit(complex, true).has_value());
-    EXPECT_TRUE(Nef2::from_complex(complex) == Nef2::plane());
+    EXPECT_TRUE(Nef2::from_complex(complex) == Nef2::whole());
   }
 }
 

@@ -1,6 +1,6 @@
-// Pairs of shapes in every degenerate position, after the families of the published OGC and JTS suites.
-// Coordinates and answers are our own, small enough that each is right by hand: areas, numbers of
-// parts, and the nine intersections of interior, boundary and exterior.
+// Pairs of shapes in every degenerate position, after the families of the published OGC and JTS
+// suites. Coordinates and answers are our own, small enough that each is right by hand: areas,
+// numbers of parts, and the nine intersections of interior, boundary and exterior.
 #pragma once
 
 #include <ostream>

@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
-#include "plumb/base/error.h"
-#include "plumb/io/plane_shapes.h"
+#include "plumb/io/plane_io.h"
 #include "plumb/plane/map_check.h"
 #include "plumb/plane/nef2.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb::testing {
 namespace {

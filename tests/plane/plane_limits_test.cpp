@@ -4,11 +4,11 @@
 #include <stop_token>
 
 #include "generate/plane_families.h"
-#include "plumb/base/error.h"
 #include "plumb/plane/arrangement.h"
 #include "plumb/plane/nef2.h"
 #include "plumb/plane/plane_audit.h"
 #include "plumb/plane/plane_measure.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb {
 namespace {
@@ -70,7 +70,7 @@ TEST(PlaneLimits, OperandsStayAsTheyWereWhenAnOperationFails) {
   std::stop_source stop;
   stop.request_stop();
   Context context({}, stop.get_token());
-  EXPECT_THROW(combine(a, b, kUnion, context), Error);
+  EXPECT_THROW(boolean_op(a, b, kUnion, context), Error);
   EXPECT_TRUE(a == copy);
   EXPECT_FALSE(a.audit().has_value());
 }

@@ -1,10 +1,11 @@
 // Complexes as lists: the round trip is the identity, and whatever is wrong with a list is refused.
-#include "plumb/plane/plane_records.h"
+#include "plumb/plane/complex/plane_records.h"
 
 #include <gtest/gtest.h>
 
 #include "generate/plane_program.h"
-#include "plumb/base/error.h"
+#include "plumb/plane/plane_audit.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb::testing {
 namespace {

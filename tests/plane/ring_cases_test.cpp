@@ -1,5 +1,5 @@
-// Rings as they should not be, after the families of the published OGC and JTS suites; coordinates and
-// answers are our own, small enough that each is right by hand.
+// Rings as they should not be, after the families of the published OGC and JTS suites; coordinates
+// and answers are our own, small enough that each is right by hand.
 
 #include <gtest/gtest.h>
 

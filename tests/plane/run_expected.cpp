@@ -15,8 +15,8 @@
 #include <sstream>
 #include <string>
 
-#include "generate/small_maps.h"
 #include "plane/checked.h"
+#include "plumb/testing/small_maps.h"
 
 namespace plumb::testing {
 namespace {

@@ -1,5 +1,5 @@
 // The sweep against brute force in rationals: every event, everything at it, and every order.
-#include "plumb/plane/sweep.h"
+#include "plumb/plane/sweep/sweep.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "generate/test_share.h"
-#include "plumb/plane/sweep_members.h"
+#include "plumb/plane/sweep/sweep_curves.h"
 
 namespace plumb {
 namespace {

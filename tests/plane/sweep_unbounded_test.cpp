@@ -1,5 +1,5 @@
-// The sweep of segments, rays and lines, with constructed end points and stops, against brute force:
-// every event, everything at it, and every order.
+// The sweep of segments, rays and lines, with constructed end points and stops, against brute
+// force: every event, everything at it, and every order.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 #include "generate/curve_scenes.h"
 #include "generate/test_share.h"
-#include "plumb/plane/sweep_members.h"
+#include "plumb/plane/sweep/sweep_curves.h"
 
 namespace plumb::testing {
 namespace {

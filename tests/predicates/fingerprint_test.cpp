@@ -1,4 +1,4 @@
-#include "plumb/predicates/fingerprint.h"
+#include "plumb/predicates/arithmetic/fingerprint.h"
 
 #include <gtest/gtest.h>
 

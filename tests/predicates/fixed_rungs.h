@@ -1,4 +1,5 @@
-// What the rungs of fixed width say of one question about planes or their points: narrow, medium, wide.
+// What the rungs of fixed width say of one question about planes or their points: narrow, medium,
+// wide.
 #pragma once
 
 #include <array>
@@ -6,7 +7,7 @@
 
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/predicates/point3_table.h"
+#include "plumb/predicates/space/point3_table.h"
 
 namespace plumb::fixed_rungs {
 

@@ -1,5 +1,5 @@
 // Fixed<L> against cpp_int of unlimited size.
-#include "plumb/predicates/fixed.h"
+#include "plumb/predicates/arithmetic/fixed.h"
 
 #include <gtest/gtest.h>
 

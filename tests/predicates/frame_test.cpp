@@ -12,7 +12,7 @@
 #include "generate/test_share.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/predicates/point3_table.h"
+#include "plumb/predicates/space/point3_table.h"
 #include "space_cases.h"
 #include "space_oracle.h"
 
@@ -328,7 +328,8 @@ TEST(FramePoints, FollowTheLeastDirection) {
   }
 }
 
-/// A plane is one plane, whatever pencil it comes from; far planes have one fingerprint in all tables.
+/// A plane is one plane, whatever pencil it comes from; far planes have one fingerprint in all
+/// tables.
 TEST(FramePlanes, AreKnownByPencilsToo) {
   PlaneTable table, other;
   const std::array<PlaneId, 6> frame = table.intern_frame(), there = other.intern_frame();
@@ -342,7 +343,8 @@ TEST(FramePlanes, AreKnownByPencilsToo) {
       EXPECT_EQ(turned.plane(), frame[i]);
       EXPECT_NE(sign(same), sign(turned));
       if (i / 2 == j / 2) continue;
-      // a + s b - 2 R through an edge of the cube and a - s b through the origin: the sum is 2 a - 2 R.
+      // a + s b - 2 R through an edge of the cube and a - s b through the origin: the sum is 2 a -
+      // 2 R.
       const int s = i % 2 == j % 2 ? 1 : -1;
       std::array<double, 3> n{};
       n[i / 2] = 1;

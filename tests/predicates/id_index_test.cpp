@@ -1,12 +1,12 @@
 // Ids are found by their keys, whatever the hashes: beside std::map.
-#include "plumb/predicates/id_index.h"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cstdint>
 #include <map>
 #include <vector>
+
+#include "plumb/predicates/arithmetic/seeded_hash.h"
 
 namespace plumb {
 namespace {
@@ -72,7 +72,8 @@ TEST(IdIndex, AsksAboutIdsOfTheHashAlone) {
   }
 }
 
-// A table that is given room does not grow: two walks over as many ids, one with room, find the same.
+// A table that is given room does not grow: two walks over as many ids, one with room, find the
+// same.
 TEST(IdIndex, GrowsWithoutLoss) {
   IdIndex grown, roomy;
   roomy.reserve(100000);

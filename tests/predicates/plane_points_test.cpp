@@ -1,5 +1,6 @@
-// PlanePoints, QueryPoint2, QueryRay2 and RationalSum against exact rationals, in every floating-point mode.
-#include "plumb/predicates/plane_points.h"
+// PlanePoints, QueryPoint2, QueryRay2 and RationalSum against exact rationals, in every
+// floating-point mode.
+#include "plumb/predicates/plane/plane_points.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +10,9 @@
 #include "float_environment.h"
 #include "generate/test_share.h"
 #include "plane_families.h"
-#include "plumb/predicates/query_point2.h"
-#include "plumb/predicates/query_ray2.h"
+#include "plumb/predicates/arithmetic/rational_sum.h"
+#include "plumb/predicates/plane/query2.h"
 #include "plumb/predicates/rational_predicates.h"
-#include "plumb/predicates/rational_sum.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/predicates/segment2.h"
 
@@ -259,7 +259,7 @@ TEST(RationalSum, OfFractionsIsTheSameInLowestTerms) {
       if (round % 3 == 0) below *= below;
       if (round % 5 == 0) below <<= random() % 70;
       if (round % 7 == 0) below = 90;
-      if (round % 4 == 0) below *= Integer(random()) | 1;
+      if (round % 4 == 0) below *= Integer(random() | 1U);
       const Integer above = Integer(random()) - Integer(std::uint64_t{1} << 63U);
       terms.emplace_back(above, below);
       expected.add(terms.back());

@@ -1,6 +1,6 @@
-// Rows of planes in doubles against exact ones: they hold what they claim to hold, and fast_row serves every triangle
-// whose plane doubles give closely.
-#include "plumb/predicates/plane_row.h"
+// Rows of planes in doubles against exact ones: they hold what they claim to hold, and fast_row
+// serves every triangle whose plane doubles give closely.
+#include "plumb/predicates/space/plane_row.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "float_environment.h"
-#include "plumb/predicates/plane_table.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/predicates/space/plane_table.h"
 #include "space_cases.h"
 #include "space_oracle.h"
 
@@ -33,7 +33,8 @@ Rational largest_normal(const Coefficients& c) {
   return std::max({Rational(abs(c[0])), Rational(abs(c[1])), Rational(abs(c[2]))});
 }
 
-/// Half of the errors bound what the row is off by, for the canonical plane times some power of two.
+/// Half of the errors bound what the row is off by, for the canonical plane times some power of
+/// two.
 void expect_holds(const PlaneRow& row, const Coefficients& exact) {
   const double largest = std::max({std::fabs(row.n[0]), std::fabs(row.n[1]), std::fabs(row.n[2])});
   EXPECT_GE(largest, 0.5);
@@ -86,8 +87,8 @@ struct Triangle {
     }
     return false;
   }
-  /// Coordinates within the gate, normal and orientation to be had from doubles, with a factor of 2 to spare
-  /// against 2^-37 and 6 2^-52.
+  /// Coordinates within the gate, normal and orientation to be had from doubles, with a factor of 2
+  /// to spare against 2^-37 and 6 2^-52.
   bool is_close() const {
     for (const Point3& p : at) {
       if (std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) > 0x1p300) return false;
@@ -129,7 +130,8 @@ void expect_fast_row(const Triangle& t, const testing_environment::Setting& mode
   expect_holds(fast.row, canonical);
 }
 
-/// Three points of which the third is 2^-flat beside the line of the others, the axes in any order and stretched.
+/// Three points of which the third is 2^-flat beside the line of the others, the axes in any order
+/// and stretched.
 Triangle sliver(Random& r, int flat, int stretch) {
   const auto any = [&] { return cases::uniform_point(r, 1); };
   using cases::operator+;
@@ -147,7 +149,8 @@ Triangle sliver(Random& r, int flat, int stretch) {
   return Triangle(at);
 }
 
-/// Coordinates from few values: differences and products that are zero, and that only underflow to it.
+/// Coordinates from few values: differences and products that are zero, and that only underflow to
+/// it.
 Triangle from_few(Random& r, const std::vector<double>& values) {
   const auto one = [&] {
     return values[static_cast<std::size_t>(integer(r, 0, static_cast<int>(values.size()) - 1))];

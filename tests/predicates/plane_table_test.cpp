@@ -1,4 +1,4 @@
-#include "plumb/predicates/plane_table.h"
+#include "plumb/predicates/space/plane_table.h"
 
 #include <gtest/gtest.h>
 
@@ -194,8 +194,8 @@ TEST(PlaneTable, TellsManyPlanesOfOneFingerprint) {
   EXPECT_EQ(copy.size(), table.size());
 }
 
-/// Corners whose differences are multiples of q: all residues of the normal are 0.
-/// Corners known to be on some planes, of a plane with the fingerprint of another one: on that they are not.
+/// Corners whose differences are multiples of q: all residues of the normal are 0. Corners known to
+/// be on some planes, of a plane with the fingerprint of another one: on that they are not.
 TEST(PlaneTable, WhatIsKnownOfACornerIsOfOnePlane) {
   constexpr double far = 0x1p61;  // as a residue 1
   PlaneTable table;

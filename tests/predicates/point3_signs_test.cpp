@@ -18,9 +18,9 @@
 #include "float_environment.h"
 #include "generate/test_share.h"
 #include "plumb/predicates/plane_signs.h"
-#include "plumb/predicates/point3_table.h"
-#include "plumb/predicates/rounded_point3.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/predicates/space/point3_table.h"
+#include "plumb/predicates/space/rounded_point3.h"
 #include "space_cases.h"
 #include "space_oracle.h"
 
@@ -270,8 +270,8 @@ TEST(Point3Signs, AgreeWithIntegersOnAdversarialFamilies) {
   for (const std::uint64_t n : shares.fixed) EXPECT_GT(n, shares.signs / 20);
 }
 
-/// Boxes hold their points, whatever the environment they were computed in; none is wide, also where
-/// planes are all but parallel, at every scale.
+/// Boxes hold their points, whatever the environment they were computed in; none is wide, also
+/// where planes are all but parallel, at every scale.
 TEST(Point3Table, BoxesHoldTheirPoints) {
   cases::Random random(22);
   for (std::uint64_t i = 0; i < 3000 && !HasFailure(); ++i) {

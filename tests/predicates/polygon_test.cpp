@@ -1,6 +1,5 @@
-// The area of polygons beside a sum of triangles over rationals, where the filter decides and where it cannot.
-#include "plumb/predicates/polygon.h"
-
+// The area of polygons beside a sum of triangles over rationals, where the filter decides and where
+// it cannot.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +7,8 @@
 #include <numeric>
 #include <random>
 #include <vector>
+
+#include "plumb/predicates/plane/plane_points.h"
 
 namespace plumb {
 namespace {

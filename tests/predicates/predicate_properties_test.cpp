@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "plumb/predicates/decompose.h"
+#include "plumb/predicates/arithmetic/double_bits.h"
 #include "plumb/predicates/input_predicates.h"
 
 namespace plumb::test {
@@ -117,7 +117,8 @@ bool can_cancel(Sign x, Sign y, Sign z) {
 }
 
 /// [abc][ade] - [abd][ace] + [abe][acd] = 0 for the brackets of five points of the plane, and the
-/// same with one or two more fixed letters: the Grassmann-Plücker relation that every chirotope obeys.
+/// same with one or two more fixed letters: the Grassmann-Plücker relation that every chirotope
+/// obeys.
 TEST(PredicateProperties, SignsObeyGrassmannPluecker) {
   holds("five points of the plane", [] {
     const Point2 a = point2(), b = point2(), c = point2(), d = point2(), e = point2();

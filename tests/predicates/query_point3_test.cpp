@@ -1,5 +1,5 @@
 // Points that are in no table, against planes and points of one: every question by rationals.
-#include "plumb/predicates/query_point3.h"
+#include "plumb/predicates/space/query_point3.h"
 
 #include <gtest/gtest.h>
 
@@ -58,7 +58,8 @@ struct World {
   }
 };
 
-/// On the plane of three corners, or a hair beside it; doubles, or fractions that are none, or beyond all doubles.
+/// On the plane of three corners, or a hair beside it; doubles, or fractions that are none, or
+/// beyond all doubles.
 std::vector<RationalPoint3> queries(const World& w, Random& r) {
   std::vector<RationalPoint3> result;
   for (std::size_t i = 0; i < w.corners.size(); i += 3) {
@@ -80,7 +81,8 @@ std::vector<RationalPoint3> queries(const World& w, Random& r) {
   return result;
 }
 
-/// The cube lies on the positive side of its planes at -R and on the negative side of those at R, which follow each other.
+/// The cube lies on the positive side of its planes at -R and on the negative side of those at R,
+/// which follow each other.
 Sign expected_side(const World& w, const RationalPoint3& q, std::size_t plane) {
   if (plane < 6) return plane % 2 == 0 ? Sign::Positive : Sign::Negative;
   const IntegerRow row = w.table.coefficients(w.planes[plane]);

@@ -1,5 +1,6 @@
-// Points rounded to the nearest doubles, and the line of an edge that stands for its two planes, against rationals.
-#include "plumb/predicates/rounded_point3.h"
+// Points rounded to the nearest doubles, and the line of an edge that stands for its two planes,
+// against rationals.
+#include "plumb/predicates/space/rounded_point3.h"
 
 #include <gtest/gtest.h>
 
@@ -15,15 +16,15 @@
 
 #include "float_environment.h"
 #include "plumb/predicates/plane_signs.h"
-#include "plumb/predicates/point3_exact.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/predicates/point3_table.h"
-#include "plumb/predicates/rounded_source.h"
+#include "plumb/predicates/space/point3_exact.h"
+#include "plumb/predicates/space/point3_table.h"
 
 namespace plumb {
 namespace {
 
-/// What the filter tells is what exact numbers say; of points in general position it tells nearly all, in no rounding mode but one.
+/// What the filter tells is what exact numbers say; of points in general position it tells nearly
+/// all, in no rounding mode but one.
 TEST(RoundedPoint3, FilterTellsWhatIsClear) {
   std::mt19937_64 random(31);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -66,7 +67,8 @@ TEST(RoundedPoint3, FilterTellsWhatIsClear) {
   }
 }
 
-/// Where planes are all but parallel and the filter knows little: fixed widths tell nearly all, of lines too.
+/// Where planes are all but parallel and the filter knows little: fixed widths tell nearly all, of
+/// lines too.
 TEST(RoundedPoint3, FixedWidthsTellOfNearlyParallelPlanes) {
   std::mt19937_64 random(32);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -113,7 +115,8 @@ Rational distance(const std::array<Point3, 3>& corners, const RationalPoint3& x)
          w[2] * (u[0] * v[1] - u[1] * v[0]);
 }
 
-/// The point of the planes of two triangles with a common edge and of a third one, which may be nearly parallel to the first.
+/// The point of the planes of two triangles with a common edge and of a third one, which may be
+/// nearly parallel to the first.
 struct EdgeAndPlane {
   std::array<std::array<Point3, 3>, 3> corners;
   PlaneTable table;
@@ -142,7 +145,8 @@ struct EdgeAndPlane {
   }
 };
 
-/// Whatever the order of the planes, however close they are to parallel: the line through the common points stands for the two.
+/// Whatever the order of the planes, however close they are to parallel: the line through the
+/// common points stands for the two.
 TEST(PointSource, OfTwoPlanesWithACommonEdgeIsALine) {
   std::mt19937_64 random(33);
   for (int i = 0; i < 200; ++i) {
@@ -179,8 +183,8 @@ TEST(PointSource, IsNoLineForTheFrameOrForPlanesThatShareAPoint) {
   }
 }
 
-/// Boxes that doubles do not give are around the nearest doubles, which rounded() then takes from there: nearly always, in the one
-/// rounding mode that allows it.
+/// Boxes that doubles do not give are around the nearest doubles, which rounded() then takes from
+/// there: nearly always, in the one rounding mode that allows it.
 TEST(RoundedPoint3, OfNearlyParallelPlanesIsKnownFromTheStart) {
   std::mt19937_64 random(35);
   std::size_t nearest = 0, all = 0;

@@ -1,5 +1,5 @@
-// Rounding against its definition in exact arithmetic, against printf (exact in glibc), and in corner
-// cases, in every floating-point mode. PLUMB_CASES=n: n values.
+// Rounding against its definition in exact arithmetic, against printf (exact in glibc), and in
+// corner cases, in every floating-point mode. PLUMB_CASES=n: n values.
 #include "plumb/predicates/rounding.h"
 
 #include <gtest/gtest.h>

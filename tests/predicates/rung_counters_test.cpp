@@ -1,5 +1,6 @@
-// Counters of rungs: with PLUMB_COUNT_RUNGS a question is counted once, where it was decided; otherwise nowhere.
-#include "plumb/predicates/rung_counters.h"
+// Counters of rungs: with PLUMB_COUNT_RUNGS a question is counted once, where it was decided;
+// otherwise nowhere.
+#include "plumb/predicates/input/rung_counters.h"
 
 #include <gtest/gtest.h>
 
@@ -9,13 +10,12 @@
 #include <thread>
 
 #include "plumb/predicates/line_signs.h"
-#include "plumb/predicates/plane_points.h"
+#include "plumb/predicates/plane/plane_points.h"
+#include "plumb/predicates/plane/query2.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/predicates/query_point2.h"
-#include "plumb/predicates/query_point3.h"
-#include "plumb/predicates/query_ray2.h"
 #include "plumb/predicates/rational_predicates.h"
+#include "plumb/predicates/space/query_point3.h"
 
 namespace plumb {
 namespace {
@@ -26,8 +26,8 @@ constexpr std::uint64_t kCounted = 1;
 constexpr std::uint64_t kCounted = 0;
 #endif
 
-/// Points 0 to 3 span two diagonals of a square; 4 and 5 a line through their crossing; 6 is a third of 1 in x, 7 right of
-/// all. 8 and 9: the same, and one further up.
+/// Points 0 to 3 span two diagonals of a square; 4 and 5 a line through their crossing; 6 is a
+/// third of 1 in x, 7 right of all. 8 and 9: the same, and one further up.
 PlanePoints square() {
   PlanePoints points;
   for (const Point2 p : {Point2{0, 0}, {1, 1}, {0, 1}, {1, 0}, {0.5, 0}, {0.5, 1}}) {

@@ -1,6 +1,7 @@
-// What a rung may leave to the next one. A filter that is too careful, or a narrow rung that passes on what it
-// could hold, gives no wrong sign; it is only slow, and no test of signs sees it. Filters must decide what is far from
-// degenerate, at every scale within their gates; Small and Exact what their contracts name.
+// What a rung may leave to the next one. A filter that is too careful, or a narrow rung that passes
+// on what it could hold, gives no wrong sign; it is only slow, and no test of signs sees it.
+// Filters must decide what is far from degenerate, at every scale within their gates; Small and
+// Exact what their contracts name.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,11 +10,11 @@
 #include <random>
 
 #include "plumb/predicates/input_predicates.h"
-#include "plumb/predicates/plane_row.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/predicates/point3_table.h"
 #include "plumb/predicates/point_table2.h"
+#include "plumb/predicates/space/plane_row.h"
+#include "plumb/predicates/space/point3_table.h"
 #include "predicate_oracle.h"
 
 namespace plumb::test {
@@ -194,7 +195,8 @@ TEST(Rungs, ExactDecidesExactlyWhatFits) {
   }
 }
 
-/// At every scale, where integers are made of doubles and where they are not; coplanar points, nearly coplanar ones and others.
+/// At every scale, where integers are made of doubles and where they are not; coplanar points,
+/// nearly coplanar ones and others.
 TEST(Rungs, ExactIsTheSameOnAKnownGrid) {
   std::mt19937_64 random(20261124);
   for (const int scale : {-1074, -1001, -1000, -999, -500, 0, 7, 900, 963}) {

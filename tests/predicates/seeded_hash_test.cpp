@@ -1,5 +1,6 @@
-// Whatever the keys, hashes are as if drawn by lot: few equal ones, in all bits and in the low ones.
-#include "plumb/predicates/seeded_hash.h"
+// Whatever the keys, hashes are as if drawn by lot: few equal ones, in all bits and in the low
+// ones.
+#include "plumb/predicates/arithmetic/seeded_hash.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,8 @@ namespace {
 
 using Key = std::array<std::uint64_t, 3>;
 
-/// Of 2^16 hashes of 32 bits half a pair is equal on average; of their lower 16 bits 63 % are different ones.
+/// Of 2^16 hashes of 32 bits half a pair is equal on average; of their lower 16 bits 63 % are
+/// different ones.
 void expect_spread(const std::string& name, const std::function<std::size_t(std::uint64_t)>& hash) {
   constexpr std::uint64_t kCount = 1U << 16U;
   std::unordered_set<std::size_t> all, low;
@@ -43,7 +45,8 @@ TEST(SeededHash, SpreadsKeysThatCountInAnyPlace) {
   }
 }
 
-// Factors of two words that were the same, or one a multiple of the other, would let sums of words cancel.
+// Factors of two words that were the same, or one a multiple of the other, would let sums of words
+// cancel.
 TEST(SeededHash, TellsWordsApart) {
   const SeededHash hash;
   expect_spread("k, -k, 0", [&](std::uint64_t k) { return hash(Key{k, ~k, 0}); });

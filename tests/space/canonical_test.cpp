@@ -10,18 +10,18 @@
 #include <string>
 #include <vector>
 
-#include "generate/dice.h"
 #include "generate/meshes.h"
 #include "generate/space_program.h"
 #include "generate/test_share.h"
 #include "oracle/nef3_check.h"
 #include "oracle/program_property.h"
-#include "plumb/base/error.h"
+#include "plumb/io/mesh_io.h"
 #include "plumb/io/nef3_reader.h"
 #include "plumb/io/nef3_writer.h"
-#include "plumb/io/solid_io.h"
-#include "plumb/space/same_complex.h"
+#include "plumb/predicates/error.h"
+#include "plumb/space/set/compare_complexes.h"
 #include "plumb/space/space_audit.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -41,7 +41,7 @@ std::string bytes_of(const Nef3& set) { return text_of(canonical_of(set)); }
 
 Nef3 read(const std::string& text) {
   Context context;
-  return Nef3::from_minimal(read_nef3(text, {"canonical.nef", false}, context));
+  return Nef3::from_minimal_unchecked(read_nef3(text, {"canonical.nef", false}, context));
 }
 
 /// The set itself, in minimal form, which canonical() leaves as it is, in a file too.
@@ -160,7 +160,7 @@ PolygonMesh shuffled(const PolygonMesh& mesh, Dice& dice) {
 
 Nef3 set_of(const PolygonMesh& mesh) {
   Context context;
-  return Nef3::mesh(mesh, WindingRule::NonZero, context);
+  return Nef3::from_mesh(mesh, {.rule = WindingRule::NonZero}, context);
 }
 
 TEST(Canonical, OrderOfFacesAndVerticesIsNotTold) {
@@ -256,7 +256,7 @@ TEST(Canonical, IdsOfFacetsAreDropped) {
 
 TEST(Canonical, NothingAndEverything) {
   EXPECT_EQ(bytes_of(Nef3()), text_of(Nef3()));
-  EXPECT_EQ(bytes_of(!Nef3()), text_of(Nef3::space()));
+  EXPECT_EQ(bytes_of(!Nef3()), text_of(Nef3::whole()));
   const Nef3 below = Nef3::half_space(across(2, 1), Boundary::Open);
   expect_one_form(below, Nef3::half_space({1, 1, 1, 0}, Boundary::Closed));
 }

@@ -1,7 +1,7 @@
-// Families of solids in special positions, judged by what must hold whatever the position: volumes of union and
-// intersection add up, differences are what they are defined to be, points belong to a result as they belong to
-// its operands, and every result passes its audit. Where operands touch, what they share is compared
-// with a set that is known.
+// Families of solids in special positions, judged by what must hold whatever the position: volumes
+// of union and intersection add up, differences are what they are defined to be, points belong to a
+// result as they belong to its operands, and every result passes its audit. Where operands touch,
+// what they share is compared with a set that is known.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ namespace {
 /// Whatever way its faces turn.
 Nef3 solid(const PolygonMesh& mesh) {
   Context context;
-  return Nef3::mesh(mesh, WindingRule::NonZero, context);
+  return Nef3::from_mesh(mesh, {.rule = WindingRule::NonZero}, context);
 }
 
 Nef3 box(Point3 low, Point3 high) { return solid(box_mesh(low, high)); }
@@ -125,7 +125,8 @@ struct Touching {
   Nef3 shared;
 };
 
-/// What touches the tetrahedron (0,0,0) (3,0,1) (1,3,1) (1,1,4): its images in a facet, an edge, a vertex.
+/// What touches the tetrahedron (0,0,0) (3,0,1) (1,3,1) (1,1,4): its images in a facet, an edge, a
+/// vertex.
 std::vector<Touching> touching_images(const Nef3& a) {
   const AffineMap3 mirror = linear({{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}});
   const Nef3 flat = solid(tetrahedron_mesh({0, 0, 0}, {0, 3, 0}, {3, 0, 0}, {1, 1, 2}));
@@ -167,8 +168,8 @@ struct Overlap {
 
 const Polygon kBase{{0, 0}, {6, 0}, {6, 6}, {0, 6}};
 
-/// How a polygon can lie to a square: what they share is nothing, a point, a segment or a polygon, at a vertex,
-/// inside an edge, or inside.
+/// How a polygon can lie to a square: what they share is nothing, a point, a segment or a polygon,
+/// at a vertex, inside an edge, or inside.
 const std::vector<Overlap>& overlaps() {
   static const std::vector<Overlap> all = {
       {"apart", {{8, 0}, {9, 0}, {9, 1}}},
@@ -199,7 +200,8 @@ const std::vector<Overlap>& overlaps() {
   return all;
 }
 
-/// What two prisms on both sides of z = 0 share is what their bases share: the plane's engine knows.
+/// What two prisms on both sides of z = 0 share is what their bases share: the plane's engine
+/// knows.
 void expect_shared_base(const Nef3& shared, const Overlap& overlap) {
   const Nef2 bases = Nef2::polygon(kBase) * Nef2::polygon(overlap.other);
   const PlaneComplex& plane = bases.complex();

@@ -33,7 +33,8 @@ Nef3 tetrahedron(double shift) {
   Doubles moved = kCorners;
   for (double& x : moved) x += shift;
   Context context;
-  return Nef3::mesh(mesh_of_triangles(moved, kTriangles), WindingRule::Positive, context);
+  return Nef3::from_mesh(mesh_of_triangles(moved, kTriangles), {.rule = WindingRule::Positive},
+                         context);
 }
 
 /// What four threads hear that ask at the same time.
@@ -46,7 +47,8 @@ std::vector<std::string> answers_of_threads(const std::function<std::string()>& 
   return answers;
 }
 
-/// The same value in every one of four threads that ask at the same time as for one that asks alone.
+/// The same value in every one of four threads that ask at the same time as for one that asks
+/// alone.
 template <class Set>
 void expect_same_from_threads(const std::function<Set()>& make,
                               const std::function<std::string(const Set&)>& ask) {
@@ -79,7 +81,7 @@ TEST(Threads, may_share_a_set_of_space) {
         const auto hit = s.shoot_to_boundary({-1, 0, 0}, {1, 0, 0});
         answer += hit ? hit->point.x.str() : "none";
         answer += digit((s * s) == s);
-        return answer + digit(s <= s.closure());
+        return answer + digit(s.is_subset_of(s.closure()));
       });
 }
 

@@ -1,4 +1,5 @@
-// Complexes made of meshes: the links are what they should be, and what is wrong with a mesh is said.
+// Complexes made of meshes: the links are what they should be, and what is wrong with a mesh is
+// said.
 #include "plumb/space/from_mesh.h"
 
 #include <gtest/gtest.h>
@@ -7,8 +8,8 @@
 
 #include "generate/crowded_points.h"
 #include "generate/meshes.h"
-#include "plumb/base/error.h"
-#include "plumb/space/mesh_vertices.h"
+#include "plumb/predicates/error.h"
+#include "plumb/space/mesh/mesh_vertices.h"
 #include "space/complex_links.h"
 
 namespace plumb::testing {

@@ -1,5 +1,6 @@
-// Intersections of half-spaces against Booleans of the same half-spaces; what these cost because they reach to infinity.
-#include "plumb/space/half_space_hull.h"
+// Intersections of half-spaces against Booleans of the same half-spaces; what these cost because
+// they reach to infinity.
+#include "plumb/space/set/half_space_hull.h"
 
 #include <gmp.h>
 #include <gtest/gtest.h>
@@ -15,10 +16,10 @@
 #include <vector>
 
 #include "generate/counted_memory.h"
-#include "generate/dice.h"
 #include "generate/meshes.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 #include "plumb/space/space_audit.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb {
 namespace {
@@ -26,7 +27,7 @@ namespace {
 using testing::Dice;
 
 Nef3 fold(const std::vector<HalfSpace3>& half_spaces) {
-  Nef3 result = Nef3::space();
+  Nef3 result = Nef3::whole();
   for (const HalfSpace3& h : half_spaces) result *= Nef3::half_space(h.plane, h.boundary);
   return result;
 }
@@ -97,7 +98,7 @@ TEST(HalfSpaceHull, IsTheFoldOfTheHalfSpaces) {
     if (hull.polytope) {
       const auto flaw = audit(*hull.polytope, true);
       ASSERT_FALSE(flaw) << i << ": " << flaw->invariant;
-      EXPECT_EQ(Nef3::from_minimal(*hull.polytope), expected) << i;
+      EXPECT_EQ(Nef3::from_minimal_unchecked(*hull.polytope), expected) << i;
     }
     std::vector<HalfSpace3> needed;
     for (const std::uint32_t k : hull.needed) needed.push_back(half_spaces[k]);
@@ -113,7 +114,8 @@ TEST(HalfSpaceHull, IsTheFoldOfTheHalfSpaces) {
   EXPECT_GT(spared, 100u);
 }
 
-/// Open half-spaces that touch a cube in a vertex, an edge, a facet; closed ones that do so change nothing.
+/// Open half-spaces that touch a cube in a vertex, an edge, a facet; closed ones that do so change
+/// nothing.
 TEST(HalfSpaceHull, OpenOnesTakeAwayWhatTheyTouch) {
   for (const auto& [a, b, c, d] :
        {std::array{1, 1, 1, -3}, std::array{1, 1, 0, -2}, std::array{1, 0, 0, -1}}) {
@@ -132,7 +134,7 @@ TEST(HalfSpaceHull, OpenOnesTakeAwayWhatTheyTouch) {
 
 TEST(HalfSpaceHull, NoneOneAndTwo) {
   Context context;
-  EXPECT_TRUE(Nef3::intersection({}, context).is_space());
+  EXPECT_TRUE(Nef3::intersection({}, context).is_whole());
   const std::vector<HalfSpace3> one{half_space(1, 2, 3, 4)};
   EXPECT_EQ(Nef3::intersection(one, context), Nef3::half_space(one[0].plane, one[0].boundary));
   const std::vector<HalfSpace3> plane{half_space(1, 2, 3, 4), half_space(-1, -2, -3, -4)};
@@ -156,9 +158,9 @@ TEST(HalfSpaceHull, ConesOfManyFacets) {
   EXPECT_FALSE(set.contains(Point3{0, 0, 2}));
 }
 
-// ---------------------------------------------------------------- what infinity costs
-// Seen to go wrong elsewhere: 0.15 s for each Boolean of half-spaces, with numbers that hold infinity. Memory that
-// is asked for is counted, not time: it is the same in every run.
+// ---------------------------------------------------------------- what infinity costs Seen to go
+// wrong elsewhere: 0.15 s for each Boolean of half-spaces, with numbers that hold infinity. Memory
+// that is asked for is counted, not time: it is the same in every run.
 
 struct Work {
   std::uint64_t blocks = 0;
@@ -200,7 +202,7 @@ Nef3 combined(const std::vector<Nef3>& sets, MarkFunction f, bool in_pairs) {
   while (left.size() > 1) {
     const std::size_t pairs = in_pairs ? left.size() / 2 : 1;
     for (std::size_t i = 0; i < pairs; ++i) {
-      left[i] = combine(left[2 * i], left[2 * i + 1], f, context);
+      left[i] = boolean_op(left[2 * i], left[2 * i + 1], f, context);
     }
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(pairs),
                left.begin() + static_cast<std::ptrdiff_t>(2 * pairs));
@@ -238,8 +240,8 @@ std::vector<EightHalfSpaces> eights() {
   return result;
 }
 
-/// Whatever the order, at most ten times the work of the same half-spaces clipped to a box; and clipping afterwards gives
-/// the same.
+/// Whatever the order, at most ten times the work of the same half-spaces clipped to a box; and
+/// clipping afterwards gives the same.
 void expect_little_more_than_in_a_box(const std::vector<Nef3>& open, const Nef3& box,
                                       MarkFunction f, bool in_pairs) {
   std::vector<Nef3> clipped;
@@ -253,8 +255,9 @@ void expect_little_more_than_in_a_box(const std::vector<Nef3>& open, const Nef3&
 
 TEST(EightHalfSpaces, CostLittleMoreThanInABox) {
   Context context;
-  const Nef3 box = Nef3::mesh(testing::box_mesh({-kClip, -kClip, -kClip}, {kClip, kClip, kClip}),
-                              WindingRule::Positive, context);
+  const Nef3 box =
+      Nef3::from_mesh(testing::box_mesh({-kClip, -kClip, -kClip}, {kClip, kClip, kClip}),
+                      {.rule = WindingRule::Positive}, context);
   Dice dice(8);
   for (const EightHalfSpaces& family : eights()) {
     std::vector<Nef3> open;

@@ -1,4 +1,5 @@
-// Facets of many corners: the structures that are built for them say what a walk along their boundary says.
+// Facets of many corners: the structures that are built for them say what a walk along their
+// boundary says.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,21 +10,20 @@
 #include <string>
 #include <vector>
 
-#include "generate/dice.h"
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/space/facet_site.h"
-#include "plumb/space/facet_slabs.h"
-#include "plumb/space/meet_leaves.h"
+#include "plumb/space/boolean/contact_leaves.h"
+#include "plumb/space/complex/space_boxes.h"
 #include "plumb/space/nef3.h"
-#include "plumb/space/nest_cycles.h"
+#include "plumb/space/planar/facet_site.h"
+#include "plumb/space/planar/nest_cycles.h"
 #include "plumb/space/space_audit.h"
-#include "plumb/space/space_boxes.h"
 #include "plumb/space/space_measure.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -46,7 +46,8 @@ struct Named {
   Nef3 set;
 };
 
-/// A square of size 9 with single points, slits and a square taken out, of which another one is put back.
+/// A square of size 9 with single points, slits and a square taken out, of which another one is put
+/// back.
 Nef3 pierced_square() {
   Context context;
   const auto square = [](double low, double high) {
@@ -187,7 +188,8 @@ TEST(LargeFacets, SlabsSayWhatAWalkSays) {
 
 // ---------------------------------------------------------------- leaves
 
-/// A prism over a polygon of n corners; its sides come first, so that every edge belongs to one of them.
+/// A prism over a polygon of n corners; its sides come first, so that every edge belongs to one of
+/// them.
 PolygonMesh sides_then_caps(std::uint32_t n) {
   PolygonMesh mesh;
   for (const double z : {0.0, 5.0}) {
@@ -210,7 +212,8 @@ PolygonMesh sides_then_caps(std::uint32_t n) {
   return mesh;
 }
 
-/// A leaf without a surface has a box because of what belongs to it; a vertex, an edge belongs to one leaf.
+/// A leaf without a surface has a box because of what belongs to it; a vertex, an edge belongs to
+/// one leaf.
 void expect_owned(const SpaceComplex& complex, const std::string& name) {
   const MeetLeaves leaves(complex, box_of(complex));
   std::size_t vertices = 0, edges = 0;

@@ -1,7 +1,5 @@
 // Contacts of random and special complexes against all pairs of items in rational coordinates.
 // PLUMB_CASES=n: n random scenes instead of the short run.
-#include "plumb/space/meet.h"
-
 #include <gtest/gtest.h>
 
 #include <map>
@@ -11,6 +9,7 @@
 #include "generate/test_share.h"
 #include "oracle/contacts.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/space/boolean/find_contacts.h"
 
 namespace plumb {
 namespace {

@@ -1,6 +1,4 @@
 // Facets of one plane merged as they lie in the arrays, against the same by sphere maps.
-#include "plumb/space/merge_coplanar.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,17 +8,16 @@
 #include <utility>
 #include <vector>
 
-#include "generate/dice.h"
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
+#include "plumb/space/boolean/simplify.h"
 #include "plumb/space/canonical.h"
-#include "plumb/space/mesh_arrangement.h"
+#include "plumb/space/mesh/mesh_arrangement.h"
 #include "plumb/space/nef3.h"
-#include "plumb/space/same_complex.h"
-#include "plumb/space/simplify.h"
+#include "plumb/space/query/volumes.h"
+#include "plumb/space/set/compare_complexes.h"
 #include "plumb/space/space_audit.h"
-#include "plumb/space/turn.h"
-#include "plumb/space/volumes.h"
+#include "plumb/testing/dice.h"
 #include "space/complex_links.h"
 
 namespace plumb::testing {
@@ -58,8 +55,8 @@ void change_marks(SpaceComplex& c, Dice& dice, std::uint32_t one_in, bool surfac
 
 bool is_same_set(const SpaceComplex& a, const SpaceComplex& b) {
   Context context;
-  return is_identical(canonical(Nef3::from_minimal(a), context).complex(),
-                      canonical(Nef3::from_minimal(b), context).complex());
+  return is_identical(canonical(Nef3::from_minimal_unchecked(a), context).complex(),
+                      canonical(Nef3::from_minimal_unchecked(b), context).complex());
 }
 
 /// Planes of facets and the ids they carry.
@@ -170,10 +167,11 @@ SpaceComplex solid_of(const PolygonMesh& mesh, WindingRule rule, bool joins) {
   EXPECT_EQ(made.component.size(), c.facet_count());
   EXPECT_EQ(made.has_fan.size(), c.vertex_count());
   turn_inside_out(made, context);
-  return Nef3::mesh(std::move(made), rule, context).complex();
+  return Nef3::from_mesh_complex(std::move(made), rule, context).complex();
 }
 
-/// Neighbours in one plane may be joined before there are volumes: sets are the same, in the same arrays but for their edges' planes.
+/// Neighbours in one plane may be joined before there are volumes: sets are the same, in the same
+/// arrays but for their edges' planes.
 void expect_same_if_joined_first(const PolygonMesh& mesh, const std::string& what) {
   for (const WindingRule rule :
        {WindingRule::NonZero, WindingRule::EvenOdd, WindingRule::Positive}) {
@@ -213,7 +211,8 @@ TEST(CoplanarMerge, BeforeThereAreVolumesIsAsAfter) {
   expect_same_if_joined_first(grid_cube_mesh(4, {0, 0, 0}), "a cube of a grid");
 }
 
-/// A mesh whose faces are joined has no planes but those of its faces; one that crosses itself has one for each edge.
+/// A mesh whose faces are joined has no planes but those of its faces; one that crosses itself has
+/// one for each edge.
 TEST(CoplanarMerge, SparesThePlanesOfEdgesThatGo) {
   Context context;
   MeshOptions options;

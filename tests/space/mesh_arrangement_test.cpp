@@ -1,19 +1,19 @@
-// Soups: closed meshes that cross themselves, overlap, are doubled, nested or inside out, against the twin
-// that asks for the winding number of every cell of all planes.
-#include "plumb/space/mesh_arrangement.h"
+// Soups: closed meshes that cross themselves, overlap, are doubled, nested or inside out, against
+// the twin that asks for the winding number of every cell of all planes.
+#include "plumb/space/mesh/mesh_arrangement.h"
 
 #include <gtest/gtest.h>
 
-#include "generate/dice.h"
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "generate/space_solids.h"
 #include "generate/test_share.h"
 #include "oracle/nef3_check.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
+#include "plumb/space/mesh/mesh_arrangement.h"
+#include "plumb/space/query/volumes.h"
 #include "plumb/space/space_measure.h"
-#include "plumb/space/turn.h"
-#include "plumb/space/volumes.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -242,7 +242,7 @@ Turned turned(const PolygonMesh& mesh) {
   MeshComplex made = complex_of_mesh(mesh, {}, context);
   Turned result;
   result.faces = turn_inside_out(made, context);
-  result.set = Nef3::mesh(std::move(made), WindingRule::Positive, context);
+  result.set = Nef3::from_mesh_complex(std::move(made), WindingRule::Positive, context);
   return result;
 }
 
@@ -337,13 +337,13 @@ TEST(MeshArrangement, SurfacesAreCutToo) {
   MeshOptions options;
   options.surface = true;
   const auto surface = [&](const PolygonMesh& mesh) {
-    return Nef3::surface(complex_of_mesh(mesh, options, context), context);
+    return Nef3::from_facets(complex_of_mesh(mesh, options, context), context);
   };
   EXPECT_TRUE(surface(joined(joined(one, two), three)) ==
               surface(one) + surface(two) + surface(three));
   const PolygonMesh a = box_mesh({0, 0, 0}, {2, 2, 2}), b = moved(a, {1, 1, 0});
   EXPECT_TRUE(surface(joined(a, b)) == surface(a) + surface(b));
-  EXPECT_THROW(Nef3::surface(complex_of_mesh(one, {}, context), context), Error);
+  EXPECT_THROW(Nef3::from_facets(complex_of_mesh(one, {}, context), context), Error);
 }
 
 TEST(MeshArrangement, FacetsComeFromTheirFaces) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "generate/counted_memory.h"
-#include "plumb/base/error.h"
 #include "plumb/convex/convexity.h"
+#include "plumb/predicates/error.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/to_mesh.h"
 
@@ -25,7 +25,7 @@ const Indices kBegin = {0, 3, 6, 9, 12};
 
 Nef3 set_of(const MeshView& mesh) {
   Context context;
-  return Nef3::mesh(mesh, WindingRule::Positive, context);
+  return Nef3::from_mesh(mesh, {.rule = WindingRule::Positive}, context);
 }
 
 Nef3 tetrahedron(double shift) {
@@ -79,7 +79,8 @@ TEST(MeshArrays, are_read_where_they_lie) {
   EXPECT_EQ(mesh_of_polygons({}, Indices{0}, {}).face_count(), 0U);
   EXPECT_EQ(mesh_of_triangles({}, {}).face_count(), 0U);
   EXPECT_TRUE(set_of(MeshView()).is_empty());
-  EXPECT_TRUE(set_of(PolygonMesh()).is_empty());
+  const PolygonMesh nothing;
+  EXPECT_TRUE(set_of(nothing).is_empty());
 }
 
 TEST(MeshArrays, cost_no_memory) {
@@ -123,7 +124,8 @@ TEST(MeshArrays, may_go_when_the_set_is_there) {
   EXPECT_TRUE(set.contains(Point3{100, 15000, 0.5}));
 }
 
-/// A small part of a large buffer of points: what it takes for points of nobody is 4 bytes each, within the limits.
+/// A small part of a large buffer of points: what it takes for points of nobody is 4 bytes each,
+/// within the limits.
 TEST(MeshArrays, may_name_few_of_many_points) {
   Doubles many = kCorners;
   many.resize(3'000'000, 0.5);
@@ -132,14 +134,14 @@ TEST(MeshArrays, may_name_few_of_many_points) {
   limits.max_memory_bytes = 4'500'000;
   Context enough(limits);
   Nef3 set;
-  const std::uint64_t bytes =
-      bytes_asked_for([&] { set = Nef3::mesh(mesh, WindingRule::Positive, enough); });
+  const std::uint64_t bytes = bytes_asked_for(
+      [&] { set = Nef3::from_mesh(mesh, {.rule = WindingRule::Positive}, enough); });
   EXPECT_LT(bytes, limits.max_memory_bytes);
   EXPECT_EQ(set, tetrahedron(0));
   limits.max_memory_bytes = 3'500'000;
   Context little(limits);
   try {
-    static_cast<void>(Nef3::mesh(mesh, WindingRule::Positive, little));
+    static_cast<void>(Nef3::from_mesh(mesh, {.rule = WindingRule::Positive}, little));
     FAIL() << "a million points are not charged";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::ResourceLimit);

@@ -1,5 +1,5 @@
 // The self-test of meshes held against clipping in rationals, and the meshes that people have.
-#include "plumb/space/mesh_crossings.h"
+#include "plumb/space/mesh/mesh_crossings.h"
 
 #include <gtest/gtest.h>
 
@@ -10,16 +10,16 @@
 #include <optional>
 #include <string>
 
-#include "generate/dice.h"
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
 #include "oracle/facet_contacts.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/space/audit/audit_parts.h"
+#include "plumb/space/bounds/oriented_boxes.h"
+#include "plumb/space/bounds/packed_boxes.h"
 #include "plumb/space/from_mesh.h"
-#include "plumb/space/oriented_boxes.h"
-#include "plumb/space/packed_boxes.h"
-#include "plumb/space/space_audit_parts.h"
-#include "plumb/space/triangle_groups.h"
+#include "plumb/space/mesh/triangle_crossing.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -80,8 +80,8 @@ PolygonMesh random_triangles(Dice& dice, int size, double unit, std::size_t coun
   return mesh;
 }
 
-// Few places, so that most contacts are degenerate; units that no double holds make points that are nearly
-// on planes.
+// Few places, so that most contacts are degenerate; units that no double holds make points that are
+// nearly on planes.
 TEST(MeshCrossings, TrianglesAsBruteForce) {
   Dice dice(11);
   for (const int size : {1, 2, 3, 6}) {
@@ -134,7 +134,8 @@ PolygonMesh star(std::vector<Point3> points) {
   return make_mesh(std::move(points), faces);
 }
 
-// Around a vertex triangles lie side by side, fold back, stand on edge, go around twice or not at all.
+// Around a vertex triangles lie side by side, fold back, stand on edge, go around twice or not at
+// all.
 TEST(MeshCrossings, StarsAsBruteForce) {
   Dice dice(14);
   for (int round = 0; round < 400; ++round) {
@@ -158,8 +159,8 @@ std::string flaw_of(const SpaceComplex& complex, std::span<const std::uint8_t> h
   return flaw ? flaw->invariant : "";
 }
 
-/// A polygon that is seen from the origin, in a plane, and a point joined to its sides. The point may see the polygon from
-/// above, from beside or through itself.
+/// A polygon that is seen from the origin, in a plane, and a point joined to its sides. The point
+/// may see the polygon from above, from beside or through itself.
 PolygonMesh pyramid(Dice& dice, std::size_t corners, bool is_closed) {
   std::vector<Point3> points;
   const double slope = static_cast<double>(dice.between(-1, 1));
@@ -185,8 +186,9 @@ PolygonMesh pyramid(Dice& dice, std::size_t corners, bool is_closed) {
   return make_mesh(std::move(points), faces);
 }
 
-// Around corners of polygons, reflex ones too, and around points with fractions, which are constructed: fans hide no
-// crossing from the test of meshes nor from the audit. (The brute force knows convex facets alone.)
+// Around corners of polygons, reflex ones too, and around points with fractions, which are
+// constructed: fans hide no crossing from the test of meshes nor from the audit. (The brute force
+// knows convex facets alone.)
 TEST(MeshCrossings, FansOfPyramidsHideNothing) {
   Dice dice(15);
   std::size_t fans = 0, crossing = 0;
@@ -225,7 +227,8 @@ TEST(MeshCrossings, AStarThatGoesAroundTwiceIsNoFan) {
   expect_as_brute_force(star(points));
 }
 
-// The reflex corner of a polygon goes nearly around the first point, triangles above it a little more than that.
+// The reflex corner of a polygon goes nearly around the first point, triangles above it a little
+// more than that.
 TEST(MeshCrossings, APolygonAndTrianglesThatGoAroundTwiceAreNoFan) {
   const PolygonMesh mesh =
       make_mesh({{0, 0, 0},
@@ -302,7 +305,8 @@ TEST(PackedBoxTree, LeavesManyScalesToOthers) {
   EXPECT_FALSE(PackedBoxTree(boxes).fits());
 }
 
-// All within some cells of the grid by which they are sorted, though not of the one that they are compared on.
+// All within some cells of the grid by which they are sorted, though not of the one that they are
+// compared on.
 TEST(PackedBoxTree, LeavesWhatItCannotSortToOthers) {
   Dice dice(17);
   std::vector<Box3> boxes;
@@ -358,7 +362,8 @@ std::vector<OrientedBoxTree::Triangle> oriented_triangles(const PolygonMesh& mes
   return triangles;
 }
 
-/// Thin triangles in all directions whose longest sides have one of few points for their middle, so that many meet there.
+/// Thin triangles in all directions whose longest sides have one of few points for their middle, so
+/// that many meet there.
 PolygonMesh thin_triangles(Dice& dice, double unit, std::size_t count) {
   PolygonMesh mesh;
   for (std::uint32_t i = 0; i < 3 * count; i += 3) {
@@ -532,8 +537,8 @@ TEST(MeshCrossings, OfManyScales) {
   expect_as_brute_force(mesh);
 }
 
-// Sheets much closer than the cells of the small boxes, above one another: each seems to meet all. Tests of all pairs
-// would take this test very long.
+// Sheets much closer than the cells of the small boxes, above one another: each seems to meet all.
+// Tests of all pairs would take this test very long.
 TEST(MeshCrossings, OfManyCloseSheetsInLessThanQuadraticTime) {
   constexpr std::uint32_t kSheets = 10000;
   PolygonMesh mesh;

@@ -1,6 +1,5 @@
-// Meshes in an order of space: the same mesh, and whatever is said of it says the numbers of the input.
-#include "plumb/space/mesh_order.h"
-
+// Meshes in an order of space: the same mesh, and whatever is said of it says the numbers of the
+// input.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 
 #include "generate/meshes.h"
 #include "plumb/space/from_mesh.h"
+#include "plumb/space/mesh/mesh_vertices.h"
 #include "plumb/space/nef3.h"
 
 namespace plumb::testing {
@@ -55,8 +55,8 @@ PolygonMesh soup_of(const PolygonMesh& mesh) {
   return soup;
 }
 
-/// Closed, of some 7,000 triangles: two spheres that cross each other, one inside out, triangles that are there twice and
-/// three times, triangles without area.
+/// Closed, of some 7,000 triangles: two spheres that cross each other, one inside out, triangles
+/// that are there twice and three times, triangles without area.
 PolygonMesh bad_mesh() {
   PolygonMesh mesh = joined(icosphere_mesh(4, 1, {}), icosphere_mesh(3, 0.75, {0.625, 0.25, 0}));
   mesh = joined(std::move(mesh), reversed(icosphere_mesh(2, 0.5, {9, 0, 0})));
@@ -149,8 +149,8 @@ TEST(MeshOrder, MakesTheSameSet) {
   Context context;
   const PolygonMesh mesh = shuffled(bad_mesh(), 5);
   const auto set = [&](bool surface) {
-    return Nef3::mesh(complex_of_mesh(mesh, {.surface = surface}, context), WindingRule::NonZero,
-                      context);
+    return Nef3::from_mesh_complex(complex_of_mesh(mesh, {.surface = surface}, context),
+                                   WindingRule::NonZero, context);
   };
   const Nef3 a = set(false), b = set(true);
   EXPECT_TRUE(a == b);
@@ -173,8 +173,10 @@ TEST(MeshOrder, BordersSayTheNumbersOfTheInput) {
 TEST(MeshOrder, LeavesSomeMeshesAsTheyAre) {
   const PolygonMesh sphere = icosphere_mesh(1, 1, {});
   EXPECT_FALSE(ordered_in_space(sphere).is_empty());
-  EXPECT_TRUE(ordered_in_space(PolygonMesh()).is_empty());
-  EXPECT_TRUE(ordered_in_space(box_mesh({0, 0, 0}, {1, 1, 1})).is_empty());  // squares
+  const PolygonMesh nothing;
+  EXPECT_TRUE(ordered_in_space(nothing).is_empty());
+  const PolygonMesh squares = box_mesh({0, 0, 0}, {1, 1, 1});
+  EXPECT_TRUE(ordered_in_space(squares).is_empty());
   PolygonMesh mesh = sphere;
   mesh.face_begin[1] = 4;  // a quadrilateral and two corners
   EXPECT_TRUE(ordered_in_space(mesh).is_empty());

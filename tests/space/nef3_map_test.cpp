@@ -5,9 +5,8 @@
 
 #include "generate/space_program.h"
 #include "oracle/nef3_check.h"
-#include "plumb/base/error.h"
-#include "plumb/space/far_box.h"
-#include "plumb/space/frame.h"
+#include "plumb/predicates/error.h"
+#include "plumb/space/boolean/frame.h"
 #include "plumb/space/space_audit.h"
 
 namespace plumb::testing {

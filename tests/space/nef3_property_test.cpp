@@ -46,8 +46,8 @@ TEST_P(RandomSpaceSets, ObeyTheLaws) {
     const Nef3 a = to_nef(*one);
     const Nef3 b = to_nef(*two);
     const Nef3 c = to_nef(*three);
-    expect_laws(a, b, c, Nef3::space());
-    EXPECT_TRUE((a + !a).is_space());
+    expect_laws(a, b, c, Nef3::whole());
+    EXPECT_TRUE((a + !a).is_whole());
   }
 }
 
@@ -82,7 +82,8 @@ TEST(SpacePairs, OfOverlappingBoxesAreThoseOfTheTwin) {
   }
 }
 
-// ---------------------------------------------------------------- any program, shrunk when it fails
+// ---------------------------------------------------------------- any program, shrunk when it
+// fails
 
 TEST(Nef3, OfAnyProgramIsTheTwins) {
   expect_no_flaw_of_programs("programs agree", 8, [](std::span<const std::uint8_t> program) {
@@ -91,7 +92,7 @@ TEST(Nef3, OfAnyProgramIsTheTwins) {
 }
 
 TEST(Nef3, OfAnyProgramsObeyTheLaws) {
-  expect_programs_obey_the_laws(Nef3::space(), [](std::span<const std::uint8_t> program) {
+  expect_programs_obey_the_laws(Nef3::whole(), [](std::span<const std::uint8_t> program) {
     return to_nef(*space_set_of_program(program, kMaxPlanes));
   });
 }

@@ -8,7 +8,7 @@
 
 #include "generate/space_program.h"
 #include "oracle/nef3_check.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 #include "plumb/space/space_audit.h"
 #include "plumb/space/space_measure.h"
 #include "plumb/space/space_shells.h"
@@ -45,21 +45,21 @@ TEST(Rays, MeetMarkedItemsAndBoundaries) {
   EXPECT_TRUE(solid.has_on_boundary(RationalPoint3{4, 4, Rational(1, 3)}));
   const auto wall = solid.shoot_to_boundary(middle, right);
   ASSERT_TRUE(wall.has_value());
-  EXPECT_EQ(wall->item.kind(), SpaceItem::Kind::Facet);
+  EXPECT_EQ(wall->location.item.kind(), SpaceItem::Kind::Facet);
   EXPECT_EQ(wall->point, (RationalPoint3{3, 2, 2}));
   // The wall of the void does not belong to the solid: its inside is met where it begins.
-  const auto inside = solid.shoot_to_marked(middle, right);
+  const auto inside = solid.shoot(middle, right);
   ASSERT_TRUE(inside.has_value());
-  EXPECT_EQ(inside->item.kind(), SpaceItem::Kind::Volume);
+  EXPECT_EQ(inside->location.item.kind(), SpaceItem::Kind::Volume);
   EXPECT_EQ(inside->point, (RationalPoint3{3, 2, 2}));
-  EXPECT_TRUE(solid.locate(Point3{3.5, 2, 2}).item == inside->item);
+  EXPECT_TRUE(solid.locate(Point3{3.5, 2, 2}).item == inside->location.item);
   EXPECT_FALSE(solid.shoot_to_boundary({5, 2, 2}, right).has_value());
-  EXPECT_FALSE(solid.shoot_to_marked({5, 2, 2}, right).has_value());
-  EXPECT_EQ(solid.shoot_to_marked({-7, 2, 2}, right)->point, (RationalPoint3{0, 2, 2}));
+  EXPECT_FALSE(solid.shoot({5, 2, 2}, right).has_value());
+  EXPECT_EQ(solid.shoot({-7, 2, 2}, right)->point, (RationalPoint3{0, 2, 2}));
   EXPECT_EQ(solid.shoot_to_boundary({4, 2, 2}, right)->point, (RationalPoint3{4, 2, 2}));
   EXPECT_THROW(solid.shoot_to_boundary(middle, {0, 0, 0}), Error);
   // Along an edge: the edge is entered behind its end.
-  const auto edge = solid.shoot(
+  const auto edge = solid.shoot_if(
       {-1, 0, 0}, right, [](SpaceItem item) { return item.kind() == SpaceItem::Kind::Edge; });
   ASSERT_TRUE(edge.has_value());
   EXPECT_EQ(edge->point, (RationalPoint3{0, 0, 0}));
@@ -98,7 +98,7 @@ TEST(Rays, AgreeWithPointsOnThem) {
         if (!boundary && a.has_on_boundary(at(t))) boundary = stops[i];
       }
     }
-    const auto hit = a.shoot_to_marked(p, d), wall = a.shoot_to_boundary(p, d);
+    const auto hit = a.shoot(p, d), wall = a.shoot_to_boundary(p, d);
     ASSERT_EQ(hit.has_value(), marked.has_value());
     ASSERT_EQ(wall.has_value(), boundary.has_value());
     if (hit) {
@@ -144,7 +144,8 @@ TEST(Shells, OfASolidWithVoids) {
   }
   const auto volume = [&](ShellId s, ShellSolid side) {
     const MeshOfComplex made = mesh_of_shell(shells, s, side, {}, context);
-    return marked_volume(Nef3::mesh(made.mesh, WindingRule::Positive, context).complex());
+    return marked_volume(
+        Nef3::from_mesh(made.mesh, {.rule = WindingRule::Positive}, context).complex());
   };
   EXPECT_EQ(volume(of_body[0], ShellSolid::Volume), Rational(729)) << "the outer one is the first";
   EXPECT_EQ(volume(of_body[1], ShellSolid::Other), Rational(8));
@@ -241,7 +242,7 @@ TEST(Soups, HoldEveryFacet) {
   EXPECT_EQ(soup.report.dropped.vertices, 5U) << "the point, and the corners of the square";
   MeshOptions options;
   options.surface = true;
-  const Nef3 sheets = Nef3::surface(complex_of_mesh(soup.mesh, options, context), context);
+  const Nef3 sheets = Nef3::from_facets(complex_of_mesh(soup.mesh, options, context), context);
   EXPECT_TRUE(sheets == box({0, 4}, {0, 4}, {0, 4}).boundary() + square(7));
 }
 
@@ -319,11 +320,11 @@ TEST(SelectiveBooleans, CountOthersAsUnmarked) {
     const TwoSpaceSets a{to_nef(*one), marks_of(*one, cells)};
     const TwoSpaceSets b{to_nef(*two), marks_of(*two, cells)};
     const TwoSpaceSets result{
-        combine(a.engine, selector(seed), b.engine, selector(~seed), function_of(op), context),
+        boolean_op(a.engine, selector(seed), b.engine, selector(~seed), function_of(op), context),
         combined(function_of(op), chosen(cells, a, seed), chosen(cells, b, ~seed))};
     EXPECT_EQ(difference(cells, result), "");
-    EXPECT_TRUE(combine(a.engine, {}, b.engine, {}, function_of(op), context) ==
-                combine(a.engine, b.engine, function_of(op), context));
+    EXPECT_TRUE(boolean_op(a.engine, {}, b.engine, {}, function_of(op), context) ==
+                boolean_op(a.engine, b.engine, function_of(op), context));
   }
 }
 

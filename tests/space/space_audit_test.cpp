@@ -10,9 +10,9 @@
 #include "generate/space_scenes.h"
 #include "generate/space_solids.h"
 #include "oracle/nef3_check.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/space/frame.h"
+#include "plumb/space/boolean/frame.h"
 #include "plumb/space/from_mesh.h"
 
 namespace plumb::testing {
@@ -27,8 +27,8 @@ Nef3 segment(const ExactPoint3& a, const ExactPoint3& b) {
 }
 Nef3 point(const ExactPoint3& p) { return to_nef(*space_set(PointsLeaf{{p}})); }
 
-// A cube with a sheet at one side, an antenna on top, a point missing from another side, and a point in
-// the air.
+// A cube with a sheet at one side, an antenna on top, a point missing from another side, and a
+// point in the air.
 SpaceComplex decorated_cube() {
   const Nef3 sheet = to_nef(*space_set(rectangle({2, 0, 0}, {4, 2, 0}, 2, 1)));
   return (cube() + sheet + segment({1, 1, 2}, {1, 1, 4}) + point({5, 5, 5}) - point({0, 1, 1}))
@@ -579,7 +579,8 @@ void give_hole(SpaceComplex& c, FacetId from, FacetId to) {
     u = c.use_next[u.value()];
   } while (u != hole);
 }
-/// The hole of a plate given to another one, in whose box it is: to one with a hole around it, and to one with a notch.
+/// The hole of a plate given to another one, in whose box it is: to one with a hole around it, and
+/// to one with a notch.
 TEST(SpaceAudit, FindsTheHoleThatIsNotInItsFacet) {
   const auto plate = [](int low, int high) { return solid(box({low, low, 0}, {high, high, 1})); };
   const Nef3 pierced = plate(5, 9) - plate(6, 8);
@@ -615,7 +616,7 @@ TEST(SpaceAudit, FindsEveryCornerInAFacet) {
 TEST(SpaceAudit, FindsTheTriangleThatIsTurned) {
   Context context;
   const PolygonMesh mesh = make_mesh({{0, 0, 0}, {2, 0, 1}, {0, 3, 1}}, {{0, 1, 2}});
-  const Nef3 sheet = Nef3::surface(complex_of_mesh(mesh, {.surface = true}, context), context);
+  const Nef3 sheet = Nef3::from_facets(complex_of_mesh(mesh, {.surface = true}, context), context);
   SpaceComplex c = sheet.complex();
   ASSERT_EQ(c.use_count(), 3U);
   EXPECT_FALSE(audit(c, true));
@@ -638,8 +639,10 @@ TEST(SpaceAudit, KeepsToItsLimits) {
   Context context;
   std::vector<Point2> polygon;
   for (int i = 0; i < 300; ++i) polygon.push_back({1.0 * i, 1.0 * i * i});
-  const Nef3 prism = Nef3::mesh(prism_mesh(polygon, 0, 1), WindingRule::Positive, context);
-  const Nef3 ball = Nef3::mesh(icosphere_mesh(3, 1, {0, 0, 0}), WindingRule::Positive, context);
+  const Nef3 prism =
+      Nef3::from_mesh(prism_mesh(polygon, 0, 1), {.rule = WindingRule::Positive}, context);
+  const Nef3 ball =
+      Nef3::from_mesh(icosphere_mesh(3, 1, {0, 0, 0}), {.rule = WindingRule::Positive}, context);
   Limits limits;
   limits.max_seconds = 1e-9;
   std::stop_source stop;

@@ -1,7 +1,7 @@
-// Convexity of sets of space: cases that can be argued by hand, and random sets against segments between
-// many of their points, decided on the cells of all planes (space_cells.h).
+// Convexity of sets of space: cases that can be argued by hand, and random sets against segments
+// between many of their points, decided on the cells of all planes (space_cells.h).
 
-#include "plumb/space/space_convexity.h"
+#include "plumb/space/query/space_convexity.h"
 
 #include <gtest/gtest.h>
 
@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "generate/dice.h"
 #include "generate/space_solids.h"
 #include "generate/test_share.h"
 #include "oracle/space_set.h"
 #include "plumb/space/nef3.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -52,7 +52,7 @@ Pair point(const Ints& p) { return {Nef3::point(rational(p)), space_set(PointsLe
 Pair segment(const Ints& p, const Ints& q) {
   return {Nef3::segment(rational(p), rational(q)), space_set(ChainsLeaf{{{exact(p), exact(q)}}})};
 }
-Pair everything() { return {Nef3::space(), apply(SetOperator::Complement, empty_space())}; }
+Pair everything() { return {Nef3::whole(), apply(SetOperator::Complement, empty_space())}; }
 Pair nothing() { return {Nef3::empty(), empty_space()}; }
 /// Flat where low and high agree.
 Pair box(const Ints& low, const Ints& high, bool closed = true) {
@@ -88,9 +88,9 @@ class SegmentOracle {
     }
   }
 
-  /// Does no segment between points of the set that are tried leave it? Points in each marked cell, in turn
-  /// against points in any and in one of the same line or plane (at most `limit` pairs): of many
-  /// cells, few have a segment through a gap that lies in a line.
+  /// Does no segment between points of the set that are tried leave it? Points in each marked cell,
+  /// in turn against points in any and in one of the same line or plane (at most `limit` pairs): of
+  /// many cells, few have a segment through a gap that lies in a line.
   bool is_convex(Dice& dice, std::size_t limit) const {
     if (inside_.empty()) return true;
     for (std::size_t i = 0; i < limit; ++i) {

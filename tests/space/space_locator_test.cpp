@@ -10,16 +10,16 @@
 #include <thread>
 #include <vector>
 
-#include "generate/dice.h"
 #include "generate/meshes.h"
 #include "generate/space_scenes.h"
 #include "generate/test_share.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/space/complex/space_boxes.h"
 #include "plumb/space/from_mesh.h"
-#include "plumb/space/space_boxes.h"
-#include "plumb/space/volume_grid.h"
-#include "plumb/space/volumes.h"
+#include "plumb/space/query/volume_grid.h"
+#include "plumb/space/query/volumes.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb {
 
@@ -69,7 +69,7 @@ class Brute {
     return {};
   }
 
-  std::optional<SpaceHit> shoot(const RationalPoint3& o, const RationalPoint3& d) const {
+  std::optional<SpaceItemHit> shoot(const RationalPoint3& o, const RationalPoint3& d) const {
     std::vector<Met> met;
     for (const RationalPoint3& p : points_) {
       if (is_zero(cross(d, p - o))) met.push_back({dot(p - o, d), p});
@@ -80,7 +80,7 @@ class Brute {
     if (met.empty()) return std::nullopt;
     const auto first = std::min_element(met.begin(), met.end(),
                                         [](const Met& m, const Met& n) { return m.t < n.t; });
-    return SpaceHit{on_item(first->at), first->at};
+    return SpaceItemHit{on_item(first->at), first->at};
   }
 
  private:
@@ -222,7 +222,8 @@ std::optional<Point3> as_doubles(const RationalPoint3& p) {
   return Point3{x.value, y.value, z.value};
 }
 
-void expect_equal(const std::optional<SpaceHit>& found, const std::optional<SpaceHit>& expected) {
+void expect_equal(const std::optional<SpaceItemHit>& found,
+                  const std::optional<SpaceItemHit>& expected) {
   ASSERT_EQ(found.has_value(), expected.has_value());
   if (!found) return;
   EXPECT_EQ(found->item, expected->item);
@@ -428,7 +429,8 @@ TEST(VolumeGrid, KnowsWhatIsAwayFromFacets) {
   EXPECT_FALSE(VolumeGrid({}, volume_of).volume_at({}).is_valid());
 }
 
-// A grid that was laid out in one rounding mode, asked in another: never sure of a point that an item holds.
+// A grid that was laid out in one rounding mode, asked in another: never sure of a point that an
+// item holds.
 TEST(VolumeGrid, IsSureInNoModeOfWhatAnItemHolds) {
   std::vector<Box3> boxes;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -490,8 +492,8 @@ TEST(SpaceLocator, ManyThreadsAskOne) {
   EXPECT_GT(inside, 200U);
 }
 
-// Very many plates in the way, all closer together than they are wide: if each query met all, this test would take
-// very long.
+// Very many plates in the way, all closer together than they are wide: if each query met all, this
+// test would take very long.
 TEST(SpaceLocator, MeetsFewOfManyPlates) {
   constexpr std::uint32_t kPlates = 20000;
   PolygonMesh mesh;

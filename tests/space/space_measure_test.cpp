@@ -6,13 +6,13 @@
 #include <cmath>
 #include <vector>
 
-#include "generate/dice.h"
 #include "generate/meshes.h"
 #include "generate/space_scenes.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/space_locator.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -189,7 +189,8 @@ TEST(SpaceMeasure, AffineMaps) {
 
 TEST(SpaceMeasure, KeepsToLimits) {
   Context context;
-  const Nef3 ball = Nef3::mesh(icosphere_mesh(2, 1, {0, 0, 0}), WindingRule::Positive, context);
+  const Nef3 ball =
+      Nef3::from_mesh(icosphere_mesh(2, 1, {0, 0, 0}), {.rule = WindingRule::Positive}, context);
   const SpaceComplex& c = ball.complex();
   EXPECT_EQ(marked_volume(c, context), marked_volume(c));
   Limits limits;

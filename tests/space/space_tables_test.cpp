@@ -1,5 +1,5 @@
 // Laws of tables: whatever is copied, merged or compacted answers every question as before.
-#include "plumb/space/space_tables.h"
+#include "plumb/space/complex/space_tables.h"
 
 #include <gtest/gtest.h>
 

@@ -11,14 +11,14 @@
 #include <utility>
 #include <vector>
 
-#include "generate/dice.h"
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
-#include "plumb/base/error.h"
 #include "plumb/io/nef3_writer.h"
+#include "plumb/predicates/error.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/space_audit.h"
 #include "plumb/space/to_mesh.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -33,7 +33,8 @@ Context with_threads(unsigned threads, Limits limits = {}, std::stop_token stop 
 
 // ---------------------------------------------------------------- scenes
 
-/// From a dozen faces to some thousands: on a coarse grid, so that faces of both lie in one plane, or not at all.
+/// From a dozen faces to some thousands: on a coarse grid, so that faces of both lie in one plane,
+/// or not at all.
 PolygonMesh random_solid(Dice& dice) {
   const auto coordinate = [&] { return static_cast<double>(dice.between(-4, 4)) / 8; };
   const double x = coordinate();
@@ -61,10 +62,10 @@ std::string text_of(const Nef3& set) {
 /// All that comes of two meshes: the sets, a Boolean, its triangles.
 std::string outcome(const std::array<PolygonMesh, 2>& meshes, MarkFunction f, unsigned threads) {
   Context context = with_threads(threads);
-  std::vector<Nef3> sets = Nef3::meshes(meshes, WindingRule::NonZero, context);
+  std::vector<Nef3> sets = Nef3::from_meshes(meshes, {.rule = WindingRule::NonZero}, context);
   std::ostringstream out;
   out << text_of(sets[0]) << text_of(sets[1]);
-  const Nef3 both = combine(std::move(sets[0]), std::move(sets[1]), f, context);
+  const Nef3 both = boolean_op(std::move(sets[0]), std::move(sets[1]), f, context);
   EXPECT_FALSE(audit(both.complex(), true));
   out << text_of(both) << std::hexfloat;
   const MeshOfComplex made = mesh_of_complex(both.complex(), {MeshFaces::Triangles}, context);
@@ -113,7 +114,7 @@ TEST(Threads, GiveTheErrorOfTheFirstMesh) {
     const auto error = [&](unsigned threads) {
       return error_of([&] {
         Context context = with_threads(threads);
-        Nef3::meshes(meshes, WindingRule::Positive, context);
+        Nef3::from_meshes(meshes, {.rule = WindingRule::Positive}, context);
       });
     };
     const std::string expected = error(1);
@@ -129,17 +130,18 @@ TEST(Threads, ObeyLimitsAndStops) {
                                           icosphere_mesh(4, 1, {0.5, 0.25, 0})};
   for (unsigned threads = 1; threads <= kMostThreads; ++threads) {
     Context plain = with_threads(threads);
-    const std::vector<Nef3> sets = Nef3::meshes(meshes, WindingRule::Positive, plain);
+    const std::vector<Nef3> sets =
+        Nef3::from_meshes(meshes, {.rule = WindingRule::Positive}, plain);
     Limits limits;
     limits.max_memory_bytes = 100'000;
     std::stop_source stop;
     stop.request_stop();
     for (Context context :
          {with_threads(threads, limits), with_threads(threads, {}, stop.get_token())}) {
-      EXPECT_THROW(Nef3::meshes(meshes, WindingRule::Positive, context), Error);
-      EXPECT_THROW(combine(sets[0], sets[1], kUnion, context), Error);
+      EXPECT_THROW(Nef3::from_meshes(meshes, {.rule = WindingRule::Positive}, context), Error);
+      EXPECT_THROW(boolean_op(sets[0], sets[1], kUnion, context), Error);
     }
-    EXPECT_EQ(combine(sets[0], sets[1], kUnion, plain), sets[0] + sets[1]);
+    EXPECT_EQ(boolean_op(sets[0], sets[1], kUnion, plain), sets[0] + sets[1]);
   }
 }
 

@@ -9,8 +9,8 @@
 #include "plumb/predicates/rounding.h"
 #include "plumb/space/from_mesh.h"
 #include "plumb/space/nef3.h"
+#include "plumb/space/query/volumes.h"
 #include "plumb/space/rounded_mesh.h"
-#include "plumb/space/volumes.h"
 #include "space/complex_links.h"
 
 namespace plumb::testing {
@@ -259,7 +259,8 @@ TEST(ToMesh, CoordinatesAreRoundedTheSameWithoutExactOnes) {
     const auto ball = [&](Point3 centre) {
       Context context;
       PolygonMesh mesh = icosphere_mesh(1, unit, centre);
-      return Nef3::mesh(unit < 0 ? reversed(mesh) : mesh, WindingRule::Positive, context);
+      return Nef3::from_mesh(unit < 0 ? reversed(mesh) : mesh, {.rule = WindingRule::Positive},
+                             context);
     };
     const Nef3 both = ball({0, 0, 0}) - ball({0.3 * unit, -0.2 * unit, unit / 7});
     ToMeshOptions options;
@@ -321,8 +322,8 @@ TEST(RoundedMesh, WhatBreaksIsNamed) {
 }
 
 TEST(RoundedMesh, TurnedFacesAreNamed) {
-  // a = (1/3, 1/3 + tiny) is left of the line from the origin to (1, 1) and rounds onto it; with the line's other end
-  // moved by less than rounding moves a, the face turns over.
+  // a = (1/3, 1/3 + tiny) is left of the line from the origin to (1, 1) and rounds onto it; with
+  // the line's other end moved by less than rounding moves a, the face turns over.
   const Rational third = Rational(1) / 3, tiny = Rational(1) / (Integer(1) << 70);
   PolygonMesh mesh =
       make_mesh({{0, 0, 0}, {1, 0x1.0000000000001p0, 0}, {1.0 / 3, 1.0 / 3, 0}}, {{0, 1, 2}});

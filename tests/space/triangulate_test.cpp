@@ -1,5 +1,5 @@
 // Triangles of regions: they cover each point of the region once, and leave no vertex on a side.
-#include "plumb/space/triangulate.h"
+#include "plumb/space/planar/triangulate.h"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,12 @@
 #include <map>
 #include <vector>
 
-#include "generate/dice.h"
 #include "plumb/predicates/rational_predicates.h"
 #include "plumb/predicates/segment2.h"
-#include "plumb/space/flat_points.h"
-#include "plumb/space/flat_polygon.h"
-#include "plumb/space/space_tables.h"
+#include "plumb/space/complex/space_tables.h"
+#include "plumb/space/planar/facet_triangles.h"
+#include "plumb/space/planar/flat_points.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -51,7 +51,8 @@ Region polygon(const std::vector<Point2>& points) {
   return region;
 }
 
-/// All triangles turn left and their sides cancel to the given edges: by Stokes they cover the region once.
+/// All triangles turn left and their sides cancel to the given edges: by Stokes they cover the
+/// region once.
 void expect_cover(const Region& region, const FlatPoints& flat,
                   const std::vector<IndexTriangle>& triangles) {
   std::map<IndexEdge, int> sides;
@@ -77,7 +78,8 @@ std::vector<IndexTriangle> cut(const Region& region, bool is_constructed = false
   return triangles;
 }
 
-/// Cells of a grid: holes, islands, corners that touch. Points with no edges are in the region or outside.
+/// Cells of a grid: holes, islands, corners that touch. Points with no edges are in the region or
+/// outside.
 Region random_cells(Dice& dice, int size) {
   Region region;
   // Empty ones around it.
@@ -107,7 +109,8 @@ Region random_cells(Dice& dice, int size) {
   return region;
 }
 
-// Every point of the grid is a corner where the region is, so all triangles are as small as they can be (Pick).
+// Every point of the grid is a corner where the region is, so all triangles are as small as they
+// can be (Pick).
 TEST(Triangulate, CellsOfAGrid) {
   Dice dice(1);
   for (int round = 0; round < 150; ++round) {
@@ -119,7 +122,8 @@ TEST(Triangulate, CellsOfAGrid) {
   }
 }
 
-// Slits inside, from the border, forked, upright; sides of triangles lie along both of their halves.
+// Slits inside, from the border, forked, upright; sides of triangles lie along both of their
+// halves.
 TEST(Triangulate, Slits) {
   Region region = polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}});
   region.points.insert(region.points.end(),
@@ -256,8 +260,8 @@ TEST(FlatPolygon, Shapes) {
   }
 }
 
-/// Input points and points of three planes, of small numbers and nearly parallel planes, against rationals: with their
-/// boxes and with the nearest doubles.
+/// Input points and points of three planes, of small numbers and nearly parallel planes, against
+/// rationals: with their boxes and with the nearest doubles.
 TEST(FlatPoints, TurnAndComeAsRationalsSay) {
   Dice dice(5);
   std::array<int, 3> seen{};

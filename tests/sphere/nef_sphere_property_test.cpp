@@ -42,8 +42,8 @@ TEST_P(RandomSpheres, ObeyTheLaws) {
     const NefSphere a = any_set(5);
     const NefSphere b = any_set(4);
     const NefSphere c = any_set(3);
-    expect_laws(a, b, c, NefSphere::sphere());
-    EXPECT_TRUE((a + !a).is_sphere());
+    expect_laws(a, b, c, NefSphere::whole());
+    EXPECT_TRUE((a + !a).is_whole());
   }
 }
 
@@ -56,7 +56,7 @@ SphereSelector selector(std::uint64_t seed) {
 
 // The set with the marks of accepted items alone.
 NefSphere selected(const NefSphere& set, std::uint64_t seed) {
-  SphereItemMarks marks = set.marks();
+  SphereMarks marks = set.marks();
   for (std::uint32_t i = 0; i < marks.point.size(); ++i) {
     if (!accepts(i, seed)) marks.point[i] = 0;
   }
@@ -74,9 +74,10 @@ TEST_P(RandomSpheres, CombineSelectively) {
     const NefSphere& a = sets[0];
     const NefSphere& b = sets[1];
     Context context;
-    EXPECT_TRUE(combine(a, selector(round), b, selector(round + 5), kUnion, context) ==
+    EXPECT_TRUE(boolean_op(a, selector(round), b, selector(round + 5), kUnion, context) ==
                 selected(a, round) + selected(b, round + 5));
-    EXPECT_TRUE(combine(a, {}, b, selector(round), kDifference, context) == a - selected(b, round));
+    EXPECT_TRUE(boolean_op(a, {}, b, selector(round), kDifference, context) ==
+                a - selected(b, round));
   }
 }
 
@@ -114,7 +115,7 @@ std::vector<SphereVector> telling_directions(const NefSphere& set, Dice& dice) {
 
 bool is_same_hit(const std::optional<SphereHit>& a, const std::optional<SphereHit>& b) {
   if (!a || !b) return !a && !b;
-  return a->on == b->on && is_same_direction(a->direction, b->direction);
+  return a->location == b->location && is_same_direction(a->point, b->point);
 }
 
 // One by one NefSphere looks at all of the map.

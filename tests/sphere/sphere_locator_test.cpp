@@ -1,4 +1,5 @@
-// The locator of sets of the sphere against their own location and shooting, which look at everything.
+// The locator of sets of the sphere against their own location and shooting, which look at
+// everything.
 #include "plumb/sphere/sphere_locator.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 
 #include "generate/sphere_families.h"
 #include "generate/sphere_program.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 #include "plumb/sphere/nef_sphere.h"
 
 namespace plumb::testing {
@@ -31,8 +32,8 @@ void expect_located_alike(const NefSphere& set, const std::vector<SphereVector>&
                                 const std::optional<SphereHit>& b) {
       ASSERT_EQ(a.has_value(), b.has_value()) << i;
       if (!a) return;
-      EXPECT_EQ(a->on, b->on) << i;
-      EXPECT_TRUE(is_same_direction(a->direction, b->direction)) << i;
+      EXPECT_EQ(a->location, b->location) << i;
+      EXPECT_TRUE(is_same_direction(a->point, b->point)) << i;
     };
     expect_hit(locator.shoot(u, v), set.shoot(u, v));
     expect_hit(locator.shoot_to_boundary(u, v), set.shoot_to_boundary(u, v));
@@ -49,7 +50,7 @@ TEST(SphereLocator, TakesSetsOfFewThings) {
   const NefSphere points = NefSphere::points(std::vector{kX, kZ.opposite(), SphereVector{1, 1, 1}});
   const NefSphere loop = NefSphere::circle({1, 2, 0});
   expect_located_alike(NefSphere::empty(), directions);
-  expect_located_alike(NefSphere::sphere(), directions);
+  expect_located_alike(NefSphere::whole(), directions);
   expect_located_alike(points, directions);
   expect_located_alike(!points, directions);
   expect_located_alike(loop, directions);

@@ -1,13 +1,13 @@
 // Overlays of sphere maps against the cells of all their circles.
-#include "plumb/sphere/sphere_overlay.h"
+#include "plumb/sphere/overlay/sphere_overlay.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "generate/dice.h"
 #include "generate/test_share.h"
 #include "oracle/sphere_check.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -65,10 +65,10 @@ class Family {
     return result;
   }
 
-  Twins combine(const Twins& a, const Twins& b, MarkFunction f) {
+  Twins boolean_op(const Twins& a, const Twins& b, MarkFunction f) {
     Twins result;
     SphereOrigins origins;
-    overlay_.combine(a.map, b.map, MarkTable(f), result.map, origins);
+    overlay_.boolean_op(a.map, b.map, MarkTable(f), result.map, origins);
     for (std::size_t c = 0; c < cells_.size(); ++c) {
       result.marks.push_back(f(a.marks[c], b.marks[c]));
     }
@@ -83,7 +83,7 @@ class Family {
     const std::size_t left = 1 + dice_.below(leaves - 1);
     const Twins a = any_set(left);
     const Twins b = any_set(leaves - left);
-    return combine(a, b, function_of(dice_.below(16)));
+    return boolean_op(a, b, function_of(dice_.below(16)));
   }
 
  private:
@@ -159,8 +159,8 @@ TEST(SphereOverlay, OfMoreCirclesIsTheTwins) {
   }
 }
 
-/// Circles through two opposite points make lunes, of which some are joined; then a circle that crosses them, or one more of
-/// theirs, on either side.
+/// Circles through two opposite points make lunes, of which some are joined; then a circle that
+/// crosses them, or one more of theirs, on either side.
 TEST(SphereOverlay, OfLunesAndACircleIsTheTwins) {
   std::map<std::size_t, int> seen;  // per number of half-circles
   for (std::uint64_t seed = 0; seed < 200 && !HasFailure(); ++seed) {
@@ -185,14 +185,14 @@ TEST(SphereOverlay, OfLunesAndACircleIsTheTwins) {
     Twins lunes = family.any_of_circle(normals[0]);
     for (std::size_t leaves = 1 + dice.below(6); leaves > 0; --leaves) {
       const Twins other = family.any_of_circle(normals[dice.below(normals.size() - 1)]);
-      lunes = family.combine(lunes, other, function_of(dice.below(16)));
+      lunes = family.boolean_op(lunes, other, function_of(dice.below(16)));
     }
     const Twins half = family.any_of_circle(across);
     ++seen[lunes.map.point_count() == 2 ? lunes.map.arc_count() : 0];
     for (int i = 0; i < 2; ++i) {
       const MarkFunction f = function_of(dice.below(16));
-      family.combine(lunes, half, f);
-      family.combine(half, lunes, f);
+      family.boolean_op(lunes, half, f);
+      family.boolean_op(half, lunes, f);
     }
   }
   for (const std::size_t arcs : {1U, 2U, 3U, 4U}) EXPECT_GT(seen[arcs], 4) << arcs;

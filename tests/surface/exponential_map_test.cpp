@@ -1,4 +1,5 @@
-// Straight lines from a point of a mesh: on flat meshes a similarity, elsewhere as long as they are said to be.
+// Straight lines from a point of a mesh: on flat meshes a similarity, elsewhere as long as they are
+// said to be.
 
 #include "plumb/surface/exponential_map.h"
 
@@ -10,12 +11,12 @@
 #include <numbers>
 #include <vector>
 
-#include "generate/dice.h"
 #include "generate/surface_meshes.h"
-#include "plumb/base/degrees.h"
-#include "plumb/base/error.h"
+#include "plumb/base/internal/degrees.h"
+#include "plumb/predicates/error.h"
 #include "plumb/surface/surface.h"
 #include "plumb/surface/trace.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -165,8 +166,8 @@ constexpr std::array<std::array<int, 2>, 16> kDirections{{{1, 0},
                                                           {3, 2},
                                                           {-2, 3}}};
 
-/// Lines that start on sides of the mesh and run along them, lines that do so behind a vertex, and others: rounding
-/// decides which faces they go through, but not where they end.
+/// Lines that start on sides of the mesh and run along them, lines that do so behind a vertex, and
+/// others: rounding decides which faces they go through, but not where they end.
 TEST(ExponentialMap, RotatedFlatMeshesAreMappedBySimilarities) {
   constexpr std::uint32_t kSide = 14;
   Dice dice(2941);
@@ -226,7 +227,8 @@ TEST(ExponentialMap, WhatMeetsVerticesAndEdgesIsThere) {
   EXPECT_TRUE(fan.points.is_same(*fan.at(0, 0), fan.centre));
 }
 
-/// Faces 0 and 1 of the square, the second listed the other way round: its first side is still the axis.
+/// Faces 0 and 1 of the square, the second listed the other way round: its first side is still the
+/// axis.
 TEST(ExponentialMap, TheAxisIsThatOfTheModel) {
   const std::vector<Point3> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   Fan fan(SurfaceMesh(corners,
@@ -241,7 +243,8 @@ TEST(ExponentialMap, TheAxisIsThatOfTheModel) {
   EXPECT_LT(distance(to, {from.x + .25, from.y + .125, 0}), 1e-15);
 }
 
-/// Five triangles around a vertex: what comes to it along the bisector of one leaves along the edge opposite.
+/// Five triangles around a vertex: what comes to it along the bisector of one leaves along the edge
+/// opposite.
 TEST(ExponentialMap, VerticesArePassedWithEqualAngles) {
   const SurfaceMesh ball = sphere_surface(0);
   const double side =

@@ -9,7 +9,7 @@
 
 #include "divided.h"
 #include "generate/counted_memory.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 #include "plumb/space/nef3.h"
 
 namespace plumb::testing {
@@ -79,7 +79,7 @@ TEST(SurfaceArrays, of_nothing_are_nothing) {
 TEST(SurfaceArrays, are_a_solid_that_contains_what_the_surface_bounds) {
   Context context;
   const SurfaceMesh mesh = surface_of(mesh_of_triangles(kCorners, kTriangles));
-  const Nef3 solid = Nef3::mesh(view_of(mesh), WindingRule::Positive, context);
+  const Nef3 solid = Nef3::from_mesh(view_of(mesh), {.rule = WindingRule::Positive}, context);
   EXPECT_TRUE(solid.contains(Point3{0.125, 0.125, 0.125}));
   EXPECT_FALSE(solid.contains(Point3{0.5, 0.5, 0.5}));
 }
@@ -98,8 +98,8 @@ TEST(SurfaceArrays, of_a_divided_surface_bound_the_same_solid) {
   const SurfaceTriangulation triangles = triangulate_surface(division, context);
   const MeshView view = view_of(triangles);
   EXPECT_GT(view.face_count(), 4U);
-  EXPECT_EQ(Nef3::mesh(view, WindingRule::Positive, context),
-            Nef3::mesh(view_of(*mesh), WindingRule::Positive, context));
+  EXPECT_EQ(Nef3::from_mesh(view, {.rule = WindingRule::Positive}, context),
+            Nef3::from_mesh(view_of(*mesh), {.rule = WindingRule::Positive}, context));
 }
 
 TEST(SurfaceArrays, refuse_what_is_no_surface) {

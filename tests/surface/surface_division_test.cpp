@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "divided.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb::testing {
 namespace {
@@ -402,7 +402,8 @@ TEST(SurfaceDivision, OutsideIsWhereItIsSaid) {
   expect_answers(d, {{"A", 20, 1}, {"B", 32, 1}}, WindingRule::NonZero);
 }
 
-// Borders of regions that end at the mesh border follow it; those that are nothing else are no loops.
+// Borders of regions that end at the mesh border follow it; those that are nothing else are no
+// loops.
 TEST(SurfaceDivision, RegionsAtTheMeshBorder) {
   SurfaceDrawing s(grid_mesh(6, 6, 3));
   s.add_box({0, 1}, {3, 4});

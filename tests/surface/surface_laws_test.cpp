@@ -8,9 +8,9 @@
 #include <string>
 
 #include "divided.h"
-#include "generate/dice.h"
-#include "plumb/base/error.h"
-#include "plumb/surface/surface_arrangement.h"
+#include "plumb/predicates/error.h"
+#include "plumb/surface/cells/surface_arrangement.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -202,8 +202,8 @@ TEST(SurfaceDivision, SetsObeyTheirLaws) {
       const double sum = select("A", rule).area + select("B", rule).area;
       const double parts = select("A + B", rule).area + select("A * B", rule).area;
       RC_ASSERT(std::fabs(sum - parts) <= 1e-9 * (1 + sum));
-      // A region and its complement have the same border, run through the other way; along the mesh border
-      // they have different ones.
+      // A region and its complement have the same border, run through the other way; along the mesh
+      // border they have different ones.
       const SurfaceResult in = d.evaluate(parse_set_expression("A - B"), rule);
       const SurfaceResult out = d.evaluate(parse_set_expression("!(A - B)"), rule);
       if (number % 3 == 0) RC_ASSERT(in.borders.point.size() == out.borders.point.size());
@@ -211,7 +211,8 @@ TEST(SurfaceDivision, SetsObeyTheirLaws) {
   }));
 }
 
-// The walk of a surface, pushed off its vertices: through edge points around each vertex. In general position.
+// The walk of a surface, pushed off its vertices: through edge points around each vertex. In
+// general position.
 TEST(SurfaceDivision, CellsOfASphereFollowFromCrossings) {
   EXPECT_TRUE(rc::check("cells of a sphere", [](std::uint8_t n, const Walks& walks) {
     SurfaceDrawing s(sphere_mesh(2 + n % 3U));

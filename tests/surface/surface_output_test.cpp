@@ -1,4 +1,5 @@
-// What is made of divided surfaces: triangles for output, and loops that repair what does not separate.
+// What is made of divided surfaces: triangles for output, and loops that repair what does not
+// separate.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,15 +7,15 @@
 #include <numeric>
 #include <stop_token>
 
-#include "generate/dice.h"
 #include "generate/surface_scenes.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 #include "plumb/predicates/rational_predicates.h"
 #include "plumb/predicates/rounding.h"
-#include "plumb/surface/surface_arrangement.h"
+#include "plumb/surface/cells/surface_arrangement.h"
 #include "plumb/surface/surface_audit.h"
 #include "plumb/surface/surface_homology.h"
 #include "plumb/surface/triangulation.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -62,7 +63,8 @@ void expect_triangulation(const SurfaceDivision& d, const SurfaceTriangulation& 
   }
 }
 
-/// Within faces no corner across an edge without polygon lies inside a circle. Exact, for flat meshes.
+/// Within faces no corner across an edge without polygon lies inside a circle. Exact, for flat
+/// meshes.
 void expect_delaunay(const SurfaceDivision& d, const SurfaceTriangulation& t) {
   const SurfacePointTable& points = d.scene().polygons.points;
   const auto place = [&](std::uint32_t p, FaceId f) {
@@ -135,7 +137,8 @@ TEST(SurfaceTriangulation, WithIslandsAndHoles) {
 // ---------------------------------------------------------------- homology
 
 std::vector<std::uint32_t> loop_on(const SurfaceMesh& mesh, Dice& dice, const SurfaceHomology& h) {
-  // A generator, with a detour around a random vertex of the mesh that it may or may not run through.
+  // A generator, with a detour around a random vertex of the mesh that it may or may not run
+  // through.
   std::vector<std::uint32_t> loop;
   for (const VertexId v : h.generator(dice.below(h.generator_count()))) loop.push_back(v.value());
   const std::size_t at = dice.below(loop.size());

@@ -1,4 +1,5 @@
-// Divided surfaces against engine/plane, on flat meshes: random polygons in all degenerate positions.
+// Divided surfaces against engine/plane, on flat meshes: random polygons in all degenerate
+// positions.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -7,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "generate/dice.h"
 #include "generate/surface_program.h"
 #include "oracle/surface_oracle.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -23,13 +24,15 @@ std::string to_text(const FlatScene& scene) {
   return text;
 }
 
-/// What RapidCheck makes and shrinks: corners of polygons, in steps of the grid; small ones, when it is done.
+/// What RapidCheck makes and shrinks: corners of polygons, in steps of the grid; small ones, when
+/// it is done.
 using Corner = std::pair<std::uint16_t, std::uint16_t>;
 using Outlines = std::vector<std::vector<Corner>>;
 constexpr std::size_t kMostPolygons = 4;
 constexpr std::size_t kMostCorners = 7;
 
-/// Corners on a grid of `unit` steps a square; with one step all lie on vertices. Any outlines are a scene.
+/// Corners on a grid of `unit` steps a square; with one step all lie on vertices. Any outlines are
+/// a scene.
 FlatScene scene_of(std::uint32_t columns, std::uint32_t rows, std::uint32_t unit,
                    const Outlines& outlines) {
   FlatScene scene{columns, rows, {}};

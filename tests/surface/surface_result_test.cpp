@@ -1,6 +1,5 @@
-// Results of Booleans are input again: the same set, whatever the mesh, the expression and the rule.
-#include "plumb/surface/surface_result.h"
-
+// Results of Booleans are input again: the same set, whatever the mesh, the expression and the
+// rule.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -13,12 +12,13 @@
 #include <vector>
 
 #include "divided.h"
-#include "generate/dice.h"
-#include "plumb/base/error.h"
+#include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
-#include "plumb/surface/surface_arrangement.h"
-#include "plumb/surface/surface_cells.h"
-#include "plumb/surface/surface_labels.h"
+#include "plumb/surface/cells/surface_arrangement.h"
+#include "plumb/surface/cells/surface_cells.h"
+#include "plumb/surface/cells/surface_labels.h"
+#include "plumb/surface/surface.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -146,7 +146,8 @@ TEST(SurfaceResult, NoShapesAreNone) {
 
 // ---------------------------------------------------------------- certificates
 
-// Around the handle one way the labels miss by 2, around the other by 1: only that proves it modulo 2.
+// Around the handle one way the labels miss by 2, around the other by 1: only that proves it modulo
+// 2.
 TEST(SurfaceSeparation, CyclesProveWhatIsSaid) {
   std::size_t odd = 0;
   for (std::uint64_t seed = 0; seed < 40 && !HasFailure(); ++seed) {
@@ -265,7 +266,8 @@ TEST(SurfaceDivision, ManyIslandsAboveEachOther) {
   EXPECT_THROW(SurfaceDivision(s.scene, hasty), Error);
 }
 
-// Islands within islands in one face, too many to look at one by one: nested as in the plane, where areas tell.
+// Islands within islands in one face, too many to look at one by one: nested as in the plane, where
+// areas tell.
 TEST(SurfaceDivision, ManyNestedIslands) {
   SurfaceDrawing s(grid_mesh(1, 1));
   constexpr int kDeep = 30;
@@ -286,7 +288,8 @@ TEST(SurfaceDivision, ManyNestedIslands) {
   }
 }
 
-// A long shape list over one edge, runs along an edge that many polygons share: small scenes, large tables.
+// A long shape list over one edge, runs along an edge that many polygons share: small scenes, large
+// tables.
 TEST(SurfaceDivision, ChargesWhatGrowsFaster) {
   Limits limits;
   limits.max_memory_bytes = 4U << 20;

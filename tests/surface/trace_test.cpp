@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "generate/dice.h"
 #include "generate/surface_meshes.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 namespace {
@@ -300,8 +300,8 @@ TEST(trace, the_same_point_given_in_another_face) {
 
 // ---------------------------------------------------------------- lengths
 
-/// At each inner vertex of a locally shortest path there is half a turn or more on both sides, so nothing
-/// near it is shorter; compared here with the closed form.
+/// At each inner vertex of a locally shortest path there is half a turn or more on both sides, so
+/// nothing near it is shorter; compared here with the closed form.
 TEST(trace, great_circles_on_a_sphere) {
   Drawing d(sphere_surface(5));
   Dice dice(3);

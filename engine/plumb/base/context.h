@@ -1,0 +1,96 @@
+// Context: the limits, the stop request and the progress callback of a long operation.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string_view>
+#include <vector>
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// Bounds on the resources of an operation. Readers check a size that a file claims against the
+/// limits and against the bytes that are left in the file *before* they allocate memory or build a
+/// number.
+struct Limits {
+  std::uint64_t max_memory_bytes = std::uint64_t{16} << 30;  ///< Working memory, estimated.
+  double max_seconds = 0;                                    ///< Wall time; 0 means no limit.
+  std::uint32_t max_number_digits = 4096;                    ///< Digits of one number in a file.
+  std::uint32_t max_decimal_exponent = 4096;                 ///< Largest exact |exponent|.
+};
+
+/// Callback that receives the name of a phase and how many of its `total` steps are done. A total
+/// of 0 means that the number of steps is unknown.
+using ProgressCallback =
+    std::function<void(std::string_view phase, std::uint64_t done, std::uint64_t total)>;
+
+/// The state that a long operation shares with its caller; it is passed by reference. A Context is
+/// not thread-safe: each operation, and each parallel job within it (parallel.h), has its own.
+class Context {
+ public:
+  /// Makes a context; the time limit counts from here. `progress` is called on the thread that runs
+  /// the operation. `threads` is the number of threads that an operation may use; 0 means 1.
+  explicit Context(Limits limits = {}, std::stop_token stop = {}, ProgressCallback progress = {},
+                   unsigned threads = 1);
+  /// Makes the context of a job within the operation of `of`. The job shares the limits, the start
+  /// time and the charged memory of `of`. It stops if either `of` or `stop` is stopped, and it
+  /// reports progress only if `reports` is true.
+  Context(const Context& of, std::stop_token stop, unsigned threads, bool reports);
+
+  const Limits& limits() const { return limits_; }  ///< Returns the limits.
+  unsigned threads() const { return threads_; }     ///< Returns the number of threads, at least 1.
+
+  /// Reports progress and checks for a stop; an operation calls it every few thousand steps. Throws
+  /// Error{Cancelled} if a stop was requested, and Error{ResourceLimit} if the time is used up. The
+  /// callback is called at most 20 times a second, and at the end of a phase (done == total > 0).
+  void checkpoint(std::string_view phase, std::uint64_t done, std::uint64_t total);
+
+  /// Charges memory that is about to be allocated. Throws Error{ResourceLimit}, and charges
+  /// nothing, if `bytes` more would exceed the memory limit; the message names `what`.
+  void charge_memory(std::uint64_t bytes, std::string_view what);
+  /// Releases charged memory. Releases no more than what is charged.
+  void release_memory(std::uint64_t bytes);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Limits limits_;
+  std::vector<std::stop_token> stops_;  // Of the operation and of the jobs that contain this one.
+  ProgressCallback progress_;
+  unsigned threads_;
+  std::shared_ptr<std::atomic<std::uint64_t>> charged_bytes_;
+  Clock::time_point start_;
+  Clock::time_point last_report_;
+};
+
+/// Returns a context of the calling thread that has no limits and cannot be stopped or watched.
+/// Functions use it if their caller passes no context. It is valid until the thread ends.
+Context& unlimited_context();
+
+/// Charges memory to a context as it grows and releases all of it on destruction.
+class MemoryCharge {
+ public:
+  /// Makes a charge of 0 bytes. Requires that the context outlives it.
+  explicit MemoryCharge(Context& context) : context_(context) {}
+  ~MemoryCharge() { context_.release_memory(bytes_); }
+  MemoryCharge(const MemoryCharge&) = delete;
+  MemoryCharge& operator=(const MemoryCharge&) = delete;
+
+  /// Charges `bytes` more bytes. Throws as Context::charge_memory does.
+  void add(std::uint64_t bytes, std::string_view what) {
+    context_.charge_memory(bytes, what);
+    bytes_ += bytes;
+  }
+
+ private:
+  Context& context_;
+  std::uint64_t bytes_ = 0;
+};
+
+}  // namespace plumb
+#pragma GCC visibility pop

@@ -1,0 +1,28 @@
+// Ids of the cells of planar maps and of complexes in space.
+#pragma once
+
+#include <cstdint>
+
+#include "plumb/predicates/strong_id.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// A point where edges end, or an isolated vertex in a facet, face or volume.
+using VertexId = StrongId<struct VertexTag>;
+using HalfedgeId = StrongId<struct HalfedgeTag>;  ///< An edge in one of its two directions.
+using EdgeId = StrongId<struct EdgeTag>;          ///< An undirected edge, half-edges 2e and 2e+1.
+using LoopId = StrongId<struct LoopTag>;          ///< A boundary cycle of a face.
+using FaceId = StrongId<struct FaceTag>;          ///< A region of a planar, sphere or surface map.
+using CycleId = StrongId<struct CycleTag>;        ///< A cycle as listed in the input.
+using SegmentId = StrongId<struct SegmentTag>;    ///< An input curve of an arrangement.
+
+// Complexes in space (space_complex.h) use the ids above for vertices, edges and half-edges. An
+// edge use is one occurrence of an edge on the boundary of a facet (K. Weiler, The radial edge
+// structure, in: Geometric Modeling for CAD Applications, North-Holland, 1988).
+using UseId = StrongId<struct UseTag>;        ///< An edge use: an edge on the boundary of a facet.
+using FacetId = StrongId<struct FacetTag>;    ///< A connected part of a plane.
+using VolumeId = StrongId<struct VolumeTag>;  ///< A connected part of space without the facets.
+
+}  // namespace plumb
+#pragma GCC visibility pop

@@ -1,0 +1,32 @@
+// Directions given in degrees.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "plumb/predicates/point.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// (cos, sin) of an angle; of quarter turns exactly. Requires a finite one.
+inline Point2 unit_vector(double degrees) {
+  constexpr double kQuarter = 90;
+  const double rest = std::remainder(degrees, 4 * kQuarter);  // exact
+  const double quarters = std::nearbyint(rest / kQuarter);
+  const double angle = (rest - quarters * kQuarter) * (std::numbers::pi / (2 * kQuarter));
+  const double c = std::cos(angle), s = std::sin(angle);
+  switch (static_cast<int>(quarters)) {
+    case 0:
+      return {c, s};
+    case 1:
+      return {-s, c};
+    case -1:
+      return {s, -c};
+    default:
+      return {-c, -s};
+  }
+}
+
+}  // namespace plumb
+#pragma GCC visibility pop

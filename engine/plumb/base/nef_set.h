@@ -1,0 +1,116 @@
+// The grammar that the sets of plane, sphere and space share, stated as concepts.
+//
+// Nef2, NefSphere and Nef3 answer the same question under the same name, with the same order of
+// arguments and the same shape of answer. Code written against NefSet works for all three;
+// tests/base/nef_set_test.cpp instantiates it for each of them.
+//
+// What differs is what a set consists of: points of the plane, directions, points of space. The
+// types that depend on it are members of the set: Point, Complex, Marks, Counts, Location, Hit,
+// Selector, Flaw.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "plumb/base/context.h"
+#include "plumb/base/marks.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// A set that is closed under Boolean operations and topological operators, with a minimal complex
+/// that represents it.
+template <class Set>
+concept NefSet = std::regular<Set> &&
+    requires(const Set& a, const Set& b, const typename Set::Point& p,
+             const typename Set::Selector& selector, typename Set::Complex complex,
+             typename Set::Marks marks, std::span<const Set> sets, MarkFunction f,
+             Context& context) {
+  // Sets to start from.
+  { Set::empty() } -> std::same_as<Set>;
+  { Set::whole() } -> std::same_as<Set>;
+  { Set::point(p) } -> std::same_as<Set>;
+  { Set::from_complex(complex, context) } -> std::same_as<Set>;
+  { Set::from_minimal_unchecked(complex) } -> std::same_as<Set>;
+  { a.with_marks(marks, context) } -> std::same_as<Set>;
+
+  // Reading.
+  { a.complex() } -> std::same_as<const typename Set::Complex&>;
+  { a.marks() } -> std::same_as<typename Set::Marks>;
+  { a.counts() } -> std::same_as<typename Set::Counts>;
+  { a.bytes() } -> std::same_as<std::size_t>;
+  { a.is_empty() } -> std::same_as<bool>;
+  { a.is_whole() } -> std::same_as<bool>;
+  { a.is_closed() } -> std::same_as<bool>;
+  { a.is_open() } -> std::same_as<bool>;
+  { a.is_subset_of(b, context) } -> std::same_as<bool>;
+  { a.contains(p, context) } -> std::same_as<bool>;
+  { a.locate(p, context) } -> std::same_as<typename Set::Location>;
+  { a.locate(p, context).marked } -> std::convertible_to<bool>;
+  { a.has_on_boundary(p, context) } -> std::same_as<bool>;
+  { a.shoot(p, p, context) } -> std::same_as<std::optional<typename Set::Hit>>;
+  { a.shoot_to_boundary(p, p, context) } -> std::same_as<std::optional<typename Set::Hit>>;
+  { a.shoot(p, p, context)->location } -> std::convertible_to<typename Set::Location>;
+  { a.shoot(p, p, context)->point } -> std::convertible_to<typename Set::Point>;
+  { a.audit(context) } -> std::same_as<std::optional<typename Set::Flaw>>;
+
+  // Operations of one set.
+  { a.complement(context) } -> std::same_as<Set>;
+  { a.interior(context) } -> std::same_as<Set>;
+  { a.closure(context) } -> std::same_as<Set>;
+  { a.boundary(context) } -> std::same_as<Set>;
+  { a.exterior(context) } -> std::same_as<Set>;
+  { a.regularization(context) } -> std::same_as<Set>;
+  { !a } -> std::same_as<Set>;
+
+  // Operations of two and more sets.
+  { a + b } -> std::same_as<Set>;
+  { a* b } -> std::same_as<Set>;
+  { a - b } -> std::same_as<Set>;
+  { a ^ b } -> std::same_as<Set>;
+  { boolean_op(a, b, f, context) } -> std::same_as<Set>;
+  { boolean_op(a, selector, b, selector, f, context) } -> std::same_as<Set>;
+  { union_of(sets, context) } -> std::same_as<Set>;
+  { intersection_of(sets, context) } -> std::same_as<Set>;
+};
+
+/// A NefSet with an exact measure: area or volume. (The solid angle of a set of the sphere is no
+/// rational number.)
+template <class Set>
+concept MeasurableNefSet = NefSet<Set> && requires(const Set& a, Context& context) {
+  { a.measure(context)->sign() } -> std::convertible_to<int>;
+  { a.is_bounded() } -> std::same_as<bool>;
+};
+
+/// Returns the closure of the interior of the union: what users of meshes and polygons mean by it.
+/// No isolated points, slits or dangling parts remain, and the result is closed.
+template <NefSet Set>
+[[nodiscard]] Set regularized_union(const Set& a, const Set& b,
+                                    Context& context = unlimited_context()) {
+  return boolean_op(a, b, kUnion, context).regularization(context);
+}
+/// Returns the closure of the interior of the intersection. Sets that only touch have the empty
+/// one.
+template <NefSet Set>
+[[nodiscard]] Set regularized_intersection(const Set& a, const Set& b,
+                                           Context& context = unlimited_context()) {
+  return boolean_op(a, b, kIntersection, context).regularization(context);
+}
+/// Returns the closure of the interior of a without b: a closed set, which keeps the boundary that
+/// it shares with b.
+template <NefSet Set>
+[[nodiscard]] Set regularized_difference(const Set& a, const Set& b,
+                                         Context& context = unlimited_context()) {
+  return boolean_op(a, b, kDifference, context).regularization(context);
+}
+/// Returns the closure of the interior of the points that belong to exactly one of the sets.
+template <NefSet Set>
+[[nodiscard]] Set regularized_symmetric_difference(const Set& a, const Set& b,
+                                                   Context& context = unlimited_context()) {
+  return boolean_op(a, b, kSymmetricDifference, context).regularization(context);
+}
+
+}  // namespace plumb
+#pragma GCC visibility pop

@@ -1,0 +1,15 @@
+// The version of the library, by the rules of semantic versioning (https://semver.org). Below 1.0 a
+// new minor version may be incompatible.
+#pragma once
+
+/// Major version; a new one may be incompatible.
+#define PLUMB_VERSION_MAJOR 0
+/// Minor version; a new one adds features and, below 1.0, may be incompatible.
+#define PLUMB_VERSION_MINOR 1
+/// Patch version; a new one corrects errors.
+#define PLUMB_VERSION_PATCH 0
+/// The version as text.
+#define PLUMB_VERSION_STRING "0.1.0"
+/// The version as one number for comparisons: PLUMB_VERSION_NUMBER >= 10200 means 1.2.0 or later.
+#define PLUMB_VERSION_NUMBER \
+  (PLUMB_VERSION_MAJOR * 10000 + PLUMB_VERSION_MINOR * 100 + PLUMB_VERSION_PATCH)

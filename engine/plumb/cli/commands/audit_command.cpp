@@ -1,0 +1,125 @@
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "plumb/cli/files/operands.h"
+#include "plumb/cli/session/command.h"
+#include "plumb/cli/session/progress.h"
+#include "plumb/io/map_io.h"
+#include "plumb/io/map_report_io.h"
+#include "plumb/io/nef3_reader.h"
+#include "plumb/io/plane/nef2_format.h"
+#include "plumb/io/plane_io.h"
+#include "plumb/io/solid_io.h"
+#include "plumb/io/text/files.h"
+#include "plumb/plane/complex/plane_records.h"
+#include "plumb/plane/map_check.h"
+#include "plumb/plane/plane_audit.h"
+#include "plumb/predicates/error.h"
+#include "plumb/space/space_audit.h"
+
+namespace plumb::cli {
+namespace {
+
+using Flaw = std::optional<DcelFlaw>;
+
+Flaw audit_nef3(const std::string& text, const ReadOptions& options, Context& context) {
+  const auto flaw = audit(read_nef3(text, options, context), true, context);
+  if (!flaw) return std::nullopt;
+  return DcelFlaw{flaw->invariant, flaw->place};
+}
+
+/// A mesh as the set it describes.
+Flaw audit_mesh(const std::string& path, const std::string& bytes, const ReadOptions& options,
+                Context& context) {
+  SolidReadOptions solid;
+  solid.exact_decimals = options.exact_decimals;
+  const auto flaw = audit(read_solid(path, bytes, solid, context).set.complex(), true, context);
+  if (!flaw) return std::nullopt;
+  return DcelFlaw{flaw->invariant, flaw->place};
+}
+
+/// The records as they stand in the file, not what a reader would accept.
+Flaw audit_nef2(const std::string& text, const ReadOptions& options, Context& context) {
+  const PlaneRecords records = read_nef2_records(text, options, context);
+  try {
+    return audit(from_records(records, context), true, context);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::BadArgument) throw;
+    return DcelFlaw{error.message(), ""};
+  }
+}
+
+Flaw audit_map(const std::string& text, const ReadOptions& options, Session& session) {
+  session.expect({reading_map(), checking_map(), auditing_map(), writing()});
+  session.begin("read");
+  Map map = read_map(text, options, session.context());
+  session.begin("check");
+  const MapReport report = check_map(std::move(map), {}, session.context());
+  if (report.verdict != MapVerdict::Valid) {
+    return DcelFlaw{std::string(headline(report.verdict)), report.defects.front().hint};
+  }
+  session.begin("audit");
+  const Dcel dcel = to_dcel(report).dcel;
+  Flaw flaw = dcel.audit();
+  return flaw ? flaw : dcel.audit_planar();
+}
+
+Flaw audit_text(const std::string& path, const std::string& text, const ReadOptions& options,
+                Session& session) {
+  const FileKind kind = kind_of_file(path, text);
+  if (kind == FileKind::Map) return audit_map(text, options, session);
+  session.expect({kind == FileKind::Solid ? auditing_solid() : auditing_plane(), writing()});
+  session.begin("audit");
+  Context& context = session.context();
+  if (kind == FileKind::Solid) {
+    return is_nef_file(path, text) ? audit_nef3(text, options, context)
+                                   : audit_mesh(path, text, options, context);
+  }
+  const PlaneFormat format = plane_format_of(path).value_or(guess_plane_format(text));
+  if (format == PlaneFormat::Nef2) return audit_nef2(text, options, context);
+  return audit(read_plane_set(text, format, options, context).complex(), true, context);
+}
+
+void write_flaw(std::ostream& out, const Flaw& flaw) {
+  if (!flaw) {
+    out << "ok: every invariant holds\n";
+    return;
+  }
+  out << "broken: " << flaw->invariant << (flaw->place.empty() ? "" : ": ") << flaw->place << '\n';
+}
+
+nlohmann::ordered_json flaw_json(const Flaw& flaw) {
+  if (!flaw) return {{"ok", true}, {"broken", nullptr}, {"place", nullptr}};
+  return {{"ok", false}, {"broken", flaw->invariant}, {"place", flaw->place}};
+}
+
+class Audit : public CommandBody {
+ public:
+  void declare(CLI::App& app) override {
+    app.add_option("FILE", file_, "A set (.nef, .nef2, .off, .wkt ...) or a .map; - is stdin")
+        ->required()
+        ->type_name("");
+  }
+
+  ExitCode run(Session& session) override {
+    const ReadOptions options{input_name(file_), session.options().exact_decimals};
+    const std::string text = read_input(file_, session.context());
+    return answer(audit_text(file_, text, options, session), session);
+  }
+
+ private:
+  static ExitCode answer(const Flaw& flaw, Session& session) {
+    session.answer(flaw_json(flaw).dump(), [&](std::ostream& out) { write_flaw(out, flaw); });
+    return flaw ? ExitCode::No : ExitCode::Yes;
+  }
+
+  std::string file_;
+};
+
+}  // namespace
+
+std::unique_ptr<CommandBody> make_audit() { return std::make_unique<Audit>(); }
+
+}  // namespace plumb::cli

@@ -1,0 +1,339 @@
+// Many results as numbered files of one folder: DIR/piece_0001.off, piece_0002.off, ...
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "plumb/cli/files/operands.h"
+#include "plumb/cli/files/outputs.h"
+#include "plumb/cli/session/command.h"
+#include "plumb/cli/session/progress.h"
+#include "plumb/cli/session/session.h"
+#include "plumb/convex/decompose.h"
+#include "plumb/convex/plane_partition.h"
+#include "plumb/convex/sum/volume_sum.h"
+#include "plumb/io/plane_io.h"
+#include "plumb/io/solid/solid_text.h"
+#include "plumb/io/text/files.h"
+#include "plumb/picture/nef2_svg.h"
+#include "plumb/picture/svg/sheet.h"
+#include "plumb/predicates/error.h"
+
+namespace plumb::cli {
+
+class PieceFiles {
+ public:
+  /// Makes the folder; without a name nothing is written. Errors: Usage, CannotWrite.
+  explicit PieceFiles(std::string directory);
+
+  bool is_wanted() const { return !directory_.empty(); }
+  /// The next piece. Closed at once: a set may have more pieces than files may be open. `losses`:
+  /// what the file does not say.
+  void add(std::string_view extension, const std::vector<std::string>& losses,
+           const std::function<void(std::ostream&)>& write);
+  /// A picture of the pieces, opened now, which becomes visible with them. Errors: Usage where it
+  /// has the name of a piece in one of the extensions, CannotWrite.
+  void open_picture(const std::string& path, const std::vector<std::string_view>& extensions);
+  /// Requires open_picture().
+  void finish_picture(std::string_view bytes);
+  /// How many of the files leave something out, what that with the most does, and which format
+  /// would not.
+  void note_losses(std::string_view better, Session& session) const;
+  /// The files become visible. Those of an earlier run that made more pieces, of one of the
+  /// extensions, are removed; never the input.
+  void commit(const std::vector<std::string_view>& extensions, const std::string& input);
+
+ private:
+  std::string directory_;
+  std::optional<OutputDirectory> made_;  // outlives the files in it
+  std::vector<std::unique_ptr<OutputFile>> files_;
+  std::unique_ptr<OutputFile> picture_;
+  std::size_t changed_ = 0;
+  std::string worst_;  // a file's name
+  std::vector<std::string> worst_losses_;
+};
+
+namespace {
+
+constexpr std::string_view kStem = "piece_";
+
+std::string file_name(std::size_t piece, std::string_view extension) {
+  std::string number = std::to_string(piece);
+  if (number.size() < 4) number.insert(0, 4 - number.size(), '0');
+  return std::string(kStem) + number + std::string(extension);
+}
+
+/// Of the file's name; 0: no piece in one of the extensions has it.
+std::size_t piece_number(const std::string& name, const std::vector<std::string_view>& extensions) {
+  std::size_t number = 0;
+  const auto [end, failed] = std::from_chars(name.data() + std::min(kStem.size(), name.size()),
+                                             name.data() + name.size(), number);
+  const auto is_name = [&](std::string_view extension) {
+    return name == file_name(number, extension);
+  };
+  return failed == std::errc() && std::ranges::any_of(extensions, is_name) ? number : 0;
+}
+
+}  // namespace
+
+PieceFiles::PieceFiles(std::string directory) : directory_(std::move(directory)) {
+  if (directory_.empty()) return;
+  if (directory_ == "-") throw Error(ErrorCode::Usage, "-o needs a directory");
+  made_.emplace(directory_);
+}
+
+void PieceFiles::add(std::string_view extension, const std::vector<std::string>& losses,
+                     const std::function<void(std::ostream&)>& write) {
+  const std::string name = file_name(files_.size() + 1, extension);
+  if (!losses.empty()) ++changed_;
+  if (losses.size() > worst_losses_.size()) {
+    worst_ = name;
+    worst_losses_ = losses;
+  }
+  const auto path = std::filesystem::path(directory_) / name;
+  files_.push_back(std::make_unique<OutputFile>(path.string()));
+  write(files_.back()->stream());
+  files_.back()->finish();
+}
+
+void PieceFiles::open_picture(const std::string& path,
+                              const std::vector<std::string_view>& extensions) {
+  namespace fs = std::filesystem;
+  if (path == "-") throw Error(ErrorCode::Usage, "--svg needs a file");
+  if (is_wanted()) {
+    std::error_code ignored;  // what is no path cannot be opened either
+    const fs::path picture = fs::weakly_canonical(path, ignored);
+    const bool is_beside = fs::equivalent(picture.parent_path(), directory_, ignored);
+    if (is_beside && piece_number(picture.filename().string(), extensions) > 0) {
+      throw Error(ErrorCode::Usage, "--svg has the name of a piece", {.file = path});
+    }
+  }
+  picture_ = std::make_unique<OutputFile>(path);
+}
+
+void PieceFiles::finish_picture(std::string_view bytes) {
+  picture_->stream() << bytes;
+  picture_->finish();
+}
+
+void PieceFiles::note_losses(std::string_view better, Session& session) const {
+  if (changed_ == 0) return;
+  session.note(directory_ + ": warning: " + std::to_string(changed_) + " of " +
+               counted(files_.size(), "file") + " do not say all (--format " + std::string(better) +
+               " does); of " + worst_ + ": " + worst_losses_.back());
+}
+
+void PieceFiles::commit(const std::vector<std::string_view>& extensions, const std::string& input) {
+  const std::size_t pieces = files_.size();
+  if (picture_) files_.push_back(std::move(picture_));
+  commit_all(files_);
+  if (!is_wanted()) return;
+  made_->keep();
+  std::error_code failed;
+  std::filesystem::directory_iterator at(directory_, failed);
+  for (; !failed && at != std::filesystem::directory_iterator(); at.increment(failed)) {
+    std::error_code ignored;
+    if (piece_number(at->path().filename().string(), extensions) <= pieces) continue;
+    if (!at->is_regular_file(ignored)) continue;
+    if (std::filesystem::equivalent(at->path(), input, ignored)) continue;
+    std::filesystem::remove(at->path(), ignored);
+  }
+}
+
+// plumb convex decompose: convex pieces of a solid or of a set of the plane.
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr double kApart = 0.5;  // of their distances
+
+struct PlaneChoice {
+  std::string_view name;
+  std::string_view extension;
+  PlaneFormat format;
+};
+constexpr std::array kPlaneFormats{
+    PlaneChoice{"wkt", ".wkt", PlaneFormat::Wkt},
+    PlaneChoice{"geojson", ".geojson", PlaneFormat::GeoJson},
+    PlaneChoice{"nef2", ".nef2", PlaneFormat::Nef2},
+};
+
+struct Answer {
+  std::size_t pieces;
+  std::uint64_t reflex;
+  const char* reflex_name;
+  std::optional<bool> matches;  ///< volumes or areas; none: infinite, or nobody asked
+};
+
+class Decomposition : public CommandBody {
+ public:
+  void declare(CLI::App& app) override {
+    app.add_option("A", file_, kSolidOrPlaneHelp)->required()->type_name("");
+    app.add_option("--method", method_,
+                   "cuts: along faces or sides at reflex edges; walls: vertical ones (solids); "
+                   "diagonals, optimal: between vertices (plane); best: the fewest pieces")
+        ->type_name("METHOD")
+        ->check(CLI::IsMember({"cuts", "walls", "diagonals", "optimal", "best"}).description(""));
+    app.add_flag("--closed", closed_, "Closures of the pieces");
+    app.add_option("--svg", svg_,
+                   "Draw the pieces, one colour each: of the plane those of dimension 2; of a "
+                   "solid moved apart")
+        ->type_name("OUT");
+    input_.declare(app);
+  }
+
+  ExitCode run(Session& session) override {
+    const std::string bytes = read_input(file_, session.context());
+    PieceFiles files(session.options().out);
+    const bool is_plane = kind_of_file(file_, bytes) == FileKind::PlaneSet;
+    session.expect(stages(is_plane, session.options()));
+    session.begin("read");
+    const auto names = is_plane ? extensions(kPlaneFormats) : extensions(solid_formats());
+    if (!svg_.empty()) files.open_picture(svg_, names);
+    const Answer answer =
+        is_plane ? decompose_plane(bytes, files, session) : decompose_solid(bytes, files, session);
+    session.context().release_memory(bytes.size());
+    files.note_losses(is_plane ? "nef2" : "nef", session);
+    session.outputs().add("-", [&, is_json = session.options().json](std::ostream& out) {
+      is_json ? write_json(out, answer) : write_text(out, answer);
+    });
+    session.deliver();
+    files.commit(names, file_);
+    return ExitCode::Yes;
+  }
+
+ private:
+  ProgressStages stages(bool is_plane, const CommonOptions& common) const {
+    ProgressStages stages{is_plane ? reading_plane() : reading_solid(), cutting_solid()};
+    if (!common.out.empty()) stages.push_back(writing_pieces());
+    if (!svg_.empty()) stages.push_back(drawing_pieces());
+    stages.push_back(writing());
+    return stages;
+  }
+  static void write_json(std::ostream& out, const Answer& answer) {
+    Json matches = nullptr;
+    if (answer.matches) matches = *answer.matches;
+    out << Json{{"pieces", answer.pieces},
+                {"reflex_edges", answer.reflex},
+                {"volume_matches", matches}}
+               .dump()
+        << '\n';
+  }
+  static void write_text(std::ostream& out, const Answer& answer) {
+    out << counted(answer.pieces, "convex piece") << ", "
+        << counted(answer.reflex, answer.reflex_name) << '\n';
+  }
+  template <class Table>
+  static std::vector<std::string_view> extensions(const Table& formats) {
+    std::vector<std::string_view> all;
+    all.reserve(std::size(formats));
+    for (const auto& format : formats) all.push_back(format.extension);
+    return all;
+  }
+  std::string title() const { return std::filesystem::path(input_name(file_)).filename().string(); }
+  Error cannot(const std::string& what) const {
+    return {ErrorCode::Usage, "--method " + method_ + " is for " + what};
+  }
+
+  // ---------------------------------------------------------------- solids
+
+  Answer decompose_solid(const std::string& bytes, PieceFiles& files, Session& session) {
+    if (method_ == "diagonals" || method_ == "optimal") throw cannot("sets of the plane");
+    const DecomposeMethod method = method_ == "cuts"    ? DecomposeMethod::Cuts
+                                   : method_ == "walls" ? DecomposeMethod::Walls
+                                                        : DecomposeMethod::Best;
+    Context& context = session.context();
+    const Nef3 set = input_.read(file_, bytes, session);
+    if (!svg_.empty() && !set.is_bounded()) {
+      throw Error(ErrorCode::BadArgument, "--svg draws the pieces of bounded solids only",
+                  {.file = input_name(file_)});
+    }
+    session.begin("cut");
+    const ConvexPieces found = decompose(set, {method, closed_}, context);
+    std::size_t done = 0;
+    session.begin("pieces");
+    for (const Nef3& piece : found.pieces) {
+      if (!files.is_wanted()) break;
+      context.checkpoint("pieces", done++, found.pieces.size());
+      const SolidFormat& format = solid_format(piece, session.options().format);
+      const SolidText text(piece, format, context);
+      files.add(format.extension, text.losses(),
+                [&](std::ostream& out) { text.write(out, context); });
+    }
+    if (!svg_.empty()) {
+      session.begin("draw");
+      files.finish_picture(picture_of(found.pieces, kApart, Picture::Svg, title(), context));
+    }
+    Answer answer{found.pieces.size(), found.reflex_edges, "reflex edge", {}};
+    if (session.options().json) answer.matches = do_volumes_add_up(set, found.pieces, context);
+    return answer;
+  }
+  /// In the format asked for; else OFF, and .nef for what no mesh can hold.
+  static const SolidFormat& solid_format(const Nef3& piece, const std::string& asked) {
+    if (!asked.empty()) return format_named(solid_formats(), asked);
+    const bool is_mesh = piece.is_bounded() && piece.counts().marked_volumes > 0;
+    return format_named(solid_formats(), is_mesh ? "off" : "nef");
+  }
+
+  // ---------------------------------------------------------------- the plane
+
+  Answer decompose_plane(const std::string& bytes, PieceFiles& files, Session& session) {
+    if (method_ == "walls") throw cannot("solids");
+    const PartitionMethod method = method_ == "cuts"        ? PartitionMethod::Cuts
+                                   : method_ == "diagonals" ? PartitionMethod::Diagonals
+                                   : method_ == "optimal"   ? PartitionMethod::Optimal
+                                                            : PartitionMethod::Best;
+    Context& context = session.context();
+    const Nef2 set = input_.read_plane(file_, bytes, session);
+    session.begin("cut");
+    const PlanePieces found = decompose(set, {method, closed_}, context);
+    std::size_t done = 0;
+    session.begin("pieces");
+    for (const Nef2& piece : found.pieces) {
+      if (!files.is_wanted()) break;
+      context.checkpoint("pieces", done++, found.pieces.size());
+      const PlaneChoice& format = plane_format(piece, session.options().format);
+      const PlaneText text(piece, format.format, context);
+      files.add(format.extension, text.losses().sentences(),
+                [&](std::ostream& out) { text.write(out, context); });
+    }
+    if (!svg_.empty()) {
+      session.begin("draw");
+      std::ostringstream out;
+      write_nef2_svg(out, set, {.title = title(), .pieces = found.pieces, .context = &context});
+      files.finish_picture(std::move(out).str());
+    }
+    Answer answer{found.pieces.size(), found.reflex_corners, "reflex corner", {}};
+    if (session.options().json) answer.matches = do_areas_add_up(set, found.pieces, context);
+    return answer;
+  }
+  /// In the format asked for; else WKT, and .nef2 for what has no end.
+  static const PlaneChoice& plane_format(const Nef2& piece, const std::string& asked) {
+    if (!asked.empty()) return format_named(kPlaneFormats, asked);
+    return format_named(kPlaneFormats, piece.is_bounded() ? "wkt" : "nef2");
+  }
+
+  std::string file_;
+  std::string method_ = "best";
+  bool closed_ = false;
+  std::string svg_;
+  SolidInput input_;
+};
+
+}  // namespace
+
+std::unique_ptr<CommandBody> make_convex_decompose() { return std::make_unique<Decomposition>(); }
+
+}  // namespace plumb::cli

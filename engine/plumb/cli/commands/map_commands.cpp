@@ -1,0 +1,264 @@
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "plumb/cli/files/outputs.h"
+#include "plumb/cli/session/command.h"
+#include "plumb/cli/session/progress.h"
+#include "plumb/io/map_io.h"
+#include "plumb/io/map_report_io.h"
+#include "plumb/io/plane/map_overlay_writer.h"
+#include "plumb/io/text/files.h"
+#include "plumb/picture/map_svg.h"
+#include "plumb/picture/overlay_svg.h"
+#include "plumb/plane/map_check.h"
+#include "plumb/predicates/error.h"
+
+namespace plumb::cli {
+namespace {
+
+using ReportWriter = void (*)(std::ostream&, const MapReport&, const std::string& title);
+
+void write_text(std::ostream& out, const MapReport& report, const std::string&) {
+  write_map_report_text(out, report);
+}
+void write_json(std::ostream& out, const MapReport& report, const std::string&) {
+  write_map_report_json(out, report);
+}
+void write_svg(std::ostream& out, const MapReport& report, const std::string& title) {
+  write_map_svg(out, report, {.title = title});
+}
+void write_geojson(std::ostream& out, const MapReport& report, const std::string&) {
+  write_map_report_geojson(out, report);
+}
+
+struct Format {
+  std::string_view name;
+  std::string_view extension;
+  ReportWriter write;
+};
+
+constexpr std::array kFormats{
+    Format{"text", ".txt", write_text},
+    Format{"json", ".json", write_json},
+    Format{"svg", ".svg", write_svg},
+    Format{"geojson", ".geojson", write_geojson},
+};
+
+/// Requires one of the three names.
+OuterRule outer_rule(std::string_view name) {
+  if (name == "infer") return OuterRule::Infer;
+  return name == "ignore" ? OuterRule::Ignore : OuterRule::Listed;
+}
+
+class MapCheck : public CommandBody {
+ public:
+  void declare(CLI::App& app) override;
+  ExitCode run(Session& session) override;
+
+ private:
+  void open_outputs(Session& session);
+  void add_output(Session& session, const std::string& path, const Format& format);
+  void tell_notes(Session& session) const;
+
+  std::string file_;
+  std::string outer_ = "listed";
+  std::string svg_;
+  std::string geojson_;
+  MapCheckOptions options_;
+  MapReport report_;
+};
+
+void MapCheck::declare(CLI::App& app) {
+  app.add_option("FILE", file_, "The map; - is standard input")->required()->type_name("");
+  add_choice(app, "--outer", outer_, {"listed", "infer", "ignore"},
+             "Outer boundaries are listed (default), to be inferred, or to be ignored");
+  app.add_flag("--merge-vertices", options_.merge_vertices,
+               "Vertices with equal coordinates become one first");
+  app.add_option("--max-defects", options_.max_defects, "Describe at most N defects (default 1000)")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40U).description(""))
+      ->type_name("N");
+  app.add_option("--svg", svg_, "Draw the map and its defects")->type_name("OUT");
+  app.add_option("--geojson", geojson_, "Write the defects as GeoJSON")->type_name("OUT");
+}
+
+ExitCode MapCheck::run(Session& session) {
+  options_.outer = outer_rule(outer_);
+  open_outputs(session);
+  Context& context = session.context();
+  const ReadOptions read_options{.exact_decimals = session.options().exact_decimals};
+  session.expect({reading_map(), checking_map(), writing()});
+  session.begin("read");
+  Map map = read_map_file(file_, read_options, context);
+  session.begin("check");
+  report_ = check_map(std::move(map), options_, context);
+  session.deliver();
+  tell_notes(session);
+  return report_.verdict == MapVerdict::Valid ? ExitCode::Yes : ExitCode::No;
+}
+
+/// Before the work, so that a path that cannot be written costs nothing.
+void MapCheck::open_outputs(Session& session) {
+  const auto add = [&](const std::string& path, const Format& format) {
+    add_output(session, path, format);
+  };
+  if (!svg_.empty()) add(svg_, format_named(kFormats, "svg"));
+  if (!geojson_.empty()) add(geojson_, format_named(kFormats, "geojson"));
+  add_outputs(session.options(), kFormats, svg_ != "-" && geojson_ != "-", add);
+}
+
+void MapCheck::add_output(Session& session, const std::string& path, const Format& format) {
+  session.outputs().add(path, [this, &format](std::ostream& out) {
+    format.write(out, report_, std::filesystem::path(input_name(file_)).filename().string());
+  });
+}
+
+void MapCheck::tell_notes(Session& session) const {
+  for (const MapWarning& warning : report_.warnings) {
+    session.note(input_name(file_) + ": warning: " + warning.text);
+  }
+  const MapDefectCounts& n = report_.counts;
+  const std::uint64_t all =
+      n.duplicate + n.open + n.crossing + n.twin + n.mixed.value_or(0) + n.nested;
+  if (all > report_.defects.size()) {
+    session.note(input_name(file_) + ": " + std::to_string(report_.defects.size()) + " of " +
+                 std::to_string(all) + " defects are described (--max-defects)");
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<CommandBody> make_map_check() { return std::make_unique<MapCheck>(); }
+
+namespace {
+
+std::string short_name(const std::string& file) {
+  return std::filesystem::path(input_name(file)).filename().string();
+}
+
+/// Regions are called by the listed cycle around them.
+std::vector<std::string> region_names(const MapReport& report) {
+  std::vector<std::string> names;
+  for (const MapRegion& region : report.regions) {
+    names.push_back(region.outer ? std::to_string(*region.outer + 1) : "");
+  }
+  return names;
+}
+
+/// All that is written.
+struct Overlaid {
+  OverlayReport report;
+  std::string first_name, second_name;
+};
+
+void write_text(std::ostream& out, const Overlaid& overlaid) {
+  write_overlay_text(out, overlaid.report);
+}
+void write_json(std::ostream& out, const Overlaid& overlaid) {
+  write_overlay_json(out, overlaid.report);
+}
+void write_geojson(std::ostream& out, const Overlaid& overlaid) {
+  write_overlay_geojson(out, overlaid.report);
+}
+void write_svg(std::ostream& out, const Overlaid& overlaid) {
+  write_overlay_svg(out, overlaid.report.overlay,
+                    {.title = overlaid.first_name + " over " + overlaid.second_name,
+                     .first = overlaid.first_name,
+                     .second = overlaid.second_name,
+                     .first_names = region_names(overlaid.report.first),
+                     .second_names = region_names(overlaid.report.second)});
+}
+
+struct OverlayFormat {
+  std::string_view name;
+  std::string_view extension;
+  void (*write)(std::ostream&, const Overlaid&);
+};
+
+constexpr std::array kOverlayFormats{
+    OverlayFormat{"text", ".txt", write_text},
+    OverlayFormat{"json", ".json", write_json},
+    OverlayFormat{"svg", ".svg", write_svg},
+    OverlayFormat{"geojson", ".geojson", write_geojson},
+};
+
+class MapOverlayCommand : public CommandBody {
+ public:
+  void declare(CLI::App& app) override;
+  ExitCode run(Session& session) override;
+
+ private:
+  void open_outputs(Session& session);
+  MapReport read_valid(Session& session, const std::string& file) const;
+
+  Overlaid overlaid() const;
+
+  std::string first_file_, second_file_;
+  bool infers_outer_ = false;
+  std::optional<MapReport> first_, second_;
+  MapOverlay overlay_;
+  OverlayAreas areas_;
+};
+
+void MapOverlayCommand::declare(CLI::App& app) {
+  app.add_option("A", first_file_, "A map; - is standard input")->required()->type_name("");
+  app.add_option("B", second_file_, "Another map")->required()->type_name("");
+  app.add_flag("--infer-outer", infers_outer_, "Complete outer boundaries that are not listed");
+}
+
+ExitCode MapOverlayCommand::run(Session& session) {
+  open_outputs(session);
+  session.expect(
+      {reading_map(), checking_map(), reading_map(), checking_map(), overlaying_maps(), writing()});
+  first_ = read_valid(session, first_file_);
+  second_ = read_valid(session, second_file_);
+  session.begin("overlay");
+  overlay_ = overlay_maps(*first_, *second_, session.context());
+  areas_ = measure(overlay_, *first_, *second_, session.context());
+  if (!areas_.add_up()) throw std::logic_error("the areas of the cells do not add up");
+  session.deliver();
+  return ExitCode::Yes;
+}
+
+/// Only subdivisions have regions to lay over each other.
+MapReport MapOverlayCommand::read_valid(Session& session, const std::string& file) const {
+  const ReadOptions read_options{.exact_decimals = session.options().exact_decimals};
+  MapCheckOptions options;
+  if (infers_outer_) options.outer = OuterRule::Infer;
+  session.begin("read");
+  Map map = read_map_file(file, read_options, session.context());
+  session.begin("check");
+  MapReport report = check_map(std::move(map), options, session.context());
+  if (report.verdict == MapVerdict::Valid) return report;
+  throw Error(ErrorCode::BadArgument,
+              "no planar subdivision to overlay: " + std::string(headline(report.verdict)) +
+                  (report.defects.empty() ? "" : "; " + report.defects.front().hint) +
+                  " (plumb map check tells all)",
+              {input_name(file)});
+}
+
+/// Before the work, so that a path that cannot be written costs nothing.
+void MapOverlayCommand::open_outputs(Session& session) {
+  if (first_file_ == "-" && second_file_ == "-") {
+    throw Error(ErrorCode::Usage, "only one of the maps can be standard input");
+  }
+  add_outputs(session.options(), kOverlayFormats, true,
+              [&](const std::string& path, const OverlayFormat& format) {
+                session.outputs().add(
+                    path, [this, &format](std::ostream& out) { format.write(out, overlaid()); });
+              });
+}
+
+Overlaid MapOverlayCommand::overlaid() const {
+  return {{*first_, *second_, overlay_, areas_}, short_name(first_file_), short_name(second_file_)};
+}
+
+}  // namespace
+
+std::unique_ptr<CommandBody> make_map_overlay() { return std::make_unique<MapOverlayCommand>(); }
+
+}  // namespace plumb::cli

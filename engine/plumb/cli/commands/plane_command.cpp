@@ -1,0 +1,186 @@
+// plumb plane ...: sets of the plane, combined, transformed, asked.
+
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+
+#include "plumb/cli/commands/set_command.h"
+#include "plumb/cli/files/operands.h"
+#include "plumb/cli/session/command.h"
+#include "plumb/io/plane_io.h"
+#include "plumb/io/text/files.h"
+#include "plumb/io/text/text_output.h"
+#include "plumb/picture/nef2_svg.h"
+#include "plumb/picture/svg/sheet.h"
+#include "plumb/plane/nef2.h"
+#include "plumb/plane/plane_measure.h"
+#include "plumb/predicates/rounding.h"
+
+namespace plumb::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// ---------------------------------------------------------------- what a set is like
+
+struct PlaneFacts {
+  PlaneFacts(const Nef2& set, Context& context) : counts(set.counts()), is_empty(set.is_empty()) {
+    if (set.is_bounded()) area = marked_area(set.complex(), context);
+  }
+  Json json() const;
+  void write(std::ostream& out) const;
+
+  PlaneCounts counts;
+  bool is_empty;
+  std::optional<Rational> area;  ///< of bounded sets
+};
+
+Json PlaneFacts::json() const {
+  Json area_json = nullptr;
+  if (area) area_json = {{"exact", format_exact(*area)}, {"double", nearest_double(*area)}};
+  return {{"vertices", counts.vertices}, {"edges", counts.edges}, {"faces", counts.faces},
+          {"bounded", area.has_value()}, {"empty", is_empty},     {"area", area_json}};
+}
+
+void PlaneFacts::write(std::ostream& out) const {
+  out << counted(counts.vertices, "vertex", "vertices") << ", " << counted(counts.edges, "edge")
+      << ", " << counted(counts.faces, "face") << '\n'
+      << (area ? "bounded" : "unbounded") << (is_empty ? ", empty" : "") << '\n';
+  if (area) out << "area " << readable(*area) << '\n';
+}
+
+// ---------------------------------------------------------------- where a result goes
+
+struct OutputFormat {
+  std::string_view name;
+  std::string_view extension;
+  std::optional<PlaneFormat> text;  ///< none: a picture
+};
+
+constexpr std::array kFormats{
+    OutputFormat{"wkt", ".wkt", PlaneFormat::Wkt},
+    OutputFormat{"geojson", ".geojson", PlaneFormat::GeoJson},
+    OutputFormat{"json", ".json", PlaneFormat::GeoJson},
+    OutputFormat{"nef2", ".nef2", PlaneFormat::Nef2},
+    OutputFormat{"svg", ".svg", std::nullopt},
+};
+
+std::string name_of_file(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+/// Without a name for the format: WKT if the set is bounded, else .nef2.
+ReadyFile ready_file(const Nef2& set, const SetOutput& output, Context& context) {
+  const auto index = output.format();
+  if (index && !kFormats[static_cast<std::size_t>(*index)].text) {
+    return {[set, title = output.title()](std::ostream& out) {
+              write_nef2_svg(out, set, {.title = title});
+            },
+            {}};
+  }
+  const PlaneFormat by_itself = set.is_bounded() ? PlaneFormat::Wkt : PlaneFormat::Nef2;
+  const PlaneFormat format = index ? *kFormats[static_cast<std::size_t>(*index)].text : by_itself;
+  const PlaneText text(set, format, context);
+  return {[text, &context](std::ostream& out) { text.write(out, context); },
+          text.losses().sentences()};
+}
+
+struct PlaneInput {
+  struct Read {
+    Nef2 set;
+    std::vector<std::string> notes;
+  };
+
+  void declare(CLI::App&) {}
+  Read load(const std::string& file, const CommonOptions& options, Context& context) const {
+    return {read_plane_set_file(file, {}, {.exact_decimals = options.exact_decimals}, context), {}};
+  }
+};
+
+/// Sets of the plane, for set_command.h.
+struct Plane {
+  using Set = Nef2;
+  using Input = PlaneInput;
+  static constexpr const char* kHelp = "A set: .wkt, .geojson, .json, .nef2; - is standard input";
+  static constexpr std::array<const char*, 2> kAxes{"X", "Y"};
+
+  static ProgressStage reading() { return reading_plane(); }
+  static ProgressStage combining() { return combining_plane(); }
+  static ProgressStage measuring() { return measuring_plane(); }
+  static ProgressStage locating() { return locating_plane(); }
+  static ProgressStages writing(const SetOutput& output) {
+    const auto index = output.format();
+    if (!index) return writing_plane_text();
+    const auto format = kFormats[static_cast<std::size_t>(*index)].text;
+    if (!format) return writing_plane_picture();
+    return *format == PlaneFormat::Nef2 ? writing_nef2() : writing_plane_text();
+  }
+  static const auto& formats() { return kFormats; }
+  static ReadyFile ready(const Nef2& set, const SetOutput& output, Context& context) {
+    return ready_file(set, output, context);
+  }
+  static PlaneFacts facts(const Nef2& set, Context& context) { return {set, context}; }
+  static std::pair<const char*, bool> locate(const Nef2& set, const std::array<Rational, 2>& p) {
+    const PlaneLocation place = set.locate(RationalPoint2{p[0], p[1]});
+    return {place.vertex.is_valid() ? "vertex"
+            : place.edge.is_valid() ? "edge"
+                                    : "face",
+            place.marked};
+  }
+};
+
+class PlaneInfo : public SetInfo<Plane> {
+ public:
+  void declare(CLI::App& app) override {
+    SetInfo<Plane>::declare(app);
+    app.add_option("--svg", svg_, "Draw the set")->type_name("OUT");
+  }
+
+ private:
+  void prepare(const Nef2& set, const std::string& file, Session& session) override {
+    if (svg_.empty()) return;
+    session.outputs().add(svg_, [&set, title = name_of_file(input_name(file))](std::ostream& out) {
+      write_nef2_svg(out, set, {.title = title});
+    });
+  }
+
+  std::string svg_;
+};
+
+}  // namespace
+
+std::unique_ptr<CommandBody> make_plane_union() {
+  return std::make_unique<BinaryOperation<Plane>>(kUnion);
+}
+std::unique_ptr<CommandBody> make_plane_intersection() {
+  return std::make_unique<BinaryOperation<Plane>>(kIntersection);
+}
+std::unique_ptr<CommandBody> make_plane_difference() {
+  return std::make_unique<BinaryOperation<Plane>>(kDifference);
+}
+std::unique_ptr<CommandBody> make_plane_symmetric_difference() {
+  return std::make_unique<BinaryOperation<Plane>>(kSymmetricDifference);
+}
+std::unique_ptr<CommandBody> make_plane_complement() {
+  return std::make_unique<UnaryOperation<Plane>>(&Nef2::complement);
+}
+std::unique_ptr<CommandBody> make_plane_interior() {
+  return std::make_unique<UnaryOperation<Plane>>(&Nef2::interior);
+}
+std::unique_ptr<CommandBody> make_plane_closure() {
+  return std::make_unique<UnaryOperation<Plane>>(&Nef2::closure);
+}
+std::unique_ptr<CommandBody> make_plane_boundary() {
+  return std::make_unique<UnaryOperation<Plane>>(&Nef2::boundary);
+}
+std::unique_ptr<CommandBody> make_plane_regularize() {
+  return std::make_unique<UnaryOperation<Plane>>(&Nef2::regularization);
+}
+std::unique_ptr<CommandBody> make_plane_info() { return std::make_unique<PlaneInfo>(); }
+std::unique_ptr<CommandBody> make_plane_locate() { return std::make_unique<SetLocate<Plane>>(); }
+
+}  // namespace plumb::cli

@@ -1,0 +1,255 @@
+// What `plumb plane ...` and `plumb solid ...` have in common. A kind of sets is a class with
+//   Set                        Nef2 or Nef3
+//   Input                      declare(app); load(file, options, context), from several threads at
+//                              once: the set and the notes of a file
+//   kHelp, kAxes               the first operand in the help; names of the coordinates
+//   formats()                  what can be written (outputs.h)
+//   reading(), combining(), measuring(), locating(), writing(output)  stages of the progress of a
+//   command
+//                              (progress.h): a file read; an operation; facts(); locate(); ready()
+//                              and the file written
+//   ready(set, output, context)  the set as a file of the output's format
+//   canonical(set, context)    where files tell how a set was made: the same set in a form that
+//                              does not (--canonical)
+//   facts(set, context)        what the set is like: json(), write(out)
+//   locate(set, coordinates)   what the point lies on, and whether it belongs to the set
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plumb/base/internal/parallel.h"
+#include "plumb/base/marks.h"
+#include "plumb/cli/files/operands.h"
+#include "plumb/cli/files/outputs.h"
+#include "plumb/cli/session/command.h"
+#include "plumb/cli/session/progress.h"
+#include "plumb/io/text/files.h"
+#include "plumb/predicates/error.h"
+
+namespace plumb::cli {
+
+inline void require_one_stdin(const std::string& a, const std::string& b) {
+  if (a == "-" && b == "-") {
+    throw Error(ErrorCode::Usage, "only one of the sets can come from standard input");
+  }
+}
+
+/// The sets of some files, read at once where there are threads for that. Notes come in the order
+/// of the files.
+template <class Input>
+auto read_sets(const Input& input, const std::vector<std::string>& files, Session& session) {
+  using Read = decltype(input.load(files[0], session.options(), session.context()));
+  std::vector<Read> reads(files.size());
+  run_jobs(session.context(), files.size(), [&](std::size_t i, Context& own) {
+    const bool is_alone = &own == &session.context();
+    if (is_alone || i == 0) session.begin("read");  // all at once are one stage
+    reads[i] = input.load(files[i], session.options(), own);
+  });
+  std::vector<decltype(Read::set)> sets;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (const std::string& note : reads[i].notes) session.note(input_name(files[i]) + ": " + note);
+    sets.push_back(std::move(reads[i].set));
+  }
+  return sets;
+}
+
+/// Some sets read and combined.
+template <class Kind>
+ProgressStages stages_of_sets(std::size_t operands, std::size_t operations) {
+  ProgressStages stages(operands, Kind::reading());
+  stages.insert(stages.end(), operations, Kind::combining());
+  return stages;
+}
+
+template <class Kind>
+void declare_first(CLI::App& app, std::string& a) {
+  app.add_option("A", a, Kind::kHelp)->required()->type_name("");
+}
+
+inline void declare_second(CLI::App& app, std::string& b) {
+  app.add_option("B", b, "The other set")->required()->type_name("");
+}
+
+/// A command whose answer is a set.
+template <class Kind>
+class SetOperation : public CommandBody {
+ public:
+  using Set = typename Kind::Set;
+
+  void declare(CLI::App& app) override {
+    declare_operands(app);
+    input_.declare(app);
+    app.add_flag("--strict", strict_,
+                 "Exit 2 instead of writing a file that leaves something out or is reshaped by "
+                 "rounding");
+    if constexpr (kHasCanonical) {
+      app.add_flag("--canonical", canonical_,
+                   "Number what is written by the set alone: equal sets give equal .nef files");
+    }
+  }
+
+  ExitCode run(Session& session) override {
+    output_.open(Kind::formats(), session);
+    session.expect(all_stages(session.options()));
+    const Set result = numbered(compute(session), session);
+    const auto facts = [&] {
+      session.begin("measure");
+      return Kind::facts(result, session.context()).json();
+    };
+    const auto file = [&] {
+      session.begin("result");
+      return Kind::ready(result, output_, session.context());
+    };
+    output_.prepare(facts, file, strict_, session);
+    output_.deliver(session);
+    return ExitCode::Yes;
+  }
+
+ protected:
+  virtual void declare_operands(CLI::App& app) = 0;
+  /// Up to the result.
+  virtual ProgressStages stages() const { return stages_of_sets<Kind>(1, 1); }
+  /// Begins a stage "combine" for each operation.
+  virtual Set compute(Session& session) = 0;
+  std::vector<Set> read_all(const std::vector<std::string>& files, Session& session) const {
+    return read_sets(input_, files, session);
+  }
+  Set read(const std::string& file, Session& session) const {
+    return std::move(read_all({file}, session).front());
+  }
+
+ private:
+  static constexpr bool kHasCanonical = requires(const Set& set, Context& context) {
+    Kind::canonical(set, context);
+  };
+
+  ProgressStages all_stages(const CommonOptions& common) const {
+    ProgressStages all = stages();
+    if constexpr (kHasCanonical) {
+      if (canonical_) all.push_back(numbering_solid());
+    }
+    if (common.json) all.push_back(Kind::measuring());
+    for (const ProgressStage& stage : Kind::writing(output_)) all.push_back(stage);
+    return all;
+  }
+  Set numbered(Set set, Session& session) const {
+    if constexpr (kHasCanonical) {
+      if (!canonical_) return set;
+      session.begin("number");
+      return Kind::canonical(set, session.context());
+    }
+    return set;
+  }
+
+  typename Kind::Input input_;
+  bool strict_ = false;
+  bool canonical_ = false;
+  SetOutput output_;
+};
+
+template <class Kind>
+class BinaryOperation : public SetOperation<Kind> {
+ public:
+  explicit BinaryOperation(MarkFunction function) : function_(function) {}
+
+ private:
+  void declare_operands(CLI::App& app) override {
+    declare_first<Kind>(app, a_);
+    declare_second(app, b_);
+  }
+  ProgressStages stages() const override { return stages_of_sets<Kind>(2, 1); }
+  typename Kind::Set compute(Session& session) override {
+    require_one_stdin(a_, b_);
+    auto sets = this->read_all({a_, b_}, session);
+    session.begin("combine");
+    return boolean_op(std::move(sets[0]), std::move(sets[1]), function_, session.context());
+  }
+
+  MarkFunction function_;
+  std::string a_;
+  std::string b_;
+};
+
+template <class Kind>
+class UnaryOperation : public SetOperation<Kind> {
+ public:
+  using Function = typename Kind::Set (Kind::Set::*)(Context&) const;
+  explicit UnaryOperation(Function function) : function_(function) {}
+
+ private:
+  void declare_operands(CLI::App& app) override { declare_first<Kind>(app, a_); }
+  typename Kind::Set compute(Session& session) override {
+    const typename Kind::Set set = this->read(a_, session);
+    session.begin("combine");
+    return (set.*function_)(session.context());
+  }
+
+  Function function_;
+  std::string a_;
+};
+
+template <class Kind>
+class SetInfo : public CommandBody {
+ public:
+  void declare(CLI::App& app) override {
+    declare_first<Kind>(app, a_);
+    input_.declare(app);
+  }
+  ExitCode run(Session& session) override {
+    session.expect({Kind::reading(), Kind::measuring(), writing()});
+    const auto set = std::move(read_sets(input_, {a_}, session).front());
+    session.begin("measure");
+    prepare(set, a_, session);
+    const auto facts = Kind::facts(set, session.context());
+    session.answer(facts.json().dump(), [&](std::ostream& out) { facts.write(out); });
+    return ExitCode::Yes;
+  }
+
+ protected:
+  /// Further outputs.
+  virtual void prepare(const typename Kind::Set&, const std::string&, Session&) {}
+
+ private:
+  std::string a_;
+  typename Kind::Input input_;
+};
+
+template <class Kind>
+class SetLocate : public CommandBody {
+ public:
+  void declare(CLI::App& app) override {
+    declare_first<Kind>(app, a_);
+    for (std::size_t i = 0; i < texts_.size(); ++i) {
+      app.add_option(Kind::kAxes[i], texts_[i], i == 0 ? "The point: 3, -1/7, 2.5" : "")
+          ->required()
+          ->type_name("");
+    }
+    input_.declare(app);
+  }
+  ExitCode run(Session& session) override {
+    std::array<Rational, Kind::kAxes.size()> point;
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      point[i] = read_number_argument(texts_[i], Kind::kAxes[i], session);
+    }
+    session.expect({Kind::reading(), Kind::locating(), writing()});
+    const auto set = std::move(read_sets(input_, {a_}, session).front());
+    session.begin("locate");
+    const auto [on, is_marked] = Kind::locate(set, point);
+    const nlohmann::ordered_json json{{"on", on}, {"marked", is_marked}};
+    session.answer(json.dump(), [&, on = on, is_marked = is_marked](std::ostream& out) {
+      out << on << (is_marked ? ", in the set\n" : ", not in the set\n");
+    });
+    return ExitCode::Yes;
+  }
+
+ private:
+  std::string a_;
+  std::array<std::string, Kind::kAxes.size()> texts_;
+  typename Kind::Input input_;
+};
+
+}  // namespace plumb::cli

@@ -1,0 +1,368 @@
+// plumb solid ...: sets of space, combined, transformed, asked.
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+
+#include "plumb/base/set_expression.h"
+#include "plumb/cli/commands/set_command.h"
+#include "plumb/cli/files/operands.h"
+#include "plumb/cli/session/command.h"
+#include "plumb/convex/minkowski.h"
+#include "plumb/io/solid/solid_text.h"
+#include "plumb/io/solid_io.h"
+#include "plumb/io/text/text_output.h"
+#include "plumb/picture/svg/sheet.h"
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/rounding.h"
+#include "plumb/space/canonical.h"
+#include "plumb/space/nef3.h"
+#include "plumb/space/space_measure.h"
+
+namespace plumb::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What a set is like.
+struct SolidFacts {
+  SolidFacts(const Nef3& set, Context& context)
+      : counts(set.counts()),
+        is_bounded(set.is_bounded()),
+        is_empty(set.is_empty()),
+        is_simple(set.is_simple()),
+        is_convex(set.is_convex()),
+        volume(marked_volume(set.complex(), context)) {}
+  Json json() const;
+  void write(std::ostream& out) const;
+
+  SpaceCounts counts;
+  bool is_bounded;
+  bool is_empty;
+  bool is_simple;
+  bool is_convex;
+  std::optional<Rational> volume;
+};
+
+Json SolidFacts::json() const {
+  Json volume_json = nullptr;
+  if (volume) volume_json = {{"exact", format_exact(*volume)}, {"double", nearest_double(*volume)}};
+  return {{"vertices", counts.vertices},
+          {"edges", counts.edges},
+          {"facets", counts.facets},
+          {"volumes", counts.volumes},
+          {"marked_volumes", counts.marked_volumes},
+          {"bounded", is_bounded},
+          {"empty", is_empty},
+          {"simple", is_simple},
+          {"convex", is_convex},
+          {"volume", volume_json}};
+}
+
+void SolidFacts::write(std::ostream& out) const {
+  out << counted(counts.vertices, "vertex", "vertices") << ", " << counted(counts.edges, "edge")
+      << ", " << counted(counts.facets, "facet") << ", " << counted(counts.volumes, "volume")
+      << " (" << counts.marked_volumes << " marked)\n"
+      << (is_bounded ? "bounded" : "unbounded") << (is_empty ? ", empty" : "")
+      << (is_simple ? ", simple" : ", not simple") << (is_convex ? ", convex\n" : ", not convex\n");
+  if (volume) out << "volume " << readable(*volume) << '\n';
+}
+
+const char* name_of(SpaceItem::Kind kind) {
+  switch (kind) {
+    case SpaceItem::Kind::Vertex:
+      return "vertex";
+    case SpaceItem::Kind::Edge:
+      return "edge";
+    case SpaceItem::Kind::Facet:
+      return "facet";
+    case SpaceItem::Kind::Volume:
+      break;
+  }
+  return "volume";
+}
+
+/// Sets of space, for set_command.h. Without a name for the format: .nef.
+struct Solid {
+  using Set = Nef3;
+  using Input = SolidInput;
+  static constexpr const char* kHelp =
+      "A solid: .off, .obj, .stl, .ply, .glb, .gltf, .nef; - is standard input";
+  static constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"};
+
+  static ProgressStage reading() { return reading_solid(); }
+  static ProgressStage combining() { return combining_solids(); }
+  static ProgressStage measuring() { return measuring_solid(); }
+  static ProgressStage locating() { return locating_solid(); }
+  static ProgressStages writing(const SetOutput& output) {
+    return format_of(output).name == "nef" ? writing_nef() : writing_mesh();
+  }
+  static std::span<const SolidFormat> formats() { return solid_formats(); }
+  static const SolidFormat& format_of(const SetOutput& output) {
+    return output.format() ? formats()[static_cast<std::size_t>(*output.format())]
+                           : format_named(formats(), "nef");
+  }
+  static ReadyFile ready(const Nef3& set, const SetOutput& output, Context& context) {
+    const auto text = std::make_shared<SolidText>(set, format_of(output), context);
+    return {[text, &context](std::ostream& out) { text->write(out, context); }, text->losses()};
+  }
+  static Nef3 canonical(const Nef3& set, Context& context) {
+    return plumb::canonical(set, context);
+  }
+  static SolidFacts facts(const Nef3& set, Context& context) { return {set, context}; }
+  static std::pair<const char*, bool> locate(const Nef3& set, const std::array<Rational, 3>& p) {
+    const SpaceLocation place = set.locate(RationalPoint3{p[0], p[1], p[2]});
+    return {name_of(place.item.kind()), place.marked};
+  }
+};
+
+using SolidOperation = SetOperation<Solid>;
+
+// ---------------------------------------------------------------- sums of points
+
+class MinkowskiSum : public SolidOperation {
+ private:
+  void declare_operands(CLI::App& app) override {
+    declare_first<Solid>(app, a_);
+    declare_second(app, b_);
+  }
+  ProgressStages stages() const override {
+    return {reading_solid(), reading_solid(), adding_solids()};
+  }
+  Nef3 compute(Session& session) override {
+    require_one_stdin(a_, b_);
+    const std::vector<Nef3> sets = read_all({a_, b_}, session);
+    session.begin("combine");
+    return minkowski_sum(sets[0], sets[1], session.context());
+  }
+
+  std::string a_;
+  std::string b_;
+};
+
+// ---------------------------------------------------------------- expressions
+
+MarkFunction function_of(SetOperator op) {
+  switch (op) {
+    case SetOperator::Union:
+      return kUnion;
+    case SetOperator::Intersection:
+      return kIntersection;
+    case SetOperator::Difference:
+      return kDifference;
+    default:
+      return kSymmetricDifference;
+  }
+}
+
+class Evaluation : public SolidOperation {
+ private:
+  void declare_operands(CLI::App& app) override {
+    app.add_option("EXPR", text_,
+                   "+ union, * intersection, - difference, ^ symmetric, ! complement")
+        ->required()
+        ->type_name("");
+    app.add_option("NAME=FILE", bindings_, "A solid for each name")->type_name("");
+  }
+
+  Nef3 compute(Session& session) override {
+    const SetExpression expression = parse_set_expression(text_);
+    const std::map<std::string, std::string> files = bound_files();
+    std::vector<std::string> names;
+    for (const std::string& name : expression.names) {
+      const auto file = files.find(name);
+      if (file == files.end()) {
+        throw Error(ErrorCode::Usage, "no file for '" + name + "': add " + name + "=FILE");
+      }
+      names.push_back(file->second);
+    }
+    const std::vector<Nef3> operands = read_all(names, session);
+    return evaluate<Nef3>(
+        expression, [&](std::uint32_t name) { return operands[name]; },
+        [](const Nef3& a) { return !a; },
+        [&](SetOperator op, const Nef3& a, const Nef3& b) {
+          session.begin("combine");
+          return boolean_op(a, b, function_of(op), session.context());
+        });
+  }
+
+  ProgressStages stages() const override {
+    const SetExpression expression = parse_set_expression(text_);
+    const auto combines = [](const SetExpression::Step& step) {
+      return step.op != SetOperator::Operand && step.op != SetOperator::Complement;
+    };
+    const auto operations = std::ranges::count_if(expression.steps, combines);
+    return stages_of_sets<Solid>(expression.names.size(), static_cast<std::size_t>(operations));
+  }
+
+  std::map<std::string, std::string> bound_files() const {
+    std::map<std::string, std::string> files;
+    bool has_stdin = false;
+    for (const std::string& binding : bindings_) {
+      const std::size_t equals = binding.find('=');
+      if (equals == std::string::npos || equals == 0 || equals + 1 == binding.size()) {
+        throw Error(ErrorCode::Usage, "expected NAME=FILE, found '" + binding + "'");
+      }
+      const std::string file = binding.substr(equals + 1);
+      if (file == "-" && std::exchange(has_stdin, true)) require_one_stdin("-", "-");
+      if (!files.emplace(binding.substr(0, equals), file).second) {
+        throw Error(ErrorCode::Usage, "two files for '" + binding.substr(0, equals) + "'");
+      }
+    }
+    return files;
+  }
+
+  std::string text_;
+  std::vector<std::string> bindings_;
+};
+
+// ---------------------------------------------------------------- planes
+
+class SectionOperation : public SolidOperation {
+ private:
+  void declare_operands(CLI::App& app) override {
+    declare_first<Solid>(app, a_);
+    app.add_option("--plane", plane_, "a,b,c,d of a x + b y + c z + d")
+        ->required()
+        ->type_name("a,b,c,d");
+    add_choice(app, "--side", side_, {"closed", "open", "plane"},
+               "closed: <= 0, open: < 0, plane: = 0")
+        ->required();
+    add_choice(app, "--keep", keep_, {"inside", "outside"},
+               "inside: what lies there (default); outside: what lies beyond instead");
+  }
+
+  Nef3 compute(Session& session) override {
+    const Section section = side_ == "plane"    ? Section::PlaneOnly
+                            : side_ == "closed" ? Section::ClosedHalfSpace
+                                                : Section::OpenHalfSpace;
+    const MarkFunction f = keep_ == "inside" ? kIntersection : kDifference;
+    const Nef3 set = read(a_, session);
+    session.begin("combine");
+    return boolean_op(set, plane(session), section, f, session.context());
+  }
+
+  Plane3 plane(Session& session) const {
+    std::array<Rational, 4> numbers;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t end = i < 3 ? plane_.find(',', begin) : plane_.size();
+      if (end == std::string::npos) {
+        throw Error(ErrorCode::Usage, "--plane needs four numbers: a,b,c,d");
+      }
+      numbers[i] = read_number_argument(plane_.substr(begin, end - begin), "--plane", session);
+      begin = end + 1;
+    }
+    if (numbers[0] == 0 && numbers[1] == 0 && numbers[2] == 0) {
+      throw Error(ErrorCode::Usage, "--plane: a, b and c are all zero");
+    }
+    return {numbers[0], numbers[1], numbers[2], numbers[3]};
+  }
+
+  std::string a_;
+  std::string plane_;
+  std::string side_;
+  std::string keep_ = "inside";
+};
+
+class HalfSpaces : public SolidOperation {
+ private:
+  void declare_operands(CLI::App& app) override {
+    app.add_option("FILE", file_, "Lines a b c d closed|open: a x + b y + c z + d <= 0, < 0")
+        ->required()
+        ->type_name("");
+  }
+  ProgressStages stages() const override { return {reading_solid(), intersecting_half_spaces()}; }
+  Nef3 compute(Session& session) override {
+    session.begin("read");
+    const auto half_spaces = read_half_spaces_file(
+        file_, {.exact_decimals = session.options().exact_decimals}, session.context());
+    session.begin("combine");
+    return intersection_of(half_spaces, session.context());
+  }
+
+  std::string file_;
+};
+
+class SolidCompare : public CommandBody {
+ public:
+  void declare(CLI::App& app) override {
+    declare_first<Solid>(app, a_);
+    declare_second(app, b_);
+    input_.declare(app);
+  }
+  ExitCode run(Session& session) override {
+    require_one_stdin(a_, b_);
+    ProgressStages stages = stages_of_sets<Solid>(2, 2);
+    stages.push_back(writing());
+    session.expect(std::move(stages));
+    const std::vector<Nef3> sets = read_sets(input_, {a_, b_}, session);
+    const Nef3 &a = sets[0], &b = sets[1];
+    session.begin("combine");
+    const bool is_equal = a == b;
+    const bool a_in_b = is_equal || a.is_subset_of(b, session.context());
+    const bool b_in_a = is_equal || b.is_subset_of(a, session.context());
+    session.begin("combine");
+    const bool is_disjoint = boolean_op(a, b, kIntersection, session.context()).is_empty();
+    const Json json{
+        {"equal", is_equal}, {"a_in_b", a_in_b}, {"b_in_a", b_in_a}, {"disjoint", is_disjoint}};
+    session.answer(json.dump(), [&](std::ostream& out) {
+      out << (is_equal      ? "equal"
+              : a_in_b      ? "A lies in B"
+              : b_in_a      ? "B lies in A"
+              : is_disjoint ? "disjoint"
+                            : "they overlap")
+          << '\n';
+    });
+    return is_equal ? ExitCode::Yes : ExitCode::No;
+  }
+
+ private:
+  std::string a_;
+  std::string b_;
+  SolidInput input_;
+};
+
+}  // namespace
+
+std::unique_ptr<CommandBody> make_solid_union() {
+  return std::make_unique<BinaryOperation<Solid>>(kUnion);
+}
+std::unique_ptr<CommandBody> make_solid_intersection() {
+  return std::make_unique<BinaryOperation<Solid>>(kIntersection);
+}
+std::unique_ptr<CommandBody> make_solid_difference() {
+  return std::make_unique<BinaryOperation<Solid>>(kDifference);
+}
+std::unique_ptr<CommandBody> make_solid_symmetric_difference() {
+  return std::make_unique<BinaryOperation<Solid>>(kSymmetricDifference);
+}
+std::unique_ptr<CommandBody> make_solid_eval() { return std::make_unique<Evaluation>(); }
+std::unique_ptr<CommandBody> make_solid_complement() {
+  return std::make_unique<UnaryOperation<Solid>>(&Nef3::complement);
+}
+std::unique_ptr<CommandBody> make_solid_interior() {
+  return std::make_unique<UnaryOperation<Solid>>(&Nef3::interior);
+}
+std::unique_ptr<CommandBody> make_solid_closure() {
+  return std::make_unique<UnaryOperation<Solid>>(&Nef3::closure);
+}
+std::unique_ptr<CommandBody> make_solid_boundary() {
+  return std::make_unique<UnaryOperation<Solid>>(&Nef3::boundary);
+}
+std::unique_ptr<CommandBody> make_solid_regularize() {
+  return std::make_unique<UnaryOperation<Solid>>(&Nef3::regularization);
+}
+std::unique_ptr<CommandBody> make_solid_section() { return std::make_unique<SectionOperation>(); }
+std::unique_ptr<CommandBody> make_solid_halfspaces() { return std::make_unique<HalfSpaces>(); }
+std::unique_ptr<CommandBody> make_solid_info() { return std::make_unique<SetInfo<Solid>>(); }
+std::unique_ptr<CommandBody> make_solid_locate() { return std::make_unique<SetLocate<Solid>>(); }
+std::unique_ptr<CommandBody> make_solid_compare() { return std::make_unique<SolidCompare>(); }
+std::unique_ptr<CommandBody> make_convex_minkowski() { return std::make_unique<MinkowskiSum>(); }
+
+}  // namespace plumb::cli

@@ -1,0 +1,268 @@
+#include "plumb/cli/files/operands.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "plumb/base/set_expression.h"
+#include "plumb/cli/session/command.h"
+#include "plumb/io/mesh/stl.h"
+#include "plumb/io/mesh_io.h"
+#include "plumb/io/plane_io.h"
+#include "plumb/io/scene_reader.h"
+#include "plumb/io/solid_io.h"
+#include "plumb/io/text/files.h"
+#include "plumb/io/text/input_cursors.h"
+#include "plumb/io/text/number_reader.h"
+#include "plumb/io/text/text_output.h"
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/rounding.h"
+#include "plumb/surface/surface_homology.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::array<std::string_view, 7> kShapes{
+    "POINT",           "LINESTRING",   "POLYGON",           "MULTIPOINT",
+    "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"};
+constexpr std::string_view kBlank = " \t\r";
+
+/// The first line that is neither blank nor a comment.
+std::string_view first_line(std::string_view text) {
+  take_prefix(text, "\xEF\xBB\xBF");
+  while (!text.empty()) {
+    std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(kBlank), line.size()));
+    if (!line.empty() && line.front() != '#') return line;
+  }
+  return {};
+}
+
+bool is_shape(std::string_view line) {
+  std::string word;
+  for (const char c : line) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalpha(byte) == 0 || word.size() > 20) break;
+    word += static_cast<char>(std::toupper(byte));
+  }
+  return std::ranges::find(kShapes, word) != kShapes.end();
+}
+
+/// Behind the string that begins at `at`.
+std::size_t end_of_string(std::string_view text, std::size_t at) {
+  for (++at; at < text.size() && text[at] != '"'; ++at) at += text[at] == '\\' ? 1 : 0;
+  return std::min(at + 1, text.size());
+}
+
+/// Has the outermost object of a JSON text "asset", as glTF must, and no "type", as GeoJSON must?
+bool is_gltf_text(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  take_prefix(text, "\xEF\xBB\xBF");
+  text.remove_prefix(std::min(text.find_first_not_of(kSpace), text.size()));
+  if (!text.starts_with('{')) return false;
+  std::size_t depth = 0;
+  bool has_asset = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '{' || text[i] == '[') ++depth;
+    if ((text[i] == '}' || text[i] == ']') && --depth == 0) break;
+    if (text[i] != '"') continue;
+    const std::size_t end = end_of_string(text, i);
+    const std::size_t next = text.find_first_not_of(kSpace, end);
+    if (depth == 1 && next != text.npos && text[next] == ':') {
+      const std::string_view key = text.substr(i, end - i);
+      if (key == "\"type\"") return false;
+      has_asset |= key == "\"asset\"";
+    }
+    i = end - 1;
+  }
+  return has_asset;
+}
+
+std::size_t count_words(std::string_view line) {
+  std::size_t count = 0;
+  while (!line.empty()) {
+    line.remove_prefix(std::min(line.find_first_not_of(kBlank), line.size()));
+    if (!line.empty()) ++count;
+    line.remove_prefix(std::min(line.find_first_of(kBlank), line.size()));
+  }
+  return count;
+}
+
+}  // namespace
+
+FileKind kind_of_file(const std::string& path, std::string_view bytes) {
+  if (std::filesystem::path(path).extension() == ".map") return FileKind::Map;
+  if (mesh_format_of(path) || is_nef_file(path, bytes)) return FileKind::Solid;
+  if (plane_format_of(path)) return FileKind::PlaneSet;
+  if (is_binary_stl(bytes) || is_gltf_text(bytes)) return FileKind::Solid;
+  const std::string_view line = first_line(bytes);
+  if (is_shape(line) || guess_plane_format(bytes) != PlaneFormat::Wkt) return FileKind::PlaneSet;
+  const bool is_number = !line.empty() && '0' <= line.front() && line.front() <= '9';
+  return is_number && count_words(line) == 2 ? FileKind::Map : FileKind::Solid;
+}
+
+}  // namespace plumb
+
+namespace plumb::cli {
+
+Rational read_number_argument(const std::string& text, const std::string& name, Session& session) {
+  const RoundToNearest rounding;
+  ReadNumber number;
+  try {
+    TextCursor cursor(text, name);
+    const bool is_blank = !cursor.next_line();
+    const std::string_view token = is_blank ? std::string_view() : cursor.token();
+    if (token.size() != text.size()) {
+      throw Error(ErrorCode::Usage, "expected a number, found " + plumb::quoted(text));
+    }
+    NumberReader numbers(session.context().limits(), session.options().exact_decimals, text.size());
+    numbers.read(cursor, token, number);
+  } catch (const Error& error) {
+    throw Error(ErrorCode::Usage, name + ": " + error.message());
+  }
+  return number.exact();
+}
+
+std::string readable(const Rational& value) {
+  constexpr std::size_t kLongest = 60;
+  constexpr int kDigits = 17;
+  std::string exact = format_exact(value);
+  if (exact.size() <= kLongest) return exact;
+  const double nearest = nearest_double(value);
+  const bool is_ordinary = std::isnormal(nearest);
+  const auto digits = std::ranges::count_if(exact, [](char c) { return '0' <= c && c <= '9'; });
+  return (is_ordinary ? format_double(nearest) : decimal_text(value, kDigits)) +
+         " (rounded; the exact number has " + std::to_string(digits) + " digits, --json has them)";
+}
+
+void SolidInput::declare(CLI::App& app) {
+  add_choice(app, "--rule", rule_, {"positive", "nonzero", "odd"},
+             "Winding numbers inside (default: positive, and components inside out are turned)");
+  app.add_flag("--surface", surface_, "Read a mesh, open or not, as the set of its facets");
+}
+
+SolidReadOptions SolidInput::read_options(const CommonOptions& common) const {
+  SolidReadOptions options;
+  options.exact_decimals = common.exact_decimals;
+  options.surface = surface_;
+  if (!rule_.empty()) {
+    options.rule = rule_ == "odd"       ? WindingRule::EvenOdd
+                   : rule_ == "nonzero" ? WindingRule::NonZero
+                                        : WindingRule::Positive;
+  }
+  return options;
+}
+
+void require_solid(const std::string& file, const std::string& bytes) {
+  const FileKind kind = kind_of_file(file, bytes);
+  if (kind == FileKind::Solid) return;
+  const std::string what = kind == FileKind::Map ? "a map" : "a set of the plane";
+  throw Error(ErrorCode::UnknownFormat,
+              what + ", where a solid is needed: .off, .obj, .stl, .ply, .glb, .gltf, .nef",
+              {.file = input_name(file)});
+}
+
+SolidRead SolidInput::load(const std::string& file, const CommonOptions& options,
+                           Context& context) const {
+  const std::string bytes = read_input(file, context);
+  require_solid(file, bytes);
+  SolidRead solid = read_solid(file, bytes, read_options(options), context);
+  context.release_memory(bytes.size());
+  return solid;
+}
+
+Nef3 SolidInput::read(const std::string& file, Session& session) const {
+  const std::string bytes = read_input(file, session.context());
+  Nef3 set = read(file, bytes, session);
+  session.context().release_memory(bytes.size());
+  return set;
+}
+
+Nef3 SolidInput::read(const std::string& file, const std::string& bytes, Session& session) const {
+  require_solid(file, bytes);
+  SolidRead solid = read_solid(file, bytes, read_options(session.options()), session.context());
+  for (const std::string& note : solid.notes) session.note(input_name(file) + ": " + note);
+  return std::move(solid.set);
+}
+
+Nef2 SolidInput::read_plane(const std::string& file, const std::string& bytes,
+                            Session& session) const {
+  if (!is_plain()) throw Error(ErrorCode::Usage, "--rule and --surface are for meshes");
+  const PlaneFormat format = plane_format_of(file).value_or(guess_plane_format(bytes));
+  const ReadOptions options{input_name(file), session.options().exact_decimals};
+  return read_plane_set(bytes, format, options, session.context());
+}
+
+namespace {
+
+/// Adds generators of the homology to shapes until every one separates.
+std::vector<SurfaceRepair> repair(SurfaceScene& scene, Context& context) {
+  const SurfaceHomology homology(*scene.mesh, context);
+  if (!scene.shapes) {
+    scene.shapes.emplace();
+    for (std::uint32_t p = 0; p < scene.polygons.size(); ++p) scene.shapes->push_back({p});
+  }
+  std::vector<SurfaceRepair> repairs;
+  for (std::uint32_t s = 0; s < scene.shapes->size(); ++s) {
+    std::vector<std::uint32_t>& shape = (*scene.shapes)[s];
+    if (s % 64 == 0) context.checkpoint("homology", s, scene.shapes->size());
+    std::vector<std::int64_t> before = homology.class_of(scene.polygons, shape, context);
+    if (std::ranges::all_of(before, [](std::int64_t k) { return k == 0; })) continue;
+    std::vector<std::uint32_t> added = homology.add_repair(shape, scene.polygons, context);
+    context.charge_memory(before.size() * sizeof(std::int64_t), "loops that repair");
+    shape.insert(shape.end(), added.begin(), added.end());
+    repairs.push_back({s, std::move(before), std::move(added)});
+  }
+  return repairs;
+}
+
+}  // namespace
+
+void SurfaceInput::declare(CLI::App& app) {
+  app.add_option("SCENE", file_, "A scene: .json; - is standard input")->required()->type_name("");
+  app.add_flag("--repair", repairs_,
+               "Add loops around handles to shapes that do not separate, so that they do");
+}
+
+void SurfaceInput::declare_expression(CLI::App& app, bool is_required) {
+  CLI::Option* const op =
+      app.add_option("--op", expression_,
+                     "+ union, * intersection, - difference, ^ symmetric, ! complement of shapes "
+                     "A, B .. or s0, s1 ..")
+          ->type_name("EXPR");
+  if (is_required) op->required();
+  app.add_option("--rule", rule_, "Labels inside: evenodd (default), nonzero, positive")
+      ->type_name("RULE")
+      ->check(CLI::IsMember({"evenodd", "nonzero", "positive"}).description(""));
+}
+
+DividedScene SurfaceInput::read(Session& session) const {
+  session.begin("read");
+  SceneFile file = read_scene_file(file_, {.exact_decimals = session.options().exact_decimals},
+                                   session.context());
+  for (const std::string& note : file.notes) session.note(note);
+  std::vector<SurfaceRepair> repairs;
+  if (repairs_) repairs = repair(file.scene, session.context());
+  session.begin("divide");
+  return {SurfaceDivision(std::move(file.scene), session.context()), file.model,
+          std::move(repairs)};
+}
+
+SurfaceResult SurfaceInput::evaluate(const SurfaceDivision& division, Context& context) const {
+  const WindingRule rule = rule_ == "nonzero"    ? WindingRule::NonZero
+                           : rule_ == "positive" ? WindingRule::Positive
+                                                 : WindingRule::EvenOdd;
+  try {
+    return division.evaluate(parse_set_expression(expression_), rule, context);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::BadArgument && error.code() != ErrorCode::Syntax) throw;
+    throw Error(ErrorCode::Usage, "--op '" + expression_ + "': " + error.message());
+  }
+}
+
+}  // namespace plumb::cli

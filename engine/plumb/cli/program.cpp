@@ -1,0 +1,360 @@
+// "Did you mean ...?"
+
+#include "plumb/cli/program.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <exception>
+#include <iterator>
+#include <memory>
+#include <new>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "plumb/base/version.h"
+#include "plumb/cli/session/command.h"
+#include "plumb/cli/session/session.h"
+#include "plumb/predicates/error.h"
+#include "plumb/space/from_mesh.h"
+
+namespace plumb::cli {
+
+/// The entry of `known` with the fewest insertions, deletions, substitutions and swaps of
+/// neighbours away from `word`; the first of equals. Empty if even that is more than a third of
+/// `word` (of a word of one or two letters: more than one) away.
+std::string nearest(std::string_view word, std::span<const std::string> known);
+
+namespace {
+
+/// Optimal string alignment distance.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      const std::size_t change = a[i - 1] == b[j - 1] ? 0 : 1;
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + change});
+      const bool is_swap = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (is_swap) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::string nearest(std::string_view word, std::span<const std::string> known) {
+  constexpr std::size_t kLongest = 64;  // nobody mistypes that: do not spend time on it
+  if (word.size() > kLongest) return {};
+  std::string best;
+  std::size_t least = std::max<std::size_t>(word.size() / 3, 1) + 1;
+  for (const std::string& candidate : known) {
+    const std::size_t d = distance(word, candidate);
+    if (d < least) {
+      least = d;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+constexpr std::string_view kVersion = PLUMB_VERSION_STRING;
+
+[[noreturn]] void fail_usage(const std::string& message) { throw Error(ErrorCode::Usage, message); }
+
+void print(const std::string& text) {
+  Outputs outputs;
+  outputs.add("-", [&](std::ostream& out) { out << text; });
+  outputs.deliver();
+}
+
+std::string padded(std::string text, std::size_t width) {
+  text.resize(width, ' ');
+  return text;
+}
+
+/// What to type, and what it does.
+using Row = std::pair<std::string, std::string_view>;
+
+Row row_of(const Command& command) {
+  std::string what(command.name);
+  if (!command.arguments.empty()) what.append(1, ' ').append(command.arguments);
+  return {std::move(what), command.summary};
+}
+
+/// The commands that start with the word `group`.
+std::vector<Row> rows_of(std::string_view group) {
+  std::vector<Row> rows;
+  for (const Command& command : commands()) {
+    if (first_word(command.name) == group) rows.push_back(row_of(command));
+  }
+  return rows;
+}
+
+/// All commands; those of a group share a row.
+std::vector<Row> all_rows() {
+  std::vector<Row> rows;
+  std::string_view last_word;
+  for (const Command& command : commands()) {
+    const std::string_view word = first_word(command.name);
+    const auto group = std::find_if(command_groups().begin(), command_groups().end(),
+                                    [&](const CommandGroup& g) { return g.word == word; });
+    if (group == command_groups().end()) {
+      rows.push_back(row_of(command));
+    } else if (word != last_word) {
+      rows.emplace_back(std::string(word) + " ...", group->summary);
+    }
+    last_word = word;
+  }
+  return rows;
+}
+
+std::string table(const std::vector<Row>& rows) {
+  std::size_t width = 0;
+  for (const auto& [what, summary] : rows) width = std::max(width, what.size() + 2);
+  std::string text;
+  for (const auto& [what, summary] : rows) {
+    text += "  " + padded(what, width) + std::string(summary) + '\n';
+  }
+  return text;
+}
+
+/// Of the first command that starts with the word `group`.
+std::string_view example_of(std::string_view group) {
+  const auto first = std::find_if(commands().begin(), commands().end(),
+                                  [&](const Command& c) { return first_word(c.name) == group; });
+  return first->example;
+}
+
+/// Help for all commands, or for those that start with the word `group`.
+std::string overview(std::string_view group = {}) {
+  std::string text = "plumb " + std::string(kVersion) +
+                     " - exact geometry: every decision exact, every result auditable\n\n"
+                     "Usage: plumb COMMAND [ARGUMENTS] [OPTIONS]\n\nCommands:\n";
+  text += table(group.empty() ? all_rows() : rows_of(group));
+  if (!group.empty()) text += "\nExample:\n  " + std::string(example_of(group)) + '\n';
+  text +=
+      "\nOptions of every command:\n"
+      "  --json  -o OUT  --format NAME  --exact-decimals  --threads N  --progress  -q\n"
+      "  --limit-memory MB  --limit-seconds S  --help\n"
+      "  FILE or OUT may be - (standard input, standard output)\n"
+      "plumb COMMAND --help says more; plumb --version prints the version.\n"
+      "Exit: 0 yes, 1 no, 2 bad input, 3 limit, 4 cancelled, 70 bug in plumb.\n";
+  return text;
+}
+
+bool is_help(std::string_view word) { return word == "--help" || word == "-h" || word == "help"; }
+
+bool is_group(std::string_view word) {
+  return std::any_of(commands().begin(), commands().end(), [&](const Command& command) {
+    return command.name != word && first_word(command.name) == word;
+  });
+}
+
+/// How many of `arguments` spell `name`: all its words, or 0.
+std::size_t words_matched(const Arguments& arguments, std::string_view name) {
+  std::size_t count = 0;
+  while (!name.empty()) {
+    const std::string_view word = first_word(name);
+    if (count == arguments.size() || arguments[count] != word) return 0;
+    name.remove_prefix(std::min(name.size(), word.size() + 1));
+    ++count;
+  }
+  return count;
+}
+
+/// The command of this group that `second` was probably meant to be; or empty.
+std::string guess_in_group(const std::string& group, const std::string& second) {
+  Arguments words;
+  for (const Command& command : commands()) {
+    if (command.name.starts_with(group + ' ')) {
+      words.emplace_back(command.name.substr(group.size() + 1));
+    }
+  }
+  const std::string guess = nearest(second, words);
+  return guess.empty() ? guess : group + ' ' + guess;
+}
+
+/// The command that `first`, alone or with `second`, was probably meant to be; or empty.
+std::string guess_command(const std::string& first, const std::string& second) {
+  if (is_group(first)) return guess_in_group(first, second);
+  Arguments names;
+  Arguments last_words;
+  for (const Command& command : commands()) {
+    names.emplace_back(command.name);
+    last_words.emplace_back(command.name.substr(command.name.rfind(' ') + 1));
+  }
+  if (second.empty()) {
+    for (const CommandGroup& group : command_groups()) names.emplace_back(group.word);
+  }
+  std::string guess = nearest(second.empty() ? first : first + ' ' + second, names);
+  if (guess.empty()) guess = nearest(first, names);
+  if (!guess.empty()) return guess;
+  const std::string word = nearest(first, last_words);
+  const auto place = std::find(last_words.begin(), last_words.end(), word);
+  return place == last_words.end() ? std::string()
+                                   : names[static_cast<std::size_t>(place - last_words.begin())];
+}
+
+[[noreturn]] void fail_unknown_command(const Arguments& arguments) {
+  std::string given = arguments.front();
+  if (given.size() > 1 && given.starts_with('-')) {
+    fail_usage("options come after the command, not first as '" + given +
+               "'; plumb --help lists both");
+  }
+  const bool has_second = arguments.size() > 1 && !arguments[1].starts_with('-');
+  const std::string second = has_second ? arguments[1] : std::string();
+  if (is_group(given) && !has_second) {
+    fail_usage("'" + given + "' needs a second word; plumb " + given + " --help lists them");
+  }
+  const std::string guess = guess_command(given, second);
+  if (is_group(given)) given += ' ' + second;
+  fail_usage("unknown command '" + given + "'" +
+             (guess.empty() ? "; plumb --help lists them" : "; did you mean '" + guess + "'?"));
+}
+
+/// CLI11's message, with the option that was probably meant.
+std::string parse_message(const CLI::App& app, const CLI::ParseError& error) {
+  std::string message = error.what();
+  if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError)) return message;
+  Arguments names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  const std::string given = message.substr(message.find_last_of(' ') + 1);
+  const std::string guess = given.starts_with('-') ? nearest(given, names) : std::string();
+  return guess.empty() ? message : message + "; did you mean '" + guess + "'?";
+}
+
+/// CLI11 knows "-0.5" for a number, but takes "-.5" for options.
+std::string with_digit(std::string argument) {
+  const bool starts_with_point =
+      argument.size() > 2 && argument.starts_with("-.") && argument[2] >= '0' && argument[2] <= '9';
+  return starts_with_point ? argument.insert(1, 1, '0') : argument;
+}
+
+ExitCode run_command(const Command& command, Arguments arguments, std::stop_token stop) {
+  const std::string name(command.name);
+  CommandApp known(command);
+  CLI::App& app = known.app;
+  std::transform(arguments.begin(), arguments.end(), arguments.begin(), with_digit);
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
+  try {
+    app.parse(std::move(arguments));
+  } catch (const CLI::CallForHelp&) {
+    print(app.help());
+    return ExitCode::Yes;
+  } catch (const CLI::ParseError& error) {
+    fail_usage(name + ": " + parse_message(app, error) + "\nplumb " + name + " --help says more");
+  }
+  const std::uint64_t megabytes = known.common.limit_memory_mb;
+  if (megabytes > 0) limit_address_space(megabytes << 20U);
+  Session session(known.common, std::move(stop));
+  return known.body->run(session);
+}
+
+ExitCode dispatch(const Arguments& arguments, std::stop_token stop) {
+  if (arguments.empty()) fail_usage("a command is missing; plumb --help lists them");
+  const std::string& first = arguments.front();
+  if (is_help(first)) {
+    print(overview());
+    return ExitCode::Yes;
+  }
+  if (first == "--version") {
+    print("plumb " + std::string(kVersion) + '\n');
+    return ExitCode::Yes;
+  }
+  for (const Command& command : commands()) {
+    const std::size_t words = words_matched(arguments, command.name);
+    if (words == 0) continue;
+    const auto rest = arguments.begin() + static_cast<std::ptrdiff_t>(words);
+    return run_command(command, Arguments(rest, arguments.end()), std::move(stop));
+  }
+  if (is_group(first) && arguments.size() > 1 && is_help(arguments[1])) {
+    print(overview(first));
+    return ExitCode::Yes;
+  }
+  fail_unknown_command(arguments);
+}
+
+ExitCode exit_code_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::ResourceLimit:
+      return ExitCode::Limit;
+    case ErrorCode::Cancelled:
+      return ExitCode::Cancelled;
+    case ErrorCode::ClosedPipe:
+      return ExitCode::ClosedPipe;
+    default:
+      return ExitCode::BadInput;
+  }
+}
+
+ExitCode report_refused_memory() {
+  std::fputs("plumb: out of memory (raise --limit-memory, or use a smaller input)\n", stderr);
+  return ExitCode::Limit;
+}
+
+/// Of what files have a part in: one line, without control characters, and not of any length. Takes
+/// no memory.
+void print_line(std::string_view text) {
+  std::array<char, 4096> line{};
+  const std::size_t size = std::min(text.size(), line.size());
+  std::replace_copy_if(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(size), line.begin(),
+                       is_control, '?');
+  std::fprintf(stderr, "%.*s\n", static_cast<int>(size), line.data());
+}
+
+/// Errors with a place are "FILE:LINE:COLUMN: ..." as they are; others get the program's name.
+ExitCode report(const Error& error) {
+  const ExitCode code = exit_code_of(error.code());
+  if (code == ExitCode::ClosedPipe) return code;
+  std::string text = error.what();
+  if (dynamic_cast<const OpenMesh*>(&error) != nullptr) {
+    text += "; --surface reads it as the set of its facets";
+  }
+  if (error.place().file.empty()) {
+    std::fprintf(stderr, "plumb: %s\n", text.c_str());
+  } else {
+    print_line(text);
+  }
+  return code;
+}
+
+}  // namespace
+
+ExitCode run_program(const Arguments& arguments, std::stop_token stop) noexcept {
+  try {
+    return dispatch(arguments, std::move(stop));
+  } catch (const Error& error) {
+    return report(error);
+  } catch (const std::bad_alloc&) {
+    return report_refused_memory();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr,
+                 "plumb: internal error: %s.\nThis is a bug in plumb. Please report it with the "
+                 "input and the command line.\n",
+                 error.what());
+    return ExitCode::Internal;
+  }
+}
+
+}  // namespace plumb::cli
+
+int main(int argc, char** argv) {
+  const std::stop_token stop = plumb::cli::prepare_process();
+  const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
+  return static_cast<int>(plumb::cli::run_program(arguments, stop));
+}

@@ -1,0 +1,279 @@
+#include "plumb/cli/session/command.h"
+
+#include <array>
+#include <memory>
+#include <sstream>
+#include <utility>
+
+namespace plumb::cli {
+namespace {
+
+constexpr std::size_t kScreen = 80;        // columns
+constexpr std::size_t kDescriptions = 30;  // where they begin
+
+/// `text` in lines of at most `width` characters, broken between words.
+std::string wrapped(const std::string& text, std::size_t width) {
+  std::istringstream words(text);
+  std::string lines;
+  std::size_t used = 0;
+  for (std::string word; words >> word;) {
+    const bool fits = used + 1 + word.size() <= width;
+    if (used > 0) lines += fits ? ' ' : '\n';
+    used = used > 0 && fits ? used + 1 + word.size() : word.size();
+    lines += word;
+  }
+  return lines;
+}
+
+/// CLI11's help on a screen of 80 columns, without what it says of how options exclude each other.
+class Formatter : public CLI::Formatter {
+ public:
+  Formatter() {
+    column_width(kDescriptions);
+    label("Positionals", "Arguments");
+  }
+
+  std::string make_option_desc(const CLI::Option* option) const override {
+    return wrapped(option->get_description(), kScreen - kDescriptions);
+  }
+
+  std::string make_option_opts(const CLI::Option* option) const override {
+    if (option->get_positional()) return {};
+    std::string text;
+    if (!option->get_type_name().empty()) text += ' ' + option->get_type_name();
+    if (option->get_required()) text += " REQUIRED";
+    return text;
+  }
+
+  /// make_groups() ends all groups but the last with an empty line, and here they begin with one.
+  std::string make_group(std::string group, bool is_positional,
+                         std::vector<const CLI::Option*> options) const override {
+    const bool is_last = group == kCommonGroup;
+    return CLI::Formatter::make_group(std::move(group), is_positional, std::move(options))
+        .substr(is_last ? 1 : 0);
+  }
+};
+
+}  // namespace
+
+CommandApp::CommandApp(const Command& command)
+    : app(std::string(command.summary), "plumb " + std::string(command.name)),
+      body(command.make()) {
+  std::string footer = "Example:\n  " + std::string(command.example);
+  footer += "\n\nJSON: docs/schema/" + std::string(command.schema) + ".schema.json";
+  app.footer(footer);
+  app.formatter(std::make_shared<Formatter>());
+  body->declare(app);
+  common.declare(app);
+}
+
+std::string_view first_word(std::string_view name) { return name.substr(0, name.find(' ')); }
+
+std::vector<OptionText> options_of(const CLI::App& app) {
+  std::vector<OptionText> texts;
+  for (const CLI::Option* option : app.get_options()) {
+    OptionText text;
+    text.is_argument = option->get_positional();
+    text.name = option->get_name(text.is_argument, !text.is_argument);
+    text.text = option->get_description();
+    text.is_common = option->get_group() == kCommonGroup;
+    const bool takes_value = !text.is_argument && option->get_expected_max() > 0;
+    if (takes_value) text.value = option->get_type_name();
+    if (text.value.find('|') != std::string::npos) {
+      text.choices = CLI::detail::split(text.value, '|');
+    }
+    texts.push_back(std::move(text));
+  }
+  return texts;
+}
+
+CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
+                        const std::vector<std::string>& words, const std::string& text) {
+  return app.add_option(name, value, text)
+      ->type_name(CLI::detail::join(words, "|"))
+      ->check(CLI::IsMember(words).description(""));
+}
+
+std::unique_ptr<CommandBody> make_map_check();
+std::unique_ptr<CommandBody> make_map_overlay();
+std::unique_ptr<CommandBody> make_plane_union();
+std::unique_ptr<CommandBody> make_plane_intersection();
+std::unique_ptr<CommandBody> make_plane_difference();
+std::unique_ptr<CommandBody> make_plane_symmetric_difference();
+std::unique_ptr<CommandBody> make_plane_complement();
+std::unique_ptr<CommandBody> make_plane_interior();
+std::unique_ptr<CommandBody> make_plane_closure();
+std::unique_ptr<CommandBody> make_plane_boundary();
+std::unique_ptr<CommandBody> make_plane_regularize();
+std::unique_ptr<CommandBody> make_plane_info();
+std::unique_ptr<CommandBody> make_plane_locate();
+std::unique_ptr<CommandBody> make_solid_union();
+std::unique_ptr<CommandBody> make_solid_intersection();
+std::unique_ptr<CommandBody> make_solid_difference();
+std::unique_ptr<CommandBody> make_solid_symmetric_difference();
+std::unique_ptr<CommandBody> make_solid_eval();
+std::unique_ptr<CommandBody> make_solid_complement();
+std::unique_ptr<CommandBody> make_solid_interior();
+std::unique_ptr<CommandBody> make_solid_closure();
+std::unique_ptr<CommandBody> make_solid_boundary();
+std::unique_ptr<CommandBody> make_solid_regularize();
+std::unique_ptr<CommandBody> make_solid_section();
+std::unique_ptr<CommandBody> make_solid_halfspaces();
+std::unique_ptr<CommandBody> make_solid_info();
+std::unique_ptr<CommandBody> make_solid_locate();
+std::unique_ptr<CommandBody> make_solid_compare();
+std::unique_ptr<CommandBody> make_convex_check();
+std::unique_ptr<CommandBody> make_convex_decompose();
+std::unique_ptr<CommandBody> make_convex_report();
+std::unique_ptr<CommandBody> make_convex_minkowski();
+std::unique_ptr<CommandBody> make_surface_cells();
+std::unique_ptr<CommandBody> make_surface_boolean();
+std::unique_ptr<CommandBody> make_surface_draw();
+std::unique_ptr<CommandBody> make_view();
+std::unique_ptr<CommandBody> make_audit();
+std::unique_ptr<CommandBody> make_demo();
+std::unique_ptr<CommandBody> make_completion();
+std::unique_ptr<CommandBody> make_manual();
+std::unique_ptr<CommandBody> make_self_test();
+
+std::span<const Command> commands() {  // NOLINT(readability-function-size): a table
+  static constexpr std::array kCommands{
+      Command{"map check", "FILE", "A planar subdivision? All defects, or the DCEL",
+              "./plumb map check corpus/maps/us-counties.map --svg out.svg", "map-check",
+              make_map_check},
+      Command{"map overlay", "A B", "The faces of two maps at once, each with its pair",
+              "./plumb map overlay corpus/maps/us-states.clean.map "
+              "corpus/maps/us-counties.clean.map -o out.svg",
+              "map-overlay", make_map_overlay},
+      Command{"plane union", "A B", "What lies in either set",
+              "./plumb plane union corpus/plane/star.wkt corpus/plane/frame.geojson -o out.wkt",
+              "plane-set", make_plane_union},
+      Command{
+          "plane intersection", "A B", "What lies in both sets",
+          "./plumb plane intersection corpus/plane/star.wkt corpus/plane/quadrant.nef2 -o out.nef2",
+          "plane-set", make_plane_intersection},
+      Command{"plane difference", "A B", "What lies in A and not in B",
+              "./plumb plane difference corpus/plane/frame.geojson corpus/plane/star.wkt -o "
+              "out.geojson",
+              "plane-set", make_plane_difference},
+      Command{"plane symmetric-difference", "A B", "What lies in one of the sets only",
+              "./plumb plane symmetric-difference corpus/plane/star.wkt corpus/plane/frame.geojson",
+              "plane-set", make_plane_symmetric_difference},
+      Command{"plane complement", "A", "What does not lie in A",
+              "./plumb plane complement corpus/plane/frame.geojson -o out.nef2", "plane-set",
+              make_plane_complement},
+      Command{"plane interior", "A", "A without its boundary",
+              "./plumb plane interior corpus/plane/star.wkt -o out.nef2", "plane-set",
+              make_plane_interior},
+      Command{"plane closure", "A", "A with its boundary",
+              "./plumb plane closure corpus/plane/quadrant.nef2 -o out.nef2", "plane-set",
+              make_plane_closure},
+      Command{"plane boundary", "A", "The boundary of A",
+              "./plumb plane boundary corpus/plane/star.wkt", "plane-set", make_plane_boundary},
+      Command{"plane regularize", "A", "The closure of the interior of A",
+              "./plumb plane regularize corpus/plane/frame.geojson", "plane-set",
+              make_plane_regularize},
+      Command{"plane info", "A", "Counts, exact area; bounded? empty?",
+              "./plumb plane info corpus/plane/star.wkt --json", "plane-set", make_plane_info},
+      Command{"plane locate", "A X Y", "Where does the point lie; is it in A?",
+              "./plumb plane locate corpus/plane/quadrant.nef2 0 -1/3", "locate",
+              make_plane_locate},
+      Command{
+          "solid union", "A B", "What lies in either solid",
+          "./plumb solid union corpus/solids/l-block.off corpus/solids/tetrahedron.obj -o out.off",
+          "solid-set", make_solid_union},
+      Command{"solid intersection", "A B", "What lies in both solids",
+              "./plumb solid intersection corpus/solids/l-block.off corpus/solids/tetrahedron.obj "
+              "-o out.nef",
+              "solid-set", make_solid_intersection},
+      Command{"solid difference", "A B", "What lies in A and not in B",
+              "./plumb solid difference corpus/solids/l-block.off corpus/solids/tetrahedron.obj -o "
+              "out.nef",
+              "solid-set", make_solid_difference},
+      Command{"solid symmetric-difference", "A B", "What lies in one of the solids only",
+              "./plumb solid symmetric-difference corpus/solids/l-block.off "
+              "corpus/solids/tetrahedron.obj -o out.nef",
+              "solid-set", make_solid_symmetric_difference},
+      Command{"solid eval", "EXPR NAME=FILE...", "An expression over solids: + * - ^ ! ( )",
+              "./plumb solid eval 'A - B * !C' A=corpus/solids/l-block.off "
+              "B=corpus/solids/tetrahedron.obj C=corpus/solids/l-block.off -o out.nef",
+              "solid-set", make_solid_eval},
+      Command{"solid complement", "A", "What does not lie in A",
+              "./plumb solid complement corpus/solids/l-block.off -o out.nef", "solid-set",
+              make_solid_complement},
+      Command{"solid interior", "A", "A without its boundary",
+              "./plumb solid interior corpus/solids/l-block.off -o out.nef", "solid-set",
+              make_solid_interior},
+      Command{"solid closure", "A", "A with its boundary",
+              "./plumb solid closure corpus/solids/l-block.off -o out.nef", "solid-set",
+              make_solid_closure},
+      Command{"solid boundary", "A", "The boundary of A",
+              "./plumb solid boundary corpus/solids/l-block.off -o out.nef", "solid-set",
+              make_solid_boundary},
+      Command{"solid regularize", "A", "The closure of the interior of A",
+              "./plumb solid regularize corpus/solids/l-block.off -o out.off", "solid-set",
+              make_solid_regularize},
+      Command{"solid section", "A", "What lies of A on a plane, or on one side",
+              "./plumb solid section corpus/solids/l-block.off --plane 1,0,0,-1/2 --side closed -o "
+              "out.off",
+              "solid-set", make_solid_section},
+      Command{"solid halfspaces", "FILE", "The intersection of half-spaces",
+              "./plumb solid halfspaces corpus/solids/octahedron.txt -o out.off", "solid-set",
+              make_solid_halfspaces},
+      Command{"solid info", "A", "Counts, exact volume; bounded? simple?",
+              "./plumb solid info corpus/solids/l-block.off --json", "solid-set", make_solid_info},
+      Command{"solid locate", "A X Y Z", "Where does the point lie; is it in A?",
+              "./plumb solid locate corpus/solids/l-block.off 1/2 1/2 1/2", "locate",
+              make_solid_locate},
+      Command{"solid compare", "A B", "Equal? One in the other? Disjoint?",
+              "./plumb solid compare corpus/solids/l-block.off corpus/solids/l-block.off",
+              "solid-compare", make_solid_compare},
+      Command{"convex check", "A", "Convex? Reflex edges or corners, faces that fail",
+              "./plumb convex check corpus/solids/ball.off", "convex-check", make_convex_check},
+      Command{"convex decompose", "A", "Convex pieces of any set; -o DIR: a file each",
+              "./plumb convex decompose corpus/solids/l-block.off --json", "convex-decompose",
+              make_convex_decompose},
+      Command{"convex report", "FILE...", "Solids tested, cut and tested again, one line a check",
+              "./plumb convex report corpus/polyhedra/test_zero.off corpus/polyhedra/test_one.off",
+              "convex-report", make_convex_report},
+      Command{
+          "convex minkowski", "A B", "Minkowski sum: all sums of points of A and B",
+          "./plumb convex minkowski corpus/solids/l-block.off corpus/solids/ball.off -o sum.off",
+          "solid-set", make_convex_minkowski},
+      Command{"surface cells", "SCENE", "Cells of polygons on a mesh, with labels",
+              "./plumb surface cells corpus/scenes/torus.json --json", "surface-cells",
+              make_surface_cells},
+      Command{"surface boolean", "SCENE --op EXPR", "What an expression selects: area, borders",
+              "./plumb surface boolean corpus/scenes/torus.json --op 'A + B * !C' -o out.obj",
+              "surface-boolean", make_surface_boolean},
+      Command{"surface draw", "SCENE --what WHAT", "A picture: .png, .svg, .html, .glb",
+              "./plumb surface draw corpus/scenes/torus.json --what labels -o out.html",
+              "surface-draw", make_surface_draw},
+      Command{"view", "FILE...", "A picture of maps, sets, solids: .png, .svg, .html, .glb",
+              "./plumb view corpus/solids/square-hole.off -o out.html", "view", make_view},
+      Command{"audit", "FILE", "Does every invariant of the structure in FILE hold?",
+              "./plumb audit corpus/plane/quadrant.nef2", "audit", make_audit},
+      Command{"demo", "", "One example of each, with times and pictures: index.html",
+              "./plumb demo -o plumb-demo", "demo", make_demo},
+      Command{"completion bash", "", "For .bashrc: source <(plumb completion bash)",
+              "./plumb completion bash", "completion", make_completion},
+      Command{"manual", "", "The manual page: plumb manual | man -l -", "./plumb manual", "manual",
+              make_manual},
+      Command{"self-test", "", "Is the floating-point environment what the predicates need?",
+              "./plumb self-test", "self-test", make_self_test},
+  };
+  return kCommands;
+}
+
+std::span<const CommandGroup> command_groups() {
+  static constexpr std::array kGroups{
+      CommandGroup{"map", "Maps, exactly: check regions for defects, overlay two maps"},
+      CommandGroup{"plane", "Sets of the plane, exactly: union ... info, locate"},
+      CommandGroup{"solid", "Sets of space, exactly: union ... section, info, compare"},
+      CommandGroup{"convex", "Convexity, convex pieces: check, decompose, report, minkowski"},
+      CommandGroup{"surface", "Polygons on meshes, exactly: cells, boolean, draw"},
+  };
+  return kGroups;
+}
+
+}  // namespace plumb::cli

@@ -1,0 +1,216 @@
+#include "plumb/cli/session/session.h"
+
+#include <gmp.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <utility>
+
+#include "plumb/base/keep_freed_memory.h"
+#include "plumb/io/text/files.h"
+#include "plumb/predicates/error.h"
+
+namespace plumb::cli {
+namespace {
+
+std::stop_source& stop_source() {
+  static std::stop_source source;
+  return source;
+}
+
+[[noreturn]] void leave(ExitCode code) {
+  remove_temporary_files();
+  ::_exit(static_cast<int>(code));
+}
+
+/// request_stop() is an atomic exchange as long as no stop callback is registered, and none is.
+extern "C" void on_stop_signal(int) {
+  if (!stop_source().request_stop()) leave(ExitCode::Cancelled);
+}
+
+extern "C" void on_abort(int) { leave(ExitCode::Internal); }
+
+/// No SA_RESTART: a read that waits for input ends, and notices the stop.
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  ::sigaction(signal, &action, nullptr);
+}
+
+void* require(void* memory) {
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+void* gmp_allocate(std::size_t size) { return require(std::malloc(size)); }
+void* gmp_reallocate(void* memory, std::size_t, std::size_t size) {
+  return require(std::realloc(memory, size));
+}
+void gmp_free(void* memory, std::size_t) { std::free(memory); }
+
+std::uint64_t address_space_now() {
+  std::uint64_t pages = 0;
+  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
+    unsigned long long read = 0;
+    if (std::fscanf(file, "%llu", &read) == 1) pages = read;
+    std::fclose(file);
+  }
+  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
+
+bool is_stop_requested() { return stop_source().stop_requested(); }
+
+std::stop_token prepare_process() {
+  stop_source();  // made before a signal can ask for it
+  handle(SIGINT, on_stop_signal);
+  handle(SIGTERM, on_stop_signal);
+  handle(SIGPIPE, SIG_IGN);
+  handle(SIGXFSZ, SIG_IGN);
+  handle(SIGABRT, on_abort);
+  ::mp_set_memory_functions(gmp_allocate, gmp_reallocate, gmp_free);
+  keep_freed_memory();
+  use_huge_pages();
+  return stop_source().get_token();
+}
+
+void limit_address_space(std::uint64_t bytes) {
+  constexpr std::uint64_t kSlack = std::uint64_t{64} << 20U;
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_AS, &limit) != 0) return;
+  const rlim_t wanted = address_space_now() + bytes + kSlack;
+  if (limit.rlim_cur != RLIM_INFINITY && limit.rlim_cur <= wanted) return;
+  limit.rlim_cur = wanted;
+  ::setrlimit(RLIMIT_AS, &limit);
+}
+
+namespace {
+
+Limits limits_of(const CommonOptions& options) {
+  Limits limits;
+  if (options.limit_memory_mb > 0) limits.max_memory_bytes = options.limit_memory_mb << 20U;
+  limits.max_seconds = options.limit_seconds;
+  return limits;
+}
+
+bool wants_progress(const CommonOptions& options) {
+  return !options.quiet && (options.progress || ::isatty(STDERR_FILENO) == 1);
+}
+
+/// Empty if `text` is a positive number. (CLI::Range lets nan pass.)
+std::string require_positive(const std::string& text) {
+  double value = 0;
+  const bool is_positive = CLI::detail::lexical_cast(text, value) && value > 0;
+  return is_positive ? std::string() : "a positive number is needed, not " + text;
+}
+
+bool is_regular_file(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+void require_no_stop() {
+  if (is_stop_requested()) throw Error(ErrorCode::Cancelled, "cancelled");
+}
+
+}  // namespace
+
+void CommonOptions::declare(CLI::App& app) {
+  app.add_flag("--json", json, "One JSON object on standard output")->group(kCommonGroup);
+  app.add_option("-o,--output", out, "Write to OUT, format by extension; - needs --format")
+      ->type_name("OUT")
+      ->group(kCommonGroup);
+  app.add_option("--format", format, "Format, whatever the extension of OUT")
+      ->type_name("NAME")
+      ->group(kCommonGroup);
+  app.add_flag("--exact-decimals", exact_decimals, "Read 0.1 as 1/10, not as the nearest double")
+      ->group(kCommonGroup);
+  app.add_option("--threads", threads, "Threads to use (default 1)")
+      ->check(CLI::Range(1U, 1024U).description(""))
+      ->type_name("N")
+      ->group(kCommonGroup);
+  app.add_option("--limit-memory", limit_memory_mb, "Stop (exit 3) beyond MB megabytes")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40U).description(""))
+      ->type_name("MB")
+      ->group(kCommonGroup);
+  app.add_option("--limit-seconds", limit_seconds, "Stop (exit 3) after S seconds")
+      ->check(require_positive)
+      ->type_name("S")
+      ->group(kCommonGroup);
+  auto* const bar = app.add_flag("--progress", progress, "Show progress on standard error");
+  bar->group(kCommonGroup);
+  app.add_flag("-q,--quiet", quiet, "No progress and no notes")->excludes(bar)->group(kCommonGroup);
+}
+
+void Outputs::add(const std::string& path, Writer writer) {
+  if (path != "-") {
+    auto file = std::make_unique<OutputFile>(path);
+    files_.push_back({std::move(file), std::move(writer)});
+    return;
+  }
+  if (to_stdout_) throw Error(ErrorCode::Usage, "only one output can go to standard output");
+  to_stdout_ = std::move(writer);
+}
+
+/// Writers do not look at the Context: files are not put in place when a stop came before all was
+/// written.
+void Outputs::deliver(const std::function<void()>& before_stdout) {
+  std::vector<std::unique_ptr<OutputFile>> finished;
+  for (Pending& pending : files_) {
+    require_no_stop();
+    pending.writer(pending.file->stream());
+    pending.file->finish();
+    finished.push_back(std::move(pending.file));
+  }
+  require_no_stop();
+  if (to_stdout_) {
+    before_stdout();
+    DescriptorStream stream(STDOUT_FILENO, "stdout");
+    to_stdout_(stream);
+    stream.flush();
+    if (!finished.empty()) require_no_stop();
+  }
+  commit_all(finished);
+}
+
+Session::Session(const CommonOptions& options, std::stop_token stop)
+    : options_(options),
+      progress_(wants_progress(options)),
+      context_(limits_of(options), std::move(stop),
+               progress_.is_shown() ? ProgressCallback(std::ref(progress_)) : ProgressCallback(),
+               options.threads) {}
+
+void Session::answer(const std::string& json, const Outputs::Writer& text) {
+  outputs_.add(options_.out.empty() ? "-" : options_.out, [&](std::ostream& out) {
+    if (options_.json) {
+      out << json << '\n';
+    } else {
+      text(out);
+    }
+  });
+  deliver();
+}
+
+void Session::deliver() {
+  begin("write");
+  outputs_.deliver([this] {
+    if (!is_regular_file(STDOUT_FILENO)) progress_.clear();  // it may be seen on the same terminal
+  });
+}
+
+void Session::note(std::string_view text) {
+  if (options_.quiet) return;
+  std::string line(text);
+  std::replace_if(line.begin(), line.end(), is_control, '?');
+  progress_.print(line);
+}
+
+}  // namespace plumb::cli

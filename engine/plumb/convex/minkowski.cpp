@@ -1,0 +1,328 @@
+#include "plumb/convex/minkowski.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "plumb/convex/decompose.h"
+#include "plumb/convex/part/cut_set.h"
+#include "plumb/convex/sum/convex_sum.h"
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/complex/tidy_tables.h"
+#include "plumb/space/planar/facet_triangles.h"
+#include "plumb/space/set/nef3_state.h"
+
+namespace plumb {
+namespace {
+
+constexpr unsigned kMaxRounds = 7;
+constexpr double kLeastRadius = 0x1p-900;  // coordinates keep all their bits
+
+/// An octahedron of radius 1 whose triangles are divided in four, again and again.
+class BallMesh {
+ public:
+  BallMesh() {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const double sign : {1.0, -1.0}) {
+        std::array<double, 3> p{};
+        p[axis] = sign;
+        mesh_.points.push_back({p[0], p[1], p[2]});
+      }
+    }
+    // Vertices 2 axis + (0: positive, 1: negative).
+    for (std::uint32_t octant = 0; octant < 8; ++octant) {
+      const std::uint32_t x = octant & 1U, y = octant >> 1U & 1U, z = octant >> 2U & 1U;
+      const bool is_mirrored = (x + y + z) % 2 == 1;
+      triangle_.push_back(is_mirrored ? Triangle{x, 4 + z, 2 + y} : Triangle{x, 2 + y, 4 + z});
+    }
+  }
+
+  void divide() {
+    std::vector<Triangle> finer;
+    for (const auto& [a, b, c] : triangle_) {
+      const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    triangle_ = std::move(finer);
+  }
+
+  PolygonMesh mesh(double radius) && {
+    for (Point3& p : mesh_.points) p = {p.x * radius, p.y * radius, p.z * radius};
+    for (const Triangle& t : triangle_) mesh_.add_face(t);
+    return std::move(mesh_);
+  }
+
+ private:
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
+    const auto next = static_cast<std::uint32_t>(mesh_.points.size());
+    const auto [at, is_new] = middle_.try_emplace(std::minmax(a, b), next);
+    if (is_new) {
+      const Point3 p = mesh_.points[a], q = mesh_.points[b];
+      const std::array<double, 3> m{p.x / 2 + q.x / 2, p.y / 2 + q.y / 2, p.z / 2 + q.z / 2};
+      const double scale = 1 / std::hypot(m[0], m[1], m[2]);
+      mesh_.points.push_back({m[0] * scale, m[1] * scale, m[2] * scale});
+    }
+    return at->second;
+  }
+
+  PolygonMesh mesh_;
+  std::vector<Triangle> triangle_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middle_;
+};
+
+}  // namespace
+
+Nef3 polyhedral_ball(double radius, unsigned rounds, Context& context) {
+  if (!std::isfinite(radius) || !(radius > 0)) {
+    throw Error(ErrorCode::BadArgument, "a ball needs a positive radius");
+  }
+  if (rounds > 0 && radius < kLeastRadius) {
+    throw Error(ErrorCode::BadArgument, "a ball too small to round its vertices to doubles");
+  }
+  if (rounds > kMaxRounds) {
+    throw Error(ErrorCode::ResourceLimit, "a ball of more than 7 rounds of subdivision");
+  }
+  BallMesh ball;
+  for (unsigned i = 0; i < rounds; ++i) ball.divide();
+  return Nef3::from_mesh(std::move(ball).mesh(radius), {.rule = WindingRule::Positive}, context);
+}
+
+namespace {
+
+/// A convex part of an operand: its closure, and whether that or its relative interior is meant.
+struct ConvexPart {
+  ConvexBody body;
+  bool is_closed = false;
+  bool is_maximal = false;  ///< in the boundary of no other part of its set
+};
+
+constexpr const char* kMemoryName = "a Minkowski sum";
+
+std::uint64_t memory_of(const std::vector<ConvexPart>& parts) {
+  std::uint64_t bytes = 0;
+  for (const ConvexPart& part : parts) bytes += sizeof(part) + memory_bytes(part.body);
+  return bytes;
+}
+
+bool has_mark(const std::vector<Mark>& marks, Mark mark) {
+  return std::find(marks.begin(), marks.end(), mark) != marks.end();
+}
+
+/// Is a convex set its own relative interior?
+bool is_relatively_open(const SpaceComplex& c) {
+  if (has_mark(c.volume_mark, 1)) {
+    return !has_mark(c.facet_mark, 1) && !has_mark(c.edge_mark, 1) && !has_mark(c.vertex_mark, 1);
+  }
+  if (has_mark(c.facet_mark, 1)) return !has_mark(c.edge_mark, 1) && !has_mark(c.vertex_mark, 1);
+  return !has_mark(c.edge_mark, 1) || !has_mark(c.vertex_mark, 1);
+}
+
+ConvexBody body_of(const Nef3& convex) { return convex_body_of(convex.closure().complex()); }
+
+/// The relatively open parts of one convex piece: its body and the marked items of its boundary.
+class OpenParts {
+ public:
+  OpenParts(const Nef3& piece, std::vector<ConvexPart>& parts, Context& context)
+      : piece_(piece), c_(piece.complex()), parts_(parts), context_(context) {}
+
+  /// `is_flat`: of a facet in the boundary of a body.
+  void run(bool is_flat = false) {
+    const bool has_body = is_flat || has_mark(c_.volume_mark, 1);
+    if (has_body && !is_flat) parts_.push_back({body_of(piece_.interior()), false, true});
+    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
+      if (c_.facet_mark[f] == 1) add_facet(FacetId(f), !has_body);
+    }
+    const bool has_facet = has_mark(c_.facet_mark, 1);
+    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
+      if (c_.edge_mark[e] != 1) continue;
+      add({point(c_.origin[2 * e]), point(c_.origin[2 * e + 1])}, !has_body && !has_facet);
+    }
+    const bool has_edge = has_mark(c_.edge_mark, 1);
+    for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
+      if (c_.vertex_mark[v] != 1) continue;
+      add({point(VertexId(v))}, !has_body && !has_facet && !has_edge);
+    }
+  }
+
+ private:
+  /// Open triangles and the open diagonals between them. No triangle knows of a slit: such a facet
+  /// is cut before.
+  void add_facet(FacetId f, bool is_maximal) {
+    if (has_slit(f)) return add_slit_facet(f, is_maximal);
+    std::map<std::array<std::uint32_t, 2>, int> times;
+    FacetTriangles(c_).for_each(f, [&](VertexId a, VertexId b, VertexId c) {
+      add({point(a), point(b), point(c)}, is_maximal);
+      for (const auto& [v, w] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}}) {
+        ++times[{std::min(v, w).value(), std::max(v, w).value()}];
+      }
+    });
+    for (const auto& [ends, count] : times) {
+      if (count < 2) continue;
+      add({point(VertexId(ends[0])), point(VertexId(ends[1]))}, false);
+    }
+  }
+
+  bool has_slit(FacetId f) const {
+    for (const UseId cycle : c_.cycles_of(f)) {
+      UseId u = cycle;
+      do {
+        const UseId other = c_.use_radial[u.value()];
+        if (other != u && c_.use_facet[other.value()] == f) return true;
+        u = c_.use_next[u.value()];
+      } while (u != cycle);
+    }
+    return false;
+  }
+
+  void add_slit_facet(FacetId f, bool is_maximal) {
+    SpaceMarks alone{std::vector<Mark>(c_.vertex_count(), 0), std::vector<Mark>(c_.edge_count(), 0),
+                     std::vector<Mark>(c_.facet_count(), 0),
+                     std::vector<Mark>(c_.volume_count(), 0)};
+    alone.facet[f.value()] = 1;
+    for (const Nef3& piece : cut_set({piece_.with_marks(alone, context_), 2}, {}, context_)) {
+      OpenParts(piece, parts_, context_).run(!is_maximal);
+    }
+  }
+
+  void add(const std::vector<RationalPoint3>& points, bool is_maximal) {
+    parts_.push_back({convex_body_of(points), false, is_maximal});
+  }
+  RationalPoint3 point(VertexId v) const { return exact(c_.points(), c_.vertex_point[v.value()]); }
+
+  const Nef3& piece_;
+  const SpaceComplex& c_;
+  std::vector<ConvexPart>& parts_;
+  Context& context_;
+};
+
+std::vector<Nef3> convex_pieces(const Nef3& set, bool closed, Context& context) {
+  if (set.is_convex()) return {set};
+  return decompose(set, {DecomposeMethod::Best, closed}, context).pieces;
+}
+
+/// Step 1.
+std::vector<ConvexPart> parts_of_operand(const Nef3& set, bool is_sum_closed, Context& context) {
+  std::vector<ConvexPart> parts;
+  for (const Nef3& piece : convex_pieces(set, is_sum_closed, context)) {
+    if (is_sum_closed || is_relatively_open(piece.complex())) {
+      parts.push_back({body_of(piece), is_sum_closed, true});
+    } else {
+      OpenParts(piece, parts, context).run();
+    }
+  }
+  return parts;
+}
+
+/// Which pairs matter. A sum with an open operand does not change when the other one is replaced by
+/// a dense part of it; an open body is such an operand.
+class PairFilter {
+ public:
+  PairFilter(const Nef3& a, const Nef3& b) : is_open_{a.is_open(), b.is_open()} {}
+
+  bool needs(const ConvexPart& a, const ConvexPart& b) const {
+    if ((is_open_[0] || is_body(a)) && !b.is_maximal) return false;
+    return !((is_open_[1] || is_body(b)) && !a.is_maximal);
+  }
+
+ private:
+  static bool is_body(const ConvexPart& part) {
+    return part.body.dimension == 3 && part.is_maximal;
+  }
+
+  std::array<bool, 2> is_open_;
+};
+
+void require_bounded(const Nef3& set) {
+  if (set.is_bounded()) return;
+  throw Error(ErrorCode::BadArgument, "a Minkowski sum needs bounded operands");
+}
+
+// ---- erosion
+
+AffineMap3 scaling(int factor) {
+  AffineMap3 map;
+  for (std::size_t i = 0; i < 3; ++i) map.matrix[i][i] = factor;
+  return map;
+}
+
+/// The range of a coordinate over a bounded set that is not empty.
+std::array<Rational, 2> range_of(const Nef3& set, std::size_t axis) {
+  const SpaceComplex& c = set.complex();
+  SpacePoint low = c.vertex_point[0], high = low;
+  for (const SpacePoint p : c.vertex_point) {
+    if (compare_axis(c.points(), p, low, axis) == Sign::Negative) low = p;
+    if (compare_axis(c.points(), p, high, axis) == Sign::Positive) high = p;
+  }
+  const auto coordinate = [&](SpacePoint p) {
+    const RationalPoint3 at = exact(c.points(), p);
+    return axis == 0 ? at.x : axis == 1 ? at.y : at.z;
+  };
+  return {coordinate(low), coordinate(high)};
+}
+
+/// A box around A where it can hold x + B for x in the box around A - B, and more; open if A is
+/// closed, so that what A leaves of it is open, else closed.
+Nef3 room_around(const Nef3& a, const Nef3& b, Context& context) {
+  const Boundary boundary = a.is_closed() ? Boundary::Open : Boundary::Closed;
+  std::vector<HalfSpace3> sides;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [low_a, high_a] = range_of(a, axis);
+    const auto [low_b, high_b] = range_of(b, axis);
+    const Rational margin = high_b - low_b + 1;
+    for (const int sign : {-1, 1}) {
+      std::array<Rational, 3> n;
+      n[axis] = sign;
+      const Rational at = sign < 0 ? Rational(low_a - margin) : Rational(high_a + margin);
+      sides.push_back({{n[0], n[1], n[2], Rational(-sign * at)}, boundary});
+    }
+  }
+  return Nef3::intersection(sides, context);
+}
+
+}  // namespace
+
+Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context) {
+  if (a.is_empty() || b.is_empty()) return Nef3::empty();
+  require_bounded(a);
+  require_bounded(b);
+  const bool is_closed = a.is_closed() && b.is_closed();
+  const auto parts_a = parts_of_operand(a, is_closed, context);
+  const auto parts_b = parts_of_operand(b, is_closed, context);
+  const PairFilter filter(a, b);
+  std::vector<Nef3> sums;
+  MemoryCharge memory(context);
+  memory.add(memory_of(parts_a) + memory_of(parts_b), kMemoryName);
+  const SumMarks marks = is_closed ? SumMarks::Closed : SumMarks::Open;
+  Context quiet(context, {}, context.threads(), false);  // one phase, not one for each pair
+  std::size_t pairs = 0;
+  for (const ConvexPart& p : parts_a) {
+    for (const ConvexPart& q : parts_b) {
+      context.checkpoint("sums of parts", pairs++, parts_a.size() * parts_b.size());
+      if (!filter.needs(p, q)) continue;
+      sums.push_back(convex_sum(p.body, q.body, marks, quiet));
+      memory.add(sums.back().bytes() + kBytesPerSet, kMemoryName);
+    }
+  }
+  return united(std::move(sums), context);
+}
+
+Nef3 minkowski_erosion(const Nef3& a, const Nef3& b, Context& context) {
+  require_bounded(b);
+  if (b.is_empty()) return Nef3::whole();
+  const Nef3 mirrored = b.transformed(scaling(-1));
+  if (!a.is_bounded()) return !minkowski_sum(!a, mirrored, context);
+  if (a.is_empty()) return a;
+  // x + B in A for one point of B at least: x in the translate of A. There x + B stays in the room.
+  const Nef3 lost = minkowski_sum(boolean_op(room_around(a, b, context), a, kDifference, context),
+                                  mirrored, context);
+  const Nef3 candidates = minkowski_sum(a, mirrored, context);
+  return boolean_op(candidates, lost, kDifference, context);
+}
+
+}  // namespace plumb

@@ -1,0 +1,325 @@
+#include <algorithm>
+#include <utility>
+
+#include "plumb/convex/part/surface_cut.h"
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/plane_signs.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/planar/nest_cycles.h"
+
+namespace plumb {
+
+bool PlaneSection::find(std::span<const FaceId> faces, PlaneId plane, HalfedgeId seed) {
+  faces_ = faces;
+  plane_ = plane;
+  events_.clear();
+  segments_.clear();
+  puncture_ = {};
+  ++stamp_;
+  find_sides();
+  find_segments();
+  link_cycles();
+  return select(seed) && !is_punctured();
+}
+
+// ---------------------------------------------------------------- sides
+
+void PlaneSection::find_sides() {
+  side_.resize(s_.point.size());
+  vertex_stamp_.resize(s_.point.size(), 0);
+  zeros_.clear();
+  const auto set = [this](VertexId v, Sign sign) {
+    if (sign == Sign::Zero && vertex_stamp_[v.value()] != stamp_) zeros_.push_back(v);
+    side_[v.value()] = sign;
+    vertex_stamp_[v.value()] = stamp_;
+  };
+  for (const FaceId f : faces_) {  // spares exact signs of corners made on the line
+    if (s_.face(f).plane.plane() != plane_) continue;
+    s_.for_each_half(f, [&](HalfedgeId h) { set(s_.half(h).origin, Sign::Zero); });
+  }
+  for (const FaceId f : faces_) {
+    s_.for_each_half(f, [&](HalfedgeId h) {
+      const VertexId v = s_.half(h).origin;
+      if (vertex_stamp_[v.value()] == stamp_) return;
+      set(v, side(s_.points(), s_.point[v.value()], plane_));
+    });
+  }
+}
+
+// ---------------------------------------------------------------- segments
+
+void PlaneSection::find_segments() {
+  half_stamp_.resize(s_.halves.size(), 0);
+  crossing_.resize(s_.halves.size());
+  for (const FaceId f : faces_) {
+    bool is_below = false, is_above = false;
+    s_.for_each_half(f, [&](HalfedgeId h) {
+      const Sign sign = side_of(s_.half(h).origin);
+      is_below |= sign == Sign::Negative;
+      is_above |= sign == Sign::Positive;
+      if (sign == Sign::Zero && h < s_.half(h).twin && side_of(s_.target(h)) == Sign::Zero) {
+        add_edge(h);
+      }
+    });
+    if (is_below && is_above) find_chords(f);
+  }
+}
+
+/// The events of a face along u.
+void PlaneSection::find_chords(FaceId f) {
+  const std::size_t first = events_.size();
+  s_.for_each_half(f, [&](HalfedgeId h) {
+    const Sign here = side_of(s_.half(h).origin), there = side_of(s_.target(h));
+    if (here == Sign::Zero) {
+      add_corner(f, h);
+    } else if (there != Sign::Zero && there != here) {
+      const bool goes_up = here == Sign::Negative;
+      events_.push_back({h, crossing(h), true, goes_up, !goes_up, 0, {}});
+    }
+  });
+  pair_events(f, first);
+}
+
+/// Directions in a face, counter-clockwise: along u, below T, against u, above T.
+std::uint8_t PlaneSection::class_of(FaceId f, HalfedgeId h, VertexId end, bool is_reversed) const {
+  const Sign sign = side_of(end);
+  if (sign != Sign::Zero) return sign == Sign::Negative ? 1 : 3;
+  const OrientedPlane n = s_.face(f).plane;
+  const CutSurface::Half& half = s_.half(h);
+  Sign along = same_direction(s_.planes(), n.plane(), plane_, n.plane(), half.other) * half.along *
+               n.orientation();
+  if (is_reversed) along = along * Sign::Negative;
+  return along == Sign::Positive ? 0 : 2;
+}
+
+void PlaneSection::add_corner(FaceId f, HalfedgeId h) {
+  const CutSurface::Half& half = s_.half(h);
+  const HalfedgeId before = half.prev;
+  const std::uint8_t out = class_of(f, h, s_.target(h), false);
+  const std::uint8_t in = class_of(f, before, s_.half(before).origin, true);
+  const auto turn = [out](std::uint8_t to) { return (to + 4U - out) % 4U; };
+  unsigned sector = turn(in);
+  if (sector == 0 && s_.turn_at(h) != Sign::Positive)
+    sector = 4;  // no turn: the tip of an edge inside
+  const auto holds = [&](std::uint8_t to) { return turn(to) > 0 && turn(to) < sector; };
+  const bool starts = holds(0), ends = holds(2);
+  if (starts || ends) events_.push_back({h, half.origin, false, starts, ends, out, {}});
+}
+
+void PlaneSection::pair_events(FaceId f, std::size_t first) {
+  const OrientedPlane n = s_.face(f).plane;
+  const auto begin = events_.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto order = [](const Event& e) { return e.starts ? (e.ends ? 1 : 2) : 0; };
+  if (events_.size() - first > 2) {
+    std::sort(begin, events_.end(), [&](const Event& a, const Event& b) {
+      if (a.vertex != b.vertex) {
+        const Sign sign = order_along_line(s_.points(), n.plane(), plane_,
+                                           s_.point[a.vertex.value()], s_.point[b.vertex.value()]) *
+                          n.orientation();
+        if (sign != Sign::Zero) return sign == Sign::Positive;
+      }
+      return order(a) < order(b);
+    });
+  } else if (events_.size() - first == 2 && begin->ends) {
+    std::swap(begin[0], begin[1]);
+  }
+  // Along u with the lower part to the left: the section looks the other way.
+  const CirclePlace against_u{n.plane(), n.is_opposite()};
+  std::uint32_t open = kNone;
+  for (std::size_t i = first; i < events_.size(); ++i) {
+    const Event& event = events_[i];
+    PLUMB_CHECK(event.ends == (open != kNone));
+    if (event.ends) {
+      Segment chord{event.vertex,
+                    events_[open].vertex,
+                    against_u,
+                    open,
+                    static_cast<std::uint32_t>(i),
+                    f,
+                    {},
+                    kNone,
+                    kNone,
+                    {},
+                    {}};
+      segments_.push_back(chord);
+      open = kNone;
+    }
+    if (event.starts) open = static_cast<std::uint32_t>(i);
+  }
+  PLUMB_CHECK(open == kNone);
+}
+
+VertexId PlaneSection::crossing(HalfedgeId h) {
+  const HalfedgeId key = std::min(h, s_.half(h).twin);
+  if (half_stamp_[key.value()] != stamp_) {
+    half_stamp_[key.value()] = stamp_;
+    const CutSurface::Half& half = s_.half(key);
+    Point3Table& points = s_.tables->points;
+    const bool has_line = half.line[0].is_valid();
+    crossing_[key.value()] = VertexId(s_.point.size());
+    s_.point.push_back(has_line ? points.add(half.line[0], half.line[1], plane_)
+                                : points.add(s_.plane_of(key).plane(), half.other, plane_));
+  }
+  return crossing_[key.value()];
+}
+
+Sign PlaneSection::lean(HalfedgeId h) const {
+  const OrientedPlane n = s_.plane_of(h);
+  if (n.plane() == plane_) return Sign::Zero;
+  const CutSurface::Half& half = s_.half(h);
+  return same_direction(s_.planes(), n.plane(), half.other, n.plane(), plane_) * half.along *
+         n.orientation();
+}
+
+/// Is a direction strictly inside the solid? Behind both faces, at a reflex edge behind one of
+/// them.
+void PlaneSection::add_edge(HalfedgeId h) {
+  const HalfedgeId t = s_.half(h).twin;
+  const Sign first = lean(h), second = lean(t) * Sign::Negative;
+  const auto is_inside = [&](Sign behind) {
+    return s_.half(h).is_reflex ? first == behind || second == behind
+                                : first == behind && second == behind;
+  };
+  if (is_inside(Sign::Negative)) add_edge_segment(h);
+  if (is_inside(Sign::Positive)) add_edge_segment(t);
+}
+
+void PlaneSection::add_edge_segment(HalfedgeId h) {
+  const CutSurface::Half& half = s_.half(h);
+  const PlaneId p = s_.plane_of(h).plane();
+  const SphereDirection runs = half.along == Sign::Positive ? SphereDirection{p, half.other}
+                                                            : SphereDirection{half.other, p};
+  Segment edge{half.origin,
+               s_.target(h),
+               place_on(s_.planes(), plane_, runs),
+               kNone,
+               kNone,
+               {},
+               h,
+               kNone,
+               kNone,
+               {},
+               {}};
+  segments_.push_back(edge);
+}
+
+// ---------------------------------------------------------------- cycles
+
+void PlaneSection::link_cycles() {
+  outgoing_.resize(segments_.size());
+  for (std::uint32_t i = 0; i < segments_.size(); ++i) outgoing_[i] = i;
+  const auto from = [this](std::uint32_t i) { return segments_[i].from; };
+  std::stable_sort(outgoing_.begin(), outgoing_.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return from(a) < from(b); });
+  for (Segment& in : segments_) {
+    const auto begin = std::lower_bound(outgoing_.begin(), outgoing_.end(), in.to,
+                                        [&](std::uint32_t a, VertexId v) { return from(a) < v; });
+    auto end = begin;
+    while (end != outgoing_.end() && from(*end) == in.to) ++end;
+    PLUMB_CHECK(begin != end);
+    in.next = end - begin == 1 ? *begin : clockwise_next(in, {begin, end});
+  }
+  first_of_cycle_.clear();
+  for (std::uint32_t i = 0; i < segments_.size(); ++i) {
+    if (segments_[i].cycle != kNone) continue;
+    const auto cycle = static_cast<std::uint32_t>(first_of_cycle_.size());
+    first_of_cycle_.push_back(i);
+    for (std::uint32_t j = i; segments_[j].cycle == kNone; j = segments_[j].next) {
+      segments_[j].cycle = cycle;
+    }
+  }
+}
+
+/// The section lies clockwise of where the segment came from, up to the first that leaves.
+std::uint32_t PlaneSection::clockwise_next(const Segment& in,
+                                           std::span<const std::uint32_t> out) const {
+  const CirclePlace back = in.place.opposite();
+  std::uint32_t best = out[0];
+  for (const std::uint32_t i : out.subspan(1)) {
+    if (is_before_on(s_.planes(), plane_, back, segments_[best].place, segments_[i].place)) {
+      best = i;
+    }
+  }
+  return best;
+}
+
+std::vector<RingSide> PlaneSection::ring_of(std::uint32_t first) const {
+  std::vector<RingSide> ring;
+  std::uint32_t i = first;
+  do {
+    const Segment& segment = segments_[i];
+    ring.push_back({segment.from, segment.to, segment.place.other, segment.place.sign()});
+    i = segment.next;
+  } while (i != first);
+  return ring;
+}
+
+bool PlaneSection::select(HalfedgeId seed) {
+  const HalfedgeId twin = s_.half(seed).twin;
+  const auto found = std::find_if(segments_.begin(), segments_.end(), [&](const Segment& segment) {
+    return segment.half.is_valid() && (segment.half == seed || segment.half == twin);
+  });
+  if (found == segments_.end()) return false;
+  is_selected_.assign(first_of_cycle_.size(), 0);
+  is_selected_[found->cycle] = 1;
+  return first_of_cycle_.size() == 1 || select_part(found->cycle);
+}
+
+/// The cycle around the seed's part, and the holes in it that lie in no other part inside it.
+bool PlaneSection::select_part(std::uint32_t seed_cycle) {
+  const std::size_t count = first_of_cycle_.size();
+  std::vector<std::vector<RingSide>> rings(count);
+  std::vector<std::uint8_t> hole(count);
+  for (std::size_t c = 0; c < count; ++c) {
+    rings[c] = ring_of(first_of_cycle_[c]);
+    hole[c] = is_hole(s_, OrientedPlane(plane_, false), rings[c]) ? 1 : 0;
+  }
+  if (std::find(hole.begin(), hole.end(), 1) == hole.end()) return true;
+  bool is_clear = true;
+  const auto lies_in = [&](std::size_t inner, std::size_t outer) {
+    const RingPlace place = place_in(s_, plane_, rings[outer], rings[inner]);
+    is_clear = is_clear && place != RingPlace::On;
+    return place == RingPlace::Inside;
+  };
+  // The innermost ring around a hole.
+  const auto around = [&](std::size_t c) {
+    std::size_t best = count;
+    for (std::size_t o = 0; o < count; ++o) {
+      if (hole[o] == 0 && lies_in(c, o) && (best == count || lies_in(o, best))) best = o;
+    }
+    return best;
+  };
+  const std::size_t outer = hole[seed_cycle] != 0 ? around(seed_cycle) : seed_cycle;
+  if (!is_clear || outer == count) return false;
+  is_selected_[outer] = 1;
+  for (std::size_t c = 0; c < count; ++c) {
+    if (hole[c] != 0 && lies_in(c, outer) && around(c) == outer) is_selected_[c] = 1;
+  }
+  return is_clear;
+}
+
+/// Does the surface touch the plane in a single point within the part? What is cut there would
+/// touch itself in a point that one of its faces does not know.
+bool PlaneSection::is_punctured() {
+  const auto is_on_segment = [this](VertexId v) {
+    const auto at =
+        std::lower_bound(outgoing_.begin(), outgoing_.end(), v,
+                         [this](std::uint32_t i, VertexId w) { return segments_[i].from < w; });
+    return at != outgoing_.end() && segments_[*at].from == v;
+  };
+  for (const VertexId v : zeros_) {
+    if (is_on_segment(v)) continue;
+    bool is_inside = false;
+    for (std::size_t c = 0; c < first_of_cycle_.size(); ++c) {
+      if (is_selected_[c] == 0) continue;
+      const RingPlace place = place_in(s_, plane_, ring_of(first_of_cycle_[c]), v);
+      if (place == RingPlace::On) puncture_ = v;
+      is_inside ^= place == RingPlace::Inside;
+    }
+    if (is_inside) puncture_ = v;
+    if (puncture_.is_valid()) return true;
+  }
+  return false;
+}
+
+}  // namespace plumb

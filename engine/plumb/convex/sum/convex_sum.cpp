@@ -1,0 +1,412 @@
+#include "plumb/convex/sum/convex_sum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "plumb/predicates/arithmetic/seeded_hash.h"
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/predicates/rounding.h"
+#include "plumb/space/mesh/link_facets.h"
+
+namespace plumb {
+namespace {
+
+Ball ball_of(const Rational& x) {
+  const double nearest = nearest_double(x);
+  if (!std::isfinite(nearest)) return Ball::unknown();
+  return Ball::about(nearest, std::fabs(nearest) * 0x1p-53);
+}
+
+BallVector balls_of(const RationalPoint3& p) {
+  return {{ball_of(p.x), ball_of(p.y), ball_of(p.z)}};
+}
+
+BallVector balls_of(const PointBox& box) {
+  BallVector v;
+  for (std::size_t i = 0; i < 3; ++i) v.at[i] = Ball::about(box.mid[i], box.radius);
+  return v;
+}
+
+class BodyReader {
+ public:
+  explicit BodyReader(const SpaceComplex& complex) : c_(complex) {}
+
+  ConvexBody run() {
+    PLUMB_CHECK(c_.vertex_count() > 0);
+    add_points();
+    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) add_facet(FacetId(f));
+    const bool is_flat = c_.volume_count() == 1;
+    if (is_flat && c_.facet_count() == 1) add_back();
+    add_edges(is_flat);
+    out_.dimension = !is_flat ? 3 : c_.facet_count() == 1 ? 2 : c_.edge_count() == 1 ? 1 : 0;
+    return std::move(out_);
+  }
+
+ private:
+  void add_points() {
+    for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
+      out_.point.push_back(exact(c_.points(), c_.vertex_point[v]));
+      out_.rough_point.push_back(balls_of(c_.points().box(c_.vertex_point[v])));
+    }
+  }
+
+  /// Of a polygon: its positive side.
+  bool is_outer_side_positive(FacetId f) const {
+    return c_.volume_mark[c_.facet_volume[f.value()][0].value()] == 0;
+  }
+
+  void add_facet(FacetId f) {
+    const UseId first = c_.cycles_of(f)[0];
+    UseId u = first;
+    do {
+      out_.corner.push_back(c_.use_origin(u).value());
+      u = c_.use_next[u.value()];
+    } while (u != first);
+    if (!is_outer_side_positive(f)) {
+      std::reverse(out_.corner.begin() + out_.facet_begin.back(), out_.corner.end());
+    }
+    out_.facet_begin.push_back(static_cast<std::uint32_t>(out_.corner.size()));
+    add_normal(c_.facet_plane[f.value()], is_outer_side_positive(f) ? 1 : -1);
+  }
+
+  void add_normal(PlaneId plane, int sign) {
+    const IntegerRow row = c_.planes().coefficients(plane);
+    out_.normal.push_back(
+        {Rational(sign * row[0]), Rational(sign * row[1]), Rational(sign * row[2])});
+    const PlaneRow& rough = c_.planes().row(plane);
+    BallVector n;
+    for (std::size_t i = 0; i < 3; ++i)
+      n.at[i] = Ball::about(sign * rough.n[i], rough.normal_error);
+    out_.rough_normal.push_back(n);
+  }
+
+  void add_back() {
+    const std::vector<std::uint32_t> front = out_.corner;
+    out_.corner.insert(out_.corner.end(), front.rbegin(), front.rend());
+    out_.facet_begin.push_back(static_cast<std::uint32_t>(out_.corner.size()));
+    add_normal(c_.facet_plane[0], -1);
+  }
+
+  void add_edges(bool is_flat) {
+    out_.star_begin = {0};
+    for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
+      for (const HalfedgeId h : c_.star_of(VertexId(v))) {
+        out_.neighbour.push_back(c_.target(h).value());
+      }
+      out_.star_begin.push_back(static_cast<std::uint32_t>(out_.neighbour.size()));
+    }
+    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) add_edge(e, is_flat);
+  }
+
+  /// Facet and sense of a use, seen from outside.
+  void add_edge(std::uint32_t e, bool is_flat) {
+    ConvexBody::Edge edge{{c_.origin[2 * e].value(), c_.origin[2 * e + 1].value()},
+                          {ConvexBody::kNone, ConvexBody::kNone}};
+    const UseId any = c_.edge_use[e];
+    if (any.is_valid()) {
+      const UseId other = c_.use_radial[any.value()];
+      const bool is_left = runs_forward(any);
+      edge.side[is_left ? 0 : 1] = c_.use_facet[any.value()].value();
+      edge.side[is_left ? 1 : 0] = is_flat ? 1 : c_.use_facet[other.value()].value();
+    }
+    out_.edge.push_back(edge);
+  }
+
+  /// Seen from outside, does the facet lie to the left of half-edge 2e?
+  bool runs_forward(UseId u) const {
+    const bool is_forward = !SpaceComplex::is_reverse(c_.use_halfedge[u.value()]);
+    return is_forward == is_outer_side_positive(c_.use_facet[u.value()]);
+  }
+
+  const SpaceComplex& c_;
+  ConvexBody out_;
+};
+
+void add_polygon_facets(ConvexBody& body) {
+  const RationalPoint3 n = cross(body.point[1] - body.point[0], body.point[2] - body.point[0]);
+  body.corner = {0, 1, 2, 2, 1, 0};
+  body.facet_begin = {0, 3, 6};
+  body.normal = {n, {-n.x, -n.y, -n.z}};
+  for (const RationalPoint3& normal : body.normal) body.rough_normal.push_back(balls_of(normal));
+}
+
+}  // namespace
+
+ConvexBody convex_body_of(const SpaceComplex& complex) { return BodyReader(complex).run(); }
+
+std::size_t memory_bytes(const ConvexBody& body) {
+  constexpr std::size_t kLimbBytes = 6 * 32;  // of the numbers of a point
+  const auto bytes = [](const auto&... arrays) {
+    return ((arrays.capacity() * sizeof(arrays[0])) + ...);
+  };
+  return kLimbBytes * (body.point.size() + body.normal.size()) +
+         bytes(body.point, body.rough_point, body.star_begin, body.neighbour, body.edge,
+               body.facet_begin, body.corner, body.normal, body.rough_normal);
+}
+
+ConvexBody convex_body_of(std::span<const RationalPoint3> points) {
+  PLUMB_CHECK(!points.empty() && points.size() <= 3);
+  ConvexBody body;
+  body.dimension = static_cast<unsigned>(points.size() - 1);
+  body.point.assign(points.begin(), points.end());
+  for (const RationalPoint3& p : points) body.rough_point.push_back(balls_of(p));
+  const auto n = static_cast<std::uint32_t>(points.size());
+  body.star_begin = {0};
+  for (std::uint32_t v = 0; v < n; ++v) {
+    for (std::uint32_t w = 0; w < n; ++w) {
+      if (w != v) body.neighbour.push_back(w);
+    }
+    body.star_begin.push_back(static_cast<std::uint32_t>(body.neighbour.size()));
+  }
+  if (n == 2) body.edge = {{{0, 1}, {ConvexBody::kNone, ConvexBody::kNone}}};
+  if (n == 3) {
+    body.edge = {{{0, 1}, {0, 1}}, {{1, 2}, {0, 1}}, {{2, 0}, {0, 1}}};
+    add_polygon_facets(body);
+  }
+  return body;
+}
+
+namespace {
+
+/// Steps 3 and 4: facets by the faces of the operands, in one complex.
+class SumBuilder {
+ public:
+  SumBuilder(const ConvexBody& a, const ConvexBody& b, Context& context)
+      : a_(a), b_(b), tables_(std::make_shared<SpaceTables>()), memory_(context) {}
+
+  void add_facet(const FacetDirection& d) {
+    if (facets_.size() >= charged_) charge();
+    cycle_.clear();
+    merge(d);
+    const auto [i, j] = names_[cycle_[0]];
+    const Rational offset = -(dot(d.normal, a_.point[i]) + dot(d.normal, b_.point[j]));
+    const OrientedPlane plane = tables_->planes.intern(d.normal.x, d.normal.y, d.normal.z, offset);
+    PLUMB_CHECK(plane.is_valid() && cycle_.size() >= 3);
+    // Cycles are kept as seen from the positive side of the plane.
+    if (plane.is_opposite()) std::reverse(cycle_.begin(), cycle_.end());
+    std::rotate(cycle_.begin(), std::min_element(cycle_.begin(), cycle_.end()), cycle_.end());
+    facets_.corner.insert(facets_.corner.end(), cycle_.begin(), cycle_.end());
+    facets_.begin.push_back(static_cast<std::uint32_t>(facets_.corner.size()));
+    facets_.plane.push_back(plane.plane());
+    facets_.jump.push_back(0);
+    facets_.origin.push_back(static_cast<std::uint32_t>(facets_.origin.size()));
+    outer_side_.push_back(plane.is_opposite() ? 1 : 0);
+  }
+
+  Nef3 finish(bool is_flat, SumMarks marks) {
+    make_points(is_flat);
+    const MeshLinks links = link_corners(facets_, names_.size());
+    SpaceComplex c = link_facets(facets_, links, point_, tables_);
+    const VolumeId outside(0), inside(is_flat ? 0U : 1U);
+    c.volume_mark.assign(is_flat ? 1 : 2, 1);
+    c.volume_mark[0] = 0;
+    for (std::size_t f = 0; f < c.facet_count(); ++f) {
+      c.facet_volume[f][outer_side_[f]] = outside;
+      c.facet_volume[f][1U - outer_side_[f]] = inside;
+    }
+    const Mark boundary = marks == SumMarks::Closed ? 1 : 0;
+    std::fill(c.facet_mark.begin(), c.facet_mark.end(), is_flat ? Mark{1} : boundary);
+    std::fill(c.edge_mark.begin(), c.edge_mark.end(), boundary);
+    std::fill(c.vertex_mark.begin(), c.vertex_mark.end(), boundary);
+    return Nef3::from_minimal_unchecked(std::move(c));
+  }
+
+ private:
+  using Name = std::pair<std::uint32_t, std::uint32_t>;
+
+  /// For more facets, as many as there are.
+  void charge() {
+    constexpr std::size_t kFew = 64, kBytesPerFacet = 400;
+    const std::size_t more = std::max(kFew, charged_);
+    memory_.add(kBytesPerFacet * more, "a convex sum");
+    charged_ += more;
+  }
+
+  std::uint32_t vertex(std::uint32_t i, std::uint32_t j) {
+    const auto next = static_cast<std::uint32_t>(names_.size());
+    const auto hash = static_cast<std::uint32_t>(SeededHash()(std::uint64_t{i} << 32U | j));
+    const std::uint32_t found = number_.find_or_add(
+        hash, next, [&](std::uint32_t name) { return names_[name] == Name(i, j); });
+    if (found == next) names_.emplace_back(i, j);
+    return found;
+  }
+
+  // ---- merging two cycles
+
+  /// The corner that is least in lexicographic order: both cycles begin with one direction there.
+  static std::size_t least(const ConvexBody& body, std::span<const std::uint32_t> cycle) {
+    const auto is_less = [&](std::uint32_t v, std::uint32_t w) {
+      const RationalPoint3 &p = body.point[v], &q = body.point[w];
+      if (p.x != q.x) return p.x < q.x;
+      return p.y != q.y ? p.y < q.y : p.z < q.z;
+    };
+    return static_cast<std::size_t>(std::min_element(cycle.begin(), cycle.end(), is_less) -
+                                    cycle.begin());
+  }
+
+  /// Corners in order, counter-clockwise seen along the normal: each step takes the edge that comes
+  /// first in angle, or both.
+  void merge(const FacetDirection& direction) {
+    const std::span<const std::uint32_t> a = direction.face_a, b = direction.face_b;
+    const std::size_t first_a = least(a_, a), first_b = least(b_, b);
+    const std::size_t edges_a = a.size() == 1 ? 0 : a.size();
+    const std::size_t edges_b = b.size() == 1 ? 0 : b.size();
+    const auto at = [](std::span<const std::uint32_t> cycle, std::size_t first, std::size_t i) {
+      return cycle[(first + i) % cycle.size()];
+    };
+    std::size_t i = 0, j = 0;
+    while (i < edges_a || j < edges_b) {
+      const std::uint32_t v = at(a, first_a, i), w = at(b, first_b, j);
+      cycle_.push_back(vertex(v, w));
+      Sign turn = i == edges_a ? Sign::Negative : Sign::Positive;
+      if (i < edges_a && j < edges_b) {
+        turn = turn_of(direction, {v, at(a, first_a, i + 1)}, {w, at(b, first_b, j + 1)});
+      }
+      if (turn != Sign::Negative) ++i;
+      if (turn != Sign::Positive) ++j;
+    }
+  }
+
+  /// From an edge of a to an edge of b, about the normal.
+  Sign turn_of(const FacetDirection& direction, Name of_a, Name of_b) const {
+    const BallVector d = a_.rough_point[of_a.second] - a_.rough_point[of_a.first];
+    const BallVector e = b_.rough_point[of_b.second] - b_.rough_point[of_b.first];
+    const FilteredSign s = dot(direction.rough_normal, cross(d, e)).sign();
+    if (is_decided(s)) return decided(s);
+    return sign_of(dot(direction.normal, cross(a_.point[of_a.second] - a_.point[of_a.first],
+                                               b_.point[of_b.second] - b_.point[of_b.first])));
+  }
+
+  // ---- vertices
+
+  void make_points(bool is_flat) {
+    const Incidence facets(facets_, names_.size());
+    for (std::uint32_t v = 0; v < names_.size(); ++v) {
+      point_.push_back(make_point(v, is_flat ? std::span<const std::uint32_t>() : facets.of(v)));
+    }
+  }
+
+  /// The facets at each vertex.
+  class Incidence {
+   public:
+    Incidence(const MeshFacets& facets, std::size_t vertices) : begin_(vertices + 1, 0) {
+      for (const std::uint32_t v : facets.corner) ++begin_[v + 1];
+      for (std::size_t v = 0; v < vertices; ++v) begin_[v + 1] += begin_[v];
+      facet_.resize(facets.corner.size());
+      std::vector<std::uint32_t> at(begin_.begin(), begin_.end() - 1);
+      for (std::uint32_t f = 0; f < facets.size(); ++f) {
+        for (const std::uint32_t v : facets.corners(f)) facet_[at[v]++] = f;
+      }
+    }
+    std::span<const std::uint32_t> of(std::uint32_t v) const {
+      return std::span(facet_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
+    }
+
+   private:
+    std::vector<std::uint32_t> begin_, facet_;
+  };
+
+  /// An input point where doubles hold the sum, else the common point of three facets around.
+  SpacePoint make_point(std::uint32_t v, std::span<const std::uint32_t> facets) {
+    const auto [i, j] = names_[v];
+    const RationalPoint3 &p = a_.point[i], &q = b_.point[j];
+    const RationalPoint3 sum{p.x + q.x, p.y + q.y, p.z + q.z};
+    if (facets.empty() || is_double(sum)) return add_point(*tables_, sum);
+    const std::vector<PlaneId>& plane = facets_.plane;
+    SpacePoint x;
+    for (std::size_t k = 2; k < facets.size() && !x.is_valid(); ++k) {
+      x = tables_->points.add(plane[facets[0]], plane[facets[1]], plane[facets[k]]);
+    }
+    PLUMB_CHECK(x.is_valid());  // three planes meet in a vertex
+    return x;
+  }
+
+  static bool is_double(const RationalPoint3& p) {
+    const auto is = [](const Rational& x) { return round_to_double(x).error == Sign::Zero; };
+    return is(p.x) && is(p.y) && is(p.z);
+  }
+
+  const ConvexBody& a_;
+  const ConvexBody& b_;
+  std::shared_ptr<SpaceTables> tables_;
+  IdIndex number_;           // of names_
+  std::vector<Name> names_;  // vertices of a and b
+  std::vector<SpacePoint> point_;
+  MeshFacets facets_;
+  std::vector<std::uint32_t> outer_side_;  // per facet: 0 positive
+  std::vector<std::uint32_t> cycle_;
+  MemoryCharge memory_;
+  std::size_t charged_ = 0;  // facets
+};
+
+RationalPoint3 sum_of(const RationalPoint3& p, const RationalPoint3& q) {
+  return {p.x + q.x, p.y + q.y, p.z + q.z};
+}
+
+/// Of two points, or a segment and a point, or parallel segments.
+Nef3 thin_sum(const ConvexBody& a, const ConvexBody& b, SumMarks marks) {
+  std::vector<RationalPoint3> points;
+  for (const RationalPoint3& p : a.point) {
+    for (const RationalPoint3& q : b.point) points.push_back(sum_of(p, q));
+  }
+  const auto is_less = [](const RationalPoint3& p, const RationalPoint3& q) {
+    if (p.x != q.x) return p.x < q.x;
+    return p.y != q.y ? p.y < q.y : p.z < q.z;
+  };
+  const auto [least, greatest] = std::minmax_element(points.begin(), points.end(), is_less);
+  if (*least == *greatest) return Nef3::point(*least);
+  SpaceComplex c = Nef3::segment(*least, *greatest).complex();
+  if (marks == SumMarks::Open) c.vertex_mark.assign(c.vertex_count(), 0);
+  return Nef3::from_minimal_unchecked(std::move(c));
+}
+
+bool is_zero(const RationalPoint3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+
+/// The normal of the plane that holds both when moved there, or zero.
+RationalPoint3 common_normal(const ConvexBody& a, const ConvexBody& b) {
+  if (a.dimension == 3 || b.dimension == 3) return {0, 0, 0};
+  if (a.dimension < 2 && b.dimension < 2) {
+    if (a.dimension == 0 || b.dimension == 0) return {0, 0, 0};
+    return cross(a.point[1] - a.point[0], b.point[1] - b.point[0]);
+  }
+  const ConvexBody& flat = a.dimension == 2 ? a : b;
+  const ConvexBody& other = a.dimension == 2 ? b : a;
+  const RationalPoint3& n = flat.normal[0];
+  for (const RationalPoint3& p : other.point) {
+    if (dot(n, p - other.point[0]) != 0) return {0, 0, 0};
+  }
+  return n;
+}
+
+/// All of an operand in a plane: its face in the direction of the plane's normal, counter-clockwise
+/// about it.
+std::vector<std::uint32_t> flat_face(const ConvexBody& body, const RationalPoint3& normal) {
+  if (body.dimension == 0) return {0};
+  if (body.dimension == 1) return {0, 1};
+  const std::size_t f = dot(body.normal[0], normal) > 0 ? 0 : 1;
+  return {body.corners(f).begin(), body.corners(f).end()};
+}
+
+}  // namespace
+
+Nef3 convex_sum(const ConvexBody& a, const ConvexBody& b, SumMarks marks, Context& context) {
+  context.checkpoint("convex sum", 0, 1);
+  const RationalPoint3 normal = common_normal(a, b);
+  const bool is_flat = !is_zero(normal);
+  if (a.dimension < 2 && b.dimension < 2 && !is_flat) return thin_sum(a, b, marks);
+  SumBuilder builder(a, b, context);
+  if (is_flat) {
+    const auto face_a = flat_face(a, normal), face_b = flat_face(b, normal);
+    const BallVector unknown{{Ball::unknown(), Ball::unknown(), Ball::unknown()}};
+    builder.add_facet({normal, unknown, face_a, face_b});
+  } else {
+    for_each_direction(
+        a, b, [&](const FacetDirection& d) { builder.add_facet(d); }, context);
+  }
+  return builder.finish(is_flat, marks);
+}
+
+}  // namespace plumb

@@ -1,0 +1,453 @@
+// Doubly connected edge list (half-edge structure), shared by plane, sphere and surface maps.
+//
+// It stores topology only. The owner keeps geometry and marks in parallel arrays, indexed by
+// VertexId, EdgeId and FaceId. Edge e consists of the half-edges 2e and 2e+1, so that the twin of a
+// half-edge has the same id with the lowest bit inverted.
+//
+//   half-edge h : has origin(h), next(h), prev(h) and loop(h); its face lies to its left
+//   loop l      : one boundary cycle of a face; has a first half-edge or an isolated vertex, its
+//                 face and the next loop of that face
+//   face f      : has a first loop; which loop is the outer one is geometry, known to the owner
+//   vertex v    : has one half-edge that leaves it, or the loop of an isolated vertex
+//   corner      : a place at a vertex inside a face where an edge can be attached: the one just
+//                 before half-edge h, at origin(h), or the only one of an isolated vertex
+//
+// A half-edge refers to its loop and a loop to its face, so merging two faces changes loops, but no
+// half-edges.
+//
+// Main flow:
+//  1. Building
+//     Dcel::from_cycles      takes listed cycles of vertex ids in which every directed edge occurs
+//                            once, as does its twin
+//     Dcel::from_links       takes half-edges with known successors
+//  2. Editing by Euler operators, each of which is undone by its partner
+//     add_face/remove_face       a face without loops (a whole plane or sphere)
+//     add_vertex/remove_vertex   an isolated vertex in a face
+//     add_edge/remove_edge       an edge between two corners: it splits their loop if they lie in
+//                                one loop, and joins two loops of one face otherwise
+//     split_edge/join_edge       a vertex of degree 2 inside an edge
+//     split_face/join_faces      moves chosen loops into a new face, and back
+//  3. audit                      checks every invariant from scratch
+//
+// Removed cells leave holes until compact(): ids stay valid and new cells are appended, so that
+// parallel arrays only grow by push_back. All operations take O(1) time unless stated otherwise. An
+// operator stops the program (PLUMB_CHECK) if a precondition is found violated.
+//
+// A pinch is a vertex whose half-edges form several rings: listed cycles may touch at a vertex
+// without passing through each other. from_cycles keeps such a vertex. The operators require a
+// structure without pinches, because a vertex refers to only one of its rings.
+//
+// Memory: 16 bytes per half-edge, 16 per loop, 4 per vertex, 4 per face. At most 2^31 - 2
+// half-edges.
+// Sources: D. E. Muller and F. P. Preparata, Finding the intersection of two convex polyhedra,
+// Theoretical Computer Science 7 (1978); M. Mäntylä, An Introduction to Solid Modeling, Computer
+// Science Press (1988), for the Euler operators.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plumb/base/ids.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// Returns the other half-edge of the same edge.
+constexpr HalfedgeId twin(HalfedgeId h) { return HalfedgeId(h.value() ^ 1U); }
+/// Returns the edge of a half-edge.
+constexpr EdgeId edge_of(HalfedgeId h) { return EdgeId(h.value() >> 1U); }
+/// Returns the half-edge of an edge that has the even id.
+constexpr HalfedgeId first_half(EdgeId e) { return HalfedgeId(e.value() << 1U); }
+
+/// A half-edge, an `Other`, or neither. The top bit distinguishes the two kinds.
+template <class Other>
+class HalfedgeOr {
+ public:
+  constexpr HalfedgeOr() = default;
+  constexpr HalfedgeOr(HalfedgeId h) : bits_(h.value()) {}               ///< Holds a half-edge.
+  constexpr HalfedgeOr(Other other) : bits_(other.value() | kTopBit) {}  ///< Holds an `Other`.
+
+  constexpr bool is_valid() const {
+    return bits_ != HalfedgeId::kInvalid;
+  }  ///< Whether it holds an id.
+  /// Whether it holds a half-edge. Requires is_valid().
+  constexpr bool is_halfedge() const { return (bits_ & kTopBit) == 0; }
+  /// Whether it holds an `Other`.
+  constexpr bool is_other() const { return is_valid() && !is_halfedge(); }
+  /// Returns the half-edge, or an invalid id if it holds none.
+  constexpr HalfedgeId halfedge() const { return is_halfedge() ? HalfedgeId(bits_) : HalfedgeId(); }
+  /// Returns the `Other`, or an invalid id if it holds none.
+  constexpr Other other() const { return is_other() ? Other(bits_ & ~kTopBit) : Other(); }
+  friend constexpr bool operator==(HalfedgeOr, HalfedgeOr) = default;
+
+ private:
+  static constexpr std::uint32_t kTopBit = std::uint32_t{1} << 31U;
+  std::uint32_t bits_ = HalfedgeId::kInvalid;
+};
+
+/// A place where an edge can be attached: before a half-edge, or at an isolated vertex.
+using Corner = HalfedgeOr<VertexId>;
+
+/// A range that visits a closed chain of ids once: for (HalfedgeId h : dcel.along(l)). It allocates
+/// nothing. The structure must not be edited during the iteration.
+template <class Id, class Step>
+class Ring {
+ public:
+  /// Iterator that stops when it reaches the first id again.
+  class Iterator {
+   public:
+    using value_type = Id;                   ///< Required of an iterator.
+    using difference_type = std::ptrdiff_t;  ///< Required of an iterator.
+    Iterator() = default;
+    Iterator(Id first, Step step)
+        : at_(first), first_(first), step_(step) {}  ///< Starts at `first`.
+    Id operator*() const { return at_; }             ///< Returns the current id.
+    /// Advances to the next id, or from the last id to the end.
+    Iterator& operator++() {
+      at_ = step_(at_);
+      if (at_ == first_) at_ = Id();
+      return *this;
+    }
+    /// Advances likewise and returns the previous iterator.
+    Iterator operator++(int) {
+      Iterator old = *this;
+      ++*this;
+      return old;
+    }
+    friend bool operator==(const Iterator& i, std::default_sentinel_t) { return !i.at_.is_valid(); }
+
+   private:
+    Id at_, first_;
+    Step step_;
+  };
+
+  /// Makes the range first, step(first), ...; it is empty if `first` is invalid.
+  Ring(Id first, Step step) : first_(first), step_(step) {}
+  Iterator begin() const { return {first_, step_}; }  ///< Returns an iterator to the first id.
+  std::default_sentinel_t end() const { return {}; }  ///< Returns the end of the range.
+
+ private:
+  Id first_;
+  Step step_;
+};
+
+/// New ids after compact(), indexed by old id; invalid for a hole. The order is kept.
+struct DcelCompaction {
+  std::vector<VertexId> vertex;  ///< New id of each old vertex.
+  std::vector<EdgeId> edge;      ///< New id of each old edge.
+  std::vector<LoopId> loop;      ///< New id of each old loop.
+  std::vector<FaceId> face;      ///< New id of each old face.
+
+  /// Returns the new id of an old half-edge, with the same direction, or an invalid id if its edge
+  /// was removed.
+  HalfedgeId halfedge(HalfedgeId old) const {
+    const EdgeId e = edge[edge_of(old).value()];
+    return e.is_valid() ? HalfedgeId(first_half(e).value() | (old.value() & 1U)) : HalfedgeId();
+  }
+};
+
+/// Compacts a parallel array of the owner. `new_ids` is the matching member of DcelCompaction.
+/// Requires one entry in `payload` per old id. Cost: O(n).
+template <class Id, class T>
+void follow(const std::vector<Id>& new_ids, std::vector<T>& payload) {
+  std::size_t kept = 0;
+  for (std::size_t old = 0; old < new_ids.size(); ++old) {
+    if (!new_ids[old].is_valid()) continue;
+    if (kept != old) payload[kept] = std::move(payload[old]);
+    ++kept;
+  }
+  payload.erase(payload.begin() + static_cast<std::ptrdiff_t>(kept), payload.end());
+}
+
+/// A violated invariant and where it is violated.
+struct DcelFlaw {
+  std::string invariant;  ///< The invariant.
+  std::string place;      ///< The cell, such as "half-edge 7".
+};
+
+struct DcelFromCycles;
+
+/// Vertices, half-edges, loops and faces, without coordinates.
+class Dcel {
+ public:
+  /// Makes an empty structure, without any face.
+  Dcel() = default;
+
+  /// An isolated vertex and the face in which it lies.
+  struct IsolatedVertex {
+    VertexId vertex;  ///< A vertex without edges.
+    FaceId face;      ///< The face that contains it.
+  };
+
+  /// Builds a structure from listed cycles. Corner position p represents the directed edge from
+  /// corners[p] to the next corner of its cycle.
+  ///   cycle_begin    cycle c is corners[cycle_begin[c], cycle_begin[c+1])
+  ///   twin           twin[p] is the position of the opposite directed edge
+  ///   face_of_cycle  the face of each cycle; several cycles may share a face; faces are 0..max
+  ///   isolated       vertices without edges; a vertex that is neither in a cycle nor listed here
+  ///   is
+  ///                  a hole of the numbering (contains() returns false)
+  /// Cycle c becomes loop c, and the isolated vertices become the loops after the cycles; the loops
+  /// of a face are in this order. The half-edge stored at a vertex is the one at its lowest corner
+  /// position. Edges are numbered by their lower corner position, which gets the even half-edge.
+  /// Requires that twin is an involution without fixed points that joins opposite directed edges,
+  /// that no cycle is empty and that all ids are in range (all checked). Cost: O(n).
+  static DcelFromCycles from_cycles(std::size_t vertex_count,
+                                    std::span<const std::uint32_t> corners,
+                                    std::span<const std::uint32_t> cycle_begin,
+                                    std::span<const std::uint32_t> twin,
+                                    std::span<const std::uint32_t> face_of_cycle,
+                                    std::span<const IsolatedVertex> isolated = {});
+
+  /// Builds a structure from linked half-edges and keeps all ids.
+  ///   origin        the origin of each half-edge; twins are 2e and 2e + 1
+  ///   next          the successor of each half-edge
+  ///   loop_of       the loop of each half-edge, one loop for each closed chain of next
+  ///   face_of_loop  the face of each loop; loops are 0..max and so are faces
+  ///   isolated      vertices without edges; they become the loops after the others
+  /// The half-edge stored at a loop or a vertex is its least one. Requires that all ids are in
+  /// range, that next(h) begins where twin(h) begins (both checked), and that loop_of is constant
+  /// along each chain of next. Cost: O(n).
+  static Dcel from_links(std::size_t vertex_count, std::span<const VertexId> origin,
+                         std::span<const HalfedgeId> next, std::span<const std::uint32_t> loop_of,
+                         std::span<const FaceId> face_of_loop,
+                         std::span<const IsolatedVertex> isolated = {});
+
+  // --- reading -------------------------------------------------------------------------------
+
+  /// Returns the vertex where a half-edge begins.
+  VertexId origin(HalfedgeId h) const { return halfedges_[h.value()].origin; }
+  VertexId target(HalfedgeId h) const {
+    return origin(twin(h));
+  }  ///< Returns the vertex where it ends.
+  /// Returns the next half-edge along the face to its left.
+  HalfedgeId next(HalfedgeId h) const { return halfedges_[h.value()].next; }
+  /// Returns the previous half-edge along the face to its left.
+  HalfedgeId prev(HalfedgeId h) const { return halfedges_[h.value()].prev; }
+  /// Returns the loop that contains a half-edge.
+  LoopId loop(HalfedgeId h) const { return halfedges_[h.value()].loop; }
+  FaceId face(LoopId l) const { return loops_[l.value()].face; }  ///< Returns the face of a loop.
+  FaceId face(HalfedgeId h) const { return face(loop(h)); }       ///< Returns the face to the left.
+
+  /// Returns a half-edge that leaves v, or an invalid id if v is isolated.
+  HalfedgeId halfedge(VertexId v) const { return vertices_[v.value()].halfedge(); }
+  /// Whether v is an isolated vertex.
+  bool is_isolated(VertexId v) const { return vertices_[v.value()].is_other(); }
+  /// Returns the loop of an isolated vertex, or an invalid id for other vertices.
+  LoopId isolated_loop(VertexId v) const { return vertices_[v.value()].other(); }
+  /// Returns where a loop begins: a half-edge or an isolated vertex.
+  Corner first(LoopId l) const { return loops_[l.value()].first; }
+  /// Returns the first loop of f, or an invalid id if f has no loop.
+  LoopId first_loop(FaceId f) const {
+    const LoopId l = faces_[f.value()];
+    return l == kRemoved ? LoopId() : l;
+  }
+  /// Returns the vertex of a corner.
+  VertexId vertex_at(Corner c) const { return c.is_halfedge() ? origin(c.halfedge()) : c.other(); }
+  /// Returns the loop of a corner.
+  LoopId loop_at(Corner c) const {
+    return c.is_halfedge() ? loop(c.halfedge()) : isolated_loop(c.other());
+  }
+
+  /// Returns the next half-edge that leaves origin(h), counter-clockwise.
+  HalfedgeId turn_left(HalfedgeId h) const { return twin(prev(h)); }
+  /// Returns the next half-edge that leaves origin(h), clockwise.
+  HalfedgeId turn_right(HalfedgeId h) const { return next(twin(h)); }
+
+  /// Returns the range of the half-edges of a loop, in their direction; it is empty for an isolated
+  /// vertex.
+  auto along(LoopId l) const { return ring<&Dcel::next>(first(l).halfedge()); }
+  /// Returns the range of the half-edges that leave v, counter-clockwise; at a pinch, one ring of
+  /// them.
+  auto around(VertexId v) const { return ring<&Dcel::turn_left>(halfedge(v)); }
+  /// Returns the range of the loops of a face.
+  auto loops_of(FaceId f) const { return ring<&Dcel::next_loop>(first_loop(f)); }
+  /// Returns the next loop in the ring of its face.
+  LoopId next_loop(LoopId l) const { return loops_[l.value()].next; }
+
+  std::size_t vertex_count() const {
+    return counts_.vertices;
+  }  ///< Returns the number of present vertices.
+  /// Returns the number of present half-edges, twice that of the edges.
+  std::size_t halfedge_count() const { return 2 * counts_.edges; }
+  std::size_t edge_count() const {
+    return counts_.edges;
+  }  ///< Returns the number of present edges.
+  std::size_t loop_count() const {
+    return counts_.loops;
+  }  ///< Returns the number of present loops.
+  std::size_t face_count() const {
+    return counts_.faces;
+  }  ///< Returns the number of present faces.
+
+  /// Returns the size of an array indexed by vertex id: ids are 0 to slots - 1, holes included.
+  std::size_t vertex_slots() const { return vertices_.size(); }
+  std::size_t halfedge_slots() const { return halfedges_.size(); }  ///< Likewise for half-edges.
+  std::size_t edge_slots() const { return halfedges_.size() / 2; }  ///< Likewise for edges.
+  std::size_t loop_slots() const { return loops_.size(); }          ///< Likewise for loops.
+  std::size_t face_slots() const { return faces_.size(); }          ///< Likewise for faces.
+
+  /// Whether vertex v is present: in range and not removed.
+  bool contains(VertexId v) const {
+    return v.value() < vertices_.size() && vertices_[v.value()].is_valid();
+  }
+  /// Whether half-edge h is present: in range and not removed.
+  bool contains(HalfedgeId h) const {
+    return h.value() < halfedges_.size() && halfedges_[h.value()].origin.is_valid();
+  }
+  /// Whether edge e is present: in range and not removed.
+  bool contains(EdgeId e) const { return e.is_valid() && contains(first_half(e)); }
+  /// Whether loop l is present: in range and not removed.
+  bool contains(LoopId l) const {
+    return l.value() < loops_.size() && loops_[l.value()].first.is_valid();
+  }
+  /// Whether face f is present: in range and not removed.
+  bool contains(FaceId f) const {
+    return f.value() < faces_.size() && faces_[f.value()] != kRemoved;
+  }
+
+  /// Whether the half-edges of some vertex form several rings.
+  bool has_pinches() const { return has_pinches_; }
+
+  // --- Euler operators (all require !has_pinches()) --------------------------------------------
+
+  FaceId add_face();  ///< Adds a face without loops and returns it.
+  /// Removes a face. Requires that it has no loops.
+  void remove_face(FaceId f);
+
+  /// Adds an isolated vertex, which is a new loop of f, and returns it.
+  VertexId add_vertex(FaceId f);
+  /// Removes a vertex and its loop. Requires that it is isolated.
+  void remove_vertex(VertexId v);
+
+  /// Adds an edge from vertex_at(a) to vertex_at(b) and returns its even half-edge h, which has
+  /// that direction. Requires that both corners lie in one face.
+  ///   one loop   is split: left of h lies a new loop of the same face, from b around to a (if
+  ///              a == b, h alone, a self-loop); twin(h) stays in the old loop. Cost: O(length of
+  ///              the new loop)
+  ///   two loops  become one, which keeps the id of the loop of a. Cost: O(length of the loop of b)
+  HalfedgeId add_edge(Corner a, Corner b);
+  /// Removes the edge of h. Requires the same face on both sides (call join_faces first).
+  ///   two loops  become one, which keeps the id of the loop of twin(h). Cost: O(length of the loop
+  ///              of h)
+  ///   one loop   is split in two: the part at origin(h) keeps the id and the part at target(h)
+  ///              gets a new one; a part without half-edges becomes an isolated vertex. Cost:
+  ///              O(length of the part at target(h))
+  void remove_edge(HalfedgeId h);
+
+  /// Inserts a new vertex w into h. Afterwards h ends at w, twin(h) begins at w, and the returned
+  /// successor of h leads from w to the old target.
+  HalfedgeId split_edge(HalfedgeId h);
+  /// Undoes split_edge: removes h, its twin and origin(h), after which prev(h) ends at target(h).
+  /// Requires that exactly two half-edges leave origin(h) and that they belong to different edges.
+  void join_edge(HalfedgeId h);
+
+  /// Adds a face, moves `loops` to it in this order, and returns it. Requires at least one loop,
+  /// and distinct loops of one face. Cost: O(number of loops).
+  FaceId split_face(std::span<const LoopId> loops);
+  /// Moves all loops of `gone` to `kept`, after its own loops, and removes `gone`. Requires
+  /// distinct faces. Cost: O(number of loops of `gone`).
+  void join_faces(FaceId kept, FaceId gone);
+
+  /// Renumbers all cells without holes, keeps their order and returns the new ids. Owners compact
+  /// their arrays with follow(), for example follow(compaction.vertex, coordinates). Cost: O(n).
+  DcelCompaction compact();
+
+  // --- auditing ------------------------------------------------------------------------------
+
+  /// Checks every invariant from scratch and returns the first violated one, or no value. Accepts
+  /// arbitrary contents of the arrays. Cost: O(n).
+  ///   sizes, ranges     present cells refer only to present cells, and the counts are right
+  ///   next/prev         they are inverse to each other, and target(h) = origin(next(h))
+  ///   loop              each loop is exactly one closed chain of next, whose half-edges refer to
+  ///   it vertex            its half-edge leaves it, or its isolated loop begins with it
+  ///   pinches           the rings around vertices agree with has_pinches()
+  ///   face              its loops form one ring, and each of them refers to it
+  std::optional<DcelFlaw> audit() const;
+
+  /// Checks that the structure is a map of the plane or sphere and returns the first flaw, or no
+  /// value. A component is a set of edges connected by next and twin (fans that share only a pinch
+  /// belong to different components), or an isolated vertex. A ring is one fan of half-edges around
+  /// a vertex, or an isolated vertex. Two conditions are checked: rings - edges + loops = 2 in each
+  /// component, and faces and components, joined by loops, form a tree. Without pinches this
+  /// implies V - E + F = 1 + components. Requires that audit() finds no flaw. Cost: O(n a(n)),
+  /// where a is the inverse Ackermann function.
+  std::optional<DcelFlaw> audit_planar() const;
+
+ private:
+  friend class DcelAudit;
+  friend class DcelSurgeon;  // Gives tests access, to damage the arrays on purpose.
+
+  struct Halfedge {
+    VertexId origin;  ///< Invalid if removed.
+    HalfedgeId next, prev;
+    LoopId loop;
+  };
+  struct Loop {
+    Corner first;  ///< Invalid if removed.
+    FaceId face;
+    LoopId next, prev;  ///< The ring of the loops of its face.
+  };
+  struct Counts {
+    std::size_t vertices = 0, edges = 0, loops = 0, faces = 0;
+    friend bool operator==(const Counts&, const Counts&) = default;
+  };
+  static constexpr LoopId kRemoved{LoopId::kInvalid - 1};
+
+  template <auto Move>
+  struct Step {
+    const Dcel* dcel = nullptr;
+    auto operator()(auto id) const { return (dcel->*Move)(id); }
+  };
+  template <auto Move, class Id>
+  Ring<Id, Step<Move>> ring(Id first) const {
+    return {first, Step<Move>{this}};
+  }
+
+  void fill_cycle(LoopId l, std::span<const std::uint32_t> vertices, const HalfedgeId* halfedges);
+  void link_halfedges(std::span<const VertexId> origin, std::span<const HalfedgeId> next,
+                      std::span<const std::uint32_t> loop_of);
+  void place_isolated(std::span<const IsolatedVertex> isolated);
+  void check_targets() const;
+  bool find_pinches() const;
+
+  HalfedgeId new_edge(VertexId from, VertexId to);
+  LoopId new_loop(Corner first, FaceId f);
+  void drop_loop(LoopId l);
+  void enter_face(LoopId l, FaceId f);
+  void leave_face(LoopId l);
+  void link(HalfedgeId a, HalfedgeId b) {
+    halfedges_[a.value()].next = b;
+    halfedges_[b.value()].prev = a;
+  }
+  bool is_corner(Corner c) const;
+  void attach(HalfedgeId h, Corner at);
+  void attach_self_loop(HalfedgeId h, Corner at);
+  void detach(HalfedgeId h);
+  void relabel(HalfedgeId from, HalfedgeId stop, LoopId l);
+  void settle(VertexId v, HalfedgeId leaving, LoopId l);
+  HalfedgeId other_leaving(HalfedgeId h) const;
+
+  std::vector<Halfedge> halfedges_;
+  std::vector<HalfedgeOr<LoopId>> vertices_;  ///< Invalid if removed.
+  std::vector<Loop> loops_;
+  std::vector<LoopId> faces_;  ///< The first loop, invalid if there is none; kRemoved if removed.
+  Counts counts_;
+  bool has_pinches_ = false;
+};
+
+/// The result of Dcel::from_cycles.
+struct DcelFromCycles {
+  Dcel dcel;  ///< The structure.
+  /// The half-edge of each corner position.
+  std::vector<HalfedgeId> halfedge_of_corner;
+};
+
+}  // namespace plumb
+#pragma GCC visibility pop

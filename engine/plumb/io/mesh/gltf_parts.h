@@ -1,0 +1,172 @@
+// What glTF files are made of: a JSON document, and buffers of bytes it names.
+//
+//   - "glTF" at the beginning: binary, chunks of JSON and of bytes; else the text is the JSON
+//   - a buffer is the chunk of bytes, base64 in its name (data:), or a file in the same folder
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "plumb/base/context.h"
+#include "plumb/io/mesh/mesh_formats.h"
+#include "plumb/io/mesh_io.h"
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/input_predicates.h"
+
+namespace plumb {
+
+struct GltfContainer {
+  std::string_view file;  ///< all bytes
+  std::string name;
+  bool is_binary = false;
+  std::string_view json;
+  std::optional<std::string_view> chunk;  ///< of bytes
+
+  /// FILE:LINE:COLUMN in a text, FILE: at byte N in a binary file; `byte` of the JSON.
+  [[noreturn]] void fail(std::size_t byte, ErrorCode code, const std::string& what) const;
+};
+
+/// `bytes` must outlive it. Errors: UnknownFormat, CountMismatch, Syntax, with the byte.
+GltfContainer open_gltf(std::string_view bytes, const std::string& name);
+
+/// The bytes of a file in the folder of the one that is read, charged; `name` has no slashes.
+using GltfLoader = std::function<std::string(const std::string& name)>;
+
+/// The bytes that a uri names, charged as many as they are. Throws errors without a place:
+/// UnknownFormat, Syntax; CannotOpen for files that are not in the folder, or all if `loader` is
+/// empty; what it throws.
+std::string bytes_of_uri(std::string_view uri, const GltfLoader& loader, Context& context);
+
+// Where a node of glTF puts its mesh: affine maps of space, in doubles.
+
+/// x' = m[0][0] x + m[0][1] y + m[0][2] z + m[0][3], and so on.
+using GltfTransform = std::array<std::array<double, 4>, 3>;
+inline constexpr GltfTransform kGltfIdentity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+
+/// First b, then a.
+inline GltfTransform product(const GltfTransform& a, const GltfTransform& b) {
+  GltfTransform c{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
+    }
+    c[i][3] += a[i][3];
+  }
+  return c;
+}
+
+/// The exact sign of the determinant, which as a double underflows. Requires finite entries.
+inline bool mirrors(const GltfTransform& m) {
+  const auto row = [&m](std::size_t i) { return Point3{m[i][0], m[i][1], m[i][2]}; };
+  return orient3d(row(0), row(1), row(2), Point3{0, 0, 0}) == Sign::Negative;
+}
+
+inline std::array<double, 3> applied(const GltfTransform& m, const std::array<double, 3>& p) {
+  std::array<double, 3> q{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    q[k] = m[k][0] * p[0] + m[k][1] * p[1] + m[k][2] * p[2] + m[k][3];
+  }
+  return q;
+}
+
+/// By columns, as glTF has it.
+inline GltfTransform from_matrix(const std::array<double, 16>& m) {
+  GltfTransform t{};
+  for (std::size_t i = 0; i < 3; ++i) t[i] = {m[i], m[4 + i], m[8 + i], m[12 + i]};
+  return t;
+}
+
+/// Scaled, turned by a quaternion (x, y, z, w) of any length but zero, moved. Quarter turns are
+/// exact.
+inline GltfTransform from_parts(const std::array<double, 4>& turn,
+                                const std::array<double, 3>& scale,
+                                const std::array<double, 3>& move) {
+  const auto [x, y, z, w] = turn;
+  const double n = x * x + y * y + z * z + w * w;
+  GltfTransform t{{{w * w + x * x - y * y - z * z, 2 * (x * y - z * w), 2 * (x * z + y * w), 0},
+                   {2 * (x * y + z * w), w * w - x * x + y * y - z * z, 2 * (y * z - x * w), 0},
+                   {2 * (x * z - y * w), 2 * (y * z + x * w), w * w - x * x - y * y + z * z, 0}}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) t[i][j] = t[i][j] / n * scale[j];
+    t[i][3] = move[i];
+  }
+  return t;
+}
+
+// The triangles of glTF's primitives, as they are placed: numbers out of buffers, whatever names
+// them.
+
+/// As accessors number them.
+struct GltfComponent {
+  static constexpr std::size_t kByte = 5121, kShort = 5123, kInteger = 5125, kFloat = 5126;
+};
+/// As primitives number them.
+struct GltfMode {
+  static constexpr std::size_t kTriangles = 4, kStrip = 5, kFan = 6;
+};
+
+/// The parts of an accessor's elements, unchecked numbers.
+struct GltfElements {
+  std::string_view bytes;
+  std::size_t stride = 0;
+  std::size_t count = 0;
+  std::size_t component = 0;
+
+  template <class Number>
+  Number at(std::size_t i, std::size_t part = 0) const {
+    Number value;
+    std::memcpy(&value, bytes.data() + i * stride + part * sizeof(Number), sizeof(Number));
+    return value;
+  }
+  std::uint32_t index(std::size_t i) const {
+    if (component == GltfComponent::kByte) return at<std::uint8_t>(i);
+    return component == GltfComponent::kShort ? at<std::uint16_t>(i) : at<std::uint32_t>(i);
+  }
+};
+
+/// A part of a mesh.
+struct GltfPrimitive {
+  std::size_t number;  ///< in its mesh
+  std::size_t mode;    ///< of GltfMode
+  GltfElements positions;
+  std::optional<GltfElements> indices;
+
+  std::size_t corner_count() const { return indices ? indices->count : positions.count; }
+};
+
+/// Collects them into a mesh.
+class GltfTriangles {
+ public:
+  /// `name`: the file in messages.
+  GltfTriangles(std::string name, Context& context)
+      : name_(std::move(name)), context_(context), mesh_(context) {}
+
+  void pass_over(std::string_view what) { mesh_.pass_over(what); }
+  /// Requires at least 3 corners, and as the mode wants them. Throws Error "FILE: where: what":
+  /// BadIndex, NumberOutOfRange, ResourceLimit; Cancelled.
+  void add(const GltfPrimitive& p, const GltfTransform& placed, const std::string& where);
+  /// With equal points made one. Triangles that have two equal corners are left out, and told.
+  MeshFile take();
+
+ private:
+  [[noreturn]] void fail(ErrorCode code, const std::string& where, const std::string& what) const {
+    throw Error(code, where + ": " + what, {name_});
+  }
+  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool turns);
+  std::uint64_t add_points(const GltfElements& positions, const GltfTransform& m,
+                           const std::string& where);
+
+  std::string name_;
+  Context& context_;
+  MeshCollector mesh_;
+  std::size_t dropped_ = 0;
+};
+
+}  // namespace plumb

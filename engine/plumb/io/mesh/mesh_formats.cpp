@@ -1,0 +1,247 @@
+#include "plumb/io/mesh/mesh_formats.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plumb/predicates/arithmetic/seeded_hash.h"
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/rounding.h"
+#include "plumb/space/mesh/mesh_vertices.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::uint64_t kStep = 4096;  // records between two charges
+constexpr std::uint64_t kMost = 0xffff'fffe - kStep;
+constexpr std::uint64_t kGrowth = 2;  // vectors grow by doubling
+
+void require_below_most(std::uint64_t count, const char* what) {
+  if (count > kMost) {
+    throw Error(ErrorCode::ResourceLimit, std::string("more than 2^32 ") + what);
+  }
+}
+
+/// What three rationals take: their entry, and six integers of at least one block of the heap each.
+std::uint64_t exact_bytes(const RationalPoint3& p) {
+  constexpr std::uint64_t kBlock = 32;
+  std::uint64_t bytes = kGrowth * sizeof(std::pair<std::uint32_t, RationalPoint3>);
+  for (const Rational* q : {&p.x, &p.y, &p.z}) {
+    const auto limbs = mpz_size(mpq_numref(q->mpq())) + mpz_size(mpq_denref(q->mpq()));
+    bytes += 2 * kBlock + limbs * sizeof(mp_limb_t);
+  }
+  return bytes;
+}
+
+}  // namespace
+
+void MeshCollector::expect(std::uint32_t points, std::uint32_t faces) {
+  charge(points * sizeof(Point3) + faces * sizeof(std::uint32_t));
+  charged_points_ = points;
+  charged_faces_ = faces;
+  mesh_.points.reserve(points);
+  mesh_.face_begin.reserve(std::size_t{faces} + 1);
+}
+
+void MeshCollector::charge_points() {
+  require_below_most(charged_points_, "vertices");
+  charge(kStep * kGrowth * sizeof(Point3));
+  charged_points_ += kStep;
+}
+
+void MeshCollector::charge_corners() {
+  require_below_most(charged_corners_, "corners");
+  charge(kStep * kGrowth * sizeof(std::uint32_t));
+  charged_corners_ += kStep;
+}
+
+/// Beside the nearest doubles, unless they say it all.
+void MeshCollector::add_exact_point(const RationalPoint3& p) {
+  const RoundedDouble x = round_to_double(p.x);
+  const RoundedDouble y = round_to_double(p.y);
+  const RoundedDouble z = round_to_double(p.z);
+  if (x.error != Sign::Zero || y.error != Sign::Zero || z.error != Sign::Zero) {
+    charge(exact_bytes(p));
+    mesh_.exact.emplace_back(point_count(), p);
+  }
+  add_point({clamped_to_finite(x.value), clamped_to_finite(y.value), clamped_to_finite(z.value)});
+}
+
+MeshFile MeshCollector::take() {
+  MeshFile file{std::move(mesh_), {}};
+  if (passed_.empty()) return file;
+  std::string sentence;
+  for (const std::string_view what : passed_) {
+    sentence.append(sentence.empty() ? "passed over: " : ", ").append(what);
+  }
+  file.notes.push_back(std::move(sentence));
+  return file;
+}
+
+std::string MeshCollector::flaw_of_face() const {
+  const std::size_t first = mesh_.face_begin.back();
+  const std::size_t count = mesh_.corners.size() - first;
+  const std::uint32_t* const corners = mesh_.corners.data() + first;
+  if (count < 3) {
+    return "has " + std::to_string(count) + (count == 1 ? " corner" : " corners") +
+           "; at least 3 are needed";
+  }
+  std::uint32_t before = corners[count - 1];
+  for (std::size_t i = 0; i < count; ++i) {
+    if (corners[i] == before) {
+      return "has the same vertex twice in a row: corner " + std::to_string(i == 0 ? count : i) +
+             " and the next";
+    }
+    before = corners[i];
+  }
+  return {};
+}
+
+void MeshCollector::keep_face() {
+  if (mesh_.face_count() == charged_faces_) {
+    charge(kStep * kGrowth * sizeof(std::uint32_t));
+    charged_faces_ += kStep;
+  }
+  mesh_.face_begin.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
+}
+
+namespace {
+
+constexpr std::uint32_t kNone = MeshVertices::kNone;
+constexpr std::uint32_t kPointsPerCheckpoint = 4096;
+
+/// -0 equals 0. By the bits: subnormals are not zero, whatever FTZ/DAZ say.
+std::array<std::uint64_t, 3> bits_of(const Point3& p) {
+  const auto bits = [](double value) {
+    const auto all = std::bit_cast<std::uint64_t>(value);
+    return all << 1U == 0 ? 0 : all;
+  };
+  return {bits(p.x), bits(p.y), bits(p.z)};
+}
+
+/// For each point the first with its coordinates.
+std::vector<std::uint32_t> first_equals(const PolygonMesh& mesh, Context& context) {
+  std::vector<std::uint32_t> first;
+  first.reserve(mesh.points.size());
+  IdIndex known;
+  for (std::uint32_t i = 0; i < mesh.points.size(); ++i) {
+    if (i % kPointsPerCheckpoint == 0) context.checkpoint("weld", i, mesh.points.size());
+    const auto bits = bits_of(mesh.points[i]);
+    first.push_back(
+        known.find_or_add(static_cast<std::uint32_t>(SeededHash{}(bits)), i,
+                          [&](std::uint32_t j) { return bits_of(mesh.points[j]) == bits; }));
+  }
+  return first;
+}
+
+/// The same where some coordinates are no doubles; kNone for points of no face.
+std::vector<std::uint32_t> first_exact_equals(const PolygonMesh& mesh) {
+  SpaceTables tables;
+  MeshVertices vertices = merge_equal_points(mesh, tables);
+  for (std::uint32_t& v : vertices.of_point) {
+    if (v != kNone) v = vertices.input[v];
+  }
+  return std::move(vertices.of_point);
+}
+
+/// Takes the faces that stay sound when corner v becomes first[v]; returns how many do not.
+std::size_t renumber_faces(PolygonMesh& mesh, const std::vector<std::uint32_t>& first) {
+  PolygonMesh kept;
+  kept.corners.reserve(mesh.corners.size());
+  kept.face_begin.reserve(mesh.face_begin.size());
+  std::vector<std::uint32_t> face;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    face.clear();
+    for (const std::uint32_t v : mesh.face(f)) face.push_back(first[v]);
+    const bool is_sound =
+        face.front() != face.back() && std::adjacent_find(face.begin(), face.end()) == face.end();
+    if (is_sound) kept.add_face(face);
+  }
+  const std::size_t dropped = mesh.face_count() - kept.face_count();
+  mesh.face_begin = std::move(kept.face_begin);
+  mesh.corners = std::move(kept.corners);
+  return dropped;
+}
+
+std::size_t used_points(const PolygonMesh& mesh) {
+  std::vector<std::uint8_t> is_used(mesh.points.size());
+  for (const std::uint32_t corner : mesh.corners) is_used[corner] = 1;
+  return static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1));
+}
+
+/// Only points with corners stay, in order of use.
+void renumber_points(PolygonMesh& mesh) {
+  std::vector<std::uint32_t> number(mesh.points.size(), kNone);
+  PolygonMesh used;
+  used.points.reserve(used_points(mesh));
+  for (std::uint32_t& corner : mesh.corners) {
+    const std::uint32_t point = corner;
+    std::uint32_t& now = number[point];
+    if (now == kNone) {
+      now = static_cast<std::uint32_t>(used.points.size());
+      used.points.push_back(mesh.points[point]);
+      const auto exact =
+          std::lower_bound(mesh.exact.begin(), mesh.exact.end(), point,
+                           [](const auto& entry, std::uint32_t p) { return entry.first < p; });
+      const bool is_exact = exact != mesh.exact.end() && exact->first == point;
+      if (is_exact) used.exact.emplace_back(now, exact->second);
+    }
+    corner = now;
+  }
+  mesh.points = std::move(used.points);
+  mesh.exact = std::move(used.exact);
+}
+
+}  // namespace
+
+std::size_t weld_vertices(PolygonMesh& mesh, Context& context) {
+  constexpr std::uint64_t kPointBytes = 64;   // a number, its place in a set that doubles, a copy
+  constexpr std::uint64_t kExactBytes = 320;  // three planes, numbers
+  constexpr std::uint64_t kCornerBytes = 4;   // a copy of the faces
+  constexpr std::uint64_t kTableBytes = 192;  // a point of a table with an index
+  const bool is_exact = !mesh.exact.empty();
+  MemoryCharge charge(context);
+  charge.add((kPointBytes + (is_exact ? kTableBytes : 0)) * mesh.points.size() +
+                 kExactBytes * mesh.exact.size() +
+                 kCornerBytes * (mesh.corners.size() + mesh.face_count()),
+             "the vertices of the mesh");
+  const std::size_t dropped =
+      renumber_faces(mesh, is_exact ? first_exact_equals(mesh) : first_equals(mesh, context));
+  renumber_points(mesh);
+  return dropped;
+}
+
+void write_coordinates(TextOutput& out, const Point3& p) { out << p.x << ' ' << p.y << ' ' << p.z; }
+
+void write_face_lines(TextOutput& out, const PolygonMesh& mesh) {
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    out << std::uint64_t{face.size()};
+    for (const std::uint32_t v : face) out << ' ' << v;
+    out << '\n';
+  }
+}
+
+void require_doubles(const PolygonMesh& mesh) {
+  for (const auto& [vertex, p] : mesh.exact) {
+    for (const Rational* q : {&p.x, &p.y, &p.z}) {
+      if (std::isfinite(nearest_double(*q))) continue;
+      throw Error(ErrorCode::NumberOutOfRange, "a coordinate of vertex " + std::to_string(vertex) +
+                                                   " is larger than the largest double");
+    }
+  }
+}
+
+void require_triangles(const PolygonMesh& mesh) {
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.face(f).size() == 3) continue;
+    throw Error(ErrorCode::BadArgument, "face " + std::to_string(f) + " is no triangle");
+  }
+}
+
+}  // namespace plumb

@@ -1,0 +1,108 @@
+// What the readers of mesh files have in common: collects points and faces, charged to a context.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/io/mesh_io.h"
+#include "plumb/io/text/number_reader.h"
+#include "plumb/io/text/text_output.h"
+#include "plumb/space/mesh_arrays.h"
+
+namespace plumb {
+
+/// Strings given to it are literals. Limits are thrown without a place; readers add it
+/// (input_cursors.h).
+class MeshCollector {
+ public:
+  explicit MeshCollector(Context& context) : context_(context) {}
+
+  /// Room for so many points and faces, charged at once: for counts that the size of the file bears
+  /// out.
+  void expect(std::uint32_t points, std::uint32_t faces);
+
+  std::uint32_t point_count() const { return static_cast<std::uint32_t>(mesh_.points.size()); }
+  std::size_t face_count() const { return mesh_.face_count(); }
+
+  /// Requires finite coordinates. Negative zeros become zeros.
+  void add_point(const Point3& p) {
+    if (mesh_.points.size() == charged_points_) charge_points();
+    mesh_.points.push_back({p.x + 0.0, p.y + 0.0, p.z + 0.0});
+  }
+  void add_point(const ReadNumber& x, const ReadNumber& y, const ReadNumber& z) {
+    if (x.is_double() && y.is_double() && z.is_double()) {
+      add_point({x.as_double(), y.as_double(), z.as_double()});
+    } else {
+      add_exact_point({x.exact(), y.exact(), z.exact()});
+    }
+  }
+
+  /// The next corner of the face that end_face() ends.
+  void add_corner(std::uint32_t vertex) {
+    if (mesh_.corners.size() == charged_corners_) charge_corners();
+    mesh_.corners.push_back(vertex);
+  }
+  /// Ends a face. Returns what is wrong with it, if anything; it is not added then.
+  std::string end_face() {
+    const std::string flaw = flaw_of_face();
+    if (flaw.empty()) {
+      keep_face();
+    } else {
+      mesh_.corners.resize(mesh_.face_begin.back());
+    }
+    return flaw;
+  }
+
+  /// Something in the file that no mesh holds, named as in "normals of vertices". Told once.
+  void pass_over(std::string_view what) {
+    if (std::find(passed_.begin(), passed_.end(), what) == passed_.end()) passed_.push_back(what);
+  }
+
+  MeshFile take();
+
+ private:
+  void add_exact_point(const RationalPoint3& p);
+  std::string flaw_of_face() const;
+  void keep_face();
+  void charge(std::uint64_t bytes) { context_.charge_memory(bytes, "the mesh"); }
+  void charge_points();
+  void charge_corners();
+
+  Context& context_;
+  PolygonMesh mesh_;
+  std::vector<std::string_view> passed_;
+  std::uint64_t charged_points_ = 0;
+  std::uint64_t charged_corners_ = 0;
+  std::uint64_t charged_faces_ = 0;
+};
+
+// Vertices that are at one place become one: for formats that list the corners of every triangle.
+
+/// Makes equal vertices one, exactly, and leaves out the faces that then have a vertex twice in a
+/// row and the vertices that no face has. Vertices are in order of their first use by a face.
+/// Returns how many faces were left out. O(n) expected; charges its working memory for as long as
+/// it runs.
+std::size_t weld_vertices(PolygonMesh& mesh, Context& context);
+
+// What the writers of mesh formats have in common.
+
+/// "x y z", as format_double().
+void write_coordinates(TextOutput& out, const Point3& p);
+
+/// A line for each face: how many corners, and the corners from 0.
+void write_face_lines(TextOutput& out, const PolygonMesh& mesh);
+
+/// Throws Error{NumberOutOfRange} when a vertex lies beyond the largest double. For writers that
+/// round.
+void require_doubles(const PolygonMesh& mesh);
+
+/// Throws Error{BadArgument} when a face is no triangle.
+void require_triangles(const PolygonMesh& mesh);
+
+}  // namespace plumb

@@ -1,0 +1,33 @@
+// Reads OBJ (docs/formats.md, "OBJ"): vertices `v`, faces `f`.
+//
+// Corners are v, v/vt, v//vn or v/vt/vn, numbered from 1, or from -1 backwards from the vertex
+// given last. Faces name vertices that were given before them. A comment may end a line; a blank
+// and a backslash at the end of a line carry a statement on to the next. All other statements of
+// the format are passed over, and told.
+//
+// Cost: O(bytes). Errors are thrown with the place (file, line, column): NotText, Syntax
+// (statements that are none of the format's among them), NumberOutOfRange, BadIndex, DegenerateFace
+// (fewer than three corners, a vertex twice in a row), CountMismatch (a file of nothing but
+// blanks), ResourceLimit; Cancelled.
+#pragma once
+
+#include <ostream>
+#include <string_view>
+
+#include "plumb/base/context.h"
+#include "plumb/io/mesh_io.h"
+#include "plumb/io/read_options.h"
+#include "plumb/space/mesh_arrays.h"
+
+namespace plumb {
+
+/// The memory of the mesh stays charged to `context`.
+MeshFile read_obj(std::string_view text, const ReadOptions& options, Context& context);
+
+// Writes meshes as OBJ (docs/formats.md, "OBJ").
+
+/// read_obj() of the text gives the same mesh, but for what `exact` holds: vertices are rounded.
+/// Throws Error{NumberOutOfRange} when one lies beyond the largest double; what `out` throws.
+void write_obj(std::ostream& out, const PolygonMesh& mesh);
+
+}  // namespace plumb

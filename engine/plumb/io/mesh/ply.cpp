@@ -1,0 +1,374 @@
+#include "plumb/io/mesh/ply.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "plumb/io/mesh/mesh_formats.h"
+#include "plumb/io/mesh/ply_header.h"
+#include "plumb/io/text/input_cursors.h"
+#include "plumb/io/text/record_reader.h"
+#include "plumb/io/text/text_output.h"
+#include "plumb/predicates/error.h"
+
+namespace plumb {
+namespace {
+
+using Kind = PlyElement::Kind;
+using Role = PlyProperty::Role;
+
+std::string_view name_of(Kind kind) {
+  return kind == Kind::Vertex ? "vertex" : kind == Kind::Face ? "face" : "element";
+}
+
+/// What the mesh will not have.
+void pass_over(const PlyElement& element, MeshCollector& mesh) {
+  if (element.kind == Kind::Other) return mesh.pass_over("other elements");
+  for (const PlyProperty& property : element.properties) {
+    if (property.role != Role::None) continue;
+    mesh.pass_over(element.kind == Kind::Vertex ? "other properties of vertices"
+                                                : "other properties of faces");
+  }
+}
+
+// ---------------------------------------------------------------- text
+
+class PlyTextReader {
+ public:
+  PlyTextReader(RecordReader& in, const PlyHeader& header, MeshCollector& mesh)
+      : in_(in), vertices_(header.vertex_count()), mesh_(mesh) {}
+
+  void read(const PlyElement& element) {
+    if (element.properties.empty()) return;
+    for (std::uint32_t i = 0; i < element.count; ++i) {
+      in_.next_record(name_of(element.kind), i, element.count);
+      start_ = in_.cursor().position();
+      for (const PlyProperty& property : element.properties) read_property(property);
+      if (!in_.cursor().at_line_end()) {
+        in_.end_line("the end of the line after the properties of " + in_.record_name());
+      }
+      if (element.kind == Kind::Vertex) mesh_.add_point(at_[0], at_[1], at_[2]);
+      if (element.kind == Kind::Face) end_face();
+    }
+  }
+
+  void require_end() {
+    if (!in_.cursor().next_line()) return;
+    in_.cursor().fail(ErrorCode::CountMismatch, "there is more after the last element");
+  }
+
+ private:
+  void read_property(const PlyProperty& property);
+  void skip_value();
+  void end_face();
+
+  RecordReader& in_;
+  std::uint32_t vertices_;
+  MeshCollector& mesh_;
+  const char* start_ = nullptr;  // of the record
+  std::array<ReadNumber, 3> at_;
+};
+
+void PlyTextReader::read_property(const PlyProperty& property) {
+  switch (property.role) {
+    case Role::Corners: {
+      const std::uint32_t count = in_.read_count("the number of corners");
+      for (std::uint32_t i = 0; i < count; ++i)
+        mesh_.add_corner(in_.read_index("vertex", vertices_));
+      return;
+    }
+    case Role::None: {
+      const std::uint32_t count = property.length ? in_.read_count("the length of a list") : 1;
+      for (std::uint32_t i = 0; i < count; ++i) skip_value();
+      return;
+    }
+    default:
+      in_.read_number(at_[static_cast<std::size_t>(property.role) - 1], "more properties");
+  }
+}
+
+/// Anything: "nan" is about in real files.
+void PlyTextReader::skip_value() {
+  if (in_.cursor().at_line_end()) {
+    in_.cursor().fail(ErrorCode::Syntax, in_.record_name() + " needs more properties");
+  }
+  in_.cursor().token();
+}
+
+void PlyTextReader::end_face() {
+  const std::string flaw = mesh_.end_face();
+  if (flaw.empty()) return;
+  in_.cursor().fail(ErrorCode::DegenerateFace, in_.record_name() + ' ' + flaw, start_);
+}
+
+// ---------------------------------------------------------------- binary
+
+class PlyBinaryReader {
+ public:
+  PlyBinaryReader(BinaryInput in, const PlyHeader& header, MeshCollector& mesh, Context& context)
+      : in_(std::move(in)),
+        format_(header.format),
+        vertices_(header.vertex_count()),
+        mesh_(mesh),
+        context_(context),
+        total_bytes_(in_.position() + in_.bytes_left()) {}
+
+  const BinaryInput& input() const { return in_; }
+
+  void read(const PlyElement& element);
+  void require_end() const {
+    if (in_.bytes_left() == 0) return;
+    in_.fail(ErrorCode::CountMismatch, "there is more after the last element");
+  }
+
+ private:
+  void read_property(const PlyProperty& property);
+  std::uint32_t take_length(const PlyProperty& property);
+  double take(PlyType type);
+  double take_coordinate(PlyType type);
+  void add_corner(PlyType type);
+  void end_face(std::size_t start);
+  std::string record_name() const {
+    return std::string(name_of(kind_)) + ' ' + std::to_string(std::uint64_t{index_} + 1);
+  }
+
+  BinaryInput in_;
+  PlyFormat format_;
+  std::uint32_t vertices_;
+  MeshCollector& mesh_;
+  Context& context_;
+  std::size_t total_bytes_;
+  Kind kind_ = Kind::Other;  // of the record
+  std::uint32_t index_ = 0;
+  std::uint64_t spare_ = 0;  // bytes for the lists of this record
+  std::array<double, 3> at_{};
+};
+
+void PlyBinaryReader::read(const PlyElement& element) {
+  constexpr std::uint32_t kRecordsPerCheckpoint = 4096;
+  if (element.properties.empty()) return;
+  const std::uint64_t least = element.least_bytes(format_);
+  kind_ = element.kind;
+  for (index_ = 0; index_ < element.count; ++index_) {
+    const std::size_t start = in_.position();
+    if (index_ % kRecordsPerCheckpoint == 0) context_.checkpoint("read", start, total_bytes_);
+    if (in_.bytes_left() < least) {
+      in_.fail(ErrorCode::CountMismatch, "the file ends where " + record_name() + " of " +
+                                             std::to_string(element.count) + " is expected");
+    }
+    spare_ = in_.bytes_left() - least;
+    for (const PlyProperty& property : element.properties) read_property(property);
+    if (kind_ == Kind::Vertex) mesh_.add_point({at_[0], at_[1], at_[2]});
+    if (kind_ == Kind::Face) end_face(start);
+  }
+}
+
+void PlyBinaryReader::read_property(const PlyProperty& property) {
+  if (property.role == Role::Corners) {
+    for (std::uint32_t count = take_length(property); count > 0; --count) add_corner(property.type);
+  } else if (property.role == Role::None) {
+    const std::uint64_t count = property.length ? take_length(property) : 1;
+    in_.skip(count * size_of(property.type));
+  } else {
+    at_[static_cast<std::size_t>(property.role) - 1] = take_coordinate(property.type);
+  }
+}
+
+/// Of a list for which there are bytes enough, besides those that the other properties need.
+std::uint32_t PlyBinaryReader::take_length(const PlyProperty& property) {
+  const std::size_t start = in_.position();
+  const double length = take(*property.length);
+  if (length < 0) in_.fail(ErrorCode::Syntax, "a list of negative length", start);
+  const double bytes = length * static_cast<double>(size_of(property.type));
+  if (bytes > static_cast<double>(spare_)) {
+    in_.fail(ErrorCode::CountMismatch, "a list of " + record_name() + " is longer than the file",
+             start);
+  }
+  spare_ -= static_cast<std::uint64_t>(bytes);
+  return static_cast<std::uint32_t>(length);
+}
+
+/// Exactly.
+double PlyBinaryReader::take(PlyType type) {
+  switch (type) {
+    case PlyType::Int8:
+      return in_.take<std::int8_t>();
+    case PlyType::UInt8:
+      return in_.take<std::uint8_t>();
+    case PlyType::Int16:
+      return in_.take<std::int16_t>();
+    case PlyType::UInt16:
+      return in_.take<std::uint16_t>();
+    case PlyType::Int32:
+      return in_.take<std::int32_t>();
+    case PlyType::UInt32:
+      return in_.take<std::uint32_t>();
+    case PlyType::Float32:
+      return static_cast<double>(in_.take<float>());
+    default:
+      return in_.take<double>();
+  }
+}
+
+double PlyBinaryReader::take_coordinate(PlyType type) {
+  const double value = take(type);
+  if (!std::isfinite(value)) {
+    in_.fail(ErrorCode::NumberOutOfRange, "a coordinate of " + record_name() + " is not finite",
+             in_.position() - size_of(type));
+  }
+  return value;
+}
+
+void PlyBinaryReader::add_corner(PlyType type) {
+  const double vertex = take(type);
+  if (vertex < 0 || vertex >= vertices_) {
+    in_.fail(ErrorCode::BadIndex,
+             record_name() + " names vertex " + std::to_string(static_cast<std::int64_t>(vertex)) +
+                 "; there are " + std::to_string(vertices_),
+             in_.position() - size_of(type));
+  }
+  mesh_.add_corner(static_cast<std::uint32_t>(vertex));
+}
+
+void PlyBinaryReader::end_face(std::size_t start) {
+  const std::string flaw = mesh_.end_face();
+  if (!flaw.empty()) in_.fail(ErrorCode::DegenerateFace, record_name() + ' ' + flaw, start);
+}
+
+// ---------------------------------------------------------------- both
+
+class PlyReader {
+ public:
+  PlyReader(std::string_view bytes, const ReadOptions& options, Context& context)
+      : in_(bytes, options, context, "the mesh"),
+        bytes_(bytes),
+        name_(options.name),
+        mesh_(context),
+        context_(context) {}
+
+  MeshFile read() {
+    with_place(in_.cursor(), [this] {
+      header_ = read_ply_header(in_);
+      expect();
+    });
+    if (header_.format == PlyFormat::Text) {
+      PlyTextReader reader(in_, header_, mesh_);
+      return read_elements(reader, in_.cursor());
+    }
+    PlyBinaryReader reader(data(), header_, mesh_, context_);
+    return read_elements(reader, reader.input());
+  }
+
+ private:
+  void expect();
+  BinaryInput data() const;
+  template <class Reader, class Input>
+  MeshFile read_elements(Reader& reader, const Input& input) {
+    return with_place(input, [&] {
+      for (const PlyElement& element : header_.elements) {
+        reader.read(element);
+        pass_over(element, mesh_);
+      }
+      reader.require_end();
+      return mesh_.take();
+    });
+  }
+
+  RecordReader in_;
+  std::string_view bytes_;
+  const std::string& name_;
+  MeshCollector mesh_;
+  Context& context_;
+  PlyHeader header_;
+};
+
+void PlyReader::expect() {
+  std::uint32_t faces = 0;
+  for (const PlyElement& element : header_.elements) {
+    if (element.kind == Kind::Face) faces = element.count;
+  }
+  mesh_.expect(header_.vertex_count(), faces);
+}
+
+/// What follows the line break of the header.
+BinaryInput PlyReader::data() const {
+  const std::size_t end = in_.cursor().bytes_read();
+  const std::endian order =
+      header_.format == PlyFormat::BigEndian ? std::endian::big : std::endian::little;
+  return {bytes_, std::min(end + 1, bytes_.size()), order, name_};
+}
+
+}  // namespace
+
+MeshFile read_ply(std::string_view bytes, const ReadOptions& options, Context& context) {
+  const RoundToNearest rounding;
+  return PlyReader(bytes, options, context).read();
+}
+
+namespace {
+
+/// The types of a list of corners.
+struct CornerTypes {
+  bool short_length;  ///< uchar, else uint
+  bool is_signed;     ///< int, which more programs read, else uint
+};
+
+CornerTypes types_for(const PolygonMesh& mesh) {
+  std::size_t longest = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    longest = std::max(longest, mesh.face(f).size());
+  }
+  return {longest <= 0xff, mesh.points.size() <= 0x8000'0000U};
+}
+
+void write_header(TextOutput& out, std::string_view format, const PolygonMesh& mesh,
+                  CornerTypes types) {
+  out << "ply\nformat " << format << " 1.0\ncomment plumb\n";
+  out << "element vertex " << std::uint64_t{mesh.points.size()};
+  out << "\nproperty double x\nproperty double y\nproperty double z\n";
+  out << "element face " << std::uint64_t{mesh.face_count()};
+  out << "\nproperty list " << (types.short_length ? "uchar" : "uint");
+  out << (types.is_signed ? " int" : " uint") << " vertex_indices\nend_header\n";
+}
+
+}  // namespace
+
+void write_ply_text(std::ostream& stream, const PolygonMesh& mesh) {
+  require_doubles(mesh);
+  TextOutput out(stream);
+  write_header(out, "ascii", mesh, types_for(mesh));
+  for (const Point3& p : mesh.points) {
+    write_coordinates(out, p);
+    out << '\n';
+  }
+  write_face_lines(out, mesh);
+  out.flush();
+}
+
+void write_ply_binary(std::ostream& stream, const PolygonMesh& mesh) {
+  require_doubles(mesh);
+  TextOutput out(stream);
+  const CornerTypes types = types_for(mesh);
+  write_header(out, "binary_little_endian", mesh, types);
+  for (const Point3& p : mesh.points) {
+    for (const double value : {p.x, p.y, p.z}) put_little_endian(out, value);
+  }
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    const auto length = static_cast<std::uint32_t>(face.size());
+    if (types.short_length) {
+      out << static_cast<char>(length);
+    } else {
+      put_little_endian(out, length);
+    }
+    for (const std::uint32_t v : face) put_little_endian(out, v);
+  }
+  out.flush();
+}
+
+}  // namespace plumb

@@ -1,0 +1,166 @@
+#include "plumb/io/mesh_io.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <ostream>
+#include <utility>
+
+#include "plumb/io/mesh/gltf.h"
+#include "plumb/io/mesh/mesh_formats.h"
+#include "plumb/io/mesh/obj.h"
+#include "plumb/io/mesh/off.h"
+#include "plumb/io/mesh/ply.h"
+#include "plumb/io/mesh/stl.h"
+#include "plumb/io/text/files.h"
+#include "plumb/io/text/input_cursors.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, MeshFormat>, 9> kNames{{
+    {"off", MeshFormat::Off},
+    {"off-exact", MeshFormat::ExactOff},
+    {"obj", MeshFormat::Obj},
+    {"stl", MeshFormat::Stl},
+    {"stl-binary", MeshFormat::StlBinary},
+    {"ply", MeshFormat::Ply},
+    {"ply-text", MeshFormat::PlyText},
+    {"gltf", MeshFormat::Gltf},
+    {"glb", MeshFormat::Gltf},
+}};
+
+/// The first word that is no comment.
+std::string_view first_word(std::string_view text) {
+  take_prefix(text, "\xEF\xBB\xBF");
+  for (;;) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    if (!text.starts_with('#')) return text.substr(0, text.find_first_of(" \t\r\n"));
+    text.remove_prefix(std::min(text.find('\n'), text.size()));
+  }
+}
+
+bool begins_off(std::string_view word) {
+  if (!word.empty() && '0' <= word.front() && word.front() <= '9') return true;
+  for (const std::string_view prefix : {"ST", "C", "N", "4", "n"}) take_prefix(word, prefix);
+  return word.starts_with("OFF");
+}
+
+}  // namespace
+
+std::optional<MeshFormat> mesh_format_named(std::string_view name) {
+  for (const auto& [known, format] : kNames) {
+    if (known == name) return format;
+  }
+  return {};
+}
+
+std::optional<MeshFormat> mesh_format_of(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  const bool is_plain = extension.find('-') == extension.npos;
+  return is_plain && !extension.empty() ? mesh_format_named(extension.substr(1)) : std::nullopt;
+}
+
+MeshFormat guess_mesh_format(std::string_view bytes) {
+  if (is_binary_stl(bytes) || is_text_stl(bytes)) return MeshFormat::Stl;
+  const std::string_view word = first_word(bytes);
+  if (word.starts_with("glTF") || word.starts_with('{')) return MeshFormat::Gltf;
+  if (word == "ply") return MeshFormat::Ply;
+  return begins_off(word) ? MeshFormat::Off : MeshFormat::Obj;
+}
+
+MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions& options,
+                   Context& context) {
+  switch (format) {
+    case MeshFormat::Obj:
+      return read_obj(bytes, options, context);
+    case MeshFormat::Stl:
+    case MeshFormat::StlBinary:
+      return read_stl(bytes, options, context);
+    case MeshFormat::Ply:
+    case MeshFormat::PlyText:
+      return read_ply(bytes, options, context);
+    case MeshFormat::Gltf:
+      return read_gltf(bytes, {}, options, context);
+    default:
+      return read_off(bytes, options, context);
+  }
+}
+
+MeshFile read_mesh_of(const std::string& path, std::string_view bytes, const ReadOptions& options,
+                      Context& context) {
+  const MeshFormat format = mesh_format_of(path).value_or(guess_mesh_format(bytes));
+  if (format != MeshFormat::Gltf || path == "-") return read_mesh(bytes, format, options, context);
+  const auto load = [&](const std::string& name) {
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    return read_input(((folder.empty() ? std::filesystem::path(".") : folder) / name).string(),
+                      context);
+  };
+  return read_gltf(bytes, load, options, context);
+}
+
+MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> format,
+                        ReadOptions options, Context& context) {
+  options.name = input_name(path);
+  const std::string bytes = read_input(path, context);
+  MeshFile file = format ? read_mesh(bytes, *format, options, context)
+                         : read_mesh_of(path, bytes, options, context);
+  context.release_memory(bytes.size());
+  return file;
+}
+
+void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format) {
+  switch (format) {
+    case MeshFormat::ExactOff:
+      return write_off(out, mesh, MeshNumbers::Exact);
+    case MeshFormat::Obj:
+      return write_obj(out, mesh);
+    case MeshFormat::Stl:
+      return write_stl_text(out, mesh);
+    case MeshFormat::StlBinary:
+      return write_stl_binary(out, mesh);
+    case MeshFormat::Ply:
+      return write_ply_binary(out, mesh);
+    case MeshFormat::PlyText:
+      return write_ply_text(out, mesh);
+    default:
+      return write_off(out, mesh);
+  }
+}
+
+void write_mesh_file(const std::string& path, const PolygonMesh& mesh,
+                     std::optional<MeshFormat> format) {
+  if (!format) format = mesh_format_of(path);
+  if (!format || *format == MeshFormat::Gltf) {
+    throw Error(ErrorCode::UnknownFormat,
+                "the extension names no format that is written: .off, .obj, .stl, .ply", {path});
+  }
+  OutputFile file(path);
+  write_mesh(file.stream(), mesh, *format);
+  file.finish();
+  file.commit();
+}
+
+void write_mesh_file(const std::string& path, const TriangleMesh& mesh,
+                     std::optional<MeshFormat> format) {
+  PolygonMesh polygons;
+  for (std::size_t i = 0; i < mesh.point_count(); ++i) {
+    const double* const p = &mesh.coordinates[3 * i];
+    polygons.points.push_back({p[0], p[1], p[2]});
+  }
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    polygons.add_face(std::span(mesh.triangles).subspan(3 * t, 3));
+  }
+  write_mesh_file(path, polygons, format);
+}
+
+PolygonMesh as_written(PolygonMesh mesh, MeshFormat format) {
+  if (format == MeshFormat::ExactOff) return mesh;
+  if (format == MeshFormat::Stl || format == MeshFormat::StlBinary) require_triangles(mesh);
+  if (format == MeshFormat::StlBinary) return rounded_to_floats(std::move(mesh));
+  require_doubles(mesh);
+  mesh.exact.clear();
+  return mesh;
+}
+
+}  // namespace plumb

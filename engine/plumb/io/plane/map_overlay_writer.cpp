@@ -1,0 +1,148 @@
+#include "plumb/io/plane/map_overlay_writer.h"
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "plumb/io/text/text_output.h"
+#include "plumb/plane/plane_measure.h"
+#include "plumb/predicates/arithmetic/rational_sum.h"
+#include "plumb/predicates/rounding.h"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What the cells of one kind have together.
+struct Part {
+  std::size_t cells = 0;
+  RationalSum area;
+};
+
+/// Bounded cells by where they lie.
+struct Parts {
+  Part both, first_only, second_only, neither;
+
+  Part& of(const MapOverlay::Origin& origin) {
+    if (origin.first != 0) return origin.second != 0 ? both : first_only;
+    return origin.second != 0 ? second_only : neither;
+  }
+};
+
+Parts parts_of(const OverlayReport& report) {
+  Parts parts;
+  for (std::size_t f = 1; f < report.areas.cell.size(); ++f) {  // face 0 is unbounded
+    Part& part = parts.of(report.overlay.origin[f]);
+    ++part.cells;
+    part.area.add(report.areas.cell[f]);
+  }
+  return parts;
+}
+
+Json area_json(const Rational& area) {
+  return {{"exact", format_exact(area)}, {"double", nearest_double(area)}};
+}
+
+Json part_json(const Part& part) {
+  return {{"cells", part.cells}, {"area", area_json(part.area.total())}};
+}
+
+Json map_json(const MapReport& report, const std::vector<Rational>& areas) {
+  return {{"regions", report.regions.size() - 1}, {"area", area_json(sum_of(areas))}};
+}
+
+// ------------------------------------------------------------------ GeoJSON
+
+void write_id(TextOutput& out, const MapReport& report, std::uint32_t region) {
+  const std::optional<std::uint32_t> outer = report.regions[region].outer;
+  if (outer) {
+    out << *outer + 1;
+  } else {
+    out << "null";
+  }
+}
+
+/// The first position again at the end, as the format wants it.
+void write_ring(TextOutput& out, const PlaneComplex& complex, const std::vector<VertexId>& ring) {
+  out << '[';
+  for (std::size_t i = 0; i <= ring.size(); ++i) {
+    const VertexId v = ring[i < ring.size() ? i : 0];
+    const Point2 p = approx(complex.points, complex.vertex_point[v.value()]);
+    out << (i == 0 ? "[" : ",[") << p.x << ',' << p.y << ']';
+  }
+  out << ']';
+}
+
+void write_feature(TextOutput& out, const OverlayReport& report, FaceId f) {
+  const MapOverlay::Origin& origin = report.overlay.origin[f.value()];
+  out << R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[)";
+  bool is_first = true;
+  for (const auto& ring : face_rings(report.overlay.complex, f)) {
+    if (!is_first) out << ',';
+    is_first = false;
+    write_ring(out, report.overlay.complex, ring);
+  }
+  out << R"(]},"properties":{"a":)";
+  write_id(out, report.first, origin.first);
+  out << ",\"b\":";
+  write_id(out, report.second, origin.second);
+  out << ",\"area\":" << area_json(report.areas.cell[f.value()]).dump() << "}}";
+}
+
+}  // namespace
+
+void write_overlay_geojson(std::ostream& stream, const OverlayReport& report) {
+  TextOutput out(stream);
+  out << R"({"type":"FeatureCollection","features":[)";
+  for (std::size_t f = 1; f < report.overlay.complex.face_count(); ++f) {
+    if (f > 1) out << ",\n";
+    write_feature(out, report, FaceId(f));
+  }
+  out << "]}\n";
+  out.flush();
+}
+
+void write_overlay_json(std::ostream& out, const OverlayReport& report) {
+  const PlaneComplex& complex = report.overlay.complex;
+  const Parts parts = parts_of(report);
+  const Json json = {{"vertices", complex.vertex_count()},
+                     {"edges", complex.edge_count()},
+                     {"faces", complex.face_count()},
+                     {"a", map_json(report.first, report.areas.first)},
+                     {"b", map_json(report.second, report.areas.second)},
+                     {"both", part_json(parts.both)},
+                     {"only_a", part_json(parts.first_only)},
+                     {"only_b", part_json(parts.second_only)},
+                     {"neither", part_json(parts.neither)},
+                     {"areas_add_up", report.areas.add_up()}};
+  out << json.dump() << '\n';
+}
+
+void write_overlay_text(std::ostream& stream, const OverlayReport& report) {
+  TextOutput out(stream);
+  const PlaneComplex& complex = report.overlay.complex;
+  const Parts parts = parts_of(report);
+  const auto short_text = [](const Rational& area) {  // fractions of crossings have many digits
+    const std::string exact = format_exact(area);
+    return exact.size() <= 40 ? exact : "about " + format_double(nearest_double(area));
+  };
+  const auto line = [&](const char* name, std::size_t cells, const char* unit,
+                        const Rational& area) {
+    out << name << std::uint64_t{cells} << unit << short_text(area) << '\n';
+  };
+  out << std::uint64_t{complex.vertex_count()} << " vertices, "
+      << std::uint64_t{complex.edge_count()} << " edges, " << std::uint64_t{complex.face_count()}
+      << " faces\n";
+  line("a: ", report.first.regions.size() - 1, " regions, area ", sum_of(report.areas.first));
+  line("b: ", report.second.regions.size() - 1, " regions, area ", sum_of(report.areas.second));
+  line("in both: ", parts.both.cells, " cells, area ", parts.both.area.total());
+  line("in a only: ", parts.first_only.cells, " cells, area ", parts.first_only.area.total());
+  line("in b only: ", parts.second_only.cells, " cells, area ", parts.second_only.area.total());
+  line("in neither: ", parts.neither.cells, " cells, area ", parts.neither.area.total());
+  out << (report.areas.add_up() ? "the areas of the cells add up to every region's, exactly\n"
+                                : "the areas of the cells do not add up\n");
+  out.flush();
+}
+
+}  // namespace plumb

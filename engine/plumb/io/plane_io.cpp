@@ -1,0 +1,338 @@
+#include "plumb/io/plane_io.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <ostream>
+#include <utility>
+
+#include "plumb/io/plane/geojson.h"
+#include "plumb/io/plane/nef2_format.h"
+#include "plumb/io/plane/wkt.h"
+#include "plumb/io/text/files.h"
+#include "plumb/plane/sweep/sweep.h"
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/rounding.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::uint32_t kPointsPerCheckpoint = 1024;
+
+void copy_point(const PointTable2& from, std::uint32_t i, PointTable2& to) {
+  if (from.is_double(i)) return to.push_back(from.approx(i));
+  const RationalPoint2 p = from.exact(i);
+  to.push_back(p.x, p.y);
+}
+
+/// Polygon p with a table of points of its own: what a sweep costs depends on the table it is
+/// given.
+PlaneShapes single_polygon(const PlaneShapes& shapes, std::size_t p) {
+  PlaneShapes alone;
+  for (std::uint32_t r = shapes.polygon_begin[p]; r < shapes.polygon_begin[p + 1]; ++r) {
+    for (const std::uint32_t corner : shapes.ring(r)) {
+      alone.ring_corners.push_back(static_cast<std::uint32_t>(alone.points.size()));
+      copy_point(shapes.points, corner, alone.points);
+    }
+    alone.end_ring();
+  }
+  alone.end_polygon();
+  return alone;
+}
+
+Nef2 by_rule(const PlaneShapes& shapes, WindingRule rule, Context& context) {
+  return Nef2::polygons(shapes.points, shapes.ring_corners, shapes.ring_begin, rule,
+                        Boundary::Closed, context);
+}
+
+/// The side of a ring on which its polygon lies.
+enum class RingSide : std::uint8_t { Left, Right };
+
+/// Sweeps the rings of one polygon. As long as they meet at corners only, the even-odd rule gives
+/// each edge a side on which the polygon lies; rings that keep it on one side all the way can be
+/// wound so that their winding numbers are 1 inside and 0 outside.
+class RingSides : private SweepVisitor {
+ public:
+  /// The side for every ring, or nothing when the rings cross, overlap or change sides.
+  static std::vector<RingSide> find(const PlaneShapes& polygon, Context& context) {
+    return RingSides(polygon).run(context);
+  }
+
+ private:
+  explicit RingSides(const PlaneShapes& polygon) : polygon_(polygon) {}
+  std::vector<RingSide> run(Context& context);
+  void collect_edges();
+  bool on_event(const SweepEvent& event) override;
+  bool is_corner(const SweepEvent& event);
+  std::vector<RingSide> sides_of_rings() const;
+
+  struct Edge {
+    std::uint32_t ring;
+    bool goes_right;  ///< from its lesser to its greater end
+  };
+
+  const PlaneShapes& polygon_;
+  std::vector<SweepSegment> segments_;
+  std::vector<Edge> edges_;         ///< of segments_
+  std::vector<char> inside_above_;  ///< of segments_ met so far
+  bool crossed_ = false;
+};
+
+std::vector<RingSide> RingSides::run(Context& context) {
+  collect_edges();
+  sweep(polygon_.points, segments_, *this, context);
+  return crossed_ ? std::vector<RingSide>() : sides_of_rings();
+}
+
+void RingSides::collect_edges() {
+  for (std::uint32_t r = 0; r < polygon_.ring_count(); ++r) {
+    const auto ring = polygon_.ring(r);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const SweepSegment segment{ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]};
+      const Sign order = compare_xy(polygon_.points, segment.from, segment.to);
+      if (order == Sign::Zero) continue;  // a repeated corner
+      segments_.push_back(segment);
+      edges_.push_back({r, order == Sign::Negative});
+    }
+  }
+  inside_above_.resize(segments_.size());
+}
+
+bool RingSides::on_event(const SweepEvent& event) {
+  if (!is_corner(event)) {
+    crossed_ = true;
+    return false;
+  }
+  bool inside = event.below.is_valid() && inside_above_[event.below.value()] != 0;
+  for (const SegmentId edge : event.outgoing) {
+    inside = !inside;
+    inside_above_[edge.value()] = inside ? 1 : 0;
+  }
+  return true;
+}
+
+/// Does every edge here start or end here, and does none lie on another?
+bool RingSides::is_corner(const SweepEvent& event) {
+  return !event.points.empty() && event.has_ends_only();
+}
+
+std::vector<RingSide> RingSides::sides_of_rings() const {
+  std::vector<RingSide> sides(polygon_.ring_count(), RingSide::Left);
+  std::vector<char> known(polygon_.ring_count());
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const auto [ring, goes_right] = edges_[e];
+    const RingSide side = goes_right == (inside_above_[e] != 0) ? RingSide::Left : RingSide::Right;
+    if (known[ring] != 0 && sides[ring] != side) return {};
+    known[ring] = 1;
+    sides[ring] = side;
+  }
+  return sides;
+}
+
+/// Appends the rings of polygon p, wound so that it lies on their left.
+void append_wound(const PlaneShapes& shapes, std::size_t p, const std::vector<RingSide>& sides,
+                  PlaneShapes& to) {
+  for (std::uint32_t r = shapes.polygon_begin[p]; r < shapes.polygon_begin[p + 1]; ++r) {
+    const auto ring = shapes.ring(r);
+    if (sides[r - shapes.polygon_begin[p]] == RingSide::Left) {
+      to.ring_corners.insert(to.ring_corners.end(), ring.begin(), ring.end());
+    } else {
+      to.ring_corners.insert(to.ring_corners.end(), ring.rbegin(), ring.rend());
+    }
+    to.end_ring();
+  }
+}
+
+void add_polygons(const PlaneShapes& shapes, std::vector<Nef2>& sets, Context& context) {
+  if (shapes.polygon_count() == 1) {
+    sets.push_back(by_rule(shapes, WindingRule::EvenOdd, context));
+    return;
+  }
+  PlaneShapes wound;
+  for (std::size_t p = 0; p < shapes.polygon_count(); ++p) {
+    const PlaneShapes alone = single_polygon(shapes, p);
+    const std::vector<RingSide> sides = RingSides::find(alone, context);
+    if (sides.empty()) {
+      sets.push_back(by_rule(alone, WindingRule::EvenOdd, context));
+    } else {
+      append_wound(shapes, p, sides, wound);
+    }
+  }
+  if (wound.ring_count() == 0) return;
+  sets.push_back(Nef2::polygons(shapes.points, wound.ring_corners, wound.ring_begin,
+                                WindingRule::Positive, Boundary::Closed, context));
+}
+
+/// A point is a line of one corner.
+void add_lines(const PlaneShapes& shapes, std::vector<Nef2>& sets, Context& context) {
+  if (shapes.line_count() == 0 && shapes.single_points.empty()) return;
+  std::vector<std::uint32_t> corners = shapes.line_corners;
+  std::vector<std::uint32_t> begin = shapes.line_begin;
+  for (const std::uint32_t point : shapes.single_points) {
+    corners.push_back(point);
+    begin.push_back(static_cast<std::uint32_t>(corners.size()));
+  }
+  sets.push_back(Nef2::polylines(shapes.points, corners, begin, context));
+}
+
+class ShapesOfParts {
+ public:
+  explicit ShapesOfParts(Context& context) : context_(context) {}
+
+  PlaneShapes convert(const PlaneParts& parts) {
+    for (const PolygonWithHoles2& polygon : parts.polygons) {
+      add_ring(polygon.outer);
+      for (const auto& hole : polygon.holes) add_ring(hole);
+      shapes_.end_polygon();
+    }
+    for (const auto& line : parts.lines) {
+      for (const RationalPoint2& point : line) shapes_.line_corners.push_back(add_point(point));
+      shapes_.end_line();
+    }
+    for (const RationalPoint2& point : parts.points) {
+      shapes_.single_points.push_back(add_point(point));
+    }
+    return std::move(shapes_);
+  }
+
+ private:
+  std::uint32_t add_point(const RationalPoint2& p) {
+    if (shapes_.points.size() % kPointsPerCheckpoint == 0) context_.checkpoint("shapes", 0, 1);
+    shapes_.points.push_back(p.x, p.y);
+    return static_cast<std::uint32_t>(shapes_.points.size() - 1);
+  }
+  void add_ring(const std::vector<RationalPoint2>& ring) {
+    for (const RationalPoint2& point : ring) shapes_.ring_corners.push_back(add_point(point));
+    shapes_.end_ring();
+  }
+
+  Context& context_;
+  PlaneShapes shapes_;
+};
+
+/// Approximations of a table are clamped where the nearest double is infinite.
+void require_finite(double approx, const Rational& exact) {
+  const bool is_largest = std::fabs(approx) == std::numeric_limits<double>::max();
+  if (!is_largest || std::isfinite(nearest_double(exact))) return;
+  throw Error(ErrorCode::NumberOutOfRange,
+              "a coordinate lies beyond the largest double; .nef2 can hold it");
+}
+
+}  // namespace
+
+Nef2 to_set(const PlaneShapes& shapes, Context& context) {
+  std::vector<Nef2> sets;
+  add_polygons(shapes, sets, context);
+  add_lines(shapes, sets, context);
+  return sets.size() == 1 ? sets.front() : union_of(sets, context);
+}
+
+PlaneShapes to_shapes(const PlaneParts& parts, Context& context) {
+  return ShapesOfParts(context).convert(parts);
+}
+
+PlaneShapes rounded(PlaneShapes shapes, Context& context) {
+  if (shapes.points.all_double()) return shapes;
+  PointTable2 doubles;
+  doubles.reserve(shapes.points.size());
+  for (std::uint32_t i = 0; i < shapes.points.size(); ++i) {
+    if (i % kPointsPerCheckpoint == 0) context.checkpoint("round", i, shapes.points.size());
+    const Point2 p = shapes.points.approx(i);
+    if (!shapes.points.is_double(i)) {
+      const RationalPoint2 exact = shapes.points.exact(i);
+      require_finite(p.x, exact.x);
+      require_finite(p.y, exact.y);
+    }
+    doubles.push_back(p);
+  }
+  shapes.points = std::move(doubles);
+  return shapes;
+}
+
+namespace {
+
+std::string to_text(const PlaneCounts& counts) {
+  return std::to_string(counts.vertices) + " vertices, " + std::to_string(counts.edges) +
+         " edges, " + std::to_string(counts.faces) + " faces";
+}
+
+}  // namespace
+
+std::optional<PlaneFormat> plane_format_of(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (extension == ".wkt") return PlaneFormat::Wkt;
+  if (extension == ".geojson" || extension == ".json") return PlaneFormat::GeoJson;
+  if (extension == ".nef2") return PlaneFormat::Nef2;
+  return {};
+}
+
+PlaneFormat guess_plane_format(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (text.starts_with('{') || text.starts_with('[')) return PlaneFormat::GeoJson;
+  return text.starts_with("plumb-") ? PlaneFormat::Nef2 : PlaneFormat::Wkt;
+}
+
+Nef2 read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions& options,
+                    Context& context) {
+  switch (format) {
+    case PlaneFormat::Nef2:
+      return read_nef2(text, options, context);
+    case PlaneFormat::GeoJson:
+      return to_set(read_geojson(text, options, context), context);
+    default:
+      return to_set(read_wkt(text, options, context), context);
+  }
+}
+
+Nef2 read_plane_set_file(const std::string& path, std::optional<PlaneFormat> format,
+                         ReadOptions options, Context& context) {
+  options.name = input_name(path);
+  const std::string text = read_input(path, context);
+  if (!format) format = plane_format_of(path);
+  if (!format) format = guess_plane_format(text);
+  Nef2 set = read_plane_set(text, *format, options, context);
+  context.release_memory(text.size());
+  return set;
+}
+
+std::vector<std::string> PlaneLosses::sentences() const {
+  std::vector<std::string> list;
+  if (unbounded) list.push_back("unbounded parts were left out; unbounded sets need .nef2");
+  if (open) list.push_back("the set is not closed; its closure was written (.nef2 keeps marks)");
+  if (reshaped) {
+    list.push_back("rounding to doubles changed the shape: " + to_text((*reshaped)[0]) +
+                   " became " + to_text((*reshaped)[1]) + " (.nef2 is exact)");
+  }
+  return list;
+}
+
+PlaneText::PlaneText(const Nef2& set, PlaneFormat format, Context& context)
+    : set_(set), format_(format) {
+  if (format == PlaneFormat::Nef2) return;
+  const PlaneParts parts = set.parts(context);
+  losses_.unbounded = parts.dropped_unbounded;
+  losses_.open = parts.dropped_open;
+  shapes_ = to_shapes(parts, context);
+  if (shapes_.points.all_double()) return;
+  const PlaneCounts before =
+      (parts.dropped_unbounded ? to_set(shapes_, context) : set.closure(context)).counts();
+  shapes_ = rounded(std::move(shapes_), context);
+  const PlaneCounts after = to_set(shapes_, context).counts();
+  if (before != after) losses_.reshaped = {before, after};
+}
+
+void PlaneText::write(std::ostream& out, Context& context) const {
+  switch (format_) {
+    case PlaneFormat::Nef2:
+      return write_nef2(out, set_.complex(), context);
+    case PlaneFormat::GeoJson:
+      return write_geojson(out, shapes_, context);
+    default:
+      return write_wkt(out, shapes_, context);
+  }
+}
+
+}  // namespace plumb

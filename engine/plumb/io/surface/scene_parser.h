@@ -1,0 +1,81 @@
+// Scenes as they are written: steps 1 and 3 to 5 of scene_reader.h, for callers that have text and
+// model.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/io/read_options.h"
+#include "plumb/io/svg_reader.h"
+#include "plumb/predicates/point_table2.h"
+#include "plumb/surface/surface.h"
+
+namespace plumb {
+
+/// A list of lists of indices, flat, with the place of each index in the text.
+struct SceneLists {
+  std::vector<std::uint32_t> begin = {0};
+  std::vector<std::uint32_t> items;
+  std::vector<std::size_t> places;
+  std::size_t size() const { return begin.size() - 1; }
+};
+
+/// Points as they are written.
+struct ScenePoints {
+  std::vector<std::uint32_t> face;   ///< of the model
+  PointTable2 weights;               ///< (u, v), not outside of any face
+  std::vector<std::uint8_t> rounds;  ///< written in decimals: may be rounded
+  std::vector<std::size_t> place;    ///< byte of the text
+  std::size_t size() const { return face.size(); }
+};
+
+/// A scene as it is written; indices of points and of polygons are right.
+struct ParsedScene {
+  using Lists = SceneLists;
+  struct Level {
+    SurfaceLevel level;
+    std::size_t place;
+  };
+
+  struct Drawing {
+    std::string file;  ///< sought beside the scene
+    double scale = 0;  ///< the units of the model that one of the drawing is
+    double angle = 0;  ///< degrees
+    std::optional<double> tolerance = {};
+    std::size_t place = 0;  ///< byte of the text
+  };
+
+  std::string model;
+  ScenePoints points;
+  Lists polygons;
+  std::optional<Lists> shapes;  ///< none: one shape per polygon
+  std::optional<std::uint32_t> outside;
+  std::size_t outside_place = 0;
+  std::vector<Level> levels;  ///< of shapes that there are, unless there are drawings
+  std::vector<Drawing> drawings;
+  ScenePoints centers;  ///< one of each drawing
+};
+
+/// Step 1.
+ParsedScene parse_scene(std::string_view text, const ReadOptions& options, Context& context);
+
+/// A drawing that has been read.
+struct DrawingFile {
+  std::string name;  ///< in messages
+  std::string text;  ///< the whole file: errors count its lines
+  SvgDrawing drawing;
+};
+
+/// Steps 3 to 5. `text` is what was parsed; `drawings` has what each of those of the scene is.
+SurfaceScene make_scene(const ParsedScene& scene, std::shared_ptr<const SurfaceMesh> mesh,
+                        std::string_view text, const ReadOptions& options, Context& context,
+                        std::span<const DrawingFile* const> drawings = {});
+
+}  // namespace plumb

@@ -1,0 +1,95 @@
+// Outlines of drawings: lines and curves, moved by affine maps, flattened to closed polygons.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "plumb/base/context.h"
+#include "plumb/io/svg/svg_syntax.h"
+#include "plumb/io/svg_reader.h"
+#include "plumb/io/text/input_cursors.h"
+#include "plumb/predicates/point.h"
+
+namespace plumb {
+
+/// x' = a x + c y + e, y' = b x + d y + f: matrix(a b c d e f) of SVG.
+struct SvgTransform {
+  double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
+};
+/// First `second`, then `first`.
+SvgTransform product(const SvgTransform& first, const SvgTransform& second);
+Point2 applied(const SvgTransform& t, Point2 p);
+
+/// Collects the shapes of a drawing. Coordinates come in the units of an element; curves are
+/// replaced by chords that are nowhere further from them than the tolerance, measured in those of
+/// the drawing.
+///
+/// All points together are at most 2^20 and one for every 7 bytes of the text: their lists take no
+/// more than 64 MB and ten times the text, doubling as they grow, however fine the tolerance and
+/// whatever the text repeats.
+///
+/// Every function that adds points takes a cursor at what says so. Errors there: NumberOutOfRange
+/// beyond the largest double; BadShape for a curve without a tolerance; ResourceLimit, of too many
+/// points, too; Cancelled.
+class SvgOutline {
+ public:
+  /// `text` is where places are counted from.
+  SvgOutline(std::string_view text, std::optional<double> tolerance, Context& context)
+      : text_(text.data()),
+        tolerance_(tolerance),
+        most_points_(most_points(text.size())),
+        context_(context) {}
+
+  void set_tolerance(double tolerance) { tolerance_ = tolerance; }
+  void set_transform(const SvgTransform& transform) { transform_ = transform; }
+
+  /// Ends the ring that is open, if any, and begins one.
+  void move_to(const TextCursor& at, Point2 p);
+  void line_to(const TextCursor& at, Point2 p);
+  void cubic_to(const TextCursor& at, Point2 c1, Point2 c2, Point2 p);
+  void quadratic_to(const TextCursor& at, Point2 c, Point2 p);
+  /// Along centre + cos t u + sin t v from t = from to t = to, where p is.
+  void arc_to(const TextCursor& at, Point2 centre, Point2 u, Point2 v, double from, double to,
+              Point2 p);
+  void close_ring();
+  /// The rings since the last one are a shape, unless there are none.
+  void end_shape();
+  /// One of many steps within a value: looks at the time every few thousand of them.
+  void step();
+
+  SvgDrawing take() { return std::move(drawing_); }
+  void note(std::string text) { drawing_.notes.push_back(std::move(text)); }
+
+ private:
+  static void require_finite(const TextCursor& at, Point2 p);
+  Point2 placed(const TextCursor& at, Point2 p) const;
+  void add(const TextCursor& at, Point2 placed);
+  /// How many chords keep within the tolerance, for a second derivative of at most `bend`,
+  /// parameters 0 to 1.
+  std::size_t chords(const TextCursor& at, double bend);
+
+  static std::size_t most_points(std::size_t bytes);
+
+  const char* text_;
+  std::optional<double> tolerance_;
+  std::size_t most_points_;
+  Context& context_;
+  std::size_t steps_ = 0;
+  SvgTransform transform_;
+  SvgDrawing drawing_;
+};
+
+// The path data of SVG (attribute d): M L H V C S Q T A Z, absolute and relative.
+
+/// Adds the subpaths as rings; each is closed, as it is for being filled. Errors: Syntax,
+/// NumberOutOfRange and those of the outline.
+void read_svg_path(SvgValue& text, SvgOutline& outline);
+
+/// An ellipse as a whole.
+void add_svg_ellipse(const TextCursor& at, Point2 centre, double rx, double ry,
+                     SvgOutline& outline);
+
+}  // namespace plumb

@@ -1,0 +1,319 @@
+#include "plumb/io/svg_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plumb/base/internal/degrees.h"
+#include "plumb/io/svg/svg_outline.h"
+#include "plumb/io/svg/svg_syntax.h"
+#include "plumb/io/text/input_cursors.h"
+#include "plumb/predicates/error.h"
+
+namespace plumb {
+namespace {
+
+constexpr double kThousandth = 1e-3;
+
+/// Those that would be drawn, but not here.
+constexpr std::array<std::string_view, 6> kLeftOut{"use", "text",          "image",
+                                                   "svg", "foreignObject", "switch"};
+
+class SvgReader {
+ public:
+  SvgReader(std::string_view text, const ReadOptions& options, std::optional<double> tolerance,
+            Context& context)
+      : scanner_(text, options.name, context),
+        numbers_(context.limits(), false, text.size()),
+        text_(text.data()),
+        tolerance_(tolerance),
+        outline_(text, tolerance, context),
+        context_(context) {}
+
+  SvgDrawing read();
+
+ private:
+  using Outline = void (SvgReader::*)();
+  struct Kind {
+    std::string_view name;
+    Outline outline;
+  };
+  static const std::array<Kind, 7> kKinds;
+
+  void start_root();
+  void start_element();
+  void skip_element();
+  std::optional<SvgValue> value(std::string_view name);
+  std::optional<double> length_if(std::string_view name);
+  double length(std::string_view name);
+  double size(std::string_view name);
+  void end_value(SvgValue& text);
+  SvgTransform read_transform(SvgValue text);
+  SvgTransform read_one_transform(SvgValue& text);
+  TextCursor here() const { return scanner_.cursor_at(scanner_.tag()); }
+
+  void read_rect();
+  void add_rounded(Point2 low, Point2 high, double rx, double ry);
+  void read_circle();
+  void read_ellipse();
+  void read_line();
+  void read_points();
+  void read_path();
+
+  XmlScanner scanner_;
+  NumberReader numbers_;
+  const char* text_;
+  std::optional<double> tolerance_;
+  SvgOutline outline_;
+  Context& context_;
+  std::vector<SvgTransform> transforms_;  // of the elements that are open, all of them together
+  std::set<std::string_view> left_out_;
+};
+
+const std::array<SvgReader::Kind, 7> SvgReader::kKinds{{
+    {"rect", &SvgReader::read_rect},
+    {"circle", &SvgReader::read_circle},
+    {"ellipse", &SvgReader::read_ellipse},
+    {"line", &SvgReader::read_line},
+    {"polyline", &SvgReader::read_points},
+    {"polygon", &SvgReader::read_points},
+    {"path", &SvgReader::read_path},
+}};
+
+/// Without the prefix that some programs give elements of SVG.
+std::string_view plain_name(std::string_view name) {
+  take_prefix(name, "svg:");
+  return name;
+}
+
+// ---------------------------------------------------------------- elements
+
+SvgDrawing SvgReader::read() {
+  for (bool is_first = true;; is_first = false) {
+    switch (scanner_.next()) {
+      case XmlScanner::Event::Done: {
+        for (const std::string_view name : left_out_) {
+          outline_.note("left out: " + std::string(name));
+        }
+        return outline_.take();
+      }
+      case XmlScanner::Event::End:
+        transforms_.pop_back();
+        break;
+      case XmlScanner::Event::Start:
+        if (is_first) {
+          start_root();
+        } else {
+          start_element();
+        }
+    }
+  }
+}
+
+void SvgReader::start_root() {
+  if (plain_name(scanner_.element()) != "svg") {
+    scanner_.fail(ErrorCode::UnknownFormat,
+                  "the root element is " + quoted(scanner_.element()) + ", not svg",
+                  scanner_.tag());
+  }
+  // Where the middle is, and how large all is.
+  double x = 0, y = 0, width = 0, height = 0;
+  if (std::optional<SvgValue> box = value("viewBox")) {
+    x = box->number();
+    y = box->number();
+    width = box->number();
+    height = box->number();
+    end_value(*box);
+  } else if (value("width") && value("height")) {
+    const auto is_relative = [this](std::string_view name) {
+      return scanner_.attribute(name)->ends_with('%');
+    };
+    if (!is_relative("width") && !is_relative("height")) {
+      width = length("width");
+      height = length("height");
+    }
+  }
+  if (width < 0 || height < 0) {
+    scanner_.fail(ErrorCode::BadShape, "a drawing of negative size", scanner_.tag());
+  }
+  const double larger = std::max(width, height);
+  if (!tolerance_ && larger * kThousandth > 0) outline_.set_tolerance(larger * kThousandth);
+  transforms_.push_back({1, 0, 0, -1, -(x + width / 2), y + height / 2});
+}
+
+void SvgReader::skip_element() {
+  for (std::size_t open = 1; open > 0;) {
+    open += scanner_.next() == XmlScanner::Event::Start ? 1 : std::size_t(0) - 1;
+  }
+}
+
+void SvgReader::start_element() {
+  const std::string_view name = plain_name(scanner_.element());
+  const auto kind = std::ranges::find(kKinds, name, &Kind::name);
+  const bool is_group = name == "g" || name == "a";
+  if ((kind == kKinds.end() && !is_group) || scanner_.attribute("display") == "none") {
+    if (std::ranges::count(kLeftOut, name) > 0) left_out_.insert(name);
+    return skip_element();
+  }
+  SvgTransform transform = transforms_.back();
+  if (std::optional<SvgValue> text = value("transform")) {
+    transform = product(transform, read_transform(std::move(*text)));
+  }
+  with_place(here(), [&] { context_.charge_memory(2 * sizeof(SvgTransform), "the drawing"); });
+  transforms_.push_back(transform);
+  if (is_group) return;
+  outline_.set_transform(transform);
+  (this->*kind->outline)();
+  outline_.end_shape();
+}
+
+// ---------------------------------------------------------------- attributes
+
+std::optional<SvgValue> SvgReader::value(std::string_view name) {
+  const std::optional<std::string_view> found = scanner_.attribute(name);
+  if (!found) return {};
+  return SvgValue(scanner_.cursor_at(found->data()), *found, numbers_);
+}
+
+void SvgReader::end_value(SvgValue& text) {
+  if (!text.at_end()) text.fail_expected("the end of the value");
+}
+
+std::optional<double> SvgReader::length_if(std::string_view name) {
+  std::optional<SvgValue> text = value(name);
+  if (!text) return {};
+  const double length = text->length();
+  end_value(*text);
+  return length;
+}
+
+double SvgReader::length(std::string_view name) { return length_if(name).value_or(0); }
+
+double SvgReader::size(std::string_view name) {
+  const double size = length(name);
+  if (size >= 0) return size;
+  scanner_.fail(ErrorCode::BadShape, quoted(name) + " is negative",
+                scanner_.attribute(name)->data());
+}
+
+SvgTransform SvgReader::read_transform(SvgValue text) {
+  SvgTransform all;
+  while (!text.at_end()) {
+    outline_.step();
+    all = product(all, read_one_transform(text));
+  }
+  return all;
+}
+
+SvgTransform SvgReader::read_one_transform(SvgValue& text) {
+  const char* const where = text.position();
+  const std::string_view name = text.word();
+  text.take('(');
+  std::array<double, 6> n{};
+  std::size_t count = 0;
+  while (!text.at_end() && text.peek() != ')' && count < n.size()) n[count++] = text.number();
+  text.take(')');
+  const auto is = [&](std::string_view other, std::size_t least, std::size_t most) {
+    return name == other && (count == least || count == most);
+  };
+  constexpr double kDegree = std::numbers::pi / 180;
+  if (is("matrix", 6, 6)) return {n[0], n[1], n[2], n[3], n[4], n[5]};
+  if (is("translate", 1, 2)) return {1, 0, 0, 1, n[0], n[1]};
+  if (is("scale", 1, 2)) return {n[0], 0, 0, count == 1 ? n[0] : n[1], 0, 0};
+  if (is("skewX", 1, 1)) return {1, 0, std::tan(n[0] * kDegree), 1, 0, 0};
+  if (is("skewY", 1, 1)) return {1, std::tan(n[0] * kDegree), 0, 1, 0, 0};
+  if (is("rotate", 1, 3)) {
+    const Point2 turn = unit_vector(n[0]);
+    const SvgTransform rotation{turn.x, turn.y, -turn.y, turn.x, 0, 0};
+    const SvgTransform there{1, 0, 0, 1, n[1], n[2]}, back{1, 0, 0, 1, -n[1], -n[2]};
+    return product(product(there, rotation), back);
+  }
+  text.fail(ErrorCode::Syntax,
+            "expected matrix, translate, scale, rotate, skewX or skewY and their numbers", where);
+}
+
+// ---------------------------------------------------------------- outlines
+
+void SvgReader::read_rect() {
+  const double x = length("x"), y = length("y"), width = size("width"), height = size("height");
+  if (width == 0 || height == 0) return;  // says SVG
+  const std::optional<double> given_x = length_if("rx"), given_y = length_if("ry");
+  const double rx = std::clamp(given_x.value_or(given_y.value_or(0)), 0., width / 2);
+  const double ry = std::clamp(given_y.value_or(given_x.value_or(0)), 0., height / 2);
+  if (rx > 0 && ry > 0) return add_rounded({x, y}, {x + width, y + height}, rx, ry);
+  const TextCursor at = here();
+  outline_.move_to(at, {x, y});
+  outline_.line_to(at, {x + width, y});
+  outline_.line_to(at, {x + width, y + height});
+  outline_.line_to(at, {x, y + height});
+}
+
+void SvgReader::add_rounded(Point2 low, Point2 high, double rx, double ry) {
+  const TextCursor at = here();
+  constexpr double kQuarter = std::numbers::pi / 2;
+  const double right = high.x - rx, left = low.x + rx, bottom = high.y - ry, top = low.y + ry;
+  const auto corner = [&](Point2 centre, int quarters, Point2 to) {
+    outline_.arc_to(at, centre, {rx, 0}, {0, ry}, quarters * kQuarter, (quarters + 1) * kQuarter,
+                    to);
+  };
+  outline_.move_to(at, {left, low.y});
+  outline_.line_to(at, {right, low.y});
+  corner({right, top}, -1, {high.x, top});
+  outline_.line_to(at, {high.x, bottom});
+  corner({right, bottom}, 0, {right, high.y});
+  outline_.line_to(at, {left, high.y});
+  corner({left, bottom}, 1, {low.x, bottom});
+  outline_.line_to(at, {low.x, top});
+  corner({left, top}, 2, {left, low.y});
+}
+
+void SvgReader::read_circle() {
+  const double radius = size("r");
+  const Point2 centre{length("cx"), length("cy")};
+  if (radius > 0) add_svg_ellipse(here(), centre, radius, radius, outline_);
+}
+
+void SvgReader::read_ellipse() {
+  const double rx = size("rx"), ry = size("ry");
+  const Point2 centre{length("cx"), length("cy")};
+  if (rx > 0 && ry > 0) add_svg_ellipse(here(), centre, rx, ry, outline_);
+}
+
+void SvgReader::read_line() {
+  const Point2 from{length("x1"), length("y1")}, to{length("x2"), length("y2")};
+  outline_.move_to(here(), from);
+  outline_.line_to(here(), to);
+}
+
+void SvgReader::read_points() {
+  std::optional<SvgValue> text = value("points");
+  if (!text) return;
+  for (bool is_first = true; !text->at_end(); is_first = false) {
+    const double x = text->number();
+    const double y = text->number();
+    if (is_first) {
+      outline_.move_to(text->cursor(), {x, y});
+    } else {
+      outline_.line_to(text->cursor(), {x, y});
+    }
+  }
+}
+
+void SvgReader::read_path() {
+  if (std::optional<SvgValue> text = value("d")) read_svg_path(*text, outline_);
+}
+
+}  // namespace
+
+SvgDrawing read_svg(std::string_view text, const ReadOptions& options,
+                    std::optional<double> tolerance, Context& context) {
+  const RoundToNearest rounding;
+  return SvgReader(text, options, tolerance, context).read();
+}
+
+}  // namespace plumb

@@ -1,0 +1,324 @@
+#include "plumb/io/text/files.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <climits>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "plumb/predicates/error.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t kChunk = std::size_t{1} << 20;
+
+[[noreturn]] void fail(const std::string& path) {
+  throw Error(ErrorCode::CannotOpen, std::strerror(errno), {input_name(path)});
+}
+
+/// Calls `attempt` until it is not interrupted by a signal; signals are how runs are cancelled.
+template <class Attempt>
+auto uninterrupted(Context& context, Attempt attempt) {
+  for (;;) {
+    const auto result = attempt();
+    if (result >= 0 || errno != EINTR) return result;
+    context.checkpoint("load", 0, 0);
+  }
+}
+
+class InputFile {
+ public:
+  InputFile(const std::string& path, Context& context)
+      : fd_(STDIN_FILENO), path_(path), context_(context) {
+    if (path == "-") return;
+    fd_ = uninterrupted(context_, [&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC); });
+    if (fd_ < 0) fail(path_);
+  }
+  ~InputFile() {
+    if (fd_ != STDIN_FILENO) ::close(fd_);
+  }
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  /// The size if the system knows it: a hint, never trusted.
+  std::size_t expected_size() const {
+    struct stat status {};
+    if (::fstat(fd_, &status) != 0 || !S_ISREG(status.st_mode)) return 0;
+    return static_cast<std::size_t>(status.st_size);
+  }
+
+  /// Waits until something can be read: in slices, so that limits and stops count meanwhile. (A
+  /// signal that arrives just before a read would not interrupt it.)
+  void wait() const {
+    constexpr int kSliceMilliseconds = 50;
+    pollfd request{fd_, POLLIN, 0};
+    do {
+      context_.checkpoint("load", 0, 1);
+    } while (::poll(&request, 1, kSliceMilliseconds) <= 0);
+  }
+
+  /// 0 at the end.
+  std::size_t read(char* to, std::size_t most) const {
+    wait();
+    const ssize_t got = uninterrupted(context_, [&] { return ::read(fd_, to, most); });
+    if (got < 0) fail(path_);
+    return static_cast<std::size_t>(got);
+  }
+
+ private:
+  int fd_;
+  const std::string& path_;
+  Context& context_;
+};
+
+/// Grows `bytes` to `size`, charged first.
+void grow(std::string& bytes, std::size_t size, const std::string& name, Context& context) {
+  context.charge_memory(size - bytes.size(), name);
+  bytes.resize(size);
+}
+
+}  // namespace
+
+std::string input_name(const std::string& path) { return path == "-" ? "stdin" : path; }
+
+std::string read_input(const std::string& path, Context& context) {
+  const InputFile file(path, context);
+  const std::string name = input_name(path);
+  std::string bytes;
+  std::size_t used = 0;
+  // One byte more than expected, so that an ordinary file ends without growing again.
+  grow(bytes, file.expected_size() + 1, name, context);
+  while (const std::size_t got = file.read(bytes.data() + used, bytes.size() - used)) {
+    used += got;
+    if (used == bytes.size()) grow(bytes, used + std::max(kChunk, used / 2), name, context);
+    context.checkpoint("load", used, std::max(used, file.expected_size()));
+  }
+  context.release_memory(bytes.size() - used);
+  bytes.resize(used);
+  return bytes;
+}
+
+namespace {
+
+[[noreturn]] void fail_write(const std::string& name) {
+  const ErrorCode code = errno == EPIPE ? ErrorCode::ClosedPipe : ErrorCode::CannotWrite;
+  throw Error(code, std::strerror(errno), {name});
+}
+
+/// Names of temporary files, where a signal handler can reach them. A full list means that a name
+/// is not known to the handler, no more.
+class TemporaryNames {
+ public:
+  void add(const char* name) {
+    for (std::atomic<const char*>& slot : names_) {
+      const char* none = nullptr;
+      if (slot.compare_exchange_strong(none, name)) return;
+    }
+  }
+  void remove(const char* name) {
+    for (std::atomic<const char*>& slot : names_) {
+      const char* expected = name;
+      if (slot.compare_exchange_strong(expected, nullptr)) return;
+    }
+  }
+  void unlink_all() const noexcept {
+    for (const std::atomic<const char*>& slot : names_) {
+      if (const char* name = slot.load()) ::unlink(name);
+    }
+  }
+
+ private:
+  std::array<std::atomic<const char*>, 16> names_{};
+};
+
+TemporaryNames temporary_names;
+
+/// Where `path` leads when it is a link; itself otherwise.
+std::string resolve_links(const std::string& path) {
+  const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
+                                                         &std::free);
+  return real ? std::string(real.get()) : path;
+}
+
+/// The permissions a file created by this process gets.
+mode_t new_file_mode() {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return 0666 & ~mask;
+}
+
+}  // namespace
+
+DescriptorBuffer::DescriptorBuffer(int descriptor, std::string name)
+    : descriptor_(descriptor),
+      name_(std::move(name)),
+      block_(std::make_unique_for_overwrite<char[]>(kBlock)) {
+  setp(block_.get(), block_.get() + kBlock);
+}
+
+void DescriptorBuffer::write_all(const char* text, std::size_t size) {
+  while (size > 0) {
+    const ssize_t wrote = ::write(descriptor_, text, size);
+    if (wrote < 0 && errno == EINTR) continue;
+    if (wrote < 0) fail_write(name_);
+    text += wrote;
+    size -= static_cast<std::size_t>(wrote);
+  }
+}
+
+void DescriptorBuffer::write_block() {
+  const auto size = static_cast<std::size_t>(pptr() - pbase());
+  setp(block_.get(), block_.get() + kBlock);  // also when writing fails: never twice
+  write_all(block_.get(), size);
+}
+
+DescriptorBuffer::int_type DescriptorBuffer::overflow(int_type c) {
+  write_block();
+  if (!traits_type::eq_int_type(c, traits_type::eof())) {
+    *pptr() = traits_type::to_char_type(c);
+    pbump(1);
+  }
+  return traits_type::not_eof(c);
+}
+
+std::streamsize DescriptorBuffer::xsputn(const char* text, std::streamsize size) {
+  if (size > epptr() - pptr()) write_block();
+  if (size >= static_cast<std::streamsize>(kBlock)) {
+    write_all(text, static_cast<std::size_t>(size));
+  } else {
+    std::memcpy(pptr(), text, static_cast<std::size_t>(size));
+    pbump(static_cast<int>(size));
+  }
+  return size;
+}
+
+int DescriptorBuffer::sync() {
+  write_block();
+  return 0;
+}
+
+DescriptorStream::DescriptorStream(int descriptor, std::string name)
+    : std::ostream(nullptr), buffer_(descriptor, std::move(name)) {
+  rdbuf(&buffer_);
+  exceptions(std::ios::badbit);  // rethrows what the buffer threw
+}
+
+OutputFile::OutputFile(const std::string& path) : path_(path), target_(resolve_links(path)) {
+  struct stat status {};
+  const bool exists = ::stat(target_.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) {
+    errno = EISDIR;
+    fail();
+  }
+  is_direct_ = exists && !S_ISREG(status.st_mode);
+  if (is_direct_) {
+    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail();
+  } else {
+    if (exists && ::access(target_.c_str(), W_OK) != 0) fail();
+    open_temporary();
+  }
+  stream_ = std::make_unique<DescriptorStream>(descriptor_, path_);
+}
+
+OutputFile::~OutputFile() {
+  close();
+  if (temporary_.empty()) return;
+  ::unlink(temporary_.c_str());
+  temporary_names.remove(temporary_.c_str());
+}
+
+void OutputFile::open_temporary() {
+  const std::filesystem::path target(target_);
+  std::string name = ".";
+  name += target.filename().string();
+  name += ".XXXXXX";
+  temporary_ = (target.parent_path() / name).string();
+  descriptor_ = ::mkostemp(temporary_.data(), O_CLOEXEC);
+  if (descriptor_ < 0) {
+    temporary_.clear();
+    fail();
+  }
+  temporary_names.add(temporary_.c_str());
+  struct stat status {};
+  const bool exists = ::stat(target_.c_str(), &status) == 0;
+  ::fchmod(descriptor_, exists ? status.st_mode & 07777U : new_file_mode());
+}
+
+void OutputFile::fail() const {
+  throw Error(ErrorCode::CannotWrite, std::strerror(errno), {path_});
+}
+
+void OutputFile::close() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  descriptor_ = -1;
+}
+
+void OutputFile::finish() {
+  stream_->flush();
+  // Pipes and devices cannot be synchronised; that is no error.
+  if (!is_direct_ && ::fsync(descriptor_) != 0) fail();
+  const int descriptor = std::exchange(descriptor_, -1);
+  if (::close(descriptor) != 0) fail();
+}
+
+void OutputFile::commit() {
+  if (is_direct_) return;
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail();
+  temporary_names.remove(temporary_.c_str());
+  temporary_.clear();
+}
+
+void OutputFile::withdraw() noexcept {
+  if (!is_direct_) ::unlink(target_.c_str());
+}
+
+void commit_all(std::span<const std::unique_ptr<OutputFile>> files) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    try {
+      files[i]->commit();
+    } catch (...) {
+      for (std::size_t k = 0; k < i; ++k) files[k]->withdraw();
+      throw;
+    }
+  }
+}
+
+void remove_temporary_files() noexcept { temporary_names.unlink_all(); }
+
+OutputDirectory::OutputDirectory(const std::filesystem::path& path) {
+  std::error_code failed;
+  std::filesystem::path at;
+  for (const std::filesystem::path& step : path) {
+    at /= step;
+    if (step.empty() || std::filesystem::is_directory(at, failed)) continue;
+    if (!std::filesystem::create_directory(at, failed)) {
+      if (!failed) failed = std::make_error_code(std::errc::not_a_directory);
+      remove_made();
+      throw Error(ErrorCode::CannotWrite, path.string() + ": " + failed.message());
+    }
+    made_.insert(made_.begin(), at);
+  }
+}
+
+OutputDirectory::~OutputDirectory() { remove_made(); }
+
+void OutputDirectory::remove_made() {
+  for (const std::filesystem::path& made : made_) {
+    std::error_code not_empty;
+    if (!std::filesystem::remove(made, not_empty)) return;
+  }
+}
+
+}  // namespace plumb

@@ -1,0 +1,122 @@
+// Whole input files in memory.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <span>
+#include <streambuf>
+#include <string>
+#include <vector>
+
+#include "plumb/base/context.h"
+
+namespace plumb {
+
+/// The bytes of the file `path`, or of standard input when `path` is "-". The memory is charged
+/// to `context` before it is allocated and stays charged; release it with the string.
+/// Errors: CannotOpen with the system's reason ("FILE: reason"), ResourceLimit.
+std::string read_input(const std::string& path, Context& context);
+
+/// What `path` is called in messages: itself, or "stdin" for "-".
+std::string input_name(const std::string& path);
+
+// Output that is complete or absent.
+//
+//   1. OutputFile file("out.svg");   opens a temporary file beside it: bad paths fail before work
+//   2. file.stream() << ...;         buffered; a failed write throws at once
+//   3. file.finish();                all bytes on the disk, still under the temporary name
+//   4. file.commit();                renamed over the final name
+// Without commit() the destructor removes the temporary file. Several files that belong together
+// are all finished before the first is committed (commit_all). Something that is no ordinary file
+// (/dev/null, a pipe) is written directly; a symbolic link is followed.
+
+/// Buffer of a std::ostream over a file descriptor. Failed writes throw Error{CannotWrite} "NAME:
+/// reason", or Error{ClosedPipe} when the reader is gone (SIGPIPE must be ignored for that).
+class DescriptorBuffer : public std::streambuf {
+ public:
+  /// Does not own `descriptor`.
+  DescriptorBuffer(int descriptor, std::string name);
+
+ protected:
+  int_type overflow(int_type c) override;
+  std::streamsize xsputn(const char* text, std::streamsize size) override;
+  int sync() override;
+
+ private:
+  static constexpr std::size_t kBlock = std::size_t{1} << 16;
+  void write_all(const char* text, std::size_t size);
+  void write_block();
+
+  int descriptor_;
+  std::string name_;
+  std::unique_ptr<char[]> block_;
+};
+
+/// A stream over a descriptor, which passes on the errors of its buffer.
+class DescriptorStream : public std::ostream {
+ public:
+  DescriptorStream(int descriptor, std::string name);
+
+ private:
+  DescriptorBuffer buffer_;
+};
+
+class OutputFile {
+ public:
+  /// Errors: CannotWrite, "PATH: reason".
+  explicit OutputFile(const std::string& path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  const std::string& path() const { return path_; }
+  std::ostream& stream() { return *stream_; }
+
+  /// Writes out what is buffered and waits until the disk has it. Requires no earlier finish().
+  void finish();
+  /// Requires finish().
+  void commit();
+  /// Removes a committed file again (not one that was written directly).
+  void withdraw() noexcept;
+
+ private:
+  void open_temporary();
+  [[noreturn]] void fail() const;
+  void close();
+
+  std::string path_;       // as given, for messages
+  std::string target_;     // links resolved
+  std::string temporary_;  // empty when written directly, and after commit()
+  bool is_direct_ = false;
+  int descriptor_ = -1;
+  std::unique_ptr<DescriptorStream> stream_;
+};
+
+/// Commits finished files in order. If one fails, those committed before it are removed, so that
+/// no output is left behind.
+void commit_all(std::span<const std::unique_ptr<OutputFile>> files);
+
+/// Removes the temporary files of all OutputFiles that live. For signal handlers that end the
+/// process: async-signal-safe.
+void remove_temporary_files() noexcept;
+
+/// A folder for output, made with those above it that are missing. What was made and is still empty
+/// at the end is removed again, unless it was kept.
+class OutputDirectory {
+ public:
+  /// Errors: CannotWrite, "PATH: reason".
+  explicit OutputDirectory(const std::filesystem::path& path);
+  ~OutputDirectory();
+  OutputDirectory(const OutputDirectory&) = delete;
+  OutputDirectory& operator=(const OutputDirectory&) = delete;
+
+  void keep() { made_.clear(); }
+
+ private:
+  void remove_made();
+
+  std::vector<std::filesystem::path> made_;  // the last first
+};
+
+}  // namespace plumb

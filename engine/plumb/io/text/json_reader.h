@@ -1,0 +1,200 @@
+// A text that a JSON parser steps through.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/io/text/input_cursors.h"
+#include "plumb/predicates/error.h"
+
+namespace plumb {
+
+/// A place in a text, for a parser to step through it; `on_step(at)` is told of each.
+template <class OnStep>
+struct SteppedText {
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  const char* at;
+  OnStep on_step;
+
+  reference operator*() const { return *at; }
+  SteppedText& operator++() {
+    on_step(++at);
+    return *this;
+  }
+  SteppedText operator++(int) {
+    const SteppedText old = *this;
+    ++*this;
+    return old;
+  }
+  friend bool operator==(const SteppedText& a, const SteppedText& b) { return a.at == b.at; }
+};
+
+// Where the tokens of a JSON text lie: the parser tells what they are, not where. For readers that
+// listen to the events of nlohmann::json and call find_token() at the start of each (find_number()
+// for numbers).
+
+class JsonPlaces {
+ public:
+  /// `text` must outlive it; `name` is the file in messages.
+  JsonPlaces(std::string_view text, std::string name, Context& context);
+
+  /// Tells how far the parser has read.
+  struct Reach {
+    const char** read_to;
+    void operator()(const char* at) const { *read_to = at; }
+  };
+  using Iterator = SteppedText<Reach>;
+  /// What the parser reads. The object must stay where it is meanwhile.
+  Iterator begin() { return {text_.data(), {&read_to_}}; }
+  Iterator end() { return {text_.data() + text_.size(), {&read_to_}}; }
+
+  /// The token of an event starts behind the last one, blanks and separators, and ends where the
+  /// parser stands.
+  void find_token();
+  /// The parser sees that a number has ended by looking at what follows it.
+  void find_number();
+
+  /// The parser takes a zero byte for the end of the text. Where it did so, if more than such bytes
+  /// and blanks follow; else null.
+  const char* early_end() const;
+  /// After the parser's end: fails there.
+  void require_end() const;
+
+  const char* token() const { return token_; }
+  std::string_view token_text() const {
+    return {token_, static_cast<std::size_t>(token_end_ - token_)};
+  }
+  /// A cursor at the present token.
+  const TextCursor& cursor_at_token() {
+    cursor_.move_to(token_);
+    return cursor_;
+  }
+
+  /// Fails anywhere before the position of the parser.
+  [[noreturn]] void fail(ErrorCode code, const std::string& message, const char* where) const;
+  /// What the parser complains of, at one of its positions: `id` and `what` are those of its
+  /// exception.
+  [[noreturn]] void fail_syntax(std::size_t position, int id, std::string_view what) const;
+
+ private:
+  std::string_view text_;
+  std::string name_;
+  TextCursor cursor_;
+  Context& context_;
+  const char* read_to_;
+  const char* token_ = nullptr;  // the token of the current event
+  const char* token_end_;
+  std::size_t tokens_ = 0;
+};
+
+// A JSON text as a flat list of its values: 8 bytes for each, wherever it stands and whatever it
+// holds. Texts and numbers stay in the JSON and are read when somebody asks for them.
+//
+//   1. a pass over the bytes counts values, so that the list is charged and reserved before it is
+//      filled; for no more values than a text of its size can hold
+//   2. nlohmann-json splits the text into events (no recursion, no tree); each value notes where it
+//      begins and, when it ends, which value comes after it
+//
+// A name comes before its member as one more value. Cost: O(bytes).
+
+class JsonValues {
+ public:
+  /// A value by its number in the text. The document itself is number 0.
+  using Id = std::uint32_t;
+  static constexpr Id kDocument = 0;
+
+  /// Throws what is wrong at a byte of the text. Does not return.
+  using Fail = std::function<void(std::size_t byte, ErrorCode code, const std::string& what)>;
+
+  /// Keeps the text, which must outlive it, and the context. `name` is the file in messages.
+  /// Errors: those of `fail` for Syntax, NumberOutOfRange and ResourceLimit; Cancelled.
+  JsonValues(std::string_view text, const std::string& name, const Fail& fail, Context& context);
+
+  bool is_object(Id value) const { return first_byte(value) == '{'; }
+  bool is_list(Id value) const { return first_byte(value) == '['; }
+  bool is_text(Id value) const { return first_byte(value) == '"'; }
+  bool is_number(Id value) const {
+    const char c = first_byte(value);
+    return c == '-' || ('0' <= c && c <= '9');
+  }
+
+  /// The values of a list in their order: for (const Id item : values.items(list)).
+  class Items {
+   public:
+    struct Iterator {
+      using iterator_category = std::forward_iterator_tag;
+      using value_type = Id;
+      using difference_type = std::ptrdiff_t;
+      using pointer = const Id*;
+      using reference = Id;
+
+      const JsonValues* values;
+      Id at;
+
+      Id operator*() const { return at; }
+      Iterator& operator++() {
+        at = values->spans_[at].next;
+        return *this;
+      }
+      friend bool operator==(const Iterator& a, const Iterator& b) { return a.at == b.at; }
+    };
+
+    Items(const JsonValues* values, Id first, Id last)
+        : values_(values), first_(first), last_(last) {}
+    Iterator begin() const { return {values_, first_}; }
+    Iterator end() const { return {values_, last_}; }
+    bool empty() const { return first_ == last_; }
+    std::size_t size() const {  ///< O(size)
+      return static_cast<std::size_t>(std::distance(begin(), end()));
+    }
+
+   private:
+    const JsonValues* values_;
+    Id first_, last_;
+  };
+  Items items(Id list) const { return {this, list + 1, spans_[list].next}; }
+
+  /// The member of that name, the last if there are more. O(members).
+  std::optional<Id> find(Id object, std::string_view name) const;
+
+  /// Requires is_text(): what it says, its escapes resolved.
+  std::string text(Id value) const;
+  /// What `text` would say, where it lies; none if it has escapes.
+  std::optional<std::string_view> plain_text(Id value) const;
+  /// None if it is not a number without a sign, a point and an exponent, or one beyond 64 bits.
+  std::optional<std::uint64_t> count(Id value) const;
+  /// Requires is_number(): the nearest double.
+  double number(Id value) const;
+
+ private:
+  struct Span {
+    std::uint32_t begin;  ///< its first byte
+    Id next;  ///< the value after all that it holds; while it is open, the one it lies in
+  };
+  friend class JsonListener;
+
+  char first_byte(Id value) const { return text_[spans_[value].begin]; }
+  std::string_view rest(Id value) const { return text_.substr(spans_[value].begin); }
+  std::string_view quoted(Id value) const;
+
+  std::string_view text_;
+  Context& context_;
+  MemoryCharge charge_;
+  std::vector<Span> spans_;
+  mutable std::size_t members_seen_ = 0;
+};
+
+}  // namespace plumb

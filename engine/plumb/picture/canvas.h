@@ -1,0 +1,131 @@
+// A software rasteriser that keeps colour, depth and the visible patch of every sample.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "plumb/picture/scene.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// An image: rows from the top, three bytes for each pixel.
+struct Image {
+  std::uint32_t width = 0;        ///< Width in pixels.
+  std::uint32_t height = 0;       ///< Height in pixels.
+  std::vector<std::uint8_t> rgb;  ///< Red, green, blue: 3 * width * height bytes.
+};
+
+/// A position in units of samples: x to the right, y downwards, z towards the viewer. The middle of
+/// sample (i, j) is (i + 1/2, j + 1/2).
+struct Spot {
+  double x = 0, y = 0, z = 0;  ///< Coordinates: to the right, downwards, towards the viewer.
+};
+
+/// A grid of samples, each with a depth, a colour and the patch that is visible there.
+class Canvas {
+ public:
+  /// Makes a canvas of samples that have the colour `paper` and are infinitely far away.
+  Canvas(std::uint32_t width, std::uint32_t height, Colour paper);
+
+  std::uint32_t width() const { return width_; }    ///< Width in samples.
+  std::uint32_t height() const { return height_; }  ///< Height in samples.
+
+  /// Calls visit(sample, spot) for each sample in the triangle, which may have either orientation.
+  /// Two triangles with a common side neither share a sample nor leave one out, except where
+  /// rounding moves the side. Cost: O(rows + samples visited).
+  template <class Visit>
+  void for_triangle(Spot a, Spot b, Spot c, const Visit& visit) const;
+
+  /// Returns the depth of the nearest thing drawn at a sample.
+  double depth(std::size_t sample) const { return depth_[sample]; }
+  /// Draws a patch at a sample, unless something as near or nearer is there already.
+  void put(std::size_t sample, double depth, std::uint32_t patch, Colour colour) {
+    if (depth <= depth_[sample]) return;
+    depth_[sample] = static_cast<float>(depth);
+    patch_[sample] = patch;
+    colour_[sample] = colour;
+  }
+  /// Mixes a colour into a sample with weight `part`, from 0 to 1.
+  void blend(std::size_t sample, Colour colour, double part);
+
+  /// Draws a line that nearer things hide; the patches in `patches` never hide it. `part_at(spot)`
+  /// is the weight, from 0 to 1, with which the line covers. finish() lays lines over all else.
+  template <class PartAt>
+  void line(Spot a, Spot b, double width, const std::array<std::uint32_t, 2>& patches,
+            Colour colour, const PartAt& part_at);
+  /// Draws a disc, or a ring around white if `is_hollow`, with weight `part`.
+  void dot(Spot at, double radius, Colour colour, bool is_hollow, double part);
+
+  /// Draws a line with round ends over everything.
+  void stroke(Point2 a, Point2 b, double width, Colour colour);
+  /// Returns the patch visible at each sample, or Scene::kNoPatch where there is none.
+  const std::vector<std::uint32_t>& patches() const { return patch_; }
+
+  /// Returns the image whose pixels are the means of blocks of `samples` x `samples` samples.
+  Image finish(std::uint32_t samples);
+
+ private:
+  struct Ink {
+    Colour colour{};
+    std::uint8_t part = 0;  // Weight; 255 covers completely.
+  };
+
+  bool is_seen(Spot at, const std::array<std::uint32_t, 2>& patches) const;
+  void stamp(Spot at, double radius, Colour colour, double part);
+
+  std::uint32_t width_, height_;
+  std::vector<float> depth_;
+  std::vector<std::uint32_t> patch_;
+  std::vector<Colour> colour_;
+  std::vector<Ink> ink_;
+};
+
+template <class Visit>
+void Canvas::for_triangle(Spot a, Spot b, Spot c, const Visit& visit) const {
+  const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  if (area == 0 || !std::isfinite(area)) return;
+  const double low = std::min({a.y, b.y, c.y}), high = std::max({a.y, b.y, c.y});
+  const auto first =
+      static_cast<std::uint32_t>(std::clamp(std::ceil(low - .5), 0., static_cast<double>(height_)));
+  const auto last = static_cast<std::uint32_t>(
+      std::clamp(std::ceil(high - .5), 0., static_cast<double>(height_)));
+  const double dz_x = ((b.z - a.z) * (c.y - a.y) - (c.z - a.z) * (b.y - a.y)) / area;
+  const double dz_y = ((c.z - a.z) * (b.x - a.x) - (b.z - a.z) * (c.x - a.x)) / area;
+  for (std::uint32_t j = first; j < last; ++j) {
+    const double y = j + .5;
+    double left = width_, right = 0;
+    const auto cross = [&](const Spot& p, const Spot& q) {
+      if ((p.y <= y) == (q.y <= y)) return;
+      const double x = p.x + (q.x - p.x) * ((y - p.y) / (q.y - p.y));
+      left = std::min(left, x);
+      right = std::max(right, x);
+    };
+    cross(a, b);
+    cross(b, c);
+    cross(c, a);
+    const double end = std::min(std::ceil(right - .5), static_cast<double>(width_));
+    for (double i = std::max(std::ceil(left - .5), 0.); i < end; ++i) {
+      const Spot spot{i + .5, y, a.z + dz_x * (i + .5 - a.x) + dz_y * (y - a.y)};
+      visit(std::size_t{j} * width_ + static_cast<std::size_t>(i), spot);
+    }
+  }
+}
+
+template <class PartAt>
+void Canvas::line(Spot a, Spot b, double width, const std::array<std::uint32_t, 2>& patches,
+                  Colour colour, const PartAt& part_at) {
+  const double length = std::hypot(b.x - a.x, b.y - a.y);
+  if (!(length < 1e7)) return;
+  const auto steps = static_cast<std::uint32_t>(std::ceil(length * 1.25)) + 1;
+  for (std::uint32_t i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    const Spot p{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
+    if (is_seen(p, patches)) stamp(p, width / 2, colour, part_at(p));
+  }
+}
+
+}  // namespace plumb
+#pragma GCC visibility pop

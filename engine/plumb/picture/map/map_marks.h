@@ -1,0 +1,89 @@
+// Finding room for labels.
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plumb/picture/plane/plane_view.h"
+#include "plumb/picture/svg/svg_text.h"
+#include "plumb/plane/map_check.h"
+
+namespace plumb {
+
+/// Places labels near their points without overlapping, greedily, in a fixed order of tries.
+class LabelPlacer {
+ public:
+  explicit LabelPlacer(const Rectangle& frame) : frame_(frame) {}
+
+  /// Keeps labels off a place, such as a symbol.
+  void avoid(const Rectangle& r) { points_.push_back(r); }
+  /// Keeps labels off entirely.
+  void block(const Rectangle& r) { taken_.push_back(r); }
+
+  /// Room for a label of this size at 0.7 to 4 times `reach` from `anchor`: within the frame, off
+  /// all other labels, covering as few of the avoided places as possible. Nothing if there is no
+  /// room.
+  std::optional<Rectangle> place(Point2 anchor, double width, double height, double reach);
+
+ private:
+  bool is_free(const Rectangle& r) const;
+  int covered(const Rectangle& r) const;
+
+  Rectangle frame_;
+  std::vector<Rectangle> points_;
+  std::vector<Rectangle> taken_;
+};
+
+// Defects and warnings drawn over a view of the map.
+
+inline constexpr std::size_t kMaxMarks = 5000;  // defects drawn
+inline constexpr std::size_t kMaxLabels = 48;   // per view
+
+enum class Detail {
+  Overview,
+  Closeup,  ///< with vertex numbers and the directions of directed edges
+};
+
+/// Numbers of neighbouring defects under one label. Defects are numbered from 1 as in the report.
+struct DefectGroup {
+  Point2 anchor;                     ///< of the first, picture units
+  std::vector<std::size_t> members;  ///< indices into the report, ascending
+};
+
+/// What is written on the label of a group: "3", "3-7" (an en dash), "3, 9"; after `long_text`
+/// bytes only an ellipsis follows.
+std::string group_label(const std::vector<std::size_t>& members, std::size_t long_text);
+
+class MapMarks {
+ public:
+  MapMarks(const MapReport& report, const Plane& plane);
+
+  /// Draws all that lies in the view. Returns the number of groups left without a label.
+  std::size_t paint(const View& view, Detail detail, LabelPlacer& room, std::ostream& out) const;
+
+  std::size_t drawn() const { return count_; }
+  /// Defects that lie in a window of the plane.
+  std::size_t count_in(const Rectangle& window) const;
+  Point2 place(std::size_t defect) const { return plane_.at(report_.defects[defect].near); }
+
+ private:
+  std::pair<std::string, std::string> edge_paths(const View& view, DefectKind kind,
+                                                 LabelPlacer& room) const;
+  void paint_edges(const View& view, Detail detail, LabelPlacer& room, std::ostream& out) const;
+  void paint_warnings(const View& view, Detail detail, std::ostream& out) const;
+  void paint_symbols(const View& view, Detail detail, LabelPlacer& room, std::ostream& out) const;
+  void paint_vertex_numbers(const View& view, LabelPlacer& room, std::ostream& out) const;
+  std::size_t paint_labels(const View& view, Detail detail, LabelPlacer& room,
+                           std::ostream& out) const;
+  std::string label_colour(const DefectGroup& group) const;
+  std::vector<DefectGroup> grouped(const View& view) const;
+
+  const MapReport& report_;
+  const Plane& plane_;
+  std::size_t count_;
+};
+
+}  // namespace plumb

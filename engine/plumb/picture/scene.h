@@ -1,0 +1,164 @@
+// Scenes, the input of every picture in space: facets cut into triangles, lines and dots, in
+// doubles, each with a paint that says what it is. Drawing may round; the engine never does.
+//
+// Main flow from a set to a file:
+//  1. scene_of           makes a scene of the boundary of a set, cut at a window if it is unbounded
+//                        (space_scene.h, plane_scene.h), or of a divided surface, in layers
+//                        (surface_scene.h)
+//  2. rendered           makes an image of the scene seen from one side (render.h), or
+//     write_scene_glb    writes the scene for other programs (scene_glb.h), or
+//     write_scene_html   writes a page on which the scene can be turned (scene_html.h)
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plumb/predicates/point.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// The role of a facet, a line or a dot.
+enum class Paint : std::uint8_t {
+  ClosedFacet,  ///< A facet in the set, with a marked volume behind it.
+  OpenFacet,    ///< A facet not in the set, with a marked volume behind it.
+  Sheet,        ///< A facet in the set, with no marked volume beside it.
+  Cut,          ///< The place where the window cuts a marked volume.
+  Edge,         ///< An edge in the set.
+  OpenEdge,     ///< An edge not in the set.
+  FreeEdge,     ///< An edge in the set, with no facet beside it.
+  Point,        ///< A point in the set.
+  OpenPoint,    ///< A point not in the set, although its surroundings are.
+  Defect,       ///< A defect of a map.
+  Region,       ///< A region of a map; six paints make neighbours differ.
+  Region2,      ///< A region of a map.
+  Region3,      ///< A region of a map.
+  Region4,      ///< A region of a map.
+  Region5,      ///< A region of a map.
+  Region6,      ///< A region of a map.
+  Surface,      ///< A mesh that carries polygons, where no layer tints it.
+  Wire,         ///< A side of a triangle.
+  Control,      ///< A control point of a polygon.
+  Crossing,     ///< A point where polygons meet.
+  Curve,        ///< A polygon on a surface; six paints make shapes differ.
+  Curve2,       ///< A polygon on a surface.
+  Curve3,       ///< A polygon on a surface.
+  Curve4,       ///< A polygon on a surface.
+  Curve5,       ///< A polygon on a surface.
+  Curve6,       ///< A polygon on a surface.
+};
+inline constexpr std::size_t kPaints = 26;  ///< Number of paints.
+/// Whether a paint is for polygons on a surface.
+inline constexpr bool is_curve(Paint paint) { return paint >= Paint::Curve; }
+/// Whether a paint is for dots.
+inline constexpr bool is_dot(Paint paint) {
+  return paint == Paint::Point || paint == Paint::OpenPoint || paint == Paint::Control ||
+         paint == Paint::Crossing;
+}
+/// Whether a paint is for lines.
+inline constexpr bool is_line(Paint paint) {
+  return (paint >= Paint::Edge && paint <= Paint::FreeEdge) || paint == Paint::Defect ||
+         paint == Paint::Wire || is_curve(paint);
+}
+
+using Colour = std::array<std::uint8_t, 3>;  ///< Red, green and blue.
+
+/// The look and the name of a paint.
+struct PaintStyle {
+  Colour colour;             ///< The colour before lighting.
+  std::string_view name;     ///< The name in a legend; empty if a legend omits the paint.
+  std::string_view meaning;  ///< A few words of explanation.
+};
+const PaintStyle& style_of(Paint paint);  ///< Returns the style of a paint.
+/// Returns a colour as in "#a9c8e6".
+std::string hex(Colour colour);
+
+/// Triangles, lines and dots, each with its paint.
+struct Scene {
+  static constexpr std::uint8_t kAllLayers = 0xff;  ///< The bits of all layers.
+
+  /// A flat part: the triangles of one facet.
+  struct Patch {
+    Point3 normal;            ///< Unit normal.
+    Paint paint;              ///< The role of the patch.
+    std::uint32_t group = 0;  ///< Index into groups, if there are any.
+    bool is_hatched = false;  ///< Whether images hatch it: a wall (convex/decompose.h).
+  };
+  /// A triangle of a patch.
+  struct Triangle {
+    std::array<std::uint32_t, 3> corners;  ///< Counter-clockwise, seen against the normal.
+    std::uint32_t patch;                   ///< Index into patches.
+  };
+  /// A straight part of an edge or curve.
+  struct Line {
+    std::array<std::uint32_t, 2> ends;     ///< Indices into points.
+    Paint paint;                           ///< The role of the line.
+    std::array<std::uint32_t, 2> patches;  ///< Two patches beside it, or kNoPatch.
+    std::uint8_t layers = kAllLayers;      ///< A bit for each layer that holds it.
+  };
+  /// A visible point.
+  struct Dot {
+    std::uint32_t at;                  ///< Index into points.
+    Paint paint;                       ///< The role of the dot.
+    std::uint8_t layers = kAllLayers;  ///< A bit for each layer that holds it.
+  };
+  /// Patches that belong together.
+  struct Group {
+    std::string name;  ///< The name in a legend.
+    std::string text;  ///< The text written on it.
+  };
+  /// A part of the scene that can be shown or hidden. Patches have the tints of the last layer
+  /// shown that has tints.
+  struct Layer {
+    std::string name;           ///< The name at its switch.
+    std::vector<Colour> tints;  ///< One tint for each group, or none.
+    bool has_text = false;      ///< Whether the texts of groups are written.
+  };
+  static constexpr std::uint32_t kNoPatch = ~std::uint32_t{0};  ///< The invalid index into patches.
+
+  std::vector<Point3> points;       ///< Points within [-1, 1]^3.
+  std::vector<Patch> patches;       ///< Flat parts.
+  std::vector<Triangle> triangles;  ///< Triangles of all patches.
+  std::vector<Line> lines;          ///< Edges and curves.
+  std::vector<Dot> dots;            ///< Vertices and points.
+  std::vector<Group> groups;        ///< Groups of patches; none for a set.
+  std::vector<Layer> layers;        ///< Layers; none for a set, all of which is shown.
+  std::uint8_t shown = kAllLayers;  ///< A bit for each layer that is shown.
+
+  bool is_flat = false;     ///< Whether all lies in the plane z = 0, seen from above.
+  bool fades = false;       ///< Whether it fades out towards the sides of the box +-half.
+  Point3 half = {1, 1, 1};  ///< Half the extents of the box around all points.
+  /// A quarter of the centre: scene coordinates p stand for centre + scale p in the set. Quarters
+  /// are kept so that no difference of doubles overflows.
+  Point3 quarter_centre = {0, 0, 0};
+  double quarter_scale = .25;  ///< A quarter of the scale.
+
+  /// Whether a line or dot is in a layer that is shown.
+  template <class Item>
+  bool is_shown(const Item& item) const {
+    return (item.layers & shown) != 0;
+  }
+  /// Whether a layer is shown.
+  bool is_shown(std::size_t layer) const { return (shown >> layer & 1U) != 0; }
+  /// Returns the layer whose tints are shown, or nullptr if there is none.
+  const Layer* tinted() const;
+  /// Returns the tint that a shown layer gives to the group of a patch, or else the colour of its
+  /// paint.
+  Colour colour_of(const Patch& patch) const;
+  bool shows_text() const;  ///< Whether a layer with text is shown.
+
+  /// Returns for each paint whether it occurs in one of the given layers.
+  std::array<bool, kPaints> paints(std::uint8_t layers_seen = kAllLayers) const;
+  /// Returns for each paint whether a legend explains it: it occurs and has a name. Paints of
+  /// patches are left out while a layer tints the patches.
+  std::array<bool, kPaints> legend(std::uint8_t layers_seen = kAllLayers) const;
+  /// Returns the strength of drawing at a point: 1 well inside the box; if the scene fades, 0 at
+  /// the sides of the box.
+  double strength(const Point3& p) const;
+};
+
+}  // namespace plumb
+#pragma GCC visibility pop

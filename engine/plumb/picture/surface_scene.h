@@ -1,0 +1,50 @@
+// Makes scenes of divided surfaces. A scene has up to five layers:
+//
+//   polygons   the surface with its polygons, their control points, and the points where they meet
+//   slices     the triangles into which the polygons cut the surface
+//   cells      the cells, each in a colour of its own
+//   labels     the labels written on the cells; equal labels have equal colours
+//   result     the cells that an expression selects, their borders, and the control points of these
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "plumb/picture/scene.h"
+#include "plumb/surface/surface.h"
+#include "plumb/surface/triangulation.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// The layers of a picture of a division.
+enum class SurfaceLayer : std::uint8_t { Polygons, Slices, Cells, Labels, Result };
+/// Returns the bit of a layer in Scene::shown.
+inline constexpr std::uint8_t bit(SurfaceLayer layer) {
+  return static_cast<std::uint8_t>(1U << static_cast<unsigned>(layer));
+}
+
+/// The names of the layers, indexed by layer.
+inline constexpr std::array<std::string_view, 5> kSurfaceLayerNames{"polygons", "slices", "cells",
+                                                                    "labels", "result"};
+/// Returns the name of a layer, such as "polygons".
+std::string layer_name(SurfaceLayer layer);
+
+/// Returns the scene of a division with all layers; it has the layer of a result only if `result`
+/// is not null. Patches are grouped by cells. The caller selects the layers that are shown. Cost:
+/// O(n log n).
+Scene scene_of(const SurfaceDivision& division, const SurfaceTriangulation& triangles,
+               const SurfaceResult* result);
+
+/// Returns the facts in one line: "3456 triangles, 12 segments, 4 cells".
+std::string facts_of(const SurfaceDivision& division);
+/// Returns the name of a shape in expressions: "A", "B" to "Z", then "s26", "s27" and so on.
+std::string shape_name(std::uint32_t shape);
+/// Returns a label as text, such as "A+2B-C", or "0" for the empty label.
+std::string label_text(std::span<const SignedEntry> label);
+
+}  // namespace plumb
+#pragma GCC visibility pop

@@ -1,0 +1,197 @@
+#include "plumb/plane/check/map_orbits.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "plumb/predicates/plane/plane_points.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::uint32_t kNone = MapOrbits::kNone;
+static_assert(MapEdges::kNoCycle == kNone);
+
+class OrbitTracer {
+ public:
+  OrbitTracer(const Map& map, const MapEdges& edges, const MapComponents& components,
+              const MapRotation& rotation)
+      : map_(map), edges_(edges), components_(components), rotation_(rotation) {
+    result_.of_halfedge.assign(edges.halfedge_count(), kNone);
+    result_.outside.assign(components.count, kNone);
+    area_sign_.assign(map.cycle_count(), FilteredSign::Unsure);
+  }
+
+  MapOrbits run() {
+    for (std::uint32_t h = 0; h < edges_.halfedge_count(); ++h) {
+      if (result_.of_halfedge[h] == kNone) trace(h);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  // What one walk around an orbit finds.
+  struct Walk {
+    std::uint32_t first;    // a half-edge leaving the lexicographically first vertex
+    bool has_outer_corner;  // some corner there looks to the far left: the orbit is an outside
+    bool single_cycle;      // at most one listed cycle has half-edges in it
+    std::uint32_t cycle;
+    std::uint32_t length;
+    bool complete;
+  };
+
+  void trace(std::uint32_t start);
+  Walk walk(std::uint32_t start, std::uint32_t id);
+  void visit_corner(std::uint32_t arriving, std::uint32_t leaving, Walk& walk) const;
+  bool is_mixed(const Walk& walk);
+  bool all_clockwise(std::uint32_t start);
+  Sign cycle_sign(std::uint32_t cycle);
+
+  const Map& map_;
+  const MapEdges& edges_;
+  const MapComponents& components_;
+  const MapRotation& rotation_;
+  MapOrbits result_;
+  std::vector<FilteredSign> area_sign_;  // per listed cycle, Unsure: not asked yet
+};
+
+void OrbitTracer::trace(std::uint32_t start) {
+  const auto id = static_cast<std::uint32_t>(result_.orbits.size());
+  const Walk w = walk(start, id);
+  result_.orbits.push_back({w.first, w.cycle, !w.has_outer_corner, is_mixed(w), w.complete});
+  if (w.has_outer_corner) {
+    result_.outside[components_.of_vertex[edges_.origin(w.first)]] = id;
+  }
+}
+
+OrbitTracer::Walk OrbitTracer::walk(std::uint32_t start, std::uint32_t id) {
+  Walk w{start, false, true, kNone, 0, true};
+  bool is_first = true;
+  for (std::uint32_t h = start; is_first || h != start; is_first = false) {
+    result_.of_halfedge[h] = id;
+    ++w.length;
+    const std::uint32_t cycle = edges_.cycle_of[h];
+    if (cycle == kNone) {
+      w.complete = false;
+    } else {
+      if (w.cycle != kNone && w.cycle != cycle) w.single_cycle = false;
+      w.cycle = std::min(w.cycle, cycle);
+    }
+    const std::uint32_t next = rotation_.orbit_next[h];
+    visit_corner(h, next, w);
+    h = next;
+  }
+  return w;
+}
+
+// At the first vertex of an orbit all its edges lead to the right. The corner from `arriving` to
+// `leaving` contains the direction to the left unless it is a proper left turn.
+void OrbitTracer::visit_corner(std::uint32_t arriving, std::uint32_t leaving, Walk& w) const {
+  const std::uint32_t corner = edges_.origin(leaving);
+  const std::uint32_t least = edges_.origin(w.first);
+  const std::uint32_t order = rotation_.order[corner];
+  if (order > rotation_.order[least]) return;
+  if (order < rotation_.order[least]) {
+    w.first = leaving;
+    w.has_outer_corner = false;
+  }
+  const Sign turn = orient2d(map_.points, edges_.origin(arriving), corner, edges_.target(leaving));
+  if (turn != Sign::Positive) w.has_outer_corner = true;
+}
+
+// An orbit is mixed when it is not the boundary its listed cycles claim: a bounded face must be one
+// counter-clockwise cycle, an outside must be clockwise cycles only. (An orbit nobody lists is a
+// gap, told as open edges.)
+bool OrbitTracer::is_mixed(const Walk& w) {
+  if (w.cycle == kNone) return false;
+  const bool is_the_cycle = w.complete && w.single_cycle && w.length == map_.cycle(w.cycle).size();
+  if (is_the_cycle) return false;
+  const bool is_bounded = !w.has_outer_corner;
+  if (is_bounded) return !w.single_cycle || cycle_sign(w.cycle) != Sign::Positive;
+  if (w.single_cycle) return cycle_sign(w.cycle) == Sign::Positive;
+  return !all_clockwise(w.first);
+}
+
+bool OrbitTracer::all_clockwise(std::uint32_t start) {
+  const std::vector<std::uint32_t> cycles = cycles_of_orbit(edges_, rotation_, start);
+  return std::all_of(cycles.begin(), cycles.end(),
+                     [&](std::uint32_t c) { return cycle_sign(c) == Sign::Negative; });
+}
+
+Sign OrbitTracer::cycle_sign(std::uint32_t cycle) {
+  if (area_sign_[cycle] == FilteredSign::Unsure) {
+    area_sign_[cycle] = filtered(polygon_area_sign(map_.points, map_.cycle(cycle)));
+  }
+  return decided(area_sign_[cycle]);
+}
+
+}  // namespace
+
+MapOrbits trace_orbits(const Map& map, const MapEdges& edges, const MapComponents& components,
+                       const MapRotation& rotation) {
+  return OrbitTracer(map, edges, components, rotation).run();
+}
+
+std::vector<std::uint32_t> cycles_of_orbit(const MapEdges& edges, const MapRotation& rotation,
+                                           std::uint32_t halfedge) {
+  std::vector<std::uint32_t> cycles;
+  bool is_first = true;
+  for (std::uint32_t h = halfedge; is_first || h != halfedge; is_first = false) {
+    const std::uint32_t cycle = edges.cycle_of[h];
+    if (cycle != kNone && (cycles.empty() || cycles.back() != cycle)) cycles.push_back(cycle);
+    h = rotation.orbit_next[h];
+  }
+  std::sort(cycles.begin(), cycles.end());
+  cycles.erase(std::unique(cycles.begin(), cycles.end()), cycles.end());
+  return cycles;
+}
+
+// Components are settled in the order of their first vertices: the component below was first.
+std::vector<std::uint32_t> nest_components(const MapEdges& edges, const MapComponents& components,
+                                           const MapRotation& rotation, const MapOrbits& orbits) {
+  std::vector<std::uint32_t> by_order(components.count);
+  for (std::uint32_t c = 0; c < components.count; ++c) by_order[c] = c;
+  const auto first_order = [&](std::uint32_t c) {
+    const std::uint32_t h = orbits.orbits[orbits.outside[c]].halfedge;
+    return rotation.order[edges.origin(h)];
+  };
+  std::sort(by_order.begin(), by_order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return first_order(a) < first_order(b); });
+  std::vector<std::uint32_t> parent(components.count, kNone);
+  for (const std::uint32_t c : by_order) {
+    const std::uint32_t edge = rotation.edge_below[c];
+    if (edge == kNone) continue;
+    // The half-edge that runs left to right has the face above the edge on its left.
+    const bool forward =
+        rotation.order[edges.ends[edge].from] < rotation.order[edges.ends[edge].to];
+    const std::uint32_t above = orbits.of_halfedge[2 * edge + (forward ? 0 : 1)];
+    const std::uint32_t other = components.of_vertex[edges.ends[edge].from];
+    parent[c] = orbits.orbits[above].counterclockwise ? above : parent[other];
+  }
+  return parent;
+}
+
+std::vector<std::uint32_t> find_pinches(const Map& map, const MapEdges& edges,
+                                        const MapOrbits& orbits) {
+  // Half-edges by origin, then equal orbits side by side.
+  std::vector<std::uint32_t> begin(map.vertex_count() + 1, 0);
+  for (const SweepSegment& e : edges.ends) {
+    ++begin[e.from + 1];
+    ++begin[e.to + 1];
+  }
+  for (std::size_t v = 0; v < map.vertex_count(); ++v) begin[v + 1] += begin[v];
+  std::vector<std::uint32_t> around(edges.halfedge_count());
+  std::vector<std::uint32_t> fill(begin.begin(), begin.end() - 1);
+  for (std::uint32_t h = 0; h < edges.halfedge_count(); ++h) {
+    around[fill[edges.origin(h)]++] = orbits.of_halfedge[h];
+  }
+  std::vector<std::uint32_t> pinches;
+  for (std::uint32_t v = 0; v < map.vertex_count(); ++v) {
+    const auto first = around.begin() + begin[v];
+    const auto last = around.begin() + begin[v + 1];
+    std::sort(first, last);
+    if (std::adjacent_find(first, last) != last) pinches.push_back(v);
+  }
+  return pinches;
+}
+
+}  // namespace plumb

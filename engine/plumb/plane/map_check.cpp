@@ -1,0 +1,291 @@
+// Vertices with equal coordinates become one.
+
+#include "plumb/plane/map_check.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plumb/plane/check/map_contacts.h"
+#include "plumb/plane/check/map_describe.h"
+#include "plumb/plane/check/map_edges.h"
+#include "plumb/plane/check/map_orbits.h"
+#include "plumb/plane/map.h"
+#include "plumb/plane/sweep/sweep_curves.h"
+#include "plumb/predicates/error.h"
+
+namespace plumb {
+
+/// Replaces in every cycle each vertex by the least-numbered one with the same coordinates and
+/// drops repetitions that arise. Vertices keep their numbers; returns the merged ones, ascending.
+/// Throws Error{DegenerateFace} when a cycle keeps fewer than three corners.
+std::vector<std::uint32_t> merge_equal_vertices(Map& map);
+
+namespace {
+
+std::vector<std::uint32_t> representatives(const Map& map) {
+  const PointRanks ranks = rank_points(map.points, std::vector<char>(map.vertex_count(), 1));
+  std::vector<std::uint32_t> representative(map.vertex_count());
+  for (std::uint32_t v = 0; v < map.vertex_count(); ++v) {
+    representative[v] = ranks.order[ranks.rank[v]];
+  }
+  return representative;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> merge_equal_vertices(Map& map) {
+  const std::vector<std::uint32_t> representative = representatives(map);
+  std::vector<std::uint32_t> corners;
+  std::vector<std::uint32_t> begin = {0};
+  corners.reserve(map.corners.size());
+  for (std::size_t c = 0; c < map.cycle_count(); ++c) {
+    for (const std::uint32_t v : map.cycle(c)) {
+      const std::uint32_t r = representative[v];
+      if (corners.size() == begin.back() || corners.back() != r) corners.push_back(r);
+    }
+    while (corners.size() > begin.back() + 1 && corners.back() == corners[begin.back()]) {
+      corners.pop_back();
+    }
+    if (corners.size() - begin.back() < 3) {
+      throw Error(ErrorCode::DegenerateFace,
+                  "face " + std::to_string(c + 1) +
+                      " collapses when vertices with equal coordinates are merged");
+    }
+    begin.push_back(static_cast<std::uint32_t>(corners.size()));
+  }
+  map.corners = std::move(corners);
+  map.cycle_begin = std::move(begin);
+  std::vector<std::uint32_t> merged;
+  for (std::uint32_t v = 0; v < representative.size(); ++v) {
+    if (representative[v] != v) merged.push_back(v);
+  }
+  return merged;
+}
+
+namespace {
+
+// Measured: edges, the sweep over them and orbits peak at 68 bytes a corner, the map included.
+constexpr std::uint64_t kBytesPerCorner = 64;
+constexpr std::uint64_t kBytesPerVertex = 40;
+
+void require_well_formed(const Map& map) {
+  for (std::size_t c = 0; c < map.cycle_count(); ++c) {
+    const auto cycle = map.cycle(c);
+    const std::string face = "face " + std::to_string(c + 1);
+    if (cycle.size() < 3) {
+      throw Error(ErrorCode::DegenerateFace, face + " has fewer than three vertices");
+    }
+    std::uint32_t previous = cycle.back();
+    for (const std::uint32_t v : cycle) {
+      if (v >= map.vertex_count()) {
+        throw Error(ErrorCode::BadIndex, face + " uses vertex " + std::to_string(v + 1) + " of " +
+                                             std::to_string(map.vertex_count()));
+      }
+      if (v == previous) {
+        throw Error(ErrorCode::DegenerateFace,
+                    face + " repeats vertex " + std::to_string(v + 1) + " in a row");
+      }
+      previous = v;
+    }
+  }
+}
+
+class MapChecker {
+ public:
+  MapChecker(Map map, const MapCheckOptions& options, Context& context)
+      : options_(options), context_(context), memory_(context) {
+    report_.map = std::move(map);
+  }
+
+  MapReport run();
+
+ private:
+  Map& map() { return report_.map; }
+  MapDefectCounts& counts() { return report_.counts; }
+
+  void match();
+  void classify_open();
+  void infer_outer_cycles();
+  void count_matching_defects();
+  void sweep_contacts();
+  void trace_faces();
+  void find_nested(const std::vector<std::uint32_t>& parent);
+  void collect_regions(const std::vector<std::uint32_t>& parent);
+  MapVerdict verdict();
+  bool ignores_borders() const { return options_.outer == OuterRule::Ignore; }
+
+  MapCheckOptions options_;
+  Context& context_;
+  MemoryCharge memory_;
+  MapReport report_;
+  MapFindings findings_;
+};
+
+MapReport MapChecker::run() {
+  memory_.add(kBytesPerCorner * map().corners.size() + kBytesPerVertex * map().vertex_count(),
+              "a check of a map");
+  require_well_formed(map());
+  if (options_.merge_vertices) findings_.merged = merge_equal_vertices(map());
+  match();
+  classify_open();
+  count_matching_defects();
+  sweep_contacts();
+  trace_faces();
+  report_.verdict = verdict();
+  if (report_.verdict != MapVerdict::Valid) {
+    report_.regions.clear();
+    describe_defects(findings_, options_.max_defects, report_);
+  }
+  describe_warnings(findings_, options_.max_defects, report_);
+  return std::move(report_);
+}
+
+void MapChecker::match() {
+  context_.checkpoint("match edges", 0, 1);
+  findings_.edges = match_twins(map());
+  context_.checkpoint("match edges", 1, 1);
+}
+
+// ---------------------------------------------------------------- open edges
+
+void MapChecker::classify_open() {
+  findings_.open_is_defect = !ignores_borders();
+  // With duplicate uses borders have no unique continuation; their hints stay general.
+  if (!findings_.edges.extra_uses.empty() || ignores_borders()) return;
+  findings_.chains = trace_open_chains(map(), findings_.edges);
+  if (options_.outer == OuterRule::Infer) infer_outer_cycles();
+}
+
+void MapChecker::infer_outer_cycles() {
+  for (const OpenChain& chain : findings_.chains) {
+    if (chain.area != Sign::Negative) continue;
+    findings_.inferred.push_back(static_cast<std::uint32_t>(map().cycle_count()));
+    map().add_cycle(cycle_of_chain(findings_.edges, chain));
+  }
+  if (findings_.inferred.empty()) return;
+  match();
+  findings_.chains = trace_open_chains(map(), findings_.edges);
+}
+
+void MapChecker::count_matching_defects() {
+  const MapEdges& edges = findings_.edges;
+  counts().duplicate = edges.extra_uses.size();
+  for (std::uint32_t e = 0; e < edges.edge_count(); ++e) {
+    if (edges.cycle_on_both_sides(e) != MapEdges::kNoCycle) ++counts().twin;
+    if (ignores_borders()) continue;
+    counts().open += static_cast<std::uint64_t>(edges.is_open(2 * e)) +
+                     static_cast<std::uint64_t>(edges.is_open(2 * e + 1));
+  }
+}
+
+// ---------------------------------------------------------------- geometry
+
+void MapChecker::sweep_contacts() {
+  findings_.components = connect(map(), findings_.edges);
+  findings_.contacts =
+      find_contacts(map(), findings_.edges, findings_.components, options_.max_defects, context_);
+  counts().crossing = findings_.contacts.count;
+  report_.vertices = map().vertex_count();
+  report_.edges = findings_.edges.edge_count();
+  report_.cycles = map().cycle_count();
+  report_.components = findings_.components.count;
+}
+
+void MapChecker::trace_faces() {
+  if (counts().duplicate + counts().open + counts().crossing > 0) return;
+  context_.checkpoint("faces", 0, 1);
+  const MapRotation& rotation = findings_.contacts.rotation;
+  findings_.orbits = trace_orbits(map(), findings_.edges, findings_.components, rotation);
+  const auto& orbits = findings_.orbits.orbits;
+  counts().mixed = static_cast<std::uint64_t>(std::count_if(
+      orbits.begin(), orbits.end(), [](const MapOrbits::Orbit& o) { return o.mixed; }));
+  const std::vector<std::uint32_t> parent =
+      nest_components(findings_.edges, findings_.components, rotation, findings_.orbits);
+  if (ignores_borders()) find_nested(parent);
+  if (verdict() == MapVerdict::Valid) collect_regions(parent);
+  context_.checkpoint("faces", 1, 1);
+}
+
+// A component whose outside is not all listed, in a face that somebody lists.
+void MapChecker::find_nested(const std::vector<std::uint32_t>& parent) {
+  const MapOrbits& orbits = findings_.orbits;
+  for (std::uint32_t c = 0; c < parent.size(); ++c) {
+    if (parent[c] == MapOrbits::kNone) continue;
+    const std::uint32_t container = orbits.orbits[parent[c]].cycle;
+    const bool is_listed = orbits.orbits[orbits.outside[c]].complete;
+    if (container != MapOrbits::kNone && !is_listed) findings_.nested.push_back({c, container});
+  }
+  counts().nested = findings_.nested.size();
+}
+
+// Region 0 is the unbounded one, then one per counter-clockwise cycle in input order. The clockwise
+// cycles of a component are holes in the region that its parent orbit belongs to.
+void MapChecker::collect_regions(const std::vector<std::uint32_t>& parent) {
+  const MapOrbits& orbits = findings_.orbits;
+  std::vector<std::uint32_t> region_of(map().cycle_count(), 0);
+  std::vector<std::uint32_t> orbit_of(map().cycle_count(), MapOrbits::kNone);
+  for (std::uint32_t i = 0; i < findings_.edges.at_corner.size(); ++i) {
+    const std::uint32_t h = findings_.edges.at_corner[i];
+    orbit_of[findings_.edges.cycle_of[h]] = orbits.of_halfedge[h];
+  }
+  report_.regions.resize(1);
+  for (std::uint32_t c = 0; c < orbit_of.size(); ++c) {
+    if (!orbits.orbits[orbit_of[c]].counterclockwise) continue;
+    region_of[c] = static_cast<std::uint32_t>(report_.regions.size());
+    report_.regions.push_back({c, {}});
+  }
+  for (std::uint32_t c = 0; c < orbit_of.size(); ++c) {
+    if (orbits.orbits[orbit_of[c]].counterclockwise) continue;
+    const std::uint32_t component = findings_.components.of_vertex[map().cycle(c).front()];
+    const std::uint32_t around = parent[component];
+    const bool in_face =
+        around != MapOrbits::kNone && orbits.orbits[around].cycle != MapOrbits::kNone;
+    report_.regions[in_face ? region_of[orbits.orbits[around].cycle] : 0].holes.push_back(c);
+  }
+}
+
+// The first that holds gives the headline.
+MapVerdict MapChecker::verdict() {
+  if (counts().duplicate > 0) return MapVerdict::NotAPlanarSubdivision;
+  if (counts().open > 0) return MapVerdict::Open;
+  const std::uint64_t superposed =
+      counts().crossing + counts().twin + counts().mixed.value_or(0) + counts().nested;
+  return superposed > 0 ? MapVerdict::Superposed : MapVerdict::Valid;
+}
+
+// Per corner position: the position of the opposite directed edge.
+std::vector<std::uint32_t> twin_positions(const MapEdges& edges) {
+  std::vector<std::uint32_t> corner_of(edges.halfedge_count());
+  for (std::uint32_t i = 0; i < edges.at_corner.size(); ++i) corner_of[edges.at_corner[i]] = i;
+  std::vector<std::uint32_t> twin(edges.at_corner.size());
+  for (std::uint32_t i = 0; i < twin.size(); ++i) twin[i] = corner_of[edges.at_corner[i] ^ 1U];
+  return twin;
+}
+
+}  // namespace
+
+MapReport check_map(Map map, const MapCheckOptions& options, Context& context) {
+  return MapChecker(std::move(map), options, context).run();
+}
+
+DcelFromCycles to_dcel(const MapReport& report) {
+  const Map& map = report.map;
+  const MapEdges edges = match_twins(map);
+  const bool complete = edges.extra_uses.empty() && 2 * edges.edge_count() == map.corners.size();
+  if (report.verdict != MapVerdict::Valid || !complete) {
+    throw Error(ErrorCode::BadArgument,
+                "a half-edge structure needs a valid map without open borders");
+  }
+  std::vector<std::uint32_t> face_of_cycle(map.cycle_count(), 0);
+  for (std::uint32_t r = 0; r < report.regions.size(); ++r) {
+    if (report.regions[r].outer) face_of_cycle[*report.regions[r].outer] = r;
+    for (const std::uint32_t hole : report.regions[r].holes) face_of_cycle[hole] = r;
+  }
+  return Dcel::from_cycles(map.vertex_count(), map.corners, map.cycle_begin, twin_positions(edges),
+                           face_of_cycle);
+}
+
+}  // namespace plumb

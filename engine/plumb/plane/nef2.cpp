@@ -1,0 +1,326 @@
+// What a Nef2 shares between its copies. Internal.
+
+#include "plumb/plane/nef2.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "plumb/plane/complex/plane_draft.h"
+#include "plumb/plane/plane_audit.h"
+#include "plumb/plane/plane_measure.h"
+#include "plumb/plane/query/plane_locator.h"
+#include "plumb/plane/query/plane_trapezoids.h"
+#include "plumb/plane/query/ray_walk.h"
+#include "plumb/plane/set/boolean_op.h"
+#include "plumb/predicates/arithmetic/double_bits.h"
+#include "plumb/predicates/error.h"
+
+namespace plumb {
+
+struct Nef2::State {
+  explicit State(PlaneComplex c) : complex(std::move(c)) {}
+
+  /// The complex of a state that a set gives up: moved if nobody shares it, else copied.
+  static PlaneComplex taken(std::shared_ptr<State> state) {
+    if (state.use_count() > 1) return state->complex;
+    std::atomic_thread_fence(std::memory_order_acquire);  // whoever shared it has read it before
+    return std::move(state->complex);
+  }
+
+  PlaneComplex complex;
+  mutable std::once_flag locator_made;
+  mutable std::unique_ptr<PlaneLocator> locator;
+  mutable std::once_flag trapezoids_made;
+  mutable std::unique_ptr<PlaneTrapezoids> trapezoids;
+};
+
+namespace {
+
+PlaneComplex one_face(bool mark) {
+  PlaneComplex complex;
+  complex.dcel.add_face();
+  complex.marks.face.assign(1, mark ? 1 : 0);
+  return complex;
+}
+
+void require_sizes(const PlaneComplex& complex, const PlaneMarks& marks) {
+  if (marks.vertex.size() != complex.vertex_count() || marks.edge.size() != complex.edge_count() ||
+      marks.face.size() != complex.face_count()) {
+    throw Error(ErrorCode::BadArgument, "one mark is needed for each vertex, edge and face");
+  }
+}
+
+void flip(std::vector<std::uint8_t>& marks) {
+  for (std::uint8_t& m : marks) m = m == 0 ? 1 : 0;
+}
+
+PlaneMarks flipped(PlaneMarks marks) {
+  flip(marks.vertex);
+  flip(marks.edge);
+  flip(marks.face);
+  return marks;
+}
+
+/// Marks of the closure that are not those of the interior.
+PlaneMarks boundary_marks(const PlaneComplex& complex) {
+  PlaneMarks marks = closure_marks(complex);
+  const PlaneMarks inner = interior_marks(complex);
+  const auto take_off = [](std::vector<std::uint8_t>& from, const std::vector<std::uint8_t>& what) {
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      from[i] = from[i] != 0 && what[i] == 0 ? 1 : 0;
+    }
+  };
+  take_off(marks.vertex, inner.vertex);
+  take_off(marks.edge, inner.edge);
+  take_off(marks.face, inner.face);
+  return marks;
+}
+
+// ---------------------------------------------------------------- equality
+
+// Two minimal complexes of the same counts, over one table of points.
+class SameComplex {
+ public:
+  SameComplex(const PlaneComplex& a, const PlaneComplex& b)
+      : a_(a), b_(b), joined_(join_points(std::array<const PlaneComplex*, 2>{&a, &b})) {}
+
+  bool operator()() const { return have_same_links() && have_same_points() && have_same_lines(); }
+
+ private:
+  bool have_same_links() const {
+    for (std::size_t i = 0; i < a_.dcel.halfedge_count(); ++i) {
+      const HalfedgeId h(i);
+      if (a_.dcel.next(h) != b_.dcel.next(h) || a_.dcel.origin(h) != b_.dcel.origin(h) ||
+          a_.dcel.face(h) != b_.dcel.face(h)) {
+        return false;
+      }
+    }
+    return true;
+  }
+  bool have_same_points() const {
+    for (std::size_t i = 0; i < a_.vertex_count(); ++i) {
+      const std::uint32_t p = joined_.to[0][a_.vertex_point[i]];
+      const std::uint32_t q = joined_.to[1][b_.vertex_point[i]];
+      if (compare_xy(joined_.points, p, q) != Sign::Zero) return false;
+    }
+    return true;
+  }
+  /// The lines of bounded edges are given by their ends.
+  bool have_same_lines() const {
+    for (std::size_t i = 0; i < a_.edge_count(); ++i) {
+      const HalfedgeId h = first_half(EdgeId(i));
+      const bool is_bounded =
+          !a_.is_at_infinity(a_.dcel.origin(h)) && !a_.is_at_infinity(a_.dcel.target(h));
+      if (!is_bounded && !is_same_line(a_.line[i], b_.line[i])) return false;
+    }
+    return true;
+  }
+  bool is_same_line(const PlaneLine& k, const PlaneLine& l) const {
+    const auto& to = joined_.to;
+    const auto side = [&](std::uint32_t p) {
+      return orient2d(joined_.points, to[0][k.a], to[0][k.b], to[1][p]);
+    };
+    return side(l.a) == Sign::Zero && side(l.b) == Sign::Zero;
+  }
+
+  const PlaneComplex& a_;
+  const PlaneComplex& b_;
+  JoinedPoints joined_;
+};
+
+bool is_same(const PlaneComplex& a, const PlaneComplex& b) {
+  if (a.vertex_count() != b.vertex_count() || a.edge_count() != b.edge_count() ||
+      a.dcel.vertex_count() != b.dcel.vertex_count() || a.marks != b.marks ||
+      a.dcel.loop_count() != b.dcel.loop_count()) {
+    return false;
+  }
+  return SameComplex(a, b)();
+}
+
+}  // namespace
+
+// ---------------------------------------------------------------- holding
+
+Nef2::Nef2() : Nef2(one_face(false)) {}
+
+Nef2::Nef2(PlaneComplex minimal) : state_(std::make_shared<State>(std::move(minimal))) {}
+
+Nef2 Nef2::whole() { return Nef2(one_face(true)); }
+
+Nef2 Nef2::from_complex(PlaneComplex complex, Context& context) {
+  context.checkpoint("simplify", 0, 0);
+  return Nef2(simplify(std::move(complex)));
+}
+
+Nef2 Nef2::with_marks(PlaneMarks marks, Context& context) const {
+  require_sizes(complex(), marks);
+  PlaneComplex other = complex();
+  other.marks = std::move(marks);
+  return from_complex(std::move(other), context);
+}
+
+const PlaneComplex& Nef2::complex() const& { return state_->complex; }
+
+PlaneComplex Nef2::complex() && { return State::taken(std::move(state_)); }
+
+PlaneMarks Nef2::marks() const { return complex().marks; }
+
+PlaneCounts Nef2::counts() const {
+  const PlaneComplex& c = complex();
+  const auto marked = std::count_if(c.marks.face.begin(), c.marks.face.end(),
+                                    [](std::uint8_t mark) { return mark != 0; });
+  return {c.vertex_count(), c.edge_count(), c.face_count(), static_cast<std::size_t>(marked)};
+}
+
+std::size_t Nef2::bytes() const {
+  const PlaneComplex& c = complex();
+  const Dcel& d = c.dcel;
+  return c.points.inputs.bytes() + c.points.crossings.size() * sizeof(Crossing2) +
+         16 * (d.halfedge_count() + d.loop_count()) + 4 * (d.vertex_count() + d.face_count()) +
+         c.vertex_point.size() * (sizeof(std::uint32_t) + 1) +
+         c.line.size() * (sizeof(PlaneLine) + 1) + c.face_count();
+}
+
+const PlaneLocator& Nef2::locator() const {
+  std::call_once(state_->locator_made,
+                 [this] { state_->locator = std::make_unique<PlaneLocator>(state_->complex); });
+  return *state_->locator;
+}
+
+// ---------------------------------------------------------------- questions
+
+bool Nef2::is_empty() const {
+  const PlaneMarks& m = complex().marks;
+  return m.face.size() == 1 && m.face[0] == 0 && m.vertex.empty() && m.edge.empty();
+}
+
+bool Nef2::is_whole() const {
+  const PlaneMarks& m = complex().marks;
+  return m.face.size() == 1 && m.face[0] == 1 && m.vertex.empty() && m.edge.empty();
+}
+
+bool Nef2::is_bounded() const {
+  const PlaneComplex& c = complex();
+  for (std::size_t v = c.vertex_count(); v < c.dcel.vertex_count(); ++v) {
+    for (const HalfedgeId h : c.dcel.around(VertexId(v))) {
+      const FaceId f = c.dcel.face(h);
+      if (!c.is_beyond(f) && c.mark(f)) return false;
+      if (!c.is_frame(h) && c.mark(edge_of(h))) return false;
+    }
+  }
+  return !c.mark(FaceId(0));
+}
+
+bool Nef2::is_closed() const { return closure_marks(complex()) == complex().marks; }
+bool Nef2::is_open() const { return interior_marks(complex()) == complex().marks; }
+
+bool Nef2::is_subset_of(const Nef2& other, Context& context) const {
+  return boolean_op(*this, other, kDifference, context).is_empty();
+}
+
+bool Nef2::has_on_boundary(const RationalPoint2& p, Context& context) const {
+  // In minimal form every vertex and edge is on the boundary, and no face is.
+  return !locate(p, context).face.is_valid();
+}
+
+PlaneLocation Nef2::locate(const RationalPoint2& p, Context& context) const {
+  context.checkpoint("locate", 0, 0);
+  return locator().locate(p);
+}
+
+PlaneLocation Nef2::locate(Point2 p, Context& context) const {
+  if (!is_finite(p.x) || !is_finite(p.y)) {
+    throw Error(ErrorCode::NotFinite, "the coordinates of a point must be finite numbers");
+  }
+  context.checkpoint("locate", 0, 0);
+  return locator().locate(p);
+}
+
+std::optional<Rational> Nef2::area(Context& context) const {
+  return marked_area(complex(), context);
+}
+
+// ---------------------------------------------------------------- unary operations
+
+Nef2 Nef2::complement(Context& context) const {
+  context.checkpoint("complement", 0, 0);
+  PlaneComplex c = complex();
+  c.marks = flipped(std::move(c.marks));
+  return Nef2(std::move(c));
+}
+
+Nef2 Nef2::interior(Context& context) const {
+  return with_marks(interior_marks(complex()), context);
+}
+
+Nef2 Nef2::closure(Context& context) const { return with_marks(closure_marks(complex()), context); }
+
+Nef2 Nef2::boundary(Context& context) const {
+  return with_marks(boundary_marks(complex()), context);
+}
+
+Nef2 Nef2::exterior(Context& context) const { return complement(context).interior(context); }
+
+Nef2 Nef2::regularization(Context& context) const { return interior(context).closure(context); }
+
+// ---------------------------------------------------------------- comparison
+
+bool operator==(const Nef2& a, const Nef2& b) {
+  return a.state_ == b.state_ || is_same(a.complex(), b.complex());
+}
+
+std::optional<DcelFlaw> Nef2::audit(Context& context) const {
+  return plumb::audit(complex(), true, context);
+}
+
+// Nef2: ray shooting, element by element (ray_walk.h).
+
+namespace {
+
+/// The first element met that is wanted.
+template <class Wanted>
+std::optional<PlaneHit> first_met(RayWalk walk, const Wanted& is_wanted) {
+  do {
+    if (is_wanted(walk.here())) return PlaneHit{walk.here(), walk.point()};
+  } while (walk.advance());
+  return std::nullopt;
+}
+
+QueryRay2 ray_of(const RationalPoint2& origin, const RationalPoint2& direction) {
+  if (direction.x == 0 && direction.y == 0) {
+    throw Error(ErrorCode::BadArgument, "a ray needs a direction that is not zero");
+  }
+  return QueryRay2(origin, direction);
+}
+
+}  // namespace
+
+const PlaneTrapezoids& Nef2::trapezoids() const {
+  std::call_once(state_->trapezoids_made, [this] {
+    state_->trapezoids = std::make_unique<PlaneTrapezoids>(complex(), locator());
+  });
+  return *state_->trapezoids;
+}
+
+std::optional<PlaneHit> Nef2::shoot(const RationalPoint2& origin, const RationalPoint2& direction,
+                                    Context& context) const {
+  context.checkpoint("shoot", 0, 0);
+  const QueryRay2 ray = ray_of(origin, direction);
+  return first_met(RayWalk(complex(), locator(), trapezoids(), ray),
+                   [](const PlaneLocation& at) { return at.marked; });
+}
+
+std::optional<PlaneHit> Nef2::shoot_to_boundary(const RationalPoint2& origin,
+                                                const RationalPoint2& direction,
+                                                Context& context) const {
+  context.checkpoint("shoot", 0, 0);
+  const QueryRay2 ray = ray_of(origin, direction);
+  return first_met(RayWalk(complex(), locator(), trapezoids(), ray),
+                   [](const PlaneLocation& at) { return !at.face.is_valid(); });
+}
+
+}  // namespace plumb

@@ -1,0 +1,208 @@
+#include "plumb/plane/plane_measure.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "plumb/predicates/arithmetic/rational_sum.h"
+
+namespace plumb {
+namespace {
+
+RationalPoint2 point(const PlaneComplex& c, VertexId v) {
+  return exact(c.points, c.vertex_point[v.value()]);
+}
+
+/// Twice the signed area of the triangle of the origin and a half-edge.
+Rational twice_area_below(const PlaneComplex& c, HalfedgeId h) {
+  const RationalPoint2 p = point(c, c.dcel.origin(h));
+  const RationalPoint2 q = point(c, c.dcel.target(h));
+  return p.x * q.y - p.y * q.x;
+}
+
+/// The area as a sum over vertices, not edges: the triangle of the origin and a piece from p to q
+/// of the line through a and b is (t(q) - t(p)) (a x b) / 2, where a + t (b - a) are the points of
+/// the line. So what is long in the coordinates of a vertex is in one term only, and hardly
+/// anything is common to two denominators. Where q is b, as in a polygon that crosses nothing,
+/// terms are those of edges, which neighbours have more in common with.
+class VertexAreas {
+ public:
+  VertexAreas(const PlaneComplex& complex, Context& context)
+      : c_(complex), context_(context), charge_(context) {
+    charge_.add(kVertexBytes * complex.vertex_count(), "the area");
+    twice_.resize(complex.vertex_count());
+  }
+
+  Rational total() {
+    for (std::size_t i = 0; i < c_.edge_count(); ++i) {
+      if (i % kEdgesPerCheckpoint == 0) context_.checkpoint("area", i, c_.edge_count());
+      const HalfedgeId h = first_half(EdgeId(i));
+      const bool left = c_.mark(c_.dcel.face(h)), right = c_.mark(c_.dcel.face(twin(h)));
+      if (left != right) add(left ? h : twin(h));
+    }
+    twice_.push_back(at_ends_.total());
+    return sum_of_fractions(twice_, [&] { context_.checkpoint("area", 0, 1); }) / 2;
+  }
+
+ private:
+  static constexpr std::size_t kEdgesPerCheckpoint = 64;
+  static constexpr std::uint64_t kVertexBytes = 512;  // numbers, and their products on all levels
+
+  /// t of p = a + t (b - a).
+  static Rational place_between(const RationalPoint2& a, const RationalPoint2& b,
+                                const RationalPoint2& p) {
+    return a.x != b.x ? (p.x - a.x) / (b.x - a.x) : (p.y - a.y) / (b.y - a.y);
+  }
+
+  void add(HalfedgeId h) {
+    const PlaneLine line = c_.line[edge_of(h).value()];
+    const RationalPoint2 a = c_.points.inputs.exact(line.a), b = c_.points.inputs.exact(line.b);
+    const Rational moment = a.x * b.y - a.y * b.x;
+    const auto add_part = [&](VertexId v, int sign) {
+      const std::uint32_t at = c_.vertex_point[v.value()];
+      if (at == line.b) at_ends_.add(sign * moment);
+      if (at == line.a || at == line.b) return;
+      twice_[v.value()] += sign * place_between(a, b, point(c_, v)) * moment;
+    };
+    add_part(c_.dcel.origin(h), -1);
+    add_part(c_.dcel.target(h), 1);
+  }
+
+  const PlaneComplex& c_;
+  Context& context_;
+  MemoryCharge charge_;
+  std::vector<Rational> twice_;  // per vertex between ends
+  RationalSum at_ends_;
+};
+
+bool is_along_frame(const PlaneComplex& c, LoopId l) {
+  for (const HalfedgeId h : c.dcel.along(l)) {
+    if (c.is_frame(h)) return true;
+  }
+  return false;
+}
+
+template <class Id>
+std::size_t index_in(const std::vector<Id>& sorted, Id id) {
+  return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), id) -
+                                  sorted.begin());
+}
+
+// The rings of one face. Edges with the face on both sides are passed over; walks that come to a
+// vertex again are cut there.
+class FaceRings {
+ public:
+  FaceRings(const PlaneComplex& complex, FaceId face) : complex_(complex), face_(face) {
+    for (const LoopId l : complex.dcel.loops_of(face)) {
+      for (const HalfedgeId h : complex.dcel.along(l)) {
+        if (is_border(h)) border_.push_back(h);
+      }
+    }
+    std::sort(border_.begin(), border_.end());
+    is_walked_.assign(border_.size(), 0);
+    for (const HalfedgeId h : border_) corners_.push_back(complex.dcel.origin(h));
+    std::sort(corners_.begin(), corners_.end());
+    position_.assign(corners_.size(), kOff);
+  }
+
+  std::vector<std::vector<VertexId>> trace() {
+    for (std::size_t i = 0; i < border_.size(); ++i) {
+      if (is_walked_[i] == 0) walk(border_[i]);
+    }
+    return std::move(rings_);
+  }
+
+ private:
+  static constexpr std::size_t kOff = static_cast<std::size_t>(-1);
+
+  bool is_border(HalfedgeId h) const { return complex_.dcel.face(twin(h)) != face_; }
+  HalfedgeId next_border(HalfedgeId h) const {
+    HalfedgeId n = complex_.dcel.next(h);
+    while (!is_border(n)) n = complex_.dcel.next(twin(n));
+    return n;
+  }
+
+  void walk(HalfedgeId start) {
+    HalfedgeId h = start;
+    do {
+      is_walked_[index_in(border_, h)] = 1;
+      visit(complex_.dcel.origin(h));
+      h = next_border(h);
+    } while (h != start);
+    cut(0);
+  }
+  void visit(VertexId v) {
+    std::size_t& seen = position_[index_in(corners_, v)];
+    if (seen != kOff) cut(seen);
+    seen = walk_.size();
+    walk_.push_back(v);
+  }
+  void cut(std::size_t from) {
+    const auto begin = walk_.begin() + static_cast<std::ptrdiff_t>(from);
+    for (auto v = begin; v != walk_.end(); ++v) position_[index_in(corners_, *v)] = kOff;
+    rings_.emplace_back(begin, walk_.end());
+    walk_.erase(begin, walk_.end());
+  }
+
+  const PlaneComplex& complex_;
+  FaceId face_;
+  std::vector<HalfedgeId> border_;  // sorted
+  std::vector<std::uint8_t> is_walked_;
+  std::vector<VertexId> corners_;      // sorted, with repetitions
+  std::vector<std::size_t> position_;  // in walk_, by the first index in corners_
+  std::vector<VertexId> walk_;
+  std::vector<std::vector<VertexId>> rings_;
+};
+
+/// Counter-clockwise? The turn at the least vertex tells.
+bool is_counter_clockwise(const PlaneComplex& c, const std::vector<VertexId>& ring) {
+  const auto least = std::min_element(ring.begin(), ring.end());
+  const VertexId before = least == ring.begin() ? ring.back() : *(least - 1);
+  const VertexId after = least + 1 == ring.end() ? ring.front() : *(least + 1);
+  const auto edge_line = [&](VertexId to) {
+    for (const HalfedgeId h : c.dcel.around(*least)) {
+      if (c.dcel.target(h) == to) return c.line[edge_of(h).value()];
+    }
+    return PlaneLine{};
+  };
+  const PlaneLine out = edge_line(after);
+  const PlaneLine in = edge_line(before);
+  return cross_sign(c.points.inputs, out.a, out.b, in.a, in.b) == Sign::Positive;
+}
+
+}  // namespace
+
+std::optional<Rational> face_area(const PlaneComplex& complex, FaceId f) {
+  if (is_unbounded(complex, f)) return std::nullopt;
+  RationalSum sum;
+  for (const LoopId l : complex.dcel.loops_of(f)) {
+    for (const HalfedgeId h : complex.dcel.along(l)) {
+      if (complex.dcel.face(twin(h)) != f) sum.add(twice_area_below(complex, h));
+    }
+  }
+  return sum.total() / 2;
+}
+
+std::optional<Rational> marked_area(const PlaneComplex& complex, Context& context) {
+  for (std::size_t f = 0; f < complex.face_count(); ++f) {
+    if (complex.mark(FaceId(f)) && is_unbounded(complex, FaceId(f))) return std::nullopt;
+  }
+  return VertexAreas(complex, context).total();
+}
+
+std::vector<std::vector<VertexId>> face_rings(const PlaneComplex& complex, FaceId f) {
+  std::vector<std::vector<VertexId>> rings = FaceRings(complex, f).trace();
+  std::stable_partition(rings.begin(), rings.end(), [&](const std::vector<VertexId>& ring) {
+    return is_counter_clockwise(complex, ring);
+  });
+  return rings;
+}
+
+bool is_unbounded(const PlaneComplex& complex, FaceId f) {
+  if (f == FaceId(0)) return true;
+  for (const LoopId l : complex.dcel.loops_of(f)) {
+    if (is_along_frame(complex, l)) return true;
+  }
+  return false;
+}
+
+}  // namespace plumb

@@ -1,0 +1,195 @@
+#include "plumb/plane/sweep/sweep_curves.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "plumb/predicates/arithmetic/double_bits.h"
+
+namespace plumb {
+namespace {
+
+// Keys of input points decide almost always. Rounding is monotone, so different keys order exact
+// points rightly; equal keys mean equal points only when both points are doubles.
+struct KeyedPoint {
+  std::uint64_t x;
+  std::uint64_t y;
+  std::uint32_t point;
+};
+
+class KeyOrder {
+ public:
+  explicit KeyOrder(const PlanePointsView& points)
+      : points_(points), exact_keys_(points.inputs().all_double()) {}
+
+  Sign compare(const KeyedPoint& p, const KeyedPoint& q) const {
+    if (p.x != q.x) return p.x < q.x ? Sign::Negative : Sign::Positive;
+    if (!exact_keys_) return compare_xy(points_, p.point, q.point);
+    if (p.y != q.y) return p.y < q.y ? Sign::Negative : Sign::Positive;
+    return Sign::Zero;
+  }
+
+ private:
+  const PlanePointsView& points_;
+  bool exact_keys_;
+};
+
+// Crossings have no keys: their approximations are not monotone.
+class PredicateOrder {
+ public:
+  explicit PredicateOrder(const PlanePointsView& points) : points_(points) {}
+
+  Sign compare(const KeyedPoint& p, const KeyedPoint& q) const {
+    return compare_xy(points_, p.point, q.point);
+  }
+
+ private:
+  const PlanePointsView& points_;
+};
+
+std::vector<KeyedPoint> keyed_points(const PlanePointsView& points, const std::vector<char>& used) {
+  std::vector<KeyedPoint> keyed;
+  keyed.reserve(static_cast<std::size_t>(std::count(used.begin(), used.end(), char{1})));
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (used[i] == 0) continue;
+    const Point2 p = points.is_input(i) ? points.inputs().approx(i) : Point2{};
+    keyed.push_back({ordered_key(p.x), ordered_key(p.y), i});
+  }
+  return keyed;
+}
+
+template <class Order>
+PointRanks rank_by(const Order& order, std::vector<KeyedPoint> keyed, std::size_t point_count) {
+  std::sort(keyed.begin(), keyed.end(), [&order](const KeyedPoint& p, const KeyedPoint& q) {
+    const Sign s = order.compare(p, q);
+    return s == Sign::Negative || (s == Sign::Zero && p.point < q.point);
+  });
+  PointRanks ranks;
+  ranks.order.resize(keyed.size());
+  ranks.rank.assign(point_count, PointRanks::kUnused);
+  for (std::size_t i = 0; i < keyed.size(); ++i) {
+    ranks.order[i] = keyed[i].point;
+    const bool equals_previous = i > 0 && order.compare(keyed[i - 1], keyed[i]) == Sign::Zero;
+    ranks.rank[keyed[i].point] =
+        equals_previous ? ranks.rank[keyed[i - 1].point] : static_cast<std::uint32_t>(i);
+  }
+  return ranks;
+}
+
+}  // namespace
+
+PointRanks rank_points(const PlanePointsView& points, const std::vector<char>& used) {
+  std::vector<KeyedPoint> keyed = keyed_points(points, used);
+  const bool only_inputs = keyed.empty() || points.is_input(keyed.back().point);
+  return only_inputs ? rank_by(KeyOrder(points), std::move(keyed), points.size())
+                     : rank_by(PredicateOrder(points), std::move(keyed), points.size());
+}
+
+SweepCurves::SweepCurves(const PlanePointsView& points, std::span<const SweepCurve> curves,
+                         std::span<const std::uint32_t> stops)
+    : points_(points) {
+  std::vector<char> used(points.size(), 0);
+  for (const SweepCurve& c : curves) {
+    if (c.from != SweepCurve::kUnbounded) used[c.from] = 1;
+    if (c.to != SweepCurve::kUnbounded) used[c.to] = 1;
+  }
+  for (const std::uint32_t stop : stops) used[stop] = 1;
+  ranks_ = rank_points(points_, used);
+  curves_.reserve(curves.size());
+  for (const SweepCurve& c : curves) curves_.push_back(left_to_right(c));
+}
+
+SweepCurves::Curve SweepCurves::left_to_right(const SweepCurve& c) const {
+  const bool is_bounded = c.from != SweepCurve::kUnbounded && c.to != SweepCurve::kUnbounded;
+  const bool forward = is_bounded ? rank(c.from) <= rank(c.to)
+                                  : compare_xy(points_.inputs(), c.a, c.b) == Sign::Negative;
+  return forward ? Curve{c.from, c.to, c.a, c.b} : Curve{c.to, c.from, c.b, c.a};
+}
+
+bool SweepCurves::is_zero_length(SegmentId s) const {
+  const Curve& c = curves_[s.value()];
+  return c.has_left() && c.has_right() && rank(c.left) == rank(c.right);
+}
+
+bool SweepCurves::is_vertical(SegmentId s) const {
+  const Curve& c = curves_[s.value()];
+  return compare_x(points_, c.a, c.b) == Sign::Zero;
+}
+
+Sign SweepCurves::direction_order(SegmentId s, SegmentId t) const {
+  if (s == t) return Sign::Zero;
+  const Curve& c = curves_[s.value()];
+  const Curve& d = curves_[t.value()];
+  if (c.a == d.a) return orient2d(points_.inputs(), c.a, c.b, d.b);
+  return cross_sign(points_.inputs(), c.a, c.b, d.a, d.b);
+}
+
+Sign SweepCurves::order_at_left_infinity(SegmentId s, SegmentId t) const {
+  const Sign turn = direction_order(s, t);
+  return turn != Sign::Zero ? -turn : side(s, (*this)[t].a);
+}
+
+// They meet further right if and only if the one that ends first does not end strictly on its own
+// side of the other. An infinite curve ends after a finite one, even a vertical one: to the right
+// of an infinite vertical lower curve is below it. Two infinite ones meet if the lower is steeper.
+SweepCurves::NextMeeting SweepCurves::next_meeting(SegmentId lower, SegmentId upper) const {
+  const Curve& l = curves_[lower.value()];
+  const Curve& u = curves_[upper.value()];
+  if (!l.has_right() && !u.has_right()) {
+    const bool steeper = direction_order(lower, upper) == Sign::Negative;
+    return {steeper ? Meeting::Crossing : Meeting::None, 0};
+  }
+  const bool both_end = l.has_right() && u.has_right();
+  if (both_end && rank(l.right) == rank(u.right)) return {};  // the event there sees both
+  const bool lower_ends_first = both_end ? rank(l.right) < rank(u.right) : l.has_right();
+  const std::uint32_t end = lower_ends_first ? l.right : u.right;
+  const Sign own_side = lower_ends_first ? -side(upper, end) : side(lower, end);
+  if (own_side == Sign::Positive) return {};
+  return {own_side == Sign::Zero ? Meeting::AtEnd : Meeting::Crossing, end};
+}
+
+Crossing2 SweepCurves::crossing(SegmentId lower, SegmentId upper) const {
+  const Curve& l = curves_[lower.value()];
+  const Curve& u = curves_[upper.value()];
+  return make_crossing(points_.inputs(), l.a, l.b, u.a, u.b);
+}
+
+void SweepMembers::update(const SweepEvent& event) {
+  list_incoming(event);
+  list_outgoing(event);
+}
+
+void SweepMembers::list_incoming(const SweepEvent& event) {
+  incoming_.clear();
+  begin_.assign(1, 0);
+  for (std::size_t i = 0; i < event.incoming.size(); ++i) {
+    const SegmentId head = head_[event.incoming[i].value()];
+    for (SegmentId s = head.is_valid() ? head : event.incoming[i]; s.is_valid();
+         s = next_[s.value()]) {
+      incoming_.push_back({s, static_cast<std::uint32_t>(i)});
+    }
+    begin_.push_back(incoming_.size());
+  }
+  for (const SegmentId s : event.ends) is_ended_[s.value()] = 1;
+}
+
+void SweepMembers::list_outgoing(const SweepEvent& event) {
+  outgoing_.clear();
+  for (std::size_t i = 0; i < event.outgoing.size(); ++i) {
+    const auto bundle = static_cast<std::uint32_t>(i);
+    const std::size_t first = outgoing_.size();
+    if (const std::uint32_t in = event.came_from(i); in != SweepEvent::kNew) {
+      for (std::size_t k = begin_[in]; k < begin_[in + 1]; ++k) {
+        const SegmentId s = incoming_[k].segment;
+        if (is_ended_[s.value()] == 0) outgoing_.push_back({s, bundle});
+      }
+    }
+    for (const SegmentId s : event.starting_in(i)) outgoing_.push_back({s, bundle});
+    head_[event.outgoing[i].value()] = outgoing_[first].segment;
+    for (std::size_t k = first; k < outgoing_.size(); ++k) {
+      const bool is_last = k + 1 == outgoing_.size();
+      next_[outgoing_[k].segment.value()] = is_last ? SegmentId() : outgoing_[k + 1].segment;
+    }
+  }
+}
+
+}  // namespace plumb

@@ -1,0 +1,442 @@
+// Step 1 of audit(): arrays and ids alone.
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "plumb/base/internal/box_tree.h"
+#include "plumb/predicates/plane_signs.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/audit/audit_parts.h"
+#include "plumb/space/complex/space_boxes.h"
+#include "plumb/space/planar/facet_site.h"
+
+namespace plumb {
+namespace {
+
+class LinkAudit : SpaceAuditPart {
+ public:
+  LinkAudit(const SpaceComplex& complex, Context& context) : SpaceAuditPart(complex, context, 0) {}
+
+  std::optional<SpaceFlaw> run() {
+    // Each step reads only what those before have found to be there.
+    static_cast<void>(has_right_sizes() && has_marks() && names_tables() && names_items() &&
+                      has_edges_with_two_ends() && has_stars() && has_linked_uses() &&
+                      has_radial_cycles() && has_boundary_cycles() && has_inner_vertices() &&
+                      has_volumes_where_needed());
+    return flaw_;
+  }
+
+ private:
+  // ---- sizes and ids
+
+  bool has_right_sizes() {
+    const std::size_t v = c_.vertex_count(), e = c_.edge_count(), u = c_.use_count(),
+                      f = c_.facet_count();
+    const bool right =
+        c_.tables && c_.vertex_mark.size() == v && c_.vertex_volume.size() == v &&
+        c_.vertex_facet.size() == v && c_.edge_mark.size() == e && c_.edge_use.size() == e &&
+        c_.edge_volume.size() == e && c_.origin.size() == 2 * e && c_.use_next.size() == u &&
+        c_.use_prev.size() == u && c_.use_radial.size() == u && c_.use_facet.size() == u &&
+        c_.facet_mark.size() == f && c_.facet_volume.size() == f && c_.facet_origin.size() == f;
+    return require(right, "arrays have one entry for each item") &&
+           require(c_.volume_count() > 0, "there is a volume") &&
+           require(has_rows(c_.star_begin, v, c_.star.size()) &&
+                       has_rows(c_.cycle_begin, f, c_.cycle.size()) &&
+                       has_rows(c_.inner_begin, f, c_.inner.size()),
+                   "lists cover their arrays");
+  }
+  static bool has_rows(const std::vector<std::uint32_t>& begin, std::size_t rows,
+                       std::size_t entries) {
+    return begin.size() == rows + 1 && begin.front() == 0 && begin.back() == entries &&
+           std::is_sorted(begin.begin(), begin.end());
+  }
+
+  bool has_marks() {
+    for (const auto* marks : {&c_.vertex_mark, &c_.edge_mark, &c_.facet_mark, &c_.volume_mark}) {
+      const bool known =
+          std::all_of(marks->begin(), marks->end(), [](Mark m) { return m <= kBeyond; });
+      if (!require(known, "marks are 0, 1 or beyond")) return false;
+    }
+    return true;
+  }
+
+  bool names_tables() {
+    const std::size_t planes = c_.planes().size(), inputs = c_.planes().points().size(),
+                      points = c_.points().size();
+    const auto is_plane = [&](PlaneId p) { return p.value() < planes; };
+    return all_of<VertexId>(c_.vertex_count(),
+                            [&](VertexId v) {
+                              const SpacePoint p = at(v);
+                              const bool known =
+                                  p.is_valid() &&
+                                  (p.is_input() ? p.input().value() < inputs : p.index() < points);
+                              return require(known, "a vertex has a point", v);
+                            }) &&
+           all_of<EdgeId>(c_.edge_count(),
+                          [&](EdgeId e) {
+                            const auto& [p, q] = c_.edge_planes[e.value()];
+                            return require(is_plane(p) && is_plane(q), "an edge has two planes", e);
+                          }) &&
+           all_of<FacetId>(c_.facet_count(), [&](FacetId f) {
+             return require(is_plane(plane(f)), "a facet has a plane", f);
+           });
+  }
+
+  /// The number after that of an id that is not valid is 0.
+  template <class Id>
+  static bool are_below(const std::vector<Id>& ids, std::size_t end, bool may_be_invalid) {
+    std::uint32_t least_after = ~std::uint32_t{0}, most_after = 0;
+    for (const Id id : ids) {
+      const std::uint32_t after = id.value() + 1;
+      most_after = std::max(most_after, after);
+      least_after = std::min(least_after, after);
+    }
+    return most_after <= end && (may_be_invalid || least_after > 0);
+  }
+  bool names_items() {
+    bool right = are_below(c_.star, c_.origin.size(), false) &&
+                 are_below(c_.origin, c_.vertex_count(), false) &&
+                 are_below(c_.edge_use, c_.use_count(), true) &&
+                 are_below(c_.use_halfedge, c_.origin.size(), false) &&
+                 are_below(c_.use_next, c_.use_count(), false) &&
+                 are_below(c_.use_prev, c_.use_count(), false) &&
+                 are_below(c_.use_radial, c_.use_count(), false) &&
+                 are_below(c_.use_facet, c_.facet_count(), false) &&
+                 are_below(c_.cycle, c_.use_count(), false) &&
+                 are_below(c_.inner, c_.vertex_count(), false) &&
+                 are_below(c_.vertex_facet, c_.facet_count(), true) &&
+                 are_below(c_.vertex_volume, c_.volume_count(), true) &&
+                 are_below(c_.edge_volume, c_.volume_count(), true);
+    for (const auto& sides : c_.facet_volume) {
+      for (const VolumeId v : sides) right = right && v.is_valid() && v.value() < c_.volume_count();
+    }
+    return require(right, "ids name items that are there");
+  }
+
+  // ---- links
+
+  bool has_edges_with_two_ends() {
+    return all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) {
+      return require(c_.origin[2 * e.value()] != c_.origin[2 * e.value() + 1],
+                     "an edge has two ends", e);
+    });
+  }
+
+  bool has_stars() {
+    std::vector<std::uint8_t> is_listed(c_.origin.size());
+    const auto has_star = [&](VertexId v) {
+      for (const HalfedgeId h : c_.star_of(v)) {
+        if (!require(c_.origin[h.value()] == v, "a star holds what leaves its vertex", v, h) ||
+            !require(is_listed[h.value()]++ == 0, "a star lists a half-edge once", v, h)) {
+          return false;
+        }
+      }
+      return true;
+    };
+    return all_of<VertexId>(c_.vertex_count(), has_star) &&
+           require(c_.star.size() == c_.origin.size(), "each half-edge is in a star");
+  }
+
+  bool has_linked_uses() {
+    return all_of<UseId>(c_.use_count(), [this](UseId u) {
+      const UseId next = c_.use_next[u.value()];
+      return require(c_.use_prev[next.value()] == u, "prev undoes next", u) &&
+             require(c_.use_origin(next) == c_.target(halfedge(u)),
+                     "a use starts where the one before ends", u, next) &&
+             require(facet(next) == facet(u), "a cycle stays with its facet", u, next);
+    });
+  }
+
+  bool has_radial_cycles() {
+    std::vector<std::uint8_t> is_reached(c_.use_count());
+    return all_of<EdgeId>(c_.edge_count(),
+                          [&](EdgeId e) {
+                            const UseId first = c_.edge_use[e.value()];
+                            return !first.is_valid() || has_radial_cycle(e, first, is_reached);
+                          }) &&
+           are_all_reached(is_reached, "the radial cycle of an edge has all its uses");
+  }
+  bool has_radial_cycle(EdgeId e, UseId first, std::vector<std::uint8_t>& is_reached) {
+    UseId u = first;
+    do {
+      step_();
+      if (!require(SpaceComplex::edge_of(halfedge(u)) == e, "a radial cycle stays at its edge", e,
+                   u) ||
+          !require(is_reached[u.value()]++ == 0, "a radial cycle returns to its start", e, u)) {
+        return false;
+      }
+      u = c_.use_radial[u.value()];
+    } while (u != first);
+    return true;
+  }
+
+  bool are_all_reached(const std::vector<std::uint8_t>& is_reached, const char* invariant) {
+    const auto missing = std::ranges::find(is_reached, 0);
+    return missing == is_reached.end() ||
+           fail_at(invariant, UseId(static_cast<std::size_t>(missing - is_reached.begin())));
+  }
+
+  bool has_boundary_cycles() {
+    std::vector<std::uint8_t> is_reached(c_.use_count());
+    const auto has_cycles = [&](FacetId f) {
+      if (!require(!c_.cycles_of(f).empty(), "a facet has a boundary", f)) return false;
+      for (const UseId first : c_.cycles_of(f)) {
+        if (!require(facet(first) == f, "a facet lists its own cycles", f, first) ||
+            !require(is_reached[first.value()] == 0, "a facet lists a cycle once", f, first)) {
+          return false;
+        }
+        all_of_cycle(first, [&](UseId u) { return is_reached[u.value()] = 1; });
+      }
+      return true;
+    };
+    return all_of<FacetId>(c_.facet_count(), has_cycles) &&
+           are_all_reached(is_reached, "each use is on a cycle of its facet");
+  }
+
+  // ---- free parts
+
+  bool has_inner_vertices() {
+    std::size_t inside = 0;
+    for (const FacetId f : c_.vertex_facet) inside += f.is_valid() ? 1U : 0U;
+    std::vector<std::uint8_t> is_listed(c_.vertex_count());
+    const auto has_own = [&](FacetId f) {
+      for (const VertexId v : c_.inner_of(f)) {
+        if (!require(c_.vertex_facet[v.value()] == f, "a facet lists the vertices inside it", f,
+                     v) ||
+            !require(is_listed[v.value()]++ == 0, "a facet lists an inner vertex once", f, v)) {
+          return false;
+        }
+      }
+      return true;
+    };
+    return all_of<FacetId>(c_.facet_count(), has_own) &&
+           require(inside == c_.inner.size(), "a vertex inside a facet is listed there");
+  }
+
+  bool has_volumes_where_needed() {
+    const auto has_one = [this](EdgeId e) {
+      return require(c_.edge_use[e.value()].is_valid() != c_.edge_volume[e.value()].is_valid(),
+                     "an edge has uses or lies in a volume", e);
+    };
+    return all_of<EdgeId>(c_.edge_count(), has_one) &&
+           all_of<VertexId>(c_.vertex_count(), [this](VertexId v) {
+             const bool is_alone = c_.star_of(v).empty() && !c_.vertex_facet[v.value()].is_valid();
+             return require(is_alone == c_.vertex_volume[v.value()].is_valid(),
+                            "a vertex alone lies in a volume", v);
+           });
+  }
+};
+
+}  // namespace
+
+std::optional<SpaceFlaw> audit_links(const SpaceComplex& complex, Context& context) {
+  return LinkAudit(complex, context).run();
+}
+
+// Step 3 of audit(): the boundary cycles of facets in their planes.
+
+namespace {
+
+/// An axis along which the plane is not seen as a point: its coordinate varies in the plane.
+std::size_t varying_axis(const PlaneTable& planes, PlaneId plane) {
+  constexpr std::array<PlaneId, 3> kAcross = {kPlaneX, kPlaneY, kPlaneZ};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (minor_sign(planes, plane, kAcross[axis], i) != Sign::Zero) return axis;
+    }
+  }
+  return 2;
+}
+
+class CycleAudit : SpaceAuditPart {
+ public:
+  CycleAudit(const SpaceComplex& complex, Context& context) : SpaceAuditPart(complex, context, 2) {}
+
+  std::optional<SpaceFlaw> run() {
+    cycle_at_.assign(c_.vertex_count(), UseId());
+    all_of<FacetId>(c_.facet_count(), [this](FacetId f) {
+      return has_cycles_apart(f) && has_cycles_in_order(f) && has_holes_inside(f);
+    });
+    return flaw_;
+  }
+
+ private:
+  /// A connected facet has one cycle for each connected part of its boundary.
+  bool has_cycles_apart(FacetId f) {
+    if (c_.cycles_of(f).size() == 1) return true;
+    for (const UseId cycle : c_.cycles_of(f)) {
+      const bool apart = all_of_cycle(cycle, [&](UseId u) {
+        UseId& known = cycle_at_[c_.use_origin(u).value()];
+        const bool is_new = !known.is_valid() || facet(known) != f || known == cycle;
+        known = cycle;
+        return is_new;
+      });
+      if (!require(apart, "cycles of a facet have no common vertex", f, cycle)) return false;
+    }
+    return true;
+  }
+
+  VertexId least_vertex(UseId cycle) const {
+    VertexId least = c_.use_origin(cycle);
+    all_of_cycle(cycle, [&](UseId u) {
+      const VertexId v = c_.use_origin(u);
+      if (compare_xyz(c_.points(), at(v), at(least)) == Sign::Negative) least = v;
+      return true;
+    });
+    return least;
+  }
+
+  /// At the least vertex all edges leave within half a turn. Around a hole one corner there is more
+  /// than that, around the facet none is. Of a triangle any corner tells.
+  bool is_outer(UseId cycle) const {
+    if (is_triangle(cycle)) return defines_plane(cycle) || is_convex(cycle);
+    const VertexId least = least_vertex(cycle);
+    return all_of_cycle(cycle, [&](UseId u) { return c_.use_origin(u) != least || is_convex(u); });
+  }
+  bool is_triangle(UseId u) const {
+    return c_.use_next[c_.use_next[c_.use_next[u.value()].value()].value()] == u;
+  }
+  /// Is the plane defined as that of the triangle's corners, as they come?
+  bool defines_plane(UseId u) const {
+    const PlaneSource& source = c_.planes().source(plane(u));
+    if (source.is_explicit()) return false;
+    std::array<std::uint32_t, 3> input;
+    for (std::uint32_t& p : input) {
+      const SpacePoint x = at(c_.use_origin(u));
+      if (!x.is_input()) return false;
+      p = x.input().value();
+      u = c_.use_next[u.value()];
+    }
+    const std::array<std::uint32_t, 3>& ccw = source.code;
+    return input == ccw || input == std::array{ccw[1], ccw[2], ccw[0]} ||
+           input == std::array{ccw[2], ccw[0], ccw[1]};
+  }
+  /// Is the corner of the use below half a turn?
+  bool is_convex(UseId u) const {
+    const VertexId end = c_.target(corner_end(u));
+    return side_in_plane(c_, plane(u), halfedge(u), c_.points(), at(end)) == Sign::Positive;
+  }
+
+  bool has_cycles_in_order(FacetId f) {
+    const auto cycles = c_.cycles_of(f);
+    if (!require(is_outer(cycles.front()), "the first cycle runs around its facet", f))
+      return false;
+    for (const UseId hole : cycles.subspan(1)) {
+      if (!require(!is_outer(hole), "a cycle after the first runs around a hole", f, hole))
+        return false;
+    }
+    return true;
+  }
+
+  bool has_holes_inside(FacetId f) {
+    const auto cycles = c_.cycles_of(f);
+    if (cycles.size() > 1) {
+      const BoxTree tree(boxes_of(cycles));
+      for (std::uint32_t hole = 1; hole < cycles.size(); ++hole) {
+        if (!require(is_inside_and_apart(cycles, hole, tree),
+                     "a hole lies in its facet and in no other hole", f, cycles[hole])) {
+          return false;
+        }
+      }
+    }
+    for (const VertexId v : c_.inner_of(f)) {
+      if (!require(place_in_facet(c_, f, c_.points(), at(v), step_).is_inside,
+                   "an inner vertex lies inside its facet", f, v)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  std::vector<Box3> boxes_of(std::span<const UseId> cycles) const {
+    std::vector<Box3> boxes;
+    boxes.reserve(cycles.size());
+    for (const UseId cycle : cycles) {
+      Box3& box = boxes.emplace_back();
+      all_of_cycle(cycle, [&](UseId u) {
+        box.add(box_of(c_, c_.use_origin(u)));
+        return true;
+      });
+    }
+    return boxes;
+  }
+  /// A vertex of the hole lies in the first cycle, and beyond the box of another one or outside of
+  /// it.
+  bool is_inside_and_apart(std::span<const UseId> cycles, std::uint32_t hole, const BoxTree& tree) {
+    const VertexId v = c_.use_origin(cycles[hole]);
+    bool is_inside = false, is_apart = true;
+    tree.for_each_meeting(box_of(c_, v), [&](std::uint32_t i) {
+      if (i == hole) return true;
+      const FacetPlace place = place_in_cycle(c_, cycles[i], c_.points(), at(v), step_);
+      if (i == 0) return is_inside = place.is_inside;
+      return is_apart = !place.on.is_valid() && !place.is_inside;
+    });
+    return is_inside && is_apart;
+  }
+
+  std::vector<UseId> cycle_at_;  ///< per vertex: the last cycle seen there
+};
+
+/// Does x, on the line of the half-edge, lie between its ends or on one of them?
+bool is_along(const SpaceComplex& complex, HalfedgeId h, const Point3Table& points, SpacePoint x) {
+  const std::array<PlaneId, 2>& planes = complex.edge_planes[h.value() / 2];
+  const auto order = [&](SpacePoint from, SpacePoint to) {
+    return order_along_line(points, planes[0], planes[1], from, to);
+  };
+  const HalfedgeId forward(h.value() & ~1U);
+  return order(complex.vertex_point[complex.origin[forward.value()].value()], x) !=
+             Sign::Negative &&
+         order(x, complex.vertex_point[complex.target(forward).value()]) != Sign::Negative;
+}
+
+}  // namespace
+
+// Crossings of the half-line of x along which one coordinate keeps its value: half-edges that reach
+// above that value pass x on its left, those that return below it on its right.
+FacetPlace place_in_cycle(const SpaceComplex& complex, UseId cycle, const Point3Table& points,
+                          SpacePoint x, SpaceAuditSteps& step) {
+  const PlaneId n = complex.facet_plane[complex.use_facet[cycle.value()].value()];
+  const std::size_t axis = varying_axis(complex.planes(), n);
+  const auto order = [&](VertexId v) {
+    return compare_axis(points, complex.vertex_point[v.value()], x, axis);
+  };
+  FacetPlace place;
+  UseId u = cycle;
+  Sign from = order(complex.use_origin(u));
+  do {
+    step();
+    const HalfedgeId h = complex.use_halfedge[u.value()];
+    const Sign to = order(complex.target(h));
+    if (from == Sign::Zero || from != to) {
+      const Sign left = side_in_plane(complex, n, h, points, x);
+      const bool is_level = from == Sign::Zero && to == Sign::Zero;
+      if (left == Sign::Zero && (!is_level || is_along(complex, h, points, x))) return {false, h};
+      const bool rises = to == Sign::Positive;
+      if ((from == Sign::Positive) != rises && left == (rises ? Sign::Positive : Sign::Negative)) {
+        place.is_inside = !place.is_inside;
+      }
+    }
+    from = to;
+    u = complex.use_next[u.value()];
+  } while (u != cycle);
+  return place;
+}
+
+FacetPlace place_in_facet(const SpaceComplex& complex, FacetId f, const Point3Table& points,
+                          SpacePoint x, SpaceAuditSteps& step) {
+  FacetPlace place;
+  for (const UseId cycle : complex.cycles_of(f)) {
+    const FacetPlace here = place_in_cycle(complex, cycle, points, x, step);
+    if (here.on.is_valid()) return here;
+    place.is_inside = place.is_inside != here.is_inside;
+  }
+  return place;
+}
+
+std::optional<SpaceFlaw> audit_cycles(const SpaceComplex& complex, Context& context) {
+  return CycleAudit(complex, context).run();
+}
+
+}  // namespace plumb

@@ -1,0 +1,509 @@
+// Step 5 of audit(): volumes, the frame, the minimal form.
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/base/internal/box_tree.h"
+#include "plumb/predicates/input_predicates.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/audit/audit_parts.h"
+#include "plumb/space/boolean/contact_leaves.h"
+#include "plumb/space/bounds/packed_boxes.h"
+#include "plumb/space/complex/space_boxes.h"
+#include "plumb/space/local_maps.h"
+#include "plumb/space/query/volumes.h"
+#include "plumb/sphere/overlay/sphere_overlay.h"
+
+namespace plumb {
+namespace {
+
+class MarkAudit : SpaceAuditPart {
+ public:
+  MarkAudit(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan, Context& context)
+      : SpaceAuditPart(complex, context, 4), has_fan_(has_fan), overlay_(complex.planes()) {}
+
+  std::optional<SpaceFlaw> run(bool minimal) {
+    static_cast<void>(has_right_volumes() && has_sane_frame() &&
+                      (!minimal || (is_minimal() && has_needed_frame())));
+    return flaw_;
+  }
+
+ private:
+  // ---- volumes
+
+  bool has_right_volumes() {
+    const VolumeLabels again = find_volumes(c_, step_.context(), has_fan_);
+    if (!require(again.count == c_.volume_count(),
+                 "volumes are the connected parts between facets")) {
+      return false;
+    }
+    forth_.assign(c_.volume_count(), VolumeId());
+    back_.assign(c_.volume_count(), VolumeId());
+    forth_[0] = back_[0] = VolumeId(0);
+    return all_of<FacetId>(c_.facet_count(),
+                           [&](FacetId f) {
+                             const auto& [above, below] = c_.facet_volume[f.value()];
+                             const auto& there = again.facet[f.value()];
+                             return has_same_volume(above, there[0], f) &&
+                                    has_same_volume(below, there[1], f);
+                           }) &&
+           all_of<EdgeId>(c_.edge_count(),
+                          [&](EdgeId e) {
+                            return has_same_volume(c_.edge_volume[e.value()], again.edge[e.value()],
+                                                   e);
+                          }) &&
+           all_of<VertexId>(c_.vertex_count(), [&](VertexId v) {
+             return has_same_volume(c_.vertex_volume[v.value()], again.vertex[v.value()], v);
+           });
+  }
+  /// Up to a renumbering that keeps volume 0.
+  template <class Id>
+  bool has_same_volume(VolumeId here, VolumeId there, Id at) {
+    if (!here.is_valid() && !there.is_valid()) return true;
+    bool same = here.is_valid() && there.is_valid();
+    if (same) {
+      VolumeId& to = forth_[here.value()];
+      VolumeId& from = back_[there.value()];
+      if (!to.is_valid() && !from.is_valid()) {
+        to = there;
+        from = here;
+      }
+      same = to == there && from == here;
+    }
+    return require(same, "volumes are the connected parts between facets", at);
+  }
+
+  // ---- the frame
+
+  static bool is_beyond(Mark m) { return m == kBeyond; }
+  bool is_beyond(FacetId f) const { return is_beyond(c_.facet_mark[f.value()]); }
+  bool has_frame() const { return is_beyond(c_.volume_mark[0]); }
+
+  bool has_sane_frame() {
+    for (std::uint32_t v = 1; v < c_.volume_count(); ++v) {
+      if (!require(!is_beyond(c_.volume_mark[v]), "only volume 0 is beyond", VolumeId(v)))
+        return false;
+    }
+    return all_of<FacetId>(c_.facet_count(), [this](FacetId f) { return is_sane(f); }) &&
+           all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) { return is_sane(e); }) &&
+           all_of<VertexId>(c_.vertex_count(), [this](VertexId v) { return is_sane(v); });
+  }
+  bool is_sane(FacetId f) {
+    const auto [above, below] = c_.facet_volume[f.value()];
+    const bool at_frame = has_frame() && (above == VolumeId(0)) != (below == VolumeId(0));
+    const bool in_beyond = has_frame() && above == VolumeId(0) && below == VolumeId(0);
+    return require(!in_beyond && at_frame == is_beyond(f),
+                   "facets of the frame, and no others, have the beyond on one side", f) &&
+           require(is_beyond(f) == c_.planes().is_frame(plane(f)),
+                   "facets of the frame, and no others, lie in its planes", f);
+  }
+  bool is_sane(EdgeId e) {
+    const bool in_beyond = has_frame() && c_.edge_volume[e.value()] == VolumeId(0);
+    return require(!in_beyond, "nothing is in the beyond", e) &&
+           require(is_beyond(c_.edge_mark[e.value()]) == has_facet_of_frame(e),
+                   "edges of the frame, and no others, bound its facets", e);
+  }
+  bool has_facet_of_frame(EdgeId e) const {
+    const UseId first = c_.edge_use[e.value()];
+    return first.is_valid() && !all_of_ring(first, [&](UseId u) { return !is_beyond(facet(u)); });
+  }
+  template <class Visit>
+  bool all_of_ring(UseId first, Visit visit) const {
+    UseId u = first;
+    do {
+      if (!visit(u)) return false;
+      u = c_.use_radial[u.value()];
+    } while (u != first);
+    return true;
+  }
+  bool is_sane(VertexId v) {
+    const auto star = c_.star_of(v);
+    const bool at_frame = std::any_of(star.begin(), star.end(), [&](HalfedgeId h) {
+      return is_beyond(c_.edge_mark[h.value() / 2]);
+    });
+    const FacetId inside = c_.vertex_facet[v.value()];
+    const bool in_beyond = has_frame() && c_.vertex_volume[v.value()] == VolumeId(0);
+    return require(!in_beyond, "nothing is in the beyond", v) &&
+           require(is_beyond(c_.vertex_mark[v.value()]) ==
+                       (at_frame || (inside.is_valid() && is_beyond(inside))),
+                   "vertices of the frame, and no others, are ends of its edges", v);
+  }
+  /// A facet or an edge of the set reaches the frame.
+  bool has_needed_frame() {
+    bool needed = !has_frame();
+    for (std::uint32_t e = 0; e < c_.edge_count() && !needed; ++e) {
+      const UseId first = c_.edge_use[e];
+      const bool at_frame = is_beyond(c_.edge_mark[e]);
+      needed = at_frame ? !all_of_ring(first, [&](UseId u) { return is_beyond(facet(u)); })
+                        : is_beyond(c_.vertex_mark[c_.origin[2 * e].value()]) ||
+                              is_beyond(c_.vertex_mark[c_.origin[2 * e + 1].value()]);
+    }
+    return require(needed, "a frame is there only if something reaches it");
+  }
+
+  // ---- the minimal form
+
+  /// Is that clear without a look at the sphere map?
+  bool is_surely_needed(FacetId f) const {
+    const auto [above, below] = c_.facet_volume[f.value()];
+    return c_.volume_mark[above.value()] != c_.volume_mark[below.value()];
+  }
+  bool is_surely_needed(EdgeId e) const {
+    const UseId u = c_.edge_use[e.value()];
+    return u.is_valid() && plane(u) != plane(c_.use_radial[u.value()]);
+  }
+  /// Other edges than the two directions of one line.
+  bool is_surely_needed(VertexId v) const { return c_.star_of(v).size() > 2; }
+
+  template <class Id>
+  bool is_needed(Id item, PyramidKind kind) {
+    if (is_surely_needed(item)) return true;
+    local_map(c_, item, local_);
+    return require(!overlay_.simplify(local_.map) && classify(c_.planes(), local_.map) == kind,
+                   "no item can go without changing the set", item);
+  }
+  bool is_minimal() {
+    return all_of<FacetId>(c_.facet_count(),
+                           [this](FacetId f) { return is_needed(f, PyramidKind::Facet); }) &&
+           all_of<EdgeId>(c_.edge_count(),
+                          [this](EdgeId e) { return is_needed(e, PyramidKind::Edge); }) &&
+           all_of<VertexId>(c_.vertex_count(),
+                            [this](VertexId v) { return is_needed(v, PyramidKind::Vertex); });
+  }
+
+  std::span<const std::uint8_t> has_fan_;  ///< per vertex
+  SphereOverlay overlay_;
+  LocalMap local_;
+  std::vector<VolumeId> forth_;
+  std::vector<VolumeId> back_;
+};
+
+}  // namespace
+
+std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex,
+                                     std::span<const std::uint8_t> has_fan, bool minimal,
+                                     Context& context) {
+  return MarkAudit(complex, has_fan, context).run(minimal);
+}
+
+// Step 4 of audit(): nothing meets but at common vertices and edges.
+//
+// Rings, corners and cycles have been checked: near a vertex or edge nothing overlaps that contains
+// it. So two items overlap only if somewhere a vertex lies inside an edge or a facet, two edges
+// cross inside both, or an edge passes through a facet: a common segment of two facets ends in one
+// of these.
+//
+// Nearly all of that shows where a vertex or an edge is tested against a closed facet that it is no
+// part of. Else
+//
+//   a vertex inside an edge    has the edge in facets alone of which it is a corner, none a
+//   triangle; or in none
+//   edges that cross           have all their facets in the plane of both, or none
+//
+// and such edges are few. Triangles around a common vertex that has a fan (mesh_fans.h) need no
+// test.
+
+namespace {
+
+constexpr Box3 kEverywhere{{-Box3::kInfinity, -Box3::kInfinity, -Box3::kInfinity},
+                           {Box3::kInfinity, Box3::kInfinity, Box3::kInfinity}};
+
+class MeetingAudit : SpaceAuditPart {
+ public:
+  MeetingAudit(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan, Context& context)
+      : SpaceAuditPart(complex, context, 3),
+        points_(complex.points()),
+        leaves_(complex, kEverywhere),
+        items_(leaves_) {
+    is_triangle_.resize(c_.facet_count());
+    triangles_.reserve(leaves_.boxes().size());
+    corner_begin_.reserve(leaves_.boxes().size() + 1);
+    corner_begin_.push_back(0);
+    for (std::size_t x = 0; x < leaves_.boxes().size(); ++x) gather_corners(leaves_[x], has_fan);
+  }
+
+  std::optional<SpaceFlaw> run() {
+    if (!test_pairs_of(PackedBoxTree(leaves_.boxes()))) {
+      BoxTree(leaves_.boxes()).for_each_pair_inside([this](std::uint32_t x, std::uint32_t y) {
+        step_();
+        if (!share_fan(triangles_[x], triangles_[y])) test(x, y);
+      });
+    }
+    gather_edges();
+    test_vertices_on_edges();
+    test_flat_edges();
+    return flaw_;
+  }
+
+ private:
+  /// The first kind found is told, whatever is found first.
+  enum Kind { kVertexInEdge, kEdgesCross, kVertexInFacet, kEdgeThroughFacet, kNothing };
+  template <class A, class B>
+  void note(Kind kind, A a, B b) {
+    static constexpr std::array<const char*, 4> kInvariants{
+        "no vertex lies inside an edge", "edges do not cross",
+        "no vertex lies inside a facet unlisted", "no edge passes through a facet"};
+    if (kind >= worst_) return;
+    worst_ = kind;
+    fail(kInvariants[kind], name(a) + ", " + name(b));
+  }
+
+  // ---- pairs
+
+  /// False: some are missing, as the tree does not suit the boxes.
+  bool test_pairs_of(const PackedBoxTree& tree) {
+    constexpr std::size_t kStepsPerLeaf = 32;
+    if (!tree.fits()) return false;
+    std::size_t left = kStepsPerLeaf * (leaves_.boxes().size() + 256);
+    const auto may_go_on = [&] {
+      step_();
+      return --left > 0;
+    };
+    std::vector<Triangle> triangles;
+    triangles.reserve(tree.order().size());
+    for (const std::uint32_t x : tree.order()) triangles.push_back(triangles_[x]);
+    const auto look_at = [&](std::uint32_t i, std::uint32_t j) {
+      if (!share_fan(triangles[i], triangles[j])) test(tree.order()[i], tree.order()[j]);
+    };
+    return tree.for_each_pair_in_order(look_at, may_go_on);
+  }
+  void test(std::uint32_t x, std::uint32_t y) {
+    if (!leaves_.boxes()[x].meets(leaves_.boxes()[y])) return;
+    if (lies_beside(x, y) || lies_beside(y, x)) return;
+    test_against_facet(x, y);
+    test_against_facet(y, x);
+  }
+
+  // ---- corners
+
+  /// Corners are not valid where the facet is none.
+  struct Triangle {
+    std::array<VertexId, 3> corner;
+    std::uint32_t fans = 0;  ///< bit i: corner i has a fan
+    bool is_valid() const { return corner[0].is_valid(); }
+  };
+  void gather_corners(const MeetLeaf& leaf, std::span<const std::uint8_t> has_fan) {
+    Triangle t;
+    if (leaf.facet.is_valid()) {
+      UseId u = leaf.first;
+      for (std::uint32_t i = 0; i < leaf.count; ++i, u = c_.use_next[u.value()]) {
+        corner_.push_back(c_.use_origin(u));
+      }
+      if (leaf.count == 3 && c_.inner_of(leaf.facet).empty()) {
+        std::copy_n(corner_.end() - 3, 3, t.corner.begin());
+        for (std::size_t i = 0; i < 3; ++i) {
+          t.fans |= std::uint32_t{has_fan[t.corner[i].value()]} << i;
+        }
+        is_triangle_[leaf.facet.value()] = 1;
+      }
+    }
+    triangles_.push_back(t);
+    corner_begin_.push_back(static_cast<std::uint32_t>(corner_.size()));
+  }
+  /// Of its facet, where that is small and has one cycle; else none.
+  std::span<const VertexId> corners_of(std::uint32_t leaf) const {
+    return std::span(corner_).subspan(corner_begin_[leaf],
+                                      corner_begin_[leaf + 1] - corner_begin_[leaf]);
+  }
+  static bool share_fan(const Triangle& s, const Triangle& t) {
+    unsigned shared = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const VertexId v = s.corner[i];
+      const unsigned is_shared = static_cast<unsigned>(v == t.corner[0]) |
+                                 static_cast<unsigned>(v == t.corner[1]) |
+                                 static_cast<unsigned>(v == t.corner[2]);
+      shared |= is_shared << i;
+    }
+    return (shared & s.fans) != 0;
+  }
+
+  /// Are all corners of leaf x's facet, but common ones, on one side of the plane of leaf y's?
+  bool lies_beside(std::uint32_t x, std::uint32_t y) const {
+    const auto others = corners_of(y);
+    if (others.empty()) return false;
+    Sign known = Sign::Zero;
+    for (const VertexId v : corners_of(x)) {
+      if (std::ranges::find(others, v) != others.end()) continue;
+      const Sign here = side_of(v, plane(leaves_[y].facet));
+      if (here == Sign::Zero || here == -known) return false;
+      known = here;
+    }
+    return known != Sign::Zero;
+  }
+
+  // ---- against facets
+
+  Sign side_of(VertexId v, PlaneId p) const { return side(points_, at(v), p); }
+  VertexId end(EdgeId e, std::uint32_t i) const { return c_.origin[2 * e.value() + i]; }
+
+  /// The vertices and edges of leaf x, and the facet of leaf y.
+  void test_against_facet(std::size_t x, std::size_t y) {
+    const FacetId f = leaves_[y].facet;
+    if (!f.is_valid()) return;
+    const LeafItems& items = items_[x];
+    const auto vertices = items.vertices();
+    if (vertices.empty()) return;
+    std::array<Sign, LeafItems::kMostVertices> sides;
+    bool has_both = false;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      sides[i] = side_of(vertices[i], plane(f));
+      has_both |= sides[i] == Sign::Zero || sides[i] != sides[0];
+    }
+    if (!has_both) return;
+    for (std::size_t i = 0; i < items.own_vertices().size(); ++i) {
+      if (sides[i] == Sign::Zero) test(vertices[i], f);
+    }
+    for (const LeafEdge& e : items.edges()) {
+      if (sides[e.from] * sides[e.to] == Sign::Negative) test(e.edge, f, triangles_[y]);
+    }
+  }
+
+  void test(VertexId v, FacetId f) {
+    if (c_.vertex_facet[v.value()] == f || is_on_boundary(v, f)) return;
+    const FacetPlace place = place_in_facet(c_, f, points_, at(v), step_);
+    if (place.on.is_valid()) return note(kVertexInEdge, v, SpaceComplex::edge_of(place.on));
+    if (place.is_inside) note(kVertexInFacet, v, f);
+  }
+  bool is_on_boundary(VertexId v, FacetId f) const {
+    const auto star = c_.star_of(v);
+    return std::any_of(star.begin(), star.end(), [&](HalfedgeId h) { return has_use(h, f); });
+  }
+  /// Does the edge bound the facet?
+  bool has_use(HalfedgeId h, FacetId f) const {
+    const UseId first = c_.edge_use[h.value() / 2];
+    if (!first.is_valid()) return false;
+    UseId u = first;
+    do {
+      if (facet(u) == f) return true;
+      u = c_.use_radial[u.value()];
+    } while (u != first);
+    return false;
+  }
+
+  /// Requires an edge that passes the facet's plane.
+  void test(EdgeId e, FacetId f, const Triangle& triangle) {
+    if (surely_passes_by(e, triangle)) return;
+    const SpacePoint x = crossing(e, plane(f));
+    const FacetPlace place = place_in_facet(c_, f, points_, x, step_);
+    if (place.on.is_valid()) {
+      const EdgeId g = SpaceComplex::edge_of(place.on);
+      for (const VertexId v : {end(g, 0), end(g, 1)}) {
+        if (equal(points_, x, at(v))) return note(kVertexInEdge, v, e);
+      }
+      return note(kEdgesCross, e, g);
+    }
+    if (place.is_inside) note(kEdgeThroughFacet, e, f);
+  }
+  /// Its line passes two sides of the triangle in different directions.
+  bool surely_passes_by(EdgeId e, const Triangle& t) const {
+    if (!t.is_valid()) return false;
+    std::array<const Point3*, 5> p{};
+    const std::array<VertexId, 5> vertices{end(e, 0), end(e, 1), t.corner[0], t.corner[1],
+                                           t.corner[2]};
+    for (std::size_t i = 0; i < 5; ++i) {
+      const SpacePoint x = at(vertices[i]);
+      if (!x.is_input()) return false;
+      p[i] = &c_.planes().point(x.input());
+    }
+    const Sign a = orient3d(*p[0], *p[1], *p[2], *p[3]), b = orient3d(*p[0], *p[1], *p[3], *p[4]);
+    return a * b == Sign::Negative || a * orient3d(*p[0], *p[1], *p[4], *p[2]) == Sign::Negative;
+  }
+  /// Where an edge that passes a plane does so.
+  SpacePoint crossing(EdgeId e, PlaneId p) {
+    const auto& [first, second] = c_.edge_planes[e.value()];
+    return points_.add(first, second, p);
+  }
+
+  // ---- the other edges
+
+  struct Edges {
+    std::vector<EdgeId> edge;
+    std::vector<Box3> box;
+  };
+  void add(Edges& edges, EdgeId e) const {
+    edges.edge.push_back(e);
+    edges.box.push_back(box_of(c_, e));
+  }
+  template <class Holds>
+  bool all_uses(UseId first, Holds holds) const {
+    if (!first.is_valid()) return true;
+    UseId u = first;
+    do {
+      if (!holds(u)) return false;
+      u = c_.use_radial[u.value()];
+    } while (u != first);
+    return true;
+  }
+  void gather_edges() {
+    all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) {
+      const UseId first = c_.edge_use[e.value()];
+      if (all_uses(first, [&](UseId u) { return plane(u) == plane(first); })) add(flat_, e);
+      if (all_uses(first, [this](UseId u) { return is_triangle_[facet(u).value()] == 0; })) {
+        add(untried_, e);
+      }
+      return true;
+    });
+  }
+
+  void test_vertices_on_edges() {
+    if (untried_.edge.empty()) return;
+    const BoxTree tree(untried_.box);
+    all_of<VertexId>(c_.vertex_count(), [&](VertexId v) {
+      tree.for_each_meeting(box_of(c_, v), [&](std::uint32_t i) {
+        step_();
+        if (lies_inside(v, untried_.edge[i])) note(kVertexInEdge, v, untried_.edge[i]);
+      });
+      return true;
+    });
+  }
+  bool lies_inside(VertexId v, EdgeId e) const {
+    const auto& [p, q] = c_.edge_planes[e.value()];
+    if (v == end(e, 0) || v == end(e, 1)) return false;
+    return side_of(v, p) == Sign::Zero && side_of(v, q) == Sign::Zero && is_between_ends(e, at(v));
+  }
+  /// Is x, a point of the line of e, strictly between its ends?
+  bool is_between_ends(EdgeId e, SpacePoint x) const {
+    const auto& [p, q] = c_.edge_planes[e.value()];
+    return order_along_line(points_, p, q, at(end(e, 0)), x) == Sign::Positive &&
+           order_along_line(points_, p, q, x, at(end(e, 1))) == Sign::Positive;
+  }
+
+  void test_flat_edges() {
+    BoxTree(flat_.box).for_each_pair_inside([this](std::uint32_t i, std::uint32_t j) {
+      step_();
+      if (cross(flat_.edge[i], flat_.edge[j])) note(kEdgesCross, flat_.edge[i], flat_.edge[j]);
+    });
+  }
+  /// In one point inside both: then one passes a plane of the other.
+  bool cross(EdgeId e, EdgeId g) {
+    const auto& [p, q] = c_.edge_planes[e.value()];
+    for (const auto& [first, second] : {std::pair{p, q}, std::pair{q, p}}) {
+      if (side_of(end(g, 0), first) * side_of(end(g, 1), first) != Sign::Negative) continue;
+      const SpacePoint x = crossing(g, first);
+      return side(points_, x, second) == Sign::Zero && is_between_ends(e, x);
+    }
+    return false;
+  }
+
+  Point3Table points_;  ///< those of the complex and crossings
+  MeetLeaves leaves_;
+  LeafCache items_;
+  std::vector<Triangle> triangles_;          ///< per leaf
+  std::vector<std::uint32_t> corner_begin_;  ///< leaves + 1 entries into corner_
+  std::vector<VertexId> corner_;
+  std::vector<std::uint8_t> is_triangle_;  ///< per facet
+  Edges untried_;  ///< against which vertices have not been tested with a triangle at them
+  Edges flat_;     ///< all of whose facets are in one plane
+  Kind worst_ = kNothing;
+};
+
+}  // namespace
+
+std::optional<SpaceFlaw> audit_meeting(const SpaceComplex& complex,
+                                       std::span<const std::uint8_t> has_fan, Context& context) {
+  return MeetingAudit(complex, has_fan, context).run();
+}
+
+}  // namespace plumb

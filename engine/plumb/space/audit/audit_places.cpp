@@ -1,0 +1,426 @@
+// Step 2 of audit(): points, lines and planes, one item and its neighbours at a time.
+//
+// Directions in a plane n are sign (n x m) for another plane m of the line. Seen from the positive
+// side of n, s (n x m) turns to t (n x k) counter-clockwise exactly when s t det3(n, m, k) is
+// positive.
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "plumb/predicates/plane_signs.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/audit/audit_parts.h"
+#include "plumb/space/planar/facet_site.h"
+
+namespace plumb {
+namespace {
+
+class PlaceAudit : SpaceAuditPart {
+ public:
+  PlaceAudit(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan, Context& context)
+      : SpaceAuditPart(complex, context, 1), has_fan_(has_fan) {}
+
+  std::optional<SpaceFlaw> run() {
+    static_cast<void>(has_distinct_planes() && has_distinct_vertices() && has_true_edges() &&
+                      has_uses_in_their_planes() && has_turning_rings() && has_sound_stars());
+    return flaw_;
+  }
+
+ private:
+  // ---- planes and points
+
+  struct Keyed {
+    Fingerprint print;
+    std::uint32_t item;
+  };
+  /// The items whose fingerprint another one has, too, by fingerprint. Where an item is alone in a
+  /// place that its low bits name, it has no equal: few are left to be sorted.
+  static std::vector<Keyed> with_equal_prints(std::span<const Fingerprint> prints) {
+    std::vector<std::uint8_t> seen(std::bit_ceil(8 * prints.size() + 1));
+    const auto place = [&](Fingerprint print) -> std::uint8_t& {
+      return seen[print & (seen.size() - 1)];
+    };
+    for (const Fingerprint print : prints) {
+      std::uint8_t& times = place(print);
+      times = times == 0 ? 1 : 2;
+    }
+    std::vector<Keyed> items;
+    for (std::uint32_t i = 0; i < prints.size(); ++i) {
+      if (place(prints[i]) == 2) items.push_back({prints[i], i});
+    }
+    std::ranges::stable_sort(items, {}, &Keyed::print);
+    return items;
+  }
+  /// Looks for equal items among those of one fingerprint, which is_before() orders, and
+  /// are_equal() compares.
+  template <class Before, class Equal>
+  static std::optional<std::pair<std::uint32_t, std::uint32_t>> find_equal(std::vector<Keyed> items,
+                                                                           const Before& is_before,
+                                                                           const Equal& are_equal) {
+    for (auto first = items.begin(), last = first; first != items.end(); first = last) {
+      while (last != items.end() && last->print == first->print) ++last;
+      if (last - first > 2) std::sort(first, last, is_before);
+      const auto equal = std::adjacent_find(first, last, are_equal);
+      if (equal != last) return std::minmax(equal->item, std::next(equal)->item);
+    }
+    return std::nullopt;
+  }
+
+  bool has_distinct_planes() {
+    const PlaneTable& planes = c_.planes();
+    std::vector<Fingerprint> prints(planes.size());
+    for (std::uint32_t i = 0; i < prints.size(); ++i) prints[i] = planes.fingerprint(PlaneId(i));
+    const auto key = [&](const Keyed& k) {
+      step_();
+      return std::pair(planes.is_frame(PlaneId(k.item)), planes.primitive(PlaneId(k.item)));
+    };
+    const auto equal = find_equal(
+        with_equal_prints(prints), [&](const Keyed& p, const Keyed& q) { return key(p) < key(q); },
+        [&](const Keyed& p, const Keyed& q) { return key(p) == key(q); });
+    if (!equal) return true;
+    return fail("planes are different",
+                "planes " + std::to_string(equal->first) + ", " + std::to_string(equal->second));
+  }
+
+  /// Equal points have equal fingerprints.
+  bool has_distinct_vertices() {
+    const auto point = [this](const Keyed& k) {
+      step_();
+      return at(VertexId(k.item));
+    };
+    const auto equal_vertices = find_equal(
+        with_equal_prints(prints_of_vertices()),
+        [&](const Keyed& v, const Keyed& w) {
+          return compare_xyz(c_.points(), point(v), point(w)) == Sign::Negative;
+        },
+        [&](const Keyed& v, const Keyed& w) { return equal(c_.points(), point(v), point(w)); });
+    if (!equal_vertices) return true;
+    const auto [v, w] = *equal_vertices;
+    return fail_at("vertices have different points", VertexId(v), VertexId(w));
+  }
+
+  std::vector<Fingerprint> prints_of_vertices() {
+    constexpr std::size_t kBlock = 4096;
+    std::vector<Fingerprint> prints;
+    prints.reserve(c_.vertex_count());
+    while (prints.size() < c_.vertex_count()) {
+      step_.checkpoint();
+      const std::size_t count = std::min(kBlock, c_.vertex_count() - prints.size());
+      const auto block =
+          fingerprints(c_.points(), std::span(c_.vertex_point).subspan(prints.size(), count));
+      prints.insert(prints.end(), block.begin(), block.end());
+    }
+    return prints;
+  }
+
+  bool lies_on(VertexId v, PlaneId p) const {
+    const SpacePoint x = at(v);
+    if (x.is_input() && c_.planes().source(p).has_point(x.input())) return true;
+    return side(c_.points(), x, p) == Sign::Zero;
+  }
+  bool are_parallel(PlaneId p, PlaneId q) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (minor_sign(c_.planes(), p, q, axis) != Sign::Zero) return false;
+    }
+    return true;
+  }
+
+  /// Where all uses lie in the planes of their facets, edges lie in those, too, without another
+  /// look.
+  bool has_true_edges() {
+    are_uses_flat_ = have_uses_their_planes();
+    return all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) {
+      const auto& [p, q] = c_.edge_planes[e.value()];
+      const bool lies_in_both = are_uses_flat_ && has_facet_in(e, p) && has_facet_in(e, q);
+      return (p != q && lies_in_both && runs_forward(e)) || is_true_edge(e);
+    });
+  }
+  bool is_true_edge(EdgeId e) {
+    const auto& [p, q] = c_.edge_planes[e.value()];
+    if (!require(p != q && !are_parallel(p, q), "the planes of an edge cross", e)) return false;
+    for (const std::uint32_t h : {2 * e.value(), 2 * e.value() + 1}) {
+      const VertexId v = c_.origin[h];
+      if (!require(lies_on(v, p) && lies_on(v, q), "the ends of an edge lie on its planes", e, v)) {
+        return false;
+      }
+    }
+    return require(runs_forward(e), "an edge runs as its planes say", e);
+  }
+  /// Requires ends that lie on its planes. Never along parallel planes.
+  bool runs_forward(EdgeId e) const {
+    const auto& [p, q] = c_.edge_planes[e.value()];
+    const SpacePoint from = at(c_.origin[2 * e.value()]), to = at(c_.origin[2 * e.value() + 1]);
+    const PointBox start = c_.points().box(from), end = c_.points().box(to);
+    std::size_t axis = 0;  // where they are farthest apart
+    for (std::size_t i = 1; i < 3; ++i) {
+      if (std::fabs(end.mid[i] - start.mid[i]) > std::fabs(end.mid[axis] - start.mid[axis]))
+        axis = i;
+    }
+    const FilteredSign rises = rung::compare_axis_filter(end, start, axis);
+    if (is_decided(rises)) return decided(rises) == minor_sign(c_.planes(), p, q, axis);
+    return order_along_line(c_.points(), p, q, from, to) == Sign::Positive;
+  }
+  /// One of the first two around it.
+  bool has_facet_in(EdgeId e, PlaneId p) const {
+    const UseId u = c_.edge_use[e.value()];
+    return u.is_valid() && (plane(u) == p || plane(c_.use_radial[u.value()]) == p);
+  }
+
+  bool lies_in_its_plane(UseId u) const {  // where it ends the next one of its cycle begins
+    return lies_on(c_.use_origin(u), plane(u));
+  }
+  bool have_uses_their_planes() const {
+    return all_of<UseId>(c_.use_count(), [this](UseId u) { return lies_in_its_plane(u); });
+  }
+  bool has_uses_in_their_planes() {
+    return are_uses_flat_ || all_of<UseId>(c_.use_count(), [this](UseId u) {
+             return require(lies_in_its_plane(u), "the edges of a facet lie in its plane", u,
+                            facet(u));
+           });
+  }
+
+  // ---- around an edge
+
+  /// From the facet of one use to that of another, about half-edge 2e. Facets turn as their normals
+  /// do, pointing the other way at uses of 2e + 1.
+  Sign turn_about_edge(EdgeId e, UseId u, UseId w) const {
+    const auto& [p, q] = c_.edge_planes[e.value()];
+    const Sign turn = turn_about_line(c_.planes(), p, q, plane(u), plane(w));
+    return is_reverse(u) == is_reverse(w) ? turn : -turn;
+  }
+  bool is_reverse(UseId u) const { return SpaceComplex::is_reverse(halfedge(u)); }
+  /// 0: the same, 1: below half a turn, 2: half a turn, 3: more.
+  int turn_class(EdgeId e, UseId u, UseId w) const {
+    const Sign turn = turn_about_edge(e, u, w);
+    if (turn != Sign::Zero) return turn == Sign::Positive ? 1 : 3;
+    return is_reverse(u) == is_reverse(w) ? 0 : 2;
+  }
+
+  bool has_turning_rings() {
+    return all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) {
+      return !c_.edge_use[e.value()].is_valid() || has_turning_ring(e);
+    });
+  }
+  bool has_turning_ring(EdgeId e) {
+    const UseId first = c_.edge_use[e.value()], second = c_.use_radial[first.value()];
+    if (c_.use_radial[second.value()] == first && plane(first) != plane(second)) return true;
+    UseId before = first;
+    int turned_before = 0;
+    for (UseId u = second; u != first; u = c_.use_radial[u.value()]) {
+      step_();
+      const int turned = turn_class(e, first, u);
+      const bool is_after =
+          turned > turned_before ||
+          (turned == turned_before && turn_about_edge(e, before, u) == Sign::Positive);
+      if (!require(turned != 0 && is_after, "facets turn counter-clockwise around an edge", e, u)) {
+        return false;
+      }
+      before = u;
+      turned_before = turned;
+    }
+    return true;
+  }
+
+  // ---- around a vertex
+
+  struct DirectionInPlane {
+    PlaneId m;
+    Sign sign;
+    DirectionInPlane opposite() const { return {m, -sign}; }
+  };
+  Sign coordinate_sign(HalfedgeId h, std::size_t axis) const {
+    const auto& [p, q] = c_.edge_planes[h.value() / 2];
+    const Sign s = minor_sign(c_.planes(), p, q, axis);
+    return SpaceComplex::is_reverse(h) ? -s : s;
+  }
+  DirectionInPlane direction_in_plane(PlaneId n, HalfedgeId h) const {
+    const OtherPlane m = other_plane(c_, SpaceComplex::edge_of(h), n);
+    return {m.plane, SpaceComplex::is_reverse(h) ? -m.turn : m.turn};
+  }
+  Sign turn_in_plane(PlaneId n, DirectionInPlane a, DirectionInPlane b) const {
+    return a.sign * b.sign * det3_sign(c_.planes(), n, a.m, b.m);
+  }
+  /// Of two directions on one line.
+  bool are_opposite(PlaneId n, DirectionInPlane a, DirectionInPlane b) const {
+    std::size_t axis = 0;
+    while (minor_sign(c_.planes(), n, a.m, axis) == Sign::Zero) ++axis;
+    return a.sign * minor_sign(c_.planes(), n, a.m, axis) !=
+           b.sign * minor_sign(c_.planes(), n, b.m, axis);
+  }
+  /// From a to b, counter-clockwise: 0: no turn, 1: below half a turn, 2: half a turn, 3: more.
+  int turn_class(PlaneId n, DirectionInPlane a, DirectionInPlane b) const {
+    const Sign turn = turn_in_plane(n, a, b);
+    if (turn != Sign::Zero) return turn == Sign::Positive ? 1 : 3;
+    return are_opposite(n, a, b) ? 2 : 0;
+  }
+
+  /// Around a vertex with a fan directions differ, and corners lie side by side.
+  bool has_sound_stars() {
+    return all_of<VertexId>(c_.vertex_count(), [this](VertexId v) {
+      if (has_fan_[v.value()] != 0) return true;
+      const std::vector<UseId> corners = corners_at(v);
+      return has_distinct_directions(v) && has_undivided_corners(v, corners) &&
+             has_corners_apart(v, corners) && has_undivided_disk(v, corners);
+    });
+  }
+
+  bool lies_on(HalfedgeId h, PlaneId p) const { return lies_on(c_.target(h), p); }
+
+  /// One line through the vertex leaves it in at most two directions.
+  bool has_distinct_directions(VertexId v) {
+    const auto star = c_.star_of(v);
+    for (std::size_t i = 0; i < star.size(); ++i) {
+      for (std::size_t j = i + 1; j < star.size(); ++j) {
+        const HalfedgeId g = star[i], h = star[j];
+        step_();
+        if (!is_on_line_of(g, h)) continue;
+        if (!require(leave_oppositely(g, h), "edges leave a vertex in different directions", v, g,
+                     h)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+  bool is_on_line_of(HalfedgeId g, HalfedgeId h) const {
+    const auto& [p, q] = c_.edge_planes[g.value() / 2];
+    return lies_on(h, p) && lies_on(h, q);
+  }
+  bool leave_oppositely(HalfedgeId g, HalfedgeId h) const {
+    std::size_t axis = 0;
+    while (coordinate_sign(g, axis) == Sign::Zero) ++axis;
+    return coordinate_sign(g, axis) == -coordinate_sign(h, axis);
+  }
+
+  /// The uses that leave the vertex, by plane.
+  std::vector<UseId> corners_at(VertexId v) const {
+    std::vector<UseId> corners;
+    for (const HalfedgeId h : c_.star_of(v)) add_corners(h, corners);
+    std::sort(corners.begin(), corners.end(),
+              [&](UseId u, UseId w) { return plane(u) < plane(w); });
+    return corners;
+  }
+  void add_corners(HalfedgeId h, std::vector<UseId>& corners) const {
+    const UseId first = c_.edge_use[h.value() / 2];
+    if (!first.is_valid()) return;
+    UseId u = first;
+    do {
+      if (halfedge(u) == h) corners.push_back(u);
+      u = c_.use_radial[u.value()];
+    } while (u != first);
+  }
+
+  bool has_undivided_corners(VertexId v, const std::vector<UseId>& corners) {
+    for (auto first = corners.begin(); first != corners.end();) {
+      const auto last =
+          std::find_if(first, corners.end(), [&](UseId u) { return plane(u) != plane(*first); });
+      if (!has_undivided_corners_in_plane(v, {first, last})) return false;
+      first = last;
+    }
+    return true;
+  }
+  /// Corners of one plane, met in counter-clockwise order: each ends at the edge that comes next.
+  bool has_undivided_corners_in_plane(VertexId v, const std::vector<UseId>& corners) {
+    const PlaneId n = plane(corners.front());
+    const std::vector<HalfedgeId> around = edges_in_plane(v, n, halfedge(corners.front()));
+    UseId inside;
+    for (std::size_t i = 0; i <= around.size(); ++i) {
+      step_();
+      const HalfedgeId h = around[i % around.size()];
+      if (!require(!inside.is_valid() || corner_end(inside) == h,
+                   "a corner turns to the next edge in its plane", v, inside, h)) {
+        return false;
+      }
+      const auto starting =
+          std::find_if(corners.begin(), corners.end(), [&](UseId u) { return halfedge(u) == h; });
+      inside = starting == corners.end() ? UseId() : *starting;
+    }
+    return true;
+  }
+  /// Counter-clockwise from `first` on.
+  std::vector<HalfedgeId> edges_in_plane(VertexId v, PlaneId n, HalfedgeId first) const {
+    std::vector<std::pair<HalfedgeId, DirectionInPlane>> edges;
+    for (const HalfedgeId h : c_.star_of(v)) {
+      if (lies_on(h, n)) edges.emplace_back(h, direction_in_plane(n, h));
+    }
+    const DirectionInPlane start = direction_in_plane(n, first);
+    std::sort(edges.begin(), edges.end(), [&](const auto& g, const auto& h) {
+      const int a = turn_class(n, start, g.second), b = turn_class(n, start, h.second);
+      return a != b ? a < b : turn_in_plane(n, g.second, h.second) == Sign::Positive;
+    });
+    std::vector<HalfedgeId> result;
+    result.reserve(edges.size());
+    for (const auto& edge : edges) result.push_back(edge.first);
+    return result;
+  }
+
+  /// Does a direction in the plane of a corner lie strictly inside it?
+  bool holds(UseId corner, DirectionInPlane d) const {
+    const PlaneId n = plane(corner);
+    const DirectionInPlane from = direction_in_plane(n, halfedge(corner));
+    const DirectionInPlane to = direction_in_plane(n, corner_end(corner));
+    const int at = turn_class(n, from, d), end = turn_class(n, from, to);
+    if (at == 0 || end == 0) return at != 0;
+    return at != end ? at < end : turn_in_plane(n, d, to) == Sign::Positive;
+  }
+
+  /// Corners in different planes have at most the two directions of their common line in common.
+  bool has_corners_apart(VertexId v, const std::vector<UseId>& corners) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      for (std::size_t j = i + 1; j < corners.size(); ++j) {
+        step_();
+        if (!require(!cross(corners[i], corners[j]), "corners do not cross", v, corners[i],
+                     corners[j])) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+  bool cross(UseId u, UseId w) const {
+    const PlaneId n = plane(u), m = plane(w);
+    if (n == m) return false;
+    const DirectionInPlane in_n{m, Sign::Positive}, in_m{n, Sign::Negative};  // n x m = -(m x n)
+    return (holds(u, in_n) && holds(w, in_m)) ||
+           (holds(u, in_n.opposite()) && holds(w, in_m.opposite()));
+  }
+
+  bool has_undivided_disk(VertexId v, const std::vector<UseId>& corners) {
+    const FacetId f = c_.vertex_facet[v.value()];
+    if (!f.is_valid()) return true;
+    if (!require(lies_on(v, plane(f)), "a vertex inside a facet lies in its plane", v, f)) {
+      return false;
+    }
+    for (const HalfedgeId h : c_.star_of(v)) {
+      if (!require(!lies_on(h, plane(f)), "no edge leaves a vertex within the facet around it", v,
+                   h)) {
+        return false;
+      }
+    }
+    for (const UseId u : corners) {
+      const DirectionInPlane common{plane(f), Sign::Positive};
+      if (!require(!holds(u, common) && !holds(u, common.opposite()),
+                   "no corner passes the facet around its vertex", v, u)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  std::span<const std::uint8_t> has_fan_;  ///< per vertex
+  bool are_uses_flat_ = false;             ///< do all lie in the planes of their facets?
+};
+
+}  // namespace
+
+std::optional<SpaceFlaw> audit_places(const SpaceComplex& complex,
+                                      std::span<const std::uint8_t> has_fan, Context& context) {
+  return PlaceAudit(complex, has_fan, context).run();
+}
+
+}  // namespace plumb

@@ -1,0 +1,343 @@
+#include "plumb/space/boolean/boolean_op.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+#include "plumb/base/internal/parallel.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/boolean/combiner.h"
+#include "plumb/space/complex/space_boxes.h"
+#include "plumb/space/complex/tidy_tables.h"
+
+namespace plumb {
+
+namespace {
+
+constexpr const char* kMemoryName = "a Boolean of space";
+
+SpaceComplex joined(CombinedDraft draft, Context& context) {
+  SpaceComplex result = join(std::move(draft.vertices), context);
+  if (result.vertex_count() == 0) result.volume_mark[0] = draft.outside;
+  return result;
+}
+
+std::uint32_t lesser_origin(std::uint32_t first, std::uint32_t second) {
+  return std::min(first, second);
+}
+
+/// The complex with the ids of merged tables.
+void translate(SpaceComplex& complex, const TableMap& map) {
+  for (SpacePoint& p : complex.vertex_point) p = map(p);
+  for (auto& planes : complex.edge_planes) {
+    for (PlaneId& p : planes) p = map(p);
+  }
+  for (PlaneId& p : complex.facet_plane) p = map(p);
+}
+
+}  // namespace
+
+std::shared_ptr<SpaceTables> unite_tables(SpaceComplex& a, SpaceComplex& b) {
+  const bool is_shared = a.tables == b.tables;
+  if (is_shared) b.tables.reset();
+  const bool is_own = a.tables.use_count() == 1;
+  // What another thread read before it let go of them comes before what is written here.
+  if (is_own) std::atomic_thread_fence(std::memory_order_acquire);
+  auto tables = is_own ? std::const_pointer_cast<SpaceTables>(a.tables) : copy(*a.tables);
+  if (!is_shared) translate(b, merge(*tables, *b.tables));
+  a.tables = b.tables = tables;
+  return tables;
+}
+
+namespace {
+
+/// With one thread where there is so little to do that more cost more than they bring.
+Context with_useful_threads(const SpaceComplex& a, const SpaceComplex& b, const Context& context) {
+  constexpr std::size_t kLeastUses = 4000;
+  const bool is_small = a.use_count() + b.use_count() < kLeastUses;
+  return Context(context, std::stop_token(), is_small ? 1U : context.threads(), true);
+}
+
+/// Of the draft and what is joined: its arrays have so many bytes for each corner of a facet, and
+/// for all that a contact adds: pairs of items, a point of the tables, a vertex with its map.
+std::uint64_t draft_bytes(std::size_t uses, std::size_t contacts) {
+  constexpr std::uint64_t kBytesPerUse = 60, kBytesPerContact = 600;
+  return kBytesPerUse * uses + kBytesPerContact * contacts;
+}
+
+/// Phases 2 to 6. What they take until the draft is joined is charged to `memory`.
+CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
+                       const SpaceComplex& b, const MarkTable& f, const CommonOrigin& origin,
+                       MemoryCharge& memory, Context& context) {
+  const std::vector<Contact> contacts = meet(a, b, *tables, context);
+  memory.add(draft_bytes(a.use_count() + b.use_count(), contacts.size()), kMemoryName);
+  const std::array<const SpaceComplex*, 2> operands{&a, &b};
+  std::array<std::optional<TouchedComplex>, 2> touched;
+  std::array<std::vector<VolumeId>, 2> labels;
+  run_jobs(context, 2, [&](std::size_t i, Context& own) {
+    touched[i].emplace(*operands[i], contacts, i);
+    labels[i] = label_vertices(*touched[i], *operands[1 - i], contacts, i, *tables, own);
+  });
+  Combiner combiner(operands, tables, contacts, f, origin);
+  if (context.threads() == 1) {  // nothing to be put together
+    combiner.overlay_contacts(context);
+    for (const std::size_t i : {0U, 1U}) combiner.keep_vertices(i, *touched[i], labels[i], context);
+    return combiner.finish();
+  }
+  constexpr std::size_t kContactsAtOnce = 512;
+  const std::size_t overlays = (contacts.size() + kContactsAtOnce - 1) / kContactsAtOnce;
+  std::vector<std::optional<Combiner>> parts(overlays + 2);
+  run_jobs(context, parts.size(), [&](std::size_t job, Context& own) {
+    Combiner& part = parts[job].emplace(operands, tables, contacts, f, origin);
+    if (job < overlays) {
+      const std::size_t begin = job * kContactsAtOnce;
+      part.overlay_contacts(begin, std::min(begin + kContactsAtOnce, contacts.size()), own);
+    } else {
+      const std::size_t i = job - overlays;
+      part.keep_vertices(i, *touched[i], labels[i], own);
+    }
+  });
+  combiner.append(parts);
+  return combiner.finish();
+}
+
+}  // namespace
+
+SpaceComplex boolean_op(SpaceComplex a, SpaceComplex b, MarkFunction f, Context& context) {
+  Context own = with_useful_threads(a, b, context);
+  MemoryCharge memory(context);
+  memory.add(memory_bytes(a) + memory_bytes(b), kMemoryName);
+  const std::shared_ptr<SpaceTables> tables = unite_tables(a, b);
+  CombinedDraft draft = draft_of(tables, a, b, MarkTable(f), lesser_origin, memory, own);
+  a = b = {};  // the peak of memory is yet to come
+  return joined(std::move(draft), own);
+}
+
+SpaceComplex combine_on(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
+                        const SpaceComplex& b, const MarkTable& f, const CommonOrigin& origin,
+                        Context& context) {
+  Context own = with_useful_threads(a, b, context);
+  MemoryCharge memory(context);
+  return joined(draft_of(tables, a, b, f, origin, memory, own), own);
+}
+
+namespace {
+
+/// On the plane, above it, below it.
+std::array<Mark, 3> marks_of(PlaneSet h) {
+  switch (h) {
+    case PlaneSet::OpenBelow:
+      return {0, 0, 1};
+    case PlaneSet::ClosedBelow:
+      return {1, 0, 1};
+    case PlaneSet::OpenAbove:
+      return {0, 1, 0};
+    case PlaneSet::ClosedAbove:
+      return {1, 1, 0};
+    case PlaneSet::BeyondBelow:
+      return {kBeyond, 0, kBeyond};
+    case PlaneSet::BeyondAbove:
+      return {kBeyond, kBeyond, 0};
+    case PlaneSet::Plane:
+      break;
+  }
+  return {1, 0, 0};
+}
+
+/// A plane as an operand: one facet without boundary, above it volume 0, below it volume 1.
+SpaceComplex plane_operand(std::shared_ptr<const SpaceTables> tables, PlaneId plane, PlaneSet h) {
+  SpaceComplex out;
+  out.tables = std::move(tables);
+  out.star_begin = {0};
+  out.facet_plane = {plane};
+  out.facet_volume = {{VolumeId(0), VolumeId(1)}};
+  out.facet_origin = {SphereMap::kNone};
+  const auto [on, above, below] = marks_of(h);
+  out.facet_mark = {on};
+  out.volume_mark = {above, below};
+  return out;
+}
+
+/// Where vertices and edges touch the plane; the other vertices lie above or below.
+void meet_plane(const SpaceComplex& a, PlaneId plane, SpaceTables& tables,
+                std::vector<Contact>& contacts, std::vector<VolumeId>& labels) {
+  std::vector<Sign> sides(a.vertex_count());
+  labels.resize(a.vertex_count());
+  for (std::uint32_t v = 0; v < a.vertex_count(); ++v) {
+    sides[v] = side(tables.points, a.vertex_point[v], plane);
+    if (sides[v] == Sign::Zero) {
+      contacts.push_back({VertexId(v), FacetId(0), a.vertex_point[v]});
+    } else {
+      labels[v] = VolumeId(sides[v] == Sign::Positive ? 0 : 1);
+    }
+  }
+  for (std::uint32_t e = 0; e < a.edge_count(); ++e) {
+    const Sign from = sides[a.origin[2 * e].value()], to = sides[a.origin[2 * e + 1].value()];
+    if (from * to != Sign::Negative) continue;
+    const auto& [p, q] = a.edge_planes[e];
+    contacts.push_back({EdgeId(e), FacetId(0), tables.points.add(p, q, plane)});
+  }
+}
+
+}  // namespace
+
+SpaceComplex combine_with_plane(SpaceComplex first, OrientedPlane plane, PlaneSet h, MarkFunction f,
+                                const std::shared_ptr<SpaceTables>& tables, Context& context) {
+  MemoryCharge memory(context);
+  memory.add(memory_bytes(first), kMemoryName);
+  first.tables = tables;
+  if (plane.is_opposite()) h = opposite(h);
+  const SpaceComplex second = plane_operand(tables, plane.plane(), h);
+  std::vector<Contact> contacts;
+  std::vector<VolumeId> labels;
+  meet_plane(first, plane.plane(), *tables, contacts, labels);
+  memory.add(draft_bytes(first.use_count(), contacts.size()), kMemoryName);
+  const TouchedComplex touched(first, contacts, 0);
+  const CommonOrigin origin = lesser_origin;
+  Combiner combiner({&first, &second}, tables, contacts, MarkTable(f), origin);
+  combiner.overlay_contacts(context);
+  combiner.keep_vertices(0, touched, labels, context);
+  return joined(combiner.finish(), context);
+}
+
+namespace {
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// Ids that are not valid stay so.
+template <class Id>
+void append_shifted(std::vector<Id>& all, const std::vector<Id>& more, std::size_t shift) {
+  for (const Id id : more) all.push_back(id.is_valid() ? Id(id.value() + shift) : id);
+}
+
+void append_begins(std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& more,
+                   std::size_t shift) {
+  for (std::size_t i = 1; i < more.size(); ++i) {
+    all.push_back(more[i] + static_cast<std::uint32_t>(shift));
+  }
+}
+
+/// Volume 0 is common.
+class VolumeShift {
+ public:
+  explicit VolumeShift(std::size_t volumes_before)
+      : shift_(static_cast<std::uint32_t>(volumes_before - 1)) {}
+  VolumeId operator()(VolumeId v) const {
+    return v.is_valid() && v.value() != 0 ? VolumeId(v.value() + shift_) : v;
+  }
+
+ private:
+  std::uint32_t shift_;
+};
+
+/// Ways from a box to infinity along the axes, and which of them are free.
+class Ways {
+ public:
+  explicit Ways(const Box3& from) : from_(from) {
+    ways_.fill(from);
+    for (std::size_t i = 0; i < 3; ++i) {
+      ways_[2 * i].low[i] = -Box3::kInfinity;
+      ways_[2 * i + 1].high[i] = Box3::kInfinity;
+    }
+  }
+  /// False: the box itself is met, or no way is left.
+  bool obstruct(const Box3& by) {
+    if (by.meets(from_)) return false;
+    for (std::size_t w = 0; w < ways_.size(); ++w) {
+      if (by.meets(ways_[w])) is_free_[w] = false;
+    }
+    return std::ranges::find(is_free_, true) != is_free_.end();
+  }
+
+ private:
+  Box3 from_;
+  std::array<Box3, 6> ways_;
+  std::array<bool, 6> is_free_ = {true, true, true, true, true, true};
+};
+
+/// Can the box be taken to infinity without meeting the boundary?
+bool is_beyond(const SpaceComplex& complex, const Box3& box) {
+  Ways ways(box);
+  for (std::size_t f = 0; f < complex.facet_count(); ++f) {
+    if (!ways.obstruct(box_of(complex, FacetId(f)))) return false;
+  }
+  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
+    if (complex.edge_use[e].is_valid()) continue;
+    if (!ways.obstruct(box_of(complex, EdgeId(e)))) return false;
+  }
+  for (std::size_t v = 0; v < complex.vertex_count(); ++v) {
+    if (!complex.star_of(VertexId(v)).empty()) continue;
+    if (!ways.obstruct(box_of(complex, VertexId(v)))) return false;
+  }
+  return true;
+}
+
+bool is_beyond(std::span<const Box3> parts, const Box3& box) {
+  Ways ways(box);
+  return std::ranges::all_of(parts, [&](const Box3& part) { return ways.obstruct(part); });
+}
+
+Box3 around(std::span<const Box3> parts) {
+  Box3 all;
+  for (const Box3& part : parts) all.add(part);
+  return all;
+}
+
+}  // namespace
+
+bool are_apart(const BoxedComplex& a, const BoxedComplex& b) {
+  if (a.complex.vertex_count() == 0 || b.complex.vertex_count() == 0) return false;
+  const Box3 of_a = around(a.parts), of_b = around(b.parts);
+  if (!of_a.meets(of_b) || is_beyond(a.parts, of_b) || is_beyond(b.parts, of_a)) return true;
+  const bool is_a_larger = a.complex.facet_count() > b.complex.facet_count();
+  return is_a_larger ? is_beyond(a.complex, of_b) : is_beyond(b.complex, of_a);
+}
+
+SpaceComplex appended(SpaceComplex a, SpaceComplex b) {
+  unite_tables(a, b);
+  const std::size_t vertices = a.vertex_count(), edges = a.edge_count(), uses = a.use_count(),
+                    facets = a.facet_count();
+  const VolumeShift volume(a.volume_count());
+  append(a.vertex_point, b.vertex_point);
+  append(a.vertex_mark, b.vertex_mark);
+  for (const VolumeId v : b.vertex_volume) a.vertex_volume.push_back(volume(v));
+  append_shifted(a.vertex_facet, b.vertex_facet, facets);
+  append_begins(a.star_begin, b.star_begin, a.star.size());
+  append_shifted(a.star, b.star, 2 * edges);
+
+  append(a.edge_planes, b.edge_planes);
+  append(a.edge_mark, b.edge_mark);
+  append_shifted(a.edge_use, b.edge_use, uses);
+  for (const VolumeId v : b.edge_volume) a.edge_volume.push_back(volume(v));
+  append_shifted(a.origin, b.origin, vertices);
+
+  append_shifted(a.use_halfedge, b.use_halfedge, 2 * edges);
+  append_shifted(a.use_next, b.use_next, uses);
+  append_shifted(a.use_prev, b.use_prev, uses);
+  append_shifted(a.use_radial, b.use_radial, uses);
+  append_shifted(a.use_facet, b.use_facet, facets);
+
+  append(a.facet_plane, b.facet_plane);
+  append(a.facet_mark, b.facet_mark);
+  for (const auto& [above, below] : b.facet_volume) {
+    a.facet_volume.push_back({volume(above), volume(below)});
+  }
+  append(a.facet_origin, b.facet_origin);
+  append_begins(a.cycle_begin, b.cycle_begin, a.cycle.size());
+  append_shifted(a.cycle, b.cycle, uses);
+  append_begins(a.inner_begin, b.inner_begin, a.inner.size());
+  append_shifted(a.inner, b.inner, vertices);
+  a.volume_mark.insert(a.volume_mark.end(), b.volume_mark.begin() + 1, b.volume_mark.end());
+  return a;
+}
+
+}  // namespace plumb

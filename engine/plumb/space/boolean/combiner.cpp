@@ -1,0 +1,249 @@
+#include "plumb/space/boolean/combiner.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/planar/nest_cycles.h"
+
+namespace plumb {
+
+namespace {
+
+constexpr std::uint32_t kNone = SphereMap::kNone;
+constexpr std::size_t kRingsAtOnce = 128;  // their part of the draft stays in the cache
+
+std::uint64_t line_key(SpaceItem a, SpaceItem b) {
+  return (std::uint64_t{a.code()} << 32U) | b.code();
+}
+
+}  // namespace
+
+void Combiner::overlay_contacts(std::size_t begin, std::size_t end, Context& context) {
+  std::vector<std::uint32_t> origin_ids;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (i % 1024 == 0) context.checkpoint("overlay", i, contacts_.size());
+    const Contact& c = contacts_[i];
+    local_map(*operands_[0], c.a, local_[0]);
+    local_map(*operands_[1], c.b, local_[1]);
+    overlay_.boolean_op(local_[0].map, local_[1].map, table_, map_, origins_, &context);
+    const PyramidKind kind = classify(planes_, map_);
+    if (kind != PyramidKind::Vertex && kind != PyramidKind::Edge) continue;
+    origin_ids.clear();
+    for (const auto& pair : origins_.arc) origin_ids.push_back(facet_origin(pair));
+    const auto offsets = draft_.add(c.point, map_, kind == PyramidKind::Edge, origin_ids);
+    for (std::uint32_t p = 0; p < map_.point_count(); ++p) add_contact_end(offsets.point + p, p);
+  }
+}
+
+void Combiner::keep_vertices(std::size_t operand, const TouchedComplex& own,
+                             std::span<const VolumeId> labels, Context& context) {
+  const SpaceComplex& complex = *operands_[operand];
+  MemoryCharge memory(context);  // of the carrier: its arrays of all half-edges and uses
+  memory.add(sizeof(std::uint32_t) * (complex.origin.size() + complex.use_count()),
+             "vertices that stay");
+  reserve(operand, own, labels);
+  VertexCarrier carrier(complex, draft_, overlay_);
+  std::vector<VertexCarrier::Remarked> rings;  // to be added before anything else
+  rings.reserve(kRingsAtOnce);
+  for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
+    if (v % 4096 == 0) context.checkpoint("vertices that stay", v, complex.vertex_count());
+    if (own.is_touched(VertexId(v))) continue;
+    const std::array<Mark, 3> becomes = marks_in(operand, labels[v]);
+    // What is constant here dissolves, but for the frame.
+    const bool is_constant = becomes[0] == becomes[1];
+    if (is_constant && complex.vertex_mark[v] != kBeyond) continue;
+    if (!is_constant && carrier.may_have_ring(VertexId(v))) {
+      rings.push_back({VertexId(v), becomes});
+      if (rings.size() == kRingsAtOnce) keep_rings(complex, rings, carrier);
+    } else {
+      keep_rings(complex, rings, carrier);
+      keep_vertex(complex, VertexId(v), becomes, is_constant, carrier);
+    }
+  }
+  keep_rings(complex, rings, carrier);
+  face_kept_ends(operand, own, labels, carrier.point_of());
+}
+
+/// Half-edges without contacts face their old twins; others wait for what is on their line.
+void Combiner::face_kept_ends(std::size_t operand, const TouchedComplex& own,
+                              std::span<const VolumeId> labels,
+                              std::span<const std::uint32_t> point_of) {
+  const SpaceComplex& complex = *operands_[operand];
+  for (std::uint32_t h = 0; h < point_of.size(); ++h) {
+    if (point_of[h] == kNone) continue;
+    const EdgeId e(h / 2);
+    const std::uint32_t opposite = point_of[h ^ 1U];
+    if (!own.is_touched(e) && opposite != kNone) {
+      draft_.twin[point_of[h]] = opposite;
+      continue;
+    }
+    const VolumeId around = labels[complex.origin[h].value()];
+    const std::uint64_t line = operand == 0 ? line_key(e, around) : line_key(around, e);
+    ends_.push_back({line, point_of[h], h % 2 == 0 ? Sign::Positive : Sign::Negative});
+  }
+}
+
+void Combiner::append(std::span<std::optional<Combiner>> parts) {
+  std::size_t vertices = 0, ends = 0;
+  SpaceDraft::Offsets sum{};
+  for (const std::optional<Combiner>& part : parts) {
+    const SpaceDraft::Offsets size = part->draft_.end();
+    sum = {sum.point + size.point, sum.arc + size.arc, sum.face + size.face};
+    vertices += part->draft_.vertex_count();
+    ends += part->ends_.size();
+  }
+  draft_.reserve_more(vertices, sum.point, sum.arc, sum.face);
+  ends_.reserve(ends);
+  for (std::optional<Combiner>& part : parts) {
+    const std::uint32_t offset = draft_.end().point;
+    draft_.append(part->draft_);
+    for (const LineEnd& end : part->ends_) {
+      ends_.push_back({end.line, end.point + offset, end.sign});
+    }
+    part.reset();
+  }
+}
+
+CombinedDraft Combiner::finish() {
+  pair_ends();
+  return {std::move(draft_), table_(operands_[0]->volume_mark[0], operands_[1]->volume_mark[0])};
+}
+
+/// What each mark of one operand becomes in a volume of the other.
+std::array<Mark, 3> Combiner::marks_in(std::size_t operand, VolumeId volume) const {
+  const Mark around = operands_[1 - operand]->volume_mark[volume.value()];
+  return {combined(operand, 0, around), combined(operand, 1, around), kBeyond};
+}
+
+/// Makes room for the vertices that stay: in most sets each has as many corners as edges, and two
+/// volumes.
+void Combiner::reserve(std::size_t operand, const TouchedComplex& own,
+                       std::span<const VolumeId> labels) {
+  const SpaceComplex& complex = *operands_[operand];
+  std::size_t vertices = 0, points = 0;
+  for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
+    if (own.is_touched(VertexId(v))) continue;
+    const std::array<Mark, 3> becomes = marks_in(operand, labels[v]);
+    if (becomes[0] == becomes[1]) continue;
+    ++vertices;
+    points += complex.star_of(VertexId(v)).size();
+  }
+  draft_.reserve_more(vertices, points, points, 2 * vertices);
+}
+
+/// Empties the list. Where several rings meet, one vertex goes alone.
+void Combiner::keep_rings(const SpaceComplex& complex, std::vector<VertexCarrier::Remarked>& rings,
+                          VertexCarrier& carrier) {
+  std::span<const VertexCarrier::Remarked> left = rings;
+  while (!left.empty()) {
+    left = left.subspan(carrier.add_rings(left));
+    if (left.empty()) break;
+    keep_vertex(complex, left.front().vertex, left.front().becomes, false, carrier);
+    left = left.subspan(1);
+  }
+  rings.clear();
+}
+
+void Combiner::keep_vertex(const SpaceComplex& complex, VertexId v,
+                           const std::array<Mark, 3>& becomes, bool may_dissolve,
+                           VertexCarrier& carrier) {
+  LocalMap& local = local_[0];
+  local_map(complex, v, local);
+  local.map.centre_mark = becomes[local.map.centre_mark];
+  for (auto* marks : {&local.map.point_mark, &local.map.arc_mark, &local.map.face_mark}) {
+    for (Mark& m : *marks) m = becomes[m];
+  }
+  if (may_dissolve) {
+    carrier.add_simplified(v, local);
+  } else {
+    carrier.add(v, local);
+  }
+}
+
+/// Where facets of both lie on each other, what common_origin_ makes of their ids.
+std::uint32_t Combiner::facet_origin(const SphereOrigins::Pair& cells) const {
+  const auto is_facet = [&](std::size_t i) {
+    return cells[i].is_valid() && cells[i].kind() == SphereCell::Kind::Arc;
+  };
+  const auto origin_in = [&](std::size_t i) {
+    return operands_[i]->facet_origin[local_[i].facet[cells[i].index()].value()];
+  };
+  if (is_facet(0)) return is_facet(1) ? common_origin_(origin_in(0), origin_in(1)) : origin_in(0);
+  PLUMB_CHECK(is_facet(1));
+  return origin_in(1);
+}
+
+/// `p` is a point of map_, the current overlay.
+void Combiner::add_contact_end(std::uint32_t draft_point, std::uint32_t p) {
+  const SphereOrigins::Pair& cells = origins_.point[p];
+  const SpaceItem a = local_[0].item(cells[0]), b = local_[1].item(cells[1]);
+  ends_.push_back({line_key(a, b), draft_point, sign_on_line(cells, map_.direction[p])});
+}
+
+Sign Combiner::sign_on_line(const SphereOrigins::Pair& cells, SphereDirection direction) const {
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (cells[i].kind() != SphereCell::Kind::Point) continue;
+    const HalfedgeId h = local_[i].halfedge[cells[i].index()];
+    return SpaceComplex::is_reverse(h) ? Sign::Negative : Sign::Positive;
+  }
+  const PlaneId p = local_[0].map.circle[cells[0].index()];
+  const PlaneId q = local_[1].map.circle[cells[1].index()];
+  return same_direction(planes_, p, q, direction.p, direction.q);
+}
+
+// ---------------------------------------------------------------- pairing
+
+void Combiner::pair_ends() {
+  std::sort(ends_.begin(), ends_.end(), [](const LineEnd& x, const LineEnd& y) {
+    return x.line != y.line ? x.line < y.line : x.point < y.point;
+  });
+  for (std::size_t i = 0; i < ends_.size();) {
+    std::size_t end = i + 1;
+    while (end < ends_.size() && ends_[end].line == ends_[i].line) ++end;
+    pair_line(std::span(ends_).subspan(i, end - i));
+    i = end;
+  }
+}
+
+void Combiner::pair_line(std::span<LineEnd> line) {
+  if (line.size() == 2 && line[0].sign != line[1].sign) {
+    face_each_other(line[0].point, line[1].point);
+    return;
+  }
+  sort_along(line);
+  PLUMB_CHECK(line.size() % 2 == 0);
+  for (std::size_t i = 0; i < line.size(); i += 2) {
+    PLUMB_CHECK(line[i].sign == Sign::Positive && line[i + 1].sign == Sign::Negative);
+    face_each_other(line[i].point, line[i + 1].point);
+  }
+}
+
+/// Along the reference direction of the line; of two ends at one vertex the one that looks back
+/// first.
+void Combiner::sort_along(std::span<LineEnd> line) {
+  const std::array<PlaneId, 2> planes = planes_of(line[0].line);
+  std::sort(line.begin(), line.end(), [&](const LineEnd& x, const LineEnd& y) {
+    const VertexId v = draft_.vertex_of_point[x.point], w = draft_.vertex_of_point[y.point];
+    if (v == w) return x.sign < y.sign;
+    return order_along_line(points_, planes[0], planes[1], draft_.vertex_point[v.value()],
+                            draft_.vertex_point[w.value()]) == Sign::Positive;
+  });
+}
+
+std::array<PlaneId, 2> Combiner::planes_of(std::uint64_t line) const {
+  const std::array<std::uint32_t, 2> codes{static_cast<std::uint32_t>(line >> 32U),
+                                           static_cast<std::uint32_t>(line)};
+  std::array<PlaneId, 2> facets;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const SpaceItem item = SpaceItem::from_code(codes[i]);
+    if (item.kind() == SpaceItem::Kind::Edge) return operands_[i]->edge_planes[item.index()];
+    if (item.kind() == SpaceItem::Kind::Facet) {
+      facets[i] = operands_[i]->facet_plane[item.index()];
+    }
+  }
+  return facets;
+}
+
+}  // namespace plumb

@@ -1,0 +1,387 @@
+#include "plumb/space/boolean/contact_leaves.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+#include "plumb/predicates/input/rung_counters.h"
+#include "plumb/space/complex/space_boxes.h"
+#include "plumb/space/planar/facet_site.h"
+#include "plumb/space/planar/flat_points.h"
+
+namespace plumb {
+
+Sign PlacedPoint::compare(SpacePoint x, std::size_t axis) const {
+  if (&own_ == &table_) return compare_axis(own_, x, at_, axis);
+  const FilteredSign s = rung::compare_axis_filter(own_.box(x), box_, axis);
+  if (is_decided(s)) return decide(Predicate::CompareAxis, Rung::Filter, s);
+  Point3Table both(own_.planes());
+  const auto copied = [&both](const Point3Table& from, SpacePoint p) {
+    return p.is_input() ? p : both.add(from.source(p), from.box(p));
+  };
+  const SpacePoint first = copied(own_, x), second = copied(table_, at_);
+  return compare_axis(both, first, second, axis);
+}
+
+FacetSlabs::FacetSlabs(const SpaceComplex& complex, FacetId f, Context& context)
+    : complex_(complex), facet_(f) {
+  const FlatView view = FlatView::of_plane(complex.planes(), complex.facet_plane[f.value()]);
+  across_ = view.coordinate(0);
+  up_ = view.coordinate(1);
+  make_columns(context);
+  level_.resize(vertex_.size());
+  for (const UseId first : complex.cycles_of(f)) {
+    UseId u = first;
+    do {
+      add_use(u);
+      u = complex.use_next[u.value()];
+    } while (u != first);
+  }
+  fill_lists(context);
+}
+
+// ---------------------------------------------------------------- building
+
+void FacetSlabs::make_columns(Context& context) {
+  const auto inner = complex_.inner_of(facet_);
+  ascending_.assign(inner.begin(), inner.end());
+  for (const UseId first : complex_.cycles_of(facet_)) {
+    UseId u = first;
+    do {
+      ascending_.push_back(complex_.use_origin(u));
+      u = complex_.use_next[u.value()];
+    } while (u != first);
+  }
+  std::sort(ascending_.begin(), ascending_.end());
+  ascending_.erase(std::unique(ascending_.begin(), ascending_.end()), ascending_.end());
+  const auto order = [this](VertexId v, VertexId w, std::size_t axis) {
+    return compare_axis(complex_.points(), complex_.vertex_point[v.value()],
+                        complex_.vertex_point[w.value()], axis);
+  };
+  vertex_ = ascending_;
+  std::uint64_t compared = 0;
+  std::sort(vertex_.begin(), vertex_.end(), [&](VertexId v, VertexId w) {
+    if (++compared % 4096 == 0) context.checkpoint("slabs of a facet", 0, 0);
+    const Sign height = order(v, w, up_);
+    return (height != Sign::Zero ? height : order(v, w, across_)) == Sign::Negative;
+  });
+  place_.resize(vertex_.size());
+  for (std::uint32_t i = 0; i < vertex_.size(); ++i) {
+    if (i == 0 || order(vertex_[i - 1], vertex_[i], up_) != Sign::Zero) column_begin_.push_back(i);
+    place_[static_cast<std::size_t>(std::ranges::lower_bound(ascending_, vertex_[i]) -
+                                    ascending_.begin())] = i;
+  }
+  column_begin_.push_back(static_cast<std::uint32_t>(vertex_.size()));
+}
+
+std::uint32_t FacetSlabs::place_of(VertexId v) const {
+  return place_[static_cast<std::size_t>(std::ranges::lower_bound(ascending_, v) -
+                                         ascending_.begin())];
+}
+
+/// The column of a place in vertex_.
+std::uint32_t FacetSlabs::column_of(std::uint32_t place) const {
+  return static_cast<std::uint32_t>(std::ranges::upper_bound(column_begin_, place) -
+                                    column_begin_.begin() - 1);
+}
+
+// Left of its use, seen from the positive side, is the facet; left of an edge that runs up lies
+// what is before it across.
+void FacetSlabs::add_use(UseId u) {
+  const HalfedgeId h = complex_.use_halfedge[u.value()];
+  std::uint32_t from = place_of(complex_.origin[h.value()]), to = place_of(complex_.target(h));
+  const EdgeId e = SpaceComplex::edge_of(h);
+  if (column_of(from) == column_of(to)) {  // edges hold no vertices: these are neighbours
+    level_[std::min(from, to)] = e;
+    return;
+  }
+  const OtherPlane other = other_plane(complex_, e, complex_.facet_plane[facet_.value()]);
+  const bool runs_up = from < to;
+  if (!runs_up) std::swap(from, to);
+  const Sign right = SpaceComplex::is_reverse(h) == runs_up ? -other.turn : other.turn;
+  rise_.push_back(
+      {vertex_[from], vertex_[to], e, other.plane, right, column_of(from), column_of(to)});
+}
+
+/// The nodes whose slabs the edge spans, but not all of their parents'. Leaf i is node slab_count()
+/// + i.
+template <class Visit>
+void FacetSlabs::for_nodes(const Rise& rise, const Visit& visit) const {
+  std::size_t first = rise.first_slab + slab_count(), end = rise.end_slab + slab_count();
+  for (; first < end; first /= 2, end /= 2) {
+    if (first % 2 == 1) visit(first++);
+    if (end % 2 == 1) visit(--end);
+  }
+}
+
+void FacetSlabs::fill_lists(Context& context) {
+  begin_.assign(2 * slab_count() + 1, 0);
+  for (const Rise& rise : rise_) {
+    for_nodes(rise, [this](std::size_t node) { ++begin_[node + 1]; });
+  }
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  entry_.resize(begin_.back());
+  std::vector<std::uint32_t> at(begin_.begin(), begin_.end() - 1);
+  for (std::uint32_t i = 0; i < rise_.size(); ++i) {
+    for_nodes(rise_[i], [&](std::size_t node) { entry_[at[node]++] = i; });
+  }
+  std::uint64_t compared = 0;
+  for (std::size_t node = 0; node + 1 < begin_.size(); ++node) {
+    std::sort(entry_.begin() + begin_[node], entry_.begin() + begin_[node + 1],
+              [&](std::uint32_t i, std::uint32_t j) {
+                if (++compared % 4096 == 0) context.checkpoint("slabs of a facet", 0, 0);
+                return i != j && is_before(rise_[i], rise_[j]);
+              });
+  }
+}
+
+/// Where a vertex of the facet lies from an edge, across.
+Sign FacetSlabs::beyond(const Rise& e, VertexId v) const {
+  if (v == e.low || v == e.high) return Sign::Zero;
+  return e.beyond * side(complex_.points(), complex_.vertex_point[v.value()], e.plane);
+}
+
+/// Two edges that span a common slab: the later one of the ends below it tells, or the earlier one
+/// of those above.
+bool FacetSlabs::is_before(const Rise& e, const Rise& f) const {
+  Sign order = e.first_slab >= f.first_slab ? -beyond(f, e.low) : beyond(e, f.low);
+  if (order == Sign::Zero) {
+    order = e.end_slab <= f.end_slab ? -beyond(f, e.high) : beyond(e, f.high);
+  }
+  return order == Sign::Positive;
+}
+
+// ---------------------------------------------------------------- queries
+
+SpaceItem FacetSlabs::site(const PlacedPoint& x) const {
+  const auto below = [&](std::uint32_t place) {
+    return x.compare(complex_.vertex_point[vertex_[place].value()], up_);
+  };
+  const auto columns = std::span(column_begin_).first(column_begin_.size() - 1);
+  const auto next = std::partition_point(columns.begin(), columns.end(), [&](std::uint32_t place) {
+    return below(place) == Sign::Negative;
+  });
+  auto column = static_cast<std::size_t>(next - columns.begin());
+  if (next != columns.end() && below(*next) == Sign::Zero) {
+    if (const SpaceItem item = on_column(column, x); item.is_valid()) return item;
+    ++column;
+  }
+  return column == 0 || column > slab_count() ? SpaceItem() : in_slab(column - 1, x);
+}
+
+/// A vertex or an edge along the column.
+SpaceItem FacetSlabs::on_column(std::size_t column, const PlacedPoint& x) const {
+  const auto before = [&](VertexId v) {
+    return x.compare(complex_.vertex_point[v.value()], across_);
+  };
+  const auto begin = vertex_.begin() + column_begin_[column];
+  const auto end = vertex_.begin() + column_begin_[column + 1];
+  const auto at =
+      std::partition_point(begin, end, [&](VertexId v) { return before(v) == Sign::Negative; });
+  if (at != end && before(*at) == Sign::Zero) return *at;
+  if (at == begin || at == end) return {};
+  const EdgeId e = level_[static_cast<std::size_t>(at - vertex_.begin()) - 1];
+  return e.is_valid() ? SpaceItem(e) : SpaceItem();
+}
+
+SpaceItem FacetSlabs::in_slab(std::size_t slab, const PlacedPoint& x) const {
+  std::size_t beyond = 0;
+  for (std::size_t node = slab + slab_count(); node > 0; node /= 2) {
+    const auto edges = list(node);
+    const auto side_of = [&](std::uint32_t i) { return rise_[i].beyond * x.side(rise_[i].plane); };
+    const auto at = std::partition_point(
+        edges.begin(), edges.end(), [&](std::uint32_t i) { return side_of(i) == Sign::Positive; });
+    if (at != edges.end() && side_of(*at) == Sign::Zero) return rise_[*at].edge;
+    beyond += static_cast<std::size_t>(edges.end() - at);
+  }
+  return beyond % 2 == 1 ? SpaceItem(facet_) : SpaceItem();
+}
+
+// ---------------------------------------------------------------- many facets
+
+FacetSites::FacetSites(const SpaceComplex& complex, std::span<const FacetId> large,
+                       Context& context)
+    : complex_(complex),
+      context_(context),
+      large_(large.begin(), large.end()),
+      state_(std::make_unique<Large[]>(large.size())) {}
+
+/// None for small facets, and for others as long as walks have cost less than slabs would.
+const FacetSlabs* FacetSites::slabs_of(FacetId f, Context& own) const {
+  constexpr std::uint32_t kWalks = 48;
+  const auto at = std::ranges::lower_bound(large_, f);
+  if (at == large_.end() || *at != f) return nullptr;
+  Large& large = state_[static_cast<std::size_t>(at - large_.begin())];
+  if (large.walks.load(std::memory_order_relaxed) < kWalks) {
+    large.walks.fetch_add(1, std::memory_order_relaxed);
+    return nullptr;
+  }
+  if (!large.is_made.load(std::memory_order_acquire)) make(f, large, own);
+  return &*large.slabs;
+}
+
+/// If nobody else has by now. Where it throws, the next one tries again.
+void FacetSites::make(FacetId f, Large& large, Context& own) const {
+  const std::lock_guard lock(large.making);
+  if (large.slabs) return;
+  std::uint64_t corners = complex_.inner_of(f).size();
+  for (const UseId first : complex_.cycles_of(f)) {
+    UseId u = first;
+    do {
+      ++corners;
+      u = complex_.use_next[u.value()];
+    } while (u != first);
+  }
+  const auto levels = static_cast<std::uint64_t>(std::bit_width(corners));
+  large.memory.emplace(context_).add(corners * (100 + 8 * levels), "slabs of a facet");
+  large.slabs.emplace(complex_, f, own);
+  large.is_made.store(true, std::memory_order_release);
+}
+
+SpaceItem FacetSites::site(FacetId f, SpacePoint x, Context& own) const {
+  const FacetSlabs* slabs = large_.empty() ? nullptr : slabs_of(f, own);
+  if (slabs == nullptr) return facet_site(complex_, f, x);
+  return slabs->site(PlacedPoint(complex_.points(), complex_.points(), x));
+}
+
+SpaceItem FacetSites::site(FacetId f, PlaneId p, PlaneId q, Context& own) const {
+  const FacetSlabs* slabs = large_.empty() ? nullptr : slabs_of(f, own);
+  if (slabs == nullptr) return facet_site(complex_, f, p, q);
+  Point3Table crossing(complex_.planes());
+  const SpacePoint x = crossing.add(p, q, complex_.facet_plane[f.value()]);
+  return slabs->site(PlacedPoint(complex_.points(), crossing, x));
+}
+
+// ---------------------------------------------------------------- leaves
+
+MeetLeaves::MeetLeaves(const SpaceComplex& complex, const Box3& reach)
+    : complex_(complex), reach_(reach) {
+  for (std::size_t f = 0; f < complex.facet_count(); ++f) add_facet(FacetId(f));
+  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
+    if (complex.edge_use[e].is_valid()) continue;
+    add({FacetId(), EdgeId(e), UseId(), 0}, box_of(complex, EdgeId(e)));
+  }
+  for (std::size_t v = 0; v < complex.vertex_count(); ++v) {
+    if (!complex.star_of(VertexId(v)).empty()) continue;
+    add({FacetId(), VertexId(v), UseId(), 0}, box_of(complex, VertexId(v)));
+  }
+}
+
+// Everything of a facet lies within the box of its outer cycle.
+void MeetLeaves::add_facet(FacetId f) {
+  const std::span<const UseId> cycles = complex_.cycles_of(f);
+  if (cycles.empty()) return;
+  Box3 box;
+  std::uint32_t corners = 0;
+  UseId u = cycles.front();
+  do {
+    box.add(box_of(complex_, complex_.use_origin(u)));
+    ++corners;
+    u = complex_.use_next[u.value()];
+  } while (u != cycles.front());
+  if (!box.meets(reach_)) return;
+  if (cycles.size() == 1 && corners <= LeafItems::kMostCorners) {
+    return add({f, SpaceItem(), u, corners}, box);
+  }
+  add({f, SpaceItem(), UseId(), 0}, box);
+  corners = 0;
+  for (const UseId first : cycles) corners += add_corners(first);
+  if (corners > FacetSites::kFewCorners) large_facets_.push_back(f);
+}
+
+/// Returns how many there are, whether their own or not.
+std::uint32_t MeetLeaves::add_corners(UseId first) {
+  LeafItems items;
+  std::uint32_t count = 0;
+  UseId u = first;
+  do {
+    MeetLeaf leaf{FacetId(), SpaceItem(), u, 0};
+    Box3 box = box_of(complex_, complex_.use_origin(u));
+    do {
+      u = complex_.use_next[u.value()];
+      box.add(box_of(complex_, complex_.use_origin(u)));
+      ++leaf.count;
+    } while (u != first && leaf.count < LeafItems::kMostCorners);
+    count += leaf.count;
+    items.fill(complex_, leaf);
+    if (!items.vertices().empty()) add(leaf, box);  // else all of it belongs to neighbours
+  } while (u != first);
+  return count;
+}
+
+void MeetLeaves::add(const MeetLeaf& leaf, const Box3& box) {
+  if (!box.meets(reach_)) return;
+  leaves_.push_back(leaf);
+  boxes_.push_back(box);
+}
+
+// ---------------------------------------------------------------- items of a leaf
+
+namespace {
+
+bool is_flat(const SpaceComplex& complex, UseId u) {
+  const PlaneId plane = complex.facet_plane[complex.use_facet[u.value()].value()];
+  for (UseId v = complex.use_radial[u.value()]; v != u; v = complex.use_radial[v.value()]) {
+    if (complex.facet_plane[complex.use_facet[v.value()].value()] != plane) return false;
+  }
+  return true;
+}
+
+/// The use that begins at the vertex and in whose leaf it is; not valid: it has free edges only.
+UseId owner(const SpaceComplex& complex, VertexId v) {
+  for (const HalfedgeId h : complex.star_of(v)) {
+    const UseId u = complex.edge_use[SpaceComplex::edge_of(h).value()];
+    if (!u.is_valid()) continue;
+    return complex.use_halfedge[u.value()] == h ? u : complex.use_next[u.value()];
+  }
+  return UseId();
+}
+
+}  // namespace
+
+void LeafItems::fill(const SpaceComplex& complex, const MeetLeaf& leaf) {
+  own_ = vertex_count_ = edge_count_ = 0;
+  has_flat_edges_ = false;
+  if (leaf.bare.is_valid()) return take_bare(complex, leaf.bare);
+  UseId u = leaf.first;
+  for (std::uint32_t i = 0; i < leaf.count; ++i, u = complex.use_next[u.value()]) {
+    const VertexId v = complex.use_origin(u);
+    if (owner(complex, v) == u) take_vertex(v);
+  }
+  u = leaf.first;
+  for (std::uint32_t i = 0; i < leaf.count; ++i, u = complex.use_next[u.value()]) {
+    const EdgeId e = SpaceComplex::edge_of(complex.use_halfedge[u.value()]);
+    if (complex.edge_use[e.value()] == u) take_edge(complex, e, is_flat(complex, u));
+  }
+}
+
+void LeafItems::take_bare(const SpaceComplex& complex, SpaceItem bare) {
+  if (bare.kind() == SpaceItem::Kind::Vertex) return take_vertex(bare.vertex());
+  for (const std::uint32_t h : {2 * bare.index(), 2 * bare.index() + 1}) {
+    const VertexId v = complex.origin[h];
+    const bool is_own = complex.star_of(v).front() == HalfedgeId(h);
+    if (is_own && !owner(complex, v).is_valid()) take_vertex(v);
+  }
+  take_edge(complex, bare.edge(), true);
+}
+
+void LeafItems::take_vertex(VertexId v) {
+  vertices_[vertex_count_++] = v;
+  ++own_;
+}
+
+void LeafItems::take_edge(const SpaceComplex& complex, EdgeId e, bool is_flat) {
+  const std::uint8_t from = place_of(complex.origin[2 * e.value()]);
+  const std::uint8_t to = place_of(complex.origin[2 * e.value() + 1]);
+  edges_[edge_count_++] = {e, from, to, is_flat};
+  has_flat_edges_ |= is_flat;
+}
+
+std::uint8_t LeafItems::place_of(VertexId v) {
+  const auto known = vertices();
+  const auto place = static_cast<std::size_t>(std::ranges::find(known, v) - known.begin());
+  if (place == vertex_count_) vertices_[vertex_count_++] = v;
+  return static_cast<std::uint8_t>(place);
+}
+
+}  // namespace plumb

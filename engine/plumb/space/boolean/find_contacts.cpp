@@ -1,0 +1,415 @@
+// Notation
+//   x, y      leaves of the two complexes
+//   forward   items of the first complex against facets of the second; backward: the other way
+//             round
+//
+// Why the tests are complete. A contact with a facet is found by testing the item against it. Of
+// the others, with "located" for: found in a facet around the other item
+//
+//   VE, EV   the vertex is located in any facet of the edge; direct if the edge is free
+//   VV       forward if the second vertex has a facet, else backward if the first has one; else
+//            direct
+//   EE       an edge that does not lie in some facet's plane around the other crosses it: located.
+//            The plane of two crossing edges holds all facets of both only if both are flat: direct
+//
+// so that pairs of triangles in general position or in one plane cost sides of vertices, and little
+// else.
+
+#include "plumb/space/boolean/find_contacts.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "plumb/base/internal/box_tree.h"
+#include "plumb/base/internal/parallel.h"
+#include "plumb/predicates/input_predicates.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/boolean/contact_leaves.h"
+#include "plumb/space/complex/space_boxes.h"
+#include "plumb/space/planar/facet_site.h"
+
+namespace plumb {
+
+namespace {
+
+/// Planes that hold a vertex by construction, for identity.
+class IncidentPlanes {
+ public:
+  IncidentPlanes(const SpaceComplex& complex, VertexId v) {
+    for (const HalfedgeId h : complex.star_of(v)) {
+      if (count_ == planes_.size()) return;
+      for (const PlaneId p : complex.edge_planes[SpaceComplex::edge_of(h).value()]) {
+        planes_[count_++] = p;
+      }
+    }
+  }
+  std::span<const PlaneId> planes() const { return std::span(planes_).first(count_); }
+
+ private:
+  std::array<PlaneId, 16> planes_;  // more are of little use: identity only saves time
+  std::size_t count_ = 0;
+};
+
+Sign side_of(const SpaceComplex& complex, VertexId v, PlaneId plane) {
+  const Point3Table& points = complex.points();
+  const SpacePoint x = complex.vertex_point[v.value()];
+  const FilteredSign s = rung::side_filter(points.box(x), points.planes().row(plane));
+  if (is_decided(s)) return decide(Predicate::SideOfPlane, Rung::Filter, s);
+  return rung::side_without_filter(points, x, plane, IncidentPlanes(complex, v).planes());
+}
+
+VertexId end(const SpaceComplex& complex, EdgeId e, std::size_t i) {
+  return complex.origin[2 * e.value() + i];
+}
+
+/// Ends strictly on different sides of one of the planes?
+bool crosses_one_of(const SpaceComplex& complex, EdgeId e, std::span<const PlaneId> planes) {
+  return std::any_of(planes.begin(), planes.end(), [&](PlaneId p) {
+    return side_of(complex, end(complex, e, 0), p) * side_of(complex, end(complex, e, 1), p) ==
+           Sign::Negative;
+  });
+}
+
+/// Two edges not on one line whose relative interiors cross: their lines have a common point or
+/// direction, and each edge crosses a plane through the other (so it is no direction).
+bool edges_cross(const SpaceComplex& a, EdgeId e, const SpaceComplex& b, EdgeId f) {
+  const auto &p = a.edge_planes[e.value()], &q = b.edge_planes[f.value()];
+  return crosses_one_of(b, f, p) && crosses_one_of(a, e, q) &&
+         det4_sign(a.planes(), p[0], p[1], q[0], q[1]) == Sign::Zero;
+}
+
+/// Is the vertex in the relative interior of an edge of another complex?
+bool is_on_edge(const SpaceComplex& of_vertex, VertexId v, const SpaceComplex& of_edge, EdgeId e) {
+  const std::array<PlaneId, 2>& planes = of_edge.edge_planes[e.value()];
+  for (const PlaneId p : planes) {
+    if (side_of(of_vertex, v, p) != Sign::Zero) return false;
+  }
+  const auto runs_to = [&](SpacePoint from, SpacePoint to) {
+    return order_along_line(of_edge.points(), planes[0], planes[1], from, to) == Sign::Positive;
+  };
+  const SpacePoint x = of_vertex.vertex_point[v.value()];
+  return runs_to(of_edge.vertex_point[end(of_edge, e, 0).value()], x) &&
+         runs_to(x, of_edge.vertex_point[end(of_edge, e, 1).value()]);
+}
+
+/// The corners of a facet that is a triangle of input points.
+class InputTriangle {
+ public:
+  InputTriangle(const SpaceComplex& complex, FacetId f) {
+    if (complex.cycles_of(f).size() != 1 || !complex.inner_of(f).empty()) return;
+    UseId u = complex.cycles_of(f).front();
+    for (std::size_t i = 0; i < 3; ++i, u = complex.use_next[u.value()]) {
+      const SpacePoint p = complex.vertex_point[complex.use_origin(u).value()];
+      if (!p.is_input()) return;
+      uses_[i] = u;
+      corners_[i] = &complex.planes().point(p.input());
+    }
+    is_valid_ = u == uses_[0];
+  }
+  bool is_valid() const { return is_valid_; }
+
+  /// Where the line a b cuts the triangle; it must cut its plane in one point. A vertex is not told
+  /// from outside.
+  SpaceItem cut(const SpaceComplex& complex, FacetId f, const Point3& a, const Point3& b) const {
+    std::array<Sign, 3> turn;
+    for (std::size_t i = 0; i < 3; ++i) {
+      turn[i] = orient3d(a, b, *corners_[i], *corners_[(i + 1) % 3]);
+    }
+    const auto is_edge = [&](std::size_t i) {
+      return turn[i] == Sign::Zero && turn[(i + 1) % 3] == turn[(i + 2) % 3];
+    };
+    if (turn[0] != Sign::Zero && turn[0] == turn[1] && turn[1] == turn[2]) return f;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (is_edge(i)) return SpaceComplex::edge_of(complex.use_halfedge[uses_[i].value()]);
+    }
+    return {};
+  }
+
+ private:
+  std::array<UseId, 3> uses_;
+  std::array<const Point3*, 3> corners_{};
+  bool is_valid_ = false;
+};
+
+/// Where an edge that crosses the plane of a facet of another complex cuts it. A vertex may count
+/// as outside.
+SpaceItem cut_of_edge(const SpaceComplex& of_edge, EdgeId e, const SpaceComplex& of_facet,
+                      FacetId f, const FacetSites& sites, Context& context) {
+  const SpacePoint a = of_edge.vertex_point[end(of_edge, e, 0).value()];
+  const SpacePoint b = of_edge.vertex_point[end(of_edge, e, 1).value()];
+  if (a.is_input() && b.is_input()) {
+    const InputTriangle triangle(of_facet, f);
+    const PlaneTable& planes = of_edge.planes();
+    if (triangle.is_valid()) {
+      return triangle.cut(of_facet, f, planes.point(a.input()), planes.point(b.input()));
+    }
+  }
+  const auto [p, q] = of_edge.edge_planes[e.value()];
+  return sites.site(f, p, q, context);
+}
+
+/// Collects the pairs of items in contact, in any order and some more than once.
+class Meeting {
+ public:
+  Meeting(const MeetLeaves& a, const MeetLeaves& b, const std::array<FacetSites, 2>& sites,
+          Context& context)
+      : a_(a),
+        b_(b),
+        items_of_a_(a),
+        items_of_b_(b),
+        sites_(sites),
+        context_(context),
+        memory_(context) {}
+
+  void test(std::size_t x, std::size_t y) {
+    if (++tested_ % 4096 == 0) report();
+    const LeafItems &in_a = items_of_a_[x], &in_b = items_of_b_[y];
+    if (b_[y].facet.is_valid()) items_in_facet<true>(a_[x], in_a, y);
+    if (a_[x].facet.is_valid()) items_in_facet<false>(b_[y], in_b, x);
+    const bool is_bare = a_[x].bare.is_valid() || b_[y].bare.is_valid();
+    if (is_bare || (in_a.has_flat_edges() && in_b.has_flat_edges())) test_directly(x, y);
+  }
+
+  /// (a, b) as high and low half.
+  std::vector<std::uint64_t> take_keys() { return std::move(keys_); }
+
+ private:
+  template <bool kForward>
+  const SpaceComplex& tested_complex() const {
+    return kForward ? a_.complex() : b_.complex();
+  }
+  template <bool kForward>
+  const MeetLeaves& others() const {
+    return kForward ? b_ : a_;
+  }
+
+  /// The items of a leaf against the surface of leaf y of the others.
+  template <bool kForward>
+  void items_in_facet(const MeetLeaf& leaf, const LeafItems& items, std::size_t y) {
+    const std::span<const VertexId> vertices = items.vertices();
+    std::array<Sign, LeafItems::kMostVertices> sides;
+    if (vertices.empty() || !find_sides<kForward>(vertices, y, sides)) return;
+    for (std::size_t i = 0; i < items.own_vertices().size(); ++i) {
+      if (sides[i] == Sign::Zero) vertex_in_facet<kForward>(leaf, vertices[i], y);
+    }
+    for (const LeafEdge& e : items.edges()) {
+      if (sides[e.from] * sides[e.to] == Sign::Negative) edge_in_facet<kForward>(e, y);
+    }
+  }
+
+  /// False: all strictly on one side of the facet's plane.
+  template <bool kForward>
+  bool find_sides(std::span<const VertexId> vertices, std::size_t y,
+                  std::array<Sign, LeafItems::kMostVertices>& sides) const {
+    const MeetLeaves& ys = others<kForward>();
+    const PlaneId plane = ys.complex().facet_plane[ys[y].facet.value()];
+    bool has_both = false;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      sides[i] = side_of(tested_complex<kForward>(), vertices[i], plane);
+      has_both |= sides[i] == Sign::Zero || sides[i] != sides[0];
+    }
+    return has_both;
+  }
+
+  template <bool kForward>
+  void vertex_in_facet(const MeetLeaf& leaf, VertexId v, std::size_t y) {
+    const SpaceComplex& complex = tested_complex<kForward>();
+    const MeetLeaves& ys = others<kForward>();
+    if (!ys.boxes()[y].meets(box_of(complex, v))) return;
+    const SpacePoint point = complex.vertex_point[v.value()];
+    const SpaceItem site = sites_of<!kForward>().site(ys[y].facet, point, context_);
+    if (!site.is_valid()) return;
+    if (kForward || site.kind() != SpaceItem::Kind::Vertex || leaf.bare.is_valid()) {
+      add<kForward>(v, site);
+    }
+  }
+
+  template <bool kForward>
+  void edge_in_facet(const LeafEdge& e, std::size_t y) {
+    const MeetLeaves& ys = others<kForward>();
+    const SpaceItem site = cut_of_edge(tested_complex<kForward>(), e.edge, ys.complex(),
+                                       ys[y].facet, sites_of<!kForward>(), context_);
+    if (!site.is_valid() || site.kind() == SpaceItem::Kind::Vertex) return;
+    if (kForward || site.kind() == SpaceItem::Kind::Facet || e.is_flat) add<kForward>(e.edge, site);
+  }
+
+  void test_directly(std::size_t x, std::size_t y) {
+    const LeafItems &in_a = items_of_a_[x], &in_b = items_of_b_[y];
+    for (const LeafEdge& e : in_a.edges()) {
+      for (const LeafEdge& f : in_b.edges()) {
+        if (e.is_flat && f.is_flat && edges_cross(a_.complex(), e.edge, b_.complex(), f.edge)) {
+          add<true>(e.edge, f.edge);
+        }
+      }
+    }
+    const bool is_bare_a = a_[x].bare.is_valid(), is_bare_b = b_[y].bare.is_valid();
+    if (is_bare_b) vertices_on_free_edges<true>(in_a, in_b);
+    if (is_bare_a) vertices_on_free_edges<false>(in_b, in_a);
+    if (is_bare_a && is_bare_b) equal_vertices(in_a, in_b);
+  }
+
+  template <bool kForward>
+  void vertices_on_free_edges(const LeafItems& xs, const LeafItems& ys) {
+    for (const LeafEdge& e : ys.edges()) {
+      for (const VertexId v : xs.own_vertices()) {
+        const SpaceComplex& of_edge = others<kForward>().complex();
+        if (is_on_edge(tested_complex<kForward>(), v, of_edge, e.edge)) add<kForward>(v, e.edge);
+      }
+    }
+  }
+
+  void equal_vertices(const LeafItems& in_a, const LeafItems& in_b) {
+    const SpaceComplex &a = a_.complex(), &b = b_.complex();
+    for (const VertexId v : in_a.own_vertices()) {
+      for (const VertexId w : in_b.own_vertices()) {
+        if (equal(a.points(), a.vertex_point[v.value()], b.vertex_point[w.value()])) {
+          add<true>(v, w);
+        }
+      }
+    }
+  }
+
+  template <bool kIsFirst>
+  const FacetSites& sites_of() const {
+    return sites_[kIsFirst ? 0 : 1];
+  }
+
+  template <bool kForward>
+  void add(SpaceItem tested, SpaceItem site) {
+    const SpaceItem a = kForward ? tested : site, b = kForward ? site : tested;
+    keys_.push_back(std::uint64_t{a.code()} << 32U | b.code());
+  }
+
+  void report() {
+    context_.checkpoint("meet", 0, 1);
+    const std::size_t bytes = keys_.capacity() * sizeof(keys_[0]);
+    if (bytes > charged_) memory_.add(bytes - charged_, "contacts");
+    charged_ = std::max(charged_, bytes);
+  }
+
+  const MeetLeaves& a_;
+  const MeetLeaves& b_;
+  LeafCache items_of_a_;
+  LeafCache items_of_b_;
+  const std::array<FacetSites, 2>& sites_;
+  Context& context_;
+  MemoryCharge memory_;
+  std::size_t charged_ = 0;
+  std::uint64_t tested_ = 0;
+  std::vector<std::uint64_t> keys_;
+};
+
+/// Where an edge cuts another item that is an edge or facet.
+SpacePoint cut_point(SpaceTables& tables, const SpaceComplex& of_edge, EdgeId e,
+                     const SpaceComplex& of_other, SpaceItem other) {
+  const auto [p, q] = of_edge.edge_planes[e.value()];
+  if (other.kind() == SpaceItem::Kind::Facet) {
+    return tables.points.add(p, q, of_other.facet_plane[other.index()]);
+  }
+  const auto [r, s] = of_other.edge_planes[other.index()];
+  const SpacePoint point = tables.points.add(p, q, r);
+  return point.is_valid() ? point : tables.points.add(p, q, s);
+}
+
+SpacePoint contact_point(SpaceTables& tables, const SpaceComplex& a, SpaceItem x,
+                         const SpaceComplex& b, SpaceItem y) {
+  using Kind = SpaceItem::Kind;
+  if (x.kind() == Kind::Vertex) return a.vertex_point[x.index()];
+  if (y.kind() == Kind::Vertex) return b.vertex_point[y.index()];
+  return x.kind() == Kind::Edge ? cut_point(tables, a, x.edge(), b, y)
+                                : cut_point(tables, b, y.edge(), a, x);
+}
+
+}  // namespace
+
+namespace {
+
+std::vector<Box3> turned_boxes(const MeetLeaves& leaves, const BoxFrame& frame) {
+  std::vector<Box3> boxes;
+  boxes.reserve(leaves.boxes().size());
+  LeafItems items;
+  for (std::size_t i = 0; i < leaves.boxes().size(); ++i) {
+    Box3 box;
+    if (leaves[i].facet.is_valid()) box = frame.box_of(leaves.complex(), leaves[i].facet);
+    items.fill(leaves.complex(), leaves[i]);
+    for (const VertexId v : items.vertices()) box.add(frame.box_of(leaves.complex(), v));
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+/// Trees over the leaves, along the axes or in a frame that has fewer pairs, if there are many.
+struct LeafTrees {
+  std::array<BoxTree, 2> of;
+  bool is_turned = false;
+};
+
+LeafTrees make_trees(const MeetLeaves& xs, const MeetLeaves& ys, Context& context) {
+  LeafTrees trees;
+  std::array<std::span<const Box3>, 2> boxes{xs.boxes(), ys.boxes()};
+  std::array<std::vector<Box3>, 2> turned;
+  const double pairs = expected_pairs(xs.boxes(), ys.boxes());
+  if (has_many_pairs(pairs, xs.boxes().size() + ys.boxes().size())) {
+    const BoxFrame frame = BoxFrame::of_edges(std::array{&xs.complex(), &ys.complex()});
+    turned = {turned_boxes(xs, frame), turned_boxes(ys, frame)};
+    trees.is_turned = is_better_frame(expected_pairs(turned[0], turned[1]), pairs);
+    if (trees.is_turned) boxes = {turned[0], turned[1]};
+  }
+  run_jobs(context, 2, [&](std::size_t i, Context& own) {
+    own.checkpoint("box trees", i, 2);
+    trees.of[i] = BoxTree(boxes[i]);
+  });
+  return trees;
+}
+
+/// Leaves whose boxes meet, tested; what is found: each once, sorted.
+std::vector<std::uint64_t> contact_keys(const MeetLeaves& xs, const MeetLeaves& ys,
+                                        Context& context) {
+  constexpr std::size_t kPartsAThread = 16;
+  const LeafTrees trees = make_trees(xs, ys, context);
+  const std::size_t threads = context.threads();
+  const std::vector<BoxTree::Part> parts =
+      BoxTree::parts(trees.of[0], trees.of[1], threads == 1 ? 1 : kPartsAThread * threads);
+  const std::array<FacetSites, 2> sites{FacetSites(xs.complex(), xs.large_facets(), context),
+                                        FacetSites(ys.complex(), ys.large_facets(), context)};
+  std::vector<std::vector<std::uint64_t>> found(parts.size());
+  run_jobs(context, parts.size(), [&](std::size_t i, Context& own) {
+    Meeting meeting(xs, ys, sites, own);
+    BoxTree::for_each_pair(trees.of[0], trees.of[1], parts[i],
+                           [&](std::uint32_t x, std::uint32_t y) {
+                             if (trees.is_turned && !xs.boxes()[x].meets(ys.boxes()[y])) return;
+                             meeting.test(x, y);
+                           });
+    found[i] = meeting.take_keys();
+  });
+  std::vector<std::uint64_t> keys;
+  for (const auto& part : found) keys.insert(keys.end(), part.begin(), part.end());
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  return keys;
+}
+
+}  // namespace
+
+std::vector<Contact> meet(const SpaceComplex& a, const SpaceComplex& b, SpaceTables& tables,
+                          Context& context) {
+  constexpr std::size_t kBytesAnItem = 100;
+  MemoryCharge memory(context);
+  memory.add((a.edge_count() + b.edge_count()) * kBytesAnItem, "box trees");
+  std::array<std::optional<MeetLeaves>, 2> leaves;
+  run_jobs(context, 2, [&](std::size_t i, Context& own) {
+    own.checkpoint("box trees", i, 2);
+    i == 0 ? leaves[0].emplace(a, box_of(b)) : leaves[1].emplace(b, box_of(a));
+  });
+  const std::vector<std::uint64_t> keys = contact_keys(*leaves[0], *leaves[1], context);
+  std::vector<Contact> contacts;
+  contacts.reserve(keys.size());
+  for (const std::uint64_t key : keys) {
+    const SpaceItem x = SpaceItem::from_code(static_cast<std::uint32_t>(key >> 32U));
+    const SpaceItem y = SpaceItem::from_code(static_cast<std::uint32_t>(key));
+    contacts.push_back({x, y, contact_point(tables, a, x, b, y)});
+  }
+  return contacts;
+}
+
+}  // namespace plumb

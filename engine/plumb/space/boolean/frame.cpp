@@ -1,0 +1,311 @@
+#include "plumb/space/boolean/frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "plumb/predicates/error.h"
+#include "plumb/space/boolean/assemble.h"
+#include "plumb/space/boolean/boolean_op.h"
+#include "plumb/space/local_maps.h"
+
+namespace plumb {
+
+namespace {
+
+/// Adds the vertices that `is_kept` accepts, each with its map, and the edges between them.
+template <class IsKept>
+void copy_vertices(const SpaceComplex& complex, IsKept is_kept, SpaceDraft& draft,
+                   Context& context) {
+  std::vector<std::uint32_t> point_of(complex.origin.size(), SphereMap::kNone), origin_ids;
+  LocalMap local;
+  for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
+    if (v % 4096 == 0) context.checkpoint("frame", v, complex.vertex_count());
+    if (!is_kept(VertexId(v))) continue;
+    local_map(complex, VertexId(v), local);
+    origin_ids.clear();
+    for (const FacetId f : local.facet) origin_ids.push_back(complex.facet_origin[f.value()]);
+    const auto offsets = draft.add(complex.vertex_point[v], local.map, false, origin_ids);
+    for (std::uint32_t i = 0; i < local.halfedge.size(); ++i) {
+      point_of[local.halfedge[i].value()] = offsets.point + i;
+    }
+  }
+  for (std::uint32_t h = 0; h < point_of.size(); ++h) {
+    if (point_of[h] != SphereMap::kNone) draft.twin[point_of[h]] = point_of[h ^ 1U];
+  }
+}
+
+/// A corner of the cube: per axis, whether it lies at +R.
+using Corner = std::array<bool, 3>;
+
+/// The map of a corner: point k leads along axis k, arc k lies in the plane of axis k; face 0 is
+/// the cube, face 1 the beyond. `plane`: of each axis at this corner.
+SphereMap corner_map(const Corner& corner, const std::array<PlaneId, 3>& plane, Mark inside) {
+  SphereMap map;
+  map.centre_mark = kBeyond;
+  map.face_mark = {inside, kBeyond};
+  map.origin.resize(6);
+  map.next.resize(6);
+  map.face.resize(6);
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const std::uint32_t i = (k + 1) % 3, j = (k + 2) % 3;
+    // All frame planes have the axis as their normal: n_i x n_j runs along +k; edges lead inwards.
+    const SphereDirection along{plane[i], plane[j]};
+    map.direction.push_back(corner[k] ? along.opposite() : along);
+    map.point_mark.push_back(kBeyond);
+    map.point_face.push_back(SphereMap::kNone);
+    map.circle.push_back(plane[k]);
+    map.arc_mark.push_back(kBeyond);
+    // Counter-clockwise about +k from axis i to axis j, if both lead the same way.
+    const bool is_turned = corner[i] != corner[j];
+    map.origin[2 * k] = is_turned ? j : i;
+    map.origin[2 * k + 1] = is_turned ? i : j;
+    map.face[2 * k] = corner[k] ? 1 : 0;
+    map.face[2 * k + 1] = corner[k] ? 0 : 1;
+  }
+  map.first_out.resize(3);
+  for (std::uint32_t h = 0; h < 6; ++h) {
+    map.first_out[map.origin[h]] = h;
+    for (std::uint32_t g = 0; g < 6; ++g) {
+      if (g / 2 != h / 2 && map.face[g] == map.face[h] && map.origin[g] == map.target(h)) {
+        map.next[h] = g;
+      }
+    }
+  }
+  return map;
+}
+
+void add_cube(SpaceDraft& draft, Mark inside) {
+  const std::array<PlaneId, 6> frame = draft.tables->planes.intern_frame();
+  const std::array<std::uint32_t, 3> no_origins{SphereMap::kNone, SphereMap::kNone,
+                                                SphereMap::kNone};
+  std::array<std::uint32_t, 8> first{};
+  for (std::uint32_t c = 0; c < 8; ++c) {
+    const Corner corner{(c & 1U) != 0, (c & 2U) != 0, (c & 4U) != 0};
+    std::array<PlaneId, 3> plane;
+    for (std::size_t k = 0; k < 3; ++k) plane[k] = frame[2 * k + (corner[k] ? 1 : 0)];
+    const SpacePoint at = draft.tables->points.add(plane[0], plane[1], plane[2]);
+    first[c] = draft.add(at, corner_map(corner, plane, inside), false, no_origins).point;
+  }
+  for (std::uint32_t c = 0; c < 8; ++c) {
+    for (std::uint32_t k = 0; k < 3; ++k) draft.twin[first[c] + k] = first[c ^ (1U << k)] + k;
+  }
+}
+
+}  // namespace
+
+bool has_frame(const SpaceComplex& complex) {
+  return !complex.volume_mark.empty() && complex.volume_mark[0] == kBeyond;
+}
+
+std::vector<std::uint8_t> unbounded_volumes(const SpaceComplex& complex) {
+  std::vector<std::uint8_t> is_far(complex.volume_count(), 0);
+  if (!is_far.empty()) is_far[0] = 1;
+  for (std::size_t f = 0; f < complex.facet_count(); ++f) {
+    if (complex.facet_mark[f] != kBeyond) continue;
+    for (const VolumeId v : complex.facet_volume[f]) is_far[v.value()] = 1;
+  }
+  return is_far;
+}
+
+SpaceComplex with_frame(const SpaceComplex& complex, std::shared_ptr<SpaceTables> tables,
+                        Context& context) {
+  SpaceDraft draft(std::move(tables));
+  copy_vertices(
+      complex, [](VertexId) { return true; }, draft, context);
+  add_cube(draft, complex.volume_mark[0]);
+  return join(std::move(draft), context);
+}
+
+namespace {
+
+/// Does an edge or facet of the set end on the frame?
+bool is_reached(const SpaceComplex& c) {
+  const auto is_beyond = [&c](std::size_t h) {
+    return c.vertex_mark[c.origin[h].value()] == kBeyond;
+  };
+  for (std::size_t h = 0; h < c.origin.size(); ++h) {
+    if (c.edge_mark[h / 2] != kBeyond && is_beyond(h)) return true;
+  }
+  for (std::size_t u = 0; u < c.use_count(); ++u) {
+    if (c.facet_mark[c.use_facet[u].value()] != kBeyond && is_beyond(c.use_halfedge[u].value())) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+SpaceComplex without_idle_frame(SpaceComplex complex, Context& context) {
+  if (!has_frame(complex)) return complex;
+  const auto is_kept = [&complex](VertexId v) { return complex.vertex_mark[v.value()] != kBeyond; };
+  if (is_reached(complex)) return complex;
+  Mark inside = kBeyond;
+  for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
+    for (const VolumeId v : complex.facet_volume[f]) {
+      if (complex.facet_mark[f] == kBeyond && v != VolumeId(0)) {
+        inside = complex.volume_mark[v.value()];
+      }
+    }
+  }
+  SpaceDraft draft(std::const_pointer_cast<SpaceTables>(complex.tables));
+  copy_vertices(complex, is_kept, draft, context);
+  SpaceComplex result = join(std::move(draft), context);
+  if (result.vertex_count() == 0) result.volume_mark[0] = inside;
+  return result;
+}
+
+namespace {
+
+/// What a function of marks makes of two is the first.
+constexpr MarkFunction kFirst{false, true, false, true};
+
+RationalRow normal_of(const PlaneTable& planes, PlaneId p) {
+  const IntegerRow row = planes.coefficients(p);
+  return {Rational(row[0]), Rational(row[1]), Rational(row[2])};
+}
+
+/// Are two of |n_i.d| equal and the largest?
+bool runs_towards_edge(const RationalMatrix& normal, const RationalRow& d) {
+  RationalRow reach;
+  for (std::size_t i = 0; i < 3; ++i) reach[i] = abs(dot(normal[i], d));
+  std::sort(reach.begin(), reach.end());
+  return reach[1] == reach[2];
+}
+
+/// A plane with normal m holds a corner direction c, n_i.c = +1 or -1, if m.c = 0. With m as a
+/// combination of the n_i: if its three coefficients add up to 0 for some signs.
+bool holds_diagonal(const RationalMatrix& dual, const RationalRow& m) {
+  RationalRow share;
+  for (std::size_t i = 0; i < 3; ++i) share[i] = abs(dot(dual[i], m));
+  std::sort(share.begin(), share.end());
+  return share[0] + share[1] == share[2];
+}
+
+bool is_beyond(const SpaceComplex& c, VertexId v) { return c.vertex_mark[v.value()] == kBeyond; }
+
+/// The planes of facets that reach the frame, each once.
+std::vector<PlaneId> far_planes(const SpaceComplex& c) {
+  std::vector<PlaneId> planes;
+  for (std::uint32_t u = 0; u < c.use_count(); ++u) {
+    const std::size_t f = c.use_facet[u].value();
+    if (c.facet_mark[f] != kBeyond && is_beyond(c, c.use_origin(UseId(u)))) {
+      planes.push_back(c.facet_plane[f]);
+    }
+  }
+  std::sort(planes.begin(), planes.end());
+  planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
+  return planes;
+}
+
+/// Normals with small entries that look random, and larger ones at every try.
+RationalMatrix some_normals(std::uint64_t attempt) {
+  RationalMatrix normal;
+  std::uint64_t state = attempt;
+  for (RationalRow& row : normal) {
+    for (Rational& x : row) {
+      state = state * 6364136223846793005U + 1442695040888963407U;
+      x = static_cast<std::int64_t>(state >> 33U) %
+          (std::int64_t{16} << std::min(attempt, std::uint64_t{24}));
+    }
+  }
+  return normal;
+}
+
+/// Half as large as would still fit into the cube.
+FarBox box_in_cube(const RationalMatrix& normal) {
+  const RationalMatrix columns = cofactors(normal);
+  Rational reach = 0;
+  for (std::size_t j = 0; j < 3; ++j) {
+    reach = std::max(reach, sum_of_magnitudes({columns[0][j], columns[1][j], columns[2][j]}));
+  }
+  return {normal, abs(determinant(normal)) / (2 * reach)};
+}
+
+IntegerRow whole(const RationalRow& n, const Rational& d) {
+  const Integer common =
+      lcm(lcm(denominator(n[0]), denominator(n[1])), lcm(denominator(n[2]), denominator(d)));
+  IntegerRow row;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Rational& x = i < 3 ? n[i] : d;
+    row[i] = numerator(x) * (common / denominator(x));
+  }
+  return row;
+}
+
+bool is_framed_by(const SpaceComplex& c, PlaneId plane) {
+  for (std::size_t f = 0; f < c.facet_count(); ++f) {
+    if (c.facet_plane[f] == plane && c.facet_mark[f] == kBeyond) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+// Of x_i + R and x_i - R comes n_i x_i + d R; of that and the plane n_j x_j + n_k x_k = 0 the rest.
+OrientedPlane far_plane(PlaneTable& planes, const RationalRow& normal, const Rational& d) {
+  const IntegerRow n = whole(normal, d);
+  std::size_t i = 0;
+  while (n[i] == 0) ++i;
+  const std::array<PlaneId, 6> frame = planes.intern_frame();
+  const OrientedPlane along_axis =
+      planes.intern(Pencil{frame[2 * i], frame[2 * i + 1], n[3] - n[i], n[i] + n[3]});
+  std::size_t j = i + 1;
+  while (j < 3 && n[j] == 0) ++j;
+  if (j == 3) return along_axis;
+  IntegerRow rest = n;
+  rest[i] = rest[3] = 0;
+  const PlaneId first = along_axis.plane();
+  const PlaneId second = planes.intern(0, Rational(rest[1]), Rational(rest[2]), 0).plane();
+  const Integer a = planes.coefficients(first)[i], b = planes.coefficients(second)[j];
+  const Integer sign = (a < 0) == (b < 0) ? 1 : -1;
+  return planes.intern(Pencil{first, second, -sign * n[j] * a, sign * n[i] * b});
+}
+
+FarBox frame_box() { return {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 1}; }
+
+bool is_general(const SpaceComplex& complex, const RationalMatrix& normal) {
+  const PlaneTable& planes = complex.planes();
+  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
+    if (complex.edge_mark[e] == kBeyond) continue;
+    if (!is_beyond(complex, complex.origin[2 * e]) &&
+        !is_beyond(complex, complex.origin[2 * e + 1])) {
+      continue;
+    }
+    const auto& [p, q] = complex.edge_planes[e];
+    if (runs_towards_edge(normal, cross(normal_of(planes, p), normal_of(planes, q)))) return false;
+  }
+  const RationalMatrix dual = cofactors(normal);
+  for (const PlaneId p : far_planes(complex)) {
+    if (holds_diagonal(dual, normal_of(planes, p))) return false;
+  }
+  return true;
+}
+
+FarBox general_box(const SpaceComplex& complex) {
+  if (is_general(complex, frame_box().normal)) return frame_box();
+  for (std::uint64_t attempt = 1;; ++attempt) {
+    const RationalMatrix normal = some_normals(attempt);
+    if (determinant(normal) != 0 && is_general(complex, normal)) return box_in_cube(normal);
+  }
+}
+
+SpaceComplex inside(SpaceComplex complex, const FarBox& box,
+                    const std::shared_ptr<SpaceTables>& tables, Context& context) {
+  complex.tables = tables;
+  for (std::uint64_t i = 0; i < 6; ++i) {
+    context.checkpoint("far box", i, 6);
+    const RationalRow& n = box.normal[i / 2];
+    const Rational offset = i % 2 == 0 ? Rational(-box.size) : box.size;
+    // n.x - s R <= 0, then n.x + s R >= 0
+    const OrientedPlane plane = far_plane(tables->planes, n, offset);
+    if (is_framed_by(complex, plane.plane())) continue;
+    const PlaneSet outside = i % 2 == 0 ? PlaneSet::BeyondAbove : PlaneSet::BeyondBelow;
+    complex = combine_with_plane(std::move(complex), plane, outside, kFirst, tables, context);
+  }
+  return complex;
+}
+
+}  // namespace plumb

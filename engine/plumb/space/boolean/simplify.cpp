@@ -1,0 +1,412 @@
+#include "plumb/space/boolean/simplify.h"
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <utility>
+
+#include "plumb/predicates/error.h"
+#include "plumb/space/boolean/assemble.h"
+#include "plumb/space/boolean/vertex_carrier.h"
+#include "plumb/space/local_maps.h"
+#include "plumb/space/planar/nest_cycles.h"
+#include "plumb/sphere/arcs/sphere_arcs.h"
+#include "plumb/sphere/overlay/sphere_overlay.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::uint64_t kBytesPerHalfedge = 2;    // to look
+constexpr std::uint64_t kBytesPerMergedUse = 60;  // what is merged, and numbers of items
+
+}  // namespace
+
+CoplanarMerge::CoplanarMerge(const SpaceComplex& complex, Context& context)
+    : memory_(context), in_(complex) {
+  memory_.add(kBytesPerHalfedge * in_.origin.size(), "the minimal form");
+  find_flat_edges();
+  const bool has_flat = !is_flat_.empty();
+  for (std::uint32_t v = 0; v < in_.vertex_count(); ++v) {
+    if (v % 4096 == 0) context.checkpoint("simplify", v, in_.vertex_count());
+    if (!has_flat && in_.star_of(VertexId(v)).size() != 2) continue;  // kept
+    const Fate fate = fate_of(VertexId(v));
+    if (fate == Fate::Kept) continue;
+    fate_.resize(in_.vertex_count());
+    fate_[v] = fate;
+  }
+  is_needed_ = has_flat || !fate_.empty();
+  if (is_needed_) fate_.resize(in_.vertex_count());
+}
+
+/// Makes no arrays where nothing is flat, as in sets that are minimal.
+void CoplanarMerge::find_flat_edges() {
+  const auto count = static_cast<std::uint32_t>(in_.edge_count());
+  std::uint32_t e = 0;
+  while (e < count && !is_flat_edge(EdgeId(e))) ++e;
+  if (e == count) return;
+  is_crossed_.resize(in_.origin.size());
+  is_flat_.resize(count);
+  for (; e < count; ++e) is_flat_[e] = is_flat_edge(EdgeId(e)) ? 1 : 0;
+}
+
+SpaceComplex CoplanarMerge::run(Context& context) {
+  memory_.add(kBytesPerMergedUse * in_.use_count(), "the minimal form");
+  const auto checkpoint = [&context](std::uint64_t step) {
+    context.checkpoint("simplify", step, 4);
+  };
+  checkpoint(0);
+  number_vertices();
+  make_edges();
+  checkpoint(1);
+  make_uses();
+  checkpoint(2);
+  make_facets();
+  checkpoint(3);
+  make_stars();
+  gather_inner();
+  out_.volume_mark = in_.volume_mark;
+  return std::move(out_);
+}
+
+// ---------------------------------------------------------------- what goes
+
+bool CoplanarMerge::is_flat_edge(EdgeId e) const {
+  const UseId first = in_.edge_use[e.value()];
+  if (!first.is_valid()) return false;
+  const UseId second = in_.use_radial[first.value()];
+  if (second == first || in_.use_radial[second.value()] != first) return false;
+  const std::uint32_t f = in_.use_facet[first.value()].value();
+  const std::uint32_t g = in_.use_facet[second.value()].value();
+  const Mark own = in_.edge_mark[e.value()];
+  return in_.facet_plane[f] == in_.facet_plane[g] && in_.facet_mark[f] == own &&
+         in_.facet_mark[g] == own;
+}
+
+CoplanarMerge::Fate CoplanarMerge::fate_of(VertexId v) {
+  const std::span<const HalfedgeId> star = in_.star_of(v);
+  if (star.empty() || in_.vertex_facet[v.value()].is_valid()) return Fate::Kept;
+  std::array<HalfedgeId, 2> left;
+  std::size_t flat = 0, count = 0;
+  for (const HalfedgeId h : star) {
+    if (is_flat(h)) {
+      ++flat;
+    } else if (count++ < 2) {
+      left[count - 1] = h;
+    }
+  }
+  if (flat > 0 && cross_from_left(v) < flat) {
+    const FacetId around = facet_around(v);
+    if (count == 0 && in_.vertex_mark[v.value()] == in_.facet_mark[around.value()])
+      return Fate::Gone;
+    inside_.emplace_back(v, around);
+    return Fate::Kept;
+  }
+  return count == 2 && is_passed(v, left[0], left[1]) ? Fate::Passed : Fate::Kept;
+}
+
+/// Notes the flat half-edges at v that lie in corners between edges that are left; how many.
+std::size_t CoplanarMerge::cross_from_left(VertexId v) {
+  std::size_t crossed = 0;
+  for (const HalfedgeId h : in_.star_of(v)) {
+    const UseId first = in_.edge_use[h.value() / 2];
+    if (is_flat(h) || !first.is_valid()) continue;
+    UseId u = first;
+    do {
+      if (in_.use_halfedge[u.value()] == h) {
+        for (UseId w = in_.use_prev[u.value()]; is_flat(w); w = prev_around(w)) {
+          is_crossed_[SpaceComplex::twin(in_.use_halfedge[w.value()]).value()] = 1;
+          ++crossed;
+        }
+      }
+      u = in_.use_radial[u.value()];
+    } while (u != first);
+  }
+  return crossed;
+}
+
+/// The facet whose flat edges go all around v: those that no corner holds. Requires that there are
+/// some.
+FacetId CoplanarMerge::facet_around(VertexId v) const {
+  const std::span<const HalfedgeId> star = in_.star_of(v);
+  const HalfedgeId h = *std::ranges::find_if(
+      star, [this](HalfedgeId g) { return is_flat(g) && is_crossed_[g.value()] == 0; });
+  return in_.use_facet[in_.edge_use[h.value() / 2].value()];
+}
+
+/// Of two half-edges that alone are left at v: do they and the facets of both continue each other
+/// there? Facets in two planes have a line in common; of those in one, the directions are compared.
+/// A facet of `other` alone would lie all around v, so that h ran into it.
+bool CoplanarMerge::is_passed(VertexId v, HalfedgeId h, HalfedgeId other) const {
+  const Mark mark = in_.vertex_mark[v.value()];
+  if (in_.edge_mark[h.value() / 2] != mark || in_.edge_mark[other.value() / 2] != mark)
+    return false;
+  PlaneId plane;
+  bool has_two_planes = false;
+  const UseId first = in_.edge_use[h.value() / 2];
+  for (UseId u = first; u.is_valid();) {
+    const bool leaves = in_.use_halfedge[u.value()] == h;
+    const UseId w = leaves ? prev_left(u) : next_left(u);
+    if (in_.use_halfedge[w.value()] != (leaves ? SpaceComplex::twin(other) : other)) return false;
+    const PlaneId own = in_.facet_plane[in_.use_facet[u.value()].value()];
+    has_two_planes |= plane.is_valid() && own != plane;
+    plane = own;
+    u = in_.use_radial[u.value()];
+    if (u == first) break;
+  }
+  return has_two_planes ||
+         is_opposite(in_.planes(), direction_of(in_, h), direction_of(in_, other));
+}
+
+// ---------------------------------------------------------------- walks
+
+/// The other one that is left at a passed vertex.
+HalfedgeId CoplanarMerge::other_left(VertexId v, HalfedgeId h) const {
+  const std::span<const HalfedgeId> star = in_.star_of(v);
+  return *std::ranges::find_if(star, [&](HalfedgeId g) { return g != h && !is_flat(g); });
+}
+
+/// Along the facet, across flat edges.
+UseId CoplanarMerge::next_left(UseId u) const {
+  UseId w = in_.use_next[u.value()];
+  while (is_flat(w)) w = in_.use_next[in_.use_radial[w.value()].value()];
+  return w;
+}
+
+UseId CoplanarMerge::prev_left(UseId u) const {
+  UseId w = in_.use_prev[u.value()];
+  while (is_flat(w)) w = prev_around(w);
+  return w;
+}
+
+/// The next use that arrives where a flat one does, across that one.
+UseId CoplanarMerge::prev_around(UseId flat) const {
+  return in_.use_prev[in_.use_radial[flat.value()].value()];
+}
+
+// ---------------------------------------------------------------- what is left
+
+void CoplanarMerge::number_vertices() {
+  out_.tables = in_.tables;
+  vertex_number_.resize(in_.vertex_count());
+  for (std::uint32_t v = 0; v < in_.vertex_count(); ++v) {
+    if (fate_[v] == Fate::Gone || fate_[v] == Fate::Passed) continue;
+    vertex_number_[v] = VertexId(out_.vertex_count());
+    out_.vertex_point.push_back(in_.vertex_point[v]);
+    out_.vertex_mark.push_back(in_.vertex_mark[v]);
+    out_.vertex_volume.push_back(in_.vertex_volume[v]);
+  }
+}
+
+void CoplanarMerge::make_edges() {
+  number_.resize(in_.edge_count());
+  for (std::uint32_t e = 0; e < in_.edge_count(); ++e) {
+    if (is_flat(EdgeId(e)) || number_[e].is_valid()) continue;
+    const EdgeId number(out_.edge_count());
+    first_.push_back(EdgeId(e));
+    out_.edge_planes.push_back(in_.edge_planes[e]);
+    out_.edge_mark.push_back(in_.edge_mark[e]);
+    out_.edge_volume.push_back(in_.edge_volume[e]);
+    const VertexId to = end_of_chain(HalfedgeId(2 * e), number);
+    const VertexId from = end_of_chain(HalfedgeId(2 * e + 1), number);
+    out_.origin.push_back(vertex_number_[from.value()]);
+    out_.origin.push_back(vertex_number_[to.value()]);
+  }
+}
+
+/// Numbers the edges from that of h on, in its direction; where the last one ends.
+VertexId CoplanarMerge::end_of_chain(HalfedgeId h, EdgeId number) {
+  for (;;) {
+    number_[h.value() / 2] = number;
+    const VertexId v = in_.target(h);
+    if (fate_[v.value()] != Fate::Passed) return v;
+    h = other_left(v, SpaceComplex::twin(h));
+  }
+}
+
+void CoplanarMerge::make_uses() {
+  use_number_.resize(in_.use_count());
+  for (std::uint32_t u = 0; u < in_.use_count(); ++u) {
+    if (is_flat(UseId(u)) || !stands_for_chain(edge(UseId(u)))) continue;
+    use_number_[u] = UseId(out_.use_count());
+    const HalfedgeId h = in_.use_halfedge[u];
+    const std::uint32_t e = number_[h.value() / 2].value();
+    out_.use_halfedge.push_back(HalfedgeId(2 * e + (h.value() & 1U)));
+  }
+  out_.use_next.resize(out_.use_count());
+  out_.use_prev.resize(out_.use_count());
+  out_.use_radial.resize(out_.use_count());
+  out_.use_facet.resize(out_.use_count());
+  for (std::uint32_t u = 0; u < in_.use_count(); ++u) {
+    const UseId own = use_number_[u];
+    if (!own.is_valid()) continue;
+    UseId next = next_left(UseId(u));
+    while (!use_number_[next.value()].is_valid()) next = next_left(next);
+    out_.use_next[own.value()] = use_number_[next.value()];
+    out_.use_prev[use_number_[next.value()].value()] = own;
+    out_.use_radial[own.value()] = use_number_[in_.use_radial[u].value()];
+  }
+  for (const EdgeId e : first_) {
+    const UseId use = in_.edge_use[e.value()];
+    out_.edge_use.push_back(use.is_valid() ? use_number_[use.value()] : UseId());
+  }
+}
+
+void CoplanarMerge::make_facets() {
+  UnionFind& classes = classes_.emplace(in_.facet_count());
+  for (std::uint32_t e = 0; e < in_.edge_count(); ++e) {
+    if (!is_flat(EdgeId(e))) continue;
+    const UseId u = in_.edge_use[e];
+    classes.unite(in_.use_facet[u.value()].value(),
+                  in_.use_facet[in_.use_radial[u.value()].value()].value());
+  }
+  facet_number_.resize(in_.facet_count());
+  for (std::uint32_t f = 0; f < in_.facet_count(); ++f) {
+    const std::uint32_t root = classes.root(f);
+    if (root != f) {
+      facet_number_[f] = facet_number_[root];
+      continue;
+    }
+    facet_number_[f] = FacetId(out_.facet_count());
+    out_.facet_plane.push_back(in_.facet_plane[f]);
+    out_.facet_mark.push_back(in_.facet_mark[f]);
+    out_.facet_volume.push_back(in_.facet_volume[f]);
+  }
+  name_facets();
+  std::vector<UseId> first_uses;  // of the cycles
+  out_.cycle_begin.assign(out_.facet_count() + 1, 0);
+  for (std::uint32_t u = 0; u < in_.use_count(); ++u) {
+    const UseId first = use_number_[u];
+    if (!first.is_valid() || out_.use_facet[first.value()].is_valid()) continue;
+    const FacetId f = facet_number_[in_.use_facet[u].value()];
+    first_uses.push_back(first);
+    ++out_.cycle_begin[f.value() + 1];
+    for (UseId w = first; !out_.use_facet[w.value()].is_valid(); w = out_.use_next[w.value()]) {
+      out_.use_facet[w.value()] = f;
+    }
+  }
+  std::partial_sum(out_.cycle_begin.begin(), out_.cycle_begin.end(), out_.cycle_begin.begin());
+  out_.cycle.resize(first_uses.size());
+  std::vector<std::uint32_t> at(out_.cycle_begin.begin(), out_.cycle_begin.end() - 1);
+  for (const UseId u : first_uses) out_.cycle[at[out_.use_facet[u.value()].value()]++] = u;
+  for (std::uint32_t f = 0; f < out_.facet_count(); ++f) {
+    const auto begin = out_.cycle.begin() + out_.cycle_begin[f];
+    const auto end = out_.cycle.begin() + out_.cycle_begin[f + 1];
+    if (end - begin < 2) continue;
+    const auto outer = std::find_if(begin, end, [&](UseId u) { return is_outer(out_, u); });
+    PLUMB_CHECK(outer != end);
+    std::rotate(begin, outer, outer + 1);
+  }
+}
+
+/// Of a facet, the pieces at its corners: those whose uses leave a vertex that stays along an edge
+/// that does.
+void CoplanarMerge::name_facets() {
+  out_.facet_origin.assign(out_.facet_count(), ~std::uint32_t{0});
+  for (std::uint32_t u = 0; u < in_.use_count(); ++u) {
+    if (is_flat(UseId(u)) || fate_[in_.use_origin(UseId(u)).value()] != Fate::Kept) continue;
+    const FacetId piece = in_.use_facet[u];
+    std::uint32_t& name = out_.facet_origin[facet_number_[piece.value()].value()];
+    name = std::min(name, in_.facet_origin[piece.value()]);
+  }
+}
+
+void CoplanarMerge::make_stars() {
+  out_.star_begin.assign(out_.vertex_count() + 1, 0);
+  for (const VertexId v : out_.origin) ++out_.star_begin[v.value() + 1];
+  std::partial_sum(out_.star_begin.begin(), out_.star_begin.end(), out_.star_begin.begin());
+  out_.star.resize(out_.origin.size());
+  std::vector<std::uint32_t> at(out_.star_begin.begin(), out_.star_begin.end() - 1);
+  for (std::uint32_t h = 0; h < out_.origin.size(); ++h) {
+    out_.star[at[out_.origin[h].value()]++] = HalfedgeId(h);
+  }
+}
+
+/// Vertices that were inside facets before, and those that are now, in their order.
+void CoplanarMerge::gather_inner() {
+  out_.vertex_facet.resize(out_.vertex_count());
+  for (std::uint32_t v = 0; v < in_.vertex_count(); ++v) {
+    const FacetId f = in_.vertex_facet[v];
+    if (!f.is_valid()) continue;
+    out_.vertex_facet[vertex_number_[v].value()] = facet_number_[f.value()];
+  }
+  for (const auto& [v, f] : inside_) {
+    out_.vertex_facet[vertex_number_[v.value()].value()] = facet_number_[f.value()];
+  }
+  std::vector<std::pair<FacetId, VertexId>> inner;
+  for (std::uint32_t v = 0; v < out_.vertex_count(); ++v) {
+    if (out_.vertex_facet[v].is_valid()) inner.emplace_back(out_.vertex_facet[v], v);
+  }
+  std::ranges::sort(inner);
+  out_.inner_begin.assign(out_.facet_count() + 1, 0);
+  for (const auto& [f, v] : inner) {
+    ++out_.inner_begin[f.value() + 1];
+    out_.inner.push_back(v);
+  }
+  std::partial_sum(out_.inner_begin.begin(), out_.inner_begin.end(), out_.inner_begin.begin());
+}
+
+namespace {
+
+constexpr std::uint64_t kBytesPerUse = 110;  // a draft, and what is joined
+
+/// Does a facet, a free edge or a lone vertex go?
+class MapChanges {
+ public:
+  explicit MapChanges(const SpaceComplex& complex) : c_(complex) {}
+
+  bool exist() const {
+    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
+      if (has_mark(c_.facet_volume[f][0], c_.facet_mark[f]) &&
+          has_mark(c_.facet_volume[f][1], c_.facet_mark[f])) {
+        return true;
+      }
+    }
+    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
+      if (!c_.edge_use[e].is_valid() && has_mark(c_.edge_volume[e], c_.edge_mark[e])) return true;
+    }
+    for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
+      if (c_.star_of(VertexId(v)).empty() && goes_alone(v)) return true;
+    }
+    return false;
+  }
+
+ private:
+  bool has_mark(VolumeId v, Mark mark) const { return c_.volume_mark[v.value()] == mark; }
+  bool goes_alone(std::uint32_t v) const {
+    const FacetId f = c_.vertex_facet[v];
+    if (f.is_valid()) return c_.facet_mark[f.value()] == c_.vertex_mark[v];
+    return has_mark(c_.vertex_volume[v], c_.vertex_mark[v]);
+  }
+
+  const SpaceComplex& c_;
+};
+
+}  // namespace
+
+SpaceComplex simplified_by_maps(const SpaceComplex& complex, Context& context) {
+  MemoryCharge memory(context);
+  memory.add(kBytesPerUse * complex.use_count(), "the minimal form");
+  SpaceDraft draft(std::const_pointer_cast<SpaceTables>(complex.tables));
+  SphereOverlay overlay(complex.planes());
+  VertexCarrier carrier(complex, draft, overlay);
+  LocalMap local;
+  for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
+    if (v % 4096 == 0) context.checkpoint("simplify", v, complex.vertex_count());
+    local_map(complex, VertexId(v), local);
+    carrier.add_simplified(VertexId(v), local);
+  }
+  carrier.face_ends();
+  SpaceComplex result = join(std::move(draft), context);
+  if (result.vertex_count() == 0) result.volume_mark[0] = complex.volume_mark[0];
+  return result;
+}
+
+SpaceComplex simplified(SpaceComplex complex, Context& context) {
+  context.checkpoint("simplify", 0, complex.vertex_count());
+  if (MapChanges(complex).exist()) return simplified_by_maps(complex, context);
+  CoplanarMerge merge(complex, context);
+  if (!merge.is_needed()) return complex;
+  return merge.run(context);
+}
+
+}  // namespace plumb

@@ -1,0 +1,144 @@
+// The pairs of triangles that come close to each other among many thin ones that run in many
+// directions, where boxes along any one set of axes nearly all meet: a tree whose every node has a
+// box along its own part of the triangles.
+//
+// Main flow of building: the principal axes of all corners (space_boxes.h) and the extents along
+// them are the box. Below it are two nodes:
+//  1. a group    of triangles within which no pairs are asked for (triangle_crossing.h), if it is a
+//                large part, and the rest
+//  2. the long   triangles, where there are some, and the short ones, whose boxes would else be as
+//                long
+//  3. halves     on either side of the median along the axis on which the triangles' middles are
+//                spread most
+//
+// Two boxes are apart where they are along one of their six axes. (Nine more directions, across an
+// axis of each, would tell all cases.) Before, boxes along the coordinate axes are compared: those
+// need no slack.
+//
+// Notation: a box holds every middle + sum t_k axis_k with |t_k| <= half_k. Axes are unit vectors
+// at right angles but for some 100 roundings; halves have been widened by 2^-40 of the way to the
+// farthest corner, which pays for that, and the same share of all that is summed pays in a
+// comparison.
+//
+// Cost: O(n log n) to build, about 1 us a triangle; a comparison ~30 ns. Memory: 300 bytes a
+// triangle, 420 at most, and 96 for its corners. Source: Gottschalk, Lin, Manocha, "OBBTree",
+// SIGGRAPH 1996.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "plumb/base/internal/box_tree.h"
+#include "plumb/predicates/space/point3_table.h"
+#include "plumb/space/complex/space_boxes.h"
+
+namespace plumb {
+
+class OrientedBoxTree {
+ public:
+  using Triangle = std::array<PointBox, 3>;  ///< by boxes of its corners, finite or not
+
+  static constexpr std::uint32_t kNoGroup = ~std::uint32_t{0};
+
+  /// `groups`: per triangle the number of its group, less than the number of triangles, or
+  /// kNoGroup; empty: of all. on_step() is called for each triangle of each node.
+  explicit OrientedBoxTree(std::span<const Triangle> triangles,
+                           std::span<const std::uint32_t> groups = {},
+                           const std::function<void()>& on_step = {});
+
+  /// visit(i, j) for all pairs of triangles that meet, but those of one group, and of others that
+  /// are near; each pair once. on_step() is called for each pair of nodes that is looked at.
+  template <class Visit, class OnStep>
+  void for_each_pair_inside(Visit&& visit, OnStep&& on_step) const {
+    if (!nodes_.empty()) descend_inside(0, visit, on_step);
+  }
+
+ private:
+  static constexpr std::uint32_t kLeaf = 2;
+
+  struct Node {
+    Box3 box;  ///< along the coordinate axes
+    Vector3 middle;
+    Matrix3 axis;
+    Vector3 half;
+    std::uint32_t begin;  ///< into order_
+    std::uint32_t end;
+    std::uint32_t second;  ///< the second node below, the first comes next; 0: a leaf
+    std::uint32_t group;   ///< of all its triangles, or kNoGroup
+    bool is_leaf() const { return second == 0; }
+    double size() const { return half[0] + half[1] + half[2]; }
+    bool is_with(const Node& n) const { return group != kNoGroup && group == n.group; }
+  };
+  struct LargestGroup {
+    std::uint32_t group = kNoGroup;
+    std::uint32_t count = 0;
+  };
+
+  std::uint32_t add_node(std::span<const Triangle> triangles, std::uint32_t begin,
+                         std::uint32_t end, const std::function<void()>& on_step);
+  Node box_around(std::span<const Triangle> triangles, std::uint32_t begin,
+                  std::uint32_t end) const;
+  LargestGroup largest_group(std::uint32_t begin, std::uint32_t end);
+  std::uint32_t split(std::span<const Triangle> triangles, const Node& node,
+                      const LargestGroup& largest);
+  void halve(std::span<const Triangle> triangles, const Node& node, std::uint32_t middle);
+  std::uint32_t group_of(std::uint32_t triangle) const {
+    return groups_.empty() ? kNoGroup : groups_[triangle];
+  }
+  template <class Visit>
+  void take(std::uint32_t i, std::uint32_t j, Visit& visit) const {
+    if (group_of(i) == kNoGroup || group_of(i) != group_of(j)) visit(i, j);
+  }
+  static bool are_apart(const Node& m, const Node& n);
+
+  template <class Visit, class OnStep>
+  void descend_inside(std::uint32_t n, Visit& visit, OnStep& on_step) const;
+  template <class Visit, class OnStep>
+  void descend(std::uint32_t m, std::uint32_t n, Visit& visit, OnStep& on_step) const;
+
+  std::vector<std::uint32_t> order_;
+  std::vector<double> key_;     // per triangle: a place along an axis of the node at hand
+  std::vector<double> length_;  // per triangle: of its longest side, along the coordinate axes
+  std::vector<std::uint32_t> groups_;  // per triangle
+  std::vector<std::uint32_t> count_;   // per group: triangles of the node at hand
+  std::vector<Node> nodes_;            // each before those below it
+};
+
+template <class Visit, class OnStep>
+void OrientedBoxTree::descend_inside(std::uint32_t n, Visit& visit, OnStep& on_step) const {
+  const Node& node = nodes_[n];
+  if (node.is_with(node)) return;
+  if (!node.is_leaf()) {
+    descend_inside(n + 1, visit, on_step);
+    descend_inside(node.second, visit, on_step);
+    return descend(n + 1, node.second, visit, on_step);
+  }
+  for (std::uint32_t i = node.begin; i < node.end; ++i) {
+    for (std::uint32_t j = i + 1; j < node.end; ++j) take(order_[i], order_[j], visit);
+  }
+}
+
+template <class Visit, class OnStep>
+void OrientedBoxTree::descend(std::uint32_t m, std::uint32_t n, Visit& visit,
+                              OnStep& on_step) const {
+  const Node &a = nodes_[m], &b = nodes_[n];
+  on_step();
+  if (a.is_with(b) || !a.box.meets(b.box) || are_apart(a, b)) return;
+  if (a.is_leaf() && b.is_leaf()) {
+    for (std::uint32_t i = a.begin; i < a.end; ++i) {
+      for (std::uint32_t j = b.begin; j < b.end; ++j) take(order_[i], order_[j], visit);
+    }
+  } else if (b.is_leaf() || (!a.is_leaf() && a.size() >= b.size())) {
+    descend(m + 1, n, visit, on_step);
+    descend(a.second, n, visit, on_step);
+  } else {
+    descend(m, n + 1, visit, on_step);
+    descend(m, b.second, visit, on_step);
+  }
+}
+
+}  // namespace plumb

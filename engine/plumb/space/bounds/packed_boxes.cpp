@@ -1,0 +1,119 @@
+#include "plumb/space/bounds/packed_boxes.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace plumb {
+namespace {
+
+constexpr int kLast = 0xfffd;             // cell; 2 places more, where nothing is
+constexpr int kMiddle = 0x7fff;           // subtracted from cells, for places to be signed
+constexpr std::size_t kMostPoints = 64;   // boxes within a cell: as many may all meet
+constexpr std::size_t kPointShare = 8;    // of all boxes, one in so many may be one as well
+constexpr std::size_t kLongestRun = 256;  // of one code: the order says nothing of those
+
+Box3 box_around(std::span<const Box3> boxes) {
+  Box3 all;
+  for (const Box3& box : boxes) all.add(box);
+  return all;
+}
+
+std::array<std::int16_t, 3> places(const CellGrid& grid, const std::array<double, 3>& at) {
+  std::array<std::int16_t, 3> places;
+  const std::array<std::uint32_t, 3> cell = grid.cell(at);
+  for (std::size_t i = 0; i < 3; ++i) {
+    places[i] = static_cast<std::int16_t>(static_cast<int>(cell[i]) - kMiddle);
+  }
+  return places;
+}
+
+}  // namespace
+
+void PackedBoxTree::Box::add(const Box& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    low[i] = std::min(low[i], b.low[i]);
+    high[i] = std::max(high[i], b.high[i]);
+  }
+}
+
+void PackedBoxTree::Group::set(std::uint32_t i, const Box& b) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    low[axis][i] = b.low[axis];
+    high[axis][i] = b.high[axis];
+  }
+}
+
+/// Beyond all cells on both sides: it meets nothing, itself neither.
+constexpr PackedBoxTree::Box PackedBoxTree::nowhere() {
+  constexpr Place least = std::numeric_limits<Place>::min(),
+                  most = std::numeric_limits<Place>::max();
+  return {{most, most, most}, {least, least, least}};
+}
+
+PackedBoxTree::PackedBoxTree(std::span<const Box3> boxes) {
+  std::vector<Box> packed = pack(boxes);
+  fits_ = fits_ && sort(packed);
+  if (!fits_ || boxes.empty()) return;
+  std::vector<Box> row;
+  row.reserve(boxes.size());
+  for (const std::uint32_t i : order_) row.push_back(packed[i]);
+  for (; levels_.empty() || row.size() > 1; row = around(levels_.back())) {
+    levels_.push_back(groups_of(row));
+  }
+}
+
+PackedBoxTree::Level PackedBoxTree::groups_of(std::span<const Box> boxes) {
+  Level level((boxes.size() + kWidth - 1) / kWidth);
+  for (std::uint32_t i = 0; i < kWidth * level.size(); ++i) {
+    level[i / kWidth].set(i % kWidth, i < boxes.size() ? boxes[i] : nowhere());
+  }
+  return level;
+}
+
+/// The box around each group.
+std::vector<PackedBoxTree::Box> PackedBoxTree::around(const Level& level) {
+  std::vector<Box> boxes;
+  boxes.reserve(level.size());
+  for (const Group& group : level) {
+    boxes.push_back(nowhere());
+    for (std::uint32_t i = 0; i < kWidth; ++i) boxes.back().add(group.box(i));
+  }
+  return boxes;
+}
+
+std::vector<PackedBoxTree::Box> PackedBoxTree::pack(std::span<const Box3> boxes) {
+  std::vector<Box> packed;
+  const CellGrid grid(box_around(boxes), kLast);
+  if (!grid.is_finite() && !boxes.empty()) return packed;
+  packed.reserve(boxes.size());
+  std::size_t points = 0;
+  for (const Box3& box : boxes) {
+    packed.push_back({places(grid, box.low), places(grid, box.high)});
+    points += packed.back().low == packed.back().high ? 1 : 0;
+  }
+  fits_ = points <= std::max(kMostPoints, boxes.size() / kPointShare);
+  return packed;
+}
+
+/// In Morton order of their middles. False: too many are in one place.
+bool PackedBoxTree::sort(std::span<const Box> boxes) {
+  std::vector<MortonCoded> sorted;
+  sorted.reserve(boxes.size());
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    std::array<std::uint32_t, 3> cell{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const int twice_the_middle = boxes[i].low[axis] + boxes[i].high[axis] + 2 * kMiddle;
+      cell[axis] = static_cast<std::uint32_t>(twice_the_middle) >> 7;
+    }
+    sorted.push_back({morton_code(cell), i});
+  }
+  sort_by_code(sorted);
+  for (std::size_t i = kLongestRun; i < sorted.size(); ++i) {
+    if (sorted[i].code == sorted[i - kLongestRun].code) return false;
+  }
+  order_.reserve(boxes.size());
+  for (const MortonCoded& c : sorted) order_.push_back(c.item);
+  return true;
+}
+
+}  // namespace plumb

@@ -1,0 +1,367 @@
+#include "plumb/space/canonical.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/plane_signs.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/predicates/rounding.h"
+#include "plumb/predicates/space/query_point3.h"
+#include "plumb/space/boolean/frame.h"
+#include "plumb/space/complex/tidy_tables.h"
+#include "plumb/space/set/compare_complexes.h"
+#include "plumb/sphere/sphere_map.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::array<PlaneId, 3> kAcross = {kPlaneX, kPlaneY, kPlaneZ};
+
+/// Ids in the order of their first appearance, which is that of the ids; each once.
+void sort_unique(std::vector<PlaneId>& planes) {
+  std::sort(planes.begin(), planes.end());
+  planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
+}
+
+/// Tables of the planes and points that the set itself names (canonical.h).
+class Naming {
+ public:
+  Naming(const SpaceComplex& complex, const CanonicalOrder& order, Context& context)
+      : c_(complex),
+        order_(order),
+        context_(context),
+        tables_(std::make_shared<SpaceTables>()),
+        plane_(complex.planes().size()) {
+    if (has_frame(c_)) tables_->planes.intern_frame();
+  }
+
+  /// Fills the tables, facet_plane, edge_planes and vertex_point.
+  void run(SpaceComplex& out) {
+    name_facets(out);
+    name_edges(out);
+    name_points(out);
+    direct_edges(out);
+    out.tables = std::move(tables_);
+  }
+
+ private:
+  void name_facets(SpaceComplex& out);
+  void name_edges(SpaceComplex& out);
+  void name_points(SpaceComplex& out);
+  void direct_edges(SpaceComplex& out);
+
+  PlaneTable& planes() { return tables_->planes; }
+  PlaneId intern(const IntegerRow& row) {
+    const IntegerRow least = primitive(row);
+    return planes()
+        .intern(Rational(least[0]), Rational(least[1]), Rational(least[2]), Rational(least[3]))
+        .plane();
+  }
+  PlaneId plane_of(FacetId f);
+  void add_facet_planes(EdgeId e, std::vector<PlaneId>& found);
+  std::array<PlaneId, 2> planes_of(EdgeId e);
+  std::optional<IntegerRow> plane_along(EdgeId e, std::size_t axis) const;
+  std::array<PlaneId, 3> planes_at(const SpaceComplex& out, VertexId v);
+  bool is_independent(PlaneId p) const;
+  std::optional<Point3> as_doubles(SpacePoint p) const;
+
+  const SpaceComplex& c_;
+  const CanonicalOrder& order_;
+  Context& context_;
+  std::shared_ptr<SpaceTables> tables_;
+  std::vector<PlaneId> plane_;  ///< per plane of c_: its id in tables_, once it is there
+  std::vector<PlaneId> found_;  ///< scratch
+  std::vector<PlaneId> chosen_;
+};
+
+// ---------------------------------------------------------------- planes
+
+PlaneId Naming::plane_of(FacetId f) {
+  const PlaneId old = c_.facet_plane[f.value()];
+  PlaneId& plane = plane_[old.value()];
+  if (plane.is_valid()) return plane;
+  if (c_.planes().is_frame(old)) {
+    const std::size_t i = c_.planes().source(old).frame_index();
+    PLUMB_CHECK(i < planes().frame().size());
+    return plane = planes().frame()[i];
+  }
+  return plane = intern(c_.planes().coefficients(old));
+}
+
+void Naming::name_facets(SpaceComplex& out) {
+  const auto& facets = order_.facets.ids();
+  out.facet_plane.reserve(facets.size());
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    if (f % 1024 == 0) context_.checkpoint("names of planes", f, facets.size());
+    out.facet_plane.push_back(plane_of(facets[f]));
+  }
+}
+
+void Naming::add_facet_planes(EdgeId e, std::vector<PlaneId>& found) {
+  const UseId first = c_.edge_use[e.value()];
+  if (!first.is_valid()) return;
+  UseId u = first;
+  do {
+    found.push_back(plane_of(c_.use_facet[u.value()]));
+    u = c_.use_radial[u.value()];
+  } while (u != first);
+}
+
+/// Through the edge and along an axis: of the planes p and q of the edge, q_i p - p_i q. None if
+/// the edge runs along the axis. Edges on the frame have two facets in different planes.
+std::optional<IntegerRow> Naming::plane_along(EdgeId e, std::size_t axis) const {
+  const auto& [p, q] = c_.edge_planes[e.value()];
+  PLUMB_CHECK(!c_.planes().is_frame(p) && !c_.planes().is_frame(q));
+  const IntegerRow first = c_.planes().coefficients(p), second = c_.planes().coefficients(q);
+  if (first[axis] == 0 && second[axis] == 0) return {};
+  IntegerRow row;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    row[i] = second[axis] * first[i] - first[axis] * second[i];
+  }
+  return row;
+}
+
+std::array<PlaneId, 2> Naming::planes_of(EdgeId e) {
+  found_.clear();
+  add_facet_planes(e, found_);
+  sort_unique(found_);
+  for (std::size_t axis = 0; axis < 3 && found_.size() < 2; ++axis) {
+    const auto row = plane_along(e, axis);
+    if (!row) continue;
+    const PlaneId plane = intern(*row);
+    if (found_.empty() || found_[0] != plane) found_.push_back(plane);
+  }
+  PLUMB_CHECK(found_.size() >= 2);
+  return {found_[0], found_[1]};
+}
+
+void Naming::name_edges(SpaceComplex& out) {
+  const auto& edges = order_.edges.ids();
+  out.edge_planes.reserve(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (e % 1024 == 0) context_.checkpoint("names of planes", e, edges.size());
+    out.edge_planes.push_back(planes_of(edges[e]));
+  }
+}
+
+/// So that half-edges 2e run as their planes say.
+void Naming::direct_edges(SpaceComplex& out) {
+  const auto& edges = order_.edges.ids();
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const std::size_t h = 2 * std::size_t{edges[e].value()};
+    VertexId from = order_.vertices(c_.origin[h]), to = order_.vertices(c_.origin[h + 1]);
+    if (to < from) std::swap(from, to);
+    auto& [p, q] = out.edge_planes[e];
+    const Sign along = order_along_line(tables_->points, p, q, out.vertex_point[from.value()],
+                                        out.vertex_point[to.value()]);
+    if (along == Sign::Negative) std::swap(p, q);
+  }
+}
+
+// ---------------------------------------------------------------- points
+
+/// None if a coordinate is no double. No negative zeros.
+std::optional<Point3> Naming::as_doubles(SpacePoint p) const {
+  if (p.is_input()) {
+    const Point3& at = c_.planes().point(p.input());
+    return Point3{at.x + 0.0, at.y + 0.0, at.z + 0.0};
+  }
+  if (c_.points().depends_on_frame(p)) return {};
+  const RationalPoint3 at = exact(c_.points(), p);
+  std::array<double, 3> rounded{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const RoundedDouble nearest = round_to_double(coordinate(at, i));
+    if (nearest.error != Sign::Zero) return {};
+    rounded[i] = nearest.value;
+  }
+  return Point3{rounded[0], rounded[1], rounded[2]};
+}
+
+/// Has its normal no part in those of the planes chosen? They are different and have a common
+/// point.
+bool Naming::is_independent(PlaneId p) const {
+  const PlaneTable& planes = tables_->planes;
+  if (chosen_.empty()) return true;
+  if (chosen_.size() == 2) return det3_sign(planes, chosen_[0], chosen_[1], p) != Sign::Zero;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (minor_sign(planes, chosen_[0], p, i) != Sign::Zero) return true;
+  }
+  return false;
+}
+
+std::array<PlaneId, 3> Naming::planes_at(const SpaceComplex& out, VertexId v) {
+  found_.clear();
+  for (const HalfedgeId h : c_.star_of(v)) {
+    const EdgeId e = SpaceComplex::edge_of(h);
+    add_facet_planes(e, found_);
+    const auto& [p, q] = out.edge_planes[order_.edges(e).value()];
+    found_.insert(found_.end(), {p, q});
+  }
+  if (c_.vertex_facet[v.value()].is_valid()) found_.push_back(plane_of(c_.vertex_facet[v.value()]));
+  sort_unique(found_);
+  chosen_.clear();
+  for (std::size_t i = 0; i < found_.size() && chosen_.size() < 3; ++i) {
+    if (is_independent(found_[i])) chosen_.push_back(found_[i]);
+  }
+  if (chosen_.size() < 3) {
+    const RationalPoint3 at = exact(c_.points(), c_.vertex_point[v.value()]);
+    for (std::size_t i = 0; i < 3 && chosen_.size() < 3; ++i) {
+      if (!is_independent(kAcross[i])) continue;
+      std::array<Rational, 3> normal{0, 0, 0};
+      normal[i] = 1;
+      chosen_.push_back(
+          planes().intern(normal[0], normal[1], normal[2], Rational(-coordinate(at, i))).plane());
+    }
+  }
+  std::sort(chosen_.begin(), chosen_.end());
+  return {chosen_[0], chosen_[1], chosen_[2]};
+}
+
+void Naming::name_points(SpaceComplex& out) {
+  const auto& vertices = order_.vertices.ids();
+  out.vertex_point.reserve(vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    if (v % 1024 == 0) context_.checkpoint("names of points", v, vertices.size());
+    if (const auto at = as_doubles(c_.vertex_point[vertices[v].value()])) {
+      out.vertex_point.emplace_back(planes().add_point(*at));
+      continue;
+    }
+    const auto [p, q, r] = planes_at(out, vertices[v]);
+    out.vertex_point.push_back(tables_->points.add(p, q, r));
+    PLUMB_CHECK(out.vertex_point.back().is_valid());
+  }
+}
+
+// ---------------------------------------------------------------- arrays
+
+/// to[i] = from[ids[i]].
+template <class T, class Id>
+std::vector<T> reordered(const std::vector<T>& from, const NewOrder<Id>& order) {
+  std::vector<T> to;
+  to.reserve(from.size());
+  for (const Id id : order.ids()) to.push_back(from[id.value()]);
+  return to;
+}
+
+/// The same for ids that have new numbers themselves.
+template <class T, class Id>
+std::vector<T> renumbered(const std::vector<T>& from, const NewOrder<Id>& order,
+                          const NewOrder<T>& numbers) {
+  std::vector<T> to = reordered(from, order);
+  for (T& id : to) id = numbers(id);
+  return to;
+}
+
+class Writing {
+ public:
+  Writing(const SpaceComplex& complex, const CanonicalOrder& order) : c_(complex), o_(order) {}
+
+  void run(SpaceComplex& out) const {
+    write_vertices(out);
+    write_edges(out);
+    write_stars(out);
+    write_uses(out);
+    write_rings(out);
+    write_facets(out);
+    out.volume_mark = reordered(c_.volume_mark, o_.volumes);
+  }
+
+ private:
+  void write_vertices(SpaceComplex& out) const {
+    out.vertex_mark = reordered(c_.vertex_mark, o_.vertices);
+    out.vertex_volume = renumbered(c_.vertex_volume, o_.vertices, o_.volumes);
+    out.vertex_facet = renumbered(c_.vertex_facet, o_.vertices, o_.facets);
+  }
+
+  void write_edges(SpaceComplex& out) const {
+    out.edge_mark = reordered(c_.edge_mark, o_.edges);
+    out.edge_volume = renumbered(c_.edge_volume, o_.edges, o_.volumes);
+    out.origin.resize(c_.origin.size());
+    for (std::size_t h = 0; h < c_.origin.size(); ++h) {
+      out.origin[o_.halfedge(c_, HalfedgeId(h)).value()] = o_.vertices(c_.origin[h]);
+    }
+  }
+
+  /// Half-edges go to their origins in their order.
+  static void write_stars(SpaceComplex& out) {
+    out.star_begin.assign(out.vertex_mark.size() + 1, 0);
+    for (const VertexId v : out.origin) ++out.star_begin[v.value() + 1];
+    for (std::size_t v = 1; v < out.star_begin.size(); ++v) {
+      out.star_begin[v] += out.star_begin[v - 1];
+    }
+    std::vector<std::uint32_t> next(out.star_begin.begin(), out.star_begin.end() - 1);
+    out.star.resize(out.origin.size());
+    for (std::size_t h = 0; h < out.origin.size(); ++h) {
+      out.star[next[out.origin[h].value()]++] = HalfedgeId(h);
+    }
+  }
+
+  void write_uses(SpaceComplex& out) const {
+    out.use_halfedge = reordered(c_.use_halfedge, o_.uses);
+    for (HalfedgeId& h : out.use_halfedge) h = o_.halfedge(c_, h);
+    out.use_next = renumbered(c_.use_next, o_.uses, o_.uses);
+    out.use_prev = renumbered(c_.use_prev, o_.uses, o_.uses);
+    out.use_facet = renumbered(c_.use_facet, o_.uses, o_.facets);
+  }
+
+  /// Around an edge that turns, the uses follow each other the other way.
+  void write_rings(SpaceComplex& out) const {
+    out.use_radial.resize(c_.use_count());
+    out.edge_use.assign(c_.edge_count(), UseId());
+    for (std::size_t u = 0; u < c_.use_count(); ++u) {
+      const EdgeId e = SpaceComplex::edge_of(c_.use_halfedge[u]);
+      UseId from = o_.uses(UseId(u)), to = o_.uses(c_.use_radial[u]);
+      UseId& first = out.edge_use[o_.edges(e).value()];
+      first = std::min(first, from);  // an id that is not valid is the largest
+      if (o_.is_turned(c_, e)) std::swap(from, to);
+      out.use_radial[from.value()] = to;
+    }
+  }
+
+  void write_facets(SpaceComplex& out) const {
+    out.facet_mark = reordered(c_.facet_mark, o_.facets);
+    out.facet_volume = reordered(c_.facet_volume, o_.facets);
+    for (auto& [above, below] : out.facet_volume) {
+      above = o_.volumes(above);
+      below = o_.volumes(below);
+    }
+    out.facet_origin.assign(c_.facet_count(), SphereMap::kNone);
+    for (const UseId first : o_.cycles) out.cycle.push_back(o_.uses(first));
+    out.cycle_begin = out.inner_begin = {0};
+    for (const FacetId f : o_.facets.ids()) {
+      out.cycle_begin.push_back(out.cycle_begin.back() +
+                                static_cast<std::uint32_t>(c_.cycles_of(f).size()));
+      const std::size_t begin = out.inner.size();
+      for (const VertexId v : c_.inner_of(f)) out.inner.push_back(o_.vertices(v));
+      std::sort(out.inner.begin() + static_cast<std::ptrdiff_t>(begin), out.inner.end());
+      out.inner_begin.push_back(static_cast<std::uint32_t>(out.inner.size()));
+    }
+  }
+
+  const SpaceComplex& c_;
+  const CanonicalOrder& o_;
+};
+
+}  // namespace
+
+SpaceComplex canonical(const SpaceComplex& minimal, Context& context) {
+  MemoryCharge memory(context);
+  memory.add(2 * memory_bytes(minimal), "the canonical form");
+  const CanonicalOrder order = canonical_order(minimal, context);
+  SpaceComplex out;
+  Naming(minimal, order, context).run(out);
+  Writing(minimal, order).run(out);
+  return out;
+}
+
+Nef3 canonical(const Nef3& set, Context& context) {
+  return Nef3::from_minimal_unchecked(canonical(set.complex(), context));
+}
+
+}  // namespace plumb

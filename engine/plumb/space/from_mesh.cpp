@@ -1,0 +1,183 @@
+#include "plumb/space/from_mesh.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "plumb/space/boolean/simplify.h"
+#include "plumb/space/mesh/link_facets.h"
+#include "plumb/space/mesh/mesh_crossings.h"
+#include "plumb/space/mesh/mesh_facets.h"
+#include "plumb/space/mesh/mesh_fans.h"
+#include "plumb/space/mesh/mesh_topology.h"
+#include "plumb/space/mesh/mesh_vertices.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::uint64_t kBytesPerCorner = 200;
+constexpr std::uint64_t kBytesPerPoint = 4;   // also of points that no face names
+constexpr std::size_t kWorthOrdering = 4096;  // faces: fewer are close together in any order
+
+/// Vertices without a facet (corners of faces without area only) go.
+void drop_unused(MeshFacets& facets, MeshLinks& links, MeshVertices& vertices) {
+  std::vector<std::uint32_t> number(vertices.point.size(), 0);
+  for (const std::uint32_t v : facets.corner) number[v] = 1;
+  std::uint32_t count = 0;
+  for (std::uint32_t v = 0; v < number.size(); ++v) {
+    if (number[v] == 0) continue;
+    vertices.point[count] = vertices.point[v];
+    vertices.input[count] = vertices.input[v];
+    number[v] = count++;
+  }
+  if (count == number.size()) return;
+  vertices.point.resize(count);
+  vertices.input.resize(count);
+  for (std::uint32_t& v : facets.corner) v = number[v];
+  for (auto& [a, b] : links.end) {
+    a = number[a];
+    b = number[b];
+  }
+}
+
+void describe_components(const MeshFacets& facets, MeshComplex& result) {
+  MeshComponents components = find_components(result.complex, facets.jump);
+  result.component = std::move(components.of_facet);
+  for (const Sign s : components.volume) {
+    result.is_inside_out.push_back(s == Sign::Negative ? 1 : 0);
+  }
+  std::vector<std::uint32_t> least(components.volume.size(), MeshVertices::kNone);  // input face
+  for (std::uint32_t f = 0; f < facets.size(); ++f) {
+    least[result.component[f]] = std::min(least[result.component[f]], facets.origin[f]);
+  }
+  for (std::size_t c = 0; c < least.size(); ++c) {
+    if (result.is_inside_out[c] != 0) result.report.inside_out.push_back(least[c]);
+  }
+  std::ranges::sort(result.report.inside_out);
+}
+
+void describe_crossings(const MeshOptions& options, MeshComplex& result, MemoryCharge& memory,
+                        Context& context) {
+  const SpaceComplex& complex = result.complex;
+  std::vector<MeshReport::FacePair> pairs;
+  result.has_fan = find_fans(complex);
+  result.crossings = find_mesh_crossings(complex, result.has_fan, context);
+  memory.add(result.crossings.size() * (sizeof(result.crossings[0]) + sizeof(pairs[0])),
+             "crossings of the mesh");
+  pairs.reserve(result.crossings.size());
+  for (const auto& [f, g] : result.crossings) {
+    pairs.push_back(
+        std::minmax({complex.facet_origin[f.value()], complex.facet_origin[g.value()]}));
+  }
+  result.report.crossing_count = pairs.size();
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  pairs.resize(std::min<std::uint64_t>(pairs.size(), options.max_listed));
+  result.report.crossings = std::move(pairs);
+}
+
+/// What is known of items that stay, under their new numbers. Items with one number know the same.
+template <class T, class Id>
+void renumber(std::span<const Id> number, std::vector<T>& known) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < number.size(); ++i) {  // numbers ascend where they come first
+    if (number[i].is_valid() && number[i].value() == count) known[count++] = known[i];
+  }
+  known.resize(count);
+}
+
+/// Neighbours are joined, where open edges go; or else these are completed.
+void settle_flat_edges(const MeshOptions& options, MeshComplex& mesh, Context& context) {
+  if (!options.joins_coplanar || options.surface || !mesh.crossings.empty()) {
+    return complete_flat_edges(mesh.complex);
+  }
+  CoplanarMerge merge(mesh.complex, context);
+  if (!merge.is_needed()) return;
+  SpaceComplex joined = merge.run(context);
+  renumber(merge.facet_numbers(), mesh.jump);
+  renumber(merge.facet_numbers(), mesh.component);
+  renumber(merge.vertex_numbers(), mesh.has_fan);
+  mesh.complex = std::move(joined);
+}
+
+/// Faces of an ordered mesh get the numbers they had before.
+void rename_faces(std::span<const std::uint32_t> name, MeshFacets& facets, MeshReport& report) {
+  for (std::uint32_t& f : facets.origin) f = name[f];
+  for (auto* const list : {&report.degenerate, &report.trimmed}) {  // all that triangles can be
+    for (std::uint32_t& f : *list) f = name[f];
+    std::ranges::sort(*list);
+  }
+  for (auto& [f, g] : report.doubled) {
+    f = name[f];
+    g = name[g];
+  }
+  std::ranges::sort(report.doubled);
+}
+
+/// Of `ordered`, if it is not empty, which comes from `input`; borders have the numbers that points
+/// have there.
+MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const MeshOptions& options,
+                             MemoryCharge& memory, Context& context) {
+  MeshComplex result;
+  const auto tables = std::make_shared<SpaceTables>();
+  const MeshView mesh = ordered.is_empty() ? input : ordered.view();
+  MeshVertices vertices = merge_equal_points(mesh, *tables);
+  result.report.vertices_merged = vertices.merged;
+  context.checkpoint("reading faces", 0, 1);
+  MeshFacets facets = flatten_mesh(mesh, vertices, *tables, result.report, context);
+  MeshLinks links = link_corners(facets, vertices.point.size());
+  result.report.doubled = merge_doubled(facets, links, vertices.point.size());
+  if (!ordered.is_empty()) rename_faces(ordered.face, facets, result.report);
+  ordered = {};
+  result.report.borders = trace_borders(facets, links, vertices.point, tables->points);
+  for (auto& chain : result.report.borders) {
+    for (std::uint32_t& v : chain) v = vertices.input[v];
+  }
+  if (!result.report.is_closed() && !options.surface) return result;
+
+  context.checkpoint("linking facets", 0, 1);
+  drop_unused(facets, links, vertices);
+  result.complex = link_facets(facets, links, vertices.point, tables, FlatEdges::Open);
+  context.checkpoint("components", 0, 1);
+  describe_components(facets, result);
+  describe_crossings(options, result, memory, context);
+  result.jump = std::move(facets.jump);
+  settle_flat_edges(options, result, context);
+  return result;
+}
+
+/// "the mesh is open: 2 border(s), the first along the vertices 3, 8, 11 and 5 more (0-based)".
+std::string open_mesh_message(const MeshReport& report) {
+  constexpr std::size_t kMost = 5;
+  std::string text = "the mesh is open: " + std::to_string(report.borders.size()) + " border(s)";
+  if (report.borders.empty()) return text;
+  const std::vector<std::uint32_t>& first = report.borders.front();
+  text += ", the first along the vertices ";
+  for (std::size_t i = 0; i < std::min(first.size(), kMost); ++i) {
+    text += (i == 0 ? "" : ", ") + std::to_string(first[i]);
+  }
+  if (first.size() > kMost) text += " and " + std::to_string(first.size() - kMost) + " more";
+  return text + " (0-based)";
+}
+
+}  // namespace
+
+OpenMesh::OpenMesh(MeshReport report, TextPlace place)
+    : Error(ErrorCode::BadShape, open_mesh_message(report), std::move(place)),
+      report_(std::make_shared<const MeshReport>(std::move(report))) {}
+
+MeshComplex complex_of_mesh(const MeshView& mesh, const MeshOptions& options, Context& context) {
+  MemoryCharge memory(context);
+  memory.add(kBytesPerCorner * mesh.corners.size() + kBytesPerPoint * mesh.point_count(), "a mesh");
+  if (mesh.face_count() >= kWorthOrdering && !options.surface) {
+    OrderedMesh ordered = ordered_in_space(mesh);
+    if (!ordered.is_empty()) {
+      MeshComplex result = complex_in_order(mesh, std::move(ordered), options, memory, context);
+      if (result.report.is_closed()) return result;
+    }
+  }
+  return complex_in_order(mesh, {}, options, memory, context);
+}
+
+}  // namespace plumb

@@ -1,0 +1,468 @@
+#include "plumb/space/mesh/link_facets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "plumb/predicates/plane_signs.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/planar/flat_points.h"
+
+namespace plumb {
+namespace {
+
+void link_cycles(const MeshFacets& facets, MeshLinks& links) {
+  links.next.resize(facets.corner.size());
+  links.facet.resize(facets.corner.size());
+  for (std::uint32_t f = 0; f < facets.size(); ++f) {
+    for (std::uint32_t u = facets.begin[f]; u < facets.begin[f + 1]; ++u) {
+      links.next[u] = u + 1;
+      links.facet[u] = f;
+    }
+    links.next[facets.begin[f + 1] - 1] = facets.begin[f];
+  }
+}
+
+/// Uses in buckets by their lesser vertex; in each (greater vertex, use) as one word.
+struct Buckets {
+  std::vector<std::uint32_t> begin;
+  std::vector<std::uint64_t> entry;
+};
+
+Buckets bucket_uses(const MeshFacets& facets, const MeshLinks& links, std::size_t vertex_count) {
+  Buckets b;
+  b.begin.assign(vertex_count + 2, 0);
+  const auto lesser = [&](std::uint32_t u) {
+    return std::min(facets.corner[u], facets.corner[links.next[u]]);
+  };
+  const auto count = static_cast<std::uint32_t>(facets.corner.size());
+  for (std::uint32_t u = 0; u < count; ++u) ++b.begin[lesser(u) + 2];
+  for (std::size_t v = 2; v < b.begin.size(); ++v) b.begin[v] += b.begin[v - 1];
+  b.entry.resize(count);
+  for (std::uint32_t u = 0; u < count; ++u) {
+    const std::uint32_t from = facets.corner[u], to = facets.corner[links.next[u]];
+    b.entry[b.begin[std::min(from, to) + 1]++] = std::uint64_t{std::max(from, to)} << 32U | u;
+  }
+  return b;
+}
+
+}  // namespace
+
+MeshLinks link_corners(const MeshFacets& facets, std::size_t vertex_count) {
+  MeshLinks links;
+  link_cycles(facets, links);
+  Buckets buckets = bucket_uses(facets, links, vertex_count);
+  links.end.reserve(facets.corner.size() / 2 + 1);
+  links.begin.reserve(facets.corner.size() / 2 + 2);
+  links.use.reserve(facets.corner.size());
+  for (std::uint32_t v = 0; v < vertex_count; ++v) {
+    const auto first = buckets.entry.begin() + buckets.begin[v];
+    const auto last = buckets.entry.begin() + buckets.begin[v + 1];
+    std::sort(first, last);
+    std::uint32_t known = ~std::uint32_t{0};  // the other end of the last edge of v
+    for (auto i = first; i != last; ++i) {
+      const auto other = static_cast<std::uint32_t>(*i >> 32U);
+      if (other != known) {
+        links.begin.push_back(static_cast<std::uint32_t>(links.use.size()));
+        links.end.push_back({v, other});
+        known = other;
+      }
+      links.use.push_back(static_cast<std::uint32_t>(*i));
+    }
+  }
+  links.begin.push_back(static_cast<std::uint32_t>(links.use.size()));
+  return links;
+}
+
+// ---------------------------------------------------------------- doubled facets
+
+namespace {
+
+class Doubles {
+ public:
+  Doubles(const MeshFacets& facets, const MeshLinks& links) : facets_(facets), links_(links) {}
+
+  /// Per facet: an earlier one with the same boundary, or itself. Empty: there is none.
+  std::vector<std::uint32_t> find() {
+    for (std::size_t e = 0; e < links_.edge_count(); ++e) {
+      const auto uses = links_.uses_of(e);
+      for (std::size_t j = 1; j < uses.size(); ++j) {
+        if (is_first(uses[j])) compare_with_earlier(uses.first(j), uses[j]);
+      }
+    }
+    return std::move(same_);
+  }
+
+ private:
+  /// Each cycle starts at its least vertex, so equal ones start with equal uses.
+  bool is_first(std::uint32_t use) const { return facets_.begin[links_.facet[use]] == use; }
+
+  void compare_with_earlier(std::span<const std::uint32_t> earlier, std::uint32_t use) {
+    const std::uint32_t g = links_.facet[use];
+    for (const std::uint32_t other : earlier) {
+      const std::uint32_t f = links_.facet[other];
+      if (!is_first(other) || facets_.plane[f] != facets_.plane[g]) continue;
+      if (!std::ranges::equal(facets_.corners(f), facets_.corners(g))) continue;
+      if (same_.empty()) {
+        for (std::uint32_t i = 0; i < facets_.size(); ++i) same_.push_back(i);
+      }
+      same_[g] = f;
+      return;
+    }
+  }
+
+  const MeshFacets& facets_;
+  const MeshLinks& links_;
+  std::vector<std::uint32_t> same_;
+};
+
+/// The facets that are their own `same`, with the jumps of the others.
+MeshFacets merged(const MeshFacets& facets, std::span<const std::uint32_t> same) {
+  MeshFacets kept;
+  kept.loose = facets.loose;
+  std::vector<std::uint32_t> place(facets.size());
+  for (std::uint32_t f = 0; f < facets.size(); ++f) {
+    place[f] = same[f] == f ? static_cast<std::uint32_t>(kept.size()) : place[same[f]];
+    if (same[f] != f) {
+      kept.jump[place[f]] += facets.jump[f];
+      continue;
+    }
+    const auto corners = facets.corners(f);
+    kept.corner.insert(kept.corner.end(), corners.begin(), corners.end());
+    kept.begin.push_back(static_cast<std::uint32_t>(kept.corner.size()));
+    kept.plane.push_back(facets.plane[f]);
+    kept.jump.push_back(facets.jump[f]);
+    kept.origin.push_back(facets.origin[f]);
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::vector<MeshReport::FacePair> merge_doubled(MeshFacets& facets, MeshLinks& links,
+                                                std::size_t vertex_count) {
+  std::vector<MeshReport::FacePair> doubled;
+  const std::vector<std::uint32_t> same = Doubles(facets, links).find();
+  for (std::uint32_t f = 0; f < same.size(); ++f) {
+    if (same[f] != f) doubled.emplace_back(facets.origin[f], facets.origin[same[f]]);
+  }
+  if (!doubled.empty()) {
+    facets = merged(facets, same);
+    links = link_corners(facets, vertex_count);
+  }
+  return doubled;
+}
+
+namespace {
+
+/// A point straight above or below p, seen along an axis: the other coordinates stay, so that the
+/// plane through p, another point and this one is exactly parallel to the axis. 0 and 1 keep
+/// numbers short.
+Point3 moved_along(Point3 p, std::size_t axis) {
+  double& c = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+  c = c == 0 ? 1 : 0;
+  return p;
+}
+
+/// The planes and directions of edges of which the first plane and both ends are known.
+class EdgePlanes {
+ public:
+  EdgePlanes(SpaceComplex& complex, SpaceTables& tables) : c_(complex), tables_(tables) {}
+
+  /// A second plane for each: through the edge, parallel to the axis along which the first one is
+  /// seen.
+  void add_second(std::span<const std::uint32_t> edges) {
+    std::vector<std::array<InputPointId, 3>> triples;
+    std::vector<std::uint32_t> of_inputs;
+    for (const std::uint32_t e : edges) {
+      const std::size_t axis = FlatView::of_plane(tables_.planes, c_.edge_planes[e][0]).axis;
+      const SpacePoint a = end(2 * e), b = end(2 * e + 1);
+      if (a.is_input() && b.is_input()) {
+        triples.push_back({a.input(), b.input(), above(a.input(), axis)});
+        of_inputs.push_back(e);
+      } else {
+        c_.edge_planes[e][1] = rational_plane(a, b, axis);
+      }
+    }
+    std::vector<OrientedPlane> planes(triples.size());
+    tables_.planes.intern_triangles(triples, planes);
+    for (std::size_t i = 0; i < of_inputs.size(); ++i) {
+      c_.edge_planes[of_inputs[i]][1] = planes[i].plane();
+    }
+  }
+
+  /// Does half-edge 2e run along n_p x n_q? It does from the lesser end if the two agree along the
+  /// axis in which the edge is longest.
+  bool is_along(std::uint32_t e) const {
+    const auto [axis, runs] = longest_axis(end(2 * e), end(2 * e + 1));
+    const auto [p, q] = c_.edge_planes[e];
+    return runs == minor_sign(tables_.planes, p, q, axis);
+  }
+
+ private:
+  SpacePoint end(std::uint32_t halfedge) const {
+    return c_.vertex_point[c_.origin[halfedge].value()];
+  }
+
+  /// The point straight above an input point, added once.
+  InputPointId above(InputPointId p, std::size_t axis) {
+    if (above_.empty()) above_.resize(tables_.planes.points().size());
+    InputPointId& known = above_[p.value()][axis];
+    if (!known.is_valid()) {
+      known = tables_.planes.add_point(moved_along(tables_.planes.point(p), axis));
+    }
+    return known;
+  }
+
+  PlaneId rational_plane(SpacePoint a, SpacePoint b, std::size_t axis) {
+    const RationalPoint3 p = exact(tables_.points, a), q = exact(tables_.points, b);
+    const std::array<Rational, 3> at{p.x, p.y, p.z};
+    const std::array<Rational, 3> d{q.x - p.x, q.y - p.y, q.z - p.z};
+    const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+    std::array<Rational, 3> n;
+    n[i] = d[j];
+    n[j] = -d[i];
+    return tables_.planes.intern(n[0], n[1], n[2], -(n[i] * at[i] + n[j] * at[j])).plane();
+  }
+
+  struct Run {
+    std::size_t axis;
+    Sign sign;
+  };
+
+  /// An axis in which the points differ; where doubles tell, that in which they differ most. And
+  /// which way b is from a.
+  Run longest_axis(SpacePoint a, SpacePoint b) const {
+    const auto p = tables_.points.box(a).mid, q = tables_.points.box(b).mid;
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+      if (std::fabs(q[i] - p[i]) > std::fabs(q[best] - p[best])) best = i;
+    }
+    if (a.is_input() && b.is_input() && q[best] - p[best] != 0) {
+      return {best, sign_of(q[best] - p[best])};  // a difference of doubles has the right sign
+    }
+    if (q[best] - p[best] != 0) {
+      const Sign sign = compare_axis(tables_.points, b, a, best);
+      if (sign != Sign::Zero) return {best, sign};
+    }
+    best = 0;
+    while (compare_axis(tables_.points, a, b, best) == Sign::Zero) ++best;
+    return {best, compare_axis(tables_.points, b, a, best)};
+  }
+
+  SpaceComplex& c_;
+  SpaceTables& tables_;
+  std::vector<std::array<InputPointId, 3>> above_;  // of input points, along each axis
+};
+
+class Linker {
+ public:
+  Linker(const MeshFacets& facets, const MeshLinks& links, std::span<const SpacePoint> points,
+         SpaceTables& tables)
+      : facets_(facets), links_(links), points_(points), tables_(tables) {}
+
+  SpaceComplex run() {
+    fill_vertices();
+    fill_edges();
+    fill_uses();
+    fill_facets();
+    fill_stars();
+    return std::move(out_);
+  }
+
+ private:
+  void fill_vertices() {
+    const std::size_t n = points_.size();
+    out_.vertex_point.assign(points_.begin(), points_.end());
+    out_.vertex_mark.assign(n, 0);
+    out_.vertex_volume.resize(n);
+    out_.vertex_facet.resize(n);
+  }
+
+  // ---------------------------------------------------------------- edges
+
+  PlaneId plane_of(std::uint32_t use) const { return facets_.plane[links_.facet[use]]; }
+
+  void fill_edges() {
+    const std::size_t n = links_.edge_count();
+    out_.edge_mark.assign(n, 0);
+    out_.edge_volume.resize(n);
+    out_.edge_use.resize(n);
+    out_.origin.reserve(2 * n);
+    for (const auto& [a, b] : links_.end) {
+      out_.origin.emplace_back(a);
+      out_.origin.emplace_back(b);
+    }
+    choose_planes();
+  }
+
+  bool can_be_open(std::span<const std::uint32_t> uses) const {
+    return uses.size() == 2 && is_input_triangle(uses[0]) && is_input_triangle(uses[1]);
+  }
+  bool is_input_triangle(std::uint32_t use) const {
+    const std::uint32_t f = links_.facet[use];
+    const auto corners = std::span(facets_.corner)
+                             .subspan(facets_.begin[f], facets_.begin[f + 1] - facets_.begin[f]);
+    return corners.size() == 3 &&
+           std::ranges::all_of(corners, [this](std::uint32_t v) { return points_[v].is_input(); });
+  }
+
+  /// Two planes through every edge: of the first use, and the first other one; planes that share
+  /// a line are not parallel. Where there is none, one is made, or the edge stays open.
+  void choose_planes() {
+    out_.edge_planes.resize(links_.edge_count());
+    std::vector<std::uint32_t> flat;
+    for (std::uint32_t e = 0; e < links_.edge_count(); ++e) {
+      const auto uses = links_.uses_of(e);
+      const PlaneId first = plane_of(uses[0]);
+      const auto other =
+          std::ranges::find_if(uses, [&](std::uint32_t u) { return plane_of(u) != first; });
+      out_.edge_planes[e] = {first, other == uses.end() ? PlaneId() : plane_of(*other)};
+      if (other == uses.end() && !can_be_open(uses)) flat.push_back(e);
+    }
+    EdgePlanes planes(out_, tables_);
+    planes.add_second(flat);
+    for (std::uint32_t e = 0; e < links_.edge_count(); ++e) {
+      if (!out_.edge_planes[e][1].is_valid() || planes.is_along(e)) continue;
+      std::swap(out_.origin[2 * e], out_.origin[2 * e + 1]);
+    }
+  }
+
+  // ---------------------------------------------------------------- uses
+
+  void fill_uses() {
+    const std::size_t n = facets_.corner.size();
+    out_.use_halfedge.resize(n);
+    out_.use_next.resize(n);
+    out_.use_prev.resize(n);
+    out_.use_radial.resize(n);
+    out_.use_facet.resize(n);
+    for (std::uint32_t u = 0; u < n; ++u) {
+      out_.use_next[u] = UseId(links_.next[u]);
+      out_.use_prev[links_.next[u]] = UseId(u);
+      out_.use_facet[u] = FacetId(links_.facet[u]);
+    }
+    for (std::uint32_t e = 0; e < links_.edge_count(); ++e) link_ring(e);
+  }
+
+  void link_ring(std::uint32_t e) {
+    const auto uses = links_.uses_of(e);
+    for (const std::uint32_t u : uses) {
+      const bool is_reverse = out_.origin[2 * e].value() != facets_.corner[u];
+      out_.use_halfedge[u] = HalfedgeId(2 * e + (is_reverse ? 1 : 0));
+    }
+    if (uses.size() == 2) {
+      out_.use_radial[uses[0]] = UseId(uses[1]);
+      out_.use_radial[uses[1]] = UseId(uses[0]);
+      out_.edge_use[e] = UseId(uses[0]);
+      return;
+    }
+    ring_.assign(uses.begin(), uses.end());
+    sort_ring(e);
+    for (std::size_t i = 0; i < ring_.size(); ++i) {
+      out_.use_radial[ring_[i]] = UseId(ring_[i + 1 < ring_.size() ? i + 1 : 0]);
+    }
+    out_.edge_use[e] = UseId(ring_[0]);
+  }
+
+  /// Uses leave a half-edge's line along n x d (of 2e) or -n x d (of 2e + 1), so that their angles
+  /// about d are those of n and -n. Counted from the plane p = edge_planes[e][0]: 0 along n_p, 1 in
+  /// the half-turn after it, 2 along -n_p, 3 in the other half-turn.
+  void sort_ring(std::uint32_t e) {
+    const PlaneId p = out_.edge_planes[e][0], q = out_.edge_planes[e][1];
+    const auto sense = [&](std::uint32_t u) {
+      return SpaceComplex::is_reverse(out_.use_halfedge[u]) ? Sign::Negative : Sign::Positive;
+    };
+    const auto turn = [&](PlaneId m1, PlaneId m2) {
+      return m1 == m2 ? Sign::Zero : turn_about_line(tables_.planes, p, q, m1, m2);
+    };
+    const auto quarter = [&](std::uint32_t u) {
+      const Sign s = turn(p, plane_of(u)) * sense(u);
+      if (s == Sign::Zero) return sense(u) == Sign::Positive ? 0 : 2;
+      return s == Sign::Positive ? 1 : 3;
+    };
+    std::ranges::sort(ring_, [&](std::uint32_t u, std::uint32_t v) {
+      const int i = quarter(u), j = quarter(v);
+      if (i != j) return i < j;
+      const Sign s = turn(plane_of(u), plane_of(v)) * sense(u) * sense(v);
+      return s != Sign::Zero ? s == Sign::Positive : u < v;
+    });
+  }
+
+  // ---------------------------------------------------------------- facets, stars
+
+  void fill_facets() {
+    const std::size_t n = facets_.size();
+    out_.facet_plane = facets_.plane;
+    out_.facet_mark.assign(n, 0);
+    out_.facet_volume.resize(n);
+    out_.facet_origin = facets_.origin;
+    out_.inner_begin.assign(n + 1, 0);
+    for (std::uint32_t f = 0; f < n; ++f) {
+      out_.cycle_begin.push_back(f);
+      out_.cycle.emplace_back(facets_.begin[f]);
+    }
+    out_.cycle_begin.push_back(static_cast<std::uint32_t>(n));
+  }
+
+  void fill_stars() {
+    const std::size_t n = points_.size();
+    std::vector<std::uint32_t> next(n + 1, 0);
+    for (const VertexId v : out_.origin) ++next[v.value() + 1];
+    for (std::size_t v = 0; v < n; ++v) next[v + 1] += next[v];
+    out_.star_begin = next;
+    out_.star.resize(out_.origin.size());
+    for (std::uint32_t h = 0; h < out_.origin.size(); ++h) {
+      out_.star[next[out_.origin[h].value()]++] = HalfedgeId(h);
+    }
+  }
+
+  const MeshFacets& facets_;
+  const MeshLinks& links_;
+  std::span<const SpacePoint> points_;
+  SpaceTables& tables_;
+  SpaceComplex out_;
+  std::vector<std::uint32_t> ring_;
+};
+
+/// Half-edges 2e and 2e + 1 change their names.
+void turn_edge(SpaceComplex& complex, std::uint32_t e) {
+  const HalfedgeId h(2 * e), twin(2 * e + 1);
+  const auto turned = [&](HalfedgeId g) { return g == h ? twin : h; };
+  for (const HalfedgeId g : {h, twin}) {
+    const VertexId v = complex.origin[g.value()];
+    const auto begin = complex.star.begin();
+    *std::find(begin + complex.star_begin[v.value()], begin + complex.star_begin[v.value() + 1],
+               g) = turned(g);
+  }
+  std::swap(complex.origin[h.value()], complex.origin[twin.value()]);
+  const UseId first = complex.edge_use[e];
+  for (const UseId u : {first, complex.use_radial[first.value()]}) {
+    complex.use_halfedge[u.value()] = turned(complex.use_halfedge[u.value()]);
+  }
+}
+
+}  // namespace
+
+SpaceComplex link_facets(const MeshFacets& facets, const MeshLinks& links,
+                         std::span<const SpacePoint> points, std::shared_ptr<SpaceTables> tables,
+                         FlatEdges flat_edges) {
+  SpaceComplex complex = Linker(facets, links, points, *tables).run();
+  complex.tables = std::move(tables);
+  if (flat_edges == FlatEdges::Complete) complete_flat_edges(complex);
+  return complex;
+}
+
+void complete_flat_edges(SpaceComplex& complex) {
+  std::vector<std::uint32_t> flat;
+  for (std::uint32_t e = 0; e < complex.edge_count(); ++e) {
+    if (!complex.edge_planes[e][1].is_valid()) flat.push_back(e);
+  }
+  EdgePlanes planes(complex, *std::const_pointer_cast<SpaceTables>(complex.tables));
+  planes.add_second(flat);
+  for (const std::uint32_t e : flat) {
+    if (!planes.is_along(e)) turn_edge(complex, e);
+  }
+}
+
+}  // namespace plumb

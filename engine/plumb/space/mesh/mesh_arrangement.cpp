@@ -1,0 +1,385 @@
+#include "plumb/space/mesh/mesh_arrangement.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "plumb/predicates/arithmetic/seeded_hash.h"
+#include "plumb/space/boolean/boolean_op.h"
+#include "plumb/space/mesh/link_facets.h"
+#include "plumb/space/query/volumes.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+/// Lists of numbers, one for each of some items, in one array.
+struct Lists {
+  std::vector<std::uint32_t> begin;
+  std::vector<std::uint32_t> entry;
+  std::span<const std::uint32_t> operator[](std::size_t i) const {
+    return std::span(entry).subspan(begin[i], begin[i + 1] - begin[i]);
+  }
+};
+
+/// Per facet those it crosses.
+Lists rivals_of(std::size_t facets, std::span<const std::pair<FacetId, FacetId>> crossings) {
+  Lists lists;
+  lists.begin.assign(facets + 1, 0);
+  for (const auto& [f, g] : crossings) {
+    ++lists.begin[f.value() + 1];
+    ++lists.begin[g.value() + 1];
+  }
+  std::partial_sum(lists.begin.begin(), lists.begin.end(), lists.begin.begin());
+  lists.entry.resize(lists.begin.back());
+  std::vector<std::uint32_t> at(lists.begin.begin(), lists.begin.end() - 1);
+  for (const auto& [f, g] : crossings) {
+    lists.entry[at[f.value()]++] = g.value();
+    lists.entry[at[g.value()]++] = f.value();
+  }
+  return lists;
+}
+
+/// Per component its facets.
+Lists facets_of(std::span<const std::uint32_t> component) {
+  Lists lists;
+  for (const std::uint32_t c : component) {
+    if (c + 2 > lists.begin.size()) lists.begin.resize(c + 2, 0);
+    ++lists.begin[c + 1];
+  }
+  std::partial_sum(lists.begin.begin(), lists.begin.end(), lists.begin.begin());
+  lists.entry.resize(component.size());
+  std::vector<std::uint32_t> at(lists.begin.begin(), lists.begin.end() - 1);
+  for (std::uint32_t f = 0; f < component.size(); ++f) lists.entry[at[component[f]]++] = f;
+  return lists;
+}
+
+class Colouring {
+ public:
+  Colouring(const SpaceComplex& complex, std::span<const std::uint32_t> component,
+            std::span<const std::pair<FacetId, FacetId>> crossings)
+      : complex_(complex),
+        component_(component),
+        rivals_(rivals_of(complex.facet_count(), crossings)) {
+    layers_.of_facet.assign(complex.facet_count(), kNone);
+  }
+
+  MeshLayers run() {
+    const Lists components = facets_of(component_);
+    for (std::size_t c = 0; c + 1 < components.begin.size(); ++c) {
+      if (crosses_itself(components[c])) {
+        for (const std::uint32_t f : components[c]) spread_from(f);
+      } else {
+        keep_whole(components[c]);
+      }
+    }
+    return std::move(layers_);
+  }
+
+ private:
+  bool crosses_itself(std::span<const std::uint32_t> facets) const {
+    return std::ranges::any_of(facets, [this](std::uint32_t f) {
+      return std::ranges::any_of(rivals_[f],
+                                 [&](std::uint32_t g) { return component_[f] == component_[g]; });
+    });
+  }
+
+  void keep_whole(std::span<const std::uint32_t> facets) {
+    ++round_;
+    for (const std::uint32_t f : facets) exclude_rivals(f);
+    const std::uint32_t layer = least_free();
+    for (const std::uint32_t f : facets) put(f, layer);
+  }
+
+  /// Goes from a facet to its neighbours, breadth first, staying in one layer where that is free.
+  void spread_from(std::uint32_t start) {
+    if (layers_.of_facet[start] != kNone) return;
+    put_near(start, kNone);
+    queue_.assign(1, start);
+    for (std::size_t i = 0; i < queue_.size(); ++i) {
+      const UseId first = complex_.cycles_of(FacetId(queue_[i]))[0];
+      UseId u = first;
+      do {
+        const std::uint32_t g = complex_.use_facet[complex_.use_radial[u.value()].value()].value();
+        if (layers_.of_facet[g] == kNone && component_[g] == component_[start]) {
+          put_near(g, layers_.of_facet[queue_[i]]);
+          queue_.push_back(g);
+        }
+        u = complex_.use_next[u.value()];
+      } while (u != first);
+    }
+  }
+
+  void put_near(std::uint32_t f, std::uint32_t wanted) {
+    ++round_;
+    exclude_rivals(f);
+    put(f, wanted != kNone && excluded_[wanted] != round_ ? wanted : least_free());
+  }
+
+  void exclude_rivals(std::uint32_t f) {
+    for (const std::uint32_t g : rivals_[f]) {
+      if (layers_.of_facet[g] != kNone) excluded_[layers_.of_facet[g]] = round_;
+    }
+  }
+
+  std::uint32_t least_free() const {
+    const auto free = std::ranges::find_if(excluded_, [this](auto r) { return r != round_; });
+    return static_cast<std::uint32_t>(free - excluded_.begin());
+  }
+
+  void put(std::uint32_t f, std::uint32_t layer) {
+    layers_.of_facet[f] = layer;
+    if (layer < layers_.count) return;
+    layers_.count = layer + 1;
+    excluded_.resize(layers_.count, 0);
+  }
+
+  const SpaceComplex& complex_;
+  std::span<const std::uint32_t> component_;
+  Lists rivals_;
+  MeshLayers layers_;
+  std::vector<std::uint64_t> excluded_;  // per layer: the round in which a rival was seen there
+  std::uint64_t round_ = 0;
+  std::vector<std::uint32_t> queue_;
+};
+
+/// The vertices that take part, ascending.
+std::vector<std::uint32_t> gather_corners(const SpaceComplex& complex,
+                                          std::span<const FacetId> facets, MeshFacets& out) {
+  for (const FacetId f : facets) {
+    const UseId first = complex.cycles_of(f)[0];
+    UseId u = first;
+    do {
+      out.corner.push_back(complex.use_origin(u).value());
+      u = complex.use_next[u.value()];
+    } while (u != first);
+    out.begin.push_back(static_cast<std::uint32_t>(out.corner.size()));
+    out.plane.push_back(complex.facet_plane[f.value()]);
+    out.origin.push_back(f.value());
+  }
+  std::vector<std::uint32_t> vertices = out.corner;
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+}  // namespace
+
+MeshLayers find_layers(const SpaceComplex& complex, std::span<const std::uint32_t> component,
+                       std::span<const std::pair<FacetId, FacetId>> crossings) {
+  return Colouring(complex, component, crossings).run();
+}
+
+SpaceComplex layer_of(const SpaceComplex& complex, std::span<const FacetId> facets,
+                      std::shared_ptr<SpaceTables> tables, Context& context) {
+  MeshFacets chosen;
+  const std::vector<std::uint32_t> vertices = gather_corners(complex, facets, chosen);
+  std::vector<SpacePoint> points;
+  points.reserve(vertices.size());
+  for (const std::uint32_t v : vertices) points.push_back(complex.vertex_point[v]);
+  for (std::uint32_t& v : chosen.corner) {
+    v = static_cast<std::uint32_t>(std::ranges::lower_bound(vertices, v) - vertices.begin());
+  }
+  const MeshLinks links = link_corners(chosen, vertices.size());
+  SpaceComplex layer = link_facets(chosen, links, points, std::move(tables));
+  label_volumes(layer, context);
+  return layer;
+}
+
+namespace {
+
+/// Numbers for sheets that lie upon each other: those below count() - pairs are sheets, others
+/// pairs of numbers.
+class Bundles {
+ public:
+  explicit Bundles(std::uint32_t sheets) : sheets_(sheets) {}
+
+  std::uint32_t of_both(std::uint32_t a, std::uint32_t b) {
+    const std::uint64_t key = key_of({a, b});
+    const auto next = static_cast<std::uint32_t>(pairs_.size());
+    const std::uint32_t found =
+        numbers_.find_or_add(static_cast<std::uint32_t>(SeededHash()(key)), next,
+                             [&](std::uint32_t i) { return key_of(pairs_[i]) == key; });
+    if (found == next) pairs_.push_back({a, b});
+    return sheets_ + found;
+  }
+
+  /// Adds the sheets of a bundle. Each is in one layer, so none comes twice.
+  void unfold(std::uint32_t bundle, std::vector<std::uint32_t>& sheets) {
+    open_.assign(1, bundle);
+    while (!open_.empty()) {
+      const std::uint32_t b = open_.back();
+      open_.pop_back();
+      if (b < sheets_) {
+        sheets.push_back(b);
+      } else {
+        const auto& pair = pairs_[b - sheets_];
+        open_.insert(open_.end(), pair.begin(), pair.end());
+      }
+    }
+  }
+
+ private:
+  static std::uint64_t key_of(const std::array<std::uint32_t, 2>& pair) {
+    return std::uint64_t{std::min(pair[0], pair[1])} << 32U | std::max(pair[0], pair[1]);
+  }
+
+  std::uint32_t sheets_;
+  std::vector<std::array<std::uint32_t, 2>> pairs_;
+  IdIndex numbers_;  // of pairs_
+  std::vector<std::uint32_t> open_;
+};
+
+/// A surface in which nothing can be simplified.
+void mark_surface(SpaceComplex& complex) {
+  complex.vertex_mark.assign(complex.vertex_count(), kBeyond);
+  complex.edge_mark.assign(complex.edge_count(), kBeyond);
+  complex.facet_mark.assign(complex.facet_count(), 1);
+}
+
+class Arranger {
+ public:
+  Arranger(const MeshComplex& mesh, Context& context)
+      : mesh_(mesh),
+        context_(context),
+        tables_(copy(*mesh.complex.tables)),
+        bundles_(static_cast<std::uint32_t>(mesh.complex.facet_count())) {}
+
+  SpaceComplex run() {
+    const MeshLayers layers = find_layers(mesh_.complex, mesh_.component, mesh_.crossings);
+    facets_.resize(layers.count);
+    for (std::uint32_t f = 0; f < layers.of_facet.size(); ++f) {
+      facets_[layers.of_facet[f]].push_back(FacetId(f));
+    }
+    return overlay(0, layers.count);
+  }
+
+  Bundles& bundles() { return bundles_; }
+
+ private:
+  /// Of the layers from `first` to before `last`.
+  SpaceComplex overlay(std::size_t first, std::size_t last) {
+    if (last - first == 1) {
+      SpaceComplex layer = layer_of(mesh_.complex, facets_[first], tables_, context_);
+      mark_surface(layer);
+      return layer;
+    }
+    const std::size_t middle = first + (last - first) / 2;
+    const SpaceComplex a = overlay(first, middle), b = overlay(middle, last);
+    return combine_on(
+        tables_, a, b, MarkTable(kUnion),
+        [this](std::uint32_t i, std::uint32_t j) { return bundles_.of_both(i, j); }, context_);
+  }
+
+  const MeshComplex& mesh_;
+  Context& context_;
+  std::shared_ptr<SpaceTables> tables_;
+  Bundles bundles_;
+  std::vector<std::vector<FacetId>> facets_;  // per layer
+};
+
+/// Facets are the sheets themselves.
+void fill_sheets(MeshComplex& mesh) {
+  const std::size_t n = mesh.complex.facet_count();
+  mesh.sheet_begin.resize(n + 1);
+  std::iota(mesh.sheet_begin.begin(), mesh.sheet_begin.end(), 0U);
+  mesh.sheet.assign(mesh.sheet_begin.begin(), mesh.sheet_begin.end() - 1);
+}
+
+/// facet_origin of `arranged` are bundles; they become input faces.
+void unfold_sheets(SpaceComplex& arranged, Bundles& bundles, MeshComplex& mesh) {
+  const std::vector<std::uint32_t>& face = mesh.complex.facet_origin;
+  mesh.sheet_begin.assign(1, 0);
+  for (std::uint32_t& origin : arranged.facet_origin) {
+    const auto first = static_cast<std::ptrdiff_t>(mesh.sheet.size());
+    bundles.unfold(origin, mesh.sheet);
+    std::sort(mesh.sheet.begin() + first, mesh.sheet.end());
+    mesh.sheet_begin.push_back(static_cast<std::uint32_t>(mesh.sheet.size()));
+    const auto sheets = std::span(mesh.sheet).subspan(static_cast<std::size_t>(first));
+    origin = face[sheets.front()];
+    for (const std::uint32_t s : sheets) origin = std::min(origin, face[s]);
+  }
+}
+
+}  // namespace
+
+void arrange(MeshComplex& mesh, Context& context) {
+  if (mesh.is_arranged()) return;
+  const std::vector<std::uint8_t> has_fan = std::exchange(mesh.has_fan, {});
+  if (mesh.crossings.empty()) {
+    label_volumes(mesh.complex, context, has_fan);
+    fill_sheets(mesh);
+    return;
+  }
+  Arranger arranger(mesh, context);
+  SpaceComplex arranged = arranger.run();
+  unfold_sheets(arranged, arranger.bundles(), mesh);
+  mesh.complex = std::move(arranged);
+}
+
+std::vector<std::int32_t> facet_jumps(const MeshComplex& mesh) {
+  std::vector<std::int32_t> jumps;
+  jumps.reserve(mesh.complex.facet_count());
+  for (std::uint32_t f = 0; f < mesh.complex.facet_count(); ++f) {
+    std::int32_t sum = 0;
+    for (const std::uint32_t s : mesh.sheets_of(FacetId(f))) sum += mesh.jump[s];
+    jumps.push_back(sum);
+  }
+  return jumps;
+}
+
+namespace {
+
+/// Per component: does it border on volume 0? Alone somewhere, or, where several lie upon each
+/// other, with others none of which does so alone.
+std::vector<std::uint8_t> find_outermost(const MeshComplex& mesh) {
+  const auto component_of = [&](std::uint32_t sheet) { return mesh.component[sheet]; };
+  std::vector<std::uint8_t> is_outermost(mesh.is_inside_out.size(), 0);
+  std::vector<std::uint32_t> shared;  // facets
+  for (std::uint32_t f = 0; f < mesh.complex.facet_count(); ++f) {
+    const auto& sides = mesh.complex.facet_volume[f];
+    if (sides[0] != VolumeId(0) && sides[1] != VolumeId(0)) continue;
+    const auto sheets = mesh.sheets_of(FacetId(f));
+    const std::uint32_t first = component_of(sheets[0]);
+    if (std::ranges::all_of(sheets, [&](auto s) { return component_of(s) == first; })) {
+      is_outermost[first] = 1;
+    } else {
+      shared.push_back(f);
+    }
+  }
+  std::vector<std::uint8_t> result = is_outermost;
+  for (const std::uint32_t f : shared) {
+    const auto sheets = mesh.sheets_of(FacetId(f));
+    if (std::ranges::any_of(sheets, [&](auto s) { return is_outermost[component_of(s)] != 0; })) {
+      continue;
+    }
+    for (const std::uint32_t s : sheets) result[component_of(s)] = 1;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> turn_inside_out(MeshComplex& mesh, Context& context) {
+  std::vector<std::uint32_t> turned;
+  if (mesh.report.inside_out.empty()) return turned;
+  arrange(mesh, context);
+  std::vector<std::uint8_t> is_turned = find_outermost(mesh);
+  auto face = mesh.report.inside_out.begin();  // of inside-out components in order
+  for (std::size_t c = 0; c < is_turned.size(); ++c) {
+    if (mesh.is_inside_out[c] == 0) {
+      is_turned[c] = 0;
+      continue;
+    }
+    if (is_turned[c] != 0) turned.push_back(*face);
+    ++face;
+  }
+  for (std::size_t s = 0; s < mesh.jump.size(); ++s) {
+    if (is_turned[mesh.component[s]] != 0) mesh.jump[s] = -mesh.jump[s];
+  }
+  return turned;
+}
+
+}  // namespace plumb

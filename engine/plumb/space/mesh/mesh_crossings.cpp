@@ -1,0 +1,220 @@
+#include "plumb/space/mesh/mesh_crossings.h"
+
+#include <algorithm>
+#include <array>
+
+#include "plumb/base/internal/box_tree.h"
+#include "plumb/space/bounds/oriented_boxes.h"
+#include "plumb/space/bounds/packed_boxes.h"
+#include "plumb/space/complex/space_boxes.h"
+#include "plumb/space/mesh/triangle_crossing.h"
+#include "plumb/space/planar/facet_triangles.h"
+
+namespace plumb {
+namespace {
+
+using FacetPairs = std::vector<std::pair<FacetId, FacetId>>;
+
+// ---------------------------------------------------------------- all pairs
+
+class CrossingSearch {
+ public:
+  CrossingSearch(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan,
+                 Context& context)
+      : complex_(complex),
+        has_fan_(has_fan),
+        context_(context),
+        memory_(context),
+        test_(complex.points()) {}
+
+  FacetPairs run() {
+    memory_.add(kBytesPerCorner * complex_.use_count(), "boxes of triangles");
+    gather_triangles();
+    find_all();
+    std::sort(found_.begin(), found_.end());
+    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+    return std::move(found_);
+  }
+
+ private:
+  static constexpr std::uint64_t kBytesPerCorner = 100;
+  static constexpr std::uint64_t kBytesPerThinTriangle = 640;
+  static constexpr std::uint64_t kStepsPerTriangle = 32;
+
+  /// What the first tree cannot find in a few steps a box is left to one of two others: boxes of
+  /// many scales, or boxes that tell little.
+  void find_all() {
+    checkpoint();
+    const std::vector<Box3> boxes = boxes_of_triangles();
+    checkpoint();
+    const PackedBoxTree packed(boxes);
+    if (packed.fits() && find_in(packed)) return;
+    const TriangleGroups groups = group_triangles(triangles_, complex_.vertex_count());
+    checkpoint();
+    if (packed.fits() || groups.pairs > kStepsPerTriangle * triangles_.size() ||
+        has_many_pairs(expected_pairs(boxes, boxes), boxes.size())) {
+      find_thin(boxes, groups.of);
+      find_around_hubs(groups);
+    } else {
+      find_in(BoxTree(boxes), [](std::uint32_t i) { return i; });
+    }
+  }
+
+  /// False: pairs are missing. Of spheres and scanned models, the steps are 7 to 8 for each.
+  bool find_in(const PackedBoxTree& tree) {
+    std::uint64_t left = kStepsPerTriangle * (triangles_.size() + 256);
+    const auto may_go_on = [&] {
+      if (--left % 4096 == 0) checkpoint();
+      return left > 0;
+    };
+    const auto look = [this](std::uint32_t i, std::uint32_t j) { look_at(i, j); };
+    return tree.for_each_pair_inside(look, may_go_on);
+  }
+  template <class TriangleOf>
+  void find_in(const BoxTree& tree, const TriangleOf& triangle_of) {
+    tree.for_each_pair_inside([&](std::uint32_t i, std::uint32_t j) {
+      take_step();
+      look_at(triangle_of(i), triangle_of(j));
+    });
+  }
+  /// Of triangles that are thin and run in more directions than one.
+  void find_thin(std::span<const Box3> boxes, std::span<const std::uint32_t> groups) {
+    memory_.add(kBytesPerThinTriangle * triangles_.size(), "oriented boxes of triangles");
+    std::vector<OrientedBoxTree::Triangle> corners;
+    corners.reserve(triangles_.size());
+    for (const FacetTriangle& t : triangles_) {
+      const auto box = [&](std::size_t i) { return complex_.points().box(t.corner[i].point); };
+      corners.push_back({box(0), box(1), box(2)});
+    }
+    const auto on_step = [this] { take_step(); };
+    OrientedBoxTree(corners, groups, on_step)
+        .for_each_pair_inside(
+            [&](std::uint32_t i, std::uint32_t j) {
+              if (boxes[i].meets(boxes[j])) look_at(i, j);
+            },
+            on_step);
+  }
+  /// The pairs that have been left out: a facet does not cross itself, and around a vertex
+  /// directions tell.
+  void find_around_hubs(const TriangleGroups& groups) {
+    std::vector<std::uint32_t> around;
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      const std::uint32_t g = groups.of[t];
+      if (g != TriangleGroups::kNone && groups.hub[g].is_valid()) around.push_back(t);
+    }
+    std::ranges::stable_sort(around, {}, [&](std::uint32_t t) { return groups.of[t]; });
+    for (auto first = around.begin(), last = first; first != around.end(); first = last) {
+      const std::uint32_t g = groups.of[*first];
+      while (last != around.end() && groups.of[*last] == g) ++last;
+      find_around(groups.hub[g], {first, last});
+    }
+  }
+  void find_around(VertexId hub, std::span<const std::uint32_t> triangles) {
+    std::vector<Box3> boxes;
+    for (const std::uint32_t t : triangles) {
+      take_step();
+      const FacetTriangle& triangle = triangles_[t];
+      std::size_t i = 0;
+      while (triangle.corner[i].vertex != hub) ++i;
+      if ((triangle.fans >> i & 1U) != 0) return;
+      const auto box = [&](std::size_t k) {
+        return complex_.points().box(triangle.corner[(i + k) % 3].point);
+      };
+      boxes.push_back(box_of_directions(box(0), box(1), box(2)));
+    }
+    find_in(BoxTree(boxes), [&](std::uint32_t i) { return triangles[i]; });
+  }
+  void take_step() {
+    if (++steps_ % 4096 == 0) checkpoint();
+  }
+  void checkpoint() { context_.checkpoint("crossings of the mesh with itself", 0, 0); }
+
+  void look_at(std::uint32_t i, std::uint32_t j) {
+    const FacetTriangle &s = triangles_[i], &t = triangles_[j];
+    if (s.facet == t.facet || !test_(s, t)) return;
+    if (found_.size() % 4096 == 0) memory_.add(4096 * sizeof(found_[0]), "crossings of the mesh");
+    found_.push_back(std::minmax(s.facet, t.facet));
+  }
+
+  void gather_triangles() {
+    triangles_.reserve(complex_.use_count());
+    FacetTriangles facets(complex_);
+    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
+      facets.for_each(FacetId(f), [&](VertexId a, VertexId b, VertexId c) {
+        const auto fans = has_fan_[a.value()] | has_fan_[b.value()] << 1 | has_fan_[c.value()] << 2;
+        triangles_.push_back({{corner(a), corner(b), corner(c)},
+                              complex_.facet_plane[f],
+                              FacetId(f),
+                              static_cast<std::uint8_t>(fans),
+                              0});
+      });
+      if (!is_triangle(FacetId(f))) mark_diagonals(FacetId(f));
+    }
+  }
+  TriangleCorner corner(VertexId v) const { return {v, complex_.vertex_point[v.value()]}; }
+  bool is_triangle(FacetId f) const {
+    return !triangles_.empty() && (triangles_.size() == 1 || triangles_.rbegin()[1].facet != f);
+  }
+
+  /// Of the last triangles, those of facet f: sides that are not on its boundary.
+  void mark_diagonals(FacetId f) {
+    boundary_.clear();
+    for (const UseId first : complex_.cycles_of(f)) {
+      UseId u = first;
+      do {
+        boundary_.emplace_back(complex_.use_origin(u),
+                               complex_.use_origin(complex_.use_next[u.value()]));
+        u = complex_.use_next[u.value()];
+      } while (u != first);
+    }
+    std::sort(boundary_.begin(), boundary_.end());
+    for (auto t = triangles_.rbegin(); t != triangles_.rend() && t->facet == f; ++t) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::pair side(t->corner[i].vertex, t->corner[i == 2 ? 0 : i + 1].vertex);
+        if (!std::ranges::binary_search(boundary_, side)) t->diagonals |= 1U << i;
+      }
+    }
+  }
+
+  /// Along the axes, or in a frame where fewer of them meet.
+  std::vector<Box3> boxes_of_triangles() const {
+    std::vector<Box3> boxes = boxes_by([&](VertexId v) { return box_of(complex_, v); });
+    const double pairs = expected_pairs(boxes, boxes);
+    if (!has_many_pairs(pairs, boxes.size())) return boxes;
+    const BoxFrame frame = BoxFrame::of_edges(std::array{&complex_});
+    std::vector<Box3> turned = boxes_by([&](VertexId v) { return frame.box_of(complex_, v); });
+    return is_better_frame(expected_pairs(turned, turned), pairs) ? turned : boxes;
+  }
+  template <class BoxOf>
+  std::vector<Box3> boxes_by(const BoxOf& box_of_vertex) const {
+    std::vector<Box3> boxes;
+    boxes.reserve(triangles_.size());
+    for (const FacetTriangle& t : triangles_) {
+      Box3 box = box_of_vertex(t.corner[0].vertex);
+      box.add(box_of_vertex(t.corner[1].vertex));
+      box.add(box_of_vertex(t.corner[2].vertex));
+      boxes.push_back(box);
+    }
+    return boxes;
+  }
+
+  const SpaceComplex& complex_;
+  const std::span<const std::uint8_t> has_fan_;
+  Context& context_;
+  MemoryCharge memory_;
+  TriangleCrossing test_;
+  std::vector<FacetTriangle> triangles_;
+  std::vector<std::pair<VertexId, VertexId>> boundary_;
+  FacetPairs found_;         // some of them more than once
+  std::uint64_t steps_ = 0;  // in all trees
+};
+
+}  // namespace
+
+std::vector<std::pair<FacetId, FacetId>> find_mesh_crossings(const SpaceComplex& complex,
+                                                             std::span<const std::uint8_t> has_fan,
+                                                             Context& context) {
+  return CrossingSearch(complex, has_fan, context).run();
+}
+
+}  // namespace plumb

@@ -1,0 +1,429 @@
+#include "plumb/space/mesh/mesh_facets.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/planar/facet_triangles.h"
+
+namespace plumb {
+namespace {
+
+using Vector3 = std::array<double, 3>;
+
+Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double largest(const Vector3& v) {
+  return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
+}
+
+/// A face by its vertices, trimmed.
+struct Loop {
+  std::span<const std::uint32_t> corners;
+  std::uint32_t face;
+};
+
+class Flattener {
+ public:
+  Flattener(const MeshView& mesh, const MeshVertices& vertices, SpaceTables& tables,
+            MeshReport& report, Context& context)
+      : mesh_(mesh),
+        vertices_(vertices),
+        tables_(tables),
+        report_(report),
+        context_(context),
+        flat_(tables.points) {}
+
+  MeshFacets run() {
+    gather_loops();
+    intern_planes();
+    reserve();
+    for (std::size_t i = 0; i < loop_count(); ++i) {
+      if (i % 4096 == 0) context_.checkpoint("planes of faces", i, loop_count());
+      const Loop loop = loop_at(i);
+      if (loop.corners.size() == 3) {
+        add_triangle(loop, plane_[i]);
+      } else {
+        add_polygon(loop, plane_[i]);
+      }
+    }
+    return std::move(facets_);
+  }
+
+ private:
+  // ---------------------------------------------------------------- 1. corners
+
+  void gather_loops() {
+    corner_.reserve(mesh_.corners.size());
+    begin_.reserve(mesh_.face_count() + 1);
+    face_.reserve(mesh_.face_count());
+    for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
+      if (take_triangle(f)) continue;
+      const std::size_t first = corner_.size();
+      for (const std::uint32_t p : mesh_.face(f)) push_corner(first, vertices_.of_point[p]);
+      trim_ends(first);
+      const std::size_t size = corner_.size() - first;
+      if (size < mesh_.face(f).size()) report_.trimmed.push_back(f);
+      if (size < 3) {
+        corner_.resize(first);
+        report_.degenerate.push_back(f);
+      } else {
+        face_.push_back(f);
+        begin_.push_back(static_cast<std::uint32_t>(corner_.size()));
+      }
+    }
+  }
+
+  /// Nothing is to be trimmed where three corners differ: nearly all faces. False: it is no such
+  /// face.
+  bool take_triangle(std::uint32_t f) {
+    const auto face = mesh_.face(f);
+    if (face.size() != 3) return false;
+    const IndexTriangle t{vertices_.of_point[face[0]], vertices_.of_point[face[1]],
+                          vertices_.of_point[face[2]]};
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return false;
+    for (const std::uint32_t v : t) corner_.push_back(v);
+    face_.push_back(f);
+    begin_.push_back(static_cast<std::uint32_t>(corner_.size()));
+    return true;
+  }
+
+  /// No corner follows itself, none stands between two equal ones.
+  void push_corner(std::size_t first, std::uint32_t v) {
+    const std::size_t size = corner_.size() - first;
+    if (size >= 1 && corner_.back() == v) return;
+    if (size >= 2 && corner_[corner_.size() - 2] == v) {
+      corner_.pop_back();
+      return;
+    }
+    corner_.push_back(v);
+  }
+
+  /// The same where the end meets the beginning.
+  void trim_ends(std::size_t first) {
+    std::size_t begin = first, end = corner_.size();
+    const auto is_spike = [&](std::size_t before, std::size_t after) {
+      return end - begin >= 3 && corner_[before] == corner_[after];
+    };
+    while (end - begin >= 2) {
+      if (corner_[end - 1] == corner_[begin] || is_spike(end - 2, begin)) {
+        --end;
+      } else if (is_spike(end - 1, begin + 1)) {
+        ++begin;
+      } else {
+        break;
+      }
+    }
+    corner_.resize(end);
+    corner_.erase(corner_.begin() + static_cast<std::ptrdiff_t>(first),
+                  corner_.begin() + static_cast<std::ptrdiff_t>(begin));
+  }
+
+  std::size_t loop_count() const { return face_.size(); }
+  Loop loop_at(std::size_t i) const {
+    return {std::span(corner_).subspan(begin_[i], begin_[i + 1] - begin_[i]), face_[i]};
+  }
+
+  // ---------------------------------------------------------------- 2. planes
+
+  /// The planes of all loops by three corners; those of input points in one go.
+  void intern_planes() {
+    using Triple = std::array<InputPointId, 3>;
+    std::vector<Triple> triples;
+    std::vector<std::uint32_t> loops;
+    plane_.resize(loop_count());
+    for (std::uint32_t i = 0; i < loop_count(); ++i) {
+      const Loop loop = loop_at(i);
+      const IndexTriangle t = loop.corners.size() == 3
+                                  ? IndexTriangle{loop.corners[0], loop.corners[1], loop.corners[2]}
+                                  : widest_triple(loop.corners);
+      const SpacePoint a = point(t[0]), b = point(t[1]), c = point(t[2]);
+      if (a.is_input() && b.is_input() && c.is_input()) {
+        triples.push_back({a.input(), b.input(), c.input()});
+        loops.push_back(i);
+      } else {
+        plane_[i] = plane_through(tables_, a, b, c);
+      }
+    }
+    std::vector<OrientedPlane> found(triples.size());
+    tables_.planes.intern_triangles(triples, found);
+    for (std::size_t k = 0; k < loops.size(); ++k) plane_[loops[k]] = found[k];
+  }
+
+  /// Three corners far apart: the first, the farthest from it, the farthest from their line. A
+  /// matter of speed only: any three that are not on a line would do.
+  IndexTriangle widest_triple(std::span<const std::uint32_t> corners) const {
+    const double scale = 1 / reach(corners);
+    const auto from_first = [&](std::uint32_t v) {
+      const auto p = tables_.points.box(point(v)).mid;
+      const auto o = tables_.points.box(point(corners[0])).mid;
+      return Vector3{p[0] * scale - o[0] * scale, p[1] * scale - o[1] * scale,
+                     p[2] * scale - o[2] * scale};
+    };
+    std::uint32_t far = corners[1], wide = corners[2];
+    double best = 0;
+    for (const std::uint32_t v : corners) {
+      const double d = largest(from_first(v));
+      if (d > best) best = d, far = v;
+    }
+    best = 0;
+    for (const std::uint32_t v : corners) {
+      const double area = largest(cross(from_first(far), from_first(v)));
+      if (area > best) best = area, wide = v;
+    }
+    return {corners[0], far, wide};
+  }
+
+  /// The largest coordinate, or 1 where its inverse is no number.
+  double reach(std::span<const std::uint32_t> corners) const {
+    double reach = 0;
+    for (const std::uint32_t v : corners) {
+      reach = std::max(reach, largest(tables_.points.box(point(v)).mid));
+    }
+    return reach > 0x1p-1000 ? reach : 1;
+  }
+
+  // ---------------------------------------------------------------- 3. facets
+
+  void reserve() {
+    facets_.begin.reserve(loop_count() + 1);
+    facets_.plane.reserve(loop_count());
+    facets_.jump.reserve(loop_count());
+    facets_.origin.reserve(loop_count());
+    facets_.corner.reserve(corner_.size());
+  }
+
+  /// Corners counter-clockwise as seen from the positive side of `plane`, the least one first.
+  void add_facet(std::span<const std::uint32_t> corners, OrientedPlane plane, std::uint32_t face) {
+    const std::size_t last = corners.size() - 1;
+    auto i = static_cast<std::size_t>(std::ranges::min_element(corners) - corners.begin());
+    for (std::size_t k = 0; k <= last; ++k) {
+      facets_.corner.push_back(corners[i]);
+      if (plane.is_opposite()) {
+        i = i == 0 ? last : i - 1;
+      } else {
+        i = i == last ? 0 : i + 1;
+      }
+    }
+    facets_.begin.push_back(static_cast<std::uint32_t>(facets_.corner.size()));
+    facets_.plane.push_back(plane.plane());
+    facets_.jump.push_back(plane.is_opposite() ? 1 : -1);
+    facets_.origin.push_back(face);
+  }
+
+  /// The edges of something without area.
+  void add_loose(std::span<const std::uint32_t> corners) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      facets_.loose.push_back({corners[i], corners[(i + 1) % corners.size()]});
+    }
+  }
+
+  bool add_triangle(const Loop& loop, OrientedPlane plane) {
+    if (plane.is_valid()) {
+      add_facet(loop.corners, plane, loop.face);
+    } else {
+      add_loose(loop.corners);
+      report_.degenerate.push_back(loop.face);
+    }
+    return plane.is_valid();
+  }
+
+  void add_polygon(const Loop& loop, OrientedPlane by_widest) {
+    const OrientedPlane plane = by_widest.is_valid() ? by_widest : any_plane(loop.corners);
+    if (!plane.is_valid()) {
+      add_loose(loop.corners);
+      report_.degenerate.push_back(loop.face);
+    } else if (is_planar(loop.corners, plane.plane())) {
+      view(loop.corners, FlatView::of_plane(tables_.planes, plane.plane()));
+      const PolygonShape shape = shape_of(flat_, local_, context_);
+      if (shape == PolygonShape::Simple) {
+        const bool is_opposite = orientation_of(flat_, local_) == Sign::Negative;
+        add_facet(loop.corners, {plane.plane(), is_opposite}, loop.face);
+      } else {
+        add_pieces(loop, shape);
+      }
+    } else {
+      report_.not_planar.push_back(loop.face);
+      view(loop.corners, newell_view(loop.corners));
+      add_pieces(loop, shape_of(flat_, local_, context_));
+    }
+  }
+
+  /// Neighbours all on lines: all corners on one.
+  OrientedPlane any_plane(std::span<const std::uint32_t> corners) const {
+    OrientedPlane plane;
+    for (std::size_t i = 2; i < corners.size() && !plane.is_valid(); ++i) {
+      plane =
+          plane_through(tables_, point(corners[i - 2]), point(corners[i - 1]), point(corners[i]));
+    }
+    return plane;
+  }
+
+  bool is_planar(std::span<const std::uint32_t> corners, PlaneId plane) const {
+    return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
+      return side(tables_.points, point(v), plane) == Sign::Zero;
+    });
+  }
+
+  // ---------------------------------------------------------------- 4. polygons that become
+  // triangles
+
+  /// Shows the polygon: its vertices in ascending order are the points of flat_, local_ its
+  /// corners.
+  void view(std::span<const std::uint32_t> corners, FlatView view) {
+    shown_.assign(corners.begin(), corners.end());
+    std::sort(shown_.begin(), shown_.end());
+    shown_.erase(std::unique(shown_.begin(), shown_.end()), shown_.end());
+    flat_.reset(view);
+    for (const std::uint32_t v : shown_) flat_.push_back(point(v));
+    local_.clear();
+    for (const std::uint32_t v : corners) {
+      const auto at = std::lower_bound(shown_.begin(), shown_.end(), v);
+      local_.push_back(static_cast<std::uint32_t>(at - shown_.begin()));
+    }
+  }
+
+  void add_pieces(const Loop& loop, PolygonShape shape) {
+    if (shape != PolygonShape::Simple) report_.not_simple.push_back(loop.face);
+    pieces_.clear();
+    if (shape == PolygonShape::Crossing || !add_delaunay_pieces()) add_fan_pieces();
+    for (const IndexTriangle& t : pieces_) {
+      const IndexTriangle v{shown_[t[0]], shown_[t[1]], shown_[t[2]]};
+      const OrientedPlane plane = plane_through(tables_, point(v[0]), point(v[1]), point(v[2]));
+      if (plane.is_valid()) {
+        add_facet(v, plane, loop.face);
+      } else {
+        add_loose(v);
+      }
+    }
+  }
+
+  /// Constrained Delaunay triangles, wound as the polygon is.
+  bool add_delaunay_pieces() {
+    std::vector<IndexEdge> edges = boundary_of(local_);
+    if (!triangulate(flat_, edges, pieces_)) {
+      for (IndexEdge& e : edges) std::swap(e[0], e[1]);
+      if (!triangulate(flat_, edges, pieces_)) return false;
+      make_delaunay(flat_, edges, pieces_);
+      for (IndexTriangle& t : pieces_) std::swap(t[1], t[2]);
+      return true;
+    }
+    make_delaunay(flat_, edges, pieces_);
+    return true;
+  }
+
+  /// Triangles that wind around every point as often as the polygon does.
+  void add_fan_pieces() {
+    for (std::size_t i = 2; i < local_.size(); ++i) {
+      const IndexTriangle t{local_[0], local_[i - 1], local_[i]};
+      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) pieces_.push_back(t);
+    }
+  }
+
+  // ---------------------------------------------------------------- Newell's normal
+
+  /// The view along the axis in which the polygon has the largest area, so that it runs
+  /// counter-clockwise. Of equal ones the first axis.
+  FlatView newell_view(std::span<const std::uint32_t> corners) const {
+    Vector3 sum{};
+    double bound = 0;
+    const bool is_sure = approximate_newell(corners, sum, bound);
+    std::array<double, 3> size{std::fabs(sum[0]), std::fabs(sum[1]), std::fabs(sum[2])};
+    std::sort(size.begin(), size.end());
+    if (!is_sure || !(size[2] - size[1] > 2 * bound)) return exact_newell_view(corners);
+    std::size_t axis = 0;
+    while (std::fabs(sum[axis]) != size[2]) ++axis;
+    return {axis, sum[axis] < 0};
+  }
+
+  /// Sums of n products of differences from the first corner: each is off by less than 8 roundings
+  /// of their largest square, each sum by n more. False: rounding is not the only loss.
+  bool approximate_newell(std::span<const std::uint32_t> corners, Vector3& sum,
+                          double& bound) const {
+    const std::size_t n = corners.size();
+    double reach = 0;
+    Vector3 before{};
+    for (std::size_t i = 1; i < n; ++i) {
+      if (!point(corners[0]).is_input() || !point(corners[i]).is_input()) return false;
+      const auto p = tables_.points.box(point(corners[i])).mid;
+      const auto o = tables_.points.box(point(corners[0])).mid;
+      const Vector3 d{p[0] - o[0], p[1] - o[1], p[2] - o[2]};
+      const Vector3 term = cross(before, d);
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += term[k];
+      reach = std::max(reach, largest(d));
+      before = d;
+    }
+    const double count = static_cast<double>(n);
+    bound = count * (count + 8) * 0x1p-51 * reach * reach;
+    return reach > 0x1p-400 && reach < 0x1p400;
+  }
+
+  FlatView exact_newell_view(std::span<const std::uint32_t> corners) const {
+    std::array<Rational, 3> sum;
+    std::array<Rational, 3> before = coordinates(corners.back());
+    for (const std::uint32_t v : corners) {
+      std::array<Rational, 3> p = coordinates(v);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+        sum[k] += before[i] * p[j] - before[j] * p[i];
+      }
+      before = std::move(p);
+    }
+    std::size_t axis = 0;
+    for (std::size_t k = 1; k < 3; ++k) {
+      if (abs(sum[k]) > abs(sum[axis])) axis = k;
+    }
+    return {axis, sum[axis] < 0};
+  }
+
+  std::array<Rational, 3> coordinates(std::uint32_t v) const {
+    const RationalPoint3 p = exact(tables_.points, point(v));
+    return {p.x, p.y, p.z};
+  }
+
+  SpacePoint point(std::uint32_t v) const { return vertices_.point[v]; }
+
+  const MeshView& mesh_;
+  const MeshVertices& vertices_;
+  SpaceTables& tables_;
+  MeshReport& report_;
+  Context& context_;
+  MeshFacets facets_;
+  // Loops: what is left of faces.
+  std::vector<std::uint32_t> corner_;
+  std::vector<std::uint32_t> begin_ = {0};
+  std::vector<std::uint32_t> face_;
+  std::vector<OrientedPlane> plane_;
+  // The polygon being looked at.
+  FlatPoints flat_;
+  std::vector<std::uint32_t> shown_;  // per point of flat_: vertex
+  std::vector<std::uint32_t> local_;  // per corner: point of flat_
+  std::vector<IndexTriangle> pieces_;
+};
+
+}  // namespace
+
+OrientedPlane plane_through(SpaceTables& tables, SpacePoint a, SpacePoint b, SpacePoint c) {
+  if (a.is_input() && b.is_input() && c.is_input()) {
+    return tables.planes.intern(a.input(), b.input(), c.input());
+  }
+  const RationalPoint3 p = exact(tables.points, a), q = exact(tables.points, b),
+                       r = exact(tables.points, c);
+  const std::array<Rational, 3> u{q.x - p.x, q.y - p.y, q.z - p.z};
+  const std::array<Rational, 3> v{r.x - p.x, r.y - p.y, r.z - p.z};
+  const Rational x = u[1] * v[2] - u[2] * v[1];
+  const Rational y = u[2] * v[0] - u[0] * v[2];
+  const Rational z = u[0] * v[1] - u[1] * v[0];
+  return tables.planes.intern(x, y, z, -(x * p.x + y * p.y + z * p.z));
+}
+
+MeshFacets flatten_mesh(const MeshView& mesh, const MeshVertices& vertices, SpaceTables& tables,
+                        MeshReport& report, Context& context) {
+  MeshFacets facets = Flattener(mesh, vertices, tables, report, context).run();
+  std::sort(report.degenerate.begin(), report.degenerate.end());
+  return facets;
+}
+
+}  // namespace plumb

@@ -1,0 +1,407 @@
+#include "plumb/space/mesh/mesh_topology.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "plumb/base/internal/box_tree.h"
+#include "plumb/base/internal/union_find.h"
+#include "plumb/predicates/input_predicates.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/predicates/rational_predicates.h"
+#include "plumb/space/complex/space_boxes.h"
+
+namespace plumb {
+namespace {
+
+using VertexPair = std::array<std::uint32_t, 2>;
+
+/// How often edges are run through from the lesser to the greater end, less how often back; not 0.
+using Surplus = std::map<VertexPair, std::int32_t>;
+
+void add(std::uint32_t from, std::uint32_t to, std::int32_t times, Surplus& surplus) {
+  std::int32_t& sum = surplus[{std::min(from, to), std::max(from, to)}];
+  sum += from < to ? times : -times;
+}
+
+void drop_balanced(Surplus& surplus) {
+  std::erase_if(surplus, [](const auto& s) { return s.second == 0; });
+}
+
+Surplus imbalances(const MeshFacets& facets, const MeshLinks& links) {
+  Surplus surplus;
+  for (std::size_t e = 0; e < links.edge_count(); ++e) {
+    std::int32_t sum = 0;
+    for (const std::uint32_t u : links.uses_of(e)) {
+      const std::int32_t times = -facets.jump[links.facet[u]];  // in the canonical direction
+      sum += links.is_forward(facets, u) ? times : -times;
+    }
+    if (sum != 0) surplus[links.end[e]] += sum;
+  }
+  for (const VertexPair& e : facets.loose) add(e[0], e[1], 1, surplus);
+  drop_balanced(surplus);
+  return surplus;
+}
+
+// ---------------------------------------------------------------- edges with vertices on them
+
+class EdgeSplitter {
+ public:
+  EdgeSplitter(std::span<const SpacePoint> points, const Point3Table& table)
+      : points_(points), table_(table) {}
+
+  /// The edges cut at all ends of edges that lie on them.
+  Surplus split(const Surplus& edges) {
+    for (const auto& [edge, times] : edges) ends_.insert(ends_.end(), edge.begin(), edge.end());
+    std::sort(ends_.begin(), ends_.end());
+    ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
+    std::vector<Box3> boxes;
+    for (const std::uint32_t v : ends_) boxes.push_back(box_of(table_, points_[v]));
+    const BoxTree tree(boxes);
+    Surplus pieces;
+    for (const auto& [edge, times] : edges) {
+      gather_inner(edge, tree);
+      std::uint32_t from = edge[0];
+      for (const std::uint32_t v : inner_) {
+        add(from, v, times, pieces);
+        from = v;
+      }
+      add(from, edge[1], times, pieces);
+    }
+    drop_balanced(pieces);
+    return pieces;
+  }
+
+ private:
+  /// Vertices inside the edge, from its first end to its second.
+  void gather_inner(const VertexPair& edge, const BoxTree& tree) {
+    inner_.clear();
+    Box3 box = box_of(table_, points_[edge[0]]);
+    box.add(box_of(table_, points_[edge[1]]));
+    const std::size_t axis = axis_of(edge);
+    const Sign along = compare(edge[0], edge[1], axis);
+    tree.for_each_meeting(box, [&](std::uint32_t i) {
+      const std::uint32_t v = ends_[i];
+      const bool is_between =
+          compare(edge[0], v, axis) == along && compare(v, edge[1], axis) == along;
+      if (is_between && are_collinear(edge[0], edge[1], v)) inner_.push_back(v);
+    });
+    std::sort(inner_.begin(), inner_.end(),
+              [&](std::uint32_t v, std::uint32_t w) { return compare(v, w, axis) == along; });
+  }
+
+  /// An axis in which the ends differ: they are different points.
+  std::size_t axis_of(const VertexPair& edge) const {
+    std::size_t axis = 0;
+    while (axis < 2 && compare(edge[0], edge[1], axis) == Sign::Zero) ++axis;
+    return axis;
+  }
+  Sign compare(std::uint32_t v, std::uint32_t w, std::size_t axis) const {
+    return compare_axis(table_, points_[v], points_[w], axis);
+  }
+
+  /// Seen along each axis.
+  bool are_collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    const std::array<SpacePoint, 3> p{points_[a], points_[b], points_[c]};
+    if (std::ranges::all_of(p, &SpacePoint::is_input)) {
+      const PlaneTable& planes = table_.planes();
+      return are_collinear(planes.point(p[0].input()), planes.point(p[1].input()),
+                           planes.point(p[2].input()));
+    }
+    return are_collinear(exact(table_, p[0]), exact(table_, p[1]), exact(table_, p[2]));
+  }
+  static bool are_collinear(const Point3& a, const Point3& b, const Point3& c) {
+    return orient2d(Point2{a.x, a.y}, Point2{b.x, b.y}, Point2{c.x, c.y}) == Sign::Zero &&
+           orient2d(Point2{a.y, a.z}, Point2{b.y, b.z}, Point2{c.y, c.z}) == Sign::Zero &&
+           orient2d(Point2{a.z, a.x}, Point2{b.z, b.x}, Point2{c.z, c.x}) == Sign::Zero;
+  }
+  static bool are_collinear(const RationalPoint3& a, const RationalPoint3& b,
+                            const RationalPoint3& c) {
+    using P = RationalPoint2;
+    return orient2d(P{a.x, a.y}, P{b.x, b.y}, P{c.x, c.y}) == Sign::Zero &&
+           orient2d(P{a.y, a.z}, P{b.y, b.z}, P{c.y, c.z}) == Sign::Zero &&
+           orient2d(P{a.z, a.x}, P{b.z, b.x}, P{c.z, c.x}) == Sign::Zero;
+  }
+
+  std::span<const SpacePoint> points_;
+  const Point3Table& table_;
+  std::vector<std::uint32_t> ends_;   // ascending
+  std::vector<std::uint32_t> inner_;  // of the edge at hand
+};
+
+// ---------------------------------------------------------------- chains
+
+/// Walks directed edges, as many into every vertex as out of it, and cuts loops off the walk.
+class ChainWalker {
+ public:
+  void add(std::uint32_t from, std::uint32_t to) { targets_[from].push_back(to); }
+
+  std::vector<std::vector<std::uint32_t>> chains() {
+    for (auto& [start, targets] : targets_) {
+      while (!targets.empty()) walk(start);
+    }
+    return std::move(chains_);
+  }
+
+ private:
+  /// Ends where it started, there being as many ways out as in.
+  void walk(std::uint32_t start) {
+    path_ = {start};
+    place_ = {{start, 0}};
+    do {
+      std::vector<std::uint32_t>& ways = targets_[path_.back()];
+      const std::uint32_t to = ways.back();
+      ways.pop_back();
+      const auto [seen, is_new] = place_.try_emplace(to, path_.size());
+      if (is_new) {
+        path_.push_back(to);
+      } else {
+        cut_loop(seen->second);
+      }
+    } while (path_.size() > 1);
+  }
+
+  void cut_loop(std::size_t from) {
+    const auto begin = path_.begin() + static_cast<std::ptrdiff_t>(from);
+    chains_.emplace_back(begin, path_.end());
+    for (std::size_t i = from + 1; i < path_.size(); ++i) place_.erase(path_[i]);
+    path_.resize(from + 1);
+  }
+
+  std::map<std::uint32_t, std::vector<std::uint32_t>> targets_;
+  std::vector<std::uint32_t> path_;
+  std::map<std::uint32_t, std::size_t> place_;
+  std::vector<std::vector<std::uint32_t>> chains_;
+};
+
+}  // namespace
+
+std::vector<std::vector<std::uint32_t>> trace_borders(const MeshFacets& facets,
+                                                      const MeshLinks& links,
+                                                      std::span<const SpacePoint> points,
+                                                      const Point3Table& table) {
+  Surplus surplus = imbalances(facets, links);
+  if (!surplus.empty()) surplus = EdgeSplitter(points, table).split(surplus);
+  ChainWalker walker;
+  for (const auto& [edge, times] : surplus) {
+    const bool is_up = times < 0;  // run downward too often
+    for (std::int32_t i = 0; i < std::abs(times); ++i) {
+      walker.add(edge[is_up ? 0 : 1], edge[is_up ? 1 : 0]);
+    }
+  }
+  return walker.chains();
+}
+
+namespace {
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+class Joiner {
+ public:
+  Joiner(const SpaceComplex& complex, std::span<const std::int32_t> jump)
+      : complex_(complex), jump_(jump), classes_(complex.facet_count()) {}
+
+  std::vector<std::uint32_t> run(std::size_t& count) {
+    std::vector<UseId> rest;  // of edges that are not plain and balanced
+    for (const UseId u : complex_.edge_use) {
+      const UseId v = complex_.use_radial[u.value()];
+      const bool is_plain = complex_.use_radial[v.value()] == u;  // one facet or two at the edge
+      const std::uint32_t f = facet(u), g = facet(v);
+      if (is_plain) classes_.unite(f, g);
+      if (!is_plain || !is_balanced(u, f, v, g)) rest.push_back(u);
+    }
+    for (const UseId u : rest) {
+      if (!is_plain(u)) unite_unbalanced(u);
+    }
+    std::uint32_t open = kNone;
+    for (const UseId u : rest) open = unite_unbalanced(u, open);
+    return numbers(count);
+  }
+
+ private:
+  std::uint32_t facet(UseId u) const { return complex_.use_facet[u.value()].value(); }
+
+  /// One facet or two at its edge.
+  bool is_plain(UseId u) const {
+    return complex_.use_radial[complex_.use_radial[u.value()].value()] == u;
+  }
+
+  /// Of a plain one, of facets f and g: do two facets rise to the same side? They do at most edges
+  /// of most meshes.
+  bool is_balanced(UseId u, std::uint32_t f, UseId v, std::uint32_t g) const {
+    const bool is_one_way = complex_.use_halfedge[u.value()] == complex_.use_halfedge[v.value()];
+    return v != u && (is_one_way ? jump_[f] == -jump_[g] : jump_[f] == jump_[g]);
+  }
+
+  /// Components that run through the edge more often one way than the other belong together, and to
+  /// `one`. Returns one of them.
+  std::uint32_t unite_unbalanced(UseId first, std::uint32_t one = kNone) {
+    sums_.clear();
+    UseId u = first;
+    do {
+      const std::int32_t jump = jump_[facet(u)];
+      const bool is_reverse = SpaceComplex::is_reverse(complex_.use_halfedge[u.value()]);
+      sum_of(classes_.root(facet(u))) += is_reverse ? -jump : jump;
+      u = complex_.use_radial[u.value()];
+    } while (u != first);
+    for (const auto& [root, sum] : sums_) {
+      if (sum == 0) continue;
+      if (one == kNone) one = root;
+      classes_.unite(one, root);
+    }
+    return one;
+  }
+  std::int32_t& sum_of(std::uint32_t root) {
+    for (auto& [r, sum] : sums_) {
+      if (r == root) return sum;
+    }
+    return sums_.emplace_back(root, 0).second;
+  }
+
+  std::vector<std::uint32_t> numbers(std::size_t& count) {
+    std::vector<std::uint32_t> number(classes_.size(), kNone);
+    count = 0;
+    for (std::uint32_t f = 0; f < classes_.size(); ++f) {
+      const std::uint32_t root = classes_.root(f);
+      if (number[root] == kNone) number[root] = static_cast<std::uint32_t>(count++);
+      number[f] = number[root];
+    }
+    return number;
+  }
+
+  const SpaceComplex& complex_;
+  std::span<const std::int32_t> jump_;
+  UnionFind classes_;
+  std::vector<std::pair<std::uint32_t, std::int32_t>> sums_;
+};
+
+// ---------------------------------------------------------------- volumes
+
+/// Six times the volume of the cone over each facet, from the first corner of its component,
+/// summed.
+class VolumeSigns {
+ public:
+  VolumeSigns(const SpaceComplex& complex, std::span<const std::int32_t> jump,
+              const MeshComponents& components, std::size_t count)
+      : complex_(complex), jump_(jump), component_(components.of_facet), apex_(count) {}
+
+  std::vector<Sign> run() {
+    std::vector<Sum> sums(apex_.size());
+    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) add(f, sums[component_[f]]);
+    std::vector<Sign> signs;
+    bool is_unsure = false;
+    for (Sum& s : sums) {
+      s.is_sure = std::fabs(s.value) > s.error();  // not where something overflowed
+      is_unsure = is_unsure || !s.is_sure;
+      signs.push_back(sign_of(s.value));
+    }
+    if (is_unsure) decide(sums, signs);
+    return signs;
+  }
+
+ private:
+  struct Sum {
+    double value = 0;
+    double size = 0;   ///< sum of the magnitudes of all products
+    double reach = 1;  ///< of differences of coordinates
+    double terms = 0;
+    bool is_sure = false;
+    /// A term is off by less than 12 roundings of its magnitude, each partial sum by one more;
+    /// flushed subnormals lose less than 2^-1000 times the square of the reach.
+    double error() const { return (terms + 16) * (0x1p-51 * size + 0x1p-990 * reach * reach); }
+  };
+
+  UseId first_use(std::uint32_t f) const { return complex_.cycles_of(FacetId(f))[0]; }
+  UseId next(UseId u) const { return complex_.use_next[u.value()]; }
+
+  /// Calls visit(a, b, c) for a fan of the facet, canonical side out.
+  template <class Visit>
+  void for_fan(std::uint32_t f, const Visit& visit) const {
+    const UseId first = first_use(f);
+    for (UseId u = next(first); next(u) != first; u = next(u)) {
+      visit(point(first), point(u), point(next(u)));
+    }
+  }
+  SpacePoint point(UseId u) const { return complex_.vertex_point[complex_.use_origin(u).value()]; }
+
+  SpacePoint apex(std::uint32_t f) {
+    SpacePoint& p = apex_[component_[f]];
+    if (!p.is_valid()) p = point(first_use(f));
+    return p;
+  }
+
+  using Vector3 = std::array<double, 3>;
+
+  Vector3 middle(SpacePoint p) const {
+    if (!p.is_input()) return complex_.points().box(p).mid;
+    const Point3& at = complex_.planes().point(p.input());
+    return {at.x, at.y, at.z};
+  }
+
+  void add(std::uint32_t f, Sum& sum) {
+    const Vector3 o = middle(apex(f));
+    const auto from_apex = [&](SpacePoint p) {
+      const Vector3 m = middle(p), d{m[0] - o[0], m[1] - o[1], m[2] - o[2]};
+      // Constructed points are not what their boxes say.
+      if (!p.is_input()) sum.reach = std::numeric_limits<double>::infinity();
+      for (const double x : d) sum.reach = std::max(sum.reach, std::fabs(x));
+      return d;
+    };
+    const double times = -jump_[f];
+    for_fan(f, [&](SpacePoint p, SpacePoint q, SpacePoint r) {
+      const Vector3 a = from_apex(p), b = from_apex(q), c = from_apex(r);
+      double value = 0, size = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double s = b[(k + 1) % 3] * c[(k + 2) % 3], t = b[(k + 2) % 3] * c[(k + 1) % 3];
+        value += a[k] * (s - t);
+        size += std::fabs(a[k]) * (std::fabs(s) + std::fabs(t));
+      }
+      sum.value += times * value;
+      sum.size += std::fabs(times) * size;
+      sum.terms += 1;
+    });
+  }
+
+  void decide(const std::vector<Sum>& sums, std::vector<Sign>& signs) const {
+    std::vector<Rational> exact(sums.size());
+    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
+      if (!sums[component_[f]].is_sure) exact[component_[f]] += exact_cone(f);
+    }
+    for (std::size_t c = 0; c < sums.size(); ++c) {
+      if (!sums[c].is_sure) signs[c] = sign_of(exact[c]);
+    }
+  }
+
+  /// From the origin: the whole is closed.
+  Rational exact_cone(std::uint32_t f) const {
+    Rational sum;
+    for_fan(f, [&](SpacePoint p, SpacePoint q, SpacePoint r) {
+      const RationalPoint3 a = exact(complex_.points(), p), b = exact(complex_.points(), q),
+                           c = exact(complex_.points(), r);
+      sum += a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
+             a.z * (b.x * c.y - b.y * c.x);
+    });
+    return -jump_[f] * sum;
+  }
+
+  const SpaceComplex& complex_;
+  std::span<const std::int32_t> jump_;
+  const std::vector<std::uint32_t>& component_;
+  std::vector<SpacePoint> apex_;  // per component
+};
+
+}  // namespace
+
+MeshComponents find_components(const SpaceComplex& complex, std::span<const std::int32_t> jump) {
+  MeshComponents components;
+  std::size_t count = 0;
+  components.of_facet = Joiner(complex, jump).run(count);
+  components.volume = VolumeSigns(complex, jump, components, count).run();
+  return components;
+}
+
+}  // namespace plumb

@@ -1,0 +1,236 @@
+#include "plumb/space/mesh/mesh_vertices.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "plumb/predicates/arithmetic/seeded_hash.h"
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/rounding.h"
+#include "plumb/space/bounds/packed_boxes.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::uint32_t kNone = MeshVertices::kNone;
+constexpr std::size_t kBlock = 256;
+
+/// -0 becomes 0. By the bits: subnormals stay what they are, whatever FTZ/DAZ say.
+double without_negative_zero(double value) {
+  return std::bit_cast<std::uint64_t>(value) << 1U == 0 ? 0.0 : value;
+}
+
+using Bits = std::array<std::uint64_t, 3>;
+
+Bits bits_of(const Point3& p) { return std::bit_cast<Bits>(p); }
+
+std::uint32_t hash_of(const Point3& p) {
+  return static_cast<std::uint32_t>(SeededHash{}(bits_of(p)));
+}
+
+struct RationalLess {
+  bool operator()(const RationalPoint3& a, const RationalPoint3& b) const {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  }
+};
+
+/// Adds points one after the other, each place once.
+class VertexMaker {
+ public:
+  VertexMaker(const MeshView& mesh, SpaceTables& tables) : mesh_(mesh), tables_(tables) {}
+
+  MeshVertices make() {
+    mark_used();
+    doubles_.reserve(std::min(mesh_.point_count(), mesh_.corners.size()));
+    const auto* exact = mesh_.exact.data();
+    const auto* const exact_end = exact + mesh_.exact.size();
+    for (std::uint32_t i = 0; i < mesh_.point_count(); ++i) {
+      if (i % kBlock == 0) look_ahead(i);
+      while (exact != exact_end && exact->first < i) ++exact;
+      if (result_.of_point[i] == kNone) continue;
+      const bool is_exact = exact != exact_end && exact->first == i;
+      result_.of_point[i] = is_exact ? find_or_add(i, exact->second) : find_or_add(i);
+    }
+    add_points();
+    return std::move(result_);
+  }
+
+ private:
+  void mark_used() {
+    result_.of_point.assign(mesh_.point_count(), kNone);
+    for (const std::uint32_t c : mesh_.corners) {
+      if (c >= mesh_.point_count()) {
+        throw Error(ErrorCode::BadIndex, "a face names vertex " + std::to_string(c) + " of " +
+                                             std::to_string(mesh_.point_count()));
+      }
+      result_.of_point[c] = 0;
+    }
+  }
+
+  std::uint32_t take(std::uint32_t known, std::uint32_t next) {
+    if (known != next) ++result_.merged;
+    return known;
+  }
+
+  Point3 place(std::uint32_t i) const {
+    const Point3 p = mesh_.point(i);
+    return {without_negative_zero(p.x), without_negative_zero(p.y), without_negative_zero(p.z)};
+  }
+
+  /// The hashes of the next points; the index is told what will be looked for.
+  void look_ahead(std::uint32_t first) {
+    const std::size_t count = std::min(kBlock, mesh_.point_count() - first);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      hashes_[k] = hash_of(place(first + k));
+      doubles_.prefetch(hashes_[k]);
+    }
+  }
+
+  std::uint32_t find_or_add(std::uint32_t i) {
+    const Point3 p = place(i);
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+      throw Error(ErrorCode::NotFinite, "vertex " + std::to_string(i) + " is not finite");
+    }
+    return find_or_add(i, p, hashes_[i % kBlock]);
+  }
+
+  std::uint32_t find_or_add(std::uint32_t i, const Point3& p, std::uint32_t hash) {
+    const std::uint32_t next = count();
+    const auto next_input = static_cast<std::uint32_t>(inputs_.size());
+    const std::uint32_t input = doubles_.find_or_add(
+        hash, next_input, [&](std::uint32_t k) { return bits_of(inputs_[k]) == bits_of(p); });
+    if (input == next_input) {
+      result_.input.push_back(i);
+      inputs_.push_back(p);
+      vertex_of_input_.push_back(next);
+      result_.point.emplace_back();
+    }
+    return take(vertex_of_input_[input], next);
+  }
+
+  std::uint32_t find_or_add(std::uint32_t i, const RationalPoint3& p) {
+    const Point3 near{nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
+    if (is_exactly(near.x, p.x) && is_exactly(near.y, p.y) && is_exactly(near.z, p.z)) {
+      return find_or_add(i, near, hash_of(near));
+    }
+    const std::uint32_t next = count();
+    const auto [at, is_new] = rationals_.try_emplace(p, next);
+    if (is_new) {
+      result_.input.push_back(i);
+      result_.point.push_back(add_point(tables_, p));
+    }
+    return take(at->second, next);
+  }
+
+  static bool is_exactly(double near, const Rational& x) {
+    return std::isfinite(near) && exact_rational(near) == x;
+  }
+
+  /// The vertices that are doubles, in one go.
+  void add_points() {
+    std::uint32_t id = tables_.planes.add_points(inputs_).value();
+    for (SpacePoint& p : result_.point) {
+      if (!p.is_valid()) p = SpacePoint(InputPointId(id++));
+    }
+  }
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(result_.input.size()); }
+
+  const MeshView& mesh_;
+  SpaceTables& tables_;
+  MeshVertices result_;
+  std::vector<Point3> inputs_;                  // the vertices that are doubles
+  std::vector<std::uint32_t> vertex_of_input_;  // of each of these
+  IdIndex doubles_;                             // finds them
+  std::array<std::uint32_t, kBlock> hashes_{};  // of the points of this block
+  std::map<RationalPoint3, std::uint32_t, RationalLess> rationals_;
+};
+
+}  // namespace
+
+MeshVertices merge_equal_points(const MeshView& mesh, SpaceTables& tables) {
+  return VertexMaker(mesh, tables).make();
+}
+
+namespace {
+
+bool has_only_triangles(const MeshView& mesh) {
+  for (std::size_t f = 1; f < mesh.face_begin.size(); ++f) {
+    if (mesh.face_begin[f] != 3 * f) return false;
+  }
+  return true;
+}
+
+bool is_sound(const MeshView& mesh) {
+  const std::size_t points = mesh.point_count();
+  return std::ranges::all_of(mesh.corners, [=](std::uint32_t c) { return c < points; }) &&
+         std::ranges::all_of(mesh.coordinates, [](double x) { return std::isfinite(x); });
+}
+
+/// The code of each point's place; none where the extent is no double.
+std::vector<std::uint32_t> places_of(const MeshView& mesh) {
+  constexpr std::uint32_t kLast = 1023;
+  const auto at = [&](std::size_t i) {
+    const Point3 p = mesh.point(i);
+    return std::array{p.x, p.y, p.z};
+  };
+  Box3 around;
+  for (std::size_t i = 0; i < mesh.point_count(); ++i) around.add({at(i), at(i)});
+  const CellGrid grid(around, kLast);
+  std::vector<std::uint32_t> places;
+  if (!grid.is_finite()) return places;
+  places.reserve(mesh.point_count());
+  for (std::size_t i = 0; i < mesh.point_count(); ++i) {
+    places.push_back(morton_code(grid.cell(at(i))));
+  }
+  return places;
+}
+
+template <class CodeOf>
+std::vector<MortonCoded> sorted(std::size_t n, CodeOf&& code_of) {
+  std::vector<MortonCoded> items;
+  items.reserve(n);
+  for (std::uint32_t i = 0; i < n; ++i) items.push_back({code_of(i), i});
+  sort_by_code(items);
+  return items;
+}
+
+}  // namespace
+
+OrderedMesh ordered_in_space(const MeshView& mesh) {
+  OrderedMesh ordered;
+  if (mesh.face_count() == 0 || !mesh.exact.empty()) return ordered;
+  if (!has_only_triangles(mesh) || !is_sound(mesh)) return ordered;
+  const std::vector<std::uint32_t> place = places_of(mesh);
+  if (place.empty()) return ordered;
+
+  std::vector<std::uint32_t> number(place.size());  // of each point, in the new order
+  ordered.coordinates.reserve(mesh.coordinates.size());
+  std::uint32_t next = 0;
+  for (const MortonCoded& p : sorted(place.size(), [&](std::uint32_t i) { return place[i]; })) {
+    const Point3 at = mesh.point(p.item);
+    ordered.coordinates.insert(ordered.coordinates.end(), {at.x, at.y, at.z});
+    number[p.item] = next++;
+  }
+  const auto corners_of = [&](std::uint32_t f) {
+    return mesh.corners.subspan(3 * std::size_t{f}, 3);
+  };
+  const auto place_of_face = [&](std::uint32_t f) {
+    const auto c = corners_of(f);
+    return std::min({place[c[0]], place[c[1]], place[c[2]]});
+  };
+  ordered.corners.reserve(mesh.corners.size());
+  ordered.face.reserve(mesh.face_count());
+  for (const MortonCoded& f : sorted(mesh.face_count(), place_of_face)) {
+    for (const std::uint32_t c : corners_of(f.item)) ordered.corners.push_back(number[c]);
+    ordered.face.push_back(f.item);
+  }
+  return ordered;
+}
+
+}  // namespace plumb

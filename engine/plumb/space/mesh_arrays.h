@@ -1,0 +1,117 @@
+// Polygon meshes with shared vertices: the content of mesh files, and what sets of space are made
+// from and converted to.
+//
+// A program that keeps its own arrays (coordinates x y z x y z ..., and indices of points,
+// counter-clockwise seen from outside) needs no conversion:
+//
+//   in     mesh_of_triangles(xyz, corners), mesh_of_polygons(xyz, face_begin, corners): a MeshView
+//   out    coordinates_of(mesh), mesh.corners, mesh.face_begin
+//
+// A view is read in place; of 4,096 and more triangles a sorted copy is made, which is released
+// early. A set keeps its vertices as points of its own tables, so that the arrays may be released
+// once the set is made. Nothing here checks corners against the number of points, or coordinates
+// for being finite: the user of a mesh does (complex_of_mesh(): Error{BadIndex}, Error{NotFinite}).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "plumb/predicates/point.h"
+#include "plumb/predicates/rational_point.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// Triangles in plain arrays, as graphics programs take them.
+struct TriangleMesh {
+  std::vector<double> coordinates;  ///< x y z of each point.
+  /// Three point indices for each triangle, counter-clockwise seen from outside.
+  std::vector<std::uint32_t> triangles;
+
+  /// Returns the number of points.
+  [[nodiscard]] std::size_t point_count() const { return coordinates.size() / 3; }
+  /// Returns the number of triangles.
+  [[nodiscard]] std::size_t triangle_count() const { return triangles.size() / 3; }
+};
+
+/// A mesh of polygons over shared points, in flat arrays.
+struct PolygonMesh {
+  std::vector<Point3> points;  ///< The vertices, rounded to the nearest doubles.
+  /// (Index, exact coordinates) of the vertices that are no doubles, ascending by index.
+  std::vector<std::pair<std::uint32_t, RationalPoint3>> exact;
+  std::vector<std::uint32_t> face_begin = {0};  ///< Starts in `corners`, face_count() + 1 of them.
+  std::vector<std::uint32_t> corners;           ///< Point indices, counter-clockwise from outside.
+
+  /// Returns the number of faces.
+  std::size_t face_count() const { return face_begin.size() - 1; }
+  /// Returns the corners of face f, which are indices of points.
+  std::span<const std::uint32_t> face(std::size_t f) const {
+    return std::span(corners).subspan(face_begin[f], face_begin[f + 1] - face_begin[f]);
+  }
+  /// Appends a face. Nothing is checked.
+  void add_face(std::span<const std::uint32_t> face) {
+    corners.insert(corners.end(), face.begin(), face.end());
+    face_begin.push_back(static_cast<std::uint32_t>(corners.size()));
+  }
+};
+
+/// Non-owning view of mesh arrays. The arrays must outlive the view. A PolygonMesh converts to a
+/// view. Requires that face_begin is as mesh_of_polygons() demands; functions that take a view do
+/// not check it again.
+struct MeshView {
+  std::span<const double>
+      coordinates;  ///< x y z of each point, rounded if it is listed in `exact`.
+  /// (Index, exact coordinates) as in PolygonMesh::exact.
+  std::span<const std::pair<std::uint32_t, RationalPoint3>> exact = {};
+  std::span<const std::uint32_t> face_begin =
+      {};                                       ///< As in PolygonMesh. If empty, all are triangles.
+  std::span<const std::uint32_t> corners = {};  ///< Point indices, as in PolygonMesh.
+
+  MeshView() = default;  ///< Makes a view without points and faces.
+  /// Makes a view of the arrays of `mesh`.
+  MeshView(const PolygonMesh& mesh);
+  MeshView(const PolygonMesh&& mesh) = delete;  ///< The view would outlive a temporary.
+
+  /// Returns the number of points.
+  std::size_t point_count() const { return coordinates.size() / 3; }
+  /// Returns point i, rounded to the nearest doubles.
+  Point3 point(std::size_t i) const {
+    return {coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]};
+  }
+  /// Returns the number of faces.
+  std::size_t face_count() const {
+    return face_begin.empty() ? corners.size() / 3 : face_begin.size() - 1;
+  }
+  /// Returns where the corners of face f begin. The last face ends at begin_of(face_count()).
+  std::uint32_t begin_of(std::size_t f) const {
+    return face_begin.empty() ? static_cast<std::uint32_t>(3 * f) : face_begin[f];
+  }
+  /// Returns the corners of face f, which are indices of points.
+  std::span<const std::uint32_t> face(std::size_t f) const {
+    return corners.subspan(begin_of(f), begin_of(f + 1) - begin_of(f));
+  }
+};
+
+/// Returns a view of triangles: triangle t has the corners at 3 t, 3 t + 1 and 3 t + 2. Throws
+/// Error{BadArgument} unless both sizes are multiples of three and there are fewer than 2^32 points
+/// and corners. O(1).
+MeshView mesh_of_triangles(std::span<const double> coordinates,
+                           std::span<const std::uint32_t> corners);
+
+/// Returns a view of polygons: face f has the corners at face_begin[f], ...,
+/// face_begin[f + 1] - 1. Throws Error{BadArgument} unless face_begin ascends from 0 to the number
+/// of corners, the number of coordinates is a multiple of three, and all arrays have fewer than
+/// 2^32 entries or points. O(faces), to check face_begin.
+MeshView mesh_of_polygons(std::span<const double> coordinates,
+                          std::span<const std::uint32_t> face_begin,
+                          std::span<const std::uint32_t> corners);
+
+/// Returns x y z of all points, rounded to the nearest doubles for those listed in mesh.exact. The
+/// span is valid as long as mesh.points is.
+std::span<const double> coordinates_of(const PolygonMesh& mesh);
+
+}  // namespace plumb
+#pragma GCC visibility pop

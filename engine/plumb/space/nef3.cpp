@@ -1,0 +1,421 @@
+#include "plumb/space/nef3.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <optional>
+#include <utility>
+
+#include "plumb/base/internal/parallel.h"
+#include "plumb/predicates/error.h"
+#include "plumb/space/boolean/boolean_op.h"
+#include "plumb/space/boolean/frame.h"
+#include "plumb/space/boolean/simplify.h"
+#include "plumb/space/complex/tidy_tables.h"
+#include "plumb/space/local_maps.h"
+#include "plumb/space/query/space_convexity.h"
+#include "plumb/space/query/volumes.h"
+#include "plumb/space/set/compare_complexes.h"
+#include "plumb/space/set/nef3_state.h"
+#include "plumb/space/set/transform.h"
+#include "plumb/space/space_measure.h"
+
+namespace plumb {
+namespace {
+
+SpaceComplex without_boundary(Mark mark) {
+  SpaceComplex complex;
+  complex.tables = std::make_shared<SpaceTables>();
+  complex.star_begin = complex.cycle_begin = complex.inner_begin = {0};
+  complex.volume_mark = {mark};
+  return complex;
+}
+
+/// Sets all marks but those of the frame.
+void fill(std::vector<Mark>& marks, Mark value) {
+  for (Mark& m : marks) {
+    if (m != kBeyond) m = value;
+  }
+}
+
+void fill_boundary(SpaceComplex& complex, Mark value) {
+  fill(complex.vertex_mark, value);
+  fill(complex.edge_mark, value);
+  fill(complex.facet_mark, value);
+}
+
+SpaceComplex framed(SpaceComplex complex, Context& context) {
+  return has_frame(complex) ? std::move(complex)
+                            : with_frame(complex, copy(*complex.tables), context);
+}
+
+SpaceComplex combine_any(SpaceComplex a, SpaceComplex b, MarkFunction f, Context& context) {
+  if (has_frame(a) != has_frame(b)) {
+    a = framed(std::move(a), context);
+    b = framed(std::move(b), context);
+  }
+  SpaceComplex result = boolean_op(std::move(a), std::move(b), f, context);
+  return with_tidy_tables(without_idle_frame(std::move(result), context));
+}
+
+/// With marks 0 where the selector does not accept.
+SpaceComplex selected(SpaceComplex complex, const SpaceSelector& select, Context& context) {
+  const auto clear = [](auto id, const auto& accepts, std::vector<Mark>& marks) {
+    using Id = decltype(id);
+    for (std::size_t i = 0; accepts && i < marks.size(); ++i) {
+      if (marks[i] == 1 && !accepts(Id(i))) marks[i] = 0;
+    }
+  };
+  clear(VertexId(), select.vertex, complex.vertex_mark);
+  clear(EdgeId(), select.edge, complex.edge_mark);
+  clear(FacetId(), select.facet, complex.facet_mark);
+  clear(VolumeId(), select.volume, complex.volume_mark);
+  return without_idle_frame(simplified(std::move(complex), context), context);
+}
+
+std::size_t standard_count(const std::vector<Mark>& marks) {
+  return static_cast<std::size_t>(
+      std::count_if(marks.begin(), marks.end(), [](Mark m) { return m != kBeyond; }));
+}
+
+}  // namespace
+
+// ---------------------------------------------------------------- holding
+
+Nef3::Nef3() : Nef3(without_boundary(0)) {}
+
+Nef3::Nef3(SpaceComplex minimal) : state_(std::make_shared<State>(std::move(minimal))) {}
+
+Nef3 Nef3::whole() { return Nef3(without_boundary(1)); }
+
+Nef3 Nef3::from_complex(SpaceComplex complex, Context& context) {
+  MemoryCharge memory(context);
+  memory.add(memory_bytes(complex), "a set of space");
+  return Nef3(
+      with_tidy_tables(without_idle_frame(simplified(std::move(complex), context), context)));
+}
+
+const SpaceComplex& Nef3::complex() const& { return state_->complex; }
+
+SpaceComplex Nef3::complex() && {
+  const std::shared_ptr<State> state = std::move(state_);
+  if (state.use_count() > 1) return state->complex;
+  std::atomic_thread_fence(std::memory_order_acquire);  // whoever shared it has read it before
+  return std::move(state->complex);
+}
+
+SpaceMarks Nef3::marks() const {
+  const SpaceComplex& c = complex();
+  return {c.vertex_mark, c.edge_mark, c.facet_mark, c.volume_mark};
+}
+
+Nef3 Nef3::with_marks(const SpaceMarks& marks, Context& context) const {
+  SpaceComplex changed = complex();
+  const auto set = [](std::vector<Mark>& to, const std::vector<Mark>& from) {
+    if (to.size() != from.size()) {
+      throw Error(ErrorCode::BadArgument,
+                  "one mark is needed for each vertex, edge, facet, volume");
+    }
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      if (to[i] != kBeyond) to[i] = from[i] != 0 ? 1 : 0;
+    }
+  };
+  set(changed.vertex_mark, marks.vertex);
+  set(changed.edge_mark, marks.edge);
+  set(changed.facet_mark, marks.facet);
+  set(changed.volume_mark, marks.volume);
+  return from_complex(std::move(changed), context);
+}
+
+Nef3 Nef3::with_origins(std::span<const std::uint32_t> facet_origin) const {
+  SpaceComplex changed = complex();
+  if (facet_origin.size() != changed.facet_count()) {
+    throw Error(ErrorCode::BadArgument, "one origin is needed for each facet");
+  }
+  changed.facet_origin.assign(facet_origin.begin(), facet_origin.end());
+  return Nef3(std::move(changed));
+}
+
+Nef3 Nef3::with_bounded_volumes(Context& context) const {
+  SpaceComplex c = complex();
+  const std::vector<std::uint8_t> is_far = unbounded_volumes(c);
+  for (std::size_t v = 0; v < c.volume_count(); ++v) {
+    if (is_far[v] == 0) c.volume_mark[v] = 1;
+  }
+  return from_complex(std::move(c), context);
+}
+
+// ---------------------------------------------------------------- reading
+
+SpaceCounts Nef3::counts() const {
+  const SpaceComplex& c = complex();
+  SpaceCounts counts;
+  counts.vertices = standard_count(c.vertex_mark);
+  counts.edges = standard_count(c.edge_mark);
+  counts.facets = standard_count(c.facet_mark);
+  counts.volumes = standard_count(c.volume_mark);
+  counts.marked_volumes =
+      static_cast<std::size_t>(std::count(c.volume_mark.begin(), c.volume_mark.end(), 1));
+  return counts;
+}
+
+std::size_t Nef3::bytes() const { return memory_bytes(complex()); }
+
+bool Nef3::is_empty() const {
+  return complex().vertex_count() == 0 && complex().volume_mark[0] == 0;
+}
+
+bool Nef3::is_whole() const {
+  return complex().vertex_count() == 0 && complex().volume_mark[0] == 1;
+}
+
+bool Nef3::is_bounded() const {
+  const SpaceComplex& c = complex();
+  const std::vector<std::uint8_t> is_far = unbounded_volumes(c);
+  for (std::size_t v = 0; v < c.volume_count(); ++v) {
+    if (is_far[v] != 0 && c.volume_mark[v] == 1) return false;
+  }
+  for (std::size_t u = 0; u < c.use_count(); ++u) {
+    const bool is_framed = c.edge_mark[c.use_halfedge[u].value() / 2] == kBeyond;
+    if (is_framed && c.facet_mark[c.use_facet[u].value()] == 1) return false;
+  }
+  for (std::size_t h = 0; h < c.origin.size(); ++h) {
+    if (c.edge_mark[h / 2] == 1 && c.vertex_mark[c.origin[h].value()] == kBeyond) return false;
+  }
+  return true;
+}
+
+bool Nef3::is_closed() const {
+  const SpaceComplex& c = complex();
+  const auto has_open = [](const std::vector<Mark>& marks) {
+    return std::find(marks.begin(), marks.end(), 0) != marks.end();
+  };
+  return !has_open(c.vertex_mark) && !has_open(c.edge_mark) && !has_open(c.facet_mark);
+}
+
+bool Nef3::is_open() const {
+  const SpaceComplex& c = complex();
+  const auto has_closed = [](const std::vector<Mark>& marks) {
+    return std::find(marks.begin(), marks.end(), 1) != marks.end();
+  };
+  return !has_closed(c.vertex_mark) && !has_closed(c.edge_mark) && !has_closed(c.facet_mark);
+}
+
+namespace {
+
+/// Are all uses around the half-edge of standard facets, and two?
+bool has_two_facets(const SpaceComplex& c, HalfedgeId h) {
+  const UseId first = c.edge_use[h.value() / 2];
+  if (!first.is_valid()) return false;
+  const UseId second = c.use_radial[first.value()];
+  return second != first && c.use_radial[second.value()] == first;
+}
+
+/// One cycle of corners: as many arcs as points, two faces.
+bool is_on_one_cone(const SpaceComplex& c, VertexId v, LocalMap& local) {
+  if (c.vertex_facet[v.value()].is_valid() || c.star_of(v).empty()) return false;
+  local_map(c, v, local);
+  return local.map.face_count() == 2;
+}
+
+}  // namespace
+
+bool Nef3::is_simple() const {
+  const SpaceComplex& c = complex();
+  for (std::size_t f = 0; f < c.facet_count(); ++f) {
+    const auto& [above, below] = c.facet_volume[f];
+    if (c.volume_mark[above.value()] == c.volume_mark[below.value()]) return false;
+  }
+  for (std::size_t e = 0; e < c.edge_count(); ++e) {
+    if (c.edge_mark[e] != kBeyond && !has_two_facets(c, HalfedgeId(2 * e))) return false;
+  }
+  LocalMap local;
+  for (std::size_t v = 0; v < c.vertex_count(); ++v) {
+    if (c.vertex_mark[v] != kBeyond && !is_on_one_cone(c, VertexId(v), local)) return false;
+  }
+  return true;
+}
+
+bool Nef3::is_convex() const { return plumb::is_convex(complex()); }
+
+bool Nef3::is_subset_of(const Nef3& other, Context& context) const {
+  return boolean_op(*this, other, kDifference, context).is_empty();
+}
+
+std::optional<Rational> Nef3::volume(Context& context) const {
+  return marked_volume(complex(), context);
+}
+
+std::optional<SpaceFlaw> Nef3::audit(Context& context) const {
+  return plumb::audit(complex(), true, context);
+}
+
+TriangleMesh Nef3::to_mesh(Context& context) const {
+  MeshOfComplex made = to_polygons({.faces = MeshFaces::Triangles}, context);
+  if (made.report.is_unbounded) {
+    throw Error(ErrorCode::BadArgument, "an unbounded set has no mesh");
+  }
+  const std::span<const double> xyz = coordinates_of(made.mesh);
+  return {{xyz.begin(), xyz.end()}, std::move(made.mesh.corners)};
+}
+
+MeshOfComplex Nef3::to_polygons(const ToMeshOptions& options, Context& context) const {
+  return mesh_of_complex(complex(), options, context);
+}
+
+// ---------------------------------------------------------------- operations
+
+Nef3 Nef3::complement(Context& context) const {
+  context.checkpoint("complement", 0, 0);
+  SpaceComplex c = complex();
+  for (auto* marks : {&c.vertex_mark, &c.edge_mark, &c.facet_mark, &c.volume_mark}) {
+    for (Mark& m : *marks) m = m == kBeyond ? m : static_cast<Mark>(1 - m);
+  }
+  return Nef3(std::move(c));
+}
+
+Nef3 Nef3::interior(Context& context) const {
+  SpaceComplex c = complex();
+  fill_boundary(c, 0);
+  return from_complex(std::move(c), context);
+}
+
+Nef3 Nef3::closure(Context& context) const {
+  SpaceComplex c = complex();
+  fill_boundary(c, 1);
+  return from_complex(std::move(c), context);
+}
+
+Nef3 Nef3::boundary(Context& context) const {
+  SpaceComplex c = complex();
+  fill_boundary(c, 1);
+  fill(c.volume_mark, 0);
+  return from_complex(std::move(c), context);
+}
+
+Nef3 Nef3::exterior(Context& context) const { return complement(context).interior(context); }
+
+Nef3 Nef3::regularization(Context& context) const { return interior(context).closure(context); }
+
+Nef3 Nef3::transformed(const AffineMap3& map, Context& context) const {
+  return Nef3(plumb::transformed(complex(), map, context));
+}
+
+Nef3 Nef3::translated(const RationalPoint3& by, Context& context) const {
+  const Rational zero = 0, one = 1;
+  return transformed({.matrix = {{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}},
+                      .offset = {by.x, by.y, by.z}},
+                     context);
+}
+
+namespace {
+
+/// The operation f(m, m) or f(m, mark) of one set: itself, its complement, or nothing but a mark.
+Nef3 with_marks(Nef3 set, bool of_outside, bool of_inside) {
+  if (of_outside == of_inside) return of_inside ? Nef3::whole() : Nef3::empty();
+  return of_inside ? std::move(set) : !set;
+}
+
+/// Where each mark of one operand has but one partner, nothing has to meet: one of them is empty or
+/// the whole space, or they are the same.
+std::optional<Nef3> combine_marks(const Nef3& a, const Nef3& b, MarkFunction f) {
+  const bool in_a = a.is_whole(), in_b = b.is_whole();
+  if (in_b || b.is_empty()) return with_marks(a, f(false, in_b), f(true, in_b));
+  if (in_a || a.is_empty()) return with_marks(b, f(in_a, false), f(in_a, true));
+  if (!is_identical(a.complex(), b.complex())) return {};
+  return with_marks(a, f(false, false), f(true, true));
+}
+
+}  // namespace
+
+/// Bounded boundaries apart: all of one lies in volume 0 of the other.
+std::optional<Nef3> Nef3::combined_apart(Nef3& a, Nef3& b, MarkFunction f) {
+  if (has_frame(a.complex()) || has_frame(b.complex())) return {};
+  std::vector<Box3> parts = a.state_->boxes();
+  const std::vector<Box3> others = b.state_->boxes();
+  if (!are_apart({a.complex(), parts}, {b.complex(), others})) return {};
+  const bool of_a = a.complex().volume_mark[0] != 0, of_b = b.complex().volume_mark[0] != 0;
+  a = plumb::with_marks(std::move(a), f(false, of_b), f(true, of_b));
+  b = plumb::with_marks(std::move(b), f(of_a, false), f(of_a, true));
+  if (b.complex().vertex_count() == 0) return a;
+  if (a.complex().vertex_count() == 0) return b;
+  parts.insert(parts.end(), others.begin(), others.end());
+  Nef3 both;
+  both.state_ = std::make_shared<State>(
+      with_tidy_tables(appended(std::move(a).complex(), std::move(b).complex())), std::move(parts));
+  return both;
+}
+
+Nef3 boolean_op(Nef3 a, Nef3 b, MarkFunction f, Context& context) {
+  if (const std::optional<Nef3> known = combine_marks(a, b, f)) return *known;
+  if (std::optional<Nef3> both = Nef3::combined_apart(a, b, f)) return std::move(*both);
+  return Nef3::from_minimal_unchecked(
+      combine_any(std::move(a).complex(), std::move(b).complex(), f, context));
+}
+
+Nef3 boolean_op(const Nef3& a, const SpaceSelector& select_a, const Nef3& b,
+                const SpaceSelector& select_b, MarkFunction f, Context& context) {
+  return Nef3::from_minimal_unchecked(combine_any(selected(a.complex(), select_a, context),
+                                                  selected(b.complex(), select_b, context), f,
+                                                  context));
+}
+
+Nef3 boolean_op(const Nef3& a, const Plane3& plane, Section section, MarkFunction f,
+                Context& context) {
+  const SpaceComplex& c = a.complex();
+  const MarkTable table(f);
+  const Mark outside = c.volume_mark[0];
+  const bool needs_frame = !has_frame(c) && table(outside, 0) != table(outside, 1);
+  const std::shared_ptr<SpaceTables> tables = copy(*c.tables);
+  SpaceComplex first = needs_frame ? with_frame(c, tables, context) : c;
+  const OrientedPlane p = tables->planes.intern(plane.a, plane.b, plane.c, plane.d);
+  if (!p.is_valid()) throw Error(ErrorCode::BadArgument, "a plane needs a normal that is not zero");
+  const PlaneSet h = section == Section::PlaneOnly         ? PlaneSet::Plane
+                     : section == Section::ClosedHalfSpace ? PlaneSet::ClosedBelow
+                                                           : PlaneSet::OpenBelow;
+  SpaceComplex result = combine_with_plane(std::move(first), p, h, f, tables, context);
+  return Nef3::from_minimal_unchecked(
+      with_tidy_tables(without_idle_frame(std::move(result), context)));
+}
+
+namespace {
+
+/// Pairwise, neighbours first: every set takes part in O(log n) operations. Uses up the sets.
+Nef3 combine_all(std::span<Nef3> sets, MarkFunction f, Context& context) {
+  if (sets.size() == 1) return std::move(sets[0]);
+  const std::size_t half = sets.size() / 2;
+  const std::array<std::span<Nef3>, 2> parts{sets.first(half), sets.subspan(half)};
+  std::array<Nef3, 2> both;
+  std::array<MemoryCharge, 2> memory{MemoryCharge(context), MemoryCharge(context)};
+  run_jobs(context, 2, [&](std::size_t i, Context& own) {
+    both[i] = combine_all(parts[i], f, own);
+    if (parts[i].size() > 1) memory[i].add(both[i].bytes(), "a set of space");
+  });
+  return boolean_op(std::move(both[0]), std::move(both[1]), f, context);
+}
+
+}  // namespace
+
+Nef3 operator+(const Nef3& a, const Nef3& b) { return boolean_op(a, b, kUnion); }
+Nef3 operator*(const Nef3& a, const Nef3& b) { return boolean_op(a, b, kIntersection); }
+Nef3 operator-(const Nef3& a, const Nef3& b) { return boolean_op(a, b, kDifference); }
+Nef3 operator^(const Nef3& a, const Nef3& b) { return boolean_op(a, b, kSymmetricDifference); }
+
+bool operator==(const Nef3& a, const Nef3& b) {
+  return a.state_ == b.state_ || is_same(a.complex(), b.complex());
+}
+
+Nef3 united(std::vector<Nef3> sets, Context& context) {
+  return sets.empty() ? Nef3::empty() : combine_all(sets, kUnion, context);
+}
+
+Nef3 union_of(std::span<const Nef3> sets, Context& context) {
+  return united({sets.begin(), sets.end()}, context);
+}
+
+Nef3 intersection_of(std::span<const Nef3> sets, Context& context) {
+  std::vector<Nef3> own(sets.begin(), sets.end());
+  return own.empty() ? Nef3::whole() : combine_all(own, kIntersection, context);
+}
+
+}  // namespace plumb

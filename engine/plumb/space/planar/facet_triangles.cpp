@@ -1,0 +1,158 @@
+#include "plumb/space/planar/facet_triangles.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "plumb/plane/sweep/sweep.h"
+#include "plumb/predicates/error.h"
+
+namespace plumb {
+namespace {
+
+/// One turn, never back: two changes of lexicographic direction, and no two turns of different
+/// signs.
+bool is_convex(const FlatPoints& points, std::span<const std::uint32_t> polygon) {
+  const std::size_t n = polygon.size();
+  Sign turn = Sign::Zero, direction = points.compare(polygon[n - 1], polygon[0]);
+  int changes = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t a = polygon[i], b = polygon[(i + 1) % n], c = polygon[(i + 2) % n];
+    const Sign next = points.compare(a, b), s = points.orient(a, b, c);
+    changes += next != direction ? 1 : 0;
+    direction = next;
+    if (s == Sign::Zero) continue;
+    if (turn != Sign::Zero && s != turn) return false;
+    turn = s;
+  }
+  return changes == 2 && turn != Sign::Zero;
+}
+
+/// Do segments meet in common ends only?
+class TouchVisitor final : public SweepVisitor {
+ public:
+  bool on_event(const SweepEvent& event) override {
+    is_crossing_ = event.points.size() != 1 || !event.has_ends_only();
+    return !is_crossing_;
+  }
+  bool is_crossing() const { return is_crossing_; }
+
+ private:
+  bool is_crossing_ = false;
+};
+
+bool is_crossing(const FlatPoints& points, std::span<const IndexEdge> edges, Context& context) {
+  std::vector<SweepSegment> segments;
+  for (const IndexEdge& e : edges) segments.push_back({e[0], e[1]});
+  TouchVisitor visitor;
+  sweep(points.table(), segments, visitor, context);
+  return visitor.is_crossing();
+}
+
+bool has_repeats(std::span<const std::uint32_t> polygon) {
+  std::vector<std::uint32_t> sorted(polygon.begin(), polygon.end());
+  std::sort(sorted.begin(), sorted.end());
+  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
+}  // namespace
+
+void cancel_reverses(std::vector<IndexEdge>& edges) {
+  const auto key = [](const IndexEdge& e) {
+    return IndexEdge{std::min(e[0], e[1]), std::max(e[0], e[1])};
+  };
+  std::sort(edges.begin(), edges.end(), [&](const IndexEdge& a, const IndexEdge& b) {
+    return std::pair(key(a), a) < std::pair(key(b), b);
+  });
+  // In a run of one undirected edge: first all there, then all back.
+  std::size_t kept = 0;
+  for (const IndexEdge& e : edges) {
+    if (kept > 0 && edges[kept - 1] == IndexEdge{e[1], e[0]}) {
+      --kept;
+    } else {
+      edges[kept++] = e;
+    }
+  }
+  edges.resize(kept);
+}
+
+std::vector<IndexEdge> boundary_of(std::span<const std::uint32_t> polygon) {
+  std::vector<IndexEdge> edges;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    edges.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
+  }
+  cancel_reverses(edges);
+  return edges;
+}
+
+PolygonShape shape_of(const FlatPoints& points, std::span<const std::uint32_t> polygon,
+                      Context& context) {
+  if (is_convex(points, polygon)) return PolygonShape::Simple;
+  const bool is_repeating = has_repeats(polygon);
+  if (is_crossing(points, boundary_of(polygon), context)) return PolygonShape::Crossing;
+  return is_repeating ? PolygonShape::Touching : PolygonShape::Simple;
+}
+
+Sign orientation_of(const FlatPoints& points, std::span<const std::uint32_t> polygon) {
+  const std::size_t n = polygon.size();
+  std::size_t least = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    if (points.compare(polygon[i], polygon[least]) == Sign::Negative) least = i;
+  }
+  return points.orient(polygon[(least + n - 1) % n], polygon[least], polygon[(least + 1) % n]);
+}
+
+void FacetTriangles::cut(FacetId f) {
+  show(f);
+  triangles_.clear();
+  if (is_single_cycle(f) && shown_.size() == edges_.size() && cut_as_fan()) return;
+  triangles_.clear();
+  cancel_reverses(edges_);  // an edge with the facet on both sides
+  PLUMB_CHECK(triangulate(flat_, edges_, triangles_));
+}
+
+/// A simple polygon is star-shaped around its first corner if all triangles there turn left.
+bool FacetTriangles::cut_as_fan() {
+  for (std::size_t i = 1; i + 1 < edges_.size(); ++i) {
+    const IndexTriangle t{edges_[0][0], edges_[i][0], edges_[i][1]};
+    if (flat_.orient(t[0], t[1], t[2]) != Sign::Positive) return false;
+    triangles_.push_back(t);
+  }
+  return true;
+}
+
+void FacetTriangles::show(FacetId f) {
+  shown_.clear();
+  edges_.clear();
+  const auto walk = [&](UseId first, const auto& visit) {
+    UseId u = first;
+    do {
+      const UseId next = complex_.use_next[u.value()];
+      visit(complex_.use_origin(u), complex_.use_origin(next));
+      u = next;
+    } while (u != first);
+  };
+  const auto inner = complex_.inner_of(f);
+  shown_.assign(inner.begin(), inner.end());
+  for (const UseId first : complex_.cycles_of(f)) {
+    walk(first, [&](VertexId v, VertexId) { shown_.push_back(v); });
+  }
+  std::sort(shown_.begin(), shown_.end());
+  shown_.erase(std::unique(shown_.begin(), shown_.end()), shown_.end());
+  const auto index = [&](VertexId v) {
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(shown_, v) - shown_.begin());
+  };
+  for (const UseId first : complex_.cycles_of(f)) {
+    walk(first, [&](VertexId v, VertexId w) { edges_.push_back({index(v), index(w)}); });
+  }
+  flat_.reset(FlatView::of_plane(complex_.planes(), complex_.facet_plane[f.value()]));
+  for (const VertexId v : shown_) {
+    const SpacePoint p = complex_.vertex_point[v.value()];
+    if (nearest_.empty()) {
+      flat_.push_back(p);
+    } else {
+      flat_.push_back(p, nearest_[v.value()]);
+    }
+  }
+}
+
+}  // namespace plumb

@@ -1,0 +1,336 @@
+#include "plumb/space/planar/triangulate.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace plumb {
+
+RegionSweep::RegionSweep(const PlanarPoints& points, std::span<const IndexEdge> edges,
+                         Context* context)
+    : points_(points), status_(Below{this}), context_(context) {
+  rank_points();
+  edges_.reserve(edges.size());
+  for (const IndexEdge& e : edges) {
+    const std::uint32_t from = rank_[e[0]], to = rank_[e[1]];
+    edges_.push_back({std::min(from, to), std::max(from, to), from < to});
+  }
+}
+
+void RegionSweep::rank_points() {
+  order_.resize(points_.size());
+  std::iota(order_.begin(), order_.end(), 0U);
+  std::sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) {
+    count_step();
+    return points_.compare(i, j) == Sign::Negative;
+  });
+  rank_.resize(order_.size());
+  for (std::uint32_t r = 0; r < order_.size(); ++r) rank_[order_[r]] = r;
+}
+
+void RegionSweep::start() {
+  starts_.resize(edges_.size());
+  std::iota(starts_.begin(), starts_.end(), 0U);
+  std::sort(starts_.begin(), starts_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    count_step();
+    if (edges_[a].left != edges_[b].left) return edges_[a].left < edges_[b].left;
+    return a != b && is_below(a, b);
+  });
+  place_.resize(edges_.size());
+  incoming_.assign(order_.size(), kNone);
+}
+
+/// The order of two edges that some vertical line meets, or that start together.
+bool RegionSweep::is_below(std::uint32_t a, std::uint32_t b) const {
+  const SweepEdge &p = edges_[a], &q = edges_[b];
+  if (p.left == q.left) {
+    const Sign side = turn(a, q.right);
+    // The two halves of a slit: what is below it ends before what is above begins.
+    return side == Sign::Zero ? !p.is_lower && q.is_lower : side == Sign::Positive;
+  }
+  if (p.left < q.left) return turn(a, q.left) == Sign::Positive;
+  return turn(b, p.left) == Sign::Negative;
+}
+
+std::pair<RegionSweep::Place, RegionSweep::Place> RegionSweep::edges_ending(std::uint32_t v) {
+  if (incoming_[v] == kNone) {
+    const Place at = status_.lower_bound(Probe{v});
+    return {at, at};
+  }
+  Place begin = place_[incoming_[v]], end = std::next(begin);
+  while (begin != status_.begin() && edges_[*std::prev(begin)].right == v) --begin;
+  while (end != status_.end() && edges_[*end].right == v) ++end;
+  return {begin, end};
+}
+
+namespace {
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+/// The points that no triangle has closed off, of the part of the region above a lower edge: bottom
+/// to top, as indices of nodes.
+struct Chain {
+  std::uint32_t first = kNone;
+  std::uint32_t last = kNone;
+  std::uint32_t rightmost = kNone;
+};
+
+struct ChainNode {
+  std::uint32_t rank;
+  std::uint32_t below = kNone;
+  std::uint32_t above = kNone;
+};
+
+/// A piece of a chain on one side of the point being swept.
+struct ChainPart {
+  std::uint32_t outer = kNone;  ///< the node at the edge that bounds the part
+  std::uint32_t inner = kNone;  ///< the node that the new point sees last
+  bool is_there() const { return outer != kNone; }
+};
+
+class RegionCut final : RegionSweep {
+ public:
+  RegionCut(const PlanarPoints& points, std::span<const IndexEdge> edges)
+      : RegionSweep(points, edges), chain_(edges.size()) {}
+
+  bool run(std::vector<IndexTriangle>& triangles) {
+    const std::size_t before = triangles.size();
+    triangles_ = &triangles;
+    start();
+    for (std::uint32_t v = 0; v < order_.size(); ++v) {
+      if (visit(v)) continue;
+      triangles.resize(before);
+      return false;
+    }
+    return true;
+  }
+
+ private:
+  // ---------------------------------------------------------------- chains
+
+  std::uint32_t add_node(std::uint32_t rank) {
+    nodes_.push_back({rank});
+    return static_cast<std::uint32_t>(nodes_.size() - 1);
+  }
+  void link(std::uint32_t below, std::uint32_t above) {
+    nodes_[below].above = above;
+    nodes_[above].below = below;
+  }
+
+  /// Triangle of the new point v and two neighbours of a chain, if v sees them both.
+  bool close_off(std::uint32_t v, std::uint32_t upper, std::uint32_t lower) {
+    const std::uint32_t u = nodes_[upper].rank, l = nodes_[lower].rank;
+    if (orient(v, u, l) != Sign::Positive) return false;
+    triangles_->push_back({order_[v], order_[u], order_[l]});
+    return true;
+  }
+  std::uint32_t walk_down(std::uint32_t v, std::uint32_t node) {
+    while (nodes_[node].below != kNone && close_off(v, node, nodes_[node].below)) {
+      node = nodes_[node].below;
+    }
+    return node;
+  }
+  std::uint32_t walk_up(std::uint32_t v, std::uint32_t node) {
+    while (nodes_[node].above != kNone && close_off(v, nodes_[node].above, node)) {
+      node = nodes_[node].above;
+    }
+    return node;
+  }
+  /// The part between two edges that end in v.
+  void close_all(std::uint32_t v, std::uint32_t lower) {
+    for (std::uint32_t n = chain_[lower].first; nodes_[n].above != kNone; n = nodes_[n].above) {
+      close_off(v, nodes_[n].above, n);
+    }
+  }
+
+  // ---------------------------------------------------------------- one point
+
+  bool visit(std::uint32_t v) {
+    const auto [begin, end] = edges_ending(v);
+    const std::uint32_t below = edge_below(begin);
+    const bool is_inside_below = below != kNone && edges_[below].is_lower;
+    if (!alternates(begin, end, is_inside_below)) return false;
+
+    ChainPart low, high;
+    if (begin == end) {
+      if (is_inside_below) split(v, chain_[below], low, high);
+    } else {
+      if (is_inside_below) low = {chain_[below].first, walk_down(v, chain_[below].last)};
+      for (Place p = begin; p != end; ++p) {
+        if (!edges_[*p].is_lower) continue;
+        if (std::next(p) != end) close_all(v, *p);
+        if (std::next(p) == end) high = {chain_[*p].last, walk_up(v, chain_[*p].first)};
+      }
+    }
+    status_.erase(begin, end);
+    return leave(v, below, low, high);
+  }
+
+  bool alternates(Place begin, Place end, bool is_inside) const {
+    for (; begin != end; ++begin) {
+      if (edges_[*begin].is_lower == is_inside) return false;
+      is_inside = !is_inside;
+    }
+    return true;
+  }
+
+  /// v lies inside the part above `below`: the chain parts at its rightmost point, which both keep.
+  void split(std::uint32_t v, const Chain& below, ChainPart& low, ChainPart& high) {
+    const std::uint32_t middle = below.rightmost, above = nodes_[middle].above;
+    const std::uint32_t copy = add_node(nodes_[middle].rank);
+    if (above != kNone) link(copy, above);
+    high = {below.last == middle ? copy : below.last, walk_up(v, copy)};
+    low = {below.first, walk_down(v, middle)};
+  }
+
+  /// Starts the edges that leave v and gives the parts around them their chains.
+  bool leave(std::uint32_t v, std::uint32_t below, ChainPart low, ChainPart high) {
+    std::uint32_t top = kNone;
+    bool is_inside = low.is_there();
+    const bool alternates = insert_leaving(v, [&](std::uint32_t e) {
+      if (edges_[e].is_lower == is_inside) return false;
+      is_inside = !is_inside;
+      const std::uint32_t node = add_node(v);
+      chain_[e] = {node, node, node};
+      top = e;
+      return true;
+    });
+    if (!alternates || is_inside != high.is_there()) return false;
+    if (top == kNone) {
+      if (low.is_there()) join(v, below, low, high);
+      return true;
+    }
+    if (low.is_there()) {
+      const std::uint32_t node = add_node(v);
+      link(low.inner, node);
+      chain_[below] = {low.outer, node, node};
+    }
+    if (high.is_there()) {
+      const std::uint32_t node = chain_[top].first;
+      link(node, high.inner);
+      chain_[top] = {node, high.outer, node};
+    }
+    return true;
+  }
+
+  void join(std::uint32_t v, std::uint32_t below, ChainPart low, ChainPart high) {
+    const std::uint32_t node = add_node(v);
+    link(low.inner, node);
+    link(node, high.inner);
+    chain_[below] = {low.outer, high.outer, node};
+  }
+
+  std::vector<Chain> chain_;  // per edge that is lower and in the status
+  std::vector<ChainNode> nodes_;
+  std::vector<IndexTriangle>* triangles_ = nullptr;
+};
+
+}  // namespace
+
+bool triangulate(const PlanarPoints& points, std::span<const IndexEdge> edges,
+                 std::vector<IndexTriangle>& triangles) {
+  return RegionCut(points, edges).run(triangles);
+}
+
+// ---------------------------------------------------------------- Delaunay
+
+namespace {
+
+/// Sides 3 t + i of triangles: from corner i to the next.
+class DelaunayFlips {
+ public:
+  DelaunayFlips(const PlanarPoints& points, std::span<const IndexEdge> edges,
+                std::span<IndexTriangle> triangles)
+      : points_(points), triangles_(triangles) {
+    pair_sides(edges);
+  }
+
+  void run() {
+    std::vector<std::uint32_t> open;
+    for (std::uint32_t s = 0; s < other_.size(); ++s) open.push_back(s);
+    while (!open.empty()) {
+      const std::uint32_t s = open.back();
+      open.pop_back();
+      if (other_[s] == kNone || !should_flip(s)) continue;
+      const std::uint32_t t = other_[s];
+      flip(s);
+      for (const std::uint32_t changed : {s, after(s), before(s), t, after(t), before(t)}) {
+        open.push_back(changed);
+      }
+    }
+  }
+
+ private:
+  static std::uint32_t after(std::uint32_t s) { return s % 3 == 2 ? s - 2 : s + 1; }
+  static std::uint32_t before(std::uint32_t s) { return s % 3 == 0 ? s + 2 : s - 1; }
+  std::uint32_t& origin(std::uint32_t s) { return triangles_[s / 3][s % 3]; }
+
+  /// Sides that are not given edges find the side across.
+  void pair_sides(std::span<const IndexEdge> edges) {
+    using Entry = std::pair<IndexEdge, std::uint32_t>;  // ascending ends, side
+    std::vector<Entry> entries;
+    const auto key = [](std::uint32_t a, std::uint32_t b) {
+      return IndexEdge{std::min(a, b), std::max(a, b)};
+    };
+    other_.assign(3 * triangles_.size(), kNone);
+    for (std::uint32_t s = 0; s < other_.size(); ++s) {
+      entries.emplace_back(key(origin(s), origin(after(s))), s);
+    }
+    for (const IndexEdge& e : edges) entries.emplace_back(key(e[0], e[1]), kNone);
+    std::sort(entries.begin(), entries.end());
+    for (std::size_t i = 0; i < entries.size();) {
+      std::size_t j = i;
+      while (j < entries.size() && entries[j].first == entries[i].first) ++j;
+      if (j == i + 2 && entries[i + 1].second != kNone) {
+        other_[entries[i].second] = entries[i + 1].second;
+        other_[entries[i + 1].second] = entries[i].second;
+      }
+      i = j;
+    }
+  }
+
+  bool should_flip(std::uint32_t s) {
+    const std::uint32_t a = origin(s), b = origin(after(s)), c = origin(before(s));
+    const std::uint32_t d = origin(before(other_[s]));
+    const Sign in = points_.incircle(a, b, c, d);
+    return in == Sign::Positive || (in == Sign::Zero && std::min(c, d) < std::min(a, b));
+  }
+
+  /// Triangles (a, b, c), (b, a, d) become (d, c, a)'s and (c, d, b)'s: side s = d -> c.
+  void flip(std::uint32_t s) {
+    const std::uint32_t t = other_[s];
+    const std::uint32_t c = origin(before(s)), d = origin(before(t));
+    const std::uint32_t bc = other_[after(s)], ad = other_[after(t)];
+    // (d, c, a) in the place of (a, b, c); (c, d, b) in the place of (b, a, d)
+    const std::uint32_t a = origin(s), b = origin(t);
+    const std::uint32_t ca = other_[before(s)], db = other_[before(t)];
+    set(s, d, c, a);
+    set(t, c, d, b);
+    join(after(s), ca);
+    join(before(s), ad);
+    join(after(t), db);
+    join(before(t), bc);
+  }
+  void set(std::uint32_t s, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+    origin(s) = i;
+    origin(after(s)) = j;
+    origin(before(s)) = k;
+  }
+  void join(std::uint32_t s, std::uint32_t t) {
+    other_[s] = t;
+    if (t != kNone) other_[t] = s;
+  }
+
+  const PlanarPoints& points_;
+  std::span<IndexTriangle> triangles_;
+  std::vector<std::uint32_t> other_;  // per side: across; none at given edges
+};
+
+}  // namespace
+
+void make_delaunay(const PlanarPoints& points, std::span<const IndexEdge> edges,
+                   std::span<IndexTriangle> triangles) {
+  DelaunayFlips(points, edges, triangles).run();
+}
+
+}  // namespace plumb

@@ -1,0 +1,245 @@
+#include "plumb/space/query/space_convexity.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "plumb/space/planar/nest_cycles.h"
+
+namespace plumb {
+namespace {
+
+/// The questions of the header, one after the other.
+class ConvexityTest {
+ public:
+  explicit ConvexityTest(const SpaceComplex& complex) : c_(complex) {}
+
+  bool run() {
+    const auto marked = std::count(c_.volume_mark.begin(), c_.volume_mark.end(), Mark{1});
+    if (marked > 1) return false;
+    if (marked == 0) return is_convex_when_flat();
+    const auto body = std::find(c_.volume_mark.begin(), c_.volume_mark.end(), Mark{1});
+    body_ = VolumeId(static_cast<std::size_t>(body - c_.volume_mark.begin()));
+    return is_body_convex() && are_planes_convex();
+  }
+
+ private:
+  // ---- 1. body
+
+  bool is_body_convex() const {
+    for (std::size_t f = 0; f < c_.facet_count(); ++f) {
+      const auto& [above, below] = c_.facet_volume[f];
+      if (c_.facet_mark[f] != kBeyond && (above == body_) == (below == body_)) return false;
+    }
+    for (std::size_t e = 0; e < c_.edge_count(); ++e) {
+      if (c_.edge_mark[e] != kBeyond && !is_convex_at(EdgeId(e))) return false;
+    }
+    for (std::size_t v = 0; v < c_.vertex_count(); ++v) {
+      if (c_.vertex_mark[v] != kBeyond && !is_on_one_cone(VertexId(v))) return false;
+    }
+    return true;
+  }
+
+  /// The use s (n x d), s = 1 of half-edge 2e and -1 of 2e+1, says where from the edge, d along 2e,
+  /// a facet with normal n lies; (n1 x d) x (n2 x d) = d det(n1, n2, d).
+  bool is_convex_at(EdgeId e) const {
+    const UseId any = c_.edge_use[e.value()];
+    if (!any.is_valid()) return false;
+    const UseId other = c_.use_radial[any.value()];
+    if (other == any || c_.use_radial[other.value()] != any) return false;
+    const UseId first = c_.volume_after(any) == body_ ? any : other;
+    const UseId second = first == any ? other : any;
+    const PlaneId n1 = plane_of(first), n2 = plane_of(second);
+    if (n1 == n2) return true;
+    const auto& [p, q] = c_.edge_planes[e.value()];
+    const Sign turn = same_direction(c_.planes(), p, q, n1, n2);
+    return sense(first) * sense(second) * turn == Sign::Positive;
+  }
+
+  PlaneId plane_of(UseId u) const { return c_.facet_plane[c_.use_facet[u.value()].value()]; }
+  Sign sense(UseId u) const {
+    return SpaceComplex::is_reverse(c_.use_halfedge[u.value()]) ? Sign::Negative : Sign::Positive;
+  }
+
+  /// A point inside a facet, or corners that lead around through all half-edges. Requires edges of
+  /// two uses.
+  bool is_on_one_cone(VertexId v) const {
+    const std::size_t degree = c_.star_of(v).size();
+    if (c_.vertex_facet[v.value()].is_valid()) return degree == 0;
+    if (degree == 0) return false;
+    const UseId first = c_.edge_use[c_.star_of(v)[0].value() / 2];
+    std::size_t passed = 0;
+    UseId u = first;
+    do {
+      const bool leaves = c_.use_origin(u) == v;
+      const UseId across = leaves ? c_.use_prev[u.value()] : c_.use_next[u.value()];
+      u = c_.use_radial[across.value()];
+      ++passed;
+    } while (u != first);
+    return passed == degree;
+  }
+
+  // ---- 2. planes
+
+  bool are_planes_convex() {
+    std::vector<FacetId> facets;
+    for (std::size_t f = 0; f < c_.facet_count(); ++f) {
+      if (c_.facet_mark[f] != kBeyond) facets.push_back(FacetId(f));
+    }
+    std::sort(facets.begin(), facets.end(), [this](FacetId f, FacetId g) {
+      return c_.facet_plane[f.value()] < c_.facet_plane[g.value()];
+    });
+    const auto is_other_plane = [this](FacetId f, FacetId g) {
+      return c_.facet_plane[f.value()] != c_.facet_plane[g.value()];
+    };
+    for (auto first = facets.begin(); first != facets.end();) {
+      auto last = std::adjacent_find(first, facets.end(), is_other_plane);
+      if (last != facets.end()) ++last;
+      if (!is_plane_convex({first, last})) return false;
+      first = last;
+    }
+    return true;
+  }
+
+  bool is_plane_convex(std::span<const FacetId> facets) {
+    const auto is_marked = [this](FacetId f) { return c_.facet_mark[f.value()] == 1; };
+    const auto f = std::find_if(facets.begin(), facets.end(), is_marked);
+    gather(facets);
+    if (f == facets.end()) return is_one_edge_or_vertex();
+    if (std::find_if(f + 1, facets.end(), is_marked) != facets.end()) return false;
+    if (!is_polygon_convex(*f)) return false;
+    const std::size_t edges = edges_.size(), vertices = vertices_.size();
+    gather(std::span(&*f, 1));
+    return edges_.size() == edges && vertices_.size() == vertices;
+  }
+
+  /// The marked edges and vertices of the facets' boundaries and inside them, each once.
+  void gather(std::span<const FacetId> facets) {
+    edges_.clear();
+    vertices_.clear();
+    for (const FacetId f : facets) {
+      for (const UseId cycle : c_.cycles_of(f)) gather(cycle);
+      for (const VertexId v : c_.inner_of(f)) gather_vertex(v);
+    }
+    make_unique(edges_);
+    make_unique(vertices_);
+  }
+  void gather(UseId cycle) {
+    UseId u = cycle;
+    do {
+      const EdgeId e = edge_of(u);
+      if (c_.edge_mark[e.value()] == 1) edges_.push_back(e);
+      gather_vertex(c_.use_origin(u));
+      u = c_.use_next[u.value()];
+    } while (u != cycle);
+  }
+  void gather_vertex(VertexId v) {
+    if (c_.vertex_mark[v.value()] == 1) vertices_.push_back(v);
+  }
+  template <class Id>
+  static void make_unique(std::vector<Id>& ids) {
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  }
+  EdgeId edge_of(UseId u) const { return SpaceComplex::edge_of(c_.use_halfedge[u.value()]); }
+
+  bool is_one_edge_or_vertex() const {
+    if (edges_.empty()) return vertices_.size() <= 1;
+    if (edges_.size() > 1) return false;
+    return std::all_of(vertices_.begin(), vertices_.end(), [this](VertexId v) {
+      const std::uint32_t h = 2 * edges_[0].value();
+      return v == c_.origin[h] || v == c_.origin[h + 1];
+    });
+  }
+
+  // ---- 3. sides
+
+  /// Is the facet convex, together with what is marked of its boundary?
+  bool is_polygon_convex(FacetId f) const {
+    if (c_.cycles_of(f).size() != 1 || !c_.inner_of(f).empty()) return false;
+    const UseId cycle = c_.cycles_of(f)[0];
+    UseId u = cycle, start;
+    do {
+      if (is_side_end(u)) {
+        start = u;
+      } else if (!is_straight(u)) {
+        return false;
+      }
+      u = c_.use_next[u.value()];
+    } while (u != cycle);
+    u = start;
+    do {
+      if (!is_side_convex(u)) return false;
+    } while (u != start);
+    return true;
+  }
+
+  /// A corner of less than half a turn, or one on the frame.
+  bool is_side_end(UseId u) const {
+    return c_.vertex_mark[c_.use_origin(u).value()] == kBeyond ||
+           corner_sign(c_, u) == Sign::Positive;
+  }
+  bool is_straight(UseId u) const {
+    const UseId before = c_.use_prev[u.value()];
+    return edge_of(before) != edge_of(u) && corner_sign(c_, u) == Sign::Zero;
+  }
+
+  /// Are the marked items of the side that starts at u consecutive? Moves u to the next side.
+  bool is_side_convex(UseId& u) const {
+    std::size_t runs = 0;
+    bool was_marked = false;
+    const auto pass = [&](Mark mark) {
+      if (mark == 1 && !was_marked) ++runs;
+      was_marked = mark == 1;
+    };
+    pass(c_.vertex_mark[c_.use_origin(u).value()]);
+    do {
+      pass(c_.edge_mark[edge_of(u).value()]);
+      u = c_.use_next[u.value()];
+      pass(c_.vertex_mark[c_.use_origin(u).value()]);
+    } while (!is_side_end(u));
+    return runs <= 1;
+  }
+
+  // ---- without a marked volume
+
+  /// Nothing is unmarked but sides and ends: all else would be within the complement.
+  bool is_convex_when_flat() const {
+    const std::size_t facets = standard(c_.facet_mark);
+    if (facets > 1) return false;
+    std::vector<std::uint8_t> is_seen(c_.vertex_count(), 0);
+    const std::size_t edges = standard(c_.edge_mark);
+    if (facets == 0 && edges > 1) return false;
+    for (std::size_t e = 0; e < c_.edge_count(); ++e) {
+      if (c_.edge_mark[e] == kBeyond) continue;
+      if (facets == 1 && !c_.edge_use[e].is_valid()) return false;
+      is_seen[c_.origin[2 * e].value()] = is_seen[c_.origin[2 * e + 1].value()] = 1;
+    }
+    std::size_t lone = 0;
+    for (std::size_t v = 0; v < c_.vertex_count(); ++v) {
+      if (c_.vertex_mark[v] != kBeyond && is_seen[v] == 0) ++lone;
+    }
+    if (lone > (facets == 0 && edges == 0 ? 1U : 0U)) return false;
+    return facets == 0 || is_polygon_convex(standard_facet());
+  }
+
+  static std::size_t standard(const std::vector<Mark>& marks) {
+    return marks.size() - static_cast<std::size_t>(std::count(marks.begin(), marks.end(), kBeyond));
+  }
+  FacetId standard_facet() const {
+    std::size_t f = 0;
+    while (c_.facet_mark[f] == kBeyond) ++f;
+    return FacetId(f);
+  }
+
+  const SpaceComplex& c_;
+  VolumeId body_;
+  std::vector<EdgeId> edges_;  // of a plane, marked
+  std::vector<VertexId> vertices_;
+};
+
+}  // namespace
+
+bool is_convex(const SpaceComplex& complex) { return ConvexityTest(complex).run(); }
+
+}  // namespace plumb

@@ -1,0 +1,304 @@
+#include "plumb/space/query/volumes.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "plumb/base/internal/parallel.h"
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/local_maps.h"
+#include "plumb/space/space_locator.h"
+#include "plumb/sphere/overlay/sphere_overlay.h"
+
+namespace plumb {
+
+ShellNodes::ShellNodes(const SpaceComplex& complex, std::span<const std::uint8_t> connected)
+    : complex_(complex),
+      classes_(2 * complex.facet_count() + complex.vertex_count()),
+      free_node_(complex.edge_count(), kNone) {
+  join_around_edges();
+  join_at_irregular_vertices(connected);
+}
+
+void ShellNodes::join_around_edges() {
+  for (std::uint32_t u = 0; u < complex_.use_count(); ++u) {
+    classes_.unite(node_after(UseId(u)), node_before(complex_.use_radial[u]));
+  }
+}
+
+namespace {
+
+/// How many corners follow each other around the vertex from `first` on, each beyond an edge of two
+/// facets. More than `most`: not known.
+std::size_t count_corners(const SpaceComplex& complex, UseId first, std::size_t most) {
+  std::size_t count = 0;
+  UseId corner = first;
+  // The edge to leave the corner by: that of its use, or else the one before.
+  HalfedgeId over = complex.use_halfedge[corner.value()];
+  do {
+    const UseId own =
+        complex.use_halfedge[corner.value()] == over ? corner : complex.use_prev[corner.value()];
+    const UseId other = complex.use_radial[own.value()];
+    if (complex.use_radial[other.value()] != own || other == own || ++count > most) return most + 1;
+    const bool leaves = complex.use_halfedge[other.value()] == over;
+    corner = leaves ? other : complex.use_next[other.value()];
+    const HalfedgeId at_end = complex.use_halfedge[corner.value()];
+    over = leaves
+               ? SpaceComplex::twin(complex.use_halfedge[complex.use_prev[corner.value()].value()])
+               : at_end;
+  } while (corner != first);
+  return count;
+}
+
+/// Do the corners make one ring that all edges are on? (Nearly always; else they may still hang
+/// together.)
+bool has_one_ring(const SpaceComplex& complex, VertexId v) {
+  const auto star = complex.star_of(v);
+  if (star.empty() || complex.vertex_facet[v.value()].is_valid()) return false;
+  const UseId use = complex.edge_use[star[0].value() / 2];
+  if (!use.is_valid()) return false;
+  const UseId corner =
+      complex.use_halfedge[use.value()] == star[0] ? use : complex.use_next[use.value()];
+  return count_corners(complex, corner, star.size()) == star.size();
+}
+
+}  // namespace
+
+/// Vertices whose sphere map is not connected, has a loop or points without arcs.
+std::vector<VertexId> ShellNodes::irregular_vertices(
+    std::span<const std::uint8_t> connected) const {
+  std::vector<VertexId> doubtful, irregular;
+  for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
+    if (!connected.empty() && connected[v] != 0) continue;
+    if (!has_one_ring(complex_, VertexId(v))) doubtful.push_back(VertexId(v));
+  }
+  if (doubtful.empty()) return irregular;
+  UnionFind link(complex_.origin.size());  // half-edges of one vertex, joined by corners
+  for (std::uint32_t u = 0; u < complex_.use_count(); ++u) {
+    const HalfedgeId back = SpaceComplex::twin(complex_.use_halfedge[complex_.use_prev[u].value()]);
+    link.unite(complex_.use_halfedge[u].value(), back.value());
+  }
+  for (const VertexId v : doubtful) {
+    const auto star = complex_.star_of(v);
+    bool is_regular = !star.empty() && !complex_.vertex_facet[v.value()].is_valid() &&
+                      complex_.edge_use[star[0].value() / 2].is_valid();
+    for (std::size_t i = 1; i < star.size() && is_regular; ++i) {
+      is_regular = link.root(star[i].value()) == link.root(star[0].value());
+    }
+    if (!is_regular) irregular.push_back(v);
+  }
+  return irregular;
+}
+
+void ShellNodes::face_nodes(const LocalMap& local, SpaceItem item,
+                            std::vector<std::uint32_t>& node) const {
+  std::uint32_t own = kNone;
+  if (item.kind() == SpaceItem::Kind::Vertex) own = vertex_node(item.vertex());
+  if (item.kind() == SpaceItem::Kind::Edge) own = free_node(item.edge());
+  node.assign(local.map.face_count(), own);
+  for (std::uint32_t h = 0; h < local.map.face.size(); ++h) {
+    node[local.map.face[h]] = facet_node(local.facet[h / 2], (h & 1U) != 0);
+  }
+}
+
+void ShellNodes::join_at_irregular_vertices(std::span<const std::uint8_t> connected) {
+  LocalMap local;
+  std::vector<std::uint32_t> node;
+  for (const VertexId v : irregular_vertices(connected)) {
+    local_map(complex_, v, local);
+    face_nodes(local, v, node);
+    for (std::uint32_t h = 0; h < local.map.face.size(); ++h) {
+      classes_.unite(node[local.map.face[h]], facet_node(local.facet[h / 2], (h & 1U) != 0));
+    }
+    for (std::size_t i = 0; i < local.halfedge.size(); ++i) {
+      if (local.map.first_out[i] != SphereMap::kNone) continue;
+      std::uint32_t& known = free_node_[local.halfedge[i].value() / 2];
+      const std::uint32_t here = node[local.map.point_face[i]];
+      if (known == kNone) known = here;
+      classes_.unite(known, here);
+    }
+  }
+}
+
+namespace {
+
+constexpr SphereDirection kLeft{kPlaneZ, kPlaneY};  // -x
+constexpr SphereDirection kRight{kPlaneY, kPlaneZ};
+
+class Labeller {
+ public:
+  Labeller(const SpaceComplex& complex, Context& context, std::span<const std::uint8_t> connected)
+      : complex_(complex),
+        context_(context),
+        connected_(connected),
+        pieces_(complex.vertex_count()) {}
+
+  VolumeLabels run() {
+    run_jobs(context_, 2, [this](std::size_t i, Context&) {
+      if (i == 0) {
+        shells_.emplace(complex_, connected_);
+      } else {
+        find_pieces();
+      }
+    });
+    nest_pieces();
+    return numbered();
+  }
+
+ private:
+  // ---- connected pieces
+
+  void find_pieces() {
+    for (std::uint32_t h = 0; h < complex_.origin.size(); h += 2) {
+      pieces_.unite(complex_.origin[h].value(), complex_.origin[h + 1].value());
+    }
+    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
+      const auto cycles = complex_.cycles_of(FacetId(f));
+      const std::uint32_t first = complex_.use_origin(cycles[0]).value();
+      for (const UseId u : cycles.subspan(1)) pieces_.unite(first, complex_.use_origin(u).value());
+      for (const VertexId v : complex_.inner_of(FacetId(f))) pieces_.unite(first, v.value());
+    }
+    std::vector<std::uint32_t> number(complex_.vertex_count(), SphereMap::kNone);
+    for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
+      std::uint32_t& piece = number[pieces_.root(v)];
+      if (piece == SphereMap::kNone) {
+        piece = static_cast<std::uint32_t>(least_.size());
+        least_.push_back(VertexId(v));
+      } else if (compare_xyz(complex_.points(), complex_.vertex_point[v],
+                             complex_.vertex_point[least_[piece].value()]) == Sign::Negative) {
+        least_[piece] = VertexId(v);
+      }
+    }
+  }
+
+  /// The node that faces a direction at an item.
+  std::uint32_t node_towards(SpaceItem item, SphereDirection direction) {
+    local_map(complex_, item, local_);
+    std::vector<std::uint32_t> node;
+    shells_->face_nodes(local_, item, node);
+    const SphereCell cell = locate(complex_.planes(), local_.map, direction);
+    PLUMB_CHECK(cell.kind() == SphereCell::Kind::Face && node[cell.index()] != ShellNodes::kNone);
+    return node[cell.index()];
+  }
+
+  /// One piece holds the least vertex of all; every other finds what is to its left.
+  void nest_pieces() {
+    std::optional<SpaceLocator> locator;
+    for (const VertexId v : least_) {
+      const std::uint32_t outer = node_towards(v, kLeft);
+      SpaceItem hit;
+      if (least_.size() > 1) {
+        if (!locator) locator.emplace(complex_);
+        hit = locator->shoot_left(complex_.vertex_point[v.value()]);
+      }
+      if (hit.is_valid()) {
+        shells_->unite(outer, node_towards(hit, kRight));
+      } else {
+        outermost_.push_back(outer);
+      }
+      context_.checkpoint("volumes", v.value(), complex_.vertex_count());
+    }
+    for (const std::uint32_t node : outermost_) shells_->unite(outermost_[0], node);
+  }
+
+  // ---- numbering
+
+  VolumeLabels numbered() {
+    VolumeLabels labels;
+    std::vector<VolumeId> number(shells_->size());
+    const auto volume_of = [&](std::uint32_t node) {
+      VolumeId& volume = number[shells_->root(node)];
+      if (!volume.is_valid()) volume = VolumeId(labels.count++);
+      return volume;
+    };
+    volume_of(outermost_[0]);
+    labels.facet.reserve(complex_.facet_count());
+    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
+      labels.facet.push_back({volume_of(2 * f), volume_of(2 * f + 1)});
+    }
+    labels.edge.resize(complex_.edge_count());
+    for (std::uint32_t e = 0; e < complex_.edge_count(); ++e) {
+      const std::uint32_t node = shells_->free_node(EdgeId(e));
+      if (node != ShellNodes::kNone) labels.edge[e] = volume_of(node);
+    }
+    labels.vertex.resize(complex_.vertex_count());
+    for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
+      const bool is_alone = complex_.star_of(VertexId(v)).empty();
+      if (is_alone && !complex_.vertex_facet[v].is_valid()) {
+        labels.vertex[v] = volume_of(shells_->vertex_node(VertexId(v)));
+      }
+    }
+    return labels;
+  }
+
+  const SpaceComplex& complex_;
+  Context& context_;
+  std::span<const std::uint8_t> connected_;
+  std::optional<ShellNodes> shells_;
+  UnionFind pieces_;
+  std::vector<VertexId> least_;           // per piece
+  std::vector<std::uint32_t> outermost_;  // nodes of volume 0
+  LocalMap local_;
+};
+
+}  // namespace
+
+VolumeLabels find_volumes(const SpaceComplex& complex, Context& context,
+                          std::span<const std::uint8_t> connected) {
+  if (complex.vertex_count() == 0) return {{}, {}, {}, 1};
+  return Labeller(complex, context, connected).run();
+}
+
+void label_volumes(SpaceComplex& complex, Context& context,
+                   std::span<const std::uint8_t> connected) {
+  complex.volume_mark.clear();
+  complex.facet_volume.clear();
+  complex.edge_volume.clear();
+  complex.vertex_volume.clear();
+  VolumeLabels labels = find_volumes(complex, context, connected);
+  complex.facet_volume = std::move(labels.facet);
+  complex.edge_volume = std::move(labels.edge);
+  complex.vertex_volume = std::move(labels.vertex);
+  complex.volume_mark.assign(labels.count, 0);
+}
+
+std::vector<std::int32_t> winding_numbers(const SpaceComplex& complex,
+                                          std::span<const std::int32_t> jump) {
+  // The graph of volumes, facets being its edges, in compressed rows.
+  const std::size_t volumes = complex.volume_count();
+  std::vector<std::uint32_t> begin(volumes + 1, 0);
+  for (const auto& sides : complex.facet_volume) {
+    for (const VolumeId v : sides) ++begin[v.value() + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::uint32_t> facet(begin.back()), at(begin.begin(), begin.end() - 1);
+  for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
+    for (const VolumeId v : complex.facet_volume[f]) facet[at[v.value()]++] = f;
+  }
+  std::vector<std::int32_t> winding(volumes, 0);
+  std::vector<std::uint8_t> is_reached(volumes, 0);
+  std::vector<std::uint32_t> open{0};
+  is_reached[0] = 1;
+  while (!open.empty()) {
+    const std::uint32_t v = open.back();
+    open.pop_back();
+    for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i) {
+      const auto& sides = complex.facet_volume[facet[i]];
+      const bool is_positive_side = sides[0].value() == v;
+      const std::uint32_t other = sides[is_positive_side ? 1 : 0].value();
+      if (is_reached[other] != 0) continue;
+      is_reached[other] = 1;
+      winding[other] = winding[v] + (is_positive_side ? -jump[facet[i]] : jump[facet[i]]);
+      open.push_back(other);
+    }
+  }
+  for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
+    const auto& [above, below] = complex.facet_volume[f];
+    PLUMB_CHECK(winding[above.value()] - winding[below.value()] == jump[f]);
+  }
+  return winding;
+}
+
+}  // namespace plumb

@@ -1,0 +1,166 @@
+#include "plumb/space/set/transform.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/boolean/frame.h"
+#include "plumb/space/complex/tidy_tables.h"
+
+namespace plumb {
+namespace {
+
+RationalRow image_of_normal(const RationalRow& n, const RationalMatrix& cofactors,
+                            const Rational& determinant) {
+  RationalRow image;
+  for (std::size_t k = 0; k < 3; ++k) image[k] = dot(n, cofactors[k]) / determinant;
+  return image;
+}
+
+/// Points go to M x + t, and a plane n.x + d = 0 to (n M^-1).x + d - (n M^-1).t = 0. Of M^-1 the
+/// columns are the cross products of rows of M, divided by the determinant. R goes to `far_scale`
+/// R, and far planes are not shifted (frame.h).
+class Images {
+ public:
+  Images(const SpaceComplex& complex, const AffineMap3& map, Rational far_scale)
+      : complex_(complex),
+        map_(map),
+        far_scale_(std::move(far_scale)),
+        tables_(std::make_shared<SpaceTables>()),
+        cofactors_(cofactors(map.matrix)),
+        determinant_(plumb::determinant(map.matrix)),
+        planes_(complex.planes().size()) {}
+
+  Sign determinant() const { return sign_of(determinant_); }
+  std::shared_ptr<SpaceTables> tables() const { return tables_; }
+
+  /// With the side that was positive.
+  OrientedPlane operator()(PlaneId p) {
+    OrientedPlane& image = planes_[p.value()];
+    if (!image.is_valid()) image = image_of(p);
+    return image;
+  }
+
+  SpacePoint operator()(SpacePoint p) {
+    const Point3Table& points = complex_.points();
+    const bool is_of_planes = !p.is_input() && !points.source(p).is_line();
+    if (is_of_planes) {
+      const PointSource& source = points.source(p);
+      return tables_->points.add((*this)(source.plane(0)).plane(), (*this)(source.plane(1)).plane(),
+                                 (*this)(source.plane(2)).plane());
+    }
+    const RationalPoint3 at = exact(points, p);
+    const RationalRow from{at.x, at.y, at.z};
+    return add_point(*tables_, {dot(map_.matrix[0], from) + map_.offset[0],
+                                dot(map_.matrix[1], from) + map_.offset[1],
+                                dot(map_.matrix[2], from) + map_.offset[2]});
+  }
+
+ private:
+  OrientedPlane image_of(PlaneId p) {
+    const IntegerRow row = complex_.planes().primitive(p);
+    const RationalRow n{Rational(row[0]), Rational(row[1]), Rational(row[2])};
+    const RationalRow image = image_of_normal(n, cofactors_, determinant_);
+    if (complex_.planes().is_frame(p)) {
+      return far_plane(tables_->planes, image, row[3] * far_scale_);
+    }
+    const Rational d = Rational(row[3]) - dot(image, map_.offset);
+    return tables_->planes.intern(image[0], image[1], image[2], d);
+  }
+
+  const SpaceComplex& complex_;
+  const AffineMap3& map_;
+  Rational far_scale_;
+  std::shared_ptr<SpaceTables> tables_;
+  RationalMatrix cofactors_;
+  Rational determinant_;
+  std::vector<OrientedPlane> planes_;
+};
+
+/// The uses of a facet whose plane is now seen from its other side.
+void reverse_uses(SpaceComplex& c, const std::vector<std::uint8_t>& is_reversed) {
+  for (std::size_t u = 0; u < c.use_count(); ++u) {
+    if (is_reversed[c.use_facet[u].value()] == 0) continue;
+    c.use_halfedge[u] = SpaceComplex::twin(c.use_halfedge[u]);
+    std::swap(c.use_next[u], c.use_prev[u]);
+  }
+}
+
+void reverse_radial(SpaceComplex& c) {
+  std::vector<UseId> before(c.use_count());
+  for (std::size_t u = 0; u < c.use_count(); ++u) before[c.use_radial[u].value()] = UseId(u);
+  c.use_radial = std::move(before);
+}
+
+// An edge along d = n_p x n_q goes to M d, and (M^-T n_p) x (M^-T n_q) = M d / det M. A facet lies
+// to the left of d, in the direction n x d, as seen from n; its image is seen from M^-T n, and
+// ((M^-T n) x (M d)).(M (n x d)) has the sign of det M: the same side if the image of n is the
+// canonical normal and the map keeps orientation, or neither.
+SpaceComplex image_of(const SpaceComplex& complex, Images image, Context& context) {
+  SpaceComplex out = complex;
+  out.tables = image.tables();
+  context.checkpoint("transform", 0, 3);
+  for (SpacePoint& p : out.vertex_point) p = image(p);
+  context.checkpoint("transform", 1, 3);
+  for (auto& [p, q] : out.edge_planes) {
+    const OrientedPlane first = image(p), second = image(q);
+    p = first.plane();
+    q = second.plane();
+    const Sign along = image.determinant() * first.orientation() * second.orientation();
+    if (along == Sign::Negative) std::swap(p, q);
+  }
+  context.checkpoint("transform", 2, 3);
+  std::vector<std::uint8_t> is_reversed(out.facet_count(), 0);
+  for (std::size_t f = 0; f < out.facet_count(); ++f) {
+    const OrientedPlane plane = image(out.facet_plane[f]);
+    out.facet_plane[f] = plane.plane();
+    if (plane.is_opposite()) std::swap(out.facet_volume[f][0], out.facet_volume[f][1]);
+    is_reversed[f] = image.determinant() * plane.orientation() == Sign::Negative ? 1 : 0;
+  }
+  reverse_uses(out, is_reversed);
+  if (image.determinant() == Sign::Negative) reverse_radial(out);
+  return out;
+}
+
+/// The scale of R under which the image of a far box encloses the cube: the cube itself if it can
+/// be, else twice as large as needed.
+Rational enclosing_scale(const FarBox& box, const AffineMap3& map) {
+  const RationalMatrix dual = cofactors(map.matrix);
+  const Rational det = determinant(map.matrix);
+  Rational largest = 0;
+  bool is_cube = true;
+  for (const RationalRow& n : box.normal) {
+    const RationalRow image = image_of_normal(n, dual, det);
+    const Rational reach = sum_of_magnitudes(image);
+    is_cube &= std::count(image.begin(), image.end(), 0) == 2 && (largest == 0 || largest == reach);
+    largest = std::max(largest, reach);
+  }
+  return (is_cube ? 1 : 2) * largest / box.size;
+}
+
+bool is_linear(const AffineMap3& map) {
+  return std::count(map.offset.begin(), map.offset.end(), 0) == 3;
+}
+
+SpaceComplex framed_image(const SpaceComplex& complex, const AffineMap3& map, Context& context) {
+  const FarBox box = is_linear(map) ? frame_box() : general_box(complex);
+  const SpaceComplex cut = inside(complex, box, copy(*complex.tables), context);
+  SpaceComplex image = image_of(cut, Images(cut, map, enclosing_scale(box, map)), context);
+  const auto tables = std::const_pointer_cast<SpaceTables>(image.tables);
+  return with_used_tables(inside(std::move(image), frame_box(), tables, context));
+}
+
+}  // namespace
+
+SpaceComplex transformed(const SpaceComplex& complex, const AffineMap3& map, Context& context) {
+  if (determinant(map.matrix) == 0) {
+    throw Error(ErrorCode::BadArgument, "the matrix of the map is singular");
+  }
+  if (has_frame(complex)) return framed_image(complex, map, context);
+  return image_of(complex, Images(complex, map, 1), context);
+}
+
+}  // namespace plumb

@@ -1,0 +1,25 @@
+#include "plumb/space/space_audit.h"
+
+#include <cstdint>
+#include <vector>
+
+#include "plumb/space/audit/audit_parts.h"
+#include "plumb/space/complex/tidy_tables.h"
+#include "plumb/space/mesh/mesh_fans.h"
+
+namespace plumb {
+
+std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal, Context& context) {
+  MemoryCharge memory(context);
+  memory.add(memory_bytes(complex), "an audit");
+  std::optional<SpaceFlaw> flaw = audit_links(complex, context);
+  if (flaw) return flaw;
+  const std::vector<std::uint8_t> has_fan = find_fans(complex);
+  flaw = audit_places(complex, has_fan, context);
+  if (!flaw) flaw = audit_cycles(complex, context);
+  if (!flaw) flaw = audit_meeting(complex, has_fan, context);
+  if (!flaw) flaw = audit_marks(complex, has_fan, minimal, context);
+  return flaw;
+}
+
+}  // namespace plumb

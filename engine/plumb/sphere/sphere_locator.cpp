@@ -1,0 +1,314 @@
+// Once around on a great circle, piece by piece: what is met, in order, without a look at the rest
+// of the map.
+//
+// Main flow of next():
+//  1. certain   the nearest thing found that has not been given yet, if it surely lies on the
+//               pieces looked at
+//  2. further   else one more piece, twice as long as the last; the first is about as long as an
+//               arc of a map that is spread evenly. What its bound may meet is asked exactly, over
+//               the whole circle (Leg). Where that is much more than all asked before, the piece is
+//               halved first.
+// All that a piece meets is found with it, so that nothing found later comes before what is
+// certain. Doubles say which items are asked and how long one waits, never what is met.
+//
+// Cost: of the items near the way up to what is taken; a point on the way costs its degree.
+// Internal.
+
+#include "plumb/sphere/sphere_locator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "plumb/predicates/error.h"
+#include "plumb/sphere/arcs/sphere_arcs.h"
+#include "plumb/sphere/arcs/sphere_bounds.h"
+#include "plumb/sphere/query/sphere_shoot.h"
+#include "plumb/sphere/set/sphere_vectors.h"
+
+namespace plumb {
+
+/// What walks over one map leave to the next one.
+struct WalkMemory {
+  explicit WalkMemory(const SphereMap& map) : last_walk(map.point_count() + map.arc_count(), 0) {}
+  void begin();
+
+  std::vector<std::uint32_t> last_walk;  ///< that asked an item: of points, then of arcs
+  std::uint32_t walk = 0;
+  std::vector<PathHit> hits;
+  std::vector<std::uint32_t> found;  ///< items of a piece
+  std::uint64_t asked = 0;           ///< items, by all walks
+};
+
+class SphereWalk {
+ public:
+  /// From a place on the circle, in its orientation; `start` holds the place. `tree` is over
+  /// bounds_of the map. All must outlive the walk, the table without change.
+  SphereWalk(const PlaneTable& planes, const SphereMap& map, const SphereBoundTree& tree,
+             WalkMemory& memory, OrientedPlane circle, CirclePlace from, const UnitBall& start);
+
+  /// The next thing met, at last none. Entry and exit as one goes.
+  std::optional<PathHit> next();
+
+ private:
+  bool is_certain(const PathHit& hit) const;
+  bool is_before(const PathHit& x, const PathHit& y) const;
+  SphereBound piece() const;
+  void find_few();
+  void look_further();
+
+  const PlaneTable& planes_;
+  const SphereMap& map_;
+  const SphereBoundTree& tree_;
+  WalkMemory& memory_;
+  OrientedPlane circle_;
+  CirclePlace from_;
+  UnitWay way_;
+  double step_;
+  double done_ = 0;  ///< the angle looked at
+  bool is_round_ = false;
+  std::size_t asked_ = 0;
+  std::size_t taken_ = 0;
+};
+
+namespace {
+
+constexpr double kLongest = 1.5;     // of a piece: less than a half-circle
+constexpr double kShortest = 1e-10;  // no shorter ones tell things apart
+constexpr std::size_t kFew = 16;
+constexpr double kRound = 2 * std::numbers::pi + 1e-3;  // more than all that is off
+
+UnitBall oriented(UnitBall normal, bool is_opposite) {
+  if (is_opposite) {
+    for (double& x : normal.middle) x = -x;
+  }
+  return normal;
+}
+
+}  // namespace
+
+void WalkMemory::begin() {
+  hits.clear();
+  if (++walk != 0) return;
+  std::fill(last_walk.begin(), last_walk.end(), 0U);
+  walk = 1;
+}
+
+SphereWalk::SphereWalk(const PlaneTable& planes, const SphereMap& map, const SphereBoundTree& tree,
+                       WalkMemory& memory, OrientedPlane circle, CirclePlace from,
+                       const UnitBall& start)
+    : planes_(planes),
+      map_(map),
+      tree_(tree),
+      memory_(memory),
+      circle_(circle),
+      from_(from),
+      way_{oriented(ball_of(planes, circle.plane()), circle.is_opposite()), start},
+      step_(1 / std::sqrt(static_cast<double>(memory.last_walk.size() + 1))) {
+  memory_.begin();
+}
+
+std::optional<PathHit> SphereWalk::next() {
+  for (;;) {
+    if (taken_ < memory_.hits.size() && is_certain(memory_.hits[taken_])) {
+      return memory_.hits[taken_++];
+    }
+    if (is_round_) return std::nullopt;
+    look_further();
+  }
+}
+
+/// Doubles take a place just behind the start for one before it, so the half it lies on is asked
+/// exactly.
+bool SphereWalk::is_certain(const PathHit& hit) const {
+  if (is_round_) return true;
+  TurnClass turn = turn_on(planes_, circle_.plane(), from_, hit.place);
+  if (turn == TurnClass::None) return true;
+  const UnitBall at = ball_of(planes_, direction_of(circle_.plane(), hit.place));
+  if (at.radius > 1e-3) return false;
+  double angle = way_.angle_of(at);
+  const bool is_first_half = (turn == TurnClass::Left) != circle_.is_opposite();
+  if (angle < (is_first_half ? -1.0 : 1.0)) angle += 2 * std::numbers::pi;
+  return angle + way_.slack(at) < done_;
+}
+
+bool SphereWalk::is_before(const PathHit& x, const PathHit& y) const {
+  const PlaneId c = circle_.plane();
+  if (!circle_.is_opposite()) return is_before_on(planes_, c, from_, x.place, y.place);
+  const bool starts_x = turn_on(planes_, c, from_, x.place) == TurnClass::None;
+  const bool starts_y = turn_on(planes_, c, from_, y.place) == TurnClass::None;
+  if (starts_x || starts_y) return starts_x && !starts_y;
+  return is_before_on(planes_, c, from_, y.place, x.place);
+}
+
+/// The next one, of length step_. Where doubles say too little: the whole circle.
+SphereBound SphereWalk::piece() const {
+  if (!way_.is_sharp()) return {SphereBound::Kind::Circle, {}, {}, way_.normal};
+  return {SphereBound::Kind::ShortArc, way_.at(done_), way_.at(std::min(done_ + step_, kRound)),
+          way_.normal};
+}
+
+/// Finds the items of a piece that is short enough.
+void SphereWalk::find_few() {
+  std::vector<std::uint32_t>& found = memory_.found;
+  for (;; step_ /= 2) {
+    const bool takes_all = !way_.is_sharp() || step_ < kShortest;
+    const std::size_t most = kFew + 2 * asked_;
+    found.clear();
+    const bool is_complete = tree_.find_meeting(piece(), [&](std::uint32_t item) {
+      if (memory_.last_walk[item] != memory_.walk) found.push_back(item);
+      return takes_all || found.size() <= most;
+    });
+    if (is_complete) return;
+  }
+}
+
+void SphereWalk::look_further() {
+  find_few();
+  done_ = std::min(done_ + step_, kRound);
+  step_ = std::min(2 * step_, kLongest);
+  is_round_ = done_ == kRound || !way_.is_sharp();
+  std::vector<PathHit>& hits = memory_.hits;
+  const std::size_t first = hits.size();
+  const Leg leg(planes_, map_, circle_.plane(), from_, from_);
+  const auto points = static_cast<std::uint32_t>(map_.point_count());
+  for (const std::uint32_t item : memory_.found) {
+    memory_.last_walk[item] = memory_.walk;
+    if (item < points) {
+      leg.add_point(item, hits);
+    } else {
+      leg.add_arc(item - points, hits);
+    }
+  }
+  asked_ += memory_.found.size();
+  memory_.asked += memory_.found.size();
+  if (circle_.is_opposite()) {
+    for (std::size_t i = first; i < hits.size(); ++i) std::swap(hits[i].entry, hits[i].exit);
+  }
+  std::sort(hits.begin() + static_cast<std::ptrdiff_t>(taken_), hits.end(),
+            [&](const PathHit& x, const PathHit& y) { return is_before(x, y); });
+}
+
+namespace {
+
+/// The planes that name it may be nearly parallel; its coordinates never fail.
+UnitBall ball_of(const SphereVector& v) {
+  Rational largest;
+  for (const Rational* x : {&v.x, &v.y, &v.z}) largest = std::max(largest, Rational(abs(*x)));
+  const auto scaled = [&](const Rational& x) { return Rational(x / largest).convert_to<double>(); };
+  return unit_ball({scaled(v.x), scaled(v.y), scaled(v.z)}, 1e-15);
+}
+
+}  // namespace
+
+struct SphereLocator::State {
+  explicit State(const NefSphere& s)
+      : set(s), map(set.map()), planes(set.planes()), tree(bounds_of(planes, map)), memory(map) {}
+
+  void begin_query() {
+    if (planes.size() > 2 * set.planes().size() + 64) planes = PlaneTable(set.planes());
+  }
+  SphereWalk walk(OrientedPlane circle, CirclePlace from, const UnitBall& start) {
+    return SphereWalk(planes, map, tree, memory, circle, from, start);
+  }
+  SphereCell on_item(SphereDirection u, const UnitBall& ball);
+  SphereCell face_around(SphereDirection u, const UnitBall& ball);
+  SphereCell locate(SphereDirection u, const UnitBall& ball) {
+    const SphereCell item = on_item(u, ball);
+    return item.is_valid() ? item : face_around(u, ball);
+  }
+  template <class Ask>
+  std::optional<SphereHit> shoot(const SphereVector& origin, const SphereVector& towards, Ask ask);
+
+  NefSphere set;
+  const SphereMap& map;
+  PlaneTable planes;
+  SphereBoundTree tree;
+  WalkMemory memory;
+};
+
+/// The point or arc that the direction lies on, if any.
+SphereCell SphereLocator::State::on_item(SphereDirection u, const UnitBall& ball) {
+  const auto points = static_cast<std::uint32_t>(map.point_count());
+  SphereCell found;
+  tree.for_each_meeting({SphereBound::Kind::Point, ball, {}, {}}, [&](std::uint32_t item) {
+    if (found.is_valid()) return;
+    ++memory.asked;
+    if (item < points) {
+      if (is_same(planes, map.direction[item], u)) found = SphereCell::point(item);
+    } else if (is_on_arc(planes, map, item - points, u)) {
+      found = SphereCell::arc(item - points);
+    }
+  });
+  return found;
+}
+
+/// Of a direction on no item.
+SphereCell SphereLocator::State::face_around(SphereDirection u, const UnitBall& ball) {
+  if (map.arc_count() == 0) return SphereCell::face(0);
+  const PlaneId c = u.p;
+  std::optional<PathHit> hit = walk({c, false}, {u.q, false}, ball).next();
+  if (!hit) {
+    // All of c lies in the face. No arc runs along c, and none is a loop: a loop would meet it.
+    const PlaneId r = map.circle[0];
+    const CirclePlace corner{c, false};
+    hit = walk({r, false}, corner, plumb::ball_of(planes, direction_of(r, corner))).next();
+  }
+  PLUMB_CHECK(hit.has_value() && hit->entry.is_valid());
+  return SphereCell::face(face_of(map, hit->entry));
+}
+
+template <class Ask>
+std::optional<SphereHit> SphereLocator::State::shoot(const SphereVector& origin,
+                                                     const SphereVector& towards, Ask ask) {
+  begin_query();
+  const OrientedPlane circle = intern_circle_through(planes, origin, towards);
+  const SphereDirection u = intern_direction(planes, origin);
+  const UnitBall ball = ball_of(origin);
+  const SphereCell start = locate(u, ball);
+  const CirclePlace from = place_on(planes, circle.plane(), u);
+  SphereWalk way = walk(circle, from, ball);
+  return ask(SphereRound(planes, map, circle, from, start, origin), [&] { return way.next(); });
+}
+
+SphereLocator::SphereLocator(const NefSphere& set) : state_(std::make_unique<State>(set)) {}
+SphereLocator::~SphereLocator() = default;
+SphereLocator::SphereLocator(SphereLocator&&) noexcept = default;
+SphereLocator& SphereLocator::operator=(SphereLocator&&) noexcept = default;
+
+const NefSphere& SphereLocator::set() const { return state_->set; }
+std::uint64_t SphereLocator::asked() const { return state_->memory.asked; }
+
+SphereLocation SphereLocator::locate(const SphereVector& direction) {
+  state_->begin_query();
+  const SphereDirection u = intern_direction(state_->planes, direction);
+  const SphereCell cell = state_->locate(u, ball_of(direction));
+  return {cell, is_marked(state_->map, cell)};
+}
+
+bool SphereLocator::has_on_boundary(const SphereVector& direction) {
+  state_->begin_query();
+  const SphereDirection u = intern_direction(state_->planes, direction);
+  return state_->on_item(u, ball_of(direction)).is_valid();
+}
+
+std::optional<SphereHit> SphereLocator::shoot(const SphereVector& origin,
+                                              const SphereVector& towards) {
+  return state_->shoot(origin, towards, [](const SphereRound& round, auto next) {
+    return round.first_marked(next);
+  });
+}
+
+std::optional<SphereHit> SphereLocator::shoot_to_boundary(const SphereVector& origin,
+                                                          const SphereVector& towards) {
+  return state_->shoot(origin, towards, [](const SphereRound& round, auto next) {
+    return round.first_of_boundary(next);
+  });
+}
+
+}  // namespace plumb

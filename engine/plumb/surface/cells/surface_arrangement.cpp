@@ -1,0 +1,444 @@
+#include "plumb/surface/cells/surface_arrangement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "plumb/predicates/segment2.h"
+#include "plumb/surface/cells/face_arrangement.h"
+#include "plumb/surface/cells/surface_nodes.h"
+
+namespace plumb {
+
+bool SurfaceBundles::add_sum(std::span<SignedEntry> terms) {
+  std::sort(terms.begin(), terms.end());
+  const std::size_t before = entries_.size();
+  for (std::size_t i = 0; i < terms.size();) {
+    const std::uint32_t id = terms[i].id;
+    std::int64_t sum = 0;
+    for (; i < terms.size() && terms[i].id == id; ++i) sum += terms[i].value;
+    if (sum != 0) entries_.push_back({id, entry_value(sum)});
+  }
+  if (entries_.size() == before) return false;
+  begin_.push_back(static_cast<std::uint32_t>(entries_.size()));
+  return true;
+}
+
+RationalPoint2 exact_crossing(const SurfaceArrangement& arrangement,
+                              const SurfacePointTable& points, const SurfaceCrossing& c) {
+  const auto at = [&](std::size_t i) {
+    return points.exact_in(arrangement.node_point[c.ends[i].value()], c.face);
+  };
+  return crossing_point(RationalSegment2{at(0), at(1)}, RationalSegment2{at(2), at(3)});
+}
+
+RationalPoint2 exact_node(const SurfaceArrangement& arrangement, const SurfacePointTable& points,
+                          NodeId node, FaceId f) {
+  if (arrangement.is_crossing(node)) {
+    return exact_crossing(arrangement, points, arrangement.crossing(node));
+  }
+  if (arrangement.is_input(node)) return points.exact_in(arrangement.input(node), f);
+  const VertexId v = arrangement.corner(node);
+  const SurfaceMesh& mesh = points.mesh();
+  return {mesh.corner(f, 1) == v ? 1 : 0, mesh.corner(f, 2) == v ? 1 : 0};
+}
+
+SurfacePointId add_node_point(const SurfaceArrangement& arrangement,
+                              const SurfacePointTable& points, NodeId node, SurfacePointTable& to) {
+  if (arrangement.is_crossing(node)) {
+    const SurfaceCrossing& c = arrangement.crossing(node);
+    const RationalPoint2 at = exact_crossing(arrangement, points, c);
+    return to.add_in_face(c.face, at.x, at.y);
+  }
+  if (!arrangement.is_input(node)) return to.add_vertex(arrangement.corner(node));
+  const SurfacePointId p = arrangement.input(node);
+  switch (points.place(p)) {
+    case SurfacePlace::Vertex:
+      return to.add_vertex(points.vertex(p));
+    case SurfacePlace::Edge:
+      return to.add_on_edge(points.edge(p), points.exact(p).x);
+    case SurfacePlace::Face:
+      break;
+  }
+  const RationalPoint2 at = points.exact(p);
+  return to.add_in_face(points.face(p), at.x, at.y);
+}
+
+namespace {
+
+constexpr std::uint32_t kNone = SurfaceArrangement::kNone;
+constexpr std::uint64_t kArcBytes = 160;    // with its half-edges, nodes and pieces
+constexpr std::uint64_t kEntryBytes = 600;  // of a polygon
+constexpr std::uint64_t kFaceBytes = 24;
+constexpr std::uint64_t kUseBytes = 60;  // as the list grows, and what it adds up to
+constexpr std::size_t kStepsPerCheckpoint = 65536;
+
+/// A polygon along something between two numbers: a piece of an edge (edge, interval), or a segment
+/// of a face between two nodes. `value`: +1 upwards (from the lower node to the higher).
+struct Use {
+  std::uint32_t item;  ///< edge or face
+  std::uint32_t low;
+  std::uint32_t high;
+  SignedEntry polygon;
+  bool is_with(const Use& u) const { return item == u.item && low == u.low && high == u.high; }
+  friend bool operator<(const Use& a, const Use& b) {
+    return std::tie(a.item, a.low, a.high, a.polygon) < std::tie(b.item, b.low, b.high, b.polygon);
+  }
+};
+
+/// Uses that are added up: what is left runs along (item, low, high).
+struct Strand {
+  std::uint32_t item;
+  std::uint32_t low;
+  std::uint32_t high;
+  std::uint32_t bundle;
+};
+
+std::vector<Strand> add_up(std::vector<Use>& uses, SurfaceBundles& bundles) {
+  std::sort(uses.begin(), uses.end());
+  std::vector<Strand> strands;
+  std::vector<SignedEntry> terms;
+  for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
+    terms.clear();
+    for (; j < uses.size() && uses[j].is_with(uses[i]); ++j) terms.push_back(uses[j].polygon);
+    if (!bundles.add_sum(terms)) continue;
+    strands.push_back(
+        {uses[i].item, uses[i].low, uses[i].high, static_cast<std::uint32_t>(bundles.size() - 1)});
+  }
+  return strands;
+}
+
+class Slicer {
+ public:
+  Slicer(const SurfacePolygons& polygons, Context& context)
+      : polygons_(polygons), mesh_(polygons.points.mesh()), context_(context), charge_(context) {}
+
+  SurfaceArrangement run() {
+    charge_.add(kEntryBytes * polygons_.point.size() + kFaceBytes * mesh_.face_count(),
+                "an arrangement on a surface");
+    nodes_ = make_nodes(polygons_, context_);
+    gather_uses();
+    charge_uses();
+    runs_ = add_up(run_uses_, out_.bundles);
+    segments_ = add_up(segment_uses_, out_.bundles);
+    find_touched_faces();
+    number_corners();
+    arrange_faces();
+    sew();
+    lay_runs();
+    out_.node_point = std::move(nodes_.point);
+    out_.node_of_entry = std::move(nodes_.of_entry);
+    return std::move(out_);
+  }
+
+ private:
+  // ---------------------------------------------------------------- segments
+
+  bool is_on_edge(NodeId n) const { return n.value() < nodes_.vertices_begin; }
+  bool is_vertex(NodeId n) const {
+    return n.value() >= nodes_.vertices_begin && n.value() < nodes_.faces_begin;
+  }
+  SurfacePointId point(NodeId n) const { return nodes_.point[n.value()]; }
+
+  /// The sides of a face that hold a node, as bits.
+  unsigned sides(NodeId n, FaceId f) const {
+    if (is_on_edge(n)) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (mesh_.edge(SurfaceMesh::halfedge(f, i)) == polygons_.points.edge(point(n))) {
+          return 1U << i;
+        }
+      }
+    }
+    if (is_vertex(n)) {
+      constexpr unsigned kAtCorner[] = {0b101, 0b011, 0b110};
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (mesh_.corner(f, i) == polygons_.points.vertex(point(n))) return kAtCorner[i];
+      }
+    }
+    return 0;
+  }
+
+  void gather_uses() {
+    for (std::uint32_t p = 0; p < polygons_.size(); ++p) {
+      for (std::uint32_t i = polygons_.begin[p]; i < polygons_.begin[p + 1]; ++i) {
+        const NodeId from = nodes_.of_entry[i], to = nodes_.of_entry[polygons_.next(p, i)];
+        if (from == to) continue;
+        if (++out_.segments % kStepsPerCheckpoint == 0) charge_uses();
+        const FaceId f = polygons_.face[i];
+        const unsigned common = sides(from, f) & sides(to, f);
+        if (common == 0) {
+          const auto [low, high] = std::minmax(from, to);
+          segment_uses_.push_back({f.value(), low.value(), high.value(), {p, from < to ? 1 : -1}});
+        } else {
+          const std::size_t side = (common & 1U) != 0 ? 0 : ((common & 2U) != 0 ? 1 : 2);
+          add_run(mesh_.edge(SurfaceMesh::halfedge(f, side)), p, from, to);
+        }
+      }
+    }
+  }
+
+  void charge_uses() {
+    context_.checkpoint("slice", 0, 1);
+    const std::size_t uses = run_uses_.size() + segment_uses_.size();
+    charge_.add(kUseBytes * (uses - charged_uses_), "runs along edges");
+    charged_uses_ = uses;
+  }
+
+  /// 0: the lower vertex of the edge; nodes inside follow, then the higher vertex.
+  std::uint32_t place_on(EdgeId e, NodeId n) const {
+    if (is_on_edge(n)) return n.value() - nodes_.first_on(e) + 1;
+    return polygons_.points.vertex(point(n)) == mesh_.lower(e) ? 0 : nodes_.count_on(e) + 1;
+  }
+  void add_run(EdgeId e, std::uint32_t polygon, NodeId from, NodeId to) {
+    const std::uint32_t i = place_on(e, from), j = place_on(e, to);
+    for (std::uint32_t k = std::min(i, j); k < std::max(i, j); ++k) {
+      run_uses_.push_back({e.value(), k, 0, {polygon, i < j ? 1 : -1}});
+      if (run_uses_.size() % kStepsPerCheckpoint == 0) charge_uses();
+    }
+  }
+
+  // ---------------------------------------------------------------- faces
+
+  void find_touched_faces() {
+    std::vector<std::uint8_t> is_touched(mesh_.face_count());
+    for (const EdgeId e : nodes_.edges) {
+      const HalfedgeId h = mesh_.halfedge(e);
+      is_touched[SurfaceMesh::face(h).value()] = 1;
+      if (!mesh_.is_border(h)) is_touched[SurfaceMesh::face(mesh_.twin(h)).value()] = 1;
+    }
+    for (std::uint32_t n = nodes_.vertices_begin; n < nodes_.faces_begin; ++n) {
+      const HalfedgeId first = mesh_.halfedge(polygons_.points.vertex(nodes_.point[n]));
+      for (HalfedgeId h = first; h.is_valid();) {
+        is_touched[SurfaceMesh::face(h).value()] = 1;
+        h = mesh_.twin(SurfaceMesh::prev(h));
+        if (h == first) break;
+      }
+    }
+    for (const Strand& s : segments_) is_touched[s.item] = 1;
+    out_.slot_of_face.assign(mesh_.face_count(), kNone);
+    for (std::size_t f = 0; f < is_touched.size(); ++f) {
+      if (is_touched[f] == 0) continue;
+      out_.slot_of_face[f] = static_cast<std::uint32_t>(out_.slot_face.size());
+      out_.slot_face.push_back(FaceId(f));
+    }
+  }
+
+  void number_corners() {
+    for (const FaceId f : out_.slot_face) {
+      for (const std::uint32_t v : mesh_.corners(f)) {
+        if (nodes_.of_vertex[v].is_valid()) continue;
+        nodes_.of_vertex[v] = NodeId(nodes_.point.size() + out_.corner_vertex.size());
+        out_.corner_vertex.push_back(VertexId(v));
+      }
+    }
+  }
+
+  void arrange_faces() {
+    local_of_node_.resize(nodes_.point.size() + out_.corner_vertex.size());
+    crossings_begin_ = local_of_node_.size();
+    std::size_t at = 0;
+    out_.loop_begin.push_back(0);
+    for (std::uint32_t slot = 0; slot < out_.slot_face.size(); ++slot) {
+      if (slot % 1024 == 0) context_.checkpoint("slice", slot, out_.slot_face.size());
+      const FaceId f = out_.slot_face[slot];
+      face_.clear();
+      node_of_local_.clear();
+      add_ring(f);
+      for (; at < segments_.size() && segments_[at].item == f.value(); ++at) {
+        const Strand& s = segments_[at];
+        face_.segments.push_back(
+            {add_point(NodeId(s.low), f), add_point(NodeId(s.high), f), s.bundle, 1});
+      }
+      face_.run(out_.bundles, context_);
+      charge_.add(kArcBytes * face_.arcs.size(), "an arrangement on a surface");
+      emit(slot);
+    }
+    out_.piece_begin.push_back(PieceId(out_.piece_slot.size()));
+  }
+
+  void add_local(NodeId n) {
+    local_of_node_[n.value()] = static_cast<std::uint32_t>(node_of_local_.size());
+    node_of_local_.push_back(n);
+  }
+  void add_ring(FaceId f) {
+    constexpr Point2 kCorners[] = {{0, 0}, {1, 0}, {0, 1}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const HalfedgeId h = SurfaceMesh::halfedge(f, i);
+      out_.side_begin.push_back(
+          static_cast<std::uint32_t>(out_.origin.size() + node_of_local_.size()));
+      if (i == 1) face_.corner_1 = static_cast<std::uint32_t>(node_of_local_.size());
+      add_local(nodes_.of_vertex[mesh_.origin(h).value()]);
+      face_.points.inputs.push_back(kCorners[i]);
+      const EdgeId e = mesh_.edge(h);
+      const std::uint32_t count = nodes_.count_on(e);
+      for (std::uint32_t j = 0; j < count; ++j) {
+        const NodeId n(nodes_.first_on(e) + (mesh_.is_upward(h) ? j : count - 1 - j));
+        add_local(n);
+        polygons_.points.append_local(point(n), f, face_.points.inputs);
+      }
+    }
+    face_.ring_size = static_cast<std::uint32_t>(node_of_local_.size());
+    out_.side_begin.push_back(static_cast<std::uint32_t>(out_.origin.size() + face_.ring_size));
+  }
+  /// The local id of a node; points inside the face are added when they are first seen.
+  std::uint32_t add_point(NodeId n, FaceId f) {
+    const std::uint32_t known = local_of_node_[n.value()];
+    if (known < node_of_local_.size() && node_of_local_[known] == n) return known;
+    add_local(n);
+    polygons_.points.append_local(point(n), f, face_.points.inputs);
+    return local_of_node_[n.value()];
+  }
+
+  // ---------------------------------------------------------------- output of one face
+
+  void emit(std::uint32_t slot) {
+    name_crossings(slot);
+    const auto base = static_cast<std::uint32_t>(out_.origin.size());
+    const auto pieces = static_cast<std::uint32_t>(out_.piece_slot.size());
+    out_.piece_begin.push_back(PieceId(pieces));
+    for (std::uint32_t h = 0; h < face_.halfedge_count(); ++h) {
+      out_.origin.push_back(node_of_local_[face_.origin(h)]);
+      out_.next.push_back(HalfedgeId(std::size_t{base} + face_.next[h]));
+      out_.piece.push_back(PieceId(std::size_t{pieces} + face_.piece[h]));
+      out_.twin.push_back({});
+      out_.arc.push_back({});
+    }
+    for (std::uint32_t a = 0; a < face_.arcs.size(); ++a) {
+      const HalfedgeId h(std::size_t{base} + face_.ring_size + std::size_t{2} * a);
+      const HalfedgeId g(h.value() + std::size_t{1});
+      out_.twin[h.value()] = g;
+      out_.twin[g.value()] = h;
+      add_arc(face_.arcs[a].sign > 0 ? h : g, face_.arcs[a].bundle);
+    }
+    emit_pieces(slot, base);
+  }
+
+  void add_arc(HalfedgeId h, std::uint32_t bundle) {
+    const ArcId a(out_.arc_halfedge.size());
+    out_.arc_halfedge.push_back(h);
+    out_.arc_bundle.push_back(bundle);
+    out_.arc[h.value()] = a;
+    if (const HalfedgeId t = out_.twin[h.value()]; t.is_valid()) out_.arc[t.value()] = a;
+  }
+
+  /// Crossings that arcs end in become nodes, in the order of arcs.
+  void name_crossings(std::uint32_t slot) {
+    const PlanePoints& points = face_.points;
+    node_of_local_.resize(points.size());
+    for (const FaceArc& a : face_.arcs) {
+      for (const std::uint32_t p : {a.from, a.to}) {
+        if (p < points.inputs.size() || node_of_local_[p].is_valid()) continue;
+        node_of_local_[p] = NodeId(crossings_begin_ + out_.crossings.size());
+        const Crossing2& c = points.crossings[p - points.inputs.size()];
+        out_.crossings.push_back(
+            {out_.slot_face[slot],
+             {node_of_local_[c.a], node_of_local_[c.b], node_of_local_[c.c], node_of_local_[c.d]},
+             {c.x, c.y},
+             c.radius});
+      }
+    }
+  }
+
+  void emit_pieces(std::uint32_t slot, std::uint32_t base) {
+    double twice_area = 0;
+    for (std::size_t i = 0; i < face_.loops.size(); ++i) {
+      const FaceArrangement::Loop& l = face_.loops[i];
+      if (!l.is_hole) {
+        if (i > 0) end_piece(slot, twice_area);
+        twice_area = 0;
+      }
+      twice_area += twice_loop_area(l.halfedge);
+      out_.loop.push_back(HalfedgeId(std::size_t{base} + l.halfedge));
+    }
+    end_piece(slot, twice_area);
+  }
+  void end_piece(std::uint32_t slot, double twice_area) {
+    out_.piece_slot.push_back(slot);
+    out_.piece_share.push_back(std::clamp(twice_area, 0.0, 1.0));
+    out_.loop_begin.push_back(static_cast<std::uint32_t>(out_.loop.size()));
+  }
+  /// The triangle (0, 0), (1, 0), (0, 1) has 1.
+  double twice_loop_area(std::uint32_t first) const {
+    const Point2 o = approx(PlanePointsView(face_.points), face_.origin(first));
+    double sum = 0;
+    Point2 last{0, 0};
+    for (std::uint32_t h = face_.next[first]; h != first; h = face_.next[h]) {
+      const Point2 p = approx(PlanePointsView(face_.points), face_.origin(h));
+      const Point2 v{p.x - o.x, p.y - o.y};
+      sum += last.x * v.y - last.y * v.x;
+      last = v;
+    }
+    return sum;
+  }
+
+  // ---------------------------------------------------------------- between faces
+
+  /// The j-th half-edge along a side of a touched face; invalid if the face is not touched.
+  HalfedgeId on_side(HalfedgeId h, std::uint32_t j) const {
+    const std::uint32_t slot = out_.slot_of_face[SurfaceMesh::face(h).value()];
+    if (slot == kNone) return {};
+    return HalfedgeId(out_.side_begin[4 * slot + SurfaceMesh::side(h)] + j);
+  }
+
+  void sew() {
+    for (const FaceId f : out_.slot_face) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const HalfedgeId h = SurfaceMesh::halfedge(f, i);
+        if (mesh_.is_border(h)) continue;
+        const std::uint32_t count = nodes_.count_on(mesh_.edge(h));
+        for (std::uint32_t j = 0; j <= count; ++j) {
+          out_.twin[on_side(h, j).value()] = on_side(mesh_.twin(h), count - j);
+        }
+      }
+    }
+  }
+
+  void lay_runs() {
+    for (const Strand& run : runs_) {
+      const EdgeId e(run.item);
+      HalfedgeId h = mesh_.halfedge(e);
+      std::uint32_t bundle = run.bundle;
+      if (!mesh_.is_upward(h)) {
+        if (mesh_.is_border(h)) {
+          bundle = negated(bundle);
+        } else {
+          h = mesh_.twin(h);
+        }
+      }
+      const std::uint32_t j = mesh_.is_upward(h) ? run.low : nodes_.count_on(e) - run.low;
+      add_arc(on_side(h, j), bundle);
+    }
+  }
+  std::uint32_t negated(std::uint32_t bundle) {
+    const auto entries = out_.bundles[bundle];
+    std::vector<SignedEntry> terms(entries.begin(), entries.end());
+    for (SignedEntry& e : terms) e.value = -e.value;
+    out_.bundles.add_sum(terms);
+    return static_cast<std::uint32_t>(out_.bundles.size() - 1);
+  }
+
+  const SurfacePolygons& polygons_;
+  const SurfaceMesh& mesh_;
+  Context& context_;
+  MemoryCharge charge_;
+  SurfaceNodes nodes_;
+  std::vector<Use> run_uses_;
+  std::vector<Use> segment_uses_;
+  std::size_t charged_uses_ = 0;
+  std::vector<Strand> runs_;
+  std::vector<Strand> segments_;
+  FaceArrangement face_;
+  std::vector<NodeId> node_of_local_;
+  std::vector<std::uint32_t> local_of_node_;
+  std::size_t crossings_begin_ = 0;
+  SurfaceArrangement out_;
+};
+
+}  // namespace
+
+SurfaceArrangement slice(const SurfacePolygons& polygons, Context& context) {
+  return Slicer(polygons, context).run();
+}
+
+}  // namespace plumb

@@ -1,0 +1,149 @@
+// Polygons on a surface against each other: the subdivision they cut it into, face by face.
+//
+// A face is touched if a node lies in it or on its boundary. Touched faces are planar subdivisions
+// with half-edges: first those along the face's own boundary (split at nodes; the outside is
+// another face's), then those of arcs inside it, in pairs. Other faces are whole.
+//
+// Main flow of slice():
+//  1. nodes      equal points become one node: sorted along each edge and in each face
+//                (surface_nodes.h)
+//  2. runs       segments along mesh edges add up on the pieces of those edges
+//  3. segments   the others by face and ends; equal ones add up; those that cancel go
+//  4. faces      each touched face arranged for itself (face_arrangement.h)
+//  5. sew        half-edges along mesh edges find their twins
+//
+// Multiplicities are those of chains: a polygon that runs back the way it came is not there.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/predicates/point.h"
+#include "plumb/surface/surface_ids.h"
+#include "plumb/surface/surface_path.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// Where two segments between input nodes meet inside a face. Kept implicit.
+struct SurfaceCrossing {
+  FaceId face;
+  std::array<NodeId, 4> ends;  ///< of the first segment, and of the second
+  Point2 approx;               ///< (u, v), rounded
+  double radius;               ///< both are that near; may be infinite
+};
+
+/// Sparse vectors over polygons, end to end. Equal ones may occur more than once.
+class SurfaceBundles {
+ public:
+  std::size_t size() const { return begin_.size() - 1; }
+  std::span<const SignedEntry> operator[](std::size_t b) const {
+    return std::span(entries_).subspan(begin_[b], begin_[b + 1] - begin_[b]);
+  }
+  /// Appends the sum of `terms`, given in any order; if it is zero, nothing, and false.
+  bool add_sum(std::span<SignedEntry> terms);
+
+ private:
+  std::vector<std::uint32_t> begin_ = {0};
+  std::vector<SignedEntry> entries_;
+};
+
+/// Flat arrays. Half-edges of a touched face, and its pieces, are consecutive.
+struct SurfaceArrangement {
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+  std::size_t segments = 0;  ///< of the input, without those of length zero
+
+  // Nodes: input points, then corners of touched faces that no polygon runs through, then
+  // crossings.
+  std::vector<SurfacePointId> node_point;  ///< of input points
+  std::vector<VertexId> corner_vertex;     ///< of the nodes after them
+  std::vector<SurfaceCrossing> crossings;  ///< of the nodes after these
+  std::vector<NodeId> node_of_entry;       ///< per entry of SurfacePolygons::point
+
+  // Touched faces, in slots by ascending id.
+  std::vector<FaceId> slot_face;
+  std::vector<std::uint32_t> slot_of_face;  ///< per face; kNone
+  std::vector<std::uint32_t>
+      side_begin;                    ///< per slot: where those of sides 0, 1, 2 and of arcs begin
+  std::vector<PieceId> piece_begin;  ///< per slot, and one more
+
+  std::vector<NodeId> origin;  ///< per half-edge
+  std::vector<HalfedgeId>
+      twin;  ///< invalid at the mesh border and beside faces that are not touched
+  std::vector<HalfedgeId> next;  ///< around the piece
+  std::vector<PieceId> piece;    ///< to the left
+  std::vector<ArcId> arc;        ///< invalid where no polygon runs
+
+  std::vector<std::uint32_t> piece_slot;
+  std::vector<double> piece_share;        ///< part of the area of its face
+  std::vector<std::uint32_t> loop_begin;  ///< per piece, and one more
+  std::vector<HalfedgeId> loop;  ///< a half-edge of each boundary cycle; the outer one first
+
+  std::vector<HalfedgeId> arc_halfedge;  ///< the one that runs with the arc
+  std::vector<std::uint32_t> arc_bundle;
+  SurfaceBundles bundles;  ///< polygons with their multiplicities along arcs
+
+  std::size_t crossings_begin() const { return node_point.size() + corner_vertex.size(); }
+  std::size_t node_count() const { return crossings_begin() + crossings.size(); }
+  std::size_t halfedge_count() const { return origin.size(); }
+  std::size_t piece_count() const { return piece_slot.size(); }
+  std::size_t arc_count() const { return arc_halfedge.size(); }
+  bool is_input(NodeId n) const { return n.value() < node_point.size(); }
+  bool is_crossing(NodeId n) const { return n.value() >= crossings_begin(); }
+  SurfacePointId input(NodeId n) const { return node_point[n.value()]; }
+  /// The vertex of a node that is neither input nor crossing.
+  VertexId corner(NodeId n) const { return corner_vertex[n.value() - node_point.size()]; }
+  const SurfaceCrossing& crossing(NodeId n) const {
+    return crossings[n.value() - crossings_begin()];
+  }
+  std::span<const SignedEntry> multiplicities(ArcId a) const {
+    return bundles[arc_bundle[a.value()]];
+  }
+  /// Does the half-edge run with its arc? Requires an arc.
+  bool is_with_arc(HalfedgeId h) const { return arc_halfedge[arc[h.value()].value()] == h; }
+  NodeId target(HalfedgeId h) const { return origin[next[h.value()].value()]; }
+  FaceId face_of(PieceId p) const { return slot_face[piece_slot[p.value()]]; }
+  std::uint32_t sides_begin(std::uint32_t slot) const { return side_begin[4 * slot]; }
+  std::uint32_t arcs_begin(std::uint32_t slot) const { return side_begin[4 * slot + 3]; }
+};
+
+/// Requires require_valid(polygons) to pass.
+SurfaceArrangement slice(const SurfacePolygons& polygons, Context& context);
+
+inline constexpr std::uint8_t kCrossingEnds = 3;
+/// How many arcs end in each node, a loop's two ends counted both; no more than kCrossingEnds,
+/// which make it a crossing. Only arcs for which `counts(arc)`.
+template <class Counts>
+std::vector<std::uint8_t> arc_ends(const SurfaceArrangement& a, const Counts& counts) {
+  std::vector<std::uint8_t> ends(a.node_count());
+  for (std::size_t i = 0; i < a.arc_count(); ++i) {
+    if (!counts(ArcId(i))) continue;
+    const HalfedgeId h = a.arc_halfedge[i];
+    for (const NodeId n : {a.origin[h.value()], a.target(h)}) {
+      if (ends[n.value()] < kCrossingEnds) ++ends[n.value()];
+    }
+  }
+  return ends;
+}
+inline std::vector<std::uint8_t> arc_ends(const SurfaceArrangement& a) {
+  return arc_ends(a, [](ArcId) { return true; });
+}
+
+/// (u, v) of a crossing.
+RationalPoint2 exact_crossing(const SurfaceArrangement& arrangement,
+                              const SurfacePointTable& points, const SurfaceCrossing& crossing);
+
+/// (u, v) of any node in a face it lies in.
+RationalPoint2 exact_node(const SurfaceArrangement& arrangement, const SurfacePointTable& points,
+                          NodeId node, FaceId f);
+
+/// A point for output: that of the node, appended to a table over the same mesh.
+SurfacePointId add_node_point(const SurfaceArrangement& arrangement,
+                              const SurfacePointTable& points, NodeId node, SurfacePointTable& to);
+
+}  // namespace plumb
+#pragma GCC visibility pop

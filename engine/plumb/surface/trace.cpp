@@ -1,0 +1,227 @@
+#include "plumb/surface/trace.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "plumb/predicates/error.h"
+#include "plumb/surface/strip/face_strip.h"
+#include "plumb/surface/strip/unfolded_strip.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::uint64_t kStopBytes = 96;   // a point of a path, and of a polygon
+constexpr std::size_t kLegs = 256;         // a checkpoint
+constexpr std::uint64_t kPartBytes = 128;  // an exact place in a side
+constexpr double kShorter = 1 - 0x1p-48;
+
+/// An order of points that does not depend on who asks first; equal ones are the same point.
+bool is_lower(const SurfacePointTable& points, SurfacePointId a, SurfacePointId b) {
+  const auto index = [&points](SurfacePointId p) {
+    return points.place(p) == SurfacePlace::Vertex ? points.vertex(p).value()
+           : points.place(p) == SurfacePlace::Edge ? points.edge(p).value()
+                                                   : points.face(p).value();
+  };
+  if (points.place(a) != points.place(b)) return points.place(a) < points.place(b);
+  if (index(a) != index(b)) return index(a) < index(b);
+  const RationalPoint2 p = points.exact(a), q = points.exact(b);
+  return p.x != q.x ? p.x < q.x : p.y < q.y;
+}
+
+StripEnd end_at(const SurfacePointTable& points, SurfacePointId p, FaceId f,
+                const std::vector<Point3>& positions) {
+  const std::array<double, 3> weights = weights_in(points, p, f);
+  Point3 at;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point3& corner = positions[points.mesh().corner(f, k).value()];
+    at = {at.x + weights[k] * corner.x, at.y + weights[k] * corner.y, at.z + weights[k] * corner.z};
+  }
+  return {&points, p, at};
+}
+
+/// Leads the strip around the other side of bends, from the last to the first; of two that share
+/// more than a face the latter. False when nothing changed.
+bool flip(const SurfaceMesh& mesh, const std::vector<StripTurn>& turns, FaceStrip& strip) {
+  bool has_changed = false;
+  std::size_t free_until = strip.doors.size();
+  for (auto turn = turns.rbegin(); turn != turns.rend(); ++turn) {
+    if (turn->last > free_until) continue;
+    const HalfedgeId door = strip.doors[turn->first];
+    const HalfedgeId leaving = turn->is_left ? SurfaceMesh::next(door) : door;
+    const FaceId to = SurfaceMesh::face(mesh.twin(strip.doors[turn->last - 1]));
+    const auto doors = doors_around(mesh, leaving, to, turn->is_left);
+    if (!doors) continue;
+    const auto at = [&](std::uint32_t i) { return strip.doors.begin() + i; };
+    strip.doors.insert(strip.doors.erase(at(turn->first), at(turn->last)), doors->begin(),
+                       doors->end());
+    free_until = turn->first;
+    has_changed = true;
+  }
+  return has_changed;
+}
+
+void keep_sharpest(std::vector<StripTurn>& turns) {
+  if (turns.empty()) return;
+  turns = {*std::ranges::max_element(turns, {}, &StripTurn::gain)};
+}
+
+/// What was found, as exact points.
+class Reading {
+ public:
+  Reading(const std::vector<StripStop>& stops, const FaceStrip& strip, SurfacePointId a,
+          SurfacePointId b, SurfacePointTable& points, Context& context)
+      : mesh_(points.mesh()),
+        stops_(stops),
+        strip_(strip),
+        a_(a),
+        b_(b),
+        points_(points),
+        context_(context) {}
+
+  SurfacePath path() {
+    std::vector<FaceId> faces{strip_.first};
+    for (const HalfedgeId door : strip_.doors) faces.push_back(SurfaceMesh::face(mesh_.twin(door)));
+    SurfacePath path{{a_}, {}};
+    for (std::size_t i = 1; i < stops_.size(); ++i) {
+      if (!is_fixed(i) && is_fixed(i - 1)) look_ahead(i);
+      path.points.push_back(i + 1 == stops_.size() ? b_ : point_at(i));
+      path.faces.push_back(faces[std::max(stops_[i - 1].first, stops_[i].first)]);
+    }
+    return path;
+  }
+
+ private:
+  /// A vertex or an end, not a place in a door?
+  bool is_fixed(std::size_t i) const {
+    return i == 0 || i + 1 == stops_.size() || stops_[i].vertex.is_valid();
+  }
+  FlatRunEnd end(std::size_t i) const { return {stops_[i].vertex, i == 0 ? a_ : b_}; }
+
+  /// The doors from here to the next vertex or end: exact places in them where faces are flat.
+  void look_ahead(std::size_t i) {
+    std::size_t to = i;
+    while (!is_fixed(to)) ++to;
+    run_begin_ = i;
+    run_ = flat_run(points_, std::span(strip_.doors).subspan(stops_[i].door, to - i), end(i - 1),
+                    end(to), context_);
+    // They stay: not released.
+    if (run_) context_.charge_memory(kPartBytes * run_->size(), "traced paths");
+  }
+
+  /// Added to the table. Where the run is not flat, both t and 1 - t are doubles: that makes signs
+  /// cheap.
+  SurfacePointId point_at(std::size_t i) {
+    const StripStop& stop = stops_[i];
+    if (stop.vertex.is_valid()) return points_.add_vertex(stop.vertex);
+    const HalfedgeId door = strip_.doors[stop.door];
+    const EdgeId edge = mesh_.edge(door);
+    const bool is_upward = mesh_.is_upward(door);
+    if (run_) {
+      const Rational& part = (*run_)[i - run_begin_];
+      return points_.add_on_edge(edge, is_upward ? part : Rational(1 - part));
+    }
+    return points_.add_on_edge(edge, is_upward ? 1 - (1 - stop.part) : 1 - stop.part);
+  }
+
+  const SurfaceMesh& mesh_;
+  const std::vector<StripStop>& stops_;
+  const FaceStrip& strip_;
+  SurfacePointId a_, b_;
+  SurfacePointTable& points_;
+  Context& context_;
+  std::optional<std::vector<Rational>> run_;
+  std::size_t run_begin_ = 0;  // of the stop that its first part is of
+};
+
+}  // namespace
+
+Tracer::Tracer(const SurfaceMesh& mesh)
+    : mesh_(mesh), positions_(scaled_positions(mesh).at), finder_(mesh, positions_) {}
+
+std::optional<SurfacePath> Tracer::trace(SurfacePointTable& points, SurfacePointId a,
+                                         SurfacePointId b, Context& context) {
+  if (points.is_same(a, b)) return SurfacePath{{a}, {}};
+  if (is_lower(points, a, b)) return trace_upward(points, a, b, context);
+  std::optional<SurfacePath> path = trace_upward(points, b, a, context);
+  if (path) {
+    std::ranges::reverse(path->points);
+    std::ranges::reverse(path->faces);
+  }
+  return path;
+}
+
+std::optional<SurfacePath> Tracer::trace_upward(SurfacePointTable& points, SurfacePointId a,
+                                                SurfacePointId b, Context& context) {
+  const std::vector<FaceId> near_a = faces_at(points, a), near_b = faces_at(points, b);
+  if (near_a.empty() || near_b.empty()) return {};
+  if (mesh_.component(near_a.front()) != mesh_.component(near_b.front())) return {};
+  for (const FaceId f : near_a) {
+    if (points.is_in(b, f)) return SurfacePath{{a, b}, {f}};
+  }
+  const StripEnd from = end_at(points, a, near_a.front(), positions_);
+  const StripEnd to = end_at(points, b, near_b.front(), positions_);
+  const FaceStrip strip = tightened(from, to, context);
+  const UnfoldedStrip unfolded(mesh_, positions_, strip, from, to);
+  const std::vector<StripStop> stops = unfolded.stops();
+  return Reading(stops, strip, a, b, points, context).path();
+}
+
+FaceStrip Tracer::tightened(const StripEnd& from, const StripEnd& to, Context& context) {
+  std::optional<FaceStrip> found = finder_.find(from, to, context);
+  PLUMB_CHECK(found.has_value());
+  FaceStrip strip = std::move(*found);
+  finder_.shorten(strip, from, to);
+  for (bool all_at_once = true;;) {
+    context.checkpoint("trace", 0, 1);
+    const UnfoldedStrip unfolded(mesh_, positions_, strip, from, to);
+    std::vector<StripTurn> turns = unfolded.turns();
+    if (!all_at_once) keep_sharpest(turns);
+    FaceStrip other = strip;
+    if (!flip(mesh_, turns, other)) return strip;
+    finder_.shorten(other, from, to);
+    const UnfoldedStrip flipped(mesh_, positions_, other, from, to);
+    if (flipped.path_length() < kShorter * unfolded.path_length()) {
+      strip = std::move(other);
+    } else if (!std::exchange(all_at_once, false)) {
+      return strip;
+    }
+  }
+}
+
+std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
+                                              std::span<const SurfacePointId> control,
+                                              std::span<const FaceId> named,
+                                              SurfacePolygons& polygons, Context& context) {
+  std::vector<SurfacePath> legs;
+  for (std::size_t i = 0; i < control.size(); ++i) {
+    if (i % kLegs == 0) context.checkpoint("trace", i, control.size());
+    const SurfacePointId from = control[i], next = control[i + 1 < control.size() ? i + 1 : 0];
+    if (!named.empty() && !polygons.points.is_same(from, next) &&
+        polygons.points.is_in(next, named[i])) {
+      legs.push_back({{from, next}, {named[i]}});
+      continue;
+    }
+    std::optional<SurfacePath> leg = tracer.trace(polygons.points, from, next, context);
+    if (!leg) return i;
+    // It stays: not released.
+    context.charge_memory(kStopBytes * leg->points.size(), "traced paths");
+    legs.push_back(std::move(*leg));
+  }
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    if (i % kLegs == 0) context.checkpoint("trace", i, legs.size());
+    polygons.add_leg(legs[i]);
+  }
+  polygons.close();
+  return {};
+}
+
+std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
+                                              std::span<const SurfacePointId> control,
+                                              SurfacePolygons& polygons, Context& context) {
+  return add_traced_polygon(tracer, control, {}, polygons, context);
+}
+
+}  // namespace plumb

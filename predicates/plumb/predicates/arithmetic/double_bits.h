@@ -1,0 +1,145 @@
+// Doubles as integers times a power of two, and their order, by integer operations only: right
+// under every rounding mode and under flush-to-zero / denormals-are-zero, where even `a < b` on
+// doubles is not.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <compare>
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
+
+#include "plumb/predicates/arithmetic/fixed.h"
+#include "plumb/predicates/sign.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+static_assert(std::numeric_limits<double>::is_iec559 && sizeof(double) == 8);
+
+/// value = mantissa * 2^exponent. The mantissa is odd, or 0 with exponent 0; |mantissa| < 2^53.
+struct Decomposed {
+  std::int64_t mantissa = 0;
+  int exponent = 0;
+  friend bool operator==(const Decomposed&, const Decomposed&) = default;
+};
+
+namespace detail {
+
+inline constexpr int kExponentBias = 1075;  // of the mantissa read as an integer
+inline constexpr std::uint64_t kFractionMask = (std::uint64_t{1} << 52) - 1;
+inline constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63;
+
+/// |value| = magnitude * 2^(biased - kExponentBias), 1 <= biased <= 2046, magnitude < 2^53.
+struct RawDouble {
+  std::uint64_t magnitude;
+  int biased;
+  bool negative;
+};
+
+constexpr RawDouble raw(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const auto field = static_cast<int>((bits >> 52) & 0x7ff);
+  const std::uint64_t hidden = static_cast<std::uint64_t>(field != 0) << 52;
+  return {(bits & kFractionMask) | hidden, field + static_cast<int>(field == 0), (bits >> 63) != 0};
+}
+
+constexpr std::int64_t with_sign(std::uint64_t magnitude, bool negative) {
+  const std::uint64_t mask = negative ? ~std::uint64_t{0} : 0;
+  return static_cast<std::int64_t>((magnitude ^ mask) - mask);
+}
+
+}  // namespace detail
+
+/// Requires a finite value.
+constexpr Decomposed decompose(double value) {
+  const detail::RawDouble r = detail::raw(value);
+  if (r.magnitude == 0) return {};
+  const int zeros = std::countr_zero(r.magnitude);
+  return {detail::with_sign(r.magnitude >> zeros, r.negative),
+          r.biased - detail::kExponentBias + zeros};
+}
+
+/// A key that orders like the real numbers: ordered_key(a) < ordered_key(b) iff a < b, and equal
+/// iff a = b (both zeros are one number). Infinities sort at the ends. Requires: not a NaN.
+constexpr std::uint64_t ordered_key(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  return (bits & detail::kSignBit) != 0 ? detail::kSignBit - (bits & ~detail::kSignBit)
+                                        : detail::kSignBit + bits;
+}
+
+/// The order of a and b: Negative when a < b. Right under DAZ, where `a < b` is not.
+constexpr Sign compare(double a, double b) {
+  const std::uint64_t p = ordered_key(a);
+  const std::uint64_t q = ordered_key(b);
+  return p < q ? Sign::Negative : (p > q ? Sign::Positive : Sign::Zero);
+}
+
+constexpr bool is_less(double a, double b) { return ordered_key(a) < ordered_key(b); }
+constexpr bool is_equal(double a, double b) { return ordered_key(a) == ordered_key(b); }
+
+/// The sign of a double. Right under DAZ.
+constexpr Sign sign_of_double(double value) { return compare(value, 0.0); }
+
+/// Is the value neither infinite nor a NaN? Right under -ffinite-math-only too.
+constexpr bool is_finite(double value) {
+  return ((std::bit_cast<std::uint64_t>(value) >> 52) & 0x7ff) != 0x7ff;
+}
+
+/// The common grid of a set of doubles: every one of them is an integer n * 2^low with
+/// |n| < 2^bits(). Zeros are on every grid; an empty grid (zeros only) has bits() = 0.
+class Grid {
+ public:
+  constexpr Grid() = default;
+  constexpr Grid(std::initializer_list<double> values) {
+    for (const double v : values) add(v);
+  }
+
+  constexpr void add(double value) {  // no branches: it is the larger part of an Exact rung
+    const detail::RawDouble r = detail::raw(value);
+    const int unit = r.biased + std::countr_zero(r.magnitude);
+    low_ = std::min(low_, r.magnitude == 0 ? kNone : unit);
+    // A zero adds 1 here, which no nonzero value falls below.
+    high_ = std::max(high_, r.biased + static_cast<int>(std::bit_width(r.magnitude)));
+  }
+
+  /// The common grid of both sets.
+  constexpr void add(const Grid& other) {
+    low_ = std::min(low_, other.low_);
+    high_ = std::max(high_, other.high_);
+  }
+
+  /// Exponent of the grid's unit; 0 for an empty grid.
+  constexpr int low() const { return is_empty() ? 0 : low_ - detail::kExponentBias; }
+  /// The integers' magnitude bits: 53 + spread, less the common trailing zeros; at most 2098.
+  constexpr int bits() const { return is_empty() ? 0 : high_ - low_; }
+  constexpr bool is_empty() const { return low_ == kNone; }
+
+  /// value / 2^low(). Requires value to be on the grid and bits() <= 63.
+  constexpr std::int64_t to_int64(double value) const {
+    const detail::RawDouble r = detail::raw(value);
+    // magnitude < 2^53, so it may go up by 10 first. The shift back is then never negative, because
+    // biased - low_ > 10 would make bits() > 63, and at most 62, because trailing zeros are <= 52.
+    // Of a zero any shift is right (unsigned: on an empty grid low_ is kNone).
+    const unsigned up = static_cast<unsigned>(r.biased) - static_cast<unsigned>(low_);
+    const unsigned down = (10U - up) & 63U;
+    return detail::with_sign((r.magnitude << 10) >> down, r.negative);
+  }
+
+  /// value / 2^low() in L limbs. Requires value to be on the grid and bits() <= 64 L - 1.
+  template <int L>
+  Fixed<L> to_fixed(double value) const {
+    const Decomposed d = decompose(value);
+    if (d.mantissa == 0) return Fixed<L>{};
+    return Fixed<L>(d.mantissa) << (d.exponent - low());
+  }
+
+ private:
+  static constexpr int kNone = std::numeric_limits<int>::max();
+  int low_ = kNone;
+  int high_ = 0;
+};
+
+}  // namespace plumb
+#pragma GCC visibility pop

@@ -1,0 +1,28 @@
+// Check of the floating-point environment that the filters are derived for. Compile-time checks are
+// in input_filters.h; self_test() checks at run time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// The result of self_test(). `ok` is false if and only if `failures` is not empty.
+struct SelfTestReport {
+  bool ok = true;                     ///< Whether the predicates can be relied on.
+  std::vector<std::string> failures;  ///< Reasons why the predicates cannot be relied on.
+  std::vector<std::string> notes;     ///< Unusual settings that do not affect the predicates.
+};
+
+/// Probes the arithmetic of this build with the current settings of the calling thread, and runs
+/// predicates on difficult inputs with known signs. It does not change the environment.
+///
+/// Failures are reassociated or extended-precision arithmetic and wrong signs of predicates. Notes
+/// are a rounding mode other than to nearest, flush-to-zero, denormals-are-zero, and contraction of
+/// a*b+c to a fused multiply-add. The bounds of the filters hold with all of these, but other code
+/// of the caller may depend on them.
+SelfTestReport self_test();
+
+}  // namespace plumb
+#pragma GCC visibility pop

@@ -1,0 +1,234 @@
+// Points of the plane as the engine stores them: flat arrays of doubles, and an exact side table
+// for the few points that doubles cannot represent (integers beyond 2^53, fractions). Predicates
+// take points by index. Crossing2 is the intersection of two lines through such points, kept
+// implicit.
+//
+// Main flow of every predicate (each stage is callable on its own, in namespace rung):
+//  1. Filter   decides from the cached doubles, or returns Unsure
+//  2. Exact    computes in fixed-width integers; Unsure for points that are not doubles and for
+//              exponents that are spread too far
+//  3. Big      computes in GMP integers and always decides
+// docs/design/numbers.md proves the error bounds.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "plumb/predicates/input/rung_counters.h"
+#include "plumb/predicates/input_predicates.h"
+#include "plumb/predicates/point.h"
+#include "plumb/predicates/rational_point.h"
+#include "plumb/predicates/sign.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// Read-only view of the exact point (X / W, Y / W) as integers X : Y : W with W > 0. It is valid
+/// until the table grows and must not be cleared with mpz_clear.
+struct HomogeneousView2 {
+  mpz_t x;  ///< The integer X.
+  mpz_t y;  ///< The integer Y.
+  mpz_t w;  ///< The integer W > 0.
+};
+
+/// Append-only table of exact points. approx(i) is the nearest point with double coordinates (ties
+/// to even), and equals the point if is_double(i). The integers of all other points share one pool
+/// of limbs, so that no point has an allocation of its own. A table holds at most 2^32 - 2 points.
+class PointTable2 {
+ public:
+  /// Reserves memory for `points` points in all.
+  void reserve(std::size_t points);
+  /// Appends a point. Requires finite coordinates. Negative zero is stored as zero.
+  void push_back(Point2 p);
+  /// Appends a point, as doubles if both coordinates are exactly doubles. Coordinates that round to
+  /// an infinity are allowed: approx() then returns +-DBL_MAX.
+  void push_back(const Rational& x, const Rational& y);
+  /// Appends all points of `other` in their order. Requires a table other than this one. Cost:
+  /// O(size of other).
+  void append(const PointTable2& other);
+  /// Returns the points whose entry in `keep` is not 0, in their order. Requires one entry per
+  /// point. Cost: O(n).
+  PointTable2 subset(std::span<const std::uint8_t> keep) const;
+
+  std::size_t size() const { return points_.size(); }  ///< Returns the number of points.
+  bool all_double() const { return slot_.empty(); }    ///< Whether every coordinate is a double.
+  /// Whether both coordinates of point i are doubles.
+  bool is_double(std::uint32_t i) const { return all_double() || slot_[i] == kNoSlot; }
+  Point2 approx(std::uint32_t i) const { return points_[i]; }  ///< Returns the nearest doubles.
+  RationalPoint2 exact(std::uint32_t i) const;                 ///< Returns the exact coordinates.
+  /// Returns the exact homogeneous coordinates. Requires !is_double(i).
+  HomogeneousView2 homogeneous(std::uint32_t i) const;
+
+  /// Returns the size of the stored points in bytes, without unused capacity.
+  std::size_t bytes() const {
+    return points_.size() * sizeof(Point2) + slot_.size() * sizeof(std::uint32_t) +
+           entries_.size() * sizeof(Entry) + limbs_.size() * sizeof(mp_limb_t);
+  }
+
+ private:
+  static constexpr std::uint32_t kNoSlot = 0xffffffff;
+  /// Three integers, one after another in limbs_. The sign of a size is the sign of its integer, as
+  /// in mpz_t.
+  struct Entry {
+    std::size_t begin;
+    std::int32_t x_size;
+    std::int32_t y_size;
+    std::int32_t w_size;
+  };
+  std::int32_t append_limbs(mpz_srcptr value);
+  void append_entry(const PointTable2& other, std::uint32_t i);
+
+  std::vector<Point2> points_;
+  std::vector<std::uint32_t> slot_;  ///< Empty while all points are doubles, else one per point.
+  std::vector<Entry> entries_;
+  std::vector<mp_limb_t> limbs_;
+};
+
+/// Compares points i and j lexicographically (x, then y). The result is Zero if and only if the
+/// points are equal; it is transitive, and swapping i and j flips the sign.
+Sign compare_xy(const PointTable2& points, std::uint32_t i, std::uint32_t j);
+
+/// Returns the orientation of three points: Positive if i, j, k make a left turn
+/// (counter-clockwise), Zero if they are collinear. Swapping two of them flips the sign; a cyclic
+/// shift keeps it.
+Sign orient2d(const PointTable2& points, std::uint32_t i, std::uint32_t j, std::uint32_t k);
+
+/// Returns the sign of the cross product (b - a) x (d - c): Positive if d - c points to the left of
+/// b - a, Zero if they are parallel or one of them is zero. cross_sign(a, b, a, c) equals
+/// orient2d(a, b, c).
+Sign cross_sign(const PointTable2& points, std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                std::uint32_t d);
+
+/// The intersection of the lines ab and cd, kept implicit as four point indices and a cached box.
+/// Requires that the lines are not parallel.
+struct Crossing2 {
+  std::uint32_t a, b, c, d;  ///< Indices of the points that define the two lines.
+  double x, y;               ///< Approximate coordinates.
+  double radius;             ///< Bound of |exact - approximate| for both coordinates; may be +inf.
+};
+
+/// Returns the intersection of the lines ab and cd. Requires that they are not parallel. No exact
+/// arithmetic is used: the radius is +inf if doubles give no bound. Cost: about 20 ns.
+Crossing2 make_crossing(const PointTable2& points, std::uint32_t a, std::uint32_t b,
+                        std::uint32_t c, std::uint32_t d);
+
+/// Compares a crossing with point i, or two crossings, lexicographically. Together with
+/// compare_xy(points, i, j) this is one total order of the points of both kinds.
+Sign compare_xy(const PointTable2& points, const Crossing2& p, std::uint32_t i);
+Sign compare_xy(const PointTable2& points, const Crossing2& p, const Crossing2& q);
+
+/// Returns the side of the directed line i -> j on which the crossing lies; Positive is left. The
+/// result is Zero without arithmetic for the two lines that define the crossing, if they are given
+/// by the same indices. Requires that points i and j differ.
+Sign orient2d(const PointTable2& points, std::uint32_t i, std::uint32_t j, const Crossing2& p);
+
+/// Returns the exact coordinates of a crossing, for output.
+RationalPoint2 exact(const PointTable2& points, const Crossing2& p);
+
+/// The stages of the predicates above, each callable on its own.
+namespace rung {
+
+FilteredSign compare_xy_filter(const PointTable2& points, std::uint32_t i, std::uint32_t j);
+FilteredSign orient2d_filter(const PointTable2& points, std::uint32_t i, std::uint32_t j,
+                             std::uint32_t k);
+FilteredSign cross_sign_filter(const PointTable2& points, std::uint32_t a, std::uint32_t b,
+                               std::uint32_t c, std::uint32_t d);
+FilteredSign compare_xy_filter(const PointTable2& points, const Crossing2& p, std::uint32_t i);
+FilteredSign compare_xy_filter(const Crossing2& p, const Crossing2& q);
+FilteredSign orient2d_filter(const PointTable2& points, std::uint32_t i, std::uint32_t j,
+                             const Crossing2& p);
+
+FilteredSign compare_xy_exact(const PointTable2& points, const Crossing2& p, std::uint32_t i);
+FilteredSign compare_xy_exact(const PointTable2& points, const Crossing2& p, const Crossing2& q);
+FilteredSign orient2d_exact(const PointTable2& points, std::uint32_t i, std::uint32_t j,
+                            const Crossing2& p);
+
+Sign compare_xy_big(const PointTable2& points, std::uint32_t i, std::uint32_t j);
+Sign orient2d_big(const PointTable2& points, std::uint32_t i, std::uint32_t j, std::uint32_t k);
+Sign cross_sign_big(const PointTable2& points, std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                    std::uint32_t d);
+Sign compare_xy_big(const PointTable2& points, const Crossing2& p, std::uint32_t i);
+Sign compare_xy_big(const PointTable2& points, const Crossing2& p, const Crossing2& q);
+Sign orient2d_big(const PointTable2& points, std::uint32_t i, std::uint32_t j, const Crossing2& p);
+
+}  // namespace rung
+
+namespace detail {
+
+// The stages after the inlined filters.
+Sign compare_xy_unsure(const PointTable2& points, std::uint32_t i, std::uint32_t j);
+Sign orient2d_mixed(const PointTable2& points, std::uint32_t i, std::uint32_t j, std::uint32_t k);
+Sign cross_sign_mixed(const PointTable2& points, std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                      std::uint32_t d);
+Sign compare_xy_unsure(const PointTable2& points, const Crossing2& p, std::uint32_t i);
+Sign compare_xy_unsure(const PointTable2& points, const Crossing2& p, const Crossing2& q);
+
+/// Returns the sign of p - q if they are more than `radius` apart, otherwise Unsure. Requires
+/// radius >= 2^-300, and |p| < 2^303 or radius = +inf. The computed difference is off by a factor
+/// of at most 1 + 2^-52 in any rounding mode and by at most 2^-1020 with flush-to-zero or
+/// denormals-are-zero. The factor 1.0001 covers both, and the rounding of `radius`.
+inline FilteredSign compare_apart(double p, double q, double radius) {
+  const double difference = p - q;
+  if (!(std::fabs(difference) > 1.0001 * radius)) return FilteredSign::Unsure;
+  return difference > 0 ? FilteredSign::Positive : FilteredSign::Negative;
+}
+
+}  // namespace detail
+
+/// Rounding to nearest, clamping and flushing are monotone. Therefore approximations that compare
+/// as strictly ordered prove that the exact points have the same order.
+inline FilteredSign rung::compare_xy_filter(const PointTable2& points, std::uint32_t i,
+                                            std::uint32_t j) {
+  const Point2 p = points.approx(i);
+  const Point2 q = points.approx(j);
+  if (p.x < q.x) return FilteredSign::Negative;
+  if (p.x > q.x) return FilteredSign::Positive;
+  return FilteredSign::Unsure;
+}
+
+inline Sign compare_xy(const PointTable2& points, std::uint32_t i, std::uint32_t j) {
+  const FilteredSign f = rung::compare_xy_filter(points, i, j);
+  if (!is_decided(f)) return detail::compare_xy_unsure(points, i, j);
+  return decide(Predicate::ComparePoints2, Rung::Filter, f);
+}
+
+inline Sign orient2d(const PointTable2& points, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+  if (!points.all_double()) return detail::orient2d_mixed(points, i, j, k);
+  return orient2d(points.approx(i), points.approx(j), points.approx(k));
+}
+
+inline Sign cross_sign(const PointTable2& points, std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                       std::uint32_t d) {
+  if (!points.all_double()) return detail::cross_sign_mixed(points, a, b, c, d);
+  return cross_sign(points.approx(a), points.approx(b), points.approx(c), points.approx(d));
+}
+
+/// A coordinate that is not a double differs from its approximation by at most 2^-53 of its size,
+/// unless it is clamped; then it is farther out than any finite radius reaches.
+inline FilteredSign rung::compare_xy_filter(const PointTable2& points, const Crossing2& p,
+                                            std::uint32_t i) {
+  const double x = points.approx(i).x;
+  return plumb::detail::compare_apart(p.x, x, p.radius + 0x1p-52 * std::fabs(x));
+}
+
+inline FilteredSign rung::compare_xy_filter(const Crossing2& p, const Crossing2& q) {
+  return plumb::detail::compare_apart(p.x, q.x, p.radius + q.radius);
+}
+
+inline Sign compare_xy(const PointTable2& points, const Crossing2& p, std::uint32_t i) {
+  const FilteredSign f = rung::compare_xy_filter(points, p, i);
+  if (!is_decided(f)) return detail::compare_xy_unsure(points, p, i);
+  return decide(Predicate::CompareCrossings2, Rung::Filter, f);
+}
+
+inline Sign compare_xy(const PointTable2& points, const Crossing2& p, const Crossing2& q) {
+  const FilteredSign f = rung::compare_xy_filter(p, q);
+  if (!is_decided(f)) return detail::compare_xy_unsure(points, p, q);
+  return decide(Predicate::CompareCrossings2, Rung::Filter, f);
+}
+
+}  // namespace plumb
+#pragma GCC visibility pop

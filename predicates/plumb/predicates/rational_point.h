@@ -1,0 +1,25 @@
+// Points with exact rational coordinates, for output, readers and reference implementations.
+#pragma once
+
+#include "plumb/predicates/rational.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// A point of the plane with exact coordinates.
+struct RationalPoint2 {
+  Rational x;  ///< Exact coordinate.
+  Rational y;  ///< Exact coordinate.
+  friend bool operator==(const RationalPoint2&, const RationalPoint2&) = default;
+};
+
+/// A point of space with exact coordinates.
+struct RationalPoint3 {
+  Rational x;  ///< Exact coordinate.
+  Rational y;  ///< Exact coordinate.
+  Rational z;  ///< Exact coordinate.
+  friend bool operator==(const RationalPoint3&, const RationalPoint3&) = default;
+};
+
+}  // namespace plumb
+#pragma GCC visibility pop

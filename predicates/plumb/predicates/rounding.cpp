@@ -1,0 +1,204 @@
+#include "plumb/predicates/rounding.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#define MPFR_USE_INTMAX_T
+#include <mpfr.h>
+
+namespace plumb {
+
+namespace {
+
+constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63;
+constexpr int kFractionBits = 52;
+constexpr std::uint64_t kHiddenBit = std::uint64_t{1} << kFractionBits;
+
+/// MPFR's exponent range is that of double for the lifetime; range and flags are put back after.
+/// (MPFR writes numbers as 0.1xxx * 2^e: the least subnormal 2^-1074 has e = -1073.)
+class DoubleRange {
+ public:
+  DoubleRange() : emin_(mpfr_get_emin()), emax_(mpfr_get_emax()), flags_(mpfr_flags_save()) {
+    mpfr_set_emin(-1073);
+    mpfr_set_emax(1024);
+  }
+  ~DoubleRange() {
+    mpfr_set_emin(emin_);
+    mpfr_set_emax(emax_);
+    mpfr_flags_restore(flags_, MPFR_FLAGS_ALL);
+  }
+  DoubleRange(const DoubleRange&) = delete;
+  DoubleRange& operator=(const DoubleRange&) = delete;
+
+ private:
+  mpfr_exp_t emin_, emax_;
+  mpfr_flags_t flags_;
+};
+
+/// A 53-bit number on the stack.
+class Mpfr53 {
+ public:
+  Mpfr53() {
+    mpfr_custom_init(limbs_, 53);
+    mpfr_custom_init_set(value_, MPFR_ZERO_KIND, 0, 53, limbs_);
+  }
+  mpfr_ptr get() { return value_; }
+
+ private:
+  static constexpr std::size_t kLimbs = (53 + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS;
+  mp_limb_t limbs_[kLimbs];
+  mpfr_t value_;
+};
+
+mpfr_rnd_t mpfr_rounding(Rounding rounding) {
+  switch (rounding) {
+    case Rounding::Down:
+      return MPFR_RNDD;
+    case Rounding::Up:
+      return MPFR_RNDU;
+    case Rounding::Nearest:
+      break;
+  }
+  return MPFR_RNDN;
+}
+
+/// Bits of |v| for v = m * 2^(e - 53), 2^52 <= m < 2^53, representable as a double. A subnormal
+/// counts units of 2^-1074: m * 2^(e + 1021), and the bits shifted out are zeros.
+std::uint64_t magnitude_bits(mpfr_ptr v) {
+  const auto e = mpfr_get_exp(v);
+  mpfr_setsign(v, v, 0, MPFR_RNDN);
+  mpfr_set_exp(v, 53);
+  const std::uint64_t m = mpfr_get_uj(v, MPFR_RNDZ);
+  if (e < -1021) return m >> (-1021 - e);
+  return (static_cast<std::uint64_t>(e + 1022) << kFractionBits) | (m & (kHiddenBit - 1));
+}
+
+/// mpfr_get_d would multiply doubles on its way to a subnormal, which FTZ spoils.
+double to_double(mpfr_ptr v) {
+  if (mpfr_zero_p(v)) return 0.0;
+  const std::uint64_t sign = mpfr_signbit(v) ? kSignBit : 0;
+  if (mpfr_inf_p(v)) {
+    return std::bit_cast<double>(
+        std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity()) | sign);
+  }
+  return std::bit_cast<double>(magnitude_bits(v) | sign);
+}
+
+Integer power_of_ten(std::int64_t n) {
+  Integer r;
+  mpz_ui_pow_ui(r.mpz(), 10, static_cast<unsigned long>(n));
+  return r;
+}
+
+/// Number of bits of a positive integer.
+std::int64_t bit_count(const Integer& n) {
+  return static_cast<std::int64_t>(mpz_sizeinbase(n.mpz(), 2));
+}
+
+struct Quotient {
+  Integer floor;
+  Integer remainder;
+  Integer divisor;
+};
+
+/// p * 10^shift / q.
+Quotient scaled_quotient(const Integer& p, const Integer& q, std::int64_t shift) {
+  Quotient r;
+  r.divisor = shift < 0 ? Integer(q * power_of_ten(-shift)) : q;
+  const Integer dividend = shift > 0 ? Integer(p * power_of_ten(shift)) : p;
+  divide_qr(dividend, r.divisor, r.floor, r.remainder);
+  return r;
+}
+
+/// Nearest integer of the quotient, ties to even.
+Integer nearest(const Quotient& r) {
+  const int half = Integer(2 * r.remainder).compare(r.divisor);
+  const bool up = half > 0 || (half == 0 && bit_test(r.floor, 0));
+  return up ? Integer(r.floor + 1) : r.floor;
+}
+
+/// A positive value as digits[0].digits[1..] * 10^exponent.
+struct Decimal {
+  std::string digits;
+  std::int64_t exponent;
+};
+
+/// Starts from log10(p / q) as the bit counts tell it (at most a place or two off) and moves until
+/// the quotient has exactly `digits` digits before rounding.
+Decimal round_decimal(const Integer& p, const Integer& q, int digits) {
+  const Integer limit = power_of_ten(digits);
+  const Integer least = power_of_ten(digits - 1);
+  std::int64_t exponent = (bit_count(p) - bit_count(q)) * 30103 / 100000;
+  Quotient r = scaled_quotient(p, q, digits - 1 - exponent);
+  while (r.floor >= limit || r.floor < least) {
+    exponent += r.floor >= limit ? 1 : -1;
+    r = scaled_quotient(p, q, digits - 1 - exponent);
+  }
+  Integer rounded = nearest(r);
+  if (rounded == limit) {
+    rounded = least;
+    ++exponent;
+  }
+  return {exact_text(rounded), exponent};
+}
+
+void strip_zeros(std::string& digits) { digits.erase(digits.find_last_not_of('0') + 1); }
+
+/// Digits with the point after place `exponent`, the places without a digit filled with zeros.
+std::string plain_text(const std::string& digits, std::int64_t exponent) {
+  std::string text;
+  if (exponent < 0)
+    return text.append("0.").append(static_cast<std::size_t>(-exponent - 1), '0') + digits;
+  const auto whole = static_cast<std::size_t>(exponent) + 1;
+  if (digits.size() <= whole) return text.append(digits).append(whole - digits.size(), '0');
+  return text.append(digits, 0, whole).append(".").append(digits, whole);
+}
+
+std::string exponent_text(const std::string& digits, std::int64_t exponent) {
+  std::string text(1, digits.front());
+  if (digits.size() > 1) text.append(".").append(digits, 1);
+  return text.append(exponent < 0 ? "e" : "e+").append(std::to_string(exponent));
+}
+
+RoundedDouble rounded(mpq_srcptr value, Rounding rounding) {
+  const DoubleRange range;
+  const mpfr_rnd_t mode = mpfr_rounding(rounding);
+  Mpfr53 v;
+  const int inexact = mpfr_set_q(v.get(), value, mode);
+  const int error = mpfr_subnormalize(v.get(), inexact, mode);
+  return {to_double(v.get()), sign_of(error)};
+}
+
+}  // namespace
+
+double detail::nearest(mpq_srcptr value) { return rounded(value, Rounding::Nearest).value; }
+
+RoundedDouble round_to_double(const Rational& value, Rounding rounding) {
+  return rounded(value.mpq(), rounding);
+}
+
+double nearest_double(const Rational& value) { return round_to_double(value).value; }
+
+double clamped_to_finite(double value) {
+  if (!std::isinf(value)) return value;
+  return std::copysign(std::numeric_limits<double>::max(), value);
+}
+
+Rational exact_rational(double value) { return Rational(value); }
+
+std::string decimal_text(const Rational& value, int digits) {
+  if (value.is_zero()) return "0";
+  Decimal d = round_decimal(abs(numerator(value)), denominator(value), digits);
+  strip_zeros(d.digits);
+  const bool plain = d.exponent >= -5 && d.exponent < digits;
+  std::string text = value < 0 ? "-" : "";
+  return text += plain ? plain_text(d.digits, d.exponent) : exponent_text(d.digits, d.exponent);
+}
+
+std::string exact_text(const Integer& value) { return value.str(); }
+
+std::string exact_text(const Rational& value) { return value.str(); }
+
+}  // namespace plumb

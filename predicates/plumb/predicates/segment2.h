@@ -1,0 +1,117 @@
+// Segments of the plane: where a point lies on a segment, how two segments intersect, and where a
+// segment lies relative to a line, for doubles and for exact rationals.
+//
+// A segment is closed and has two different ends; its interior is the segment without its ends.
+// Every result is exact. All of them follow from orient2d and compare_xy, so that one
+// implementation serves both kinds of points.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "plumb/predicates/point.h"
+#include "plumb/predicates/rational_point.h"
+#include "plumb/predicates/sign.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// A directed segment. `Point` is Point2 or RationalPoint2. Requires source != target.
+template <class Point>
+struct BasicSegment2 {
+  Point source;  ///< The start point.
+  Point target;  ///< The end point.
+  friend bool operator==(const BasicSegment2&, const BasicSegment2&) = default;
+};
+using Segment2 = BasicSegment2<Point2>;                  ///< A segment with double coordinates.
+using RationalSegment2 = BasicSegment2<RationalPoint2>;  ///< A segment with rational coordinates.
+
+/// Compares p and q lexicographically (x, then y). This is a total order.
+Sign compare_xy(const Point2& p, const Point2& q);
+Sign compare_xy(const RationalPoint2& p, const RationalPoint2& q);
+
+/// Compares two points of a line in the direction of a segment on it: Negative if p comes before q.
+/// Requires that p and q lie on the line of `direction`. Swapping p and q, or reversing the
+/// direction, flips the sign.
+template <class Point>
+Sign compare_along(const BasicSegment2<Point>& direction, const Point& p, const Point& q);
+
+/// The position of a point relative to a segment.
+enum class PlaceOnSegment : std::uint8_t {
+  Off,     ///< The point is not on the segment, but may be on its line.
+  Source,  ///< The point is the source.
+  Inside,  ///< The point is in the interior.
+  Target,  ///< The point is the target.
+};
+
+/// Returns the position of p relative to s. Reversing the segment exchanges Source and Target.
+template <class Point>
+PlaceOnSegment place_on(const BasicSegment2<Point>& s, const Point& p);
+
+/// How two segments intersect.
+enum class SegmentRelation : std::uint8_t {
+  Disjoint,       ///< There is no common point.
+  Cross,          ///< The one common point is interior to both.
+  Touches,        ///< The one common point is an end of the first and interior to the second.
+  IsTouched,      ///< The one common point is an end of the second and interior to the first.
+  ShareEndpoint,  ///< The one common point is an end of both.
+  Overlap,        ///< They share a segment, and neither contains the other.
+  Covers,         ///< The second is a proper part of the first.
+  IsCovered,      ///< The first is a proper part of the second.
+  Equal,          ///< They are the same point set.
+};
+
+/// Returns how s and t intersect. relation(s, t) equals mirrored(relation(t, s)). Reversing s or t
+/// does not change the result. Cost: two orient2d if t lies strictly on one side of the line of s
+/// or on that line, otherwise four.
+template <class Point>
+SegmentRelation relation(const BasicSegment2<Point>& s, const BasicSegment2<Point>& t);
+
+/// Returns the relation with the two segments exchanged.
+constexpr SegmentRelation mirrored(SegmentRelation r) {
+  switch (r) {
+    case SegmentRelation::Touches:
+      return SegmentRelation::IsTouched;
+    case SegmentRelation::IsTouched:
+      return SegmentRelation::Touches;
+    case SegmentRelation::Covers:
+      return SegmentRelation::IsCovered;
+    case SegmentRelation::IsCovered:
+      return SegmentRelation::Covers;
+    default:
+      return r;
+  }
+}
+
+/// Whether the segments have exactly one common point.
+constexpr bool meet_in_a_point(SegmentRelation r) {
+  return r >= SegmentRelation::Cross && r <= SegmentRelation::ShareEndpoint;
+}
+
+/// The position of a segment relative to a directed line.
+enum class LineRelation : std::uint8_t {
+  Left,              ///< The segment is strictly left of the line.
+  Right,             ///< The segment is strictly right of the line.
+  TouchesFromLeft,   ///< One end is on the line, the rest is left of it.
+  TouchesFromRight,  ///< One end is on the line, the rest is right of it.
+  Crosses,           ///< The ends lie strictly on different sides.
+  Inside,            ///< The segment is a part of the line.
+};
+
+/// Returns the position of s relative to the line through `line`, which has the direction of
+/// `line`. Reversing the line exchanges left and right; reversing s does not change the result.
+/// Cost: two orient2d.
+template <class Point>
+LineRelation relation_to_line(const BasicSegment2<Point>& line, const BasicSegment2<Point>& s);
+
+/// Returns the intersection of the lines of s and t. Requires that the lines are not parallel.
+template <class Point>
+RationalPoint2 crossing_point(const BasicSegment2<Point>& s, const BasicSegment2<Point>& t);
+
+/// Returns the common point of s and t if there is exactly one, otherwise no value.
+template <class Point>
+std::optional<RationalPoint2> meeting_point(const BasicSegment2<Point>& s,
+                                            const BasicSegment2<Point>& t);
+
+}  // namespace plumb
+#pragma GCC visibility pop

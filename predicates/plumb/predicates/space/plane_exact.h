@@ -1,0 +1,333 @@
+// Exact coefficients of planes for the exact rungs: fixed widths and mpz, and the determinants that
+// every sign about planes is.
+//
+// Notation: the plane is n.x + d 2^scale = 0 with integers n, d, up to a positive factor. For the
+// plane through input points p, q, r on the grid of unit 2^g (p = P 2^g, ...) that is
+// n = (Q - P) x (R - P), d = -n.P, scale = g.
+//
+// Bits. With |P| < 2^b: |Q - P| < 2^(b+1), |n| < 2^(2b+3), |d| <= 3 |n| |P| < 2^(3b+5).
+// A width W has C limbs for coordinates, N for normals, D for offsets. Loading guarantees
+//
+//   (L)  |n| <= 2^(64N-3)  and  |d| <= 2^(64D-2)
+//
+// and then nothing below overflows (M = 64N, O = 64D):
+//   minor  n x m                       2 2^(2M-6)                    = 2^(2M-5)  < 2^(2M-1)
+//   det3   (n x m).k                   3 2^(2M-5) 2^(M-3)            < 2^(3M-6)  < 2^(3M-1)
+//   x      sum of 3 d (n x m)          3 2^(O-2) 2^(2M-5)            < 2^(O+2M-5) < 2^(O+2M-1)
+//   det4   sum of 4 d det3             4 2^(O-2) 2^(3M-6)            = 2^(O+3M-6) < 2^(O+3M-1)
+//          x.n + d det3                3 2^(O+3M-8) + 2^(O+3M-8)     = 2^(O+3M-6)
+// Limits on b from 2b+3 <= 64N-3 and 3b+5 <= 64D-2:  N,D = 1,2: 29;  2,3: 61;  4,6: 125.
+//
+// Parts. The offset of a plane of the frame (plane_table.h) is d R, with d in place of a number. A
+// form here is linear in the column of offsets, or does not read it:
+//   det4                  one offset in each of its terms
+//   common point          x = P0 + P1 R, as each component is a sum of d (n x m); w has no offset
+//   side of x on s        n.(P0 + P1 R) + (d0 + d1 R) w
+//   x / w against y / v   (P0 + P1 R) v - (Q0 + Q1 R) w, times the signs of w and v
+// So it is c0 + c1 R, where c1 is the form of the planes with the ordinary offsets set to 0 (the
+// Infinite part), and c0 that with the frame's set to 0 (the Finite part). With R beyond all bounds
+// its sign is that of c1, or if c1 = 0 that of c0. Ordinary planes: c1 = 0, unasked.
+#pragma once
+
+#include <array>
+#include <climits>
+#include <cstddef>
+
+#include "plumb/predicates/arithmetic/double_bits.h"
+#include "plumb/predicates/arithmetic/scaled.h"
+#include "plumb/predicates/space/plane_table.h"
+
+#pragma GCC visibility push(default)
+namespace plumb::exact3 {
+
+/// The widths a rung may work in: a whole number of limbs each.
+struct Narrow {
+  static constexpr int kCoordinate = 1, kNormal = 1, kOffset = 2, kMaxBits = 29, kIndex = 0;
+};
+struct Medium {
+  static constexpr int kCoordinate = 1, kNormal = 2, kOffset = 3, kMaxBits = 61, kIndex = 1;
+};
+struct Wide {
+  static constexpr int kCoordinate = 2, kNormal = 4, kOffset = 6, kMaxBits = 125, kIndex = 2;
+};
+
+template <class W>
+using Coordinate = Fixed<W::kCoordinate>;
+template <class W>
+using Normal = Fixed<W::kNormal>;
+template <class W>
+using Offset = Fixed<W::kOffset>;
+template <class W>
+using Minor = Fixed<2 * W::kNormal>;
+template <class W>
+using Det3 = Fixed<3 * W::kNormal>;
+template <class W>
+using Numerator = Fixed<W::kOffset + 2 * W::kNormal>;
+template <class W>
+using Det4 = Fixed<W::kOffset + 3 * W::kNormal>;
+
+template <class Number>
+using Vector = std::array<Number, 3>;
+
+/// scale of a plane through the origin: any would do; the largest never lowers a minimum.
+inline constexpr int kAnyScale = INT_MAX;
+
+template <class W>
+struct FixedPlane {
+  Vector<Normal<W>> n;
+  Offset<W> d;
+  int scale = kAnyScale;
+};
+
+struct BigPlane {
+  Vector<Integer> n;
+  Integer d;
+  int scale = kAnyScale;
+};
+
+/// A plane about to be loaded: its table and source, and what decides the width.
+struct Operand {
+  const PlaneTable* table;
+  PlaneSource source;
+  Grid grid;  ///< of the input points
+  int width;  ///< 0 Narrow, 1 Medium, 2 Wide, 3 mpz: the least that holds this plane
+};
+
+Operand operand(const PlaneTable& table, const PlaneSource& source);
+inline Operand operand(const PlaneTable& table, PlaneId plane) {
+  return operand(table, table.source(plane));
+}
+
+/// On which side of a plane through input points one of them lies: a determinant of differences,
+/// with no plane loaded. Unsure: more bits than fixed widths hold.
+FilteredSign side_by_corners(const PlaneTable& table, InputPointId x, const PlaneSource& plane);
+
+/// What of a number that may depend on the frame.
+enum class Part { Finite, Infinite };
+
+/// Sets the offset to 0 that does not belong to the part.
+template <class Plane>
+void take_part(const Operand& operand, Part part, Plane& plane) {
+  if (operand.source.is_frame() == (part == Part::Infinite)) return;
+  plane.d = decltype(plane.d)(0);
+  plane.scale = kAnyScale;
+}
+
+/// The sign of c0 + c1 R from question(part) -> FilteredSign; `has_frame`: may c1 be nonzero?
+template <class Question>
+FilteredSign by_parts(bool has_frame, const Question& question) {
+  if (has_frame) {
+    const FilteredSign s = question(Part::Infinite);
+    if (s != FilteredSign::Zero) return s;
+  }
+  return question(Part::Finite);
+}
+
+/// The exact coefficients (of the frame: with the multiple of R). Requires operand.width <=
+/// W::kIndex. Loading the same plane in two widths gives the same numbers.
+template <class W>
+FixedPlane<W> load(const Operand& operand);
+BigPlane load_big(const Operand& operand);
+
+extern template FixedPlane<Narrow> load(const Operand&);
+extern template FixedPlane<Medium> load(const Operand&);
+extern template FixedPlane<Wide> load(const Operand&);
+
+// --- products: fixed widths and mpz under one spelling -------------------------------------------
+
+template <class To, int A, int B>
+To product(const Fixed<A>& x, const Fixed<B>& y) {
+  return multiply_to<To::kLimbs>(x, y);
+}
+template <class To>
+Integer product(const Integer& x, const Integer& y) {
+  return x * y;
+}
+
+template <class To, class Number>
+To cross_component(const Vector<Number>& a, const Vector<Number>& b, std::size_t i) {
+  const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+  return product<To>(a[j], b[k]) - product<To>(a[k], b[j]);
+}
+
+template <class To>
+Integer cross_component(const Vector<Integer>& a, const Vector<Integer>& b, std::size_t i) {
+  const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+  Integer result = a[j] * b[k];
+  result.subtract_product(a[k], b[j]);
+  return result;
+}
+
+template <class To, class Number>
+Vector<To> cross(const Vector<Number>& a, const Vector<Number>& b) {
+  return {cross_component<To>(a, b, 0), cross_component<To>(a, b, 1), cross_component<To>(a, b, 2)};
+}
+
+template <class To, class A, class B>
+To dot(const Vector<A>& a, const Vector<B>& b) {
+  To sum = product<To>(a[0], b[0]);
+  sum += product<To>(a[1], b[1]);
+  sum += product<To>(a[2], b[2]);
+  return sum;
+}
+
+template <class To>
+Integer dot(const Vector<Integer>& a, const Vector<Integer>& b) {
+  Integer sum = a[0] * b[0];
+  sum.add_product(a[1], b[1]).add_product(a[2], b[2]);
+  return sum;
+}
+
+// --- shifts --------------------------------------------------------------------------------------
+
+/// value <<= shift; false when the result would exceed `max_bits` magnitude bits. shift >= 0.
+template <int L>
+bool shift_within(Fixed<L>& value, int shift, int max_bits) {
+  if (shift == 0 || value.is_zero()) return true;
+  if (shift > max_bits || bit_length(value) + shift > max_bits) return false;
+  value = value << shift;
+  return true;
+}
+inline bool shift_within(Integer& value, int shift, int) {
+  value <<= static_cast<unsigned>(shift);
+  return true;
+}
+
+inline Sign sign_of(const Integer& x) { return static_cast<Sign>(x.sign()); }
+template <int L>
+Sign sign_of(const Fixed<L>& x) {
+  return x.sign();
+}
+
+template <class W>
+constexpr int offset_bits(const FixedPlane<W>&) {
+  return 64 * W::kOffset - 2;
+}
+inline int offset_bits(const BigPlane&) { return INT_MAX; }
+
+/// Gives all planes one scale (the least); false when an offset then breaks (L).
+template <class Plane, std::size_t K>
+bool align(std::array<Plane, K>& planes) {
+  int scale = kAnyScale;
+  for (const Plane& p : planes) scale = p.scale < scale ? p.scale : scale;
+  for (Plane& p : planes) {
+    if (p.scale == kAnyScale) continue;
+    if (!shift_within(p.d, p.scale - scale, offset_bits(p))) return false;
+    p.scale = scale;
+  }
+  return true;
+}
+
+// --- determinants --------------------------------------------------------------------------------
+
+/// The number types of a plane type: what each degree is held in.
+template <class Plane>
+struct Types;
+template <class W>
+struct Types<FixedPlane<W>> {
+  using Minor = exact3::Minor<W>;
+  using Det3 = exact3::Det3<W>;
+  using Numerator = exact3::Numerator<W>;
+  using Det4 = exact3::Det4<W>;
+};
+template <>
+struct Types<BigPlane> {
+  using Minor = Integer;
+  using Det3 = Integer;
+  using Numerator = Integer;
+  using Det4 = Integer;
+};
+
+template <class Plane>
+Sign det3_sign(const Plane& p, const Plane& q, const Plane& r) {
+  using T = Types<Plane>;
+  const Vector<typename T::Minor> pq = cross<typename T::Minor>(p.n, q.n);
+  return sign_of(dot<typename T::Det3>(pq, r.n));
+}
+
+template <class Plane>
+Sign minor_sign(const Plane& p, const Plane& q, std::size_t axis) {
+  return sign_of(cross_component<typename Types<Plane>::Minor>(p.n, q.n, axis));
+}
+
+/// det4 of four rows and det3 of the first three normals.
+template <class Plane>
+struct Determinants {
+  typename Types<Plane>::Det4 det4;
+  typename Types<Plane>::Det3 det3;
+};
+
+/// Requires aligned planes. Expanded by the column of offsets; the four det3 share two crosses:
+/// a sixth fewer word products than building the point and evaluating it.
+template <class Plane>
+Determinants<Plane> expand(const Plane& p, const Plane& q, const Plane& r, const Plane& s) {
+  using T = Types<Plane>;
+  const auto pq = cross<typename T::Minor>(p.n, q.n), rs = cross<typename T::Minor>(r.n, s.n);
+  const typename T::Det3 pqr = dot<typename T::Det3>(pq, r.n);
+  typename T::Det4 sum = product<typename T::Det4>(s.d, pqr);
+  sum -= product<typename T::Det4>(r.d, dot<typename T::Det3>(pq, s.n));
+  sum += product<typename T::Det4>(q.d, dot<typename T::Det3>(rs, p.n));
+  sum -= product<typename T::Det4>(p.d, dot<typename T::Det3>(rs, q.n));
+  return {sum, pqr};
+}
+
+/// expand(), compiled in plane_exact.cpp: with every product inlined where that is faster.
+template <class Plane>
+Determinants<Plane> determinants(const Plane& p, const Plane& q, const Plane& r, const Plane& s);
+template <>
+Determinants<FixedPlane<Narrow>> determinants(const FixedPlane<Narrow>&, const FixedPlane<Narrow>&,
+                                              const FixedPlane<Narrow>&, const FixedPlane<Narrow>&);
+template <>
+Determinants<FixedPlane<Medium>> determinants(const FixedPlane<Medium>&, const FixedPlane<Medium>&,
+                                              const FixedPlane<Medium>&, const FixedPlane<Medium>&);
+template <>
+Determinants<FixedPlane<Wide>> determinants(const FixedPlane<Wide>&, const FixedPlane<Wide>&,
+                                            const FixedPlane<Wide>&, const FixedPlane<Wide>&);
+template <>
+Determinants<BigPlane> determinants(const BigPlane&, const BigPlane&, const BigPlane&,
+                                    const BigPlane&);
+
+/// The common point of three planes: x 2^scale / w. By Cramer, with n_i.x + d_i = 0:
+/// x = d_p (q x r) + d_q (r x p) + d_r (p x q), w = -det3.
+template <class Numerator_, class Det3_>
+struct Homogeneous {
+  Vector<Numerator_> x;
+  Det3_ w;
+  int scale = 0;
+};
+
+template <class Plane>
+using PointOf = Homogeneous<typename Types<Plane>::Numerator, typename Types<Plane>::Det3>;
+
+/// Requires aligned planes.
+template <class Plane>
+PointOf<Plane> common_point(const Plane& p, const Plane& q, const Plane& r) {
+  using T = Types<Plane>;
+  const auto qr = cross<typename T::Minor>(q.n, r.n);
+  const auto rp = cross<typename T::Minor>(r.n, p.n);
+  const auto pq = cross<typename T::Minor>(p.n, q.n);
+  PointOf<Plane> point;
+  for (std::size_t i = 0; i < 3; ++i) {
+    typename T::Numerator sum = product<typename T::Numerator>(p.d, qr[i]);
+    sum += product<typename T::Numerator>(q.d, rp[i]);
+    sum += product<typename T::Numerator>(r.d, pq[i]);
+    point.x[i] = sum;
+  }
+  point.w = -dot<typename T::Det3>(pq, r.n);
+  point.scale = p.scale != kAnyScale ? p.scale : (q.scale != kAnyScale ? q.scale : r.scale);
+  if (point.scale == kAnyScale) point.scale = 0;
+  return point;
+}
+
+/// The sign of n.x + d w for a point on the plane's scale: the side of the point is this times the
+/// sign of w.
+template <class Plane>
+Sign value_sign(const PointOf<Plane>& point, const Plane& plane) {
+  using T = Types<Plane>;
+  typename T::Det4 value = dot<typename T::Det4>(point.x, plane.n);
+  value += product<typename T::Det4>(plane.d, point.w);
+  return sign_of(value);
+}
+
+}  // namespace plumb::exact3
+#pragma GCC visibility pop

@@ -1,0 +1,278 @@
+// Boxes. eps = 2^-52; e, f are the errors of plane rows (plane_table.h), |n| <= 1.
+//   three planes  w = det3, off by ew = 6 sum e (plane_signs.cpp). x_i = -sum d m_i with minors
+//                 m_i, off by at most e_a + e_b + 6 eps, |m_i| <= 2: off by ex = 4 (sum e)(sum |d|)
+//                 + 4 sum f, where the slack of a factor 2 pays for the roundings.
+//   line x plane  t = s(a) / (s(a) - s(b)), with s off by es (side of an input point,
+//   point3_signs.cpp). quotients     |x/w - x'/w'| <= (ex + |x'/w'| ew) / (|w'| - ew); with ew <=
+//   |w'| / 2 at most
+//                 2 (ex + |x'/w'| ew) / |w'|, and 2 eps |x'/w'| for the division.
+//
+// The direction u of a point of the frame is the point of the planes' rows in units of R
+// (filter_stages.h), so that the first and last of these hold for it as they stand. Of a line from
+// a to b it is d (a - b) / n.(b - a), and n is an axis: quotients of two differences, each off by 3
+// eps of itself at most.
+
+#include "plumb/predicates/space/point3_table.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "plumb/predicates/space/filter_stages.h"
+#include "plumb/predicates/space/point3_exact.h"
+
+namespace plumb {
+
+namespace {
+
+constexpr double kTooWide = 0x1p-34;  // of the coordinates: then the exact rung gives the box
+static_assert(kTooWide <= kDirectionError);
+constexpr double kRounding = 0x1p-48;
+constexpr double kTiny = 0x1p-960;
+constexpr PointBox kEverywhere = {{}, std::numeric_limits<double>::infinity()};
+
+double max_abs(const std::array<double, 3>& v) {
+  return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
+}
+
+/// Is the box worth keeping? (False for NaNs.)
+bool is_good(const PointBox& box) {
+  return box.radius <= kTooWide * max_abs(box.mid) && box.radius < 0x1p900;
+}
+
+/// Of a point of the frame, from a box around its direction.
+PointBox far_from(const PointBox& direction) {
+  if (!is_good(direction)) return kEverywhere;
+  return {direction.mid, std::numeric_limits<double>::infinity()};
+}
+
+using Row = std::array<double, 3>;
+
+Row cross(const Row& a, const Row& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double sum(float a, float b, float c) {
+  return static_cast<double>(a) + static_cast<double>(b) + static_cast<double>(c);
+}
+
+/// Not good when the planes do not surely meet in one point.
+PointBox fast_box(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r) {
+  const Row qr = cross(q.n, r.n), rp = cross(r.n, p.n), pq = cross(p.n, q.n);
+  const double w = pq[0] * r.n[0] + pq[1] * r.n[1] + pq[2] * r.n[2];
+  const double e = sum(p.normal_error, q.normal_error, r.normal_error), ew = 6 * e;
+  PointBox box = kEverywhere;
+  if (!(ew <= std::fabs(w) / 2)) return box;
+  const double inverse = -1 / w;
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.mid[i] = (p.d * qr[i] + q.d * rp[i] + r.d * pq[i]) * inverse;
+  }
+  const double offsets = std::fabs(p.d) + std::fabs(q.d) + std::fabs(r.d);
+  const double ex = 4 * e * offsets + 4 * sum(p.offset_error, q.offset_error, r.offset_error);
+  const double largest = max_abs(box.mid);
+  box.radius =
+      2 * (ex + largest * ew) * std::fabs(inverse) * (1 + kRounding) + kRounding * largest + kTiny;
+  return box;
+}
+
+/// s(a) and its error.
+struct Value {
+  double value;
+  double error;
+};
+
+Value value_at(const PlaneRow& plane, const Point3& a) {
+  const double size = std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);
+  return {plane.n[0] * a.x + plane.n[1] * a.y + plane.n[2] * a.z + plane.d,
+          static_cast<double>(plane.normal_error) * size + static_cast<double>(plane.offset_error)};
+}
+
+/// Not good when the line does not surely cut the plane. |t| <= 2^30 keeps a + t (b - a) tame.
+PointBox fast_box(const Point3& a, const Point3& b, const PlaneRow& plane) {
+  const Value at_a = value_at(plane, a), at_b = value_at(plane, b);
+  const double w = at_a.value - at_b.value;
+  const double ew = at_a.error + at_b.error + kRounding * std::fabs(w);
+  PointBox box = kEverywhere;
+  if (!(ew <= std::fabs(w) / 2)) return box;
+  const double t = at_a.value / w;
+  const double et = 2 * (at_a.error + std::fabs(t) * ew) / std::fabs(w) + kRounding * std::fabs(t) +
+                    0x1p-1000;  // a flushed t
+  const std::array<double, 3> step = {b.x - a.x, b.y - a.y, b.z - a.z};
+  box.mid = {a.x + t * step[0], a.y + t * step[1], a.z + t * step[2]};
+  const double size = max_abs({a.x, a.y, a.z}) + std::fabs(t) * max_abs(step);
+  box.radius = et * max_abs(step) * (1 + kRounding) + kRounding * size + kTiny;
+  return box;
+}
+
+/// The direction of the line where the planes of the cube cut it. Not good where a difference may
+/// have lost bits to underflow or overflow.
+PointBox fast_direction(const Point3& a, const Point3& b, const PlaneRow& far) {
+  const std::array<double, 3> step = {b.x - a.x, b.y - a.y, b.z - a.z};
+  const double climb = far.n[0] * step[0] + far.n[1] * step[1] + far.n[2] * step[2];
+  if (std::isinf(far.offset_error) || !(std::fabs(climb) >= 0x1p-900)) return kEverywhere;
+  PointBox box{{-far.d * step[0] / climb, -far.d * step[1] / climb, -far.d * step[2] / climb}, 0};
+  box.radius = kRounding * max_abs(box.mid);
+  return box;
+}
+
+/// Good only if the signs of all coordinates are sure, too.
+PointBox fast_direction(const PlaneTable& planes, const PointSource& source) {
+  const auto row = [&](std::size_t i) { return far_row(planes, source.plane(i)); };
+  PointBox box = source.is_line() ? fast_direction(planes.point(source.end(0)),
+                                                   planes.point(source.end(1)), row(0))
+                                  : fast_box(row(0), row(1), row(2));
+  for (const double u : box.mid) {
+    if (!(std::fabs(u) > box.radius)) box.radius = kEverywhere.radius;
+  }
+  return box;
+}
+
+/// x 2^scale / w; both parts are off by 2^-52 at most, as is the division: 2^-50 in all.
+template <class X, class W>
+PointBox box_of(const exact3::Homogeneous<X, W>& p) {
+  const Scaled w = scaled(p.w);
+  PointBox box{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Scaled x = scaled(p.x[i]);
+    const long exponent = static_cast<long>(x.exponent) - w.exponent + p.scale;
+    if (x.mantissa == 0 || exponent < -900) continue;
+    if (exponent > 900) return kEverywhere;
+    box.mid[i] = x.mantissa / w.mantissa * power_of_two(static_cast<int>(exponent));
+  }
+  box.radius = 0x1p-50 * max_abs(box.mid);
+  const bool is_origin = exact3::sign_of(p.x[0]) == Sign::Zero &&
+                         exact3::sign_of(p.x[1]) == Sign::Zero &&
+                         exact3::sign_of(p.x[2]) == Sign::Zero;
+  if (!is_origin) box.radius += 0x1p-890;
+  return box;
+}
+
+/// Has each coordinate the sign it should have? Those below 2^-900 became 0.
+template <class X, class W>
+bool has_exact_signs(const exact3::Homogeneous<X, W>& p, const PointBox& box) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if ((exact3::sign_of(p.x[i]) == Sign::Zero) != (box.mid[i] == 0)) return false;
+  }
+  return true;
+}
+
+PointBox box_around(const RoundedPoint3& nearest) {
+  PointBox box{{nearest.at.x, nearest.at.y, nearest.at.z}, 0};
+  if (!nearest.is_exact) box.radius = 0x1p-53 * max_abs(box.mid);  // half an ulp at most
+  return box;
+}
+
+/// Of a constructed point, by exact integers; of a point of the frame around u.
+struct ExactBox {
+  Sign w;  ///< Zero: the point does not exist, and has no box
+  PointBox box;
+  bool is_nearest = false;
+};
+
+template <class Plane>
+void set_box(const exact3::PointOf<Plane>& point, const PlaneTable& planes,
+             const PointSource& source, bool is_framed, ExactBox& result) {
+  if constexpr (!std::is_same_v<Plane, exact3::BigPlane>) {
+    if (!is_framed) {
+      const auto nearest = exact3::rounded_fixed(point, planes, source);
+      if (nearest) result.box = box_around(*nearest);
+      result.is_nearest = nearest && is_good(result.box);
+      if (result.is_nearest) return;
+    }
+  }
+  result.box = box_of(point);
+  if (is_framed && !has_exact_signs(point, result.box)) result.box = kEverywhere;
+}
+
+ExactBox exact_box(const Point3Table& points, const PointSource& source) {
+  const exact3::PointOperand operand = exact3::operand(points, source);
+  const bool is_framed = exact3::has_frame(operand);
+  const auto part = is_framed ? exact3::Part::Infinite : exact3::Part::Finite;
+  ExactBox result;
+  result.w = exact3::point_ladder(
+      operand.width,
+      [&]<class Plane>() {
+        exact3::PointOf<Plane> point;
+        if (!exact3::load_point<Plane>(operand, part, point)) return FilteredSign::Unsure;
+        const Sign sign = exact3::sign_of(point.w);
+        if (sign != Sign::Zero) set_box<Plane>(point, points.planes(), source, is_framed, result);
+        return filtered(sign);
+      },
+      [](Rung) {});
+  return result;
+}
+
+}  // namespace
+
+void Point3Table::reserve(std::size_t points) {
+  boxes_.reserve(points);
+  sources_.reserve(points);
+  is_nearest_.reserve(points);
+}
+
+SpacePoint Point3Table::add_new(const PointSource& source, const PointBox& fast) {
+  if (is_good(fast)) return add(source, fast);
+  const bool is_framed = depends_on_frame(source);
+  if (is_framed) {
+    const PointBox direction = fast_direction(*planes_, source);
+    if (is_good(direction)) return add(source, far_from(direction));
+  }
+  const auto nearest = exact3::rounded_on_line(*planes_, source);
+  if (nearest) return add(source, box_around(*nearest), true);
+  const ExactBox found = exact_box(*this, source);
+  if (found.w == Sign::Zero) return {};
+  return add(source, is_framed ? far_from(found.box) : found.box, found.is_nearest);
+}
+
+SpacePoint Point3Table::add(const PointSource& source, const PointBox& box, bool is_nearest) {
+  boxes_.push_back(box);
+  sources_.push_back(source);
+  is_nearest_.push_back(is_nearest ? 1 : 0);
+  return SpacePoint::constructed(size() - 1);
+}
+
+SpacePoint Point3Table::add(PlaneId p, PlaneId q, PlaneId r) {
+  if (p == q || q == r || p == r) return {};
+  return add_new({p, q, r}, fast_box(planes_->row(p), planes_->row(q), planes_->row(r)));
+}
+
+SpacePoint Point3Table::add(InputPointId a, InputPointId b, PlaneId p) {
+  return add_new({a, b, p}, fast_box(planes_->point(a), planes_->point(b), planes_->row(p)));
+}
+
+PointBox Point3Table::near_box(SpacePoint p) const {
+  if (p.is_input() || !is_far(box(p))) return box(p);
+  const PointSource& s = source(p);
+  const auto row = [&](std::size_t i) { return near_row(*planes_, s.plane(i)); };
+  if (!s.is_line()) return fast_box(row(0), row(1), row(2));
+  return fast_box(planes_->point(s.end(0)), planes_->point(s.end(1)), row(0));
+}
+
+bool Point3Table::depends_on_frame(SpacePoint p) const {
+  return !p.is_input() && depends_on_frame(source(p));
+}
+
+bool Point3Table::depends_on_frame(const PointSource& s) const {
+  for (std::size_t i = 0; i < s.plane_count(); ++i) {
+    if (planes_->is_frame(s.plane(i))) return true;
+  }
+  return false;
+}
+
+std::uint32_t Point3Table::merge(const Point3Table& other, std::span<const PlaneId> plane_map,
+                                 std::uint32_t input_offset) {
+  const std::size_t offset = size();
+  boxes_.insert(boxes_.end(), other.boxes_.begin(), other.boxes_.end());
+  is_nearest_.insert(is_nearest_.end(), other.is_nearest_.begin(), other.is_nearest_.end());
+  sources_.reserve(boxes_.capacity());
+  for (const PointSource& source : other.sources_) {
+    sources_.push_back(
+        source.mapped([&](PlaneId p) { return plane_map[p.value()]; },
+                      [&](InputPointId p) { return InputPointId(p.value() + input_offset); }));
+  }
+  return static_cast<std::uint32_t>(offset);
+}
+
+}  // namespace plumb

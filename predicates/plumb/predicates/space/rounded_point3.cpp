@@ -1,0 +1,285 @@
+// Filter. Where three planes through input points meet, the quotient of two determinants is
+// computed with some 100 bits (nearest_quotient.h), and what lies clearly between two doubles is
+// rounded by that. Errors in u^2 terms:
+//
+//   n = (q - p) x (r - p)     products 9, their sum 6 more: 15
+//   d = -n.p                  15 + 9, two sums 12 more: 36
+//   minors n x m              15 + 15 + 9 + 6 = 45
+//   w = n.(m x k)             15 + 45 + 9 + 12 = 81
+//   x = sum of d (n x m)      36 + 45 + 9 + 12 = 102
+//
+// Where two planes go through two common points a and b, the point is a + s(a) (b - a) / (s(a) -
+// s(b)), which takes a sixth of the products and loses no bits to planes that are nearly parallel
+// to each other:
+//
+//   s = n.(x - p)             15 + 9, two sums 12 more: 36
+//   w = s(a) - s(b)           36 + 6 = 42
+//   x = s(a) (b - a)          36 + 9 = 45
+//
+// 2^7 u^2 terms is taken for w and x (nearest_quotient.h); the slack pays for the roundings of the
+// terms and for products of errors.
+//
+// Range. Coordinates are 0 or in [2^-60, 2^60], multiples of 2^-112: what comes of up to seven of
+// them (of a line: four), with what is lost on the way, is 0 or in [2^-784, 2^440]; that of x - q1
+// w, too, as |w.high| >= 2^-400 and |q1| >= 2^-200.
+
+#include "plumb/predicates/space/rounded_point3.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plumb/predicates/arithmetic/double_bits.h"
+#include "plumb/predicates/arithmetic/nearest_quotient.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/predicates/rounding.h"
+#include "plumb/predicates/space/point3_exact.h"
+
+namespace plumb {
+namespace {
+
+// ---------------------------------------------------------------- filter
+
+using twofold::difference;
+using twofold::is_divisor;
+using twofold::nearest_to;
+using twofold::negative;
+using twofold::product;
+using twofold::quotient;
+using twofold::sum;
+
+/// n.x + d = 0
+struct TwofoldPlane {
+  std::array<Twofold, 3> n;
+  Twofold d;
+};
+
+using Corners = std::array<const Point3*, 3>;
+
+std::array<double, 3> coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
+
+/// By bits where it is about equality: subnormal numbers may compare as zero.
+bool is_in_range(const Point3& p) {
+  return std::ranges::all_of(coordinates(p), [](double c) {
+    return is_equal(c, 0) || (std::fabs(c) >= 0x1p-60 && std::fabs(c) <= 0x1p60);
+  });
+}
+
+bool are_in_range(const Corners& corners) {
+  return std::ranges::all_of(corners, [](const Point3* p) { return is_in_range(*p); });
+}
+
+/// (a x b)_i
+Twofold cross_component(const std::array<Twofold, 3>& a, const std::array<Twofold, 3>& b,
+                        std::size_t i) {
+  const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+  return sum(product(a[j], b[k]), negative(product(a[k], b[j])));
+}
+
+std::array<Twofold, 3> cross(const std::array<Twofold, 3>& a, const std::array<Twofold, 3>& b) {
+  return {cross_component(a, b, 0), cross_component(a, b, 1), cross_component(a, b, 2)};
+}
+
+std::array<Twofold, 3> between(const Point3& from, const Point3& to) {
+  return {difference(to.x, from.x), difference(to.y, from.y), difference(to.z, from.z)};
+}
+
+std::array<Twofold, 3> normal_of(const Corners& corners) {
+  return cross(between(*corners[0], *corners[1]), between(*corners[0], *corners[2]));
+}
+
+TwofoldPlane plane_through(const Corners& corners) {
+  const std::array p = coordinates(*corners[0]);
+  const std::array<Twofold, 3> n = normal_of(corners);
+  return {n, negative(sum(sum(product(n[0], p[0]), product(n[1], p[1])), product(n[2], p[2])))};
+}
+
+/// As the next one, of the point where a line through two input points meets a plane; nothing where
+/// it may not.
+std::optional<std::array<double, 3>> clear_coordinates(const Point3& a, const Point3& b,
+                                                       const Corners& corners) {
+  const std::array<Twofold, 3> n = normal_of(corners);
+  const auto side = [&](const Point3& x) {
+    const std::array<Twofold, 3> to_x = between(*corners[0], x);
+    return sum(sum(product(n[0], to_x[0]), product(n[1], to_x[1])), product(n[2], to_x[2]));
+  };
+  const Twofold at_a = side(a), w = sum(at_a, negative(side(b)));
+  if (!is_divisor(w)) return {};
+  const std::array<Twofold, 3> step = between(a, b);
+  const std::array<double, 3> from = coordinates(a);
+  std::array<double, 3> found;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    found[axis] = nearest_to(sum(from[axis], quotient(product(at_a, step[axis]), w)));
+  }
+  return found;
+}
+
+/// Of the point of three planes, coordinates that are clear and not exact; the others are 0.
+std::array<double, 3> clear_coordinates(const std::array<Corners, 3>& corners) {
+  std::array<TwofoldPlane, 3> planes;
+  std::transform(corners.begin(), corners.end(), planes.begin(), plane_through);
+  std::array<std::array<Twofold, 3>, 3> minors;  // of the two planes after each
+  for (std::size_t i = 0; i < 3; ++i) {
+    minors[i] = cross(planes[(i + 1) % 3].n, planes[(i + 2) % 3].n);
+  }
+  const auto combination = [](const auto& factor, const auto& vector) {
+    return sum(sum(product(factor(0), vector(0)), product(factor(1), vector(1))),
+               product(factor(2), vector(2)));
+  };
+  const Twofold w = combination([&](std::size_t i) { return planes[0].n[i]; },
+                                [&](std::size_t i) { return minors[0][i]; });
+  std::array<double, 3> found;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Twofold x = combination([&](std::size_t i) { return planes[i].d; },
+                                  [&](std::size_t i) { return minors[i][axis]; });
+    found[axis] = nearest_to(quotient(negative(x), w));
+  }
+  return found;
+}
+
+/// Of a plane, if it goes through input points.
+std::optional<Corners> corners_of(const PlaneTable& planes, PlaneId plane) {
+  const PlaneSource& source = planes.source(plane);
+  if (source.is_explicit()) return {};
+  Corners corners;
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = &planes.points()[source.code[i]];
+  return corners;
+}
+
+const double& along(const Point3& p, std::size_t axis) {
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+/// What all points of a plane through input points have along an axis; nothing if they differ.
+const double* coordinate_across(const PlaneTable& planes, PlaneId plane, std::size_t axis) {
+  const std::optional<Corners> corners = corners_of(planes, plane);
+  if (!corners) return nullptr;
+  const double& c = along(*(*corners)[0], axis);
+  const bool is_across =
+      is_equal(c, along(*(*corners)[1], axis)) && is_equal(c, along(*(*corners)[2], axis));
+  return is_across ? &c : nullptr;
+}
+
+/// The same of the points of a line.
+const double* coordinate_along(const PlaneTable& planes, const PointSource& source,
+                               std::size_t axis) {
+  if (!source.is_line()) return nullptr;
+  const double& c = along(planes.point(source.end(0)), axis);
+  return is_equal(c, along(planes.point(source.end(1)), axis)) ? &c : nullptr;
+}
+
+/// Of the three planes that define a point, if all go through input points within range.
+std::optional<std::array<Corners, 3>> corners_of_planes(const PlaneTable& planes,
+                                                        const PointSource& source) {
+  std::array<Corners, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::optional<Corners> found = corners_of(planes, source.plane(i));
+    if (!found || !are_in_range(*found)) return {};
+    corners[i] = *found;
+  }
+  return corners;
+}
+
+// ---------------------------------------------------------------- fixed widths
+
+/// False if the width is less than the operand's, or a scale breaks it.
+template <class W>
+bool round_in(const exact3::PointOperand& operand, const Point3Table& points, SpacePoint x,
+              std::optional<RoundedPoint3>& rounded) {
+  using Plane = exact3::FixedPlane<W>;
+  exact3::PointOf<Plane> point;
+  if (operand.width > W::kIndex ||
+      !exact3::load_point<Plane>(operand, exact3::Part::Finite, point)) {
+    return false;
+  }
+  rounded = exact3::rounded_fixed(point, points.planes(), points.source(x));
+  return true;
+}
+
+// ---------------------------------------------------------------- exactly
+
+/// Rounding divides; that a common factor is left in numerator and denominator does not matter
+/// there.
+RoundedDouble round_quotient(Integer& numerator, Integer& denominator, Rational& scratch) {
+  mpq_ptr q = scratch.mpq();
+  mpz_swap(mpq_numref(q), numerator.mpz());
+  mpz_swap(mpq_denref(q), denominator.mpz());
+  const RoundedDouble result = round_to_double(scratch);
+  mpz_swap(mpq_numref(q), numerator.mpz());
+  mpz_swap(mpq_denref(q), denominator.mpz());
+  return result;
+}
+
+}  // namespace
+
+std::optional<RoundedPoint3> exact3::with_coordinates_across(std::array<double, 3> clear,
+                                                             const PlaneTable& planes,
+                                                             const PointSource& source) {
+  bool is_exact = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (clear[axis] != 0) {
+      is_exact = false;
+      continue;
+    }
+    const double* only = nullptr;
+    for (std::size_t i = 0; i < source.plane_count() && only == nullptr; ++i) {
+      only = coordinate_across(planes, source.plane(i), axis);
+    }
+    if (only == nullptr) only = coordinate_along(planes, exact3::as_line(planes, source), axis);
+    if (only == nullptr) return {};
+    clear[axis] = is_equal(*only, 0) ? 0 : *only;  // not -0.0
+  }
+  return RoundedPoint3{{clear[0], clear[1], clear[2]}, is_exact};
+}
+
+std::optional<RoundedPoint3> exact3::rounded_on_line(const PlaneTable& planes,
+                                                     const PointSource& source) {
+  const PointSource line = as_line(planes, source);
+  if (!line.is_line() || !rounds_to_nearest()) return {};
+  const std::optional<Corners> corners = corners_of(planes, line.plane(0));
+  const Point3 &a = planes.point(line.end(0)), &b = planes.point(line.end(1));
+  if (!corners || !are_in_range(*corners) || !is_in_range(a) || !is_in_range(b)) return {};
+  const auto clear = clear_coordinates(a, b, *corners);
+  if (!clear) return {};
+  return with_coordinates_across(*clear, planes, source);
+}
+
+std::optional<RoundedPoint3> rung::rounded_filter(const Point3Table& points, SpacePoint x) {
+  const PlaneTable& planes = points.planes();
+  const PointSource& source = points.source(x);
+  auto rounded = exact3::rounded_on_line(planes, source);
+  if (rounded || source.is_line() || !rounds_to_nearest()) return rounded;
+  const auto corners = corners_of_planes(planes, source);
+  if (!corners) return {};
+  return exact3::with_coordinates_across(clear_coordinates(*corners), planes, source);
+}
+
+std::optional<RoundedPoint3> rung::rounded_fixed(const Point3Table& points, SpacePoint x) {
+  const exact3::PointOperand operand = exact3::operand(points, x);
+  std::optional<RoundedPoint3> rounded;
+  round_in<exact3::Narrow>(operand, points, x, rounded) ||
+      round_in<exact3::Medium>(operand, points, x, rounded) ||
+      round_in<exact3::Wide>(operand, points, x, rounded);
+  return rounded;
+}
+
+RoundedPoint3 rung::rounded_exact(const Point3Table& points, SpacePoint x) {
+  IntegerRow row = homogeneous(points, x);
+  Rational scratch;
+  std::array<RoundedDouble, 3> c;
+  for (std::size_t i = 0; i < 3; ++i) c[i] = round_quotient(row[i], row[3], scratch);
+  const auto is_exact = [&](std::size_t i) { return c[i].error == Sign::Zero; };
+  return {{c[0].value, c[1].value, c[2].value}, is_exact(0) && is_exact(1) && is_exact(2)};
+}
+
+RoundedPoint3 rounded(const Point3Table& points, SpacePoint x) {
+  if (x.is_input()) return {points.planes().point(x.input()), true};
+  if (points.is_nearest(x)) {
+    const PointBox box = points.box(x);
+    return {{box.mid[0], box.mid[1], box.mid[2]}, box.radius == 0};
+  }
+  std::optional<RoundedPoint3> clear = rung::rounded_filter(points, x);
+  if (!clear) clear = rung::rounded_fixed(points, x);
+  return clear ? *clear : rung::rounded_exact(points, x);
+}
+
+}  // namespace plumb
