@@ -43,8 +43,8 @@ PieceCounts write_pieces(std::span<const Nef2> pieces, const PlaneWindow& window
 
 namespace {
 
-constexpr double kVisiblePiece = 1.2;
-constexpr std::size_t kMaxPiecePoints = 400000;
+constexpr double kVisible = 1.2;
+constexpr std::size_t kMaxPoints = 400000;
 
 /// The marked faces in picture units.
 PathData path_of(const Nef2& piece, const PlaneWindow& window, const View& view) {
@@ -57,7 +57,7 @@ PathData path_of(const Nef2& piece, const PlaneWindow& window, const View& view)
     for (const std::vector<VertexId>& ring : face_rings(c, FaceId(f))) {
       const std::vector<Point2> places = points_of(ring, at);
       const Rectangle box = box_of(places);
-      if (std::max(box.width(), box.height()) >= kVisiblePiece) append_ring(places, path);
+      if (std::max(box.width(), box.height()) >= kVisible) append_ring(places, path);
     }
   }
   return path;
@@ -75,7 +75,7 @@ PieceCounts write_pieces(std::span<const Nef2> pieces, const PlaneWindow& window
     const PathData path = path_of(is_cut ? cut_at(pieces[i], window) : pieces[i], window, view);
     if (path.empty()) continue;
     points += path.points();
-    if (points > kMaxPiecePoints) {
+    if (points > kMaxPoints) {
       ++counts.left_out;
       continue;
     }
@@ -97,8 +97,6 @@ constexpr double kFadingMargin = 0.34;  // of the longer side; the faded part li
 constexpr double kFaded = 0.17;         // of the frame, at each side
 constexpr double kEdgeWidth = 2.6;
 constexpr double kDotRadius = 5;
-constexpr double kVisible = 1.2;
-constexpr std::size_t kMaxPoints = 400000;
 constexpr std::size_t kMaxDots = 5000;
 constexpr std::size_t kFewDots = 120;  // beyond: only dots that say more than the edges do
 constexpr std::size_t kLongNumber = 24;

@@ -135,7 +135,7 @@ namespace {
 using detail::Scratch2;
 using detail::sign_of_mpz;
 
-constexpr double kMixedEps = 0x1p-52;
+constexpr double kEps = 0x1p-52;
 
 double largest_coordinate(const Point2& p) { return std::max(std::fabs(p.x), std::fabs(p.y)); }
 
@@ -149,7 +149,7 @@ FilteredSign cross_filter(const Point2& a, const Point2& b, const Point2& c, con
   const double det = left - right;
   const double permanent = std::fabs(left) + std::fabs(right);
   const double sum = std::fabs(ux) + std::fabs(uy) + std::fabs(vx) + std::fabs(vy);
-  const double bound = kMixedEps * (8 * permanent + 2 * m * (sum + 18 * kMixedEps * m)) + 0x1p-600;
+  const double bound = kEps * (8 * permanent + 2 * m * (sum + 18 * kEps * m)) + 0x1p-600;
   if (!(m <= 0x1p303) || !(std::fabs(det) > bound)) return FilteredSign::Unsure;
   return det > 0 ? FilteredSign::Positive : FilteredSign::Negative;
 }
@@ -250,7 +250,6 @@ using detail::sign_of_mpz;
 using detail::to_rational;
 using detail::Triple;
 
-constexpr double kEps = 0x1p-52;
 constexpr double kLargest = 0x1p200;
 constexpr double kLargestParameter = 0x1p100;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -243,8 +243,6 @@ PlaneShapes read_wkt(std::string_view text, const ReadOptions& options, Context&
 
 namespace {
 
-char upper_letter(char c) { return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-
 class WktWriter : public ShapeWriter {
  public:
   WktWriter(std::ostream& out, const PlaneShapes& shapes, Context& context)
@@ -259,7 +257,7 @@ class WktWriter : public ShapeWriter {
   }
   void begin_geometry(std::string_view name, bool is_multiple) override {
     std::string upper_case(name);
-    std::transform(name.begin(), name.end(), upper_case.begin(), upper_letter);
+    std::transform(name.begin(), name.end(), upper_case.begin(), upper);
     out_ << (is_multiple ? "MULTI" : "") << upper_case << ' ';
   }
   void end_geometry() override {}
