@@ -27,13 +27,14 @@ def listing(folder, title):
     (folder / "index.md").write_text(f"# {title}\n\n" + "".join(f"- [{n}]({n})\n" for n in names))
 
 
-def staged(target):
-    """Where a link of a page in docs/ leads in PAGES."""
-    if re.match(r"[a-z]+:", target):
-        return target
-    file = pathlib.Path(os.path.normpath(docs / target))
-    inside = file.is_relative_to(docs)
-    place = file.relative_to(docs) if inside else pathlib.Path("tree") / file
+def place_of(file):
+    """Where a file of the tree lies in PAGES."""
+    return file.relative_to(docs) if file.is_relative_to(docs) else pathlib.Path("tree") / file
+
+
+def copy(file):
+    """A file or folder that lies outside docs/, in PAGES; answers the page to link to."""
+    place = place_of(file)
     to = pages / place
     if file.is_dir():
         shutil.copytree(file, to, dirs_exist_ok=True)
@@ -43,19 +44,33 @@ def staged(target):
         if not any(p.is_file() for p in file.iterdir()):
             first = sorted(p for p in to.iterdir() if p.is_dir())
             (to / "index.md").write_text(f"# {place}\n\n" + "".join(f"- [{p.name}]({p.name}/index.md)\n" for p in first))
-        return f"{place}/index.md"
-    if not inside:
+        return place / "index.md"
+    if not to.exists():
         to.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(file, to)
-    return str(place)
+        if file.suffix == ".md":
+            link_page(file)
+    return place
+
+
+def link_page(page):
+    """Lets the links of a page lead to where the files lie in PAGES."""
+
+    def link(match):
+        if re.match(r"[a-z]+:", match[2]):
+            return match[0]
+        file = pathlib.Path(os.path.normpath(page.parent / match[2]))
+        to = os.path.relpath(copy(file), place_of(page).parent)
+        return match[1] + to + (match[3] or "") + match[4]
+
+    (pages / place_of(page)).write_text(LINK.sub(link, page.read_text()))
 
 
 def stage():
     shutil.copytree(docs, pages)
     shutil.copytree(api, pages / "api")
-    for page in sorted(docs.glob("*.md")):
-        text = LINK.sub(lambda m: m[1] + staged(m[2]) + (m[3] or "") + m[4], page.read_text())
-        (pages / page.name).write_text(text)
+    for page in sorted(docs.rglob("*.md")):
+        link_page(page)
     (pages / "narrow.css").write_text(NARROW)
     index = (pages / "index.md").read_text()
     (pages / "index.md").write_text(index + "\n[The interface](api/index.html), class by class.\n")
@@ -76,7 +91,7 @@ def build():
     }
     config = pages.parent / "mkdocs.yml"
     config.write_text(json.dumps(settings))  # JSON is YAML
-    subprocess.run([sys.argv[4], "build", "--quiet", "--strict", "--config-file", str(config)], check=True)
+    subprocess.run([sys.argv[4], "build", "--strict", "--config-file", str(config)], check=True)
 
 
 def navigation():
