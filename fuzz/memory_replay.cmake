@@ -5,7 +5,7 @@
 add_library(memory_readers STATIC EXCLUDE_FROM_ALL)
 # By name, wherever the files are; a name that is gone shows at link time.
 set(memory_names
-  context error files map_io mesh_formats number_reader obj off ply ply_header record_reader
+  context error files map_io mesh_formats obj off ply record_reader
   svg_outline svg_reader svg_syntax input_cursors text_output determinants input_predicates
   point2_exact point_table2 rational rounding)
 list(JOIN memory_names "|" memory_names)

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "naive_predicates.h"
-#include "plumb/predicates/line_signs.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/space/point3_table.h"

@@ -72,7 +72,7 @@ NefSphere scattered_triangles(std::size_t count) {
   map.face_mark.push_back(0);
   for (std::size_t i = 0; i < count; ++i) add_triangle(*planes, map, triangle_at(i, count));
   map.point_mark.assign(map.point_count(), 1);
-  map.point_face.assign(map.point_count(), SphereMap::kNone);
+  map.point_face.assign(map.point_count(), kNone);
   map.arc_mark.assign(map.arc_count(), 1);
   return NefSphere::from_minimal_unchecked({std::move(planes), std::move(map)});
 }

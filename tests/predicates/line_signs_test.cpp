@@ -1,6 +1,4 @@
 // Lines of two planes against their Plücker coordinates in cpp_int.
-#include "plumb/predicates/line_signs.h"
-
 #include <gtest/gtest.h>
 
 #include <array>

@@ -9,7 +9,6 @@
 #include <string>
 #include <thread>
 
-#include "plumb/predicates/line_signs.h"
 #include "plumb/predicates/plane/plane_points.h"
 #include "plumb/predicates/plane/query2.h"
 #include "plumb/predicates/plane_signs.h"

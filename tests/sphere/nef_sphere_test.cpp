@@ -179,7 +179,7 @@ TEST(NefSphere, TakesTheMapOfAnyPointOfSpace) {
   SphereMap map;
   map.circle = {p};
   map.arc_mark = {kBeyond};
-  map.origin = {SphereMap::kNone, SphereMap::kNone};
+  map.origin = {kNone, kNone};
   map.next = {0, 1};
   map.face = {0, 1};
   map.face_mark = {1, kBeyond};
@@ -249,7 +249,7 @@ TEST(SphereAudit, NamesTheInvariantBroken) {
   std::uint32_t island = 0;  // an arc of the triangle
   while (sound.is_loop(island)) ++island;
   std::uint32_t lone = 0;
-  while (sound.first_out[lone] != SphereMap::kNone) ++lone;
+  while (sound.first_out[lone] != kNone) ++lone;
   const std::uint32_t other_face = (sound.point_face[lone] + 1) % 3;
   const Damage damages[] = {
       {"arrays of points have one size", [](SphereMap& m) { m.point_mark.pop_back(); }},
@@ -266,7 +266,7 @@ TEST(SphereAudit, NamesTheInvariantBroken) {
       {"points are different",
        [&](SphereMap& m) {
          for (std::uint32_t v = 0; v < m.point_count(); ++v) {
-           if (v != lone && m.first_out[v] == SphereMap::kNone) m.direction[v] = m.direction[lone];
+           if (v != lone && m.first_out[v] == kNone) m.direction[v] = m.direction[lone];
          }
        }},
       {"boundaries of one face name it", [&](SphereMap& m) { m.point_face[lone] = other_face; }},
@@ -293,8 +293,8 @@ TEST(SphereAudit, FindsEveryChangedLink) {
         SphereMap damaged = sound;
         (damaged.*member)[i] = value;
         const bool is_another_start = member == &SphereMap::first_out &&
-                                      sound.first_out[i] != SphereMap::kNone &&
-                                      value < sound.origin.size() && sound.origin[value] == i;
+                                      sound.first_out[i] != kNone && value < sound.origin.size() &&
+                                      sound.origin[value] == i;
         EXPECT_EQ(audit(planes, damaged, true).has_value(), !is_another_start)
             << name << '[' << i << "] = " << value;
       }

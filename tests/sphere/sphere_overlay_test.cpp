@@ -53,7 +53,7 @@ class Family {
     map.circle = {plane.plane()};
     const auto mark = [](bool is_in) { return static_cast<Mark>(is_in ? 1 : 0); };
     map.arc_mark = {mark(on)};
-    map.origin = {SphereMap::kNone, SphereMap::kNone};
+    map.origin = {kNone, kNone};
     map.next = {0, 1};
     map.face = {0, 1};
     map.face_mark = {mark(plane.is_opposite() ? below : above),

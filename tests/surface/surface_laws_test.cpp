@@ -33,7 +33,7 @@ long characteristic(const SurfaceDivision& d) {
   const SurfaceArrangement& a = d.arrangement();
   const SurfaceMesh& m = d.mesh();
   const auto is_whole = [&](HalfedgeId h) {
-    return a.slot_of_face[SurfaceMesh::face(h).value()] == SurfaceArrangement::kNone;
+    return a.slot_of_face[SurfaceMesh::face(h).value()] == kNone;
   };
   // Nodes that no half-edge starts in, points of polygons that are not there, do not count.
   std::vector<std::uint8_t> is_node(a.node_count());
@@ -52,7 +52,7 @@ long characteristic(const SurfaceDivision& d) {
   // A piece with holes is no disk.
   long faces = static_cast<long>(2 * a.piece_count()) - static_cast<long>(a.loop.size());
   for (const std::uint32_t slot : a.slot_of_face) {
-    if (slot == SurfaceArrangement::kNone) ++faces;
+    if (slot == kNone) ++faces;
   }
   return vertices - edges + faces;
 }

@@ -35,7 +35,7 @@ void expect_triangulation(const SurfaceDivision& d, const SurfaceTriangulation& 
   std::size_t border = 0;
   for (std::uint32_t s = 0; s < 3 * t.triangles.size(); ++s) {
     const std::uint32_t o = t.across[s];
-    if (o == SurfaceTriangulation::kNone) {
+    if (o == kNone) {
       ++border;
       continue;
     }
@@ -83,7 +83,7 @@ void expect_delaunay(const SurfaceDivision& d, const SurfaceTriangulation& t) {
   };
   for (std::uint32_t s = 0; s < 3 * t.triangles.size(); ++s) {
     const std::uint32_t o = t.across[s];
-    if (o == SurfaceTriangulation::kNone || t.arc[s].is_valid()) continue;
+    if (o == kNone || t.arc[s].is_valid()) continue;
     const FaceId f = t.face[s / 3];
     if (t.face[o / 3] != f) continue;
     const SurfaceTriangle& c = t.triangles[s / 3];

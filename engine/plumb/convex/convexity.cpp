@@ -16,7 +16,7 @@
 #include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/mesh/mesh_vertices.h"
-#include "plumb/space/planar/nest_cycles.h"
+#include "plumb/space/planar/facet_site.h"
 #include "plumb/space/space_complex.h"
 
 namespace plumb {
@@ -137,7 +137,6 @@ class StarTest {
   }
 
  private:
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   static constexpr std::size_t kStride = 4096;  // faces between checkpoints
 
   void checkpoint(std::size_t f) const {

@@ -3,7 +3,7 @@
 //
 // Main flow of read_map:
 //  1. read_counts    reads the header and checks its counts against the bytes that follow
-//  2. read_vertices  reads exactly two numbers from each line (number_reader.h)
+//  2. read_vertices  reads exactly two numbers from each line (record_reader.h)
 //  3. read_faces     reads at least three ids from each line, all in range, with no vertex twice in
 //                    a row and not all vertices on one line of the plane (decided exactly)
 //  4. end            accepts only blank lines and comments after the faces

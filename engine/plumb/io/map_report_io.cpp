@@ -29,7 +29,6 @@ class CornerNumbers {
   }
 
  private:
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   MapEdges edges_;
   std::vector<std::uint32_t> corner_of_;
 };

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "plumb/io/solid/nef3_links.h"
+#include "plumb/io/solid/solid_text.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/predicates/error.h"

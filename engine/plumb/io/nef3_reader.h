@@ -4,7 +4,7 @@
 //  1. header       reads `plumb-nef3 1` and the counts, and checks the counts against the bytes
 //  2. records      reads planes, points, vertices, edges, edge uses, facets, volumes and `end`
 //  3. check_links  checks that every reference between records is in range and that redundant
-//                  references agree (nef3_links.h), so that code that follows references cannot
+//                  references agree (solid_text.h), so that code that follows references cannot
 //                  leave the arrays or loop forever
 //
 // The reader does not check that the records form a complex, where points lie or in which order

@@ -6,7 +6,6 @@
 #include "plumb/picture/svg/sheet.h"
 #include "plumb/plane/plane_measure.h"
 #include "plumb/space/complex/space_tables.h"
-#include "plumb/space/planar/flat_points.h"
 #include "plumb/space/planar/triangulate.h"
 
 namespace plumb {

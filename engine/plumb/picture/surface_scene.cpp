@@ -121,12 +121,10 @@ class SurfaceSceneMaker {
   template <class Visit>
   void for_sides(const Visit& visit) const {
     for (std::uint32_t s = 0; s < in_.across.size(); ++s) {
-      if (in_.across[s] == SurfaceTriangulation::kNone || s < in_.across[s]) visit(s);
+      if (in_.across[s] == kNone || s < in_.across[s]) visit(s);
     }
   }
-  bool has_other(std::uint32_t side) const {
-    return in_.across[side] != SurfaceTriangulation::kNone;
-  }
+  bool has_other(std::uint32_t side) const { return in_.across[side] != kNone; }
   void add_line(std::uint32_t side, Paint paint, std::uint8_t layers) {
     const Scene::Triangle& t = scene_.triangles[side / 3];
     const std::uint32_t other =

@@ -213,10 +213,10 @@ void MapChecker::trace_faces() {
 void MapChecker::find_nested(const std::vector<std::uint32_t>& parent) {
   const MapOrbits& orbits = findings_.orbits;
   for (std::uint32_t c = 0; c < parent.size(); ++c) {
-    if (parent[c] == MapOrbits::kNone) continue;
+    if (parent[c] == kNone) continue;
     const std::uint32_t container = orbits.orbits[parent[c]].cycle;
     const bool is_listed = orbits.orbits[orbits.outside[c]].complete;
-    if (container != MapOrbits::kNone && !is_listed) findings_.nested.push_back({c, container});
+    if (container != kNone && !is_listed) findings_.nested.push_back({c, container});
   }
   counts().nested = findings_.nested.size();
 }
@@ -226,7 +226,7 @@ void MapChecker::find_nested(const std::vector<std::uint32_t>& parent) {
 void MapChecker::collect_regions(const std::vector<std::uint32_t>& parent) {
   const MapOrbits& orbits = findings_.orbits;
   std::vector<std::uint32_t> region_of(map().cycle_count(), 0);
-  std::vector<std::uint32_t> orbit_of(map().cycle_count(), MapOrbits::kNone);
+  std::vector<std::uint32_t> orbit_of(map().cycle_count(), kNone);
   for (std::uint32_t i = 0; i < findings_.edges.at_corner.size(); ++i) {
     const std::uint32_t h = findings_.edges.at_corner[i];
     orbit_of[findings_.edges.cycle_of[h]] = orbits.of_halfedge[h];
@@ -241,8 +241,7 @@ void MapChecker::collect_regions(const std::vector<std::uint32_t>& parent) {
     if (orbits.orbits[orbit_of[c]].counterclockwise) continue;
     const std::uint32_t component = findings_.components.of_vertex[map().cycle(c).front()];
     const std::uint32_t around = parent[component];
-    const bool in_face =
-        around != MapOrbits::kNone && orbits.orbits[around].cycle != MapOrbits::kNone;
+    const bool in_face = around != kNone && orbits.orbits[around].cycle != kNone;
     report_.regions[in_face ? region_of[orbits.orbits[around].cycle] : 0].holes.push_back(c);
   }
 }

@@ -331,7 +331,7 @@ class Writing {
       above = o_.volumes(above);
       below = o_.volumes(below);
     }
-    out.facet_origin.assign(c_.facet_count(), SphereMap::kNone);
+    out.facet_origin.assign(c_.facet_count(), kNone);
     for (const UseId first : o_.cycles) out.cycle.push_back(o_.uses(first));
     out.cycle_begin = out.inner_begin = {0};
     for (const FacetId f : o_.facets.ids()) {

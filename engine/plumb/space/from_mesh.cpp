@@ -9,7 +9,6 @@
 #include "plumb/space/mesh/link_facets.h"
 #include "plumb/space/mesh/mesh_crossings.h"
 #include "plumb/space/mesh/mesh_facets.h"
-#include "plumb/space/mesh/mesh_fans.h"
 #include "plumb/space/mesh/mesh_topology.h"
 #include "plumb/space/mesh/mesh_vertices.h"
 
@@ -47,7 +46,7 @@ void describe_components(const MeshFacets& facets, MeshComplex& result) {
   for (const Sign s : components.volume) {
     result.is_inside_out.push_back(s == Sign::Negative ? 1 : 0);
   }
-  std::vector<std::uint32_t> least(components.volume.size(), MeshVertices::kNone);  // input face
+  std::vector<std::uint32_t> least(components.volume.size(), kNone);  // input face
   for (std::uint32_t f = 0; f < facets.size(); ++f) {
     least[result.component[f]] = std::min(least[result.component[f]], facets.origin[f]);
   }

@@ -122,7 +122,7 @@ struct MeshComplex {
   std::vector<std::uint8_t> is_inside_out;  ///< Per component, 1 if its volume is negative.
   /// Pairs of sheets that meet outside common vertices and edges, each once.
   std::vector<std::pair<FacetId, FacetId>> crossings;
-  std::vector<std::uint8_t> has_fan;  ///< Per vertex (mesh_fans.h); empty once volumes exist.
+  std::vector<std::uint8_t> has_fan;  ///< Per vertex (mesh_topology.h); empty once volumes exist.
   // The next two are filled by arrange().
   std::vector<std::uint32_t> sheet_begin;  ///< Starts in `sheet`, facet_count() + 1 of them.
   std::vector<std::uint32_t> sheet;        ///< The sheets that each facet lies in, ascending.

@@ -10,8 +10,6 @@ namespace plumb {
 
 namespace {
 
-constexpr std::uint32_t kNone = SphereMap::kNone;
-
 void clear(LocalMap& local) {
   local.map.clear();
   local.halfedge.clear();

@@ -14,7 +14,6 @@ namespace {
 
 using Vector3 = std::array<double, 3>;
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr std::uint64_t kBytesPerPoint = 32;   // a copy of it, and where its exact one is
 constexpr std::uint64_t kBytesPerCorner = 12;  // of faces that are near: a copy, and lists of faces
 

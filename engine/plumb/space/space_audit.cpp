@@ -5,7 +5,7 @@
 
 #include "plumb/space/audit/audit_parts.h"
 #include "plumb/space/complex/tidy_tables.h"
-#include "plumb/space/mesh/mesh_fans.h"
+#include "plumb/space/mesh/mesh_topology.h"
 
 namespace plumb {
 

@@ -32,7 +32,7 @@ struct SpaceFlaw {
 ///
 /// Cost: O(n log n + pairs of boxes that meet). A facet with k vertices, edges or holes inside it
 /// or in the box of its surface costs O(k) times the number of cycles in whose boxes they lie. A
-/// vertex of degree d around which the corners form no fan (mesh_fans.h) costs O(d^2). Memory:
+/// vertex of degree d around which the corners form no fan (mesh_topology.h) costs O(d^2). Memory:
 /// about that of the complex.
 std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal,
                                Context& context = unlimited_context());

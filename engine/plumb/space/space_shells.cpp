@@ -12,8 +12,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kNone = ShellNodes::kNone;
-
 /// An item and the root of the shell that it is on.
 template <class Item>
 using OnShell = std::pair<std::uint32_t, Item>;

@@ -11,7 +11,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr std::uint64_t kBytesPerUse = 60;
 
 template <class Visit>

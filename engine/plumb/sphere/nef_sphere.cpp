@@ -13,8 +13,6 @@ namespace plumb {
 
 namespace {
 
-constexpr std::uint32_t kNone = SphereMap::kNone;
-
 NefSphere one_face(Mark mark) {
   static const auto no_planes = std::make_shared<const PlaneTable>();
   SphereMap map;

@@ -12,8 +12,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kNone = SphereMap::kNone;
-
 class SphereAudit {
  public:
   SphereAudit(const PlaneTable& planes, const SphereMap& map) : planes_(planes), map_(map) {}

@@ -74,7 +74,6 @@ class SphereCell {
 /// A mark is 0, 1 or kBeyond (marks.h).
 struct SphereMap {
   /// Stands for no point, no half-arc or no face.
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
   // For each point:
   std::vector<SphereDirection> direction;  ///< The direction of the point; all are different.

@@ -37,7 +37,6 @@
 #include "plumb/base/context.h"
 #include "plumb/base/set_expression.h"
 #include "plumb/plane/nef2.h"
-#include "plumb/surface/surface_ids.h"
 #include "plumb/surface/surface_mesh.h"
 #include "plumb/surface/surface_path.h"
 

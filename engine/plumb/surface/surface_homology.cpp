@@ -5,7 +5,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr std::uint8_t kTree = 1;
 constexpr std::uint8_t kCotree = 2;
 constexpr std::uint64_t kFaceBytes = 80;

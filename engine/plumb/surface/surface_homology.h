@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "plumb/base/context.h"
-#include "plumb/surface/surface_ids.h"
+#include "plumb/surface/surface_mesh.h"
 #include "plumb/surface/surface_path.h"
 
 #pragma GCC visibility push(default)

@@ -15,7 +15,6 @@
 #include "plumb/predicates/rational_predicates.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/predicates/segment2.h"
-#include "plumb/space/planar/flat_points.h"
 #include "plumb/space/planar/triangulate.h"
 #include "plumb/surface/cells/surface_arrangement.h"
 #include "plumb/surface/cells/surface_cells.h"
@@ -186,7 +185,6 @@ Sign PiecePoints::incircle(std::uint32_t i, std::uint32_t j, std::uint32_t k,
 
 namespace {
 
-constexpr std::uint32_t kNone = SurfaceTriangulation::kNone;
 constexpr std::uint64_t kBytesPerTriangle = 56;  // 44 in the result, 12 for sides of the mesh
 constexpr std::uint64_t kBytesPerPoint = 32;
 
@@ -212,7 +210,7 @@ class SurfaceTriangulator {
     for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
       if (f % 4096 == 0) context.checkpoint("triangulate", f, mesh_.face_count());
       const std::uint32_t slot = a_.slot_of_face[f];
-      if (slot == SurfaceArrangement::kNone) {
+      if (slot == kNone) {
         add_whole(FaceId(f));
         continue;
       }

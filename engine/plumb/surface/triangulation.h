@@ -29,7 +29,6 @@ struct SurfaceTriangulation {
   std::vector<FaceId> face;                ///< The face of the mesh that contains each triangle.
   std::vector<std::uint32_t> across;  ///< The side of the adjacent triangle for each side; kNone.
   std::vector<ArcId> arc;             ///< The arc along each side; invalid where there is none.
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};  ///< No side: the border of the mesh.
 };
 
 /// Returns the surface in triangles, each in one cell. Throws what the context throws. O(n log n).

@@ -18,7 +18,6 @@
 #include <utility>
 
 #include "plumb/predicates/input/rung_counters.h"
-#include "plumb/predicates/line_signs.h"
 #include "plumb/predicates/space/filter_stages.h"
 
 namespace plumb {

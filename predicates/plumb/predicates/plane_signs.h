@@ -1,3 +1,34 @@
+// Predicates on lines of space, each of which is given by two planes. No line is stored. Every
+// result is exact, also for planes of the frame (docs/design/frame.md).
+//
+// turn_about_line (plane_signs.h) compares the directions in which two pairs of planes run along
+// one line.
+#pragma once
+
+#include <cstddef>
+
+#include "plumb/predicates/sign.h"
+#include "plumb/predicates/space/plane_table.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// Whether `plane` contains the common line of p and q. Requires that p and q are not parallel. The
+/// degree in input coordinates is 7. Stages: identity (`plane` is p or q, or a wall of both), the
+/// filter of det3, fixed-width integers, GMP integers.
+bool holds_line(const PlaneTable& planes, PlaneId plane, PlaneId p, PlaneId q);
+
+/// Whether the common line of p and q equals that of r and s. Requires that neither pair is
+/// parallel. Cost: at most two calls of holds_line.
+bool is_same_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s);
+
+/// Returns the fingerprint of the line's Plücker coordinates (n_p x n_q, d_p n_q - d_q n_p). Equal
+/// lines have equal fingerprints, whatever planes define them and in whatever order. Different
+/// fingerprints prove that lines differ; equal ones must be confirmed by is_same_line. Requires
+/// that p and q are not parallel. Cost: about 250 ns, mostly one modular inversion, and about 100
+/// ns more for each plane with stored exact coefficients, such as a wall.
+Fingerprint line_fingerprint(const PlaneTable& planes, PlaneId p, PlaneId q);
+
 // Predicates on planes. All of them are determinants of the canonical rows (n, d):
 //
 //   minor(p, q, i)      component i of n_p x n_q, the direction of the line of p and q
@@ -12,15 +43,6 @@
 // Medium and Wide, GMP integers. docs/design/numbers.md proves the bounds.
 // Cost: a filter takes 3 to 8 ns, a fixed width 60 to 250 ns for coordinates with full mantissas,
 // GMP 2 to 6 us.
-#pragma once
-
-#include <cstddef>
-
-#include "plumb/predicates/sign.h"
-#include "plumb/predicates/space/plane_table.h"
-
-#pragma GCC visibility push(default)
-namespace plumb {
 
 /// Returns the sign of component `axis` (0, 1 or 2) of n_p x n_q. It is Zero if the line of p and q
 /// is orthogonal to that axis, or if p and q are parallel. Swapping p and q flips the sign. Degree

@@ -10,6 +10,9 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
+/// The index of nothing, in arrays of 32-bit indices.
+inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
 /// A 32-bit index into arrays of one kind. `Tag` is any type, possibly incomplete, that names the
 /// kind. A default-constructed id is invalid. Ids are ordered by value; the invalid id is the
 /// greatest.

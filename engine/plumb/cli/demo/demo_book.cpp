@@ -1,18 +1,38 @@
 #include "plumb/cli/demo/demo_book.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
+#include "plumb/base/set_expression.h"
+#include "plumb/cli/files/outputs.h"
+#include "plumb/convex/decompose.h"
+#include "plumb/io/scene_reader.h"
+#include "plumb/io/solid/solid_text.h"
+#include "plumb/io/solid_io.h"
+#include "plumb/io/surface_writer.h"
 #include "plumb/io/text/text_output.h"
+#include "plumb/picture/space_svg.h"
+#include "plumb/picture/surface_scene.h"
+#include "plumb/picture/svg/sheet.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/space/nef3.h"
+#include "plumb/space/space_audit.h"
+#include "plumb/space/space_measure.h"
+#include "plumb/surface/surface_audit.h"
 
 namespace plumb::cli {
 namespace {
@@ -246,6 +266,292 @@ void DemoBook::finish() {
     out << "open " << page << '\n';
   });
   session_.deliver();
+}
+
+// The chapter of the demo on sets of space: two solids combined, what is open, what has no end.
+
+namespace {
+
+Rational volume_of(const Nef3& set) { return marked_volume(set.complex()).value(); }
+
+void require_sound(const Nef3& set) {
+  const auto flaw = audit(set.complex(), true);
+  if (flaw) throw std::logic_error("audit: " + flaw->invariant + " at " + flaw->place);
+}
+
+std::string written(const Nef3& set, std::string_view format, Context& context) {
+  for (const SolidFormat& f : solid_formats()) {
+    if (f.name != format) continue;
+    std::ostringstream out;
+    SolidText(set, f, context).write(out, context);
+    return std::move(out).str();
+  }
+  throw std::logic_error("no such format");
+}
+
+class SolidDemo {
+ public:
+  explicit SolidDemo(DemoBook& book) : book_(book), context_(book.session().context()) {}
+
+  void run() {
+    const Nef3 bunny = read("bunny.off"), ball = read("ball.off");
+    const Nef3 bitten = combine_both(bunny, ball);
+    find_openness(bunny, ball, bitten);
+    leave_a_mould(bunny);
+  }
+
+ private:
+  Nef3 read(const std::string& file) {
+    Nef3 set = read_solid_file(DemoBook::bundled("solids/" + file), {}, context_).set;
+    book_.step("read " + file + ": " + facts_of(set));
+    return set;
+  }
+
+  Nef3 timed(Nef3 set, const std::string& what) {
+    book_.step(what + ": " + facts_of(set));
+    return set;
+  }
+
+  /// Their volumes, as fractions of thousands of digits, must add up; and so must the sets.
+  Nef3 combine_both(const Nef3& a, const Nef3& b) {
+    const Nef3 either = timed(a + b, "united the two");
+    const Nef3 both = timed(a * b, "intersected them");
+    Nef3 rest = timed(a - b, "subtracted the second from the first");
+    for (const Nef3* set : {&either, &both, &std::as_const(rest)}) require_sound(*set);
+    book_.step("audited every invariant of the three: all hold");
+    const bool adds_up = volume_of(either) + volume_of(both) == volume_of(a) + volume_of(b) &&
+                         volume_of(rest) + volume_of(both) == volume_of(a) && rest + b == either &&
+                         (rest * b).is_empty();
+    if (!adds_up) throw std::logic_error("the parts of the solids are not the solids");
+    book_.step(
+        "union and intersection have the volume of both solids together, to the last digit: " +
+        in_full(volume_of(a) + volume_of(b)));
+    picture(either, "bunny-or-ball.svg", "The bunny and the ball", "Their union.");
+    picture(both, "bunny-and-ball.svg", "What is in both", "Their intersection.");
+    picture(rest, "bunny-without-ball.svg", "The bunny without the ball",
+            "Open where the ball was, which is closed.");
+    book_.write("bunny-without-ball.nef", written(rest, "nef", context_));
+    book_.write("bunny-without-ball.off", written(rest, "off", context_));
+    book_.step(
+        "pictured them, with pages to turn them around; wrote the last one as .nef and as a mesh");
+    return rest;
+  }
+
+  /// A corner of the ball inside the bunny: on the boundary of the difference, but not part of it.
+  void find_openness(const Nef3& bunny, const Nef3& ball, const Nef3& rest) {
+    for (const SpacePoint p : ball.complex().vertex_point) {
+      const Point3 at = ball.complex().planes().point(p.input());
+      const SpaceLocation inside = bunny.locate(at);
+      if (inside.item.kind() != SpaceItem::Kind::Volume || !inside.marked) continue;
+      const SpaceLocation before = rest.locate(at), after = rest.closure().locate(at);
+      if (before.marked || !after.marked || before.item.kind() != SpaceItem::Kind::Vertex) break;
+      std::ostringstream text;
+      text << "located (" << at.x << ", " << at.y << ", " << at.z
+           << "), a corner of the ball inside the bunny: a vertex of the difference and not in it; "
+              "in its closure";
+      book_.step(text.str());
+      return;
+    }
+    throw std::logic_error("the difference is not open where the ball was");
+  }
+
+  void leave_a_mould(const Nef3& bunny) {
+    const Nef3 below = Nef3::half_space({0, -1, 0, 0}, Boundary::Closed);
+    const Nef3 mould = timed(below - bunny, "subtracted the bunny from a half-space");
+    require_sound(mould);
+    if (mould.is_bounded() || mould + (bunny * below) != below) {
+      throw std::logic_error("the mould and its half of the bunny are not the half-space");
+    }
+    book_.step("with its half of the bunny it is the half-space again; audited");
+    picture(mould, "mould.svg", "A mould of the bunny",
+            "A half-space without the bunny: goes on to infinity, open towards the cavity.");
+    book_.step("pictured it");
+  }
+
+  void picture(const Nef3& set, const std::string& name, const std::string& title,
+               const std::string& caption) {
+    book_.add({title, name, caption, picture_of(set, Picture::Svg, title, context_), true,
+               picture_of(set, Picture::Html, title, context_)});
+  }
+
+  DemoBook& book_;
+  Context& context_;
+};
+
+}  // namespace
+
+void demonstrate_solids(DemoBook& book) {
+  book.chapter("Solids", "United, intersected, subtracted: volumes add up to the last digit.");
+  SolidDemo(book).run();
+}
+
+// The chapter of the demo on convex pieces: the five polyhedra of the cutting problem and a comb,
+// cut and moved apart.
+
+namespace {
+
+constexpr double kApart = .5;
+
+Nef3 box(const std::array<double, 3>& low, const std::array<double, 3>& high, Context& context) {
+  std::vector<HalfSpace3> sides;
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::array<double, 3> n{0, 0, 0};
+    n[i] = 1;
+    sides.push_back({{n[0], n[1], n[2], -high[i]}, Boundary::Closed});
+    sides.push_back({{-n[0], -n[1], -n[2], low[i]}, Boundary::Closed});
+  }
+  return Nef3::intersection(sides, context);
+}
+
+class ConvexDemo {
+ public:
+  explicit ConvexDemo(DemoBook& book) : book_(book), context_(book.session().context()) {}
+
+  void run() {
+    for (const char* name : {"test_zero", "test_one", "test_two", "test_three", "test_four"}) {
+      const std::string file = std::string("polyhedra/") + name + ".off";
+      show(read_solid_file(DemoBook::bundled(file), {}, context_).set, name);
+    }
+    show(comb(12), "comb");
+  }
+
+ private:
+  /// A bar with teeth along one way above, and along the other below: notches cross.
+  Nef3 comb(int teeth) {
+    std::vector<Nef3> parts{box({0, 0, -1}, {2. * teeth - 1, 2. * teeth - 1, 1}, context_)};
+    for (int i = 0; i + 1 < teeth; ++i) {
+      const double from = 2. * i + 1, to = from + 1, all = 2. * teeth - 1;
+      parts.push_back(box({from, 0, .25}, {to, all, 1}, context_));
+      parts.push_back(box({0, from, -1}, {all, to, -.25}, context_));
+    }
+    const Nef3 notches = union_of(std::span(parts).subspan(1), context_);
+    return (parts.front() - notches).closure();
+  }
+
+  void show(const Nef3& set, const std::string& name) {
+    const ConvexPieces cut = decompose(set, {}, context_);
+    const std::string pieces = counted(cut.pieces.size(), "convex piece");
+    book_.step("cut " + name + ", which has " + counted(cut.reflex_edges, "reflex edge") +
+               ", into " + pieces);
+    Rational sum = 0;
+    for (const Nef3& piece : cut.pieces) {
+      sum += marked_volume(piece.complex()).value();
+      if (!piece.closure().is_convex()) throw std::logic_error("a piece is not convex");
+    }
+    if (sum != marked_volume(set.complex()).value() || union_of(cut.pieces, context_) != set) {
+      throw std::logic_error("the pieces are not the solid");
+    }
+    book_.step("the closure of each is convex; their union is " + name +
+               ", their volumes add up to " + in_full(sum));
+    const std::string title = name + ": " + pieces;
+    book_.add({title, name + "-pieces.svg", "Cut along reflex edges, then moved apart.",
+               picture_of(cut.pieces, kApart, Picture::Svg, title, context_), true,
+               picture_of(cut.pieces, kApart, Picture::Html, title, context_)});
+    book_.step("pictured them, moved apart");
+  }
+
+  DemoBook& book_;
+  Context& context_;
+};
+
+}  // namespace
+
+void demonstrate_convex(DemoBook& book) {
+  book.chapter("Convex pieces", "None twice, nothing lost.");
+  ConvexDemo(book).run();
+}
+
+// The chapter of the demo on surfaces: polygons on a torus and on the bunny, cells, labels, a
+// Boolean.
+
+namespace {
+
+struct SurfaceExhibit {
+  std::string name;        ///< of the scene, and of files
+  std::string title;       ///< "The torus"
+  std::string expression;  ///< of the result
+};
+
+constexpr std::array<std::pair<SurfaceLayer, std::string_view>, 5> kPictures{{
+    {SurfaceLayer::Polygons, "Control points in black, crossings in red."},
+    {SurfaceLayer::Slices, "The triangles, cut along the polygons."},
+    {SurfaceLayer::Cells, "Each cell in a colour of its own."},
+    {SurfaceLayer::Labels,
+     "How often each shape winds around a cell; equal labels, equal colours."},
+    {SurfaceLayer::Result, "What the expression selects, with the control points of its border."},
+}};
+
+class SurfaceDemo {
+ public:
+  explicit SurfaceDemo(DemoBook& book) : book_(book), context_(book.session().context()) {}
+
+  void run() {
+    show({"torus", "The torus", "(A + B) - C"});
+    show({"bunny", "The bunny", "A ^ B"});
+    find_loops();
+  }
+
+ private:
+  SurfaceDivision divided(const std::string& name) {
+    SceneFile file = read_scene_file(DemoBook::bundled("scenes/" + name + ".json"), {}, context_);
+    book_.step("read " + name + ".json and traced its polygons");
+    SurfaceDivision division(std::move(file.scene), context_);
+    book_.step("divided the surface: " + facts_of(division));
+    return division;
+  }
+
+  static SurfaceResult evaluated(const SurfaceDivision& division, const std::string& expression) {
+    return division.evaluate(parse_set_expression(expression), WindingRule::EvenOdd);
+  }
+
+  void show(const SurfaceExhibit& exhibit) {
+    const SurfaceDivision division = divided(exhibit.name);
+    if (const auto flaw = audit(division)) throw std::logic_error("audit: " + *flaw);
+    const auto same = [&](const std::string& a, const std::string& b) {
+      return evaluated(division, a).region.is_selected == evaluated(division, b).region.is_selected;
+    };
+    if (!same("!(A + B)", "!A * !B") || !same("A ^ B", "(A - B) + (B - A)")) {
+      throw std::logic_error("the laws of sets do not hold on the surface");
+    }
+    book_.step("audited every invariant: all hold, and so do De Morgan's laws");
+    const SurfaceResult result = evaluated(division, exhibit.expression);
+    book_.step(exhibit.expression + " selects " + counted(result.region.cells, "cell") +
+               ", bounded by " + counted(result.borders.size(), "loop"));
+    for (const auto& [layer, caption] : kPictures) {
+      const std::string what = layer_name(layer);
+      const auto drawn = [&, shown = layer](Picture kind) {
+        return picture_of(division, &result, shown, kind, exhibit.title, context_);
+      };
+      // The page has all layers.
+      const std::string page = layer == SurfaceLayer::Labels ? drawn(Picture::Html) : "";
+      book_.add({exhibit.title + ": " + what, exhibit.name + '-' + what + ".svg",
+                 std::string(caption), drawn(Picture::Svg), true, page});
+    }
+    book_.step("pictured the five stages; wrote a page to turn them around");
+  }
+
+  /// A meridian and a longitude: neither has an inside, and a cycle of cells proves it.
+  void find_loops() {
+    const SurfaceDivision division = divided("torus-loops");
+    for (std::uint32_t s = 0; s < division.shape_count(); ++s) {
+      const Separation& separation = division.shape_separation(s);
+      if (separation.over_z || separation.mod_2 || separation.cycle.empty()) {
+        throw std::logic_error("a loop around a handle separates the torus");
+      }
+    }
+    book_.step("found that neither the meridian nor the longitude separates the torus");
+  }
+
+  DemoBook& book_;
+  Context& context_;
+};
+
+}  // namespace
+
+void demonstrate_surfaces(DemoBook& book) {
+  book.chapter("Polygons on surfaces",
+               "The cells they make, how often each winds around them, what a Boolean selects.");
+  SurfaceDemo(book).run();
 }
 
 }  // namespace plumb::cli

@@ -17,7 +17,7 @@
 #include "plumb/io/solid_io.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/input_cursors.h"
-#include "plumb/io/text/number_reader.h"
+#include "plumb/io/text/record_reader.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"

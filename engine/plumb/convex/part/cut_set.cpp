@@ -15,7 +15,7 @@
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/space/planar/nest_cycles.h"
+#include "plumb/space/planar/facet_site.h"
 
 namespace plumb {
 namespace {

@@ -11,7 +11,7 @@
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/space/boolean/frame.h"
 #include "plumb/space/boolean/simplify.h"
-#include "plumb/space/planar/nest_cycles.h"
+#include "plumb/space/planar/facet_site.h"
 
 namespace plumb {
 

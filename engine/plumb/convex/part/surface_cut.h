@@ -66,8 +66,6 @@ RingPlace place_in(const CutSurface& surface, PlaneId plane, std::span<const Rin
 /// The part of a section that is cut. Scratch memory is kept from cut to cut.
 class PlaneSection {
  public:
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
   /// Where a line enters or leaves a face: at a corner, or across a half-edge.
   struct Event {
     HalfedgeId at;  ///< leaves the vertex; or is crossed

@@ -9,7 +9,6 @@
 #include "plumb/convex/region/region_cuts.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rational_predicates.h"
-#include "plumb/space/planar/flat_points.h"
 #include "plumb/space/planar/triangulate.h"
 
 namespace plumb {
@@ -226,7 +225,6 @@ std::vector<std::vector<std::uint32_t>> lesser_corners_seen(const PlaneRegion& r
 
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr std::uint32_t kNever = 1U << 30U;  // a cost; two of them do not overflow
 
 /// A chain from i to j.

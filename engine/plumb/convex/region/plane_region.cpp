@@ -8,8 +8,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
 Sign oriented(Sign s, bool is_opposite) { return is_opposite ? -s : s; }
 
 }  // namespace

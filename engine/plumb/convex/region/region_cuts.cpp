@@ -11,8 +11,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
 /// Curves and points with marks of their own. The label is 1 inside.
 class PieceRule {
  public:

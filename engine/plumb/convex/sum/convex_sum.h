@@ -55,7 +55,6 @@ struct ConvexBody {
     std::array<std::uint32_t, 2> end;
     std::array<std::uint32_t, 2> side;
   };
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
   unsigned dimension = 0;
   std::vector<RationalPoint3> point;

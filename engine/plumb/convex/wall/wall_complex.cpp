@@ -13,7 +13,7 @@
 #include "plumb/convex/wall/set_parts.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/boolean/boolean_op.h"
-#include "plumb/space/boolean/vertex_carrier.h"
+#include "plumb/space/boolean/vertex_labels.h"
 #include "plumb/space/complex/space_boxes.h"
 #include "plumb/space/complex/tidy_tables.h"
 #include "plumb/space/local_maps.h"
@@ -103,8 +103,6 @@ std::vector<std::pair<FacetId, FacetId>> find_wall_conflicts(const SpaceComplex&
 }
 
 namespace {
-
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 // ---------------------------------------------------------------- walls as a surface
 

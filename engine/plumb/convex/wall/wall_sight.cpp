@@ -15,8 +15,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
 /// Boxes of shadows along the vertical, and of heights.
 class Shadows {
  public:

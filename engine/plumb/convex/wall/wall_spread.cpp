@@ -11,8 +11,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
 /// A vertical wall of a cell, seen along the vertical.
 struct Trace {
   PlaneId plane;

@@ -112,7 +112,6 @@ void MeshCollector::keep_face() {
 
 namespace {
 
-constexpr std::uint32_t kNone = MeshVertices::kNone;
 constexpr std::uint32_t kPointsPerCheckpoint = 4096;
 
 /// -0 equals 0. By the bits: subnormals are not zero, whatever FTZ/DAZ say.

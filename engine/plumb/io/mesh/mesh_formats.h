@@ -11,7 +11,7 @@
 
 #include "plumb/base/context.h"
 #include "plumb/io/mesh_io.h"
-#include "plumb/io/text/number_reader.h"
+#include "plumb/io/text/record_reader.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/space/mesh_arrays.h"
 

@@ -10,7 +10,7 @@
 
 #include "plumb/io/mesh/mesh_formats.h"
 #include "plumb/io/text/input_cursors.h"
-#include "plumb/io/text/number_reader.h"
+#include "plumb/io/text/record_reader.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/predicates/error.h"
 

@@ -10,14 +10,14 @@
 
 #include "plumb/io/plane/shape_text.h"
 #include "plumb/io/text/json_reader.h"
-#include "plumb/io/text/number_reader.h"
+#include "plumb/io/text/record_reader.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {
 namespace {
 
 // Numbers are read from the text again; the parser only must not find one too large that
-// number_reader.h would read exactly.
+// record_reader.h would read exactly.
 using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
                                   std::uint64_t, long double>;
 

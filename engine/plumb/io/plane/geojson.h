@@ -4,7 +4,7 @@
 //
 //  1. nlohmann-json splits the text into events (no recursion, no tree)
 //  2. GeoJsonHandler follows them through objects, lists and coordinates; numbers are read again
-//     from the text by the rules of number_reader.h, with their place
+//     from the text by the rules of record_reader.h, with their place
 //  3. an object is judged when it ends: only then is its type known
 //
 // Errors are thrown with the place (file, line, column): NotText, Syntax, NumberOutOfRange,

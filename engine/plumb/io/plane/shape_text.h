@@ -10,7 +10,7 @@
 #include "plumb/base/context.h"
 #include "plumb/io/plane_io.h"
 #include "plumb/io/text/input_cursors.h"
-#include "plumb/io/text/number_reader.h"
+#include "plumb/io/text/record_reader.h"
 #include "plumb/io/text/text_output.h"
 
 namespace plumb {

@@ -8,7 +8,7 @@
 
 #include "plumb/io/plane/shape_text.h"
 #include "plumb/io/text/input_cursors.h"
-#include "plumb/io/text/number_reader.h"
+#include "plumb/io/text/record_reader.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {

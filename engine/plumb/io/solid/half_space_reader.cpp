@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "plumb/io/text/input_cursors.h"
-#include "plumb/io/text/number_reader.h"
+#include "plumb/io/text/record_reader.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {

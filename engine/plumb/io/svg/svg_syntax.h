@@ -20,7 +20,7 @@
 
 #include "plumb/base/context.h"
 #include "plumb/io/text/input_cursors.h"
-#include "plumb/io/text/number_reader.h"
+#include "plumb/io/text/record_reader.h"
 
 namespace plumb {
 

@@ -1,11 +1,280 @@
 #include "plumb/io/text/record_reader.h"
 
+#include <algorithm>
+#include <cfenv>
 #include <charconv>
+#include <cmath>
+#include <limits>
+#include <string>
 #include <system_error>
+#include <utility>
 
 #include "plumb/predicates/error.h"
+#include "plumb/predicates/rounding.h"
 
 namespace plumb {
+namespace {
+
+/// std::from_chars. libc++ has it for doubles from version 20 on; before that it reads nothing.
+template <class Number>
+std::from_chars_result from_text(std::string_view text, Number& value) {
+  const char* const begin = text.data();
+  if constexpr (requires { std::from_chars(begin, begin, value); }) {
+    return std::from_chars(begin, begin + text.size(), value);
+  }
+  return {begin, std::errc::not_supported};
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool all_digits(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
+}
+
+bool is_negative(std::string_view token) { return token.starts_with('-'); }
+
+std::string_view without_sign(std::string_view token) {
+  if (token.starts_with('-') || token.starts_with('+')) token.remove_prefix(1);
+  return token;
+}
+
+/// Digits only; may be empty (zero).
+Integer to_integer(std::string_view digits) {
+  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+  Integer value;
+  if (!digits.empty()) mpz_set_str(value.mpz(), std::string(digits).c_str(), 10);
+  return value;
+}
+
+Integer power_of_ten(std::uint32_t exponent) {
+  Integer value;
+  mpz_ui_pow_ui(value.mpz(), 10, exponent);
+  return value;
+}
+
+/// A decimal taken apart; no value yet.
+struct Decimal {
+  std::string_view whole;
+  std::string_view fraction;
+  std::int64_t exponent = 0;  // as written; clamped to +-kFarExponent
+  bool well_formed = false;
+};
+
+constexpr std::int64_t kFarExponent = 1'000'000'000'000;
+
+/// "[+-]digits", not empty. More digits than an int64 holds are clamped: every limit is smaller.
+bool parse_exponent(std::string_view text, std::int64_t& exponent) {
+  const std::string_view digits = without_sign(text);
+  if (!all_digits(digits)) return false;
+  const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+  if (result.ec == std::errc::result_out_of_range) exponent = kFarExponent;
+  exponent = std::min(exponent, kFarExponent);
+  if (is_negative(text)) exponent = -exponent;
+  return true;
+}
+
+Decimal take_apart(std::string_view token) {
+  Decimal decimal;
+  std::string_view body = without_sign(token);
+  if (const std::size_t e = body.find_first_of("eE"); e != body.npos) {
+    if (!parse_exponent(body.substr(e + 1), decimal.exponent)) return decimal;
+    body = body.substr(0, e);
+  }
+  const std::size_t point = body.find('.');
+  decimal.whole = body.substr(0, point);
+  if (point != body.npos) decimal.fraction = body.substr(point + 1);
+  const bool whole_fits = decimal.whole.empty() || all_digits(decimal.whole);
+  const bool fraction_fits = decimal.fraction.empty() || all_digits(decimal.fraction);
+  decimal.well_formed =
+      whole_fits && fraction_fits && !(decimal.whole.empty() && decimal.fraction.empty());
+  return decimal;
+}
+
+struct Magnitude {
+  bool zero = true;
+  std::int64_t exponent = 0;  // |value| lies in [10^(exponent-1), 10^exponent)
+};
+
+Magnitude magnitude(const Decimal& decimal) {
+  const auto whole_size = static_cast<std::int64_t>(decimal.whole.size());
+  if (const auto i = decimal.whole.find_first_not_of('0'); i != std::string_view::npos) {
+    return {false, whole_size - static_cast<std::int64_t>(i) + decimal.exponent};
+  }
+  if (const auto i = decimal.fraction.find_first_not_of('0'); i != std::string_view::npos) {
+    return {false, decimal.exponent - static_cast<std::int64_t>(i)};
+  }
+  return {};
+}
+
+/// 10^shift times this is what the digits say, taken for one integer.
+std::int64_t shift_of(const Decimal& decimal) {
+  return decimal.exponent - static_cast<std::int64_t>(decimal.fraction.size());
+}
+
+/// Requires that both, digits and shift, are few.
+Rational exact_value(const Decimal& decimal, bool is_negative) {
+  const std::int64_t shift = shift_of(decimal);
+  Integer digits = to_integer(std::string(decimal.whole).append(decimal.fraction));
+  if (is_negative) digits.negate();
+  const Integer power = power_of_ten(static_cast<std::uint32_t>(std::abs(shift)));
+  return shift >= 0 ? Rational(Integer(digits * power)) : Rational(digits, power);
+}
+
+/// Infinite beyond all doubles.
+double nearest_value(const Decimal& decimal, bool is_negative) {
+  constexpr std::int64_t kBeyond = 330;  // 10^330 and 10^-330 are no doubles, nor next to one
+  const Magnitude size = magnitude(decimal);
+  if (size.zero) return is_negative ? -0.0 : 0.0;
+  if (size.exponent > kBeyond) return std::numeric_limits<double>::infinity();
+  if (size.exponent < -kBeyond) return 0;
+  return nearest_double(exact_value(decimal, is_negative));
+}
+
+constexpr std::string_view kNumber = "a number";
+
+}  // namespace
+
+RoundToNearest::RoundToNearest() : before_(std::fegetround()) { std::fesetround(FE_TONEAREST); }
+RoundToNearest::~RoundToNearest() { std::fesetround(before_); }
+
+void ReadNumber::set(Rational value) {
+  exact_ = std::move(value);
+  is_double_ = false;
+}
+
+/// The table stores x, y over a common denominator: three integers, each at most as long as a
+/// numerator and the other's denominator together.
+std::size_t exact_bytes(const ReadNumber& x, const ReadNumber& y) {
+  if (x.is_double() && y.is_double()) return 0;
+  const auto limbs = [](const Rational& q) {
+    return mpz_size(mpq_numref(q.mpq())) + mpz_size(mpq_denref(q.mpq()));
+  };
+  constexpr std::size_t kEntryBytes = 32;
+  return kEntryBytes + 2 * sizeof(mp_limb_t) * (limbs(x.exact()) + limbs(y.exact()));
+}
+
+void push_point(PointTable2& points, const ReadNumber& x, const ReadNumber& y) {
+  if (x.is_double() && y.is_double()) {
+    points.push_back({x.as_double(), y.as_double()});
+  } else {
+    points.push_back(x.exact(), y.exact());
+  }
+}
+
+NumberReader::NumberReader(const Limits& limits, bool exact_decimals, std::size_t file_bytes)
+    : max_digits_(limits.max_number_digits),
+      max_exponent_(limits.max_decimal_exponent),
+      exact_decimals_(exact_decimals),
+      expansion_left_(4 * static_cast<std::uint64_t>(file_bytes) + 32'000'000) {}
+
+void NumberReader::read(const TextCursor& cursor, std::string_view token, ReadNumber& number) {
+  if (token.size() > std::size_t{max_digits_} + 8) {
+    cursor.fail(ErrorCode::NumberOutOfRange,
+                "a number of " + std::to_string(token.size()) + " characters; at most " +
+                    std::to_string(max_digits_) + " digits are read",
+                token.data());
+  }
+  if (all_digits(without_sign(token))) return read_integer(token, number);
+  if (const std::size_t slash = token.find('/'); slash != token.npos) {
+    return read_fraction(cursor, token, slash, number);
+  }
+  return exact_decimals_ ? read_exact_decimal(cursor, token, number)
+                         : read_nearest(cursor, token, number);
+}
+
+/// True and the token taken: an integer that is a double, or a decimal that is to be rounded, of up
+/// to kMost characters. Otherwise nothing has happened.
+bool NumberReader::read_ordinary(TextCursor& cursor, ReadNumber& number) const {
+  constexpr std::size_t kMost = 32;
+  constexpr std::size_t kExact = 15;  // integers of so many digits are doubles
+  if (exact_decimals_) return false;
+  const std::string_view rest = cursor.rest().substr(0, kMost);
+  double value = 0;
+  const auto [end, code] = from_text(rest, value);
+  const auto size = static_cast<std::size_t>(end - rest.data());
+  // from_chars also knows "inf" and "nan".
+  if (code != std::errc() || !std::isfinite(value)) return false;
+  if (size < rest.size() ? !TextCursor::ends_token(*end) : size == kMost) return false;
+  if (size > kExact && rest.substr(0, size).find('.') == rest.npos) return false;
+  number.set(value);
+  cursor.skip(size);
+  return true;
+}
+
+void NumberReader::read_integer(std::string_view token, ReadNumber& number) const {
+  constexpr std::size_t kDoubleDigits = 15;  // 10^15 < 2^53
+  const std::string_view digits = without_sign(token);
+  if (digits.size() <= kDoubleDigits) {
+    std::int64_t value = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return number.set(static_cast<double>(is_negative(token) ? -value : value));
+  }
+  Integer value = to_integer(digits);
+  if (is_negative(token)) value.negate();
+  number.set(Rational(value));
+}
+
+void NumberReader::read_fraction(const TextCursor& cursor, std::string_view token,
+                                 std::size_t slash, ReadNumber& number) const {
+  const std::string_view above = without_sign(token.substr(0, slash));
+  const std::string_view below = token.substr(slash + 1);
+  if (!all_digits(above) || !all_digits(below)) cursor.fail_token(token, kNumber);
+  Integer denominator = to_integer(below);
+  if (denominator == 0) {
+    cursor.fail(ErrorCode::NumberOutOfRange, "the denominator is 0", below.data());
+  }
+  Integer numerator = to_integer(above);
+  if (is_negative(token)) numerator.negate();
+  number.set(Rational(numerator, denominator));
+}
+
+void NumberReader::read_nearest(const TextCursor& cursor, std::string_view token,
+                                ReadNumber& number) const {
+  // Longer ones are rare, and take the way that all take where there is no from_chars.
+  constexpr std::size_t kMost = 64;
+  // from_chars does not take a plus sign; "+-1" must not become "-1".
+  const bool has_plus = token.starts_with('+') && !token.starts_with("+-");
+  const std::string_view text = token.substr(has_plus ? 1 : 0);
+  double value = 0;
+  if (text.size() <= kMost) {
+    const auto [end, code] = from_text(text, value);
+    const bool complete = end == text.data() + text.size();
+    // from_chars also knows "inf" and "nan"; those are not finite and fall through.
+    if (complete && code == std::errc() && std::isfinite(value)) return number.set(value);
+  }
+  const Decimal decimal = take_apart(token);
+  if (!decimal.well_formed) cursor.fail_token(token, kNumber);
+  value = nearest_value(decimal, is_negative(token));
+  if (!std::isfinite(value)) {
+    cursor.fail(ErrorCode::NumberOutOfRange, quoted(token) + " is larger than the largest double",
+                token.data());
+  }
+  number.set(value);
+}
+
+void NumberReader::read_exact_decimal(const TextCursor& cursor, std::string_view token,
+                                      ReadNumber& number) {
+  const Decimal decimal = take_apart(token);
+  if (!decimal.well_formed) cursor.fail_token(token, kNumber);
+  if (magnitude(decimal).zero) return number.set(0.0);
+  const std::uint64_t distance = static_cast<std::uint64_t>(std::abs(shift_of(decimal)));
+  const std::size_t digit_count = decimal.whole.size() + decimal.fraction.size();
+  const bool is_far = static_cast<std::uint64_t>(std::abs(decimal.exponent)) > max_exponent_;
+  // Numerator and denominator together: what is read can be written as p/q and read again.
+  if (is_far || digit_count + distance >= max_digits_) {
+    cursor.fail(ErrorCode::NumberOutOfRange,
+                "written out, " + quoted(token) + " has more than " + std::to_string(max_digits_) +
+                    " digits",
+                token.data());
+  }
+  if (distance > expansion_left_) {
+    cursor.fail(ErrorCode::ResourceLimit,
+                "the exact decimals of this file expand to too many digits", token.data());
+  }
+  expansion_left_ -= distance;
+  number.set(exact_value(decimal, is_negative(token)));
+}
+
 namespace {
 
 constexpr std::size_t kLinesPerCheckpoint = 4096;

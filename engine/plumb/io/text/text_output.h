@@ -18,7 +18,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The shortest text that reads back as `value` under the rules of number_reader.h: a whole number
+/// The shortest text that reads back as `value` under the rules of record_reader.h: a whole number
 /// below 2^63 in magnitude as an integer, else the shortest decimal. Requires a finite value.
 std::string format_double(double value);
 

@@ -11,7 +11,6 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kMembersPerCheckpoint = std::size_t{1} << 16U;
-constexpr std::uint32_t kNone = MapRotation::kNone;
 
 std::uint64_t pairs(std::uint64_t n) { return n * (n - 1) / 2; }
 

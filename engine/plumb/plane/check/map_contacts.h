@@ -29,8 +29,6 @@ struct EdgeContact {
 
 /// Rotation system and places of components; complete only when there are no contacts.
 struct MapRotation {
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
   std::vector<std::uint32_t> orbit_next;  ///< per half-edge: the next one of its induced face
   std::vector<std::uint32_t> order;       ///< per vertex: its number in lexicographic order
   std::vector<std::uint32_t> edge_below;  ///< per component: edge below its first vertex, or kNone

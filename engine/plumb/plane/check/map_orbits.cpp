@@ -8,7 +8,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kNone = MapOrbits::kNone;
 static_assert(MapEdges::kNoCycle == kNone);
 
 class OrbitTracer {

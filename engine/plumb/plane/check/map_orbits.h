@@ -13,8 +13,6 @@
 namespace plumb {
 
 struct MapOrbits {
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
   struct Orbit {
     std::uint32_t halfedge;  ///< one of them, leaving its lexicographically first vertex
     std::uint32_t cycle;     ///< a listed cycle with half-edges in it, or kNone

@@ -102,7 +102,6 @@ void PlaneTrapezoids::Builder::open_left() {
 
 // At one x: the vertical edge from below, the vertices, the one that goes up.
 bool PlaneTrapezoids::Builder::next_wall() {
-  constexpr std::uint32_t kNone = ~std::uint32_t{0};
   const std::uint32_t low =
       next_from_below_ < from_below_.size() ? point_on(from_below_[next_from_below_]) : kNone;
   const std::uint32_t high =

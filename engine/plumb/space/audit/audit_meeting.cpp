@@ -202,7 +202,7 @@ std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex,
 //   triangle; or in none
 //   edges that cross           have all their facets in the plane of both, or none
 //
-// and such edges are few. Triangles around a common vertex that has a fan (mesh_fans.h) need no
+// and such edges are few. Triangles around a common vertex that has a fan (mesh_topology.h) need no
 // test.
 
 namespace {

@@ -109,7 +109,7 @@ FacetPlace place_in_facet(const SpaceComplex& complex, FacetId f, const Point3Ta
                           SpacePoint x, SpaceAuditSteps& step);
 
 std::optional<SpaceFlaw> audit_links(const SpaceComplex& complex, Context& context);
-/// has_fan: per vertex (mesh_fans.h).
+/// has_fan: per vertex (mesh_topology.h).
 std::optional<SpaceFlaw> audit_places(const SpaceComplex& complex,
                                       std::span<const std::uint8_t> has_fan, Context& context);
 std::optional<SpaceFlaw> audit_cycles(const SpaceComplex& complex, Context& context);

@@ -7,7 +7,7 @@
 #include "plumb/base/internal/parallel.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/space/planar/nest_cycles.h"
+#include "plumb/space/planar/facet_site.h"
 #include "plumb/space/query/volumes.h"
 
 namespace plumb {
@@ -27,7 +27,7 @@ void extend(std::vector<T>& all, const std::vector<T>& more) {
 
 void extend_shifted(std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& more,
                     std::uint32_t shift) {
-  for (const std::uint32_t i : more) all.push_back(i == SphereMap::kNone ? i : i + shift);
+  for (const std::uint32_t i : more) all.push_back(i == kNone ? i : i + shift);
 }
 
 void append_map(SphereMap& maps, const SphereMap& map, const SpaceDraft::Offsets& offsets) {
@@ -57,7 +57,7 @@ SpaceDraft::Offsets SpaceDraft::add(SpacePoint at, const SphereMap& map, bool pa
   append_map(maps, map, offsets);
   for (std::size_t i = 0; i < map.point_count(); ++i) {
     vertex_of_point.push_back(v);
-    twin.push_back(SphereMap::kNone);
+    twin.push_back(kNone);
   }
   PLUMB_CHECK(origin_ids.size() == map.arc_count());
   for (const std::uint32_t origin : origin_ids) arc_origin.push_back(origin);
@@ -69,8 +69,8 @@ void SpaceDraft::resize(std::size_t vertices, std::size_t points, std::size_t ar
   const auto resize = [](std::size_t size, auto&... arrays) { (arrays.resize(size), ...); };
   resize(vertices, vertex_point, vertex_mark, is_passed, begin);
   resize(points, maps.direction, maps.point_mark, maps.first_out, vertex_of_point);
-  maps.point_face.resize(points, SphereMap::kNone);
-  twin.resize(points, SphereMap::kNone);
+  maps.point_face.resize(points, kNone);
+  twin.resize(points, kNone);
   resize(arcs, maps.circle, maps.arc_mark, arc_origin);
   resize(2 * arcs, maps.origin, maps.next, maps.face);
   resize(faces, maps.face_mark);
@@ -113,8 +113,6 @@ void SpaceDraft::reserve_more(std::size_t vertices, std::size_t point_count, std
 }
 
 namespace {
-
-constexpr std::uint32_t kNone = SphereMap::kNone;
 
 /// Calls visit(half-arc) for those that leave a point, clockwise seen from outside.
 template <class Visit>

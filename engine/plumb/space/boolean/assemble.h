@@ -8,7 +8,7 @@
 //  3. link_uses       the rings of arcs at both ends of an edge are mirror images: this links the
 //                     corners of facets to cycles and gives the radial order
 //  4. gather_facets   cycles are walked; in each plane holes and inner vertices find the facet
-//                     around them (nest_cycles.h)
+//                     around them (facet_site.h)
 //  5. label_volumes   (volumes.h)
 //  6. copy marks
 //
@@ -55,7 +55,7 @@ struct SpaceDraft {
   std::size_t vertex_count() const { return vertex_point.size(); }
   /// Where the parts of the next map will begin.
   Offsets end() const;
-  bool is_free(std::uint32_t point) const { return maps.first_out[point] == SphereMap::kNone; }
+  bool is_free(std::uint32_t point) const { return maps.first_out[point] == kNone; }
   bool is_loop(std::uint32_t arc) const { return maps.is_loop(arc); }
 
   std::shared_ptr<SpaceTables> tables;

@@ -157,7 +157,7 @@ SpaceComplex plane_operand(std::shared_ptr<const SpaceTables> tables, PlaneId pl
   out.star_begin = {0};
   out.facet_plane = {plane};
   out.facet_volume = {{VolumeId(0), VolumeId(1)}};
-  out.facet_origin = {SphereMap::kNone};
+  out.facet_origin = {kNone};
   const auto [on, above, below] = marks_of(h);
   out.facet_mark = {on};
   out.volume_mark = {above, below};

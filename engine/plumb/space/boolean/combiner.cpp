@@ -5,13 +5,12 @@
 
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/space/planar/nest_cycles.h"
+#include "plumb/space/planar/facet_site.h"
 
 namespace plumb {
 
 namespace {
 
-constexpr std::uint32_t kNone = SphereMap::kNone;
 constexpr std::size_t kRingsAtOnce = 128;  // their part of the draft stays in the cache
 
 std::uint64_t line_key(SpaceItem a, SpaceItem b) {

@@ -16,7 +16,6 @@
 #include "plumb/space/boolean/assemble.h"
 #include "plumb/space/boolean/boolean_op.h"
 #include "plumb/space/boolean/find_contacts.h"
-#include "plumb/space/boolean/vertex_carrier.h"
 #include "plumb/space/boolean/vertex_labels.h"
 #include "plumb/space/local_maps.h"
 #include "plumb/sphere/overlay/sphere_overlay.h"

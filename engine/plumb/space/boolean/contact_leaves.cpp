@@ -7,7 +7,7 @@
 #include "plumb/predicates/input/rung_counters.h"
 #include "plumb/space/complex/space_boxes.h"
 #include "plumb/space/planar/facet_site.h"
-#include "plumb/space/planar/flat_points.h"
+#include "plumb/space/planar/triangulate.h"
 
 namespace plumb {
 

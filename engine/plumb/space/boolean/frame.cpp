@@ -18,7 +18,7 @@ namespace {
 template <class IsKept>
 void copy_vertices(const SpaceComplex& complex, IsKept is_kept, SpaceDraft& draft,
                    Context& context) {
-  std::vector<std::uint32_t> point_of(complex.origin.size(), SphereMap::kNone), origin_ids;
+  std::vector<std::uint32_t> point_of(complex.origin.size(), kNone), origin_ids;
   LocalMap local;
   for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
     if (v % 4096 == 0) context.checkpoint("frame", v, complex.vertex_count());
@@ -32,7 +32,7 @@ void copy_vertices(const SpaceComplex& complex, IsKept is_kept, SpaceDraft& draf
     }
   }
   for (std::uint32_t h = 0; h < point_of.size(); ++h) {
-    if (point_of[h] != SphereMap::kNone) draft.twin[point_of[h]] = point_of[h ^ 1U];
+    if (point_of[h] != kNone) draft.twin[point_of[h]] = point_of[h ^ 1U];
   }
 }
 
@@ -54,7 +54,7 @@ SphereMap corner_map(const Corner& corner, const std::array<PlaneId, 3>& plane, 
     const SphereDirection along{plane[i], plane[j]};
     map.direction.push_back(corner[k] ? along.opposite() : along);
     map.point_mark.push_back(kBeyond);
-    map.point_face.push_back(SphereMap::kNone);
+    map.point_face.push_back(kNone);
     map.circle.push_back(plane[k]);
     map.arc_mark.push_back(kBeyond);
     // Counter-clockwise about +k from axis i to axis j, if both lead the same way.
@@ -78,8 +78,7 @@ SphereMap corner_map(const Corner& corner, const std::array<PlaneId, 3>& plane, 
 
 void add_cube(SpaceDraft& draft, Mark inside) {
   const std::array<PlaneId, 6> frame = draft.tables->planes.intern_frame();
-  const std::array<std::uint32_t, 3> no_origins{SphereMap::kNone, SphereMap::kNone,
-                                                SphereMap::kNone};
+  const std::array<std::uint32_t, 3> no_origins{kNone, kNone, kNone};
   std::array<std::uint32_t, 8> first{};
   for (std::uint32_t c = 0; c < 8; ++c) {
     const Corner corner{(c & 1U) != 0, (c & 2U) != 0, (c & 4U) != 0};

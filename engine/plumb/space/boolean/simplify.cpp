@@ -7,9 +7,9 @@
 
 #include "plumb/predicates/error.h"
 #include "plumb/space/boolean/assemble.h"
-#include "plumb/space/boolean/vertex_carrier.h"
+#include "plumb/space/boolean/vertex_labels.h"
 #include "plumb/space/local_maps.h"
-#include "plumb/space/planar/nest_cycles.h"
+#include "plumb/space/planar/facet_site.h"
 #include "plumb/sphere/arcs/sphere_arcs.h"
 #include "plumb/sphere/overlay/sphere_overlay.h"
 

@@ -109,7 +109,7 @@ class CoplanarMerge {
 //  1. look      flat passes over facets, edges and vertices: what goes?
 //  2. merge     at most edges between facets of one plane, and places inside edges: joined as they
 //               lie in the arrays (simplify.h)
-//  3. carry     else the map of every vertex is simplified and put into a draft (vertex_carrier.h)
+//  3. carry     else the map of every vertex is simplified and put into a draft (vertex_labels.h)
 //  4. join      (assemble.h)
 
 /// The same set in minimal form. O(n); a minimal complex is given back as it is.

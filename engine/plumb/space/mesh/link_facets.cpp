@@ -6,7 +6,7 @@
 
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/space/planar/flat_points.h"
+#include "plumb/space/planar/triangulate.h"
 
 namespace plumb {
 namespace {

@@ -13,8 +13,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
 /// Lists of numbers, one for each of some items, in one array.
 struct Lists {
   std::vector<std::uint32_t> begin;

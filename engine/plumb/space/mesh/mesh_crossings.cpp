@@ -100,7 +100,7 @@ class CrossingSearch {
     std::vector<std::uint32_t> around;
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
       const std::uint32_t g = groups.of[t];
-      if (g != TriangleGroups::kNone && groups.hub[g].is_valid()) around.push_back(t);
+      if (g != kNone && groups.hub[g].is_valid()) around.push_back(t);
     }
     std::ranges::stable_sort(around, {}, [&](std::uint32_t t) { return groups.of[t]; });
     for (auto first = around.begin(), last = first; first != around.end(); first = last) {

@@ -10,7 +10,7 @@
 //                      that takes more than some steps a box, oriented_boxes.h; of many scales,
 //                      box_tree.h); of very many around one vertex, of directions from it that meet
 //                      (triangle_crossing.h)
-//  3. test             (triangle_crossing.h) none where a common vertex has a fan (mesh_fans.h); by
+//  3. test             (triangle_crossing.h) none where a common vertex has a fan (mesh_topology.h); by
 //                      the number of common vertices
 //       2   same plane and same side of the edge: they overlap; else only the edge is common
 //       1   do the sectors at the vertex meet elsewhere?

@@ -17,7 +17,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kNone = MeshVertices::kNone;
 constexpr std::size_t kBlock = 256;
 
 /// -0 becomes 0. By the bits: subnormals stay what they are, whatever FTZ/DAZ say.

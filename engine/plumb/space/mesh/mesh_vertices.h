@@ -11,8 +11,6 @@
 namespace plumb {
 
 struct MeshVertices {
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
   std::vector<std::uint32_t> of_point;  ///< per point of the mesh; kNone: no face uses it
   std::vector<std::uint32_t> input;  ///< per vertex: the least point of the mesh there; ascending
   std::vector<SpacePoint> point;     ///< per vertex

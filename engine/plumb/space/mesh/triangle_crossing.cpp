@@ -7,7 +7,7 @@
 #include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rational_predicates.h"
-#include "plumb/space/planar/flat_points.h"
+#include "plumb/space/planar/triangulate.h"
 
 namespace plumb {
 namespace {
@@ -253,7 +253,7 @@ Direction direction(const PointBox& from, const PointBox& to) {
 }  // namespace
 
 TriangleGroups group_triangles(std::span<const FacetTriangle> triangles, std::size_t vertex_count) {
-  constexpr std::uint32_t kMany = TriangleGroups::kMany, kNone = TriangleGroups::kNone;
+  constexpr std::uint32_t kMany = TriangleGroups::kMany;
   std::vector<std::uint32_t> degree(vertex_count, 0), group_at(vertex_count, kNone);
   for (const FacetTriangle& t : triangles) {
     for (const TriangleCorner& corner : t.corner) ++degree[corner.vertex.value()];

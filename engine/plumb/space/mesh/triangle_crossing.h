@@ -23,7 +23,7 @@ struct FacetTriangle {
   std::array<TriangleCorner, 3> corner;
   PlaneId plane;
   FacetId facet;
-  std::uint8_t fans;       ///< bit i: corner i has a fan (mesh_fans.h)
+  std::uint8_t fans;       ///< bit i: corner i has a fan (mesh_topology.h)
   std::uint8_t diagonals;  ///< bit i: the side from corner i to the next is no edge of the facet
 
   bool is_diagonal(std::size_t i) const { return (diagonals >> i & 1U) != 0; }
@@ -69,7 +69,6 @@ class TriangleCrossing {
 // facet's group if there is one, else in that of its busiest corner, if that is a hub.
 
 struct TriangleGroups {
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   static constexpr std::uint32_t kMany = 64;  ///< as many are no group yet
 
   std::vector<std::uint32_t> of;  ///< per triangle: its group, or kNone

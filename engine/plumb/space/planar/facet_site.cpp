@@ -1,5 +1,12 @@
 #include "plumb/space/planar/facet_site.h"
 
+#include <algorithm>
+
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/plane_signs.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/planar/triangulate.h"
+
 namespace plumb {
 
 OtherPlane other_plane(const SpaceComplex& complex, EdgeId e, PlaneId plane) {
@@ -14,6 +21,230 @@ Sign side_in_plane(const SpaceComplex& complex, PlaneId n, HalfedgeId h, const P
   const OtherPlane m = other_plane(complex, SpaceComplex::edge_of(h), n);
   const Sign s = SpaceComplex::is_reverse(h) ? -m.turn : m.turn;
   return -(s * side(points, x, m.plane));
+}
+
+namespace {
+
+/// The direction of a half-edge in plane n, as sign (n x m).
+struct DirectionInPlane {
+  PlaneId m;
+  Sign sign;
+};
+
+DirectionInPlane direction_in_plane(const SpaceComplex& complex, PlaneId n, HalfedgeId h) {
+  const auto& [p, q] = complex.edge_planes[h.value() >> 1U];
+  const Sign along = SpaceComplex::is_reverse(h) ? Sign::Negative : Sign::Positive;
+  if (p == n) return {q, along};
+  if (q == n) return {p, -along};
+  return {p, along * same_direction(complex.planes(), p, q, n, p)};
+}
+
+}  // namespace
+
+Sign same_direction(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s) {
+  if (p == r && q == s) return Sign::Positive;
+  if (p == s && q == r) return Sign::Negative;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Sign first = minor_sign(planes, p, q, axis);
+    if (first != Sign::Zero) return first * minor_sign(planes, r, s, axis);
+  }
+  PLUMB_CHECK(false);
+  return Sign::Zero;
+}
+
+Sign corner_sign(const SpaceComplex& complex, UseId u) {
+  const PlaneId plane = complex.facet_plane[complex.use_facet[u.value()].value()];
+  const UseId before = complex.use_prev[u.value()];
+  const HalfedgeId back = SpaceComplex::twin(complex.use_halfedge[before.value()]);
+  const DirectionInPlane d1 = direction_in_plane(complex, plane, complex.use_halfedge[u.value()]);
+  const DirectionInPlane d2 = direction_in_plane(complex, plane, back);
+  return d1.sign * d2.sign * det3_sign(complex.planes(), plane, d1.m, d2.m);
+}
+
+bool is_outer(const SpaceComplex& complex, UseId cycle) {
+  const Point3Table& points = complex.points();
+  VertexId least = complex.use_origin(cycle);
+  for (UseId u = complex.use_next[cycle.value()]; u != cycle; u = complex.use_next[u.value()]) {
+    const VertexId v = complex.use_origin(u);
+    if (v != least && compare_xyz(points, complex.vertex_point[v.value()],
+                                  complex.vertex_point[least.value()]) == Sign::Negative) {
+      least = v;
+    }
+  }
+  UseId u = cycle;
+  do {
+    if (complex.use_origin(u) == least && corner_sign(complex, u) != Sign::Positive) return false;
+    u = complex.use_next[u.value()];
+  } while (u != cycle);
+  return true;
+}
+
+namespace {
+
+/// A point where no edge ends, and the edge just below it.
+struct PointAbove {
+  std::uint32_t point;
+  std::uint32_t edge;
+};
+
+/// Of a plane through an edge, the side on which points are to the left of its use.
+struct LeftSide {
+  PlaneId plane;
+  Sign side;
+};
+
+/// Edges are asked by their planes: points may be of the frame, and need no coordinates.
+class BelowSweep final : RegionSweep {
+ public:
+  BelowSweep(const FlatPoints& points, std::span<const IndexEdge> edges,
+             std::span<const LeftSide> left_side, Context& context)
+      : RegionSweep(points, edges, &context), flat_(points), left_side_(left_side) {}
+
+  /// Of points in the region, in the order of the sweep.
+  std::vector<PointAbove> run() {
+    std::vector<PointAbove> found;
+    start();
+    for (std::uint32_t v = 0; v < order_.size(); ++v) {
+      count_step();
+      const auto [begin, end] = edges_ending(v);
+      const std::uint32_t below = edge_below(begin);
+      if (begin == end && below != kNone && edges_[below].is_lower) {
+        found.push_back({order_[v], below});
+      }
+      status_.erase(begin, end);
+      insert_leaving(v, [](std::uint32_t) { return true; });
+    }
+    return found;
+  }
+
+ private:
+  Sign turn(std::uint32_t edge, std::uint32_t rank) const override {
+    const auto& [plane, positive] = left_side_[edge];
+    const Sign left = positive * flat_.side(order_[rank], plane);
+    return edges_[edge].is_lower ? left : -left;
+  }
+
+  const FlatPoints& flat_;
+  std::span<const LeftSide> left_side_;
+};
+
+class Nesting {
+ public:
+  Nesting(const SpaceComplex& complex, PlaneId plane, std::span<const UseId> cycles,
+          std::span<const VertexId> points, Context& context)
+      : complex_(complex),
+        plane_(plane),
+        cycles_(cycles),
+        points_(points),
+        context_(context),
+        memory_(context),
+        flat_(complex.points()) {}
+
+  CycleNesting run() {
+    CycleNesting found{std::vector<std::uint32_t>(cycles_.size(), kNone),
+                       std::vector<std::uint32_t>(points_.size(), kNone)};
+    std::vector<std::uint32_t> holes;
+    for (std::uint32_t c = 0; c < cycles_.size(); ++c) {
+      if (is_outer(complex_, cycles_[c])) {
+        found.of_cycle[c] = c;
+      } else {
+        holes.push_back(c);
+      }
+    }
+    if (holes.empty() && points_.empty()) return found;
+    charge();
+    show();
+    find_least_points(holes);
+    find_facets(found);
+    return found;
+  }
+
+ private:
+  template <class Visit>
+  void for_uses(UseId first, const Visit& visit) const {
+    UseId u = first;
+    do {
+      visit(u);
+      u = complex_.use_next[u.value()];
+    } while (u != first);
+  }
+  std::uint32_t index(VertexId v) const {
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(shown_, v) - shown_.begin());
+  }
+
+  void charge() {
+    constexpr std::uint64_t kBytesEach = 200;
+    std::uint64_t count = points_.size();
+    for (const UseId cycle : cycles_) for_uses(cycle, [&](UseId) { ++count; });
+    memory_.add(kBytesEach * count, "cycles of a plane");
+  }
+
+  void show() {
+    shown_.assign(points_.begin(), points_.end());
+    for (const UseId cycle : cycles_) {
+      for_uses(cycle, [&](UseId u) { shown_.push_back(complex_.use_origin(u)); });
+    }
+    std::sort(shown_.begin(), shown_.end());
+    shown_.erase(std::unique(shown_.begin(), shown_.end()), shown_.end());
+    flat_.reset(FlatView::of_plane(complex_.planes(), plane_));
+    for (const VertexId v : shown_) flat_.push_back(complex_.vertex_point[v.value()]);
+    for (std::uint32_t c = 0; c < cycles_.size(); ++c) {
+      for_uses(cycles_[c], [&](UseId u) { add_edge(complex_.use_halfedge[u.value()], c); });
+    }
+  }
+  void add_edge(HalfedgeId h, std::uint32_t cycle) {
+    const OtherPlane other = other_plane(complex_, SpaceComplex::edge_of(h), plane_);
+    edges_.push_back({index(complex_.origin[h.value()]), index(complex_.target(h))});
+    left_side_.push_back({other.plane, SpaceComplex::is_reverse(h) ? other.turn : -other.turn});
+    cycle_of_edge_.push_back(cycle);
+  }
+
+  /// A point is the least one of one hole at most: what is to the left of it belongs to one facet.
+  void find_least_points(std::span<const std::uint32_t> holes) {
+    hole_at_.assign(shown_.size(), kNone);
+    for (const std::uint32_t c : holes) {
+      std::uint32_t least = index(complex_.use_origin(cycles_[c]));
+      for_uses(cycles_[c], [&](UseId u) {
+        const std::uint32_t i = index(complex_.use_origin(u));
+        if (i != least && flat_.compare(i, least) == Sign::Negative) least = i;
+      });
+      hole_at_[least] = c;
+    }
+  }
+
+  void find_facets(CycleNesting& found) {
+    std::vector<std::uint32_t> around(shown_.size(), kNone);  // per point: an outer cycle
+    for (const PointAbove& p : BelowSweep(flat_, edges_, left_side_, context_).run()) {
+      around[p.point] = found.of_cycle[cycle_of_edge_[p.edge]];
+      const std::uint32_t hole = hole_at_[p.point];
+      if (hole != kNone) found.of_cycle[hole] = around[p.point];
+    }
+    for (const std::uint32_t c : found.of_cycle) PLUMB_CHECK(c != kNone);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      found.of_point[i] = around[index(points_[i])];
+      PLUMB_CHECK(found.of_point[i] != kNone);
+    }
+  }
+
+  const SpaceComplex& complex_;
+  PlaneId plane_;
+  std::span<const UseId> cycles_;
+  std::span<const VertexId> points_;
+  Context& context_;
+  MemoryCharge memory_;
+  FlatPoints flat_;
+  std::vector<VertexId> shown_;  // per point of flat_, ascending
+  std::vector<IndexEdge> edges_;
+  std::vector<LeftSide> left_side_;           // per edge
+  std::vector<std::uint32_t> cycle_of_edge_;  // index of cycles_
+  std::vector<std::uint32_t> hole_at_;        // per point: the hole that it is the least point of
+};
+
+}  // namespace
+
+CycleNesting nest_cycles(const SpaceComplex& complex, PlaneId plane, std::span<const UseId> cycles,
+                         std::span<const VertexId> points, Context& context) {
+  return Nesting(complex, plane, cycles, points, context).run();
 }
 
 }  // namespace plumb

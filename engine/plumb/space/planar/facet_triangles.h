@@ -8,7 +8,6 @@
 
 #include "plumb/base/context.h"
 #include "plumb/predicates/sign.h"
-#include "plumb/space/planar/flat_points.h"
 #include "plumb/space/planar/triangulate.h"
 #include "plumb/space/space_complex.h"
 

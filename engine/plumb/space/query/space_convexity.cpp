@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "plumb/space/planar/nest_cycles.h"
+#include "plumb/space/planar/facet_site.h"
 
 namespace plumb {
 namespace {

@@ -113,7 +113,7 @@ void ShellNodes::join_at_irregular_vertices(std::span<const std::uint8_t> connec
       classes_.unite(node[local.map.face[h]], facet_node(local.facet[h / 2], (h & 1U) != 0));
     }
     for (std::size_t i = 0; i < local.halfedge.size(); ++i) {
-      if (local.map.first_out[i] != SphereMap::kNone) continue;
+      if (local.map.first_out[i] != kNone) continue;
       std::uint32_t& known = free_node_[local.halfedge[i].value() / 2];
       const std::uint32_t here = node[local.map.point_face[i]];
       if (known == kNone) known = here;
@@ -160,10 +160,10 @@ class Labeller {
       for (const UseId u : cycles.subspan(1)) pieces_.unite(first, complex_.use_origin(u).value());
       for (const VertexId v : complex_.inner_of(FacetId(f))) pieces_.unite(first, v.value());
     }
-    std::vector<std::uint32_t> number(complex_.vertex_count(), SphereMap::kNone);
+    std::vector<std::uint32_t> number(complex_.vertex_count(), kNone);
     for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
       std::uint32_t& piece = number[pieces_.root(v)];
-      if (piece == SphereMap::kNone) {
+      if (piece == kNone) {
         piece = static_cast<std::uint32_t>(least_.size());
         least_.push_back(VertexId(v));
       } else if (compare_xyz(complex_.points(), complex_.vertex_point[v],
@@ -179,7 +179,7 @@ class Labeller {
     std::vector<std::uint32_t> node;
     shells_->face_nodes(local_, item, node);
     const SphereCell cell = locate(complex_.planes(), local_.map, direction);
-    PLUMB_CHECK(cell.kind() == SphereCell::Kind::Face && node[cell.index()] != ShellNodes::kNone);
+    PLUMB_CHECK(cell.kind() == SphereCell::Kind::Face && node[cell.index()] != kNone);
     return node[cell.index()];
   }
 
@@ -221,7 +221,7 @@ class Labeller {
     labels.edge.resize(complex_.edge_count());
     for (std::uint32_t e = 0; e < complex_.edge_count(); ++e) {
       const std::uint32_t node = shells_->free_node(EdgeId(e));
-      if (node != ShellNodes::kNone) labels.edge[e] = volume_of(node);
+      if (node != kNone) labels.edge[e] = volume_of(node);
     }
     labels.vertex.resize(complex_.vertex_count());
     for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {

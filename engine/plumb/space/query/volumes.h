@@ -21,8 +21,6 @@ namespace plumb {
 
 class ShellNodes {
  public:
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
   /// Joins everything. Volumes are not looked at. O(n alpha(n)), and a sphere map for each vertex
   /// whose map is not connected. `connected` as for label_volumes().
   explicit ShellNodes(const SpaceComplex& complex, std::span<const std::uint8_t> connected = {});

@@ -22,8 +22,6 @@ std::vector<std::uint8_t> HullPolytope::facets_left(std::size_t bounds) const {
 
 namespace {
 
-constexpr std::uint32_t kNone = HullPolytope::kNone;
-
 class ComplexMaker {
  public:
   ComplexMaker(const HullPolytope& polytope, std::span<const HullBound> bounds)

@@ -70,8 +70,6 @@ class HullPolytope {
 
   std::vector<Vertex> vertex;
   std::vector<Halfedge> halfedge;
-
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 };
 
 /// In minimal form. `touching`: open bounds that cut nothing off but take away what they touch.

@@ -167,7 +167,7 @@ std::uint32_t sector_at(const PlaneTable& planes, const SphereMap& map, std::uin
   const std::uint32_t first = map.first_out[point];
   std::uint32_t best = first;
   for (std::uint32_t h = first;;) {
-    if (heading_of(map, h) == heading) return SphereMap::kNone;
+    if (heading_of(map, h) == heading) return kNone;
     // The last one counter-clockwise from the heading is the next one clockwise.
     if (is_before_at(planes, u, heading, heading_of(map, best), heading_of(map, h))) best = h;
     h = map.clockwise(h);
@@ -189,8 +189,8 @@ void Leg::add_point(std::uint32_t v, std::vector<PathHit>& hits) const {
 }
 
 SphereSlot Leg::slot_towards(std::uint32_t v, bool backward) const {
-  if (map_.first_out[v] == SphereMap::kNone) return {SphereMap::kNone, v};
-  return {sector_at(planes_, map_, v, {circle_, backward}), SphereMap::kNone};
+  if (map_.first_out[v] == kNone) return {kNone, v};
+  return {sector_at(planes_, map_, v, {circle_, backward}), kNone};
 }
 
 void Leg::add_arc(std::uint32_t a, std::vector<PathHit>& hits) const {
@@ -205,10 +205,7 @@ void Leg::add_crossing(std::uint32_t a, bool is_opposite, std::vector<PathHit>& 
   const CirclePlace place{map_.circle[a], is_opposite};
   if (!is_on(place)) return;
   const std::uint32_t entry = 2 * a + (is_opposite ? 1U : 0U);
-  hits.push_back({place,
-                  SphereCell::arc(a),
-                  {entry, SphereMap::kNone},
-                  {SphereMap::twin(entry), SphereMap::kNone}});
+  hits.push_back({place, SphereCell::arc(a), {entry, kNone}, {SphereMap::twin(entry), kNone}});
 }
 
 namespace {
@@ -257,9 +254,7 @@ void walk_to_arc(const PlaneTable& planes, const SphereMap& map, SphereDirection
   }
 }
 
-namespace {
-constexpr std::uint32_t kNone = SphereMap::kNone;
-}  // namespace
+namespace {}  // namespace
 
 void unite(std::vector<std::uint32_t>& parent, std::uint32_t i, std::uint32_t j) {
   i = find_root(parent, i);

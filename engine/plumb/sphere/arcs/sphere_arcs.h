@@ -126,9 +126,9 @@ std::uint32_t sector_at(const PlaneTable& planes, const SphereMap& map, std::uin
 /// Where something of a face's boundary is: a half-arc with the face to its left, or an isolated
 /// point.
 struct SphereSlot {
-  std::uint32_t half_arc = SphereMap::kNone;
-  std::uint32_t point = SphereMap::kNone;
-  bool is_valid() const { return half_arc != SphereMap::kNone || point != SphereMap::kNone; }
+  std::uint32_t half_arc = kNone;
+  std::uint32_t point = kNone;
+  bool is_valid() const { return half_arc != kNone || point != kNone; }
 };
 
 /// What one comes to. Entry and exit: whose face one comes from and goes on into; not valid where
@@ -142,7 +142,7 @@ struct PathHit {
 
 /// The face that a slot is of. Requires a valid one.
 inline std::uint32_t face_of(const SphereMap& map, SphereSlot slot) {
-  return slot.half_arc != SphereMap::kNone ? map.face[slot.half_arc] : map.point_face[slot.point];
+  return slot.half_arc != kNone ? map.face[slot.half_arc] : map.point_face[slot.point];
 }
 
 /// A closed leg, from a place to itself the whole circle: what it meets of one point or arc.
@@ -208,7 +208,7 @@ class SphereParts {
   std::uint32_t of_point(std::uint32_t v) { return find_root(parent_, v); }
   std::uint32_t of_arc(std::uint32_t a) { return find_root(parent_, point_count_ + a); }
   std::uint32_t of(SphereSlot slot) {
-    return slot.half_arc != SphereMap::kNone ? of_arc(slot.half_arc / 2) : of_point(slot.point);
+    return slot.half_arc != kNone ? of_arc(slot.half_arc / 2) : of_point(slot.point);
   }
   std::size_t count() const;
 

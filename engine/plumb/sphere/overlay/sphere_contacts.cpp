@@ -8,8 +8,6 @@ namespace plumb {
 
 namespace {
 
-constexpr std::uint32_t kNone = SphereMap::kNone;
-
 bool have_common(const std::vector<PlaneId>& sorted_a, const std::vector<PlaneId>& sorted_b) {
   return std::any_of(sorted_a.begin(), sorted_a.end(), [&](PlaneId c) {
     return std::binary_search(sorted_b.begin(), sorted_b.end(), c);

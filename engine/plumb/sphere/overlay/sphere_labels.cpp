@@ -4,9 +4,7 @@
 
 namespace plumb {
 
-namespace {
-constexpr std::uint32_t kNone = SphereMap::kNone;
-}  // namespace
+namespace {}  // namespace
 
 void SpherePieces::sort_stops(std::size_t k, SphereContacts& contacts) {
   using Stop = SphereContacts::Stop;

@@ -59,8 +59,6 @@ class SphereLunes {
 
 namespace {
 
-constexpr std::uint32_t kNone = SphereMap::kNone;
-
 bool is_circle(const SphereMap& map) {
   return map.point_count() == 0 && map.arc_count() == 1 && map.is_loop(0);
 }

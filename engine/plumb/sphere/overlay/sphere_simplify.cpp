@@ -5,9 +5,7 @@
 
 namespace plumb {
 
-namespace {
-constexpr std::uint32_t kNone = SphereMap::kNone;
-}  // namespace
+namespace {}  // namespace
 
 std::uint32_t SphereSimplifier::find(std::uint32_t face) {
   while (parent_[face] != face) face = parent_[face] = parent_[parent_[face]];

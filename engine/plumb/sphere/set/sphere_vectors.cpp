@@ -111,8 +111,6 @@ std::shared_ptr<const PlaneTable> centred(const PlaneTable& planes, SphereMap& m
 
 namespace {
 
-constexpr std::uint32_t kNone = SphereMap::kNone;
-
 Mark mark_if(bool is_marked) { return is_marked ? 1 : 0; }
 
 /// One circle, its faces marked on the side of the normal or not at all.

@@ -13,7 +13,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr std::size_t kFewSegments = 32;     // fewer are all compared with each other
 constexpr std::uint64_t kContactBytes = 64;  // and its share of a crossing
 constexpr double kRough = 0x1p-44;

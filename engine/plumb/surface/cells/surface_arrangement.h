@@ -6,7 +6,7 @@
 //
 // Main flow of slice():
 //  1. nodes      equal points become one node: sorted along each edge and in each face
-//                (surface_nodes.h)
+//                (surface_arrangement.h)
 //  2. runs       segments along mesh edges add up on the pieces of those edges
 //  3. segments   the others by face and ends; equal ones add up; those that cancel go
 //  4. faces      each touched face arranged for itself (face_arrangement.h)
@@ -22,7 +22,7 @@
 
 #include "plumb/base/context.h"
 #include "plumb/predicates/point.h"
-#include "plumb/surface/surface_ids.h"
+#include "plumb/surface/surface_mesh.h"
 #include "plumb/surface/surface_path.h"
 
 #pragma GCC visibility push(default)
@@ -53,8 +53,6 @@ class SurfaceBundles {
 
 /// Flat arrays. Half-edges of a touched face, and its pieces, are consecutive.
 struct SurfaceArrangement {
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
   std::size_t segments = 0;  ///< of the input, without those of length zero
 
   // Nodes: input points, then corners of touched faces that no polygon runs through, then
@@ -147,3 +145,31 @@ SurfacePointId add_node_point(const SurfaceArrangement& arrangement,
 
 }  // namespace plumb
 #pragma GCC visibility pop
+
+namespace plumb {
+
+// The different points of polygons, and where they lie along edges.
+
+/// Nodes of input points: those on edges first, by edge and t; then vertices, then points in faces.
+struct SurfaceNodes {
+  std::vector<SurfacePointId> point;      ///< per node
+  std::vector<NodeId> of_entry;           ///< per entry of the polygons
+  std::vector<EdgeId> edges;              ///< those with nodes inside, ascending
+  std::vector<std::uint32_t> edge_begin;  ///< per such edge and one more: its nodes, ascending by t
+  std::vector<std::uint32_t> slot_of_edge;  ///< per mesh edge: index into edges, or kNone
+  std::uint32_t vertices_begin = 0;
+  std::uint32_t faces_begin = 0;
+  std::vector<NodeId> of_vertex;  ///< per mesh vertex
+
+  std::uint32_t count_on(EdgeId e) const {
+    const std::uint32_t slot = slot_of_edge[e.value()];
+    return slot == kNone ? 0 : edge_begin[slot + 1] - edge_begin[slot];
+  }
+  /// The first node inside an edge with count_on() > 0; the others follow it.
+  std::uint32_t first_on(EdgeId e) const { return edge_begin[slot_of_edge[e.value()]]; }
+};
+
+/// Expected O(n log n) for n entries, and O(mesh) to set up.
+SurfaceNodes make_nodes(const SurfacePolygons& polygons, Context& context);
+
+}  // namespace plumb

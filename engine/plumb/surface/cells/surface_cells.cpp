@@ -10,8 +10,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kNone = SurfaceArrangement::kNone;
-
 /// Of sides scaled by a power of two where products would over- or underflow. What is beyond
 /// doubles is the largest.
 double triangle_area(const SurfaceMesh& mesh, FaceId f) {

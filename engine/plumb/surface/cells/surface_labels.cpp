@@ -7,7 +7,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr std::uint64_t kLabelBytes =
     3 * sizeof(SignedEntry);  // before, while and after they are shifted
 constexpr std::size_t kChargeStep = 65536;
