@@ -13,7 +13,6 @@
 #include "plumb/predicates/segment2.h"
 #include "plumb/space/complex/space_tables.h"
 #include "plumb/space/planar/facet_triangles.h"
-#include "plumb/space/planar/flat_points.h"
 #include "plumb/testing/dice.h"
 
 namespace plumb::testing {

@@ -1,3 +1,5 @@
+#include "plumb/io/map_report_io.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +13,6 @@
 #include <vector>
 
 #include "plumb/io/map_io.h"
-#include "plumb/io/map_report_io.h"
 #include "plumb/plane/map_check.h"
 
 namespace plumb {

@@ -1,3 +1,5 @@
+#include "plumb/io/map_io.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -13,7 +15,6 @@
 
 #include "expect_refusals.h"
 #include "hostile_maps.h"
-#include "plumb/io/map_io.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/predicates/error.h"

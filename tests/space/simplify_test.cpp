@@ -1,4 +1,6 @@
 // Facets of one plane merged as they lie in the arrays, against the same by sphere maps.
+#include "plumb/space/boolean/simplify.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@
 
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
-#include "plumb/space/boolean/simplify.h"
 #include "plumb/space/canonical.h"
 #include "plumb/space/mesh/mesh_arrangement.h"
 #include "plumb/space/nef3.h"

@@ -1,3 +1,5 @@
+#include "plumb/io/nef3_reader.h"
+
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -9,9 +11,8 @@
 #include "hostile_meshes.h"
 #include "mesh_checks.h"
 #include "plumb/io/mesh_io.h"
-#include "plumb/io/nef3_reader.h"
 #include "plumb/io/nef3_writer.h"
-#include "plumb/io/solid/nef3_links.h"
+#include "plumb/io/solid/solid_text.h"
 #include "plumb/space/from_mesh.h"
 #include "plumb/space/query/volumes.h"
 

@@ -1,5 +1,7 @@
 // Contacts of random and special complexes against all pairs of items in rational coordinates.
 // PLUMB_CASES=n: n random scenes instead of the short run.
+#include "plumb/space/boolean/find_contacts.h"
+
 #include <gtest/gtest.h>
 
 #include <map>
@@ -9,7 +11,6 @@
 #include "generate/test_share.h"
 #include "oracle/contacts.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/space/boolean/find_contacts.h"
 
 namespace plumb {
 namespace {

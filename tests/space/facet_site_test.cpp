@@ -1,5 +1,7 @@
 // Facets of many corners: the structures that are built for them say what a walk along their
 // boundary says.
+#include "plumb/space/planar/facet_site.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,8 +21,6 @@
 #include "plumb/space/boolean/contact_leaves.h"
 #include "plumb/space/complex/space_boxes.h"
 #include "plumb/space/nef3.h"
-#include "plumb/space/planar/facet_site.h"
-#include "plumb/space/planar/nest_cycles.h"
 #include "plumb/space/space_audit.h"
 #include "plumb/space/space_measure.h"
 #include "plumb/testing/dice.h"

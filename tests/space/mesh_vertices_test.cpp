@@ -1,5 +1,7 @@
 // Meshes in an order of space: the same mesh, and whatever is said of it says the numbers of the
 // input.
+#include "plumb/space/mesh/mesh_vertices.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +13,6 @@
 
 #include "generate/meshes.h"
 #include "plumb/space/from_mesh.h"
-#include "plumb/space/mesh/mesh_vertices.h"
 #include "plumb/space/nef3.h"
 
 namespace plumb::testing {
