@@ -95,6 +95,22 @@ function(plumb_precompile target kind)
     ${ARGN})
 endfunction()
 
+# plumb_compile_folders(TARGET): with PLUMB_PRECOMPILE, the sources of one folder become one translation unit. Call it when
+# all sources are known.
+function(plumb_compile_folders target)
+  if(NOT PLUMB_PRECOMPILE)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    get_filename_component(folder ${source} DIRECTORY)
+    string(REGEX REPLACE ".*/plumb/" "" folder ${folder})
+    string(MAKE_C_IDENTIFIER ${folder} group)
+    set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+endfunction()
+
 # plumb_exports(TARGET): a shared library shows what has default visibility, and of that only what is plumb's
 # (plumb.exports).
 function(plumb_exports target)
@@ -161,13 +177,18 @@ endfunction()
 
 # plumb_test(NAME SOURCE... [THREADS] [LIBRARIES ...]): a GoogleTest program, one ctest per program; THREADS: it runs
 # some, and the thread sanitizer looks (label threads, target threads_tests). Compiling it takes
-# longer than running it, so that little is spent on optimising it; the libraries it tests are what they are.
+# longer than running it, so that little is spent on optimising it, and nothing where sanitizers slow both; the libraries it
+# tests are what they are.
 function(plumb_test name)
   cmake_parse_arguments(ARG "THREADS" "" "LIBRARIES" ${ARGN})
   add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
   plumb_compile_options(${name})
   # Tests call functions for what they throw.
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1> -Wno-unused-result)
+  set(level -O1)
+  if(PLUMB_SANITIZE)
+    set(level -O0)
+  endif()
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:${level}> -Wno-unused-result)
   plumb_outline_checks(${name})
   plumb_precompile(${name} test <gtest/gtest.h> <boost/multiprecision/cpp_int.hpp>)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
@@ -180,5 +201,14 @@ function(plumb_test name)
       add_custom_target(threads_tests)
     endif()
     add_dependencies(threads_tests ${name})
+  endif()
+endfunction()
+
+# plumb_unit_tests(NAME SOURCE... LIBRARIES ...): one program of several small test files, which with PLUMB_PRECOMPILE are one
+# translation unit: each file has a namespace of its own.
+function(plumb_unit_tests name)
+  plumb_test(${name} ${ARGN})
+  if(PLUMB_PRECOMPILE)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   endif()
 endfunction()

@@ -10,7 +10,7 @@
 namespace plumb {
 namespace {
 
-constexpr const char* kPhase = "convexity";
+constexpr const char* kConvexityPhase = "convexity";
 
 // ---------------------------------------------------------------- parts
 
@@ -115,7 +115,7 @@ class PlaneConvexityTest {
       : c_(complex), context_(context), memory_(context) {
     memory_.add(16 * (c_.dcel.vertex_count() + c_.dcel.edge_count() + c_.points.size()) +
                     sizeof(std::uint32_t) * (c_.face_count() + c_.edge_count() + c_.vertex_count()),
-                kPhase);
+                kConvexityPhase);
   }
 
   PlaneConvexity run() {
@@ -123,7 +123,7 @@ class PlaneConvexityTest {
     std::size_t marked = 0;
     bool is_region_convex = true;
     for (std::size_t i = 0; i < c_.face_count(); ++i) {
-      context_.checkpoint(kPhase, i, c_.face_count());
+      context_.checkpoint(kConvexityPhase, i, c_.face_count());
       const FaceId f(i);
       if (!c_.mark(f)) continue;
       const PlaneRegion region = regions.region(f);

@@ -14,7 +14,6 @@
 namespace plumb {
 namespace {
 
-constexpr const char* kPhase = "convex partition";
 constexpr std::uint64_t kHalfBytes = 64;    // of a region, for each half-edge
 constexpr std::uint64_t kPieceBytes = 700;  // of a piece, and for each of its sides
 constexpr std::uint64_t kSideBytes = 150;
@@ -31,7 +30,7 @@ class PlanePartition {
 
   PlanePieces run() {
     for (std::uint32_t f = 0; f < c_.face_count(); ++f) {
-      context_.checkpoint(kPhase, f, c_.face_count());
+      context_.checkpoint(kPartitionPhase, f, c_.face_count());
       if (c_.mark(FaceId(f))) add_face(FaceId(f));
     }
     add_edges();
@@ -45,14 +44,15 @@ class PlanePartition {
  private:
   /// What regions need of the whole, and the pieces, as long as they are being made.
   static const PlaneComplex& charged(const PlaneComplex& c, MemoryCharge& memory) {
-    memory.add(8 * c.dcel.vertex_count() + 4 * c.dcel.edge_count() + 4 * c.points.size(), kPhase);
+    memory.add(8 * c.dcel.vertex_count() + 4 * c.dcel.edge_count() + 4 * c.points.size(),
+               kPartitionPhase);
     return c;
   }
 
   void add_face(FaceId f) {
     PlaneRegion region = regions_.region(f);
     MemoryCharge memory(context_);
-    memory.add(2 * kHalfBytes * region.halfedge_count(), kPhase);  // Best has two
+    memory.add(2 * kHalfBytes * region.halfedge_count(), kPartitionPhase);  // Best has two
     const std::uint64_t reflex = region.count_reflex_corners();
     result_.reflex_corners += reflex;
     if (reflex > 0) cut(region, reflex);
@@ -60,7 +60,7 @@ class PlanePartition {
     add_pieces(region, result_.pieces, context_);
     memory_.add(
         kPieceBytes * (result_.pieces.size() - before) + kSideBytes * region.halfedge_count(),
-        kPhase);
+        kPartitionPhase);
   }
 
   static bool is_simple(const PlaneRegion& region) {

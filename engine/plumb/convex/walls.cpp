@@ -193,7 +193,7 @@ VerticalChoice choose_vertical(const SpaceComplex& complex, Context& context) {
 
 namespace {
 
-constexpr int kMaxRounds = 64;
+constexpr int kMaxWallRounds = 64;
 
 /// Does a marked volume span more than half a turn around some edge, or a point taken out of it? Of
 /// a complex that need not be minimal.
@@ -235,7 +235,7 @@ std::optional<SpaceComplex> subdivided(SpaceComplex complex, const VerticalDirec
                                        Context& context) {
   // Once, but where a cell winds around and lies above itself: then walls may have ended too early.
   for (int round = 0; has_reflex_items(complex); ++round) {
-    if (round == kMaxRounds) return std::nullopt;
+    if (round == kMaxWallRounds) return std::nullopt;
     complex = after(sight_walls, std::move(complex), up, context);
     complex = after(spread_walls, std::move(complex), up, context);
   }
@@ -291,7 +291,7 @@ std::vector<Nef3> pieces_by_walls(const Nef3& volumes, const DecomposeOptions& o
 }
 
 /// Of a set whose facets have ids.
-ConvexPieces decompose_named(const Nef3& set, const DecomposeOptions& options, Context& context) {
+ConvexPieces parts_by_walls(const Nef3& set, const DecomposeOptions& options, Context& context) {
   DecomposeOptions cuts = options;
   cuts.method = DecomposeMethod::Cuts;
   ConvexPieces result;
@@ -320,8 +320,8 @@ ConvexPieces decompose_named(const Nef3& set, const DecomposeOptions& options, C
 
 ConvexPieces decompose_by_walls(const Nef3& set, const DecomposeOptions& options,
                                 Context& context) {
-  if (!has_unnamed(set)) return decompose_named(set, options, context);
-  ConvexPieces result = decompose_named(with_names(set), options, context);
+  if (!has_unnamed(set)) return parts_by_walls(set, options, context);
+  ConvexPieces result = parts_by_walls(with_names(set), options, context);
   remove_names(result.pieces);
   return result;
 }

@@ -16,7 +16,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::array<std::string_view, 6> kFrame{"-x", "+x", "-y", "+y", "-z", "+z"};
 constexpr std::uint32_t kFirstOfFrame = 3;
 
 /// What the file says of how much there is of one kind.
@@ -177,15 +176,15 @@ void Nef3Reader::read_plane(std::uint32_t index) {
   fail(ErrorCode::BadShape, in_.record_name() + found, start);
 }
 
-/// Planes 4 to 9 in the order of kFrame, or none.
+/// Planes 4 to 9 in the order of kFrameSides, or none.
 void Nef3Reader::read_frame_plane(std::uint32_t index) {
   const char* const start = cursor().position();
   const std::string_view word = cursor().token();
   if (word != "frame") cursor().fail_token(word, "a plane");
   const std::string_view side = cursor().at_line_end() ? std::string_view() : cursor().token();
-  const bool is_next = index >= kFirstOfFrame && index < kFirstOfFrame + kFrame.size() &&
-                       side == kFrame[index - kFirstOfFrame] &&
-                       planes_.value >= kFirstOfFrame + kFrame.size();
+  const bool is_next = index >= kFirstOfFrame && index < kFirstOfFrame + kFrameSides.size() &&
+                       side == kFrameSides[index - kFirstOfFrame] &&
+                       planes_.value >= kFirstOfFrame + kFrameSides.size();
   if (!is_next) {
     fail(ErrorCode::Syntax, "planes 4 to 9 are frame -x, +x, -y, +y, -z, +z in this order, or none",
          start);

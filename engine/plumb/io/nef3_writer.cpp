@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "plumb/io/solid/solid_text.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/predicates/rounding.h"
 
@@ -15,7 +16,6 @@ namespace {
 
 constexpr std::uint32_t kUnused = 0;
 constexpr std::uint32_t kUsed = 1;
-constexpr std::array<std::string_view, 6> kFrame{"-x", "+x", "-y", "+y", "-z", "+z"};
 
 class Nef3Writer {
  public:
@@ -147,7 +147,7 @@ void Nef3Writer::write_planes() {
   for (std::size_t i = 0; i < planes_.size(); ++i) {
     const bool is_frame = i > 2 && (!planes_[i].is_valid() || table.is_frame(planes_[i]));
     if (is_frame) {
-      out_ << "frame " << kFrame[i - 3] << '\n';
+      out_ << "frame " << kFrameSides[i - 3] << '\n';
       continue;
     }
     const IntegerRow row = table.primitive(planes_[i]);

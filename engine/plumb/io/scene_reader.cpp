@@ -38,7 +38,7 @@ FaceId farthest_face(const SurfaceMesh& mesh, const Point3& from, FaceId face);
 namespace {
 
 constexpr std::uint64_t kPointBytes = 96;  // of a control point, in tables and lists
-constexpr std::size_t kPointsPerCheckpoint = 256;
+constexpr std::size_t kDrawnPerCheckpoint = 256;
 
 /// Points of the surface for all points of the drawing.
 std::vector<SurfacePointId> placed_points(const DrawingFile& file, const ExponentialMap& map,
@@ -48,7 +48,7 @@ std::vector<SurfacePointId> placed_points(const DrawingFile& file, const Exponen
   TextCursor cursor(file.text, file.name);
   std::vector<SurfacePointId> placed;
   for (std::size_t i = 0; i < drawing.points.size(); ++i) {
-    if (i % kPointsPerCheckpoint == 0) context.checkpoint("draw", i, drawing.points.size());
+    if (i % kDrawnPerCheckpoint == 0) context.checkpoint("draw", i, drawing.points.size());
     cursor.move_to(file.text.data() + drawing.places[i]);
     const Point2 p = drawing.points[i];
     const auto at = with_place(cursor, [&] {

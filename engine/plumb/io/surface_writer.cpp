@@ -15,8 +15,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kUnused = ~std::uint32_t{0};
-
 bool is_chosen(CellChoice chosen, CellId c) { return chosen.empty() || chosen[c.value()] != 0; }
 
 /// The triangles of the chosen cells, and new numbers for the points they use.
@@ -26,7 +24,7 @@ struct ChosenTriangles {
   std::vector<std::uint32_t> number;
 
   ChosenTriangles(const SurfaceTriangulation& in, CellChoice chosen)
-      : number(in.points.size(), kUnused) {
+      : number(in.points.size(), kNone) {
     for (std::uint32_t t = 0; t < in.triangles.size(); ++t) {
       if (is_chosen(chosen, in.cell[t])) triangles.push_back(t);
     }
@@ -35,7 +33,7 @@ struct ChosenTriangles {
       for (const std::uint32_t c : in.triangles[t]) number[c] = 0;
     }
     for (std::uint32_t p = 0; p < number.size(); ++p) {
-      if (number[p] == kUnused) continue;
+      if (number[p] == kNone) continue;
       number[p] = static_cast<std::uint32_t>(points.size());
       points.push_back(p);
     }

@@ -87,9 +87,10 @@ void renumber(std::span<const Id> number, std::vector<T>& known) {
 }
 
 /// Neighbours are joined, where open edges go; or else these are completed.
-void settle_flat_edges(const MeshOptions& options, MeshComplex& mesh, Context& context) {
+void settle_flat_edges(const MeshOptions& options, SpaceTables& tables, MeshComplex& mesh,
+                       Context& context) {
   if (!options.joins_coplanar || options.surface || !mesh.crossings.empty()) {
-    return complete_flat_edges(mesh.complex);
+    return complete_flat_edges(mesh.complex, tables);
   }
   CoplanarMerge merge(mesh.complex, context);
   if (!merge.is_needed()) return;
@@ -142,7 +143,7 @@ MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const M
   describe_components(facets, result);
   describe_crossings(options, result, memory, context);
   result.jump = std::move(facets.jump);
-  settle_flat_edges(options, result, context);
+  settle_flat_edges(options, *tables, result, context);
   return result;
 }
 

@@ -14,8 +14,9 @@ namespace {
 
 using Vector3 = std::array<double, 3>;
 
-constexpr std::uint64_t kBytesPerPoint = 32;   // a copy of it, and where its exact one is
-constexpr std::uint64_t kBytesPerCorner = 12;  // of faces that are near: a copy, and lists of faces
+constexpr std::uint64_t kRoundedPointBytes = 32;  // a copy of it, and where its exact one is
+constexpr std::uint64_t kRoundedCornerBytes =
+    12;  // of faces that are near: a copy, and lists of faces
 
 Vector3 coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
 
@@ -26,8 +27,9 @@ class RoundingCheck {
 
   RoundingReport run() {
     MemoryCharge memory(context_);
-    memory.add(kBytesPerPoint * mesh_.points.size() + kBytesPerCorner * mesh_.corners.size(),
-               "a rounded mesh");
+    memory.add(
+        kRoundedPointBytes * mesh_.points.size() + kRoundedCornerBytes * mesh_.corners.size(),
+        "a rounded mesh");
     report_.rounded_vertices = mesh_.exact.size();
     note_rounded();
     if (!report_.beyond_doubles.empty() || mesh_.exact.empty()) return std::move(report_);

@@ -157,7 +157,7 @@ void PieceFiles::commit(const std::vector<std::string_view>& extensions, const s
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr double kApart = 0.5;  // of their distances
+constexpr double kPiecesApart = 0.5;  // of their distances
 
 struct PlaneChoice {
   std::string_view name;
@@ -274,7 +274,7 @@ class Decomposition : public CommandBody {
     }
     if (!svg_.empty()) {
       session.begin("draw");
-      files.finish_picture(picture_of(found.pieces, kApart, Picture::Svg, title(), context));
+      files.finish_picture(picture_of(found.pieces, kPiecesApart, Picture::Svg, title(), context));
     }
     Answer answer{found.pieces.size(), found.reflex_edges, "reflex edge", {}};
     if (session.options().json) answer.matches = do_volumes_add_up(set, found.pieces, context);

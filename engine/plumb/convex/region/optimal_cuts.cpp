@@ -14,7 +14,6 @@
 namespace plumb {
 namespace {
 
-constexpr const char* kPhase = "convex partition";
 constexpr std::uint32_t kStride = 4096;  // steps between checkpoints
 
 /// The vertices of a region that has no cuts yet: input points. Who asks for signs looks at the
@@ -25,7 +24,7 @@ class RegionPoints final : public PlanarPoints {
   RegionPoints(const PlaneRegion& region, Context& context) : r_(region), context_(context) {}
   std::uint32_t size() const override { return static_cast<std::uint32_t>(r_.vertex_count()); }
   Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const override {
-    if (++asked_ % kStride == 0) context_.checkpoint(kPhase, 0, size());
+    if (++asked_ % kStride == 0) context_.checkpoint(kPartitionPhase, 0, size());
     return orient2d(r_.points.inputs, at(i), at(j), at(k));
   }
   Sign compare(std::uint32_t i, std::uint32_t j) const override {
@@ -61,7 +60,7 @@ std::vector<HalfedgeId> halves_of_sides(PlaneRegion& region, std::vector<Triangl
   });
   std::vector<HalfedgeId> half(count);
   for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
-    if (i % kStride == 0) context.checkpoint(kPhase, i, sides.size());
+    if (i % kStride == 0) context.checkpoint(kPartitionPhase, i, sides.size());
     const TriangleSide &s = sides[i], &t = sides[i + 1];
     PLUMB_CHECK(!t.half.is_valid());
     if (s.half.is_valid()) {
@@ -83,7 +82,7 @@ void triangulate(PlaneRegion& region, Context& context) {
   constexpr std::uint64_t kHalfBytes =
       2 * sizeof(TriangleSide) * 3 + sizeof(IndexEdge) + 2 * sizeof(IndexTriangle) + 64;
   MemoryCharge memory(context);
-  memory.add(kHalfBytes * (region.halfedge_count() + region.vertex_count()), kPhase);
+  memory.add(kHalfBytes * (region.halfedge_count() + region.vertex_count()), kPartitionPhase);
   std::vector<IndexEdge> edges;
   std::vector<TriangleSide> sides;
   for (std::uint32_t i = 0; i < region.halfedge_count(); ++i) {

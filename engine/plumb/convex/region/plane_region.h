@@ -19,6 +19,9 @@
 
 namespace plumb {
 
+/// The phase of all checkpoints of convex partitions of the plane.
+inline constexpr const char* kPartitionPhase = "convex partition";
+
 /// A direction: of a line, from a to b unless back. Every line runs from its lesser point to the
 /// greater.
 struct Heading {

@@ -171,8 +171,6 @@ void add_pieces(const PlaneRegion& region, std::vector<Nef2>& pieces, Context& c
 
 namespace {
 
-constexpr const char* kPhase = "convex partition";
-
 class SideCutter {
  public:
   SideCutter(PlaneRegion& region, Context& context) : r_(region), context_(context) {}
@@ -183,7 +181,7 @@ class SideCutter {
     for (std::uint32_t i = 0; i < r_.halfedge_count(); ++i) {
       const HalfedgeId h(i);
       if (!r_.is_inside(h) || !r_.is_reflex(h)) continue;
-      context_.checkpoint(kPhase, i, r_.halfedge_count());
+      context_.checkpoint(kPartitionPhase, i, r_.halfedge_count());
       resolve(h);
     }
   }
@@ -360,7 +358,7 @@ class SideCutter {
     std::ranges::sort(loops,
                       [this](const Loop& x, const Loop& y) { return is_less(x.least, y.least); });
     for (std::size_t i = 1; i < loops.size(); ++i) {
-      context_.checkpoint(kPhase, i, loops.size());
+      context_.checkpoint(kPartitionPhase, i, loops.size());
       const auto& [at, least, level] = loops[i];
       if (at.is_other()) {
         join(at, {{r_.point(least), level}, true}, loops.front().at.halfedge());

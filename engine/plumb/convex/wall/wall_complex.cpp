@@ -203,7 +203,7 @@ class VolumeSplitter {
   std::vector<Nef3> run(Context& context) {
     std::vector<Nef3> sets;
     MemoryCharge memory(context);
-    SpaceDraft none(std::const_pointer_cast<SpaceTables>(c_.tables));
+    SpaceDraft none(c_.tables);
     VertexCarrier carrier(c_, none, overlay_);
     for (std::size_t i = 0; i < vertices_.size();) {
       context.checkpoint("pieces", i, vertices_.size());
@@ -340,8 +340,7 @@ SpaceComplex with_walls(SpaceComplex complex, const std::shared_ptr<SpaceTables>
   complex.tables = cutters.tables;
   memory.add(memory_bytes(complex) + array_bytes(cutters), "a set and its walls");
   const auto common_origin = [](std::uint32_t of_set, std::uint32_t) { return of_set; };
-  return combine_on(std::const_pointer_cast<SpaceTables>(cutters.tables), complex, cutters,
-                    MarkTable::walled(), common_origin, context);
+  return combine_on(tables, complex, cutters, MarkTable::walled(), common_origin, context);
 }
 
 std::vector<Nef3> volumes_as_sets(const SpaceComplex& complex, Context& context) {

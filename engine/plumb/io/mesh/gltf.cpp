@@ -21,7 +21,6 @@ namespace {
 
 using Id = JsonValues::Id;
 
-constexpr std::size_t kItemsPerCheckpoint = 4096;
 constexpr std::uint64_t kMostCount = std::uint64_t{1} << 53U;
 
 /// Members of the JSON. What is wrong is told with where it is: "buffers[2]: ...".

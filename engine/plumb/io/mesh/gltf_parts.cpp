@@ -155,7 +155,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
 
-constexpr std::size_t kItemsPerCheckpoint = 4096;
 constexpr std::uint64_t kMostVertices = 0xffff'0000;
 
 }  // namespace

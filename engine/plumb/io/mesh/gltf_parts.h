@@ -22,6 +22,9 @@
 
 namespace plumb {
 
+/// How many accessor items are read between two checkpoints.
+inline constexpr std::size_t kItemsPerCheckpoint = 4096;
+
 struct GltfContainer {
   std::string_view file;  ///< all bytes
   std::string name;

@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
                                   std::uint64_t, long double>;
 
-constexpr std::size_t kMostNested = 64;
+constexpr std::size_t kMostNestedObjects = 64;
 
 /// Members that mean something; the first half says what an object holds.
 enum class Member : std::uint8_t { Coordinates, Geometries, Geometry, Features, Type, Other };
@@ -240,7 +240,7 @@ bool GeoJsonHandler::start_object(std::size_t) {
   if (is_in_coordinates_ || wanted == Expected::Array || wanted == Expected::String) {
     fail_expected();
   }
-  if (objects_.size() > kMostNested) {
+  if (objects_.size() > kMostNestedObjects) {
     fail(ErrorCode::Syntax, "objects nested more than 64 deep", places_.token());
   }
   const Role role = objects_.empty()                             ? Role::Any

@@ -12,7 +12,7 @@
 namespace plumb {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// What the cells of one kind have together.
 struct Part {
@@ -40,15 +40,15 @@ Parts parts_of(const OverlayReport& report) {
   return parts;
 }
 
-Json area_json(const Rational& area) {
+OrderedJson area_json(const Rational& area) {
   return {{"exact", format_exact(area)}, {"double", nearest_double(area)}};
 }
 
-Json part_json(const Part& part) {
+OrderedJson part_json(const Part& part) {
   return {{"cells", part.cells}, {"area", area_json(part.area.total())}};
 }
 
-Json map_json(const MapReport& report, const std::vector<Rational>& areas) {
+OrderedJson map_json(const MapReport& report, const std::vector<Rational>& areas) {
   return {{"regions", report.regions.size() - 1}, {"area", area_json(sum_of(areas))}};
 }
 
@@ -106,16 +106,16 @@ void write_overlay_geojson(std::ostream& stream, const OverlayReport& report) {
 void write_overlay_json(std::ostream& out, const OverlayReport& report) {
   const PlaneComplex& complex = report.overlay.complex;
   const Parts parts = parts_of(report);
-  const Json json = {{"vertices", complex.vertex_count()},
-                     {"edges", complex.edge_count()},
-                     {"faces", complex.face_count()},
-                     {"a", map_json(report.first, report.areas.first)},
-                     {"b", map_json(report.second, report.areas.second)},
-                     {"both", part_json(parts.both)},
-                     {"only_a", part_json(parts.first_only)},
-                     {"only_b", part_json(parts.second_only)},
-                     {"neither", part_json(parts.neither)},
-                     {"areas_add_up", report.areas.add_up()}};
+  const OrderedJson json = {{"vertices", complex.vertex_count()},
+                            {"edges", complex.edge_count()},
+                            {"faces", complex.face_count()},
+                            {"a", map_json(report.first, report.areas.first)},
+                            {"b", map_json(report.second, report.areas.second)},
+                            {"both", part_json(parts.both)},
+                            {"only_a", part_json(parts.first_only)},
+                            {"only_b", part_json(parts.second_only)},
+                            {"neither", part_json(parts.neither)},
+                            {"areas_add_up", report.areas.add_up()}};
   out << json.dump() << '\n';
 }
 

@@ -84,7 +84,7 @@ const std::array<WktReader::Kind, 7> WktReader::kKinds{{
 }};
 
 /// Each ends with a comma or parenthesis, and "0 0," are four bytes.
-std::size_t most_positions(std::string_view text) {
+std::size_t most_positions_of_wkt(std::string_view text) {
   const auto ends =
       std::count_if(text.begin(), text.end(), [](char c) { return c == ',' || c == ')'; });
   return std::min(static_cast<std::size_t>(ends), text.size() / 4);
@@ -95,7 +95,7 @@ PlaneShapes WktReader::read() {
     cursor_.fail(ErrorCode::CountMismatch,
                  "the file has no content; expected a geometry such as POINT (1 2)");
   }
-  shapes_.expect(cursor_, most_positions(cursor_.rest()));
+  shapes_.expect(cursor_, most_positions_of_wkt(cursor_.rest()));
   while (find_token()) read_geometry();
   return shapes_.take();
 }

@@ -1,6 +1,7 @@
 // A set of space made ready for a file.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <ostream>
@@ -15,6 +16,9 @@
 #include "plumb/space/space_complex.h"
 
 namespace plumb {
+
+/// How `.nef` names the planes of the frame, in the order of the tables.
+inline constexpr std::array<std::string_view, 6> kFrameSides{"-x", "+x", "-y", "+y", "-z", "+z"};
 
 /// .nef holds every set exactly, meshes the closure of the interior with rounded coordinates.
 struct SolidFormat {

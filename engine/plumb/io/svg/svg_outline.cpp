@@ -18,7 +18,7 @@ constexpr std::uint64_t kRingBytes = 4 * sizeof(std::uint32_t);
 constexpr std::size_t kPointsOfAnyText = std::size_t{1} << 20U;
 constexpr std::size_t kBytesPerPoint = 7;                   // of the text, beyond those
 constexpr std::size_t kMostPoints = std::size_t{1} << 30U;  // that a surface can hold
-constexpr std::size_t kStepsPerCheckpoint = 4096;
+constexpr std::size_t kPointsPerCheckpoint = 4096;
 
 Point2 mixed(Point2 a, double s, Point2 b, double t) {
   return {s * a.x + t * b.x, s * a.y + t * b.y};
@@ -69,7 +69,7 @@ std::size_t SvgOutline::most_points(std::size_t bytes) {
 }
 
 void SvgOutline::step() {
-  if (++steps_ % kStepsPerCheckpoint == 0) context_.checkpoint("flatten", steps_, steps_);
+  if (++steps_ % kPointsPerCheckpoint == 0) context_.checkpoint("flatten", steps_, steps_);
 }
 
 void SvgOutline::add(const TextCursor& at, Point2 placed) {

@@ -228,7 +228,7 @@ namespace {
 
 bool is_value_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_ascii_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_sign(char c) { return c == '+' || c == '-'; }
 
 std::size_t digits(std::string_view text, std::size_t from) {
@@ -349,7 +349,7 @@ bool SvgValue::flag() {
 
 std::string_view SvgValue::word() {
   skip_blanks();
-  const auto end = std::find_if_not(rest_.begin(), rest_.end(), is_letter);
+  const auto end = std::find_if_not(rest_.begin(), rest_.end(), is_ascii_letter);
   const std::string_view word = rest_.substr(0, static_cast<std::size_t>(end - rest_.begin()));
   rest_.remove_prefix(word.size());
   comma_ = nullptr;

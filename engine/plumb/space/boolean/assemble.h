@@ -34,7 +34,8 @@ struct SpaceDraft {
     std::uint32_t face;
   };
 
-  explicit SpaceDraft(std::shared_ptr<SpaceTables> used_tables) : tables(std::move(used_tables)) {}
+  explicit SpaceDraft(std::shared_ptr<const SpaceTables> used_tables)
+      : tables(std::move(used_tables)) {}
 
   /// Adds a vertex, or with is_passed a place inside an edge of the result: two opposite points
   /// whose neighbours will face each other. `origin_ids`: facet_origin for each arc.
@@ -58,7 +59,7 @@ struct SpaceDraft {
   bool is_free(std::uint32_t point) const { return maps.first_out[point] == kNone; }
   bool is_loop(std::uint32_t arc) const { return maps.is_loop(arc); }
 
-  std::shared_ptr<SpaceTables> tables;
+  std::shared_ptr<const SpaceTables> tables;
   SphereMap maps;  ///< all maps, one after the other, with running indices
 
   // per vertex

@@ -49,6 +49,7 @@ std::shared_ptr<SpaceTables> unite_tables(SpaceComplex& a, SpaceComplex& b) {
   const bool is_own = a.tables.use_count() == 1;
   // What another thread read before it let go of them comes before what is written here.
   if (is_own) std::atomic_thread_fence(std::memory_order_acquire);
+  // Sets share their tables and never write to them; who owns them alone may.
   auto tables = is_own ? std::const_pointer_cast<SpaceTables>(a.tables) : copy(*a.tables);
   if (!is_shared) translate(b, merge(*tables, *b.tables));
   a.tables = b.tables = tables;

@@ -76,15 +76,15 @@ SphereMap corner_map(const Corner& corner, const std::array<PlaneId, 3>& plane, 
   return map;
 }
 
-void add_cube(SpaceDraft& draft, Mark inside) {
-  const std::array<PlaneId, 6> frame = draft.tables->planes.intern_frame();
+void add_cube(SpaceDraft& draft, SpaceTables& tables, Mark inside) {
+  const std::array<PlaneId, 6> frame = tables.planes.intern_frame();
   const std::array<std::uint32_t, 3> no_origins{kNone, kNone, kNone};
   std::array<std::uint32_t, 8> first{};
   for (std::uint32_t c = 0; c < 8; ++c) {
     const Corner corner{(c & 1U) != 0, (c & 2U) != 0, (c & 4U) != 0};
     std::array<PlaneId, 3> plane;
     for (std::size_t k = 0; k < 3; ++k) plane[k] = frame[2 * k + (corner[k] ? 1 : 0)];
-    const SpacePoint at = draft.tables->points.add(plane[0], plane[1], plane[2]);
+    const SpacePoint at = tables.points.add(plane[0], plane[1], plane[2]);
     first[c] = draft.add(at, corner_map(corner, plane, inside), false, no_origins).point;
   }
   for (std::uint32_t c = 0; c < 8; ++c) {
@@ -108,12 +108,12 @@ std::vector<std::uint8_t> unbounded_volumes(const SpaceComplex& complex) {
   return is_far;
 }
 
-SpaceComplex with_frame(const SpaceComplex& complex, std::shared_ptr<SpaceTables> tables,
+SpaceComplex with_frame(const SpaceComplex& complex, const std::shared_ptr<SpaceTables>& tables,
                         Context& context) {
-  SpaceDraft draft(std::move(tables));
+  SpaceDraft draft(tables);
   copy_vertices(
       complex, [](VertexId) { return true; }, draft, context);
-  add_cube(draft, complex.volume_mark[0]);
+  add_cube(draft, *tables, complex.volume_mark[0]);
   return join(std::move(draft), context);
 }
 
@@ -149,7 +149,7 @@ SpaceComplex without_idle_frame(SpaceComplex complex, Context& context) {
       }
     }
   }
-  SpaceDraft draft(std::const_pointer_cast<SpaceTables>(complex.tables));
+  SpaceDraft draft(complex.tables);
   copy_vertices(complex, is_kept, draft, context);
   SpaceComplex result = join(std::move(draft), context);
   if (result.vertex_count() == 0) result.volume_mark[0] = inside;

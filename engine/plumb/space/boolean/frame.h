@@ -21,7 +21,7 @@ std::vector<std::uint8_t> unbounded_volumes(const SpaceComplex& complex);
 
 /// The same set inside the cube. `tables` hold at least what the complex's do, under the same ids.
 /// Requires no frame.
-SpaceComplex with_frame(const SpaceComplex& complex, std::shared_ptr<SpaceTables> tables,
+SpaceComplex with_frame(const SpaceComplex& complex, const std::shared_ptr<SpaceTables>& tables,
                         Context& context);
 
 /// Without the frame, if no facet or edge of the set reaches it. O(n).

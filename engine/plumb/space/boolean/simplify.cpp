@@ -386,7 +386,7 @@ class MapChanges {
 SpaceComplex simplified_by_maps(const SpaceComplex& complex, Context& context) {
   MemoryCharge memory(context);
   memory.add(kBytesPerUse * complex.use_count(), "the minimal form");
-  SpaceDraft draft(std::const_pointer_cast<SpaceTables>(complex.tables));
+  SpaceDraft draft(complex.tables);
   SphereOverlay overlay(complex.planes());
   VertexCarrier carrier(complex, draft, overlay);
   LocalMap local;

@@ -445,20 +445,20 @@ void turn_edge(SpaceComplex& complex, std::uint32_t e) {
 }  // namespace
 
 SpaceComplex link_facets(const MeshFacets& facets, const MeshLinks& links,
-                         std::span<const SpacePoint> points, std::shared_ptr<SpaceTables> tables,
-                         FlatEdges flat_edges) {
+                         std::span<const SpacePoint> points,
+                         const std::shared_ptr<SpaceTables>& tables, FlatEdges flat_edges) {
   SpaceComplex complex = Linker(facets, links, points, *tables).run();
-  complex.tables = std::move(tables);
-  if (flat_edges == FlatEdges::Complete) complete_flat_edges(complex);
+  complex.tables = tables;
+  if (flat_edges == FlatEdges::Complete) complete_flat_edges(complex, *tables);
   return complex;
 }
 
-void complete_flat_edges(SpaceComplex& complex) {
+void complete_flat_edges(SpaceComplex& complex, SpaceTables& tables) {
   std::vector<std::uint32_t> flat;
   for (std::uint32_t e = 0; e < complex.edge_count(); ++e) {
     if (!complex.edge_planes[e][1].is_valid()) flat.push_back(e);
   }
-  EdgePlanes planes(complex, *std::const_pointer_cast<SpaceTables>(complex.tables));
+  EdgePlanes planes(complex, tables);
   planes.add_second(flat);
   for (const std::uint32_t e : flat) {
     if (!planes.is_along(e)) turn_edge(complex, e);

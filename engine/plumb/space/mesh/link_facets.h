@@ -51,10 +51,11 @@ enum class FlatEdges : std::uint8_t {
 /// The complex of the facets, all marks 0, volumes invalid. Adds second planes of edges at which
 /// all facets are in one plane. O(n log k) for k uses of an edge.
 SpaceComplex link_facets(const MeshFacets& facets, const MeshLinks& links,
-                         std::span<const SpacePoint> points, std::shared_ptr<SpaceTables> tables,
+                         std::span<const SpacePoint> points,
+                         const std::shared_ptr<SpaceTables>& tables,
                          FlatEdges flat_edges = FlatEdges::Complete);
 
 /// Gives open edges their second planes.
-void complete_flat_edges(SpaceComplex& complex);
+void complete_flat_edges(SpaceComplex& complex, SpaceTables& tables);
 
 }  // namespace plumb

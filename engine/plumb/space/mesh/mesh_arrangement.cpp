@@ -171,7 +171,7 @@ MeshLayers find_layers(const SpaceComplex& complex, std::span<const std::uint32_
 }
 
 SpaceComplex layer_of(const SpaceComplex& complex, std::span<const FacetId> facets,
-                      std::shared_ptr<SpaceTables> tables, Context& context) {
+                      const std::shared_ptr<SpaceTables>& tables, Context& context) {
   MeshFacets chosen;
   const std::vector<std::uint32_t> vertices = gather_corners(complex, facets, chosen);
   std::vector<SpacePoint> points;
@@ -181,7 +181,7 @@ SpaceComplex layer_of(const SpaceComplex& complex, std::span<const FacetId> face
     v = static_cast<std::uint32_t>(std::ranges::lower_bound(vertices, v) - vertices.begin());
   }
   const MeshLinks links = link_corners(chosen, vertices.size());
-  SpaceComplex layer = link_facets(chosen, links, points, std::move(tables));
+  SpaceComplex layer = link_facets(chosen, links, points, tables);
   label_volumes(layer, context);
   return layer;
 }

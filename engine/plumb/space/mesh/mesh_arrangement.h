@@ -31,7 +31,7 @@ MeshLayers find_layers(const SpaceComplex& complex, std::span<const std::uint32_
 /// labelled, facet_origin their number in `complex`. Auxiliary planes are added to `tables`, those
 /// of `complex`. O(k log k) for k corners, and a ray for each connected piece.
 SpaceComplex layer_of(const SpaceComplex& complex, std::span<const FacetId> facets,
-                      std::shared_ptr<SpaceTables> tables, Context& context);
+                      const std::shared_ptr<SpaceTables>& tables, Context& context);
 
 // Meshes that cross themselves, as cells of space: facets are cut where they meet, so that every
 // point off them lies in a volume with one winding number.

@@ -99,7 +99,7 @@ void reverse_radial(SpaceComplex& c) {
 // to the left of d, in the direction n x d, as seen from n; its image is seen from M^-T n, and
 // ((M^-T n) x (M d)).(M (n x d)) has the sign of det M: the same side if the image of n is the
 // canonical normal and the map keeps orientation, or neither.
-SpaceComplex image_of(const SpaceComplex& complex, Images image, Context& context) {
+SpaceComplex image_of(const SpaceComplex& complex, Images& image, Context& context) {
   SpaceComplex out = complex;
   out.tables = image.tables();
   context.checkpoint("transform", 0, 3);
@@ -148,9 +148,9 @@ bool is_linear(const AffineMap3& map) {
 SpaceComplex framed_image(const SpaceComplex& complex, const AffineMap3& map, Context& context) {
   const FarBox box = is_linear(map) ? frame_box() : general_box(complex);
   const SpaceComplex cut = inside(complex, box, copy(*complex.tables), context);
-  SpaceComplex image = image_of(cut, Images(cut, map, enclosing_scale(box, map)), context);
-  const auto tables = std::const_pointer_cast<SpaceTables>(image.tables);
-  return with_used_tables(inside(std::move(image), frame_box(), tables, context));
+  Images images(cut, map, enclosing_scale(box, map));
+  SpaceComplex image = image_of(cut, images, context);
+  return with_used_tables(inside(std::move(image), frame_box(), images.tables(), context));
 }
 
 }  // namespace
@@ -160,7 +160,8 @@ SpaceComplex transformed(const SpaceComplex& complex, const AffineMap3& map, Con
     throw Error(ErrorCode::BadArgument, "the matrix of the map is singular");
   }
   if (has_frame(complex)) return framed_image(complex, map, context);
-  return image_of(complex, Images(complex, map, 1), context);
+  Images images(complex, map, 1);
+  return image_of(complex, images, context);
 }
 
 }  // namespace plumb

@@ -200,7 +200,7 @@ CellId cell_at_corner(const SurfaceArrangement& arrangement, const SurfaceCells&
 
 namespace {
 
-constexpr std::uint32_t kStepsPerCheckpoint = 4096;
+constexpr std::uint32_t kBorderStepsPerCheckpoint = 4096;
 constexpr std::uint64_t kStepBytes = 64;  // of a point of a loop
 
 /// A half-edge of the arrangement, or of the mesh in a face that is not touched.
@@ -231,7 +231,8 @@ class BorderTracer {
     is_used_.resize(a_.halfedge_count());
     for (std::uint32_t i = 0; i < a_.halfedge_count(); ++i) {
       const HalfedgeId h(i);
-      if (i % kStepsPerCheckpoint == 0) context_.checkpoint("borders", i, a_.halfedge_count());
+      if (i % kBorderStepsPerCheckpoint == 0)
+        context_.checkpoint("borders", i, a_.halfedge_count());
       if (is_used_[i] == 0 && is_border_arc(h)) trace({false, h});
     }
     return std::move(out_);
@@ -320,9 +321,9 @@ class BorderTracer {
 
   /// Adds the segment that starts with d, which follows `last`.
   void visit(Dart last, Dart d) {
-    if (++steps_ % kStepsPerCheckpoint == 0) {
+    if (++steps_ % kBorderStepsPerCheckpoint == 0) {
       context_.checkpoint("borders", 0, 1);
-      charge_.add(kStepBytes * kStepsPerCheckpoint, "borders");
+      charge_.add(kStepBytes * kBorderStepsPerCheckpoint, "borders");
     }
     if (!d.is_of_mesh) is_used_[d.h.value()] = 1;
     if (d.is_of_mesh) {
