@@ -201,9 +201,6 @@ class Builder {
 }  // namespace
 
 RationalPoint3 rational_point(int x, int y, int z) { return {x, y, z}; }
-RationalPoint3 operator-(const RationalPoint3& a, const RationalPoint3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
 RationalPoint3 operator+(const RationalPoint3& a, const RationalPoint3& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }

@@ -34,7 +34,6 @@ struct SpaceScene {
 };
 
 RationalPoint3 rational_point(int x, int y, int z);
-RationalPoint3 operator-(const RationalPoint3& a, const RationalPoint3& b);
 RationalPoint3 operator+(const RationalPoint3& a, const RationalPoint3& b);
 RationalPoint3 operator*(const Rational& s, const RationalPoint3& a);
 RationalPoint3 cross(const RationalPoint3& a, const RationalPoint3& b);

@@ -8,9 +8,6 @@ namespace {
 
 Rational cross(const RationalPoint2& u, const RationalPoint2& v) { return u.x * v.y - u.y * v.x; }
 Rational dot(const RationalPoint2& u, const RationalPoint2& v) { return u.x * v.x + u.y * v.y; }
-RationalPoint2 operator-(const RationalPoint2& p, const RationalPoint2& q) {
-  return {p.x - q.x, p.y - q.y};
-}
 
 // The ray origin + t direction, t >= 0.
 class Ray {

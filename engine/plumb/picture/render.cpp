@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "plumb/picture/scene/stroke_font.h"
+#include "plumb/predicates/arithmetic/vectors.h"
 
 namespace plumb {
 namespace {
@@ -102,8 +103,6 @@ constexpr double kHatchWidth = 3;
 constexpr double kHatchShade = .8;
 constexpr std::size_t kManyDots = 300;
 constexpr double kLeastText = 11;  // pixels
-
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 Point3 unit(const Point3& p) {
   const double length = std::sqrt(dot(p, p));

@@ -8,6 +8,7 @@
 
 #include "plumb/convex/decompose.h"
 #include "plumb/picture/scene/scene_frame.h"
+#include "plumb/predicates/arithmetic/vectors.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rounding.h"
@@ -25,11 +26,6 @@ Point3 normal_of(const SpaceComplex& complex, PlaneId plane) {
   const double length = std::hypot(row.n[0], row.n[1], row.n[2]);
   return {row.n[0] / length, row.n[1] / length, row.n[2] / length};
 }
-
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 bool is_finite(const Point3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);

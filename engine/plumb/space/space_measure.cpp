@@ -7,22 +7,13 @@
 #include <utility>
 
 #include "plumb/predicates/arithmetic/rational_sum.h"
+#include "plumb/predicates/arithmetic/vectors.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/predicates/space/query_point3.h"
 
 namespace plumb {
 namespace {
-
-RationalPoint3 operator-(const RationalPoint3& a, const RationalPoint3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-RationalPoint3 cross(const RationalPoint3& a, const RationalPoint3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-Rational dot(const RationalPoint3& a, const RationalPoint3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
 
 /// Of a sum, which is about as long as the coordinates of all vertices.
 constexpr std::uint64_t kBytesPerVertex = 10;

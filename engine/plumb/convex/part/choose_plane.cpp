@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "plumb/predicates/arithmetic/vectors.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/predicates/space/point3_table.h"
@@ -17,10 +18,6 @@ using Vector = std::array<double, 3>;
 Vector operator-(const Vector& a, const Vector& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 constexpr std::size_t kMostKept = 6;
 constexpr std::size_t kLarge = 500;  // above so many reflex edges balance is worth pieces:

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "plumb/base/context.h"
+#include "plumb/predicates/arithmetic/vectors.h"
 #include "plumb/predicates/rational_point.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/query/space_ray.h"
@@ -38,16 +39,6 @@ inline Ball dot(const BallVector& a, const BallVector& b) {
 inline BallVector cross(const BallVector& a, const BallVector& b) {
   return {{a.at[1] * b.at[2] - a.at[2] * b.at[1], a.at[2] * b.at[0] - a.at[0] * b.at[2],
            a.at[0] * b.at[1] - a.at[1] * b.at[0]}};
-}
-
-inline RationalPoint3 operator-(const RationalPoint3& a, const RationalPoint3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline Rational dot(const RationalPoint3& a, const RationalPoint3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-inline RationalPoint3 cross(const RationalPoint3& a, const RationalPoint3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 struct ConvexBody {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plumb/base/context.h"
+#include "plumb/predicates/arithmetic/vectors.h"
 #include "plumb/predicates/rational.h"
 #include "plumb/space/space_complex.h"
 
@@ -31,14 +32,6 @@ SpaceComplex without_idle_frame(SpaceComplex complex, Context& context);
 
 using RationalRow = std::array<Rational, 3>;
 using RationalMatrix = std::array<RationalRow, 3>;  ///< of rows
-
-inline Rational dot(const RationalRow& a, const RationalRow& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-inline RationalRow cross(const RationalRow& a, const RationalRow& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// The columns of determinant(m) m^-1, as rows.
 inline RationalMatrix cofactors(const RationalMatrix& m) {

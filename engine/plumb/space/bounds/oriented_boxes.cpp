@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "plumb/predicates/arithmetic/vectors.h"
 #include "plumb/space/complex/space_boxes.h"
 
 namespace plumb {
@@ -14,7 +15,6 @@ constexpr double kTiny = 0x1p-1000;       // what flushed subnormal numbers may 
 constexpr std::uint32_t kGroupShare = 4;  // a quarter of a node
 constexpr std::uint32_t kLongShare = 8;   // an eighth
 
-double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double length(const Vector3& a) { return std::fabs(a[0]) + std::fabs(a[1]) + std::fabs(a[2]); }
 Vector3 minus(const Vector3& a, const Vector3& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plumb/predicates/arithmetic/vectors.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/planar/facet_triangles.h"
 
@@ -10,10 +11,6 @@ namespace plumb {
 namespace {
 
 using Vector3 = std::array<double, 3>;
-
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 double largest(const Vector3& v) {
   return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "plumb/predicates/arithmetic/vectors.h"
 #include "plumb/sphere/arcs/sphere_arcs.h"
 
 namespace plumb {
@@ -14,12 +15,6 @@ namespace {
 using Vector = std::array<double, 3>;
 
 constexpr double kRounding = 1e-14;  // more than the roundings of anything below
-
-Vector cross(const Vector& u, const Vector& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-
-double dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
 /// How far the circle of a normal goes along a unit vector, at most.
 double reach(const UnitBall& normal, const Vector& n) {

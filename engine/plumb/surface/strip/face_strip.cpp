@@ -4,14 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "plumb/predicates/arithmetic/vectors.h"
+
 namespace plumb {
 namespace {
 
 Point3 operator-(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 double length(const Point3& a) { return std::sqrt(dot(a, a)); }
 
 /// The third corner of a triangle, to the right of the line from a to b.
