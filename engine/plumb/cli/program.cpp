@@ -1,4 +1,15 @@
-// "Did you mean ...?"
+// The program: from arguments to a command, and from errors to exit codes.
+//
+// The command is the first row of the table whose words begin the arguments; an unknown one, or an
+// unknown option, is answered with the nearest known word by optimal string alignment distance
+// (insertions, deletions, substitutions, and swaps of neighbours; the restricted form of F. J.
+// Damerau, Communications of the ACM 7, 1964). Help and overview are made from the same table, so
+// nothing is said twice.
+//
+// Every error becomes one line on standard error and an exit code; text that comes from files is
+// printed without control characters and cut to a bounded length. The path that reports exhausted
+// memory allocates nothing.
+// Tested by tests/cli/program_test.cpp and tests/cli/help_commands_test.cpp.
 
 #include "plumb/cli/program.h"
 
@@ -24,14 +35,14 @@
 
 namespace plumb::cli {
 
-/// The entry of `known` with the fewest insertions, deletions, substitutions and swaps of
-/// neighbours away from `word`; the first of equals. Empty if even that is more than a third of
-/// `word` (of a word of one or two letters: more than one) away.
+/// Returns the entry of `known` with the fewest insertions, deletions, substitutions and swaps of
+/// neighbours away from `word`; the first of equals. Returns an empty text if even that is more
+/// than a third of `word` away (for a word of one or two letters, more than one).
 std::string nearest(std::string_view word, std::span<const std::string> known);
 
 namespace {
 
-/// Optimal string alignment distance.
+/// Returns the optimal string alignment distance.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {
@@ -52,7 +63,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest(std::string_view word, std::span<const std::string> known) {
-  constexpr std::size_t kLongest = 64;  // nobody mistypes that: do not spend time on it
+  constexpr std::size_t kLongest = 64;  // Longer words are no typing mistakes and cost time.
   if (word.size() > kLongest) return {};
   std::string best;
   std::size_t least = std::max<std::size_t>(word.size() / 3, 1) + 1;
@@ -94,7 +105,7 @@ Row row_of(const Command& command) {
   return {std::move(what), command.summary};
 }
 
-/// The commands that start with the word `group`.
+/// Returns the commands that start with the word `group`.
 std::vector<Row> rows_of(std::string_view group) {
   std::vector<Row> rows;
   for (const Command& command : commands()) {
@@ -103,7 +114,7 @@ std::vector<Row> rows_of(std::string_view group) {
   return rows;
 }
 
-/// All commands; those of a group share a row.
+/// Returns all commands; those of a group share a row.
 std::vector<Row> all_rows() {
   std::vector<Row> rows;
   std::string_view last_word;
@@ -131,14 +142,14 @@ std::string table(const std::vector<Row>& rows) {
   return text;
 }
 
-/// Of the first command that starts with the word `group`.
+/// Returns the example of the first command that starts with the word `group`.
 std::string_view example_of(std::string_view group) {
   const auto first = std::find_if(commands().begin(), commands().end(),
                                   [&](const Command& c) { return first_word(c.name) == group; });
   return first->example;
 }
 
-/// Help for all commands, or for those that start with the word `group`.
+/// Returns help for all commands, or for those that start with the word `group`.
 std::string overview(std::string_view group = {}) {
   std::string text = "plumb " + std::string(kVersion) +
                      " - exact geometry: every decision exact, every result auditable\n\n"
@@ -163,7 +174,7 @@ bool is_group(std::string_view word) {
   });
 }
 
-/// How many of `arguments` spell `name`: all its words, or 0.
+/// Returns how many of `arguments` spell `name`: all its words, or 0.
 std::size_t words_matched(const Arguments& arguments, std::string_view name) {
   std::size_t count = 0;
   while (!name.empty()) {
@@ -175,7 +186,7 @@ std::size_t words_matched(const Arguments& arguments, std::string_view name) {
   return count;
 }
 
-/// The command of this group that `second` was probably meant to be; or empty.
+/// Returns the command of this group that `second` was probably meant to be; or an empty text.
 std::string guess_in_group(const std::string& group, const std::string& second) {
   Arguments words;
   for (const Command& command : commands()) {
@@ -187,7 +198,8 @@ std::string guess_in_group(const std::string& group, const std::string& second) 
   return guess.empty() ? guess : group + ' ' + guess;
 }
 
-/// The command that `first`, alone or with `second`, was probably meant to be; or empty.
+/// Returns the command that `first`, alone or with `second`, was probably meant to be; or an empty
+/// text.
 std::string guess_command(const std::string& first, const std::string& second) {
   if (is_group(first)) return guess_in_group(first, second);
   Arguments names;
@@ -225,7 +237,7 @@ std::string guess_command(const std::string& first, const std::string& second) {
              (guess.empty() ? "; plumb --help lists them" : "; did you mean '" + guess + "'?"));
 }
 
-/// CLI11's message, with the option that was probably meant.
+/// Returns CLI11's message, with the option that was probably meant.
 std::string parse_message(const CLI::App& app, const CLI::ParseError& error) {
   std::string message = error.what();
   if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError)) return message;
@@ -238,7 +250,8 @@ std::string parse_message(const CLI::App& app, const CLI::ParseError& error) {
   return guess.empty() ? message : message + "; did you mean '" + guess + "'?";
 }
 
-/// CLI11 knows "-0.5" for a number, but takes "-.5" for options.
+/// Returns the argument with a digit before its point: CLI11 accepts "-0.5" as a number, but takes
+/// "-.5" for options.
 std::string with_digit(std::string argument) {
   const bool starts_with_point =
       argument.size() > 2 && argument.starts_with("-.") && argument[2] >= '0' && argument[2] <= '9';
@@ -250,7 +263,7 @@ ExitCode run_command(const Command& command, Arguments arguments, std::stop_toke
   CommandApp known(command);
   CLI::App& app = known.app;
   std::transform(arguments.begin(), arguments.end(), arguments.begin(), with_digit);
-  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
+  std::reverse(arguments.begin(), arguments.end());  // The order that CLI11 wants.
   try {
     app.parse(std::move(arguments));
   } catch (const CLI::CallForHelp&) {
@@ -307,8 +320,8 @@ ExitCode report_refused_memory() {
   return ExitCode::Limit;
 }
 
-/// Of what files have a part in: one line, without control characters, and not of any length. Takes
-/// no memory.
+/// Prints text that files have a part in: one line, without control characters, and of bounded
+/// length. Allocates no memory.
 void print_line(std::string_view text) {
   std::array<char, 4096> line{};
   const std::size_t size = std::min(text.size(), line.size());
@@ -317,7 +330,7 @@ void print_line(std::string_view text) {
   std::fprintf(stderr, "%.*s\n", static_cast<int>(size), line.data());
 }
 
-/// Errors with a place are "FILE:LINE:COLUMN: ..." as they are; others get the program's name.
+/// Errors with a place begin with "FILE:LINE:COLUMN: ..."; others get the program's name.
 ExitCode report(const Error& error) {
   const ExitCode code = exit_code_of(error.code());
   if (code == ExitCode::ClosedPipe) return code;

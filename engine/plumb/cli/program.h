@@ -1,4 +1,4 @@
-// The program: finds the command, parses its options, runs it, turns errors into exit codes.
+// The program: finds the command, parses its options, runs it, and turns errors into exit codes.
 #pragma once
 
 #include <stop_token>
@@ -9,7 +9,8 @@
 
 namespace plumb::cli {
 
-/// `arguments` without the program's name. Prints errors to standard error; never throws.
+/// Runs a command. `arguments` come without the program's name. Prints errors to standard error;
+/// never throws.
 ExitCode run_program(const std::vector<std::string>& arguments, std::stop_token stop) noexcept;
 
 }  // namespace plumb::cli

@@ -1,4 +1,18 @@
-// Vertices of a complex in boxes: is there one strictly on a side of a plane?
+// Tests of convexity for meshes and sets, and the evidence against it.
+//
+// A mesh is first tried by the star test (StarTest), which needs nothing but orientation signs of
+// input points: a point o strictly behind every face exists, every face is a convex polygon, no
+// edge is reflex, and one ray from o meets one face. The projection from o to a sphere is then a
+// covering of degree one, so the surface is star-shaped, and it is convex because its edges are.
+// The ray is needed: a double pyramid that winds twice around its axis passes every other test.
+// Where a sign is Zero that must not be, or a face is not a convex polygon, the test gives no
+// answer and the mesh is made a set, whose own test decides. Proof: docs/design/walls.md, section
+// Convexity, after K. Mehlhorn et al., Computational Geometry 12 (1999).
+//
+// Evidence is the number of reflex edges and the faces with vertices on both sides. VertexTree
+// answers for each face whether a vertex lies strictly on a side of its plane; it discards boxes by
+// a bound on the rounding error of the plane's row, and takes exact signs of single vertices.
+// Tested by tests/convex/convexity_test.cpp.
 
 #include "plumb/convex/convexity.h"
 
@@ -21,13 +35,14 @@
 
 namespace plumb {
 
-/// Built in O(n log n). A query looks at the boxes that the plane may leave a part of on that side:
-/// O(log n) for a face of a convex surface, early out when many vertices qualify.
+/// A binary tree of boxes of vertices, built in O(n log n). A query descends only into boxes that
+/// may hold a vertex on the asked side, and stops at the first vertex found: O(log n) for a face of
+/// a convex surface, early where many vertices qualify.
 class VertexTree {
  public:
   VertexTree(const SpaceComplex& complex, std::vector<VertexId> vertices);
 
-  /// Some vertex strictly on that side; not valid: none.
+  /// Returns some vertex strictly on that side of the plane, or an invalid id if there is none.
   VertexId find(PlaneId plane, Sign side) const;
 
  private:
@@ -40,7 +55,8 @@ class VertexTree {
 
   const SpaceComplex& c_;
   std::vector<VertexId> vertices_;
-  std::vector<Box3> boxes_;  // of a full binary tree; node i has 2i + 1 and 2i + 2
+  // Boxes of a full binary tree; node i has the children 2i + 1 and 2i + 2.
+  std::vector<Box3> boxes_;
 };
 
 namespace {
@@ -81,7 +97,8 @@ void VertexTree::build(std::size_t begin, std::size_t end, std::size_t node) {
   build(middle, end, 2 * node + 2);
 }
 
-/// Not when the corner farthest to that side is surely not beyond the plane.
+/// Whether the box may hold a vertex on that side. It may not if the corner farthest to that side
+/// is surely not beyond the plane: the value there is below minus the error bound of the row.
 bool VertexTree::can_hold(PlaneId plane, Sign side, const Box3& box) const {
   const PlaneRow& row = c_.planes().row(plane);
   const double s = side == Sign::Positive ? 1 : -1;
@@ -118,8 +135,8 @@ namespace {
 
 // ---------------------------------------------------------------- meshes of convex polygons
 
-/// Steps 1 to 4 of the header for polygons that are planar and convex. No answer where a face is
-/// neither, or a sign is Zero that must not be.
+/// Steps 1 to 4 of convexity.h for polygons that are planar and convex. Gives no answer if a face
+/// is neither, or a sign is Zero that must not be.
 class StarTest {
  public:
   StarTest(const MeshView& mesh, Context& context) : m_(mesh), context_(context) {}
@@ -137,7 +154,7 @@ class StarTest {
   }
 
  private:
-  static constexpr std::size_t kStride = 4096;  // faces between checkpoints
+  static constexpr std::size_t kStride = 4096;  // Faces between checkpoints.
 
   void checkpoint(std::size_t f) const {
     if (f % kStride == 0) context_.checkpoint("convexity", f, m_.face_count());
@@ -147,7 +164,8 @@ class StarTest {
     const std::size_t f = face_[corner];
     return corner + 1 == m_.begin_of(f + 1) ? m_.begin_of(f) : corner + 1;
   }
-  /// Of the plane through three corners that are not on a line.
+  /// Returns the side of x with respect to the plane of face f, spanned by three corners that are
+  /// not on a line.
   Sign side(std::size_t f, const Point3& x) const {
     const auto& [a, b, c] = three_[f];
     return orient3d(at(a), at(b), at(c), x);
@@ -156,14 +174,17 @@ class StarTest {
   static bool is_finite(const Point3& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
   }
-  /// Whoever decides otherwise says which is not.
+  /// Whether all corners are finite points of the mesh. If not, the slow path throws the error that
+  /// names the point.
   bool are_points_there() const {
     return std::ranges::all_of(m_.corners, [&](std::uint32_t v) {
       return v < m_.point_count() && is_finite(m_.point(v));
     });
   }
 
-  /// A point strictly behind (or, inside out, before) all faces.
+  /// Finds a point strictly behind all faces, or strictly before all of them if the mesh is inside
+  /// out. The mean of the corners is tried; it lies inside every convex mesh up to rounding. Also
+  /// chooses three corners of each face that span its plane.
   bool find_middle() {
     const double scale = 1.0 / static_cast<double>(m_.corners.size());
     for (std::size_t i = 0; i < m_.corners.size(); ++i) {
@@ -190,7 +211,7 @@ class StarTest {
     return true;
   }
 
-  /// Each in one plane, without right turns, around once.
+  /// Whether each face lies in one plane, has no right turns, and runs around once.
   bool are_faces_convex() const {
     for (std::size_t f = 0; f < m_.face_count(); ++f) {
       if (m_.face(f).size() == 3) continue;
@@ -200,8 +221,9 @@ class StarTest {
     return true;
   }
 
-  /// A closed chain that turns left alone goes around as often as it has least points, seen in any
-  /// direction: in the order of coordinates.
+  /// Whether face f is a convex polygon. A closed chain that turns left only winds around as often
+  /// as it has local minima in any direction; the lexicographic order of coordinates is the
+  /// direction used here.
   bool is_convex_polygon(std::size_t f) const {
     std::size_t least = 0;
     for (std::size_t a = m_.begin_of(f); a < m_.begin_of(f + 1); ++a) {
@@ -219,8 +241,9 @@ class StarTest {
     return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
   }
 
-  /// Half-edges by the lesser end of their edge; there each waits, at the other end, for its
-  /// reverse. None: not a closed 2-manifold.
+  /// Whether no edge is reflex; no value if the surface is not a closed 2-manifold. Half-edges are
+  /// sorted by the lesser end of their edge with a counting sort. There each waits, in the slot of
+  /// the other end, for its reverse, so the pass is O(n) without hashing.
   std::optional<bool> are_edges_convex() const {
     std::vector<std::uint32_t> begin(m_.point_count() + 1, 0);
     const auto least = [&](std::size_t c) { return std::min(m_.corners[c], m_.corners[next(c)]); };
@@ -252,9 +275,9 @@ class StarTest {
     return true;
   }
 
-  /// c and d run along it, against each other.
+  /// Whether the edge is convex or flat whose half-edges c and d run against each other.
   bool is_edge_convex(std::size_t c, std::size_t d) const {
-    std::size_t off = next(next(d));  // a corner of d's face that is not on the line
+    std::size_t off = next(next(d));  // A corner of d's face that is not on the line.
     while (next(off) != d && orient3d(at(d), at(next(d)), at(off), middle_) == Sign::Zero) {
       off = next(off);
     }
@@ -262,8 +285,9 @@ class StarTest {
     return sign == behind_ || sign == Sign::Zero;
   }
 
-  /// The ray from the middle through the middle of three corners of face 0, as far as it is
-  /// rounded: no answer where that meets an edge.
+  /// Whether one ray from the middle meets exactly one face. The ray goes through the (rounded)
+  /// centroid of three corners of face 0. Gives no answer if it meets an edge, or if rounding moved
+  /// it off face 0.
   std::optional<bool> is_covered_once() const {
     const auto third = [&](double Point3::*x) {
       return at(three_[0][0]).*x / 3 + at(three_[0][1]).*x / 3 + at(three_[0][2]).*x / 3;
@@ -291,11 +315,12 @@ class StarTest {
   Context& context_;
   Point3 middle_{0, 0, 0};
   Sign behind_ = Sign::Zero;
-  std::vector<std::uint32_t> face_;                  // per corner
-  std::vector<std::array<std::uint32_t, 3>> three_;  // per face: corners that are not on a line
+  std::vector<std::uint32_t> face_;  // The face of each corner.
+  // Three corners of each face that are not on a line.
+  std::vector<std::array<std::uint32_t, 3>> three_;
 };
 
-/// An embedded closed surface in one part?
+/// Whether the mesh is an embedded closed surface with one component.
 bool is_plain(const MeshComplex& mesh) {
   const MeshReport& report = mesh.report;
   return report.is_closed() && !report.crosses_itself() && report.doubled.empty() &&
@@ -306,7 +331,8 @@ bool is_plain(const MeshComplex& mesh) {
 
 // ---------------------------------------------------------------- edges
 
-/// Edges with a wide wedge that is inside: by the use before it.
+/// Returns the edges with a reflex wedge inside the solid. A wedge is named by the edge use before
+/// it.
 template <class IsInside>
 std::vector<EdgeId> wide_edges(const SpaceComplex& c, IsInside&& is_inside_after) {
   const SectorTest test(c);
@@ -328,10 +354,11 @@ std::vector<EdgeId> wide_edges(const SpaceComplex& c, IsInside&& is_inside_after
 
 // ---------------------------------------------------------------- faces
 
-/// Facets with vertices on both sides; `outer` is the side of the plane that is outside.
+/// Returns the facets that have vertices on both sides; `outer` gives the side of a facet's plane
+/// that is outside.
 template <class Outer>
 std::vector<FailingFace> failing_facets(const SpaceComplex& c, Outer&& outer, Context& context) {
-  std::vector<VertexId> ends;  // of edges that are not the frame's
+  std::vector<VertexId> ends;  // Ends of edges that do not belong to the frame.
   std::vector<std::uint8_t> is_end(c.vertex_count(), 0);
   for (std::size_t h = 0; h < c.origin.size(); ++h) {
     if (c.edge_mark[h / 2] != kBeyond) is_end[c.origin[h].value()] = 1;
@@ -352,10 +379,11 @@ std::vector<FailingFace> failing_facets(const SpaceComplex& c, Outer&& outer, Co
   return failing;
 }
 
-/// Faces and vertices by their numbers in the mesh; a face that was cut into triangles is listed
-/// once.
+/// Replaces numbers of facets and vertices of the complex by those of the mesh. A face that was cut
+/// into triangles is listed once.
 void number_as_input(std::vector<FailingFace>& faces, const MeshView& mesh, const SpaceComplex& c) {
-  SpaceTables tables;  // filled as those of the complex were, a surface in the order of the input
+  // The tables of the complex were filled in this order, too, so that equal points have equal ids.
+  SpaceTables tables;
   const MeshVertices vertices = merge_equal_points(mesh, tables);
   std::vector<std::pair<SpacePoint, std::uint32_t>> inputs;
   for (std::size_t v = 0; v < vertices.point.size(); ++v) {
@@ -387,7 +415,7 @@ ConvexityEvidence convexity_of_mesh(const MeshView& mesh, Context& context) {
   if (evidence.is_convex) return evidence;
   const MeshComplex m = complex_of_mesh(mesh, {.surface = true}, context);
   const SpaceComplex& c = m.complex;
-  const auto turned = [&](FacetId f) {  // the sign of what is inside
+  const auto turned = [&](FacetId f) {  // The sign of the side that is inside.
     const bool is_out = !m.is_inside_out.empty() && m.is_inside_out[m.component[f.value()]] != 0;
     return (m.jump[f.value()] > 0) != is_out ? Sign::Positive : Sign::Negative;
   };

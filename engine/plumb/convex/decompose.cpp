@@ -15,6 +15,8 @@ void close(std::vector<Nef3>& pieces) {
   for (Nef3& piece : pieces) piece = piece.closure();
 }
 
+// Decomposes a set whose facets all have ids. Each part of the set is cut by planes; with the
+// method Best, vertical walls are tried on solid parts as well, and the fewer pieces are kept.
 ConvexPieces decompose_named(const Nef3& whole, const DecomposeOptions& options, Context& context) {
   if (options.method == DecomposeMethod::Walls) return decompose_by_walls(whole, options, context);
   ConvexPieces result;
@@ -32,7 +34,7 @@ ConvexPieces decompose_named(const Nef3& whole, const DecomposeOptions& options,
         if (options.closed) close(pieces);
       }
     }
-    // A part that is convex is its own piece.
+    // A part that is convex is its own piece and shares its memory.
     for (const Nef3& piece : pieces) {
       if (pieces.size() > 1) memory.add(bytes_beside_tables(piece), "convex pieces");
     }

@@ -1,3 +1,18 @@
+// Minkowski sums and erosions, and the polyhedral balls to offset with.
+//
+// Both operands are decomposed into convex parts, each pair of parts that can matter is added
+// (sum/convex_sum.h), and the sums are united. What makes every mark exact is R(S) + R(T) = R(S +
+// T) for the relative interiors of convex sets (R. T. Rockafellar, Convex Analysis, 1970, section
+// 6): closed operands are unions of closed parts, any other operand is a union of relatively open
+// parts, the cells of its convex parts. An open facet is further divided into open triangles and
+// the open diagonals between them.
+//
+// PairFilter leaves out pairs that cannot matter: a sum with an open body is open, and does not
+// change when the other operand is replaced by a dense part of it. So a body is added to maximal
+// parts only, those in the boundary of no other part of their set. Erosion by B is the complement
+// of (complement of A) + (-B); for bounded A the complement is taken within a box that is wide
+// enough. Proofs: docs/design/walls.md, section Minkowski sums.
+// Tested by tests/convex/minkowski_test.cpp.
 #include "plumb/convex/minkowski.h"
 
 #include <algorithm>
@@ -20,9 +35,9 @@ namespace plumb {
 namespace {
 
 constexpr unsigned kMaxRounds = 7;
-constexpr double kLeastRadius = 0x1p-900;  // coordinates keep all their bits
+constexpr double kLeastRadius = 0x1p-900;  // Coordinates of such a ball keep all their bits.
 
-/// An octahedron of radius 1 whose triangles are divided in four, again and again.
+/// An octahedron of radius 1 whose triangles are divided into four, again and again.
 class BallMesh {
  public:
   BallMesh() {
@@ -33,7 +48,7 @@ class BallMesh {
         mesh_.points.push_back({p[0], p[1], p[2]});
       }
     }
-    // Vertices 2 axis + (0: positive, 1: negative).
+    // Vertex 2 axis + 0 is on the positive half of the axis, 2 axis + 1 on the negative half.
     for (std::uint32_t octant = 0; octant < 8; ++octant) {
       const std::uint32_t x = octant & 1U, y = octant >> 1U & 1U, z = octant >> 2U & 1U;
       const bool is_mirrored = (x + y + z) % 2 == 1;
@@ -99,7 +114,7 @@ namespace {
 struct ConvexPart {
   ConvexBody body;
   bool is_closed = false;
-  bool is_maximal = false;  ///< in the boundary of no other part of its set
+  bool is_maximal = false;  ///< Whether the part is in the boundary of no other part of its set.
 };
 
 constexpr const char* kMemoryName = "a Minkowski sum";
@@ -114,7 +129,7 @@ bool has_mark(const std::vector<Mark>& marks, Mark mark) {
   return std::find(marks.begin(), marks.end(), mark) != marks.end();
 }
 
-/// Is a convex set its own relative interior?
+/// Whether a convex set is its own relative interior.
 bool is_relatively_open(const SpaceComplex& c) {
   if (has_mark(c.volume_mark, 1)) {
     return !has_mark(c.facet_mark, 1) && !has_mark(c.edge_mark, 1) && !has_mark(c.vertex_mark, 1);
@@ -125,13 +140,13 @@ bool is_relatively_open(const SpaceComplex& c) {
 
 ConvexBody body_of(const Nef3& convex) { return convex_body_of(convex.closure().complex()); }
 
-/// The relatively open parts of one convex piece: its body and the marked items of its boundary.
+/// The relatively open parts of one convex piece: its body and the marked cells of its boundary.
 class OpenParts {
  public:
   OpenParts(const Nef3& piece, std::vector<ConvexPart>& parts, Context& context)
       : piece_(piece), c_(piece.complex()), parts_(parts), context_(context) {}
 
-  /// `is_flat`: of a facet in the boundary of a body.
+  /// Adds the parts. `is_flat` says that the piece is a facet in the boundary of a body.
   void run(bool is_flat = false) {
     const bool has_body = is_flat || has_mark(c_.volume_mark, 1);
     if (has_body && !is_flat) parts_.push_back({body_of(piece_.interior()), false, true});
@@ -151,8 +166,8 @@ class OpenParts {
   }
 
  private:
-  /// Open triangles and the open diagonals between them. No triangle knows of a slit: such a facet
-  /// is cut before.
+  /// Adds the open triangles of a facet and the open diagonals between them. Triangulation ignores
+  /// slits, so a facet with a slit is cut into convex pieces first.
   void add_facet(FacetId f, bool is_maximal) {
     if (has_slit(f)) return add_slit_facet(f, is_maximal);
     std::map<std::array<std::uint32_t, 2>, int> times;
@@ -206,7 +221,7 @@ std::vector<Nef3> convex_pieces(const Nef3& set, bool closed, Context& context) 
   return decompose(set, {DecomposeMethod::Best, closed}, context).pieces;
 }
 
-/// Step 1.
+/// Step 1 of the main flow: decomposes an operand into closed or relatively open convex parts.
 std::vector<ConvexPart> parts_of_operand(const Nef3& set, bool is_sum_closed, Context& context) {
   std::vector<ConvexPart> parts;
   for (const Nef3& piece : convex_pieces(set, is_sum_closed, context)) {
@@ -219,8 +234,8 @@ std::vector<ConvexPart> parts_of_operand(const Nef3& set, bool is_sum_closed, Co
   return parts;
 }
 
-/// Which pairs matter. A sum with an open operand does not change when the other one is replaced by
-/// a dense part of it; an open body is such an operand.
+/// Decides which pairs matter. A sum with an open operand does not change when the other one is
+/// replaced by a dense part of it; an open body is such an operand.
 class PairFilter {
  public:
   PairFilter(const Nef3& a, const Nef3& b) : is_open_{a.is_open(), b.is_open()} {}
@@ -251,7 +266,7 @@ AffineMap3 scaling(int factor) {
   return map;
 }
 
-/// The range of a coordinate over a bounded set that is not empty.
+/// Returns the range of a coordinate over a bounded set that is not empty.
 std::array<Rational, 2> range_of(const Nef3& set, std::size_t axis) {
   const SpaceComplex& c = set.complex();
   SpacePoint low = c.vertex_point[0], high = low;
@@ -266,8 +281,8 @@ std::array<Rational, 2> range_of(const Nef3& set, std::size_t axis) {
   return {coordinate(low), coordinate(high)};
 }
 
-/// A box around A where it can hold x + B for x in the box around A - B, and more; open if A is
-/// closed, so that what A leaves of it is open, else closed.
+/// Returns a box around A that contains x + B for every x in the box of A - B, with a margin. The
+/// box is open if A is closed, so that the box without A is open; else it is closed.
 Nef3 room_around(const Nef3& a, const Nef3& b, Context& context) {
   const Boundary boundary = a.is_closed() ? Boundary::Open : Boundary::Closed;
   std::vector<HalfSpace3> sides;
@@ -299,7 +314,8 @@ Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context) {
   MemoryCharge memory(context);
   memory.add(memory_of(parts_a) + memory_of(parts_b), kMemoryName);
   const SumMarks marks = is_closed ? SumMarks::Closed : SumMarks::Open;
-  Context quiet(context, {}, context.threads(), false);  // one phase, not one for each pair
+  // Reports one phase, not one for each pair.
+  Context quiet(context, {}, context.threads(), false);
   std::size_t pairs = 0;
   for (const ConvexPart& p : parts_a) {
     for (const ConvexPart& q : parts_b) {
@@ -318,7 +334,8 @@ Nef3 minkowski_erosion(const Nef3& a, const Nef3& b, Context& context) {
   const Nef3 mirrored = b.transformed(scaling(-1));
   if (!a.is_bounded()) return !minkowski_sum(!a, mirrored, context);
   if (a.is_empty()) return a;
-  // x + B in A for one point of B at least: x in the translate of A. There x + B stays in the room.
+  // If x + B lies in A, then x is in the translate of A by minus one point of B. For such x, x + B
+  // stays within the box, so the sum with the rest of the box finds all x that are lost.
   const Nef3 lost = minkowski_sum(boolean_op(room_around(a, b, context), a, kDifference, context),
                                   mirrored, context);
   const Nef3 candidates = minkowski_sum(a, mirrored, context);

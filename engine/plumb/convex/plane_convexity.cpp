@@ -1,3 +1,15 @@
+// Convexity of a set of the plane, decided on its minimal complex in O(n). With one marked face f
+// the set is convex if and only if f has one loop without reflex corners, every other marked cell
+// is on the boundary of f, and the marked cells of each side of f are consecutive. Without a marked
+// face a convex set is one edge with any of its ends, one point, or empty. The local condition
+// suffices by the theorem of Tietze (1928): a closed connected set that is locally convex is
+// convex.
+//
+// PartCount counts connected components with a union-find over all cells: an edge joins the faces
+// and vertices in whose closures it takes part if both are marked. The complex is minimal, so a
+// marked vertex without edges lies in no marked face. Proof: docs/design/walls.md, section
+// Convexity.
+// Tested by tests/convex/plane_convexity_test.cpp.
 #include "plumb/convex/plane_convexity.h"
 
 #include <algorithm>
@@ -14,8 +26,9 @@ constexpr const char* kConvexityPhase = "convexity";
 
 // ---------------------------------------------------------------- parts
 
-/// Marked items joined where one is in the closure of the other: faces, then edges, then vertices.
-/// (A marked vertex without edges is in no marked face: the complex is minimal.)
+/// Counts the connected components of a set. Marked cells are joined where one is in the closure of
+/// the other. Classes are numbered by faces, then edges, then vertices. (A marked vertex without
+/// edges is in no marked face, because the complex is minimal.)
 class PartCount {
  public:
   explicit PartCount(const PlaneComplex& complex)
@@ -63,7 +76,8 @@ class PartCount {
 
 // ---------------------------------------------------------------- one face
 
-/// The first reflex corner; a point taken out is one.
+/// Returns the first reflex corner of the region, or no value. A point removed from the face is
+/// one.
 std::optional<RationalPoint2> reflex_corner(const PlaneRegion& region) {
   for (std::size_t i = 0; i < region.halfedge_count(); ++i) {
     const HalfedgeId h(i);
@@ -77,13 +91,16 @@ std::optional<RationalPoint2> reflex_corner(const PlaneRegion& region) {
   return std::nullopt;
 }
 
-/// At infinity, or a corner of less than half a turn. Requires one that is not reflex.
+/// Whether a side ends at the start of h: at infinity, or at a corner of less than half a turn.
+/// Requires a corner that is not reflex.
 bool is_side_end(const PlaneRegion& region, HalfedgeId h) {
   if (region.is_at_infinity(region.start(h))) return true;
   return region.cross(region.heading(region.before(h)), region.heading(h)) != Sign::Zero;
 }
 
-/// Are the marked items of each side consecutive? Requires one loop without reflex corners.
+/// Whether the marked cells of each side are consecutive. Requires one loop without reflex corners.
+/// A side is a maximal run of collinear edges; the walk counts runs of marked cells and starts anew
+/// at each end of a side, whose vertex belongs to both sides.
 bool are_sides_convex(const PlaneRegion& region) {
   HalfedgeId first = region.loops.front().halfedge();
   while (!is_side_end(region, first)) first = region.after(first);
@@ -139,7 +156,7 @@ class PlaneConvexityTest {
   }
 
  private:
-  /// Is everything marked on the boundary of f?
+  /// Whether every marked cell other than f lies on the boundary of f.
   bool is_all_around(FaceId f) const {
     for (std::size_t i = 0; i < c_.edge_count(); ++i) {
       const HalfedgeId h = first_half(EdgeId(i));
@@ -157,6 +174,8 @@ class PlaneConvexityTest {
     return true;
   }
 
+  /// Whether the marked edges and vertices are one edge with any of its ends, one point, or
+  /// nothing.
   bool is_one_edge_or_point() const {
     const auto edges = std::ranges::count(c_.marks.edge, 1);
     const auto points = std::ranges::count(c_.marks.vertex, 1);

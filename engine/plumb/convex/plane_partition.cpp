@@ -1,3 +1,16 @@
+// Decomposition of a set of the plane into convex parts, face by face. A marked face becomes a
+// PlaneRegion, a copy of its boundary in half-edges of its own; one of the methods inserts edges
+// until no corner is reflex, and each loop that remains becomes a set that owns part of its
+// boundary (PieceMaker). Ownership is what keeps the parts disjoint: a cell of the boundary goes to
+// one region, and a cut to one of its two sides.
+//
+// The method Best takes the fewest parts of what it can afford. An optimal partition by diagonals
+// is not always the best, because a cut that prolongs a side may end inside an edge and resolve two
+// reflex corners at once; so cuts are tried as well, unless there are two parts already or
+// r n is too large. Bounds and proofs: docs/convex.md and plane_partition.h; S. Hertel and
+// K. Mehlhorn, Fast triangulation of simple polygons, FCT 1983; M. Keil and J. Snoeyink,
+// International Journal of Computational Geometry and Applications 12 (2002).
+// Tested by tests/convex/plane_partition_test.cpp.
 #include "plumb/convex/plane_partition.h"
 
 #include <algorithm>
@@ -14,10 +27,11 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint64_t kHalfBytes = 64;    // of a region, for each half-edge
-constexpr std::uint64_t kPieceBytes = 700;  // of a piece, and for each of its sides
+constexpr std::uint64_t kHalfBytes = 64;    // Bytes of a region for each half-edge.
+constexpr std::uint64_t kPieceBytes = 700;  // Bytes of a piece, and of each of its sides.
 constexpr std::uint64_t kSideBytes = 150;
-constexpr std::uint64_t kAffordableCuts = 100'000'000;  // reflex corners times half-edges
+// Largest product of reflex corners and half-edges.
+constexpr std::uint64_t kAffordableCuts = 100'000'000;
 
 class PlanePartition {
  public:
@@ -42,7 +56,8 @@ class PlanePartition {
   }
 
  private:
-  /// What regions need of the whole, and the pieces, as long as they are being made.
+  /// Charges the memory that regions need of the whole set; the pieces are charged as they are
+  /// made.
   static const PlaneComplex& charged(const PlaneComplex& c, MemoryCharge& memory) {
     memory.add(8 * c.dcel.vertex_count() + 4 * c.dcel.edge_count() + 4 * c.points.size(),
                kPartitionPhase);
@@ -52,7 +67,8 @@ class PlanePartition {
   void add_face(FaceId f) {
     PlaneRegion region = regions_.region(f);
     MemoryCharge memory(context_);
-    memory.add(2 * kHalfBytes * region.halfedge_count(), kPartitionPhase);  // Best has two
+    memory.add(2 * kHalfBytes * region.halfedge_count(),
+               kPartitionPhase);  // Method Best holds two regions.
     const std::uint64_t reflex = region.count_reflex_corners();
     result_.reflex_corners += reflex;
     if (reflex > 0) cut(region, reflex);
@@ -92,23 +108,27 @@ class PlanePartition {
     } else {
       cut_by_diagonals(region, context_);
     }
-    // Nothing is better than half of the reflex corners.
+    // No method makes fewer parts than r / 2 + 1, so two loops cannot be improved on.
     if (region.count_loops() <= 2 || reflex * other.halfedge_count() > kAffordableCuts) return;
     cut_by_sides(other, context_);
     if (other.count_loops() < region.count_loops()) region = std::move(other);
   }
 
+  // Throws Error{BadArgument} unless `is_met`.
   static void require(bool is_met, const std::string& what) {
     if (!is_met) throw Error(ErrorCode::BadArgument, what);
   }
 
   // ---------------------------------------------------------------- what has no face
 
+  /// Whether the edge borders a marked face, whose piece may own it.
   bool has_face(EdgeId e) const {
     const HalfedgeId h = first_half(e);
     return c_.mark(c_.dcel.face(h)) || c_.mark(c_.dcel.face(twin(h)));
   }
 
+  /// Makes each marked edge without a marked face a piece. A vertex that is the end of several goes
+  /// to the first.
   void add_edges() {
     PieceMaker maker(c_.points);
     is_taken_.assign(c_.vertex_count(), 0);
@@ -130,6 +150,7 @@ class PlanePartition {
     }
   }
 
+  /// Makes each marked vertex that no piece owns yet a piece.
   void add_points() {
     for (std::uint32_t i = 0; i < c_.vertex_count(); ++i) {
       const VertexId v(i);

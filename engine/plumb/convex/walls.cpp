@@ -1,4 +1,17 @@
-// Which direction makes the fewest pieces when walls hold it? (internal to walls)
+// Decomposition by vertical walls, and the choice of the direction that is vertical.
+//
+// A subdivision takes rounds of two steps, each an overlay of the set with walls: sight walls rise
+// and fall from every reflex edge that is not vertical (wall/wall_sight.h), after which only
+// vertical edges are reflex; spread walls resolve those (wall/wall_spread.h). One round is enough
+// unless a cell lies above itself. Every wall holds the vertical, so the new planes are pencils of
+// old ones and numbers grow with the rounds, not with the walls. There are O(r^2) cells for r
+// reflex edges, which is optimal in the worst case: B. Chazelle, Convex partitions of polyhedra,
+// SIAM Journal on Computing 13 (1984).
+//
+// DirectionChoice estimates for each candidate direction how many pieces its walls would make, from
+// shadows of reflex edges along that direction. It works in doubles: only the number of pieces
+// depends on it, never their correctness. Proofs: docs/design/walls.md, section Vertical walls.
+// Tested by tests/convex/walls_test.cpp and tests/convex/decompose_property_test.cpp.
 
 #include "plumb/convex/walls.h"
 
@@ -23,26 +36,28 @@
 
 namespace plumb {
 
-/// Candidates: the axes, and directions that several reflex edges or normals of facets share. Each
-/// is judged by what it would cut: an edge that is not vertical makes a wall, and two more pieces
-/// for each other such edge whose shadow its own crosses; a vertical edge makes one. Shadows are
-/// compared in doubles: nothing but the number of pieces depends on it. O(r^2) for r reflex edges
-/// (of more than 1500 a sample).
+/// The direction expected to give the fewest pieces. Candidates are the axes, and directions that
+/// several reflex edges or normals of facets share. Each is judged by what it would cut: an edge
+/// that is not vertical makes a wall, and one more piece for each other such edge whose shadow its
+/// own crosses; a vertical edge makes one piece more. Cost: O(r^2) for r reflex edges; of more than
+/// kMaxEdges a sample is taken.
 struct VerticalChoice {
   VerticalDirection up;
-  double pieces = 0;  ///< expected
+  double pieces = 0;  ///< Expected number of pieces.
 };
 VerticalChoice choose_vertical(const SpaceComplex& complex, Context& context);
 
 namespace {
 
-constexpr std::size_t kMaxEdges = 1500;     // compared with each other
-constexpr std::size_t kMaxCandidates = 12;  // besides the axes
-constexpr unsigned kMaxBits = 64;  // of a direction's coordinates: they lengthen every wall's
+constexpr std::size_t kMaxEdges = 1500;     // Most edges that are compared with each other.
+constexpr std::size_t kMaxCandidates = 12;  // Most candidates besides the axes.
+// Most bits of a direction's coordinates: they lengthen the numbers of every wall.
+constexpr unsigned kMaxBits = 64;
 
 using Vector2 = std::array<double, 2>;
 
-/// Coprime, the first that is not zero positive; false: zero, or too long.
+/// Makes the coordinates coprime and the first that is not zero positive. Returns false if all are
+/// zero or one is too long.
 bool normalise(VerticalDirection& v) {
   Integer common = gcd(gcd(v[0], v[1]), v[2]);
   if (common == 0) return false;
@@ -113,7 +128,7 @@ class DirectionChoice {
     return counts;
   }
 
-  /// The most frequent first.
+  /// Adds the directions that occur more than once, the most frequent first.
   static void add_shared(const Counts& counts, std::vector<VerticalDirection>& candidates) {
     std::vector<std::pair<std::size_t, const VerticalDirection*>> order;
     for (const auto& [direction, count] : counts) {
@@ -138,6 +153,8 @@ class DirectionChoice {
     std::size_t axis = 0;
     for (std::size_t i = 1; i < 3; ++i) {
       if (abs(up[i]) > abs(up[axis])) axis = i;
+      // The shadow is the projection along `up` to the coordinate plane across its largest
+      // coordinate.
     }
     const auto slope = [&](std::size_t i) {
       return nearest_double(Rational(up[(axis + 1 + i) % 3], up[axis]));
@@ -154,7 +171,7 @@ class DirectionChoice {
       const std::uint32_t h = 2 * e.value();
       pieces += 1;
       if (is_along(e, up)) continue;
-      pieces += 0.5;  // it may be cut into two walls, and its ends make vertical edges
+      pieces += 0.5;  // An edge may be cut into two walls, and its ends make vertical edges.
       shadows.push_back({shadow(c_.origin[h]), shadow(c_.origin[h + 1])});
     }
     for (std::size_t i = 0; i < shadows.size(); ++i) {
@@ -164,6 +181,7 @@ class DirectionChoice {
     return pieces;
   }
 
+  /// Whether the edge is parallel to `up`: both its planes hold that direction.
   bool is_along(EdgeId e, const VerticalDirection& up) const {
     const auto holds = [&](PlaneId p) {
       const IntegerRow n = c_.planes().coefficients(p);
@@ -195,8 +213,8 @@ namespace {
 
 constexpr int kMaxWallRounds = 64;
 
-/// Does a marked volume span more than half a turn around some edge, or a point taken out of it? Of
-/// a complex that need not be minimal.
+/// Whether a marked volume spans more than half a turn around some edge, or a point has been
+/// removed from one. The complex need not be minimal.
 bool has_reflex_items(const SpaceComplex& complex) {
   for (const VolumeId around : complex.vertex_volume) {
     if (around.is_valid() && complex.volume_mark[around.value()] == 1) return true;
@@ -213,6 +231,8 @@ bool has_reflex_items(const SpaceComplex& complex) {
 
 using Step = std::vector<WallPolygon> (*)(const SpaceComplex&, SpaceTables&, Vertical&, Context&);
 
+// Returns the complex overlaid with the walls of one step. Walls make new planes and points, so it
+// gets tables of its own.
 SpaceComplex after(Step step, SpaceComplex complex, const VerticalDirection& up, Context& context) {
   MemoryCharge memory(context);
   memory.add(memory_bytes(complex), "a set with its walls");
@@ -223,17 +243,18 @@ SpaceComplex after(Step step, SpaceComplex complex, const VerticalDirection& up,
   return with_walls(std::move(complex), tables, walls, context);
 }
 
-/// Walls got a mark of their own.
+/// Gives walls, which carry kBeyond as a mark of their own until now, the mark 1.
 void mark_walls(SpaceComplex& complex) {
   for (auto* marks : {&complex.vertex_mark, &complex.edge_mark, &complex.facet_mark}) {
     std::replace(marks->begin(), marks->end(), kBeyond, Mark{1});
   }
 }
 
-/// None: reflex edges are left after many rounds.
+/// Returns the subdivided complex, or no value if reflex edges are left after kMaxRounds rounds.
 std::optional<SpaceComplex> subdivided(SpaceComplex complex, const VerticalDirection& up,
                                        Context& context) {
-  // Once, but where a cell winds around and lies above itself: then walls may have ended too early.
+  // One round is enough unless a cell winds around and lies above itself: then walls may have ended
+  // too early.
   for (int round = 0; has_reflex_items(complex); ++round) {
     if (round == kMaxWallRounds) return std::nullopt;
     complex = after(sight_walls, std::move(complex), up, context);
@@ -260,9 +281,10 @@ SpaceComplex wall_subdivision(const Nef3& set, const std::optional<VerticalDirec
 }
 
 std::vector<Nef3> fewer_pieces_by_walls(const Nef3& volume, std::size_t most, Context& context) {
-  constexpr std::size_t kFew = 32;  // reflex edges: walls cost little
-  constexpr double kOverrated =
-      1.25;  // neither the number expected nor that before merging is the last word
+  // Up to so many reflex edges walls cost little and are always tried.
+  constexpr std::size_t kFew = 32;
+  // Factor by which the expected number, and the number before merging, may be too large.
+  constexpr double kOverrated = 1.25;
   const SpaceComplex& c = volume.complex();
   if (most < 3 || !volume.is_bounded()) return {};
   const VerticalChoice choice = choose_vertical(c, context);
@@ -290,7 +312,7 @@ std::vector<Nef3> pieces_by_walls(const Nef3& volumes, const DecomposeOptions& o
   return pieces;
 }
 
-/// Of a set whose facets have ids.
+/// Decomposes a set whose facets all have ids.
 ConvexPieces parts_by_walls(const Nef3& set, const DecomposeOptions& options, Context& context) {
   DecomposeOptions cuts = options;
   cuts.method = DecomposeMethod::Cuts;

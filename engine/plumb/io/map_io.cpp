@@ -1,3 +1,12 @@
+// Reading and writing of the `map` format: counts, points, and faces as cycles of vertices numbered
+// from 1.
+//
+// Counts are compared with the bytes that follow before memory is reserved. A face is accepted only
+// if it has at least three corners, no vertex twice in a row, and corners that are not all on one
+// line; the last is decided by exact orientation signs, which stop at the first turn. Whether the
+// faces form a planar subdivision is not decided here but by the check of maps (plane/map_check.h).
+// Format: docs/formats.md, section map.
+// Tested by tests/io/map_io_test.cpp.
 #include "plumb/io/map_io.h"
 
 #include <algorithm>
@@ -17,7 +26,7 @@ namespace {
 constexpr std::size_t kVertexBytes = 4;
 constexpr std::size_t kFaceBytes = 6;
 
-/// Are all corners of `face` on one line of the plane? Exact; stops at the first turn.
+/// Whether all corners of `face` are on one line of the plane. Exact; stops at the first turn.
 bool is_on_one_line(const PointTable2& points, std::span<const std::uint32_t> face) {
   const std::uint32_t a = face[0];
   if (orient2d(points, a, face[1], face[2]) != Sign::Zero) return false;
@@ -42,7 +51,7 @@ class MapReader {
                                          std::to_string(counts_line_) + " announces " +
                                          std::to_string(faces_) + " faces");
     }
-    map_.corners.shrink_to_fit();  // no line says how many there will be
+    map_.corners.shrink_to_fit();  // No line says how many corners there will be.
     return std::move(map_);
   }
 
@@ -144,7 +153,8 @@ void MapReader::add_corner(std::uint32_t vertex) {
     if (charged_corners_ > RecordReader::kMostIds - kStep) {
       fail(ErrorCode::ResourceLimit, "more than 2^32 corners");
     }
-    in_.charge(3 * kStep * sizeof(std::uint32_t));  // while the list grows, the old one is there
+    // While the list grows, the old one exists, too.
+    in_.charge(3 * kStep * sizeof(std::uint32_t));
     charged_corners_ += kStep;
   }
   map_.corners.push_back(vertex);

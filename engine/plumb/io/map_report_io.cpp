@@ -1,3 +1,12 @@
+// Reports on maps as text, JSON and GeoJSON.
+//
+// A valid map is printed as a DCEL listing, in which every index is 1-based and 0 means none; twins
+// are found through the table of edges. Defects are printed with the same data in all three forms:
+// cycles, edges, and a place that is exact, with the nearest doubles beside it where these differ.
+// Lists that can have millions of entries are written piece by piece; only single entries become
+// JSON values. Formats: docs/formats.md, sections DCEL listing, Defects as text, Defects as JSON,
+// Defects as GeoJSON.
+// Tested by tests/io/map_report_io_test.cpp.
 #include "plumb/io/map_report_io.h"
 
 #include <cstdint>
@@ -13,7 +22,7 @@
 namespace plumb {
 namespace {
 
-/// Corner positions by half-edge; kNone where no cycle lists the half-edge.
+/// Corner positions by half-edge; kNone for half-edges that no cycle lists.
 class CornerNumbers {
  public:
   explicit CornerNumbers(const Map& map)
@@ -23,7 +32,7 @@ class CornerNumbers {
     }
   }
 
-  /// 1-based, 0 for none.
+  /// Returns the 1-based number of the twin, or 0 for none.
   std::uint32_t twin_number(std::size_t corner) const {
     return corner_of_[edges_.at_corner[corner] ^ 1U] + 1;
   }
@@ -33,7 +42,7 @@ class CornerNumbers {
   std::vector<std::uint32_t> corner_of_;
 };
 
-/// Per vertex the number of the first half-edge that leaves it, or 0.
+/// Returns for each vertex the number of the first half-edge that leaves it, or 0.
 std::vector<std::uint32_t> first_halfedges(const Map& map) {
   std::vector<std::uint32_t> first(map.vertex_count(), 0);
   for (std::size_t corner = map.corners.size(); corner-- > 0;) {
@@ -104,7 +113,7 @@ void write_place(TextOutput& out, const MapDefect& defect) {
   if (is_near_needed) out << " near " << defect.near.x << ' ' << defect.near.y;
 }
 
-/// One line: "1. crossing; faces 3 5; edges 4-9 2-7; at 7/2 5 near 3.5 5: HINT"
+/// Writes one line: "1. crossing; faces 3 5; edges 4-9 2-7; at 7/2 5 near 3.5 5: HINT".
 void write_defect(TextOutput& out, std::size_t number, const MapDefect& defect) {
   out << std::uint64_t{number} << ". " << name_of(defect.kind);
   write_cycles(out, defect.cycles);
@@ -225,7 +234,7 @@ Json warning_json(const MapWarning& warning) {
           {"text", warning.text}};
 }
 
-/// The members before the lists.
+/// Returns the members before the lists.
 Json summary_json(const MapReport& report) {
   return {{"verdict", verdict_name(report.verdict)},
           {"vertices", report.vertices},
@@ -235,7 +244,7 @@ Json summary_json(const MapReport& report) {
           {"counts", counts_json(report.counts)}};
 }
 
-/// "[a,b,...]", element by element.
+/// Writes "[a,b,...]", entry by entry.
 template <class Element, class Write>
 void write_list(TextOutput& out, const std::vector<Element>& elements, Write write) {
   out << '[';
@@ -248,7 +257,7 @@ void write_list(TextOutput& out, const std::vector<Element>& elements, Write wri
   out << ']';
 }
 
-/// {"outer":3,"holes":[7,8]}: numbers only, written directly because there can be millions.
+/// Writes {"outer":3,"holes":[7,8]}: numbers only, written directly because there can be millions.
 void write_region(TextOutput& out, const MapRegion& region) {
   out << "{\"outer\":";
   if (region.outer) {
@@ -266,7 +275,7 @@ auto dump_with(TextOutput& out, Json (*to_json)(const Element&)) {
   return [&out, to_json](const Element& element) { out << to_json(element).dump(); };
 }
 
-// GeoJSON
+// Defects as GeoJSON.
 
 Json position(Point2 p) { return {p.x, p.y}; }
 
@@ -292,7 +301,7 @@ Json feature_json(const MapReport& report, const MapDefect& defect) {
 void write_map_report_json(std::ostream& stream, const MapReport& report) {
   TextOutput out(stream);
   std::string summary = summary_json(report).dump();
-  summary.pop_back();  // the closing brace: the lists follow
+  summary.pop_back();  // The closing brace, because the lists follow.
   out << summary << ",\"defects\":";
   write_list(out, report.defects, dump_with(out, defect_json));
   out << ",\"warnings\":";

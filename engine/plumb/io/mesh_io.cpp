@@ -1,3 +1,10 @@
+// Dispatch over mesh formats: names, extensions, guesses from content, files.
+//
+// A format is taken from an explicit name, else from the extension, else from the first bytes;
+// binary STL is recognised by its size, all others by their first word. glTF files may name other
+// files of their folder, so only reading by path can load these. Files are written through
+// OutputFile, so a failed write leaves nothing behind. Formats: docs/formats.md, section Meshes.
+// Tested by tests/io/mesh_io_test.cpp.
 #include "plumb/io/mesh_io.h"
 
 #include <algorithm>
@@ -30,7 +37,7 @@ constexpr std::array<std::pair<std::string_view, MeshFormat>, 9> kNames{{
     {"glb", MeshFormat::Gltf},
 }};
 
-/// The first word that is no comment.
+/// Returns the first word that is no comment.
 std::string_view first_word(std::string_view text) {
   take_prefix(text, "\xEF\xBB\xBF");
   for (;;) {

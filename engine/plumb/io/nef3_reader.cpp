@@ -1,3 +1,12 @@
+// Reading of `.nef`, the lossless format of sets of space.
+//
+// Records come in the order planes, points, vertices, edges, edge uses, facets, volumes, each named
+// by its position. Planes are interned as they are read and must come out with the number and
+// orientation they have in the file, so a file cannot name one plane twice; constructed points must
+// be one point of their planes. Ids are checked against counts, and links against each other
+// (flaw_of_links()) before any walk over them. Whether the complex is a set of space is for the
+// audit to decide, which callers run (solid_io.cpp). Format: docs/formats.md, section .nef.
+// Tested by tests/io/nef3_reader_test.cpp.
 #include "plumb/io/nef3_reader.h"
 
 #include <array>
@@ -18,11 +27,11 @@ namespace {
 
 constexpr std::uint32_t kFirstOfFrame = 3;
 
-/// What the file says of how much there is of one kind.
+/// How many records of one kind the file announces, and what they cost.
 struct Count {
   std::string_view name;
-  std::uint64_t least_bytes;   ///< of a record with its line break
-  std::uint64_t charge_bytes;  ///< what it takes in the complex
+  std::uint64_t least_bytes;   ///< Least bytes of a record with its line break.
+  std::uint64_t charge_bytes;  ///< Bytes that a record takes in the complex.
   std::uint32_t value = 0;
 };
 
@@ -74,7 +83,7 @@ class Nef3Reader {
   std::uint32_t read_index(const Count& count, std::string_view what) {
     return in_.read_id(what, count.value) - 1;
   }
-  /// 0 for none.
+  /// Returns an id, not valid for the number 0.
   template <class Id>
   Id read_optional(const Count& count, std::string_view what) {
     const std::uint32_t id = in_.read_id(what, count.value, 0);
@@ -83,7 +92,7 @@ class Nef3Reader {
   PlaneId read_plane_id() { return PlaneId(read_index(planes_, "plane")); }
   Mark read_mark() { return static_cast<Mark>(in_.read_id("mark", kBeyond, 0)); }
   TextCursor& cursor() { return in_.cursor(); }
-  /// Where it begins, or the end of the line.
+  /// Returns where the next token begins, or the end of the line.
   const char* next_token() {
     cursor().at_line_end();
     return cursor().position();
@@ -115,6 +124,8 @@ void Nef3Reader::each(const Count& count, std::string_view what, Read read_recor
   }
 }
 
+/// Reads the seven counts and charges the complex at once. The counts are compared with the bytes
+/// that follow at the least length of a record.
 void Nef3Reader::read_counts() {
   if (!cursor().next_line()) {
     fail(ErrorCode::CountMismatch,
@@ -131,7 +142,7 @@ void Nef3Reader::read_counts() {
   }
   in_.end_line("seven numbers on this line");
   in_.require_bytes(bytes, "as many records", start);
-  constexpr std::uint32_t kMost = 0x3fff'ffff;  // of a SpaceItem
+  constexpr std::uint32_t kMost = 0x3fff'ffff;  // Most cells that a SpaceItem can name.
   const bool is_far = planes_.value > kMost || points_.value > kMost || vertices_.value > kMost ||
                       edges_.value > kMost || uses_.value > kMost || facets_.value > kMost;
   if (is_far) fail(ErrorCode::ResourceLimit, "more than 2^30 items of a kind", start);
@@ -153,8 +164,8 @@ void Nef3Reader::size_arrays() {
   c_.inner_begin = {0};
 }
 
-/// The exact row of a plane that was not there before, in canonical orientation; or one of the
-/// frame.
+/// Reads a plane: the exact row of one that was not there before, in canonical orientation, or a
+/// plane of the frame.
 void Nef3Reader::read_plane(std::uint32_t index) {
   const char* const start = cursor().position();
   if (cursor().rest().starts_with("frame")) return read_frame_plane(index);
@@ -176,7 +187,8 @@ void Nef3Reader::read_plane(std::uint32_t index) {
   fail(ErrorCode::BadShape, in_.record_name() + found, start);
 }
 
-/// Planes 4 to 9 in the order of kFrameSides, or none.
+/// Reads a plane of the frame. Planes 4 to 9 are the frame, in the order of kFrame, or there is
+/// none.
 void Nef3Reader::read_frame_plane(std::uint32_t index) {
   const char* const start = cursor().position();
   const std::string_view word = cursor().token();
@@ -206,12 +218,12 @@ void Nef3Reader::read_input_point() {
   for (std::size_t i = 0; i < 3; ++i) {
     const char* const start = next_token();
     in_.read_number(number_[i], "three numbers, x, y and z");
-    at[i] = double_of(number_[i], start) + 0.0;  // no negative zeros
+    at[i] = double_of(number_[i], start) + 0.0;  // Negative zeros become zeros.
   }
   point_.push_back(SpacePoint(tables_->planes.add_point({at[0], at[1], at[2]})));
 }
 
-/// Large integers may be doubles as well.
+/// Returns the number as a double. Large integers are read as rationals but may be doubles as well.
 double Nef3Reader::double_of(const ReadNumber& number, const char* start) {
   if (number.is_double()) return number.as_double();
   const RoundedDouble nearest = round_to_double(number.exact());
@@ -248,7 +260,7 @@ void Nef3Reader::add_point(SpacePoint p, const char* start) {
   point_.push_back(p);
 }
 
-/// point mark volume, and the half-edges that leave.
+/// Reads point, mark and volume of a vertex, and the half-edges that leave it.
 void Nef3Reader::read_vertex(std::uint32_t v) {
   c_.vertex_point.push_back(point_[read_index(points_, "point")]);
   c_.vertex_mark.push_back(read_mark());
@@ -266,6 +278,7 @@ void Nef3Reader::read_vertex(std::uint32_t v) {
   c_.star_begin.push_back(static_cast<std::uint32_t>(c_.star.size()));
 }
 
+/// Requires that every half-edge leaves a vertex, so that later steps may follow it.
 void Nef3Reader::require_origins() {
   for (std::size_t h = 0; h < c_.origin.size(); ++h) {
     if (c_.origin[h].is_valid()) continue;
@@ -282,6 +295,8 @@ void Nef3Reader::read_edge() {
   c_.edge_use.push_back(read_optional<UseId>(uses_, "use"));
 }
 
+/// Reads an edge use and notes it as the previous one of its next; a use that is the next of none
+/// is found by flaw_of_links().
 void Nef3Reader::read_use(std::uint32_t u) {
   c_.use_halfedge.emplace_back(in_.read_id("half-edge", 2 * edges_.value) - 1);
   const std::uint32_t next = read_index(uses_, "use");
@@ -291,7 +306,7 @@ void Nef3Reader::read_use(std::uint32_t u) {
   c_.use_facet.emplace_back(read_index(facets_, "facet"));
 }
 
-/// Any number of 32 bits.
+/// Reads any number of 32 bits.
 std::uint32_t Nef3Reader::read_origin() {
   constexpr std::uint32_t kLast = 0xffff'ffff;
   if (!cursor().at_line_end() && cursor().rest().starts_with("4294967295")) {
@@ -302,7 +317,7 @@ std::uint32_t Nef3Reader::read_origin() {
   return in_.read_count("the origin of the facet");
 }
 
-/// plane mark volumes origin, cycles, vertices inside.
+/// Reads plane, mark, volumes and origin of a facet, its cycles, and the vertices inside it.
 void Nef3Reader::read_facet(std::uint32_t f) {
   c_.facet_plane.push_back(read_plane_id());
   c_.facet_mark.push_back(read_mark());

@@ -1,3 +1,11 @@
+// Writing of `.nef`.
+//
+// Tables may hold planes and points of other sets, so the writer first marks what the complex uses,
+// transitively through the sources of constructed points, and numbers it: the three axis planes,
+// then the frame (all of it or nothing), then the others. Everything is written exactly: planes as
+// primitive integer rows, input points as doubles in their shortest form, constructed points by
+// their planes. The reader reproduces the same complex. Format: docs/formats.md, section .nef.
+// Tested by tests/io/nef3_reader_test.cpp.
 #include "plumb/io/nef3_writer.h"
 
 #include <algorithm>
@@ -57,7 +65,7 @@ class Nef3Writer {
   void write_uses();
   void write_facets();
 
-  /// 1-based; 0 for an id that is not valid.
+  /// Returns the 1-based number of an id; 0 if it is not valid.
   template <class Id>
   static std::uint64_t number(Id id) {
     return id.is_valid() ? std::uint64_t{id.value()} + 1 : 0;
@@ -84,7 +92,8 @@ class Nef3Writer {
 
   TextOutput out_;
   const SpaceComplex& complex_;
-  // First whether it is used; then its number in the file, from 1, in the order of `planes_`.
+  // At first whether a thing is used; then its number in the file, from 1, in the order of
+  // `planes_`.
   std::vector<std::uint32_t> plane_;
   std::vector<std::uint32_t> input_;
   std::vector<std::uint32_t> constructed_;
@@ -92,6 +101,7 @@ class Nef3Writer {
   std::uint32_t point_count_ = 0;
 };
 
+/// Marks a point and the planes and input points that define it.
 void Nef3Writer::mark_point(SpacePoint p) {
   if (p.is_input()) {
     input_[p.input().value()] = kUsed;
@@ -111,7 +121,7 @@ void Nef3Writer::mark_used() {
   for (const PlaneId p : complex_.facet_plane) plane_[p.value()] = kUsed;
 }
 
-/// The axes, the frame (all of it or nothing), the others.
+/// Numbers the axis planes, the frame (all of it or nothing), and the others.
 void Nef3Writer::number_planes() {
   planes_ = {kPlaneX, kPlaneY, kPlaneZ};
   const auto& frame = complex_.planes().frame();
@@ -222,7 +232,7 @@ void Nef3Writer::write_facets() {
 
 void write_nef3(std::ostream& out, const SpaceComplex& complex, Context& context) {
   MemoryCharge memory(
-      context);  // new numbers of planes and points, and a list of planes that grows
+      context);  // New numbers of planes and points, and a list of planes that grows.
   memory.add(sizeof(std::uint32_t) * (4 * complex.planes().size() +
                                       complex.planes().points().size() + complex.points().size()),
              "numbers of planes and points");

@@ -1,3 +1,15 @@
+// Sets of the plane from shapes and back, and files of them.
+//
+// A polygon with rings means the even-odd rule of its own rings, and shapes unite. Sweeping every
+// polygon on its own and uniting the results would be slow, so rings are first looked at once per
+// polygon (RingSides): if they meet at corners only and each keeps the polygon on one side, all
+// rings are wound so that the polygon is on their left, and one sweep over all polygons with the
+// rule Positive gives the union. Polygons that cross themselves are made sets of their own.
+//
+// In the other direction, rounding to doubles may change a shape. PlaneText therefore makes the
+// rounded set and compares its counts, and reports what was lost. Formats: docs/formats.md, section
+// Sets of the plane.
+// Tested by tests/io/plane_io_test.cpp.
 #include "plumb/io/plane_io.h"
 
 #include <algorithm>
@@ -26,8 +38,8 @@ void copy_point(const PointTable2& from, std::uint32_t i, PointTable2& to) {
   to.push_back(p.x, p.y);
 }
 
-/// Polygon p with a table of points of its own: what a sweep costs depends on the table it is
-/// given.
+/// Returns polygon p with a table of points of its own: the cost of a sweep depends on the table it
+/// is given.
 PlaneShapes single_polygon(const PlaneShapes& shapes, std::size_t p) {
   PlaneShapes alone;
   for (std::uint32_t r = shapes.polygon_begin[p]; r < shapes.polygon_begin[p + 1]; ++r) {
@@ -54,7 +66,7 @@ enum class RingSide : std::uint8_t { Left, Right };
 /// wound so that their winding numbers are 1 inside and 0 outside.
 class RingSides : private SweepVisitor {
  public:
-  /// The side for every ring, or nothing when the rings cross, overlap or change sides.
+  /// Returns the side for every ring, or nothing if rings cross, overlap or change sides.
   static std::vector<RingSide> find(const PlaneShapes& polygon, Context& context) {
     return RingSides(polygon).run(context);
   }
@@ -69,13 +81,14 @@ class RingSides : private SweepVisitor {
 
   struct Edge {
     std::uint32_t ring;
-    bool goes_right;  ///< from its lesser to its greater end
+    bool goes_right;  ///< Whether it runs from its lesser to its greater end.
   };
 
   const PlaneShapes& polygon_;
   std::vector<SweepSegment> segments_;
-  std::vector<Edge> edges_;         ///< of segments_
-  std::vector<char> inside_above_;  ///< of segments_ met so far
+  std::vector<Edge> edges_;  ///< Edge of each of segments_.
+  /// Whether the polygon lies above each of segments_ met so far.
+  std::vector<char> inside_above_;
   bool crossed_ = false;
 };
 
@@ -91,7 +104,7 @@ void RingSides::collect_edges() {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const SweepSegment segment{ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]};
       const Sign order = compare_xy(polygon_.points, segment.from, segment.to);
-      if (order == Sign::Zero) continue;  // a repeated corner
+      if (order == Sign::Zero) continue;  // A repeated corner.
       segments_.push_back(segment);
       edges_.push_back({r, order == Sign::Negative});
     }
@@ -112,7 +125,7 @@ bool RingSides::on_event(const SweepEvent& event) {
   return true;
 }
 
-/// Does every edge here start or end here, and does none lie on another?
+/// Whether every edge here starts or ends here, and none lies on another.
 bool RingSides::is_corner(const SweepEvent& event) {
   return !event.points.empty() && event.has_ends_only();
 }
@@ -164,7 +177,7 @@ void add_polygons(const PlaneShapes& shapes, std::vector<Nef2>& sets, Context& c
                                 WindingRule::Positive, Boundary::Closed, context));
 }
 
-/// A point is a line of one corner.
+/// Adds lines and points; a point is a line of one corner.
 void add_lines(const PlaneShapes& shapes, std::vector<Nef2>& sets, Context& context) {
   if (shapes.line_count() == 0 && shapes.single_points.empty()) return;
   std::vector<std::uint32_t> corners = shapes.line_corners;
@@ -211,7 +224,8 @@ class ShapesOfParts {
   PlaneShapes shapes_;
 };
 
-/// Approximations of a table are clamped where the nearest double is infinite.
+/// Throws if the exact value lies beyond the doubles. Approximations of a table are clamped where
+/// the nearest double is infinite.
 void require_finite(double approx, const Rational& exact) {
   const bool is_largest = std::fabs(approx) == std::numeric_limits<double>::max();
   if (!is_largest || std::isfinite(nearest_double(exact))) return;

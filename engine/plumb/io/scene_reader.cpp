@@ -1,4 +1,14 @@
-// Step 5 of scene_reader.h: a drawing goes onto the surface.
+// Scenes from files: a model, polygons traced on it, and drawings placed on it.
+//
+// SceneMaker turns parsed points into points of the surface, traces each polygon through its
+// control points (surface/trace.h), adds shapes and levels, and reports errors at their place in
+// the scene's text. A drawing is mapped to the surface by straight lines from its centre
+// (surface/exponential_map.h), point by point; its rings are then traced as polygons. Shapes of
+// drawings have label zero at the face farthest from the centre, unless the scene says otherwise.
+//
+// Faces that the mesh turned around to orient itself have their weights exchanged, so a point means
+// what its author wrote. Format: docs/formats.md, section Scenes.
+// Tested by tests/io/scene_reader_test.cpp and tests/io/svg_reader_test.cpp.
 
 #include "plumb/io/scene_reader.h"
 
@@ -25,22 +35,22 @@
 
 namespace plumb {
 
-/// Appends the rings of a drawing as polygons, and its shapes, which scene.shapes must hold;
+/// Appends the rings of a drawing as polygons, and its shapes, which scene.shapes must hold.
 /// `centre` is a point of scene.polygons in `face`. Errors have their place in the file of the
 /// drawing: BadShape for points beyond the border, ResourceLimit for those too far away; Cancelled.
 void add_drawing(const DrawingFile& file, const ParsedScene::Drawing& how, SurfacePointId centre,
                  FaceId face, Tracer& tracer, SurfaceScene& scene, Context& context);
 
-/// Of the faces in the component of `face`, the first whose first corner is farthest from a point,
-/// as the crow flies: there labels of drawings are zero.
+/// Returns the first face, of those in the component of `face`, whose first corner is farthest from
+/// a point in a straight line: labels of drawings are zero there.
 FaceId farthest_face(const SurfaceMesh& mesh, const Point3& from, FaceId face);
 
 namespace {
 
-constexpr std::uint64_t kPointBytes = 96;  // of a control point, in tables and lists
+constexpr std::uint64_t kPointBytes = 96;  // Bytes of a control point, in tables and lists.
 constexpr std::size_t kDrawnPerCheckpoint = 256;
 
-/// Points of the surface for all points of the drawing.
+/// Returns points of the surface for all points of the drawing.
 std::vector<SurfacePointId> placed_points(const DrawingFile& file, const ExponentialMap& map,
                                           double scale, SurfacePointTable& points,
                                           Context& context) {
@@ -78,7 +88,7 @@ void add_drawing(const DrawingFile& file, const ParsedScene::Drawing& how, Surfa
           drawing.ring_begin[r], drawing.ring_begin[r + 1] - drawing.ring_begin[r]);
       shape.push_back(static_cast<std::uint32_t>(polygons.size()));
       const auto torn = add_traced_polygon(tracer, ring, polygons, context);
-      PLUMB_CHECK(!torn);  // lines do not leave their component
+      PLUMB_CHECK(!torn);  // Lines do not leave their component.
     }
   }
 }
@@ -100,7 +110,8 @@ FaceId farthest_face(const SurfaceMesh& mesh, const Point3& from, FaceId face) {
 
 namespace {
 
-/// Where decimals were written at the nearest double, if that is a place inside the edge.
+/// Adds a point on an edge. Decimals are rounded to the nearest double if that is a place inside
+/// the edge.
 SurfacePointId add_on_edge(SurfacePointTable& points, HalfedgeId h,
                            const Rational& weight_of_target, bool rounds) {
   const SurfaceMesh& mesh = points.mesh();
@@ -136,7 +147,8 @@ class SceneMaker {
   }
 
  private:
-  using Levels = std::set<std::pair<std::uint32_t, std::uint32_t>>;  // shape, component
+  // Pairs of shape and component.
+  using Levels = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
   [[noreturn]] void fail(ErrorCode code, const std::string& message, std::size_t place) const {
     TextCursor cursor(text_, name_);
@@ -183,7 +195,7 @@ class SceneMaker {
     }
   }
 
-  /// Their ids are their indices, after the points that there are.
+  /// Adds points. Their ids are their indices, after the existing points.
   void add_points(const ScenePoints& in, SurfacePointTable& points) const {
     for (std::uint32_t i = 0; i < in.size(); ++i) add_point(in, i, points);
   }
@@ -234,7 +246,7 @@ class SceneMaker {
     }
   }
 
-  /// The shapes from `first` on have the label zero in a face, unless the scene says more about
+  /// Gives the shapes from `first` on the label zero in a face, unless the scene says more about
   /// their component.
   void add_zeros(std::size_t first, FaceId face, const Levels& given, SurfaceScene& scene) const {
     const std::uint32_t component = mesh_->component(face);
@@ -247,7 +259,7 @@ class SceneMaker {
     }
   }
 
-  /// Those of faces that there are; the others are refused later.
+  /// Returns the levels of faces that exist; the others are refused later.
   Levels given_levels() const {
     Levels given;
     for (const auto& [level, place] : in_.levels) {
@@ -296,7 +308,7 @@ class SceneMaker {
   Context& context_;
 };
 
-/// What the mesh has wrong is told with the name of its file.
+/// Returns the surface of a mesh. Errors of the mesh are reported with the name of its file.
 SurfaceMesh surface_in(const PolygonMesh& mesh, const std::string& name, Context& context) {
   context.charge_memory(std::uint64_t{60} * (mesh.corners.size() - 2 * mesh.face_count()),
                         "the surface");

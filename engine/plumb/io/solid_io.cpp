@@ -18,7 +18,7 @@ namespace {
 std::string text_of(std::uint32_t number) { return std::to_string(number); }
 std::string text_of(const std::string& text) { return text; }
 
-/// "3, 8, 11 and 5 more".
+/// Returns "3, 8, 11 and 5 more".
 template <class List>
 std::string listed(const List& list) {
   constexpr std::size_t kMost = 5;
@@ -44,7 +44,7 @@ std::string crossings_of(const MeshReport& report) {
          " pair(s) of faces, the first: " + listed(pairs);
 }
 
-/// Face numbers are 0-based, as in the file.
+/// Describes what was done to the mesh. Face numbers are 0-based, as in the file.
 void describe(const MeshReport& report, std::vector<std::string>& notes) {
   add_note("faces without area, left out", report.degenerate, notes);
   add_note("faces with repeated corners or spikes, trimmed", report.trimmed, notes);
@@ -66,7 +66,7 @@ SolidRead read_nef_set(const std::string& bytes, const ReadOptions& text, Contex
   return {Nef3::from_minimal_unchecked(std::move(complex)), {}};
 }
 
-/// The set of a mesh; what is wrong with it is told with the name of its file.
+/// Returns the set of a mesh. Errors of the mesh are reported with the name of its file.
 Nef3 set_of(const PolygonMesh& mesh, const FromMeshOptions& reading, const std::string& name,
             Context& context) {
   try {

@@ -1,3 +1,11 @@
+// Divided surfaces as OBJ, PLY, a graph of cells, and scenes.
+//
+// Meshes are written with the triangles of the chosen cells, grouped by cell, and only the points
+// they use, renumbered. A scene is written so that reading it gives the same points: decimals are
+// used only well inside a face, where the reader keeps them; on edges and near them coordinates are
+// fractions. Weights refer to the face as its author listed it, also where the mesh turned it
+// around. Formats: docs/formats.md, sections Meshes and Scenes.
+// Tested by tests/cli/surface_command_test.cpp.
 #include "plumb/io/surface_writer.h"
 
 #include <algorithm>
@@ -19,7 +27,7 @@ bool is_chosen(CellChoice chosen, CellId c) { return chosen.empty() || chosen[c.
 
 /// The triangles of the chosen cells, and new numbers for the points they use.
 struct ChosenTriangles {
-  std::vector<std::uint32_t> triangles;  // by cell
+  std::vector<std::uint32_t> triangles;  // Sorted by cell.
   std::vector<std::uint32_t> points;
   std::vector<std::uint32_t> number;
 
@@ -40,7 +48,7 @@ struct ChosenTriangles {
   }
 };
 
-/// "+0 -2*3".
+/// Returns a text such as "+0 -2*3".
 std::string text_of(std::span<const SignedEntry> polygons) {
   std::string text;
   for (const SignedEntry& e : polygons) {
@@ -56,7 +64,7 @@ std::string text_of(std::span<const SignedEntry> polygons) {
 
 using Json = nlohmann::ordered_json;
 
-/// Points once each, in the order of their first use.
+/// Writes points once each, in the order of their first use.
 class SceneWriter {
  public:
   explicit SceneWriter(const SurfaceScene& scene)
@@ -87,7 +95,8 @@ class SceneWriter {
     return place->second;
   }
 
-  /// Decimals only where the reader finds the same place by them: well inside a face.
+  /// Returns a point as written. Decimals are used only if the reader finds the same place by them:
+  /// well inside a face.
   Json written(SurfacePointId p, FaceId f) const {
     constexpr double kClear = 0x1p-30;
     const SurfacePointTable& points = polygons_.points;

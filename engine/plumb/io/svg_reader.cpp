@@ -1,3 +1,12 @@
+// Reading of SVG drawings: elements, transforms, and the basic shapes as outlines.
+//
+// XmlScanner reports elements one after the other; a stack holds the product of all transforms of
+// the open ones. Groups are entered, shapes are given to SvgOutline, which flattens them in the
+// coordinates of the drawing, and elements that would be drawn but are not supported (text, images,
+// uses) are left out with a note. The root fixes the frame: the middle of the drawing becomes the
+// origin, the y axis is turned upwards, and the default tolerance is a thousandth of the larger
+// side. Format: W3C, Scalable Vector Graphics (SVG) 1.1; docs/formats.md, section Drawings.
+// Tested by tests/io/svg_reader_test.cpp.
 #include "plumb/io/svg_reader.h"
 
 #include <algorithm>
@@ -20,7 +29,7 @@ namespace {
 
 constexpr double kThousandth = 1e-3;
 
-/// Those that would be drawn, but not here.
+/// Elements that would be drawn but are left out.
 constexpr std::array<std::string_view, 6> kLeftOut{"use", "text",          "image",
                                                    "svg", "foreignObject", "switch"};
 
@@ -71,7 +80,8 @@ class SvgReader {
   std::optional<double> tolerance_;
   SvgOutline outline_;
   Context& context_;
-  std::vector<SvgTransform> transforms_;  // of the elements that are open, all of them together
+  // Transforms of the open elements, each the product of all above it.
+  std::vector<SvgTransform> transforms_;
   std::set<std::string_view> left_out_;
 };
 
@@ -85,7 +95,7 @@ const std::array<SvgReader::Kind, 7> SvgReader::kKinds{{
     {"path", &SvgReader::read_path},
 }};
 
-/// Without the prefix that some programs give elements of SVG.
+/// Returns the name without the prefix that some programs give elements of SVG.
 std::string_view plain_name(std::string_view name) {
   take_prefix(name, "svg:");
   return name;
@@ -115,13 +125,15 @@ SvgDrawing SvgReader::read() {
   }
 }
 
+/// Reads the size of the drawing from its viewBox, else from width and height. The root's transform
+/// puts the middle at the origin and turns the y axis upwards.
 void SvgReader::start_root() {
   if (plain_name(scanner_.element()) != "svg") {
     scanner_.fail(ErrorCode::UnknownFormat,
                   "the root element is " + quoted(scanner_.element()) + ", not svg",
                   scanner_.tag());
   }
-  // Where the middle is, and how large all is.
+  // The middle of the drawing and its size.
   double x = 0, y = 0, width = 0, height = 0;
   if (std::optional<SvgValue> box = value("viewBox")) {
     x = box->number();
@@ -152,6 +164,7 @@ void SvgReader::skip_element() {
   }
 }
 
+/// Enters a group, reads a shape, or skips an element with all it contains.
 void SvgReader::start_element() {
   const std::string_view name = plain_name(scanner_.element());
   const auto kind = std::ranges::find(kKinds, name, &Kind::name);
@@ -241,7 +254,7 @@ SvgTransform SvgReader::read_one_transform(SvgValue& text) {
 
 void SvgReader::read_rect() {
   const double x = length("x"), y = length("y"), width = size("width"), height = size("height");
-  if (width == 0 || height == 0) return;  // says SVG
+  if (width == 0 || height == 0) return;  // SVG says that nothing is drawn.
   const std::optional<double> given_x = length_if("rx"), given_y = length_if("ry");
   const double rx = std::clamp(given_x.value_or(given_y.value_or(0)), 0., width / 2);
   const double ry = std::clamp(given_y.value_or(given_x.value_or(0)), 0., height / 2);
@@ -253,6 +266,8 @@ void SvgReader::read_rect() {
   outline_.line_to(at, {x, y + height});
 }
 
+/// Adds a rectangle with rounded corners: four lines and four quarters of ellipses, as SVG defines
+/// it.
 void SvgReader::add_rounded(Point2 low, Point2 high, double rx, double ry) {
   const TextCursor at = here();
   constexpr double kQuarter = std::numbers::pi / 2;

@@ -1,3 +1,12 @@
+// The picture of a checked map: the map with its defects, close-ups, a legend, and a list of the
+// defects.
+//
+// The flow is described in svg/svg_text.h. Layout is decided before anything is drawn: the map's
+// height follows its shape, close-ups are chosen on a draft of the view, and up to three stand
+// below the map, further ones above it, sorted so that the lines that connect them with their
+// places cross little. All text is broken to the width of the page, and everything that a limit
+// left out is stated in the notes.
+// Tested by tests/picture/map_svg_test.cpp.
 #include "plumb/picture/map_svg.h"
 
 #include <array>
@@ -24,7 +33,7 @@ constexpr double kMapPadding = 22;
 constexpr std::size_t kInsetsInRow = 3;
 constexpr double kInsetGap = 18;
 constexpr double kInsetAspect = 1.4;
-constexpr double kLeastSource = 9;  // half a width on the map
+constexpr double kLeastSource = 9;  // Half the width of a close-up's source on the map.
 constexpr double kCaption = 24;
 constexpr double kFont = 17;
 constexpr double kLine = 23;
@@ -46,17 +55,17 @@ constexpr const char* kStyle = R"(.faces path{stroke-linejoin:round;fill-rule:ev
 .frame{fill:none;stroke:#1f2933;stroke-width:1.4}
 )";
 
-/// The whole map; but where a few parts lie far off, the core and all defects.
+/// Returns the whole map; if a few parts lie far off, the core and all defects.
 Rectangle main_window(const MapReport& report, const Plane& plane) {
   Rectangle core = plane.core();
   for (const MapDefect& d : report.defects) core.include(plane.at(d.near));
   return without_far_parts(core, plane.extent());
 }
 
-/// "x90", "x9200" or "x3e9": two digits.
+/// Returns a text such as "x90", "x9200" or "x3e9": two digits.
 std::string zoom_text(double zoom) {
   std::ostringstream text;
-  text.exceptions(std::ios::badbit);  // memory that is refused
+  text.exceptions(std::ios::badbit);  // An exhausted memory limit becomes an exception.
   text.precision(2);
   if (zoom < 1e6) {
     const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(zoom)) - 1));
@@ -70,8 +79,8 @@ std::string zoom_text(double zoom) {
 /// A close-up and its places in the picture.
 struct Closeup {
   Inset inset;
-  Rectangle frame;   ///< of the close-up
-  Rectangle source;  ///< on the map
+  Rectangle frame;   ///< Frame of the close-up.
+  Rectangle source;  ///< Its place on the map.
   bool is_above = false;
 };
 
@@ -160,8 +169,8 @@ void MapSheet::lay_out_map() {
                  draft);
 }
 
-/// Up to three below the map; more: the upper places above the map. In each row from left to right,
-/// so that leaders cross little.
+/// Orders close-ups: up to three stand below the map; of more, the upper places are above the map.
+/// In each row they go from left to right, so that leaders cross little.
 std::size_t MapSheet::order_closeups(const std::vector<Inset>& insets, const View& draft) {
   for (const Inset& i : insets) closeups_.push_back({i, {}, {}, false});
   const auto at = [&draft](const Closeup& c) { return draft.place(c.inset.window.centre()); };
@@ -224,7 +233,7 @@ void MapSheet::write_map() {
   }
 }
 
-/// Leaders first, so that marks lie over them.
+/// Draws leaders first, so that marks lie over them.
 void MapSheet::write_sources(LabelPlacer& room) {
   for (const Closeup& c : closeups_) write_leader(c);
   for (const Closeup& c : closeups_) {
@@ -305,7 +314,7 @@ void MapSheet::write_defect(std::size_t i) {
                 << symbol(style, {box.right + 16, sheet_.y() - 6}, 7) << '\n';
   const double x = kMargin + 76;
   std::string lead = std::string("<tspan class=\"kind\">") + style.name + "</tspan> ";
-  const std::string room(std::string_view(style.name).size(), 'm');  // the bold name is wide
+  const std::string room(std::string_view(style.name).size(), 'm');  // The bold name is wide.
   auto lines = wrapped(room + " " + defect.hint, kFont, kWidth - kMargin - x, 3);
   lines.front().erase(0, room.size() + 1);
   for (const std::string& line : lines) {

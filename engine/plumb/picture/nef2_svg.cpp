@@ -1,5 +1,13 @@
-// Parts of a set of the plane in its picture, each filled with a colour of its own, with thin lines
-// around: what is drawn over the fill and under the edges of the set (nef2_svg.h).
+// The picture of a set of the plane: fill, edges and vertices by their marks, and optional parts in
+// colours.
+//
+// The set is intersected exactly with a window that surrounds its vertices, so what reaches
+// infinity ends at the frame, where it fades. Edges that only the cut made lie on the window's
+// border and are not drawn. Marks decide the look: marked edges are solid, unmarked ones dashed,
+// vertices get a full or hollow dot where they say more than the edges there. Edges of one kind are
+// joined into chains so that dashes run on. Parts of a decomposition are drawn over the fill and
+// under the edges of the set.
+// Tested by tests/picture/nef2_svg_test.cpp.
 
 #include "plumb/picture/nef2_svg.h"
 
@@ -25,19 +33,20 @@
 
 namespace plumb {
 
+// Parts of a set in its picture, each filled with a colour of its own, with thin lines around.
 inline constexpr const char* kPieceStyle =
     R"(.piece{fill-rule:evenodd;stroke:#5b6672;stroke-width:10}
 .under{fill:none;stroke:#fff;stroke-linecap:butt}
 )";
 
-/// Those too small to be seen are not counted, nor those of dimension 1 and 0.
+/// Counts of parts; those too small to be seen, and those of dimension 1 and 0, are not counted.
 struct PieceCounts {
   std::size_t drawn = 0;
-  std::size_t left_out = 0;  ///< beyond what one file should hold
+  std::size_t left_out = 0;  ///< Parts beyond what one file should hold.
 };
 
-/// Marked faces of the pieces. `is_cut`: pieces may leave the window. `context`, if any, is asked
-/// at each piece.
+/// Draws the marked faces of the pieces. `is_cut` says that pieces may leave the window. `context`,
+/// if any, is checked at each piece.
 PieceCounts write_pieces(std::span<const Nef2> pieces, const PlaneWindow& window, const View& view,
                          bool is_cut, Context* context, std::ostream& out);
 
@@ -46,7 +55,7 @@ namespace {
 constexpr double kVisible = 1.2;
 constexpr std::size_t kMaxPoints = 400000;
 
-/// The marked faces in picture units.
+/// Returns the marked faces in picture units.
 PathData path_of(const Nef2& piece, const PlaneWindow& window, const View& view) {
   const PlaneComplex& c = piece.complex();
   std::vector<Point2> at;
@@ -89,16 +98,17 @@ PieceCounts write_pieces(std::span<const Nef2> pieces, const PlaneWindow& window
 
 namespace {
 
-constexpr double kWidth = 600;  // text stays legible on a telephone
+constexpr double kWidth = 600;  // Text stays legible on a telephone.
 constexpr double kTickRoom = 46;
 constexpr double kTickFont = 14;
 constexpr double kBoundedMargin = 0.1;
-constexpr double kFadingMargin = 0.34;  // of the longer side; the faded part lies within it
-constexpr double kFaded = 0.17;         // of the frame, at each side
+constexpr double kFadingMargin = 0.34;  // Part of the longer side; the faded part lies within it.
+constexpr double kFaded = 0.17;         // Part of the frame, at each side.
 constexpr double kEdgeWidth = 2.6;
 constexpr double kDotRadius = 5;
 constexpr std::size_t kMaxDots = 5000;
-constexpr std::size_t kFewDots = 120;  // beyond: only dots that say more than the edges do
+// With more, only dots are drawn that say more than the edges do.
+constexpr std::size_t kFewDots = 120;
 constexpr std::size_t kLongNumber = 24;
 
 constexpr const char* kStyle = R"(.inside{fill:#cfe2f3;fill-rule:evenodd}
@@ -129,14 +139,15 @@ EdgeMarksAround marks_around(const PlaneComplex& complex, VertexId v) {
   return around;
 }
 
-/// Does the mark of v say more than the lines that end there?
+/// Whether the mark of v says more than the lines that end there.
 bool says_more(const PlaneComplex& complex, VertexId v) {
   if (complex.dcel.is_isolated(v)) return true;
   const EdgeMarksAround around = marks_around(complex, v);
   return complex.mark(v) ? around.unmarked > 0 : around.marked > 0;
 }
 
-/// The picture of one dot; with `few` of them ends of slits and all open vertices get one too.
+/// Returns the picture of one dot. With `few` dots, ends of slits and all open vertices get one,
+/// too.
 Dot dot_of(const PlaneComplex& complex, VertexId v, bool few) {
   const bool is_shown =
       says_more(complex, v) || (few && (!complex.mark(v) || marks_around(complex, v).marked == 1));
@@ -150,7 +161,7 @@ std::string area_text(const Nef2& set) {
   const std::string exact = format_exact(*area);
   if (exact.size() <= kLongNumber) return "area " + exact;
   std::ostringstream text;
-  text.exceptions(std::ios::badbit);  // memory that is refused
+  text.exceptions(std::ios::badbit);  // An exhausted memory limit becomes an exception.
   text << "area \xE2\x89\x88 " << static_cast<double>(*area);
   return text.str();
 }
@@ -224,13 +235,13 @@ class SetSheet {
   bool fades_;
   PlaneWindow window_;
   Nef2 shown_;
-  const PlaneComplex& complex_;  // of shown_
+  const PlaneComplex& complex_;  // Complex of shown_.
   Sheet sheet_{{.width = kWidth}};
   Rectangle frame_{};
   std::optional<View> view_;
-  std::vector<Point2> at_;               ///< per vertex: its place in the picture
-  std::vector<std::uint8_t> on_border_;  ///< per vertex: PlaneWindow::borders
-  std::vector<std::uint8_t> kind_;       ///< per edge: EdgeKind
+  std::vector<Point2> at_;               ///< Place of each vertex in the picture.
+  std::vector<std::uint8_t> on_border_;  ///< PlaneWindow::borders() of each vertex.
+  std::vector<std::uint8_t> kind_;       ///< EdgeKind of each edge.
   std::size_t left_out_ = 0;
   bool has_faces_ = false, has_solid_ = false, has_dashed_ = false;
   bool has_dots_ = false, has_hollow_ = false, has_cuts_ = false;
@@ -251,7 +262,7 @@ void SetSheet::place() {
   classify_edges();
 }
 
-/// Edges on the window's border come of the cutting.
+/// Decides how each edge is drawn. Edges on the window's border come from the cut.
 void SetSheet::classify_edges() {
   for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
     const HalfedgeId h = first_half(EdgeId(e));
@@ -283,7 +294,8 @@ void SetSheet::write_axes() {
 
 // ------------------------------------------------------------------ fading
 
-/// White with black ends: what it masks fades out at two opposite sides of the frame.
+/// Writes a mask, white with black ends: what it masks fades out at two opposite sides of the
+/// frame.
 void SetSheet::write_mask(const char* id, bool is_vertical) {
   const std::string faded = svg_number(kFaded), solid = svg_number(1 - kFaded);
   sheet_.body() << "<linearGradient id=\"g" << id << "\" x1=\"0\" y1=\"0\" x2=\""
@@ -336,7 +348,7 @@ void SetSheet::write_faces() {
 
 // ------------------------------------------------------------------ edges
 
-/// Lines cover at most about a third of the picture.
+/// Returns the width of edges, which cover at most about a third of the picture.
 double SetSheet::edge_width() const {
   const double length =
       total_length(complex_, kind_, kSolid, at_) + total_length(complex_, kind_, kDashed, at_);
@@ -352,7 +364,7 @@ void SetSheet::write_edges() {
     left_out_ += append_chains(complex_, kind_, kind, at_, kMaxPoints, path);
     if (path.empty()) continue;
     (kind == kSolid ? has_solid_ : has_dashed_) = true;
-    if (kind == kDashed && has_pieces()) {  // no outline of a piece shows between the dashes
+    if (kind == kDashed && has_pieces()) {  // No outline of a piece shows between the dashes.
       sheet_.body() << "<path class=\"under\" d=\"" << path.data() << "\"/>\n";
     }
     sheet_.body() << "<path class=\"edge" << (kind == kDashed ? " open" : "") << "\" d=\""
@@ -363,7 +375,7 @@ void SetSheet::write_edges() {
 
 // ------------------------------------------------------------------ dots
 
-/// Vertices of the set itself that may get a dot.
+/// Returns vertices of the set itself that may get a dot.
 std::vector<VertexId> SetSheet::candidates() const {
   std::vector<VertexId> vertices;
   for (std::size_t v = 0; v < at_.size(); ++v) {

@@ -1,3 +1,11 @@
+// The picture of two overlaid maps: each cell in a colour for its pair of regions.
+//
+// Regions of the first map are coloured greedily in their order, unlike their neighbours; within
+// one region the pairs are distinguished by shades, again unlike their neighbours. Borders are
+// drawn in three kinds, by the map or maps that they belong to. Cells are drawn the largest first,
+// labels in them where a box of their size fits inside; points, titles and labels are bounded, and
+// what is left out is stated in the notes.
+// Tested by tests/picture/overlay_svg_test.cpp.
 #include "plumb/picture/overlay_svg.h"
 
 #include <algorithm>
@@ -14,16 +22,17 @@ namespace plumb {
 namespace {
 
 constexpr double kWidth = 1000;
-constexpr double kTextScale = 1.45;  // the page is looked at on small screens, too
+constexpr double kTextScale = 1.45;  // The page is viewed on small screens, too.
 constexpr double kMargin = 0.02;
-constexpr double kNear = 0.02;  // of the width: what is nearer to the core belongs to it
+constexpr double kNear = 0.02;  // Part of the width: what is nearer to the core belongs to it.
 constexpr double kLeastAspect = 0.45;
 constexpr double kMostAspect = 1.15;
 constexpr double kLeastCore =
-    0.03;  // of half the width: beyond, far points leave the numbers of SVG
+    0.03;  // Part of half the width: beyond it, distant points exceed the numbers of SVG.
 constexpr double kVisible = 1.2;
 constexpr std::size_t kMaxPoints = 600000;
-constexpr std::size_t kMaxTitles = 8000;  // cells that tell their pair when pointed at
+// Largest number of cells that show their pair when pointed at.
+constexpr std::size_t kMaxTitles = 8000;
 constexpr std::size_t kMaxLabels = 400;
 constexpr double kLabelSizes[] = {36, 27, 20, 16, 13};
 constexpr double kMostLine = 2.2;
@@ -59,8 +68,8 @@ void for_borders(const MapOverlay& overlay, const See& see) {
   }
 }
 
-/// Colours the nodes in order, each unlike the neighbours that have theirs. `neighbours` holds
-/// every pair of neighbours, in any order, repeated or not.
+/// Colours the nodes in order, each unlike those of its neighbours that have a colour. `neighbours`
+/// holds every pair of neighbours, in any order, repeated or not.
 std::vector<std::uint8_t> coloured(std::size_t nodes, Pairs neighbours, std::size_t colours) {
   for (auto& [a, b] : neighbours) {
     if (a < b) std::swap(a, b);
@@ -90,7 +99,7 @@ std::vector<std::uint8_t> colour_first_regions(const MapOverlay& overlay) {
   return coloured(regions, std::move(neighbours), kTints);
 }
 
-/// The pairs that occur, each once, ascending.
+/// Returns the pairs that occur, each once, ascending.
 Pairs pairs_of(const MapOverlay& overlay) {
   Pairs pairs;
   for (const MapOverlay::Origin& o : overlay.origin) pairs.emplace_back(o.first, o.second);
@@ -104,7 +113,7 @@ std::uint32_t index_of(const Pairs& pairs, const MapOverlay::Origin& o) {
   return static_cast<std::uint32_t>(at - pairs.begin());
 }
 
-/// The darker the more of the tint's own colour.
+/// Returns a shade of a colour: the darker, the more of the tint's own colour.
 std::string shaded(const char* hex, std::size_t shade) {
   std::string text = "#";
   for (int i = 0; i < 3; ++i) {
@@ -162,7 +171,7 @@ class OverlaySheet {
  private:
   struct Cell {
     FaceId face;
-    std::vector<std::vector<Point2>> rings;  ///< picture units
+    std::vector<std::vector<Point2>> rings;  ///< Picture units.
     Rectangle box;
   };
 
@@ -188,14 +197,14 @@ class OverlaySheet {
   PlaneWindow window_;
   Sheet sheet_{{.width = kWidth, .text_scale = kTextScale}};
   Rectangle frame_{};
-  std::vector<Point2> at_;   ///< per vertex: its place in the picture
-  std::vector<Cell> cells_;  ///< those large enough to be seen, the largest first
+  std::vector<Point2> at_;   ///< Place of each vertex in the picture.
+  std::vector<Cell> cells_;  ///< Cells large enough to be seen, the largest first.
   bool has_hatch_ = false, has_tiny_ = false, has_labels_ = false;
   bool has_border_[4] = {};
 };
 
 std::string name_of(const std::vector<std::string>& names, std::uint32_t region) {
-  if (region == 0) return "\xE2\x80\x93";  // an en dash
+  if (region == 0) return "\xE2\x80\x93";  // An en dash.
   return region < names.size() ? names[region] : std::to_string(region);
 }
 
@@ -203,7 +212,7 @@ std::string OverlaySheet::pair_text(const MapOverlay::Origin& o) const {
   return name_of(options_.first_names, o.first) + " / " + name_of(options_.second_names, o.second);
 }
 
-/// The whole overlay; but where a few parts lie far off, its core and what hangs together with it.
+/// Returns the whole overlay; if a few parts lie far off, its core and what is connected with it.
 Rectangle OverlaySheet::choose_window() const {
   const Rectangle all = {-1, -window_.aspect(), 1, window_.aspect()};
   Rectangle shown = without_far_parts(core_of(at_), all);
@@ -241,10 +250,12 @@ void OverlaySheet::place() {
   collect_cells();
 }
 
+/// Collects the bounded cells that can be seen, by decreasing size of their boxes, so that a cell
+/// inside another is drawn after it.
 void OverlaySheet::collect_cells() {
   TinyFaces tiny(frame_);
   std::size_t outside = 0;
-  for (std::size_t f = 1; f < complex_.face_count(); ++f) {  // face 0 is unbounded
+  for (std::size_t f = 1; f < complex_.face_count(); ++f) {  // Face 0 is unbounded.
     Cell cell{FaceId(f), {}, {}};
     for (const std::vector<VertexId>& ring : face_rings(complex_, FaceId(f))) {
       cell.rings.push_back(points_of(ring, at_));
@@ -283,7 +294,7 @@ void OverlaySheet::write_cell(const Cell& cell, const OverlayColour& colour, boo
   }
 }
 
-/// Cells that are only in one map are hatched.
+/// Hatches cells that are only in one map.
 void OverlaySheet::write_hatch(const PathData& path) {
   if (path.empty()) return;
   sheet_.body() << "<pattern id=\"hatch\" width=\"70\" height=\"70\" "

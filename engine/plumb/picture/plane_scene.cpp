@@ -1,3 +1,10 @@
+// Scenes of sets of the plane and of maps: flat things for viewers of scenes.
+//
+// Faces are triangulated between exact points, so a thin face keeps its shape, and only then placed
+// in scene coordinates in doubles. A set is first cut at a window, exactly, as for its picture
+// (plane/plane_view.h). Lines and dots follow the marks of edges and vertices; defects of a map
+// become lines in the colour of their kind.
+// Tested by tests/cli/view_command_test.cpp.
 #include "plumb/picture/plane_scene.h"
 
 #include <algorithm>
@@ -16,7 +23,7 @@ constexpr std::size_t kRegionPaints = 6;
 
 using IndexRing = std::vector<std::uint32_t>;
 
-/// A flat scene, filled face by face. Triangles are cut between exact points.
+/// A flat scene, filled face by face. Triangles are made between exact points.
 class FlatScene {
  public:
   FlatScene() : flat_(tables_.points) { scene_.is_flat = true; }
@@ -29,7 +36,7 @@ class FlatScene {
     return static_cast<std::uint32_t>(points_.size() - 1);
   }
 
-  /// The region to the left of the rings; rings of one point have none.
+  /// Fills the region to the left of the rings; rings of one point bound none.
   void fill(const std::vector<IndexRing>& rings, Paint paint) {
     std::vector<std::uint32_t> used;
     for (const IndexRing& ring : rings) used.insert(used.end(), ring.begin(), ring.end());

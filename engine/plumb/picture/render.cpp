@@ -1,3 +1,15 @@
+// Rendering of scenes to images, and the placement of text in them.
+//
+// A z-buffer renderer with four samples per pixel and an orthogonal camera. Triangles are filled
+// with one colour per patch, lit from above on the left; lines are drawn if a sample nearby shows
+// that they are not hidden (Canvas::is_seen), so rounding never breaks a line on its own facet.
+// Widths adapt to the number of lines, which cover a bounded part of the image.
+//
+// A text of a group is placed where the group's visible area is widest: a distance transform in two
+// passes over the samples (a chamfer distance: G. Borgefors, Distance transformations in digital
+// images, Computer Vision, Graphics, and Image Processing 34, 1986) finds the sample farthest from
+// every other group.
+// Tested by tests/picture/space_scene_test.cpp and tests/picture/surface_scene_test.cpp.
 #include "plumb/picture/render.h"
 
 #include <algorithm>
@@ -14,7 +26,8 @@ namespace {
 constexpr std::uint32_t kNoGroup = ~std::uint32_t{0};
 constexpr float kStep = 1, kSlant = 1.41421356F;
 
-/// How far each sample is from one of another group, nearly: two passes over the neighbours.
+/// Approximate distance of each sample from the nearest sample of another group: two passes over
+/// the neighbours.
 class Distances {
  public:
   Distances(const Scene& scene, const Canvas& canvas)
@@ -91,25 +104,25 @@ namespace {
 
 constexpr Colour kPaper{255, 255, 255};
 constexpr Colour kInk{0x12, 0x1a, 0x24};
-constexpr std::uint32_t kSamples = 2;  // along each side of a pixel
-constexpr double kMargin = 0.06;       // of the picture, on every side
-constexpr double kLineWidth = 2;       // pixels
+constexpr std::uint32_t kSamples = 2;  // Samples along each side of a pixel.
+constexpr double kMargin = 0.06;       // Part of the picture, on every side.
+constexpr double kLineWidth = 2;       // Pixels.
 constexpr double kFreeLineWidth = 3.2;
 constexpr double kDotRadius = 5;
-constexpr double kInkedPart = 0.12;  // of the picture: more lines get thinner
+constexpr double kInkedPart = 0.12;  // Part of the picture: more lines get thinner.
 constexpr double kVeil = 0.35;
-constexpr double kHatch = 9;  // pixels from line to line
+constexpr double kHatch = 9;  // Pixels from line to line.
 constexpr double kHatchWidth = 3;
 constexpr double kHatchShade = .8;
 constexpr std::size_t kManyDots = 300;
-constexpr double kLeastText = 11;  // pixels
+constexpr double kLeastText = 11;  // Pixels.
 
 Point3 unit(const Point3& p) {
   const double length = std::sqrt(dot(p, p));
   return {p.x / length, p.y / length, p.z / length};
 }
 
-/// From the right, in front and above; z points up.
+/// Returns axes for a view from the right, in front and above; z points up.
 std::array<Point3, 3> axes_of(bool is_flat) {
   if (is_flat) return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   const Point3 viewer = unit({0.55, -0.9, 0.62});
@@ -172,7 +185,7 @@ class Renderer {
     if (!scene_.shows_text()) return {};
     return place_texts(scene_, canvas_, kSamples * kLeastText, kSamples * text_height_);
   }
-  /// Dark letters with a light rim: legible on any ground.
+  /// Writes dark letters with a light rim, legible on any ground.
   void write(const PlacedText& text) {
     const std::vector<TextStroke> strokes = strokes_of(text.text);
     const auto place = [&text](Point2 p) {
@@ -193,7 +206,7 @@ class Renderer {
     return scene_.fades ? scene_.strength(camera_.point_at(spot)) : 1;
   }
 
-  /// Lit from above on the left, whichever side is seen.
+  /// Returns the colour of a patch lit from above on the left, whichever side is seen.
   Colour lit(const Scene::Patch& patch) const {
     const Colour colour = scene_.colour_of(patch);
     if (scene_.is_flat) return colour;
@@ -216,13 +229,13 @@ class Renderer {
     });
   }
 
-  /// Slanted lines of the picture, whatever they lie on.
+  /// Whether a spot is on a hatch: slanted lines of the picture, independent of the object.
   static bool is_on_hatch(const Spot& spot) {
     const double at = (spot.x + spot.y) / (kSamples * kHatch);
     return (at - std::floor(at)) * kHatch < kHatchWidth;
   }
 
-  /// Where the window cuts a volume one looks through the cut into it.
+  /// Veils the sides of the window, where it cuts a volume and one looks through the cut into it.
   void veil(const Scene::Triangle& t) {
     const Scene::Patch& patch = scene_.patches[t.patch];
     if (patch.paint != Paint::Cut || dot(patch.normal, camera_.viewer()) <= 0) return;
@@ -232,7 +245,7 @@ class Renderer {
     });
   }
 
-  /// Lines cover a small part of the picture: many of them get thin, then pale.
+  /// Draws lines. They cover a small part of the picture: many of them get thin, then pale.
   void draw_lines() {
     double length = 1;
     for (const Scene::Line& l : scene_.lines) {
@@ -280,7 +293,7 @@ class Renderer {
   Camera camera_;
   double text_height_;
   std::vector<Spot> spots_;
-  std::vector<Colour> colours_;  // per patch, lit
+  std::vector<Colour> colours_;  // Lit colour of each patch.
 };
 
 }  // namespace

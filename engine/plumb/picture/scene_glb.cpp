@@ -1,3 +1,11 @@
+// Scenes as binary glTF 2.0.
+//
+// Buffers are appended to one chunk, each with a view and an accessor; every paint becomes a mesh
+// with a material, and every group of patches a mesh of its own, so viewers can select it.
+// Positions are floats in scene coordinates; the node carries the transform to the coordinates of
+// the set, if floats can hold it, and turns z up to y up, as glTF has it. Colours are converted
+// from sRGB to linear light. Format: glTF 2.0 Specification (Khronos Group).
+// Tested by tests/picture/space_scene_test.cpp.
 #include "plumb/picture/scene_glb.h"
 
 #include <algorithm>
@@ -18,9 +26,9 @@ using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
 
-constexpr int kFloat = 5126, kUnsigned = 5125;      // componentType
-constexpr int kVertices = 34962, kIndices = 34963;  // target
-constexpr int kTriangles = 4, kLines = 1;           // mode
+constexpr int kFloat = 5126, kUnsigned = 5125;      // Values of componentType.
+constexpr int kVertices = 34962, kIndices = 34963;  // Values of target.
+constexpr int kTriangles = 4, kLines = 1;           // Values of mode.
 
 template <class Number>
 void append(std::string& bytes, Number value) {
@@ -29,7 +37,7 @@ void append(std::string& bytes, Number value) {
   bytes.append(raw, sizeof(Number));
 }
 
-/// What a channel of sRGB is in linear light, as glTF wants it.
+/// Returns a channel of sRGB in linear light, as glTF requires.
 double linear(std::uint8_t channel) {
   const double c = channel / 255.;
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
@@ -143,7 +151,7 @@ class GlbWriter {
     if (!chosen.empty()) add_triangles(chosen, add_material(paint, false));
   }
 
-  /// A mesh for each group; one material for each colour.
+  /// Writes a mesh for each group, with one material for each colour.
   void add_groups() {
     std::vector<std::vector<std::uint32_t>> chosen(scene_.groups.size());
     for (std::uint32_t t = 0; t < scene_.triangles.size(); ++t) {
@@ -161,7 +169,7 @@ class GlbWriter {
     }
   }
 
-  /// A vertex for each patch and corner.
+  /// Writes a vertex for each patch and corner.
   void add_triangles(const std::vector<std::uint32_t>& chosen, std::size_t material) {
     std::vector<Point3> points, normals;
     std::vector<std::uint32_t> indices;
@@ -209,13 +217,14 @@ class GlbWriter {
     meshes_.push_back(std::move(mesh));
   }
 
-  /// Floats hold scene coordinates; the node has those of the set, if a float can.
+  /// Returns the node's transform. Floats hold scene coordinates; the node has those of the set, if
+  /// a float can hold them.
   Json node() const {
     const double scale = 4 * scene_.quarter_scale;
     const Point3& c = scene_.quarter_centre;
     const double most = 4 * std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)});
     const double turned = std::sqrt(.5);
-    Json node = {{"rotation", {-turned, 0, 0, turned}}};  // z up becomes y up
+    Json node = {{"rotation", {-turned, 0, 0, turned}}};  // z up becomes y up.
     if (scale > 1e-30 && scale < 1e30 && most < 1e30) {
       node["scale"] = {scale, scale, scale};
       node["translation"] = {4 * c.x, 4 * c.z, -4 * c.y};
@@ -223,7 +232,7 @@ class GlbWriter {
     return node;
   }
 
-  /// One for one mesh; of several each has its own, below one that places them all.
+  /// Returns one node for one mesh; for several, a node for each below one that places them all.
   Json nodes(const std::string& title) const {
     Json root = node();
     if (meshes_.size() == 1) {
@@ -249,7 +258,7 @@ class GlbWriter {
   void finish(const std::string& title) {
     json_["scene"] = 0;
     if (has_lines_) json_["extensionsUsed"] = Json::array({"KHR_materials_unlit"});
-    if (meshes_.empty()) {  // glTF has no empty lists
+    if (meshes_.empty()) {  // glTF has no empty lists.
       for (const char* list : {"bufferViews", "accessors", "materials"}) json_.erase(list);
       json_["nodes"] = Json::array({named(title)});
     } else {

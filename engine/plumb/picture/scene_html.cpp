@@ -1,3 +1,9 @@
+// Scenes as a page of HTML that draws them with WebGL, without any other file.
+//
+// The scene is written as JSON with arrays of numbers in base64, which the page reads as typed
+// arrays; the program of the page is text in scene/scene_page.h. The first view is the one of an
+// image (picture/render.h), and the legend lists the paints and layers that occur.
+// Tested by tests/picture/space_scene_test.cpp and tests/picture/surface_scene_test.cpp.
 #include "plumb/picture/scene_html.h"
 
 #include <algorithm>
@@ -70,7 +76,8 @@ Json line_widths() {
   return list;
 }
 
-/// The first view is that of an image. Columns, as WebGL has them.
+/// Returns the first view, which is that of an image. Columns come one after the other, as in
+/// WebGL.
 Json first_turn(const Scene& scene) {
   const Camera camera(scene, 1, 1);
   Json columns = Json::array();

@@ -1,3 +1,14 @@
+// Scenes of sets of space, and exploded scenes of their parts.
+//
+// The window surrounds all vertices, and a point of each facet and edge without one, in doubles.
+// The set is then intersected exactly with the box of the window, so unbounded facets end on it;
+// what lies on the box is drawn as a cut. Facets are triangulated on their exact complex and become
+// patches whose normals point away from the marked volume. Vertices get a dot where their mark says
+// more than the edges there.
+//
+// An exploded scene moves every part away from the common middle, in proportion to the distance of
+// its own middle.
+// Tested by tests/picture/space_scene_test.cpp.
 #include "plumb/picture/space_scene.h"
 
 #include <algorithm>
@@ -17,9 +28,9 @@
 namespace plumb {
 namespace {
 
-constexpr double kFadingMargin = 0.45;  // of the longest side; the faded part lies within it
-constexpr double kGoodBox = 1e-9;       // radius to coordinates
-constexpr double kOnBox = 1e-7;         // scene units: the box is far from all else
+constexpr double kFadingMargin = 0.45;  // Part of the longest side; the faded part lies within it.
+constexpr double kGoodBox = 1e-9;       // Ratio of radius to coordinates.
+constexpr double kOnBox = 1e-7;         // Scene units: the box is far from everything else.
 
 Point3 normal_of(const SpaceComplex& complex, PlaneId plane) {
   const PlaneRow& row = complex.planes().row(plane);
@@ -33,7 +44,7 @@ bool is_finite(const Point3& p) {
 
 // ---------------------------------------------------------------- the window
 
-/// Around all vertices, and a point of each facet and edge without one.
+/// Finds the window around all vertices, and a point of each facet and edge without one.
 class WindowFinder {
  public:
   WindowFinder(const SpaceComplex& complex, SceneFrame& frame) : complex_(complex), frame_(frame) {}
@@ -70,7 +81,7 @@ class WindowFinder {
     if (is_finite(p)) frame_.include(p);
   }
 
-  /// The point of the line that is nearest to the origin.
+  /// Includes the point of the line that is nearest to the origin.
   void include_line(PlaneId p, PlaneId q) {
     const Point3 a = normal_of(complex_, p), b = normal_of(complex_, q), along = cross(a, b);
     const double s = -offset(p), t = -offset(q), w = dot(along, along);
@@ -137,7 +148,7 @@ class SceneMaker {
     }
   }
 
-  /// The sides of the box that a vertex lies on, a bit each.
+  /// Returns the sides of the box that a vertex lies on, a bit for each.
   unsigned sides_at(VertexId v) const {
     if (!scene_.fades) return 0;
     const Point3& p = scene_.points[v.value()];
@@ -165,7 +176,7 @@ class SceneMaker {
 
   bool is_marked(VolumeId v) const { return complex_.volume_mark[v.value()] == 1; }
 
-  /// Normals point away from the marked volume.
+  /// Adds a facet. Normals point away from the marked volume.
   void add_facet(FacetId f) {
     if (f.value() % 4096 == 0) context_.checkpoint("facets", f.value(), complex_.facet_count());
     const auto& [above, below] = complex_.facet_volume[f.value()];
@@ -204,7 +215,7 @@ class SceneMaker {
     scene_.lines.push_back(line);
   }
 
-  /// Points that say more than the edges there.
+  /// Adds a dot for a point that says more than the edges there.
   void add_dot(VertexId v) {
     if (sides_at(v) != 0) return;
     const bool is_point = complex_.vertex_mark[v.value()] == 1;
@@ -243,7 +254,7 @@ Point3 middle_of(const SceneFrame& frame) {
   return {middle_of(low.x, high.x), middle_of(low.y, high.y), middle_of(low.z, high.z)};
 }
 
-/// Where the points of a scene are in space.
+/// Returns where the points of a scene are in space.
 std::vector<Point3> unscaled_points(const Scene& scene) {
   const auto along = [&scene](double p, double quarter_centre) {
     return clamped_to_finite(4 * (quarter_centre + scene.quarter_scale * p));
@@ -263,14 +274,14 @@ SceneFrame frame_of(std::span<const Point3> points) {
   return frame;
 }
 
-/// Facets that cuts made, one patch each.
+/// Hatches facets that cuts made; each has one patch.
 void hatch_walls(const SpaceComplex& complex, Scene& scene) {
   for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
     scene.patches[f].is_hatched = is_wall(complex, FacetId(f));
   }
 }
 
-/// Appends a scene whose points are `points` now.
+/// Appends a scene whose points are now at `points`.
 void append(const Scene& part, std::span<const Point3> points, Scene& all) {
   const auto point = static_cast<std::uint32_t>(all.points.size());
   const auto patch = static_cast<std::uint32_t>(all.patches.size());
@@ -318,7 +329,7 @@ Scene exploded_scene(std::span<const Nef3> sets, double apart, Context& context)
   together.close(0);
   const Point3 middle = middle_of(together);
 
-  // The points of a piece follow each other.
+  // The points of a piece are consecutive.
   std::vector<Point3> moved;
   std::size_t begin = 0;
   for (const Nef3& set : sets) {

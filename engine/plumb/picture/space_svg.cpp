@@ -15,10 +15,10 @@
 namespace plumb {
 namespace {
 
-constexpr double kWidth = 600;  // text stays legible on a telephone
+constexpr double kWidth = 600;  // Text stays legible on a telephone.
 constexpr double kAxis = 30;
 constexpr std::size_t kLongNumber = 24;
-constexpr double kCapital = 1.4;  // size of a font, in heights of its capitals
+constexpr double kCapital = 1.4;  // Size of a font, in heights of its capitals.
 
 constexpr const char* kStyle = R"(.axis{stroke:#5b6672;stroke-width:2;stroke-linecap:round}
 .letter{font-size:14px;fill:#5b6672;text-anchor:middle}
@@ -36,7 +36,7 @@ std::string volume_text(const Nef3& set, Context& context) {
              : "volume \xE2\x89\x88\xC2\xA0" + decimal_text(*volume, kDigits);
 }
 
-/// The directions of the axes, in the lower left corner.
+/// Draws the directions of the axes in the lower left corner.
 void write_axes(Sheet& sheet, const Scene& scene, const Rectangle& frame) {
   const Camera camera(scene, frame.width(), frame.height());
   const Point2 origin{frame.left + 52, frame.bottom - 40};

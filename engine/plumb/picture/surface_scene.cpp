@@ -1,3 +1,11 @@
+// Scenes of divided surfaces: cells as patches, and layers for polygons, slices, labels and
+// results.
+//
+// Triangles that follow each other in one face and cell share a patch, with the normal of the face;
+// cells are groups, so that a viewer shows their label when pointed at. Each layer tints the groups
+// anew, and lines belong to the layers in which they are seen: wires of the mesh, arcs in the
+// colour of the first shape along them, and the border of a result.
+// Tested by tests/picture/surface_scene_test.cpp.
 #include "plumb/picture/surface_scene.h"
 
 #include <algorithm>
@@ -16,7 +24,8 @@
 namespace plumb {
 namespace {
 
-constexpr Colour kNothing{0xe6, 0xe9, 0xee};  // labels that are zero, cells not selected
+// Colour of labels that are zero, and of cells that are not selected.
+constexpr Colour kNothing{0xe6, 0xe9, 0xee};
 constexpr Colour kSelected{0x7f, 0xb4, 0xe6};
 constexpr std::size_t kCurvePaints = 6;
 constexpr std::uint32_t kNoPoint = ~std::uint32_t{0};
@@ -72,7 +81,7 @@ class SurfaceSceneMaker {
     }
   }
 
-  /// One for what follows itself in one face and one cell.
+  /// Adds a patch for each run of triangles in one face and one cell.
   void add_patches() {
     const SurfaceMesh& mesh = division_.mesh();
     for (std::size_t t = 0; t < in_.triangles.size(); ++t) {
@@ -95,6 +104,7 @@ class SurfaceSceneMaker {
     }
   }
 
+  /// Adds the layers that a viewer can choose from, each with a tint for every group.
   void add_layers() {
     Scene::Layer cells{layer_name(SurfaceLayer::Cells), {}, false};
     Scene::Layer labels{layer_name(SurfaceLayer::Labels), {}, true};
@@ -117,7 +127,7 @@ class SurfaceSceneMaker {
     scene_.layers.push_back(std::move(layer));
   }
 
-  /// Calls visit(side) for the sides of triangles, for each pair of them once.
+  /// Calls visit(side) for the sides of triangles, once for each pair.
   template <class Visit>
   void for_sides(const Visit& visit) const {
     for (std::uint32_t s = 0; s < in_.across.size(); ++s) {
@@ -137,7 +147,7 @@ class SurfaceSceneMaker {
     for_sides([&](std::uint32_t s) { add_line(s, Paint::Wire, bit(SurfaceLayer::Slices)); });
   }
 
-  /// In the colour of the first shape that runs there.
+  /// Adds arcs in the colour of the first shape along them.
   void add_arcs() {
     const std::vector<std::uint32_t> shape_of = first_shapes();
     for_sides([&](std::uint32_t s) {
@@ -173,7 +183,7 @@ class SurfaceSceneMaker {
       scene_.dots.push_back({point_of(NodeId(n)), Paint::Crossing, kLayer});
     }
   }
-  /// Triangles have no corner where polygons cancel.
+  /// Returns the point of a node. Triangles have no corner where polygons cancel.
   std::uint32_t point_of(NodeId n) {
     std::uint32_t& point = point_of_node_[n.value()];
     if (point == kNoPoint) point = add_point(node_position(division_, n));

@@ -1,3 +1,18 @@
+// Straight lines on a mesh from a centre in a given direction, and the points where they end.
+//
+// The face at the centre is laid out in the plane, and every further face beside the one before
+// (strip/face_strip.h), so within the strip the line is straight in the ordinary sense. Steps: aim,
+// which turns an angle at the centre into a first face and a direction; cross, from face to face;
+// pass, through a vertex, where the line goes on with half of the full angle to each side, or half
+// a turn at the border; land, which names the end by weights in its face. This is the notion of a
+// straightest geodesic: K. Polthier and M. Schmies, Straightest geodesics on polyhedral surfaces,
+// in Mathematical Visualization, Springer (1998).
+//
+// All of it is computed in doubles, on coordinates scaled to at most 1: whatever rounding does, the
+// result is a point of a face of the mesh, and only its place is approximate. Invariant of a
+// crossing: the line enters and leaves a face by different sides, so it advances by one face at
+// each step; the number of faces is limited.
+// Tested by tests/surface/exponential_map_test.cpp.
 #include "plumb/surface/exponential_map.h"
 
 #include <algorithm>
@@ -20,8 +35,10 @@ using layout::length;
 using layout::operator-;  // NOLINT(misc-unused-using-decls): it is used
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kClose = 0x1p-40;  // of the way there; of a weight
-constexpr double kFlat = 1e-9;      // radians: so little is missing to half a turn
+// So small a part of the way, or of a weight, counts as nothing.
+constexpr double kClose = 0x1p-40;
+// Radians: an angle so little off half a turn counts as half a turn.
+constexpr double kFlat = 1e-9;
 constexpr std::uint64_t kFacesPerCheckpoint = 4096;
 constexpr std::uint64_t kMostRounds = 4;
 constexpr std::uint64_t kSomeFaces = 1U << 16U;
@@ -36,19 +53,20 @@ Point2 turned(Point2 p, Point2 by) { return {p.x * by.x - p.y * by.y, p.x * by.y
 
 }  // namespace
 
-/// What is left of a line, in one face.
+/// The rest of a line, in one face.
 struct ExponentialMap::Line {
   FaceId face;
   FaceCorners corners;
   Point2 from;
   Point2 along;
-  std::size_t entry = kInside;  ///< the side it came in by; none in its first face
-  std::size_t start = kInside;  ///< the corner it starts in, if it does
+  /// The side by which it entered the face; kInside in its first face.
+  std::size_t entry = kInside;
+  std::size_t start = kInside;  ///< The corner it starts in, or kInside.
 
-  /// Of a corner: above zero to the left of the line.
+  /// Returns the side of corner k: above zero to the left of the line.
   double side_of(std::size_t k) const { return cross(along, corners[k % 3] - from); }
-  /// How far along the line a point lies, as a part of it. (No squares: those of short lines are
-  /// zero.)
+  /// Returns how far along the line a point lies, as a part of it. Squares are avoided: those of
+  /// short lines underflow to zero.
   double part_at(Point2 at) const {
     const double size = length(along);
     return dot({along.x / size, along.y / size}, at - from) / size;
@@ -93,8 +111,9 @@ double ExponentialMap::Fan::angle_before(HalfedgeId h) const {
 
 // ---------------------------------------------------------------- 1. aim
 
-/// `angle` is measured from the first half-edge of the fan, counter-clockwise, and taken modulo the
-/// full angle where there is one. None when it is beyond the border.
+/// Returns the line that leaves the vertex of a fan at an angle. `angle` is measured from the first
+/// half-edge of the fan, counter-clockwise, and taken modulo the full angle if there is one.
+/// Returns no value if the angle is beyond the border.
 std::optional<ExponentialMap::Line> ExponentialMap::aim_from_vertex(const Fan& fan, double angle,
                                                                     double length) const {
   const double full = fan.full_angle();
@@ -126,7 +145,8 @@ ExponentialMap::Line ExponentialMap::aim_from_inside(Point2 along) const {
   return line;
 }
 
-/// The centre is a vertex.
+/// Returns the line from a centre that is a vertex. Without a border angles are stretched so that
+/// the full angle is a full turn; at the border they are kept, in either sense of turning.
 std::optional<ExponentialMap::Line> ExponentialMap::aim_from_corner(Point2 along) const {
   const FaceCorners corners = laid_out(mesh_, positions_.at, face_, 0);
   const Point2 side = corners[(corner_ + 1) % 3] - corners[corner_];
@@ -142,7 +162,7 @@ std::optional<ExponentialMap::Line> ExponentialMap::aim_from_corner(Point2 along
 
 std::optional<ExponentialMap::Line> ExponentialMap::aim(Point2 offset,
                                                         std::uint64_t most_faces) const {
-  constexpr double kLongestSide = 4;  // coordinates are at most 1
+  constexpr double kLongestSide = 4;  // Coordinates are at most 1.
   const Point2 along = turned(
       {std::ldexp(offset.x, -positions_.exponent), std::ldexp(offset.y, -positions_.exponent)},
       x_axis_);
@@ -153,15 +173,15 @@ std::optional<ExponentialMap::Line> ExponentialMap::aim(Point2 offset,
 
 // ---------------------------------------------------------------- 2. cross, 3. pass
 
-/// The line goes on across it as across a side. (Not so along a side, in its first face: nothing
-/// tells the way out.)
+/// Whether the line goes on across a vertex as across a side: the angle around it is a full turn. A
+/// line along a side in its first face does not count, because nothing determines its way out.
 bool ExponentialMap::is_flat(const Line& line, std::size_t corner, const Fan& fan) {
   const double next = line.side_of(corner + 1), prev = line.side_of(corner + 2);
   if (line.entry == kInside && !((next < 0 && prev > 0) || (next > 0 && prev < 0))) return false;
   return !fan.is_at_border && std::fabs(fan.full_angle() - 2 * kPi) < kFlat;
 }
 
-/// A corner that the line meets, within rounding.
+/// Returns a corner that the line meets, within rounding.
 std::optional<std::size_t> ExponentialMap::vertex_ahead(const Line& line) const {
   for (std::size_t k = 0; k < 3; ++k) {
     const bool is_new = line.entry == kInside ? k != line.start : k == (line.entry + 2) % 3;
@@ -172,8 +192,8 @@ std::optional<std::size_t> ExponentialMap::vertex_ahead(const Line& line) const 
   return {};
 }
 
-/// The side by which the line leaves the face; kInside where the face has no area to tell. Its
-/// first end is not to the left of the line, its second one is.
+/// Returns the side by which the line leaves the face, or kInside if the face has no area that
+/// determines it. The first end of that side is not to the left of the line, and the second one is.
 std::size_t ExponentialMap::way_out(const Line& line) {
   if (line.entry != kInside) {
     return (line.entry + (line.side_of(line.entry + 2) > 0 ? 1 : 2)) % 3;
@@ -184,13 +204,14 @@ std::size_t ExponentialMap::way_out(const Line& line) {
     if (line.side_of(k) <= 0 && line.side_of(k + 1) > 0) return k;
     if (std::fabs(line.side_of(k)) > std::fabs(line.side_of(farthest))) farthest = k;
   }
-  // A line along the side that it starts on may miss the face, by rounding: it goes on behind that
-  // side.
+  // A line along the side that it starts on may miss the face because of rounding; it goes on
+  // behind that side.
   return line.side_of(farthest) == 0 ? kInside : (farthest + 1) % 3;
 }
 
-/// Where the line crosses the side that it leaves by, as a part of the way along the line. Found on
-/// the side: where the two are nearly parallel it may be any point of the side, but no other.
+/// Returns where the line crosses the side that it leaves by, as a part of the way along the line.
+/// The point is found on the side: if the two are nearly parallel it may be any point of the side,
+/// but no other point.
 double ExponentialMap::part_at_side(const Line& line, std::size_t side) {
   const Point2 &a = line.corners[side], &b = line.corners[(side + 1) % 3];
   const double right = -line.side_of(side), left = line.side_of(side + 1);
@@ -198,7 +219,7 @@ double ExponentialMap::part_at_side(const Line& line, std::size_t side) {
   return line.part_at({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
 }
 
-/// From a corner on, with `part` of the line behind it.
+/// Returns the line from a corner on, with `part` of the line behind it.
 std::optional<ExponentialMap::Line> ExponentialMap::beyond_vertex(const Line& line,
                                                                   std::size_t corner, double part,
                                                                   const Fan& fan) const {
@@ -226,7 +247,7 @@ SurfacePointId ExponentialMap::land(const Line& line, SurfacePointTable& points)
   }
   if (sum > 0) {
     for (double& w : weights) w = w < kClose * sum ? 0 : w / sum;
-  } else {  // a face without area: its nearest corner
+  } else {  // The face has no area; its nearest corner is taken.
     const auto nearest = std::ranges::min_element(
         line.corners, {}, [&](const Point2& corner) { return length(corner - to); });
     weights[static_cast<std::size_t>(nearest - line.corners.begin())] = 1;
@@ -237,7 +258,7 @@ SurfacePointId ExponentialMap::land(const Line& line, SurfacePointTable& points)
     const HalfedgeId h = SurfaceMesh::halfedge(line.face, k);
     if (weights[next] == 0) return points.add_vertex(mesh_.origin(h));
     if (weights[k] == 0) return points.add_vertex(mesh_.target(h));
-    // Both t and 1 - t are doubles: that makes signs cheap.
+    // Both t and 1 - t are doubles, which makes signs cheap.
     const double part = 1 - weights[k] / (weights[k] + weights[next]);
     return points.add_on_edge(mesh_.edge(h), mesh_.is_upward(h) ? part : 1 - part);
   }

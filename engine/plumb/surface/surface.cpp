@@ -1,3 +1,18 @@
+// SurfaceDivision: polygons on a mesh, divided into labelled cells; Booleans of shapes and their
+// borders.
+//
+// The work is done in stages, each with its own file: slice() arranges polygons face by face
+// (cells/surface_arrangement.h), make_cells() joins pieces to cells, label_cells() computes the
+// integer label of each shape in each cell or a cycle that proves there is none
+// (cells/surface_labels.h). This file validates scenes, evaluates set expressions cell by cell, and
+// describes a result as a scene of its own.
+//
+// A label is determined up to a constant for each component of the mesh. result_scene() therefore
+// checks where the usual rule (least label at the border, or least of all, is zero) would give the
+// result's border another meaning, and names an outside face or a level there. Theory:
+// docs/design/surface.md, sections Labels and Selection and borders.
+// Tested by tests/surface/surface_test.cpp, tests/surface/surface_plane_test.cpp and
+// tests/surface/surface_labels_test.cpp.
 #include "plumb/surface/surface.h"
 
 #include <algorithm>
@@ -20,7 +35,7 @@ constexpr std::uint32_t kCellsPerCheckpoint = 256;
 
 void require_sane_levels(const SurfaceScene& scene) {
   const std::size_t shapes = scene.shapes ? scene.shapes->size() : scene.polygons.size();
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> places;  // shape, component
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> places;  // Pairs of shape and component.
   for (const SurfaceLevel& l : scene.levels) {
     if (l.shape >= shapes) {
       throw Error(ErrorCode::BadIndex, "no shape " + std::to_string(l.shape));
@@ -37,6 +52,7 @@ void require_sane_levels(const SurfaceScene& scene) {
               "two levels of shape " + std::to_string(twice->first) + " in one component");
 }
 
+/// Throws unless all indices of the scene exist and its polygons are over its own mesh.
 void require_sane(const SurfaceScene& scene) {
   if (scene.mesh == nullptr) throw Error(ErrorCode::BadArgument, "a scene without a mesh");
   if (&scene.polygons.points.mesh() != scene.mesh.get()) {
@@ -56,7 +72,7 @@ void require_sane(const SurfaceScene& scene) {
   require_sane_levels(scene);
 }
 
-/// "A" ... "Z", or "s0", "s1", ...
+/// Returns the number of a shape named "A" ... "Z", or "s0", "s1", ...; no value for other names.
 std::optional<std::uint32_t> shape_named(const std::string& name) {
   if (name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z') {
     return static_cast<std::uint32_t>(name[0] - 'A');
@@ -69,6 +85,7 @@ std::optional<std::uint32_t> shape_named(const std::string& name) {
   return number;
 }
 
+/// Whether a label counts as inside by the winding rule.
 bool is_inside(std::int32_t label, WindingRule rule) {
   switch (rule) {
     case WindingRule::EvenOdd:
@@ -96,11 +113,13 @@ bool apply(SetOperator op, bool a, bool b) {
 
 }  // namespace
 
+/// What a division holds: the scene, and the result of each stage.
 struct SurfaceDivision::State {
   SurfaceScene scene;
   SurfaceArrangement arrangement;
   SurfaceCells cells;
-  CellLabels polygon_labels;  // of shapes, too, if they are the polygons
+  // Labels of polygons; also those of shapes if the shapes are the polygons.
+  CellLabels polygon_labels;
   CellLabels shape_labels;
   std::size_t crossings = 0;
 
@@ -129,7 +148,8 @@ struct SurfaceDivision::State {
     for (const std::uint8_t ends : arc_ends(arrangement)) crossings += ends == kCrossingEnds;
   }
 
-  /// The shape of each name. Throws for names that are no shapes, and shapes without labels.
+  /// Returns the shape of each name. Throws Error{BadArgument} for names that are no shapes, and
+  /// for shapes without labels.
   std::vector<std::uint32_t> shapes_of(const SetExpression& expression, WindingRule rule) const {
     std::vector<std::uint32_t> shapes;
     for (const std::string& name : expression.names) {
@@ -147,6 +167,7 @@ struct SurfaceDivision::State {
     return shapes;
   }
 
+  /// Returns the polygons of some shapes, ascending, each once.
   std::vector<std::uint32_t> polygons_of(const std::vector<std::uint32_t>& shapes) const {
     std::vector<std::uint32_t> polygons;
     for (const std::uint32_t s : shapes) {
@@ -192,6 +213,8 @@ const Separation& SurfaceDivision::shape_separation(std::uint32_t shape) const {
 std::span<const SignedEntry> SurfaceDivision::labels(CellId c) const { return state_->labels()[c]; }
 double SurfaceDivision::area(CellId c) const { return state_->cells.area[c.value()]; }
 
+/// Evaluates the expression in each cell. Labels are sparse: only the shapes listed in a cell are
+/// set, and reset afterwards.
 SurfaceRegion SurfaceDivision::select(const SetExpression& expression, WindingRule rule,
                                       Context& context) const {
   const std::vector<std::uint32_t> shapes = state_->shapes_of(expression, rule);
@@ -228,19 +251,22 @@ SurfaceResult SurfaceDivision::evaluate(const SetExpression& expression, Winding
 
 namespace {
 
-/// Of a component of the mesh.
+/// What a component of the mesh has of the selection.
 struct Component {
   bool has_border = false;
   bool has_selected = false;
-  bool has_other = false;  ///< a cell that is not selected
+  bool has_other = false;  ///< Whether a cell of it is not selected.
   bool has_other_at_border = false;
-  FaceId first;    ///< the lowest face
-  FaceId outside;  ///< one whose first corner is in no selected cell
+  FaceId first;    ///< The lowest face.
+  FaceId outside;  ///< A face whose first corner is in no selected cell.
 
-  /// Is a label that is 1 in selected cells and 0 in others what borders mean by themselves?
+  /// Whether a label that is 1 in selected cells and 0 in others is what the borders mean without
+  /// further data.
   bool is_usual() const { return !has_selected || (has_border ? has_other_at_border : has_other); }
 };
 
+/// Finds what each component of the mesh has of the selection, and for components whose border says
+/// the wrong thing by itself a face outside of it.
 std::vector<Component> components_of(const SurfaceDivision& d, const SurfaceRegion& region) {
   const SurfaceCells& cells = d.cells();
   std::vector<Component> components(d.mesh().component_count());

@@ -1,3 +1,17 @@
+// An independent check of a divided surface, from its definition rather than from the code that
+// made it.
+//
+// Seven steps, each on the whole division: links (next is a permutation within pieces, twins
+// agree), faces (each touched face has as many pieces as Euler's formula says, and their areas add
+// up), flow (no polygon ends at a node), places (no two nodes of a face coincide, exactly), cells
+// (no two cells without an arc between them, and the graph of cells is complete), labels (the jump
+// across every arc is that of its shapes), and certificates (the cycle of a shape without labels
+// changes the label by a number that is not 0, odd if there is no label modulo 2). The last two
+// make both outcomes of label_cells() certain: see docs/design/surface.md, section Labels.
+//
+// In the spirit of K. Mehlhorn, S. Näher et al., Checking geometric programs or verification of
+// geometric structures, Computational Geometry 12 (1999).
+// Tested by tests/surface/surface_arrangement_test.cpp, which audits every division it makes.
 #include "plumb/surface/surface_audit.h"
 
 #include <algorithm>
@@ -86,7 +100,7 @@ class SurfaceAudit {
     }
     return loops == a_.loop.size() ? std::nullopt : Flaw("loops");
   }
-  /// Of a planar subdivision with outside: E - V + C + 1 faces, one of them the outside.
+  /// Returns E - V + C: a planar subdivision has E - V + C + 1 faces, one of which is the outside.
   std::uint32_t count_pieces(std::uint32_t begin, std::uint32_t arcs, std::uint32_t end) const {
     std::map<NodeId, std::uint32_t> local;
     for (std::uint32_t h = begin; h < end; ++h) {
@@ -143,7 +157,7 @@ class SurfaceAudit {
       if (p.x <= 0 || p.y <= 0 || p.x + p.y >= 1) return "a crossing outside its face";
       in_face[c.face].push_back(p);
     }
-    // Points of polygons that are not there may lie anywhere.
+    // Points of polygons that cancel may lie anywhere.
     std::vector<std::uint8_t> is_used(a_.node_count());
     for (const NodeId n : a_.origin) is_used[n.value()] = 1;
     for (std::size_t n = 0; n < a_.node_point.size(); ++n) {
@@ -240,7 +254,7 @@ class SurfaceAudit {
     return std::nullopt;
   }
 
-  /// How often each polygon is part of a shape.
+  /// Returns how often each polygon is part of a shape.
   Sparse polygons_of(std::uint32_t shape) const {
     if (!d_.scene().shapes) return {{shape, 1}};
     Sparse times;
@@ -249,11 +263,13 @@ class SurfaceAudit {
   }
 
   /// By how much the label would change around a cycle of cells. Two cells may have different arcs
-  /// between them.
+  /// between them, so this is a range.
   struct CycleSums {
     std::int64_t least = 0, most = 0;
     bool can_be_even = true, can_be_odd = false;
   };
+  // Each step of the cycle may take any of the arcs between its two cells. Parities are combined as
+  // sets: which parities a sum over the steps so far can have.
   std::optional<CycleSums> sums_around(const std::vector<CellId>& cycle,
                                        const Sparse& times) const {
     if (cycle.empty()) return std::nullopt;

@@ -1,3 +1,17 @@
+// Homology of a surface whose border loops are closed by disks: generators, classes of polygons,
+// and loops that repair a shape.
+//
+// Tree and cotree: a spanning tree of the vertices, and a spanning tree of faces and disks over the
+// remaining edges. By Euler's formula 2 g edges are left for genus g; each closes a generator with
+// the vertex tree, and a dual loop with the face tree. The class of a polygon has as its i-th
+// coefficient the number of times the polygon, pushed onto mesh edges within its faces, crosses the
+// i-th dual loop, with sign. So after one table of crossings per edge a class costs one lookup for
+// each segment.
+//
+// Proof: docs/design/surface.md, section Homology, Lemma 3. Source: D. Eppstein, Dynamic generators
+// of topologically embedded graphs, SODA (2003); J. Erickson and K. Whittlesey, Greedy optimal
+// homotopy and homology generators, SODA (2005).
+// Tested by tests/surface/triangulation_test.cpp.
 #include "plumb/surface/surface_homology.h"
 
 #include <algorithm>
@@ -8,7 +22,7 @@ namespace {
 constexpr std::uint8_t kTree = 1;
 constexpr std::uint8_t kCotree = 2;
 constexpr std::uint64_t kFaceBytes = 80;
-constexpr std::uint64_t kPointBytes = 64;  // of a polygon
+constexpr std::uint64_t kPointBytes = 64;  // Bytes of a point of a polygon.
 constexpr std::size_t kCrossingsPerCharge = 65536;
 constexpr std::size_t kStepsPerCheckpoint = 65536;
 constexpr std::uint64_t kCrossingBytes = 3 * sizeof(SignedEntry) + sizeof(EdgeId);
@@ -32,6 +46,8 @@ VertexId SurfaceHomology::across(EdgeId e, VertexId v) const {
   return mesh_.lower(e) == v ? mesh_.upper(e) : mesh_.lower(e);
 }
 
+/// Breadth-first over vertices, one tree for each component. Turning around a vertex at the border
+/// starts at its first half-edge and ends with the edge that arrives along the border.
 void SurfaceHomology::grow_tree() {
   parent_.assign(mesh_.vertex_count(), EdgeId{});
   std::vector<std::uint8_t> is_seen(mesh_.vertex_count());
@@ -63,7 +79,7 @@ void SurfaceHomology::grow_tree() {
   }
 }
 
-/// One disk for each closed walk along the border.
+/// Finds a disk for each closed walk along the border.
 void SurfaceHomology::find_disks() {
   const std::size_t n = 3 * mesh_.face_count();
   disk_of_.assign(n, kNone);
@@ -81,6 +97,8 @@ void SurfaceHomology::find_disks() {
   }
 }
 
+// Breadth-first over faces and disks, never across an edge of the vertex tree. Nodes are faces,
+// then disks.
 void SurfaceHomology::grow_cotree() {
   const auto faces = static_cast<std::uint32_t>(mesh_.face_count());
   std::vector<std::uint8_t> is_seen(faces + disk_begin_.size() - 1);
@@ -116,15 +134,15 @@ void SurfaceHomology::grow_cotree() {
 
 // ---------------------------------------------------------------- dual loops
 
-/// The face or disk across a half-edge.
+/// Returns the face or disk across a half-edge.
 std::uint32_t SurfaceHomology::node_behind(HalfedgeId h) const {
   const HalfedgeId t = mesh_.twin(h);
   if (t.is_valid()) return SurfaceMesh::face(t).value();
   return static_cast<std::uint32_t>(mesh_.face_count()) + disk_of_[h.value()];
 }
 
-/// A loop crosses an edge in the positive sense where it leads from left to right of it, as it runs
-/// upwards.
+/// Computes for each edge which dual loops cross it. A loop crosses an edge in the positive sense
+/// if it leads from left to right of it, as the edge runs upwards.
 void SurfaceHomology::cross_dual_loops(Context& context) {
   std::vector<std::uint32_t> step_of(mesh_.face_count() + disk_begin_.size() - 1);
   for (std::uint32_t i = 0; i < cotree_.size(); ++i) step_of[cotree_[i].node] = i;
@@ -134,7 +152,7 @@ void SurfaceHomology::cross_dual_loops(Context& context) {
   };
   std::vector<Crossing> crossings;
   std::size_t charged = 0;
-  // Over the edge e, out of that node.
+  // Sign of crossing the edge e out of that node.
   const auto sign_out_of = [&](std::uint32_t node, EdgeId e) {
     const HalfedgeId h = mesh_.halfedge(e);
     const bool is_from_here = SurfaceMesh::face(h).value() == node;
@@ -150,7 +168,9 @@ void SurfaceHomology::cross_dual_loops(Context& context) {
     const HalfedgeId h = mesh_.halfedge(e);
     const std::int32_t way = mesh_.is_upward(h) ? 1 : -1;
     crossings.push_back({e, {g, 1}});
-    // From the face that the loop enters up to the root, and back from where both ways meet.
+    // The loop goes from the face that it enters up towards the root, and back from where both ways
+    // meet. Of both ends the one found later in the breadth-first search moves, so they meet at the
+    // common ancestor.
     std::uint32_t to = node_behind(h), from = SurfaceMesh::face(h).value();
     while (to != from) {
       const bool moves_to = step_of[to] > step_of[from];
@@ -184,7 +204,7 @@ std::vector<VertexId> SurfaceHomology::to_root(VertexId v) const {
   return path;
 }
 
-/// Up the edge, and home over the tree.
+/// Returns the loop of a generator: up its edge, and back over the tree.
 std::vector<VertexId> SurfaceHomology::generator(std::size_t i) const {
   const EdgeId e = generators_[i];
   std::vector<VertexId> from = to_root(mesh_.upper(e)), to = to_root(mesh_.lower(e));
@@ -202,7 +222,7 @@ void SurfaceHomology::add_generator(std::size_t i, bool is_reversed,
   if (is_reversed) std::reverse(loop.begin(), loop.end());
   for (std::size_t k = 0; k < loop.size(); ++k) {
     const VertexId from = loop[k], to = loop[(k + 1) % loop.size()];
-    // A face at the edge between them: turning around `from`.
+    // Finds a face at the edge between them by turning around `from`.
     HalfedgeId h = mesh_.halfedge(from);
     while (mesh_.target(h) != to && mesh_.origin(SurfaceMesh::prev(h)) != to) {
       h = mesh_.twin(SurfaceMesh::prev(h));
@@ -212,6 +232,8 @@ void SurfaceHomology::add_generator(std::size_t i, bool is_reversed,
   polygons.close();
 }
 
+/// Each coefficient of the class is cancelled by as many copies of the generator in the opposite
+/// direction.
 std::vector<std::uint32_t> SurfaceHomology::add_repair(std::span<const std::uint32_t> shape,
                                                        SurfacePolygons& polygons,
                                                        Context& context) const {
@@ -231,7 +253,7 @@ std::vector<std::uint32_t> SurfaceHomology::add_repair(std::span<const std::uint
 
 // ---------------------------------------------------------------- classes
 
-/// A corner of every face that the point lies in.
+/// Returns a corner of every face that the point lies in.
 VertexId SurfaceHomology::vertex_at(const SurfacePointTable& points, SurfacePointId p) const {
   switch (points.place(p)) {
     case SurfacePlace::Vertex:
@@ -244,7 +266,8 @@ VertexId SurfaceHomology::vertex_at(const SurfacePointTable& points, SurfacePoin
   return mesh_.corner(points.face(p), 0);
 }
 
-/// A segment moves, within its face, to the side between the corners that its ends move to.
+/// Adds a polygon's crossings with the dual loops. A segment moves, within its face, to the side
+/// between the corners that its ends move to.
 void SurfaceHomology::count(const SurfacePolygons& polygons, std::size_t polygon,
                             std::int64_t multiplicity, std::vector<std::int64_t>& times,
                             Context& context) const {

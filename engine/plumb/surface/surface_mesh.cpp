@@ -1,3 +1,17 @@
+// Construction of triangle meshes: half-edges, orientation, edges and fans, with a check that the
+// mesh is an orientable manifold.
+//
+// Half-edge 3 f + i runs along side i of face f. Edges are found by sorting half-edges by their
+// vertices (a counting sort by the lower one); two form an edge, one is a border, more are refused.
+// Faces are then oriented by a search over edges: a face reached across an edge on which both
+// half-edges run the same way is turned around, and a contradiction means that the component is not
+// orientable. Last, the faces around each vertex must form one fan; otherwise the vertex is not
+// manifold.
+//
+// Invariants afterwards: twins run against each other; the first half-edge of a vertex at the
+// border is the one that begins its fan. Cost: O(n log d) for n faces and vertices of degree d.
+// Errors list the first places only.
+// Tested by tests/surface/surface_arrangement_test.cpp.
 #include "plumb/surface/surface_mesh.h"
 
 #include <algorithm>
@@ -13,7 +27,7 @@ namespace {
 constexpr std::size_t kMaxVertices = 0x3fffffffU;
 constexpr std::size_t kMaxFaces = kMaxVertices / 3;
 
-/// The first few places where a mesh is no orientable manifold.
+/// The first few places where a mesh is not an orientable manifold.
 class Places {
  public:
   void add(const std::string& place) {
@@ -36,7 +50,7 @@ std::string edge_text(std::uint32_t a, std::uint32_t b) {
   return "edge " + std::to_string(std::min(a, b)) + "-" + std::to_string(std::max(a, b));
 }
 
-/// Half-edges by the lower vertex of their edge, then by the higher one.
+/// Returns half-edges sorted by the lower vertex of their edge, then by the higher one.
 std::vector<HalfedgeId> halfedges_by_edge(const std::vector<SurfaceTriangle>& corners,
                                           std::size_t vertices) {
   const auto ends = [&](std::size_t h) -> std::pair<std::uint32_t, std::uint32_t> {
@@ -70,6 +84,7 @@ SurfaceMesh::SurfaceMesh(std::vector<Point3> points, std::vector<SurfaceTriangle
   find_fans();
 }
 
+/// Throws unless every index exists, no triangle repeats a vertex, and ids suffice.
 void SurfaceMesh::check_corners() const {
   if (corners_.size() > kMaxFaces || points_.size() > kMaxVertices) {
     throw Error(ErrorCode::ResourceLimit, "a mesh of more faces than ids");
@@ -88,6 +103,8 @@ void SurfaceMesh::check_corners() const {
   }
 }
 
+/// Two half-edges of an edge are twins; an edge with more is not a manifold. Whether twins run
+/// against each other is decided later.
 void SurfaceMesh::pair_halfedges() {
   twin_.assign(3 * corners_.size(), HalfedgeId{});
   const std::vector<HalfedgeId> sorted = halfedges_by_edge(corners_, points_.size());
@@ -110,7 +127,8 @@ void SurfaceMesh::pair_halfedges() {
   places.throw_if_any("not a manifold");
 }
 
-/// Twins have to run against each other: faces reached over those that do not are turned around.
+/// Turns faces so that twins run against each other: a face reached over half-edges that do not is
+/// turned around.
 void SurfaceMesh::orient_faces() {
   constexpr std::uint32_t kUnseen = ~std::uint32_t{0};
   is_flipped_.assign(corners_.size(), 0);
@@ -170,6 +188,8 @@ void SurfaceMesh::number_edges() {
   }
 }
 
+/// Counts the half-edges that leave each vertex, and those reached by turning around it. If the
+/// numbers differ, the faces around it form more than one fan.
 void SurfaceMesh::find_fans() {
   vertex_halfedge_.assign(points_.size(), HalfedgeId{});
   std::vector<std::uint32_t> degree(points_.size());

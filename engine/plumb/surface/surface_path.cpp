@@ -1,3 +1,12 @@
+// Points on a surface and polygons through them.
+//
+// A point is a vertex, a parameter t on an edge, stored once for both faces, or weights (u, v)
+// inside a face; it is normalised when it is added, so a point has one place and equal points are
+// found by comparing numbers. Parameters are doubles where doubles hold them, else rationals
+// (PointTable2). Within a face, points are given in the coordinates of the triangle (0, 0), (1, 0),
+// (0, 1): exact_in() exactly, append_local() as doubles if nothing is lost. Theory:
+// docs/design/surface.md, section A face is a plane.
+// Tested by tests/surface/surface_arrangement_test.cpp and tests/surface/surface_test.cpp.
 #include "plumb/surface/surface_path.h"
 
 #include <cmath>
@@ -12,14 +21,14 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(ErrorCode::BadArgument, what); }
 
-/// 1 - t, if that is a double. (When the rounded difference r is at least 1/2, 1 - r is exact; when
-/// it is less, t is above 1/2 and r is exact itself.)
+/// Sets r to 1 - t and returns whether that is exact. If the rounded difference r is at least 1/2,
+/// 1 - r is exact; if it is less, t is above 1/2 and r itself is exact.
 bool subtract_from_one(double t, double& r) {
   r = 1 - t;
   return 1 - r == t;
 }
 
-/// (u, v) of a point on a side, given the weight of the corner that the side runs to.
+/// Returns (u, v) of a point on a side, given the weight of the corner that the side runs to.
 RationalPoint2 on_side(std::size_t side, const Rational& weight) {
   if (side == 0) return {weight, 0};
   if (side == 1) return {1 - weight, weight};
@@ -63,12 +72,14 @@ SurfacePointId SurfacePointTable::add_on_edge(EdgeId e, const Rational& t) {
   return add(SurfacePlace::Edge, e.value());
 }
 
-/// `weight`: of the vertex the side runs to.
+/// Adds a point on a side of a face; `weight` is that of the vertex the side runs to.
 SurfacePointId SurfacePointTable::add_on_side(FaceId f, std::size_t side, const Rational& weight) {
   const HalfedgeId h = SurfaceMesh::halfedge(f, side);
   return add_on_edge(mesh_->edge(h), mesh_->is_upward(h) ? weight : Rational(1 - weight));
 }
 
+/// The double path is taken only for points strictly inside the face, by an exact sign; points on
+/// sides are normalised in rationals.
 SurfacePointId SurfacePointTable::add_in_face(FaceId f, double u, double v) {
   if (f.value() >= mesh_->face_count()) {
     throw Error(ErrorCode::BadIndex, "no face " + std::to_string(f.value()));
@@ -122,6 +133,8 @@ bool SurfacePointTable::is_in(SurfacePointId p, FaceId f) const {
   return false;
 }
 
+/// A point of an edge stays a pair of doubles if both t and 1 - t are doubles, because then its
+/// coordinates in either face are exact.
 void SurfacePointTable::append_local(SurfacePointId p, FaceId f, PointTable2& to) const {
   if (place(p) == SurfacePlace::Edge && parameters_.is_double(p.value())) {
     const HalfedgeId h = side_in(p, f);

@@ -1,3 +1,17 @@
+// Traced paths: locally shortest paths between two points of a mesh, and polygons made of them.
+//
+// A strip of faces between the points is found by A* over the dual graph, and tightened: the funnel
+// algorithm gives the shortest path within the strip, and at each vertex where the path could be
+// shortened on the other side the strip is led around it. This repeats as long as the path becomes
+// shorter by a fixed factor, so it ends. The idea of flipping a strip across a bend follows N.
+// Sharp and K. Crane, You can find geodesic paths in triangle meshes by just flipping edges, ACM
+// Transactions on Graphics 39 (2020).
+//
+// Doubles choose the strip; the result is exact in what matters: every point of the path is a
+// vertex or a point of an edge that both faces share, with an exact rational place where the faces
+// lie in one plane (strip/unfolded_strip.h). A path is the same in both directions, because it is
+// traced from the lower point to the higher.
+// Tested by tests/surface/trace_test.cpp.
 #include "plumb/surface/trace.h"
 
 #include <algorithm>
@@ -13,12 +27,13 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint64_t kStopBytes = 96;   // a point of a path, and of a polygon
-constexpr std::size_t kLegs = 256;         // a checkpoint
-constexpr std::uint64_t kPartBytes = 128;  // an exact place in a side
+constexpr std::uint64_t kStopBytes = 96;   // Bytes of a point of a path, and of a polygon.
+constexpr std::size_t kLegs = 256;         // Legs between checkpoints.
+constexpr std::uint64_t kPartBytes = 128;  // Bytes of an exact place in a side.
 constexpr double kShorter = 1 - 0x1p-48;
 
-/// An order of points that does not depend on who asks first; equal ones are the same point.
+/// Whether a comes before b, in an order of points that does not depend on their ids. Points of
+/// which neither comes first are equal.
 bool is_lower(const SurfacePointTable& points, SurfacePointId a, SurfacePointId b) {
   const auto index = [&points](SurfacePointId p) {
     return points.place(p) == SurfacePlace::Vertex ? points.vertex(p).value()
@@ -42,8 +57,8 @@ StripEnd end_at(const SurfacePointTable& points, SurfacePointId p, FaceId f,
   return {&points, p, at};
 }
 
-/// Leads the strip around the other side of bends, from the last to the first; of two that share
-/// more than a face the latter. False when nothing changed.
+/// Leads the strip around the other side of bends, from the last to the first; of two bends that
+/// share more than a face the later one. Returns false if nothing changed.
 bool flip(const SurfaceMesh& mesh, const std::vector<StripTurn>& turns, FaceStrip& strip) {
   bool has_changed = false;
   std::size_t free_until = strip.doors.size();
@@ -68,7 +83,7 @@ void keep_sharpest(std::vector<StripTurn>& turns) {
   turns = {*std::ranges::max_element(turns, {}, &StripTurn::gain)};
 }
 
-/// What was found, as exact points.
+/// The path found in doubles, as exact points.
 class Reading {
  public:
   Reading(const std::vector<StripStop>& stops, const FaceStrip& strip, SurfacePointId a,
@@ -94,25 +109,26 @@ class Reading {
   }
 
  private:
-  /// A vertex or an end, not a place in a door?
+  /// Whether a stop is a vertex or an end, not a place in a door.
   bool is_fixed(std::size_t i) const {
     return i == 0 || i + 1 == stops_.size() || stops_[i].vertex.is_valid();
   }
   FlatRunEnd end(std::size_t i) const { return {stops_[i].vertex, i == 0 ? a_ : b_}; }
 
-  /// The doors from here to the next vertex or end: exact places in them where faces are flat.
+  /// Finds exact places in the doors from here to the next vertex or end, if the faces there are
+  /// flat.
   void look_ahead(std::size_t i) {
     std::size_t to = i;
     while (!is_fixed(to)) ++to;
     run_begin_ = i;
     run_ = flat_run(points_, std::span(strip_.doors).subspan(stops_[i].door, to - i), end(i - 1),
                     end(to), context_);
-    // They stay: not released.
+    // They stay in the table, so the charge is not released.
     if (run_) context_.charge_memory(kPartBytes * run_->size(), "traced paths");
   }
 
-  /// Added to the table. Where the run is not flat, both t and 1 - t are doubles: that makes signs
-  /// cheap.
+  /// Returns the point of a stop, added to the table. If the run is not flat, both t and 1 - t are
+  /// doubles, which makes signs cheap.
   SurfacePointId point_at(std::size_t i) {
     const StripStop& stop = stops_[i];
     if (stop.vertex.is_valid()) return points_.add_vertex(stop.vertex);
@@ -133,7 +149,7 @@ class Reading {
   SurfacePointTable& points_;
   Context& context_;
   std::optional<std::vector<Rational>> run_;
-  std::size_t run_begin_ = 0;  // of the stop that its first part is of
+  std::size_t run_begin_ = 0;  // The stop of its first place.
 };
 
 }  // namespace
@@ -169,6 +185,8 @@ std::optional<SurfacePath> Tracer::trace_upward(SurfacePointTable& points, Surfa
   return Reading(stops, strip, a, b, points, context).path();
 }
 
+// First all bends are flipped at once. When that no longer helps, only the sharpest one is, until
+// that does not help either.
 FaceStrip Tracer::tightened(const StripEnd& from, const StripEnd& to, Context& context) {
   std::optional<FaceStrip> found = finder_.find(from, to, context);
   PLUMB_CHECK(found.has_value());
@@ -206,7 +224,7 @@ std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
     }
     std::optional<SurfacePath> leg = tracer.trace(polygons.points, from, next, context);
     if (!leg) return i;
-    // It stays: not released.
+    // It stays in the polygon, so the charge is not released.
     context.charge_memory(kStopBytes * leg->points.size(), "traced paths");
     legs.push_back(std::move(*leg));
   }

@@ -1,4 +1,14 @@
-// The nodes around a piece of a face as points of the plane, with the distances of the face.
+// Triangulations of divided surfaces. A face that nothing touches is one triangle of the result.
+// Every piece of a touched face is triangulated on its own, between its nodes, and made Delaunay by
+// flips; then triangles are joined across sides, arcs and mesh edges. So neighbouring triangles
+// always share whole sides.
+//
+// PiecePoints answers the triangulator's questions in the plane of the face's parameters.
+// Orientation and order are affine, so they are those of (u, v). The in-circle test is not; it
+// measures by the quadratic form E u^2 + 2 F u v + G v^2 of the face, whose coefficients are scalar
+// products of two sides. Both have a filter stage with a proved bound (above the functions) and a
+// stage in rationals.
+// Tested by tests/surface/triangulation_test.cpp.
 
 #include "plumb/surface/triangulation.h"
 
@@ -22,14 +32,16 @@
 
 namespace plumb {
 
+/// The nodes around a piece of a face as points of the plane, with the distances of the face.
 /// Orientation and order are those of (u, v). Distances are |u p + v q|, p and q the sides of the
 /// face from its first corner: (E, F, G) = (p p, p q, q q), taken exactly from the doubles of the
-/// mesh. Ladder: rounded points with a radius; rationals.
+/// mesh. Stages: rounded points with a radius; rationals.
 class PiecePoints final : public PlanarPoints {
  public:
   explicit PiecePoints(const SurfaceDivision& division);
 
   /// Starts again, in that face.
+  /// Appends a node that lies in the face.
   void reset(FaceId f);
   void push_back(NodeId n);
 
@@ -41,7 +53,7 @@ class PiecePoints final : public PlanarPoints {
  private:
   struct Entry {
     Point2 mid;
-    double radius;  ///< both coordinates are that near
+    double radius;  ///< Bound on the error of both coordinates.
     NodeId node;
   };
   const RationalPoint2& exact_point(std::uint32_t i) const;
@@ -51,8 +63,8 @@ class PiecePoints final : public PlanarPoints {
   const SurfaceArrangement& a_;
   const SurfacePointTable& points_;
   FaceId face_;
-  std::array<double, 3> form_{};  // E, F, G, rounded
-  double form_scale_ = 0;         // E + 2 |F| + G
+  std::array<double, 3> form_{};  // E, F and G, rounded.
+  double form_scale_ = 0;         // E + 2 |F| + G.
   std::vector<Entry> at_;
   mutable std::optional<std::array<Rational, 3>> exact_form_;
   mutable std::vector<std::optional<RationalPoint2>> exact_;
@@ -76,7 +88,8 @@ void PiecePoints::reset(FaceId f) {
   form_scale_ = form_[0] + 2 * std::fabs(form_[1]) + form_[2];
 }
 
-/// A rounded number of [0, 1] is off by 2^-53 at most.
+/// Appends a node. The rounded weights of an input point, numbers of [0, 1], are off by 2^-53 at
+/// most; the radius 2^-52 allows for 1 - t being rounded, too.
 void PiecePoints::push_back(NodeId n) {
   if (a_.is_crossing(n)) {
     const SurfaceCrossing& c = a_.crossing(n);
@@ -114,9 +127,10 @@ const std::array<Rational, 3>& PiecePoints::exact_form() const {
 
 namespace {
 
-/// A difference is off by e and one rounding, at most 2^-50 with coordinates in [0, 1]: it is
-/// counted into e. So the determinant is off by e times the four differences and 2 e^2, and by
-/// 2^-50 of its products; the factor 2 pays for the roundings of the bound.
+/// Returns the sign of a turn if the radii allow. A difference is off by e and one rounding, which
+/// is at most 2^-50 for coordinates in [0, 1] and is counted into e. So the determinant is off by e
+/// times the four differences, plus 2 e^2, plus 2^-50 of its products; the factor 2 pays for the
+/// roundings of the bound.
 FilteredSign orient_filter(const Point2& a, const Point2& b, const Point2& c, double radii) {
   const double e = radii + 0x1p-50;
   const double ax = a.x - c.x, ay = a.y - c.y, bx = b.x - c.x, by = b.y - c.y;
@@ -128,7 +142,7 @@ FilteredSign orient_filter(const Point2& a, const Point2& b, const Point2& c, do
   return value < -error ? FilteredSign::Negative : FilteredSign::Unsure;
 }
 
-/// det of the rows (x, y, E x x + 2 F x y + G y y) for a, b, c.
+/// Returns the determinant of the rows (x, y, E x x + 2 F x y + G y y) for a, b and c.
 template <class Number, class Point>
 Number circle_determinant(const std::array<Number, 3>& form, const Point& a, const Point& b,
                           const Point& c) {
@@ -156,11 +170,11 @@ Sign PiecePoints::compare(std::uint32_t i, std::uint32_t j) const {
   return compare_xy(exact_point(i), exact_point(j));
 }
 
-/// With M the largest difference, e <= M / 8 their errors, K = E + 2 |F| + G: E, F and G are off by
-/// 2^-50 K (differences of coordinates are rounded once), so a lift, at most K M^2, is off by 3 e K
-/// M + 2^-47 K M^2; a cross product, at most 2 M^2, by 5 e M + 2^-50 M^2; each of the three terms
-/// by 11 e K M^3 + 2^-45 K M^4. The bound is twice that and more. Nothing underflows that matters
-/// for K >= 2^-500 and M >= 2^-100.
+/// The in-circle test. Let M be the largest difference, e <= M / 8 the errors, and K = E + 2 |F| +
+/// G. E, F and G are off by 2^-50 K (differences of coordinates are rounded once). So a lift, at
+/// most K M^2, is off by 3 e K M + 2^-47 K M^2; a cross product, at most 2 M^2, is off by 5 e M +
+/// 2^-50 M^2; and each of the three terms by 11 e K M^3 + 2^-45 K M^4. The bound is twice that and
+/// more. No relevant number underflows for K >= 2^-500 and M >= 2^-100.
 Sign PiecePoints::incircle(std::uint32_t i, std::uint32_t j, std::uint32_t k,
                            std::uint32_t l) const {
   const Entry &a = at_[i], &b = at_[j], &c = at_[k], &d = at_[l];
@@ -185,7 +199,7 @@ Sign PiecePoints::incircle(std::uint32_t i, std::uint32_t j, std::uint32_t k,
 
 namespace {
 
-constexpr std::uint64_t kBytesPerTriangle = 56;  // 44 in the result, 12 for sides of the mesh
+constexpr std::uint64_t kBytesPerTriangle = 56;  // 44 in the result, 12 for sides of the mesh.
 constexpr std::uint64_t kBytesPerPoint = 32;
 
 class SurfaceTriangulator {
@@ -224,7 +238,7 @@ class SurfaceTriangulator {
   }
 
  private:
-  /// Whole faces are triangles, and most pieces have fewer than sides.
+  /// Reserves memory. Whole faces are triangles, and most pieces have fewer triangles than sides.
   void reserve(std::size_t triangles) {
     const std::size_t points = mesh_.vertex_count() + a_.node_count();
     out_.points.reserve(points);
@@ -236,7 +250,7 @@ class SurfaceTriangulator {
     out_.arc.reserve(3 * triangles);
   }
 
-  /// Vertices of the mesh, then other nodes that half-edges start in.
+  /// Adds the vertices of the mesh, then the other nodes in which half-edges start.
   void add_points() {
     out_.node.assign(mesh_.vertex_count(), NodeId{});
     for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
@@ -280,6 +294,7 @@ class SurfaceTriangulator {
 
   // ---------------------------------------------------------------- pieces
 
+  /// Triangulates a piece between its nodes. A triangle without inner nodes is taken as it is.
   void add_piece(PieceId p, FaceId f) {
     gather(p);
     local_.clear();
@@ -304,8 +319,8 @@ class SurfaceTriangulator {
     join_sides();
   }
 
-  /// The half-edges around a piece, in the order of its loops, between its nodes in ascending
-  /// order.
+  /// Collects the half-edges around a piece, in the order of its loops, as edges between its nodes
+  /// in ascending order.
   void gather(PieceId p) {
     halfedges_.clear();
     nodes_.clear();
@@ -329,6 +344,7 @@ class SurfaceTriangulator {
     }
   }
 
+  /// A side of a triangle, between two local points.
   struct Side {
     IndexEdge ends;
     std::uint32_t side;
@@ -339,6 +355,8 @@ class SurfaceTriangulator {
     const auto at = std::lower_bound(sides_.begin(), sides_.end(), Side{ends, 0});
     return at != sides_.end() && at->ends == ends ? at->side : kNone;
   }
+  /// Joins triangles of the piece across common sides. Sides along half-edges of the piece are
+  /// joined across arcs later; they are no neighbours within the piece.
   void join_sides() {
     for (const Side& s : sides_) {
       out_.across[s.side] = side_between(s.ends[1], s.ends[0]);
@@ -353,6 +371,8 @@ class SurfaceTriangulator {
 
   // ---------------------------------------------------------------- between pieces and faces
 
+  // Joins triangles across arcs and across the edges of faces. A face that is not touched has no
+  // node inside its sides, so a touched neighbour has exactly one half-edge there.
   void sew() {
     for (std::uint32_t h = 0; h < a_.halfedge_count(); ++h) {
       const HalfedgeId t = a_.twin[h];
@@ -378,8 +398,8 @@ class SurfaceTriangulator {
   PiecePoints points_;
   std::vector<std::uint32_t> point_of_node_;
   std::vector<std::uint32_t> side_of_halfedge_;
-  std::vector<std::uint32_t> side_of_mesh_;  // of whole faces
-  // Of one piece:
+  std::vector<std::uint32_t> side_of_mesh_;  // Sides of whole faces.
+  // Scratch of one piece.
   std::vector<HalfedgeId> halfedges_;
   std::vector<NodeId> nodes_;
   std::vector<IndexEdge> edges_;

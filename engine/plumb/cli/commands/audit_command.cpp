@@ -30,7 +30,7 @@ Flaw audit_nef3(const std::string& text, const ReadOptions& options, Context& co
   return DcelFlaw{flaw->invariant, flaw->place};
 }
 
-/// A mesh as the set it describes.
+/// Audits a mesh as the set it describes.
 Flaw audit_mesh(const std::string& path, const std::string& bytes, const ReadOptions& options,
                 Context& context) {
   SolidReadOptions solid;
@@ -40,7 +40,7 @@ Flaw audit_mesh(const std::string& path, const std::string& bytes, const ReadOpt
   return DcelFlaw{flaw->invariant, flaw->place};
 }
 
-/// The records as they stand in the file, not what a reader would accept.
+/// Audits the records as they are in the file, not what a reader would accept.
 Flaw audit_nef2(const std::string& text, const ReadOptions& options, Context& context) {
   const PlaneRecords records = read_nef2_records(text, options, context);
   try {

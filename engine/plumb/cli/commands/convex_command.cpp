@@ -1,4 +1,11 @@
-// plumb convex check, report: is a set convex? The run of the course notes.
+// The commands `plumb convex check` and `plumb convex report`: whether sets are convex.
+//
+// The check reads a solid or a set of the plane and prints the answer with its evidence: reflex
+// edges or corners, and the faces that fail. A mesh that is the surface of one solid is tested on
+// its own faces; any other mesh as the set it describes, with the failing faces still those of the
+// mesh. The report runs the check and a decomposition over a list of files and prints one line for
+// each condition.
+// Tested by tests/cli/convex_command_test.cpp.
 
 #include <algorithm>
 #include <filesystem>
@@ -86,8 +93,8 @@ class ConvexCheck : public CommandBody {
     return found.is_convex ? ExitCode::Yes : ExitCode::No;
   }
 
-  /// Of a mesh by its own faces, if it is the surface of one solid; else of the set it describes,
-  /// but for its faces: those are always the mesh's.
+  /// Returns the evidence for a mesh by its own faces if it is the surface of one solid; else that
+  /// for the set it describes, except for the faces, which are always the mesh's.
   ConvexityEvidence evidence(const std::string& bytes, Session& session) const {
     Context& context = session.context();
     require_solid(file_, bytes);
@@ -115,7 +122,7 @@ class ConvexCheck : public CommandBody {
 
 // ---------------------------------------------------------------- report
 
-/// The checks of the notes, one line each.
+/// Runs the checks on test polyhedra, one line each.
 class NoteReport : public CommandBody {
  public:
   void declare(CLI::App& app) override {
@@ -172,7 +179,7 @@ class NoteReport : public CommandBody {
     return is_success;
   }
 
-  /// dir/test_one.off: TestOne.
+  /// Returns the title of a file: TestOne for dir/test_one.off.
   static std::string title(const std::string& file) {
     std::string name;
     bool is_start = true;

@@ -1,4 +1,11 @@
-// Many results as numbered files of one folder: DIR/piece_0001.off, piece_0002.off, ...
+// The command `plumb convex decompose`: convex pieces of a solid or of a set of the plane, as
+// numbered files of one folder: DIR/piece_0001.off, piece_0002.off, ...
+//
+// PieceFiles writes each piece under a temporary name and closes it at once, because a set may have
+// more pieces than a process may have open files. All become visible together when the last one is
+// complete; pieces of an earlier run with higher numbers are then removed, but never the input.
+// What files leave out is reported once, for the file that leaves out most.
+// Tested by tests/cli/convex_command_test.cpp.
 
 #include <algorithm>
 #include <array>
@@ -35,33 +42,34 @@ namespace plumb::cli {
 
 class PieceFiles {
  public:
-  /// Makes the folder; without a name nothing is written. Errors: Usage, CannotWrite.
+  /// Creates the folder; without a name nothing is written. Throws Error{Usage} and
+  /// Error{CannotWrite}.
   explicit PieceFiles(std::string directory);
 
   bool is_wanted() const { return !directory_.empty(); }
-  /// The next piece. Closed at once: a set may have more pieces than files may be open. `losses`:
-  /// what the file does not say.
+  /// Writes the next piece, which is closed at once, because a set may have more pieces than files
+  /// may be open. `losses` says what the file leaves out.
   void add(std::string_view extension, const std::vector<std::string>& losses,
            const std::function<void(std::ostream&)>& write);
-  /// A picture of the pieces, opened now, which becomes visible with them. Errors: Usage where it
-  /// has the name of a piece in one of the extensions, CannotWrite.
+  /// Opens a picture of the pieces, which becomes visible with them. Throws Error{Usage} if it has
+  /// the name of a piece in one of the extensions, and Error{CannotWrite}.
   void open_picture(const std::string& path, const std::vector<std::string_view>& extensions);
-  /// Requires open_picture().
+  /// Writes the picture. Requires open_picture().
   void finish_picture(std::string_view bytes);
-  /// How many of the files leave something out, what that with the most does, and which format
-  /// would not.
+  /// Notes how many of the files leave something out, what that with the most leaves out, and which
+  /// format would not.
   void note_losses(std::string_view better, Session& session) const;
-  /// The files become visible. Those of an earlier run that made more pieces, of one of the
+  /// Makes the files visible. Those of an earlier run that made more pieces, with one of the
   /// extensions, are removed; never the input.
   void commit(const std::vector<std::string_view>& extensions, const std::string& input);
 
  private:
   std::string directory_;
-  std::optional<OutputDirectory> made_;  // outlives the files in it
+  std::optional<OutputDirectory> made_;  // Outlives the files in it.
   std::vector<std::unique_ptr<OutputFile>> files_;
   std::unique_ptr<OutputFile> picture_;
   std::size_t changed_ = 0;
-  std::string worst_;  // a file's name
+  std::string worst_;  // Name of a file.
   std::vector<std::string> worst_losses_;
 };
 
@@ -75,7 +83,7 @@ std::string file_name(std::size_t piece, std::string_view extension) {
   return std::string(kStem) + number + std::string(extension);
 }
 
-/// Of the file's name; 0: no piece in one of the extensions has it.
+/// Returns the number in a file's name; 0 if no piece with one of the extensions has that name.
 std::size_t piece_number(const std::string& name, const std::vector<std::string_view>& extensions) {
   std::size_t number = 0;
   const auto [end, failed] = std::from_chars(name.data() + std::min(kStem.size(), name.size()),
@@ -113,7 +121,7 @@ void PieceFiles::open_picture(const std::string& path,
   namespace fs = std::filesystem;
   if (path == "-") throw Error(ErrorCode::Usage, "--svg needs a file");
   if (is_wanted()) {
-    std::error_code ignored;  // what is no path cannot be opened either
+    std::error_code ignored;  // What is no path cannot be opened either.
     const fs::path picture = fs::weakly_canonical(path, ignored);
     const bool is_beside = fs::equivalent(picture.parent_path(), directory_, ignored);
     if (is_beside && piece_number(picture.filename().string(), extensions) > 0) {
@@ -152,12 +160,12 @@ void PieceFiles::commit(const std::vector<std::string_view>& extensions, const s
   }
 }
 
-// plumb convex decompose: convex pieces of a solid or of a set of the plane.
+// The command itself.
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr double kPiecesApart = 0.5;  // of their distances
+constexpr double kPiecesApart = 0.5;  // Part of their distances.
 
 struct PlaneChoice {
   std::string_view name;
@@ -174,7 +182,8 @@ struct Answer {
   std::size_t pieces;
   std::uint64_t reflex;
   const char* reflex_name;
-  std::optional<bool> matches;  ///< volumes or areas; none: infinite, or nobody asked
+  /// Whether volumes or areas add up; no value if they are infinite or were not asked for.
+  std::optional<bool> matches;
 };
 
 class Decomposition : public CommandBody {
@@ -280,7 +289,7 @@ class Decomposition : public CommandBody {
     if (session.options().json) answer.matches = do_volumes_add_up(set, found.pieces, context);
     return answer;
   }
-  /// In the format asked for; else OFF, and .nef for what no mesh can hold.
+  /// Returns the format asked for; else OFF, or .nef for what no mesh can hold.
   static const SolidFormat& solid_format(const Nef3& piece, const std::string& asked) {
     if (!asked.empty()) return format_named(solid_formats(), asked);
     const bool is_mesh = piece.is_bounded() && piece.counts().marked_volumes > 0;
@@ -319,7 +328,7 @@ class Decomposition : public CommandBody {
     if (session.options().json) answer.matches = do_areas_add_up(set, found.pieces, context);
     return answer;
   }
-  /// In the format asked for; else WKT, and .nef2 for what has no end.
+  /// Returns the format asked for; else WKT, or .nef2 for what is unbounded.
   static const PlaneChoice& plane_format(const Nef2& piece, const std::string& asked) {
     if (!asked.empty()) return format_named(kPlaneFormats, asked);
     return format_named(kPlaneFormats, piece.is_bounded() ? "wkt" : "nef2");

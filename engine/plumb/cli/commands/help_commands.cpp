@@ -1,4 +1,9 @@
-// plumb manual: the manual page, written from the same table as the help.
+// The commands `plumb manual`, `plumb completion` and `plumb self-test`.
+//
+// The manual page (roff) and the completion script (bash) are written from the same table of
+// commands and the same declarations of options as the help, so they cannot disagree with it. Text
+// is escaped so that no character of it is a request of roff.
+// Tested by tests/cli/help_commands_test.cpp.
 
 #include <array>
 #include <nlohmann/json.hpp>
@@ -13,7 +18,7 @@
 namespace plumb::cli {
 namespace {
 
-/// As text of roff: no character of it is a request.
+/// Returns text for roff in which no character is a request.
 std::string roff(std::string_view text) {
   std::string escaped;
   if (text.starts_with('.') || text.starts_with('\'')) escaped = "\\&";
@@ -91,8 +96,7 @@ class Manual : public CommandBody {
 
 std::unique_ptr<CommandBody> make_manual() { return std::make_unique<Manual>(); }
 
-// plumb completion bash: what the shell needs to know to complete commands, options and their
-// words.
+// The completion of commands, options and their words for the shell.
 
 namespace {
 
@@ -134,13 +138,13 @@ void add_word(std::string& words, std::string_view word) {
   words += word;
 }
 
-/// "-o,--output": "-o --output".
+/// Returns "-o --output" for "-o,--output".
 std::string spaced(std::string names) {
   for (char& c : names) c = c == ',' ? ' ' : c;
   return names;
 }
 
-/// What can follow the options of a command.
+/// Returns what can follow the options of a command.
 std::string case_of(const Command& command) {
   const CommandApp known(command);
   std::string options;

@@ -1,3 +1,10 @@
+// The commands `plumb map check` and `plumb map overlay`.
+//
+// Both have a table of formats; outputs are opened before the work, so that a path that cannot be
+// written costs nothing. The check prints the report in the formats asked for and exits with 1 for
+// a defective map. The overlay requires two valid maps, because only subdivisions have regions,
+// overlays them exactly, and prints the cells and their areas.
+// Tested by tests/cli/map_commands_test.cpp and tests/cli/program_test.cpp.
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -49,7 +56,7 @@ constexpr std::array kFormats{
     Format{"geojson", ".geojson", write_geojson},
 };
 
-/// Requires one of the three names.
+/// Returns the rule of a name. Requires one of the three names.
 OuterRule outer_rule(std::string_view name) {
   if (name == "infer") return OuterRule::Infer;
   return name == "ignore" ? OuterRule::Ignore : OuterRule::Listed;
@@ -101,7 +108,7 @@ ExitCode MapCheck::run(Session& session) {
   return report_.verdict == MapVerdict::Valid ? ExitCode::Yes : ExitCode::No;
 }
 
-/// Before the work, so that a path that cannot be written costs nothing.
+/// Opens outputs before the work, so that a path that cannot be written costs nothing.
 void MapCheck::open_outputs(Session& session) {
   const auto add = [&](const std::string& path, const Format& format) {
     add_output(session, path, format);
@@ -140,7 +147,7 @@ std::string short_name(const std::string& file) {
   return std::filesystem::path(input_name(file)).filename().string();
 }
 
-/// Regions are called by the listed cycle around them.
+/// Returns the names of regions, which are called by the listed cycle around them.
 std::vector<std::string> region_names(const MapReport& report) {
   std::vector<std::string> names;
   for (const MapRegion& region : report.regions) {
@@ -149,7 +156,7 @@ std::vector<std::string> region_names(const MapReport& report) {
   return names;
 }
 
-/// All that is written.
+/// Everything that is written.
 struct Overlaid {
   OverlayReport report;
   std::string first_name, second_name;
@@ -224,7 +231,7 @@ ExitCode MapOverlayCommand::run(Session& session) {
   return ExitCode::Yes;
 }
 
-/// Only subdivisions have regions to lay over each other.
+/// Reads a map. Throws unless it is a valid subdivision, because only these have regions.
 MapReport MapOverlayCommand::read_valid(Session& session, const std::string& file) const {
   const ReadOptions read_options{.exact_decimals = session.options().exact_decimals};
   MapCheckOptions options;
@@ -241,7 +248,7 @@ MapReport MapOverlayCommand::read_valid(Session& session, const std::string& fil
               {input_name(file)});
 }
 
-/// Before the work, so that a path that cannot be written costs nothing.
+/// Opens outputs before the work, so that a path that cannot be written costs nothing.
 void MapOverlayCommand::open_outputs(Session& session) {
   if (first_file_ == "-" && second_file_ == "-") {
     throw Error(ErrorCode::Usage, "only one of the maps can be standard input");

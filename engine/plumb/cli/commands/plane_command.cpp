@@ -1,4 +1,9 @@
-// plumb plane ...: sets of the plane, combined, transformed, asked.
+// The commands `plumb plane ...`: sets of the plane, combined, transformed and queried.
+//
+// The commands themselves are templates (set_command.h); this file says what is particular to the
+// plane: formats, the facts that `info` prints, and how a result is written. Without a name for the
+// format a bounded set is written as WKT, an unbounded one as .nef2, because WKT cannot hold it.
+// Tested by tests/cli/plane_command_test.cpp.
 
 #include <array>
 #include <filesystem>
@@ -27,6 +32,7 @@ using Json = nlohmann::ordered_json;
 
 // ---------------------------------------------------------------- what a set is like
 
+/// The facts that `info` prints.
 struct PlaneFacts {
   PlaneFacts(const Nef2& set, Context& context) : counts(set.counts()), is_empty(set.is_empty()) {
     if (set.is_bounded()) area = marked_area(set.complex(), context);
@@ -36,7 +42,7 @@ struct PlaneFacts {
 
   PlaneCounts counts;
   bool is_empty;
-  std::optional<Rational> area;  ///< of bounded sets
+  std::optional<Rational> area;  ///< Area of a bounded set.
 };
 
 Json PlaneFacts::json() const {
@@ -58,7 +64,7 @@ void PlaneFacts::write(std::ostream& out) const {
 struct OutputFormat {
   std::string_view name;
   std::string_view extension;
-  std::optional<PlaneFormat> text;  ///< none: a picture
+  std::optional<PlaneFormat> text;  ///< Format of text; empty for a picture.
 };
 
 constexpr std::array kFormats{
@@ -73,7 +79,8 @@ std::string name_of_file(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-/// Without a name for the format: WKT if the set is bounded, else .nef2.
+/// Returns the set as a file. Without a name for the format it is WKT if the set is bounded, else
+/// .nef2.
 ReadyFile ready_file(const Nef2& set, const SetOutput& output, Context& context) {
   const auto index = output.format();
   if (index && !kFormats[static_cast<std::size_t>(*index)].text) {
@@ -101,7 +108,7 @@ struct PlaneInput {
   }
 };
 
-/// Sets of the plane, for set_command.h.
+/// The kind of sets of the plane, for set_command.h.
 struct Plane {
   using Set = Nef2;
   using Input = PlaneInput;

@@ -1,18 +1,22 @@
-// What `plumb plane ...` and `plumb solid ...` have in common. A kind of sets is a class with
-//   Set                        Nef2 or Nef3
-//   Input                      declare(app); load(file, options, context), from several threads at
-//                              once: the set and the notes of a file
-//   kHelp, kAxes               the first operand in the help; names of the coordinates
-//   formats()                  what can be written (outputs.h)
-//   reading(), combining(), measuring(), locating(), writing(output)  stages of the progress of a
-//   command
-//                              (progress.h): a file read; an operation; facts(); locate(); ready()
-//                              and the file written
-//   ready(set, output, context)  the set as a file of the output's format
-//   canonical(set, context)    where files tell how a set was made: the same set in a form that
-//                              does not (--canonical)
-//   facts(set, context)        what the set is like: json(), write(out)
-//   locate(set, coordinates)   what the point lies on, and whether it belongs to the set
+// What `plumb plane ...` and `plumb solid ...` have in common. A kind of sets is a class with these
+// members:
+//
+//   Set                  Nef2 or Nef3
+//   Input                declare(app), and load(file, options, context), which returns the set and
+//                        the notes of a file and may be called from several threads at once
+//   kHelp, kAxes         the first operand in the help; the names of the coordinates
+//   formats()            what can be written (outputs.h)
+//   reading(), combining(), measuring(), locating(), writing(output)
+//                        stages of progress (progress.h): a file is read, an operation, facts(),
+//                        locate(), and ready() with the file written
+//   ready(set, output, context)
+//                        the set as a file of the output's format
+//   canonical(set, context)
+//                        if files show how a set was made: the same set in a form that does not
+//                        (--canonical)
+//   facts(set, context)  what is known of the set: json(), write(out)
+//   locate(set, coordinates)
+//                        what the point lies on, and whether it belongs to the set
 #pragma once
 
 #include <array>
@@ -38,15 +42,15 @@ inline void require_one_stdin(const std::string& a, const std::string& b) {
   }
 }
 
-/// The sets of some files, read at once where there are threads for that. Notes come in the order
-/// of the files.
+/// Returns the sets of some files, read in parallel if there are threads for that. Notes come in
+/// the order of the files.
 template <class Input>
 auto read_sets(const Input& input, const std::vector<std::string>& files, Session& session) {
   using Read = decltype(input.load(files[0], session.options(), session.context()));
   std::vector<Read> reads(files.size());
   run_jobs(session.context(), files.size(), [&](std::size_t i, Context& own) {
     const bool is_alone = &own == &session.context();
-    if (is_alone || i == 0) session.begin("read");  // all at once are one stage
+    if (is_alone || i == 0) session.begin("read");  // All files read in parallel are one stage.
     reads[i] = input.load(files[i], session.options(), own);
   });
   std::vector<decltype(Read::set)> sets;
@@ -57,7 +61,7 @@ auto read_sets(const Input& input, const std::vector<std::string>& files, Sessio
   return sets;
 }
 
-/// Some sets read and combined.
+/// Returns the stages of some sets read and combined.
 template <class Kind>
 ProgressStages stages_of_sets(std::size_t operands, std::size_t operations) {
   ProgressStages stages(operands, Kind::reading());
@@ -111,9 +115,9 @@ class SetOperation : public CommandBody {
 
  protected:
   virtual void declare_operands(CLI::App& app) = 0;
-  /// Up to the result.
+  /// Returns the stages up to the result.
   virtual ProgressStages stages() const { return stages_of_sets<Kind>(1, 1); }
-  /// Begins a stage "combine" for each operation.
+  /// Returns the result. Begins a stage "combine" for each operation.
   virtual Set compute(Session& session) = 0;
   std::vector<Set> read_all(const std::vector<std::string>& files, Session& session) const {
     return read_sets(input_, files, session);
@@ -151,6 +155,7 @@ class SetOperation : public CommandBody {
   SetOutput output_;
 };
 
+/// A command that combines two sets by a function of marks.
 template <class Kind>
 class BinaryOperation : public SetOperation<Kind> {
  public:
@@ -174,6 +179,7 @@ class BinaryOperation : public SetOperation<Kind> {
   std::string b_;
 };
 
+/// A command that applies a member function to a set.
 template <class Kind>
 class UnaryOperation : public SetOperation<Kind> {
  public:
@@ -192,6 +198,7 @@ class UnaryOperation : public SetOperation<Kind> {
   std::string a_;
 };
 
+/// A command that prints the facts of a set.
 template <class Kind>
 class SetInfo : public CommandBody {
  public:
@@ -210,7 +217,7 @@ class SetInfo : public CommandBody {
   }
 
  protected:
-  /// Further outputs.
+  /// Adds further outputs.
   virtual void prepare(const typename Kind::Set&, const std::string&, Session&) {}
 
  private:
@@ -218,6 +225,7 @@ class SetInfo : public CommandBody {
   typename Kind::Input input_;
 };
 
+/// A command that locates a point.
 template <class Kind>
 class SetLocate : public CommandBody {
  public:

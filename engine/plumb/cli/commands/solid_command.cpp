@@ -1,4 +1,10 @@
-// plumb solid ...: sets of space, combined, transformed, asked.
+// The commands `plumb solid ...`: sets of space, combined, transformed and queried.
+//
+// Most commands are templates (set_command.h); this file adds expressions over named files,
+// sections by planes, intersections of half-spaces, comparison, and Minkowski sums. Files are read
+// in parallel where there are threads for it. Without a name for the format a result is written as
+// .nef, which holds every set.
+// Tested by tests/cli/solid_command_test.cpp.
 
 #include <algorithm>
 #include <array>
@@ -29,7 +35,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What a set is like.
+/// The facts that `info` prints.
 struct SolidFacts {
   SolidFacts(const Nef3& set, Context& context)
       : counts(set.counts()),
@@ -87,7 +93,7 @@ const char* name_of(SpaceItem::Kind kind) {
   return "volume";
 }
 
-/// Sets of space, for set_command.h. Without a name for the format: .nef.
+/// The kind of sets of space, for set_command.h. Without a name for the format: .nef.
 struct Solid {
   using Set = Nef3;
   using Input = SolidInput;
@@ -125,6 +131,7 @@ using SolidOperation = SetOperation<Solid>;
 
 // ---------------------------------------------------------------- sums of points
 
+/// The Minkowski sum of two sets.
 class MinkowskiSum : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
@@ -160,6 +167,7 @@ MarkFunction function_of(SetOperator op) {
   }
 }
 
+/// The set that an expression over named files describes.
 class Evaluation : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
@@ -223,6 +231,7 @@ class Evaluation : public SolidOperation {
 
 // ---------------------------------------------------------------- planes
 
+/// The part of a set on a plane, or on one side of it.
 class SectionOperation : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
@@ -270,6 +279,7 @@ class SectionOperation : public SolidOperation {
   std::string keep_ = "inside";
 };
 
+/// The intersection of half-spaces read from a file.
 class HalfSpaces : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
@@ -289,6 +299,7 @@ class HalfSpaces : public SolidOperation {
   std::string file_;
 };
 
+/// How two sets compare: equal, one within the other, disjoint, or overlapping.
 class SolidCompare : public CommandBody {
  public:
   void declare(CLI::App& app) override {

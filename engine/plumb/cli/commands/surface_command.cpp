@@ -1,4 +1,11 @@
-// plumb surface ...: polygons on meshes; the cells they make, Booleans of them, pictures.
+// The commands `plumb surface ...`: polygons on meshes, the cells they make, Booleans of them, and
+// pictures.
+//
+// All read a scene, divide its surface, and answer as text or JSON; triangles, a graph of cells, a
+// scene, or a picture go to a file that is opened before the work. A result of a Boolean is also
+// written as a scene, whose model is named relative to the folder of the output, so that it can be
+// read again.
+// Tested by tests/cli/surface_command_test.cpp.
 
 #include <algorithm>
 #include <array>
@@ -59,7 +66,7 @@ constexpr std::array kResultFormats{
     Format{"scene", ".json", SurfaceFile::Scene},
 };
 
-/// Where the model is, seen from the folder of `out`.
+/// Returns the path of the model, seen from the folder of `out`.
 std::string model_beside(const std::string& model, const std::string& out) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -69,10 +76,10 @@ std::string model_beside(const std::string& model, const std::string& out) {
   return error || beside.empty() ? model : beside.string();
 }
 
-/// A command with an answer, and perhaps a file of triangles or such.
+/// A command with an answer and optionally a file, of triangles for example.
 class SurfaceCommand : public CommandBody {
  protected:
-  /// Before the work.
+  /// Opens the file before the work.
   template <class Table>
   void open(const Table& formats, Session& session) {
     const CommonOptions& common = session.options();
@@ -130,7 +137,7 @@ class SurfaceCommand : public CommandBody {
   std::string title() const {
     return path_ == "-" ? "" : std::filesystem::path(path_).filename().string();
   }
-  /// In the colours of labels; of a result, only what is selected.
+  /// Returns the scene in the colours of labels; for a result, only what is selected.
   static Scene chosen_scene(const SurfaceDivision& division, const SurfaceResult* result,
                             Context& context) {
     Scene scene = scene_of(division, triangulate_surface(division, context), result);
@@ -152,6 +159,7 @@ class SurfaceCommand : public CommandBody {
 
 // ---------------------------------------------------------------- cells
 
+/// The cells of a scene, their labels, areas and neighbours.
 class CellsCommand : public SurfaceCommand {
  public:
   void declare(CLI::App& app) override { input_.declare(app); }
@@ -211,7 +219,7 @@ class CellsCommand : public SurfaceCommand {
     return json;
   }
 
-  /// Lists of two numbers, and their text; objects are several.
+  /// Charges lists of two numbers and their text; objects count as several.
   static void charge(std::size_t lists, Context& context) {
     constexpr std::uint64_t kListBytes = 160;
     context.checkpoint("JSON", 0, 1);
@@ -246,6 +254,7 @@ class CellsCommand : public SurfaceCommand {
 
 // ---------------------------------------------------------------- Booleans
 
+/// The result of an expression over shapes.
 class BooleanCommand : public SurfaceCommand {
  public:
   void declare(CLI::App& app) override {
@@ -286,6 +295,7 @@ constexpr std::array kPictureFormats{
     PictureFormat{"glb", ".glb", Picture::Glb},
 };
 
+/// A picture of a divided surface.
 class DrawCommand : public CommandBody {
  public:
   void declare(CLI::App& app) override {

@@ -1,4 +1,9 @@
-// plumb view FILE...: a picture of whatever the file holds, or of several solids.
+// The command `plumb view FILE...`: a picture of whatever the file holds, or of several solids.
+//
+// The kind of a file is decided by its extension, else by how it begins (files/operands.h), and its
+// picture by the extension of the output. Outputs are opened before the work, so that a path that
+// cannot be written costs nothing.
+// Tested by tests/cli/view_command_test.cpp.
 
 #include <array>
 #include <filesystem>
@@ -56,7 +61,7 @@ class View : public CommandBody {
   }
 
  private:
-  /// Before the work, so that a path that cannot be written costs nothing.
+  /// Opens outputs before the work, so that a path that cannot be written costs nothing.
   const Format& open_outputs(Session& session) {
     const CommonOptions& common = session.options();
     if (common.format.empty() && (common.out.empty() || common.out == "-")) {

@@ -1,3 +1,12 @@
+// The book of `plumb demo`: its page, its files, and the chapters on solids, convex pieces and
+// surfaces.
+//
+// Pictures are embedded as data addresses, so that the styles and ids of one SVG do not affect
+// another, and pages that can be turned are embedded as text that is loaded on demand. Each chapter
+// does real work with the library and checks what it claims: volumes of parts must add up exactly,
+// audits must pass, and a claim that fails throws.
+// Declared in cli/demo/demo_book.h.
+// Tested by tests/cli/program_test.cpp.
 #include "plumb/cli/demo/demo_book.h"
 
 #include <algorithm>
@@ -88,7 +97,7 @@ std::string milliseconds(double seconds) {
   return text;
 }
 
-/// An SVG file as an address: pictures keep their styles and ids to themselves that way.
+/// Returns an SVG file as an address, so that pictures keep their styles and ids to themselves.
 std::string data_uri(std::string_view svg) {
   static constexpr std::string_view kHex = "0123456789ABCDEF";
   std::string uri = "data:image/svg+xml,";
@@ -105,8 +114,7 @@ std::string data_uri(std::string_view svg) {
   return uri;
 }
 
-/// A page of its own inside this one, made when it is asked for: many at once would be too much for
-/// a browser.
+/// A page of its own inside this one, made on demand: many at once would be too much for a browser.
 constexpr std::string_view kTurning = R"(<script>
 for (const button of document.querySelectorAll('figure button')) button.addEventListener('click', () => {
   const frame = document.createElement('iframe');
@@ -121,7 +129,7 @@ for (const button of document.querySelectorAll('figure button')) button.addEvent
 void write_picture(std::ostream& out, const DemoPicture& picture) {
   const std::string title = escaped(picture.title);
   const bool is_wide =
-      !picture.is_small;  // its text would be too small on a phone: there it scrolls
+      !picture.is_small;  // Its text would be too small on a phone, so it scrolls there.
   out << (is_wide ? "<figure class=\"wide\">\n<div class=\"sheet\">" : "<figure>\n")
       << "<img alt=\"" << title << "\" src=\"" << data_uri(picture.svg) << "\">"
       << (is_wide ? "</div>\n" : "\n");
@@ -138,7 +146,7 @@ void write_row(std::ostream& out, double seconds, const std::string& html) {
       << "</td></tr>\n";
 }
 
-/// What there is, and how long each took in all.
+/// Writes the contents, and how long each chapter took in all.
 void write_contents(std::ostream& out, const std::vector<DemoChapter>& chapters) {
   out << "<table>\n";
   for (std::size_t i = 0; i < chapters.size(); ++i) {
@@ -214,7 +222,7 @@ DemoBook::DemoBook(fs::path directory, Session& session)
   if (error) throw Error(ErrorCode::CannotWrite, error.message(), {directory_.string()});
 }
 
-/// $PLUMB_ROOT, else where this program was built from.
+/// Returns the folder $PLUMB_ROOT, else the one this program was built from.
 std::string DemoBook::bundled(const std::string& file) {
   const char* const root = std::getenv("PLUMB_ROOT");
   const bool is_set = root != nullptr && *root != '\0';
@@ -268,7 +276,7 @@ void DemoBook::finish() {
   session_.deliver();
 }
 
-// The chapter of the demo on sets of space: two solids combined, what is open, what has no end.
+// The chapter on sets of space: two solids combined, what is open, what is unbounded.
 
 namespace {
 
@@ -312,7 +320,8 @@ class SolidDemo {
     return set;
   }
 
-  /// Their volumes, as fractions of thousands of digits, must add up; and so must the sets.
+  /// Combines both solids. Their volumes, fractions of thousands of digits, must add up; and so
+  /// must the sets.
   Nef3 combine_both(const Nef3& a, const Nef3& b) {
     const Nef3 either = timed(a + b, "united the two");
     const Nef3 both = timed(a * b, "intersected them");
@@ -337,7 +346,8 @@ class SolidDemo {
     return rest;
   }
 
-  /// A corner of the ball inside the bunny: on the boundary of the difference, but not part of it.
+  /// Finds a corner of the ball inside the bunny: it is on the boundary of the difference, but not
+  /// part of it.
   void find_openness(const Nef3& bunny, const Nef3& ball, const Nef3& rest) {
     for (const SpacePoint p : ball.complex().vertex_point) {
       const Point3 at = ball.complex().planes().point(p.input());
@@ -385,8 +395,8 @@ void demonstrate_solids(DemoBook& book) {
   SolidDemo(book).run();
 }
 
-// The chapter of the demo on convex pieces: the five polyhedra of the cutting problem and a comb,
-// cut and moved apart.
+// The chapter on convex pieces: the five polyhedra of the cutting problem and a comb, cut and moved
+// apart.
 
 namespace {
 
@@ -416,7 +426,8 @@ class ConvexDemo {
   }
 
  private:
-  /// A bar with teeth along one way above, and along the other below: notches cross.
+  /// Returns a bar with teeth along one direction above and along the other below, so that notches
+  /// cross.
   Nef3 comb(int teeth) {
     std::vector<Nef3> parts{box({0, 0, -1}, {2. * teeth - 1, 2. * teeth - 1, 1}, context_)};
     for (int i = 0; i + 1 < teeth; ++i) {
@@ -461,15 +472,14 @@ void demonstrate_convex(DemoBook& book) {
   ConvexDemo(book).run();
 }
 
-// The chapter of the demo on surfaces: polygons on a torus and on the bunny, cells, labels, a
-// Boolean.
+// The chapter on surfaces: polygons on a torus and on the bunny, cells, labels, a Boolean.
 
 namespace {
 
 struct SurfaceExhibit {
-  std::string name;        ///< of the scene, and of files
-  std::string title;       ///< "The torus"
-  std::string expression;  ///< of the result
+  std::string name;        ///< Name of the scene and of files.
+  std::string title;       ///< Title, such as "The torus".
+  std::string expression;  ///< Expression of the result.
 };
 
 constexpr std::array<std::pair<SurfaceLayer, std::string_view>, 5> kPictures{{
@@ -530,7 +540,7 @@ class SurfaceDemo {
     book_.step("pictured the five stages; wrote a page to turn them around");
   }
 
-  /// A meridian and a longitude: neither has an inside, and a cycle of cells proves it.
+  /// Shows a meridian and a longitude: neither has an inside, and a cycle of cells proves it.
   void find_loops() {
     const SurfaceDivision division = divided("torus-loops");
     for (std::uint32_t s = 0; s < division.shape_count(); ++s) {

@@ -1,4 +1,5 @@
-// The page that `plumb demo` leaves behind.
+// The book that `plumb demo` writes: files in a directory, the steps that made them, and one page
+// with all of it.
 #pragma once
 
 #include <chrono>
@@ -12,56 +13,60 @@
 
 namespace plumb::cli {
 
+/// What was done, with its time.
 struct DemoStep {
   std::string what;
   double seconds = 0;
 };
 
+/// A picture of a chapter.
 struct DemoPicture {
   std::string title;
-  std::string file;  ///< beside the page
+  std::string file;  ///< Name of the file beside the page.
   std::string caption;
   std::string svg;
-  bool is_small = false;  ///< need not fill the page
-  std::string page = {};  ///< HTML, to turn it around; empty: none
+  bool is_small = false;  ///< Whether it need not fill the page.
+  std::string page = {};  ///< HTML that shows it turning; empty if there is none.
 };
 
 /// One capability: what was done, with times, and pictures of it.
 struct DemoChapter {
   std::string title;
-  std::string claim;  ///< what its figures show, in a sentence
+  std::string claim;  ///< What its figures show, in a sentence.
   std::vector<DemoStep> steps = {};
   std::vector<DemoPicture> pictures = {};
 
   double seconds() const;
 };
 
-/// The title of each chapter, then one line a step, with its time.
+/// Writes the title of each chapter, then one line a step, with its time.
 void write_demo_steps(std::ostream& out, const std::vector<DemoChapter>& chapters);
 
-/// One self-contained HTML file: pictures inlined, nothing loaded from anywhere.
+/// Writes one self-contained HTML file: pictures are part of it, and nothing is loaded from
+/// elsewhere.
 void write_demo_page(std::ostream& out, const std::vector<DemoChapter>& chapters);
 
-// What `plumb demo` leaves behind: files in a directory, the steps that made them, one page with
-// all of it.
+// The book itself.
 
+/// Collects chapters and writes their files.
 class DemoBook {
  public:
-  /// Makes the directory. Errors: CannotWrite.
+  /// Creates the directory. Throws Error{CannotWrite}.
   DemoBook(std::filesystem::path directory, Session& session);
 
   Session& session() { return session_; }
-  /// A file of the bundled data.
+  /// Returns the path of a file of the bundled data.
   static std::string bundled(const std::string& file);
 
-  /// What follows belongs to it. There is one before the first step.
+  /// Begins a chapter, to which all that follows belongs. Required before the first step.
   void chapter(std::string title, std::string claim);
-  /// Says what was done since the last step, and how long it took.
+  /// Records what was done since the last step, and how long it took.
   void step(const std::string& what);
   void write(const std::string& name, std::string bytes);
-  /// A picture for the page, and a file of its own; the same for what turns it around.
+  /// Adds a picture for the page and as a file of its own, together with the page that shows it
+  /// turning.
   void add(DemoPicture picture);
-  /// index.html and the list of steps on standard output.
+  /// Writes index.html, and the list of steps on standard output.
   void finish();
 
  private:
@@ -73,14 +78,14 @@ class DemoBook {
   std::vector<DemoChapter> chapters_;
 };
 
-/// A number as text: exactly, whatever its length; a long one also rounded.
+/// Returns a number as text: exactly, whatever its length; a long one also rounded.
 std::string in_full(const Rational& value);
 
-/// The chapter on solids.
+/// Adds the chapter on solids.
 void demonstrate_solids(DemoBook& book);
-/// The chapter on convex pieces.
+/// Adds the chapter on convex pieces.
 void demonstrate_convex(DemoBook& book);
-/// The chapter on polygons drawn on meshes.
+/// Adds the chapter on polygons drawn on meshes.
 void demonstrate_surfaces(DemoBook& book);
 
 }  // namespace plumb::cli

@@ -1,3 +1,9 @@
+// The command `plumb demo`, and its chapters on the plane: defective maps, DCELs, sets, and
+// overlays.
+//
+// Each chapter reads bundled data, runs the library as a command would, times every step, and
+// requires that audits pass, so the demo is a test of the whole program as well.
+// Tested by tests/cli/program_test.cpp.
 #include <optional>
 #include <ostream>
 #include <sstream>
@@ -39,7 +45,7 @@ Nef2 star() {
   return Nef2::polygon(corners);
 }
 
-/// { x >= -1, y <= 2 }.
+/// Returns { x >= -1, y <= 2 }.
 Nef2 quadrant() {
   return Nef2::half_plane(Line2::from_coefficients(-1, 0, -1), Boundary::Closed) *
          Nef2::half_plane(Line2::from_coefficients(0, 1, -2), Boundary::Closed);

@@ -1,3 +1,11 @@
+// Operands: recognising files, reading numbers, solids and scenes.
+//
+// A file without a telling extension is recognised by its first line and, for JSON, by the members
+// of its outermost object, found without parsing the whole: strings are skipped and only depth one
+// is looked at. Scenes may be repaired on request: generators of the homology are added to shapes
+// that do not separate the surface (surface/surface_homology.h), and reported.
+// Tested by tests/cli/program_test.cpp, tests/cli/view_command_test.cpp and
+// tests/cli/surface_command_test.cpp.
 #include "plumb/cli/files/operands.h"
 
 #include <algorithm>
@@ -31,7 +39,7 @@ constexpr std::array<std::string_view, 7> kShapes{
     "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"};
 constexpr std::string_view kBlank = " \t\r";
 
-/// The first line that is neither blank nor a comment.
+/// Returns the first line that is neither blank nor a comment.
 std::string_view first_line(std::string_view text) {
   take_prefix(text, "\xEF\xBB\xBF");
   while (!text.empty()) {
@@ -53,13 +61,14 @@ bool is_shape(std::string_view line) {
   return std::ranges::find(kShapes, word) != kShapes.end();
 }
 
-/// Behind the string that begins at `at`.
+/// Returns the position behind the string that begins at `at`.
 std::size_t end_of_string(std::string_view text, std::size_t at) {
   for (++at; at < text.size() && text[at] != '"'; ++at) at += text[at] == '\\' ? 1 : 0;
   return std::min(at + 1, text.size());
 }
 
-/// Has the outermost object of a JSON text "asset", as glTF must, and no "type", as GeoJSON must?
+/// Whether the outermost object of a JSON text has "asset", as glTF must, and no "type", as GeoJSON
+/// must.
 bool is_gltf_text(std::string_view text) {
   constexpr std::string_view kSpace = " \t\r\n";
   take_prefix(text, "\xEF\xBB\xBF");

@@ -1,4 +1,5 @@
-// What kind of thing a file holds.
+// Operands of commands: what kind of thing a file holds, numbers, and how solids and scenes are
+// read.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +16,16 @@
 
 namespace plumb {
 
+/// The kind of thing that a file holds.
 enum class FileKind : std::uint8_t {
-  Map,       ///< map_io.h
-  PlaneSet,  ///< plane_io.h
-  Solid,     ///< solid_io.h: meshes and .nef
+  Map,       ///< A map (map_io.h).
+  PlaneSet,  ///< A set of the plane (plane_io.h).
+  Solid,     ///< A mesh or .nef (solid_io.h).
 };
 
-/// By the extension; where that names none, by how the file begins: a .nef, binary STL (by its
-/// length), JSON of glTF, other JSON (GeoJSON) or .nef2, a word of WKT; two numbers on the first
-/// line are a map. All else is taken for a mesh.
+/// Returns the kind by the extension; if that names none, by how the file begins: a .nef, binary
+/// STL (by its length), JSON of glTF, other JSON (GeoJSON) or .nef2, a word of WKT; two numbers on
+/// the first line are a map. Everything else is taken for a mesh.
 FileKind kind_of_file(const std::string& path, std::string_view bytes);
 
 }  // namespace plumb
@@ -32,17 +34,17 @@ namespace plumb::cli {
 
 // Numbers on the command line, and exact ones for people to read.
 
-/// A number given as an argument, by the rules for numbers in files. `name` is said in
+/// Returns a number given as an argument, by the rules for numbers in files. `name` appears in
 /// Error{Usage}.
 Rational read_number_argument(const std::string& text, const std::string& name, Session& session);
 
-/// Exactly, unless that is longer than a person reads (areas of doubles can have thousands of
-/// digits): then the nearest double, and how many digits the exact number has.
+/// Returns the exact number, unless that is longer than a person reads (areas of doubles can have
+/// thousands of digits): then the nearest double, and how many digits the exact number has.
 std::string readable(const Rational& value);
 
 // How commands read solids.
 
-/// Throws Error{UnknownFormat} for maps and sets of the plane: as meshes they would be refused for
+/// Throws Error{UnknownFormat} for maps and sets of the plane, which would be refused as meshes for
 /// their first words.
 void require_solid(const std::string& file, const std::string& bytes);
 
@@ -55,16 +57,16 @@ inline constexpr const char* kSolidOrPlaneHelp =
 class SolidInput {
  public:
   void declare(CLI::App& app);
-  /// A set of the plane, where a command takes either: Usage if something was said of how meshes
-  /// are read.
+  /// Returns a set of the plane, if a command accepts both. Throws Error{Usage} if an option says
+  /// how meshes are read.
   Nef2 read_plane(const std::string& file, const std::string& bytes, Session& session) const;
-  /// Was nothing said of how meshes are read?
+  /// Whether no option says how meshes are read.
   bool is_plain() const { return rule_.empty() && !surface_; }
-  /// With what is remarkable about it. May be called from several threads at once.
+  /// Returns a solid with its notes. May be called from several threads at once.
   SolidRead load(const std::string& file, const CommonOptions& options, Context& context) const;
-  /// What is remarkable is noted.
+  /// Returns a solid and prints its notes.
   Nef3 read(const std::string& file, Session& session) const;
-  /// The same, when the bytes of the file have been read.
+  /// Does the same if the bytes of the file have been read.
   Nef3 read(const std::string& file, const std::string& bytes, Session& session) const;
 
  private:
@@ -79,16 +81,18 @@ class SolidInput {
 /// What made a shape separate that did not.
 struct SurfaceRepair {
   std::uint32_t shape;
-  std::vector<std::int64_t> homology;   ///< its class before
-  std::vector<std::uint32_t> polygons;  ///< loops that were added to it
+  std::vector<std::int64_t> homology;   ///< Its class before.
+  std::vector<std::uint32_t> polygons;  ///< Loops that were added to it.
 };
 
+/// A scene that has been read and divided.
 struct DividedScene {
   SurfaceDivision division;
-  std::string model;  ///< its path
+  std::string model;  ///< Path of the model.
   std::vector<SurfaceRepair> repairs;
 };
 
+/// The options and operands of commands on surfaces.
 class SurfaceInput {
  public:
   void declare(CLI::App& app);
@@ -97,9 +101,10 @@ class SurfaceInput {
   bool has_expression() const { return !expression_.empty(); }
   const std::string& file() const { return file_; }
 
-  /// What is remarkable is noted.
+  /// Reads and divides the scene, and prints its notes.
   DividedScene read(Session& session) const;
-  /// Errors: Usage, for expressions and for shapes without an inside.
+  /// Returns the result of the expression. Throws Error{Usage} for bad expressions and for shapes
+  /// without an inside.
   SurfaceResult evaluate(const SurfaceDivision& division, Context& context) const;
 
  private:

@@ -1,3 +1,11 @@
+// Results as files, and pictures as bytes.
+//
+// SetOutput opens its file before the work and prepares all bytes that can fail before any are
+// written, so a run either leaves a complete file or none. Pictures are made from scenes: an image
+// or a page with triangles always, SVG with text for sets of the plane and maps. PNG is encoded
+// here, with a library that only the program needs.
+// Tested by tests/cli/view_command_test.cpp, tests/cli/plane_command_test.cpp and
+// tests/cli/solid_command_test.cpp.
 #include "plumb/cli/files/outputs.h"
 
 #include <png.h>
@@ -86,7 +94,8 @@ std::string written(const Write& write) {
   return std::move(out).str();
 }
 
-/// A page with text is drawn as SVG; triangles and images come from the scene.
+/// Returns a picture of something flat: a page with text is drawn as SVG; triangles and images come
+/// from the scene.
 template <class Result>
 std::string flat_picture(const Result& result, const std::string& svg, Picture picture,
                          const std::string& title) {
@@ -108,7 +117,7 @@ std::string flat_picture(const Result& result, const std::string& svg, Picture p
   });
 }
 
-/// A scene in layers.
+/// Returns a picture of a scene in layers.
 std::string picture_of(const Scene& scene, const SceneText& text, Picture picture) {
   return written([&](std::ostream& out) {
     switch (picture) {

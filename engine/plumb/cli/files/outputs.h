@@ -1,5 +1,6 @@
-// Which outputs a command writes, and in which format. A command has a table of formats, each with
-// members `name` ("svg") and `extension` (".svg").
+// The outputs of commands: which ones a command writes and in which format, results that are sets,
+// and pictures as bytes. A command has a table of formats, each with members `name` ("svg") and
+// `extension` (".svg").
 #pragma once
 
 #include <cstddef>
@@ -25,7 +26,7 @@
 
 namespace plumb::cli {
 
-/// "text, json, svg".
+/// Returns the names, as in "text, json, svg".
 template <class Table>
 std::string names_of(const Table& formats) {
   std::string names;
@@ -34,7 +35,7 @@ std::string names_of(const Table& formats) {
   return names;
 }
 
-/// ".txt, .json, .svg", each once.
+/// Returns the extensions, as in ".txt, .json, .svg", each once.
 template <class Table>
 std::string extensions_of(const Table& formats) {
   std::string names;
@@ -45,7 +46,7 @@ std::string extensions_of(const Table& formats) {
   return names;
 }
 
-/// Errors: Usage.
+/// Returns the format of a name. Throws Error{Usage} if there is none.
 template <class Table>
 const auto& format_named(const Table& formats, const std::string& name) {
   for (const auto& format : formats) {
@@ -54,7 +55,7 @@ const auto& format_named(const Table& formats, const std::string& name) {
   throw Error(ErrorCode::Usage, "--format: '" + name + "' is none of " + names_of(formats));
 }
 
-/// Errors: UnknownFormat.
+/// Returns the format of a file by its extension. Throws Error{UnknownFormat} if there is none.
 template <class Table>
 const auto& format_of_file(const Table& formats, const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
@@ -67,8 +68,9 @@ const auto& format_of_file(const Table& formats, const std::string& path) {
               {path});
 }
 
-/// Calls add(path, format) for what -o, --format and --json ask for; when they ask for nothing and
-/// standard output is not taken, for text on it. Errors: Usage, UnknownFormat.
+/// Calls add(path, format) for what -o, --format and --json ask for. If they ask for nothing and
+/// standard output is free, calls it for text on standard output. Throws Error{Usage} and
+/// Error{UnknownFormat}.
 template <class Table, class Add>
 void add_outputs(const CommonOptions& options, const Table& formats, bool is_stdout_free,
                  const Add& add) {
@@ -86,12 +88,12 @@ void add_outputs(const CommonOptions& options, const Table& formats, bool is_std
   if (out.empty() && !options.json && is_stdout_free) add("-", format_named(formats, "text"));
 }
 
-// Where the result of a command on sets goes, in the plane and in space, and what is said of it.
+// Results that are sets, of the plane or of space, and what is said of them.
 
-/// A set made ready for a file: all work and all judgement is done.
+/// A set prepared for a file: all work and all checks are done.
 struct ReadyFile {
   std::function<void(std::ostream&)> write;
-  std::vector<std::string> losses;  ///< what the file will not say; one sentence each
+  std::vector<std::string> losses;  ///< What the file will leave out; one sentence each.
 };
 
 /// The file or stream for a set, opened before the work: a path that cannot be written costs
@@ -99,7 +101,7 @@ struct ReadyFile {
 /// itself; with --json nothing but the object does.
 class SetOutput {
  public:
-  /// `formats` is a table as in outputs.h.
+  /// Opens the output. `formats` is a table as described above.
   template <class Table>
   void open(const Table& formats, Session& session) {
     const CommonOptions& common = session.options();
@@ -115,22 +117,24 @@ class SetOutput {
     open_streams(session);
   }
 
-  /// Which of the formats was asked for, if any.
+  /// Returns which of the formats was asked for, if any.
   std::optional<std::ptrdiff_t> format() const { return format_; }
-  /// What the file is called, without folders; empty for standard output.
+  /// Returns the name of the file without folders; empty for standard output.
   std::string title() const;
 
-  /// `info` and `make` are called for what is wanted only. Under `strict` a file that would not say
-  /// all is not written. Errors: those of `make`, CannotWrite with the name of the file.
+  /// Prepares the output. `info` and `make` are called only if they are needed. Under `strict`, a
+  /// file that would leave something out is not written. Throws what `make` throws, and
+  /// Error{CannotWrite} with the name of the file.
   void prepare(const std::function<nlohmann::ordered_json()>& info,
                const std::function<ReadyFile()>& make, bool strict, Session& session);
+  /// Writes the output.
   void deliver(Session& session);
 
  private:
   void open_streams(Session& session);
   std::string name() const { return path_ == "-" ? "stdout" : path_; }
 
-  std::string path_;  // empty: the set is not written
+  std::string path_;  // Empty if the set is not written.
   std::optional<std::ptrdiff_t> format_;
   ReadyFile file_;
   nlohmann::ordered_json json_;
@@ -138,18 +142,23 @@ class SetOutput {
 
 // Pictures of results as the bytes of a file.
 
+/// The kinds of pictures.
 enum class Picture : std::uint8_t { Png, Svg, Html, Glb };
 
+/// Returns a picture of a set of space.
 std::string picture_of(const Nef3& set, Picture picture, const std::string& title,
                        Context& context);
-/// Several sets, each in a colour of its own, moved apart (space_scene.h).
+/// Returns a picture of several sets, each in a colour of its own, moved apart (space_scene.h).
 std::string picture_of(std::span<const Nef3> sets, double apart, Picture picture,
                        const std::string& title, Context& context);
-/// `shown` is what an image shows; a page has all layers, to be turned on and off.
+/// Returns a picture of a divided surface. `shown` is what an image shows; a page has all layers,
+/// to be turned on and off.
 std::string picture_of(const SurfaceDivision& division, const SurfaceResult* result,
                        SurfaceLayer shown, Picture picture, const std::string& title,
                        Context& context);
+/// Returns a picture of a set of the plane.
 std::string picture_of(const Nef2& set, Picture picture, const std::string& title);
+/// Returns a picture of a map.
 std::string picture_of(const MapReport& report, Picture picture, const std::string& title);
 
 }  // namespace plumb::cli

@@ -1,3 +1,9 @@
+// The table of commands, and the options of each as CLI11 represents them.
+//
+// The table is the only list of commands: help, manual, completion, the guess after a typing
+// mistake, and tests read it. Descriptions are wrapped for a screen of 80 columns by a formatter of
+// our own, because CLI11's lets lines overflow.
+// Tested by tests/cli/help_commands_test.cpp and tests/cli/program_test.cpp.
 #include "plumb/cli/session/command.h"
 
 #include <array>
@@ -8,10 +14,10 @@
 namespace plumb::cli {
 namespace {
 
-constexpr std::size_t kScreen = 80;        // columns
-constexpr std::size_t kDescriptions = 30;  // where they begin
+constexpr std::size_t kScreen = 80;        // Columns of the screen.
+constexpr std::size_t kDescriptions = 30;  // Column in which descriptions begin.
 
-/// `text` in lines of at most `width` characters, broken between words.
+/// Returns `text` in lines of at most `width` characters, broken between words.
 std::string wrapped(const std::string& text, std::size_t width) {
   std::istringstream words(text);
   std::string lines;
@@ -25,7 +31,7 @@ std::string wrapped(const std::string& text, std::size_t width) {
   return lines;
 }
 
-/// CLI11's help on a screen of 80 columns, without what it says of how options exclude each other.
+/// CLI11's help on a screen of 80 columns, without notes on how options exclude each other.
 class Formatter : public CLI::Formatter {
  public:
   Formatter() {
@@ -45,7 +51,7 @@ class Formatter : public CLI::Formatter {
     return text;
   }
 
-  /// make_groups() ends all groups but the last with an empty line, and here they begin with one.
+  /// make_groups() ends all groups but the last with an empty line; here they begin with one.
   std::string make_group(std::string group, bool is_positional,
                          std::vector<const CLI::Option*> options) const override {
     const bool is_last = group == kCommonGroup;
@@ -69,6 +75,7 @@ CommandApp::CommandApp(const Command& command)
 
 std::string_view first_word(std::string_view name) { return name.substr(0, name.find(' ')); }
 
+/// Reads the options back from CLI11, so that help, manual and completion show what is parsed.
 std::vector<OptionText> options_of(const CLI::App& app) {
   std::vector<OptionText> texts;
   for (const CLI::Option* option : app.get_options()) {

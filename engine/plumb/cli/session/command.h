@@ -1,5 +1,5 @@
-// The table of commands. To add one: a file NAME_command.cpp with a factory, and a row in
-// command.cpp.
+// The table of commands, and commands with their options. To add one: a file NAME_command.cpp with
+// a factory, and a row in command.cpp.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,7 +13,7 @@
 
 namespace plumb::cli {
 
-/// What a command does. Made anew for every run.
+/// What a command does. A new one is made for every run.
 class CommandBody {
  public:
   virtual ~CommandBody() = default;
@@ -23,28 +23,32 @@ class CommandBody {
   virtual ExitCode run(Session& session) = 0;
 };
 
+/// A row of the table.
 struct Command {
-  std::string_view name;       ///< one or two words: "self-test", "map check"
-  std::string_view arguments;  ///< "FILE"
-  std::string_view summary;    ///< one line
-  std::string_view example;    ///< works when pasted at the root of the repository
-  std::string_view schema;     ///< of what --json prints: docs/schema/NAME.schema.json
+  std::string_view name;       ///< One or two words: "self-test", "map check".
+  std::string_view arguments;  ///< Arguments, such as "FILE".
+  std::string_view summary;    ///< One line.
+  /// A command line that works when pasted at the root of the repository.
+  std::string_view example;
+  std::string_view schema;  ///< Schema of what --json prints: docs/schema/NAME.schema.json.
   std::unique_ptr<CommandBody> (*make)();
 };
 
-/// In the order of the help.
+/// Returns the commands in the order of the help.
 std::span<const Command> commands();
 
-/// A first word of so many commands that the help shows it in one line; plumb WORD --help has all.
+/// A first word with so many commands that the help shows it in one line; plumb WORD --help lists
+/// all.
 struct CommandGroup {
   std::string_view word;
   std::string_view summary;
 };
 std::span<const CommandGroup> command_groups();
 
-// A command with its options as CLI11 knows them: what is parsed, and what help, manual and
-// completion say.
+// A command with its options as CLI11 represents them: what is parsed, and what help, manual and
+// completion print.
 
+/// A command that is ready to parse its arguments.
 class CommandApp {
  public:
   explicit CommandApp(const Command& command);
@@ -54,21 +58,22 @@ class CommandApp {
   std::unique_ptr<CommandBody> body;
 };
 
-/// "solid" of "solid union".
+/// Returns "solid" for "solid union".
 std::string_view first_word(std::string_view name);
 
-/// An option or argument, as one reads about it.
+/// The text on an option or argument.
 struct OptionText {
-  std::string name;                  ///< "--rule", "-o,--output", "FILE"
-  std::string value;                 ///< "OUT"; empty for flags and arguments
-  std::string text;                  ///< one sentence
-  std::vector<std::string> choices;  ///< if only these words can follow
-  bool is_argument = false;          ///< has a place instead of a name
-  bool is_common = false;            ///< every command has it
+  std::string name;                  ///< Its names: "--rule", "-o,--output", "FILE".
+  std::string value;                 ///< Its value, such as "OUT"; empty for flags and arguments.
+  std::string text;                  ///< One sentence.
+  std::vector<std::string> choices;  ///< The words that can follow, if only these can.
+  bool is_argument = false;          ///< Whether it has a place instead of a name.
+  bool is_common = false;            ///< Whether every command has it.
 };
+/// Returns the texts of all options and arguments.
 std::vector<OptionText> options_of(const CLI::App& app);
 
-/// An option that takes one of a few words, which help and completion list.
+/// Adds an option that takes one of a few words, which help and completion list.
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
                         const std::vector<std::string>& words, const std::string& text);
 

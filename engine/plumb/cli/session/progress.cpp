@@ -1,3 +1,11 @@
+// Progress of commands: the estimate, the stages of all commands with their shares, and the bar.
+//
+// The estimate multiplies what is left, in shares, by the pace so far, and lets a step's own
+// reports override its share as it advances; the end is smoothed over a couple of seconds, and the
+// part shown never falls. Shares were measured on inputs of the sizes noted below. The bar is drawn
+// by its own thread, which blocks signals, so that these interrupt what the first thread waits for,
+// and allocates nothing, because a heap of its own would count against --limit-memory.
+// Tested by tests/cli/program_test.cpp.
 #include "plumb/cli/session/progress.h"
 
 #include <unistd.h>
@@ -21,11 +29,14 @@ void ProgressEstimate::expect(ProgressStages stages) {
 void ProgressEstimate::Report::note(std::uint64_t so_far, std::uint64_t total) {
   if (total == 0) return;
   const double now_done = std::min(1.0, static_cast<double>(so_far) / static_cast<double>(total));
-  starts_over |= done && now_done < *done / 2;  // less is what there is to do growing
+  // If less is done than half of what was, there is more to do than was known, or the phase began
+  // again.
+  starts_over |= done && now_done < *done / 2;
   done = now_done;
 }
 
-/// The step before has been if it was told of or is one of which nothing is.
+/// Enters a step. The one before counts as completed if it was reported or is one that reports
+/// nothing.
 void ProgressEstimate::enter(std::size_t stage, std::size_t step, double now) {
   if (is_in_step_) been_ += this->step().share;
   next_ = stage + 1;
@@ -70,7 +81,7 @@ double ProgressEstimate::share_to_come() const {
 }
 
 double ProgressEstimate::Report::left(double expected, double now) const {
-  constexpr double kTrusted = .05;  // done, from where on its own pace is all that counts
+  constexpr double kTrusted = .05;  // From this part on, only a phase's own pace counts.
   const double taken = now - since, by_share = std::max(expected - taken, taken / 4);
   if (!is_known()) return by_share;
   const double trust = std::min(1.0, *done / kTrusted);
@@ -82,15 +93,15 @@ std::optional<double> ProgressEstimate::left(double now) const {
   const bool is_known = report_.is_known();
   double shares = been_ + (is_known ? *report_.done * step().share : 0);
   const bool counts_step = is_known || shares <= 0;
-  if (shares <= 0) shares = step().share / 2;  // as good a guess as any
+  if (shares <= 0) shares = step().share / 2;  // A guess; there is no better one.
   const double pace = (counts_step ? now : report_.since) / shares;
   const double of_step = report_.left(pace * step().share, now);
   return std::max(of_step, other_ ? other_->left(0, now) : 0) + pace * share_to_come();
 }
 
 ProgressEstimate::View ProgressEstimate::at(double now) {
-  constexpr double kMemory = 2;    // seconds
-  constexpr double kEarlier = .2;  // of the time so far, if that is less
+  constexpr double kMemory = 2;    // Seconds.
+  constexpr double kEarlier = .2;  // Part of the time so far, if that is less.
   const std::optional<double> left = this->left(now);
   if (!left) return {part_, std::nullopt};
   const double end = now + *left, memory = std::min(kMemory, kEarlier * now);
@@ -104,7 +115,7 @@ ProgressEstimate::View ProgressEstimate::at(double now) {
 
 ProgressStage writing() { return {"write", {{"", .5}}}; }
 
-// Maps of 1,440,000 squares, for overlays of 90,000.
+// Measured on maps of 1,440,000 squares; overlays on maps of 90,000.
 ProgressStage reading_map() { return {"read", {{"load", .2}, {"read", .5}}}; }
 ProgressStage checking_map() {
   return {"check", {{"match edges", 1.3}, {"sweep", 1}, {"faces", .3}}};
@@ -115,7 +126,7 @@ ProgressStage overlaying_maps() {
 ProgressStage auditing_map() { return {"audit", {{"", 1.9}}}; }
 ProgressStage drawing_map() { return {"draw", {{"", 2}}}; }
 
-// Stars of 500,000 corners.
+// Measured on stars of 500,000 corners.
 ProgressStage reading_plane() { return {"read", {{"load", .1}, {"read", 1}, {"sweep", 4.5}}}; }
 ProgressStage combining_plane() { return {"combine", {{"sweep", 15}}}; }
 ProgressStage measuring_plane() { return {"measure", {{"area", 50}}}; }
@@ -129,7 +140,7 @@ ProgressStages writing_plane_text() {
 ProgressStages writing_nef2() { return {{"write", {{"", 12}}}}; }
 ProgressStages writing_plane_picture() { return {{"write", {{"", 130}}}}; }
 
-// Spheres of 480,000 triangles.
+// Measured on spheres of 480,000 triangles.
 ProgressStage reading_solid() {
   return {"read",
           {{"load", .1},
@@ -182,8 +193,8 @@ ProgressStages writing_mesh() {
 }
 ProgressStages writing_nef() { return {{"write", {{"", 10}}}}; }
 
-// The same spheres, not convex; of pieces and sums solids of some thousand triangles: reading them
-// is nothing beside it.
+// Measured on the same spheres, not convex; pieces and sums on solids of some thousand triangles,
+// whose reading takes no time in comparison.
 ProgressStage checking_convexity() {
   return {"convexity",
           {{"convexity", .3},
@@ -219,12 +230,12 @@ ProgressStages stages_of_demo() {
 
 namespace {
 
-// With everything else on 79 columns.
+// Together with everything else they fill 79 columns.
 constexpr std::string_view kFull = "########################";
 constexpr std::string_view kEmpty = "........................";
 
-/// Threads started meanwhile get no signals: those are to interrupt what the first thread waits
-/// for.
+/// Threads started while it exists get no signals, so that these interrupt what the first thread
+/// waits for.
 class BlockedSignals {
  public:
   BlockedSignals() {
@@ -247,7 +258,7 @@ ProgressBar::ProgressBar(bool shown) : shown_(shown), terminal_(::isatty(STDERR_
   const BlockedSignals blocked;
   try {
     drawer_ = std::jthread([this](const std::stop_token& stop) { draw_until(stop); });
-  } catch (const std::system_error&) {  // no thread to be had: no bar
+  } catch (const std::system_error&) {  // No thread is available, so there is no bar.
   }
 }
 
@@ -291,7 +302,7 @@ void ProgressBar::draw_until(const std::stop_token& stop) {
   while (!stopped_.wait_for(lock, stop, kBetween, [&] { return stop.stop_requested(); })) draw();
 }
 
-/// Allocates nothing: a thread's own heap would count against --limit-memory.
+/// Draws the bar. Allocates nothing: a thread's own heap would count against --limit-memory.
 void ProgressBar::draw() {
   if (is_hidden_ || phase_.empty()) return;
   const double now = seconds();
@@ -304,7 +315,7 @@ void ProgressBar::draw() {
 }
 
 void ProgressBar::draw_time(double now, std::optional<double> left) {
-  constexpr double kLongEnough = 1;  // what is said earlier jumps
+  constexpr double kLongEnough = 1;  // Earlier estimates jump.
   if (now < kLongEnough) return;
   std::fprintf(stderr, left ? "  %.0f s left" : "  %.0f s so far", left ? std::ceil(*left) : now);
 }

@@ -1,19 +1,19 @@
-// How far a command has come, and how long it will take still: of the whole command, not of a
-// phase.
+// How far a command has come and how long it still takes, for the whole command and not for a
+// phase; the stages of all commands; and the bar that shows it.
 //
-// A command announces its stages, each a few steps: phases that operations report, and what share
-// of the time they take as a rule (progress.h). Of these
+// A command announces its stages, each with a few steps: phases that operations report, and the
+// share of the time that they usually take. From these follow:
 //
-//   pace    seconds for each share: of the steps that have been, and of the present one as far as
-//           its phase reports
-//   left    of the present step what its own reports say; without any what is left of its share at
-//           that pace, and not less than a quarter of what it has taken, so that a step beyond its
-//           share keeps the command from its end. Of steps to come their shares at that pace
+//   pace    seconds for each share: of the completed steps, and of the current one as far as its
+//           phase reports
+//   left    For the current step what its own reports say; without any, what is left of its share
+//           at that pace, and at least a quarter of what it has taken, so that a step beyond its
+//           share keeps the command from its end. For later steps their shares at that pace
 //   end     the time that follows from it, smoothed, so that a step of unusual length moves it
 //           little by little
-//   part    of the time up to the end that is over. It never falls
+//   part    the part of the time up to the end that is over. It never falls
 //
-// Phases that are no step of the present stage are part of its present step, which takes as long as
+// Phases that are no step of the current stage belong to its current step, which takes as long as
 // they say.
 #pragma once
 
@@ -31,44 +31,49 @@
 
 namespace plumb::cli {
 
+/// A phase of a stage.
 struct ProgressStep {
-  std::string_view phase;  ///< as reported; empty: nothing is
-  double share;            ///< of the time, compared with other steps
+  std::string_view phase;  ///< Name as reported; empty if nothing is reported.
+  double share;            ///< Share of the time, compared with other steps.
 };
 
+/// A part of a command, with its steps.
 struct ProgressStage {
   std::string_view name;
-  std::vector<ProgressStep> steps;  ///< at least one
+  std::vector<ProgressStep> steps;  ///< At least one.
 };
 
 using ProgressStages = std::vector<ProgressStage>;
 
-/// Times are seconds since the command began.
+/// An estimate of progress. Times are seconds since the command began.
 class ProgressEstimate {
  public:
-  /// Again where it turns out meanwhile what there is to do.
+  /// Sets the stages; also later, if it turns out meanwhile what there is to do.
   void expect(ProgressStages stages);
-  /// The next stage of this name begins. Others are passed over; without one nothing happens.
+  /// Begins the next stage of this name and skips others; does nothing if there is none.
   void begin(std::string_view stage, double now);
-  /// What a ProgressCallback is told.
+  /// Takes what a ProgressCallback receives.
   void tell(std::string_view phase, std::uint64_t done, std::uint64_t total, double now);
 
+  /// What the bar shows.
   struct View {
-    double part = 0;             ///< 0 to 1
-    std::optional<double> left;  ///< seconds; none as long as too little is done to tell
+    double part = 0;             ///< From 0 to 1.
+    std::optional<double> left;  ///< Seconds; no value as long as too little is done.
   };
+  /// Returns the view at a time.
   View at(double now);
 
  private:
   /// What one phase has reported.
   struct Report {
     double since = 0;
-    std::optional<double> done = std::nullopt;  ///< 0 to 1
-    bool starts_over = false;  ///< ends and begins again: what it says is not of the whole
+    std::optional<double> done = std::nullopt;  ///< From 0 to 1.
+    /// Whether it ended and began again: its reports do not cover the whole.
+    bool starts_over = false;
 
     void note(std::uint64_t done, std::uint64_t total);
     bool is_known() const { return done && *done > 0 && !starts_over; }
-    /// Of a phase that is expected to take so long.
+    /// Returns the seconds left of a phase that is expected to take so long.
     double left(double expected, double now) const;
   };
 
@@ -79,24 +84,22 @@ class ProgressEstimate {
   std::optional<double> left(double now) const;
 
   ProgressStages stages_;
-  std::size_t next_ = 0;     ///< the stage after the present one
-  std::size_t step_ = 0;     ///< the present one, of the present stage
-  bool is_in_step_ = false;  ///< not only in its stage
-  double been_ = 0;          ///< shares of the steps that have been
-  Report report_;            ///< of the present step
+  std::size_t next_ = 0;     ///< The stage after the current one.
+  std::size_t step_ = 0;     ///< The current step of the current stage.
+  bool is_in_step_ = false;  ///< Whether a step has been entered, not only its stage.
+  double been_ = 0;          ///< Shares of the completed steps.
+  Report report_;            ///< Report of the current step.
   std::string other_phase_;
-  std::optional<Report> other_;  ///< of the last phase that was no step
+  std::optional<Report> other_;  ///< Report of the last phase that was no step.
   double part_ = 0;
   std::optional<double> end_;
-  double asked_ = 0;  ///< when the end was last estimated
+  double asked_ = 0;  ///< When the end was last estimated.
 };
 
-// What commands go through, for the progress bar: stages, their steps, and how long each takes as a
-// rule.
+// What commands go through: stages, their steps, and how long each usually takes.
 //
-// Shares are of one run each, of inputs large enough to take seconds; only what they are to each
-// other counts. A command that does other things than most, with other inputs, has its time left
-// corrected on the way, no more.
+// Shares come from one run each, with inputs large enough to take seconds; only their ratios count.
+// For a command that does other things, with other inputs, the time left is corrected on the way.
 
 ProgressStage reading_map();
 ProgressStage checking_map();
@@ -117,7 +120,7 @@ ProgressStages writing_plane_picture();
 ProgressStage reading_solid();
 ProgressStage combining_solids();
 ProgressStage intersecting_half_spaces();
-ProgressStage numbering_solid();  ///< canonically
+ProgressStage numbering_solid();  ///< Canonical numbering.
 ProgressStage measuring_solid();
 ProgressStage locating_solid();
 ProgressStage auditing_solid();
@@ -129,18 +132,18 @@ ProgressStage checking_convexity();
 ProgressStage cutting_solid();
 ProgressStage writing_pieces();
 ProgressStage drawing_pieces();
-ProgressStage adding_solids();  ///< Minkowski sums
+ProgressStage adding_solids();  ///< Minkowski sums.
 
 ProgressStages stages_of_surfaces();
 ProgressStages stages_of_demo();
 
-ProgressStage writing();  ///< an answer, or what is short beside the rest
+ProgressStage writing();  ///< An answer, or what is short beside the rest.
 
 // A bar on standard error.
 
-/// On a terminal one line, written anew ten times a second by a thread of its own, so that it goes
-/// on where an operation says nothing: phase, bar and percentage of the whole command, and after a
-/// second the time left. Elsewhere prints one line per phase.
+/// On a terminal one line, rewritten ten times a second by a thread of its own, so that it advances
+/// even where an operation reports nothing: phase, bar and percentage of the whole command, and
+/// after a second the time left. Elsewhere it prints one line per phase.
 class ProgressBar {
  public:
   explicit ProgressBar(bool shown);
@@ -149,13 +152,13 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
 
   bool is_shown() const { return shown_; }
-  /// What the command will do. See ProgressEstimate.
+  /// Sets what the command will do (ProgressEstimate).
   void expect(ProgressStages stages);
-  /// The next stage of this name. Shows the line again.
+  /// Begins the next stage of this name and shows the line again.
   void begin(std::string_view stage);
   /// A ProgressCallback.
   void operator()(std::string_view phase, std::uint64_t done, std::uint64_t total);
-  /// A line of text where the bar is. Requires no line break in it.
+  /// Prints a line of text where the bar is. Requires no line break in it.
   void print(std::string_view text);
   /// Wipes the line until the next stage begins, so that something else can be printed.
   void clear();
@@ -173,13 +176,13 @@ class ProgressBar {
   bool shown_;
   bool terminal_;
   Clock::time_point start_ = Clock::now();
-  std::mutex mutex_;  ///< of all below
+  std::mutex mutex_;  ///< Guards all members below.
   bool is_hidden_ = false;
   bool on_line_ = false;
   std::string phase_;
   ProgressEstimate estimate_;
   std::condition_variable_any stopped_;
-  std::jthread drawer_;  ///< only on a terminal
+  std::jthread drawer_;  ///< Only on a terminal.
 };
 
 }  // namespace plumb::cli

@@ -1,3 +1,11 @@
+// The process and its session: signals, limits of memory, common options, outputs.
+//
+// A signal handler only sets a stop token, or, for the second signal, removes temporary files and
+// leaves; both are async-signal-safe. GMP aborts when memory runs out, so its allocators are
+// replaced by ones that throw. Outputs are delivered in an order that leaves nothing half done:
+// files are completed under temporary names, standard output is written, and only then do files get
+// their names, unless a stop came before.
+// Tested by tests/cli/program_test.cpp.
 #include "plumb/cli/session/session.h"
 
 #include <gmp.h>
@@ -37,7 +45,7 @@ extern "C" void on_stop_signal(int) {
 
 extern "C" void on_abort(int) { leave(ExitCode::Internal); }
 
-/// No SA_RESTART: a read that waits for input ends, and notices the stop.
+/// Without SA_RESTART a read that waits for input ends, and notices the stop.
 void handle(int signal, void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;
@@ -70,7 +78,7 @@ std::uint64_t address_space_now() {
 bool is_stop_requested() { return stop_source().stop_requested(); }
 
 std::stop_token prepare_process() {
-  stop_source();  // made before a signal can ask for it
+  stop_source();  // Made before a signal can ask for it.
   handle(SIGINT, on_stop_signal);
   handle(SIGTERM, on_stop_signal);
   handle(SIGPIPE, SIG_IGN);
@@ -105,7 +113,8 @@ bool wants_progress(const CommonOptions& options) {
   return !options.quiet && (options.progress || ::isatty(STDERR_FILENO) == 1);
 }
 
-/// Empty if `text` is a positive number. (CLI::Range lets nan pass.)
+/// Returns an empty text if `text` is a positive number, else what is wrong. (CLI::Range accepts
+/// nan.)
 std::string require_positive(const std::string& text) {
   double value = 0;
   const bool is_positive = CLI::detail::lexical_cast(text, value) && value > 0;
@@ -160,8 +169,8 @@ void Outputs::add(const std::string& path, Writer writer) {
   to_stdout_ = std::move(writer);
 }
 
-/// Writers do not look at the Context: files are not put in place when a stop came before all was
-/// written.
+/// Delivers outputs. Writers do not check the Context, so files are not put in place if a stop came
+/// before all was written.
 void Outputs::deliver(const std::function<void()>& before_stdout) {
   std::vector<std::unique_ptr<OutputFile>> finished;
   for (Pending& pending : files_) {
@@ -202,7 +211,8 @@ void Session::answer(const std::string& json, const Outputs::Writer& text) {
 void Session::deliver() {
   begin("write");
   outputs_.deliver([this] {
-    if (!is_regular_file(STDOUT_FILENO)) progress_.clear();  // it may be seen on the same terminal
+    // Both may be seen on the same terminal.
+    if (!is_regular_file(STDOUT_FILENO)) progress_.clear();
   });
 }
 

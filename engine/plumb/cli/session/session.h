@@ -1,4 +1,5 @@
-// What the program's exit status means (docs/formats.md, "Exit codes").
+// What a command receives and what the process guarantees: exit codes, signals and memory, common
+// options, outputs, messages.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -19,17 +20,18 @@
 
 namespace plumb::cli {
 
+/// The exit status of the program (docs/formats.md, "Exit codes").
 enum class ExitCode {
-  Yes = 0,        ///< done, valid, true
-  No = 1,         ///< a clean negative answer
-  BadInput = 2,   ///< bad input or usage
-  Limit = 3,      ///< a limit was hit
-  Cancelled = 4,  ///< by SIGINT or SIGTERM
-  Internal = 70,  ///< a bug in plumb
+  Yes = 0,        ///< Done, valid, or true.
+  No = 1,         ///< A clean negative answer.
+  BadInput = 2,   ///< Bad input or usage.
+  Limit = 3,      ///< A limit was hit.
+  Cancelled = 4,  ///< Cancelled by SIGINT or SIGTERM.
+  Internal = 70,  ///< A bug in plumb.
   ClosedPipe = 141,
 };
 
-/// For the manual.
+/// The meaning of an exit code, for the manual.
 struct ExitMeaning {
   ExitCode code;
   std::string_view text;
@@ -44,46 +46,49 @@ inline constexpr std::array kExitMeanings{
     ExitMeaning{ExitCode::ClosedPipe, "The reader of the output closed the pipe"},
 };
 
-// What the process promises its surroundings: signals, memory, exit status.
+// What the process guarantees: signals, memory, exit status.
 
-/// Call once, before anything else.
-///   SIGINT, SIGTERM   the first requests a stop of the returned token; the second ends the process
-///                     with 4 at once, temporary files removed. Also where they were ignored: a
-///                     shell ignores SIGINT for what it starts in the background
-///   SIGPIPE, SIGXFSZ  ignored: a failed write says so (closed pipe, file too large)
-///   SIGABRT           a broken invariant, reported already: temporary files removed, exit 70
-///   malloc            keeps what is freed
-///   GMP               throws std::bad_alloc when memory runs out, instead of aborting
+/// Prepares the process and returns the token of its stops. Must be called once, before
+/// anything else.
+///   SIGINT, SIGTERM   The first requests a stop of the token; the second ends the process with 4
+///                     at once, with temporary files removed. This holds even if they were
+///                     ignored: a shell ignores SIGINT for what it starts in the background
+///   SIGPIPE, SIGXFSZ  Ignored: a failed write reports the reason (closed pipe, file too large)
+///   SIGABRT           A broken invariant that has been reported: temporary files are removed, exit
+///                     70
+///   malloc            Keeps what is freed
+///   GMP               Throws std::bad_alloc when memory runs out, instead of aborting
 std::stop_token prepare_process();
 
-/// Has a signal asked for a stop? For work that has no Context.
+/// Whether a signal has asked for a stop. For work that has no Context.
 bool is_stop_requested();
 
-/// A safety net under the accounts of Context: the address space may grow by `bytes` and a little
-/// more; allocations beyond throw std::bad_alloc.
+/// Lets the address space grow by `bytes` and a little more; allocations beyond that throw
+/// std::bad_alloc. A safety net below the accounts of Context.
 void limit_address_space(std::uint64_t bytes);
 
-// What every command is given: the options all commands take, the context, messages, outputs.
+// What every command is given: the options that all commands take, the context, messages, outputs.
 
 /// The group of the options that every command has, in its help.
 inline constexpr const char* kCommonGroup = "Options of every command";
 
+/// The options that every command has.
 struct CommonOptions {
   bool json = false;
-  std::string out;     ///< empty: standard output
-  std::string format;  ///< empty: by the extension of `out`
+  std::string out;     ///< Empty for standard output.
+  std::string format;  ///< Empty if the extension of `out` decides.
   unsigned threads = 1;
   bool progress = false;
   bool quiet = false;
-  std::uint64_t limit_memory_mb = 0;  ///< 0: none
-  double limit_seconds = 0;           ///< 0: none
+  std::uint64_t limit_memory_mb = 0;  ///< 0 means none.
+  double limit_seconds = 0;           ///< 0 means none.
   bool exact_decimals = false;
 
   void declare(CLI::App& app);
 };
 
-/// Files and standard output of one command, all or nothing: files are opened before the work,
-/// completed under temporary names, then standard output is written, then the files get their
+/// Files and standard output of one command, all or nothing: files are opened before the work and
+/// completed under temporary names; then standard output is written; then the files get their
 /// names.
 class Outputs {
  public:
@@ -91,7 +96,7 @@ class Outputs {
 
   /// Opens `path` now ("-" is standard output, once); `writer` runs in deliver().
   void add(const std::string& path, Writer writer);
-  /// `before_stdout` is called before anything goes to standard output.
+  /// Writes everything. `before_stdout` is called before anything goes to standard output.
   void deliver(const std::function<void()>& before_stdout = [] {});
 
  private:
@@ -103,10 +108,11 @@ class Outputs {
   Writer to_stdout_;
 };
 
-/// Control characters, which names in files may hold, are told as '?': nothing that a file says
-/// gives orders to a terminal.
+/// Whether a byte is a control character. Names in files may contain these; they are printed as
+/// '?', so that no file can send commands to a terminal.
 constexpr bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
+/// What a command works with.
 class Session {
  public:
   Session(const CommonOptions& options, std::stop_token stop);
@@ -115,14 +121,14 @@ class Session {
   Context& context() { return context_; }
   Outputs& outputs() { return outputs_; }
 
-  /// The answer of a command that has no other output, to -o or standard output: `text`, or with
-  /// --json the object `json`.
+  /// Writes the answer of a command that has no other output, to -o or standard output: `text`, or
+  /// with --json the object `json`.
   void answer(const std::string& json, const Outputs::Writer& text);
 
-  /// A line on standard error, unless --quiet, without control characters.
+  /// Prints a line on standard error, unless --quiet, without control characters.
   void note(std::string_view text);
 
-  /// What the command will do, for the progress bar; begin() says when each stage begins
+  /// Sets what the command will do, for the progress bar; begin() is called when each stage begins
   /// (progress.h).
   void expect(ProgressStages stages) { progress_.expect(std::move(stages)); }
   void begin(std::string_view stage) { progress_.begin(stage); }

@@ -1,3 +1,18 @@
+// Choice of the planes that cut pieces. The score of a plane estimates how many cuts it makes and
+// causes: one cut (or one for each stretch of the section, if the plane enters the solid on both
+// sides of its edge), plus one for each reflex edge it divides, less what each resolved edge would
+// have cost. Scores are computed in doubles from the ends of reflex edges alone, with a tolerance
+// relative to their coordinates; a wrong sign costs a piece at most, because the cut itself takes
+// exact signs.
+//
+// Numbers stay short because a plane is only proposed if it can be written with input data: through
+// an input edge and an input vertex, or c1 r1 + c2 r2 with factors |c| <= 16 and the primitive rows
+// of the edge's two faces. These faces are never walls (docs/design/walls.md, Lemma 2), so this
+// does not compound.
+//
+// FixedPlanes is the rule of B. Chazelle, SIAM Journal on Computing 13 (1984), with planes that
+// avoid tips; its bound is proved in docs/design/walls.md, section Cuts.
+// Tested by tests/convex/cut_surface_test.cpp and tests/convex/convex_pieces_test.cpp.
 #include "plumb/convex/part/choose_plane.h"
 
 #include <algorithm>
@@ -20,16 +35,17 @@ Vector operator-(const Vector& a, const Vector& b) {
 }
 
 constexpr std::size_t kMostKept = 6;
-constexpr std::size_t kLarge = 500;  // above so many reflex edges balance is worth pieces:
-constexpr int kWorthOnePiece = 16;   // so many edges on the lesser side
+constexpr std::size_t kLarge = 500;  // Above so many reflex edges balance is worth pieces,
+constexpr int kWorthOnePiece = 16;   // One piece for so many edges on the lesser side.
 constexpr std::size_t kAllVertices =
-    48;                          // pieces of no more reflex edges look at all their vertices
-constexpr int kMostFactor = 16;  // of a pencil
+    48;                          // Pieces with no more reflex edges try all their vertices.
+constexpr int kMostFactor = 16;  // Largest factor of a pencil.
 constexpr double kNearFactor = 1e-9;
 
 }  // namespace
 
-/// A Pencil has factors of the rows that the table knows, multiples of the primitive ones.
+/// The table's rows are multiples of the primitive ones, so the factors of a Pencil are multiplied
+/// accordingly; `multiple` returns that multiple of a plane.
 PlaneId intern_pencil(PlaneTable& planes, PlaneId p, PlaneId q, std::array<int, 2> c) {
   const auto multiple = [&planes](PlaneId of) -> Integer {
     const IntegerRow row = planes.coefficients(of), primitive = planes.primitive(of);
@@ -40,6 +56,7 @@ PlaneId intern_pencil(PlaneTable& planes, PlaneId p, PlaneId q, std::array<int, 
   return plane.is_valid() ? plane.plane() : PlaneId();
 }
 
+/// Returns the index of the vertex in ends_, added if it is new in this gathering.
 std::uint32_t CutChooser::end_of(VertexId v) {
   if (end_stamp_[v.value()] != stamp_) {
     end_stamp_[v.value()] = stamp_;
@@ -92,6 +109,8 @@ void CutChooser::gather(std::span<const FaceId> faces, std::span<const HalfedgeI
   tolerance_ = size * 1e-11;
 }
 
+// Counts what the plane does to each reflex edge. A plane that holds an edge spares its cut and the
+// edges that this cut would have crossed (Edge::alone).
 CutCandidate CutChooser::judged(const Row& row, CutCandidate candidate) {
   for (std::size_t i = 0; i < ends_.size(); ++i) {
     const double at = row[0] * ends_[i][0] + row[1] * ends_[i][1] + row[2] * ends_[i][2] + row[3];
@@ -116,6 +135,7 @@ CutCandidate CutChooser::judged(const Row& row, CutCandidate candidate) {
   return candidate;
 }
 
+// Keeps the best kMostKept candidates, sorted.
 void CutChooser::keep(const CutCandidate& candidate) {
   const auto is_better = [](const CutCandidate& a, const CutCandidate& b) {
     return std::tuple(a.score, a.sheets, -a.resolved, -a.lesser) <
@@ -146,7 +166,8 @@ void CutChooser::propose_points(const Edge& edge, std::size_t budget) {
   if (is_small) propose(all.subspan(input_targets_), true);
 }
 
-/// m = c1 n1 + c2 n2; one face on either side of the plane: c1 c2 <= 0.
+/// The normal is m = c1 n1 + c2 n2 for the outward normals of the faces. If c1 c2 > 0 both faces
+/// are on one side of the plane, and it enters the solid on both sides of the edge: two sheets.
 void CutChooser::propose_point(const Edge& edge, VertexId target, bool by_factors) {
   const Vector a = ends_[edge.a], along = ends_[edge.b] - a, w = cross(edge.n1, edge.n2);
   const SpacePoint point = s_.point[target.value()];
@@ -156,7 +177,7 @@ void CutChooser::propose_point(const Edge& edge, VertexId target, bool by_factor
   if (!(length > 0)) return;
   for (double& x : m) x /= length;
   const double c2 = -dot(cross(m, edge.n1), w), c1 = dot(cross(m, edge.n2), w);
-  if (std::abs(c1) < 1e-12 || std::abs(c2) < 1e-12) return;  // a face's plane
+  if (std::abs(c1) < 1e-12 || std::abs(c2) < 1e-12) return;  // The plane of a face.
   CutCandidate candidate{edge.half, {}, {}, {}, c1 * c2 > 0 ? 2 : 1};
   if (by_factors) {
     const std::optional<std::array<int, 2>> factors = small_factors(edge, at);
@@ -200,7 +221,9 @@ std::span<const CutCandidate> CutChooser::candidates(std::span<const FaceId> fac
                                                      std::span<const HalfedgeId> reflex) {
   gather(faces, reflex);
   best_.clear();
-  const std::size_t affordable = 60000 / (ends_.size() + 8);  // candidates
+  // The number of candidates times the number of ends is bounded, and shared between seeds, which
+  // are spread evenly over the edges.
+  const std::size_t affordable = 60000 / (ends_.size() + 8);
   const std::size_t seeds = std::min(edges_.size(), std::max<std::size_t>(4, affordable / 8));
   const std::size_t budget = std::max<std::size_t>(4, affordable / seeds);
   const bool is_small = edges_.size() <= 2 * kAllVertices;
@@ -267,7 +290,7 @@ Sign FixedPlanes::side_of(VertexId v, PlaneId p) const {
   return side(s_.points(), s_.point[v.value()], p);
 }
 
-/// Do all edges of some tip in p lead to one side? Not of one on the line.
+/// Whether all edges of some tip in p lead to one side of p. Tips on the line are not tested.
 bool FixedPlanes::may_touch(PlaneId p, std::array<PlaneId, 2> line) const {
   for (std::size_t i = 0; i < spokes_.size();) {
     const VertexId tip = spokes_[i][0];
@@ -293,7 +316,10 @@ PlaneId FixedPlanes::choose(HalfedgeId h) {
   return may_touch(q, {p, q}) ? choose_between(h) : q;
 }
 
-/// m = c1 n1 + c2 n2, with outward normals and c1 c2 < 0.
+/// Tries m = c n1 - (sum - c) n2, n1 and n2 outward and factors coprime, in the order of their
+/// sums. Factors of opposite signs put one face on either side of the plane, so it enters the solid
+/// on one side of the edge. The loop ends: every tip off the line rules out one plane of the pencil
+/// at most.
 PlaneId FixedPlanes::choose_between(HalfedgeId h) {
   const OrientedPlane p = s_.plane_of(h), q = s_.plane_of(s_.half(h).twin);
   for (int sum = 2;; ++sum) {

@@ -1,18 +1,21 @@
-// Which plane cuts a piece: candidates through its reflex edges, the best first.
+// Which planes cut a piece. CutChooser finds the best plane for each piece anew (the rule Greedy of
+// cut_set.h); FixedPlanes chooses one plane for each reflex edge before anything is cut.
 //
 // Main flow of CutChooser::candidates():
-//  1. gather    the reflex edges of the piece, their ends in doubles
-//  2. propose   for an edge: the planes of its faces; the planes through it and the end of another
-//               reflex edge (or any vertex, in small pieces), where edge and vertex are of the
-//               input; where one is not, only those whose equation is that of the faces' planes
-//               with small integer factors, so that numbers stay short
-//  3. judge     how many reflex edges lie in the plane (resolved), how many it crosses (doubled),
-//               against what the planes of its own faces would do for each edge in it. Of equals
-//               the one that leaves most on either side: a cut costs the size of the piece
+//  1. gather    collects the reflex edges of the piece and their ends in doubles
+//  2. propose   lists planes for an edge: those of its faces, and those through it and the end of
+//               another reflex edge (in small pieces any vertex), if edge and vertex are of the
+//               input. If one is not, only planes are listed whose equation is that of the faces'
+//               planes with small integer factors, so that numbers stay short
+//  3. judge     counts the reflex edges that lie in the plane (resolved) and those it crosses
+//               (doubled), against what the planes of its own faces would do for each edge in it.
+//               Of equal planes the one that leaves most on either side wins, because a cut costs
+//               the size of the piece
 //
-// All of this is about the number of pieces alone and may be done in doubles: a plane is interned
-// from input points or from planes, and the cut asks exact signs. Cost: one product an end for each
-// candidate; their number is bounded so that a cut costs O(size of the piece) but for small pieces.
+// The choice affects the number of pieces alone, so it may be made in doubles: a plane is interned
+// from input points or from planes, and the cut takes exact signs. Cost: one product per end for
+// each candidate. The number of candidates is bounded so that a cut costs O(size of the piece),
+// except for small pieces.
 #pragma once
 
 #include <array>
@@ -26,39 +29,45 @@
 
 namespace plumb {
 
-/// The plane c[0] p + c[1] q of the primitive rows of two planes. Not valid where that is none.
+/// Returns the plane c[0] p + c[1] q of the primitive rows of two planes, or an invalid id if that
+/// is no plane.
 PlaneId intern_pencil(PlaneTable& planes, PlaneId p, PlaneId q, std::array<int, 2> c);
 
+/// A plane through a reflex edge, named by how it is interned, and what it would do.
 struct CutCandidate {
-  HalfedgeId seed;              ///< a reflex edge in the plane
-  PlaneId plane;                ///< of a face of the seed; else not valid:
-  InputPointId through;         ///< the plane holds this point; else not valid:
-  std::array<int, 2> pencil{};  ///< factors of the primitive rows of the seed's and its twin's face
-  int sheets = 1;               ///< of the plane at the seed, inside the solid: 1 or 2
-  int crossed = 0;              ///< reflex edges
-  int resolved = 0;             ///< reflex edges in the plane
-  int lesser = 0;               ///< reflex edges on that side of the plane where fewer are
-  int score = 0;                ///< cuts made and caused, less those spared: the least is best
+  HalfedgeId seed;  ///< A reflex edge in the plane.
+  PlaneId plane;    ///< The plane, if it is that of a face of the seed; otherwise not valid.
+  /// An input point that the plane holds; not valid if `plane` or `pencil` names the plane.
+  InputPointId through;
+  /// Factors of the primitive rows of the planes of the seed's and its twin's face.
+  std::array<int, 2> pencil{};
+  int sheets = 1;    ///< Sheets of the plane at the seed inside the solid: 1 or 2.
+  int crossed = 0;   ///< Number of reflex edges that the plane crosses.
+  int resolved = 0;  ///< Number of reflex edges in the plane.
+  int lesser = 0;    ///< Number of reflex edges on the side of the plane with fewer.
+  int score = 0;     ///< Cuts made and caused, less those spared; the least is best.
 };
 
+/// Proposes planes for cuts of the pieces of one surface. Scratch memory is kept from call to call.
 class CutChooser {
  public:
   explicit CutChooser(CutSurface& surface) : s_(surface) {}
 
-  /// The best candidates, in order; the last ones are the planes of the faces of one edge, which
-  /// always do. Requires a reflex edge.
+  /// Returns the best candidates in order. The last two are the planes of the faces of one edge,
+  /// which can nearly always be cut along. Requires a reflex edge. The span is valid until the next
+  /// call.
   std::span<const CutCandidate> candidates(std::span<const FaceId> faces,
                                            std::span<const HalfedgeId> reflex);
-  /// The candidate's plane. Not valid when it is none.
+  /// Returns the plane of the candidate, or an invalid id if its points or factors span none.
   PlaneId intern(const CutCandidate& candidate);
 
  private:
   using Row = std::array<double, 4>;
   struct Edge {
     HalfedgeId half;
-    std::uint32_t a, b;            // ends, into ends_
-    std::array<double, 3> n1, n2;  // outward normals of the faces
-    int alone = 0;                 // edges that the worse of its faces' planes crosses
+    std::uint32_t a, b;            // Ends, as indices into ends_.
+    std::array<double, 3> n1, n2;  // Unit outward normals of the faces.
+    int alone = 0;                 // Number of edges that the worse of its faces' planes crosses.
   };
 
   void gather(std::span<const FaceId> faces, std::span<const HalfedgeId> reflex);
@@ -77,35 +86,37 @@ class CutChooser {
   std::vector<VertexId> end_vertex_;
   std::vector<std::array<double, 3>> ends_;
   std::vector<signed char> signs_;
-  std::vector<std::uint32_t> end_stamp_, end_index_;  // per vertex
+  std::vector<std::uint32_t> end_stamp_, end_index_;  // Per vertex.
   std::uint32_t stamp_ = 0;
-  std::vector<VertexId> targets_;  // what planes may go through, besides: those of the input first
+  // Vertices that planes may go through; those of the input come first.
+  std::vector<VertexId> targets_;
   std::size_t input_targets_ = 0;
-  std::vector<Row> primitive_;  // per plane, once asked for; rounded
+  std::vector<Row> primitive_;  // Rounded primitive rows, filled on demand; one for each plane.
   std::vector<CutCandidate> best_;
   double tolerance_ = 0;
 };
 
-// One plane for each reflex edge of a solid, fixed before anything is cut: the classical rule, with
-// which the number of pieces has a bound (cut_set.h).
+// One plane for each reflex edge of a solid, fixed before anything is cut: the classical rule, for
+// which the number of pieces is bounded (cut_set.h).
 //
-// A tip is a vertex where several reflex edges meet. Where all of them lead to one side of a plane
+// A tip is a vertex where several reflex edges meet. If all of them lead to one side of a plane
 // through the tip, the solid may touch the plane there from one side, and PlaneSection::find()
 // fails.
 //
-// The plane of an edge: that of a face at it, of the first that holds no such tip, else the first
-// of the pencil between both with that property, by small integer factors. A tip off the edge's
-// line lies in one plane of the pencil, so one is found. Of tips on the line nothing is asked.
+// The plane of an edge is that of the first of its faces that holds no such tip, else the first
+// plane of the pencil between both with that property, by small integer factors. A tip off the
+// edge's line lies in one plane of the pencil, so one is found. Tips on the line are not tested.
 //
-// Each plane enters the solid on one side of its edge only: after the cut both angles are at most
-// half a turn. Cost: O(n + r t) signs for r reflex edges and t ends of reflex edges at tips, as a
-// rule.
+// Each plane enters the solid on one side of its edge only, so both angles are at most half a turn
+// after the cut. Cost: O(n + r t) signs as a rule, for r reflex edges and t ends of reflex edges at
+// tips.
 
 class FixedPlanes {
  public:
-  /// Of the reflex edges of a surface that has not been cut.
+  /// Chooses planes for the reflex edges of a surface that has not been cut.
   FixedPlanes(CutSurface& surface, std::span<const HalfedgeId> reflex, Context& context);
 
+  /// Returns the plane of a reflex edge of the solid.
   PlaneId plane(EdgeId e) const { return plane_[e.value()]; }
 
  private:
@@ -116,8 +127,8 @@ class FixedPlanes {
   Sign side_of(VertexId v, PlaneId p) const;
 
   CutSurface& s_;
-  std::vector<std::array<VertexId, 2>> spokes_;  // from tips to the other ends, by tips
-  std::vector<PlaneId> plane_;                   // per edge
+  std::vector<std::array<VertexId, 2>> spokes_;  // Edges as (tip, other end), sorted by tips.
+  std::vector<PlaneId> plane_;                   // Per edge.
 };
 
 }  // namespace plumb

@@ -1,3 +1,18 @@
+// Cuts by planes through reflex edges, for solids (SolidCutter) and for parts of any kind
+// (SetCutter).
+//
+// SolidCutter works on one pool of half-edges (CutSurface) and keeps a stack of pieces. Invariants:
+// every piece has a connected surface, and no cut makes a reflex edge; so when no edge is reflex
+// the piece is convex. A piece that no plane divides is stuck and left to SetCutter, which divides
+// by Booleans with half-spaces: the lower half keeps what the closure of its interior reaches of
+// the plane, the upper one gets the rest, so every point of the set belongs to one piece with its
+// mark.
+//
+// The greedy rule makes fewer pieces as a rule but has no bound; where it exceeds 1 + (r^2 + r) / 2
+// the cut is done again with fixed planes, and the fewer pieces are kept. Proofs:
+// docs/design/walls.md, section Cuts; B. Chazelle, Convex partitions of polyhedra: a lower bound
+// and worst-case optimal algorithm, SIAM Journal on Computing 13 (1984).
+// Tested by tests/convex/convex_pieces_test.cpp and tests/convex/decompose_property_test.cpp.
 #include "plumb/convex/part/cut_set.h"
 
 #include <algorithm>
@@ -30,18 +45,20 @@ class SolidCutter {
         cut_(surface),
         chooser_(surface) {}
 
+  /// Cuts depth first over a stack of pieces, which keeps few of them open.
   SolidPieces run() {
     std::vector<FaceId> all;
     for (std::size_t f = 0; f < s_.faces.size(); ++f) all.push_back(FaceId(f));
     std::vector<std::vector<FaceId>> left{std::move(all)};
     SolidPieces done;
-    // Every cut takes from the angle at its edge, and planes through it are few; never seen to be
-    // many.
+    // The number of cuts is limited. Every cut takes from the angle at its edge and few planes go
+    // through it, so the limit has never been reached.
     std::size_t cuts = 0;
     find_reflex(left[0]);
     done.reflex_edges = reflex_.size();
     if (rule_ == CutRule::Fixed) planes_.emplace(s_, reflex_, context_);
-    std::size_t faces_done = 0, faces_left = s_.faces.size();  // of pieces: more at every cut
+    // Faces of pieces; every cut adds some.
+    std::size_t faces_done = 0, faces_left = s_.faces.size();
     const std::size_t most = 64 + 4 * (reflex_.size() + 1) * (reflex_.size() + 1);
     while (!left.empty()) {
       std::vector<FaceId> piece = std::move(left.back());
@@ -70,7 +87,7 @@ class SolidCutter {
   }
 
  private:
-  /// Of the pool, and of what cuts note for each of its items.
+  /// Charges the growth of the pool, with the notes that cuts keep for each of its cells.
   void charge_growth() {
     constexpr std::size_t kNotes = 16;
     const std::size_t bytes = s_.halves.capacity() * (sizeof(CutSurface::Half) + kNotes) +
@@ -92,6 +109,7 @@ class SolidCutter {
     return rule_ == CutRule::Fixed ? cut_first(piece) : cut_best(piece);
   }
 
+  // Tries candidates until one divides the piece.
   CutPieces cut_best(std::span<const FaceId> piece) {
     for (const CutCandidate& candidate : chooser_.candidates(piece, reflex_)) {
       const PlaneId plane = chooser_.intern(candidate);
@@ -102,7 +120,7 @@ class SolidCutter {
     return {};
   }
 
-  /// Where a tip is in the way, its edges first.
+  /// Cuts through the first edge. If a tip is in the way, its edges are tried first.
   CutPieces cut_first(std::span<const FaceId> piece) {
     const auto edge = [this](HalfedgeId h) { return s_.half(h).edge; };
     std::ranges::sort(reflex_, {}, edge);
@@ -139,11 +157,11 @@ SolidPieces cut_solid(CutSurface& surface, CutRule rule, Context& context) {
   return SolidCutter(surface, rule, context).run();
 }
 
-// Cuts of any set: what no surface can hold, by Booleans with half-spaces (cut_set.h).
+// Cuts of sets that no surface can hold, by Booleans with half-spaces.
 
 namespace {
 
-/// The relative interior of a part: its own facet, or volume, alone.
+/// Returns the relative interior of a part: its facet or volume alone.
 Nef3 relative_interior(const SetPart& part, Context& context) {
   if (part.dimension == 3) return part.set.interior();
   const SpaceComplex& c = part.set.complex();
@@ -152,12 +170,14 @@ Nef3 relative_interior(const SetPart& part, Context& context) {
                              context);
 }
 
-/// A plane that divides a set which is not convex: of those of its items that stand in the way.
+/// A plane that divides a set which is not convex: one of the planes of the cells that are in the
+/// way.
 class DividingPlane {
  public:
   DividingPlane(const SpaceComplex& complex, int dimension) : c_(complex), dimension_(dimension) {}
 
-  /// None: points are taken out, by no planes (plane_through_lone_vertex()).
+  /// Returns a plane, or no value if only points are removed that no planes define
+  /// (plane_through_lone_vertex()).
   std::optional<Plane3> find() {
     if (dimension_ == 3) {
       gather_in_space();
@@ -174,6 +194,8 @@ class DividingPlane {
   }
 
  private:
+  /// Every plane of a facet at a reflex edge divides the set; a free edge has the planes of its
+  /// line.
   void gather_in_space() {
     for (const EdgeId e : reflex_edges(c_)) {
       edges_.push_back(e);
@@ -190,7 +212,8 @@ class DividingPlane {
     }
   }
 
-  /// Lines of sides that end in a corner of more than half a turn, or run into the facet.
+  /// Collects the lines of sides that end in a corner of more than half a turn, or that run into
+  /// the facet.
   void gather_in_plane() {
     const FacetId f = marked_facet();
     flat_ = c_.facet_plane[f.value()];
@@ -209,7 +232,7 @@ class DividingPlane {
     }
   }
 
-  /// Points taken out: a plane that defines them, or one through them parallel to an axis's.
+  /// Collects planes that define a removed point.
   void gather_vertices() {
     for (std::size_t v = 0; v < c_.vertex_count() && planes_.empty(); ++v) {
       if (c_.vertex_mark[v] == kBeyond || !c_.star_of(VertexId(v)).empty()) continue;
@@ -230,7 +253,8 @@ class DividingPlane {
     if (p != flat_ && !c_.planes().is_frame(p)) planes_.push_back(p);
   }
 
-  /// Crosses the fewest of the edges in the way, less those it holds.
+  /// Returns the plane that crosses the fewest of the edges in the way, less those it holds. Of
+  /// many planes a sample is judged.
   PlaneId best_of(const std::vector<PlaneId>& planes) const {
     constexpr std::size_t kMost = 64;
     PlaneId best;
@@ -260,7 +284,8 @@ class DividingPlane {
   std::vector<EdgeId> edges_;
 };
 
-/// The plane through a lone vertex parallel to x = 0, or y = 0 where the set lies in the former.
+/// Returns the plane x = c through a lone vertex, or y = c if the set lies in such a plane; no
+/// value if no lone vertex is an input point.
 std::optional<Plane3> plane_through_lone_vertex(const SetPart& part) {
   const SpaceComplex& c = part.set.complex();
   for (std::size_t v = 0; v < c.vertex_count(); ++v) {
@@ -278,7 +303,7 @@ std::optional<Plane3> plane_through_lone_vertex(const SetPart& part) {
   return std::nullopt;
 }
 
-/// What a half-space made is a wall. decompose() gives all facets of the set ids.
+/// Marks facets that a half-space made as walls. All facets of the set have ids (decompose()).
 Nef3 with_walls_named(const Nef3& cut) {
   const SpaceComplex& c = cut.complex();
   std::vector<std::uint32_t> origins = c.facet_origin;
@@ -315,12 +340,14 @@ class SetCutter {
     return std::move(done_);
   }
 
-  /// How many pieces a solid may give whose surface is a 2-manifold; any number of what is none.
+  /// Returns the most pieces that a solid may give whose surface is a 2-manifold; the largest
+  /// number for any other set.
   std::size_t most() const { return most_; }
 
  private:
-  /// False: nothing was done. Where wedges meet in an edge, cuts make points of their own in each,
-  /// so that a piece no longer knows its own contacts (touches_itself()).
+  /// Cuts the part as a solid. Returns false if nothing was done. A surface that touches itself
+  /// along an edge is not cut unless all pieces come out convex: cuts make points of their own in
+  /// each wedge, so that a stuck piece no longer knows its own contacts (touches_itself()).
   bool cut_as_solid(const SetPart& part) {
     MemoryCharge memory(context_);
     memory.add(part.set.bytes(), "the surface of a solid");
@@ -359,15 +386,16 @@ class SetCutter {
     return *plane;
   }
 
-  /// What the lower side keeps of the plane is what its interior reaches; the rest goes to the
-  /// upper side.
+  /// Divides the part by a plane. The lower side keeps the points of the plane that are in the
+  /// closure of its own interior. Parts of lower dimension that remain of the plane go to the upper
+  /// side.
   void divide(const SetPart& part, const Plane3& plane) {
     const auto cut = [&](MarkFunction f) {
       return with_walls_named(boolean_op(part.set, plane, Section::ClosedHalfSpace, f, context_));
     };
     const Nef3 low = cut(kIntersection);
     Nef3 high = cut(kDifference);
-    // Their pieces keep the tables of each.
+    // The pieces keep the tables of both halves.
     memory_.add(low.bytes() + high.bytes(), "convex pieces");
     std::vector<SetPart> below = parts_of(low, context_);
     for (const SetPart& p : below) {

@@ -1,3 +1,17 @@
+// The surface of a solid in half-edges: read from a complex, and written back piece by piece as
+// sets.
+//
+// SurfaceReader makes each edge use of a facet (Weiler's radial-edge structure) a half-edge,
+// reversed if the body is behind the facet's canonical side, and pairs two uses with the body
+// between them as twins. So an edge at which several wedges of the body meet becomes several edges,
+// and a vertex with several rings keeps one id; the first wedge and the first ring own the mark.
+// PieceWriter does the reverse: half-edges become edge uses, and the complex has two volumes,
+// outside and piece. What is not minimal, such as a face that a cut divided without need, goes in
+// simplified().
+//
+// All orientation tests are signs of plane triples and need no points: with d the direction of h,
+// an edge is convex if (n1 x n2) . d > 0, and a corner turns left if n det(n, m1, m2) > 0.
+// Tested by tests/convex/cut_surface_test.cpp.
 #include "plumb/convex/part/cut_surface.h"
 
 #include <algorithm>
@@ -15,7 +29,7 @@
 
 namespace plumb {
 
-// With d the direction of h: (n1 x n2) . d is positive where the edge is convex.
+// With d the direction of h, (n1 x n2) . d is positive if the edge is convex.
 bool CutSurface::is_reflex_at(HalfedgeId h) const {
   const Half& at = half(h);
   const OrientedPlane n1 = plane_of(h), n2 = plane_of(at.twin);
@@ -26,7 +40,7 @@ bool CutSurface::is_reflex_at(HalfedgeId h) const {
   return common * at.along * n1.orientation() * n2.orientation() == Sign::Negative;
 }
 
-// (n x m1) x (n x m2) = n det(n, m1, m2).
+// The turn is the sign of (n x m1) x (n x m2) = n det(n, m1, m2).
 Sign CutSurface::turn_at(HalfedgeId h) const {
   const Half& before = half(half(h).prev);
   const OrientedPlane n = plane_of(h);
@@ -36,7 +50,8 @@ Sign CutSurface::turn_at(HalfedgeId h) const {
 
 namespace {
 
-/// Reads the surface off a complex: each use of a facet, seen from outside, is a half-edge.
+/// Reads the surface from a complex: each edge use of a facet, seen from outside, becomes a
+/// half-edge.
 class SurfaceReader {
  public:
   SurfaceReader(const SpaceComplex& complex, VolumeId body) : c_(complex), body_(body) {}
@@ -57,7 +72,7 @@ class SurfaceReader {
   }
 
  private:
-  /// Every facet has the body on one side; no free edges or vertices.
+  /// Whether every facet has the body on one side, and there are no free edges or vertices.
   bool is_surface_of_body() const {
     for (const auto& [above, below] : c_.facet_volume) {
       if ((above == body_) == (below == body_)) return false;
@@ -94,6 +109,8 @@ class SurfaceReader {
     surface_.faces.push_back(face);
   }
 
+  /// A use seen from behind runs the other way, so next and previous are exchanged and its origin
+  /// is the other end.
   void add_half(UseId u, FaceId face, bool is_positive) {
     CutSurface::Half& h = surface_.halves[u.value()];
     const HalfedgeId run = c_.use_halfedge[u.value()];
@@ -110,6 +127,8 @@ class SurfaceReader {
               SpaceComplex::is_reverse(seen) ? Sign::Negative : Sign::Positive);
   }
 
+  // Names the line by the face's own plane and a second one. If the complex names the edge by two
+  // other planes p and q, `other` is q and the sign compares the directions n x q and p x q.
   void name_line(CutSurface::Half& h, PlaneId plane, EdgeId e, Sign runs) {
     const auto& [p, q] = c_.edge_planes[e.value()];
     h.other = plane == p ? q : p;
@@ -121,7 +140,8 @@ class SurfaceReader {
     if (a.is_input() && b.is_input()) h.line = {a.input(), b.input()};
   }
 
-  /// Of two uses with the body between them. The first wedge around an edge owns it.
+  /// Makes two edge uses with the body between them twins. The first wedge around an edge owns its
+  /// mark.
   void pair(UseId u) {
     if (c_.volume_after(u) != body_) return;
     const UseId v = c_.use_radial[u.value()];
@@ -134,7 +154,7 @@ class SurfaceReader {
     a.mark = b.mark = is_first ? c_.edge_mark[e.value()] : Mark{0};
   }
 
-  /// The first ring around a vertex owns it.
+  /// Gives the mark of a vertex to the first ring around it.
   void give_vertices() {
     std::vector<std::uint8_t> is_given(c_.vertex_count(), 0), is_seen(c_.use_count(), 0);
     for (std::size_t u = 0; u < c_.use_count(); ++u) {
@@ -177,17 +197,18 @@ class SurfaceReader {
 
 std::optional<CutSurface> cut_surface_of(const SpaceComplex& part) {
   const auto& marks = part.volume_mark;
-  if (has_frame(part) || part.volume_mark[0] == 1) return std::nullopt;  // not bounded
+  if (has_frame(part) || part.volume_mark[0] == 1) return std::nullopt;  // Not bounded.
   if (std::count(marks.begin(), marks.end(), Mark{1}) != 1) return std::nullopt;
   const auto body = std::find(marks.begin(), marks.end(), Mark{1});
   return SurfaceReader(part, VolumeId(static_cast<std::size_t>(body - marks.begin()))).run();
 }
 
-// A piece of a surface as a set of its own (cut_surface.h).
+// A piece of a surface as a set of its own.
 
 namespace {
 
-/// Two volumes, the outer one and the piece; each half-edge becomes the use of a facet.
+/// Writes a complex with two volumes, the outer one and the piece; each half-edge becomes the edge
+/// use of a facet.
 class PieceWriter {
  public:
   PieceWriter(CutSurface& surface, std::span<const FaceId> faces, bool closed)
@@ -208,7 +229,7 @@ class PieceWriter {
  private:
   Mark marked(Mark mark) const { return closed_ ? Mark{1} : mark; }
 
-  /// In the order in which faces are listed.
+  /// Numbers half-edges and vertices in the order in which faces are listed.
   void number() {
     s_.half_number.resize(s_.halves.size());
     s_.vertex_number.resize(s_.point.size());
@@ -217,7 +238,8 @@ class PieceWriter {
         s_.half_number[h.value()] = static_cast<std::uint32_t>(halves_.size());
         halves_.push_back(h);
         const VertexId v = s_.half(h).origin;
-        const std::uint32_t known = s_.vertex_number[v.value()];  // of another piece, perhaps
+        // A number that may be of another piece.
+        const std::uint32_t known = s_.vertex_number[v.value()];
         if (known < vertices_.size() && vertices_[known] == v) return;
         s_.vertex_number[v.value()] = static_cast<std::uint32_t>(vertices_.size());
         vertices_.push_back(v);
@@ -236,6 +258,8 @@ class PieceWriter {
     for (const VertexId v : vertices_) c_.vertex_point.push_back(s_.point[v.value()]);
   }
 
+  /// Each pair of twins becomes one edge, whose half-edge 2e runs along the cross product of the
+  /// canonical normals that name its line.
   void write_edges() {
     c_.use_halfedge.resize(halves_.size());
     for (std::size_t i = 0; i < halves_.size(); ++i) {
@@ -254,7 +278,7 @@ class PieceWriter {
     }
     c_.edge_volume.resize(c_.edge_planes.size());
   }
-  /// `run`: along h as seen from outside.
+  /// Sets the half-edge of a use. `run` runs along h as seen from outside.
   void set_use(HalfedgeId h, HalfedgeId run) {
     const bool is_seen_from_behind = s_.plane_of(h).is_opposite();
     c_.use_halfedge[use_of(h).value()] = is_seen_from_behind ? SpaceComplex::twin(run) : run;
@@ -272,7 +296,7 @@ class PieceWriter {
     }
   }
 
-  /// The outer one first; cuts leave them in any order.
+  /// Returns the cycles with the outer one first; cuts leave them in any order.
   std::vector<HalfedgeId> cycles_of(const CutSurface::Face& face) const {
     std::vector<HalfedgeId> cycles;
     for (HalfedgeId h = face.cycle; h.is_valid(); h = s_.half(h).next_cycle) cycles.push_back(h);

@@ -1,20 +1,22 @@
-// The surface of a solid that is being cut, in half-edges, and of all its pieces: one pool of
+// The surface of a solid that is being cut, and of all its pieces, in half-edges: one pool of
 // arrays that only grows. A piece is a list of faces.
 //
 // Notation
-//   face        outward plane; boundary cycles counter-clockwise seen from outside, holes clockwise
-//   half-edge   runs along `along` * (n_f x n_other), n_f the canonical normal of its face's plane.
-//               Each half names its line for itself, so both copies of an edge on a cut keep what
-//               they had.
-//   marks       of the copy: 1 where the piece owns the item and the set has it. Every point of the
-//               surface is owned by one copy, so pieces need no comparison with each other.
+//   face        A face has an outward plane. Boundary cycles run counter-clockwise seen from
+//               outside, holes clockwise.
+//   half-edge   A half-edge runs along `along` * (n_f x n_other), n_f the canonical normal of its
+//               face's plane. Each half names its line for itself, so both copies of an edge on a
+//               cut keep what they had.
+//   marks       Marks are those of the copy: 1 if the piece owns the cell and the set has it. Every
+//               point of the surface is owned by one copy, so pieces need no comparison with each
+//               other.
 //
-// Combinatorial, not geometric: a cut that does not separate a piece leaves both its sides on one
-// surface, and where the solid touches itself along an edge, each of its wedges has an edge of its
-// own. Vertices are points; several rings of half-edges may leave one.
+// The structure is combinatorial, not geometric: a cut that does not separate a piece leaves both
+// its sides on one surface, and if the solid touches itself along an edge, each of its wedges has
+// an edge of its own. Vertices are points; several rings of half-edges may leave one.
 //
-// Invariant: of a piece, the surface is connected. A cut along one part of a section keeps it so
-// (surface_cut.h).
+// Invariant: the surface of every piece is connected. A cut along one component of a section keeps
+// it so (surface_cut.h).
 #pragma once
 
 #include <array>
@@ -31,32 +33,39 @@
 
 namespace plumb {
 
+/// The pool of half-edges, faces and vertices.
 struct CutSurface {
+  /// A half-edge: one side of an edge, in the boundary cycle of a face.
   struct Half {
     VertexId origin;
     HalfedgeId next, prev, twin;
     FaceId face;
-    HalfedgeId next_cycle;  ///< of the first half-edge of a cycle: that of the next
-    PlaneId other;          ///< the line: the face's plane and this one
-    EdgeId edge;            ///< of the solid, that it is part of; not valid: of cuts alone
-    std::array<InputPointId, 2> line;  ///< two input points on it, where known
+    /// If this half-edge is the first of a cycle: the first half-edge of the face's next cycle.
+    HalfedgeId next_cycle;
+    PlaneId other;  ///< The line is where the face's plane and this one meet.
+    /// The edge of the solid that this is part of; not valid for edges that only cuts made.
+    EdgeId edge;
+    std::array<InputPointId, 2> line;  ///< Two input points on the line, if known.
     Sign along = Sign::Positive;
-    Mark mark = 0;         ///< of the edge
-    Mark origin_mark = 0;  ///< of the origin
+    Mark mark = 0;         ///< Mark of the edge.
+    Mark origin_mark = 0;  ///< Mark of the origin.
     bool is_reflex = false;
   };
+  /// A face of the surface, or a wall.
   struct Face {
     OrientedPlane plane;
+    /// First half-edge of the first cycle.
     HalfedgeId cycle;
-    std::uint32_t origin;  ///< facet_origin
+    /// Id of the facet it is part of (SpaceComplex::facet_origin), or kWallOrigin.
+    std::uint32_t origin;
     Mark mark;
   };
 
   std::shared_ptr<SpaceTables> tables;
-  std::vector<SpacePoint> point;  ///< per vertex
+  std::vector<SpacePoint> point;  ///< Position of each vertex.
   std::vector<Half> halves;
   std::vector<Face> faces;
-  /// Scratch of set_of_piece(): numbers in the piece at hand.
+  /// Scratch of set_of_piece(): numbers within the piece at hand.
   std::vector<std::uint32_t> half_number, vertex_number;
 
   Half& half(HalfedgeId h) { return halves[h.value()]; }
@@ -68,7 +77,7 @@ struct CutSurface {
   const PlaneTable& planes() const { return tables->planes; }
   const Point3Table& points() const { return tables->points; }
 
-  /// visit(h) for all half-edges of the face.
+  /// Calls visit(h) for all half-edges of the face.
   template <class Visit>
   void for_each_half(FaceId f, Visit&& visit) const {
     for (HalfedgeId c = face(f).cycle; c.is_valid(); c = half(c).next_cycle) {
@@ -80,23 +89,23 @@ struct CutSurface {
     }
   }
 
-  /// Is the solid more than half a turn around the edge? Exact.
+  /// Whether the solid spans more than half a turn around the edge. Exact.
   bool is_reflex_at(HalfedgeId h) const;
-  /// The sign of the turn from the half-edge before to h, seen from outside.
+  /// Returns the sign of the turn from the half-edge before h to h, seen from outside.
   Sign turn_at(HalfedgeId h) const;
 };
 
-/// The surface of the one marked volume of a set. None when a piece could not be held as one: not
-/// bounded, not connected, or with facets, edges or vertices inside the volume.
+/// Returns the surface of the one marked volume of a set, or no value if it cannot be held as one:
+/// if it is not bounded, not connected, or has facets, edges or vertices inside the volume.
 std::optional<CutSurface> cut_surface_of(const SpaceComplex& part);
 
-/// Does the piece touch itself along an edge, or have both sides of a cut? Then no set is bounded
-/// by it. Edges are told by their vertices, of which a cut makes one for each wedge: of a piece of
-/// a surface that touched itself when it was cut, this need not say so.
+/// Whether the piece touches itself along an edge, or has both sides of a cut, so that it bounds no
+/// set. Edges are distinguished by their vertices, of which a cut makes one for each wedge: for a
+/// piece of a surface that touched itself before it was cut, false proves nothing.
 bool touches_itself(const CutSurface& surface, std::span<const FaceId> faces);
 
-/// A piece that does not touch itself along an edge, as a set. With `closed`: its closure. The set
-/// shares the tables.
+/// Returns the set of a piece that does not touch itself along an edge, or the closure of that set
+/// if `closed`. The set shares the tables.
 Nef3 set_of_piece(CutSurface& surface, std::span<const FaceId> faces, bool closed,
                   Context& context);
 

@@ -1,3 +1,13 @@
+// Merging of convex neighbours. Two convex pieces with a common wall are one convex piece if no
+// edge of the wall's rim is reflex once the wall is gone: the union is closed, connected and
+// locally convex off the rim, and a closed connected set that is locally convex is convex (H.
+// Tietze, Mathematische Zeitschrift 28, 1928; docs/design/walls.md, section Cuts, "Merging").
+//
+// Common polygons are found without geometry: a face's key is the sum of the fingerprints of its
+// corners, which does not depend on where the cycle begins or which way it runs. Merger, for pieces
+// of one surface, verifies a match corner by corner and tests each rim edge by relinking its
+// neighbours for a moment. SetMerger, for sets with tables of their own, lets the union decide.
+// Tested by tests/convex/convex_pieces_test.cpp.
 #include "plumb/convex/part/merge_parts.h"
 
 #include <algorithm>
@@ -36,15 +46,15 @@ class SetMerger {
     Nef3 both;
   };
   struct Polygon {
-    std::vector<std::size_t> pieces;  // whose facet it is, or was
-    bool is_refused = false;          // by the pieces on both sides
+    std::vector<std::size_t> pieces;  // Pieces whose facet this polygon is or was.
+    bool is_refused = false;          // Whether the pieces on both sides cannot be merged.
   };
 
   static bool is_body(const Nef3& piece) {
     return piece.is_bounded() && piece.counts().marked_volumes == 1;
   }
 
-  /// The sum of the corners' fingerprints.
+  /// Returns the sum of the corners' fingerprints.
   static Key key_of(const SpaceComplex& c, FacetId f) {
     Key sum = 0;
     for (const UseId first : c.cycles_of(f)) {
@@ -66,6 +76,7 @@ class SetMerger {
     }
   }
 
+  /// Tries the polygons of a piece until one has a convex union with the piece behind it.
   std::optional<Match> match_of(std::size_t i) {
     if (!is_body(pieces_[i])) return std::nullopt;
     const SpaceComplex& c = pieces_[i].complex();
@@ -73,7 +84,8 @@ class SetMerger {
       Polygon& polygon = facets_[key_of(c, FacetId(f))];
       for (const std::size_t j : polygon.pieces) {
         if (polygon.is_refused) break;
-        if (j == i || !is_body(pieces_[j])) continue;  // gone, or its facet is
+        // The piece has been merged, or its facet has.
+        if (j == i || !is_body(pieces_[j])) continue;
         if (std::optional<Nef3> both = union_of(i, j)) return Match{j, *std::move(both)};
         polygon.is_refused = true;
       }
@@ -81,7 +93,7 @@ class SetMerger {
     return std::nullopt;
   }
 
-  /// If it is convex.
+  /// Returns the union if it is convex.
   std::optional<Nef3> union_of(std::size_t i, std::size_t j) {
     const SpaceComplex &c = pieces_[i].complex(), &other = pieces_[j].complex();
     if (count_before(c, other) > 1 || count_before(other, c) > 1) return std::nullopt;
@@ -90,7 +102,8 @@ class SetMerger {
     return both;
   }
 
-  /// Facets that have vertices of the other set before them: of neighbours the one between. 0 where
+  /// Returns the number of facets that have vertices of the other set before them, counted up to 2.
+  /// For neighbours whose union is convex only the facet between them is one. Returns 0 if the
   /// tables differ.
   static int count_before(const SpaceComplex& c, const SpaceComplex& other) {
     if (c.tables != other.tables) return 0;
@@ -106,7 +119,7 @@ class SetMerger {
     return count;
   }
 
-  /// Where the union is.
+  /// Merges two pieces and returns the index of the union.
   std::size_t join(std::size_t i, const Match& match) {
     const std::size_t into = std::min(i, match.piece), from = std::max(i, match.piece);
     pieces_[into] = match.both;
@@ -150,6 +163,8 @@ class Merger {
   /// A plane, and the sum of the corners' fingerprints.
   using Key = std::pair<std::uint32_t, std::uint64_t>;
 
+  /// Collects the wall faces of all pieces. Faces with holes are left out: two convex pieces cannot
+  /// share one.
   void gather() {
     is_gone_.assign(s_.faces.size(), 0);
     piece_of_.assign(s_.faces.size(), 0);
@@ -186,7 +201,8 @@ class Merger {
     return p;
   }
 
-  /// Pairs the half-edges of both, which run against each other.
+  /// Pairs the half-edges of both faces, which run against each other. Returns false if the
+  /// polygons differ, or belong to one piece already.
   bool match(FaceId low, FaceId high) {
     rim_.clear();
     if (find(piece_of_[low.value()]) == find(piece_of_[high.value()])) return false;
@@ -207,7 +223,7 @@ class Merger {
     return true;
   }
 
-  /// With the two faces gone, is every edge between their neighbours convex?
+  /// Whether every edge between the neighbours of the two faces is convex once these are gone.
   bool is_rim_convex() {
     for (const auto& [h, k] : rim_) {
       const HalfedgeId a = s_.half(h).twin, b = s_.half(k).twin;
@@ -219,6 +235,8 @@ class Merger {
     return true;
   }
 
+  /// Links the neighbours of both faces across the rim. The larger list of faces takes the smaller
+  /// one, so all joins together cost O(n log n).
   void join(FaceId low, FaceId high) {
     for (const auto& [h, k] : rim_) {
       const HalfedgeId a = s_.half(h).twin, b = s_.half(k).twin;
@@ -238,9 +256,10 @@ class Merger {
     for (const auto& [h, k] : rim_) join_rings(s_.half(h).origin, h);
   }
 
-  /// The ring of half-edges around a corner of the rim: one vertex, which one of the pieces owned.
+  /// Makes the ring of half-edges around a corner of the rim leave one vertex. One of the two
+  /// pieces owned it, so the marks are joined.
   void join_rings(VertexId v, HalfedgeId h) {
-    const HalfedgeId first = s_.half(s_.half(h).prev).twin;  // leaves v in the low piece
+    const HalfedgeId first = s_.half(s_.half(h).prev).twin;  // Leaves v in the low piece.
     Mark mark = 0;
     HalfedgeId at = first;
     do {
@@ -261,7 +280,7 @@ class Merger {
   std::multimap<Key, FaceId> high_;
   std::vector<std::uint8_t> is_gone_;
   std::vector<std::size_t> piece_of_;
-  std::vector<std::size_t> merged_;  // per piece: into which
+  std::vector<std::size_t> merged_;  // The piece into which each piece was merged.
   std::vector<std::pair<HalfedgeId, HalfedgeId>> rim_;
 };
 

@@ -1,3 +1,19 @@
+// The section of a piece with a plane T, as directed segments with the section to their left, and
+// the component of it that a reflex edge bounds.
+//
+// In each face that T crosses, chords are found by walking along the line of face and plane:
+// events, where the line enters or leaves the face, are sorted along the line and paired. A corner
+// on the line is an event if the line continues into the corner's sector. Edges in T contribute a
+// segment for each side on which T runs inside the solid. Segments are linked to cycles by taking,
+// at each vertex, the next one clockwise; nesting of cycles by exact winding numbers gives the
+// outer cycle and the holes of the seed's component.
+//
+// Invariant: events of a face alternate between start and end, which PLUMB_CHECK asserts. The find
+// fails, and nothing is cut, where the surface touches the component in a single point: a wall with
+// such a point would touch itself in a vertex that it does not know. Argument:
+// docs/design/walls.md, section Cuts; B. Chazelle, SIAM Journal on Computing 13 (1984).
+// Declared in part/surface_cut.h.
+// Tested by tests/convex/cut_surface_test.cpp.
 #include <algorithm>
 #include <utility>
 
@@ -24,6 +40,7 @@ bool PlaneSection::find(std::span<const FaceId> faces, PlaneId plane, HalfedgeId
 
 // ---------------------------------------------------------------- sides
 
+/// Takes the side of every vertex of the piece once.
 void PlaneSection::find_sides() {
   side_.resize(s_.point.size());
   vertex_stamp_.resize(s_.point.size(), 0);
@@ -33,7 +50,8 @@ void PlaneSection::find_sides() {
     side_[v.value()] = sign;
     vertex_stamp_[v.value()] = stamp_;
   };
-  for (const FaceId f : faces_) {  // spares exact signs of corners made on the line
+  // All corners of faces in T are on T; this spares their exact signs.
+  for (const FaceId f : faces_) {
     if (s_.face(f).plane.plane() != plane_) continue;
     s_.for_each_half(f, [&](HalfedgeId h) { set(s_.half(h).origin, Sign::Zero); });
   }
@@ -65,7 +83,7 @@ void PlaneSection::find_segments() {
   }
 }
 
-/// The events of a face along u.
+/// Finds the events of a face along u, and pairs them to chords.
 void PlaneSection::find_chords(FaceId f) {
   const std::size_t first = events_.size();
   s_.for_each_half(f, [&](HalfedgeId h) {
@@ -80,7 +98,8 @@ void PlaneSection::find_chords(FaceId f) {
   pair_events(f, first);
 }
 
-/// Directions in a face, counter-clockwise: along u, below T, against u, above T.
+/// Returns the class of a direction in a face. Classes are numbered counter-clockwise: 0 along u, 1
+/// below T, 2 against u, 3 above T.
 std::uint8_t PlaneSection::class_of(FaceId f, HalfedgeId h, VertexId end, bool is_reversed) const {
   const Sign sign = side_of(end);
   if (sign != Sign::Zero) return sign == Sign::Negative ? 1 : 3;
@@ -92,6 +111,8 @@ std::uint8_t PlaneSection::class_of(FaceId f, HalfedgeId h, VertexId end, bool i
   return along == Sign::Positive ? 0 : 2;
 }
 
+// The corner's sector runs counter-clockwise from `out` to `in`. The line starts or ends at the
+// corner if u, or its opposite, lies strictly within that sector.
 void PlaneSection::add_corner(FaceId f, HalfedgeId h) {
   const CutSurface::Half& half = s_.half(h);
   const HalfedgeId before = half.prev;
@@ -100,12 +121,15 @@ void PlaneSection::add_corner(FaceId f, HalfedgeId h) {
   const auto turn = [out](std::uint8_t to) { return (to + 4U - out) % 4U; };
   unsigned sector = turn(in);
   if (sector == 0 && s_.turn_at(h) != Sign::Positive)
-    sector = 4;  // no turn: the tip of an edge inside
+    // There is no turn at the tip of an edge inside the face; the sector is a whole turn.
+    sector = 4;
   const auto holds = [&](std::uint8_t to) { return turn(to) > 0 && turn(to) < sector; };
   const bool starts = holds(0), ends = holds(2);
   if (starts || ends) events_.push_back({h, half.origin, false, starts, ends, out, {}});
 }
 
+// At one vertex the end of a chord sorts before the start of the next. Up to two events need no
+// exact comparison.
 void PlaneSection::pair_events(FaceId f, std::size_t first) {
   const OrientedPlane n = s_.face(f).plane;
   const auto begin = events_.begin() + static_cast<std::ptrdiff_t>(first);
@@ -123,7 +147,7 @@ void PlaneSection::pair_events(FaceId f, std::size_t first) {
   } else if (events_.size() - first == 2 && begin->ends) {
     std::swap(begin[0], begin[1]);
   }
-  // Along u with the lower part to the left: the section looks the other way.
+  // Chords run along u with the lower part to the left; the section looks the other way.
   const CirclePlace against_u{n.plane(), n.is_opposite()};
   std::uint32_t open = kNone;
   for (std::size_t i = first; i < events_.size(); ++i) {
@@ -149,6 +173,7 @@ void PlaneSection::pair_events(FaceId f, std::size_t first) {
   PLUMB_CHECK(open == kNone);
 }
 
+/// Returns the vertex where the edge of h crosses T, made once for both halves.
 VertexId PlaneSection::crossing(HalfedgeId h) {
   const HalfedgeId key = std::min(h, s_.half(h).twin);
   if (half_stamp_[key.value()] != stamp_) {
@@ -171,8 +196,8 @@ Sign PlaneSection::lean(HalfedgeId h) const {
          n.orientation();
 }
 
-/// Is a direction strictly inside the solid? Behind both faces, at a reflex edge behind one of
-/// them.
+/// Adds a segment for each side of the edge on which T runs strictly inside the solid. A direction
+/// is inside if it is behind both faces, or at a reflex edge behind one of them.
 void PlaneSection::add_edge(HalfedgeId h) {
   const HalfedgeId t = s_.half(h).twin;
   const Sign first = lean(h), second = lean(t) * Sign::Negative;
@@ -205,6 +230,8 @@ void PlaneSection::add_edge_segment(HalfedgeId h) {
 
 // ---------------------------------------------------------------- cycles
 
+/// Segments are sorted by where they leave. Most vertices of the section have one segment out;
+/// where several meet, the turn on T decides.
 void PlaneSection::link_cycles() {
   outgoing_.resize(segments_.size());
   for (std::uint32_t i = 0; i < segments_.size(); ++i) outgoing_[i] = i;
@@ -230,7 +257,8 @@ void PlaneSection::link_cycles() {
   }
 }
 
-/// The section lies clockwise of where the segment came from, up to the first that leaves.
+/// Returns the next segment of a cycle. The section lies clockwise of where the segment came from,
+/// up to the first segment that leaves.
 std::uint32_t PlaneSection::clockwise_next(const Segment& in,
                                            std::span<const std::uint32_t> out) const {
   const CirclePlace back = in.place.opposite();
@@ -254,6 +282,8 @@ std::vector<RingSide> PlaneSection::ring_of(std::uint32_t first) const {
   return ring;
 }
 
+/// Selects the cycle with the seed. If there are several cycles, their nesting must be found to see
+/// which belong to the same component.
 bool PlaneSection::select(HalfedgeId seed) {
   const HalfedgeId twin = s_.half(seed).twin;
   const auto found = std::find_if(segments_.begin(), segments_.end(), [&](const Segment& segment) {
@@ -265,7 +295,8 @@ bool PlaneSection::select(HalfedgeId seed) {
   return first_of_cycle_.size() == 1 || select_part(found->cycle);
 }
 
-/// The cycle around the seed's part, and the holes in it that lie in no other part inside it.
+/// Selects the cycle around the seed's component and the holes directly inside it. Returns false if
+/// rings lie on each other, so that nesting is not clear.
 bool PlaneSection::select_part(std::uint32_t seed_cycle) {
   const std::size_t count = first_of_cycle_.size();
   std::vector<std::vector<RingSide>> rings(count);
@@ -281,7 +312,7 @@ bool PlaneSection::select_part(std::uint32_t seed_cycle) {
     is_clear = is_clear && place != RingPlace::On;
     return place == RingPlace::Inside;
   };
-  // The innermost ring around a hole.
+  // Returns the innermost ring around a hole.
   const auto around = [&](std::size_t c) {
     std::size_t best = count;
     for (std::size_t o = 0; o < count; ++o) {
@@ -298,8 +329,8 @@ bool PlaneSection::select_part(std::uint32_t seed_cycle) {
   return is_clear;
 }
 
-/// Does the surface touch the plane in a single point within the part? What is cut there would
-/// touch itself in a point that one of its faces does not know.
+/// Whether the surface touches the plane in a single point of the component. What is cut there
+/// would touch itself in a point that one of its faces does not know.
 bool PlaneSection::is_punctured() {
   const auto is_on_segment = [this](VertexId v) {
     const auto at =

@@ -1,3 +1,16 @@
+// One cut: splits edges and faces along the selected component of a section, adds a wall to either
+// side, and collects the pieces by a flood over faces.
+//
+// Walls are two faces with the same boundary, one for each side of T. Invariants after the split:
+// every segment of the component is a half-edge pair (low, high) across a face, or an edge in T;
+// the low wall is joined to what lies below T and the high wall to what lies above it. At an edge
+// in T the sheets are joined in the order in which they are met inside the solid. The low side owns
+// the points of T: its wall has mark 1, and of the rings into which a vertex is divided one on the
+// lower side keeps the vertex's mark, so every point of the set still belongs to one copy.
+//
+// A cut adds at most one piece and makes no reflex edges: docs/design/walls.md, section Cuts,
+// Lemmas 1 and 2.
+// Tested by tests/convex/cut_surface_test.cpp.
 #include "plumb/convex/part/surface_cut.h"
 
 #include <algorithm>
@@ -32,20 +45,22 @@ bool is_hole(const CutSurface& surface, OrientedPlane plane, std::span<const Rin
       least = side.from;
     }
   }
-  // A ring that passes the vertex several times is a hole if one of its corners there is.
+  // A ring may pass the vertex several times; it is a hole if one of its corners there turns right.
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (ring[i].from != least) continue;
     const RingSide& before = ring[i == 0 ? ring.size() - 1 : i - 1];
     const Sign turn = det3_sign(surface.planes(), plane.plane(), before.other, ring[i].other) *
                       before.along * ring[i].along * plane.orientation();
-    if (turn != Sign::Positive) return true;  // Zero: there and back, inside another ring
+    // Zero: the ring runs there and back, inside another ring.
+    if (turn != Sign::Positive) return true;
   }
   return false;
 }
 
 namespace {
 
-/// An axis that the plane is not perpendicular to: one of the least components of the normal.
+/// Returns an axis that the plane is not perpendicular to: that of the least component of the
+/// normal.
 std::size_t level_axis(const PlaneRow& row) {
   const std::array<double, 3> n{std::abs(row.n[0]), std::abs(row.n[1]), std::abs(row.n[2])};
   if (n[0] <= n[1] && n[0] <= n[2]) return 0;
@@ -67,7 +82,8 @@ RingPlace place_in(const CutSurface& surface, PlaneId plane, std::span<const Rin
     if (a == b && a != Sign::Zero) continue;
     const Sign left = plumb::side(points, x, side.other) * side.along * Sign::Negative;
     if (left == Sign::Zero && (a != b || a == Sign::Zero)) {
-      // On the line, between the ends: or level with both, on the same level line.
+      // The vertex is on the side's line: between the ends, or level with both on the same level
+      // line.
       if (a != Sign::Zero || b != Sign::Zero) return RingPlace::On;
       const std::size_t second = (axis + 1) % 3, third = (axis + 2) % 3;
       for (const std::size_t k : {second, third}) {
@@ -94,6 +110,8 @@ RingPlace place_in(const CutSurface& surface, PlaneId plane, std::span<const Rin
   return RingPlace::On;
 }
 
+/// No half-edge or face is changed before the section has been found and accepted, so a refused
+/// plane leaves nothing but unused points.
 CutPieces PlaneCut::run(std::span<const FaceId> faces, PlaneId plane, HalfedgeId seed) {
   plane_ = plane;
   new_faces_.clear();
@@ -106,6 +124,8 @@ CutPieces PlaneCut::run(std::span<const FaceId> faces, PlaneId plane, HalfedgeId
 
 // ---------------------------------------------------------------- split
 
+/// Splits the edges that selected chords end in. An edge may be shared by two chords, one in each
+/// face beside it; the second finds that it ends in the vertex already.
 void PlaneCut::split_edges() {
   for (const Segment& segment : section_.segments()) {
     if (segment.half.is_valid() || !section_.is_selected(segment)) continue;
@@ -118,7 +138,8 @@ void PlaneCut::split_edges() {
   }
 }
 
-/// h: a -> b becomes a -> x, followed by a new half x -> b; the same on the other side.
+/// Splits an edge. h: a -> b becomes a -> x, followed by a new half x -> b; the same on the other
+/// side.
 void PlaneCut::split_edge(HalfedgeId h, VertexId at) {
   const HalfedgeId t = s_.half(h).twin;
   const HalfedgeId h2(s_.halves.size()), t2(s_.halves.size() + 1);
@@ -137,7 +158,8 @@ void PlaneCut::split_edge(HalfedgeId h, VertexId at) {
   }
 }
 
-/// The half at the corner that a direction leaves from; the first chord may have divided it.
+/// Returns the half-edge at the corner from whose sector a direction leaves; the first chord may
+/// have divided it.
 HalfedgeId PlaneCut::corner_of(const Event& event, std::uint8_t direction) const {
   if (event.is_crossing) return s_.half(event.at).next;
   if (!event.first_out.is_valid()) return event.at;
@@ -145,6 +167,8 @@ HalfedgeId PlaneCut::corner_of(const Event& event, std::uint8_t direction) const
   return turn(direction) < turn(event.first_class) ? event.at : event.first_out;
 }
 
+// Inserts the chord as a pair of half-edges. This joins two cycles of the face or divides one;
+// share_cycles() sorts that out when all chords are in.
 void PlaneCut::insert_chord(Segment& segment) {
   Event& from = section_.events()[segment.start];
   Event& to = section_.events()[segment.end];
@@ -178,6 +202,7 @@ void PlaneCut::insert_chord(Segment& segment) {
   segment.high = d;
 }
 
+/// Segments of one face are consecutive, because faces were searched one by one.
 void PlaneCut::split_faces() {
   std::vector<Segment>& segments = section_.segments();
   std::vector<HalfedgeId> chords;
@@ -219,7 +244,8 @@ void PlaneCut::set_cycle(FaceId f, HalfedgeId first) {
   s_.half(first).next_cycle = {};
 }
 
-/// The cycles that a face has after chords were inserted, each once.
+/// Collects the cycles that a face has after chords were inserted, each once, and gives each a face
+/// of its own. A cleared `face` marks half-edges as visited.
 void PlaneCut::share_cycles(FaceId f, std::span<const HalfedgeId> chords) {
   std::vector<HalfedgeId> firsts(chords.begin(), chords.end()), cycles;
   const bool has_holes = s_.half(s_.face(f).cycle).next_cycle.is_valid();
@@ -245,7 +271,7 @@ void PlaneCut::share_cycles(FaceId f, std::span<const HalfedgeId> chords) {
   for (const HalfedgeId c : std::span(cycles).subspan(1)) set_cycle(new_face(s_.face(f)), c);
 }
 
-/// The same where some cycles may be holes: each goes to the innermost ring around it.
+/// Does the same if some cycles may be holes: each hole goes to the innermost ring around it.
 void PlaneCut::share_holes(FaceId f, std::span<const HalfedgeId> cycles) {
   const OrientedPlane plane = s_.face(f).plane;
   std::vector<std::vector<RingSide>> rings;
@@ -278,6 +304,8 @@ void PlaneCut::share_holes(FaceId f, std::span<const HalfedgeId> cycles) {
 
 // ---------------------------------------------------------------- wall
 
+/// The low wall looks along the canonical normal of T, out of what lies below, and owns the points
+/// of T; the high wall looks the other way and has mark 0.
 void PlaneCut::make_walls() {
   const std::vector<Segment>& segments = section_.segments();
   wall_low_.assign(segments.size(), {});
@@ -293,7 +321,8 @@ void PlaneCut::make_walls() {
   give_vertices();
 }
 
-/// Both halves of each segment of a cycle; the outer cycle need not be a face's first.
+/// Adds both wall half-edges for each segment of a cycle. The outer cycle need not be a face's
+/// first.
 void PlaneCut::add_walls(std::uint32_t first, FaceId low, FaceId high) {
   const std::vector<Segment>& segments = section_.segments();
   std::uint32_t i = first;
@@ -323,12 +352,15 @@ HalfedgeId PlaneCut::add_wall_half(const Segment& segment, FaceId face, bool is_
   half.along = segment.place.sign() * (is_low ? Sign::Positive : Sign::Negative);
   half.edge = s_.half(like).edge;
   half.line = s_.half(like).line;
-  // Where both faces rise from T no half of the surface stays below: this one stands for that ring.
+  // If both faces rise from T no half-edge of the surface stays below; this one carries the mark of
+  // that ring.
   if (is_low && segment.half.is_valid()) half.origin_mark = s_.half(segment.half).origin_mark;
   s_.halves.push_back(half);
   return HalfedgeId(s_.halves.size() - 1);
 }
 
+/// Makes two half-edges twins, with the mark of the edge and whether it is reflex. By Lemma 2 a cut
+/// never makes an edge reflex that was not.
 void PlaneCut::join(HalfedgeId a, HalfedgeId b, Mark mark) {
   s_.half(a).twin = b;
   s_.half(b).twin = a;
@@ -336,6 +368,8 @@ void PlaneCut::join(HalfedgeId a, HalfedgeId b, Mark mark) {
   s_.half(a).is_reflex = s_.half(b).is_reflex = s_.is_reflex_at(a);
 }
 
+/// Joins the walls to the chords at once. Edges in T are collected first, because both of their
+/// sides may be segments, and these must be joined together.
 void PlaneCut::join_walls() {
   const std::vector<Segment>& segments = section_.segments();
   std::vector<std::pair<HalfedgeId, std::uint32_t>> edges;
@@ -363,8 +397,9 @@ void PlaneCut::join_walls() {
   }
 }
 
-/// An edge in T with the section to its left, right or on both sides: the sheets in the order in
-/// which they are met inside the solid. What runs along h meets what runs the other way.
+/// Joins the walls at an edge in T with the section to its left, to its right, or on both sides.
+/// Sheets are joined in the order in which they are met inside the solid: what runs along h meets
+/// what runs the other way.
 void PlaneCut::join_edge(HalfedgeId h, const Segment* left, const Segment* right) {
   const HalfedgeId t = s_.half(h).twin;
   const Mark mark = s_.half(h).mark;
@@ -381,7 +416,7 @@ void PlaneCut::join_edge(HalfedgeId h, const Segment* left, const Segment* right
   } else if (left == nullptr) {
     join(h, low(right), mark);
     join(t, high(right), 0);
-  } else if (section_.lean(h) == Sign::Negative) {  // both faces rise from T
+  } else if (section_.lean(h) == Sign::Negative) {  // Both faces rise from T.
     join(low(left), low(right), mark);
     join(h, high(left), 0);
     join(t, high(right), 0);
@@ -392,7 +427,8 @@ void PlaneCut::join_edge(HalfedgeId h, const Segment* left, const Segment* right
   }
 }
 
-/// Of the rings that a ring was divided into, one on the lower side owns the vertex.
+/// Decides which ring owns each vertex: of the rings that a ring was divided into, one on the lower
+/// side.
 void PlaneCut::give_vertices() {
   given_.clear();
   for (const bool is_low : {true, false}) {
@@ -415,6 +451,9 @@ void PlaneCut::set_origin_marks(HalfedgeId first, Mark mark) {
   } while (h != first);
 }
 
+/// Walks around the ring that the wall half-edge is in. The vertex's mark is found on some
+/// half-edge of the ring that had it before; the ring keeps it if it is on the low side and no
+/// other ring has got it.
 void PlaneCut::give_vertex(HalfedgeId wall_half, bool is_low) {
   constexpr Mark kSeen = 4;
   if ((s_.half(wall_half).origin_mark & kSeen) != 0) return;
@@ -433,6 +472,8 @@ void PlaneCut::give_vertex(HalfedgeId wall_half, bool is_low) {
 
 // ---------------------------------------------------------------- flood
 
+// Collects the faces of one or two pieces, the one below first. If the cut does not separate the
+// piece, the first flood reaches the other wall as well.
 CutPieces PlaneCut::flood(std::span<const FaceId> faces) {
   face_stamp_.resize(s_.faces.size(), 0);
   ++stamp_;

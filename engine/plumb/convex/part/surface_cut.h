@@ -1,4 +1,31 @@
-// Closed chains of vertices in a plane: which way they run around, and what lies inside.
+// One cut of a piece of a surface along a plane, and the rings of vertices in a plane that it
+// needs: which way a ring runs around, and what lies inside.
+//
+// Notation
+//   T, above     T is the plane; above is the side its canonical normal points to
+//   section      where T runs strictly inside the solid; its components are polygons, perhaps with
+//                holes
+//   segment      a stretch of the section's boundary, with the section to its left seen from above:
+//                a chord across a face, or an edge of the surface that lies in T
+//   u            the direction n_f x n_T in a face f: what is to its left in f lies below T
+//
+// Main flow of PlaneCut::run():
+//  1. find_sides       finds the sides of all vertices of the piece
+//  2. find_segments    finds chords of faces, and edges in T with the section on one side or both
+//                      (plane_section.cpp)
+//  3. link_cycles      links segments around the section's vertices
+//  4. select           takes the cycles of the component with the seed: one around, perhaps holes
+//  5. split            splits edges at the ends of chords, then faces along chords
+//                      (surface_cut.cpp)
+//  6. make_walls       adds two new faces, one for each side; what they separate is no longer
+//                      joined
+//  7. flood            collects one piece, or two
+//
+// Only one component of the section is cut, so that lobes of the solid elsewhere stay whole, and
+// the surface of either side stays connected: a closed surface that holds one side of a connected
+// wall and not the other separates them. Source: B. Chazelle, SIAM J. Comput. 13 (1984), who cuts
+// the same way. Cost: O(size of the piece), and a walk along the section for each vertex that
+// touches T elsewhere (is_punctured()).
 #pragma once
 
 #include <cstdint>
@@ -10,7 +37,7 @@
 
 namespace plumb {
 
-/// A side of a ring in the plane n: runs along `along` * (n x n_other), n the canonical normal.
+/// A side of a ring in the plane n. It runs along `along` * (n x n_other), n the canonical normal.
 struct RingSide {
   VertexId from;
   VertexId to;
@@ -18,86 +45,67 @@ struct RingSide {
   Sign along;
 };
 
-/// A boundary cycle of a face.
+/// Returns the boundary cycle of a face that begins with `first`.
 std::vector<RingSide> ring_of(const CutSurface& surface, HalfedgeId first);
 
-/// Does it run clockwise, seen from the side that `plane` looks to? Decided at its least vertex.
-/// O(length).
+/// Whether the ring runs clockwise, seen from the side that `plane` looks to. Decided by the turns
+/// at its least vertex. Cost: O(length).
 bool is_hole(const CutSurface& surface, OrientedPlane plane, std::span<const RingSide> ring);
 
+/// Where a vertex or ring lies with respect to a ring.
 enum class RingPlace : std::uint8_t { Outside, On, Inside };
 
-/// Where a vertex in the plane lies: by the sides that cross a line through it, parallel to a
-/// coordinate plane. O(length).
+/// Returns where a vertex in the plane lies: the winding number by the sides that cross a line
+/// through it, parallel to a coordinate plane. Cost: O(length).
 RingPlace place_in(const CutSurface& surface, PlaneId plane, std::span<const RingSide> ring,
                    VertexId v);
 
-/// Where another ring that crosses none of its sides lies: where its first vertex that is not on it
-/// does. On: all vertices are.
+/// Returns where another ring lies that crosses none of its sides: where the first vertex lies that
+/// is not on the ring. Returns On if all vertices are on it.
 RingPlace place_in(const CutSurface& surface, PlaneId plane, std::span<const RingSide> ring,
                    std::span<const RingSide> other);
 
-// One cut: a piece of a surface divided along the part of a plane section that a reflex edge
-// bounds.
-//
-// Notation
-//   T, above     the plane, the side its canonical normal points to
-//   section      where T runs strictly inside the solid; its parts are polygons, perhaps with holes
-//   segment      a stretch of the section's boundary, with the section to its left seen from above:
-//                a chord across a face, or an edge of the surface that lies in T
-//   u            the direction n_f x n_T in a face f: what is to its left in f lies below T
-//
-// Main flow of PlaneCut::run():
-//  1. find_sides       of all vertices of the piece
-//  2. find_segments    (plane_section.cpp) chords of faces; edges in T with the section on one side
-//                      or both
-//  3. link_cycles      segments linked around the section's vertices
-//  4. select           the cycles of the part with the seed: one around, perhaps holes
-//  5. split            (surface_cut.cpp) edges at the ends of chords, then faces along chords
-//  6. make_walls       two new faces, one for each side; what they part is no longer joined
-//  7. flood            one piece, or two
-//
-// Only one part of the section is cut, so that lobes of the solid elsewhere stay whole, and the
-// surface of either side stays connected: a closed surface that holds one side of a connected wall,
-// and not the other, separates them. Source: Chazelle, SIAM J. Comput. 13 (1984), who cuts so.
-// Cost: O(size of the piece), and a walk along the section for each vertex that touches T elsewhere
-// (is_punctured()).
-
-/// The part of a section that is cut. Scratch memory is kept from cut to cut.
+/// The component of a section that is cut. Scratch memory is kept from cut to cut.
 class PlaneSection {
  public:
   /// Where a line enters or leaves a face: at a corner, or across a half-edge.
   struct Event {
-    HalfedgeId at;  ///< leaves the vertex; or is crossed
+    HalfedgeId at;  ///< The half-edge that leaves the vertex, or that is crossed.
     VertexId vertex;
     bool is_crossing, starts, ends;
-    std::uint8_t out_class;        ///< of a corner: where `at` points (plane_section.cpp)
-    HalfedgeId first_out;          ///< the chord inserted first,
-    std::uint8_t first_class = 0;  ///< and where it points
+    /// At a corner: the class of directions in which `at` points (plane_section.cpp).
+    std::uint8_t out_class;
+    HalfedgeId first_out;          ///< The chord that was inserted first,
+    std::uint8_t first_class = 0;  ///< Class in which that chord points.
   };
+  /// A stretch of the section's boundary.
   struct Segment {
     VertexId from, to;
-    CirclePlace place;                         ///< its direction on T
-    std::uint32_t start = kNone, end = kNone;  ///< of a chord: events, along u
-    FaceId face;                               ///< of a chord
-    HalfedgeId half;                           ///< of an edge in T: with the section to its left
+    CirclePlace place;                         ///< Its direction on T.
+    std::uint32_t start = kNone, end = kNone;  ///< Events of a chord, in the order along u.
+    FaceId face;                               ///< The face of a chord.
+    HalfedgeId half;  ///< An edge in T: the half-edge with the section to its left.
     std::uint32_t next = kNone, cycle = kNone;
-    HalfedgeId low, high;  ///< of a chord: its halves in the lower and the upper face
+    HalfedgeId low, high;  ///< Half-edges of a chord in the lower and the upper face.
   };
 
   explicit PlaneSection(CutSurface& surface) : s_(surface) {}
 
-  /// The segments of the part that bounds `seed`. False: the section does not reach the seed, its
-  /// parts could not be told apart, or a vertex of the surface touches the part from one side.
+  /// Finds the segments of the component that bounds `seed`. Returns false if the section does not
+  /// reach the seed, its components could not be separated, or a vertex of the surface touches the
+  /// component from one side (puncture()).
   bool find(std::span<const FaceId> faces, PlaneId plane, HalfedgeId seed);
 
+  // Whether the segment belongs to the component that is cut.
   bool is_selected(const Segment& segment) const { return is_selected_[segment.cycle] != 0; }
-  /// Where find() failed because of it: the vertex that touches the part.
+  /// Returns the vertex that touches the component if find() failed because of it; else an invalid
+  /// id.
   VertexId puncture() const { return puncture_; }
   std::vector<Segment>& segments() { return segments_; }
   std::vector<Event>& events() { return events_; }
 
-  /// The sign of n . (n_T x d) for a half in T with direction d, n the normal of its face.
+  /// Returns the sign of n . (n_T x d) for a half-edge in T with direction d, n the outward normal
+  /// of its face.
   Sign lean(HalfedgeId h) const;
 
  private:
@@ -126,12 +134,12 @@ class PlaneSection {
   std::vector<Event> events_;
   std::vector<Segment> segments_;
   std::vector<std::uint32_t> first_of_cycle_;
-  std::vector<std::uint8_t> is_selected_;  // per cycle
-  std::vector<Sign> side_;                 // per vertex, where stamped
+  std::vector<std::uint8_t> is_selected_;  // Per cycle.
+  std::vector<Sign> side_;                 // Per vertex, valid if stamped.
   std::vector<std::uint32_t> vertex_stamp_, half_stamp_;
-  std::vector<VertexId> crossing_;       // per half, where stamped
-  std::vector<VertexId> zeros_;          // vertices in T
-  std::vector<std::uint32_t> outgoing_;  // segments by where they leave
+  std::vector<VertexId> crossing_;       // Per half-edge, valid if stamped.
+  std::vector<VertexId> zeros_;          // Vertices in T.
+  std::vector<std::uint32_t> outgoing_;  // Segments, sorted by the vertex that they leave.
   VertexId puncture_;
   std::uint32_t stamp_ = 0;
 };
@@ -139,14 +147,15 @@ class PlaneSection {
 /// The faces of one or two pieces; the one below comes first.
 using CutPieces = std::vector<std::vector<FaceId>>;
 
+/// Cuts pieces of one surface along planes. Scratch memory is kept from cut to cut.
 class PlaneCut {
  public:
   explicit PlaneCut(CutSurface& surface) : s_(surface), section_(surface) {}
 
-  /// Requires a plane through the reflex edge `seed` of the piece. No pieces: nothing was done, see
-  /// PlaneSection::find().
+  /// Cuts a piece and returns the faces of one or two pieces. Requires a plane through the reflex
+  /// edge `seed` of the piece. Returns no pieces if nothing was done (PlaneSection::find()).
   CutPieces run(std::span<const FaceId> faces, PlaneId plane, HalfedgeId seed);
-  /// See PlaneSection.
+  /// Returns PlaneSection::puncture() of the last cut.
   VertexId puncture() const { return section_.puncture(); }
 
  private:
@@ -178,7 +187,7 @@ class PlaneCut {
   PlaneSection section_;
   PlaneId plane_;
   std::vector<FaceId> new_faces_;
-  std::vector<HalfedgeId> wall_low_, wall_high_;  // per segment
+  std::vector<HalfedgeId> wall_low_, wall_high_;  // Half-edges of the walls, per segment.
   std::vector<VertexId> given_;
   std::vector<std::uint32_t> face_stamp_;
   std::uint32_t stamp_ = 0;

@@ -1,3 +1,18 @@
+// Cuts of plane regions by diagonals: from a triangulation, and optimal ones by a dynamic program.
+//
+// CornerSight finds for each corner the corners that it sees. The walk goes through the triangles
+// of a triangulation, keeping a window, the wedge between the rays to two vertices, and narrows it
+// at each apex; the cost is the number of triangles seen.
+//
+// Dissection computes for corners i < j the cheapest convex chains from i to j, where a diagonal
+// costs one more than the best chain behind it. Among chains of least cost it keeps those that no
+// other beats at both ends, sorted by their last corner and, what is the same order, by their
+// first. So a chain that may be extended to k is found by binary search: its last link turns left
+// towards k for a prefix of the list, and the last chain of that prefix is the best at its first
+// end. Sources: S. Hertel and K. Mehlhorn, FCT 1983; J. M. Keil, SIAM Journal on Computing 14
+// (1985); M. Keil and J. Snoeyink, International Journal of Computational Geometry and Applications
+// 12 (2002).
+// Tested by tests/convex/plane_partition_test.cpp.
 #include "plumb/convex/region/optimal_cuts.h"
 
 #include <algorithm>
@@ -14,10 +29,10 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kStride = 4096;  // steps between checkpoints
+constexpr std::uint32_t kStride = 4096;  // Steps between checkpoints.
 
-/// The vertices of a region that has no cuts yet: input points. Who asks for signs looks at the
-/// context.
+/// The vertices of a region without cuts, all of them input points. Every kStride signs the context
+/// is asked whether to stop.
 // NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): final
 class RegionPoints final : public PlanarPoints {
  public:
@@ -45,15 +60,16 @@ class RegionPoints final : public PlanarPoints {
 /// A side of a triangle, or a half-edge of the boundary.
 struct TriangleSide {
   std::uint32_t from, to;
-  HalfedgeId half;  ///< of the boundary
+  HalfedgeId half;  ///< Half-edge of the boundary; not valid for a side of a triangle.
   std::size_t triangle_side = 0;
 };
 
-/// Edges of all triangles: which half-edge each side is.
+/// Returns the half-edge of each side of all triangles. Sides that are not on the boundary become
+/// new edges.
 std::vector<HalfedgeId> halves_of_sides(PlaneRegion& region, std::vector<TriangleSide> sides,
                                         std::size_t count, Context& context) {
-  // The two halves of an edge are neighbours, and so are a side of a triangle and the boundary
-  // there.
+  // The two half-edges of an edge become neighbours, and so do a side of a triangle and the
+  // boundary there.
   std::ranges::sort(sides, {}, [](const TriangleSide& s) {
     const auto [low, high] = std::minmax(s.from, s.to);
     return std::tuple(low, high, s.from, !s.half.is_valid());
@@ -77,8 +93,8 @@ std::vector<HalfedgeId> halves_of_sides(PlaneRegion& region, std::vector<Triangl
 }  // namespace
 
 void triangulate(PlaneRegion& region, Context& context) {
-  // Of n corners there are n triangles at most but for holes, whose corners count twice; their
-  // sides, and the half-edges of diagonals.
+  // With n corners there are at most n triangles, apart from holes, whose corners count twice.
+  // Charged are their sides and the half-edges of diagonals.
   constexpr std::uint64_t kHalfBytes =
       2 * sizeof(TriangleSide) * 3 + sizeof(IndexEdge) + 2 * sizeof(IndexTriangle) + 64;
   MemoryCharge memory(context);
@@ -116,6 +132,7 @@ void cut_by_diagonals(PlaneRegion& region, Context& context) {
 
 namespace {
 
+/// Finds the lesser corners that each corner sees, in a triangulated copy of the region.
 class CornerSight {
  public:
   CornerSight(const PlaneRegion& region, Context& context)
@@ -140,13 +157,13 @@ class CornerSight {
  private:
   /// What is seen through a side of a triangle, between the rays to two vertices.
   struct Window {
-    HalfedgeId side;  ///< of the triangle on this side, from right to left
+    HalfedgeId side;  ///< Side of the triangle on the viewer's side, from right to left.
     VertexId right, left;
   };
 
   bool is_boundary(HalfedgeId h) const { return r_.is_cut[edge_of(h).value()] == 0; }
 
-  /// All half-edges that leave a corner get its number.
+  /// Numbers all half-edges that leave a corner by that corner.
   void number_corners() {
     corner_.assign(r_.halfedge_count(), 0);
     for (std::uint32_t i = 0; i < corners_.size(); ++i) {
@@ -172,6 +189,9 @@ class CornerSight {
     }
   }
 
+  // Depth-first walk through triangles. Across a side the apex of the next triangle either lies
+  // between the two rays, is seen, and divides the window; or it lies beyond one of them, and only
+  // one side of the triangle is looked through.
   void look_through(const Window& first) {
     windows_.push_back(first);
     while (!windows_.empty()) {
@@ -183,8 +203,8 @@ class CornerSight {
       const Sign from_right = turn(right, top), to_left = turn(top, left);
       const bool is_seen = from_right == Sign::Positive && to_left == Sign::Positive;
       if (is_seen) see(from_top);
-      // twin(side) runs from left to right: to_top starts at the right end, from_top ends at the
-      // left one.
+      // twin(side) runs from left to right: to_top starts at the right end, and from_top ends at
+      // the left one.
       if (from_right == Sign::Positive) windows_.push_back({to_top, right, is_seen ? top : left});
       if (to_left == Sign::Positive) windows_.push_back({from_top, is_seen ? top : right, left});
     }
@@ -201,7 +221,7 @@ class CornerSight {
   PlaneRegion r_;
   Context& context_;
   std::vector<HalfedgeId> corners_;
-  std::vector<std::uint32_t> corner_;  // per half-edge
+  std::vector<std::uint32_t> corner_;  // Number of the corner that each half-edge leaves.
   std::vector<std::vector<std::uint32_t>> seen_;
   std::vector<Window> windows_;
   std::uint32_t from_ = 0;
@@ -224,15 +244,17 @@ std::vector<std::vector<std::uint32_t>> lesser_corners_seen(const PlaneRegion& r
 
 namespace {
 
-constexpr std::uint32_t kNever = 1U << 30U;  // a cost; two of them do not overflow
+constexpr std::uint32_t kNever = 1U << 30U;  // A cost larger than any; two of them do not overflow.
 
-/// A chain from i to j.
+/// A convex chain from i to j.
 struct Chain {
-  std::uint32_t first;   ///< its first corner after i
-  std::uint32_t last;    ///< its last one before j
-  std::uint32_t before;  ///< the chain from i to `last`; kNone: a link, or links in a row
+  std::uint32_t first;  ///< Its first corner after i.
+  std::uint32_t last;   ///< Its last corner before j.
+  /// The chain from i to `last`; kNone if that is a link, or links in a row.
+  std::uint32_t before;
 };
 
+/// The dynamic program over pairs of corners.
 class Dissection {
  public:
   Dissection(PlaneRegion& region, Context& context)
@@ -260,13 +282,14 @@ class Dissection {
   }
 
  private:
-  /// What is known of corners i < j.
+  /// What is known of two corners i < j.
   struct Cell {
-    std::uint32_t cost = kNever;       ///< of the best chains
-    std::uint32_t begin = 0, end = 0;  ///< those of them that are kept, in chains_
-    std::uint32_t link = kNever;       ///< cost of the link
-    std::uint32_t row = kNever;        ///< of the link, or of links in a row
-    std::uint32_t row_last = kNone;    ///< in a row: the last corner before j
+    std::uint32_t cost = kNever;  ///< Cost of the best chains.
+    /// Those of the best chains that are kept, as a range of chains_.
+    std::uint32_t begin = 0, end = 0;
+    std::uint32_t link = kNever;     ///< Cost of the link.
+    std::uint32_t row = kNever;      ///< Cost of the link, or of links in a row.
+    std::uint32_t row_last = kNone;  ///< Last corner before j, for links in a row.
   };
 
   Cell& cell(std::uint32_t i, std::uint32_t j) { return cells_[std::size_t{i} * n_ + j]; }
@@ -274,12 +297,15 @@ class Dissection {
   Sign turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
     return orient2d(r_.points.inputs, point(i), point(j), point(k));
   }
-  /// Of three in a row.
+  /// Whether corner j lies between i and k. Requires three corners on a line.
   bool is_between(std::uint32_t j, std::uint32_t i, std::uint32_t k) const {
     const PointTable2& p = r_.points.inputs;
     return compare_xy(p, point(i), point(j)) == compare_xy(p, point(j), point(k));
   }
 
+  // Finds the best chains from i to k: over every j between that k sees, a chain from i to j and
+  // the link (j, k). Corners j come in ascending order, so the chains come sorted by their last
+  // corner.
   void chains_between(std::uint32_t i, std::uint32_t k) {
     Cell& at = cell(i, k);
     found_.clear();
@@ -296,7 +322,8 @@ class Dissection {
     at.row_last = kNone;
   }
 
-  /// Chains from i to j, and on to k.
+  /// Extends chains from i to j by the link (j, k), if the corner at j and the one at i stay
+  /// convex.
   void extend(std::uint32_t i, std::uint32_t j, std::uint32_t k, Cell& at) {
     const Cell &way = cell(i, j), &link = cell(j, k);
     if (link.link >= kNever) return;
@@ -319,7 +346,8 @@ class Dissection {
       offer(at, way.row + link.link, {j, j, kNone});
     }
   }
-  /// The last chain to j that may go on to k. They turn less and less there.
+  /// Returns the last chain to j that may go on to k, or kNone. The chains turn less and less
+  /// there, so binary search finds it.
   std::uint32_t steepest(const Cell& way, std::uint32_t j, std::uint32_t k) const {
     const auto begin = chains_.begin() + way.begin, end = chains_.begin() + way.end;
     const auto stop = std::partition_point(
@@ -327,6 +355,8 @@ class Dissection {
     return stop == begin ? kNone : static_cast<std::uint32_t>(stop - chains_.begin() - 1);
   }
 
+  // Keeps the chain if it costs less than those found, or as much with a greater first corner;
+  // chains arrive with greater last corners, so any other is beaten at both ends.
   void offer(Cell& at, std::uint32_t cost, const Chain& chain) {
     if (cost > at.cost) return;
     if (cost < at.cost) found_.clear();
@@ -336,6 +366,7 @@ class Dissection {
 
   // ---------------------------------------------------------------- back
 
+  // Follows the choices back from the chain 0 .. n-1 and inserts the diagonals.
   void cut() {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pieces{{0, n_ - 1}};
     PLUMB_CHECK(cell(0, n_ - 1).cost < kNever);
@@ -363,7 +394,8 @@ class Dissection {
     const HalfedgeId from = corner_towards(i, along), to = corner_towards(k, along.reversed());
     r_.add_edge(from, to, along);
   }
-  /// A corner is by now parted by diagonals.
+  /// Returns the half-edge of a corner into whose wedge a heading leads; diagonals may have divided
+  /// the corner by now.
   HalfedgeId corner_towards(std::uint32_t corner, Heading x) const {
     HalfedgeId h = corners_[corner];
     while (!r_.leads_into(h, x)) h = twin(r_.before(h));

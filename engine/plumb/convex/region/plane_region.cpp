@@ -1,3 +1,15 @@
+// A face of a plane complex as half-edges of its own, and the operations that cut it.
+//
+// Predicates work on headings (a line and a direction), never on points that cuts made: turns are
+// signs of cross products of lines given by input points, so their degree does not grow with the
+// number of cuts. Splitting an edge keeps its line; a vertex on it is a crossing of two lines of
+// the set.
+//
+// RegionMaker translates a face in time of its own size: its maps from the complex to the region
+// are cleared entry by entry (forget()), not as a whole. A marked vertex goes to the least marked
+// face around it, and a marked edge to the one marked face at it, of which a minimal complex has at
+// most one.
+// Tested by tests/convex/plane_partition_test.cpp.
 #include "plumb/convex/region/plane_region.h"
 
 #include <algorithm>
@@ -18,6 +30,8 @@ bool PlaneRegion::is_bounded() const {
   return std::ranges::find(vertex_point, kAtInfinity) == vertex_point.end();
 }
 
+/// Headings along one line are parallel without arithmetic; lines themselves run upwards, so `back`
+/// turns the sign.
 Sign PlaneRegion::cross(Heading x, Heading y) const {
   if (x.line == y.line) return Sign::Zero;
   const Sign s = cross_sign(points.inputs, x.line.a, x.line.b, y.line.a, y.line.b);
@@ -32,6 +46,8 @@ Sign PlaneRegion::ahead(Heading x, std::uint32_t point, std::uint32_t of) const 
   return oriented(compare_xy(points, point, of), x.back);
 }
 
+/// A turn of exactly half a turn has cross product Zero and opposite directions; a full turn, from
+/// a half-edge to itself, is not convex.
 bool PlaneRegion::is_convex_turn(HalfedgeId from, HalfedgeId to) const {
   if (from == to) return false;
   const Heading x = heading(from), y = heading(to);
@@ -44,6 +60,10 @@ bool PlaneRegion::is_reflex(HalfedgeId corner) const {
   return !is_convex_turn(corner, twin(before(corner)));
 }
 
+/// The wedge runs counter-clockwise from `first` to `last`. If it is less than half a turn the
+/// heading must lie left of the first and right of the last side; if it is more, one of both
+/// suffices; if it is exactly half a turn, the first side decides; a whole turn holds every heading
+/// but that of its only side.
 bool PlaneRegion::leads_into(HalfedgeId corner, Heading x) const {
   const Heading first = heading(corner), last = heading(before(corner)).reversed();
   const Sign from_first = cross(first, x), to_last = cross(x, last);
@@ -101,6 +121,8 @@ HalfedgeId PlaneRegion::new_edge(VertexId from, VertexId to, Heading along) {
   return HalfedgeId(2 * (line.size() - 1) + (along.back ? 1 : 0));
 }
 
+/// Links a new edge between two corners. At an isolated vertex the edge comes back to itself; at a
+/// corner it goes between the half-edge that arrives and the one that leaves.
 HalfedgeId PlaneRegion::add_edge(Corner from, Corner to, Heading along) {
   const HalfedgeId h = new_edge(vertex_at(from), vertex_at(to), along);
   const auto attach = [this](HalfedgeId leaving, Corner at) {
@@ -121,7 +143,7 @@ HalfedgeId PlaneRegion::split_edge(HalfedgeId h, VertexId at) {
   edge_mark.back() = edge_mark[old.value()];
   is_cut.back() = is_cut[old.value()];
   is_frame.back() = is_frame[old.value()];
-  // Where both sides are inside, the far end first: there one may follow the other.
+  // If both sides are inside, the far end comes first: there one half-edge may follow the other.
   if (is_inside(back)) {
     const HalfedgeId arriving = before(back);
     link(arriving, twin(on));
@@ -134,6 +156,7 @@ HalfedgeId PlaneRegion::split_edge(HalfedgeId h, VertexId at) {
   return on;
 }
 
+/// Links around the edge on both sides. Its half-edges count as outside afterwards.
 void PlaneRegion::remove_edge(HalfedgeId h) {
   const HalfedgeId back = twin(h);
   const HalfedgeId after_h = after(h), after_back = after(back);
@@ -145,6 +168,7 @@ void PlaneRegion::remove_edge(HalfedgeId h) {
 
 // ---------------------------------------------------------------- making
 
+/// Finds the owner of every vertex once, for all regions: the marked face with the least id at it.
 RegionMaker::RegionMaker(const PlaneComplex& complex)
     : c_(complex),
       owner_(complex.vertex_count()),
@@ -166,6 +190,8 @@ RegionMaker::RegionMaker(const PlaneComplex& complex)
   }
 }
 
+/// Copies the loops of a face. A level point is added to the right of each isolated vertex, which
+/// has no side of its own to be joined along (region_cuts.h).
 PlaneRegion RegionMaker::region(FaceId face) {
   region_ = {};
   face_ = face;
@@ -198,7 +224,7 @@ void RegionMaker::add_loop(LoopId l) {
   region_.loops.push_back(local(first.halfedge()));
 }
 
-/// One vertex and one edge, the region to the left of its first half.
+/// Adds a frame of one vertex and one edge, with the region to the left of its first half-edge.
 void RegionMaker::add_frame() {
   const VertexId v = region_.add_vertex(PlaneRegion::kAtInfinity, false);
   const HalfedgeId h = region_.new_edge(v, v, {{0, 0}, false});
@@ -230,7 +256,8 @@ EdgeId RegionMaker::edge(EdgeId e) {
   const VertexId from = vertex(c_.dcel.origin(first_half(e)));
   const VertexId to = vertex(c_.dcel.target(first_half(e)));
   local = edge_of(region_.new_edge(from, to, {along, false}));
-  // In a minimal complex a marked edge has no marked face on both sides: it is this one's.
+  // In a minimal complex a marked edge has no marked face on both sides, so it belongs to this
+  // region.
   region_.edge_mark.back() = !is_frame && c_.mark(e) ? 1 : 0;
   region_.is_cut.back() = 0;
   region_.is_frame.back() = is_frame ? 1 : 0;

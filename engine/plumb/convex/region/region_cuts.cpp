@@ -1,3 +1,16 @@
+// Cuts that prolong sides, and the making of convex parts.
+//
+// SideCutter shoots a ray from a corner along one of its sides and takes the first thing it meets
+// in its own loop, by exact comparisons of crossings; ends at infinity are placed in the circular
+// order of the frame by signs of cross products alone. Of the two sides at a reflex corner the one
+// is prolonged whose ray ends at another reflex corner, if one does: such a cut resolves two
+// corners.
+//
+// PieceMaker builds a set from sides and marks by the sweep that all operations use, with a rule
+// (PieceRule) that reads marks instead of combining operands. A cut belongs to the loop along its
+// line, so it goes to one of the two parts beside it; a vertex goes to the first loop that reaches
+// it. Bounds: docs/convex.md and plane_partition.h.
+// Tested by tests/convex/plane_partition_test.cpp.
 #include "plumb/convex/region/region_cuts.h"
 
 #include <algorithm>
@@ -11,11 +24,11 @@
 namespace plumb {
 namespace {
 
-/// Curves and points with marks of their own. The label is 1 inside.
+/// The rule of a sweep over curves and points that have marks of their own. The label is 1 inside.
 class PieceRule {
  public:
   using Label = std::int8_t;
-  using Value = BundlePair;  // an edge has two sides
+  using Value = BundlePair;  // An edge has two sides.
   static constexpr bool kKeepsAll = false;
   static constexpr bool kKeepsLabels = false;
 
@@ -27,7 +40,7 @@ class PieceRule {
         bottom_(is_bottom_inside ? 1 : 0) {}
 
   Label bottom() const { return bottom_; }
-  void start(const SweepCurves&) {}  // sides run along their lines, and lines upwards
+  void start(const SweepCurves&) {}  // Sides run along their lines, and lines run upwards.
   void begin_change() const {}
   void join(Value& value, SegmentId s) const { value.join(s); }
   void leave(Value& value, SegmentId s) const { value.leave(s); }
@@ -74,7 +87,7 @@ std::uint32_t PieceMaker::input(std::uint32_t point) {
   return local_[point];
 }
 
-/// Inputs first; crossings are only listed.
+/// Numbers a point: inputs at once, crossings after all inputs; until then these are only listed.
 std::uint32_t PieceMaker::dense(std::uint32_t point, std::vector<std::uint32_t>& crossings) {
   const PlanePointsView all(points_);
   if (point == SweepCurve::kUnbounded) return point;
@@ -88,10 +101,12 @@ std::uint32_t PieceMaker::dense(std::uint32_t point, std::vector<std::uint32_t>&
   return kNone;
 }
 
+/// Copies the points that the sides use into a table of its own size, inputs before crossings, and
+/// sweeps. So a part costs time of its own size, not of the whole region.
 Nef2 PieceMaker::build(Context& context) {
   if (sides_.empty()) return Nef2::whole();
   std::vector<std::uint32_t> crossings;
-  // A convex piece holds the end of the plane if all its sides have it on that side.
+  // A convex part contains the lower end of the plane if all its sides have it on the inner side.
   bool is_bottom_inside = true;
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const SweepCurve& s = sides_[i];
@@ -171,13 +186,14 @@ void add_pieces(const PlaneRegion& region, std::vector<Nef2>& pieces, Context& c
 
 namespace {
 
+/// Cuts one region.
 class SideCutter {
  public:
   SideCutter(PlaneRegion& region, Context& context) : r_(region), context_(context) {}
 
   void run() {
     join_loops();
-    // Edges are added behind; a corner that is not reflex never becomes so.
+    // New edges are appended; a corner that is not reflex never becomes so.
     for (std::uint32_t i = 0; i < r_.halfedge_count(); ++i) {
       const HalfedgeId h(i);
       if (!r_.is_inside(h) || !r_.is_reflex(h)) continue;
@@ -187,17 +203,18 @@ class SideCutter {
   }
 
  private:
+  /// What a ray meets: a corner, or a crossing with an edge.
   struct Hit {
     Corner at;
-    std::uint32_t vertex_point = kCrossing;  ///< of a corner
-    Crossing2 crossing{};                    ///< of an edge
+    std::uint32_t vertex_point = kCrossing;  ///< Point of a corner.
+    Crossing2 crossing{};                    ///< Crossing with an edge.
     bool is_corner() const { return vertex_point != kCrossing; }
   };
   static constexpr std::uint32_t kCrossing = ~std::uint32_t{0};
 
   // ---------------------------------------------------------------- rays
 
-  /// The side of the ray on which a half-edge starts (ends); at infinity too.
+  /// Returns the side of the ray on which a half-edge starts (ends), even at infinity.
   Sign start_side(Heading ray, HalfedgeId h) const {
     const VertexId v = r_.start(h);
     if (!r_.is_at_infinity(v)) return r_.side(ray, r_.point(v));
@@ -229,13 +246,15 @@ class SideCutter {
     best_ = hit;
   }
 
+  /// Offers a corner on the ray, if it is ahead and the ray arrives within its wedge.
   void try_corner(Heading ray, std::uint32_t from, HalfedgeId h) {
     const std::uint32_t p = r_.point(r_.start(h));
     if (r_.ahead(ray, p, from) != Sign::Positive || !r_.leads_into(h, ray.reversed())) return;
     offer(ray, {h, p, {}});
   }
 
-  /// Requires that the half-edge starts right of the ray and ends left of it.
+  /// Offers the crossing with a half-edge. Requires that it starts right of the ray and ends left
+  /// of it.
   void try_edge(Heading ray, std::uint32_t from, HalfedgeId h) {
     const Heading x = r_.heading(h);
     if (r_.side(x, from) != Sign::Positive) return;
@@ -243,7 +262,7 @@ class SideCutter {
                 make_crossing(r_.points.inputs, ray.line.a, ray.line.b, x.line.a, x.line.b)});
   }
 
-  /// The first thing of a loop that a ray meets; none: it gets to infinity.
+  /// Returns the first thing of a loop that a ray meets, or no value if it reaches infinity.
   std::optional<Hit> shoot(Heading ray, std::uint32_t from, HalfedgeId loop) {
     best_.reset();
     HalfedgeId h = loop;
@@ -260,8 +279,8 @@ class SideCutter {
 
   // ---------------------------------------------------------------- infinity
 
-  /// Does the ray end on this edge of the frame? Its ends are those of the sides before and after,
-  /// and counter-clockwise.
+  /// Whether the ray ends on this edge of the frame. The edge's ends are those of the sides before
+  /// and after, and counter-clockwise.
   bool ends_on(Heading ray, std::uint32_t from, HalfedgeId frame) const {
     if (r_.before(frame) == frame) return true;
     const Heading first = r_.heading(r_.before(frame));
@@ -271,7 +290,7 @@ class SideCutter {
     };
     const bool is_left = r_.side(first, from) == Sign::Positive;
     const bool is_right = r_.side(last, from) == Sign::Negative;
-    // Between two parallel ends is a strip, or all but one.
+    // Between two parallel ends lies a strip, or everything but one.
     const bool is_strip = r_.side(first, last.line.a) == Sign::Positive;
     if (is_equal(ray, first) && is_equal(ray, last)) {
       return is_strip ? is_left && is_right : is_left || is_right;
@@ -305,7 +324,7 @@ class SideCutter {
     return r_.split_edge(hit.at.halfedge(), r_.add_vertex(point, mark));
   }
 
-  /// Cuts from a corner along a heading, to the hit or to infinity.
+  /// Cuts from a corner along a heading, up to the hit or to infinity.
   void cut(Corner from, Heading ray, const std::optional<Hit>& hit, HalfedgeId loop) {
     const std::uint32_t point = r_.point(r_.vertex_at(from));
     const Corner to = hit ? corner_of(*hit) : corner_at_infinity(ray, point, loop);
@@ -314,7 +333,8 @@ class SideCutter {
 
   // ---------------------------------------------------------------- steps
 
-  /// Of the two sides the one that gets to another reflex corner, if one does.
+  /// Resolves a reflex corner by the side whose ray reaches another reflex corner, if one does,
+  /// else by the first one.
   void resolve(HalfedgeId h) {
     const std::uint32_t from = r_.point(r_.start(h));
     const auto gets_to_corner = [this](const std::optional<Hit>& hit) {
@@ -342,6 +362,8 @@ class SideCutter {
     return compare_xy(r_.points, r_.point(v), r_.point(w)) == Sign::Negative;
   }
 
+  /// Loops are joined in the order of their least vertices. The ray from such a vertex leads to
+  /// lesser points, where only loops that have been joined are, or infinity.
   void join_loops() {
     struct Loop {
       Corner at;
@@ -354,7 +376,7 @@ class SideCutter {
       loops.push_back({c, least_vertex(c), level_point});
       level_point += c.is_other() ? 1 : 0;
     }
-    // First the outer ring, or what leads to infinity.
+    // The outer ring, or what leads to infinity, comes first.
     std::ranges::sort(loops,
                       [this](const Loop& x, const Loop& y) { return is_less(x.least, y.least); });
     for (std::size_t i = 1; i < loops.size(); ++i) {

@@ -1,4 +1,5 @@
-// Convex pieces as sets of the plane (internal to plane_partition).
+// Cuts of a plane region along the lines of its own sides, and the convex parts as sets of the
+// plane (internal to plane_partition).
 #pragma once
 
 #include <cstdint>
@@ -12,17 +13,19 @@
 
 namespace plumb {
 
-/// Makes sets of parts of one structure, each in time of its own size.
+/// Makes sets of convex parts of one structure, each in time of its own size.
 class PieceMaker {
  public:
   explicit PieceMaker(const PlanePoints& points);
 
-  /// A side of the piece: the part of a line between two points, dense or SweepCurve::kUnbounded.
-  /// `inside`: Positive, the piece lies left of the line; Zero, it has nothing beside it.
+  /// Adds a side of the part: the piece of a line between two points, given as dense indices or
+  /// SweepCurve::kUnbounded. `inside` is Positive if the part lies left of the line, and Zero if
+  /// the side has nothing beside it.
   void add_side(const SweepCurve& side, Sign inside, bool mark);
-  /// An end of a side that belongs to the piece.
+  /// Marks an end of a side as belonging to the part.
   void add_point(std::uint32_t point) { marked_.push_back(point); }
-  /// The piece; without sides the plane. Forgets it. O(k log k) for k sides.
+  /// Returns the part, and starts anew. Without sides it is the plane. Cost: O(k log k) for k
+  /// sides.
   Nef2 build(Context& context);
 
  private:
@@ -30,7 +33,7 @@ class PieceMaker {
   std::uint32_t dense(std::uint32_t point, std::vector<std::uint32_t>& crossings);
 
   const PlanePoints& points_;
-  std::vector<std::uint32_t> local_;  // per point
+  std::vector<std::uint32_t> local_;  // Local number of each point, or kNone.
   std::vector<std::uint32_t> inputs_;
   std::vector<SweepCurve> sides_;
   std::vector<std::int8_t> jumps_;
@@ -38,28 +41,29 @@ class PieceMaker {
   std::vector<std::uint32_t> marked_;
 };
 
-/// Appends the part to the left of each loop of a region, with what it owns of its boundary: marked
-/// sides of the face, cuts along their lines, and marked vertices that no loop before it has. O(n
-/// log n).
+/// Appends the part to the left of each loop of a region, with what it owns of the boundary: marked
+/// sides of the face, cuts along their lines, and marked vertices that no loop before it has. Cost:
+/// O(n log n).
 void add_pieces(const PlaneRegion& region, std::vector<Nef2>& pieces, Context& context);
 
-// A region of the plane cut by the lines of its own sides (internal to plane_partition).
-//
 // Main flow of cut_by_sides():
-//  1. join     each hole, in the order of their least vertices: the lesser end of a side there goes
-//              on to lesser points, so it meets what has been joined before, or infinity
-//  2. resolve  each corner that is still reflex: one of its sides goes on into it, up to the first
-//              thing it meets on the boundary of its piece. Both parts of the corner are at most
-//              half a turn then
-//  3. tidy     cuts that later ones made superfluous go (drop_superfluous())
+//  1. join     joins each hole to the rest, in the order of their least vertices: the lesser end of
+//              a side there is prolonged to lesser points, so it meets what has been joined before,
+//              or infinity
+//  2. resolve  prolongs one side of each corner that is still reflex into it, up to the first thing
+//              it meets on the boundary of its part. Both parts of the corner are then at most half
+//              a turn
+//  3. tidy     removes cuts that later ones made superfluous (drop_superfluous())
 //
-// Each cut of 1 joins two loops and each cut of 2 parts one, so r reflex corners and h holes make
-// at most r + 1 - h pieces. A cut lies on a line of the set, and what it meets on another: a point
-// is the crossing of two lines of the set. Cost: O(n) for each cut, less where pieces get small.
+// Each cut of step 1 joins two loops and each cut of step 2 divides one, so r reflex corners and h
+// holes give at most r + 1 - h parts. A cut lies on a line of the set, and so does what it meets: a
+// new point is the crossing of two lines of the set. Cost: O(n) for each cut, less when parts get
+// small.
 
+/// Cuts the region into convex parts. Throws what the context throws.
 void cut_by_sides(PlaneRegion& region, Context& context);
 
-/// Takes away, in their order, cuts without which no corner becomes reflex. O(n).
+/// Removes, in their order, cuts without which no corner becomes reflex. Cost: O(n).
 void drop_superfluous(PlaneRegion& region);
 
 }  // namespace plumb

@@ -1,3 +1,19 @@
+// Minkowski sums of two convex bodies, facet by facet of the sum.
+//
+// Directions (second half of this file) finds the outer normals of the sum: normals of facets of
+// one operand, whose extreme face in the other is reached by climbing from the face of a
+// neighbouring facet, and normals n = d x e of two extreme edges, found by turning about each edge
+// d of one operand and gift-wrapping the other (EdgeWalk). Climbing terminates at a maximum because
+// the body is convex.
+//
+// SumBuilder merges the boundary cycles of the two faces in each direction by angle, as in the sum
+// of two convex polygons (M. de Berg et al., Computational Geometry, chapter 13), and names each
+// corner by its pair (a, b). Invariant: one vertex of the sum has one pair, so facets fit together
+// by names alone and no point is ever compared. A vertex that doubles hold becomes an input point;
+// any other one is the common point of three facets. Proof: docs/design/walls.md, section Minkowski
+// sums.
+// Declared in sum/convex_sum.h, whose opening comment gives the main flow.
+// Tested by tests/convex/minkowski_test.cpp.
 #include "plumb/convex/sum/convex_sum.h"
 
 #include <algorithm>
@@ -33,6 +49,7 @@ BallVector balls_of(const PointBox& box) {
   return v;
 }
 
+/// Reads a body from the minimal complex of a closed convex set.
 class BodyReader {
  public:
   explicit BodyReader(const SpaceComplex& complex) : c_(complex) {}
@@ -56,7 +73,8 @@ class BodyReader {
     }
   }
 
-  /// Of a polygon: its positive side.
+  /// Whether the outer side of the facet is the positive side of its plane. For a polygon this is
+  /// the front.
   bool is_outer_side_positive(FacetId f) const {
     return c_.volume_mark[c_.facet_volume[f.value()][0].value()] == 0;
   }
@@ -104,7 +122,8 @@ class BodyReader {
     for (std::uint32_t e = 0; e < c_.edge_count(); ++e) add_edge(e, is_flat);
   }
 
-  /// Facet and sense of a use, seen from outside.
+  /// Adds an edge with the facets beside it. The left one is that which runs forward along it, seen
+  /// from outside; a flat body has its back as the other one.
   void add_edge(std::uint32_t e, bool is_flat) {
     ConvexBody::Edge edge{{c_.origin[2 * e].value(), c_.origin[2 * e + 1].value()}, {kNone, kNone}};
     const UseId any = c_.edge_use[e];
@@ -117,7 +136,7 @@ class BodyReader {
     out_.edge.push_back(edge);
   }
 
-  /// Seen from outside, does the facet lie to the left of half-edge 2e?
+  /// Whether the facet lies, seen from outside, to the left of half-edge 2e.
   bool runs_forward(UseId u) const {
     const bool is_forward = !SpaceComplex::is_reverse(c_.use_halfedge[u.value()]);
     return is_forward == is_outer_side_positive(c_.use_facet[u.value()]);
@@ -140,7 +159,7 @@ void add_polygon_facets(ConvexBody& body) {
 ConvexBody convex_body_of(const SpaceComplex& complex) { return BodyReader(complex).run(); }
 
 std::size_t memory_bytes(const ConvexBody& body) {
-  constexpr std::size_t kLimbBytes = 6 * 32;  // of the numbers of a point
+  constexpr std::size_t kLimbBytes = 6 * 32;  // Bytes of the numbers of a point.
   const auto bytes = [](const auto&... arrays) {
     return ((arrays.capacity() * sizeof(arrays[0])) + ...);
   };
@@ -173,12 +192,14 @@ ConvexBody convex_body_of(std::span<const RationalPoint3> points) {
 
 namespace {
 
-/// Steps 3 and 4: facets by the faces of the operands, in one complex.
+/// Steps 3 and 4: makes facets from the faces of the operands, in one complex.
 class SumBuilder {
  public:
   SumBuilder(const ConvexBody& a, const ConvexBody& b, Context& context)
       : a_(a), b_(b), tables_(std::make_shared<SpaceTables>()), memory_(context) {}
 
+  /// Makes one facet of the sum. Its plane has the direction's normal and goes through the sum of
+  /// any pair of its corners.
   void add_facet(const FacetDirection& d) {
     if (facets_.size() >= charged_) charge();
     cycle_.clear();
@@ -198,6 +219,8 @@ class SumBuilder {
     outer_side_.push_back(plane.is_opposite() ? 1 : 0);
   }
 
+  /// Links the facets by the names of their corners. The complex is minimal as it is made: no two
+  /// facets share a plane, and every vertex is extreme.
   Nef3 finish(bool is_flat, SumMarks marks) {
     make_points(is_flat);
     const MeshLinks links = link_corners(facets_, names_.size());
@@ -219,7 +242,7 @@ class SumBuilder {
  private:
   using Name = std::pair<std::uint32_t, std::uint32_t>;
 
-  /// For more facets, as many as there are.
+  /// Charges memory for more facets, as many as there are: amortised doubling.
   void charge() {
     constexpr std::size_t kFew = 64, kBytesPerFacet = 400;
     const std::size_t more = std::max(kFew, charged_);
@@ -238,7 +261,8 @@ class SumBuilder {
 
   // ---- merging two cycles
 
-  /// The corner that is least in lexicographic order: both cycles begin with one direction there.
+  /// Returns the lexicographically least corner. Both cycles begin with the same direction there,
+  /// so the merge can start.
   static std::size_t least(const ConvexBody& body, std::span<const std::uint32_t> cycle) {
     const auto is_less = [&](std::uint32_t v, std::uint32_t w) {
       const RationalPoint3 &p = body.point[v], &q = body.point[w];
@@ -249,8 +273,8 @@ class SumBuilder {
                                     cycle.begin());
   }
 
-  /// Corners in order, counter-clockwise seen along the normal: each step takes the edge that comes
-  /// first in angle, or both.
+  /// Merges the two cycles: corners in order, counter-clockwise seen along the normal. Each step
+  /// takes the edge that comes first by angle, or both if they are parallel.
   void merge(const FacetDirection& direction) {
     const std::span<const std::uint32_t> a = direction.face_a, b = direction.face_b;
     const std::size_t first_a = least(a_, a), first_b = least(b_, b);
@@ -272,7 +296,7 @@ class SumBuilder {
     }
   }
 
-  /// From an edge of a to an edge of b, about the normal.
+  /// Returns the turn from an edge of a to an edge of b about the normal.
   Sign turn_of(const FacetDirection& direction, Name of_a, Name of_b) const {
     const BallVector d = a_.rough_point[of_a.second] - a_.rough_point[of_a.first];
     const BallVector e = b_.rough_point[of_b.second] - b_.rough_point[of_b.first];
@@ -311,7 +335,8 @@ class SumBuilder {
     std::vector<std::uint32_t> begin_, facet_;
   };
 
-  /// An input point where doubles hold the sum, else the common point of three facets around.
+  /// Returns an input point if doubles hold the sum, else the common point of three facets around
+  /// the vertex.
   SpacePoint make_point(std::uint32_t v, std::span<const std::uint32_t> facets) {
     const auto [i, j] = names_[v];
     const RationalPoint3 &p = a_.point[i], &q = b_.point[j];
@@ -322,7 +347,7 @@ class SumBuilder {
     for (std::size_t k = 2; k < facets.size() && !x.is_valid(); ++k) {
       x = tables_->points.add(plane[facets[0]], plane[facets[1]], plane[facets[k]]);
     }
-    PLUMB_CHECK(x.is_valid());  // three planes meet in a vertex
+    PLUMB_CHECK(x.is_valid());  // Three of the planes meet in the vertex alone.
     return x;
   }
 
@@ -334,21 +359,22 @@ class SumBuilder {
   const ConvexBody& a_;
   const ConvexBody& b_;
   std::shared_ptr<SpaceTables> tables_;
-  IdIndex number_;           // of names_
-  std::vector<Name> names_;  // vertices of a and b
+  IdIndex number_;           // Index over names_.
+  std::vector<Name> names_;  // Pairs of vertices of a and b.
   std::vector<SpacePoint> point_;
   MeshFacets facets_;
-  std::vector<std::uint32_t> outer_side_;  // per facet: 0 positive
+  // Side of each facet's plane that is outside; 0 is positive.
+  std::vector<std::uint32_t> outer_side_;
   std::vector<std::uint32_t> cycle_;
   MemoryCharge memory_;
-  std::size_t charged_ = 0;  // facets
+  std::size_t charged_ = 0;  // Number of facets charged.
 };
 
 RationalPoint3 sum_of(const RationalPoint3& p, const RationalPoint3& q) {
   return {p.x + q.x, p.y + q.y, p.z + q.z};
 }
 
-/// Of two points, or a segment and a point, or parallel segments.
+/// Returns the sum of two points, of a segment and a point, or of parallel segments.
 Nef3 thin_sum(const ConvexBody& a, const ConvexBody& b, SumMarks marks) {
   std::vector<RationalPoint3> points;
   for (const RationalPoint3& p : a.point) {
@@ -367,7 +393,8 @@ Nef3 thin_sum(const ConvexBody& a, const ConvexBody& b, SumMarks marks) {
 
 bool is_zero(const RationalPoint3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
-/// The normal of the plane that holds both when moved there, or zero.
+/// Returns the normal of the plane that holds both operands when they are moved there, or zero if
+/// there is none.
 RationalPoint3 common_normal(const ConvexBody& a, const ConvexBody& b) {
   if (a.dimension == 3 || b.dimension == 3) return {0, 0, 0};
   if (a.dimension < 2 && b.dimension < 2) {
@@ -383,8 +410,8 @@ RationalPoint3 common_normal(const ConvexBody& a, const ConvexBody& b) {
   return n;
 }
 
-/// All of an operand in a plane: its face in the direction of the plane's normal, counter-clockwise
-/// about it.
+/// Returns all of an operand in a plane, which is its face in the direction of the plane's normal,
+/// counter-clockwise about that normal.
 std::vector<std::uint32_t> flat_face(const ConvexBody& body, const RationalPoint3& normal) {
   if (body.dimension == 0) return {0};
   if (body.dimension == 1) return {0, 1};
@@ -411,9 +438,10 @@ Nef3 convex_sum(const ConvexBody& a, const ConvexBody& b, SumMarks marks, Contex
   return builder.finish(is_flat, marks);
 }
 
+// Directions of the facets of a sum (for_each_direction()).
 namespace {
 
-/// A direction, exact and in balls.
+/// A direction, exactly and in balls.
 struct Heading {
   const RationalPoint3& exact;
   const BallVector& rough;
@@ -423,7 +451,7 @@ Heading normal_of(const ConvexBody& body, std::uint32_t f) {
   return {body.normal[f], body.rough_normal[f]};
 }
 
-/// From vertex `from` to vertex `to` of a body; rationals only when asked.
+/// The step between two vertices of a body; rationals are computed only on demand.
 struct Step {
   const ConvexBody* body;
   std::uint32_t from;
@@ -440,19 +468,21 @@ Sign dot_sign(const Step& w, const Heading& n) {
   return is_decided(s) ? decided(s) : sign_of(dot(w.exact(), n.exact));
 }
 
-/// The sign of det(d, v, w).
+/// Returns the sign of det(d, v, w).
 Sign det_sign(const Step& d, const Step& v, const Step& w) {
   const FilteredSign s = dot(cross(d.rough, v.rough), w.rough).sign();
   return is_decided(s) ? decided(s) : sign_of(dot(cross(d.exact(), v.exact()), w.exact()));
 }
 
-/// The sign of det(d, n, w): is w ahead when a direction turns about d, leaving n?
+/// Returns the sign of det(d, n, w): Positive if w is ahead when a direction turns about d, leaving
+/// n.
 Sign ahead_sign(const Step& d, const Heading& n, const Step& w) {
   const FilteredSign s = dot(cross(d.rough, n.rough), w.rough).sign();
   return is_decided(s) ? decided(s) : sign_of(dot(cross(d.exact(), n.exact), w.exact()));
 }
 
-/// A vertex that is greatest in the direction, by steps uphill.
+/// Returns a vertex that is greatest in the direction, reached by steps uphill. On a convex body a
+/// local maximum is a global one.
 std::uint32_t climb(const ConvexBody& body, std::uint32_t v, const Heading& n) {
   for (;;) {
     std::uint32_t better = kNone;
@@ -466,8 +496,8 @@ std::uint32_t climb(const ConvexBody& body, std::uint32_t v, const Heading& n) {
   }
 }
 
-/// The facets of a body, each found from one beside it: visit(facet, where to start) -> where it
-/// ended.
+/// Visits the facets of a body, each after one beside it: visit(facet, vertex to start from)
+/// returns the vertex where it ended.
 template <class Visit>
 void for_each_facet_nearby(const ConvexBody& body, const Visit& visit) {
   std::vector<std::vector<std::uint32_t>> beside(body.facet_count());
@@ -487,10 +517,10 @@ void for_each_facet_nearby(const ConvexBody& body, const Visit& visit) {
   }
 }
 
-/// The vertices around which the walk of one edge turns, of the other operand.
+/// The vertices of the other operand around which the walk about one edge turns.
 class EdgeWalk {
  public:
-  /// `d` is the edge walked about; `body` the other operand.
+  /// `d` is the edge walked about, and `body` the other operand.
   EdgeWalk(const ConvexBody& body, const Step& d, const Heading& from, const Heading& to)
       : body_(body), d_(d), from_(from), to_(to) {}
 
@@ -508,7 +538,7 @@ class EdgeWalk {
   }
 
  private:
-  /// Off the first direction: as far ahead as what is extreme there reaches.
+  /// Leaves the first direction: moves as far ahead as the extreme face there reaches.
   void settle(std::uint32_t v) {
     for (bool moves = true; moves;) {
       moves = false;
@@ -524,7 +554,7 @@ class EdgeWalk {
     stand_at(v);
   }
 
-  /// At v, and at the other end of an edge parallel to d if there is one.
+  /// Stands at v, and at the other end of an edge parallel to d if there is one.
   void stand_at(std::uint32_t v) {
     at_ = {v, kNone};
     for (const std::uint32_t w : body_.star(v)) {
@@ -535,7 +565,7 @@ class EdgeWalk {
     }
   }
 
-  /// The edges met next, all in one direction seen along d: gift wrapping.
+  /// Collects the edges met next, all in one direction seen along d: gift wrapping.
   void gather_next() {
     next_.clear();
     for (const std::uint32_t v : at_) {
@@ -550,7 +580,7 @@ class EdgeWalk {
     }
   }
 
-  /// To the far end of the edge or facet that holds next_: uphill along it.
+  /// Goes to the far end of the edge or facet that holds next_, by steps uphill along it.
   void cross_over() {
     const Step first = next_[0];
     std::uint32_t v = first.to;
@@ -578,8 +608,8 @@ class EdgeWalk {
   std::vector<Step> next_;
 };
 
-/// The directions of a sum, seen from operand `own` with facets; `is_swapped`: it is the second
-/// one.
+/// The directions of a sum, seen from the operand `own`, which has facets. `is_swapped` says that
+/// it is the second one.
 class Directions {
  public:
   Directions(const ConvexBody& own, const ConvexBody& other, bool is_swapped,
@@ -591,8 +621,8 @@ class Directions {
     }
   }
 
-  /// A vertex of the other operand for each facet of `own`; visits them, but those with a facet on
-  /// the other side if `skips_common`.
+  /// Finds a vertex of the other operand for each facet of `own` and visits the directions, except
+  /// those with a facet on the other side if `skips_common`.
   void facets(bool skips_common) {
     extreme_.resize(own_.facet_count());
     for_each_facet_nearby(own_, [&](std::uint32_t f, std::uint32_t start) {
@@ -603,7 +633,7 @@ class Directions {
     });
   }
 
-  /// Requires facets() before.
+  /// Visits the directions of pairs of edges. Requires facets() before.
   void edges(Context& context) {
     for (std::size_t e = 0; e < own_.edge.size(); ++e) {
       if (e % 1024 == 0) context.checkpoint("convex sum", e, own_.edge.size());
@@ -625,7 +655,8 @@ class Directions {
     });
   }
 
-  /// The face of the other operand in a direction, v being one of its vertices.
+  /// Sets face_ to the face of the other operand in a direction. Requires that v is one of its
+  /// vertices.
   void face_of(std::uint32_t v, const Heading& n) {
     face_.assign(1, v);
     for (const std::uint32_t w : other_.star(v)) {
@@ -657,8 +688,8 @@ class Directions {
   const ConvexBody& other_;
   bool is_swapped_;
   const std::function<void(const FacetDirection&)>& visit_;
-  std::vector<std::vector<std::uint32_t>> facets_at_;  // per vertex of other_
-  std::vector<std::uint32_t> extreme_;                 // per facet of own_: a vertex of other_
+  std::vector<std::vector<std::uint32_t>> facets_at_;  // Facets at each vertex of other_.
+  std::vector<std::uint32_t> extreme_;  // Extreme vertex of other_ for each facet of own_.
   std::vector<std::uint32_t> face_;
 };
 
@@ -670,7 +701,7 @@ void for_each_direction(const ConvexBody& a, const ConvexBody& b,
   Directions of_a(a, b, false, visit), of_b(b, a, true, visit);
   if (a.facet_count() > 0) of_a.facets(false);
   if (b.facet_count() > 0) of_b.facets(a.facet_count() > 0);
-  // Crossings of arcs are found from either side.
+  // Crossings of arcs are found from either operand, so one suffices.
   (a.facet_count() > 0 ? of_a : of_b).edges(context);
 }
 

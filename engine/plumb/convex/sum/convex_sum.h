@@ -1,13 +1,35 @@
-// A closed bounded convex set of dimension 0 to 3 by its vertices, edges and facets: what Minkowski
-// sums are made of.
+// The Minkowski sum of two closed bounded convex sets of any dimension, by their merged normal
+// fans; with the representation of such sets (ConvexBody) and the directions of the sum's facets.
 //
 // Notation
 //   facet    a cycle of vertices, counter-clockwise seen from outside, and an outer normal. A
 //            polygon has two facets, one for each side; segments and points have none
-//   edge     from end[0] to end[1]; side[0] is the facet to its left seen from outside, side[1]
-//            that to its right (none: of a segment)
+//   edge     runs from end[0] to end[1]; side[0] is the facet to its left seen from outside,
+//            side[1] that to its right (kNone for a segment)
+//   A(u)     the face of A where the direction u is greatest: a vertex, an edge or a facet
 //
-// Every number is known exactly and, for filters, as a ball of doubles.
+// A facet of A + B with outer normal u is A(u) + B(u), and no vertex of the sum is a + b for two
+// pairs of vertices. So facets can be made one by one, each from its pair of faces, and fit
+// together by the names (a, b) of their corners; there are no degenerate cases. The directions are
+// the normals of facets of A and of B, and those in which an edge of A and an edge of B, not
+// parallel, are both extreme: arcs of the two Gaussian maps cross there.
+//
+// Main flow of convex_sum():
+//  1. facet_directions   finds for each facet of one operand the face of the other: climbs from
+//                        vertex to vertex, from where the facet beside it ended
+//  2. edge_directions    turns u about each edge of one operand, from one of its facets' normals to
+//                        the other, and follows the extreme vertex of the other operand (gift
+//                        wrapping around its silhouette)
+//  3. merge              merges the cycles of A(u) and B(u) by the angles of their edges; parallel
+//                        edges add up
+//  4. link               links vertices, facets and marks to a minimal complex (link_facets.h)
+//
+// Numbers are known exactly and, for filters, as balls of doubles. Signs have degree 3 in
+// differences, by balls of doubles, then rationals. Cost: steps 1 and 2 take O(degree) for each
+// vertex passed; a vertex is passed for every facet of the sum at it, so they are output-sensitive
+// if degrees are bounded. Proof: docs/design/walls.md, section Minkowski sums. Sources: K. Fukuda,
+// Journal of Symbolic Computation 38 (2004); E. Fogel and D. Halperin, Computer-Aided Design 39
+// (2007) 929-940.
 #pragma once
 
 #include <array>
@@ -25,7 +47,7 @@
 
 namespace plumb {
 
-/// A vector of space.
+/// A vector of space with a bound on the error of each coordinate.
 struct BallVector {
   std::array<Ball, 3> at;
 
@@ -41,7 +63,9 @@ inline BallVector cross(const BallVector& a, const BallVector& b) {
            a.at[0] * b.at[1] - a.at[1] * b.at[0]}};
 }
 
+/// A closed bounded convex set of dimension 0 to 3, by its vertices, edges and facets.
 struct ConvexBody {
+  /// An edge, with its ends and the facets beside it.
   struct Edge {
     std::array<std::uint32_t, 2> end;
     std::array<std::uint32_t, 2> side;
@@ -50,7 +74,7 @@ struct ConvexBody {
   unsigned dimension = 0;
   std::vector<RationalPoint3> point;
   std::vector<BallVector> rough_point;
-  std::vector<std::uint32_t> star_begin;  ///< per vertex: entries into neighbour
+  std::vector<std::uint32_t> star_begin;  ///< Begin of each vertex's entries in `neighbour`.
   std::vector<std::uint32_t> neighbour;
   std::vector<Edge> edge;
   std::vector<std::uint32_t> facet_begin = {0};
@@ -67,19 +91,19 @@ struct ConvexBody {
   }
 };
 
-/// The closure of a bounded convex set that is not empty, by its complex. Requires the minimal
-/// complex of a closed convex set. O(n).
+/// Returns the closure of a bounded convex set that is not empty. Requires the minimal complex of a
+/// closed convex set. Cost: O(n).
 ConvexBody convex_body_of(const SpaceComplex& complex);
-/// What it takes, of numbers of ordinary length. O(1).
+/// Returns the memory of a body, estimated for numbers of ordinary length. Cost: O(1).
 std::size_t memory_bytes(const ConvexBody& body);
-/// A point, a segment or a triangle: one to three points, not on a line.
+/// Returns a point, a segment or a triangle. Requires one to three points that are not on a line.
 ConvexBody convex_body_of(std::span<const RationalPoint3> points);
 
-// The directions of the facets of a Minkowski sum, by walks in one operand's normal fan (internal
-// to convex_sum).
+// The directions of the facets of a Minkowski sum, found by walks in one operand's normal fan.
 
-/// A facet of a + b: its outer normal and the faces of the operands there, by their vertices: one,
-/// the two of an edge, or the corners of a facet, counter-clockwise seen from outside.
+/// A facet of a + b: its outer normal, and the faces of the operands in that direction by their
+/// vertices: one, the two of an edge, or the corners of a facet, counter-clockwise seen from
+/// outside.
 struct FacetDirection {
   const RationalPoint3& normal;
   const BallVector& rough_normal;
@@ -87,42 +111,18 @@ struct FacetDirection {
   std::span<const std::uint32_t> face_b;
 };
 
-/// Calls visit for every facet of the sum, once. Requires a sum of dimension 3 (so one operand has
-/// facets).
+/// Calls visit for every facet of the sum, once. Requires a sum of dimension 3, so that one operand
+/// has facets. Throws what the context throws.
 void for_each_direction(const ConvexBody& a, const ConvexBody& b,
                         const std::function<void(const FacetDirection&)>& visit, Context& context);
 
-// The Minkowski sum of two closed bounded convex sets of any dimension, by their merged normal
-// fans.
-//
-// For a direction u let A(u) be the face of A where u is greatest: a vertex, an edge or a facet. A
-// facet of A + B with outer normal u is A(u) + B(u), and no vertex of the sum is a + b for two
-// pairs of vertices. So facets can be made one by one, each from its pair of faces, and fit
-// together by the names (a, b) of their corners; nothing is degenerate. Directions:
-//   normals of facets of A and of B where an edge of A and an edge of B, not parallel, are both
-//   extreme: arcs of the two Gaussian maps cross
-//
-// Main flow of convex_sum():
-//  1. facet_directions   of each facet of one operand the face of the other: climb from vertex to
-//                        vertex, from where the facet beside it ended
-//  2. edge_directions    for each edge of one operand turn u about it, from one of its facets'
-//                        normals to the other, and follow the extreme vertex of the other operand
-//                        (gift wrapping around its silhouette)
-//  3. merge              the cycles of A(u) and B(u) by the angles of their edges; parallel ones
-//                        add up
-//  4. link               (link_facets.h) vertices, facets, marks: a minimal complex
-//
-// Cost: steps 1 and 2 O(degree) for each vertex passed; a vertex is passed for every facet of the
-// sum at it, so it is output-sensitive where degrees are bounded. Signs: degree 3 in differences,
-// balls of doubles, then rationals. Source: Fukuda, J. Symb. Comput. 38 (2004); Fogel, Halperin,
-// CAD 39 (2007) 929-940.
-
-/// What belongs to the result.
+/// Which part of the closed sum belongs to the result.
 enum class SumMarks : std::uint8_t {
-  Closed,  ///< all of it
-  Open,    ///< its relative interior
+  Closed,  ///< All of it.
+  Open,    ///< Its relative interior.
 };
 
+/// Returns the sum of two bodies with the marks that `marks` says. Throws what the context throws.
 Nef3 convex_sum(const ConvexBody& a, const ConvexBody& b, SumMarks marks, Context& context);
 
 }  // namespace plumb

@@ -13,7 +13,7 @@
 namespace plumb {
 namespace {
 
-/// A side of a facet: from the point with the lesser number to the other, `times` times.
+/// A side of a facet, from the point with the lesser number to the other, counted `times` times.
 struct Side {
   const SpaceTables* tables;
   PlaneId plane;
@@ -26,7 +26,7 @@ class VolumeSum {
  public:
   explicit VolumeSum(Context& context) : context_(context) {}
 
-  /// `sign`: -1 takes away.
+  /// Adds the sides of a complex; `sign` is -1 to subtract them.
   void add(const SpaceComplex& c, int sign) {
     context_.checkpoint("volumes", 0, 1);
     const auto is_marked = [&c](VolumeId v) { return c.volume_mark[v.value()] == 1 ? 1 : 0; };
@@ -82,8 +82,8 @@ class VolumeSum {
     sides_.resize(kept);
   }
 
-  /// Minus six times the volume of the cones from the origin over what the sides bound in one
-  /// plane: d / n_k times twice an area (volume_sum.h).
+  /// Returns minus six times the volume of the cones from the origin over what the sides bound in
+  /// one plane: d / n_k times twice an area (volume_sum.h).
   static Rational volume_under(std::span<const Side> sides) {
     const SpaceTables& tables = *sides[0].tables;
     const IntegerRow row = tables.planes.coefficients(sides[0].plane);

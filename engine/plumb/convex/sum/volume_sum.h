@@ -1,13 +1,14 @@
-// Do the volumes of pieces add up to that of their set? Exact.
+// Whether the volumes of pieces add up to that of their set, exactly.
 //
 // Main flow of do_volumes_add_up():
-//  1. gather   the sides of all facets between inside and outside, each with its facet's plane
-//  2. cancel   a side that a facet of the other side of a cut has as well
-//  3. sum      the rest, in fractions. A facet of the plane n.x + d = 0 adds -d / (3 n_k) times its
-//              area seen along axis k, and an area is a sum over sides
+//  1. gather   collects the sides of all facets between inside and outside, each with its facet's
+//              plane
+//  2. cancel   cancels each side that a facet of the other side of a cut has as well
+//  3. sum      adds up the rest as fractions. A facet of the plane n.x + d = 0 contributes -d / (3
+//              n_k) times its area seen along axis k, and an area is a sum over sides
 //
-// Most of the corners that cuts made are gone after 2: fractions are left for the set's own
-// boundary. Cost: O(n log n), and some rational terms for each side that is left.
+// Most corners that cuts made are gone after step 2, so fractions are computed for the set's own
+// boundary only. Cost: O(n log n), and some rational terms for each side that is left.
 #pragma once
 
 #include <optional>
@@ -18,7 +19,8 @@
 
 namespace plumb {
 
-/// None where the set's volume is infinite.
+/// Whether the volumes of the pieces add up exactly to that of the set; no value if the set's
+/// volume is infinite. Throws what the context throws.
 std::optional<bool> do_volumes_add_up(const Nef3& set, std::span<const Nef3> pieces,
                                       Context& context);
 

@@ -1,3 +1,13 @@
+// Parts of a set by dimension. Owners gives every marked cell one owner of the highest dimension
+// beside it, the least of those: a volume, facet, edge or vertex. A cell that owns itself is a
+// part, and the part consists of the cells it owns, so parts are disjoint, their union is the set,
+// and the relative interior of each has one dimension.
+//
+// Volumes of a bounded set are copied in one pass over sphere maps (VolumeSplitter). Facets, edges
+// and points are copied by ThinParts into complexes of their own with numbers that are assigned on
+// first use, in time of the part's size; only an unbounded set, whose frame every part needs, costs
+// O(n) for each part.
+// Tested by tests/convex/convex_pieces_test.cpp.
 #include "plumb/convex/wall/set_parts.h"
 
 #include <algorithm>
@@ -9,7 +19,7 @@
 namespace plumb {
 namespace {
 
-/// Gives every marked item an owner of the highest dimension beside it, the least of these.
+/// Gives every marked cell an owner: the least one of the highest dimension beside it.
 class Owners {
  public:
   explicit Owners(const SpaceComplex& complex) : c_(complex) {
@@ -18,7 +28,7 @@ class Owners {
     for (std::size_t v = 0; v < c_.vertex_count(); ++v) vertex_.push_back(owner_of(VertexId(v)));
   }
 
-  /// All items that own themselves: the highest dimension first.
+  /// Returns all cells that own themselves, the volumes first.
   std::vector<SpaceItem> owners() const {
     std::vector<SpaceItem> owners;
     for (std::size_t v = 0; v < c_.volume_count(); ++v) {
@@ -36,10 +46,11 @@ class Owners {
     return owners;
   }
 
-  /// The item's, if the owner has it.
+  /// Returns the mark of a cell in the part of the owner: 1 if the owner has it.
   Mark mark_for(SpaceItem owner, EdgeId e) const { return edge_[e.value()] == owner ? 1 : 0; }
   Mark mark_for(SpaceItem owner, VertexId v) const { return vertex_[v.value()] == owner ? 1 : 0; }
 
+  /// Returns the marks of the part that an owner makes up.
   SpaceMarks marks_of(SpaceItem owner) const {
     SpaceMarks marks;
     const auto fill = [owner](std::vector<Mark>& to, const std::vector<SpaceItem>& of) {
@@ -54,7 +65,7 @@ class Owners {
   }
 
  private:
-  /// The best owner seen so far: volumes before facets before edges, then the least.
+  /// The best owner seen so far: volumes before facets before edges, then the least id.
   struct Best {
     SpaceItem item;
     void take(SpaceItem other) {
@@ -72,6 +83,8 @@ class Owners {
     for (const VolumeId v : c_.facet_volume[f.value()]) take_volume(best, v);
     if (c_.facet_mark[f.value()] == 1) best.take(f);
   }
+  /// An edge is beside its volume if it is free, else beside the facets around it and the volumes
+  /// beside these.
   void take_edge(Best& best, EdgeId e) const {
     const UseId first = c_.edge_use[e.value()];
     if (c_.edge_mark[e.value()] == 1) best.take(e);
@@ -107,8 +120,8 @@ class Owners {
   std::vector<SpaceItem> facet_, edge_, vertex_;
 };
 
-/// Single facets, edges and points of a bounded set's complex as complexes of their own. Scratch
-/// memory is kept.
+/// Copies single facets, edges and points of a bounded set's complex to complexes of their own.
+/// Scratch memory is kept.
 class ThinParts {
  public:
   ThinParts(const SpaceComplex& complex, const Owners& owners)
@@ -118,6 +131,8 @@ class ThinParts {
         edge_number_(complex.edge_count()),
         use_number_(complex.use_count()) {}
 
+  /// Returns the part of an owner as a set. A facet brings its edges and vertices along, marked
+  /// only if the facet owns them; the result is simplified, because such cells may not be needed.
   Nef3 set_of(SpaceItem owner, Context& context) {
     owner_ = owner;
     out_ = {};
@@ -141,7 +156,7 @@ class ThinParts {
   }
 
  private:
-  /// The number of a thing in a list, at the end of which it is added once.
+  /// Returns the number of a cell in a list, and whether it was appended to it now.
   template <class Id>
   static std::pair<std::uint32_t, bool> numbered(Id id, std::vector<Id>& list,
                                                  std::vector<std::uint32_t>& number) {
@@ -200,7 +215,7 @@ class ThinParts {
     out_.inner_begin.push_back(static_cast<std::uint32_t>(out_.inner.size()));
   }
 
-  /// Around an edge the facet is met once, or twice at a slit.
+  /// Links the edge uses around each edge. The facet is met there once, or twice at a slit.
   void link_uses() {
     for (std::uint32_t i = 0; i < uses_.size(); ++i) {
       const auto number = [&](UseId u) { return UseId(use_number_[u.value()]); };

@@ -1,4 +1,19 @@
-// Ids, meanwhile, of facets that have none: so that walls are told from them (decompose.h).
+// A set divided by dimension into the parts that are cut into convex pieces one by one, and the ids
+// that its facets have meanwhile.
+//
+// A facet without an id gets the id kUnnamed while a set is decomposed, so that walls can be
+// distinguished from facets of the set (decompose.h).
+//
+// Main flow of parts_of():
+//  1. own     gives each marked facet, edge and vertex beside marked volumes to one of them; a
+//             remaining marked edge or vertex to a marked facet beside it; a remaining vertex to an
+//             edge
+//  2. split   makes the volumes of a bounded set in one pass (wall_complex.h)
+//  3. copy    copies the rest of a bounded set cell by cell; for an unbounded set copies the
+//             complex with the marks of one owner
+//
+// The parts are disjoint and their union is the set. All are in minimal form. Cost: O(n log n); for
+// an unbounded set O(n) per part.
 #pragma once
 
 #include <algorithm>
@@ -12,24 +27,29 @@
 
 namespace plumb {
 
-/// Less than the ids of walls: where a facet and a wall are one, it counts as the set's.
+/// Less than the ids of walls: if a facet and a wall coincide, the result counts as the set's
+/// facet.
 inline constexpr std::uint32_t kUnnamed = kWallOrigin - 1;
 
+/// Whether a facet of the set has no id.
 inline bool has_unnamed(const Nef3& set) {
   return std::ranges::any_of(set.complex().facet_origin,
                              [](std::uint32_t origin) { return origin >= kWallOrigin; });
 }
 
+/// Returns the set with the id kUnnamed for facets without one.
 inline Nef3 with_names(const Nef3& set) {
   std::vector<std::uint32_t> origins = set.complex().facet_origin;
   for (std::uint32_t& origin : origins) origin = std::min(origin, kUnnamed);
   return set.with_origins(origins);
 }
 
+/// Gives facets with the id kUnnamed no id again.
 inline void remove_names(std::vector<std::uint32_t>& origins) {
   std::ranges::replace(origins, kUnnamed, kNoOrigin);
 }
 
+/// Does the same for the facets of all pieces.
 inline void remove_names(std::vector<Nef3>& pieces) {
   for (Nef3& piece : pieces) {
     std::vector<std::uint32_t> origins = piece.complex().facet_origin;
@@ -38,28 +58,18 @@ inline void remove_names(std::vector<Nef3>& pieces) {
   }
 }
 
-// A set taken apart by dimension: what is cut into convex pieces one by one.
-//
-// Main flow of parts_of():
-//  1. own     each marked facet, edge and vertex beside marked volumes is given to one of them;
-//             else a marked edge and vertex to a marked facet beside it; else a vertex to an edge
-//  2. split   the volumes of a bounded set in one pass (wall_complex.h)
-//  3. copy    the rest of a bounded set item by item; of an unbounded one the complex with the
-//             marks of one owner
-//
-// The parts are disjoint and their union is the set. All are in minimal form. Cost: O(n log n); of
-// an unbounded set O(n) a part.
-
-/// One part of one dimension.
+/// A part of a set that has one dimension.
 struct SetPart {
   Nef3 set;
-  int dimension = 3;  ///< 3: one marked volume, 2: one facet, 1: one edge, 0: a point
+  int dimension = 3;  ///< 3 for one marked volume, 2 for a facet, 1 for an edge, 0 for a point.
 };
 
-/// By dimension, downwards; empty for the empty set. Origins of facets are kept.
+/// Returns the parts by descending dimension; none for the empty set. Origins of facets are kept.
+/// Throws what the context throws.
 std::vector<SetPart> parts_of(const Nef3& set, Context& context);
 
-/// Bytes of a set that shares its tables with others, as the parts and pieces of one set do. O(1).
+/// Returns the bytes of a set that shares its tables with others, as the parts and pieces of one
+/// set do. Cost: O(1).
 inline std::size_t bytes_beside_tables(const Nef3& set) {
   return array_bytes(set.complex()) + kBytesPerSet;
 }

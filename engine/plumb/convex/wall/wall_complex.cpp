@@ -1,4 +1,16 @@
-// Which walls meet outside of common vertices and sides? (internal to walls)
+// Walls put into a complex, and the volumes of a complex as sets.
+//
+// WallSurface makes the polygons of walls one surface: equal points, found by their fingerprints
+// and confirmed exactly, become one vertex, and polygons that coincide are merged. ConflictSearch
+// finds the pairs of walls that meet outside of common vertices and sides, and only these are cut
+// against each other. It may report pairs that do not conflict, but misses none: walls are
+// vertical, so two of them in different planes meet on one vertical line.
+//
+// VolumeSplitter gives every cell to the first marked volume around it, restricts the sphere map at
+// each vertex to one volume with what it owns, and lets the ordinary join of sphere maps assemble
+// the set. So each volume comes out in minimal form, and each point of the boundary belongs to one
+// of them. See docs/design/walls.md, section Vertical walls.
+// Tested by tests/convex/walls_test.cpp.
 
 #include "plumb/convex/wall/wall_complex.h"
 
@@ -23,11 +35,11 @@
 
 namespace plumb {
 
-/// Pairs of facets, each once: all that meet so, and a few more; for layers that is enough.
-/// Requires facets in vertical planes, linked by their vertices. Seen along the vertical they are
-/// segments, so two in different planes can only meet on one vertical line; where both end there,
-/// they do in common vertices only. O(n log n) and a sign for each corner of facets with common
-/// boxes.
+/// Returns pairs of facets, each once: all that meet outside of common vertices and sides, and
+/// possibly a few more, which is enough for layers. Requires facets in vertical planes, linked by
+/// their vertices. Seen along the vertical they are segments, so two in different planes can only
+/// meet on one vertical line; if both end there, they meet in common vertices only. Cost: O(n log
+/// n), and a sign for each corner of facets with common boxes.
 std::vector<std::pair<FacetId, FacetId>> find_wall_conflicts(const SpaceComplex& walls,
                                                              Context& context);
 
@@ -52,9 +64,10 @@ class ConflictSearch {
   }
 
  private:
-  /// How a facet lies to the plane of another.
+  /// How a facet lies with respect to the plane of another.
   struct Place {
-    bool is_before = false, is_behind = false;  // strictly, somewhere
+    // Whether a corner is strictly before, or strictly behind.
+    bool is_before = false, is_behind = false;
     std::vector<VertexId> on;
     bool crosses() const { return is_before && is_behind; }
   };
@@ -81,6 +94,8 @@ class ConflictSearch {
     return result;
   }
 
+  /// Facets of one plane may overlap. Others meet on one vertical line at most; they conflict if
+  /// one crosses the plane of the other, or if they touch in different vertices.
   bool may_conflict(FacetId f, FacetId g) const {
     const PlaneId p = c_.facet_plane[f.value()], q = c_.facet_plane[g.value()];
     if (p == q) return true;
@@ -106,7 +121,7 @@ namespace {
 
 // ---------------------------------------------------------------- walls as a surface
 
-/// Polygons over points with ids of their own: equal ones are one vertex.
+/// Polygons over points that have ids of their own: equal points become one vertex.
 class WallSurface {
  public:
   WallSurface(const std::vector<WallPolygon>& walls, const Point3Table& points) {
@@ -137,6 +152,8 @@ class WallSurface {
   }
 
  private:
+  /// Sorts points by fingerprint. Within a group of equal fingerprints each point is compared with
+  /// the earlier ones, exactly.
   void unite(const Point3Table& points) {
     std::vector<std::pair<Fingerprint, std::uint32_t>> order;
     for (std::uint32_t i = 0; i < corner_.size(); ++i) {
@@ -147,7 +164,7 @@ class WallSurface {
     for (std::size_t i = 0; i < order.size(); ++i) {
       const std::uint32_t at = order[i].second;
       number_[at] = kNone;
-      // Different points of one fingerprint are all but unheard of.
+      // Different points with one fingerprint are extremely rare.
       for (std::size_t j = i; j-- > 0 && order[j].first == order[i].first;) {
         if (!equal(points, corner_[at], corner_[order[j].second])) continue;
         number_[at] = number_[order[j].second];
@@ -159,6 +176,8 @@ class WallSurface {
     }
   }
 
+  /// Adds a polygon without repeated corners. A wall whose vertical sides have no length may be
+  /// left with fewer than three, and is dropped.
   void add(PlaneId plane, std::vector<std::uint32_t> cycle) {
     cycle.erase(std::unique(cycle.begin(), cycle.end()), cycle.end());
     while (cycle.size() > 1 && cycle.front() == cycle.back()) cycle.pop_back();
@@ -171,7 +190,7 @@ class WallSurface {
     facets_.origin.push_back(kWallOrigin);
   }
 
-  /// Vertices of polygons that were left out.
+  /// Removes vertices of polygons that were left out.
   void drop_unused() {
     std::vector<std::uint32_t> number(vertex_.size(), 0);
     for (const std::uint32_t v : facets_.corner) number[v] = 1;
@@ -186,13 +205,14 @@ class WallSurface {
   }
 
   std::vector<SpacePoint> corner_;
-  std::vector<std::uint32_t> number_;  // per corner: its vertex
+  std::vector<std::uint32_t> number_;  // Vertex of each corner.
   std::vector<SpacePoint> vertex_;
   MeshFacets facets_;
 };
 
 // ---------------------------------------------------------------- volumes as sets
 
+/// Makes each marked volume of a complex a set of its own.
 class VolumeSplitter {
  public:
   explicit VolumeSplitter(const SpaceComplex& complex) : c_(complex), overlay_(complex.planes()) {
@@ -222,7 +242,7 @@ class VolumeSplitter {
     return sets;
   }
 
-  /// Marks of what no marked volume has.
+  /// Returns the marks of what no marked volume has.
   SpaceMarks rest() const {
     SpaceMarks marks{c_.vertex_mark, c_.edge_mark, c_.facet_mark, {}};
     marks.volume.assign(c_.volume_count(), 0);
@@ -239,7 +259,7 @@ class VolumeSplitter {
     }
   }
 
-  /// The first marked volume around every item.
+  /// Finds the first marked volume around every cell.
   void find_owners() {
     vertex_owner_.resize(c_.vertex_count());
     edge_owner_.resize(c_.edge_count());
@@ -271,7 +291,7 @@ class VolumeSplitter {
     if (!owner.is_valid() || volume < owner) owner = volume;
   }
 
-  /// The vertices around each marked volume.
+  /// Collects the vertices around each marked volume.
   void find_vertices() {
     const auto add = [this](VolumeId volume, VertexId v) {
       if (c_.volume_mark[volume.value()] == 1) vertices_.emplace_back(volume, v);
@@ -298,7 +318,7 @@ class VolumeSplitter {
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
   }
 
-  /// The map at a vertex, with what the volume owns.
+  /// Restricts the sphere map at a vertex to the volume and what it owns.
   void mark(VolumeId volume, VertexId v) {
     SphereMap& map = local_.map;
     const auto keep = [volume](VolumeId owner, Mark& m) {
@@ -325,6 +345,8 @@ class VolumeSplitter {
 
 }  // namespace
 
+/// Walls are arranged among themselves first, so that the overlay with the complex sees a surface
+/// that meets itself in common edges and vertices only.
 SpaceComplex with_walls(SpaceComplex complex, const std::shared_ptr<SpaceTables>& tables,
                         const std::vector<WallPolygon>& walls, Context& context) {
   MeshComplex surface = WallSurface(walls, tables->points).complex(tables, context);

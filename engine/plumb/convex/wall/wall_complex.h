@@ -10,21 +10,20 @@
 
 namespace plumb {
 
-/// The complex with the walls in its marked volumes as facets with mark kBeyond and facet_origin
-/// kWallOrigin; their edges and vertices have mark kBeyond too. Walls may cross, overlap, and reach
-/// out of the volumes: what is in no marked volume is left out.
-///  1. unite    points that are equal become one vertex
-///  2. arrange  (mesh_arrangement.h) the walls among themselves
-///  3. combine  once with the complex
-/// Requires polygons over `tables`, those of the complex. O((n + c) log(n + c)) for c contacts.
+/// Returns the complex with the walls inside its marked volumes as facets with mark kBeyond and
+/// facet_origin kWallOrigin; their edges and vertices have mark kBeyond too. Walls may cross,
+/// overlap, and reach out of the volumes: what is in no marked volume is left out. Steps: equal
+/// points become one vertex; the walls are arranged among themselves (mesh_arrangement.h); the
+/// result is combined with the complex once. Requires polygons over `tables`, those of the complex.
+/// Cost: O((n + c) log(n + c)) for c contacts. Throws what the context throws.
 SpaceComplex with_walls(SpaceComplex complex, const std::shared_ptr<SpaceTables>& tables,
                         const std::vector<WallPolygon>& walls, Context& context);
 
-/// The marked volumes of a complex, each with the marked items of its boundary that no volume
-/// before it has, in minimal form. O(n log n).
+/// Returns the marked volumes of a complex, each with the marked cells of its boundary that no
+/// volume before it has, in minimal form. Cost: O(n log n).
 std::vector<Nef3> volumes_as_sets(const SpaceComplex& complex, Context& context);
 
-/// What is in the boundary of no marked volume.
+/// Returns the set of what is in the boundary of no marked volume.
 Nef3 without_volumes(const Nef3& set, Context& context);
 
 }  // namespace plumb

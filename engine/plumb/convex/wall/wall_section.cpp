@@ -1,3 +1,16 @@
+// Sections of a complex with a vertical plane W.
+//
+// A facet's boundary is walked once. Each crossing with W, and each corner on W, becomes a Cut with
+// the number of times the boundary crosses a line beside W, on its negative side; cuts are sorted
+// along the line of facet and W by exact signs, and between two consecutive cuts the line is inside
+// the facet if the number of crossings so far is odd. Pieces along sides of the facet are left out:
+// these are edges in W, which several facets share, and are added once each.
+//
+// Angles at edges (SectorTest) are compared by the sign of the sine of two half-planes, with half
+// turns separate, so no angle is ever computed. Vertical planes through a line are of the pencil of
+// the line's planes, which keeps numbers as long as those of two planes of the set. See
+// docs/design/walls.md, section Vertical walls.
+// Tested by tests/convex/walls_test.cpp.
 #include "plumb/convex/wall/wall_section.h"
 
 #include <algorithm>
@@ -27,6 +40,7 @@ Vertical::Vertical(const std::array<Integer, 3>& direction, SpaceTables& tables)
   }
 }
 
+/// The sign of the scalar product of normal and direction, computed once for each plane.
 Sign Vertical::rise(PlaneId p) {
   if (p.value() >= rise_.size()) rise_.resize(tables_.planes.size(), FilteredSign::Unsure);
   FilteredSign& known = rise_[p.value()];
@@ -36,6 +50,8 @@ Sign Vertical::rise(PlaneId p) {
   return decided(known);
 }
 
+/// The combination of the two planes whose normal is orthogonal to the direction: each row is
+/// weighted by the other's product with it.
 OrientedPlane Vertical::through(const std::array<PlaneId, 2>& line) {
   const Integer first = dot(tables_.planes.coefficients(line[0]), direction_);
   const Integer second = dot(tables_.planes.coefficients(line[1]), direction_);
@@ -49,7 +65,7 @@ PlaneId Vertical::through(SpacePoint x, PlaneId avoided) {
   const std::array<Integer, 3>& d = direction_;
   PlaneId other;
   for (std::size_t i = 0; i < 3 && !other.is_valid(); ++i) {
-    // d x e_i
+    // The normal d x e_i is orthogonal to the vertical.
     std::array<Rational, 3> n;
     n[(i + 1) % 3] = d[(i + 2) % 3];
     n[(i + 2) % 3] = -d[(i + 1) % 3];
@@ -57,7 +73,8 @@ PlaneId Vertical::through(SpacePoint x, PlaneId avoided) {
     const OrientedPlane plane = tables_.planes.intern(n[0], n[1], n[2], offset);
     if (plane.is_valid() && plane.plane() != avoided) other = plane.plane();
   }
-  PLUMB_CHECK(other.is_valid());  // two vertical planes go through every point
+  // At least two vertical planes of this form go through every point.
+  PLUMB_CHECK(other.is_valid());
   return other;
 }
 
@@ -88,6 +105,8 @@ Sign SectorTest::sine(EdgeId e, HalfPlane from, HalfPlane to) const {
   return turn_about_line(c_.planes(), p, q, from.plane, to.plane) * from.sense * to.sense;
 }
 
+/// Half-planes of one plane are equal or opposite; otherwise the sine decides, counter-clockwise
+/// about half-edge 2e.
 int SectorTest::turn(EdgeId e, HalfPlane from, HalfPlane to) const {
   const Sign s = sine(e, from, to);
   if (s == Sign::Zero) return from.sense == to.sense ? 0 : 2;
@@ -99,6 +118,8 @@ bool SectorTest::is_reflex(const Sector& s) const {
   return turn(s.edge, of_use(s.first), of_use(s.second)) == 3;
 }
 
+/// Compares turns from the first facet. Only if both are in the same half turn does a second sine
+/// decide.
 bool SectorTest::holds(const Sector& s, HalfPlane h) const {
   if (!s.first.is_valid()) return true;
   const int at = turn(s.edge, of_use(s.first), h);
@@ -128,6 +149,8 @@ void WallSection::add_edges() {
   for (const EdgeId e : edges_) obstacles_.push_back(obstacle(e));
 }
 
+/// A facet in a vertical plane other than W leaves nothing but vertical pieces. A facet in W itself
+/// contributes its edges only.
 void WallSection::add(FacetId f) {
   const PlaneId plane = c_.facet_plane[f.value()];
   const bool is_upright = vertical_.rise(plane) == Sign::Zero;
@@ -159,6 +182,9 @@ void WallSection::gather(FacetId f) {
   }
 }
 
+/// Walks one boundary cycle with the sides of three consecutive corners at hand. A corner on W
+/// counts a crossing for each neighbour on the negative side, so a boundary that touches W counts
+/// two or none.
 void WallSection::gather(UseId cycle) {
   const auto side_of = [&](UseId u) {
     return side(tables_.points, c_.vertex_point[c_.use_origin(u).value()], wall_);
@@ -184,7 +210,7 @@ void WallSection::gather(UseId cycle) {
   } while (u != cycle);
 }
 
-/// Ahead.
+/// Sorts the cuts by "ahead" along the line of the facet's plane and W.
 void WallSection::order(PlaneId plane) {
   const bool runs_back = vertical_.rise(plane) == Sign::Positive;
   std::sort(cuts_.begin(), cuts_.end(), [&](const Cut& a, const Cut& b) {
@@ -212,6 +238,8 @@ Station WallSection::station(const Cut& cut) {
   return {cut.point, vertical_.through(c_.edge_planes[cut.item.index()]).plane()};
 }
 
+/// Looks for a vertical plane through the vertex that is already there: that of a vertical edge, or
+/// the wall of another edge. Only a vertex without such an edge needs a new plane.
 Station WallSection::station(VertexId v) {
   const SpacePoint x = c_.vertex_point[v.value()];
   for (const HalfedgeId h : c_.star_of(v)) {
@@ -246,6 +274,8 @@ Sign WallSection::above(SpacePoint x, PlaneId plane) const {
   return side(tables_.points, x, plane) * vertical_.rise(plane);
 }
 
+/// Obstacles do not cross, so a comparison at one end of their overlap decides, and the other end
+/// decides if they meet in the first.
 Sign WallSection::above(const Obstacle& x, const Obstacle& y) const {
   const Sign at_from = ahead(x.from.point, y.from) != Sign::Negative
                            ? above(x.from.point, y.plane)
@@ -255,6 +285,7 @@ Sign WallSection::above(const Obstacle& x, const Obstacle& y) const {
                                                    : -above(y.to.point, x.plane);
 }
 
+/// The point is the station's own if the plane goes through it, which avoids a new name for it.
 SpacePoint WallSection::corner(const Station& s, PlaneId plane) {
   if (side(tables_.points, s.point, plane) == Sign::Zero) return s.point;
   return tables_.points.add(wall_, plane, s.cross);

@@ -1,3 +1,17 @@
+// Walls that rise and fall from reflex edges: the lower envelope of what lies above an edge, within
+// the vertical plane through it, and the upper envelope of what lies below.
+//
+// Shadows gives boxes of cells projected along the vertical, computed in balls of doubles with
+// outward rounding, so a box tree over them finds every facet that may be above or below an edge.
+// In the plane of the wall these facets leave obstacles that do not cross (wall_section.h). Sight
+// keeps the base divided into intervals, each with the nearest obstacle so far, and inserts
+// obstacles one by one; an interval is divided only at stations of obstacles, whose order is
+// decided exactly.
+//
+// After these walls only vertical edges are reflex: docs/design/walls.md, section Vertical walls;
+// B. Chazelle, SIAM Journal on Computing 13 (1984). Points and vertical lines removed from a volume
+// have no edge to look from and get a wall through the whole set.
+// Tested by tests/convex/walls_test.cpp.
 #include "plumb/convex/wall/wall_sight.h"
 
 #include <algorithm>
@@ -15,7 +29,8 @@
 namespace plumb {
 namespace {
 
-/// Boxes of shadows along the vertical, and of heights.
+/// Boxes of cells: their shadows along the vertical in two coordinates, and their heights in the
+/// third.
 class Shadows {
  public:
   Shadows(const SpaceComplex& complex, const Vertical& vertical)
@@ -54,6 +69,8 @@ class Shadows {
 
  private:
   std::size_t side_axis(std::size_t i) const { return (axis_ + 1 + i) % 3; }
+  /// Widens an interval by its error and by the rounding of both sums; an unknown value becomes all
+  /// of the axis.
   static void set(Box3& box, std::size_t i, Ball value) {
     if (!(value.error < Box3::kInfinity)) {
       box.low[i] = -Box3::kInfinity;
@@ -85,7 +102,7 @@ class Sight {
     }
   }
 
-  /// None where something is missing over a part of the base.
+  /// Returns the corners of the wall, or none if nothing is above (below) a part of the base.
   std::vector<SpacePoint> polygon() const {
     std::vector<SpacePoint> corners{base_.to.point, base_.from.point};
     for (const Interval& i : seen_) {
@@ -94,7 +111,8 @@ class Sight {
       corners.push_back(section_.corner(i.from, plane));
       corners.push_back(section_.corner(i.to, plane));
     }
-    // Back along the base and ahead above it: counter-clockwise (wall_section.h). Below it: not.
+    // The corners run back along the base and ahead above it: counter-clockwise (wall_section.h).
+    // For a wall below the base the order is reversed.
     if (!is_up_) std::reverse(corners.begin(), corners.end());
     return corners;
   }
@@ -111,6 +129,8 @@ class Sight {
            section_.ahead(o.from.point, to) == Sign::Negative;
   }
 
+  /// The intervals that the obstacle overlaps are consecutive, so they are found by binary search
+  /// and replaced as a whole.
   void insert(std::uint32_t number) {
     const Obstacle& o = section_.obstacles()[number];
     auto first = std::partition_point(seen_.begin(), seen_.end(), [&](const Interval& i) {
@@ -125,6 +145,8 @@ class Sight {
     seen_.insert(at, changed.begin(), changed.end());
   }
 
+  // Replaces the interval by up to three: the new obstacle takes the middle one if it is nearer to
+  // the base. Obstacles do not cross, so one comparison decides for the whole overlap.
   void split(const Interval& i, std::uint32_t number, std::vector<Interval>& parts) const {
     const Obstacle& o = section_.obstacles()[number];
     if (i.obstacle != kNone && section_.above(o, section_.obstacles()[i.obstacle]) != -beyond()) {
@@ -182,6 +204,8 @@ class SightWalls {
     tree_ = BoxTree(boxes);
   }
 
+  /// Makes the walls above and below one edge, if a marked volume with a reflex sector at the edge
+  /// is there.
   void look_from(EdgeId e) {
     sectors_of(c_, e, sectors_);
     const bool is_any_reflex =
@@ -193,8 +217,8 @@ class SightWalls {
       return;
     }
     const OrientedPlane wall = vertical_.through(c_.edge_planes[e.value()]);
-    // The upper half-plane: wall = k (c_q n_p - c_p n_q), up.(n_W x d) = -k |...|^2
-    // (wall_section.h).
+    // With wall = k (c_q n_p - c_p n_q), up.(n_W x d) = -k |...|^2, so the upper half-plane has the
+    // opposite orientation (wall_section.h).
     const HalfPlane up{wall.plane(), -wall.orientation()};
     const HalfPlane down{wall.plane(), wall.orientation()};
     const bool sees_up = is_in_reflex_sector(up), sees_down = is_in_reflex_sector(down);
@@ -212,7 +236,7 @@ class SightWalls {
     });
   }
 
-  /// What is over or under the edge.
+  /// Collects what is above or below the edge.
   void gather(EdgeId e, WallSection& section) {
     Box3 query = shadows_.of(e);
     query.low[2] = -Box3::kInfinity;
@@ -230,12 +254,12 @@ class SightWalls {
     section.add_edges();
   }
 
-  /// A point or an upright line was taken out of a volume, and has no edge to look from: a wall all
-  /// through the set.
+  /// Cuts through the whole set at a point, or at a vertical line, that was removed from a volume
+  /// and has no edge to look from.
   void cut_across(VertexId v) {
     const PlaneId wall = vertical_.through(c_.vertex_point[v.value()], PlaneId());
     const PlaneId level = vertical_.level();
-    // Across is a coordinate that grows or falls along the level lines of the wall.
+    // The axis `across` is one whose coordinate grows or falls along the level lines of the wall.
     std::size_t across = (vertical_.axis() + 1) % 3;
     if (minor_sign(tables_.planes, wall, level, across) == Sign::Zero) {
       across = (vertical_.axis() + 2) % 3;
@@ -253,7 +277,7 @@ class SightWalls {
     walls_.push_back(std::move(polygon));
   }
 
-  /// Two planes across an axis, the set between them.
+  /// Returns two planes across an axis with the set between them.
   std::array<PlaneId, 2> beyond(const Box3& all, std::size_t axis) {
     const auto plane = [&](double at) {
       std::array<double, 3> n{};

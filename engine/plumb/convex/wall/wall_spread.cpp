@@ -1,3 +1,15 @@
+// Walls that resolve vertical reflex edges. A cell is, seen along the vertical, a polygon; a wall
+// prolongs the plane of a facet across the vertical edge, into the reflex angle, and ends at the
+// first facet or earlier wall it meets. It is bounded below and above by chains of obstacles in its
+// plane, which are followed one by one: an obstacle ends at a vertex or at an edge that crosses the
+// plane, and the next one begins with the same one. So no coordinates are compared to follow a
+// chain.
+//
+// Invariants: walls of one cell do not cross, because each stops at the first earlier one
+// (traces_); edges one upon the other on a vertical line are resolved together, from the topmost.
+// Each wall divides a cell into two at most. A cell that lies above itself may be cut too early,
+// and a later round repairs that (walls.cpp). See docs/design/walls.md, section Vertical walls.
+// Tested by tests/convex/walls_test.cpp.
 #include "plumb/convex/wall/wall_spread.h"
 
 #include <algorithm>
@@ -14,10 +26,10 @@ namespace {
 /// A vertical wall of a cell, seen along the vertical.
 struct Trace {
   PlaneId plane;
-  Station from, to;  // `from` where it began
+  Station from, to;  // `from` is where the wall began.
 };
 
-/// One volume: its facets, and the walls it has got.
+/// One volume: its facets, and the walls it has received.
 class Cell {
  public:
   Cell(const SpaceComplex& complex, SpaceTables& tables, Vertical& vertical, VolumeId volume,
@@ -29,12 +41,12 @@ class Cell {
         facets_(facets),
         sector_test_(complex) {}
 
-  /// From the topmost of the edges on one line that the cell is reflex at.
+  /// Makes a wall from the topmost of the edges on one line at which the cell is reflex.
   void spread_from(const Sector& sector, std::vector<WallPolygon>& walls) {
     const Line line = line_of(sector);
     if (!line.is_topmost || is_resolved(sector, line)) return;
     if (!sector.first.is_valid()) {
-      // A line taken out of the cell: one wall to both sides of it.
+      // A line has been removed from the cell: walls run to both sides of it.
       const PlaneId plane = c_.edge_planes[sector.edge.value()][0];
       run(plane, line, Sign::Positive, walls);
       run(plane, line, Sign::Negative, walls);
@@ -47,7 +59,7 @@ class Cell {
   }
 
  private:
-  /// Edges one upon the other.
+  /// Edges one upon the other, as the vertices at their ends.
   struct Line {
     VertexId top, bottom;
     bool is_topmost;
@@ -57,7 +69,7 @@ class Cell {
 
   // ---- the line
 
-  /// Does half-edge 2e run up?
+  /// Returns Positive if half-edge 2e runs up.
   Sign climb(EdgeId e) const {
     const auto& [p, q] = c_.edge_planes[e.value()];
     return det3_sign(tables_.planes, p, q, vertical_.level());
@@ -74,8 +86,8 @@ class Cell {
     return line;
   }
 
-  /// The half-edge that ends where this one begins and runs the same way, if the cell is reflex
-  /// there, too.
+  /// Returns the half-edge that ends where this one begins and runs the same way, if the cell is
+  /// reflex there, too; else an invalid id.
   HalfedgeId reflex_beyond(HalfedgeId h) {
     for (const HalfedgeId out : c_.star_of(c_.origin[h.value()])) {
       const EdgeId e = SpaceComplex::edge_of(out);
@@ -88,12 +100,13 @@ class Cell {
     return {};
   }
 
+  // Whether an earlier wall of the cell ended at this line and left two angles that are not reflex.
   bool is_resolved(const Sector& sector, const Line& line) const {
     const SpacePoint x = c_.vertex_point[line.top.value()];
     return std::any_of(traces_.begin(), traces_.end(), [&](const Trace& t) {
       if (side(tables_.points, x, t.plane) != Sign::Zero) return false;
       if (side(tables_.points, x, t.to.cross) != Sign::Zero) return false;
-      // It came from `from`: there the half-plane leads.
+      // The half-plane of the wall leads back to where it came from.
       const Sign ahead = side(tables_.points, t.from.point, t.to.cross) *
                          det3_sign(tables_.planes, t.to.cross, t.plane, vertical_.level());
       return sector_test_.is_resolved_by(sector, {t.plane, ahead * climb(sector.edge)});
@@ -102,6 +115,8 @@ class Cell {
 
   // ---- a wall
 
+  /// Makes one wall ahead of a line, between the chains of floor and ceiling, up to the nearest of
+  /// their ends and the earlier walls of the cell.
   void run(PlaneId plane, const Line& line, Sign heading, std::vector<WallPolygon>& walls) {
     WallSection section(c_, tables_, vertical_, plane);
     for (const FacetId f : facets_) section.add(f);
@@ -123,7 +138,7 @@ class Cell {
     std::vector<SpacePoint> above;
     add_corners(section, ceiling, end, heading, above);
     wall.corners.insert(wall.corners.end(), above.rbegin(), above.rend());
-    // Ahead along the floor and back under the ceiling: clockwise (wall_section.h).
+    // The corners run ahead along the floor and back under the ceiling: clockwise (wall_section.h).
     if (heading == Sign::Positive) std::reverse(wall.corners.begin(), wall.corners.end());
     walls.push_back(std::move(wall));
     traces_.push_back({plane, start, end});
@@ -141,7 +156,7 @@ class Cell {
     return section.ahead(a.point, b) * heading == Sign::Positive ? b : a;
   }
 
-  /// Obstacles joined end to end, from the vertex on.
+  /// Returns the obstacles joined end to end, from the vertex on.
   std::vector<std::uint32_t> follow(WallSection& section, VertexId from, Side side, Sign heading) {
     std::vector<std::uint32_t> chain;
     SpaceItem at = from;
@@ -159,7 +174,8 @@ class Cell {
     return heading == Sign::Positive ? obstacle.to_item : obstacle.from_item;
   }
 
-  /// The cell may go on behind a vertex in which floor and ceiling touch.
+  /// Ends both chains at the first vertex in which floor and ceiling touch; the cell may go on
+  /// behind it.
   static void end_where_they_meet(const WallSection& section, Sign heading,
                                   std::vector<std::uint32_t>& ceiling,
                                   std::vector<std::uint32_t>& floor) {
@@ -188,7 +204,7 @@ class Cell {
     return kNone;
   }
 
-  /// Is the cell below (above) the obstacle?
+  /// Whether the cell is below the obstacle (ceiling), or above it (floor).
   bool bounds(const WallSection& section, const Obstacle& o, Side side) {
     const bool looks_up = side == Side::Floor;
     if (o.owner.kind() == SpaceItem::Kind::Facet) {
@@ -204,8 +220,8 @@ class Cell {
     });
   }
 
-  /// Does an edge of the cell's boundary leave a vertex of the ceiling straight down (of the floor:
-  /// up)?
+  /// Whether an edge of the cell's boundary leaves a vertex of the ceiling straight down, or a
+  /// vertex of the floor straight up.
   bool has_upright_edge(VertexId v, Side side) {
     for (const HalfedgeId h : c_.star_of(v)) {
       const EdgeId e = SpaceComplex::edge_of(h);
@@ -221,7 +237,7 @@ class Cell {
     return false;
   }
 
-  /// Where the wall from `start` meets an earlier one, ahead.
+  /// Returns where the wall from `start` meets an earlier one ahead, if it does.
   std::optional<Station> crossing(WallSection& section, const Station& start, const Trace& t,
                                   Sign heading) {
     const PlaneId wall = section.wall();
@@ -239,7 +255,7 @@ class Cell {
     return Station{x, t.plane};
   }
 
-  /// The points of a chain up to a station.
+  /// Appends the points of a chain up to a station.
   static void add_corners(WallSection& section, const std::vector<std::uint32_t>& chain,
                           const Station& end, Sign heading, std::vector<SpacePoint>& corners) {
     for (const std::uint32_t i : chain) {
@@ -262,7 +278,7 @@ class Cell {
   std::vector<Sector> sectors_;
 };
 
-/// Something of each volume, in one array.
+/// Lists of some cells for each volume, in one array.
 template <class T>
 struct ByVolume {
   std::vector<std::uint32_t> begin;
@@ -292,7 +308,7 @@ ByVolume<FacetId> facets_by_volume(const SpaceComplex& c) {
   return {c.volume_count(), std::move(pairs)};
 }
 
-/// Of vertical edges.
+/// Returns the reflex sectors of vertical edges for each volume.
 ByVolume<Sector> reflex_sectors_by_volume(const SpaceComplex& c, Vertical& vertical) {
   std::vector<std::pair<VolumeId, Sector>> pairs;
   const SectorTest test(c);

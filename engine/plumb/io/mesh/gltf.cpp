@@ -1,3 +1,14 @@
+// Reading of glTF 2.0 (Khronos Group, glTF 2.0 Specification; ISO/IEC 12113:2022).
+//
+// GltfDocument is a lazy view of the JSON: lists of entries, buffers, accessors and views are found
+// on first use, kept, and charged to the context. Nodes are visited depth first with a stack of its
+// own, so deep hierarchies cost no recursion; a transform is kept as long as a child still needs
+// it. A node is placed once: a second placement means a cycle or a shared child, and is refused.
+//
+// Every number from the file is checked against what it is used for, such as offsets against
+// buffers and indices against counts, before any byte is read by it. What is wrong is reported with
+// its place in the document.
+// Tested by tests/io/gltf_test.cpp.
 #include "plumb/io/mesh/gltf.h"
 
 #include <algorithm>
@@ -23,7 +34,7 @@ using Id = JsonValues::Id;
 
 constexpr std::uint64_t kMostCount = std::uint64_t{1} << 53U;
 
-/// Members of the JSON. What is wrong is told with where it is: "buffers[2]: ...".
+/// Members of the JSON. Errors say where they are: "buffers[2]: ...".
 class GltfDocument {
  public:
   GltfDocument(std::string_view bytes, const GltfLoader& loader, const ReadOptions& options,
@@ -41,7 +52,7 @@ class GltfDocument {
     if (!json_.is_object(kDocument)) container_.fail(0, ErrorCode::Syntax, "expected an object");
     require_version();
   }
-  /// Gives the memory of buffers back.
+  /// Releases the memory of buffers.
   ~GltfDocument() {
     for (const auto& [index, bytes] : loaded_) context_.release_memory(bytes.size());
   }
@@ -55,9 +66,10 @@ class GltfDocument {
     throw Error(code, where + ": " + what, {container_.name});
   }
 
+  /// Whether the object has the member.
   bool has(Id object, const char* member) const { return json_.find(object, member).has_value(); }
 
-  /// The list that a member is; empty where it is missing.
+  /// Returns the list that a member is; an empty one if it is missing.
   JsonValues::Items list(Id object, const char* member, const std::string& where) const {
     const auto found = json_.find(object, member);
     if (!found) return {&json_, 0, 0};
@@ -67,7 +79,7 @@ class GltfDocument {
     return json_.items(*found);
   }
 
-  /// The entries of a list of the document, to be found by number.
+  /// Returns the entries of a list of the document, for access by number.
   const std::vector<Id>& entries(const char* list_name) {
     const auto [at, is_new] = entries_.try_emplace(list_name);
     if (!is_new) return at->second;
@@ -79,7 +91,7 @@ class GltfDocument {
     return at->second;
   }
 
-  /// An entry of a list of the document: an object.
+  /// Returns an entry of a list of the document. Throws unless it is an object.
   Id item(const char* list_name, std::size_t index) {
     const std::vector<Id>& all = entries(list_name);
     if (index >= all.size()) fail(ErrorCode::BadIndex, entry(list_name, index), "there is none");
@@ -89,8 +101,8 @@ class GltfDocument {
     return all[index];
   }
 
-  /// A whole number that a size can be; `otherwise` where the member is missing, an error if there
-  /// is none.
+  /// Returns a member that is a whole number and fits a size. A missing member counts as
+  /// `otherwise`; if there is none, that is an error.
   std::size_t count(Id object, const char* member, std::optional<std::size_t> otherwise,
                     const std::string& where) const {
     const auto found = json_.find(object, member);
@@ -105,7 +117,7 @@ class GltfDocument {
     return static_cast<std::size_t>(*count);
   }
 
-  /// As many numbers as `otherwise`, which they are where the member is missing.
+  /// Returns as many numbers as `otherwise` has, or `otherwise` if the member is missing.
   template <std::size_t N>
   std::array<double, N> numbers(Id object, const char* member, std::array<double, N> otherwise,
                                 const std::string& where) const {
@@ -125,7 +137,7 @@ class GltfDocument {
     return otherwise;
   }
 
-  /// As many bytes as the buffer says. Files are read when they are first asked for.
+  /// Returns as many bytes as the buffer says. Files are read on first use.
   std::string_view buffer(std::size_t index) {
     const auto [at, is_new] = buffers_.try_emplace(index);
     if (is_new) at->second = found_buffer(index);
@@ -158,7 +170,7 @@ class GltfDocument {
     return bytes.substr(0, length);
   }
 
-  /// Any JSON, GeoJSON say, is an empty document but for this.
+  /// Requires version 2. Any other JSON, such as GeoJSON, would otherwise be an empty document.
   void require_version() const {
     const auto asset = json_.find(kDocument, "asset");
     const auto version =
@@ -182,10 +194,10 @@ class GltfDocument {
   GltfContainer container_;
   const GltfLoader& loader_;
   Context& context_;
-  MemoryCharge charge_;  // of lists of entries
+  MemoryCharge charge_;  // Of lists of entries.
   JsonValues json_;
-  std::map<std::string_view, std::vector<Id>> entries_;  // per list that was asked for
-  std::map<std::size_t, std::string> loaded_;            // buffers that are no chunk
+  std::map<std::string_view, std::vector<Id>> entries_;  // Per list that was used.
+  std::map<std::size_t, std::string> loaded_;            // Buffers that are no chunk.
   std::map<std::size_t, std::string_view> buffers_;
 };
 
@@ -220,14 +232,14 @@ class GltfReader {
  private:
   static constexpr Id kDocument = GltfDocument::kDocument;
 
-  /// A node that is to be placed by the topmost transform of above_, which goes with the last of
-  /// them.
+  /// A node that is to be placed by the topmost transform of above_. That transform is dropped
+  /// after the last of its nodes.
   struct Placed {
     std::uint32_t node;
     bool is_last;
   };
 
-  /// What an accessor says.
+  /// The members of an accessor.
   struct Accessor {
     std::string type;
     std::size_t component, count, offset, view;
@@ -235,7 +247,7 @@ class GltfReader {
 
   // ---------------------------------------------------------------- nodes
 
-  /// What changes colours only may be required.
+  /// Accepts required extensions that change colours only.
   void check_extensions() const {
     for (const Id name : in_.list(kDocument, "extensionsRequired", "the document")) {
       watch();
@@ -250,7 +262,7 @@ class GltfReader {
     }
   }
 
-  /// For loops over what the document lists.
+  /// Counts steps of loops over what the document lists; asks the context now and then.
   void watch() const {
     if (++watched_ % kItemsPerCheckpoint == 0) context_.checkpoint("read", 0, 1);
   }
@@ -300,8 +312,8 @@ class GltfReader {
     open_.push_back({static_cast<std::uint32_t>(node), false});
   }
 
-  /// Those opened since there were `first`: they are taken from the end. Without any, nobody needs
-  /// their transform.
+  /// Ends the children opened since there were `first`. They are taken from the end. If there are
+  /// none, their transform is dropped at once.
   void end_children(std::size_t first) {
     if (open_.size() == first) {
       above_.pop_back();
@@ -343,7 +355,7 @@ class GltfReader {
     return GltfDocument::entry("meshes", mesh) + '.' + GltfDocument::entry("primitives", primitive);
   }
 
-  /// Listed once, however many nodes place the mesh.
+  /// Returns the primitives of a mesh, listed once, however many nodes place it.
   const std::vector<GltfPrimitive>& primitives_of(std::size_t mesh) {
     const auto [at, is_new] = primitives_.try_emplace(mesh);
     if (!is_new) return at->second;
@@ -363,7 +375,7 @@ class GltfReader {
     return at->second;
   }
 
-  /// None if it has no triangles.
+  /// Returns a primitive, or no value if it has no triangles.
   std::optional<GltfPrimitive> primitive_of(Id primitive, std::size_t number,
                                             const std::string& where) {
     const std::size_t mode = in_.count(primitive, "mode", GltfMode::kTriangles, where);
@@ -375,7 +387,7 @@ class GltfReader {
     }
     const auto attributes = in_.json().find(primitive, "attributes");
     if (!attributes || !in_.json().is_object(*attributes) || !in_.has(*attributes, "POSITION")) {
-      return {};  // as glTF has it: nothing to draw
+      return {};  // glTF says that there is nothing to draw.
     }
     GltfPrimitive p{number, mode, {}, {}};
     p.positions =
@@ -394,7 +406,7 @@ class GltfReader {
 
   // ---------------------------------------------------------------- accessors
 
-  /// All of its bytes are there.
+  /// Returns the elements of an accessor, all of whose bytes exist.
   GltfElements elements(std::size_t accessor, const char* type, std::size_t parts,
                         std::initializer_list<std::size_t> components) {
     const std::string where = GltfDocument::entry("accessors", accessor);
@@ -425,7 +437,7 @@ class GltfReader {
     return e;
   }
 
-  /// Read once, however many primitives name it.
+  /// Returns an accessor, read once, however many primitives name it.
   const Accessor& accessor_of(std::size_t accessor, const std::string& where) {
     if (const auto known = accessors_.find(accessor); known != accessors_.end()) {
       return known->second;
@@ -447,7 +459,7 @@ class GltfReader {
 
   using ViewBytes = std::pair<std::string_view, std::size_t>;
 
-  /// And its stride, 0 if it says none.
+  /// Returns the bytes of a view and its stride, which is 0 if it names none.
   const ViewBytes& view_bytes(std::size_t view) {
     const auto [at, is_new] = views_.try_emplace(view);
     if (is_new) {
@@ -471,13 +483,13 @@ class GltfReader {
   GltfDocument in_;
   GltfTriangles triangles_;
   Context& context_;
-  MemoryCharge charge_;  // of lists of primitives
+  MemoryCharge charge_;  // Of lists of primitives.
   mutable std::size_t watched_ = 0;
   std::vector<Placed> open_;
-  std::deque<GltfTransform> above_;                               // of open nodes
-  std::vector<std::uint8_t> is_placed_;                           // per node
-  std::map<std::size_t, std::vector<GltfPrimitive>> primitives_;  // per mesh that is placed
-  std::map<std::size_t, Accessor> accessors_;                     // that are named
+  std::deque<GltfTransform> above_;                               // Of open nodes.
+  std::vector<std::uint8_t> is_placed_;                           // Per node.
+  std::map<std::size_t, std::vector<GltfPrimitive>> primitives_;  // Per mesh that is placed.
+  std::map<std::size_t, Accessor> accessors_;                     // Accessors that are named.
   std::map<std::size_t, ViewBytes> views_;
 };
 

@@ -1,15 +1,17 @@
 // Reads glTF 2.0, binary (.glb) and text (.gltf): the triangles of all nodes, as they are placed.
 //
-//   1. the document and its buffers (gltf_parts.h); it has to say version 2
-//   2. nodes of the scene it names, else of its first, else all that are no children; each once
-//   3. triangles, strips and fans of their meshes (gltf_parts.h), listed once per mesh; coordinates
-//      are floats, moved by the transforms of the node and those above it, in doubles. A transform
-//      that mirrors turns triangles around.
-//   4. equal points become one vertex (mesh_formats.h)
+// Main flow of read_gltf():
+//  1. document   opens the document and its buffers (gltf_parts.h); it must say version 2
+//  2. nodes      visits the nodes of the scene that the document names, else of its first scene,
+//                else all nodes that are no children; each once
+//  3. triangles  lists triangles, strips and fans of their meshes, once per mesh (gltf_parts.h).
+//                Coordinates are floats, moved in doubles by the transforms of the node and those
+//                above it; a transform that mirrors turns triangles around
+//  4. weld       makes equal points one vertex (mesh_formats.h)
 //
-// Triangles with two equal corners are left out, and told; so are lines, points, skins and morph
-// targets. Refused: sparse accessors, coordinates that are no floats, required extensions but those
-// of materials, textures and lights, and a file without triangles.
+// Triangles with two equal corners are left out, with a note; so are lines, points, skins and morph
+// targets. Refused are sparse accessors, coordinates that are not floats, required extensions
+// except those of materials, textures and lights, and a file without triangles.
 //
 // Cost: O(bytes + n log n) for n triangles, counted as often as they are placed. Errors: those of
 // gltf_parts.h; "FILE: accessors[3]: what" for what the document says wrong: Syntax, BadIndex,
@@ -25,8 +27,8 @@
 
 namespace plumb {
 
-/// The memory of the mesh stays charged to `context`; that of the document and its buffers is given
-/// back.
+/// Returns the mesh of a glTF file. Its memory stays charged to `context`; that of the document and
+/// its buffers is released.
 MeshFile read_gltf(std::string_view bytes, const GltfLoader& loader, const ReadOptions& options,
                    Context& context);
 

@@ -1,3 +1,13 @@
+// Parts of glTF files: the binary container, buffers behind uris, and triangles.
+//
+// The container is validated chunk by chunk: lengths are compared with the bytes that exist before
+// they are used, and unknown chunks are skipped. A uri is base64 data or the name of a file in the
+// same folder; a name that could lead elsewhere ("..", a slash, even encoded as %2f) is refused, so
+// that a model cannot read other files. Triangles of strips alternate in orientation, and a
+// transform that mirrors reverses all, which an exact sign of its determinant decides. Format: glTF
+// 2.0 Specification (Khronos Group), sections on GLB, buffers and meshes; docs/formats.md, section
+// glTF.
+// Tested by tests/io/gltf_test.cpp.
 #include "plumb/io/mesh/gltf_parts.h"
 
 #include <algorithm>
@@ -25,7 +35,7 @@ std::optional<std::uint32_t> digit_of(char c) {
   return static_cast<std::uint32_t>(at);
 }
 
-/// None if it is no base64.
+/// Returns the bytes of base64 text, or no value if it is none.
 std::optional<std::string> from_base64(std::string_view text, Context& context) {
   if (text.size() % 4 != 0) return {};
   for (int i = 0; i < 2 && text.ends_with('='); ++i) text.remove_suffix(1);
@@ -51,7 +61,7 @@ std::optional<std::uint32_t> hex_of(char c) {
   return {};
 }
 
-/// %20 and such. What is no code stays.
+/// Returns a uri with codes such as %20 replaced. What is no code stays.
 std::string decoded(std::string_view uri) {
   std::string text;
   for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -68,13 +78,15 @@ std::string decoded(std::string_view uri) {
   return text;
 }
 
+/// Whether the name names a file of the same folder.
 bool is_file_name(const std::string& name) {
-  constexpr std::size_t kLongest = 255;  // that systems know
+  constexpr std::size_t kLongest = 255;  // Longest name that file systems allow.
   return !name.empty() && name.size() <= kLongest && name != "." && name != ".." &&
          name.find_first_of(std::string_view("/\\:\0", 4)) == name.npos;
 }
 
-/// Header: "glTF", version, length. Chunks: length, kind, bytes; unknown kinds are passed over.
+/// Reads the chunks of a binary file. Its header is "glTF", version, length; a chunk is length,
+/// kind, bytes. Unknown kinds are skipped.
 void read_chunks(GltfContainer& out) {
   BinaryInput in(out.file, 0, std::endian::little, out.name);
   if (in.bytes_left() < kHeader) in.fail(ErrorCode::CountMismatch, "cut off");
@@ -167,7 +179,7 @@ void GltfTriangles::add(const GltfPrimitive& p, const GltfTransform& placed,
     if (index < p.positions.count) return static_cast<std::uint32_t>(first + index);
     fail(ErrorCode::BadIndex, where, "no vertex " + std::to_string(index));
   };
-  // Where there are points, they are finite, and so is what moves them.
+  // If there are points they are finite, and so is the transform that moves them.
   const bool turns = p.positions.count > 0 && mirrors(placed);
   const std::size_t count = p.corner_count(), step = p.mode == GltfMode::kTriangles ? 3 : 1;
   for (std::size_t i = 0; i + 2 < count; i += step) {
@@ -183,7 +195,7 @@ void GltfTriangles::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t
   if (!mesh_.end_face().empty()) ++dropped_;
 }
 
-/// Returns the number of the first.
+/// Adds points and returns the number of the first.
 std::uint64_t GltfTriangles::add_points(const GltfElements& positions, const GltfTransform& m,
                                         const std::string& where) {
   const std::uint64_t first = mesh_.point_count();

@@ -1,7 +1,8 @@
-// What glTF files are made of: a JSON document, and buffers of bytes it names.
+// What glTF files are made of: a JSON document with buffers of bytes, affine maps of nodes, and
+// triangles.
 //
-//   - "glTF" at the beginning: binary, chunks of JSON and of bytes; else the text is the JSON
-//   - a buffer is the chunk of bytes, base64 in its name (data:), or a file in the same folder
+// A file that begins with "glTF" is binary, with chunks of JSON and of bytes; else the text is the
+// JSON. A buffer is the chunk of bytes, base64 in its name (data:), or a file in the same folder.
 #pragma once
 
 #include <array>
@@ -22,38 +23,42 @@
 
 namespace plumb {
 
-/// How many accessor items are read between two checkpoints.
+/// The number of accessor items that are read between two checkpoints.
 inline constexpr std::size_t kItemsPerCheckpoint = 4096;
 
+/// The document of a file, and the chunk of bytes if it has one.
 struct GltfContainer {
-  std::string_view file;  ///< all bytes
+  std::string_view file;  ///< All bytes of the file.
   std::string name;
   bool is_binary = false;
   std::string_view json;
-  std::optional<std::string_view> chunk;  ///< of bytes
+  std::optional<std::string_view> chunk;  ///< The chunk of bytes.
 
-  /// FILE:LINE:COLUMN in a text, FILE: at byte N in a binary file; `byte` of the JSON.
+  /// Throws an error at a byte of the JSON: FILE:LINE:COLUMN in a text, "FILE: at byte N" in a
+  /// binary file.
   [[noreturn]] void fail(std::size_t byte, ErrorCode code, const std::string& what) const;
 };
 
-/// `bytes` must outlive it. Errors: UnknownFormat, CountMismatch, Syntax, with the byte.
+/// Returns the container of a file. `bytes` must outlive it. Throws Error{UnknownFormat},
+/// Error{CountMismatch} and Error{Syntax}, with the byte.
 GltfContainer open_gltf(std::string_view bytes, const std::string& name);
 
-/// The bytes of a file in the folder of the one that is read, charged; `name` has no slashes.
+/// Returns the bytes of a file in the folder of the file that is read, charged; `name` has no
+/// slashes.
 using GltfLoader = std::function<std::string(const std::string& name)>;
 
-/// The bytes that a uri names, charged as many as they are. Throws errors without a place:
-/// UnknownFormat, Syntax; CannotOpen for files that are not in the folder, or all if `loader` is
-/// empty; what it throws.
+/// Returns the bytes that a uri names, charged to the context. Throws errors without a place:
+/// UnknownFormat, Syntax, CannotOpen for files outside the folder, or for all files if `loader` is
+/// empty; and what `loader` throws.
 std::string bytes_of_uri(std::string_view uri, const GltfLoader& loader, Context& context);
 
 // Where a node of glTF puts its mesh: affine maps of space, in doubles.
 
-/// x' = m[0][0] x + m[0][1] y + m[0][2] z + m[0][3], and so on.
+/// Rows of x' = m[0][0] x + m[0][1] y + m[0][2] z + m[0][3], and so on.
 using GltfTransform = std::array<std::array<double, 4>, 3>;
 inline constexpr GltfTransform kGltfIdentity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
-/// First b, then a.
+/// Returns the map that applies b, then a.
 inline GltfTransform product(const GltfTransform& a, const GltfTransform& b) {
   GltfTransform c{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -65,12 +70,14 @@ inline GltfTransform product(const GltfTransform& a, const GltfTransform& b) {
   return c;
 }
 
-/// The exact sign of the determinant, which as a double underflows. Requires finite entries.
+/// Whether the map mirrors: the exact sign of its determinant, which underflows in doubles.
+/// Requires finite entries.
 inline bool mirrors(const GltfTransform& m) {
   const auto row = [&m](std::size_t i) { return Point3{m[i][0], m[i][1], m[i][2]}; };
   return orient3d(row(0), row(1), row(2), Point3{0, 0, 0}) == Sign::Negative;
 }
 
+/// Returns the image of a point.
 inline std::array<double, 3> applied(const GltfTransform& m, const std::array<double, 3>& p) {
   std::array<double, 3> q{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -79,15 +86,15 @@ inline std::array<double, 3> applied(const GltfTransform& m, const std::array<do
   return q;
 }
 
-/// By columns, as glTF has it.
+/// Returns the map of a matrix, listed by columns as in glTF.
 inline GltfTransform from_matrix(const std::array<double, 16>& m) {
   GltfTransform t{};
   for (std::size_t i = 0; i < 3; ++i) t[i] = {m[i], m[4 + i], m[8 + i], m[12 + i]};
   return t;
 }
 
-/// Scaled, turned by a quaternion (x, y, z, w) of any length but zero, moved. Quarter turns are
-/// exact.
+/// Returns the map that scales, turns by a quaternion (x, y, z, w) of any length but zero, and
+/// moves. Quarter turns are exact.
 inline GltfTransform from_parts(const std::array<double, 4>& turn,
                                 const std::array<double, 3>& scale,
                                 const std::array<double, 3>& move) {
@@ -103,19 +110,18 @@ inline GltfTransform from_parts(const std::array<double, 4>& turn,
   return t;
 }
 
-// The triangles of glTF's primitives, as they are placed: numbers out of buffers, whatever names
-// them.
+// The triangles of glTF's primitives, as they are placed: numbers from buffers.
 
-/// As accessors number them.
+/// Component types, as accessors number them.
 struct GltfComponent {
   static constexpr std::size_t kByte = 5121, kShort = 5123, kInteger = 5125, kFloat = 5126;
 };
-/// As primitives number them.
+/// Modes, as primitives number them.
 struct GltfMode {
   static constexpr std::size_t kTriangles = 4, kStrip = 5, kFan = 6;
 };
 
-/// The parts of an accessor's elements, unchecked numbers.
+/// The components of an accessor's elements: numbers that are not checked.
 struct GltfElements {
   std::string_view bytes;
   std::size_t stride = 0;
@@ -136,26 +142,27 @@ struct GltfElements {
 
 /// A part of a mesh.
 struct GltfPrimitive {
-  std::size_t number;  ///< in its mesh
-  std::size_t mode;    ///< of GltfMode
+  std::size_t number;  ///< Number within its mesh.
+  std::size_t mode;    ///< One of GltfMode.
   GltfElements positions;
   std::optional<GltfElements> indices;
 
   std::size_t corner_count() const { return indices ? indices->count : positions.count; }
 };
 
-/// Collects them into a mesh.
+/// Collects the triangles of primitives into a mesh.
 class GltfTriangles {
  public:
-  /// `name`: the file in messages.
+  /// `name` is the file in messages.
   GltfTriangles(std::string name, Context& context)
       : name_(std::move(name)), context_(context), mesh_(context) {}
 
   void pass_over(std::string_view what) { mesh_.pass_over(what); }
-  /// Requires at least 3 corners, and as the mode wants them. Throws Error "FILE: where: what":
-  /// BadIndex, NumberOutOfRange, ResourceLimit; Cancelled.
+  /// Adds a primitive. Requires at least 3 corners, and a number of corners that suits the mode.
+  /// Throws "FILE: where: what": BadIndex, NumberOutOfRange, ResourceLimit; Cancelled.
   void add(const GltfPrimitive& p, const GltfTransform& placed, const std::string& where);
-  /// With equal points made one. Triangles that have two equal corners are left out, and told.
+  /// Returns the mesh with equal points made one. Triangles with two equal corners are left out,
+  /// with a note.
   MeshFile take();
 
  private:

@@ -1,3 +1,11 @@
+// Collecting, welding and writing of meshes, common to all formats.
+//
+// MeshCollector charges memory in steps, ahead of the lists that grow, so an exhausted limit is met
+// before memory is allocated. Welding compares points by their bits (with -0 as 0), which is exact
+// and does not depend on the floating-point environment; meshes with exact coordinates are welded
+// through the tables of space, which compare rationals. The order of vertices afterwards is that of
+// their first use, so it does not depend on hashing.
+// Tested by tests/io/mesh_io_test.cpp and tests/io/stl_test.cpp.
 #include "plumb/io/mesh/mesh_formats.h"
 
 #include <algorithm>
@@ -17,9 +25,9 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint64_t kStep = 4096;  // records between two charges
+constexpr std::uint64_t kStep = 4096;  // Records between two charges.
 constexpr std::uint64_t kMost = 0xffff'fffe - kStep;
-constexpr std::uint64_t kGrowth = 2;  // vectors grow by doubling
+constexpr std::uint64_t kGrowth = 2;  // Vectors grow by doubling.
 
 void require_below_most(std::uint64_t count, const char* what) {
   if (count > kMost) {
@@ -27,7 +35,8 @@ void require_below_most(std::uint64_t count, const char* what) {
   }
 }
 
-/// What three rationals take: their entry, and six integers of at least one block of the heap each.
+/// Returns the memory of three rationals: their entry, and six integers of at least one heap block
+/// each.
 std::uint64_t exact_bytes(const RationalPoint3& p) {
   constexpr std::uint64_t kBlock = 32;
   std::uint64_t bytes = kGrowth * sizeof(std::pair<std::uint32_t, RationalPoint3>);
@@ -60,7 +69,7 @@ void MeshCollector::charge_corners() {
   charged_corners_ += kStep;
 }
 
-/// Beside the nearest doubles, unless they say it all.
+/// Adds a point with its exact coordinates beside the nearest doubles, unless these are exact.
 void MeshCollector::add_exact_point(const RationalPoint3& p) {
   const RoundedDouble x = round_to_double(p.x);
   const RoundedDouble y = round_to_double(p.y);
@@ -114,7 +123,7 @@ namespace {
 
 constexpr std::uint32_t kPointsPerCheckpoint = 4096;
 
-/// -0 equals 0. By the bits: subnormals are not zero, whatever FTZ/DAZ say.
+/// Returns the bits of a point, with -0 as 0. Subnormals are not zero, whatever FTZ and DAZ say.
 std::array<std::uint64_t, 3> bits_of(const Point3& p) {
   const auto bits = [](double value) {
     const auto all = std::bit_cast<std::uint64_t>(value);
@@ -123,7 +132,7 @@ std::array<std::uint64_t, 3> bits_of(const Point3& p) {
   return {bits(p.x), bits(p.y), bits(p.z)};
 }
 
-/// For each point the first with its coordinates.
+/// Returns for each point the first one with its coordinates.
 std::vector<std::uint32_t> first_equals(const PolygonMesh& mesh, Context& context) {
   std::vector<std::uint32_t> first;
   first.reserve(mesh.points.size());
@@ -138,7 +147,7 @@ std::vector<std::uint32_t> first_equals(const PolygonMesh& mesh, Context& contex
   return first;
 }
 
-/// The same where some coordinates are no doubles; kNone for points of no face.
+/// Does the same if some coordinates are not doubles; kNone for points of no face.
 std::vector<std::uint32_t> first_exact_equals(const PolygonMesh& mesh) {
   SpaceTables tables;
   MeshVertices vertices = merge_equal_points(mesh, tables);
@@ -148,7 +157,7 @@ std::vector<std::uint32_t> first_exact_equals(const PolygonMesh& mesh) {
   return std::move(vertices.of_point);
 }
 
-/// Takes the faces that stay sound when corner v becomes first[v]; returns how many do not.
+/// Keeps the faces that stay valid when corner v becomes first[v]; returns how many do not.
 std::size_t renumber_faces(PolygonMesh& mesh, const std::vector<std::uint32_t>& first) {
   PolygonMesh kept;
   kept.corners.reserve(mesh.corners.size());
@@ -173,7 +182,7 @@ std::size_t used_points(const PolygonMesh& mesh) {
   return static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1));
 }
 
-/// Only points with corners stay, in order of use.
+/// Keeps points with corners, in order of use.
 void renumber_points(PolygonMesh& mesh) {
   std::vector<std::uint32_t> number(mesh.points.size(), kNone);
   PolygonMesh used;
@@ -199,10 +208,11 @@ void renumber_points(PolygonMesh& mesh) {
 }  // namespace
 
 std::size_t weld_vertices(PolygonMesh& mesh, Context& context) {
-  constexpr std::uint64_t kPointBytes = 64;   // a number, its place in a set that doubles, a copy
-  constexpr std::uint64_t kExactBytes = 320;  // three planes, numbers
-  constexpr std::uint64_t kCornerBytes = 4;   // a copy of the faces
-  constexpr std::uint64_t kTableBytes = 192;  // a point of a table with an index
+  // A number, its place in a set that doubles, and a copy.
+  constexpr std::uint64_t kPointBytes = 64;
+  constexpr std::uint64_t kExactBytes = 320;  // Three planes and numbers.
+  constexpr std::uint64_t kCornerBytes = 4;   // A copy of the faces.
+  constexpr std::uint64_t kTableBytes = 192;  // A point of a table with an index.
   const bool is_exact = !mesh.exact.empty();
   MemoryCharge charge(context);
   charge.add((kPointBytes + (is_exact ? kTableBytes : 0)) * mesh.points.size() +

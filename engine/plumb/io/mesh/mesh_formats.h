@@ -1,4 +1,5 @@
-// What the readers of mesh files have in common: collects points and faces, charged to a context.
+// What the readers and writers of mesh files have in common: a collector of points and faces that
+// charges a context, the welding of equal vertices, and lines of text.
 #pragma once
 
 #include <algorithm>
@@ -17,20 +18,20 @@
 
 namespace plumb {
 
-/// Strings given to it are literals. Limits are thrown without a place; readers add it
-/// (input_cursors.h).
+/// Collects a mesh. Strings given to it are literals. Limits are thrown without a place; readers
+/// add it (input_cursors.h).
 class MeshCollector {
  public:
   explicit MeshCollector(Context& context) : context_(context) {}
 
-  /// Room for so many points and faces, charged at once: for counts that the size of the file bears
-  /// out.
+  /// Reserves memory for so many points and faces, charged at once. Requires counts that the size
+  /// of the file supports.
   void expect(std::uint32_t points, std::uint32_t faces);
 
   std::uint32_t point_count() const { return static_cast<std::uint32_t>(mesh_.points.size()); }
   std::size_t face_count() const { return mesh_.face_count(); }
 
-  /// Requires finite coordinates. Negative zeros become zeros.
+  /// Adds a point. Requires finite coordinates. Negative zeros become zeros.
   void add_point(const Point3& p) {
     if (mesh_.points.size() == charged_points_) charge_points();
     mesh_.points.push_back({p.x + 0.0, p.y + 0.0, p.z + 0.0});
@@ -43,12 +44,13 @@ class MeshCollector {
     }
   }
 
-  /// The next corner of the face that end_face() ends.
+  /// Adds the next corner of the face that end_face() ends.
   void add_corner(std::uint32_t vertex) {
     if (mesh_.corners.size() == charged_corners_) charge_corners();
     mesh_.corners.push_back(vertex);
   }
-  /// Ends a face. Returns what is wrong with it, if anything; it is not added then.
+  /// Ends a face. Returns what is wrong with it, in which case it is not added; else an empty
+  /// string.
   std::string end_face() {
     const std::string flaw = flaw_of_face();
     if (flaw.empty()) {
@@ -59,11 +61,13 @@ class MeshCollector {
     return flaw;
   }
 
-  /// Something in the file that no mesh holds, named as in "normals of vertices". Told once.
+  /// Notes something in the file that no mesh holds, named as in "normals of vertices". It is
+  /// reported once.
   void pass_over(std::string_view what) {
     if (std::find(passed_.begin(), passed_.end(), what) == passed_.end()) passed_.push_back(what);
   }
 
+  /// Returns the mesh, with a note on what was skipped.
   MeshFile take();
 
  private:
@@ -82,27 +86,27 @@ class MeshCollector {
   std::uint64_t charged_faces_ = 0;
 };
 
-// Vertices that are at one place become one: for formats that list the corners of every triangle.
+// Welding: vertices at one place become one, for formats that list the corners of every triangle.
 
 /// Makes equal vertices one, exactly, and leaves out the faces that then have a vertex twice in a
 /// row and the vertices that no face has. Vertices are in order of their first use by a face.
-/// Returns how many faces were left out. O(n) expected; charges its working memory for as long as
-/// it runs.
+/// Returns how many faces were left out. Expected cost: O(n). Charges its working memory while it
+/// runs. Throws what the context throws.
 std::size_t weld_vertices(PolygonMesh& mesh, Context& context);
 
 // What the writers of mesh formats have in common.
 
-/// "x y z", as format_double().
+/// Writes "x y z", as format_double() does.
 void write_coordinates(TextOutput& out, const Point3& p);
 
-/// A line for each face: how many corners, and the corners from 0.
+/// Writes a line for each face: how many corners, and the corners numbered from 0.
 void write_face_lines(TextOutput& out, const PolygonMesh& mesh);
 
-/// Throws Error{NumberOutOfRange} when a vertex lies beyond the largest double. For writers that
+/// Throws Error{NumberOutOfRange} if a vertex lies beyond the largest double. For writers that
 /// round.
 void require_doubles(const PolygonMesh& mesh);
 
-/// Throws Error{BadArgument} when a face is no triangle.
+/// Throws Error{BadArgument} if a face is no triangle.
 void require_triangles(const PolygonMesh& mesh);
 
 }  // namespace plumb

@@ -1,3 +1,11 @@
+// Reading and writing of OBJ, statement by statement.
+//
+// A statement is a line, continued by a backslash at its end. Only v and f carry geometry; every
+// other keyword of the format is skipped with a note, and an unknown keyword is an error, because
+// it usually means that the file is something else. The common corner, a short positive number, is
+// read without taking a token; other forms are validated in full. Format: Wavefront OBJ, as in
+// docs/formats.md, section OBJ.
+// Tested by tests/io/obj_test.cpp.
 #include "plumb/io/mesh/obj.h"
 
 #include <algorithm>
@@ -15,7 +23,7 @@
 namespace plumb {
 namespace {
 
-/// Statements that say nothing of a mesh: what to call them, and their keywords between blanks.
+/// Statements that carry no geometry: a name for the note, and their keywords between blanks.
 struct PassedOver {
   std::string_view name;
   std::string_view keywords;
@@ -36,13 +44,13 @@ constexpr std::array<PassedOver, 8> kPassedOver{{
 
 constexpr std::string_view kCorner = "a corner: v, v/vt, v//vn or v/vt/vn";
 
-/// A number of something, from the front or (negative) from the back.
+/// Whether the text is a number of something, from the front or (negative) from the back.
 bool is_reference(std::string_view text) {
   take_prefix(text, "-");
   return !text.empty() && text.find_first_not_of("0123456789") == text.npos;
 }
 
-/// The vertex of a corner; empty if it has no form of one.
+/// Returns the vertex of a corner, or an empty text if it does not have the form of one.
 std::string_view vertex_of(std::string_view corner) {
   const std::string_view vertex = corner.substr(0, corner.find('/'));
   std::string_view rest = corner.substr(vertex.size());
@@ -123,7 +131,7 @@ void ObjReader::pass_over(std::string_view keyword) {
   mesh_.pass_over(found->name);
 }
 
-/// Is the statement at its end?
+/// Whether the statement is at its end.
 bool ObjReader::at_end() {
   while (!cursor_.at_line_end_or_comment()) {
     if (!take_continuation()) return false;
@@ -131,7 +139,8 @@ bool ObjReader::at_end() {
   return true;
 }
 
-/// A backslash at the end of a line: to the start of the next.
+/// Takes a backslash at the end of a line and moves to the next line; returns false if there is
+/// none.
 bool ObjReader::take_continuation() {
   std::string_view rest = cursor_.rest();
   if (!take_prefix(rest, "\\")) return false;
@@ -141,7 +150,7 @@ bool ObjReader::take_continuation() {
   return true;
 }
 
-/// x y z, with a weight, a colour or both behind them.
+/// Reads x y z, possibly followed by a weight, a colour or both.
 void ObjReader::read_vertex() {
   int count = 0;
   for (ReadNumber* number : {&x_, &y_, &z_, &dropped_, &dropped_, &dropped_, &dropped_}) {
@@ -164,12 +173,12 @@ void ObjReader::read_face(const char* start) {
   while (!at_end()) read_corner();
   const std::string flaw = mesh_.end_face();
   if (flaw.empty()) return;
-  // The start may be lines back.
+  // The face may have begun on an earlier line.
   cursor_.fail(ErrorCode::DegenerateFace, face_name() + ' ' + flaw,
                line == cursor_.line() ? start : nullptr);
 }
 
-/// Mostly a short number, and nothing else.
+/// Reads a corner, usually a short number and nothing else.
 void ObjReader::read_corner() {
   const char* const start = cursor_.position();
   std::uint32_t number = 0;

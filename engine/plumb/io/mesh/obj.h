@@ -1,14 +1,14 @@
-// Reads OBJ (docs/formats.md, "OBJ"): vertices `v`, faces `f`.
+// Reads and writes OBJ (docs/formats.md, "OBJ"): vertices `v`, faces `f`.
 //
 // Corners are v, v/vt, v//vn or v/vt/vn, numbered from 1, or from -1 backwards from the vertex
-// given last. Faces name vertices that were given before them. A comment may end a line; a blank
-// and a backslash at the end of a line carry a statement on to the next. All other statements of
-// the format are passed over, and told.
+// given last. Faces name vertices that were given before them. A comment may end a line; a
+// backslash at the end of a line continues the statement on the next one. All other statements of
+// the format are skipped, with a note.
 //
-// Cost: O(bytes). Errors are thrown with the place (file, line, column): NotText, Syntax
-// (statements that are none of the format's among them), NumberOutOfRange, BadIndex, DegenerateFace
-// (fewer than three corners, a vertex twice in a row), CountMismatch (a file of nothing but
-// blanks), ResourceLimit; Cancelled.
+// Cost: O(bytes). Errors are thrown with the place (file, line, column): NotText, Syntax (also for
+// statements that are not in the format), NumberOutOfRange, BadIndex, DegenerateFace (fewer than
+// three corners, a vertex twice in a row), CountMismatch (a file of nothing but blanks),
+// ResourceLimit; Cancelled.
 #pragma once
 
 #include <ostream>
@@ -21,13 +21,14 @@
 
 namespace plumb {
 
-/// The memory of the mesh stays charged to `context`.
+/// Returns the mesh of an OBJ text. Its memory stays charged to `context`.
 MeshFile read_obj(std::string_view text, const ReadOptions& options, Context& context);
 
 // Writes meshes as OBJ (docs/formats.md, "OBJ").
 
-/// read_obj() of the text gives the same mesh, but for what `exact` holds: vertices are rounded.
-/// Throws Error{NumberOutOfRange} when one lies beyond the largest double; what `out` throws.
+/// Writes a mesh. read_obj() of the text gives the same mesh, except that exact coordinates are
+/// rounded. Throws Error{NumberOutOfRange} if a vertex lies beyond the largest double, and what
+/// `out` throws.
 void write_obj(std::ostream& out, const PolygonMesh& mesh);
 
 }  // namespace plumb

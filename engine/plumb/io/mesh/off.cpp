@@ -1,3 +1,11 @@
+// Reading and writing of OFF.
+//
+// The file claims its counts in the first lines. They are compared with the bytes that follow, at
+// the least number of bytes that a vertex or face can take, before memory is reserved for them; so
+// a short file cannot claim a large mesh. Numbers beyond coordinates and corners (normals, colours,
+// texture coordinates) are read for their form, dropped, and noted. Format: docs/formats.md,
+// section OFF.
+// Tested by tests/io/off_test.cpp.
 #include "plumb/io/mesh/off.h"
 
 #include <cstdint>
@@ -60,8 +68,8 @@ class OffReader {
   ReadNumber x_, y_, z_, dropped_;
 };
 
-/// The counts may follow at once, even without a blank ("OFF8 6 12"), and the keyword may be
-/// missing.
+/// Reads the keyword, which may be missing. The counts may follow at once, even without a blank
+/// ("OFF8 6 12").
 void OffReader::read_keyword() {
   if (!cursor().next_line()) {
     fail(ErrorCode::CountMismatch, "the file has no content; expected OFF");
@@ -121,7 +129,7 @@ void OffReader::read_vertices() {
   }
 }
 
-/// Numbers that are read for their form, and dropped.
+/// Reads numbers for their form and drops them.
 void OffReader::read_extra_numbers(std::uint32_t least, std::uint32_t most,
                                    std::string_view owner) {
   for (std::uint32_t i = 0; i < most && !cursor().at_line_end_or_comment(); ++i) {
@@ -144,6 +152,7 @@ void OffReader::read_faces() {
   }
 }
 
+/// A face is followed by nothing, or by up to four numbers of a colour.
 void OffReader::read_face() {
   const char* const start = cursor().position();
   const std::uint32_t corners = in_.read_count("the number of corners");

@@ -1,12 +1,15 @@
-// Reads OFF, the object file format (docs/formats.md, "OFF"): vertices, and faces of any number of
-// corners.
+// Reads and writes OFF, the object file format (docs/formats.md, "OFF"): vertices, and faces with
+// any number of corners.
 //
-//  1. read_keyword   [ST][C][N]OFF, or nothing; 4OFF, nOFF and OFF BINARY are other formats
-//  2. read_counts    vertices, faces, and edges (which nobody needs); claims are checked against
-//                    the bytes that follow
-//  3. read_vertices  three coordinates a line; normals, colours, texture coordinates as announced
-//  4. read_faces     how many corners, the corners from 0, up to four numbers for a colour
-//  5. nothing but blank and comment lines may follow
+// Main flow of read_off():
+//  1. read_keyword   reads [ST][C][N]OFF, or nothing; 4OFF, nOFF and OFF BINARY are other formats
+//  2. read_counts    reads the numbers of vertices, faces and edges (the last is ignored); claims
+//                    are checked against the bytes that follow
+//  3. read_vertices  reads three coordinates a line; normals, colours and texture coordinates as
+//                    announced
+//  4. read_faces     reads the number of corners, the corners from 0, and up to four numbers for a
+//                    colour
+//  5. require_end    requires that nothing but blank and comment lines follows
 //
 // A comment may also end a line. Cost: O(bytes). Errors are thrown with the place (file, line,
 // column): NotText, Syntax, NumberOutOfRange, CountMismatch, BadIndex, DegenerateFace (fewer than
@@ -24,20 +27,20 @@
 
 namespace plumb {
 
-/// The memory of the mesh stays charged to `context`.
+/// Returns the mesh of an OFF text. Its memory stays charged to `context`.
 MeshFile read_off(std::string_view text, const ReadOptions& options, Context& context);
 
 // Writes meshes as OFF (docs/formats.md, "OFF").
 
-/// What a writer does with coordinates that are no doubles.
+/// What a writer does with coordinates that are not doubles.
 enum class MeshNumbers : std::uint8_t {
-  Nearest,  ///< the nearest double, in the shortest decimal that reads back as it
-  Exact,    ///< p/q
+  Nearest,  ///< Writes the nearest double, in the shortest decimal that reads back as it.
+  Exact,    ///< Writes p/q.
 };
 
-/// read_off() of the text gives the same mesh, with MeshNumbers::Nearest but for what `exact`
-/// holds. Throws Error{NumberOutOfRange} when a vertex that is to be rounded lies beyond the
-/// largest double; what `out` throws.
+/// Writes a mesh. read_off() of the text gives the same mesh; with MeshNumbers::Nearest, exact
+/// coordinates are rounded. Throws Error{NumberOutOfRange} if a vertex that is to be rounded lies
+/// beyond the largest double, and what `out` throws.
 void write_off(std::ostream& out, const PolygonMesh& mesh,
                MeshNumbers numbers = MeshNumbers::Nearest);
 

@@ -1,3 +1,12 @@
+// Reading and writing of PLY: its header, text elements, and binary elements of either byte order.
+//
+// The header is read first and names every property with a type, so a binary reader can skip what
+// it does not know. Counts and lengths of lists are untrusted: an element needs at least the bytes
+// of its fixed properties, and the lists of a record share what is left after all fixed parts
+// (spare_), so no list can claim bytes that do not exist or that other properties need. All numbers
+// up to 32 bits and floats are exact in doubles, which are used for every type. Format: G. Turk,
+// The PLY polygon file format (Stanford University); docs/formats.md, section PLY.
+// Tested by tests/io/ply_test.cpp.
 #include "plumb/io/mesh/ply.h"
 
 #include <algorithm>
@@ -82,7 +91,7 @@ void HeaderReader::read_magic() {
   end_line();
 }
 
-/// False at the end of the header.
+/// Reads a line of the header; returns false at its end.
 bool HeaderReader::read_line() {
   if (!cursor_.next_line()) {
     fail(ErrorCode::CountMismatch, "the file ends within its header; end_header is missing");
@@ -132,6 +141,8 @@ void HeaderReader::read_element() {
   header_.elements.push_back({kind, in_.read_count("the number of elements"), {}});
 }
 
+/// Reads the type and name of a property of the last element. Only coordinates and lists of corners
+/// have a role; others are read by their type and dropped.
 void HeaderReader::read_property() {
   if (header_.elements.empty()) {
     fail(ErrorCode::Syntax, "a property before any element", cursor_.line_start());
@@ -173,6 +184,7 @@ void HeaderReader::require_new(Role role, std::string_view name) const {
   fail(ErrorCode::Syntax, "a second property " + quoted(name), name.data());
 }
 
+/// Requires a format, vertices with x, y and z, and for faces a list of corners.
 void HeaderReader::require_mesh() const {
   if (!has_format_) fail(ErrorCode::Syntax, "the header names no format");
   bool has_vertices = false;
@@ -190,7 +202,7 @@ void HeaderReader::require_mesh() const {
   if (!has_vertices) fail(ErrorCode::Syntax, "the header names no vertices");
 }
 
-/// Each by itself: a sum of hostile counts could overflow.
+/// Requires enough bytes for each element on its own: a sum of hostile counts could overflow.
 void HeaderReader::require_bytes() const {
   for (const PlyElement& element : header_.elements) {
     const std::uint64_t least = element.least_bytes(header_.format);
@@ -246,7 +258,7 @@ std::string_view name_of(Kind kind) {
   return kind == Kind::Vertex ? "vertex" : kind == Kind::Face ? "face" : "element";
 }
 
-/// What the mesh will not have.
+/// Notes what the mesh will not have.
 void pass_over(const PlyElement& element, MeshCollector& mesh) {
   if (element.kind == Kind::Other) return mesh.pass_over("other elements");
   for (const PlyProperty& property : element.properties) {
@@ -290,7 +302,7 @@ class PlyTextReader {
   RecordReader& in_;
   std::uint32_t vertices_;
   MeshCollector& mesh_;
-  const char* start_ = nullptr;  // of the record
+  const char* start_ = nullptr;  // Start of the record.
   std::array<ReadNumber, 3> at_;
 };
 
@@ -312,7 +324,7 @@ void PlyTextReader::read_property(const PlyProperty& property) {
   }
 }
 
-/// Anything: "nan" is about in real files.
+/// Skips a value of any form; real files contain "nan".
 void PlyTextReader::skip_value() {
   if (in_.cursor().at_line_end()) {
     in_.cursor().fail(ErrorCode::Syntax, in_.record_name() + " needs more properties");
@@ -363,12 +375,14 @@ class PlyBinaryReader {
   MeshCollector& mesh_;
   Context& context_;
   std::size_t total_bytes_;
-  Kind kind_ = Kind::Other;  // of the record
+  Kind kind_ = Kind::Other;  // Kind of the record.
   std::uint32_t index_ = 0;
-  std::uint64_t spare_ = 0;  // bytes for the lists of this record
+  std::uint64_t spare_ = 0;  // Bytes available for the lists of this record.
   std::array<double, 3> at_{};
 };
 
+/// Reads the records of one element. Before each, the bytes of its fixed parts must exist; what is
+/// left beyond these may be used by its lists.
 void PlyBinaryReader::read(const PlyElement& element) {
   constexpr std::uint32_t kRecordsPerCheckpoint = 4096;
   if (element.properties.empty()) return;
@@ -399,7 +413,8 @@ void PlyBinaryReader::read_property(const PlyProperty& property) {
   }
 }
 
-/// Of a list for which there are bytes enough, besides those that the other properties need.
+/// Returns the length of a list for which there are enough bytes besides those that the other
+/// properties need.
 std::uint32_t PlyBinaryReader::take_length(const PlyProperty& property) {
   const std::size_t start = in_.position();
   const double length = take(*property.length);
@@ -413,7 +428,7 @@ std::uint32_t PlyBinaryReader::take_length(const PlyProperty& property) {
   return static_cast<std::uint32_t>(length);
 }
 
-/// Exactly.
+/// Returns the next value; every type is exact in a double.
 double PlyBinaryReader::take(PlyType type) {
   switch (type) {
     case PlyType::Int8:
@@ -507,6 +522,7 @@ class PlyReader {
   PlyHeader header_;
 };
 
+/// Reserves memory for counts that the header has compared with the bytes of the file.
 void PlyReader::expect() {
   std::uint32_t faces = 0;
   for (const PlyElement& element : header_.elements) {
@@ -515,7 +531,7 @@ void PlyReader::expect() {
   mesh_.expect(header_.vertex_count(), faces);
 }
 
-/// What follows the line break of the header.
+/// Returns what follows the line break of the header.
 BinaryInput PlyReader::data() const {
   const std::size_t end = in_.cursor().bytes_read();
   const std::endian order =
@@ -534,8 +550,8 @@ namespace {
 
 /// The types of a list of corners.
 struct CornerTypes {
-  bool short_length;  ///< uchar, else uint
-  bool is_signed;     ///< int, which more programs read, else uint
+  bool short_length;  ///< Whether lengths are uchar; else uint.
+  bool is_signed;     ///< Whether corners are int, which more programs read; else uint.
 };
 
 CornerTypes types_for(const PolygonMesh& mesh) {

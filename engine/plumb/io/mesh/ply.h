@@ -1,12 +1,12 @@
-// Reads PLY, text and binary of either byte order (docs/formats.md, "PLY"): vertices with
-// properties x, y and z of any type, faces with a list vertex_indices (or vertex_index); other
-// properties and elements, in any order, are passed over and told.
+// Reads and writes PLY, text and binary of either byte order (docs/formats.md, "PLY"): vertices
+// with properties x, y and z of any type, faces with a list vertex_indices (or vertex_index). Other
+// properties and elements, in any order, are skipped with a note.
 //
-//  1. read_ply_header   what there is (ply.h); claims are checked against the bytes that
-//                       follow
-//  2. the elements in their order: in a text each on a line of its own; in a binary file without
-//     gaps
-//  3. nothing may follow the last one
+// Main flow of read_ply():
+//  1. read_ply_header   reads what there is; claims are checked against the bytes that follow
+//  2. elements          reads the elements in their order: in a text each on a line of its own, in
+//                       a binary file without gaps
+//  3. require_end       requires that nothing follows the last one
 //
 // Cost: O(bytes). Errors in the header and in a text are thrown with the place (file, line,
 // column), in binary parts with the number of the byte: NotText, Syntax, NumberOutOfRange,
@@ -30,19 +30,19 @@
 
 namespace plumb {
 
-/// The memory of the mesh stays charged to `context`.
+/// Returns the mesh of a PLY file. Its memory stays charged to `context`.
 MeshFile read_ply(std::string_view bytes, const ReadOptions& options, Context& context);
 
 // Writes meshes as PLY, binary or text (docs/formats.md, "PLY").
 
-/// read_ply() of what is written gives the same mesh, but for what `exact` holds: vertices are
-/// rounded to doubles. Both throw Error{NumberOutOfRange} when one lies beyond the largest double;
-/// what `out` throws.
+/// Writes a mesh as text. read_ply() of it gives the same mesh, except that exact coordinates are
+/// rounded to doubles. Both writers throw Error{NumberOutOfRange} if a vertex lies beyond the
+/// largest double, and what `out` throws.
 void write_ply_text(std::ostream& out, const PolygonMesh& mesh);
-/// Little-endian.
+/// Writes a mesh in binary, little-endian.
 void write_ply_binary(std::ostream& out, const PolygonMesh& mesh);
 
-// The header of PLY: which elements a file holds, and of which properties each of them consists.
+// The header of PLY: which elements a file holds, and which properties each of them has.
 //
 //   ply
 //   format ascii|binary_little_endian|binary_big_endian 1.0
@@ -52,23 +52,26 @@ void write_ply_binary(std::ostream& out, const PolygonMesh& mesh);
 //   property list LENGTH_TYPE TYPE NAME
 //   end_header
 
+/// The format of the elements.
 enum class PlyFormat : std::uint8_t { Text, LittleEndian, BigEndian };
 
-/// Integers first.
+/// The types of properties, integers first.
 enum class PlyType : std::uint8_t { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
 
 constexpr bool is_integer(PlyType type) { return type < PlyType::Float32; }
 std::size_t size_of(PlyType type);
 
+/// A property of the elements of one kind.
 struct PlyProperty {
-  /// What of a mesh it is.
+  /// What the property means for a mesh.
   enum class Role : std::uint8_t { None, X, Y, Z, Corners };
 
   PlyType type;
-  std::optional<PlyType> length;  ///< of a list
+  std::optional<PlyType> length;  ///< Type of the length, for a list.
   Role role = Role::None;
 };
 
+/// A kind of element, as the header declares it.
 struct PlyElement {
   enum class Kind : std::uint8_t { Vertex, Face, Other };
 
@@ -76,23 +79,24 @@ struct PlyElement {
   std::uint32_t count;
   std::vector<PlyProperty> properties;
 
-  /// The least bytes that one of them takes: in a text, a character and a blank or line break for
-  /// each property.
+  /// Returns the least number of bytes that one element takes: in a text, a character and a blank
+  /// or line break for each property.
   std::uint64_t least_bytes(PlyFormat format) const;
 };
 
+/// The header of a file.
 struct PlyHeader {
   PlyFormat format = PlyFormat::Text;
   std::vector<PlyElement> elements;
 
-  /// Of the vertices.
+  /// Returns the number of vertices.
   std::uint32_t vertex_count() const;
 };
 
-/// From the first line on to the end of that of end_header. A file has one element of vertices,
-/// with x, y and z, and at most one of faces, with a list vertex_indices or vertex_index. Counts
-/// are held against the bytes that follow. Errors with their place: NotText, Syntax, UnknownFormat,
-/// CountMismatch.
+/// Reads the header, from the first line to the end of that of end_header. A file has one element
+/// of vertices, with x, y and z, and at most one of faces, with a list vertex_indices or
+/// vertex_index. Counts are compared with the bytes that follow. Throws with the place: NotText,
+/// Syntax, UnknownFormat, CountMismatch.
 PlyHeader read_ply_header(RecordReader& in);
 
 }  // namespace plumb

@@ -1,3 +1,12 @@
+// Reading and writing of STL, text and binary.
+//
+// The kind of a file is decided by its size, which a binary file fixes through its count of
+// triangles; the word "solid" alone does not decide, because many binary files begin with it. STL
+// has no shared vertices, so equal points are welded, exactly, after reading; a triangle that then
+// has two equal corners is left out with a note. Binary coordinates are floats, which are exact in
+// doubles. Format: 3D Systems, StereoLithography Interface Specification; docs/formats.md, section
+// STL.
+// Tested by tests/io/stl_test.cpp.
 #include "plumb/io/mesh/stl.h"
 
 #include <algorithm>
@@ -73,7 +82,7 @@ class StlTextReader {
   ReadNumber x_, y_, z_;
 };
 
-/// `solid NAME`, facets, `endsolid NAME`.
+/// Reads `solid NAME`, facets, `endsolid NAME`.
 void StlTextReader::read_solid() {
   expect("solid");
   skip_line();
@@ -85,17 +94,18 @@ void StlTextReader::read_solid() {
   }
 }
 
-/// A name may be anything.
+/// Skips the rest of a line: a name may be anything.
 void StlTextReader::skip_line() {
   while (!cursor_.at_line_end()) cursor_.token();
 }
 
+/// Reads a facet. Its normal is read for its form only.
 void StlTextReader::read_facet() {
   if (mesh_.face_count() % kTrianglesPerCheckpoint == 0) {
     context_.checkpoint("read", cursor_.bytes_read(), total_bytes_);
   }
   expect("normal");
-  for (int i = 0; i < 3; ++i) take("a number");  // "nan" is about in real files
+  for (int i = 0; i < 3; ++i) take("a number");  // Real files contain "nan".
   expect("outer");
   expect("loop");
   for (int i = 0; i < 3; ++i) {
@@ -111,7 +121,7 @@ void StlTextReader::read_facet() {
   add_triangle(mesh_);
 }
 
-/// False at the end of the text.
+/// Moves to the next token; returns false at the end of the text.
 bool StlTextReader::find_token() {
   while (cursor_.at_line_end()) {
     if (!cursor_.next_line()) return false;
@@ -151,7 +161,7 @@ float take_coordinate(BinaryInput& in) {
 }
 
 void read_triangle(BinaryInput& in, MeshCollector& mesh) {
-  in.skip(3 * sizeof(float));  // the normal
+  in.skip(3 * sizeof(float));  // The normal.
   for (int i = 0; i < 3; ++i) {
     const double x = take_coordinate(in);
     const double y = take_coordinate(in);
@@ -229,8 +239,8 @@ Triangle triangle(const PolygonMesh& mesh, std::size_t f) {
   return {mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]]};
 }
 
-/// For programs that do not compute it themselves: roughly of length 1, or 0 0 0 if doubles do not
-/// say.
+/// Returns a normal for programs that do not compute it themselves: of length 1 up to rounding, or
+/// 0 0 0 if doubles do not determine it.
 Point3 rough_normal(const Triangle& t) {
   const Point3 u{t[1].x - t[0].x, t[1].y - t[0].y, t[1].z - t[0].z};
   const Point3 v{t[2].x - t[0].x, t[2].y - t[0].y, t[2].z - t[0].z};

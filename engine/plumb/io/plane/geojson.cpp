@@ -1,3 +1,13 @@
+// Reading and writing of GeoJSON (RFC 7946).
+//
+// The reader is a state machine over events: a stack of open objects, each with the members seen so
+// far, and for the coordinates of each object the levels of nested lists. Members come in any
+// order, so coordinates may be read before their type is known. Therefore positions are collected
+// with the ends of the lists around them, and the depth at which numbers occur is fixed by the
+// first one; when the object ends its type says whether these lists are points, lines or rings.
+// Nesting is limited, lists cost no recursion, and numbers are read from the text again, so they
+// are exact where decimals are asked for exactly. Format: docs/formats.md, section GeoJSON.
+// Tested by tests/io/geojson_test.cpp.
 #include "plumb/io/plane/geojson.h"
 
 #include <algorithm>
@@ -16,14 +26,14 @@
 namespace plumb {
 namespace {
 
-// Numbers are read from the text again; the parser only must not find one too large that
-// record_reader.h would read exactly.
+// Numbers are read from the text again. The parser must only not refuse a large one that
+// record_reader.h reads exactly.
 using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
                                   std::uint64_t, long double>;
 
 constexpr std::size_t kMostNestedObjects = 64;
 
-/// Members that mean something; the first half says what an object holds.
+/// Members with a meaning; the first four say what an object holds.
 enum class Member : std::uint8_t { Coordinates, Geometries, Geometry, Features, Type, Other };
 
 constexpr std::array<std::string_view, 5> kMemberNames{"coordinates", "geometries", "geometry",
@@ -41,9 +51,9 @@ std::string quoted_name(Member member) {
 struct Type {
   std::string_view name;
   Member content;
-  int depth = 0;           ///< of lists around a position
-  bool is_areal = false;   ///< lists of positions are rings
-  bool is_points = false;  ///< ... single points
+  int depth = 0;           ///< Depth of lists around a position.
+  bool is_areal = false;   ///< Whether lists of positions are rings,
+  bool is_points = false;  ///< Whether they are single points.
 };
 
 constexpr std::array<Type, 9> kTypes{{
@@ -62,20 +72,20 @@ bool is_geometry(const Type& type) {
   return type.content == Member::Coordinates || type.content == Member::Geometries;
 }
 
-/// Coordinates of a geometry, read before its type need be known.
+/// Coordinates of a geometry, whose type may not be known yet.
 struct Coordinates {
   struct ListEnd {
     std::uint32_t position;
-    const char* place;  ///< its closing bracket
+    const char* place;  ///< Its closing bracket.
   };
   const char* place = nullptr;
-  int level = -1;    ///< lists open now, less one
-  int deepest = -1;  ///< greatest level of a list
-  int depth = -1;    ///< level of the positions; -1: none yet
-  int numbers = 0;   ///< of the position that is being read
+  int level = -1;    ///< Number of open lists, less one.
+  int deepest = -1;  ///< Greatest level of a list so far.
+  int depth = -1;    ///< Level of the positions; -1 if there is none yet.
+  int numbers = 0;   ///< Numbers read of the current position.
   std::uint32_t first = 0;
-  std::vector<ListEnd> lists;         ///< lists of positions; empty ones are left out
-  std::vector<std::size_t> polygons;  ///< lists of such lists: ends in `lists`
+  std::vector<ListEnd> lists;         ///< Ends of lists of positions; empty ones are left out.
+  std::vector<std::size_t> polygons;  ///< Ends of lists of such lists, as indices into `lists`.
 };
 
 /// What an object may be.
@@ -85,16 +95,17 @@ struct Object {
   const char* place;
   Role role;
   const Type* type = nullptr;
-  Member member = Member::Other;  ///< whose value is read
-  bool is_in_list = false;        ///< among the objects of that member
-  unsigned seen = 0;              ///< a bit per member
+  Member member = Member::Other;  ///< The member whose value is being read.
+  bool is_in_list = false;        ///< Whether the reader is among the objects of that member.
+  unsigned seen = 0;              ///< A bit per member.
   Coordinates coordinates = {};
 
   static constexpr unsigned bit(Member member) { return 1U << static_cast<unsigned>(member); }
   bool has(Member m) const { return (seen & bit(m)) != 0; }
 };
 
-/// Each ends with a bracket, and "[0,0]," are six bytes.
+/// Returns a bound on the number of positions: each ends with a bracket, and "[0,0]," are six
+/// bytes.
 std::size_t most_positions(std::string_view text) {
   const auto ends = std::count(text.begin(), text.end(), ']');
   return std::min(static_cast<std::size_t>(ends), text.size() / 6);
@@ -121,7 +132,7 @@ class GeoJsonHandler : public nlohmann::json_sax<Json> {
   bool number_unsigned(number_unsigned_t) override { return take_number(); }
   bool number_float(number_float_t, const string_t&) override { return take_number(); }
   bool string(string_t& value) override;
-  bool binary(binary_t&) override { return false; }  // not in texts
+  bool binary(binary_t&) override { return false; }  // Does not occur in texts.
   bool start_object(std::size_t) override;
   bool key(string_t& name) override;
   bool end_object() override;
@@ -158,9 +169,10 @@ class GeoJsonHandler : public nlohmann::json_sax<Json> {
   JsonPlaces places_;
   NumberReader numbers_;
   ShapeCollector shapes_;
-  std::vector<Object> objects_;     // open ones
-  std::size_t skipped_ = 0;         // open lists and objects that mean nothing
-  bool is_in_coordinates_ = false;  // of the innermost object
+  std::vector<Object> objects_;  // Open objects.
+  std::size_t skipped_ = 0;      // Number of open lists and objects without a meaning.
+  // Whether the reader is in the coordinates of the innermost object.
+  bool is_in_coordinates_ = false;
   ReadNumber x_, y_;
 };
 
@@ -323,7 +335,7 @@ void GeoJsonHandler::open_list() {
 void GeoJsonHandler::add_number() {
   Coordinates& c = objects_.back().coordinates;
   if (c.depth < 0) c.depth = c.level;
-  // A list deeper than this one has been there: its numbers would be no position.
+  // A list deeper than this one has occurred: its numbers would be no position.
   if (c.level != c.depth || c.deepest > c.depth) fail_uneven();
   ++c.numbers;
   if (c.numbers > 2) return;

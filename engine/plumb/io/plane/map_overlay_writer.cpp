@@ -14,13 +14,13 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// What the cells of one kind have together.
+/// The number and total area of the cells of one kind.
 struct Part {
   std::size_t cells = 0;
   RationalSum area;
 };
 
-/// Bounded cells by where they lie.
+/// Bounded cells, by where they lie.
 struct Parts {
   Part both, first_only, second_only, neither;
 
@@ -32,7 +32,7 @@ struct Parts {
 
 Parts parts_of(const OverlayReport& report) {
   Parts parts;
-  for (std::size_t f = 1; f < report.areas.cell.size(); ++f) {  // face 0 is unbounded
+  for (std::size_t f = 1; f < report.areas.cell.size(); ++f) {  // Face 0 is unbounded.
     Part& part = parts.of(report.overlay.origin[f]);
     ++part.cells;
     part.area.add(report.areas.cell[f]);
@@ -63,7 +63,7 @@ void write_id(TextOutput& out, const MapReport& report, std::uint32_t region) {
   }
 }
 
-/// The first position again at the end, as the format wants it.
+/// Writes a ring, with the first position again at the end, as the format requires.
 void write_ring(TextOutput& out, const PlaneComplex& complex, const std::vector<VertexId>& ring) {
   out << '[';
   for (std::size_t i = 0; i <= ring.size(); ++i) {
@@ -123,7 +123,7 @@ void write_overlay_text(std::ostream& stream, const OverlayReport& report) {
   TextOutput out(stream);
   const PlaneComplex& complex = report.overlay.complex;
   const Parts parts = parts_of(report);
-  const auto short_text = [](const Rational& area) {  // fractions of crossings have many digits
+  const auto short_text = [](const Rational& area) {  // Exact areas of crossings have many digits.
     const std::string exact = format_exact(area);
     return exact.size() <= 40 ? exact : "about " + format_double(nearest_double(area));
   };

@@ -1,3 +1,12 @@
+// Reading and writing of `.nef2`, the lossless format of plane sets.
+//
+// A record is a line: points, crossings as four points of two lines, vertices, and edges with their
+// ends and marks. The reader trusts nothing: counts are compared with bytes, ids with counts,
+// crossings with exact signs of their lines, and finally from_records() verifies the whole, so that
+// a file can only give a set if it is the minimal complex of one. An error of that last step is
+// reported at the line of the record, which the reader remembers for vertices and edges. Format:
+// docs/formats.md, section .nef2.
+// Tested by tests/io/plane_io_test.cpp.
 #include "plumb/io/plane/nef2_format.h"
 
 #include <cmath>
@@ -25,7 +34,7 @@ class Nef2Reader {
       : in_(text, options, context, "the set") {}
 
   PlaneRecords read();
-  /// The line of a vertex or edge that has been read; 0 for anything else.
+  /// Returns the line of a vertex or edge that has been read; 0 for anything else.
   std::size_t line_of(const RecordError& error) const;
 
  private:
@@ -73,6 +82,8 @@ PlaneRecords Nef2Reader::read() {
   return std::move(records_);
 }
 
+/// Reads the counts and the mark of the bottom face, compares the counts with the bytes that
+/// follow, and reserves all lists.
 void Nef2Reader::read_counts() {
   if (!cursor().next_line()) {
     cursor().fail(ErrorCode::CountMismatch,
@@ -140,7 +151,7 @@ void Nef2Reader::read_vertices() {
   }
 }
 
-/// A vertex, or 0 for an end at infinity.
+/// Returns a vertex, or kUnbounded for an end at infinity, which the file calls 0.
 std::uint32_t Nef2Reader::read_end() {
   const std::uint32_t id = in_.read_id("vertex", vertices_, 0);
   return id == 0 ? PlaneRecords::kUnbounded : id - 1;
@@ -167,7 +178,7 @@ void Nef2Reader::read_edges() {
   }
 }
 
-/// "0" or "1".
+/// Reads "0" or "1".
 bool Nef2Reader::read_mark(std::string_view what) {
   if (cursor().at_line_end()) {
     cursor().fail(ErrorCode::Syntax,
@@ -250,7 +261,7 @@ class Nef2Writer {
     out_ << format_exact(exact.x) << ' ' << format_exact(exact.y) << '\n';
   }
 
-  /// Numbers that format_double() writes as integers.
+  /// Whether format_double() writes the number as an integer.
   static bool is_short_integer(double value) {
     return std::fabs(value) < 0x1p53 && std::trunc(value) == value;
   }

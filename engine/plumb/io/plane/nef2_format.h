@@ -1,14 +1,15 @@
-// Reads `.nef2` (docs/formats.md, ".nef2"): sets of the plane, exactly as they are held.
+// Reads and writes `.nef2` (docs/formats.md, ".nef2"): sets of the plane, exactly as they are held.
 //
-//  1. read_header     `plumb-nef2 1`, then the counts; claims are checked against the bytes
-//  2. read_points, read_crossings, read_vertices, read_edges
-//  3. nothing but blank and comment lines may follow
-//  4. from_records    whether the records are the complex of a set (plane_records.h)
+// Main flow of read_nef2():
+//  1. read_header    reads `plumb-nef2 1`, then the counts; claims are checked against the bytes
+//  2. records        reads points, crossings, vertices and edges
+//  3. end            requires that nothing but blank and comment lines follows
+//  4. from_records   verifies that the records are the complex of a set (plane_records.h)
 //
-// Errors of 1 to 3 are thrown with the place (file, line, column): NotText, Syntax,
+// Errors of steps 1 to 3 are thrown with the place (file, line, column): NotText, Syntax,
 // NumberOutOfRange, CountMismatch, BadIndex, BadShape (a line through equal points, parallel lines
-// of a crossing), UnknownFormat (another version), ResourceLimit; those of 4 as BadShape with the
-// file; Cancelled. Cost: O(n log n).
+// of a crossing), UnknownFormat (another version), ResourceLimit; those of step 4 as BadShape with
+// the file; Cancelled. Cost: O(n log n).
 #pragma once
 
 #include <ostream>
@@ -21,17 +22,17 @@
 
 namespace plumb {
 
-/// Steps 1 to 3. The memory of the records stays charged to `context`.
+/// Returns the records (steps 1 to 3). Their memory stays charged to `context`.
 PlaneRecords read_nef2_records(std::string_view text, const ReadOptions& options, Context& context);
 
-/// All steps.
+/// Returns the set (all steps).
 Nef2 read_nef2(std::string_view text, const ReadOptions& options, Context& context);
 
 // Writes sets of the plane as `.nef2` (docs/formats.md, ".nef2").
 
-/// Lossless: read_nef2_records() of the text gives to_records(complex). Coordinates are integers or
-/// fractions, never decimals. Throws what `out` throws, and Error{Cancelled} or
-/// Error{ResourceLimit} as the context says.
+/// Writes a complex without loss: read_nef2_records() of the text gives to_records(complex).
+/// Coordinates are integers or fractions, never decimals. Throws what `out` throws, and
+/// Error{Cancelled} or Error{ResourceLimit} as the context says.
 void write_nef2(std::ostream& out, const PlaneComplex& complex, Context& context);
 
 }  // namespace plumb

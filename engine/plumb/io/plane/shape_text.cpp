@@ -5,10 +5,10 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kStep = 4096;  // positions between two looks at the context
+constexpr std::uint32_t kStep = 4096;  // Positions between two checks of the context.
 constexpr std::uint64_t kMostPositions = 0xffff'fffe - kStep;
-// A position lies in the table, and as a corner in vectors that grow by doubling: for a moment
-// there are two of them.
+// A position lies in the table, and as a corner in vectors that grow by doubling; while one grows,
+// old and new exist.
 constexpr std::uint64_t kCornerBytes = 3 * sizeof(std::uint32_t);
 
 }  // namespace
@@ -18,7 +18,7 @@ void ShapeCollector::expect(const TextCursor& cursor, std::size_t positions) {
   shapes_.points.reserve(positions);
 }
 
-/// Limits are told with the place that they were met at, like every other error.
+/// Charges memory. A limit is reported at the place where it was met, like every other error.
 void ShapeCollector::charge(const TextCursor& cursor, std::uint64_t bytes) {
   try {
     context_.charge_memory(bytes, "the shapes");
@@ -104,7 +104,7 @@ void ShapeWriter::write_geometry(std::string_view name, std::size_t count, Item 
   end_geometry();
 }
 
-/// Its rings, each with its first position again at the end.
+/// Writes the rings of a polygon, each with its first position again at the end.
 void ShapeWriter::write_polygon(std::size_t p) {
   write_list(shapes_.polygon_begin[p], shapes_.polygon_begin[p + 1], [this](std::size_t r) {
     const auto ring = shapes_.ring(r);

@@ -1,4 +1,4 @@
-// What the readers of WKT and GeoJSON have in common: collects shapes, charged to a context.
+// What the readers and writers of WKT and GeoJSON have in common.
 #pragma once
 
 #include <cstdint>
@@ -15,27 +15,28 @@
 
 namespace plumb {
 
+/// Collects shapes, charged to a context.
 class ShapeCollector {
  public:
   ShapeCollector(Context& context, std::size_t total_bytes)
       : context_(context), total_bytes_(total_bytes) {}
 
-  /// Room for so many positions, charged at once: for counts that the file bears out. `cursor`:
-  /// where a limit is told.
+  /// Reserves memory for so many positions, charged at once. Requires counts that the file
+  /// supports. A limit is reported at `cursor`.
   void expect(const TextCursor& cursor, std::size_t positions);
 
-  /// Positions read so far: the index of the next one.
+  /// Returns the number of positions read so far, which is the index of the next one.
   std::uint32_t position_count() const { return static_cast<std::uint32_t>(shapes_.points.size()); }
-  /// A position read up to the place of `cursor`, where a limit is told.
+  /// Adds a position that was read up to `cursor`, where a limit is reported.
   void add_position(const TextCursor& cursor, const ReadNumber& x, const ReadNumber& y);
 
-  // Each of these takes the positions [first, last). Returned is what is wrong with them, if
-  // anything; they are not added then.
-  /// A closed ring of the polygon that end_polygon() ends.
+  // Each of these takes the positions [first, last) and returns what is wrong with them, in which
+  // case they are not added; else an empty string.
+  /// Adds a closed ring to the polygon that end_polygon() ends.
   std::string add_ring(std::uint32_t first, std::uint32_t last);
   std::string add_line(std::uint32_t first, std::uint32_t last);
   void add_points(std::uint32_t first, std::uint32_t last);
-  /// Does nothing without a ring.
+  /// Ends a polygon; does nothing without a ring.
   void end_polygon();
 
   PlaneShapes take() { return std::move(shapes_); }
@@ -49,15 +50,16 @@ class ShapeCollector {
   PlaneShapes shapes_;
 };
 
-// What the writers of WKT and GeoJSON have in common: both spell shapes as nested lists.
+// What the writers of WKT and GeoJSON have in common: both write shapes as nested lists.
 
+/// Writes shapes; the formats differ in brackets, separators and names.
 class ShapeWriter {
  public:
   virtual ~ShapeWriter() = default;
   ShapeWriter(const ShapeWriter&) = delete;
   ShapeWriter& operator=(const ShapeWriter&) = delete;
 
-  /// One line: a geometry of the only kind of shape there is, or a collection of such.
+  /// Writes one line: a geometry of the only kind of shape there is, or a collection of geometries.
   void write();
 
  protected:
@@ -69,15 +71,15 @@ class ShapeWriter {
   ShapeWriter(std::ostream& out, const PlaneShapes& shapes, Lists lists, Context& context)
       : out_(out, context), shapes_(shapes), lists_(lists) {}
 
-  /// Around the geometries, when their number is not one.
+  /// Called around the geometries if their number is not one.
   virtual void begin_collection(bool is_empty) = 0;
   virtual void end_collection(bool is_empty) = 0;
-  /// Around the coordinates of `count` > 0 shapes called "Polygon", "LineString" or "Point".
+  /// Called around the coordinates of `count` > 0 shapes called "Polygon", "LineString" or "Point".
   virtual void begin_geometry(std::string_view name, bool is_multiple) = 0;
   virtual void end_geometry() = 0;
-  /// The coordinates of a geometry of one point.
+  /// Writes the coordinates of a geometry of one point.
   virtual void write_point(Point2 p) = 0;
-  /// A member of a list of positions.
+  /// Writes a member of a list of positions.
   virtual void write_position(Point2 p) = 0;
 
   template <class Item>

@@ -1,3 +1,12 @@
+// Reading and writing of well-known text.
+//
+// A recursive-descent reader over tokens, with one token of lookahead across line breaks.
+// Collections are the only recursion and are limited in depth. The number of positions is bounded
+// by the commas and parentheses of the text, so the table is reserved and charged once before
+// reading. Flaws of a list (a ring that is not closed, a line of one position) are reported at its
+// closing parenthesis. Format: OGC 06-103r4, Simple feature access, part 1 (2011), section on
+// well-known text; docs/formats.md, section WKT.
+// Tested by tests/io/wkt_test.cpp.
 #include "plumb/io/plane/wkt.h"
 
 #include <algorithm>
@@ -66,9 +75,9 @@ class WktReader {
   TextCursor cursor_;
   NumberReader numbers_;
   ShapeCollector shapes_;
-  std::string_view next_;       // a token looked at and not yet taken; empty: none
-  const char* last_ = nullptr;  // the token taken last
-  int extra_numbers_ = 0;       // of a position, besides x and y
+  std::string_view next_;       // The token looked at and not yet taken; empty if there is none.
+  const char* last_ = nullptr;  // The token taken last.
+  int extra_numbers_ = 0;       // Numbers of a position besides x and y.
   int nested_ = 0;
   ReadNumber x_, y_, dropped_;
 };
@@ -83,7 +92,8 @@ const std::array<WktReader::Kind, 7> WktReader::kKinds{{
     {"GEOMETRYCOLLECTION", &WktReader::read_collection},
 }};
 
-/// Each ends with a comma or parenthesis, and "0 0," are four bytes.
+/// Returns a bound on the number of positions: each ends with a comma or parenthesis, and "0 0,"
+/// are four bytes.
 std::size_t most_positions_of_wkt(std::string_view text) {
   const auto ends =
       std::count_if(text.begin(), text.end(), [](char c) { return c == ',' || c == ')'; });
@@ -100,7 +110,7 @@ PlaneShapes WktReader::read() {
   return shapes_.take();
 }
 
-/// Looks at the next token, on whatever line; false at the end of the text.
+/// Looks at the next token, on whatever line; returns false at the end of the text.
 bool WktReader::find_token() {
   if (!next_.empty()) return true;
   while (cursor_.at_line_end()) {
@@ -135,7 +145,7 @@ const WktReader::Kind& WktReader::take_kind() {
                      "GEOMETRYCOLLECTION");
 }
 
-/// "Z", "M", "ZM" or nothing.
+/// Takes "Z", "M", "ZM" or nothing.
 void WktReader::take_dimension() {
   extra_numbers_ = take_if("ZM") ? 2 : take_if("Z") || take_if("M") ? 1 : 0;
 }
@@ -149,7 +159,7 @@ void WktReader::read_geometry() {
   (this->*kind.body)();
 }
 
-/// EMPTY, or "(" items separated by commas ")".
+/// Reads EMPTY, or a list "(" items ")" with commas between the items.
 template <class Item>
 void WktReader::read_list(Item read_item) {
   if (take_if("EMPTY")) return;
@@ -174,14 +184,14 @@ void WktReader::read_position() {
   shapes_.add_position(cursor_, x_, y_);
 }
 
-/// A list of positions; returns the first.
+/// Reads a list of positions and returns the first.
 std::uint32_t WktReader::read_positions() {
   const std::uint32_t first = shapes_.position_count();
   read_list([this] { read_position(); });
   return first;
 }
 
-/// Flaws of a list are told at its closing parenthesis.
+/// Reports a flaw of a list at its closing parenthesis.
 void WktReader::require_good(const std::string& flaw) const {
   if (!flaw.empty()) cursor_.fail(ErrorCode::BadShape, flaw, last_);
 }
@@ -210,7 +220,7 @@ void WktReader::read_polygon() {
   shapes_.end_polygon();
 }
 
-/// Members with or without parentheses of their own: both forms are about.
+/// Reads points with or without parentheses of their own: both forms occur.
 void WktReader::read_points() {
   read_list([this] {
     const bool is_bare = find_token() && next_ != "(" && !is_word(next_, "EMPTY");

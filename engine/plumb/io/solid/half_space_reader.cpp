@@ -19,8 +19,8 @@ Boundary read_boundary(TextCursor& cursor) {
   cursor.fail(ErrorCode::Syntax, "expected closed or open, found " + quoted(word), begin);
 }
 
-/// 13 bytes at least: "0 0 1 0 open" and the end of the line. So more are not there than `text` has
-/// room for.
+/// Returns a bound on the number of half-spaces: a line has at least 13 bytes, "0 0 1 0 open" and
+/// its end.
 std::size_t most_lines(std::string_view text) {
   constexpr std::size_t kLeastBytes = 13;
   const auto breaks = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));

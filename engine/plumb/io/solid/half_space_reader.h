@@ -1,4 +1,5 @@
-// Half-spaces from text: lines `a b c d closed|open`, meaning a x + b y + c z + d <= 0 or < 0.
+// Reads half-spaces from text: lines `a b c d closed|open`, meaning a x + b y + c z + d <= 0 or <
+// 0.
 #pragma once
 
 #include <string_view>
@@ -9,8 +10,8 @@
 
 namespace plumb {
 
-/// The memory of the list stays charged to `context`. Errors, with their place: those of
-/// NumberReader, Syntax, DegenerateFace (a = b = c = 0), ResourceLimit.
+/// Returns the list of half-spaces. Its memory stays charged to `context`. Throws with the place:
+/// errors of NumberReader, Syntax, DegenerateFace (a = b = c = 0), ResourceLimit.
 HalfSpaceList read_half_spaces(std::string_view text, const ReadOptions& options, Context& context);
 
 }  // namespace plumb

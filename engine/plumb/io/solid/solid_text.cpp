@@ -1,3 +1,13 @@
+// Sets of space as text: the choice of format and what it loses, and the validation of links.
+//
+// SolidText makes the mesh when it is constructed, so that a set that cannot be written fails
+// before a file is opened, and the losses are known: parts that no volume touches, marks that a
+// closed mesh cannot hold, and what rounding does to the shape. LinkCheck follows the data
+// structure of a complex with nothing but bounds of ids guaranteed: it establishes first that
+// `next` and `radial` are permutations, after which walks along them terminate, and then counts
+// what each walk meets. It is the first of two checks of a `.nef` file; the second is the audit,
+// which may follow links freely. Formats: docs/formats.md, sections Meshes and .nef.
+// Tested by tests/io/solid_io_test.cpp and tests/io/nef3_reader_test.cpp.
 #include "plumb/io/solid/solid_text.h"
 
 #include <array>
@@ -126,7 +136,7 @@ class LinkCheck {
   }
 
   const SpaceComplex& c_;
-  std::vector<std::uint8_t> visited_;  // per use
+  std::vector<std::uint8_t> visited_;  // Per use.
   std::string flaw_;
 };
 
@@ -151,7 +161,8 @@ void LinkCheck::check_vertices() {
   }
 }
 
-/// `use_prev` is the inverse of `use_next`, made by the reader: a permutation if it is complete.
+/// Checks the uses. The reader made `use_prev` as the inverse of `use_next`, which is a permutation
+/// if `use_prev` is complete.
 void LinkCheck::check_uses() {
   std::vector<std::uint8_t> is_radial(c_.use_count(), 0);
   for (std::uint32_t u = 0; u < c_.use_count(); ++u) {
@@ -173,7 +184,7 @@ void LinkCheck::check_uses() {
   }
 }
 
-/// Requires a permutation: then walking on comes back.
+/// Checks the cycles around edges. Requires a permutation: then walking on leads back.
 void LinkCheck::check_radial_cycles() {
   std::vector<std::uint32_t> at_edge(c_.edge_count(), 0);
   for (const HalfedgeId h : c_.use_halfedge) ++at_edge[SpaceComplex::edge_of(h).value()];

@@ -1,4 +1,4 @@
-// A set of space made ready for a file.
+// A set of space prepared for a file, and the check of links that a reader of `.nef` needs.
 #pragma once
 
 #include <array>
@@ -20,25 +20,27 @@ namespace plumb {
 /// How `.nef` names the planes of the frame, in the order of the tables.
 inline constexpr std::array<std::string_view, 6> kFrameSides{"-x", "+x", "-y", "+y", "-z", "+z"};
 
-/// .nef holds every set exactly, meshes the closure of the interior with rounded coordinates.
+/// A format of files of sets. `.nef` holds every set exactly; meshes hold the closure of the
+/// interior, with rounded coordinates.
 struct SolidFormat {
   std::string_view name;
   std::string_view extension;
-  std::optional<MeshFormat> mesh;  ///< none: .nef
+  std::optional<MeshFormat> mesh;  ///< Empty for .nef.
 };
-/// In the order of preference.
+/// Returns the formats in the order of preference.
 std::span<const SolidFormat> solid_formats();
 
-/// All work and all judgement is done before the first byte is written.
+/// A set prepared for a format: all work and all checks are done before the first byte is written.
 class SolidText {
  public:
-  /// Throws Error{CannotWrite} when a mesh is to hold a marked volume that reaches to infinity,
-  /// Error{NumberOutOfRange} when a coordinate lies beyond the largest double.
+  /// Throws Error{CannotWrite} if a mesh is to hold a marked volume that reaches infinity, and
+  /// Error{NumberOutOfRange} if a coordinate lies beyond the largest double.
   SolidText(const Nef3& set, const SolidFormat& format, Context& context);
 
-  /// What the file does not say of the set, or says otherwise after rounding; one sentence each.
+  /// Returns what the file does not say of the set, or says otherwise after rounding; one sentence
+  /// each.
   const std::vector<std::string>& losses() const { return losses_; }
-  /// `.nef` with checkpoints.
+  /// Writes the set; `.nef` with checkpoints.
   void write(std::ostream& out, Context& context) const;
 
  private:
@@ -50,19 +52,21 @@ class SolidText {
   std::vector<std::string> losses_;
 };
 
-// Whether the links of a complex can be followed: what a reader must know before anybody else sees
-// it.
+// The check that the links of a complex can be followed, which a reader makes before anything else
+// uses it.
 
-/// Requires sizes that agree and ids in range (the reader's records have them). What is wrong, or
-/// "":
+/// Returns what is wrong with the links, or an empty string. Requires arrays whose sizes agree and
+/// ids in range, as the reader's records have them. The rules:
 ///
-///   edges     join two vertices; lie on two planes; free in a volume, or on a facet
-///   vertices  alone: in a volume, or in a facet, not both; else no volume
-///   uses      next goes on from where a use ends, in the same facet; radial stays at the edge;
-///             both are permutations, and one radial cycle holds all uses of an edge
-///   facets    each cycle of uses is listed once, with the facet that its uses name
+///   edges     An edge joins two vertices, lies on two planes, and is free in a volume or on a
+///             facet
+///   vertices  A vertex without edges is in a volume or in a facet, not both; any other has no
+///             volume
+///   uses      `next` goes on from where an edge use ends, in the same facet; `radial` stays at the
+///             edge; both are permutations, and one radial cycle holds all uses of an edge
+///   facets    Each cycle of uses is listed once, by the facet that its uses name
 ///
-/// O(n).
+/// Cost: O(n).
 std::string flaw_of_links(const SpaceComplex& complex);
 
 }  // namespace plumb

@@ -1,3 +1,14 @@
+// Parsing of scenes: JSON events to lists of points, polygons, shapes, levels and drawings.
+//
+// SceneHandler is a state machine over the events of nlohmann-json: the member being read, the
+// depth of lists in it, and a count of open values that have no meaning and are skipped. Each index
+// is kept with its byte in the text, so an error found later still has a place. Numbers are read
+// again from the text, exactly.
+//
+// ScenePointReader decides what decimals mean: a point well inside its face becomes the nearest
+// doubles, and a point on or near a side is kept exactly as written, with sums within 2^-52 of a
+// side put on it. A fraction always means itself. Format: docs/formats.md, section Scenes.
+// Tested by tests/io/scene_reader_test.cpp.
 #include "plumb/io/surface/scene_parser.h"
 
 #include <algorithm>
@@ -20,7 +31,7 @@
 namespace plumb {
 namespace {
 
-constexpr double kClear = 0x1p-40;  // so far from the sides rounding a weight changes nothing
+constexpr double kClear = 0x1p-40;  // So far from the sides rounding a weight changes nothing.
 constexpr std::uint64_t kBytesPerPoint = 2 * (sizeof(Point2) + 2 * sizeof(std::size_t));
 
 const Rational& tiny() {
@@ -71,8 +82,8 @@ void ScenePointReader::end(ScenePoints& to) {
     return tokens_[0].find_first_of(characters) != std::string_view::npos ||
            tokens_[1].find_first_of(characters) != std::string_view::npos;
   };
-  // A fraction means itself: a decimal beside it is rounded by itself, then, whatever it adds up
-  // to.
+  // A fraction is meant exactly; a decimal beside it is then rounded on its own, whatever the
+  // weights add up to.
   const bool is_fraction = any_has("/"), is_decimal = !exact_decimals_ && any_has(".eE");
   to.rounds.push_back(is_decimal && !is_fraction ? 1 : 0);
   if (weights_[0].is_double() && weights_[1].is_double()) {
@@ -84,7 +95,7 @@ void ScenePointReader::end(ScenePoints& to) {
   }
   std::array<Rational, 2> weights;
   for (std::size_t i = 0; i < 2; ++i) {
-    // What the nearest double is zero of is zero, however small it is.
+    // A weight whose nearest double is zero is zero, however small it is.
     const bool is_zero = weights_[i].is_double() && weights_[i].as_double() == 0;
     if (!is_fraction && !is_zero) {
       exact_.read(places_.cursor_at_token(), tokens_[i], weights_[i]);
@@ -94,7 +105,7 @@ void ScenePointReader::end(ScenePoints& to) {
   add_near_side(weights, is_decimal, to);
 }
 
-/// On a side or near one: exactly as written, but for what decimals may be rounded to.
+/// Adds a point on a side or near one: exactly as written, up to what decimals may be rounded to.
 void ScenePointReader::add_near_side(const std::array<Rational, 2>& weights, bool is_decimal,
                                      ScenePoints& to) {
   auto [u, v] = weights;
@@ -123,14 +134,14 @@ void ScenePointReader::add_near_side(const std::array<Rational, 2>& weights, boo
 
 namespace {
 
-// Numbers are read from the text again; the parser only must not find one too large.
+// Numbers are read from the text again. The parser must only not refuse a large one.
 using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
                                   std::uint64_t, long double>;
 
 enum class Member : std::uint8_t { Model, Points, Polygons, Shapes, Outside, Levels, Svg, Other };
 constexpr std::array<std::string_view, 7> kMemberNames{"model",   "points", "polygons", "shapes",
                                                        "outside", "levels", "svg"};
-/// Of a drawing.
+/// Members of a drawing.
 enum class Part : std::uint8_t { File, Center, Scale, Angle, Tolerance, Other };
 constexpr std::array<std::string_view, 5> kPartNames{"file", "center", "scale", "angle",
                                                      "tolerance"};
@@ -169,7 +180,7 @@ class SceneHandler : public nlohmann::json_sax<Json> {
   bool number_integer(number_integer_t value) override { return take_number({}, value); }
   bool number_unsigned(number_unsigned_t value) override { return take_number(value); }
   bool number_float(number_float_t, const string_t&) override { return take_number({}); }
-  bool binary(binary_t&) override { return false; }  // not in texts
+  bool binary(binary_t&) override { return false; }  // Does not occur in texts.
   bool string(string_t& value) override;
   bool start_object(std::size_t) override;
   bool key(string_t& name) override;
@@ -216,15 +227,15 @@ class SceneHandler : public nlohmann::json_sax<Json> {
   const char* begin_;
   JsonPlaces places_;
   ScenePointReader points_;
-  NumberReader numbers_reader_;  // of drawings
+  NumberReader numbers_reader_;  // Of drawings.
   Context& context_;
   ParsedScene scene_;
 
-  bool is_open_ = false;  // the object, and a member of it
+  bool is_open_ = false;  // Whether the object is open, and which member of it.
   Member member_ = Member::Other;
   std::array<bool, kMemberNames.size()> seen_{};
-  int depth_ = 0;            // of lists open in the member
-  std::size_t skipped_ = 0;  // open lists and objects that mean nothing
+  int depth_ = 0;            // Number of lists open in the member.
+  std::size_t skipped_ = 0;  // Number of open lists and objects without a meaning.
 
   // The level being read.
   std::size_t numbers_ = 0;
@@ -384,6 +395,8 @@ void SceneHandler::check_indices(const ParsedScene::Lists& lists, std::size_t co
   }
 }
 
+/// Checks the shapes of levels. With drawings the number of shapes is not yet known, and
+/// make_scene() checks them.
 void SceneHandler::check_levels() const {
   const std::size_t shapes = scene_.shapes ? scene_.shapes->size() : scene_.polygons.size();
   for (const auto& [level, place] : scene_.levels) {
@@ -402,7 +415,7 @@ bool SceneHandler::string(string_t& value) {
   if (!means_something() || is_other()) return true;
   const bool is_file = is_open_ && (is_drawing_ ? part_ == Part::File : member_ == Member::Model);
   if (is_file) {
-    constexpr std::size_t kLongest = 4095;  // that systems know
+    constexpr std::size_t kLongest = 4095;  // Longest name that systems allow.
     const bool is_path = value.size() <= kLongest && value.find('\0') == value.npos;
     if (value.empty() || !is_path) fail_expected("a file name");
     (is_drawing_ ? drawing_.file : scene_.model) = value;

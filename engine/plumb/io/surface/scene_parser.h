@@ -1,5 +1,5 @@
-// Scenes as they are written: steps 1 and 3 to 5 of scene_reader.h, for callers that have text and
-// model.
+// Scenes as they are written: steps 1 and 3 to 5 of scene_reader.h, for callers that have the text
+// and the model.
 #pragma once
 
 #include <array>
@@ -32,14 +32,15 @@ struct SceneLists {
 
 /// Points as they are written.
 struct ScenePoints {
-  std::vector<std::uint32_t> face;   ///< of the model
-  PointTable2 weights;               ///< (u, v), not outside of any face
-  std::vector<std::uint8_t> rounds;  ///< written in decimals: may be rounded
-  std::vector<std::size_t> place;    ///< byte of the text
+  std::vector<std::uint32_t> face;  ///< Face of the model.
+  PointTable2 weights;              ///< (u, v), not outside of any face.
+  /// Whether the point was written in decimals, so that it may be rounded.
+  std::vector<std::uint8_t> rounds;
+  std::vector<std::size_t> place;  ///< Byte of the text.
   std::size_t size() const { return face.size(); }
 };
 
-/// A scene as it is written; indices of points and of polygons are right.
+/// A scene as it is written; the indices of points and polygons are valid.
 struct ParsedScene {
   using Lists = SceneLists;
   struct Level {
@@ -48,55 +49,57 @@ struct ParsedScene {
   };
 
   struct Drawing {
-    std::string file;  ///< sought beside the scene
-    double scale = 0;  ///< the units of the model that one of the drawing is
-    double angle = 0;  ///< degrees
+    std::string file;  ///< Looked for beside the scene.
+    double scale = 0;  ///< Units of the model for one unit of the drawing.
+    double angle = 0;  ///< Degrees.
     std::optional<double> tolerance = {};
-    std::size_t place = 0;  ///< byte of the text
+    std::size_t place = 0;  ///< Byte of the text.
   };
 
   std::string model;
   ScenePoints points;
   Lists polygons;
-  std::optional<Lists> shapes;  ///< none: one shape per polygon
+  std::optional<Lists> shapes;  ///< Shapes; without them each polygon is one.
   std::optional<std::uint32_t> outside;
   std::size_t outside_place = 0;
-  std::vector<Level> levels;  ///< of shapes that there are, unless there are drawings
+  std::vector<Level> levels;  ///< Levels; of existing shapes, unless there are drawings.
   std::vector<Drawing> drawings;
-  ScenePoints centers;  ///< one of each drawing
+  ScenePoints centers;  ///< Centre of each drawing.
 };
 
-/// Step 1.
+/// Returns the scene that a text describes (step 1).
 ParsedScene parse_scene(std::string_view text, const ReadOptions& options, Context& context);
 
 /// A drawing that has been read.
 struct DrawingFile {
-  std::string name;  ///< in messages
-  std::string text;  ///< the whole file: errors count its lines
+  std::string name;  ///< Name in messages.
+  std::string text;  ///< The whole file: errors count its lines.
   SvgDrawing drawing;
 };
 
-/// Steps 3 to 5. `text` is what was parsed; `drawings` has what each of those of the scene is.
+/// Returns the scene (steps 3 to 5). `text` is what was parsed; `drawings` holds the file of each
+/// drawing of the scene.
 SurfaceScene make_scene(const ParsedScene& scene, std::shared_ptr<const SurfaceMesh> mesh,
                         std::string_view text, const ReadOptions& options, Context& context,
                         std::span<const DrawingFile* const> drawings = {});
 
-// Points of scenes as they are written: [face, u, v]; and what becomes of decimals
+// Points of scenes as they are written, [face, u, v], and the treatment of decimals
 // (scene_reader.h).
 
+/// Reads one point at a time from the events of a parser.
 class ScenePointReader {
  public:
-  /// `places` has to outlive it.
+  /// `places` must outlive it.
   ScenePointReader(std::string_view text, const ReadOptions& options, JsonPlaces& places,
                    Context& context);
 
-  /// At its opening bracket.
+  /// Begins a point at its opening bracket.
   void begin(std::size_t place);
   bool needs_face() const { return numbers_ == 0; }
   void set_face(std::uint32_t face);
-  /// A token of the text.
+  /// Reads a weight, given as a token of the text.
   void read_weight(std::string_view token);
-  /// At its closing bracket.
+  /// Ends the point at its closing bracket and appends it.
   void end(ScenePoints& to);
 
  private:

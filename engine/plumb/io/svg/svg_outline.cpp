@@ -1,3 +1,15 @@
+// Flattening of SVG outlines, and the reading of path data.
+//
+// A curve over parameters 0 to 1 with second derivative at most M is at most M / (8 n^2) away from
+// n equal chords, so n = ceil(sqrt(M / (8 tolerance))) chords suffice. M comes from control points:
+// for a Bezier curve of degree d it is d (d - 1) times the largest second difference, because the
+// second derivative is a Bezier curve over those; for an elliptic arc it is the largest distance
+// from the centre times the square of the angle. The map of the element is applied before
+// flattening, so the tolerance is measured in the drawing.
+//
+// PathReader turns commands into calls of the outline. Elliptic arcs are converted from end points
+// to centre as in SVG 1.1, appendix F.6.5, with radii enlarged that do not reach.
+// Tested by tests/io/svg_reader_test.cpp.
 #include "plumb/io/svg/svg_outline.h"
 
 #include <algorithm>
@@ -16,15 +28,16 @@ namespace {
 constexpr std::uint64_t kPointBytes = 2 * (sizeof(Point2) + sizeof(std::size_t));
 constexpr std::uint64_t kRingBytes = 4 * sizeof(std::uint32_t);
 constexpr std::size_t kPointsOfAnyText = std::size_t{1} << 20U;
-constexpr std::size_t kBytesPerPoint = 7;                   // of the text, beyond those
-constexpr std::size_t kMostPoints = std::size_t{1} << 30U;  // that a surface can hold
+constexpr std::size_t kBytesPerPoint = 7;  // Bytes of the text for each further point.
+constexpr std::size_t kMostPoints = std::size_t{1} << 30U;  // As many as a surface can hold.
 constexpr std::size_t kPointsPerCheckpoint = 4096;
 
 Point2 mixed(Point2 a, double s, Point2 b, double t) {
   return {s * a.x + t * b.x, s * a.y + t * b.y};
 }
 
-/// Twice the turn that a curve makes at the middle one of three control points.
+/// Returns the length of the second difference a - 2 b + c of three control points: how much a
+/// curve bends at the middle one.
 double bend_at(Point2 a, Point2 b, Point2 c) {
   return std::hypot(a.x - 2 * b.x + c.x, a.y - 2 * b.y + c.y);
 }
@@ -92,8 +105,8 @@ void SvgOutline::move_to(const TextCursor& at, Point2 p) {
 
 void SvgOutline::line_to(const TextCursor& at, Point2 p) { add(at, placed(at, p)); }
 
-/// A chord over parameters h apart is at most h^2 / 8 times the second derivative away from its
-/// curve.
+/// Returns the number of chords. A chord over parameters h apart is at most h^2 / 8 times the
+/// second derivative away from its curve.
 std::size_t SvgOutline::chords(const TextCursor& at, double bend) {
   if (!tolerance_) {
     at.fail(ErrorCode::BadShape,
@@ -139,7 +152,7 @@ void SvgOutline::arc_to(const TextCursor& at, Point2 centre, Point2 u, Point2 v,
   const Point2 middle = placed(at, centre), end = placed(at, p);
   const Point2 pu{t.a * u.x + t.c * u.y, t.b * u.x + t.d * u.y};
   const Point2 pv{t.a * v.x + t.c * v.y, t.b * v.x + t.d * v.y};
-  // No point of the ellipse is further from its centre.
+  // Bounds the distance of any point of the ellipse from its centre.
   const double reach = std::hypot(std::hypot(pu.x, pu.y), std::hypot(pv.x, pv.y));
   const std::size_t n = chords(at, reach * (to - from) * (to - from));
   for (std::size_t i = 1; i < n; ++i) {
@@ -150,12 +163,12 @@ void SvgOutline::arc_to(const TextCursor& at, Point2 centre, Point2 u, Point2 v,
   add(at, end);
 }
 
-/// A ring that comes back to its first point needs it once.
+/// Ends a ring. A ring that returns to its first point lists it once.
 void SvgOutline::close_ring() {
   auto& points = drawing_.points;
   const std::size_t begin = drawing_.ring_begin.back();
   while (points.size() > begin + 1 && points.back() == points[begin]) points.pop_back();
-  if (points.size() == begin + 1) points.pop_back();  // nothing but a place
+  if (points.size() == begin + 1) points.pop_back();  // A ring of one point is no ring.
   drawing_.places.resize(points.size());
   if (points.size() > begin) {
     drawing_.ring_begin.push_back(static_cast<std::uint32_t>(points.size()));
@@ -194,7 +207,7 @@ class PathReader {
       } else if (command == 0 || upper(command) == 'Z') {
         text_.fail_expected("a command of paths");
       } else if (upper(command) == 'M') {
-        command = command == 'M' ? 'L' : 'l';  // more pairs of numbers are lines
+        command = command == 'M' ? 'L' : 'l';  // Further pairs of numbers are lines.
       }
       run(command);
     }
@@ -213,7 +226,7 @@ class PathReader {
   double coordinate(bool is_relative, double origin) {
     return text_.number() + (is_relative ? origin : 0);
   }
-  /// After Z a subpath begins where the last one did.
+  /// Opens a subpath. After Z it begins where the last one did.
   void open() {
     if (is_open_) return;
     outline_.move_to(text_.cursor(), start_);
@@ -245,7 +258,7 @@ class PathReader {
   bool is_first_ = true, is_open_ = false;
   const char* place_ = nullptr;
   Point2 start_, at_;
-  Point2 cubic_, quadratic_;  // the last control point, if the last command had one
+  Point2 cubic_, quadratic_;  // The last control points, if the last command had one.
 };
 
 void PathReader::run(char command) {
@@ -286,7 +299,8 @@ void PathReader::run(char command) {
   }
 }
 
-/// From the ends to the centre: SVG 1.1, appendix F.6.5. Radii that do not reach are enlarged.
+/// Adds an elliptic arc, converted from its ends to its centre as in SVG 1.1, appendix F.6.5. Radii
+/// that do not reach are enlarged.
 void PathReader::arc(bool is_relative) {
   double rx = std::fabs(text_.number());
   double ry = std::fabs(text_.number());
@@ -305,7 +319,7 @@ void PathReader::arc(bool is_relative) {
   if (!std::isfinite(reach)) {
     text_.fail(ErrorCode::NumberOutOfRange, "an arc beyond the largest double", place_);
   }
-  if (reach == 0) return line(to);  // as good as straight
+  if (reach == 0) return line(to);  // The arc is as good as straight.
   double off = 0;
   if (reach >= 1) {
     rx *= reach;
@@ -320,8 +334,8 @@ void PathReader::arc(bool is_relative) {
                       (at_.y + to.y) / 2 + c.x * u.y + c.y * v.y};
   const double from = std::atan2(p.y - c.y, p.x - c.x);
   double end = std::atan2(-p.y - c.y, -p.x - c.x);
-  // At least half a turn if it is large, at most that if not: rounding decides neither nothing nor
-  // a whole turn.
+  // A large arc has at least half a turn, any other at most that. With a quarter turn of margin,
+  // rounding cannot make an arc of half a turn none or a whole turn.
   const double least = is_large ? kPi / 2 : -kPi / 2;
   if (is_clockwise && end - from < least) end += 2 * kPi;
   if (!is_clockwise && from - end < least) end -= 2 * kPi;

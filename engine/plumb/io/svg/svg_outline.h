@@ -1,4 +1,4 @@
-// Outlines of drawings: lines and curves, moved by affine maps, flattened to closed polygons.
+// Outlines of drawings: lines and curves, moved by affine maps and flattened to closed polygons.
 #pragma once
 
 #include <cstddef>
@@ -15,25 +15,26 @@
 
 namespace plumb {
 
-/// x' = a x + c y + e, y' = b x + d y + f: matrix(a b c d e f) of SVG.
+/// The map x' = a x + c y + e, y' = b x + d y + f: matrix(a b c d e f) of SVG.
 struct SvgTransform {
   double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
 };
-/// First `second`, then `first`.
+/// Returns the map that applies `second`, then `first`.
 SvgTransform product(const SvgTransform& first, const SvgTransform& second);
+/// Returns the image of a point.
 Point2 applied(const SvgTransform& t, Point2 p);
 
-/// Collects the shapes of a drawing. Coordinates come in the units of an element; curves are
-/// replaced by chords that are nowhere further from them than the tolerance, measured in those of
+/// Collects the shapes of a drawing. Coordinates come in the units of an element. Curves are
+/// replaced by chords that are nowhere farther from them than the tolerance, measured in units of
 /// the drawing.
 ///
-/// All points together are at most 2^20 and one for every 7 bytes of the text: their lists take no
-/// more than 64 MB and ten times the text, doubling as they grow, however fine the tolerance and
+/// All points together are at most 2^20 and one for every 7 bytes of the text: their lists take at
+/// most 64 MB and ten times the text, doubling as they grow, however fine the tolerance and
 /// whatever the text repeats.
 ///
-/// Every function that adds points takes a cursor at what says so. Errors there: NumberOutOfRange
-/// beyond the largest double; BadShape for a curve without a tolerance; ResourceLimit, of too many
-/// points, too; Cancelled.
+/// Every function that adds points takes a cursor at the part of the text that it comes from.
+/// Errors there: NumberOutOfRange beyond the largest double; BadShape for a curve without a
+/// tolerance; ResourceLimit, also for too many points; Cancelled.
 class SvgOutline {
  public:
   /// `text` is where places are counted from.
@@ -51,13 +52,13 @@ class SvgOutline {
   void line_to(const TextCursor& at, Point2 p);
   void cubic_to(const TextCursor& at, Point2 c1, Point2 c2, Point2 p);
   void quadratic_to(const TextCursor& at, Point2 c, Point2 p);
-  /// Along centre + cos t u + sin t v from t = from to t = to, where p is.
+  /// Follows centre + cos t u + sin t v from t = from to t = to, where p is.
   void arc_to(const TextCursor& at, Point2 centre, Point2 u, Point2 v, double from, double to,
               Point2 p);
   void close_ring();
-  /// The rings since the last one are a shape, unless there are none.
+  /// Makes the rings since the last shape a shape, unless there are none.
   void end_shape();
-  /// One of many steps within a value: looks at the time every few thousand of them.
+  /// Counts one of many steps within a value; asks the context every few thousand steps.
   void step();
 
   SvgDrawing take() { return std::move(drawing_); }
@@ -67,8 +68,8 @@ class SvgOutline {
   static void require_finite(const TextCursor& at, Point2 p);
   Point2 placed(const TextCursor& at, Point2 p) const;
   void add(const TextCursor& at, Point2 placed);
-  /// How many chords keep within the tolerance, for a second derivative of at most `bend`,
-  /// parameters 0 to 1.
+  /// Returns how many chords keep within the tolerance, for a second derivative of at most `bend`
+  /// over parameters 0 to 1.
   std::size_t chords(const TextCursor& at, double bend);
 
   static std::size_t most_points(std::size_t bytes);
@@ -84,11 +85,11 @@ class SvgOutline {
 
 // The path data of SVG (attribute d): M L H V C S Q T A Z, absolute and relative.
 
-/// Adds the subpaths as rings; each is closed, as it is for being filled. Errors: Syntax,
-/// NumberOutOfRange and those of the outline.
+/// Adds the subpaths as rings; each is closed, as it is when it is filled. Throws Error{Syntax},
+/// Error{NumberOutOfRange} and the errors of the outline.
 void read_svg_path(SvgValue& text, SvgOutline& outline);
 
-/// An ellipse as a whole.
+/// Adds a whole ellipse.
 void add_svg_ellipse(const TextCursor& at, Point2 centre, double rx, double ry,
                      SvgOutline& outline);
 

@@ -1,3 +1,15 @@
+// A scanner for the XML of drawings, and for the values of SVG attributes.
+//
+// The whole text is checked once for UTF-8 and control characters, so later steps may search bytes.
+// The scanner then moves from tag to tag; open elements are a stack of names, whose depth and whose
+// attributes are limited and charged. It never resolves references or loads anything, and it
+// refuses internal subsets of document types, so entity expansion (the "billion laughs") cannot
+// occur.
+//
+// In values, a number ends where its longest valid prefix ends: "1.2.3" is 1.2 and .3, and "1em" is
+// 1 followed by a unit that is refused. Format: W3C, XML 1.0, and SVG 1.1; docs/formats.md, section
+// Drawings.
+// Tested by tests/io/svg_reader_test.cpp.
 #include "plumb/io/svg/svg_syntax.h"
 
 #include <algorithm>
@@ -14,14 +26,14 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kMostNested = 256;
-constexpr std::size_t kMostAttributes = 4096;  // of an element
+constexpr std::size_t kMostAttributes = 4096;  // Of one element.
 constexpr std::size_t kStepsPerCheckpoint = 1024;
 constexpr std::size_t kBytesPerCheckpoint = std::size_t{1} << 16U;
 constexpr std::size_t kLongestCharacter = 4;
 constexpr std::string_view kBlanks = " \t\r\n";
 
 bool is_blank(char c) { return kBlanks.find(c) != kBlanks.npos; }
-/// Whatever else can be part of a name is no mark-up.
+/// Whether the byte ends a name. Any other byte that could not be part of a name is no mark-up.
 bool ends_name(char c) {
   constexpr std::string_view kMarks = "=<>/\"'&?!";
   return is_blank(c) || kMarks.find(c) != kMarks.npos;
@@ -39,7 +51,7 @@ XmlScanner::XmlScanner(std::string_view text, const std::string& name, Context& 
   require_text();
 }
 
-/// All of it, lines apart.
+/// Checks the whole text in blocks. Lines are not counted here.
 void XmlScanner::require_text() const {
   const char* at = p_;
   for (const char* begin = at; at != end_; begin = at) {
@@ -55,7 +67,7 @@ void XmlScanner::require_text() const {
       } else if (end == end_ || static_cast<std::size_t>(end - at) >= kLongestCharacter) {
         fail(ErrorCode::NotText, "a byte that is no text: is this XML?", at);
       } else {
-        break;  // perhaps a character that goes on behind the end
+        break;  // Possibly a character that continues behind the end of the block.
       }
     }
   }
@@ -101,7 +113,7 @@ void XmlScanner::skip_document_type() {
   p_ = found + 1;
 }
 
-/// To the next tag; false at the end of the text.
+/// Moves to the next tag; returns false at the end of the text.
 bool XmlScanner::find_tag() {
   for (;;) {
     if (steps_++ % kStepsPerCheckpoint == 0) context_.checkpoint("read", steps_, steps_);
@@ -236,8 +248,8 @@ std::size_t digits(std::string_view text, std::size_t from) {
   return from;
 }
 
-/// How long the number is that `text` begins with; 0 if it begins with none. In "1em" it is 1, in
-/// "1.2.3" it is 1.2.
+/// Returns the length of the number that `text` begins with; 0 if it begins with none. In "1em" the
+/// number is 1, in "1.2.3" it is 1.2.
 std::size_t number_length(std::string_view text) {
   std::size_t at = !text.empty() && is_sign(text[0]) ? 1 : 0;
   const std::size_t whole = at;

@@ -1,11 +1,12 @@
-// A strict scanner of XML, as much of it as drawings need: elements and their attributes, in order.
+// The syntax of drawings: a strict scanner of XML, as much of it as drawings need, and the values
+// of attributes.
 //
-// Text between elements, comments, CDATA, processing instructions and a document type without a
-// subset are passed over. Nothing is expanded and nothing is loaded: values are bytes of the file,
-// references in them are left as they stand, and a document type with a subset of its own (where
-// entities are declared) is refused.
+// Elements and their attributes are reported in order. Text between elements, comments, CDATA,
+// processing instructions and a document type without a subset are skipped. Nothing is expanded and
+// nothing is loaded: values are bytes of the file, references in them stay as they are, and a
+// document type with a subset of its own (where entities are declared) is refused.
 //
-// Checked: UTF-8 without control characters, tags that match, one root, attributes in quotes
+// Checked are UTF-8 without control characters, tags that match, one root, and attributes in quotes
 // without '<'. Errors at their places: NotText, Syntax, CountMismatch (nothing but blanks),
 // ResourceLimit; Cancelled. Cost: O(bytes).
 #pragma once
@@ -24,11 +25,13 @@
 
 namespace plumb {
 
+/// An attribute of a tag.
 struct XmlAttribute {
   std::string_view name;
-  std::string_view value;  ///< without its quotes
+  std::string_view value;  ///< The value without its quotes.
 };
 
+/// Reports the elements of a text one after the other.
 class XmlScanner {
  public:
   enum class Event : std::uint8_t { Start, End, Done };
@@ -36,18 +39,18 @@ class XmlScanner {
   /// `text` must outlive it; `name` is the file in messages.
   XmlScanner(std::string_view text, const std::string& name, Context& context);
 
-  /// An element starts or ends (one without content does both), or there is no more.
+  /// Returns whether an element starts, ends (one without content does both), or there is no more.
   Event next();
 
-  /// Of the element that started or ended last.
+  /// Returns the name of the element that started or ended last.
   std::string_view element() const { return element_; }
-  /// The value of one of the attributes of the element that started last. Fails if it is there
-  /// twice.
+  /// Returns the value of an attribute of the element that started last, or no value. Throws if it
+  /// occurs twice.
   std::optional<std::string_view> attribute(std::string_view name) const;
 
-  /// A cursor at a byte of the tag read last.
+  /// Returns a cursor at a byte of the tag read last.
   TextCursor cursor_at(const char* where) const;
-  /// At the beginning of that tag.
+  /// Returns the beginning of that tag.
   const char* tag() const { return tag_; }
   [[noreturn]] void fail(ErrorCode code, const std::string& message, const char* where) const;
 
@@ -67,47 +70,48 @@ class XmlScanner {
   const char* p_;
   const char* end_;
   const char* tag_;
-  TextCursor cursor_;  // at the tag read last
+  TextCursor cursor_;  // At the tag read last.
   Context& context_;
   std::string_view element_;
   std::vector<XmlAttribute> attributes_;
   std::vector<std::string_view> open_;
-  bool is_empty_ = false;  // the element that started last
+  bool is_empty_ = false;  // Whether the element that started last has no content.
   bool has_root_ = false;
-  std::size_t steps_ = 0;  // tags, comments, attributes
+  std::size_t steps_ = 0;  // Tags, comments and attributes.
 };
 
-// What stands in attributes of SVG: numbers, lengths, flags, words, with the place of every error.
+// Values of attributes in SVG: numbers, lengths, flags and words, with the place of every error.
 
-/// Walks the value of an attribute. Numbers are separated by blanks, by a comma among them, or by
-/// nothing where a sign or a second point tells them apart.
+/// Walks the value of an attribute. Numbers are separated by blanks, possibly with one comma, or by
+/// nothing if a sign or a second point separates them.
 class SvgValue {
  public:
   /// `cursor` stands at the value.
   SvgValue(TextCursor cursor, std::string_view value, NumberReader& numbers)
       : start_(cursor), cursor_(std::move(cursor)), rest_(value), numbers_(numbers) {}
 
-  /// Skips blanks; true when nothing follows. Fails where a comma has promised more.
+  /// Skips blanks; returns true if nothing follows. Throws if a comma has promised more.
   bool at_end();
-  /// The next byte, if there is one. Call at_end() first.
+  /// Returns the next byte, or 0. Requires a call of at_end() first.
   char peek() const { return rest_.empty() ? '\0' : rest_.front(); }
   const char* position() const { return rest_.data(); }
-  /// Past a byte that is no number.
+  /// Skips a byte that is no number.
   void skip();
 
-  /// A finite number, and what separates it from the next.
+  /// Returns a finite number and takes what separates it from the next.
   double number();
-  /// The same with a unit: px is none, in, cm, mm, pt, pc are converted, others fail.
+  /// Does the same for a number with a unit: px counts as none, in, cm, mm, pt and pc are
+  /// converted, others fail.
   double length();
-  /// One digit, 0 or 1, which needs no separator.
+  /// Returns one digit, 0 or 1, which needs no separator.
   bool flag();
-  /// A word of letters.
+  /// Returns a word of letters.
   std::string_view word();
   void take(char c);
 
   [[noreturn]] void fail(ErrorCode code, const std::string& message, const char* where) const;
   [[noreturn]] void fail_expected(const std::string& what) const;
-  /// At the number read last.
+  /// Returns a cursor at the number read last.
   const TextCursor& cursor() const { return cursor_; }
 
  private:
@@ -119,7 +123,7 @@ class SvgValue {
   TextCursor cursor_;
   std::string_view rest_;
   NumberReader& numbers_;
-  const char* comma_ = nullptr;  // the separator before the position, if it has one
+  const char* comma_ = nullptr;  // The separator before the position, if there is one.
   ReadNumber number_;
 };
 

@@ -1,3 +1,12 @@
+// Input files read whole, and output files written atomically.
+//
+// Input is read until the end, whatever size the system reports; memory is charged before it grows,
+// and waiting for a pipe is done in slices, so that limits and cancellation take effect meanwhile.
+// Output goes to a temporary file in the same folder, is synchronised, and renamed over its final
+// name, which POSIX makes atomic: readers see the old file or the new one. Names of temporary files
+// are also kept in a fixed array of atomics, where a signal handler can unlink them without taking
+// locks or allocating.
+// Tested by tests/io/files_test.cpp.
 #include "plumb/io/text/files.h"
 
 #include <fcntl.h>
@@ -51,15 +60,15 @@ class InputFile {
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
-  /// The size if the system knows it: a hint, never trusted.
+  /// Returns the size if the system knows it: a hint that is never trusted.
   std::size_t expected_size() const {
     struct stat status {};
     if (::fstat(fd_, &status) != 0 || !S_ISREG(status.st_mode)) return 0;
     return static_cast<std::size_t>(status.st_size);
   }
 
-  /// Waits until something can be read: in slices, so that limits and stops count meanwhile. (A
-  /// signal that arrives just before a read would not interrupt it.)
+  /// Waits until something can be read: in slices, so that limits and cancellation take effect
+  /// meanwhile. (A signal that arrives just before a read would not interrupt it.)
   void wait() const {
     constexpr int kSliceMilliseconds = 50;
     pollfd request{fd_, POLLIN, 0};
@@ -68,7 +77,7 @@ class InputFile {
     } while (::poll(&request, 1, kSliceMilliseconds) <= 0);
   }
 
-  /// 0 at the end.
+  /// Reads some bytes; returns 0 at the end.
   std::size_t read(char* to, std::size_t most) const {
     wait();
     const ssize_t got = uninterrupted(context_, [&] { return ::read(fd_, to, most); });
@@ -116,8 +125,8 @@ namespace {
   throw Error(code, std::strerror(errno), {name});
 }
 
-/// Names of temporary files, where a signal handler can reach them. A full list means that a name
-/// is not known to the handler, no more.
+/// Names of temporary files, where a signal handler can reach them. If the list is full, the
+/// handler does not know a name, and nothing else happens.
 class TemporaryNames {
  public:
   void add(const char* name) {
@@ -144,14 +153,14 @@ class TemporaryNames {
 
 TemporaryNames temporary_names;
 
-/// Where `path` leads when it is a link; itself otherwise.
+/// Returns where `path` leads if it is a link, else itself.
 std::string resolve_links(const std::string& path) {
   const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
                                                          &std::free);
   return real ? std::string(real.get()) : path;
 }
 
-/// The permissions a file created by this process gets.
+/// Returns the permissions that a file created by this process gets.
 mode_t new_file_mode() {
   const mode_t mask = ::umask(0);
   ::umask(mask);
@@ -179,7 +188,8 @@ void DescriptorBuffer::write_all(const char* text, std::size_t size) {
 
 void DescriptorBuffer::write_block() {
   const auto size = static_cast<std::size_t>(pptr() - pbase());
-  setp(block_.get(), block_.get() + kBlock);  // also when writing fails: never twice
+  // Reset before writing, so that nothing is written twice when writing fails.
+  setp(block_.get(), block_.get() + kBlock);
   write_all(block_.get(), size);
 }
 
@@ -211,7 +221,7 @@ int DescriptorBuffer::sync() {
 DescriptorStream::DescriptorStream(int descriptor, std::string name)
     : std::ostream(nullptr), buffer_(descriptor, std::move(name)) {
   rdbuf(&buffer_);
-  exceptions(std::ios::badbit);  // rethrows what the buffer threw
+  exceptions(std::ios::badbit);  // Rethrows what the buffer threw.
 }
 
 OutputFile::OutputFile(const std::string& path) : path_(path), target_(resolve_links(path)) {

@@ -1,4 +1,4 @@
-// Whole input files in memory.
+// Whole input files in memory, and output files that are complete or absent.
 #pragma once
 
 #include <filesystem>
@@ -13,26 +13,26 @@
 
 namespace plumb {
 
-/// The bytes of the file `path`, or of standard input when `path` is "-". The memory is charged
-/// to `context` before it is allocated and stays charged; release it with the string.
-/// Errors: CannotOpen with the system's reason ("FILE: reason"), ResourceLimit.
+/// Returns the bytes of the file `path`, or of standard input if `path` is "-". The memory is
+/// charged to `context` before it is allocated and stays charged; release it with the string.
+/// Throws Error{CannotOpen} with the system's reason ("FILE: reason"), and Error{ResourceLimit}.
 std::string read_input(const std::string& path, Context& context);
 
-/// What `path` is called in messages: itself, or "stdin" for "-".
+/// Returns what `path` is called in messages: itself, or "stdin" for "-".
 std::string input_name(const std::string& path);
 
 // Output that is complete or absent.
-//
-//   1. OutputFile file("out.svg");   opens a temporary file beside it: bad paths fail before work
-//   2. file.stream() << ...;         buffered; a failed write throws at once
-//   3. file.finish();                all bytes on the disk, still under the temporary name
-//   4. file.commit();                renamed over the final name
+//  1. open    OutputFile file("out.svg") opens a temporary file beside it: bad paths fail before
+//             work
+//  2. write   file.stream() << ... is buffered; a failed write throws at once
+//  3. finish  file.finish() puts all bytes on the disk, still under the temporary name
+//  4. commit  file.commit() renames the file to its final name
 // Without commit() the destructor removes the temporary file. Several files that belong together
-// are all finished before the first is committed (commit_all). Something that is no ordinary file
+// are all finished before the first is committed (commit_all()). What is no ordinary file
 // (/dev/null, a pipe) is written directly; a symbolic link is followed.
 
 /// Buffer of a std::ostream over a file descriptor. Failed writes throw Error{CannotWrite} "NAME:
-/// reason", or Error{ClosedPipe} when the reader is gone (SIGPIPE must be ignored for that).
+/// reason", or Error{ClosedPipe} if the reader is gone (which requires that SIGPIPE is ignored).
 class DescriptorBuffer : public std::streambuf {
  public:
   /// Does not own `descriptor`.
@@ -62,9 +62,10 @@ class DescriptorStream : public std::ostream {
   DescriptorBuffer buffer_;
 };
 
+/// A file that is written under a temporary name.
 class OutputFile {
  public:
-  /// Errors: CannotWrite, "PATH: reason".
+  /// Throws Error{CannotWrite} "PATH: reason".
   explicit OutputFile(const std::string& path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -73,11 +74,11 @@ class OutputFile {
   const std::string& path() const { return path_; }
   std::ostream& stream() { return *stream_; }
 
-  /// Writes out what is buffered and waits until the disk has it. Requires no earlier finish().
+  /// Writes what is buffered and waits until the disk has it. Requires no earlier finish().
   void finish();
-  /// Requires finish().
+  /// Renames the file to its final name. Requires finish().
   void commit();
-  /// Removes a committed file again (not one that was written directly).
+  /// Removes a committed file again, unless it was written directly.
   void withdraw() noexcept;
 
  private:
@@ -85,27 +86,27 @@ class OutputFile {
   [[noreturn]] void fail() const;
   void close();
 
-  std::string path_;       // as given, for messages
-  std::string target_;     // links resolved
-  std::string temporary_;  // empty when written directly, and after commit()
+  std::string path_;       // As given, for messages.
+  std::string target_;     // With links resolved.
+  std::string temporary_;  // Empty for a file that is written directly, and after commit().
   bool is_direct_ = false;
   int descriptor_ = -1;
   std::unique_ptr<DescriptorStream> stream_;
 };
 
-/// Commits finished files in order. If one fails, those committed before it are removed, so that
-/// no output is left behind.
+/// Commits finished files in order. If one fails, those committed before it are removed, so that no
+/// output is left behind.
 void commit_all(std::span<const std::unique_ptr<OutputFile>> files);
 
-/// Removes the temporary files of all OutputFiles that live. For signal handlers that end the
-/// process: async-signal-safe.
+/// Removes the temporary files of all OutputFile objects that exist. For signal handlers that end
+/// the process: async-signal-safe.
 void remove_temporary_files() noexcept;
 
-/// A folder for output, made with those above it that are missing. What was made and is still empty
-/// at the end is removed again, unless it was kept.
+/// A folder for output, created with those above it that are missing. Folders that were created and
+/// are still empty at the end are removed again, unless they were kept.
 class OutputDirectory {
  public:
-  /// Errors: CannotWrite, "PATH: reason".
+  /// Throws Error{CannotWrite} "PATH: reason".
   explicit OutputDirectory(const std::filesystem::path& path);
   ~OutputDirectory();
   OutputDirectory(const OutputDirectory&) = delete;
@@ -116,7 +117,7 @@ class OutputDirectory {
  private:
   void remove_made();
 
-  std::vector<std::filesystem::path> made_;  // the last first
+  std::vector<std::filesystem::path> made_;  // Folders that were created, the last first.
 };
 
 }  // namespace plumb

@@ -1,3 +1,10 @@
+// TextCursor: lines, tokens and places of a text, and what counts as text.
+//
+// Tokens are found byte by byte, without a check of their characters; only when a token is reported
+// is it validated, so good input is read at full speed and an error still names the first byte that
+// is not text (UTF-8 by RFC 3629, without control characters but tab). Invariant: the position lies
+// in the line that line_begin_ starts, so a column is a difference of pointers.
+// Tested by tests/io/map_io_test.cpp and tests/io/off_test.cpp.
 #include "plumb/io/text/input_cursors.h"
 
 #include <algorithm>
@@ -16,8 +23,9 @@ unsigned byte_at(std::string_view text, std::size_t i) {
   return static_cast<unsigned char>(text[i]);
 }
 
-/// Length of the well-formed UTF-8 sequence at the start of `text` (RFC 3629: no overlong forms, no
-/// surrogates, nothing above U+10FFFF); 0 if there is none. Requires a first byte >= 0x80.
+/// Returns the length of the well-formed UTF-8 sequence at the start of `text` (RFC 3629: no
+/// overlong forms, no surrogates, nothing above U+10FFFF); 0 if there is none. Requires a first
+/// byte >= 0x80.
 std::size_t sequence_length(std::string_view text) {
   const unsigned lead = byte_at(text, 0);
   const std::size_t length = lead < 0xC2   ? 0
@@ -77,7 +85,7 @@ bool TextCursor::next_line() {
   for (;;) {
     if (line_ != 0) {
       if (p_ == end_) return false;
-      ++p_;  // the '\n' that ended the line before
+      ++p_;  // The '\n' that ended the line before.
       line_begin_ = p_;
     }
     ++line_;
@@ -113,7 +121,7 @@ void TextCursor::move_to(const char* where) {
   p_ = where;
 }
 
-/// A carriage return belongs to the end of the line when the line ends right after it.
+/// Skips a carriage return if the line ends right after it; it then belongs to the end of the line.
 bool TextCursor::skip_carriage_return() {
   if (p_ + 1 != end_ && p_[1] != '\n') return false;
   ++p_;

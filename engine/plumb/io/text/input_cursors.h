@@ -1,4 +1,5 @@
-// Walks a line-oriented text: lines, tokens, and the place of every error.
+// Cursors over input: TextCursor walks a line-oriented text with lines, tokens and the place of
+// every error; BinaryInput walks the binary part of a file.
 //
 // Lines end with LF or CRLF; blanks are spaces and tabs; blank lines and lines whose first
 // non-blank is '#' are skipped. Comments must be UTF-8 without control characters. A byte order
@@ -18,22 +19,23 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
+/// Walks the lines and tokens of a text.
 class TextCursor {
  public:
-  /// `text` must outlive the cursor; `name` is the file in messages.
+  /// `text` must outlive the cursor; `name` is the file's name in messages.
   TextCursor(std::string_view text, std::string name);
 
-  /// Moves to the first token of the next line that has one; false at the end of the text.
-  /// Requires the current line to be finished (at_line_end()).
+  /// Moves to the first token of the next line that has one; returns false at the end of the text.
+  /// Requires that the current line is finished (at_line_end()).
   bool next_line();
 
-  /// Skips blanks; true when the current line has no more tokens.
+  /// Skips blanks; returns true if the current line has no more tokens.
   bool at_line_end() {
     while (p_ != end_ && (*p_ == ' ' || *p_ == '\t')) ++p_;
     return p_ == end_ || *p_ == '\n' || (*p_ == '\r' && skip_carriage_return());
   }
 
-  /// The same for formats in which a comment may end a line: it is skipped.
+  /// Does the same for formats in which a comment may end a line; the comment is skipped.
   bool at_line_end_or_comment() {
     if (at_line_end()) return true;
     if (*p_ != '#') return false;
@@ -41,19 +43,20 @@ class TextCursor {
     return true;
   }
 
-  /// The next token: everything up to a blank or the end of the line. Requires !at_line_end().
+  /// Returns the next token: everything up to a blank or the end of the line. Requires
+  /// !at_line_end().
   std::string_view token();
 
-  /// The same for formats with punctuation: one of `marks`, or everything up to one of them, a
-  /// blank or the end of the line. Requires !at_line_end().
+  /// Does the same for formats with punctuation: returns one of `marks`, or everything up to one of
+  /// them, a blank or the end of the line. Requires !at_line_end().
   std::string_view word(std::string_view marks);
 
-  /// For texts that something else takes apart: moves to `where`, not before the position, counting
-  /// the line breaks between.
+  /// Moves to `where`, which is not before the position, counting the line breaks between. For
+  /// texts that something else parses.
   void move_to(const char* where);
 
-  /// Hot path of readers: a token of 1 to 9 digits goes to `value`. Otherwise false, and nothing is
-  /// consumed: take token() then. Requires !at_line_end().
+  /// Sets `value` to a token of 1 to 9 digits and returns true; otherwise returns false and
+  /// consumes nothing, and token() must be called. A hot path of readers. Requires !at_line_end().
   bool short_number(std::uint32_t& value) {
     const char* q = p_;
     std::uint32_t v = 0;
@@ -67,20 +70,20 @@ class TextCursor {
   }
 
   const char* position() const { return p_; }
-  /// All that follows the position.
+  /// Returns all that follows the position.
   std::string_view rest() const { return {p_, bytes_left()}; }
-  /// Past `bytes` bytes of the line.
+  /// Skips `bytes` bytes of the line.
   void skip(std::size_t bytes) { p_ += bytes; }
   const char* line_start() const { return line_begin_; }
   std::size_t line() const { return line_; }
   std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - p_); }
   std::size_t bytes_read() const { return static_cast<std::size_t>(p_ - begin_); }
 
-  /// Throws Error{code} at `where`, a pointer into the current line (default: the position).
+  /// Throws Error{code} at `where`, a pointer into the current line (by default the position).
   [[noreturn]] void fail(ErrorCode code, std::string message, const char* where = nullptr) const;
 
-  /// Throws what is wrong with `token`, a token of the current line: its first byte that is no
-  /// text, else Syntax "expected WHAT, found 'TOKEN'".
+  /// Throws what is wrong with `token`, a token of the current line: NotText at its first byte that
+  /// is not text, else Syntax "expected WHAT, found 'TOKEN'".
   [[noreturn]] void fail_token(std::string_view token, std::string_view what) const;
 
   static constexpr bool ends_token(char c) {
@@ -90,7 +93,7 @@ class TextCursor {
  private:
   bool skip_carriage_return();
   void skip_comment();
-  /// Throws NotText at the first byte of `text` that is no text; `text` lies in this line.
+  /// Throws Error{NotText} at the first byte of `text` that is not text; `text` lies in this line.
   void require_text(std::string_view text) const;
 
   const char* begin_;
@@ -101,25 +104,27 @@ class TextCursor {
   std::string name_;
 };
 
-/// Takes `prefix` off the front of `text`; false if it is not there.
+/// Removes `prefix` from the front of `text`; returns false if it is not there.
 inline bool take_prefix(std::string_view& text, std::string_view prefix) {
   if (!text.starts_with(prefix)) return false;
   text.remove_prefix(prefix.size());
   return true;
 }
 
-/// Length of the longest prefix of `text` that is UTF-8 without control characters but tab.
+/// Returns the length of the longest prefix of `text` that is UTF-8 without control characters but
+/// tab.
 std::size_t text_prefix(std::string_view text);
 
-/// `token` as shown in a message: in quotes, shortened to 32 bytes at a character's border, and to
-/// what is before a control character.
+/// Returns `token` as shown in a message: in quotes, shortened to at most 32 bytes at a character
+/// boundary, and to what is before a control character.
 std::string quoted(std::string_view token);
 
 // Walks the binary part of a file: numbers of fixed size, in either byte order.
 
+/// Walks the binary part of a file: numbers of fixed size, in either byte order.
 class BinaryInput {
  public:
-  /// From byte `start` of the file on. `bytes` must outlive the input; `name` is the file in
+  /// Begins at byte `start` of the file. `bytes` must outlive the input; `name` is the file in
   /// messages.
   BinaryInput(std::string_view bytes, std::size_t start, std::endian order, std::string name)
       : bytes_(bytes),
@@ -130,10 +135,10 @@ class BinaryInput {
   std::size_t position() const { return at_; }
   std::size_t bytes_left() const { return bytes_.size() - at_; }
 
-  /// Requires `bytes` <= bytes_left().
+  /// Skips bytes. Requires `bytes` <= bytes_left().
   void skip(std::size_t bytes) { at_ += bytes; }
 
-  /// An integer or a floating-point number. Requires sizeof(Number) <= bytes_left().
+  /// Returns the next integer or floating-point number. Requires sizeof(Number) <= bytes_left().
   template <class Number>
   Number take() {
     char raw[sizeof(Number)];
@@ -147,7 +152,7 @@ class BinaryInput {
     return std::bit_cast<Number>(raw);
   }
 
-  /// Throws "FILE: at byte N: message", N from 0.
+  /// Throws "FILE: at byte N: message", with N counted from 0.
   [[noreturn]] void fail(ErrorCode code, const std::string& message, std::size_t at) const {
     throw Error(code, "at byte " + std::to_string(at) + ": " + message, {name_});
   }
@@ -162,9 +167,9 @@ class BinaryInput {
   std::string name_;
 };
 
-// Every error of a reader has a place: for limits that are met where nobody knows one.
+// Places for limits that are met where no place is known: every error of a reader has one.
 
-/// For errors that no place in a file can be told of.
+/// The place of errors that concern a file as a whole.
 struct WholeFile {
   const std::string& name;
   [[noreturn]] void fail(ErrorCode code, const std::string& message) const {
@@ -172,7 +177,7 @@ struct WholeFile {
   }
 };
 
-/// `read()`, where a limit that is met without a place is told at that of `in`: a TextCursor, a
+/// Returns `read()`. A limit that is met without a place is thrown at that of `in`: a TextCursor, a
 /// BinaryInput or a WholeFile.
 template <class Input, class Read>
 auto with_place(const Input& in, Read read) {

@@ -1,3 +1,12 @@
+// Places of JSON tokens, and JSON as a flat list of values.
+//
+// nlohmann-json reports events without places. JsonPlaces lets it read through an iterator that
+// records how far it has read, so each token is found between the end of the last one and that
+// position. JsonValues keeps 8 bytes for each value: its first byte, and the number of the value
+// after it, which makes skipping a subtree O(1) and lists linked. Memory is known before parsing: a
+// scan counts separators outside of quotes, which bounds the number of values, and the list is
+// reserved once; if the parser reports more, the text is no JSON and parsing is about to fail.
+// Tested by tests/io/json_reader_test.cpp.
 #include "plumb/io/text/json_reader.h"
 
 #include <algorithm>
@@ -78,11 +87,11 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kMembersPerCheckpoint = 65536;
 constexpr std::size_t kBytesPerCheckpoint = 1U << 20U;
-/// The parser keeps two copies of its last text, in buffers that double, one at a time.
+/// The parser keeps two copies of its last text, in buffers that double one at a time.
 constexpr std::uint64_t kParsingBytes = 5;
 
-/// At most so many: they begin at the beginning, after brackets, commas and colons outside of
-/// quotes.
+/// Returns a bound on the number of values: they begin at the start of the text, or after brackets,
+/// commas and colons outside of quotes.
 std::uint64_t count_values(std::string_view text, Context& context) {
   std::uint64_t values = 1;
   bool is_quoted = false, is_escaped = false;
@@ -100,7 +109,7 @@ std::uint64_t count_values(std::string_view text, Context& context) {
 
 }  // namespace
 
-/// Follows the parser's events; an open list or object is the last that was opened.
+/// Follows the parser's events. Of several open lists and objects the current one is the last.
 class JsonListener : public nlohmann::json_sax<Json> {
  public:
   JsonListener(std::vector<JsonValues::Span>& spans, std::string_view text, const std::string& name,
@@ -121,7 +130,7 @@ class JsonListener : public nlohmann::json_sax<Json> {
   bool number_float(number_float_t, const string_t&) override { return add_number(); }
   bool string(string_t&) override { return add_token(); }
   bool key(string_t&) override { return add_token(); }
-  bool binary(binary_t&) override { return false; }  // not in texts
+  bool binary(binary_t&) override { return false; }  // Does not occur in texts.
   bool start_object(std::size_t) override { return open(); }
   bool end_object() override { return close(); }
   bool start_array(std::size_t) override { return open(); }
@@ -139,8 +148,8 @@ class JsonListener : public nlohmann::json_sax<Json> {
  private:
   static constexpr JsonValues::Id kNone = 0xffff'ffff;
 
-  /// Of more values than there is room for none is kept: the parser is about to find out that this
-  /// is no JSON.
+  /// Whether the list is full. Further values are dropped: the parser is about to find that this is
+  /// no JSON.
   bool is_full() const { return spans_.size() == spans_.capacity(); }
   JsonValues::Id add(JsonValues::Id next) {
     spans_.push_back({static_cast<std::uint32_t>(places_.token() - begin_), next});
@@ -210,7 +219,7 @@ std::optional<JsonValues::Id> JsonValues::find(Id object, std::string_view name)
   return found;
 }
 
-/// With its quotes.
+/// Returns the text of a value with its quotes.
 std::string_view JsonValues::quoted(Id value) const {
   const std::string_view all = rest(value);
   std::size_t end = 1;

@@ -1,4 +1,5 @@
-// A text that a JSON parser steps through.
+// Reading of JSON with the places of its tokens: JsonPlaces for readers that follow a parser's
+// events, and JsonValues, a flat list of all values.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,7 @@
 
 namespace plumb {
 
-/// A place in a text, for a parser to step through it; `on_step(at)` is told of each.
+/// A place in a text that a parser steps through; `on_step(at)` is called for each.
 template <class OnStep>
 struct SteppedText {
   using iterator_category = std::input_iterator_tag;
@@ -42,50 +43,51 @@ struct SteppedText {
   friend bool operator==(const SteppedText& a, const SteppedText& b) { return a.at == b.at; }
 };
 
-// Where the tokens of a JSON text lie: the parser tells what they are, not where. For readers that
-// listen to the events of nlohmann::json and call find_token() at the start of each (find_number()
-// for numbers).
+// The places of the tokens of a JSON text: the parser reports what they are, not where. For readers
+// that follow the events of nlohmann::json and call find_token() at the start of each
+// (find_number() for numbers).
 
+/// Finds the token of each event.
 class JsonPlaces {
  public:
   /// `text` must outlive it; `name` is the file in messages.
   JsonPlaces(std::string_view text, std::string name, Context& context);
 
-  /// Tells how far the parser has read.
+  /// Reports how far the parser has read.
   struct Reach {
     const char** read_to;
     void operator()(const char* at) const { *read_to = at; }
   };
   using Iterator = SteppedText<Reach>;
-  /// What the parser reads. The object must stay where it is meanwhile.
+  /// Returns what the parser reads. The object must stay where it is meanwhile.
   Iterator begin() { return {text_.data(), {&read_to_}}; }
   Iterator end() { return {text_.data() + text_.size(), {&read_to_}}; }
 
-  /// The token of an event starts behind the last one, blanks and separators, and ends where the
-  /// parser stands.
+  /// Finds the token of an event: it starts behind the last token, blanks and separators, and ends
+  /// where the parser stands.
   void find_token();
-  /// The parser sees that a number has ended by looking at what follows it.
+  /// Does the same for a number, whose end the parser sees only by looking at what follows.
   void find_number();
 
-  /// The parser takes a zero byte for the end of the text. Where it did so, if more than such bytes
-  /// and blanks follow; else null.
+  /// Returns where the parser took a zero byte for the end of the text although more than such
+  /// bytes and blanks follow; else null.
   const char* early_end() const;
-  /// After the parser's end: fails there.
+  /// Throws at that place after the parser has ended.
   void require_end() const;
 
   const char* token() const { return token_; }
   std::string_view token_text() const {
     return {token_, static_cast<std::size_t>(token_end_ - token_)};
   }
-  /// A cursor at the present token.
+  /// Returns a cursor at the current token.
   const TextCursor& cursor_at_token() {
     cursor_.move_to(token_);
     return cursor_;
   }
 
-  /// Fails anywhere before the position of the parser.
+  /// Throws anywhere before the position of the parser.
   [[noreturn]] void fail(ErrorCode code, const std::string& message, const char* where) const;
-  /// What the parser complains of, at one of its positions: `id` and `what` are those of its
+  /// Throws what the parser complains of, at one of its positions; `id` and `what` are those of its
   /// exception.
   [[noreturn]] void fail_syntax(std::size_t position, int id, std::string_view what) const;
 
@@ -95,21 +97,21 @@ class JsonPlaces {
   TextCursor cursor_;
   Context& context_;
   const char* read_to_;
-  const char* token_ = nullptr;  // the token of the current event
+  const char* token_ = nullptr;  // The token of the current event.
   const char* token_end_;
   std::size_t tokens_ = 0;
 };
 
 // A JSON text as a flat list of its values: 8 bytes for each, wherever it stands and whatever it
-// holds. Texts and numbers stay in the JSON and are read when somebody asks for them.
-//
-//   1. a pass over the bytes counts values, so that the list is charged and reserved before it is
-//      filled; for no more values than a text of its size can hold
-//   2. nlohmann-json splits the text into events (no recursion, no tree); each value notes where it
-//      begins and, when it ends, which value comes after it
+// holds. Texts and numbers stay in the JSON and are read on demand.
+//  1. count   A pass over the bytes counts values, so that the list is charged and reserved before
+//             it is filled, for no more values than a text of its size can hold
+//  2. list    nlohmann-json splits the text into events (no recursion, no tree); each value notes
+//             where it begins and, when it ends, which value comes after it
 //
 // A name comes before its member as one more value. Cost: O(bytes).
 
+/// The values of a JSON text.
 class JsonValues {
  public:
   /// A value by its number in the text. The document itself is number 0.
@@ -119,8 +121,8 @@ class JsonValues {
   /// Throws what is wrong at a byte of the text. Does not return.
   using Fail = std::function<void(std::size_t byte, ErrorCode code, const std::string& what)>;
 
-  /// Keeps the text, which must outlive it, and the context. `name` is the file in messages.
-  /// Errors: those of `fail` for Syntax, NumberOutOfRange and ResourceLimit; Cancelled.
+  /// Keeps the text, which must outlive it, and the context. `name` is the file in messages. Throws
+  /// errors of `fail` for Syntax, NumberOutOfRange and ResourceLimit, and Error{Cancelled}.
   JsonValues(std::string_view text, const std::string& name, const Fail& fail, Context& context);
 
   bool is_object(Id value) const { return first_byte(value) == '{'; }
@@ -157,7 +159,7 @@ class JsonValues {
     Iterator begin() const { return {values_, first_}; }
     Iterator end() const { return {values_, last_}; }
     bool empty() const { return first_ == last_; }
-    std::size_t size() const {  ///< O(size)
+    std::size_t size() const {  ///< Cost: O(size).
       return static_cast<std::size_t>(std::distance(begin(), end()));
     }
 
@@ -167,22 +169,23 @@ class JsonValues {
   };
   Items items(Id list) const { return {this, list + 1, spans_[list].next}; }
 
-  /// The member of that name, the last if there are more. O(members).
+  /// Returns the member of that name, the last if there are several. Cost: O(members).
   std::optional<Id> find(Id object, std::string_view name) const;
 
-  /// Requires is_text(): what it says, its escapes resolved.
+  /// Returns the text of a value, its escapes resolved. Requires is_text().
   std::string text(Id value) const;
-  /// What `text` would say, where it lies; none if it has escapes.
+  /// Returns the part of the JSON that `text` would return; no value if it has escapes.
   std::optional<std::string_view> plain_text(Id value) const;
-  /// None if it is not a number without a sign, a point and an exponent, or one beyond 64 bits.
+  /// Returns a number without a sign, a point and an exponent; no value for any other, or one
+  /// beyond 64 bits.
   std::optional<std::uint64_t> count(Id value) const;
-  /// Requires is_number(): the nearest double.
+  /// Returns the nearest double. Requires is_number().
   double number(Id value) const;
 
  private:
   struct Span {
-    std::uint32_t begin;  ///< its first byte
-    Id next;  ///< the value after all that it holds; while it is open, the one it lies in
+    std::uint32_t begin;  ///< First byte.
+    Id next;  ///< The value after all that it contains; while it is open, the one it lies in.
   };
   friend class JsonListener;
 

@@ -1,3 +1,12 @@
+// Numbers from text, and records of lines.
+//
+// An ordinary number is read by std::from_chars in one scan, which rounds to nearest. Everything
+// else is taken apart first (Decimal), its size is bounded by its digits and exponent (Magnitude),
+// and only if that is within limits is it given to GMP, as an integer times a power of ten, and
+// rounded exactly. So reading costs time in proportion to the bytes read, plus a bounded account of
+// digits that exponents expand to; where a library lacks from_chars for doubles, the exact path
+// gives the same results. Rules and limits: docs/formats.md, section Numbers in text.
+// Tested by tests/io/map_io_test.cpp and tests/io/off_test.cpp.
 #include "plumb/io/text/record_reader.h"
 
 #include <algorithm>
@@ -15,7 +24,8 @@
 namespace plumb {
 namespace {
 
-/// std::from_chars. libc++ has it for doubles from version 20 on; before that it reads nothing.
+/// Calls std::from_chars. libc++ has it for doubles from version 20 on; before that it reads
+/// nothing.
 template <class Number>
 std::from_chars_result from_text(std::string_view text, Number& value) {
   const char* const begin = text.data();
@@ -38,7 +48,7 @@ std::string_view without_sign(std::string_view token) {
   return token;
 }
 
-/// Digits only; may be empty (zero).
+/// Returns the value of digits; an empty text is zero.
 Integer to_integer(std::string_view digits) {
   digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
   Integer value;
@@ -52,17 +62,18 @@ Integer power_of_ten(std::uint32_t exponent) {
   return value;
 }
 
-/// A decimal taken apart; no value yet.
+/// A decimal taken apart; it has no value yet.
 struct Decimal {
   std::string_view whole;
   std::string_view fraction;
-  std::int64_t exponent = 0;  // as written; clamped to +-kFarExponent
+  std::int64_t exponent = 0;  // As written, clamped to +-kFarExponent.
   bool well_formed = false;
 };
 
 constexpr std::int64_t kFarExponent = 1'000'000'000'000;
 
-/// "[+-]digits", not empty. More digits than an int64 holds are clamped: every limit is smaller.
+/// Parses "[+-]digits", not empty. More digits than an int64 holds are clamped: every limit is
+/// smaller.
 bool parse_exponent(std::string_view text, std::int64_t& exponent) {
   const std::string_view digits = without_sign(text);
   if (!all_digits(digits)) return false;
@@ -92,7 +103,7 @@ Decimal take_apart(std::string_view token) {
 
 struct Magnitude {
   bool zero = true;
-  std::int64_t exponent = 0;  // |value| lies in [10^(exponent-1), 10^exponent)
+  std::int64_t exponent = 0;  // |value| lies in [10^(exponent-1), 10^exponent).
 };
 
 Magnitude magnitude(const Decimal& decimal) {
@@ -106,12 +117,12 @@ Magnitude magnitude(const Decimal& decimal) {
   return {};
 }
 
-/// 10^shift times this is what the digits say, taken for one integer.
+/// Returns the power of ten that belongs to all digits taken as one integer.
 std::int64_t shift_of(const Decimal& decimal) {
   return decimal.exponent - static_cast<std::int64_t>(decimal.fraction.size());
 }
 
-/// Requires that both, digits and shift, are few.
+/// Returns the exact value. Requires that digits and shift are few.
 Rational exact_value(const Decimal& decimal, bool is_negative) {
   const std::int64_t shift = shift_of(decimal);
   Integer digits = to_integer(std::string(decimal.whole).append(decimal.fraction));
@@ -120,9 +131,9 @@ Rational exact_value(const Decimal& decimal, bool is_negative) {
   return shift >= 0 ? Rational(Integer(digits * power)) : Rational(digits, power);
 }
 
-/// Infinite beyond all doubles.
+/// Returns the nearest double; infinite beyond all doubles.
 double nearest_value(const Decimal& decimal, bool is_negative) {
-  constexpr std::int64_t kBeyond = 330;  // 10^330 and 10^-330 are no doubles, nor next to one
+  constexpr std::int64_t kBeyond = 330;  // 10^330 and 10^-330 are neither doubles nor next to one.
   const Magnitude size = magnitude(decimal);
   if (size.zero) return is_negative ? -0.0 : 0.0;
   if (size.exponent > kBeyond) return std::numeric_limits<double>::infinity();
@@ -142,7 +153,7 @@ void ReadNumber::set(Rational value) {
   is_double_ = false;
 }
 
-/// The table stores x, y over a common denominator: three integers, each at most as long as a
+/// The table stores x and y over a common denominator: three integers, each at most as long as a
 /// numerator and the other's denominator together.
 std::size_t exact_bytes(const ReadNumber& x, const ReadNumber& y) {
   if (x.is_double() && y.is_double()) return 0;
@@ -182,17 +193,17 @@ void NumberReader::read(const TextCursor& cursor, std::string_view token, ReadNu
                          : read_nearest(cursor, token, number);
 }
 
-/// True and the token taken: an integer that is a double, or a decimal that is to be rounded, of up
-/// to kMost characters. Otherwise nothing has happened.
+/// Takes an integer that is a double, or a decimal that is to be rounded, of up to kMost
+/// characters, and returns true. Otherwise returns false and changes nothing.
 bool NumberReader::read_ordinary(TextCursor& cursor, ReadNumber& number) const {
   constexpr std::size_t kMost = 32;
-  constexpr std::size_t kExact = 15;  // integers of so many digits are doubles
+  constexpr std::size_t kExact = 15;  // Integers of so many digits are doubles.
   if (exact_decimals_) return false;
   const std::string_view rest = cursor.rest().substr(0, kMost);
   double value = 0;
   const auto [end, code] = from_text(rest, value);
   const auto size = static_cast<std::size_t>(end - rest.data());
-  // from_chars also knows "inf" and "nan".
+  // from_chars also accepts "inf" and "nan".
   if (code != std::errc() || !std::isfinite(value)) return false;
   if (size < rest.size() ? !TextCursor::ends_token(*end) : size == kMost) return false;
   if (size > kExact && rest.substr(0, size).find('.') == rest.npos) return false;
@@ -202,7 +213,7 @@ bool NumberReader::read_ordinary(TextCursor& cursor, ReadNumber& number) const {
 }
 
 void NumberReader::read_integer(std::string_view token, ReadNumber& number) const {
-  constexpr std::size_t kDoubleDigits = 15;  // 10^15 < 2^53
+  constexpr std::size_t kDoubleDigits = 15;  // 10^15 < 2^53.
   const std::string_view digits = without_sign(token);
   if (digits.size() <= kDoubleDigits) {
     std::int64_t value = 0;
@@ -230,16 +241,16 @@ void NumberReader::read_fraction(const TextCursor& cursor, std::string_view toke
 
 void NumberReader::read_nearest(const TextCursor& cursor, std::string_view token,
                                 ReadNumber& number) const {
-  // Longer ones are rare, and take the way that all take where there is no from_chars.
+  // Longer ones are rare, and take the way that all take without from_chars.
   constexpr std::size_t kMost = 64;
-  // from_chars does not take a plus sign; "+-1" must not become "-1".
+  // from_chars does not accept a plus sign; "+-1" must not become "-1".
   const bool has_plus = token.starts_with('+') && !token.starts_with("+-");
   const std::string_view text = token.substr(has_plus ? 1 : 0);
   double value = 0;
   if (text.size() <= kMost) {
     const auto [end, code] = from_text(text, value);
     const bool complete = end == text.data() + text.size();
-    // from_chars also knows "inf" and "nan"; those are not finite and fall through.
+    // from_chars also accepts "inf" and "nan"; those are not finite and fall through.
     if (complete && code == std::errc() && std::isfinite(value)) return number.set(value);
   }
   const Decimal decimal = take_apart(token);
@@ -260,7 +271,7 @@ void NumberReader::read_exact_decimal(const TextCursor& cursor, std::string_view
   const std::uint64_t distance = static_cast<std::uint64_t>(std::abs(shift_of(decimal)));
   const std::size_t digit_count = decimal.whole.size() + decimal.fraction.size();
   const bool is_far = static_cast<std::uint64_t>(std::abs(decimal.exponent)) > max_exponent_;
-  // Numerator and denominator together: what is read can be written as p/q and read again.
+  // Numerator and denominator together, so that what is read can be written as p/q and read again.
   if (is_far || digit_count + distance >= max_digits_) {
     cursor.fail(ErrorCode::NumberOutOfRange,
                 "written out, " + quoted(token) + " has more than " + std::to_string(max_digits_) +
@@ -398,7 +409,7 @@ std::uint32_t RecordReader::read_index(std::string_view what, std::uint32_t coun
                record_name() + " names a " + std::string(what) + "; there are none");
 }
 
-/// Ids of any length; those beyond every range become one that is beyond it too.
+/// Reads ids of any length; those beyond every range become one that is beyond it too.
 std::uint32_t RecordReader::read_long_id(std::string_view token, std::string_view what) const {
   constexpr std::uint32_t kBeyond = kMostIds + 1;
   const std::string_view digits = token.substr(token.starts_with('-') ? 1 : 0);

@@ -1,12 +1,12 @@
-// Text to numbers, exactly, behind limits.
+// Reads numbers from text, exactly and within limits, and files of counted records.
 //
 //   integer   [+-]digits                       exact, whatever its size
 //   fraction  [+-]digits/digits                exact; denominator not 0
 //   decimal   [+-]digits[.digits][(e|E)[+-]digits], with a point or an exponent (one side of the
 //             point may be empty): the nearest double, or exactly as written on request
 //
-// No hexadecimal, no nan, no inf. The length and the exponent of a token are checked before any
-// number library sees it: a bomb ("1e999999999", a million digits, "1/0") costs no more than
+// There is no hexadecimal, nan or inf. The length and the exponent of a token are checked before
+// any number library sees it, so a bomb ("1e999999999", a million digits, "1/0") costs no more than
 // reading its bytes.
 #pragma once
 
@@ -23,7 +23,7 @@
 
 namespace plumb {
 
-/// Decimal text is rounded to nearest, whatever mode the caller is in: readers hold one of these.
+/// Sets rounding to nearest while it exists, whatever mode the caller uses: readers hold one.
 class RoundToNearest {
  public:
   RoundToNearest();
@@ -35,14 +35,13 @@ class RoundToNearest {
   int before_;
 };
 
-/// A number as read: a double when a double holds it exactly (or when that is what was asked for),
-/// else a rational.
+/// A number as read: a double if a double holds it exactly or was asked for, else a rational.
 class ReadNumber {
  public:
   bool is_double() const { return is_double_; }
   /// Requires is_double().
   double as_double() const { return double_; }
-  /// The exact value; always available.
+  /// Returns the exact value; always available.
   Rational exact() const { return is_double_ ? Rational(double_) : exact_; }
 
   void set(double value) {
@@ -57,25 +56,26 @@ class ReadNumber {
   Rational exact_;
 };
 
-/// The memory that a PointTable2 takes for (x, y) besides its two doubles, at most; 0 if those say
-/// it all.
+/// Returns the most memory that a PointTable2 takes for (x, y) besides its two doubles; 0 if those
+/// are exact.
 std::size_t exact_bytes(const ReadNumber& x, const ReadNumber& y);
+/// Appends the point (x, y).
 void push_point(PointTable2& points, const ReadNumber& x, const ReadNumber& y);
 
-/// Reads the numbers of one file. Numbers written with exponents can be far larger than their
-/// text: the reader keeps an account of the digits they expand to, and stops at 4 digits for each
-/// byte of the file plus 32 million. Requires the rounding mode to nearest (RoundToNearest).
+/// Reads the numbers of one file. Numbers written with exponents can be far larger than their text;
+/// the reader counts the digits that they expand to, and stops at 4 digits for each byte of the
+/// file plus 32 million. Requires rounding to nearest (RoundToNearest).
 class NumberReader {
  public:
   NumberReader(const Limits& limits, bool exact_decimals, std::size_t file_bytes);
 
-  /// The number `token` of the cursor's line. Errors, at their place: Syntax, NotText,
+  /// Reads the number `token` of the cursor's line. Throws with the place: Syntax, NotText,
   /// NumberOutOfRange (too many digits, too large an exponent, beyond the largest double, zero
   /// denominator), ResourceLimit (expansion).
   void read(const TextCursor& cursor, std::string_view token, ReadNumber& number);
 
-  /// The same for the next token of the cursor, which is taken. Hot path: a number of ordinary
-  /// length is looked at once. Requires !at_line_end().
+  /// Does the same for the next token of the cursor, which is taken. A hot path: a number of
+  /// ordinary length is scanned once. Requires !at_line_end().
   void read_next(TextCursor& cursor, ReadNumber& number) {
     if (!read_ordinary(cursor, number)) read(cursor, cursor.token(), number);
   }
@@ -91,49 +91,53 @@ class NumberReader {
   std::uint32_t max_digits_;
   std::uint32_t max_exponent_;
   bool exact_decimals_;
-  std::uint64_t expansion_left_;  // digits
+  std::uint64_t expansion_left_;  // Digits.
 };
 
 // Reads files of counted records, one a line: what map, OFF, text PLY, .nef2 and .nef share.
 //
-// Claims are held against the bytes that follow before anything is reserved for them; every error,
+// Claims are compared with the bytes that follow before anything is reserved for them. Every error,
 // an exhausted memory limit included, is thrown with its place.
 
+/// A cursor over records.
 class RecordReader {
  public:
   static constexpr std::uint32_t kMostIds = std::numeric_limits<std::uint32_t>::max() - 1;
 
-  /// `contents` is what the memory is charged for: "the map". Everything must outlive the reader.
+  /// `contents` names what the memory is charged for, such as "the map". All arguments must outlive
+  /// the reader.
   RecordReader(std::string_view text, const ReadOptions& options, Context& context,
                std::string_view contents);
 
   TextCursor& cursor() { return cursor_; }
   const TextCursor& cursor() const { return cursor_; }
 
-  /// Charges the context; a limit is met at the place of the cursor.
+  /// Charges the context; a limit is reported at the place of the cursor.
   void charge(std::uint64_t bytes);
 
-  /// The first line, `MAGIC VERSION`. Errors: Syntax, UnknownFormat for another version.
+  /// Reads the first line, `MAGIC VERSION`. Throws Error{Syntax}, and Error{UnknownFormat} for
+  /// another version.
   void read_magic(std::string_view magic, std::string_view version);
-  /// A number of records: 0 or more, at most kMostIds.
+  /// Returns a number of records: at most kMostIds.
   std::uint32_t read_count(std::string_view what);
-  /// Fails at `start` unless as many bytes follow as `announced` needs at least.
+  /// Throws at `start` unless at least as many bytes follow as `announced` needs.
   void require_bytes(std::uint64_t bytes, const std::string& announced, const char* start) const;
 
-  /// To the line of record `index` of `count`, or an error that says what is missing.
+  /// Moves to the line of record `index` of `count`, or throws an error that says what is missing.
   void next_record(std::string_view what, std::uint32_t index, std::uint32_t count);
-  /// "face 3": the record last begun, numbered from 1.
+  /// Returns the name of the record that was begun last, such as "face 3", numbered from 1.
   std::string record_name() const;
 
-  /// The next number of the line; fails with "face 3 needs NEEDS" if there is none.
+  /// Reads the next number of the line; throws "face 3 needs NEEDS" if there is none.
   void read_number(ReadNumber& number, std::string_view needs);
-  /// Two numbers x y and the end of the line: appended to `points`, exact ones charged.
+  /// Reads two numbers x y and the end of the line, and appends the point; exact numbers are
+  /// charged.
   void read_point(PointTable2& points);
-  /// The number of a `what`: in the text `lowest` to `count`, with a `lowest` of 0 or 1.
+  /// Returns the number of a `what`: in the text `lowest` to `count`, with a `lowest` of 0 or 1.
   std::uint32_t read_id(std::string_view what, std::uint32_t count, std::uint32_t lowest = 1);
-  /// The same for `count` of them numbered from 0.
+  /// Does the same for `count` of them numbered from 0.
   std::uint32_t read_index(std::string_view what, std::uint32_t count);
-  /// Fails with `expected` if the line goes on.
+  /// Throws with `expected` if the line goes on.
   void end_line(const std::string& expected);
 
  private:

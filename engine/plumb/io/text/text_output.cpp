@@ -12,7 +12,7 @@ namespace {
 // The longest shortest double is "-2.2250738585072014e-308"; the longest int64 has 20 characters.
 constexpr std::size_t kNumberBytes = 32;
 
-/// Writes at `to`, which has kNumberBytes; returns the end.
+/// Writes at `to`, which has kNumberBytes, and returns the end.
 char* put_double(char* to, double value) {
   constexpr double kTwo63 = 9223372036854775808.0;
   char* const end = to + kNumberBytes;

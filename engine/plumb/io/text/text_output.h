@@ -18,19 +18,21 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The shortest text that reads back as `value` under the rules of record_reader.h: a whole number
-/// below 2^63 in magnitude as an integer, else the shortest decimal. Requires a finite value.
+/// Returns the shortest text that reads back as `value` under the rules of record_reader.h: a whole
+/// number below 2^63 in magnitude as an integer, else the shortest decimal. Requires a finite
+/// value.
 std::string format_double(double value);
 
-/// "p/q", or "p" when q = 1.
+/// Returns "p/q", or "p" if q = 1.
 std::string format_exact(const Rational& value);
 
-/// A block of text on its way to a stream. Writes when full and on flush(); call flush() before the
-/// end of its life (the destructor drops what is left: it may run because writing failed).
+/// A block of text on its way to a stream. It is written when it is full and on flush(), which must
+/// be called before the end of its life: the destructor drops what is left, because it may run when
+/// writing has failed.
 class TextOutput {
  public:
   explicit TextOutput(std::ostream& out);
-  /// With a checkpoint at each block.
+  /// Checks the context at each block.
   TextOutput(std::ostream& out, Context& context) : TextOutput(out) { context_ = &context; }
 
   TextOutput& operator<<(char c) {
@@ -42,7 +44,7 @@ class TextOutput {
   TextOutput& operator<<(const char* text) { return *this << std::string_view(text); }
   TextOutput& operator<<(std::uint64_t value);
   TextOutput& operator<<(std::uint32_t value) { return *this << std::uint64_t{value}; }
-  /// As format_double().
+  /// Writes as format_double() does.
   TextOutput& operator<<(double value);
 
   void flush();
@@ -50,7 +52,7 @@ class TextOutput {
  private:
   static constexpr std::size_t kBlock = std::size_t{1} << 16;
 
-  /// Where at least `bytes` (<= kBlock) can be written.
+  /// Returns where at least `bytes` (<= kBlock) can be written.
   char* room(std::size_t bytes) {
     if (kBlock - used_ < bytes) flush();
     return block_.get() + used_;
@@ -62,10 +64,10 @@ class TextOutput {
   std::size_t used_ = 0;
 };
 
-/// Coordinates of point i, "x y": doubles as format_double(), others exactly.
+/// Writes the coordinates of point i, "x y": doubles as format_double() does, others exactly.
 void write_point(TextOutput& out, const PointTable2& points, std::uint32_t i);
 
-// Numbers of fixed size as little-endian bytes, at the end of a text.
+// Numbers of fixed size as little-endian bytes.
 
 template <class Number>
 void put_little_endian(TextOutput& out, Number value) {

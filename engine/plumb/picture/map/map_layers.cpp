@@ -1,3 +1,14 @@
+// Layers of a picture of a map: painted faces, and the choice of close-ups.
+//
+// Faces are painted like a painter does, the largest first, and a clockwise cycle paints the
+// background. So holes come out right for valid maps, and a defective map, whose cycles may overlap
+// or be open, still gives a sensible picture without any topology. Cycles too small to be seen
+// become a tint, so the size of the file is bounded by what can be seen.
+//
+// Close-ups are chosen greedily: the window that shows most defects not yet shown, of windows
+// around the defects, sized by their shortest edges, until nothing is gained or the maximum is
+// reached.
+// Tested by tests/picture/map_svg_test.cpp.
 #include "plumb/picture/map/map_layers.h"
 
 #include <algorithm>
@@ -10,14 +21,15 @@
 namespace plumb {
 namespace {
 
-constexpr double kVisible = 1.2;         // picture units: smaller faces are only a tint
-constexpr double kVisibleAmongMany = 4;  // then no more fit into the picture than may be drawn
+constexpr double kVisible = 1.2;  // Picture units: smaller faces are only a tint.
+// Then no more faces fit into the picture than may be drawn.
+constexpr double kVisibleAmongMany = 4;
 constexpr double kLine = 0.7;
 constexpr double kFineLine = 0.45;
 constexpr std::size_t kManyCycles = 1500;
 
-/// Summed from the least vertex towards its lesser neighbour, whichever way the cycle is listed:
-/// both ways give one number but for the sign.
+/// Returns the signed area of a cycle, summed from the least vertex towards its lesser neighbour:
+/// whichever way the cycle is listed, the result differs in sign only.
 double signed_area(const Plane& plane, std::span<const std::uint32_t> cycle) {
   const std::size_t n = cycle.size();
   const auto least = static_cast<std::size_t>(std::ranges::min_element(cycle) - cycle.begin());
@@ -57,7 +69,7 @@ Painter::Painter(const Plane& plane)
     perimeter_ += perimeter(plane, plane.map().cycle(c));
   }
   std::iota(order_.begin(), order_.end(), 0U);
-  // Where a cycle is listed both ways, the outside first.
+  // If a cycle is listed both ways, the outside comes first.
   const auto is_below = [&](std::uint32_t a, std::uint32_t b) {
     if (key[a] != key[b]) return key[a] > key[b];
     return colour_[a] == kTints && colour_[b] != kTints;
@@ -65,7 +77,8 @@ Painter::Painter(const Plane& plane)
   std::stable_sort(order_.begin(), order_.end(), is_below);
 }
 
-/// Lines cover at most about a third of the picture. Those that would be too thin are left out.
+/// Returns the width of lines, which cover at most about a third of the picture. Lines that would
+/// be too thin are left out.
 double Painter::line_width(const View& view, const PaintLimits& limits) const {
   if (!limits.is_overview || perimeter_ == 0) return kLine;
   const double area = view.frame().width() * view.frame().height();
@@ -110,14 +123,14 @@ PaintCounts Painter::paint(const View& view, const PaintLimits& limits, std::ost
 namespace {
 
 constexpr std::size_t kConsidered = 1000;
-constexpr double kVisibleEdge = 45;  // picture units: long enough without an inset
+constexpr double kVisibleEdge = 45;  // Picture units: long enough to be seen without a close-up.
 constexpr double kEdgeAmongMany = 12;
 constexpr std::size_t kMany = 100;
-constexpr double kWidestSource = 130;   // picture units: wider windows would hardly be enlarged
-constexpr double kReach = 2.2;          // half the height of a window, in edge lengths
-constexpr double kLeastReach = 1e-150;  // plane units
+constexpr double kWidestSource = 130;   // Picture units: wider windows would hardly be enlarged.
+constexpr double kReach = 2.2;          // Half the height of a window, in edge lengths.
+constexpr double kLeastReach = 1e-150;  // Plane units.
 
-/// A defect's place and the length of its shortest edge.
+/// The place of a defect and the length of its shortest edge.
 struct Spot {
   Point2 at;
   double length;
@@ -159,12 +172,13 @@ class InsetChooser {
   }
 
   Rectangle window_at(const Spot& s) const {
-    const double widest = kWidestSource / 2.6 / overview_.scale();  // centred() may add 1.3
+    // centred() may add a factor of 1.3.
+    const double widest = kWidestSource / 2.6 / overview_.scale();
     const double half = std::min(aspect_ * kReach * s.length, widest);
     return Rectangle::around(s.at, half, half / aspect_);
   }
 
-  /// Spots that the window shows and that are not far smaller than it.
+  /// Returns the spots that the window shows and that are not far smaller than it.
   std::vector<const Spot*> seen(const Rectangle& window, double length) const {
     std::vector<const Spot*> spots;
     for (const Spot& s : spots_) {
@@ -186,7 +200,7 @@ class InsetChooser {
     return best == nullptr ? Inset{} : Inset{centred(*best), most};
   }
 
-  /// The window around what it shows, the spots well inside.
+  /// Returns the window around what it shows, with the spots well inside.
   Rectangle centred(const Spot& best) const {
     Rectangle box = Rectangle::around(best.at, 0, 0);
     for (const Spot* s : seen(window_at(best), best.length)) box.include(s->at);

@@ -1,4 +1,4 @@
-// Painting the faces of a map into a view.
+// Painting of a map's faces into a view, and the places that deserve a closer look.
 #pragma once
 
 #include <cstdint>
@@ -10,49 +10,52 @@
 
 namespace plumb {
 
-/// What a view may hold.
+/// How much a view may hold.
 struct PaintLimits {
   std::size_t points = 400000;
   std::size_t polygons = 60000;
-  bool is_overview = true;  ///< of the whole map: lines thinner the more of them there are
+  /// Whether it shows the whole map: lines are then thinner the more of them there are.
+  bool is_overview = true;
 };
 
 /// What became of the cycles.
 struct PaintCounts {
+  /// Cycles that were drawn.
   std::size_t drawn = 0;
-  std::size_t tiny = 0;      ///< smaller than can be seen: a grey tint where they lie
-  std::size_t outside = 0;   ///< of the view
-  std::size_t left_out = 0;  ///< beyond the limits: grey tint as well
+  std::size_t tiny = 0;      ///< Cycles smaller than can be seen; a grey tint marks where they lie.
+  std::size_t outside = 0;   ///< Cycles outside of the view.
+  std::size_t left_out = 0;  ///< Cycles beyond the limits, which get a grey tint as well.
 };
 
-/// Cycles by decreasing area, a clockwise one before counter-clockwise ones of the same area; with
-/// their tints. Kept for several views.
+/// Paints cycles by decreasing area, a clockwise one before counter-clockwise ones of the same
+/// area, with their tints. One painter serves several views.
 class Painter {
  public:
   explicit Painter(const Plane& plane);
 
-  /// Writes the faces seen in `view`, clockwise cycles in the colour of the background.
+  /// Writes the faces seen in `view`; clockwise cycles get the colour of the background.
   PaintCounts paint(const View& view, const PaintLimits& limits, std::ostream& out) const;
 
  private:
   double line_width(const View& view, const PaintLimits& limits) const;
 
   const Plane& plane_;
-  std::vector<std::uint8_t> colour_;  ///< kTints: clockwise
+  std::vector<std::uint8_t> colour_;  ///< Tint of each cycle; kTints for clockwise ones.
   std::vector<std::uint32_t> order_;
-  double perimeter_ = 0;  ///< of all cycles, plane units
+  double perimeter_ = 0;  ///< Of all cycles, in plane units.
 };
 
-// Which places of a defective map deserve a closer look.
+// The places of a defective map that deserve a closer look.
 
+/// A close-up of part of a map.
 struct Inset {
-  Rectangle window;         ///< of the plane
-  std::size_t defects = 0;  ///< that it shows and windows chosen earlier do not
+  Rectangle window;         ///< The part of the plane it shows.
+  std::size_t defects = 0;  ///< Defects that it shows and windows chosen earlier do not.
 };
 
-/// At most `max` windows, those with most defects first, none overlapping much of another; only
-/// where the defects' edges are too short to be seen in `overview`. `aspect` = width / height.
-/// O(d^2) for the first thousand defects.
+/// Returns at most `max` windows, those with most defects first, none overlapping another much;
+/// only where the defects' edges are too short to be seen in `overview`. `aspect` is width /
+/// height. Cost: O(d^2) for the first thousand defects.
 std::vector<Inset> choose_insets(const MapReport& report, const Plane& plane, const View& overview,
                                  double aspect, std::size_t max);
 

@@ -1,3 +1,11 @@
+// Marks over a picture of a map: edges of defects, symbols, labels and vertex numbers.
+//
+// Symbols of several kinds at one place stand side by side; defects near each other share a label.
+// Labels are placed greedily in a fixed order of directions and distances, each off all earlier
+// labels and off as many lines and symbols as possible, so the same report always gives the same
+// picture. Numbers of marks and labels are bounded; groups left without a label are counted for the
+// notes.
+// Tested by tests/picture/map_svg_test.cpp and tests/picture/plane_view_test.cpp.
 #include "plumb/picture/map/map_marks.h"
 
 #include <array>
@@ -11,7 +19,7 @@
 namespace plumb {
 namespace {
 
-// Directions to try, the most pleasant first: above right, above left, ...
+// Directions to try, the most pleasant first: above right, above left, and so on.
 constexpr std::array<Point2, 12> kDirections = {{{.71, -.71},
                                                  {-.71, -.71},
                                                  {.71, .71},
@@ -63,14 +71,14 @@ std::optional<Rectangle> LabelPlacer::place(Point2 anchor, double width, double 
 
 namespace {
 
-constexpr double kGroupRadius = 32;  // picture units
+constexpr double kGroupRadius = 32;  // Picture units.
 constexpr double kLabelHeight = 24;
 constexpr double kLabelFont = 16;
 constexpr double kNumberFont = 14;
-constexpr double kArrowFrom = 34;  // shortest edge with a direction
+constexpr double kArrowFrom = 34;  // Shortest edge with a direction.
 constexpr std::size_t kMaxVertexNumbers = 16;
-constexpr double kOutsideMargin = 12;  // where vertices outside the view are marked
-constexpr double kSamePlace = 3;       // picture units
+constexpr double kOutsideMargin = 12;  // Where vertices outside the view are marked.
+constexpr double kSamePlace = 3;       // Picture units.
 
 std::string move_line(Point2 a, Point2 b) {
   return "M" + svg_number(a.x) + " " + svg_number(a.y) + "L" + svg_number(b.x) + " " +
@@ -79,7 +87,7 @@ std::string move_line(Point2 a, Point2 b) {
 
 double distance(Point2 a, Point2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// A small arrow head in the middle of a directed edge.
+/// Returns a small arrow head in the middle of a directed edge.
 std::string arrow(Point2 a, Point2 b) {
   const double length = distance(a, b);
   if (length < kArrowFrom) return {};
@@ -141,7 +149,7 @@ std::size_t MapMarks::paint(const View& view, Detail detail, LabelPlacer& room,
   return left_out;
 }
 
-/// Lines and arrows of all defects of one kind; their places are kept free of labels.
+/// Returns the lines and arrows of all defects of one kind; labels are kept off them.
 std::pair<std::string, std::string> MapMarks::edge_paths(const View& view, DefectKind kind,
                                                          LabelPlacer& room) const {
   std::string path, arrows;
@@ -160,7 +168,7 @@ std::pair<std::string, std::string> MapMarks::edge_paths(const View& view, Defec
   return {path, arrows};
 }
 
-/// Edges of several kinds lie on each other: the later the kind, the thinner.
+/// Draws edges. Those of several kinds lie on each other: the later the kind, the thinner.
 void MapMarks::paint_edges(const View& view, Detail detail, LabelPlacer& room,
                            std::ostream& out) const {
   std::string halo, bands;
@@ -206,7 +214,7 @@ void MapMarks::paint_warnings(const View& view, Detail detail, std::ostream& out
   if (!inferred.empty()) out << "<path class=\"inferred\" d=\"" << inferred << "\"/>\n";
 }
 
-/// Several kinds at one place stand side by side; a kind is drawn once at a place.
+/// Draws symbols. Several kinds at one place stand side by side; a kind is drawn once at a place.
 void MapMarks::paint_symbols(const View& view, Detail detail, LabelPlacer& room,
                              std::ostream& out) const {
   const double radius = detail == Detail::Closeup ? 7 : count_ <= 100 ? 6 : 4.5;
@@ -227,7 +235,7 @@ void MapMarks::paint_symbols(const View& view, Detail detail, LabelPlacer& room,
   out << "</g>\n";
 }
 
-/// Each defect joins the first group whose anchor is near.
+/// Returns groups of defects: each joins the first group whose anchor is near.
 std::vector<DefectGroup> MapMarks::grouped(const View& view) const {
   std::vector<DefectGroup> groups;
   for (std::size_t i = 0; i < count_; ++i) {
@@ -256,11 +264,12 @@ std::size_t MapMarks::paint_labels(const View& view, Detail detail, LabelPlacer&
                                    std::ostream& out) const {
   std::size_t left_out = 0;
   const std::vector<DefectGroup> groups = grouped(view);
-  const std::size_t step = (groups.size() + kMaxLabels - 1) / kMaxLabels;  // spread evenly
+  // Labels are spread evenly over the groups.
+  const std::size_t step = (groups.size() + kMaxLabels - 1) / kMaxLabels;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const DefectGroup& group = groups[i];
     const std::string text = group_label(group.members, detail == Detail::Overview ? 6 : 13);
-    const double width = 1.1 * text_width(text, kLabelFont) + 14;  // bold
+    const double width = 1.1 * text_width(text, kLabelFont) + 14;  // Bold letters are wider.
     const auto box =
         i % step == 0 ? room.place(group.anchor, width, kLabelHeight, 13) : std::nullopt;
     if (!box) {

@@ -1,4 +1,4 @@
-// Finding room for labels.
+// Defects and warnings drawn over a view of a map, and the placement of labels.
 #pragma once
 
 #include <optional>
@@ -13,19 +13,19 @@
 
 namespace plumb {
 
-/// Places labels near their points without overlapping, greedily, in a fixed order of tries.
+/// Places labels near their points without overlap, greedily, in a fixed order of tries.
 class LabelPlacer {
  public:
   explicit LabelPlacer(const Rectangle& frame) : frame_(frame) {}
 
-  /// Keeps labels off a place, such as a symbol.
+  /// Keeps labels off a place, such as a symbol, if possible.
   void avoid(const Rectangle& r) { points_.push_back(r); }
-  /// Keeps labels off entirely.
+  /// Keeps labels off a place strictly.
   void block(const Rectangle& r) { taken_.push_back(r); }
 
-  /// Room for a label of this size at 0.7 to 4 times `reach` from `anchor`: within the frame, off
-  /// all other labels, covering as few of the avoided places as possible. Nothing if there is no
-  /// room.
+  /// Returns a place for a label of this size at 0.7 to 4 times `reach` from `anchor`: within the
+  /// frame, off all other labels, covering as few of the avoided places as possible; no value if
+  /// there is none.
   std::optional<Rectangle> place(Point2 anchor, double width, double height, double reach);
 
  private:
@@ -37,26 +37,28 @@ class LabelPlacer {
   std::vector<Rectangle> taken_;
 };
 
-// Defects and warnings drawn over a view of the map.
+// Defects and warnings over a view of the map.
 
-inline constexpr std::size_t kMaxMarks = 5000;  // defects drawn
-inline constexpr std::size_t kMaxLabels = 48;   // per view
+inline constexpr std::size_t kMaxMarks = 5000;  // Largest number of defects drawn.
+inline constexpr std::size_t kMaxLabels = 48;   // Largest number of labels in a view.
 
+/// How much is drawn.
 enum class Detail {
   Overview,
-  Closeup,  ///< with vertex numbers and the directions of directed edges
+  Closeup,  ///< Also draws vertex numbers and the directions of directed edges.
 };
 
 /// Numbers of neighbouring defects under one label. Defects are numbered from 1 as in the report.
 struct DefectGroup {
-  Point2 anchor;                     ///< of the first, picture units
-  std::vector<std::size_t> members;  ///< indices into the report, ascending
+  Point2 anchor;                     ///< Place of the first defect, in picture units.
+  std::vector<std::size_t> members;  ///< Indices into the report, ascending.
 };
 
-/// What is written on the label of a group: "3", "3-7" (an en dash), "3, 9"; after `long_text`
-/// bytes only an ellipsis follows.
+/// Returns the text on the label of a group: "3", "3-7" (with an en dash), "3, 9"; after
+/// `long_text` bytes only an ellipsis follows.
 std::string group_label(const std::vector<std::size_t>& members, std::size_t long_text);
 
+/// Draws the defects and warnings of a report.
 class MapMarks {
  public:
   MapMarks(const MapReport& report, const Plane& plane);
@@ -65,7 +67,7 @@ class MapMarks {
   std::size_t paint(const View& view, Detail detail, LabelPlacer& room, std::ostream& out) const;
 
   std::size_t drawn() const { return count_; }
-  /// Defects that lie in a window of the plane.
+  /// Returns the number of defects that lie in a window of the plane.
   std::size_t count_in(const Rectangle& window) const;
   Point2 place(std::size_t defect) const { return plane_.at(report_.defects[defect].near); }
 

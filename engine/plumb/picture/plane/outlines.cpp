@@ -1,3 +1,12 @@
+// Outlines for pictures of the plane.
+//
+// Chains are walked first from vertices where they end, then around rings, so every edge is visited
+// once and dashes run through vertices of degree two. A label's box is searched on a few horizontal
+// lines through the polygon: on each, the spans inside are known from the sorted crossings, and a
+// box is accepted if no edge passes through it. Faces too small to be seen only mark cells of a
+// grid, which are written as runs: their number is bounded by the picture, not by the map. All of
+// it is in doubles and affects pictures only.
+// Tested by tests/picture/overlay_svg_test.cpp and tests/picture/nef2_svg_test.cpp.
 #include "plumb/picture/plane/outlines.h"
 
 #include <cmath>
@@ -5,7 +14,7 @@
 namespace plumb {
 namespace {
 
-constexpr double kCell = 2;  // picture units
+constexpr double kCell = 2;  // Picture units.
 
 }  // namespace
 
@@ -89,7 +98,7 @@ class ChainWalker {
   bool is_left(EdgeId e) const { return is_left_[e.value()]; }
   bool begins_chain(HalfedgeId h) const { return degree_[complex_.dcel.origin(h).value()] != 2; }
 
-  /// Takes the chain that begins with h. (Of a closed one: once around.)
+  /// Appends the chain that begins with h; a closed one once around.
   void append(HalfedgeId h, std::span<const Point2> at, PathData& path) {
     path.move_to(at[complex_.dcel.origin(h).value()]);
     while (h.is_valid()) {
@@ -111,7 +120,7 @@ class ChainWalker {
   }
 
   const PlaneComplex& complex_;
-  std::vector<std::uint32_t> degree_;  ///< per vertex: edges of the kind
+  std::vector<std::uint32_t> degree_;  ///< Edges of the kind at each vertex.
   std::vector<bool> is_left_;
   std::size_t left_ = 0;
 };
@@ -122,7 +131,7 @@ std::size_t append_chains(const PlaneComplex& complex, std::span<const std::uint
                           std::uint8_t wanted, std::span<const Point2> at, std::size_t max_points,
                           PathData& path) {
   ChainWalker walker(complex, kind, wanted);
-  for (const bool is_open : {true, false}) {  // first what has ends, then rings
+  for (const bool is_open : {true, false}) {  // Chains with ends come first, then rings.
     for (std::size_t e = 0; e < complex.edge_count(); ++e) {
       for (const HalfedgeId h : {first_half(EdgeId(e)), twin(first_half(EdgeId(e)))}) {
         if (path.points() >= max_points) return walker.left();
@@ -148,7 +157,7 @@ double total_length(const PlaneComplex& complex, std::span<const std::uint8_t> k
 
 namespace {
 
-// Heights to try, as parts of the polygon's height: the middle first.
+// Heights to try, as parts of the polygon's height; the middle comes first.
 constexpr double kHeights[] = {.5, .4, .6, .3, .7, .2, .8};
 
 using Rings = std::vector<std::vector<Point2>>;
@@ -163,7 +172,7 @@ void for_edges(const Rings& rings, const See& see) {
   }
 }
 
-/// Where a horizontal line crosses the edges, from left to right.
+/// Returns where a horizontal line crosses the edges, from left to right.
 std::vector<double> crossings(const Rings& rings, double y) {
   std::vector<double> xs;
   for_edges(rings, [&xs, y](Point2 a, Point2 b) {
@@ -173,7 +182,7 @@ std::vector<double> crossings(const Rings& rings, double y) {
   return xs;
 }
 
-/// The part of the edge within the box's rows lies beside the box.
+/// Whether the part of the edge within the box's rows lies beside the box.
 bool is_beside(const Rectangle& box, Point2 a, Point2 b) {
   if (std::max(a.y, b.y) <= box.top || std::min(a.y, b.y) >= box.bottom) return true;
   const auto x_at = [a, b](double y) {

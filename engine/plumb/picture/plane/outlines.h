@@ -1,5 +1,5 @@
-// Closed polygons on their way into a picture: boxes, paths, and what becomes of those too small to
-// be seen.
+// Closed polygons on their way into a picture: boxes, paths, chains of edges, space for labels, and
+// what becomes of polygons too small to be seen.
 #pragma once
 
 #include <cstdint>
@@ -14,26 +14,27 @@
 
 namespace plumb {
 
-/// Requires a point.
+/// Returns the box of a ring. Requires a point.
 Rectangle box_of(const std::vector<Point2>& ring);
 
-/// The points of its vertices, from those of all vertices.
+/// Returns the points of a ring's vertices, from those of all vertices.
 std::vector<Point2> points_of(std::span<const VertexId> ring, std::span<const Point2> of_vertex);
 
-/// The ring in picture units.
+/// Returns the ring in picture units.
 std::vector<Point2> placed(const View& view, const std::vector<Point2>& ring);
 
-/// Adds a closed subpath. Requires a point.
+/// Appends a closed subpath. Requires a point.
 void append_ring(const std::vector<Point2>& ring, PathData& path);
 
-/// The picture in small cells; which of them hold faces too small to be drawn.
+/// The picture in small cells, and which of them hold faces too small to be drawn.
 class TinyFaces {
  public:
   explicit TinyFaces(const Rectangle& frame);
 
+  /// Marks the cell of a point.
   void mark(Point2 p);
   bool is_empty() const { return is_empty_; }
-  /// One path of class "tiny" of all runs of marked cells; nothing if there are none.
+  /// Writes one path of class "tiny" with all runs of marked cells; nothing if there are none.
   void write(std::ostream& out) const;
 
  private:
@@ -45,23 +46,24 @@ class TinyFaces {
   bool is_empty_ = true;
 };
 
-// Edges of a complex joined into long paths, so that dashes run on over vertices.
+// Edges of a complex joined into long paths, so that dashes continue across vertices.
 
-/// Every edge e with kind[e] = `kind`, once. Chains end where other than two such edges meet. `at`
-/// are the places of the vertices; requires no such edge to lead to infinity. Stops after
-/// `max_points`; returns the number of edges left out. O(edges + vertices).
+/// Appends every edge e with kind[e] = `wanted`, once. Chains end at vertices with one such edge or
+/// more than two. `at` holds the places of the vertices. Requires that no such edge leads to
+/// infinity. Stops after `max_points` and returns the number of edges left out. Cost: O(edges +
+/// vertices).
 std::size_t append_chains(const PlaneComplex& complex, std::span<const std::uint8_t> kind,
                           std::uint8_t wanted, std::span<const Point2> at, std::size_t max_points,
                           PathData& path);
 
-/// The total length of these edges.
+/// Returns the total length of these edges.
 double total_length(const PlaneComplex& complex, std::span<const std::uint8_t> kind,
                     std::uint8_t wanted, std::span<const Point2> at);
 
-// Room for a label inside a polygon.
+// Space for a label inside a polygon.
 
-/// A box of this size that lies inside the polygon of the rings (even-odd), as near to the middle
-/// of it as a few tries find. Nothing if none of the tries fits. O(points).
+/// Returns a box of this size that lies inside the polygon of the rings (even-odd), as near to its
+/// middle as a few tries find; no value if none of the tries fits. Cost: O(points).
 std::optional<Rectangle> room_inside(const std::vector<std::vector<Point2>>& rings, double width,
                                      double height);
 

@@ -1,3 +1,15 @@
+// Windows of the plane for pictures.
+//
+// Map coordinates may be as large as 1e300 or as small as 5e-324; Plane centres and scales them by
+// a power of two, split in two factors because one could overflow, so that everything afterwards is
+// of ordinary size. Polygons are clipped to a view by Sutherland and Hodgman's algorithm (I. E.
+// Sutherland, G. W. Hodgman, Reentrant polygon clipping, Communications of the ACM 17, 1974).
+//
+// PlaneWindow has rational borders, because a set that reaches infinity is cut off by an exact
+// intersection with the window. Borders are rounded outwards to short numbers, which keeps that cut
+// cheap. Doubles are used for window coordinates if the window is not too small for its distance
+// from the origin, else rationals.
+// Tested by tests/picture/plane_view_test.cpp.
 #include "plumb/picture/plane/plane_view.h"
 
 #include <cmath>
@@ -9,9 +21,9 @@
 namespace plumb {
 namespace {
 
-constexpr double kMargin = 6;  // picture units around the frame that are drawn too
+constexpr double kMargin = 6;  // Picture units around the frame that are drawn as well.
 constexpr std::size_t kSamples = 100000;
-constexpr double kLeastWindow = 1e-200;  // keeps scales finite
+constexpr double kLeastWindow = 1e-200;  // Keeps scales finite.
 
 double clamped(double value) { return std::isnan(value) ? 0 : std::clamp(value, -2.0, 2.0); }
 
@@ -30,7 +42,7 @@ std::vector<Side> sides(const Rectangle& r) {
   return {{true, -1, -r.left}, {true, 1, r.right}, {false, -1, -r.top}, {false, 1, r.bottom}};
 }
 
-/// One round of Sutherland and Hodgman.
+/// Returns one step of Sutherland and Hodgman's clipping.
 std::vector<Point2> cut(const std::vector<Point2>& ring, const Side& side) {
   std::vector<Point2> kept;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -75,9 +87,9 @@ void Plane::find_scale() {
     largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   }
   if (largest == 0) return;
-  int above = 0;  // |x| < 2^above
+  int above = 0;  // |x| < 2^above.
   std::frexp(largest, &above);
-  const int exponent = -1 - above;  // then |x| < 1/2, and differences below 1
+  const int exponent = -1 - above;  // Then |x| < 1/2, and differences are below 1.
   factor_1_ = std::ldexp(1.0, exponent / 2);
   factor_2_ = std::ldexp(1.0, exponent - exponent / 2);
 }
@@ -142,9 +154,9 @@ namespace {
 
 constexpr double kLeastAspect = 0.45;
 constexpr double kMostAspect = 1.15;
-constexpr double kComfort = 0x1p-25;  // least half width over distance from the origin
-constexpr double kNearBorder = 1e-6;  // window coordinates; nearer points are compared exactly
-constexpr double kTicks = 6;          // about so many
+constexpr double kComfort = 0x1p-25;  // Least half width over the distance from the origin.
+constexpr double kNearBorder = 1e-6;  // Window coordinates; nearer points are compared exactly.
+constexpr double kTicks = 6;          // About so many.
 
 /// The least box around points.
 struct ExactBox {
@@ -164,7 +176,7 @@ bool is_plain_input(const PlanePoints& points, std::uint32_t i) {
   return i < points.inputs.size() && points.inputs.is_double(i);
 }
 
-/// Doubles are compared as such; what is no double, as a fraction.
+/// Extends the box by all vertices. Doubles are compared as such, other numbers as fractions.
 void include_vertices(const PlaneComplex& complex, ExactBox& box) {
   Rectangle plain;
   bool has_plain = false;
@@ -183,14 +195,15 @@ void include_vertices(const PlaneComplex& complex, ExactBox& box) {
   box.include({Rational(plain.right), Rational(plain.bottom)});
 }
 
-/// The point of the line a -> b nearest to p.
+/// Returns the point of the line a -> b nearest to p.
 RationalPoint2 foot(const RationalPoint2& a, const RationalPoint2& b, const RationalPoint2& p) {
   const Rational dx = b.x - a.x, dy = b.y - a.y;
   const Rational t = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
   return {a.x + t * dx, a.y + t * dy};
 }
 
-/// Lines without vertices are parallel: their points on one perpendicular show them all.
+/// Extends the box by lines without vertices. They are parallel, so their points on one
+/// perpendicular show all of them.
 void include_lines(const PlaneComplex& complex, ExactBox& box) {
   RationalPoint2 beside{0, 0};
   if (!complex.vertex_point.empty()) beside = exact(complex.points, complex.vertex_point[0]);
@@ -207,8 +220,8 @@ void include_lines(const PlaneComplex& complex, ExactBox& box) {
   }
 }
 
-/// A double between r - space and r; r itself where there is none. Short numbers keep the cutting
-/// cheap.
+/// Returns a double between r - space and r, or r itself if there is none. Short numbers keep the
+/// cutting cheap.
 Rational short_below(const Rational& r, const Rational& space) {
   const double d = std::nextafter(nearest_double(r), -INFINITY);
   if (!std::isfinite(d)) return r;
@@ -228,7 +241,7 @@ PlaneWindow::PlaneWindow(const PlaneComplex& complex, double margin) {
   surround(box.left, box.bottom, box.right, box.top, margin);
 }
 
-/// A box of no size becomes one of size 1, or of a size that shows beside its coordinates.
+/// Makes a box of no size one of size 1, or of a size that shows beside its coordinates.
 void PlaneWindow::surround(const Rational& left, const Rational& bottom, const Rational& right,
                            const Rational& top, double margin) {
   Rational width = right - left, height = top - bottom;
@@ -294,12 +307,12 @@ std::vector<PlaneWindow::Tick> PlaneWindow::ticks(bool is_vertical) const {
   if (!is_plain_ || half < 1e-6 * std::fabs(centre) || half < 1e-9 || half > 1e12) return ticks;
   const double rough = 2 * half / kTicks;
   double step = std::pow(10, std::floor(std::log10(rough)));
-  for (const double factor : {2.0, 2.5, 2.0}) {  // 1, 2, 5, 10
+  for (const double factor : {2.0, 2.5, 2.0}) {  // The steps 1, 2, 5, 10.
     if (step < rough) step *= factor;
   }
   for (double k = std::ceil((centre - half) / step); k * step < centre + half; ++k) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.9g", k * step + 0.0);  // no negative zero
+    std::snprintf(text, sizeof text, "%.9g", k * step + 0.0);  // Negative zeros become zeros.
     ticks.push_back({(k * step - centre) / plain_half_, text});
   }
   return ticks;

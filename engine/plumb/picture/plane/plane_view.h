@@ -1,4 +1,4 @@
-// From the coordinates of a map to those of a picture.
+// From the coordinates of a map or a complex to those of a picture.
 #pragma once
 
 #include <cstdint>
@@ -14,30 +14,31 @@
 
 namespace plumb {
 
-/// Where nearly all of the points lie: the fortieth part of them at each of the four sides is cut
-/// off.
+/// Returns where nearly all of the points lie: a fortieth of them is cut off at each of the four
+/// sides.
 Rectangle core_of(const std::vector<Point2>& points);
 
-/// The window for a picture of `all`: its core, a little grown, where that leaves out more than
-/// half of it, which few things far off would take up; else `all`.
+/// Returns the window for a picture of `all`: its core, slightly grown, if that leaves out more
+/// than half of `all`, which a few distant things would occupy; else `all`.
 Rectangle without_far_parts(const Rectangle& core, const Rectangle& all);
 
-/// A map in plane coordinates (svg_text.h): y upwards, everything used by a cycle within [-1, 1].
-/// A cycle counts as counter-clockwise by its area in doubles, which is only good for drawing.
+/// A map in plane coordinates (svg_text.h): y upwards, everything used by a cycle within [-1, 1]. A
+/// cycle counts as counter-clockwise by its area in doubles, which is good enough for drawing only.
 class Plane {
  public:
   explicit Plane(const Map& map);
 
   const Map& map() const { return map_; }
   Point2 at(std::uint32_t vertex) const { return at(map_.points.approx(vertex)); }
-  /// Any point; far or non-finite ones are moved to the border of [-2, 2].
+  /// Returns the place of any point; distant or non-finite ones are moved to the border of [-2, 2].
   Point2 at(Point2 p) const;
-  /// What the vertices in use span; (0, 0) alone if there are none.
+  /// Returns the box of the vertices in use; (0, 0) alone if there are none.
   const Rectangle& extent() const { return extent_; }
 
-  /// Where nearly all corners lie.
+  /// Returns where nearly all corners lie.
   Rectangle core() const;
 
+  /// Returns the places of the corners of a cycle.
   std::vector<Point2> ring(std::size_t cycle) const;
 
  private:
@@ -45,7 +46,7 @@ class Plane {
   void find_extent();
 
   const Map& map_;
-  double factor_1_ = 1, factor_2_ = 1;  // one power of two, in two steps: it may overflow
+  double factor_1_ = 1, factor_2_ = 1;  // One power of two, in two steps, because it may overflow.
   Point2 centre_{};
   Rectangle extent_{};
 };
@@ -57,7 +58,8 @@ class View {
   View(const Rectangle& frame, const Rectangle& window);
 
   const Rectangle& frame() const { return frame_; }
-  /// The part of the plane that the frame shows, grown a little so that cut edges do not show.
+  /// Returns the part of the plane that the frame shows, slightly grown so that cut edges do not
+  /// show.
   const Rectangle& window() const { return window_; }
   double scale() const { return scale_; }
   Point2 place(Point2 p) const {
@@ -65,8 +67,9 @@ class View {
             frame_.centre().y - (p.y - centre_.y) * scale_};
   }
 
-  /// The part of a closed polygon in the window. O(points).
+  /// Returns the part of a closed polygon in the window. Cost: O(points).
   std::vector<Point2> clipped(std::vector<Point2> ring) const;
+  /// Returns the part of a segment in the window; no value if there is none.
   std::optional<std::pair<Point2, Point2>> clipped(Point2 a, Point2 b) const;
 
  private:
@@ -80,27 +83,28 @@ class View {
 
 class PlaneWindow {
  public:
-  /// Around all vertices of the complex and a point of each line without vertices; [-1, 1]^2 when
+  /// Surrounds all vertices of the complex and a point of each line without vertices; [-1, 1]^2 if
   /// there is nothing. `margin` is left free on every side, as a part of the longer side.
   PlaneWindow(const PlaneComplex& complex, double margin);
 
-  /// The corners, counter-clockwise from the lower left.
+  /// Returns the corners, counter-clockwise from the lower left.
   PointTable2 corners() const;
-  /// height / width, between 0.45 and 1.15.
+  /// Returns height / width, between 0.45 and 1.15.
   double aspect() const { return half_height_; }
 
-  /// Window coordinates of a point: the middle is (0, 0), the left and right borders are x = -1 and
-  /// x = 1, equally scaled in y. Good to 2^-25 of the window's width wherever the window lies.
+  /// Returns the window coordinates of a point: the middle is (0, 0), and the left and right
+  /// borders are x = -1 and x = 1, equally scaled in y. Accurate to 2^-25 of the window's width
+  /// wherever the window lies.
   Point2 at(const PlanePoints& points, std::uint32_t i) const;
-  /// The borders that a point lies on, exactly: 1 left, 2 right, 4 bottom, 8 top.
+  /// Returns the borders that a point lies on, exactly: 1 left, 2 right, 4 bottom, 8 top.
   unsigned borders(const PlanePoints& points, std::uint32_t i) const;
 
-  /// Round values along an axis and where they lie in window coordinates.
+  /// A round value along an axis, and where it lies in window coordinates.
   struct Tick {
     double at;
     std::string text;
   };
-  /// None where doubles cannot tell them apart in a few digits.
+  /// Returns round values; none if a few digits of a double cannot distinguish them.
   std::vector<Tick> ticks(bool is_vertical) const;
 
  private:
@@ -108,13 +112,13 @@ class PlaneWindow {
                 const Rational& top, double margin);
 
   Rational left_, bottom_, right_, top_;
-  Rational centre_x_, centre_y_, half_;  // half the width
-  double half_height_ = 1;               // window coordinates
-  bool is_plain_ = false;                // doubles are good enough
+  Rational centre_x_, centre_y_, half_;  // Half of the width.
+  double half_height_ = 1;               // In window coordinates.
+  bool is_plain_ = false;                // Whether doubles are accurate enough.
   double plain_x_ = 0, plain_y_ = 0, plain_half_ = 1;
 };
 
-/// The part of the set inside the window, which is open. O(n log n).
+/// Returns the part of the set inside the window, which is open. Cost: O(n log n).
 Nef2 cut_at(const Nef2& set, const PlaneWindow& window);
 
 }  // namespace plumb

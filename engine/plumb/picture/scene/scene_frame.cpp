@@ -9,9 +9,10 @@
 namespace plumb {
 namespace {
 
-constexpr double kLeastScale = 1e-290;  // quarters: smaller things are drawn as a point
-constexpr double kLeastPart = 1e-9;     // of the place: nearer points are not told apart by doubles
-constexpr double kThinnest = 0.02;      // of the longest side: a window has some room everywhere
+constexpr double kLeastScale = 1e-290;  // Quarters: smaller things are drawn as a point.
+constexpr double kLeastPart = 1e-9;  // Part of the place: doubles do not distinguish nearer points.
+// Part of the longest side: a window has some extent in every direction.
+constexpr double kThinnest = 0.02;
 
 Point3 quartered(const Point3& p) { return {p.x / 4, p.y / 4, p.z / 4}; }
 double largest(const Point3& p) {

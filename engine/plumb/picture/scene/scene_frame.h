@@ -1,4 +1,4 @@
-// From coordinates to those of a scene.
+// From coordinates of space to those of a scene, and colours for things of one kind.
 #pragma once
 
 #include <cstddef>
@@ -8,22 +8,23 @@
 
 namespace plumb {
 
-/// The box around points that are added one by one. In quarters of their coordinates, so that no
+/// The box around points that are added one by one. Numbers are held in quarters, so that no
 /// difference overflows.
 class SceneFrame {
  public:
   void include(const Point3& p);
   bool is_empty() const { return low_.x > high_.x; }
-  /// Leaves `margin` of the longest side free on every side. Before the first use of the next
-  /// members.
+  /// Leaves `margin` of the longest side free on every side. Required before the following members
+  /// are used.
   void close(double margin);
 
+  /// Returns the scene coordinates of a point.
   Point3 at(const Point3& p) const;
   Point3 at(const RationalPoint3& p) const;
-  /// The corners of the box, as they are in space; clamped to the finite.
+  /// Returns a corner of the box in space, clamped to finite numbers.
   Point3 low() const { return corner(-1); }
   Point3 high() const { return corner(1); }
-  /// Says in the scene where its points are.
+  /// Notes in the scene where its points are in space.
   void describe(Scene& scene) const;
 
  private:
@@ -32,12 +33,13 @@ class SceneFrame {
   static constexpr double kFar = 1e308;
   Point3 low_{kFar, kFar, kFar}, high_{-kFar, -kFar, -kFar};
   Point3 centre_{0, 0, 0}, half_{1, 1, 1};
-  double scale_ = .25;  // in quarters, as the others; half_ alone is in scene units
+  double scale_ = .25;  // In quarters, like the others; half_ alone is in scene units.
 };
 
-// Colours for things of one kind that have to be told apart.
+// Colours for things of one kind that must be distinguished.
 
-/// Light colours, far apart however many: hues by the golden section, in three strengths.
+/// Returns a light colour, far from the others however many there are: hues by the golden section,
+/// in three strengths.
 Colour distinct_colour(std::size_t i);
 
 }  // namespace plumb

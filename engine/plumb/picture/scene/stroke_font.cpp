@@ -7,9 +7,9 @@ namespace plumb {
 namespace {
 
 constexpr double kHeight = 6, kAdvance = 5.8, kGap = 1.8;
-constexpr double kSmall = .78;  // of a capital
+constexpr double kSmall = .78;  // Part of a capital's height.
 
-/// Polylines on a grid 4 wide and 6 high, y upwards: "xy xy ..", the next one after a bar.
+/// Polylines on a grid 4 wide and 6 high, y upwards: "xy xy ..", with a bar before the next one.
 struct Glyph {
   char letter;
   std::string_view path;

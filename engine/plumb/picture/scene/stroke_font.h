@@ -9,13 +9,14 @@
 
 namespace plumb {
 
+/// A straight stroke.
 using TextStroke = std::pair<Point2, Point2>;
 
-/// The width of a text in units of its height (that of a capital).
+/// Returns the width of a text in units of its height, which is that of a capital.
 double stroked_width(std::string_view text);
 
-/// The strokes of a text around its middle, y downwards, one unit high. Capitals, digits and the
-/// usual signs; small letters are small capitals; of anything else nothing is seen.
+/// Returns the strokes of a text around its middle, y downwards, one unit high. Capitals, digits
+/// and common signs have strokes; small letters are small capitals; anything else is blank.
 std::vector<TextStroke> strokes_of(std::string_view text);
 
 }  // namespace plumb

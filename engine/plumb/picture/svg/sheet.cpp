@@ -1,3 +1,10 @@
+// The page around a picture, and the style of maps.
+//
+// A Sheet collects the body of the picture while its height is not yet known; write() then puts
+// title, styles and notes around it and states the size. Text is measured by an upper estimate of
+// its width, so nothing overlaps without a font at hand. Cycles are coloured greedily in their
+// order: each takes the first tint that no neighbour with an earlier number has.
+// Tested by tests/picture/map_svg_test.cpp and tests/picture/plane_view_test.cpp.
 #include "plumb/picture/svg/sheet.h"
 
 #include <array>
@@ -21,7 +28,7 @@ const std::vector<Point2> kBars = {{-1, -.9}, {1, -.9}, {1, -.3}, {-.4, -.3},
                                    {-.4, .3}, {1, .3},  {1, .9},  {-1, .9}};
 
 std::vector<Point2> circle() {
-  // cos and sin of multiples of 30 degrees
+  // cos and sin of multiples of 30 degrees.
   constexpr double c = 0.866, s = 0.5;
   return {{1, 0},  {c, s},   {s, c},   {0, 1},  {-s, c}, {-c, s},
           {-1, 0}, {-c, -s}, {-s, -c}, {0, -1}, {s, -c}, {c, -s}};
@@ -64,7 +71,7 @@ std::uint8_t free_colour(std::uint32_t taken, std::size_t wish, std::size_t coun
   return static_cast<std::uint8_t>(wish % count);
 }
 
-// A neighbour's tint is known at both ends of the common edge: tints seen at one end only belong to
+// A neighbour's tint is known at both ends of the common edge. Tints seen at one end only belong to
 // faces that touch at a vertex, and may be used again.
 std::vector<std::uint8_t> colour_cycles(const Map& map) {
   std::vector<std::uint16_t> seen(map.vertex_count());
@@ -86,12 +93,12 @@ std::vector<std::uint8_t> colour_cycles(const Map& map) {
 namespace {
 
 constexpr double kTitleSize = 30;
-constexpr double kBold = 1.15;  // how much wider bold letters may be
+constexpr double kBold = 1.15;  // How much wider bold letters may be.
 constexpr double kBadgeSize = 22;
 constexpr double kFactsSize = 17;
 constexpr double kNoteSize = 15;
-constexpr double kLine = 23;         // between the lines of a text of size 17
-constexpr double kTwoColumns = 900;  // least width, unscaled text
+constexpr double kLine = 23;         // Distance between the lines of a text of size 17.
+constexpr double kTwoColumns = 900;  // Least width for two columns, for unscaled text.
 
 }  // namespace
 
@@ -112,7 +119,7 @@ void Sheet::write_badge(const Badge& badge) {
         << svg_number(y_ + text(28)) << "\">" << xml_escaped(badge.text) << "</text>\n";
 }
 
-/// The facts stand beside the badge where they fit, else below it.
+/// Writes the header. The facts stand beside the badge if they fit, else below it.
 void Sheet::write_header(const std::string& title, const Badge& badge, const std::string& facts) {
   for (const std::string& line : wrapped(title, text(kBold * kTitleSize), column(), 2)) {
     y_ += text(kTitleSize - 2);

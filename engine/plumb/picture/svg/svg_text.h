@@ -1,23 +1,26 @@
-// Pictures of results. Nothing here decides anything: drawing may round, the engine never does.
+// Pictures of results, and the text and numbers of SVG files. Pictures decide nothing: drawing may
+// round, the engine never does.
 //
 // Notation:
-//   plane coordinates    the map's coordinates, centred and scaled by a power of two to lie
-//                        in [-1, 1]: 1e300 and 5e-324 are ordinary afterwards (Plane)
+//   plane coordinates    the map's coordinates, centred and scaled by a power of two to lie in [-1,
+//   1]: 1e300 and 5e-324 are ordinary afterwards (Plane)
 //   picture units        SVG user units, y downwards; text, marks and strokes have sizes in these,
-//                        so that they are legible whatever the size of the map
+//   so that they are legible whatever the size of the map
 //   view                 a window of the plane shown in a frame of the picture (View)
 //
-// Flow of write_map_svg (map_svg.h):
-//  1. Plane, View          where vertices come to lie
-//  2. colour_cycles        soft colours, neighbours differ
-//  3. paint_cycles         largest first; a clockwise cycle paints background: holes come out right
-//                          for valid and defective maps alike
-//  4. choose_insets        where defects are too small to be seen, zoomed views of them
-//  5. MarkPainter          per view: defect edges, a symbol at each defect, numbered labels
-//  6. layout               title, insets, map, legend, list of the first defects, notes
+// Main flow of write_map_svg() (map_svg.h):
+//  1. Plane, View          find where vertices lie
+//  2. colour_cycles        gives soft colours, different for neighbours
+//  3. Painter              paints the largest cycle first; a clockwise cycle paints background, so
+//                          holes come out right for valid and defective maps alike
+//  4. choose_insets        chooses close-ups where defects are too small to be seen
+//  5. MapMarks             draws, per view, defect edges, a symbol at each defect, and numbered
+//                          labels
+//  6. layout               arranges title, close-ups, map, legend, the list of the first defects,
+//                          and notes
 //
-// Everything is bounded: points and polygons per view, marks, labels, insets, lines of text. What a
-// bound left out is said in the notes of the picture.
+// Everything is bounded: points and polygons per view, marks, labels, close-ups, lines of text.
+// What a bound left out is stated in the notes of the picture.
 #pragma once
 
 #include <algorithm>
@@ -63,27 +66,27 @@ struct Rectangle {
 
 // Text and numbers of an SVG file.
 
-/// Ready for XML content and attributes: & < > " ' escaped; control characters and bytes that are
-/// not UTF-8 become U+FFFD.
+/// Returns text for XML content and attributes: & < > " ' escaped; control characters and bytes
+/// that are not UTF-8 become U+FFFD.
 std::string xml_escaped(std::string_view text);
 
-/// A picture coordinate with at most two decimals. Values that are not finite or lie far off the
-/// picture are clamped.
+/// Returns a picture coordinate with at most two decimals. Values that are not finite or lie far
+/// off the picture are clamped.
 std::string svg_number(double value);
 
-/// attr="x" pairs of a rectangle: x, y, width, height.
+/// Returns the attributes x, y, width and height of a rectangle.
 std::string svg_box(const Rectangle& r);
 
-/// An upper estimate of the width of `text` in a sans-serif font.
+/// Returns an upper estimate of the width of `text` in a sans-serif font.
 double text_width(std::string_view text, double font_size);
 
-/// Breaks text at spaces into lines no wider than `width`; at most `max_lines`, the last of them
-/// ending with an ellipsis when something was left out.
+/// Returns text broken at spaces into lines no wider than `width`; at most `max_lines`, the last of
+/// them ending with an ellipsis if something was left out.
 std::vector<std::string> wrapped(std::string_view text, double font_size, double width,
                                  std::size_t max_lines);
 
-/// Path data in tenths of a picture unit, relative moves: drawn inside a group scaled by 0.1.
-/// Points closer than 0.3 units to the last one written are left out.
+/// Path data in tenths of a picture unit, with relative moves: to be drawn inside a group scaled by
+/// 0.1. Points closer than 0.3 units to the last one written are left out.
 class PathData {
  public:
   void move_to(Point2 p);
@@ -97,13 +100,14 @@ class PathData {
   void write(char command, Point2 p);
 
   std::string data_;
-  long last_x_ = 0, last_y_ = 0;    // the last point written
-  long start_x_ = 0, start_y_ = 0;  // of the current subpath: `z` returns there
+  long last_x_ = 0, last_y_ = 0;    // The last point written.
+  long start_x_ = 0, start_y_ = 0;  // Start of the current subpath, to which `z` returns.
   std::size_t points_ = 0;
 };
 
 // Bytes inside text files (RFC 4648).
 
+/// Returns the base64 text of some bytes.
 std::string base64(std::string_view bytes);
 
 }  // namespace plumb

@@ -1,3 +1,17 @@
+// The arrangement of segments within one face of a surface, in the plane of the face's parameters.
+//
+// Segments are compared in pairs whose boxes meet. Crossings stay implicit, as two segments; equal
+// ones are united where they are neighbours in the order along a segment, which finds all of them,
+// because any two segments through a point meet there (docs/design/surface.md, section Slicing,
+// Lemma 1). So no predicate compares two crossings except along a common segment, and the degree
+// stays 5.
+//
+// The boundary of the face is part of the arrangement: half-edges r < ring_size run along it.
+// Components that do not reach it (islands) are holes of some piece. It is the piece above the arc
+// just below their leftmost point, found by looking at every arc if there are few islands, else by
+// a sweep from left to right whose status holds the arcs over the current point in order. Arcs do
+// not cross, so that order is well defined.
+// Tested by tests/surface/surface_plane_test.cpp and tests/surface/surface_arrangement_test.cpp.
 #include "plumb/surface/cells/face_arrangement.h"
 
 #include <algorithm>
@@ -13,10 +27,11 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kFewSegments = 32;     // fewer are all compared with each other
-constexpr std::uint64_t kContactBytes = 64;  // and its share of a crossing
+// Up to so many segments are all compared with each other.
+constexpr std::size_t kFewSegments = 32;
+constexpr std::uint64_t kContactBytes = 64;  // Bytes of a contact, and its share of a crossing.
 constexpr double kRough = 0x1p-44;
-constexpr std::size_t kFewIslands = 8;  // fewer look at every arc
+constexpr std::size_t kFewIslands = 8;  // Up to so many islands look at every arc.
 constexpr std::uint32_t kPointsPerCheckpoint = 4096;
 
 Box3 box_of(const PlanePoints& points, const FaceSegment& s) {
@@ -68,7 +83,8 @@ void FaceArrangement::orient_segments() {
   }
 }
 
-/// Rounding is monotone: boxes of rounded points that are apart prove their segments apart.
+/// Finds all contacts. Rounding is monotone: if boxes of rounded points are apart, so are the
+/// segments.
 void FaceArrangement::find_contacts(Context& context) {
   const auto n = static_cast<std::uint32_t>(segments.size());
   boxes_.clear();
@@ -94,11 +110,14 @@ void FaceArrangement::find_contacts(Context& context) {
   }
 }
 
-/// Requires the point to be on the line of the segment.
+/// Whether the point lies strictly inside the segment. Requires that it is on the segment's line.
 bool FaceArrangement::is_inside(std::uint32_t point, const FaceSegment& s) const {
   return compare(s.from, point) == Sign::Negative && compare(point, s.to) == Sign::Negative;
 }
 
+// Adds the contacts of two segments. Four sides decide everything: two on one side of the other's
+// line mean no contact, a zero is an end on a line, and four zeros are collinear segments, which
+// may overlap.
 void FaceArrangement::meet(std::uint32_t s, std::uint32_t t) {
   const FaceSegment &p = segments[s], &q = segments[t];
   const auto touch = [&](bool is_on_line, std::uint32_t point, std::uint32_t segment) {
@@ -145,7 +164,7 @@ std::uint32_t FaceArrangement::representative(std::uint32_t point) const {
   return point;
 }
 
-/// Given points have the lower ids, so they represent.
+/// Makes two points one. Given points have the lower ids, so they represent.
 void FaceArrangement::unite(std::uint32_t i, std::uint32_t j) {
   i = representative(i);
   j = representative(j);
@@ -154,8 +173,8 @@ void FaceArrangement::unite(std::uint32_t i, std::uint32_t j) {
   same_[i - points.inputs.size()] = j;
 }
 
-/// Crossings of nearly parallel lines are too rough to measure by: they are rounded from their
-/// exact coordinates.
+/// Rounds crossings of nearly parallel lines from their exact coordinates, because their
+/// approximations are too rough to measure by.
 void FaceArrangement::sharpen() {
   for (Crossing2& c : points.crossings) {
     if (c.radius <= kRough) continue;
@@ -166,6 +185,8 @@ void FaceArrangement::sharpen() {
   }
 }
 
+// Divides each segment at its contacts. Neighbours on it that are equal are united first, then arcs
+// run between representatives.
 void FaceArrangement::split() {
   sharpen();
   same_.resize(points.crossings.size());
@@ -222,8 +243,8 @@ void FaceArrangement::merge_overlaps(SurfaceBundles& bundles) {
 
 // ---------------------------------------------------------------- half-edges
 
-/// Of two half-edges of arcs that leave one point: does g come first, counter-clockwise? On the
-/// boundary all lie within less than half a turn; elsewhere counting starts straight below.
+/// Whether g comes before h, counter-clockwise, of two half-edges of arcs that leave one point. On
+/// the boundary all lie within less than half a turn; elsewhere counting starts straight below.
 bool FaceArrangement::turns_before(std::uint32_t g, std::uint32_t h) const {
   const bool is_on_ring = origin(g) < ring_size;
   const bool same_half = is_reverse(g) == is_reverse(h);
@@ -234,6 +255,9 @@ bool FaceArrangement::turns_before(std::uint32_t g, std::uint32_t h) const {
   return turn == (same_half ? Sign::Positive : Sign::Negative);
 }
 
+/// Sorts half-edges by origin with a counting sort, and by angle around each point. After the
+/// reverse of a half-edge comes the one before it in counter-clockwise order; on the boundary the
+/// ring closes the fan.
 void FaceArrangement::link(Context& context) {
   const std::uint32_t n = halfedge_count();
   out_begin_.assign(points.size() + 1, 0);
@@ -279,7 +303,7 @@ void FaceArrangement::trace_loops() {
 
 // ---------------------------------------------------------------- nesting
 
-/// Points joined by arcs; those that reach the boundary are in part 0.
+/// Finds the leftmost point of each component that does not reach the boundary, which is part 0.
 void FaceArrangement::find_islands() {
   islands_.clear();
   if (points.size() == ring_size) return;
@@ -293,16 +317,19 @@ void FaceArrangement::find_islands() {
   std::sort(islands_.begin(), islands_.end(), [&](std::uint32_t p, std::uint32_t q) {
     return p != q && compare(p, q) == Sign::Negative;
   });
-  // The first of each part is its leftmost.
+  // The first point of each part is its leftmost.
   std::vector<std::uint8_t> is_seen(points.size());
   std::erase_if(islands_,
                 [&](std::uint32_t p) { return std::exchange(is_seen[parts.root(p)], 1) != 0; });
 }
 
+/// Numbers pieces by their outer loops. A loop is a hole if it is the outside of an island, and
+/// belongs to the piece of the half-edge below it.
 void FaceArrangement::nest(Context& context) {
   find_islands();
-  // The half-edge that leaves its leftmost point last, in angular order, has the outside of a part
-  // to its left. (Where there are only two, they have not been sorted.)
+  // The half-edge that leaves an island's leftmost point last, in angular order, has the outside of
+  // the island to its left. Points with only two half-edges have not been sorted, so the greatest
+  // is searched for.
   const auto outside_of = [&](std::uint32_t p) -> Loop& {
     const auto last =
         std::max_element(out_.begin() + out_begin_[p], out_.begin() + out_begin_[p + 1],
@@ -326,14 +353,14 @@ void FaceArrangement::nest(Context& context) {
   });
 }
 
-/// Does the arc pass below the point?
+/// Whether the arc passes below the point.
 bool FaceArrangement::is_below(const FaceArc& a, std::uint32_t point) const {
   if (compare(a.from, point) != Sign::Negative) return false;
   if (compare(point, a.to) != Sign::Negative) return false;
   return side(segments[a.segment], point) == Sign::Positive;
 }
 
-/// Of two arcs that do not cross and pass below or above one point: is a lower?
+/// Whether a is lower than b, for two arcs that do not cross and pass below or above one point.
 bool FaceArrangement::is_lower(const FaceArc& a, const FaceArc& b) const {
   const FaceSegment &s = segments[a.segment], &t = segments[b.segment];
   if (a.from == b.from) {
@@ -345,7 +372,7 @@ bool FaceArrangement::is_lower(const FaceArc& a, const FaceArc& b) const {
   return side(t, a.from) == Sign::Negative;
 }
 
-/// The half-edge along side 0, the lowest of all, below an inner point.
+/// Returns the half-edge along side 0, the lowest of all, below an inner point.
 std::uint32_t FaceArrangement::side_below(std::uint32_t point) const {
   // The other sides lead back to the left.
   std::uint32_t low = 0, high = corner_1;
@@ -356,7 +383,7 @@ std::uint32_t FaceArrangement::side_below(std::uint32_t point) const {
   return low;
 }
 
-/// The highest half-edge that passes below each island's leftmost point.
+/// Finds the highest half-edge that passes below each island's leftmost point.
 void FaceArrangement::find_below(Context& context) {
   below_.assign(islands_.size(), kNone);
   if (islands_.empty()) return;
@@ -375,7 +402,8 @@ void FaceArrangement::find_below(Context& context) {
   }
 }
 
-/// From left to right over all points, with the arcs that pass them in order.
+/// Does the same by a sweep from left to right over all points, with the arcs over the current
+/// point in order.
 void FaceArrangement::sweep_below(Context& context) {
   struct Lower {
     using is_transparent = void;
@@ -413,7 +441,7 @@ void FaceArrangement::sweep_below(Context& context) {
   }
 }
 
-/// Those that arcs end in.
+/// Returns the points in which arcs end, from left to right.
 std::vector<std::uint32_t> FaceArrangement::points_in_order() const {
   std::vector<std::uint32_t> order;
   for (std::uint32_t p = 0; p < points.size(); ++p) {

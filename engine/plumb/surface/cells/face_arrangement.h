@@ -1,16 +1,17 @@
 // The segments of polygons in one face, arranged.
 //
 // Main flow of run():
-//  1. contacts   pairs of segments whose boxes meet: crossings, ends on other segments, overlaps
-//  2. split      the points on each segment in order; equal ones become one (union-find)
-//  3. merge      pieces of overlapping segments add up; those that cancel go
-//  4. link       half-edges in angular order around nodes; next around pieces
-//  5. nest       parts that do not reach the boundary lie in a piece: the one below their leftmost
-//                point, which a sweep over the points finds where there are many of them
+//  1. contacts   finds crossings, ends on other segments and overlaps among pairs of segments whose
+//                boxes meet
+//  2. split      sorts the points on each segment; equal ones become one (union-find)
+//  3. merge      adds up pieces of overlapping segments; those that cancel go
+//  4. link       orders half-edges by angle around nodes and links them around pieces
+//  5. nest       places components that do not reach the boundary in a piece: the one below their
+//                leftmost point, which a sweep over the points finds if there are many
 //
 // Equal crossings are found where they are neighbours on a segment: whatever else runs through the
 // point meets that segment there, too. So only the order along segments is ever asked, never
-// equality of two points anywhere.
+// equality of two points anywhere (docs/design/surface.md, Lemma 1).
 //
 // Cost: O(k log k) for k pieces, plus pairs of boxes that meet.
 #pragma once
@@ -25,50 +26,54 @@
 
 namespace plumb {
 
-/// One of the different segments of a face, between two points of it. `bundle`: what polygons run
-/// along it.
+/// One of the different segments of a face, between two points of it. `bundle` names the polygons
+/// that run along it.
 struct FaceSegment {
-  std::uint32_t from;  ///< lexicographically the lesser, once run() was called
+  std::uint32_t from;  ///< The lexicographically lesser end, once run() has been called.
   std::uint32_t to;
   std::uint32_t bundle;
-  std::int32_t sign;  ///< -1: the bundle is meant from `to` to `from`
+  std::int32_t sign;  ///< -1 if the bundle runs from `to` to `from`.
 };
 
-/// A piece of segments between two points. `from` comes first lexicographically.
+/// A piece of segments between two points; `from` comes first lexicographically.
 struct FaceArc {
   std::uint32_t from;
   std::uint32_t to;
-  std::uint32_t segment;  ///< one that it lies on
+  std::uint32_t segment;  ///< A segment that it lies on.
   std::uint32_t bundle;
   std::int32_t sign;
 };
 
-/// Used for one face after the other: keeps its memory.
+/// An arrangement that is used for one face after the other and keeps its memory.
 class FaceArrangement {
  public:
-  /// Input: the boundary's points first, counter-clockwise from corner 0, then others; distinct.
-  PlanePoints points;           ///< crossings are output
-  std::uint32_t ring_size = 0;  ///< points on the boundary
-  std::uint32_t corner_1 = 0;   ///< of them, where side 0 ends
+  /// Input: the boundary's points first, counter-clockwise from corner 0, then others; all
+  /// distinct.
+  PlanePoints points;           ///< Given points; crossings are output.
+  std::uint32_t ring_size = 0;  ///< Number of points on the boundary.
+  std::uint32_t corner_1 = 0;   ///< The boundary point where side 0 ends.
   std::vector<FaceSegment> segments;
 
+  /// Starts again, without points and segments.
   void clear();
-  /// Errors: Cancelled, ResourceLimit.
+  /// Arranges the segments. Throws Error{Cancelled} and Error{ResourceLimit}.
   void run(SurfaceBundles& bundles, Context& context);
 
   // Output. Half-edge r < ring_size runs from point r along the boundary; ring_size + 2 a and the
   // one after it are arc a and its reverse.
   std::vector<FaceArc> arcs;
   std::vector<std::uint32_t> next;
-  std::vector<std::uint32_t> piece;  ///< per half-edge
+  std::vector<std::uint32_t> piece;  ///< Piece to the left of each half-edge.
   std::uint32_t piece_count = 0;
+  /// A boundary cycle of a piece.
   struct Loop {
     std::uint32_t piece;
     std::uint32_t halfedge;
     bool is_hole;
   };
-  std::vector<Loop> loops;  ///< by piece, the outer one first
+  std::vector<Loop> loops;  ///< Sorted by piece, the outer one first.
 
+  /// Returns the point that a half-edge leaves.
   std::uint32_t origin(std::uint32_t h) const {
     if (h < ring_size) return h;
     const FaceArc& a = arcs[(h - ring_size) / 2];
@@ -79,6 +84,7 @@ class FaceArrangement {
   }
 
  private:
+  /// A point on a segment.
   struct Contact {
     std::uint32_t segment;
     std::uint32_t point;
@@ -87,7 +93,7 @@ class FaceArrangement {
   Sign compare(std::uint32_t i, std::uint32_t j) const {
     return compare_xy(PlanePointsView(points), i, j);
   }
-  /// Positive: the point lies left of the segment's line.
+  /// Returns Positive if the point lies left of the segment's line.
   Sign side(const FaceSegment& s, std::uint32_t point) const {
     return orient2d(PlanePointsView(points), s.from, s.to, point);
   }
@@ -118,14 +124,14 @@ class FaceArrangement {
 
   std::vector<Contact> contacts_;
   bool overlaps_ = false;
-  std::vector<std::uint32_t> same_;       // per crossing: an equal point, or itself
-  std::vector<std::uint32_t> out_begin_;  // per point
-  std::vector<std::uint32_t> out_;        // half-edges of arcs by origin, counter-clockwise
-  std::vector<std::uint32_t>
-      islands_;                       // the leftmost point of each part without boundary, in order
-  std::vector<std::uint32_t> below_;  // per island: the half-edge below its leftmost point
-  std::vector<Box3> boxes_;           // of segments
-  std::vector<std::uint32_t> loop_of_;  // per half-edge
+  std::vector<std::uint32_t> same_;       // Per crossing: an equal point, or itself.
+  std::vector<std::uint32_t> out_begin_;  // Per point.
+  std::vector<std::uint32_t> out_;        // Half-edges of arcs by origin, counter-clockwise.
+  // The leftmost point of each component that does not reach the boundary, from left to right.
+  std::vector<std::uint32_t> islands_;
+  std::vector<std::uint32_t> below_;    // Per island: the half-edge below its leftmost point.
+  std::vector<Box3> boxes_;             // Per segment.
+  std::vector<std::uint32_t> loop_of_;  // Per half-edge.
   std::vector<SignedEntry> terms_;
 };
 

@@ -1,3 +1,17 @@
+// Slicing: the subdivision of a surface by polygons, and its nodes.
+//
+// NodeMaker sorts the entries of all polygons by place and parameters, so equal points become one
+// node, and the nodes of an edge are consecutive and ascend by t. Slicer then splits the segments
+// in two kinds. Those along a mesh edge are added up on the intervals between that edge's nodes;
+// the others are added up by face and end nodes, so equal segments become one with the sum of their
+// multiplicities, and those that cancel disappear before anything is intersected. Each touched face
+// is arranged in its own parameter plane (face_arrangement.h) and written to the flat arrays;
+// half-edges on both sides of a mesh edge are matched by position, because both faces have the same
+// nodes along it.
+//
+// The result does not depend on coordinates of space: docs/design/surface.md, sections A face is a
+// plane and Slicing.
+// Tested by tests/surface/surface_arrangement_test.cpp and tests/surface/surface_plane_test.cpp.
 #include "plumb/surface/cells/surface_arrangement.h"
 
 #include <algorithm>
@@ -66,16 +80,17 @@ SurfacePointId add_node_point(const SurfaceArrangement& arrangement,
 
 namespace {
 
-constexpr std::uint64_t kArcBytes = 160;    // with its half-edges, nodes and pieces
-constexpr std::uint64_t kEntryBytes = 600;  // of a polygon
+constexpr std::uint64_t kArcBytes = 160;  // Bytes of an arc with its half-edges, nodes and pieces.
+constexpr std::uint64_t kEntryBytes = 600;  // Bytes of an entry of a polygon.
 constexpr std::uint64_t kFaceBytes = 24;
-constexpr std::uint64_t kUseBytes = 60;  // as the list grows, and what it adds up to
+// Bytes of a use as the list grows, and what it adds up to.
+constexpr std::uint64_t kUseBytes = 60;
 constexpr std::size_t kStepsPerCheckpoint = 65536;
 
 /// A polygon along something between two numbers: a piece of an edge (edge, interval), or a segment
-/// of a face between two nodes. `value`: +1 upwards (from the lower node to the higher).
+/// of a face between two nodes. `value` is +1 upwards, from the lower node to the higher.
 struct Use {
-  std::uint32_t item;  ///< edge or face
+  std::uint32_t item;  ///< Edge or face.
   std::uint32_t low;
   std::uint32_t high;
   SignedEntry polygon;
@@ -85,7 +100,7 @@ struct Use {
   }
 };
 
-/// Uses that are added up: what is left runs along (item, low, high).
+/// The sum of some uses: what is left of them runs along (item, low, high).
 struct Strand {
   std::uint32_t item;
   std::uint32_t low;
@@ -93,6 +108,7 @@ struct Strand {
   std::uint32_t bundle;
 };
 
+/// Adds up equal uses and returns those that do not cancel.
 std::vector<Strand> add_up(std::vector<Use>& uses, SurfaceBundles& bundles) {
   std::sort(uses.begin(), uses.end());
   std::vector<Strand> strands;
@@ -139,7 +155,7 @@ class Slicer {
   }
   SurfacePointId point(NodeId n) const { return nodes_.point[n.value()]; }
 
-  /// The sides of a face that hold a node, as bits.
+  /// Returns the sides of a face that hold a node, as bits.
   unsigned sides(NodeId n, FaceId f) const {
     if (is_on_edge(n)) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -157,6 +173,8 @@ class Slicer {
     return 0;
   }
 
+  /// A segment whose ends lie on a common side of its face runs along that mesh edge; any other
+  /// crosses the face.
   void gather_uses() {
     for (std::uint32_t p = 0; p < polygons_.size(); ++p) {
       for (std::uint32_t i = polygons_.begin[p]; i < polygons_.begin[p + 1]; ++i) {
@@ -183,7 +201,8 @@ class Slicer {
     charged_uses_ = uses;
   }
 
-  /// 0: the lower vertex of the edge; nodes inside follow, then the higher vertex.
+  /// Returns the place of a node on an edge: 0 for the lower vertex, then the nodes inside, then
+  /// the higher vertex.
   std::uint32_t place_on(EdgeId e, NodeId n) const {
     if (is_on_edge(n)) return n.value() - nodes_.first_on(e) + 1;
     return polygons_.points.vertex(point(n)) == mesh_.lower(e) ? 0 : nodes_.count_on(e) + 1;
@@ -198,6 +217,8 @@ class Slicer {
 
   // ---------------------------------------------------------------- faces
 
+  // Marks the faces at edges and vertices with nodes, and those with segments; they get slots in
+  // ascending order.
   void find_touched_faces() {
     std::vector<std::uint8_t> is_touched(mesh_.face_count());
     for (const EdgeId e : nodes_.edges) {
@@ -232,6 +253,8 @@ class Slicer {
     }
   }
 
+  /// Faces are arranged one after the other with one FaceArrangement, in the order of their slots,
+  /// which is also that of the segments.
   void arrange_faces() {
     local_of_node_.resize(nodes_.point.size() + out_.corner_vertex.size());
     crossings_begin_ = local_of_node_.size();
@@ -259,6 +282,8 @@ class Slicer {
     local_of_node_[n.value()] = static_cast<std::uint32_t>(node_of_local_.size());
     node_of_local_.push_back(n);
   }
+  /// Lists the nodes along the boundary of a face, counter-clockwise from corner 0. Nodes of an
+  /// edge come in ascending order of t, or descending if the face runs down the edge.
   void add_ring(FaceId f) {
     constexpr Point2 kCorners[] = {{0, 0}, {1, 0}, {0, 1}};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -279,7 +304,7 @@ class Slicer {
     face_.ring_size = static_cast<std::uint32_t>(node_of_local_.size());
     out_.side_begin.push_back(static_cast<std::uint32_t>(out_.origin.size() + face_.ring_size));
   }
-  /// The local id of a node; points inside the face are added when they are first seen.
+  /// Returns the local id of a node. Points inside the face are added when they are first seen.
   std::uint32_t add_point(NodeId n, FaceId f) {
     const std::uint32_t known = local_of_node_[n.value()];
     if (known < node_of_local_.size() && node_of_local_[known] == n) return known;
@@ -290,6 +315,8 @@ class Slicer {
 
   // ---------------------------------------------------------------- output of one face
 
+  /// Appends half-edges, arcs and pieces of the face to the flat arrays. Half-edges keep their
+  /// order, so those along the sides are found by position.
   void emit(std::uint32_t slot) {
     name_crossings(slot);
     const auto base = static_cast<std::uint32_t>(out_.origin.size());
@@ -320,7 +347,7 @@ class Slicer {
     if (const HalfedgeId t = out_.twin[h.value()]; t.is_valid()) out_.arc[t.value()] = a;
   }
 
-  /// Crossings that arcs end in become nodes, in the order of arcs.
+  /// Makes crossings in which arcs end nodes, in the order of arcs.
   void name_crossings(std::uint32_t slot) {
     const PlanePoints& points = face_.points;
     node_of_local_.resize(points.size());
@@ -356,7 +383,7 @@ class Slicer {
     out_.piece_share.push_back(std::clamp(twice_area, 0.0, 1.0));
     out_.loop_begin.push_back(static_cast<std::uint32_t>(out_.loop.size()));
   }
-  /// The triangle (0, 0), (1, 0), (0, 1) has 1.
+  /// Returns twice the signed area of a loop in (u, v); the whole face has 1.
   double twice_loop_area(std::uint32_t first) const {
     const Point2 o = approx(PlanePointsView(face_.points), face_.origin(first));
     double sum = 0;
@@ -372,13 +399,16 @@ class Slicer {
 
   // ---------------------------------------------------------------- between faces
 
-  /// The j-th half-edge along a side of a touched face; invalid if the face is not touched.
+  /// Returns the j-th half-edge along a side of a touched face, or an invalid id if the face is not
+  /// touched.
   HalfedgeId on_side(HalfedgeId h, std::uint32_t j) const {
     const std::uint32_t slot = out_.slot_of_face[SurfaceMesh::face(h).value()];
     if (slot == kNone) return {};
     return HalfedgeId(out_.side_begin[4 * slot + SurfaceMesh::side(h)] + j);
   }
 
+  /// Both faces at a mesh edge have the same nodes along it, in opposite order, so the j-th
+  /// half-edge from one end is the twin of the j-th from the other.
   void sew() {
     for (const FaceId f : out_.slot_face) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -392,6 +422,8 @@ class Slicer {
     }
   }
 
+  // Puts the runs along mesh edges on the half-edges there. At the border only one half-edge
+  // exists; if it runs downwards the run is negated.
   void lay_runs() {
     for (const Strand& run : runs_) {
       const EdgeId e(run.item);
@@ -442,11 +474,12 @@ SurfaceArrangement slice(const SurfacePolygons& polygons, Context& context) {
 namespace {
 
 constexpr const char* kPhase = "slice";
-constexpr std::uint64_t kComparisons = 65536;  // a checkpoint
+constexpr std::uint64_t kComparisons = 65536;  // Comparisons between checkpoints.
 
-/// An entry of the polygons, to be sorted: place, edge or vertex or face, then parameters.
+/// An entry of the polygons, to be sorted by place, then by edge, vertex or face, then by
+/// parameters.
 struct Entry {
-  std::uint32_t rank;  ///< of the place
+  std::uint32_t rank;  ///< Order of the place.
   std::uint32_t item;
   double x;
   std::uint32_t entry;
@@ -487,7 +520,8 @@ class NodeMaker {
     }
   }
 
-  /// Rounded parameters are in order unless they are equal.
+  /// Compares two entries. Rounded parameters are in order unless they are equal; only then exact
+  /// ones are compared.
   Sign compare(const Entry& a, const Entry& b) const {
     if (std::tie(a.rank, a.item, a.x) < std::tie(b.rank, b.item, b.x)) return Sign::Negative;
     if (std::tie(b.rank, b.item, b.x) < std::tie(a.rank, a.item, a.x)) return Sign::Positive;

@@ -1,18 +1,19 @@
-// Polygons on a surface against each other: the subdivision they cut it into, face by face.
+// Polygons on a surface against each other: the subdivision into which they cut it, face by face.
 //
 // A face is touched if a node lies in it or on its boundary. Touched faces are planar subdivisions
-// with half-edges: first those along the face's own boundary (split at nodes; the outside is
-// another face's), then those of arcs inside it, in pairs. Other faces are whole.
+// with half-edges: first those along the face's own boundary (split at nodes; the outside belongs
+// to another face), then those of arcs inside it, in pairs. Other faces are whole.
 //
 // Main flow of slice():
-//  1. nodes      equal points become one node: sorted along each edge and in each face
-//                (surface_arrangement.h)
-//  2. runs       segments along mesh edges add up on the pieces of those edges
-//  3. segments   the others by face and ends; equal ones add up; those that cancel go
-//  4. faces      each touched face arranged for itself (face_arrangement.h)
-//  5. sew        half-edges along mesh edges find their twins
+//  1. nodes      makes equal points one node, by sorting along each edge and in each face
+//                (make_nodes())
+//  2. runs       adds up segments along mesh edges on the pieces of those edges
+//  3. segments   adds up the other segments by face and ends; those that cancel go
+//  4. faces      arranges each touched face on its own (face_arrangement.h)
+//  5. sew        finds the twins of half-edges along mesh edges
 //
-// Multiplicities are those of chains: a polygon that runs back the way it came is not there.
+// Multiplicities are those of chains: a polygon that runs back the way it came is zero. Theory:
+// docs/design/surface.md, section Slicing.
 #pragma once
 
 #include <array>
@@ -28,12 +29,12 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Where two segments between input nodes meet inside a face. Kept implicit.
+/// Where two segments between input nodes meet inside a face; its exact place is implicit.
 struct SurfaceCrossing {
   FaceId face;
-  std::array<NodeId, 4> ends;  ///< of the first segment, and of the second
-  Point2 approx;               ///< (u, v), rounded
-  double radius;               ///< both are that near; may be infinite
+  std::array<NodeId, 4> ends;  ///< Ends of the first segment, then those of the second.
+  Point2 approx;               ///< (u, v), rounded.
+  double radius;               ///< Bound on the error of both; may be infinite.
 };
 
 /// Sparse vectors over polygons, end to end. Equal ones may occur more than once.
@@ -43,7 +44,8 @@ class SurfaceBundles {
   std::span<const SignedEntry> operator[](std::size_t b) const {
     return std::span(entries_).subspan(begin_[b], begin_[b + 1] - begin_[b]);
   }
-  /// Appends the sum of `terms`, given in any order; if it is zero, nothing, and false.
+  /// Appends the sum of `terms`, given in any order, and returns true. If the sum is zero it
+  /// appends nothing and returns false.
   bool add_sum(std::span<SignedEntry> terms);
 
  private:
@@ -51,39 +53,40 @@ class SurfaceBundles {
   std::vector<SignedEntry> entries_;
 };
 
-/// Flat arrays. Half-edges of a touched face, and its pieces, are consecutive.
+/// The subdivision in flat arrays. Half-edges of a touched face are consecutive, and so are its
+/// pieces.
 struct SurfaceArrangement {
-  std::size_t segments = 0;  ///< of the input, without those of length zero
+  std::size_t segments = 0;  ///< Segments of the input, without those of length zero.
 
   // Nodes: input points, then corners of touched faces that no polygon runs through, then
   // crossings.
-  std::vector<SurfacePointId> node_point;  ///< of input points
-  std::vector<VertexId> corner_vertex;     ///< of the nodes after them
-  std::vector<SurfaceCrossing> crossings;  ///< of the nodes after these
-  std::vector<NodeId> node_of_entry;       ///< per entry of SurfacePolygons::point
+  std::vector<SurfacePointId> node_point;  ///< Input points; the first nodes.
+  std::vector<VertexId> corner_vertex;     ///< Corners; the nodes after them.
+  std::vector<SurfaceCrossing> crossings;  ///< Crossings; the last nodes.
+  std::vector<NodeId> node_of_entry;       ///< Node of each entry of SurfacePolygons::point.
 
   // Touched faces, in slots by ascending id.
   std::vector<FaceId> slot_face;
-  std::vector<std::uint32_t> slot_of_face;  ///< per face; kNone
-  std::vector<std::uint32_t>
-      side_begin;                    ///< per slot: where those of sides 0, 1, 2 and of arcs begin
-  std::vector<PieceId> piece_begin;  ///< per slot, and one more
+  std::vector<std::uint32_t> slot_of_face;  ///< Slot of each face, or kNone.
+  /// Four entries per slot: where the half-edges of sides 0, 1, 2 and those of arcs begin.
+  std::vector<std::uint32_t> side_begin;
+  std::vector<PieceId> piece_begin;  ///< First piece of each slot, and one past the last.
 
-  std::vector<NodeId> origin;  ///< per half-edge
-  std::vector<HalfedgeId>
-      twin;  ///< invalid at the mesh border and beside faces that are not touched
-  std::vector<HalfedgeId> next;  ///< around the piece
-  std::vector<PieceId> piece;    ///< to the left
-  std::vector<ArcId> arc;        ///< invalid where no polygon runs
+  std::vector<NodeId> origin;  ///< Origin of each half-edge.
+  /// Twin; invalid at the mesh border and beside faces that are not touched.
+  std::vector<HalfedgeId> twin;
+  std::vector<HalfedgeId> next;  ///< Next half-edge around the piece.
+  std::vector<PieceId> piece;    ///< Piece to the left.
+  std::vector<ArcId> arc;        ///< Arc, invalid if no polygon runs here.
 
   std::vector<std::uint32_t> piece_slot;
-  std::vector<double> piece_share;        ///< part of the area of its face
-  std::vector<std::uint32_t> loop_begin;  ///< per piece, and one more
-  std::vector<HalfedgeId> loop;  ///< a half-edge of each boundary cycle; the outer one first
+  std::vector<double> piece_share;        ///< Part of the area of its face.
+  std::vector<std::uint32_t> loop_begin;  ///< First loop of each piece, and one past the last.
+  std::vector<HalfedgeId> loop;  ///< A half-edge of each boundary cycle, the outer one first.
 
-  std::vector<HalfedgeId> arc_halfedge;  ///< the one that runs with the arc
+  std::vector<HalfedgeId> arc_halfedge;  ///< The half-edge that runs with the arc.
   std::vector<std::uint32_t> arc_bundle;
-  SurfaceBundles bundles;  ///< polygons with their multiplicities along arcs
+  SurfaceBundles bundles;  ///< Polygons with their multiplicities along arcs.
 
   std::size_t crossings_begin() const { return node_point.size() + corner_vertex.size(); }
   std::size_t node_count() const { return crossings_begin() + crossings.size(); }
@@ -93,7 +96,7 @@ struct SurfaceArrangement {
   bool is_input(NodeId n) const { return n.value() < node_point.size(); }
   bool is_crossing(NodeId n) const { return n.value() >= crossings_begin(); }
   SurfacePointId input(NodeId n) const { return node_point[n.value()]; }
-  /// The vertex of a node that is neither input nor crossing.
+  /// Returns the vertex of a node that is neither input nor crossing.
   VertexId corner(NodeId n) const { return corner_vertex[n.value() - node_point.size()]; }
   const SurfaceCrossing& crossing(NodeId n) const {
     return crossings[n.value() - crossings_begin()];
@@ -101,7 +104,7 @@ struct SurfaceArrangement {
   std::span<const SignedEntry> multiplicities(ArcId a) const {
     return bundles[arc_bundle[a.value()]];
   }
-  /// Does the half-edge run with its arc? Requires an arc.
+  /// Whether the half-edge runs with its arc. Requires an arc.
   bool is_with_arc(HalfedgeId h) const { return arc_halfedge[arc[h.value()].value()] == h; }
   NodeId target(HalfedgeId h) const { return origin[next[h.value()].value()]; }
   FaceId face_of(PieceId p) const { return slot_face[piece_slot[p.value()]]; }
@@ -109,12 +112,12 @@ struct SurfaceArrangement {
   std::uint32_t arcs_begin(std::uint32_t slot) const { return side_begin[4 * slot + 3]; }
 };
 
-/// Requires require_valid(polygons) to pass.
+/// Arranges polygons. Requires that require_valid(polygons) passes. Throws what the context throws.
 SurfaceArrangement slice(const SurfacePolygons& polygons, Context& context);
 
 inline constexpr std::uint8_t kCrossingEnds = 3;
-/// How many arcs end in each node, a loop's two ends counted both; no more than kCrossingEnds,
-/// which make it a crossing. Only arcs for which `counts(arc)`.
+/// Returns how many arcs end in each node, both ends of a closed arc counted, up to kCrossingEnds;
+/// a node with that many is a crossing. Only arcs for which `counts(arc)` holds are counted.
 template <class Counts>
 std::vector<std::uint8_t> arc_ends(const SurfaceArrangement& a, const Counts& counts) {
   std::vector<std::uint8_t> ends(a.node_count());
@@ -131,15 +134,15 @@ inline std::vector<std::uint8_t> arc_ends(const SurfaceArrangement& a) {
   return arc_ends(a, [](ArcId) { return true; });
 }
 
-/// (u, v) of a crossing.
+/// Returns (u, v) of a crossing.
 RationalPoint2 exact_crossing(const SurfaceArrangement& arrangement,
                               const SurfacePointTable& points, const SurfaceCrossing& crossing);
 
-/// (u, v) of any node in a face it lies in.
+/// Returns (u, v) of any node in a face it lies in.
 RationalPoint2 exact_node(const SurfaceArrangement& arrangement, const SurfacePointTable& points,
                           NodeId node, FaceId f);
 
-/// A point for output: that of the node, appended to a table over the same mesh.
+/// Returns the point of a node, appended to a table over the same mesh.
 SurfacePointId add_node_point(const SurfaceArrangement& arrangement,
                               const SurfacePointTable& points, NodeId node, SurfacePointTable& to);
 
@@ -152,24 +155,25 @@ namespace plumb {
 
 /// Nodes of input points: those on edges first, by edge and t; then vertices, then points in faces.
 struct SurfaceNodes {
-  std::vector<SurfacePointId> point;      ///< per node
-  std::vector<NodeId> of_entry;           ///< per entry of the polygons
-  std::vector<EdgeId> edges;              ///< those with nodes inside, ascending
-  std::vector<std::uint32_t> edge_begin;  ///< per such edge and one more: its nodes, ascending by t
-  std::vector<std::uint32_t> slot_of_edge;  ///< per mesh edge: index into edges, or kNone
+  std::vector<SurfacePointId> point;  ///< Point of each node.
+  std::vector<NodeId> of_entry;       ///< Node of each entry of the polygons.
+  std::vector<EdgeId> edges;          ///< Edges with nodes inside, ascending.
+  /// First node of each such edge, and one past the last; its nodes ascend by t.
+  std::vector<std::uint32_t> edge_begin;
+  std::vector<std::uint32_t> slot_of_edge;  ///< Index into `edges` of each mesh edge, or kNone.
   std::uint32_t vertices_begin = 0;
   std::uint32_t faces_begin = 0;
-  std::vector<NodeId> of_vertex;  ///< per mesh vertex
+  std::vector<NodeId> of_vertex;  ///< Node of each mesh vertex.
 
   std::uint32_t count_on(EdgeId e) const {
     const std::uint32_t slot = slot_of_edge[e.value()];
     return slot == kNone ? 0 : edge_begin[slot + 1] - edge_begin[slot];
   }
-  /// The first node inside an edge with count_on() > 0; the others follow it.
+  /// Returns the first node inside an edge with count_on() > 0; the others follow it.
   std::uint32_t first_on(EdgeId e) const { return edge_begin[slot_of_edge[e.value()]]; }
 };
 
-/// Expected O(n log n) for n entries, and O(mesh) to set up.
+/// Finds the different points. Expected cost: O(n log n) for n entries, and O(mesh) to set up.
 SurfaceNodes make_nodes(const SurfacePolygons& polygons, Context& context);
 
 }  // namespace plumb

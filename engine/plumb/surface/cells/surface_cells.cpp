@@ -1,3 +1,15 @@
+// Cells of a divided surface and the borders of selections.
+//
+// Cells are the classes of pieces and whole faces under joins across half-edges that carry no arc;
+// a union-find over both finds them (docs/design/surface.md, section Slicing, Lemma 2). Edges of
+// their graph are kept once for each pair of cells and signed bundle, so the labels that follow
+// cost what is different, not what is long. Areas are sums of triangle areas times rounded
+// shares of pieces; they decide nothing.
+//
+// BorderTracer walks around the selected cells over darts: half-edges of the arrangement, or of the
+// mesh in faces that nothing touches. At a node it turns within the selected cells, so pinch points
+// separate correctly and each loop has the selection to its left.
+// Tested by tests/surface/surface_labels_test.cpp and tests/surface/surface_test.cpp.
 #include "plumb/surface/cells/surface_cells.h"
 
 #include <algorithm>
@@ -10,12 +22,12 @@
 namespace plumb {
 namespace {
 
-/// Of sides scaled by a power of two where products would over- or underflow. What is beyond
-/// doubles is the largest.
+/// Returns the area of a face. Sides are scaled by a power of two if products would over- or
+/// underflow; an area beyond the doubles becomes the largest double.
 double triangle_area(const SurfaceMesh& mesh, FaceId f) {
   const Point3 &a = mesh.point(mesh.corner(f, 0)), &b = mesh.point(mesh.corner(f, 1)),
                &c = mesh.point(mesh.corner(f, 2));
-  // Halves, as differences of large numbers are none.
+  // Halves are used because differences of large numbers may overflow.
   Point3 u{b.x / 2 - a.x / 2, b.y / 2 - a.y / 2, b.z / 2 - a.z / 2};
   Point3 v{c.x / 2 - a.x / 2, c.y / 2 - a.y / 2, c.z / 2 - a.z / 2};
   const double largest = std::max({std::fabs(u.x), std::fabs(u.y), std::fabs(u.z), std::fabs(v.x),
@@ -33,7 +45,7 @@ double triangle_area(const SurfaceMesh& mesh, FaceId f) {
   return clamped_to_finite(std::ldexp(area, 2 * scale));
 }
 
-/// No more than the largest double.
+/// Adds to a sum that stays finite: at most the largest double.
 void add_area(double area, double& sum) { sum = clamped_to_finite(sum + area); }
 
 class CellMaker {
@@ -66,7 +78,7 @@ class CellMaker {
     }
   }
 
-  /// Whole faces with each other, and with the one piece at the side of a touched face.
+  /// Joins whole faces with each other, and with the one piece at the side of a touched face.
   void join_faces() {
     for (std::uint32_t i = 0; i < 3 * mesh_.face_count(); ++i) {
       const HalfedgeId h(i), t = mesh_.twin(h);
@@ -91,6 +103,8 @@ class CellMaker {
     }
     return c;
   }
+  /// Numbers cells in the order of faces and pieces, which does not depend on how the union-find
+  /// joined them.
   void number() {
     cell_of_root_.assign(joined_.size(), CellId{});
     cells_.of_piece.resize(a_.piece_count());
@@ -143,10 +157,13 @@ class CellMaker {
 
   // ---------------------------------------------------------------- graph
 
+  /// Adds an edge for each arc with cells on both sides, directed from the lower cell, and drops
+  /// equal ones. An arc from a cell to itself is kept, with the sign that makes its first entry
+  /// positive: it may prove that a shape has no label.
   void link() {
     for (std::uint32_t i = 0; i < a_.arc_count(); ++i) {
       const HalfedgeId h = a_.arc_halfedge[i], t = a_.twin[h.value()];
-      if (!t.is_valid()) continue;  // along the mesh border
+      if (!t.is_valid()) continue;  // An arc along the mesh border.
       const CellId left = cells_.of_piece[piece_of(h).value()];
       const CellId right = cells_.of_piece[piece_of(t).value()];
       const std::uint32_t bundle = a_.arc_bundle[i];
@@ -160,10 +177,10 @@ class CellMaker {
         std::unique(cells_.edges.begin(), cells_.edges.end(),
                     [&](const CellEdge& a, const CellEdge& b) { return compare(a, b) == 0; });
     cells_.edges.erase(end, cells_.edges.end());
-    cells_.edges.shrink_to_fit();  // there was one for each arc
+    cells_.edges.shrink_to_fit();  // There was one for each arc.
   }
 
-  /// By cells, then by the signed bundles.
+  /// Compares edges by their cells, then by the signed bundles.
   std::strong_ordering compare(const CellEdge& a, const CellEdge& b) const {
     if (const auto order = a.from <=> b.from; order != 0) return order;
     if (const auto order = a.to <=> b.to; order != 0) return order;
@@ -178,7 +195,7 @@ class CellMaker {
 
   const SurfaceMesh& mesh_;
   const SurfaceArrangement& a_;
-  UnionFind joined_;  // pieces, then faces
+  UnionFind joined_;  // Pieces, then faces.
   std::vector<CellId> cell_of_root_;
   SurfaceCells cells_;
 };
@@ -201,7 +218,7 @@ CellId cell_at_corner(const SurfaceArrangement& arrangement, const SurfaceCells&
 namespace {
 
 constexpr std::uint32_t kBorderStepsPerCheckpoint = 4096;
-constexpr std::uint64_t kStepBytes = 64;  // of a point of a loop
+constexpr std::uint64_t kStepBytes = 64;  // Bytes of a point of a loop.
 
 /// A half-edge of the arrangement, or of the mesh in a face that is not touched.
 struct Dart {
@@ -277,7 +294,7 @@ class BorderTracer {
     return d.is_of_mesh ? SurfaceMesh::face(d.h) : a_.face_of(a_.piece[d.h.value()]);
   }
 
-  /// Invalid at the mesh border.
+  /// Returns the twin, invalid at the mesh border.
   Dart twin(Dart d) const {
     HalfedgeId side = d.h;
     if (!d.is_of_mesh) {
@@ -291,7 +308,7 @@ class BorderTracer {
     if (slot == kNone) return {true, across};
     return {false, HalfedgeId(a_.side_begin[4 * slot + SurfaceMesh::side(across)])};
   }
-  /// The side of its face that a half-edge lies on.
+  /// Returns the side of its face that a half-edge lies on.
   HalfedgeId mesh_halfedge(HalfedgeId h) const {
     const std::uint32_t slot = a_.piece_slot[a_.piece[h.value()].value()];
     std::size_t side = 0;
@@ -299,7 +316,7 @@ class BorderTracer {
     return SurfaceMesh::halfedge(a_.slot_face[slot], side);
   }
 
-  /// The border after d, with the selected side to the left.
+  /// Returns the border after d, with the selected side to the left.
   Dart next_border(Dart d) const {
     for (d = next(d);; d = next(d)) {
       if (!d.is_of_mesh && is_border_arc(d.h)) return d;
@@ -346,9 +363,9 @@ class BorderTracer {
   MemoryCharge charge_;
   std::size_t steps_ = 0;
   SurfacePolygons out_;
-  std::vector<std::uint8_t> is_generator_;  // per polygon
-  std::vector<std::uint8_t> is_control_;    // per node
-  std::vector<std::uint8_t> is_used_;       // per half-edge
+  std::vector<std::uint8_t> is_generator_;  // Per polygon.
+  std::vector<std::uint8_t> is_control_;    // Per node.
+  std::vector<std::uint8_t> is_used_;       // Per half-edge.
 };
 
 }  // namespace

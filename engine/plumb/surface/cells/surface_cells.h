@@ -1,10 +1,12 @@
-// The cells that polygons cut a surface into, and which lie across arcs from each other.
+// The cells into which polygons cut a surface, which cells lie across arcs from each other, and the
+// borders of selected cells.
 //
 // Main flow of make_cells():
-//  1. join      pieces across half-edges without arc, faces across mesh edges (union-find)
-//  2. number    cells in the order of their first face
-//  3. measure   areas, which cells are at the mesh border
-//  4. graph     arcs between cells; equal ones once
+//  1. join      joins pieces across half-edges without arc, and faces across mesh edges
+//               (union-find)
+//  2. number    numbers cells in the order of their first face
+//  3. measure   computes areas, and which cells are at the mesh border
+//  4. graph     lists arcs between cells, equal ones once
 #pragma once
 
 #include <cstdint>
@@ -17,7 +19,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// From cell `from` to cell `to` labels grow by sign times the bundle. from <= to.
+/// An edge of the graph of cells: from cell `from` to cell `to` labels grow by sign times the
+/// bundle. Requires from <= to.
 struct CellEdge {
   CellId from;
   CellId to;
@@ -25,39 +28,43 @@ struct CellEdge {
   std::int32_t sign;
 };
 
+/// The cells and their graph.
 struct SurfaceCells {
   std::vector<CellId> of_piece;
-  std::vector<CellId> of_face;           ///< of faces that are not touched
-  std::vector<double> area;              ///< per cell; beyond doubles the largest
-  std::vector<std::uint32_t> component;  ///< of the mesh
+  std::vector<CellId> of_face;           ///< Cell of each face that is not touched.
+  std::vector<double> area;              ///< Area of each cell; the largest double if it overflows.
+  std::vector<std::uint32_t> component;  ///< Component of the mesh of each cell.
   std::vector<std::uint8_t> is_at_border;
-  std::vector<CellEdge> edges;  ///< different ones; by (from, to)
+  std::vector<CellEdge> edges;  ///< Distinct edges, sorted by (from, to).
 
   std::size_t size() const { return area.size(); }
 };
 
-/// O(mesh + arrangement), nearly.
+/// Returns the cells of a subdivision. Cost: nearly O(mesh + arrangement).
 SurfaceCells make_cells(const SurfaceMesh& mesh, const SurfaceArrangement& arrangement,
                         Context& context);
 
-/// The cell at the first corner of a face.
+/// Returns the cell at the first corner of a face.
 CellId cell_at_corner(const SurfaceArrangement& arrangement, const SurfaceCells& cells, FaceId f);
 
 // The border of selected cells as closed polygons.
 //
 // Main flow of trace_borders():
-//  1. start     at each half-edge of an arc with a selected cell to its left and another, not
-//               selected, to its right, that no loop has used
-//  2. follow    around the selected side: where several borders meet in a point, turning about it
-//               within the selected cells (their exact angular order is that of the half-edges) to
-//               the next border; along the mesh border where the selected cells end there
-//  3. name      corners: control points of generators, and points where two strands of generators
-//               meet. Crossings with other polygons are left out: the border runs straight through
-//               them.
+//  1. start     begins at each half-edge of an arc with a selected cell to its left and a cell that
+//               is not selected to its right, unless a loop has used it
+//  2. follow    goes around the selected side: at a point where several borders meet it turns about
+//               the point within the selected cells (their exact angular order is that of the
+//               half-edges) to the next border; it follows the mesh border where the selected cells
+//               end there
+//  3. name      names corners: control points of generators, and points where two strands of
+//               generators meet. Crossings with other polygons are left out, because the border
+//               runs straight through them
+//
 // Cost: O(half-edges of the arrangement), and of the mesh border where it is followed.
 
-/// `is_selected` per cell; `generators` ascending. Loops that are nothing but mesh border are left
-/// out.
+/// Returns the border of the cells for which `is_selected` is set, one entry per cell; `generators`
+/// are polygons in ascending order. Loops that consist of mesh border alone are left out. Throws
+/// what the context throws.
 SurfacePolygons trace_borders(const SurfacePolygons& polygons,
                               const SurfaceArrangement& arrangement, const SurfaceCells& cells,
                               std::span<const std::uint8_t> is_selected,

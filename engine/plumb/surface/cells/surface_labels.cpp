@@ -1,3 +1,17 @@
+// Labels of cells by a potential on a spanning forest of the graph of cells.
+//
+// A label exists if and only if the shape is zero in homology relative to the border; it is then
+// determined by its jumps up to a constant for each component. So labels are computed along tree
+// edges and every other edge is checked: one that fails closes a cycle with the tree around which
+// the label would change by a number that is not zero, which proves that there is none. The cycle
+// kept is one of odd change if there is one, because then not even a label modulo 2 exists. Proof:
+// docs/design/surface.md, section Labels; after M. Riso et al., BoolSurf: Boolean operations on
+// surfaces, ACM Transactions on Graphics 41 (2022).
+//
+// Labels are sparse lists of (shape, value), ascending by shape, in one growing array; parents come
+// before children, so one pass appends all of them. Memory is charged as the arrays grow.
+// Tested by tests/surface/surface_labels_test.cpp, tests/surface/surface_test.cpp and
+// tests/surface/surface_plane_test.cpp.
 #include "plumb/surface/cells/surface_labels.h"
 
 #include <algorithm>
@@ -8,17 +22,17 @@ namespace plumb {
 namespace {
 
 constexpr std::uint64_t kLabelBytes =
-    3 * sizeof(SignedEntry);  // before, while and after they are shifted
+    3 * sizeof(SignedEntry);  // Before, while and after they are shifted.
 constexpr std::size_t kChargeStep = 65536;
 
-constexpr std::uint64_t kJumpBytes = 2 * sizeof(SignedEntry);  // as the list grows
+constexpr std::uint64_t kJumpBytes = 2 * sizeof(SignedEntry);  // As the list grows.
 constexpr std::uint64_t kBeginBytes = 2 * sizeof(std::uint32_t);
 
-/// Charges a growing list of entries, now and then, to a charge that lives as long as the list.
+/// Charges a growing list of entries, in steps, to a charge that lives as long as the list.
 class ListCharge {
  public:
   ListCharge(MemoryCharge& charge, std::uint64_t bytes) : charge_(charge), bytes_(bytes) {}
-  /// True when it is time for a checkpoint.
+  /// Charges the growth and returns true if it is time for a checkpoint.
   bool grow_to(std::size_t size) {
     if (size < charged_ + kChargeStep) return false;
     charge_.add(bytes_ * (size - charged_), "labels");
@@ -32,7 +46,7 @@ class ListCharge {
   std::size_t charged_ = 0;
 };
 
-/// Appends a + sign b, both ascending.
+/// Appends a + sign b; both are ascending.
 void append_sum(std::span<const SignedEntry> a, std::span<const SignedEntry> b, std::int32_t sign,
                 std::vector<SignedEntry>& out) {
   auto i = a.begin();
@@ -86,7 +100,7 @@ class Labeller {
  private:
   struct Step {
     CellId cell;
-    std::uint32_t edge;  ///< from its parent; kNone at roots
+    std::uint32_t edge;  ///< Edge from its parent; kNone at roots.
   };
   struct Place {
     std::uint32_t begin;
@@ -115,6 +129,8 @@ class Labeller {
 
   // ---------------------------------------------------------------- potential
 
+  // Prefers the given outside cell, then a cell at the border, then the largest cell, whose label
+  // tends to be zero: fewer entries.
   bool is_better_root(CellId c, CellId than) const {
     if (!than.is_valid()) return true;
     if (c == outside_ || than == outside_) return c == outside_;
@@ -124,6 +140,8 @@ class Labeller {
     return rank(c) > rank(than);
   }
 
+  /// Breadth-first from the root of each component. The order in which cells are found puts parents
+  /// first.
   void grow_trees() {
     std::vector<CellId> root;
     for (std::uint32_t i = 0; i < cells_.size(); ++i) {
@@ -152,13 +170,15 @@ class Labeller {
     }
   }
 
+  /// The label of a cell is that of its parent and the jump of the edge between them, with the sign
+  /// of the direction in which it is crossed.
   void spread() {
     place_.resize(cells_.size());
     for (const Step& s : order_) {
       const auto begin = static_cast<std::uint32_t>(raw_.size());
       if (s.edge != kNone) {
         const Place from = place_[across(s.edge, s.cell).value()];
-        // raw_ grows: copy the parent's entries out of its way.
+        // The parent's entries are copied, because raw_ grows.
         scratch_.assign(raw_.begin() + from.begin, raw_.begin() + from.end);
         append_sum(scratch_, jumps_[s.edge], cells_.edges[s.edge].to == s.cell ? 1 : -1, raw_);
       }
@@ -175,6 +195,8 @@ class Labeller {
 
   // ---------------------------------------------------------------- check
 
+  // Checks an edge that is not in the tree: the difference of the labels at its ends must be its
+  // jump.
   void check(std::uint32_t e) {
     const CellEdge& edge = cells_.edges[e];
     if (parent_edge_[edge.from.value()] == e || parent_edge_[edge.to.value()] == e) return;
@@ -190,7 +212,7 @@ class Labeller {
       if (is_odd) s.mod_2 = false;
     }
   }
-  /// Stays charged: a division keeps its cycles.
+  /// Stores the cycle of an edge. It stays charged, because a division keeps its cycles.
   void give_cycle(Separation& s, std::uint32_t e) {
     context_.checkpoint("labels", e, cells_.edges.size());
     std::vector<CellId> cycle = cycle_of(e);
@@ -206,19 +228,20 @@ class Labeller {
     }
     return path;
   }
-  /// Along the tree from one end of the edge to the other.
+  /// Returns the cells along the tree from one end of the edge to the other.
   std::vector<CellId> cycle_of(std::uint32_t e) const {
     std::vector<CellId> up = to_root(cells_.edges[e].from), down = to_root(cells_.edges[e].to);
     while (up.size() > 1 && down.size() > 1 && up[up.size() - 2] == down[down.size() - 2]) {
       up.pop_back();
       down.pop_back();
     }
-    if (up.size() == 1 && down.size() == 1) return up;  // the edge leads back to its cell
+    if (up.size() == 1 && down.size() == 1) return up;  // The edge leads back to its cell.
     up.insert(up.end(), down.rbegin() + 1, down.rend());
     return up;
   }
 
-  /// Shapes that separate modulo 2 only keep their parity, the others nothing.
+  /// Reduces labels: shapes that separate modulo 2 only keep their parity, those that do not
+  /// separate keep nothing.
   void drop_failed() {
     std::uint32_t kept = 0;
     for (const Step& s : order_) {
@@ -237,17 +260,18 @@ class Labeller {
 
   // ---------------------------------------------------------------- zero
 
-  /// Cells of a component whose least label counts: those at the border, if there are any.
+  /// Cells of a component. If `has_border`, the least label is taken over those at the border.
   struct Range {
     std::size_t begin;
-    std::size_t end;  ///< of order_
+    std::size_t end;  ///< Range of order_.
     bool has_border;
   };
 
-  /// Without levels.
+  /// Returns the shift without levels: the least label becomes zero.
   std::vector<SignedEntry> usual_shift_of(const Range& r) const {
     if (order_[r.begin].cell == outside_) return {};
-    std::vector<SignedEntry> least;  // of those that are listed somewhere
+    // Labels below zero; a shape that is not listed in a cell has label zero there.
+    std::vector<SignedEntry> least;
     for (std::size_t i = r.begin; i < r.end; ++i) {
       const CellId c = order_[i].cell;
       if (r.has_border && cells_.is_at_border[c.value()] == 0) continue;
@@ -270,7 +294,8 @@ class Labeller {
     return at != list.end() && at->id == shape ? at->value : 0;
   }
 
-  /// What to add to the labels of a component, ascending. Its root is where they are zero now.
+  /// Returns what to add to the labels of a component, ascending. They are zero at its root until
+  /// then.
   std::vector<SignedEntry> shift_of(const Range& r) const {
     std::vector<SignedEntry> usual = usual_shift_of(r), given;
     const std::uint32_t here = component(order_[r.begin].cell);
@@ -293,7 +318,7 @@ class Labeller {
     return shift;
   }
 
-  /// From that entry on, of shapes that separate modulo 2 only.
+  /// Reduces entries from `from` on to parities, for shapes that separate modulo 2 only.
   void keep_parity(std::vector<SignedEntry>& list, std::size_t from) const {
     std::size_t kept = from;
     for (std::size_t i = from; i < list.size(); ++i) {
@@ -304,6 +329,7 @@ class Labeller {
     list.resize(kept);
   }
 
+  /// Adds the shift of each component to the labels of its cells, and lists them by cell.
   void shift() {
     labels_.begin.assign(cells_.size() + 1, 0);
     std::vector<SignedEntry> shifted;
@@ -339,16 +365,16 @@ class Labeller {
   const SurfaceCells& cells_;
   const CellJumps& jumps_;
   CellId outside_;
-  std::vector<CellLevel> levels_;  // by component of the mesh and shape
+  std::vector<CellLevel> levels_;  // Sorted by component of the mesh and shape.
   Context& context_;
   MemoryCharge working_;
   ListCharge charge_;
-  std::vector<std::uint32_t> edges_begin_;  // per cell
+  std::vector<std::uint32_t> edges_begin_;  // Per cell.
   std::vector<std::uint32_t> edges_of_;
-  std::vector<Step> order_;  // cells, parents first, component by component
+  std::vector<Step> order_;  // Cells, parents first, component by component.
   std::vector<std::uint32_t> parent_edge_;
-  std::vector<Place> place_;      // per cell, in raw_
-  std::vector<SignedEntry> raw_;  // labels with zero at the root
+  std::vector<Place> place_;      // Range in raw_ for each cell.
+  std::vector<SignedEntry> raw_;  // Labels with zero at the root.
   std::vector<SignedEntry> scratch_;
   std::vector<SignedEntry> error_;
   CellLabels labels_;

@@ -1,13 +1,17 @@
-// Labels of cells: for each shape the integer function that jumps across arcs by their multiplicity
-// there.
+// Labels of cells: for each shape the integer function that jumps across arcs by the multiplicity
+// of the shape there.
 //
 // Main flow of label_cells():
-//  1. tree       of cells, in each component of the mesh, from the cell where labels are to be zero
-//                if that is known, else from the largest (at the border, if there is one)
-//  2. potential  along the tree, zero at its root; sparse
-//  3. check      every other edge of the graph; what fails has no label, and a cycle proves it
-//  4. shift      each shape and component to its zero, or to the level that is given
-// Cost: O(edges + sum of the lengths of labels and jumps).
+//  1. tree       grows a tree of cells in each component of the mesh, from the cell where labels
+//                are to be zero if it is known, else from the largest (at the border, if there is
+//                one)
+//  2. potential  computes labels along the tree, zero at its root; sparse
+//  3. check      checks every other edge of the graph; a shape that fails has no label, and a cycle
+//                proves it
+//  4. shift      shifts each shape and component to its zero, or to the level that is given
+//
+// Cost: O(edges + sum of the lengths of labels and jumps). Proof: docs/design/surface.md, section
+// Labels.
 #pragma once
 
 #include <cstdint>
@@ -22,11 +26,12 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// What cell edges do to shapes: the edge's sparse vector over shapes, from `from` to `to`.
+/// How labels change across cell edges: for each edge a sparse vector over shapes, from `from` to
+/// `to`.
 struct CellJumps {
   explicit CellJumps(Context& context) : memory(std::make_unique<MemoryCharge>(context)) {}
 
-  std::unique_ptr<MemoryCharge> memory;  ///< theirs; given back with them
+  std::unique_ptr<MemoryCharge> memory;  ///< The charge of the lists; released with them.
   std::vector<std::uint32_t> begin = {0};
   std::vector<SignedEntry> entries;
   std::span<const SignedEntry> operator[](std::size_t e) const {
@@ -34,10 +39,10 @@ struct CellJumps {
   }
 };
 
-/// Every polygon is a shape.
+/// Returns the jumps if every polygon is a shape. Throws what the context throws.
 CellJumps jumps_of_polygons(const SurfaceArrangement& arrangement, const SurfaceCells& cells,
                             Context& context);
-/// Shapes are sums of polygons.
+/// Returns the jumps of shapes that are sums of polygons. Throws what the context throws.
 CellJumps jumps_of_shapes(const CellJumps& polygons,
                           std::span<const std::vector<std::uint32_t>> shapes, Context& context);
 
@@ -48,17 +53,19 @@ struct CellLevel {
   std::int32_t label;
 };
 
+/// Sparse labels of all cells, and what each shape separates.
 struct CellLabels {
-  std::vector<Separation> separation;  ///< per shape
-  std::vector<std::uint32_t> begin;    ///< per cell, and one more
+  std::vector<Separation> separation;  ///< Outcome for each shape.
+  std::vector<std::uint32_t> begin;    ///< First entry of each cell, and one past the last.
   std::vector<SignedEntry> entries;
   std::span<const SignedEntry> operator[](CellId c) const {
     return std::span(entries).subspan(begin[c.value()], begin[c.value() + 1] - begin[c.value()]);
   }
 };
 
-/// `outside`: the cell where labels are zero, for its component; may be invalid. `levels` come
-/// first; at most one for a shape in a component.
+/// Returns the labels, or for each shape without labels a cycle that proves it. `outside` is the
+/// cell where labels are zero, for its component; it may be invalid. `levels` take precedence; at
+/// most one for a shape in a component. Throws what the context throws.
 CellLabels label_cells(const SurfaceCells& cells, const CellJumps& jumps, std::size_t shapes,
                        CellId outside, std::span<const CellLevel> levels, Context& context);
 

@@ -1,3 +1,13 @@
+// Layouts of faces in the plane and strips of faces.
+//
+// A triangle is laid out from two placed corners and the three lengths and products of its sides in
+// space, so layouts need no angles; positions are scaled by a power of two beforehand, so no
+// product overflows. StripFinder runs A* over the dual graph with distances between centroids (P.
+// E. Hart, N. J. Nilsson, B. Raphael, IEEE Transactions on Systems Science and Cybernetics 4,
+// 1968). The straight distance to the goal never exceeds that along centroids, so the strip is the
+// shortest by this measure. Visits carry the number of their round, so nothing is cleared between
+// searches.
+// Tested by tests/surface/trace_test.cpp.
 #include "plumb/surface/strip/face_strip.h"
 
 #include <algorithm>
@@ -12,7 +22,7 @@ namespace {
 Point3 operator-(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 double length(const Point3& a) { return std::sqrt(dot(a, a)); }
 
-/// The third corner of a triangle, to the right of the line from a to b.
+/// Returns the third corner of a triangle, to the right of the line from a to b.
 Point2 third_corner(std::span<const Point3> positions, Point2 a, Point2 b, VertexId va, VertexId vb,
                     VertexId vc) {
   const Point3 along = positions[vb.value()] - positions[va.value()];
@@ -53,6 +63,8 @@ FaceCorners laid_out(const SurfaceMesh& mesh, std::span<const Point3> positions,
   return corners;
 }
 
+/// The door's ends are placed already. The new face sees them in the opposite order, and its third
+/// corner lies beyond the door.
 FaceCorners laid_out_across(const SurfaceMesh& mesh, std::span<const Point3> positions,
                             const FaceCorners& corners, HalfedgeId door) {
   const std::size_t side = SurfaceMesh::side(door);
@@ -132,6 +144,8 @@ Point3 StripFinder::centroid(FaceId f) const {
 
 // ---------------------------------------------------------------- over the dual graph
 
+/// Improves the cost of a face, or does nothing. The heap may hold older entries of a face, which
+/// are skipped when they come up.
 void StripFinder::offer(FaceId f, double cost, HalfedgeId door) {
   Visit& v = visit(f);
   if (v.round == round_ && (v.is_done || v.cost <= cost)) return;
@@ -181,6 +195,8 @@ FaceStrip StripFinder::collected(FaceId last) const {
 
 // ---------------------------------------------------------------- cutting short
 
+// Keeps the faces from the last one that holds the start to the first one after it that holds the
+// end, and jumps from each face to its last place in the strip.
 void StripFinder::shorten(FaceStrip& strip, const StripEnd& from, const StripEnd& to) {
   std::vector<FaceId> faces{strip.first};
   for (const HalfedgeId door : strip.doors) faces.push_back(SurfaceMesh::face(mesh_.twin(door)));

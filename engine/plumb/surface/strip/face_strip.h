@@ -1,5 +1,5 @@
-// Triangles of a mesh laid out in the plane, each beside the one before: for paths that are found
-// in doubles.
+// Strips of triangles of a mesh, for paths that are found in doubles: faces laid out in the plane,
+// each beside the one before, and strips between two points (trace.h, exponential_map.h).
 #pragma once
 
 #include <array>
@@ -24,25 +24,28 @@ struct ScaledPositions {
   std::vector<Point3> at;
   int exponent = 0;
 };
+/// Returns the vertices scaled so that coordinates are at most 1.
 ScaledPositions scaled_positions(const SurfaceMesh& mesh);
 
-/// Where the corners of a face are, in the order of the mesh, counter-clockwise.
+/// The corners of a face in the plane, in the order of the mesh, counter-clockwise.
 using FaceCorners = std::array<Point2, 3>;
 
-/// Corner `first` at the origin, the one after it to the right of that.
+/// Returns the face with corner `first` at the origin and the next corner to the right of it.
 FaceCorners laid_out(const SurfaceMesh& mesh, std::span<const Point3> positions, FaceId f,
                      std::size_t first);
-/// The face across a door of the one whose corners these are. Requires that there is one.
+/// Returns the face across a door, given the corners of the face that the door leads out of.
+/// Requires that there is one.
 FaceCorners laid_out_across(const SurfaceMesh& mesh, std::span<const Point3> positions,
                             const FaceCorners& corners, HalfedgeId door);
 
-/// Of the face of h, at the origin of h; 0 to pi.
+/// Returns the angle of the face of h at the origin of h, from 0 to pi.
 double corner_angle(const SurfaceMesh& mesh, std::span<const Point3> positions, HalfedgeId h);
 
-/// Where a point lies, by its approximate parameters, among three corners of one of its faces.
+/// Returns the weights of a point, by its approximate parameters, among three corners of one of its
+/// faces.
 std::array<double, 3> weights_in(const SurfacePointTable& table, SurfacePointId p, FaceId f);
 
-/// Vectors of doubles, for those who lay out.
+/// Vectors of doubles for layouts in the plane.
 namespace layout {
 
 inline Point2 operator-(Point2 a, Point2 b) { return {a.x - b.x, a.y - b.y}; }
@@ -60,24 +63,25 @@ inline Point2 combined(const FaceCorners& p, const std::array<double, 3>& w) {
 // Strips of faces between two points of a mesh, for tracing (trace.h): found over the dual graph,
 // led to the other side of a vertex, cut short. Doubles choose; whatever they choose is a strip.
 
-/// Faces, each across a side of the one before. `doors` are those sides, as half-edges of the face
-/// they lead out of.
+/// Faces, each across a side of the one before. `doors` are those sides, as half-edges of the faces
+/// that they lead out of.
 struct FaceStrip {
   FaceId first;
   std::vector<HalfedgeId> doors;
 };
 
-/// An end of a path, with where it lies in the doubles of the tracer.
+/// An end of a path, with its position in the doubles of the tracer.
 struct StripEnd {
   const SurfacePointTable* table;
   SurfacePointId point;
   Point3 at;
 
-  /// In the face or on its boundary?
+  /// Whether the point lies in the face or on its boundary.
   bool lies_in(FaceId f) const { return table->is_in(point, f); }
 };
 
-/// The faces that a point lies in, those around a vertex in order. An isolated vertex has none.
+/// Returns the faces that a point lies in, those around a vertex in order. An isolated vertex has
+/// none.
 std::vector<FaceId> faces_at(const SurfacePointTable& points, SurfacePointId p);
 
 /// Working memory for many strips on one mesh: O(faces) once, then O(faces looked at).
@@ -86,8 +90,9 @@ class StripFinder {
   /// `positions` are those of the vertices, scaled so that no product of two overflows.
   StripFinder(const SurfaceMesh& mesh, std::span<const Point3> positions);
 
-  /// Short by the centroids of its faces (A*). None when no strip leads from one end to the other.
-  /// Ties go to the lower face: the same answer everywhere.
+  /// Returns a strip that is short as measured by the centroids of its faces (A*); no value if no
+  /// strip leads from one end to the other. Ties go to the lower face, so the answer does not
+  /// depend on the platform's heap.
   std::optional<FaceStrip> find(const StripEnd& from, const StripEnd& to, Context& context);
 
   /// Cuts out what leads back to a face, and faces at the ends that are left at the end itself. A
@@ -96,11 +101,11 @@ class StripFinder {
 
  private:
   struct Visit {
-    std::uint32_t round = 0;  // of find() or shorten(): anything older was never there
+    std::uint32_t round = 0;  // Round of find() or shorten(); an older entry counts as absent.
     bool is_done = false;
     double cost = 0;
-    HalfedgeId door;         // through which it was entered
-    std::uint32_t last = 0;  // of shorten(): where in the strip
+    HalfedgeId door;         // Half-edge through which the face was entered.
+    std::uint32_t last = 0;  // Last place in the strip, for shorten().
   };
   struct Entry {
     double bound;
@@ -123,8 +128,9 @@ class StripFinder {
   Point3 goal_;
 };
 
-/// The half-edges crossed on the way around a vertex, clockwise or counter-clockwise, from the face
-/// of `from`, which leaves the vertex, to another face at it. None when the border is in the way.
+/// Returns the half-edges crossed on the way around a vertex, clockwise or counter-clockwise, from
+/// the face of `from`, which leaves the vertex, to another face at it; no value if the border is in
+/// the way.
 std::optional<std::vector<HalfedgeId>> doors_around(const SurfaceMesh& mesh, HalfedgeId from,
                                                     FaceId to, bool clockwise);
 

@@ -1,3 +1,16 @@
+// The shortest path in a strip of faces laid out in the plane, and exact crossings of flat runs.
+//
+// The path is found by the funnel algorithm (D. T. Lee and F. P. Preparata, Euclidean shortest
+// paths in the presence of rectilinear barriers, Networks 14, 1984): from an apex the doors seen so
+// far form a wedge between a left and a right ray, and where one ray would cross the other the path
+// bends at a vertex, which becomes the next apex. A bend with less than half a turn on its other
+// side can be shortened by leading the strip around there (turns()).
+//
+// Everything is in doubles, with one exception: if all faces of a run between two bends lie in one
+// plane and face the same way, by exact predicates, flat_run() computes the crossings in rationals,
+// from areas in a coordinate plane. So lines that coincide on a flat part of a mesh coincide
+// exactly.
+// Tested by tests/surface/trace_test.cpp.
 #include "plumb/surface/strip/unfolded_strip.h"
 
 #include <algorithm>
@@ -12,9 +25,9 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kDoors = 1024;  // a checkpoint
+constexpr std::size_t kDoors = 1024;  // Doors between checkpoints.
 
-/// A plane of faces, seen along an axis that it is not parallel to.
+/// The plane of a face, seen along a coordinate axis that is not parallel to it.
 class FlatView {
  public:
   FlatView(const SurfaceMesh& mesh, FaceId f) : mesh_(mesh), corners_(corners(f)) {
@@ -23,7 +36,7 @@ class FlatView {
   }
 
   bool is_valid() const { return dropped_ < 3; }
-  /// Does a face that shares a side with one of this plane continue it?
+  /// Whether a face that shares a side with one of this plane continues it.
   bool has(FaceId f) const {
     for (const Point3& p : corners(f)) {
       if (orient3d(corners_[0], corners_[1], corners_[2], p) != Sign::Zero) return false;
@@ -57,11 +70,11 @@ class FlatView {
 
   const SurfaceMesh& mesh_;
   std::array<Point3, 3> corners_;
-  int dropped_ = 0;  // coordinate; 3: the face has no area
+  int dropped_ = 0;  // The coordinate that is left out; 3 if the face has no area.
   Sign turn_ = Sign::Zero;
 };
 
-/// Twice the area of a, b, p.
+/// Returns twice the signed area of the triangle a, a + along, p.
 Rational area(const RationalPoint2& a, const RationalPoint2& along, const RationalPoint2& p) {
   return along.x * (p.y - a.y) - along.y * (p.x - a.x);
 }
@@ -106,9 +119,9 @@ using layout::dot;
 using layout::length;
 using layout::operator-;  // NOLINT(misc-unused-using-decls): it is used
 
-constexpr double kClose =
-    0x1p-40;                    // of a side's length: so near to a vertex a path passes through it
-constexpr double kFlat = 1e-9;  // radians: a bend so little short of half a turn stays
+// A path passes through a vertex if it is so near, as a part of the side's length.
+constexpr double kClose = 0x1p-40;
+constexpr double kFlat = 1e-9;  // Radians: a bend so little short of half a turn stays.
 
 double angle(Point2 a, Point2 b) { return std::fabs(std::atan2(cross(a, b), dot(a, b))); }
 
@@ -123,6 +136,8 @@ UnfoldedStrip::UnfoldedStrip(const SurfaceMesh& mesh, std::span<const Point3> po
 
 // ---------------------------------------------------------------- laying out
 
+/// Places the faces one after the other and notes the ends of each door, left and right as seen
+/// along the strip.
 void UnfoldedStrip::lay_out(const StripEnd& from, const StripEnd& to) {
   FaceId f = strip_.first;
   FaceCorners corners = laid_out(mesh_, positions_, f, 0);
@@ -142,6 +157,7 @@ void UnfoldedStrip::lay_out(const StripEnd& from, const StripEnd& to) {
 
 // ---------------------------------------------------------------- the funnel
 
+/// A vertex lies in all consecutive doors that have it as an end, and in the faces between them.
 StripStop UnfoldedStrip::vertex_stop(std::size_t door, bool is_left) const {
   StripStop stop;
   stop.at = is_left ? left_[door] : right_[door];
@@ -156,8 +172,8 @@ StripStop UnfoldedStrip::vertex_stop(std::size_t door, bool is_left) const {
   return stop;
 }
 
-/// The funnel: what can be seen from the apex, between a left and a right ray. Where one of them
-/// would cross the other, the path bends, and looking goes on from there.
+/// Pulls the path tight. The funnel is what can be seen from the apex, between a left and a right
+/// ray. If one of them would cross the other, the path bends, and looking goes on from there.
 void UnfoldedStrip::pull() {
   const StripStop end = bends_.back();
   bends_.pop_back();
@@ -199,14 +215,15 @@ double UnfoldedStrip::path_length() const {
 
 // ---------------------------------------------------------------- turns
 
-/// The faces in which the path comes to a bend and leaves it.
+/// Returns the faces in which the path comes to a bend and leaves it.
 std::array<std::uint32_t, 2> UnfoldedStrip::faces_at(std::size_t i) const {
   const StripStop& v = bends_[i];
   return {std::clamp(bends_[i - 1].first, v.first, v.last),
           std::clamp(bends_[i + 1].first, v.first, v.last)};
 }
 
-/// On the side of the strip, between the path to a bend and from it on.
+/// Returns the angle at a bend on the side of the strip, from the path to the bend to the path from
+/// it on.
 double UnfoldedStrip::strip_angle(std::size_t i) const {
   const StripStop &a = bends_[i - 1], &v = bends_[i], &b = bends_[i + 1];
   const auto [first, last] = faces_at(i);
@@ -257,8 +274,8 @@ std::uint32_t UnfoldedStrip::first_vertex_door(const StripStop& a, const StripSt
   return door;
 }
 
-/// Those after a up to b, itself included. A leg along a mesh line passes as many vertices as the
-/// line has: no recursion.
+/// Appends the stops after a up to b, including b. A leg along a mesh line passes as many vertices
+/// as the line has, so there is no recursion.
 void UnfoldedStrip::add_stops(const StripStop& a, const StripStop& b,
                               std::vector<StripStop>& stops) const {
   std::vector<StripStop> ahead{b};
