@@ -131,7 +131,7 @@ void require_members(const Nef3& set, const std::vector<HalfSpace3>& all,
 void judge_set(const HalfSpaceList& list) {
   plumb::Context context;
   const Nef3 set = plumb::intersection_of(list, context);
-  require(!plumb::audit(set.complex(), true), "an intersection passes its audit");
+  require(!plumb::audit(set.complex(), AuditForm::Minimal), "an intersection passes its audit");
   std::vector<HalfSpace3> all;
   Nef3 folded = Nef3::whole();
   for (std::size_t i = 0; i < list.size(); ++i) {

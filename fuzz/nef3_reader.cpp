@@ -77,7 +77,7 @@ bool is_small(std::string_view text) {
 }
 
 void require_sound(const Nef3& set) {
-  const auto flaw = plumb::audit(set.complex(), true);
+  const auto flaw = plumb::audit(set.complex(), AuditForm::Minimal);
   if (!flaw) return;
   std::fprintf(stderr, "%s at %s\n", flaw->invariant.c_str(), flaw->place.c_str());
   require(false, "a set passes its audit");
@@ -106,7 +106,7 @@ void judge(std::string_view text) {
   if (!complex || !is_small(text)) return;
   plumb::fuzz::oracle_reached();
   require_round(*complex);
-  if (plumb::audit(*complex, true)) return;
+  if (plumb::audit(*complex, AuditForm::Minimal)) return;
   require_laws(Nef3::from_minimal_unchecked(std::move(*complex)));
 }
 

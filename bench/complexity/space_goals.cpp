@@ -178,7 +178,7 @@ bool measure_audit(Options& options) {
     });
   });
   const double auditing =
-      least_seconds([&] { return seconds_of([&] { audit(both.complex(), true); }); });
+      least_seconds([&] { return seconds_of([&] { audit(both.complex(), AuditForm::Minimal); }); });
   return report(options, "a union audited, beside the union", auditing / uniting, "times", 1);
 }
 

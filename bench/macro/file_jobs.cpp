@@ -84,7 +84,7 @@ void add_meshes(const Input<PolygonMesh>& meshes) {
   };
   meshes.add_reading(".nef, with its audit", write_set, [](const std::string& text, Context& own) {
     SpaceComplex complex = read_nef3(text, {}, own);
-    PLUMB_CHECK(!audit(complex, true, own));
+    PLUMB_CHECK(!audit(complex, AuditForm::Minimal, own));
     return complex;
   });
   meshes.add_writing(".nef", write_set);

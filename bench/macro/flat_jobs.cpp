@@ -169,7 +169,7 @@ void add_sets(std::vector<Job>& jobs, const std::string& input, bool is_real,
   add("plane audit", "edges", [](const Nef2& set) {
     return timed_of(edges_of(set), [set] {
       Context context;
-      PLUMB_CHECK(!audit(set.complex(), true, context));
+      PLUMB_CHECK(!audit(set.complex(), AuditForm::Minimal, context));
       return true;
     });
   });

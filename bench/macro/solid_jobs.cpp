@@ -44,10 +44,11 @@ Once rounding_of(const PolygonMesh& mesh) {
   Context context;
   const Nef3 both =
       boolean_op(testing::solid(mesh), testing::solid(shifted(mesh)), kUnion, context);
-  return timed_of(facets_of(both), [result = mesh_of_complex(both.complex(), {}, context).mesh] {
-    Context own;
-    return check_rounding(result, 10, own);
-  });
+  return timed_of(facets_of(both),
+                  [result = mesh_of_complex(both.complex(), {.keeps_exact = true}, context).mesh] {
+                    Context own;
+                    return check_rounding(result, 10, own);
+                  });
 }
 
 /// Points anywhere in the box of the mesh.
@@ -105,7 +106,7 @@ Once audit_of(const PolygonMesh& mesh) {
   const Nef3 set = testing::solid(mesh);
   return timed_of(facets_of(set), [set] {
     Context context;
-    PLUMB_CHECK(!audit(set.complex(), true, context));
+    PLUMB_CHECK(!audit(set.complex(), AuditForm::Minimal, context));
     return true;
   });
 }

@@ -75,7 +75,7 @@ void add_sets_of_space() {
   benchmark::RegisterBenchmark("read/nef, with its audit", [=](benchmark::State& state) {
     run_reader(state, text_of(write), [](const std::string& text, Context& context) {
       SpaceComplex complex = read_nef3(text, {}, context);
-      PLUMB_CHECK(!audit(complex, true, context));
+      PLUMB_CHECK(!audit(complex, AuditForm::Minimal, context));
       return complex;
     });
   });

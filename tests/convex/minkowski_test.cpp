@@ -37,7 +37,7 @@ Nef3 translated(const Nef3& set, const RationalPoint3& by) {
 }
 
 std::string flaw(const Nef3& set) {
-  const auto found = audit(set.complex(), true);
+  const auto found = audit(set.complex(), AuditForm::Minimal);
   return found ? found->invariant + " at " + found->place : std::string();
 }
 

@@ -133,7 +133,7 @@ TEST(Walls, AreToldFromFacets) {
        {block, block.with_origins(std::vector<std::uint32_t>(facets, kNoOrigin))}) {
     Context context;
     const SpaceComplex cut = wall_subdivision(set, {}, context);
-    EXPECT_FALSE(audit(cut, false).has_value());
+    EXPECT_FALSE(audit(cut, AuditForm::Any).has_value());
     std::size_t walls = 0;
     for (std::size_t f = 0; f < cut.facet_count(); ++f) {
       const auto& [above, below] = cut.facet_volume[f];

@@ -23,7 +23,7 @@ std::string disagreement(const CurveScene& scene, std::uint64_t seed) {
   const EngineScene engine = to_engine(scene, seed);
   Context context;
   const Arrangement arrangement = arrange(engine.points, engine.curves, engine.isolated, context);
-  if (const auto flaw = audit(arrangement.complex, false)) {
+  if (const auto flaw = audit(arrangement.complex, AuditForm::Any)) {
     return "audit: " + flaw->invariant + " at " + flaw->place;
   }
   const LineCells cells(lines_of(scene));

@@ -48,7 +48,8 @@ bool is_sum(const Nef3& a, const Nef3& b, const RationalPoint3& x) {
 
 std::string wrong_place(const Nef3& both, const Nef3& a, const Nef3& b, Dice& dice,
                         std::size_t samples) {
-  if (const auto flaw = audit(both.complex(), true)) return flaw->invariant + " at " + flaw->place;
+  if (const auto flaw = audit(both.complex(), AuditForm::Minimal))
+    return flaw->invariant + " at " + flaw->place;
   std::vector<RationalPoint3> where = places(both);
   for (const RationalPoint3& p : places(a)) where.push_back(plus(p, vertices(b)[0]));
   for (std::size_t i = 0; i < samples; ++i) {

@@ -40,7 +40,7 @@ class Checker {
   void check_complex() {
     graph_ = minimal_graph(cells_, twin_);
     match_ = match(engine_.complex(), graph_, cells_);
-    const std::optional<SpaceFlaw> flaw = audit(engine_.complex(), true);
+    const std::optional<SpaceFlaw> flaw = audit(engine_.complex(), AuditForm::Minimal);
     if (!match_.difference.empty()) {
       throw match_.difference + (flaw ? " (audit: " + flaw->invariant + ")" : "");
     }

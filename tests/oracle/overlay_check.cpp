@@ -92,7 +92,7 @@ std::string overlay_disagreement(const TestMap& one, const TestMap& two) {
   }
   Context context;
   const MapOverlay overlay = overlay_maps(first, second, context);
-  if (const auto flaw = audit(overlay.complex, false))
+  if (const auto flaw = audit(overlay.complex, AuditForm::Any))
     return flaw->invariant + " at " + flaw->place;
   if (overlay.origin.size() != overlay.complex.face_count()) return "not one origin for each face";
   CurveScene scene;

@@ -118,7 +118,8 @@ std::string flaw_of_pieces(const Nef3& set, const ConvexPieces& result, bool clo
   Rational volume = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const SpaceComplex& c = pieces[i].complex();
-    if (const auto flaw = audit(c, true)) return name(flaw->invariant + " at " + flaw->place, i);
+    if (const auto flaw = audit(c, AuditForm::Minimal))
+      return name(flaw->invariant + " at " + flaw->place, i);
     if (!is_one_cell(pieces[i])) return name("not one convex cell", i);
     if (set.is_bounded()) volume += *marked_volume(c);
   }

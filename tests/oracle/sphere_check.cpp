@@ -279,7 +279,7 @@ SphereDirection direction_in(PlaneTable& planes, const CellVector& v) {
 
 std::string difference(PlaneTable& planes, const SphereMap& map, const SphereCells& cells,
                        const CellMarks& marks) {
-  const std::string flaw = flaw_in(audit(planes, map, true));
+  const std::string flaw = flaw_in(audit(planes, map, AuditForm::Minimal));
   if (!flaw.empty()) return flaw;
   std::vector<SphereCell> located;
   for (std::size_t c = 0; c < cells.size(); ++c) {

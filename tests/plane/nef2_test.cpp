@@ -418,7 +418,7 @@ PlaneComplex sound_complex() {
 /// Whatever point a vertex is given but its own, and whatever line an edge.
 TEST(PlaneAudit, FindsEveryChangedPlace) {
   const PlaneComplex sound = sound_complex();
-  ASSERT_FALSE(audit(sound, true).has_value());
+  ASSERT_FALSE(audit(sound, AuditForm::Minimal).has_value());
   const auto inputs = static_cast<std::uint32_t>(sound.points.inputs.size());
   for (const bool minimal : {true, false}) {
     for (std::size_t v = 0; v < sound.vertex_count(); ++v) {
@@ -493,14 +493,16 @@ TEST(PlaneAudit, NamesTheInvariantBroken) {
   const PlaneComplex crossed = moved_inputs(segments.complex(), [](Point2 p) {
     return p == Point2{1, 3} ? Point2{1, -3} : p;
   });
-  for (const bool minimal : {true, false}) EXPECT_TRUE(audit(crossed, minimal).has_value());
+  for (const bool minimal : {true, false})
+    EXPECT_TRUE(audit(crossed, minimal ? AuditForm::Minimal : AuditForm::Any).has_value());
   // A triangle that is moved away from what was inside it.
   const std::vector<Point2> around{{-9, -9}, {9, -9}, {0, 9}}, inside{{0, 0}, {1, 1}};
   const Nef2 nested = Nef2::polygon(around, kOpen) - Nef2::polyline(inside);
   const PlaneComplex outside = moved_inputs(nested.complex(), [](Point2 p) {
     return p.x < -5 || p.x > 5 || p.y > 5 ? Point2{p.x, p.y + 20} : p;
   });
-  for (const bool minimal : {true, false}) EXPECT_TRUE(audit(outside, minimal).has_value());
+  for (const bool minimal : {true, false})
+    EXPECT_TRUE(audit(outside, minimal ? AuditForm::Minimal : AuditForm::Any).has_value());
 }
 
 /// A vertex inside a straight edge is sound, but not minimal; and minimal means that marks differ.
@@ -511,8 +513,8 @@ TEST(PlaneAudit, TellsWhatCouldGo) {
     for (std::uint8_t& mark : complex.marks.face) mark = 1;
     for (std::uint8_t& mark : complex.marks.edge) mark = 1;
     for (std::uint8_t& mark : complex.marks.vertex) mark = 1;
-    EXPECT_FALSE(audit(complex, false).has_value());
-    EXPECT_TRUE(audit(complex, true).has_value());
+    EXPECT_FALSE(audit(complex, AuditForm::Any).has_value());
+    EXPECT_TRUE(audit(complex, AuditForm::Minimal).has_value());
     EXPECT_TRUE(Nef2::from_complex(complex) == Nef2::whole());
   }
 }

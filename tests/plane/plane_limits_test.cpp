@@ -78,12 +78,12 @@ TEST(PlaneLimits, OperandsStayAsTheyWereWhenAnOperationFails) {
 TEST(PlaneLimits, AuditsAndAreasKeepToThem) {
   const Nef2 star = Nef2::polygon(testing::star_polygon(1000, 1));
   Context context;
-  EXPECT_FALSE(audit(star.complex(), true, context).has_value());
+  EXPECT_FALSE(audit(star.complex(), AuditForm::Minimal, context).has_value());
   EXPECT_EQ(marked_area(star.complex(), context), star.area());
   std::stop_source stop;
   stop.request_stop();
   Context stopped({}, stop.get_token());
-  EXPECT_THROW(audit(star.complex(), true, stopped), Error);
+  EXPECT_THROW(audit(star.complex(), AuditForm::Minimal, stopped), Error);
   EXPECT_THROW(marked_area(star.complex(), stopped), Error);
 }
 

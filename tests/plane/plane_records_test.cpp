@@ -38,7 +38,7 @@ TEST(PlaneRecords, RoundTripIsTheIdentity) {
     const PlaneRecords records = any_records(dice, values);
     const auto complex = rebuilt(records);
     ASSERT_TRUE(complex.has_value());
-    EXPECT_FALSE(audit(*complex, true).has_value());
+    EXPECT_FALSE(audit(*complex, AuditForm::Minimal).has_value());
     EXPECT_TRUE(are_equal(records, to_records(*complex)));
   }
 }
@@ -146,7 +146,7 @@ TEST(PlaneRecords, DamagedOnesAreRefusedOrRight) {
       continue;
     }
     ++taken;
-    const auto flaw = audit(*complex, true);
+    const auto flaw = audit(*complex, AuditForm::Minimal);
     ASSERT_FALSE(flaw.has_value()) << flaw->invariant << " at " << flaw->place;
     const PlaneRecords again = to_records(*complex);
     EXPECT_EQ(again.vertices.size(), records.vertices.size());

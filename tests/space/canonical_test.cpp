@@ -49,7 +49,7 @@ void expect_canonical_form(const Nef3& set) {
   const Nef3 form = canonical_of(set);
   EXPECT_TRUE(form == set);
   EXPECT_EQ(form.counts(), set.counts());
-  const auto flaw = audit(form.complex(), true);
+  const auto flaw = audit(form.complex(), AuditForm::Minimal);
   EXPECT_FALSE(flaw) << flaw->invariant << ": " << flaw->place;
   EXPECT_TRUE(is_identical(canonical_of(form).complex(), form.complex()));
   const Nef3 copy = read(text_of(form));

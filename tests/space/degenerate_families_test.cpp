@@ -31,7 +31,7 @@ Nef3 box(Point3 low, Point3 high) { return solid(box_mesh(low, high)); }
 Rational volume(const Nef3& set) { return marked_volume(set.complex()).value(); }
 
 void expect_sound(const Nef3& set, const std::string& name) {
-  const std::optional<SpaceFlaw> flaw = audit(set.complex(), true);
+  const std::optional<SpaceFlaw> flaw = audit(set.complex(), AuditForm::Minimal);
   EXPECT_FALSE(flaw) << name << ": " << flaw->invariant << " at " << flaw->place;
 }
 

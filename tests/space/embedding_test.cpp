@@ -166,11 +166,11 @@ TEST(Threads, may_share_a_locator_of_space) {
 
 /// The sphere maps around all items of a complex, and what audits say.
 std::string local_maps_of(const SpaceComplex& complex) {
-  std::string answer{digit(audit(complex, true).has_value())};
+  std::string answer{digit(audit(complex, AuditForm::Minimal).has_value())};
   LocalMap local;
   for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
     local_map(complex, VertexId(v), local);
-    answer += digit(audit(complex.planes(), local.map, true).has_value());
+    answer += digit(audit(complex.planes(), local.map, AuditForm::Minimal).has_value());
     for (const std::uint32_t p : local.map.origin) answer += std::to_string(p) + ' ';
   }
   return answer;

@@ -86,7 +86,7 @@ std::vector<Named> sets() {
 }
 
 void expect_sound(const Nef3& set, const std::string& name) {
-  const auto flaw = audit(set.complex(), true);
+  const auto flaw = audit(set.complex(), AuditForm::Minimal);
   EXPECT_FALSE(flaw) << name << ": " << flaw->invariant << " at " << flaw->place;
 }
 

@@ -96,7 +96,7 @@ TEST(HalfSpaceHull, IsTheFoldOfTheHalfSpaces) {
     const bool is_solid = !expected.interior().is_empty();
     ASSERT_EQ(hull.polytope.has_value(), is_solid && expected.is_bounded()) << i;
     if (hull.polytope) {
-      const auto flaw = audit(*hull.polytope, true);
+      const auto flaw = audit(*hull.polytope, AuditForm::Minimal);
       ASSERT_FALSE(flaw) << i << ": " << flaw->invariant;
       EXPECT_EQ(Nef3::from_minimal_unchecked(*hull.polytope), expected) << i;
     }
@@ -154,7 +154,7 @@ TEST(HalfSpaceHull, ConesOfManyFacets) {
   Context context;
   const Nef3 set = Nef3::intersection(cone, context);
   EXPECT_EQ(set, fold(cone));
-  EXPECT_FALSE(audit(set.complex(), true));
+  EXPECT_FALSE(audit(set.complex(), AuditForm::Minimal));
   EXPECT_FALSE(set.contains(Point3{0, 0, 2}));
 }
 

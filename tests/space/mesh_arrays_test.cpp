@@ -152,7 +152,8 @@ TEST(MeshArrays, go_through_a_boolean_and_come_back) {
   Context context;
   const Nef3 both = tetrahedron(0) + tetrahedron(.25);
   const PolygonMesh mesh =
-      mesh_of_complex(both.complex(), {.faces = MeshFaces::Triangles}, context).mesh;
+      mesh_of_complex(both.complex(), {.faces = MeshFaces::Triangles, .keeps_exact = true}, context)
+          .mesh;
   ASSERT_TRUE(mesh.exact.empty()) << "its corners are multiples of 1/4";
   EXPECT_EQ(static_cast<const void*>(coordinates_of(mesh).data()), mesh.points.data());
   EXPECT_EQ(set_of(mesh_of_triangles(coordinates_of(mesh), mesh.corners)), both);

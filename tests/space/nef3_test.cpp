@@ -172,7 +172,7 @@ TEST(Nef3, OperandsThatLieApart) {
                              (code & 8U) != 0};
         const Nef3 set = boolean_op(a, b, f, context);
         EXPECT_EQ(set, boolean_op(a, SpaceSelector{}, b, SpaceSelector{}, f, context)) << code;
-        EXPECT_FALSE(audit(set.complex(), true)) << code;
+        EXPECT_FALSE(audit(set.complex(), AuditForm::Minimal)) << code;
       }
     }
   }
@@ -203,7 +203,7 @@ TEST(Nef3, NeedlesAlongADiagonal) {
   const Nef3 a = needles(0), b = needles(2), both = a + b;
   EXPECT_TRUE(has(a, {256, 384, 256, 65, 64}));
   EXPECT_TRUE(has(both, {512, 768, 512, 129, 128}));
-  EXPECT_FALSE(audit(both.complex(), true));
+  EXPECT_FALSE(audit(both.complex(), AuditForm::Minimal));
   EXPECT_TRUE((a * b).is_empty());
   EXPECT_EQ(both - b, a);
   for (int i = 0; i < 64; ++i) {
@@ -248,7 +248,8 @@ TEST(Nef3, VerticesThatNothingTouchesAreCarried) {
   EXPECT_EQ(around ^ row, around - row);
   EXPECT_EQ(around * row, row);
   EXPECT_EQ(around - (around - cut), cut);
-  for (const Nef3& set : {row, cut, around ^ row}) EXPECT_FALSE(audit(set.complex(), true));
+  for (const Nef3& set : {row, cut, around ^ row})
+    EXPECT_FALSE(audit(set.complex(), AuditForm::Minimal));
 }
 
 TEST(Nef3, ParallelAndDiagonalPlanes) {

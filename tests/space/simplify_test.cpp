@@ -74,7 +74,7 @@ void expect_as_by_maps(const SpaceComplex& c, const std::string& what) {
   Context context;
   CoplanarMerge merge(c, context);
   const SpaceComplex merged = merge.is_needed() ? merge.run(context) : c;
-  const auto flaw = audit(merged, true);
+  const auto flaw = audit(merged, AuditForm::Minimal);
   ASSERT_FALSE(flaw) << what << ": " << flaw->invariant << ": " << flaw->place;
   const SpaceComplex other = simplified_by_maps(c, context);
   EXPECT_EQ(merged.vertex_count(), other.vertex_count()) << what;
@@ -177,7 +177,7 @@ void expect_same_if_joined_first(const PolygonMesh& mesh, const std::string& wha
   for (const WindingRule rule :
        {WindingRule::NonZero, WindingRule::EvenOdd, WindingRule::Positive}) {
     const SpaceComplex early = solid_of(mesh, rule, true), late = solid_of(mesh, rule, false);
-    const auto flaw = audit(early, true);
+    const auto flaw = audit(early, AuditForm::Minimal);
     ASSERT_FALSE(flaw) << what << ": " << flaw->invariant << ": " << flaw->place;
     EXPECT_TRUE(is_same_set(early, late)) << what;
     EXPECT_EQ(names(early), names(late)) << what;

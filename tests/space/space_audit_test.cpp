@@ -476,7 +476,7 @@ SpaceComplex raw_facets(const std::vector<Chain3>& faces) {
 }
 
 const char* found_in(const std::vector<Chain3>& faces, std::optional<SpaceFlaw>& flaw) {
-  flaw = audit(raw_facets(faces), false);
+  flaw = audit(raw_facets(faces), AuditForm::Any);
   return flaw ? flaw->invariant.c_str() : "";
 }
 
@@ -511,7 +511,7 @@ TEST(SpaceAudit, FindsAFacetThatMeetsItself) {
   const auto flaw_of = [](const std::vector<RationalPoint3>& corners) -> std::string {
     SpaceScene scene;
     scene.add_facet(corners);
-    const auto flaw = audit(complex_of(scene), false);
+    const auto flaw = audit(complex_of(scene), AuditForm::Any);
     return flaw ? flaw->invariant : "";
   };
   const auto at = [](int x, int y) { return rational_point(x, y, 0); };
@@ -527,10 +527,10 @@ void expect_named(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     SCOPED_TRACE(row.invariant);
     SpaceComplex c = row.complex();
-    const std::optional<SpaceFlaw> before = audit(c, true);
+    const std::optional<SpaceFlaw> before = audit(c, AuditForm::Minimal);
     ASSERT_FALSE(before) << before->invariant << " at " << before->place;
     row.damage(c);
-    const std::optional<SpaceFlaw> flaw = audit(c, true);
+    const std::optional<SpaceFlaw> flaw = audit(c, AuditForm::Minimal);
     ASSERT_TRUE(flaw);
     EXPECT_EQ(flaw->invariant, row.invariant) << "at " << flaw->place;
     EXPECT_NE(flaw->place, "");
@@ -551,10 +551,10 @@ TEST(SpaceAudit, TellsItemsOfOneFingerprintApart) {
     result += point({x, 0, 0}) + segment({x, 1, 0}, {x, 2, 0});
   }
   SpaceComplex c = result.complex();
-  EXPECT_FALSE(audit(c, true));
+  EXPECT_FALSE(audit(c, AuditForm::Minimal));
   const std::uint32_t first = vertex_at(c, {1, 0, 0}), last = vertex_at(c, {much * much, 0, 0});
   c.vertex_point[last] = c.vertex_point[first];
-  const std::optional<SpaceFlaw> flaw = audit(c, true);
+  const std::optional<SpaceFlaw> flaw = audit(c, AuditForm::Minimal);
   ASSERT_TRUE(flaw);
   EXPECT_EQ(flaw->invariant, "vertices have different points");
 }
@@ -587,9 +587,9 @@ TEST(SpaceAudit, FindsTheHoleThatIsNotInItsFacet) {
   for (const int end : {11, 10}) {
     SCOPED_TRACE(end);
     SpaceComplex c = (plate(0, end) - plate(4, 10) + pierced).complex();
-    EXPECT_FALSE(audit(c, true));
+    EXPECT_FALSE(audit(c, AuditForm::Minimal));
     give_hole(c, top_at(c, {5, 5, 1}), top_at(c, {4, 4, 1}));
-    const std::optional<SpaceFlaw> flaw = audit(c, true);
+    const std::optional<SpaceFlaw> flaw = audit(c, AuditForm::Minimal);
     ASSERT_TRUE(flaw);
     EXPECT_EQ(flaw->invariant, "a hole lies in its facet and in no other hole");
   }
@@ -600,13 +600,13 @@ TEST(SpaceAudit, FindsEveryCornerInAFacet) {
   const Nef3 triangle = to_nef(*space_set(PolygonLeaf{{{0, 0, 1}, {1, 0, 2}, {-1, 0, 2}}}));
   const Nef3 floor = to_nef(*space_set(PolygonLeaf{{{-9, -9, 0}, {9, -8, 0}, {0, 9, 0}}}));
   const SpaceComplex apart = (triangle + floor).complex();
-  EXPECT_FALSE(audit(apart, true));
+  EXPECT_FALSE(audit(apart, AuditForm::Minimal));
   const std::vector<std::pair<ExactPoint3, ExactPoint3>> moves{
       {{0, 0, 1}, {0, 0, 0}}, {{1, 0, 2}, {3, 0, 0}}, {{-1, 0, 2}, {-3, 0, 0}}};
   for (const auto& [from, to] : moves) {
     SpaceComplex c = apart;
     move_vertex(c, VertexId(vertex_at(c, from)), to, {0, 1, 0});
-    const std::optional<SpaceFlaw> flaw = audit(c, true);
+    const std::optional<SpaceFlaw> flaw = audit(c, AuditForm::Minimal);
     ASSERT_TRUE(flaw);
     EXPECT_EQ(flaw->invariant, "no vertex lies inside a facet unlisted");
   }
@@ -619,10 +619,10 @@ TEST(SpaceAudit, FindsTheTriangleThatIsTurned) {
   const Nef3 sheet = Nef3::from_facets(complex_of_mesh(mesh, {.surface = true}, context), context);
   SpaceComplex c = sheet.complex();
   ASSERT_EQ(c.use_count(), 3U);
-  EXPECT_FALSE(audit(c, true));
+  EXPECT_FALSE(audit(c, AuditForm::Minimal));
   std::swap(c.use_next, c.use_prev);
   for (HalfedgeId& h : c.use_halfedge) h = SpaceComplex::twin(h);
-  const std::optional<SpaceFlaw> flaw = audit(c, true);
+  const std::optional<SpaceFlaw> flaw = audit(c, AuditForm::Minimal);
   ASSERT_TRUE(flaw);
   EXPECT_EQ(flaw->invariant, "the first cycle runs around its facet");
 }
@@ -631,7 +631,7 @@ TEST(SpaceAudit, FindsTheTriangleThatIsTurned) {
 TEST(SpaceAudit, AsksForTheMinimalFormOnlyWhenTold) {
   SpaceComplex c = decorated_cube();
   c.facet_mark[sheet(c)] = 0;
-  EXPECT_FALSE(audit(c, false));
+  EXPECT_FALSE(audit(c, AuditForm::Any));
 }
 
 /// Where one facet has it all, and where there are many.
@@ -648,10 +648,10 @@ TEST(SpaceAudit, KeepsToItsLimits) {
   std::stop_source stop;
   stop.request_stop();
   for (const Nef3& set : {prism, !ball}) {
-    EXPECT_FALSE(audit(set.complex(), true, context));
+    EXPECT_FALSE(audit(set.complex(), AuditForm::Minimal, context));
     Context late(limits), stopped(Limits{}, stop.get_token());
-    EXPECT_THROW(audit(set.complex(), true, late), Error);
-    EXPECT_THROW(audit(set.complex(), true, stopped), Error);
+    EXPECT_THROW(audit(set.complex(), AuditForm::Minimal, late), Error);
+    EXPECT_THROW(audit(set.complex(), AuditForm::Minimal, stopped), Error);
   }
 }
 

@@ -66,7 +66,7 @@ std::string outcome(const std::array<PolygonMesh, 2>& meshes, MarkFunction f, un
   std::ostringstream out;
   out << text_of(sets[0]) << text_of(sets[1]);
   const Nef3 both = boolean_op(std::move(sets[0]), std::move(sets[1]), f, context);
-  EXPECT_FALSE(audit(both.complex(), true));
+  EXPECT_FALSE(audit(both.complex(), AuditForm::Minimal));
   out << text_of(both) << std::hexfloat;
   const MeshOfComplex made = mesh_of_complex(both.complex(), {MeshFaces::Triangles}, context);
   for (const Point3& p : made.mesh.points) out << p.x << ' ' << p.y << ' ' << p.z << '\n';

@@ -42,7 +42,7 @@ SpaceComplex marked(const MeshComplex& mesh) {
   return complex;
 }
 
-MeshOfComplex mesh_of(const SpaceComplex& complex, ToMeshOptions options = {}) {
+MeshOfComplex mesh_of(const SpaceComplex& complex, ToMeshOptions options = {.keeps_exact = true}) {
   Context context;
   return mesh_of_complex(complex, options, context);
 }
@@ -127,7 +127,7 @@ TEST(ToMesh, NonManifoldPlacesAreCountedAndSplit) {
   EXPECT_EQ(soup.report.non_manifold_edges, 1U);
   EXPECT_EQ(soup.report.non_manifold_vertices, 2U);
   EXPECT_EQ(soup.mesh.points.size(), 14U);
-  ToMeshOptions split;
+  ToMeshOptions split{.keeps_exact = true};
   split.split_vertices = true;
   EXPECT_EQ(mesh_of(at_edge, split).mesh.points.size(), 16U);
   const MeshOfComplex corner = mesh_of(marked(complex_of(joined(kCube, moved(kCube, {3, 3, 3})))));
@@ -263,10 +263,8 @@ TEST(ToMesh, CoordinatesAreRoundedTheSameWithoutExactOnes) {
                              context);
     };
     const Nef3 both = ball({0, 0, 0}) - ball({0.3 * unit, -0.2 * unit, unit / 7});
-    ToMeshOptions options;
-    const PolygonMesh kept = mesh_of(both.complex(), options).mesh;
-    options.keeps_exact = false;
-    const PolygonMesh rounded = mesh_of(both.complex(), options).mesh;
+    const PolygonMesh kept = mesh_of(both.complex(), {.keeps_exact = true}).mesh;
+    const PolygonMesh rounded = mesh_of(both.complex(), {}).mesh;
     EXPECT_EQ(rounded.points, kept.points);
     EXPECT_TRUE(rounded.exact.empty());
     EXPECT_FALSE(kept.exact.empty());

@@ -151,7 +151,7 @@ SpaceSetPointer random_set(Dice& dice, std::size_t records,
 }
 
 void expect_clean(const Nef3& set) {
-  const auto flaw = audit(set.complex(), true);
+  const auto flaw = audit(set.complex(), AuditForm::Minimal);
   EXPECT_FALSE(flaw.has_value()) << flaw->invariant << " at " << flaw->place;
 }
 

@@ -245,7 +245,7 @@ struct Damage {
 TEST(SphereAudit, NamesTheInvariantBroken) {
   PlaneTable planes;
   const SphereMap sound = sample_map(planes);
-  ASSERT_FALSE(audit(planes, sound, true).has_value());
+  ASSERT_FALSE(audit(planes, sound, AuditForm::Minimal).has_value());
   std::uint32_t island = 0;  // an arc of the triangle
   while (sound.is_loop(island)) ++island;
   std::uint32_t lone = 0;
@@ -276,7 +276,7 @@ TEST(SphereAudit, NamesTheInvariantBroken) {
   for (const Damage& damage : damages) {
     SphereMap damaged = sound;
     damage.make(damaged);
-    const auto flaw = audit(planes, damaged, true);
+    const auto flaw = audit(planes, damaged, AuditForm::Minimal);
     ASSERT_TRUE(flaw.has_value()) << damage.invariant;
     EXPECT_EQ(flaw->invariant, damage.invariant);
   }
@@ -295,7 +295,7 @@ TEST(SphereAudit, FindsEveryChangedLink) {
         const bool is_another_start = member == &SphereMap::first_out &&
                                       sound.first_out[i] != kNone && value < sound.origin.size() &&
                                       sound.origin[value] == i;
-        EXPECT_EQ(audit(planes, damaged, true).has_value(), !is_another_start)
+        EXPECT_EQ(audit(planes, damaged, AuditForm::Minimal).has_value(), !is_another_start)
             << name << '[' << i << "] = " << value;
       }
     }

@@ -76,7 +76,8 @@ void measure_plane() {
   Context unwatched;
   b = star(n, 2, unwatched);
   measure("plane: combine", [&](Context& context) { c = boolean_op(a, b, kUnion, context); });
-  measure("plane: audit", [&](Context& context) { (void)audit(c.complex(), true, context); });
+  measure("plane: audit",
+          [&](Context& context) { (void)audit(c.complex(), AuditForm::Minimal, context); });
   measure("plane: area", [&](Context& context) { (void)marked_area(c.complex(), context); });
   measure("plane: decompose",
           [&](Context& context) { (void)decompose(star(n / 5, 1, context), {}, context); });
@@ -156,9 +157,11 @@ void measure_space() {
   });
   measure("space: from_complex",
           [&](Context& context) { (void)Nef3::from_complex(c.complex(), context); });
-  measure("space: audit", [&](Context& context) { (void)audit(c.complex(), true, context); });
-  measure("mesh_of_complex",
-          [&](Context& context) { extracted = mesh_of_complex(c.complex(), {}, context).mesh; });
+  measure("space: audit",
+          [&](Context& context) { (void)audit(c.complex(), AuditForm::Minimal, context); });
+  measure("mesh_of_complex", [&](Context& context) {
+    extracted = mesh_of_complex(c.complex(), {.keeps_exact = true}, context).mesh;
+  });
   measure("soup_of_complex",
           [&](Context& context) { (void)soup_of_complex(c.complex(), {}, context); });
   measure("check_rounding",

@@ -152,56 +152,58 @@ OperationRoom space_operations() {
 
 OperationRoom extraction_operations() {
   const auto s = solids();
-  return {"extraction",
-          inputs,
-          {
-              {"mesh_of_complex",
-               [s](Context& own) {
-                 return digest_of_mesh(mesh_of_complex(s->block.complex(), {}, own).mesh);
-               }},
-              {"soup_of_complex",
-               [s](Context& own) {
-                 return digest_of_mesh(soup_of_complex(s->block.complex(), {}, own).mesh);
-               }},
-              {"mesh_of_sides",
-               [s](Context& own) {
-                 const SpaceComplex& c = s->block.complex();
-                 return digest_of_mesh(mesh_of_sides(c, boundary_sides(c), {}, own).mesh);
-               }},
-              {"shells",
-               [s](Context& own) {
-                 const SpaceShells shells(s->block.complex());
-                 return digest_of_mesh(
-                            mesh_of_shell(shells, ShellId(0), ShellSolid::Other, {}, own).mesh) ^
-                        digest_of(set_of_shell(s->block, shells, ShellId(0), ShellMarks::All, own));
-               }},
-              {"measures",
-               [s](Context& own) {
-                 const SpaceComplex& c = s->block.complex();
-                 return std::uint64_t{marked_volume(c, own) == Rational(1)} +
-                        2 * std::uint64_t{marked_centroid(c, own).has_value()} +
-                        4 * std::uint64_t{surface_area(c, own).has_value()};
-               }},
-              {"check_rounding",
-               [s](Context& own) {
-                 return std::uint64_t{check_rounding(s->mesh, 10, own).is_sound()};
-               }},
-              {"audit",
-               [s](Context& own) {
-                 return std::uint64_t{audit(s->block.complex(), true, own).has_value()};
-               }},
-              {"local_map",
-               [s](Context&) {
-                 LocalMap map;
-                 local_map(s->block.complex(), VertexId(0), map);
-                 return map.map.face_count();
-               }},
-              {"complex_of_mesh, of arrays",
-               [s](Context& own) {
-                 const MeshView mesh = mesh_of_triangles(s->coordinates, s->triangle);
-                 return complex_of_mesh(mesh, {.surface = true}, own).complex.facet_count();
-               }},
-          }};
+  return {
+      "extraction",
+      inputs,
+      {
+          {"mesh_of_complex",
+           [s](Context& own) {
+             return digest_of_mesh(
+                 mesh_of_complex(s->block.complex(), {.keeps_exact = true}, own).mesh);
+           }},
+          {"soup_of_complex",
+           [s](Context& own) {
+             return digest_of_mesh(soup_of_complex(s->block.complex(), {}, own).mesh);
+           }},
+          {"mesh_of_sides",
+           [s](Context& own) {
+             const SpaceComplex& c = s->block.complex();
+             return digest_of_mesh(mesh_of_sides(c, boundary_sides(c), {}, own).mesh);
+           }},
+          {"shells",
+           [s](Context& own) {
+             const SpaceShells shells(s->block.complex());
+             return digest_of_mesh(
+                        mesh_of_shell(shells, ShellId(0), ShellSolid::Other, {}, own).mesh) ^
+                    digest_of(set_of_shell(s->block, shells, ShellId(0), ShellMarks::All, own));
+           }},
+          {"measures",
+           [s](Context& own) {
+             const SpaceComplex& c = s->block.complex();
+             return std::uint64_t{marked_volume(c, own) == Rational(1)} +
+                    2 * std::uint64_t{marked_centroid(c, own).has_value()} +
+                    4 * std::uint64_t{surface_area(c, own).has_value()};
+           }},
+          {"check_rounding",
+           [s](Context& own) {
+             return std::uint64_t{check_rounding(s->mesh, 10, own).is_sound()};
+           }},
+          {"audit",
+           [s](Context& own) {
+             return std::uint64_t{audit(s->block.complex(), AuditForm::Minimal, own).has_value()};
+           }},
+          {"local_map",
+           [s](Context&) {
+             LocalMap map;
+             local_map(s->block.complex(), VertexId(0), map);
+             return map.map.face_count();
+           }},
+          {"complex_of_mesh, of arrays",
+           [s](Context& own) {
+             const MeshView mesh = mesh_of_triangles(s->coordinates, s->triangle);
+             return complex_of_mesh(mesh, {.surface = true}, own).complex.facet_count();
+           }},
+      }};
 }
 
 OperationRoom convex_operations() {

@@ -14,6 +14,10 @@ namespace plumb {
 /// Whether a set contains its boundary (Closed) or not (Open).
 enum class Boundary : std::uint8_t { Open, Closed };
 
+/// Which form an audit requires: any valid one, or the minimal form, of which no cell can be
+/// removed without changing the set.
+enum class AuditForm : std::uint8_t { Any, Minimal };
+
 /// The winding numbers that count as inside: all but 0, the odd ones, or the positive ones.
 enum class WindingRule : std::uint8_t { NonZero, EvenOdd, Positive };
 

@@ -59,7 +59,7 @@ void describe(const MeshReport& report, std::vector<std::string>& notes) {
 
 SolidRead read_nef_set(const std::string& bytes, const ReadOptions& text, Context& context) {
   SpaceComplex complex = read_nef3(bytes, text, context);
-  if (const auto flaw = audit(complex, true, context)) {
+  if (const auto flaw = audit(complex, AuditForm::Minimal, context)) {
     throw Error(ErrorCode::BadShape, "no set of space: " + flaw->invariant + ": " + flaw->place,
                 {text.name});
   }

@@ -274,7 +274,7 @@ bool operator==(const Nef2& a, const Nef2& b) {
 }
 
 std::optional<DcelFlaw> Nef2::audit(Context& context) const {
-  return plumb::audit(complex(), true, context);
+  return plumb::audit(complex(), AuditForm::Minimal, context);
 }
 
 // Nef2: ray shooting, element by element (ray_walk.h).

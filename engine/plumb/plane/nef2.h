@@ -210,7 +210,7 @@ class Nef2 {
                                         Context& context = unlimited_context());
 
   /// Returns the set that a complex and its marks describe. The complex is brought into minimal
-  /// form. Requires that audit(complex, false) finds no flaw.
+  /// form. Requires that audit(complex, AuditForm::Any) finds no flaw.
   [[nodiscard]] static Nef2 from_complex(PlaneComplex complex,
                                          Context& context = unlimited_context());
   /// Returns the set of a complex that is in minimal form already. Nothing is done or checked;

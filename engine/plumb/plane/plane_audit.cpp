@@ -14,8 +14,8 @@ namespace {
 
 class PlaneAudit {
  public:
-  PlaneAudit(const PlaneComplex& complex, bool minimal, Context& context)
-      : c_(complex), minimal_(minimal), context_(context) {}
+  PlaneAudit(const PlaneComplex& complex, AuditForm form, Context& context)
+      : c_(complex), form_(form), context_(context) {}
 
   std::optional<DcelFlaw> run() {
     if (!has_right_sizes() || !has_sound_dcel() || !has_right_frame() || !names_points()) {
@@ -126,8 +126,8 @@ class PlaneAudit {
   bool is_rebuilt_alike() {
     try {
       const PlaneRecords records = to_records(c_);
-      const PlaneComplex again =
-          minimal_ ? from_records(records, context_) : rebuild(records, context_);
+      const PlaneComplex again = form_ == AuditForm::Minimal ? from_records(records, context_)
+                                                             : rebuild(records, context_);
       return has_same_links(again);
     } catch (const Error& e) {
       if (e.code() == ErrorCode::ResourceLimit || e.code() == ErrorCode::Cancelled) throw;
@@ -154,15 +154,15 @@ class PlaneAudit {
   }
 
   const PlaneComplex& c_;
-  bool minimal_;
+  AuditForm form_;
   Context& context_;
   std::optional<DcelFlaw> flaw_;
 };
 
 }  // namespace
 
-std::optional<DcelFlaw> audit(const PlaneComplex& complex, bool minimal, Context& context) {
-  return PlaneAudit(complex, minimal, context).run();
+std::optional<DcelFlaw> audit(const PlaneComplex& complex, AuditForm form, Context& context) {
+  return PlaneAudit(complex, form, context).run();
 }
 
 }  // namespace plumb

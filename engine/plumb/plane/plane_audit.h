@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "plumb/base/context.h"
+#include "plumb/base/marks.h"
 #include "plumb/plane/plane_complex.h"
 
 #pragma GCC visibility push(default)
@@ -19,9 +20,9 @@ namespace plumb {
 ///   edges leave each vertex in counter-clockwise order
 ///   a separate sweep finds that edges intersect at vertices only and that loops lie in the faces
 ///   that list them
-/// If `minimal` is true, also checks that no cell can be removed without changing the set (the form
+/// AuditForm::Minimal also checks that no cell can be removed without changing the set (the form
 /// of a Nef2). Throws ResourceLimit and Cancelled as the Context demands. O(n log n).
-std::optional<DcelFlaw> audit(const PlaneComplex& complex, bool minimal,
+std::optional<DcelFlaw> audit(const PlaneComplex& complex, AuditForm form,
                               Context& context = unlimited_context());
 
 }  // namespace plumb

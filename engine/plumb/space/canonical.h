@@ -46,7 +46,7 @@ namespace plumb {
 /// tables if and only if a == b, and write_nef3() then writes the same bytes. The ids of facets
 /// (facet_origin) are dropped. Throws what the context throws.
 Nef3 canonical(const Nef3& set, Context& context = unlimited_context());
-/// Returns the canonical form of a complex. Requires that audit(minimal, true) finds no flaw.
+/// Returns the canonical form of a complex. Requires that audit(minimal, AuditForm::Minimal) finds no flaw.
 SpaceComplex canonical(const SpaceComplex& minimal, Context& context = unlimited_context());
 
 }  // namespace plumb

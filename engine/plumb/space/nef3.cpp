@@ -247,7 +247,7 @@ std::optional<Rational> Nef3::volume(Context& context) const {
 }
 
 std::optional<SpaceFlaw> Nef3::audit(Context& context) const {
-  return plumb::audit(complex(), true, context);
+  return plumb::audit(complex(), AuditForm::Minimal, context);
 }
 
 TriangleMesh Nef3::to_mesh(Context& context) const {

@@ -244,7 +244,7 @@ class Nef3 {
                                    Context& context = unlimited_context());
 
   /// Returns the set that a complex and its marks describe. The complex is brought into minimal
-  /// form. Requires that audit(complex, false) finds no flaw.
+  /// form. Requires that audit(complex, AuditForm::Any) finds no flaw.
   [[nodiscard]] static Nef3 from_complex(SpaceComplex complex,
                                          Context& context = unlimited_context());
   /// Returns the set of a complex that is in minimal form already. Nothing is done or checked;

@@ -9,7 +9,7 @@
 
 namespace plumb {
 
-std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal, Context& context) {
+std::optional<SpaceFlaw> audit(const SpaceComplex& complex, AuditForm form, Context& context) {
   MemoryCharge memory(context);
   memory.add(memory_bytes(complex), "an audit");
   std::optional<SpaceFlaw> flaw = audit_links(complex, context);
@@ -18,7 +18,7 @@ std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal, Contex
   flaw = audit_places(complex, has_fan, context);
   if (!flaw) flaw = audit_cycles(complex, context);
   if (!flaw) flaw = audit_meeting(complex, has_fan, context);
-  if (!flaw) flaw = audit_marks(complex, has_fan, minimal, context);
+  if (!flaw) flaw = audit_marks(complex, has_fan, form, context);
   return flaw;
 }
 

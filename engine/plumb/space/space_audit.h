@@ -26,7 +26,7 @@ struct SpaceFlaw {
   std::string place;      ///< The cells concerned, such as "edge 3, facet 5".
 };
 
-/// Returns the first flaw found, or nothing. If `minimal` is true, a cell that could be removed
+/// Returns the first flaw found, or nothing. For AuditForm::Minimal, a cell that could be removed
 /// without changing the set is a flaw too (a Nef3 is minimal). So is the id of a plane or point
 /// that does not exist: every id is checked before it is used. Throws what the context throws.
 ///
@@ -34,7 +34,7 @@ struct SpaceFlaw {
 /// or in the box of its surface costs O(k) times the number of cycles in whose boxes they lie. A
 /// vertex of degree d around which the corners form no fan (mesh_topology.h) costs O(d^2). Memory:
 /// about that of the complex.
-std::optional<SpaceFlaw> audit(const SpaceComplex& complex, bool minimal,
+std::optional<SpaceFlaw> audit(const SpaceComplex& complex, AuditForm form,
                                Context& context = unlimited_context());
 
 }  // namespace plumb

@@ -111,7 +111,7 @@ NefSphere NefSphere::from_minimal_unchecked(SphereComplex complex) {
 NefSphere NefSphere::from_complex(SphereComplex complex, Context& context) {
   context.checkpoint("audit", 0, 0);
   auto& [planes, map] = complex;
-  if (const auto flaw = plumb::audit(*planes, map, false)) {
+  if (const auto flaw = plumb::audit(*planes, map, AuditForm::Any)) {
     throw Error(ErrorCode::BadArgument,
                 "not a map of the sphere: " + flaw->invariant + ", " + flaw->place);
   }
@@ -183,7 +183,7 @@ bool NefSphere::is_subset_of(const NefSphere& other, Context& context) const {
 
 std::optional<DcelFlaw> NefSphere::audit(Context& context) const {
   context.checkpoint("audit", 0, 0);
-  return plumb::audit(planes(), map(), true);
+  return plumb::audit(planes(), map(), AuditForm::Minimal);
 }
 
 // ---------------------------------------------------------------- operators of topology

@@ -214,7 +214,7 @@ class NefSphere {
                                         Context& context = unlimited_context());
 
   /// Returns the set that a map and its marks describe, in minimal form. Planes count by their
-  /// normals alone, kBeyond as unmarked. Throws Error{BadArgument} unless audit(planes, map, false)
+  /// normals alone, kBeyond as unmarked. Throws Error{BadArgument} unless audit(planes, map, AuditForm::Any)
   /// finds no flaw.
   [[nodiscard]] static NefSphere from_complex(SphereComplex complex,
                                               Context& context = unlimited_context());

@@ -16,10 +16,10 @@ class SphereAudit {
  public:
   SphereAudit(const PlaneTable& planes, const SphereMap& map) : planes_(planes), map_(map) {}
 
-  std::optional<DcelFlaw> run(bool minimal) {
+  std::optional<DcelFlaw> run(AuditForm form) {
     const bool holds = has_right_sizes() && has_ids_in_range() && has_right_planes() &&
                        is_linked() && turns_clockwise() && meets_at_points() &&
-                       bounds_right_faces() && (!minimal || is_minimal());
+                       bounds_right_faces() && (form == AuditForm::Any || is_minimal());
     return holds ? std::nullopt : std::optional<DcelFlaw>(flaw_);
   }
 
@@ -245,8 +245,8 @@ bool SphereAudit::is_minimal() {
 
 }  // namespace
 
-std::optional<DcelFlaw> audit(const PlaneTable& planes, const SphereMap& map, bool minimal) {
-  return SphereAudit(planes, map).run(minimal);
+std::optional<DcelFlaw> audit(const PlaneTable& planes, const SphereMap& map, AuditForm form) {
+  return SphereAudit(planes, map).run(form);
 }
 
 }  // namespace plumb

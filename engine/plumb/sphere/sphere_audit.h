@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "plumb/base/marks.h"
 #include "plumb/dcel/dcel.h"
 #include "plumb/sphere/sphere_map.h"
 
@@ -18,9 +19,9 @@ namespace plumb {
 ///   points lie on the circles of their arcs; rings turn clockwise, once around
 ///   no two points are equal; arcs intersect at points only; there is at most one loop
 ///   cycles and isolated points name the faces that they bound; every face has a boundary
-/// If `minimal` is true, also checks that no cell can be removed without changing the set. Costs as
+/// AuditForm::Minimal also checks that no cell can be removed without changing the set. Costs as
 /// much as an overlay of the map with itself, which is O(n^2) for small maps.
-std::optional<DcelFlaw> audit(const PlaneTable& planes, const SphereMap& map, bool minimal);
+std::optional<DcelFlaw> audit(const PlaneTable& planes, const SphereMap& map, AuditForm form);
 
 }  // namespace plumb
 #pragma GCC visibility pop

@@ -25,7 +25,7 @@ namespace {
 using Flaw = std::optional<DcelFlaw>;
 
 Flaw audit_nef3(const std::string& text, const ReadOptions& options, Context& context) {
-  const auto flaw = audit(read_nef3(text, options, context), true, context);
+  const auto flaw = audit(read_nef3(text, options, context), AuditForm::Minimal, context);
   if (!flaw) return std::nullopt;
   return DcelFlaw{flaw->invariant, flaw->place};
 }
@@ -35,7 +35,8 @@ Flaw audit_mesh(const std::string& path, const std::string& bytes, const ReadOpt
                 Context& context) {
   SolidReadOptions solid;
   solid.exact_decimals = options.exact_decimals;
-  const auto flaw = audit(read_solid(path, bytes, solid, context).set.complex(), true, context);
+  const auto flaw =
+      audit(read_solid(path, bytes, solid, context).set.complex(), AuditForm::Minimal, context);
   if (!flaw) return std::nullopt;
   return DcelFlaw{flaw->invariant, flaw->place};
 }
@@ -44,7 +45,7 @@ Flaw audit_mesh(const std::string& path, const std::string& bytes, const ReadOpt
 Flaw audit_nef2(const std::string& text, const ReadOptions& options, Context& context) {
   const PlaneRecords records = read_nef2_records(text, options, context);
   try {
-    return audit(from_records(records, context), true, context);
+    return audit(from_records(records, context), AuditForm::Minimal, context);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::BadArgument) throw;
     return DcelFlaw{error.message(), ""};
@@ -79,7 +80,8 @@ Flaw audit_text(const std::string& path, const std::string& text, const ReadOpti
   }
   const PlaneFormat format = plane_format_of(path).value_or(guess_plane_format(text));
   if (format == PlaneFormat::Nef2) return audit_nef2(text, options, context);
-  return audit(read_plane_set(text, format, options, context).complex(), true, context);
+  return audit(read_plane_set(text, format, options, context).complex(), AuditForm::Minimal,
+               context);
 }
 
 void write_flaw(std::ostream& out, const Flaw& flaw) {

@@ -283,7 +283,7 @@ namespace {
 Rational volume_of(const Nef3& set) { return marked_volume(set.complex()).value(); }
 
 void require_sound(const Nef3& set) {
-  const auto flaw = audit(set.complex(), true);
+  const auto flaw = audit(set.complex(), AuditForm::Minimal);
   if (flaw) throw std::logic_error("audit: " + flaw->invariant + " at " + flaw->place);
 }
 

@@ -79,6 +79,7 @@ void SolidText::make_mesh(MeshFormat format, Context& context) {
   const bool wants_triangles = format == MeshFormat::Stl || format == MeshFormat::StlBinary;
   ToMeshOptions options;
   options.faces = wants_triangles ? MeshFaces::Triangles : MeshFaces::PlanarPolygons;
+  options.keeps_exact = true;
   MeshOfComplex made = mesh_of_complex(set_.complex(), options, context);
   if (made.report.is_unbounded) {
     throw Error(ErrorCode::CannotWrite,

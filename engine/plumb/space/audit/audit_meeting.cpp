@@ -24,9 +24,9 @@ class MarkAudit : SpaceAuditPart {
   MarkAudit(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan, Context& context)
       : SpaceAuditPart(complex, context, 4), has_fan_(has_fan), overlay_(complex.planes()) {}
 
-  std::optional<SpaceFlaw> run(bool minimal) {
+  std::optional<SpaceFlaw> run(AuditForm form) {
     static_cast<void>(has_right_volumes() && has_sane_frame() &&
-                      (!minimal || (is_minimal() && has_needed_frame())));
+                      (form == AuditForm::Any || (is_minimal() && has_needed_frame())));
     return flaw_;
   }
 
@@ -183,9 +183,9 @@ class MarkAudit : SpaceAuditPart {
 }  // namespace
 
 std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex,
-                                     std::span<const std::uint8_t> has_fan, bool minimal,
+                                     std::span<const std::uint8_t> has_fan, AuditForm form,
                                      Context& context) {
-  return MarkAudit(complex, has_fan, context).run(minimal);
+  return MarkAudit(complex, has_fan, context).run(form);
 }
 
 // Step 4 of audit(): nothing meets but at common vertices and edges.

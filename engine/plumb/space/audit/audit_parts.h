@@ -116,7 +116,7 @@ std::optional<SpaceFlaw> audit_cycles(const SpaceComplex& complex, Context& cont
 std::optional<SpaceFlaw> audit_meeting(const SpaceComplex& complex,
                                        std::span<const std::uint8_t> has_fan, Context& context);
 std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex,
-                                     std::span<const std::uint8_t> has_fan, bool minimal,
+                                     std::span<const std::uint8_t> has_fan, AuditForm form,
                                      Context& context);
 
 }  // namespace plumb
