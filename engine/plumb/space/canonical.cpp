@@ -1,3 +1,14 @@
+// Canonical form: order the cells, name planes and points by the set alone, write the arrays.
+//
+// The order of cells follows from the set (compare_complexes.h). Names do, too: each plane is taken
+// from the first cell in that order that needs it, with primitive coefficients; an edge has the
+// first two planes of its facets, or planes through it along axes; a point is an input point if it
+// can be, or the first three independent planes at it. So two complexes of one set get equal tables
+// and arrays. All names are made from planes that the minimal complex has, or that are given by an
+// edge or a point of it: ids of the old tables are never used.
+//
+// Tested by tests/space/canonical_test.cpp.
+
 #include "plumb/space/canonical.h"
 
 #include <algorithm>
@@ -21,15 +32,16 @@
 namespace plumb {
 namespace {
 
+/// The planes across the axes.
 constexpr std::array<PlaneId, 3> kAcross = {kPlaneX, kPlaneY, kPlaneZ};
 
-/// Ids in the order of their first appearance, which is that of the ids; each once.
+/// Sorts ids and drops repetitions. New ids ascend in the order of their first appearance.
 void sort_unique(std::vector<PlaneId>& planes) {
   std::sort(planes.begin(), planes.end());
   planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
 }
 
-/// Tables of the planes and points that the set itself names (canonical.h).
+/// Makes tables of the planes and points that the set itself names (canonical.h).
 class Naming {
  public:
   Naming(const SpaceComplex& complex, const CanonicalOrder& order, Context& context)
@@ -57,6 +69,7 @@ class Naming {
   void direct_edges(SpaceComplex& out);
 
   PlaneTable& planes() { return tables_->planes; }
+  /// Interns a plane with primitive coefficients, so that the source of the plane is the same, too.
   PlaneId intern(const IntegerRow& row) {
     const IntegerRow least = primitive(row);
     return planes()
@@ -75,13 +88,15 @@ class Naming {
   const CanonicalOrder& order_;
   Context& context_;
   std::shared_ptr<SpaceTables> tables_;
-  std::vector<PlaneId> plane_;  ///< per plane of c_: its id in tables_, once it is there
-  std::vector<PlaneId> found_;  ///< scratch
+  std::vector<PlaneId> plane_;  ///< The id in tables_ of each plane of c_, once it is there.
+  std::vector<PlaneId> found_;  ///< Memory that is reused.
   std::vector<PlaneId> chosen_;
 };
 
 // ---------------------------------------------------------------- planes
 
+/// Returns the new id of a facet's plane. Planes of the frame are in the new table already, in the
+/// same order.
 PlaneId Naming::plane_of(FacetId f) {
   const PlaneId old = c_.facet_plane[f.value()];
   PlaneId& plane = plane_[old.value()];
@@ -103,6 +118,7 @@ void Naming::name_facets(SpaceComplex& out) {
   }
 }
 
+/// Appends the planes of the facets around an edge.
 void Naming::add_facet_planes(EdgeId e, std::vector<PlaneId>& found) {
   const UseId first = c_.edge_use[e.value()];
   if (!first.is_valid()) return;
@@ -113,8 +129,9 @@ void Naming::add_facet_planes(EdgeId e, std::vector<PlaneId>& found) {
   } while (u != first);
 }
 
-/// Through the edge and along an axis: of the planes p and q of the edge, q_i p - p_i q. None if
-/// the edge runs along the axis. Edges on the frame have two facets in different planes.
+/// Returns the plane through the edge along an axis: q_i p - p_i q for the planes p and q of the
+/// edge; nothing if the edge runs along the axis. Edges on the frame never need it, as they have
+/// two facets in different planes.
 std::optional<IntegerRow> Naming::plane_along(EdgeId e, std::size_t axis) const {
   const auto& [p, q] = c_.edge_planes[e.value()];
   PLUMB_CHECK(!c_.planes().is_frame(p) && !c_.planes().is_frame(q));
@@ -127,10 +144,13 @@ std::optional<IntegerRow> Naming::plane_along(EdgeId e, std::size_t axis) const 
   return row;
 }
 
+/// Returns the two planes that name an edge.
 std::array<PlaneId, 2> Naming::planes_of(EdgeId e) {
   found_.clear();
   add_facet_planes(e, found_);
   sort_unique(found_);
+  // An edge with facets in fewer than two planes gets planes through it along axes, x first. At
+  // most one axis is parallel to the edge, so there are enough.
   for (std::size_t axis = 0; axis < 3 && found_.size() < 2; ++axis) {
     const auto row = plane_along(e, axis);
     if (!row) continue;
@@ -150,7 +170,7 @@ void Naming::name_edges(SpaceComplex& out) {
   }
 }
 
-/// So that half-edges 2e run as their planes say.
+/// Puts the planes of each edge in such an order that half-edge 2e runs from its lesser vertex.
 void Naming::direct_edges(SpaceComplex& out) {
   const auto& edges = order_.edges.ids();
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -166,7 +186,7 @@ void Naming::direct_edges(SpaceComplex& out) {
 
 // ---------------------------------------------------------------- points
 
-/// None if a coordinate is no double. No negative zeros.
+/// Returns a point as doubles without negative zeros, or nothing if a coordinate is no double.
 std::optional<Point3> Naming::as_doubles(SpacePoint p) const {
   if (p.is_input()) {
     const Point3& at = c_.planes().point(p.input());
@@ -183,8 +203,8 @@ std::optional<Point3> Naming::as_doubles(SpacePoint p) const {
   return Point3{rounded[0], rounded[1], rounded[2]};
 }
 
-/// Has its normal no part in those of the planes chosen? They are different and have a common
-/// point.
+/// Whether the normal of a plane is independent of those of the planes chosen. All these planes are
+/// different and have a common point.
 bool Naming::is_independent(PlaneId p) const {
   const PlaneTable& planes = tables_->planes;
   if (chosen_.empty()) return true;
@@ -195,6 +215,8 @@ bool Naming::is_independent(PlaneId p) const {
   return false;
 }
 
+/// Returns the three planes that name a point: the first independent ones of facets and edges at
+/// it, then planes across axes.
 std::array<PlaneId, 3> Naming::planes_at(const SpaceComplex& out, VertexId v) {
   found_.clear();
   for (const HalfedgeId h : c_.star_of(v)) {
@@ -209,6 +231,8 @@ std::array<PlaneId, 3> Naming::planes_at(const SpaceComplex& out, VertexId v) {
   for (std::size_t i = 0; i < found_.size() && chosen_.size() < 3; ++i) {
     if (is_independent(found_[i])) chosen_.push_back(found_[i]);
   }
+  // With fewer than three independent planes, as at isolated vertices and ends of free edges in
+  // special position, planes across axes complete the point.
   if (chosen_.size() < 3) {
     const RationalPoint3 at = exact(c_.points(), c_.vertex_point[v.value()]);
     for (std::size_t i = 0; i < 3 && chosen_.size() < 3; ++i) {
@@ -223,6 +247,7 @@ std::array<PlaneId, 3> Naming::planes_at(const SpaceComplex& out, VertexId v) {
   return {chosen_[0], chosen_[1], chosen_[2]};
 }
 
+// Doubles first: an input point needs no planes, whatever its history.
 void Naming::name_points(SpaceComplex& out) {
   const auto& vertices = order_.vertices.ids();
   out.vertex_point.reserve(vertices.size());
@@ -240,7 +265,7 @@ void Naming::name_points(SpaceComplex& out) {
 
 // ---------------------------------------------------------------- arrays
 
-/// to[i] = from[ids[i]].
+/// Returns an array in the new order: to[i] = from[ids[i]].
 template <class T, class Id>
 std::vector<T> reordered(const std::vector<T>& from, const NewOrder<Id>& order) {
   std::vector<T> to;
@@ -249,7 +274,7 @@ std::vector<T> reordered(const std::vector<T>& from, const NewOrder<Id>& order) 
   return to;
 }
 
-/// The same for ids that have new numbers themselves.
+/// Returns the same for an array of ids, which get their new numbers.
 template <class T, class Id>
 std::vector<T> renumbered(const std::vector<T>& from, const NewOrder<Id>& order,
                           const NewOrder<T>& numbers) {
@@ -258,6 +283,7 @@ std::vector<T> renumbered(const std::vector<T>& from, const NewOrder<Id>& order,
   return to;
 }
 
+/// Writes all arrays but those that Naming fills.
 class Writing {
  public:
   Writing(const SpaceComplex& complex, const CanonicalOrder& order) : c_(complex), o_(order) {}
@@ -288,7 +314,7 @@ class Writing {
     }
   }
 
-  /// Half-edges go to their origins in their order.
+  /// Lists half-edges at their origins, ascending.
   static void write_stars(SpaceComplex& out) {
     out.star_begin.assign(out.vertex_mark.size() + 1, 0);
     for (const VertexId v : out.origin) ++out.star_begin[v.value() + 1];
@@ -310,7 +336,7 @@ class Writing {
     out.use_facet = renumbered(c_.use_facet, o_.uses, o_.facets);
   }
 
-  /// Around an edge that turns, the uses follow each other the other way.
+  /// Writes radial orders. Around an edge that is turned, the uses follow each other the other way.
   void write_rings(SpaceComplex& out) const {
     out.use_radial.resize(c_.use_count());
     out.edge_use.assign(c_.edge_count(), UseId());
@@ -318,12 +344,13 @@ class Writing {
       const EdgeId e = SpaceComplex::edge_of(c_.use_halfedge[u]);
       UseId from = o_.uses(UseId(u)), to = o_.uses(c_.use_radial[u]);
       UseId& first = out.edge_use[o_.edges(e).value()];
-      first = std::min(first, from);  // an id that is not valid is the largest
+      first = std::min(first, from);  // An invalid id is the largest.
       if (o_.is_turned(c_, e)) std::swap(from, to);
       out.use_radial[from.value()] = to;
     }
   }
 
+  /// Writes facets with their cycles and inner vertices; facet_origin is dropped.
   void write_facets(SpaceComplex& out) const {
     out.facet_mark = reordered(c_.facet_mark, o_.facets);
     out.facet_volume = reordered(c_.facet_volume, o_.facets);
@@ -350,6 +377,7 @@ class Writing {
 
 }  // namespace
 
+// Naming adds the arrays that refer to tables, Writing all others.
 SpaceComplex canonical(const SpaceComplex& minimal, Context& context) {
   MemoryCharge memory(context);
   memory.add(2 * memory_bytes(minimal), "the canonical form");

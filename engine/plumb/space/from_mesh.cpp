@@ -1,3 +1,19 @@
+// From a mesh to a complex: the steps in order, and what is reported of the mesh.
+//
+// Each step is a source of its own in mesh/: vertices, facets, links, borders, components, fans and
+// crossings. Here they are run, faces keep their input numbers, and the report is filled. A mesh
+// that is open and not read as a surface stops after its borders are known.
+//
+// Large meshes of triangles are first sorted along a space-filling curve, which makes the later
+// steps faster; names of faces are translated back. An open mesh is read again in its own order, so
+// that its report does not depend on the sorting.
+//
+// Flat edges (between two triangles of one plane) get their second planes only if they stay: for a
+// mesh that does not cross itself coplanar neighbours are joined first, and most of them are
+// removed (docs/design/meshes.md, "Merging coplanar facets").
+//
+// Tested by tests/space/from_mesh_test.cpp.
+
 #include "plumb/space/from_mesh.h"
 
 #include <algorithm>
@@ -16,10 +32,10 @@ namespace plumb {
 namespace {
 
 constexpr std::uint64_t kBytesPerCorner = 200;
-constexpr std::uint64_t kBytesPerPoint = 4;   // also of points that no face names
-constexpr std::size_t kWorthOrdering = 4096;  // faces: fewer are close together in any order
+constexpr std::uint64_t kBytesPerPoint = 4;   // This counts points that no face names, too.
+constexpr std::size_t kWorthOrdering = 4096;  // Fewer faces are close together in any order.
 
-/// Vertices without a facet (corners of faces without area only) go.
+/// Removes vertices without a facet: corners of faces without area only.
 void drop_unused(MeshFacets& facets, MeshLinks& links, MeshVertices& vertices) {
   std::vector<std::uint32_t> number(vertices.point.size(), 0);
   for (const std::uint32_t v : facets.corner) number[v] = 1;
@@ -40,13 +56,14 @@ void drop_unused(MeshFacets& facets, MeshLinks& links, MeshVertices& vertices) {
   }
 }
 
+/// Finds the components, and lists those of negative volume by their least faces.
 void describe_components(const MeshFacets& facets, MeshComplex& result) {
   MeshComponents components = find_components(result.complex, facets.jump);
   result.component = std::move(components.of_facet);
   for (const Sign s : components.volume) {
     result.is_inside_out.push_back(s == Sign::Negative ? 1 : 0);
   }
-  std::vector<std::uint32_t> least(components.volume.size(), kNone);  // input face
+  std::vector<std::uint32_t> least(components.volume.size(), kNone);  // The least input face.
   for (std::uint32_t f = 0; f < facets.size(); ++f) {
     least[result.component[f]] = std::min(least[result.component[f]], facets.origin[f]);
   }
@@ -56,6 +73,7 @@ void describe_components(const MeshFacets& facets, MeshComplex& result) {
   std::ranges::sort(result.report.inside_out);
 }
 
+/// Finds fans and crossings, and reports the crossings as pairs of input faces.
 void describe_crossings(const MeshOptions& options, MeshComplex& result, MemoryCharge& memory,
                         Context& context) {
   const SpaceComplex& complex = result.complex;
@@ -76,17 +94,19 @@ void describe_crossings(const MeshOptions& options, MeshComplex& result, MemoryC
   result.report.crossings = std::move(pairs);
 }
 
-/// What is known of items that stay, under their new numbers. Items with one number know the same.
+/// Moves what is known of cells that stay to their new numbers. Cells with one number know the
+/// same.
 template <class T, class Id>
 void renumber(std::span<const Id> number, std::vector<T>& known) {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < number.size(); ++i) {  // numbers ascend where they come first
+  for (std::size_t i = 0; i < number.size(); ++i) {  // Numbers ascend where each comes first.
     if (number[i].is_valid() && number[i].value() == count) known[count++] = known[i];
   }
   known.resize(count);
 }
 
-/// Neighbours are joined, where open edges go; or else these are completed.
+/// Joins coplanar neighbours, which removes open edges, if that is asked for and the mesh does not
+/// cross itself; else completes open edges.
 void settle_flat_edges(const MeshOptions& options, SpaceTables& tables, MeshComplex& mesh,
                        Context& context) {
   if (!options.joins_coplanar || options.surface || !mesh.crossings.empty()) {
@@ -101,10 +121,10 @@ void settle_flat_edges(const MeshOptions& options, SpaceTables& tables, MeshComp
   mesh.complex = std::move(joined);
 }
 
-/// Faces of an ordered mesh get the numbers they had before.
+/// Gives faces of an ordered mesh the numbers that they had before.
 void rename_faces(std::span<const std::uint32_t> name, MeshFacets& facets, MeshReport& report) {
   for (std::uint32_t& f : facets.origin) f = name[f];
-  for (auto* const list : {&report.degenerate, &report.trimmed}) {  // all that triangles can be
+  for (auto* const list : {&report.degenerate, &report.trimmed}) {  // Triangles have no others.
     for (std::uint32_t& f : *list) f = name[f];
     std::ranges::sort(*list);
   }
@@ -115,8 +135,8 @@ void rename_faces(std::span<const std::uint32_t> name, MeshFacets& facets, MeshR
   std::ranges::sort(report.doubled);
 }
 
-/// Of `ordered`, if it is not empty, which comes from `input`; borders have the numbers that points
-/// have there.
+/// Returns the complex of `ordered`, which comes from `input`, or of `input` if that is empty.
+/// Borders have the numbers that points have in the mesh that was read.
 MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const MeshOptions& options,
                              MemoryCharge& memory, Context& context) {
   MeshComplex result;
@@ -147,7 +167,8 @@ MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const M
   return result;
 }
 
-/// "the mesh is open: 2 border(s), the first along the vertices 3, 8, 11 and 5 more (0-based)".
+/// Returns a text such as "the mesh is open: 2 border(s), the first along the vertices 3, 8, 11 and
+/// 5 more (0-based)".
 std::string open_mesh_message(const MeshReport& report) {
   constexpr std::size_t kMost = 5;
   std::string text = "the mesh is open: " + std::to_string(report.borders.size()) + " border(s)";
@@ -167,6 +188,8 @@ OpenMesh::OpenMesh(MeshReport report, TextPlace place)
     : Error(ErrorCode::BadShape, open_mesh_message(report), std::move(place)),
       report_(std::make_shared<const MeshReport>(std::move(report))) {}
 
+// An open mesh is read again in its own order: the numbers in its report must be those of the
+// input.
 MeshComplex complex_of_mesh(const MeshView& mesh, const MeshOptions& options, Context& context) {
   MemoryCharge memory(context);
   memory.add(kBytesPerCorner * mesh.corners.size() + kBytesPerPoint * mesh.point_count(), "a mesh");

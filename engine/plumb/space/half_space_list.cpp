@@ -1,3 +1,8 @@
+// Half-spaces as four numbers each: doubles in one array, and the few that are no doubles in a
+// sorted list besides, with 0 in their place.
+//
+// Tested by tests/space/half_space_hull_test.cpp and tests/io/half_space_reader_test.cpp.
+
 #include "plumb/space/half_space_list.h"
 
 #include <algorithm>

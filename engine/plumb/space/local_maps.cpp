@@ -1,3 +1,17 @@
+// Makes the sphere map of a cell from the arrays of the complex.
+//
+// A facet gives a loop between two faces, an edge two points with a half-circle for each edge use
+// (Weiler), a vertex a point for each half-edge and an arc for each corner. Around a half-edge the
+// arcs have the radial order of its edge, which links them; faces are the orbits of `next`. If the
+// map is connected (by Euler's formula, points - arcs + faces = 2), that is all, without
+// arithmetic. Else several orbits bound one face, and walks along great circles group them
+// (docs/design/sphere.md, "Nesting").
+//
+// The numbering is fixed: points in the order of the star, arcs by the point at which their use
+// begins. VertexCarrier (boolean/vertex_labels.h) relies on it.
+//
+// Tested by tests/space/nef3_property_test.cpp and tests/space/embedding_test.cpp.
+
 #include "plumb/space/local_maps.h"
 
 #include <algorithm>
@@ -10,6 +24,7 @@ namespace plumb {
 
 namespace {
 
+/// Empties a map and keeps its memory.
 void clear(LocalMap& local) {
   local.map.clear();
   local.halfedge.clear();
@@ -18,6 +33,7 @@ void clear(LocalMap& local) {
   local.volume.clear();
 }
 
+/// Adds the point of a half-edge, without arcs.
 void add_point(const SpaceComplex& complex, HalfedgeId h, LocalMap& out) {
   out.halfedge.push_back(h);
   out.map.direction.push_back(direction_of(complex, h));
@@ -26,13 +42,14 @@ void add_point(const SpaceComplex& complex, HalfedgeId h, LocalMap& out) {
   out.map.point_face.push_back(kNone);
 }
 
-/// Adds an arc without points or faces yet.
+/// Adds an arc without points and faces yet. Without points it is a loop: both half-arcs follow
+/// themselves.
 void add_arc(const SpaceComplex& complex, FacetId f, UseId use, LocalMap& out) {
   out.use.push_back(use);
   out.facet.push_back(f);
   out.map.circle.push_back(complex.facet_plane[f.value()]);
   out.map.arc_mark.push_back(complex.facet_mark[f.value()]);
-  for (int side = 0; side < 2; ++side) {  // far cheaper than insert()
+  for (int side = 0; side < 2; ++side) {  // Much less expensive than insert().
     out.map.origin.push_back(kNone);
     out.map.next.push_back(static_cast<std::uint32_t>(out.map.next.size()));
     out.map.face.push_back(kNone);
@@ -43,6 +60,7 @@ void add_loop(const SpaceComplex& complex, FacetId f, LocalMap& out) {
   add_arc(complex, f, UseId(), out);
 }
 
+/// Adds a face in a volume, with mark 0 if the volume is not known, and returns it.
 std::uint32_t add_face(const SpaceComplex& complex, VolumeId volume, LocalMap& out) {
   const bool known = volume.is_valid() && volume.value() < complex.volume_count();
   out.volume.push_back(volume);
@@ -50,14 +68,14 @@ std::uint32_t add_face(const SpaceComplex& complex, VolumeId volume, LocalMap& o
   return static_cast<std::uint32_t>(out.volume.size() - 1);
 }
 
-/// The volume to the left of a half-arc.
+/// Returns the volume to the left of a half-arc.
 VolumeId volume_left_of(const SpaceComplex& complex, const LocalMap& local, std::uint32_t half) {
   const FacetId f = local.facet[half / 2];
   if (complex.facet_volume.empty()) return VolumeId();
   return complex.facet_volume[f.value()][half & 1U];
 }
 
-/// Half-arcs that leave one point, each the clockwise neighbour of the one after it.
+/// Links half-arcs that leave one point, each the clockwise neighbour of the one after it.
 void link_ring(std::span<const std::uint32_t> counterclockwise, SphereMap& map) {
   for (std::size_t i = 0; i < counterclockwise.size(); ++i) {
     const std::uint32_t after = counterclockwise[i + 1 < counterclockwise.size() ? i + 1 : 0];
@@ -75,10 +93,13 @@ void map_facet(const SpaceComplex& complex, FacetId f, LocalMap& out) {
   out.map.centre_mark = complex.facet_mark[f.value()];
 }
 
+/// Returns the volume around a free edge; invalid if volumes are not labelled.
 VolumeId volume_of_free_edge(const SpaceComplex& complex, HalfedgeId h) {
   return complex.edge_volume.empty() ? VolumeId() : complex.edge_volume[h.value() >> 1U];
 }
 
+// The uses come counter-clockwise around half-edge 2e, so their half-arcs do at point 0; at point 1
+// the order is reversed.
 void map_edge(const SpaceComplex& complex, EdgeId e, LocalMap& out) {
   SphereMap& map = out.map;
   const HalfedgeId forward(2 * e.value()), backward(2 * e.value() + 1);
@@ -91,6 +112,8 @@ void map_edge(const SpaceComplex& complex, EdgeId e, LocalMap& out) {
     map.point_face[0] = map.point_face[1] = add_face(complex, around, out);
     return;
   }
+  // Arc i is the half-circle of the i-th use in radial order. Its half-arc that leaves point 0 is
+  // the even one for a use of 2e and the odd one for a use of 2e + 1.
   std::vector<std::uint32_t> ring, reversed;
   UseId u = first;
   do {
@@ -108,6 +131,8 @@ void map_edge(const SpaceComplex& complex, EdgeId e, LocalMap& out) {
   link_ring(reversed, map);
   map.first_out[0] = ring.front();
   map.first_out[1] = SphereMap::twin(ring.front());
+  // Between two neighbouring half-circles lies one face, to the left of the first half-arc at point
+  // 0 and of the reverse of the next one.
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const std::uint32_t after = ring[i + 1 < ring.size() ? i + 1 : 0];
     map.face[ring[i]] = map.face[SphereMap::twin(after)] =
@@ -117,7 +142,7 @@ void map_edge(const SpaceComplex& complex, EdgeId e, LocalMap& out) {
 
 // ---- vertices
 
-/// Arcs by their use, for vertices of many facets by binary search.
+/// Finds the arc of a use; at vertices of many facets by binary search.
 class ArcsByUse {
  public:
   explicit ArcsByUse(const std::vector<UseId>& use) : use_(use) {
@@ -142,6 +167,7 @@ class ArcsByUse {
   std::vector<std::uint32_t> order_;
 };
 
+/// Calls visit(use) for the uses around the edge of a half-edge, in radial order.
 template <class Visit>
 void for_each_use(const SpaceComplex& complex, HalfedgeId h, Visit visit) {
   const UseId first = complex.edge_use[h.value() >> 1U];
@@ -153,7 +179,7 @@ void for_each_use(const SpaceComplex& complex, HalfedgeId h, Visit visit) {
   } while (u != first);
 }
 
-/// Points and arcs of a vertex with their links, without faces.
+/// Adds the points and arcs of a vertex with their links, without faces.
 void link_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
   SphereMap& map = out.map;
   for (const HalfedgeId h : complex.star_of(v)) add_point(complex, h, out);
@@ -165,6 +191,8 @@ void link_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
     });
   }
   const ArcsByUse arc_of(out.use);
+  // The corner of a use that leaves along h begins at this point: its even half-arc leaves. The
+  // corner of a use that arrives belongs to the next use and ends here: its odd half-arc leaves.
   for (std::uint32_t i = 0; i < out.halfedge.size(); ++i) {
     const HalfedgeId h = out.halfedge[i];
     const bool is_reverse = SpaceComplex::is_reverse(h);
@@ -194,7 +222,8 @@ void link_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
   if (inside.is_valid()) add_loop(complex, inside, out);
 }
 
-/// Makes each orbit of next a face, with the volume of its first half-arc; returns how many.
+/// Makes each orbit of `next` a face, with the volume of its first half-arc, and returns how many
+/// there are.
 std::uint32_t add_orbits(const SpaceComplex& complex, LocalMap& out) {
   SphereMap& map = out.map;
   std::uint32_t count = 0;
@@ -207,7 +236,8 @@ std::uint32_t add_orbits(const SpaceComplex& complex, LocalMap& out) {
   return count;
 }
 
-/// Groups the boundary cycles of a map that is not connected into faces.
+/// Groups the boundary cycles of a map that is not connected into faces. A cycle is an orbit of
+/// half-arcs or an isolated point.
 class CycleGroups {
  public:
   CycleGroups(const PlaneTable& planes, const SphereMap& map,
@@ -222,7 +252,7 @@ class CycleGroups {
     if (map.arc_count() == 0) std::fill(class_.begin(), class_.end(), 0U);
   }
 
-  /// Class of an orbit; of the isolated point i: orbit_count + i.
+  /// Returns the class of an orbit; isolated point i is cycle orbit_count + i.
   std::uint32_t of_cycle(std::uint32_t cycle) { return find_root(class_, cycle); }
 
  private:
@@ -235,7 +265,7 @@ class CycleGroups {
   std::vector<std::uint32_t> class_;
 };
 
-/// Gives each class of boundary cycles a face, with the volume that a cycle of it knows.
+/// Gives each class of boundary cycles a face, with the volume that one of its cycles knows.
 class FaceNumbers {
  public:
   FaceNumbers(const SpaceComplex& complex, std::size_t classes, LocalMap& out)
@@ -263,11 +293,13 @@ void map_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
   }
   const std::uint32_t orbits = add_orbits(complex, out);
   const auto points = static_cast<std::uint32_t>(map.point_count());
-  // Euler: V - E + F is 2 for each component that has both points and arcs.
+  // By Euler's formula V - E + F is 2 for a component with points and arcs, and each component has
+  // orbits of its own: so the sum is 2 exactly if there is one component.
   const bool has_lone_parts =
       complex.vertex_facet[v.value()].is_valid() ||
       std::find(map.first_out.begin(), map.first_out.end(), kNone) != map.first_out.end();
   if (!has_lone_parts && points + orbits == map.arc_count() + 2) return;  // connected
+  // Orbits are regrouped: a class of cycles that bound one face gets one number.
   const std::vector<std::uint32_t> orbit = map.face;
   out.volume.clear();
   map.face_mark.clear();

@@ -1,3 +1,8 @@
+// Views of meshes in plain arrays: sizes and starts are checked here, corners and coordinates by
+// the functions that read the mesh.
+//
+// Tested by tests/space/mesh_arrays_test.cpp.
+
 #include "plumb/space/mesh_arrays.h"
 
 #include <algorithm>
@@ -14,6 +19,7 @@ namespace {
 static_assert(sizeof(Point3) == 3 * sizeof(double) && alignof(Point3) == alignof(double));
 static_assert(std::is_standard_layout_v<Point3> && std::is_trivially_copyable_v<Point3>);
 
+/// Throws Error{BadArgument} unless the size is a multiple of three.
 void require_triples(std::size_t size, const char* what) {
   if (size % 3 != 0) {
     throw Error(ErrorCode::BadArgument,
@@ -21,13 +27,15 @@ void require_triples(std::size_t size, const char* what) {
   }
 }
 
-/// Points and corners have numbers of 32 bits.
+/// Throws Error{BadArgument} if there are more than 2^32 - 1: points and corners have numbers of 32
+/// bits.
 void require_countable(std::size_t count, const char* what) {
   if (count > std::numeric_limits<std::uint32_t>::max()) {
     throw Error(ErrorCode::BadArgument, std::string("more ") + what + " than 2^32 - 1");
   }
 }
 
+/// Returns a view of arrays whose sizes it checks.
 MeshView view_of(std::span<const double> coordinates, std::span<const std::uint32_t> corners) {
   require_triples(coordinates.size(), "coordinates");
   require_countable(coordinates.size() / 3, "points");

@@ -1,3 +1,20 @@
+// Members of Nef3 that hold, read and operate on a set, and the Booleans of sets.
+//
+// Unary operators change marks and bring the complex into minimal form. Booleans first look for
+// cases that need no geometry: an operand that is empty or whole, operands that are identical, and
+// bounded operands that boxes prove apart; then operands get frames if one of them has one, are
+// combined (boolean/boolean_op.h), and the result loses a frame that nothing reaches and tables
+// that are mostly unused.
+//
+// Invariants of a State: the complex is minimal, has a frame exactly if a facet or edge of the set
+// reaches infinity, and changes only while one set alone holds it. A use count of 1 is read
+// relaxed, so an acquire fence comes before memory is reused that other threads may have read.
+//
+// Unions of many sets are computed in a balanced tree, its halves in parallel.
+//
+// Tested by tests/space/nef3_test.cpp, tests/space/nef3_property_test.cpp and
+// tests/space/threads_test.cpp.
+
 #include "plumb/space/nef3.h"
 
 #include <algorithm>
@@ -23,6 +40,7 @@
 namespace plumb {
 namespace {
 
+/// Returns the complex of all of space with one mark.
 SpaceComplex without_boundary(Mark mark) {
   SpaceComplex complex;
   complex.tables = std::make_shared<SpaceTables>();
@@ -31,24 +49,27 @@ SpaceComplex without_boundary(Mark mark) {
   return complex;
 }
 
-/// Sets all marks but those of the frame.
+/// Sets all marks except those of the frame.
 void fill(std::vector<Mark>& marks, Mark value) {
   for (Mark& m : marks) {
     if (m != kBeyond) m = value;
   }
 }
 
+/// Sets the marks of all vertices, edges and facets off the frame.
 void fill_boundary(SpaceComplex& complex, Mark value) {
   fill(complex.vertex_mark, value);
   fill(complex.edge_mark, value);
   fill(complex.facet_mark, value);
 }
 
+/// Returns the complex with a frame.
 SpaceComplex framed(SpaceComplex complex, Context& context) {
   return has_frame(complex) ? std::move(complex)
                             : with_frame(complex, copy(*complex.tables), context);
 }
 
+/// Returns f(a, b) for any two operands, with a frame only if it needs one.
 SpaceComplex combine_any(SpaceComplex a, SpaceComplex b, MarkFunction f, Context& context) {
   if (has_frame(a) != has_frame(b)) {
     a = framed(std::move(a), context);
@@ -58,7 +79,7 @@ SpaceComplex combine_any(SpaceComplex a, SpaceComplex b, MarkFunction f, Context
   return with_tidy_tables(without_idle_frame(std::move(result), context));
 }
 
-/// With marks 0 where the selector does not accept.
+/// Returns the set in which only cells that the selector accepts are marked.
 SpaceComplex selected(SpaceComplex complex, const SpaceSelector& select, Context& context) {
   const auto clear = [](auto id, const auto& accepts, std::vector<Mark>& marks) {
     using Id = decltype(id);
@@ -73,6 +94,7 @@ SpaceComplex selected(SpaceComplex complex, const SpaceSelector& select, Context
   return without_idle_frame(simplified(std::move(complex), context), context);
 }
 
+/// Returns the number of cells off the frame.
 std::size_t standard_count(const std::vector<Mark>& marks) {
   return static_cast<std::size_t>(
       std::count_if(marks.begin(), marks.end(), [](Mark m) { return m != kBeyond; }));
@@ -100,7 +122,7 @@ const SpaceComplex& Nef3::complex() const& { return state_->complex; }
 SpaceComplex Nef3::complex() && {
   const std::shared_ptr<State> state = std::move(state_);
   if (state.use_count() > 1) return state->complex;
-  std::atomic_thread_fence(std::memory_order_acquire);  // whoever shared it has read it before
+  std::atomic_thread_fence(std::memory_order_acquire);  // Other threads may have read it before.
   return std::move(state->complex);
 }
 
@@ -169,6 +191,7 @@ bool Nef3::is_whole() const {
   return complex().vertex_count() == 0 && complex().volume_mark[0] == 1;
 }
 
+// Marked volumes must be bounded; marked facets and edges must not reach the frame.
 bool Nef3::is_bounded() const {
   const SpaceComplex& c = complex();
   const std::vector<std::uint8_t> is_far = unbounded_volumes(c);
@@ -176,6 +199,7 @@ bool Nef3::is_bounded() const {
     if (is_far[v] != 0 && c.volume_mark[v] == 1) return false;
   }
   for (std::size_t u = 0; u < c.use_count(); ++u) {
+    // A marked facet or edge that reaches the frame is unbounded, too.
     const bool is_framed = c.edge_mark[c.use_halfedge[u].value() / 2] == kBeyond;
     if (is_framed && c.facet_mark[c.use_facet[u].value()] == 1) return false;
   }
@@ -185,6 +209,8 @@ bool Nef3::is_bounded() const {
   return true;
 }
 
+// In a minimal complex a vertex, edge or facet that is not marked is a limit of points of the set:
+// otherwise nothing around it would be marked either, and it would be superfluous.
 bool Nef3::is_closed() const {
   const SpaceComplex& c = complex();
   const auto has_open = [](const std::vector<Mark>& marks) {
@@ -203,7 +229,7 @@ bool Nef3::is_open() const {
 
 namespace {
 
-/// Are all uses around the half-edge of standard facets, and two?
+/// Whether the edge of a half-edge has two uses.
 bool has_two_facets(const SpaceComplex& c, HalfedgeId h) {
   const UseId first = c.edge_use[h.value() / 2];
   if (!first.is_valid()) return false;
@@ -211,7 +237,8 @@ bool has_two_facets(const SpaceComplex& c, HalfedgeId h) {
   return second != first && c.use_radial[second.value()] == first;
 }
 
-/// One cycle of corners: as many arcs as points, two faces.
+/// Whether the corners around a vertex make one cycle: as many arcs as points, so two faces.
+/// Requires edges of two uses.
 bool is_on_one_cone(const SpaceComplex& c, VertexId v, LocalMap& local) {
   if (c.vertex_facet[v.value()].is_valid() || c.star_of(v).empty()) return false;
   local_map(c, v, local);
@@ -220,6 +247,7 @@ bool is_on_one_cone(const SpaceComplex& c, VertexId v, LocalMap& local) {
 
 }  // namespace
 
+// Facets must separate the set from its complement, edges have two facets, vertices one cone.
 bool Nef3::is_simple() const {
   const SpaceComplex& c = complex();
   for (std::size_t f = 0; f < c.facet_count(); ++f) {
@@ -265,6 +293,7 @@ MeshOfComplex Nef3::to_polygons(const ToMeshOptions& options, Context& context) 
 
 // ---------------------------------------------------------------- operations
 
+// Exchanging the marks 0 and 1 keeps a minimal complex minimal.
 Nef3 Nef3::complement(Context& context) const {
   context.checkpoint("complement", 0, 0);
   SpaceComplex c = complex();
@@ -286,6 +315,7 @@ Nef3 Nef3::closure(Context& context) const {
   return from_complex(std::move(c), context);
 }
 
+// In a minimal complex all vertices, edges and facets are boundary points.
 Nef3 Nef3::boundary(Context& context) const {
   SpaceComplex c = complex();
   fill_boundary(c, 1);
@@ -310,14 +340,15 @@ Nef3 Nef3::translated(const RationalPoint3& by, Context& context) const {
 
 namespace {
 
-/// The operation f(m, m) or f(m, mark) of one set: itself, its complement, or nothing but a mark.
+/// Returns the set with other marks for the points outside and inside: itself, its complement,
+/// nothing or the whole space.
 Nef3 with_marks(Nef3 set, bool of_outside, bool of_inside) {
   if (of_outside == of_inside) return of_inside ? Nef3::whole() : Nef3::empty();
   return of_inside ? std::move(set) : !set;
 }
 
-/// Where each mark of one operand has but one partner, nothing has to meet: one of them is empty or
-/// the whole space, or they are the same.
+/// Returns f(a, b) if each mark of one operand has one partner only: one of them is empty or the
+/// whole space, or they are the same set. Else returns nothing.
 std::optional<Nef3> combine_marks(const Nef3& a, const Nef3& b, MarkFunction f) {
   const bool in_a = a.is_whole(), in_b = b.is_whole();
   if (in_b || b.is_empty()) return with_marks(a, f(false, in_b), f(true, in_b));
@@ -328,17 +359,21 @@ std::optional<Nef3> combine_marks(const Nef3& a, const Nef3& b, MarkFunction f) 
 
 }  // namespace
 
-/// Bounded boundaries apart: all of one lies in volume 0 of the other.
+/// Returns f(a, b) for bounded boundaries that are apart: all of one lies in volume 0 of the other,
+/// so each changes its marks by itself. Returns nothing if boxes do not prove that they are.
 std::optional<Nef3> Nef3::combined_apart(Nef3& a, Nef3& b, MarkFunction f) {
   if (has_frame(a.complex()) || has_frame(b.complex())) return {};
   std::vector<Box3> parts = a.state_->boxes();
   const std::vector<Box3> others = b.state_->boxes();
   if (!are_apart({a.complex(), parts}, {b.complex(), others})) return {};
+  // All of a lies in volume 0 of b, and conversely, so each changes its marks by a function of its
+  // own: f with the mark of the other's volume 0.
   const bool of_a = a.complex().volume_mark[0] != 0, of_b = b.complex().volume_mark[0] != 0;
   a = plumb::with_marks(std::move(a), f(false, of_b), f(true, of_b));
   b = plumb::with_marks(std::move(b), f(of_a, false), f(of_a, true));
   if (b.complex().vertex_count() == 0) return a;
   if (a.complex().vertex_count() == 0) return b;
+  // The boxes of both are kept, so that the next set can be proved apart from each part.
   parts.insert(parts.end(), others.begin(), others.end());
   Nef3 both;
   both.state_ = std::make_shared<State>(
@@ -360,6 +395,8 @@ Nef3 boolean_op(const Nef3& a, const SpaceSelector& select_a, const Nef3& b,
                                                   context));
 }
 
+// A frame is needed only if the plane divides volume 0 into parts of different marks: only then a
+// facet of the result reaches infinity there.
 Nef3 boolean_op(const Nef3& a, const Plane3& plane, Section section, MarkFunction f,
                 Context& context) {
   const SpaceComplex& c = a.complex();
@@ -380,12 +417,14 @@ Nef3 boolean_op(const Nef3& a, const Plane3& plane, Section section, MarkFunctio
 
 namespace {
 
-/// Pairwise, neighbours first: every set takes part in O(log n) operations. Uses up the sets.
+/// Combines sets pairwise, neighbours first, so that every set takes part in O(log n) operations.
+/// Uses up the sets.
 Nef3 combine_all(std::span<Nef3> sets, MarkFunction f, Context& context) {
   if (sets.size() == 1) return std::move(sets[0]);
   const std::size_t half = sets.size() / 2;
   const std::array<std::span<Nef3>, 2> parts{sets.first(half), sets.subspan(half)};
   std::array<Nef3, 2> both;
+  // Each half is charged while the other one may still be in work.
   std::array<MemoryCharge, 2> memory{MemoryCharge(context), MemoryCharge(context)};
   run_jobs(context, 2, [&](std::size_t i, Context& own) {
     both[i] = combine_all(parts[i], f, own);

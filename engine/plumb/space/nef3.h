@@ -385,7 +385,7 @@ class Nef3 {
   static std::optional<Nef3> combined_apart(Nef3& a, Nef3& b, MarkFunction f);
   const SpaceLocator& locator() const;
 
-  std::shared_ptr<State> state_;  // changed only by who holds it alone
+  std::shared_ptr<State> state_;  // Changed only while one set alone holds it.
 };
 
 }  // namespace plumb

@@ -1,3 +1,15 @@
+// Finds what rounding the vertices of a mesh has broken.
+//
+// Before rounding the faces neither cross nor coincide. Faces without a rounded vertex stay as they
+// are, so only faces with one, and those whose boxes meet them, have to be looked at: they are read
+// again as a mesh of their own, with rounded coordinates, and complex_of_mesh() reports what is
+// wrong with it. Merged vertices are counted against those that coincided before.
+//
+// A face is flipped if the scalar product of its area vectors before and after is negative. Doubles
+// decide unless the face is so small that rounding may have turned it; then rationals do.
+//
+// Tested by tests/space/to_mesh_test.cpp.
+
 #include "plumb/space/rounded_mesh.h"
 
 #include <algorithm>
@@ -14,12 +26,12 @@ namespace {
 
 using Vector3 = std::array<double, 3>;
 
-constexpr std::uint64_t kRoundedPointBytes = 32;  // a copy of it, and where its exact one is
-constexpr std::uint64_t kRoundedCornerBytes =
-    12;  // of faces that are near: a copy, and lists of faces
+constexpr std::uint64_t kRoundedPointBytes = 32;   // A copy of it, and the place of its exact one.
+constexpr std::uint64_t kRoundedCornerBytes = 12;  // A copy of near faces, and lists of faces.
 
 Vector3 coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
 
+/// The check of one mesh.
 class RoundingCheck {
  public:
   RoundingCheck(const PolygonMesh& mesh, std::uint64_t max_listed, Context& context)
@@ -42,6 +54,7 @@ class RoundingCheck {
   }
 
  private:
+  /// Notes which vertices were rounded, and which of them to infinity.
   void note_rounded() {
     exact_of_.assign(mesh_.points.size(), kNone);
     for (std::uint32_t k = 0; k < mesh_.exact.size(); ++k) {
@@ -56,6 +69,7 @@ class RoundingCheck {
 
   // ---------------------------------------------------------------- 1. faces
 
+  /// Selects the faces with a rounded vertex, and those whose boxes meet the boxes of these.
   void select_faces() {
     std::vector<Box3> boxes;
     std::vector<std::uint8_t> is_moved(mesh_.face_count(), 0);
@@ -84,8 +98,9 @@ class RoundingCheck {
     return box;
   }
 
-  // ---------------------------------------------------------------- 2. what they are now
+  // ---------------------------------------------------------------- 2. what is wrong with them
 
+  /// Reads the selected faces as a mesh and reports what is wrong with it.
   void judge() {
     PolygonMesh near;
     near.points = mesh_.points;
@@ -102,12 +117,13 @@ class RoundingCheck {
     report_.crossing_count = found.crossing_count;
     report_.crossings = faces(found.crossings);
   }
-  /// Vertices split on purpose.
+  /// Returns how many vertices coincide before rounding: they were split on purpose.
   std::uint64_t merged_before(PolygonMesh& near) const {
     near.exact = mesh_.exact;
     SpaceTables tables;
     return merge_equal_points(near, tables).merged;
   }
+  /// Returns the faces of the mesh for selected ones.
   std::vector<std::uint32_t> faces(std::vector<std::uint32_t> near) const {
     for (std::uint32_t& f : near) f = selected_[f];
     return near;
@@ -122,8 +138,8 @@ class RoundingCheck {
 
   // ---------------------------------------------------------------- 3. flipped
 
-  /// The face's area vectors before and after: do they point apart? Doubles tell unless the face is
-  /// so small that rounding could turn it.
+  /// Whether the area vectors of a face before and after rounding point apart. Doubles decide,
+  /// unless the face is so small that rounding could have turned it.
   bool is_flipped(std::uint32_t f) const {
     const auto corners = mesh_.face(f);
     const Vector3 o = coordinates(mesh_.points[corners[0]]);
@@ -140,7 +156,9 @@ class RoundingCheck {
       }
       before = d;
     }
-    // Coordinates moved by half an ulp of the largest, twice in a difference; sums as in Newell's.
+    // Coordinates moved by half a unit in the last place of the largest one, which counts twice in
+    // a difference. If the largest component of the sum is more than twice the error, the vector
+    // before rounding has the same sign there and is longer than what the others can have changed.
     const double count = static_cast<double>(corners.size());
     const double step = 0x1p-51 * largest + 0x1p-1000;
     const double error =
@@ -148,10 +166,12 @@ class RoundingCheck {
     const double size = std::max({std::fabs(sum[0]), std::fabs(sum[1]), std::fabs(sum[2])});
     return !(size > 2 * error) && is_flipped_exactly(f);
   }
+  /// Decides the same with rationals.
   bool is_flipped_exactly(std::uint32_t f) const {
     const std::array<Rational, 3> now = area(f, false), then = area(f, true);
     return now[0] * then[0] + now[1] * then[1] + now[2] * then[2] < 0;
   }
+  /// Returns twice the area vector of a face, with exact or rounded vertices.
   std::array<Rational, 3> area(std::uint32_t f, bool is_exact) const {
     std::array<Rational, 3> sum;
     std::array<Rational, 3> before = point(mesh_.face(f).back(), is_exact);
@@ -178,9 +198,9 @@ class RoundingCheck {
   std::uint64_t max_listed_;
   Context& context_;
   RoundingReport report_;
-  std::vector<std::uint32_t> exact_of_;  // per vertex: index into mesh.exact
-  std::vector<std::uint32_t> moved_;     // faces with a rounded vertex
-  std::vector<std::uint32_t> selected_;  // these and what they meet
+  std::vector<std::uint32_t> exact_of_;  // The index in mesh.exact of each vertex, or kNone.
+  std::vector<std::uint32_t> moved_;     // Faces with a rounded vertex.
+  std::vector<std::uint32_t> selected_;  // These and the faces near them.
 };
 
 }  // namespace

@@ -1,3 +1,8 @@
+// Runs the parts of the audit (audit/audit_parts.h) up to the first flaw. Links are checked before
+// anything else reads them; fans are found once for all later parts.
+//
+// Tested by tests/space/space_audit_test.cpp.
+
 #include "plumb/space/space_audit.h"
 
 #include <cstdint>

@@ -1,3 +1,17 @@
+// Point location and ray shooting over one box tree.
+//
+// Items of the tree are facets, free edges and isolated vertices; their boxes cover all edges and
+// vertices. A point is first looked for on items whose boxes hold it; a point on none lies in the
+// volume that a ray towards -x sees first. All decisions are exact: boxes only choose candidates,
+// and a candidate is left out only where a bound proves that it is farther away than the best hit.
+//
+// Short rays first: boxes that meet a piece of the ray a few mean box sizes long are few and found
+// without divisions. A hit well within the piece is the nearest of all, since everything nearer
+// meets the piece too. For points in doubles a grid of known volumes (volume_grid.h) is asked
+// first; it is made once, under a std::once_flag, and then read by any thread.
+//
+// Tested by tests/space/space_locator_test.cpp.
+
 #include "plumb/space/space_locator.h"
 
 #include <algorithm>
@@ -20,10 +34,12 @@
 namespace plumb {
 namespace {
 
-constexpr SphereDirection kRight{kPlaneY, kPlaneZ};
+constexpr SphereDirection kRight{kPlaneY, kPlaneZ};  ///< The direction of x.
 constexpr std::size_t kAxisX = 0;
-constexpr double kWellWithin = 0.99;  ///< of a distance: roundings do not matter
+/// A part of a distance that is less than it by more than any roundings.
+constexpr double kWellWithin = 0.99;
 
+/// Returns the mark of a cell.
 Mark mark_of(const SpaceComplex& complex, SpaceItem item) {
   switch (item.kind()) {
     case SpaceItem::Kind::Vertex:
@@ -40,9 +56,11 @@ Mark mark_of(const SpaceComplex& complex, SpaceItem item) {
 
 }  // namespace
 
+/// The index of a locator.
 struct SpaceLocator::Tree {
   explicit Tree(const SpaceComplex& complex);
 
+  /// Returns what the ray meets first, strictly after its origin.
   std::optional<SpaceRayHit> first_hit(const SpaceRay& ray) const;
   SpaceItem on_item(const QueryPoint3& p) const;
   VolumeId volume_of(const QueryPoint3& p) const;
@@ -74,7 +92,7 @@ struct SpaceLocator::Tree {
   std::vector<Box3> boxes_;
   BoxFrame frame_;
   bool is_turned_ = false;
-  double mean_extent_ = 0;  // of finite boxes
+  double mean_extent_ = 0;  // The mean over finite boxes.
   BoxTree boxes_tree_;
   mutable std::once_flag grid_made_;
   mutable VolumeGrid known_grid_;
@@ -99,15 +117,18 @@ SpaceLocator::Tree::Tree(const SpaceComplex& complex) : complex_(complex) {
   for (const Box3& box : boxes_) sum += std::isfinite(box.extent()) ? box.extent() : 0;
   if (!boxes_.empty()) mean_extent_ = sum / static_cast<double>(boxes_.size());
   boxes_tree_ = BoxTree(boxes_);
-  boxes_ = std::vector<Box3>();  // gives its memory back, which {} would not
+  boxes_ = std::vector<Box3>();  // Frees the memory, which {} would not.
 }
 
+/// Returns the box of an item along the coordinate axes.
 Box3 SpaceLocator::Tree::axis_box(SpaceItem item) const {
   if (item.kind() == SpaceItem::Kind::Facet) return box_of(complex_, item.facet());
   if (item.kind() == SpaceItem::Kind::Edge) return box_of(complex_, item.edge());
   return box_of(complex_, item.vertex());
 }
 
+/// Replaces the boxes by those of another frame if many of them meet and that frame has far fewer
+/// pairs.
 void SpaceLocator::Tree::choose_frame() {
   const double pairs = expected_pairs(boxes_, boxes_);
   if (!has_many_pairs(pairs, boxes_.size())) return;
@@ -130,6 +151,7 @@ void SpaceLocator::Tree::choose_frame() {
 
 // --- points on items
 
+/// Whether a vertex is at p.
 bool SpaceLocator::Tree::is_at(VertexId v, const QueryPoint3& p) const {
   const SpacePoint x = complex_.vertex_point[v.value()];
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -138,8 +160,8 @@ bool SpaceLocator::Tree::is_at(VertexId v, const QueryPoint3& p) const {
   return true;
 }
 
-/// On both planes, p lies on the edge's line; it is an end, or strictly between the ends along any
-/// axis.
+/// Returns the edge or the end of it on which p lies, or an invalid item. If p lies on both planes
+/// it lies on the edge's line; there it is an end, or strictly between the ends along some axis.
 SpaceItem SpaceLocator::Tree::on(EdgeId e, const QueryPoint3& p) const {
   for (const PlaneId plane : complex_.edge_planes[e.value()]) {
     if (side(complex_.points(), p, plane) != Sign::Zero) return {};
@@ -157,8 +179,9 @@ SpaceItem SpaceLocator::Tree::on(EdgeId e, const QueryPoint3& p) const {
   return {};
 }
 
-/// The axis along which the normal is largest surely cuts the plane: its shadows tell its points
-/// apart.
+/// Returns the facet or the cell of its boundary on which p lies, or an invalid item. The axis
+/// along which the normal is largest surely crosses the plane, so its shadows distinguish the
+/// points of the plane.
 SpaceItem SpaceLocator::Tree::on(FacetId f, const QueryPoint3& p) const {
   const PlaneId plane = complex_.facet_plane[f.value()];
   if (side(complex_.points(), p, plane) != Sign::Zero) return {};
@@ -188,7 +211,8 @@ SpaceItem SpaceLocator::Tree::on_item(const QueryPoint3& p) const {
 
 // --- rays
 
-/// The distance along the ray is the time.
+/// Returns the ray for the box tree, surely wide enough. The time of the box ray is the distance
+/// along the ray.
 BoxRay SpaceLocator::Tree::box_ray(const SpaceRay& ray) const {
   Box3 direction;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -213,13 +237,14 @@ void SpaceLocator::Tree::meet(SpaceItem item, const SpaceRay& ray,
 
 namespace {
 
-/// The nearest of the hits in front of the origin that it is shown.
+/// The nearest of the hits in front of the origin that it has seen.
 class NearestHit {
  public:
   explicit NearestHit(const SpaceRay& ray) : ray_(ray) {}
 
   void look_at(std::span<const SpaceRayHit> hits) {
     for (const SpaceRayHit& hit : hits) {
+      // The exact comparison of distances is made only for hits in front of the origin.
       if (ray_.side(hit) != Sign::Positive) continue;
       if (best_ && ray_.compare(hit, *best_) != Sign::Negative) continue;
       best_ = hit;
@@ -227,7 +252,7 @@ class NearestHit {
     }
   }
   const std::optional<SpaceRayHit>& best() const { return best_; }
-  double limit() const { return limit_; }  ///< it is no farther away
+  double limit() const { return limit_; }  ///< An upper bound of its distance.
 
  private:
   const SpaceRay& ray_;
@@ -237,7 +262,7 @@ class NearestHit {
 
 }  // namespace
 
-/// The beginning of a ray along an axis, or somewhat less than that for rounding.
+/// Returns the beginning of a ray along an axis, or somewhat less than that for rounding.
 Box3 SpaceLocator::Tree::piece(const SpaceRay& ray, double length) const {
   Box3 box = box_of(ray.origin().box());
   if (ray.is_reverse()) {
@@ -248,9 +273,10 @@ Box3 SpaceLocator::Tree::piece(const SpaceRay& ray, double length) const {
   return box;
 }
 
-/// Boxes that meet a short piece of the ray are few and found without divisions. What is hit well
-/// within the piece is the nearest of all. Pieces grow eightfold, so that they are no longer than
-/// need be. False: no piece tells, or one meets many boxes, of which not all should be tested.
+/// Looks for the first hit in short pieces of the ray. Boxes that meet a short piece are few and
+/// found without divisions; what is hit well within the piece is the nearest of all. Pieces grow
+/// eightfold, so that they are no longer than necessary. Returns false if no piece decides, or one
+/// meets many boxes, of which not all should be tested.
 bool SpaceLocator::Tree::find_near(const SpaceRay& ray, std::optional<SpaceRayHit>& hit) const {
   constexpr int kPieces = 3;
   constexpr int kMostBoxes = 32;
@@ -271,6 +297,7 @@ bool SpaceLocator::Tree::find_near(const SpaceRay& ray, std::optional<SpaceRayHi
     });
     if (left == 0) return false;
     hit = nearest.best();
+    // A piece that reaches beyond all boxes is the whole ray.
     const bool is_last = ray.is_reverse() ? box.low[k] < all.low[k] : box.high[k] > all.high[k];
     if (is_last || nearest.limit() < kWellWithin * length) return true;
   }
@@ -294,8 +321,8 @@ std::optional<SpaceRayHit> SpaceLocator::Tree::first_hit(const SpaceRay& ray) co
 
 // --- volumes
 
-/// The volume that a ray towards -x which ends on the item came through. A canonical plane that the
-/// ray crosses has a positive x component, so the ray comes from its positive side.
+/// Returns the volume through which a ray towards -x came that ends on the item. A canonical plane
+/// that the ray crosses has a positive x component, so the ray comes from its positive side.
 VolumeId SpaceLocator::Tree::volume_right_of(SpaceItem item) const {
   if (item.kind() == SpaceItem::Kind::Facet) return complex_.facet_volume[item.index()][0];
   LocalMap local;
@@ -317,10 +344,11 @@ SpaceItem SpaceLocator::Tree::locate(const QueryPoint3& p) const {
 
 // --- points in doubles: most are in a cell of the grid that is known
 
-/// Not for the few rays of somebody who has no volumes yet.
+/// Returns the grid, which is made at the first call. A locator for the few rays of a complex
+/// without volumes never makes it.
 const VolumeGrid& SpaceLocator::Tree::grid() const {
   std::call_once(grid_made_, [this] {
-    if (is_turned_) return;  // boxes along the axes tell little apart
+    if (is_turned_) return;  // Boxes along the axes would mark nearly all cells.
     std::vector<Box3> around;
     around.reserve(items_.size());
     for (const SpaceItem item : items_) around.push_back(axis_box(item));
@@ -329,8 +357,8 @@ const VolumeGrid& SpaceLocator::Tree::grid() const {
   return known_grid_;
 }
 
-/// Looks at what meets the way to a place that is known. False: it is too close to tell whether the
-/// nearest hit lies before that.
+/// Locates p by what meets the way to a place to its left whose volume is known. Returns false if
+/// the nearest hit is so close to that place that it is not sure whether it lies on the way.
 bool SpaceLocator::Tree::locate_between(const QueryPoint3& p, const VolumeGrid::Left& left,
                                         SpaceItem& found) const {
   const SpaceRay ray(complex_, p, kAxisX, true);
@@ -349,6 +377,8 @@ bool SpaceLocator::Tree::locate_between(const QueryPoint3& p, const VolumeGrid::
   });
   if (found.is_valid()) return true;
   const double length = p.point().x - left.x;
+  // Items that lie farther left than the known place have not been seen, so a hit near it is not
+  // sure to be the nearest.
   if (nearest.best() && nearest.limit() > kWellWithin * length) return false;
   found = nearest.best() ? volume_right_of(nearest.best()->item) : left.volume;
   return true;

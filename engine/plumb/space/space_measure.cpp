@@ -1,3 +1,14 @@
+// Volumes, centroids and areas by sums over the facets.
+//
+// By the divergence theorem the volume is a sixth of the sum of det(p, a, b) over triangles of the
+// boundary, oriented outwards, and the moments follow from the centroid of the tetrahedron with the
+// origin. A facet is a signed sum of triangles between one of its corners and its edges, so holes
+// and reflex corners need no triangulation. Sums are exact: RationalSum adds terms pairwise, which
+// keeps numbers short. Areas involve square roots and are rounded once for each facet, with a
+// relative error below 2^-51.
+//
+// Tested by tests/space/space_measure_test.cpp.
+
 #include "plumb/space/space_measure.h"
 
 #include <array>
@@ -15,18 +26,20 @@
 namespace plumb {
 namespace {
 
-/// Of a sum, which is about as long as the coordinates of all vertices.
+/// The bytes of a sum for each vertex: it is about as long as the coordinates of all vertices.
 constexpr std::uint64_t kBytesPerVertex = 10;
 
+/// Whether a volume belongs to the set.
 bool is_marked(const SpaceComplex& c, VolumeId v) { return c.volume_mark[v.value()] == 1; }
 
-/// 1: the marked volume is on the negative side, so that the normal points out of it; -1: on the
-/// positive side; 0: on both sides or none.
+/// Returns 1 if the marked volume is on the negative side of a facet, so that the normal points out
+/// of it; -1 if it is on the positive side; 0 if both sides are marked or none is.
 int outward(const SpaceComplex& c, std::size_t f) {
   const auto& [positive, negative] = c.facet_volume[f];
   return static_cast<int>(is_marked(c, negative)) - static_cast<int>(is_marked(c, positive));
 }
 
+/// Whether a facet reaches to infinity.
 bool is_at_frame(const SpaceComplex& c, FacetId f) {
   for (const UseId first : c.cycles_of(f)) {
     UseId u = first;
@@ -39,8 +52,8 @@ bool is_at_frame(const SpaceComplex& c, FacetId f) {
   return false;
 }
 
-/// Volume 0 reaches to infinity, or has no mark of a set and a frame around it: then those at the
-/// frame do.
+/// Whether the marked volumes are infinite. Volume 0 reaches to infinity; or it is the beyond of a
+/// frame, and then those at the frame do.
 bool is_volume_infinite(const SpaceComplex& c) {
   if (is_marked(c, VolumeId(0))) return true;
   for (std::size_t f = 0; f < c.facet_count(); ++f) {
@@ -49,7 +62,7 @@ bool is_volume_infinite(const SpaceComplex& c) {
   return false;
 }
 
-/// Looks at the limits now and then.
+/// Counts steps and calls a checkpoint now and then.
 class Steps {
  public:
   Steps(const SpaceComplex& complex, Context& context)
@@ -64,7 +77,7 @@ class Steps {
   std::uint64_t done_ = 0;
 };
 
-/// visit(p, a, b) for the triangle of each edge a b of the facet and one of its corners p.
+/// Calls visit(p, a, b) for the triangle of each edge a b of the facet and one of its corners p.
 /// Together, with signs, they are the facet, counter-clockwise.
 template <class Visit>
 void for_each_triangle(const SpaceComplex& c, FacetId f, Steps& step, Visit visit) {
@@ -87,13 +100,14 @@ void for_each_triangle(const SpaceComplex& c, FacetId f, Steps& step, Visit visi
   }
 }
 
-/// Integrals over what the marked volumes fill.
+/// Integrals over the marked volumes.
 struct Integrals {
-  Rational volume;
-  RationalPoint3 moment;  ///< of x, y, z
+  Rational volume;        ///< The integral of 1.
+  RationalPoint3 moment;  ///< The integrals of x, y and z.
 };
 
-/// A tetrahedron with the origin has its centroid at a quarter of the sum of the other corners.
+/// Returns the integrals, or nothing if the volume is infinite. A tetrahedron with the origin has
+/// its centroid at a quarter of the sum of the other corners.
 std::optional<Integrals> integrals(const SpaceComplex& c, bool with_moments, Context& context) {
   if (is_volume_infinite(c)) return std::nullopt;
   Steps step(c, context);
@@ -118,15 +132,15 @@ std::optional<Integrals> integrals(const SpaceComplex& c, bool with_moments, Con
                    {moments[0].total() / 24, moments[1].total() / 24, moments[2].total() / 24}};
 }
 
-/// Half the length of v, relative error below 2^-51: two roundings of exact numbers (the one below
-/// the root counts half), a root and a product, 2^-53 each.
+/// Returns half the length of v with a relative error below 2^-51: two roundings of exact numbers
+/// (the one below the root counts half), a root and a product, 2^-53 each.
 double half_length(const RationalPoint3& v) {
   Rational largest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     if (abs(coordinate(v, i)) > largest) largest = abs(coordinate(v, i));
   }
   if (largest == 0) return 0;
-  const Rational square = dot(v, v) / (largest * largest);  // in [1, 3]
+  const Rational square = dot(v, v) / (largest * largest);  // It is in [1, 3].
   return nearest_double(largest / 2) * std::sqrt(nearest_double(square));
 }
 

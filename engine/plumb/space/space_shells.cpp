@@ -1,3 +1,12 @@
+// Lists what is on each shell.
+//
+// The classes of ShellNodes (volumes.h) are the shells. Sides of facets, free edges, corners and
+// isolated vertices are listed with the root of their class, cells of the frame left out; sorting
+// drops repetitions. Shells are ordered by volume, then by their lexicographically least vertex:
+// the outer shell of a bounded volume has the least vertex of all that bound it, so it comes first.
+//
+// Tested by tests/space/nef3_queries_test.cpp.
+
 #include "plumb/space/space_shells.h"
 
 #include <algorithm>
@@ -12,7 +21,7 @@
 namespace plumb {
 namespace {
 
-/// An item and the root of the shell that it is on.
+/// A cell and the root of the shell on which it is.
 template <class Item>
 using OnShell = std::pair<std::uint32_t, Item>;
 
@@ -35,7 +44,7 @@ class ShellLister {
   std::vector<OnShell<FacetSide>> sides_;
   std::vector<OnShell<EdgeId>> edges_;
   std::vector<OnShell<VertexId>> vertices_;
-  std::vector<OnShell<VolumeId>> shells_;  ///< every one that bounds something not of the frame
+  std::vector<OnShell<VolumeId>> shells_;  ///< All that bound something not of the frame.
 
  private:
   void list_sides(FacetId f) {
@@ -60,6 +69,7 @@ class ShellLister {
     }
   }
 
+  /// Lists the edge and the origin of a use on both shells beside it.
   void list_corner(UseId u) {
     const EdgeId e = SpaceComplex::edge_of(complex_.use_halfedge[u.value()]);
     for (const std::uint32_t node : {nodes_.node_after(u), nodes_.node_before(u)}) {
@@ -80,6 +90,7 @@ class ShellLister {
     if (complex_.vertex_mark[v.value()] != kBeyond) vertices_.push_back({shell, v});
   }
 
+  /// Returns the least vertex of each shell, by its root; invalid if it has none.
   std::vector<VertexId> least_vertices() const {
     std::vector<VertexId> least(nodes_.size());
     for (const auto& [root, v] : vertices_) {
@@ -93,6 +104,8 @@ class ShellLister {
     const std::vector<VertexId> least = least_vertices();
     std::sort(shells_.begin(), shells_.end(), [&](const auto& a, const auto& b) {
       if (a.second != b.second) return a.second < b.second;
+      // Shells of one volume have different least vertices, except those without vertices (at
+      // infinity), which come last.
       const VertexId v = least[a.first], w = least[b.first];
       if (v.is_valid() != w.is_valid()) return v.is_valid();
       const Sign order = v.is_valid() ? compare(v, w) : Sign::Zero;
@@ -105,6 +118,7 @@ class ShellLister {
                        complex_.vertex_point[w.value()]);
   }
 
+  /// Sorts and drops repetitions.
   template <class Item>
   static void sort_once(std::vector<OnShell<Item>>& items) {
     std::sort(items.begin(), items.end());
@@ -115,7 +129,7 @@ class ShellLister {
   ShellNodes nodes_;
 };
 
-/// The items of each shell one after the other.
+/// Lists the cells of each shell one after the other in `all`, with their starts in `begin`.
 template <class Item>
 void group(const std::vector<OnShell<Item>>& items, const std::vector<ShellId>& id_of,
            std::size_t shells, std::vector<Item>& all, std::vector<std::uint32_t>& begin) {
@@ -132,6 +146,7 @@ void group(const std::vector<OnShell<Item>>& items, const std::vector<ShellId>& 
 SpaceShells::SpaceShells(const SpaceComplex& complex) : complex_(complex) {
   ShellLister lister(complex);
   lister.run();
+  // Shells are sorted by now: ids follow their order, and each volume has its shells in a row.
   std::vector<ShellId> id_of(2 * complex.facet_count() + complex.vertex_count());
   volume_begin_.assign(complex.volume_count() + 1, 0);
   for (const auto& [root, volume] : lister.shells_) {
@@ -153,6 +168,7 @@ std::span<const ShellId> SpaceShells::shells_of(VolumeId v) const {
 
 namespace {
 
+/// Marks cells: all of them, or as they are in the set.
 template <class Id>
 void set_marks(std::span<const Id> items, const std::vector<Mark>& own, ShellMarks marks,
                std::vector<Mark>& out) {
@@ -168,6 +184,7 @@ MeshOfComplex mesh_of_shell(const SpaceShells& shells, ShellId s, ShellSolid sol
     if (is_unbounded(shells.complex(), side.facet)) {
       throw Error(ErrorCode::BadArgument, "a shell that reaches to infinity has no mesh");
     }
+    // Sides are listed with the shell's volume behind them, as the solid.
     if (solid == ShellSolid::Other) side.is_reversed = !side.is_reversed;
   }
   return mesh_of_sides(shells.complex(), sides, options, context);

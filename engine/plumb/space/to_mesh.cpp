@@ -1,3 +1,17 @@
+// From a complex to a mesh: vertices by cones, faces by facets, and what the mesh cannot show.
+//
+// A vertex of the complex may touch the solid with several cones; a manifold mesh needs a vertex
+// for each. Corners of the shown sides of facets are joined around every edge, where two sides
+// bound the same part of the solid; the classes are the cones. Where an edge has more than two
+// shown sides, the solid behind them says which two belong together: after a side with the solid
+// behind it comes the side that closes it.
+//
+// Facets that are triangles or, if the options allow it, simple polygons stay whole; others are cut
+// into triangles between vertices of the complex, so there are no T-junctions. Points are rounded
+// to the nearest doubles, once each, by exact arithmetic.
+//
+// Tested by tests/space/to_mesh_test.cpp.
+
 #include "plumb/space/to_mesh.h"
 
 #include <algorithm>
@@ -11,8 +25,10 @@
 namespace plumb {
 namespace {
 
+/// The bytes that are charged for each edge use (Weiler).
 constexpr std::uint64_t kBytesPerUse = 60;
 
+/// Calls visit(use) for all uses of a facet.
 template <class Visit>
 void for_uses(const SpaceComplex& complex, FacetId f, const Visit& visit) {
   for (const UseId first : complex.cycles_of(f)) {
@@ -38,26 +54,30 @@ class Cones {
     for (std::uint32_t e = 0; e < complex.edge_count(); ++e) join_around(EdgeId(e));
   }
 
+  /// Returns the number of edges with more than two shown sides.
   std::uint32_t crowded_edges() const { return crowded_edges_; }
+  /// Returns the corner of a use seen from a side.
   static std::uint32_t corner(UseId u, bool side) { return 2 * u.value() + (side ? 1 : 0); }
-  /// `i`: index into SpaceComplex::inner.
+  /// Returns the corner of inner vertex i, an index of SpaceComplex::inner, seen from a side.
   std::uint32_t corner_of_inner(std::size_t i, bool side) const {
     return static_cast<std::uint32_t>(2 * (complex_.use_count() + i) + (side ? 1 : 0));
   }
   std::size_t size() const { return classes_.size(); }
-  /// The cone of a corner.
+  /// Returns the cone of a corner.
   std::uint32_t root(std::uint32_t c) { return classes_.root(c); }
-  /// One facet around the same vertex twice keeps one vertex there.
+  /// Joins two cones. A facet that is around one vertex twice keeps one vertex there.
   void join(std::uint32_t a, std::uint32_t b) { classes_.unite(a, b); }
 
  private:
+  /// A shown side at an edge.
   struct Entry {
     UseId use;
     bool side;
     bool is_solid_after;
   };
 
-  /// After a use of 2e comes the positive side of its facet; the solid is behind what is shown.
+  /// Joins the corners of sides that bound the same part of the solid along an edge. After a use of
+  /// 2e comes the positive side of its facet; the solid is behind what is shown.
   void join_around(EdgeId e) {
     ring_.clear();
     const UseId first = complex_.edge_use[e.value()];
@@ -66,18 +86,22 @@ class Cones {
     do {
       const auto& shown = shown_[complex_.use_facet[u.value()].value()];
       const bool is_reverse = SpaceComplex::is_reverse(complex_.use_halfedge[u.value()]);
-      const bool before = is_reverse, after = !is_reverse;  // the side with the solid there
+      // The sides of the facet behind which the solid lies before and after it.
+      const bool before = is_reverse, after = !is_reverse;
       if (shown[before ? 1 : 0] != 0) ring_.push_back({u, before, false});
       if (shown[after ? 1 : 0] != 0) ring_.push_back({u, after, true});
       u = complex_.use_radial[u.value()];
     } while (u != first);
+    // Shown sides alternate between those before and those behind a part of the solid.
     if (ring_.size() > 2) ++crowded_edges_;
     for (std::size_t i = 0; i < ring_.size(); ++i) {
       if (ring_[i].is_solid_after) join_ends(ring_[i], ring_[i + 1 == ring_.size() ? 0 : i + 1]);
     }
   }
 
+  /// Joins the corners of two sides at both ends of an edge.
   void join_ends(const Entry& a, const Entry& b) {
+    // Two sides that run the same way along the edge have their corners at the same ends.
     const bool is_same_way =
         complex_.use_halfedge[a.use.value()] == complex_.use_halfedge[b.use.value()];
     const UseId a_end = complex_.use_next[a.use.value()], b_end = complex_.use_next[b.use.value()];
@@ -87,13 +111,14 @@ class Cones {
 
   const SpaceComplex& complex_;
   std::span<const std::array<std::uint8_t, 2>> shown_;
-  UnionFind classes_;  // of corners
+  UnionFind classes_;  // Classes of corners.
   std::vector<Entry> ring_;
   std::uint32_t crowded_edges_ = 0;
 };
 
 // ---------------------------------------------------------------- faces
 
+/// Makes a mesh of sides of facets.
 class MeshMaker {
  public:
   MeshMaker(const SpaceComplex& complex, std::span<const FacetSide> sides,
@@ -124,6 +149,7 @@ class MeshMaker {
  private:
   using Shown = std::vector<std::array<std::uint8_t, 2>>;
 
+  /// Returns for each facet which of its sides are shown.
   static Shown shown_sides(const SpaceComplex& complex, std::span<const FacetSide> sides) {
     Shown shown(complex.facet_count());
     for (const FacetSide& s : sides) shown[s.facet.value()][s.is_reversed ? 1 : 0] = 1;
@@ -142,12 +168,14 @@ class MeshMaker {
     }
   }
 
-  /// A vertex for each cone, or for all cones of a vertex of the complex; in its order.
+  /// Makes a vertex for each cone, or for all cones of a vertex of the complex, in the order of the
+  /// complex.
   void number_vertices() {
     if (options_.split_vertices) {
       for (const FacetSide& s : sides_) keep_corners_together(s);
     }
     std::vector<std::uint32_t> first(complex_.vertex_count(), kNone);
+    // Most vertices have one cone, kept in `first`; further ones go to a list that stays short.
     std::vector<std::pair<VertexId, std::uint32_t>> others;
     for (const FacetSide& s : sides_) {
       for_corners(s, [&](VertexId v, std::uint32_t corner) {
@@ -175,10 +203,12 @@ class MeshMaker {
         static_cast<std::uint32_t>(vertex_.size());
     vertex_.push_back(v);
   }
+  /// Returns the vertex of the mesh at a corner.
   std::uint32_t number(VertexId v, std::uint32_t corner) {
     return number_[options_.split_vertices ? cones_.root(corner) : v.value()];
   }
 
+  /// Joins the cones of a side's corners at one vertex.
   void keep_corners_together(const FacetSide& s) {
     corners_.clear();
     for_corners(s, [&](VertexId v, std::uint32_t c) { corners_.emplace_back(v, cones_.root(c)); });
@@ -191,9 +221,11 @@ class MeshMaker {
     }
   }
 
+  /// Adds the face or faces of a side.
   void add_faces(const FacetSide& s) {
     corners_.clear();
     for_corners(s, [&](VertexId v, std::uint32_t c) { corners_.emplace_back(v, number(v, c)); });
+    // Corners come in the order of the cycle, counter-clockwise from the positive side.
     if (corners_.size() == 3 || can_be_polygon(s.facet)) {
       face_.clear();
       for (const auto& [v, number] : corners_) face_.push_back(number);
@@ -210,7 +242,7 @@ class MeshMaker {
     return std::ranges::lower_bound(corners_, v, {}, [](const auto& c) { return c.first; })->second;
   }
 
-  /// Requires the corners of the facet, in order.
+  /// Whether the facet may stay one polygon. Requires its corners, in order, in corners_.
   bool can_be_polygon(FacetId f) {
     if (options_.faces == MeshFaces::Triangles) return false;
     if (complex_.cycles_of(f).size() > 1 || !complex_.inner_of(f).empty()) return false;
@@ -254,18 +286,19 @@ class MeshMaker {
   Cones cones_;
   FacetTriangles cutter_;
   MeshOfComplex out_;
-  std::vector<std::uint32_t>
-      number_;  // vertex of the mesh per cone if vertices are split, else per vertex
-  std::vector<VertexId> vertex_;        // per vertex of the mesh
-  std::vector<RoundedPoint3> nearest_;  // per vertex of the complex with a number
-  std::vector<std::pair<VertexId, std::uint32_t>> corners_;  // of the side being written
+  // The vertex of the mesh of each cone if vertices are split, else of each vertex.
+  std::vector<std::uint32_t> number_;
+  std::vector<VertexId> vertex_;        // The vertex of the complex of each vertex of the mesh.
+  std::vector<RoundedPoint3> nearest_;  // One entry for each vertex of the complex with a number.
+  std::vector<std::pair<VertexId, std::uint32_t>> corners_;  // Those of the side being written.
   std::vector<std::uint32_t> face_;
-  std::vector<std::uint32_t> seen_;  // per vertex: the last polygon, counted by polygons_
+  std::vector<std::uint32_t> seen_;  // The last polygon at each vertex, counted by polygons_.
   std::uint32_t polygons_ = 0;
 };
 
 // ---------------------------------------------------------------- what is left out
 
+/// Counts marked cells outside the closure of the interior, and unmarked cells in it.
 class ClosureCount {
  public:
   ClosureCount(const SpaceComplex& complex, ToMeshReport& report)
@@ -293,6 +326,7 @@ class ClosureCount {
     if (mark == 0 && is_in_closure) ++(report_.filled.*kind);
   }
 
+  /// Whether a marked volume is around the edge.
   bool is_beside_solid(EdgeId e) const {
     const UseId first = complex_.edge_use[e.value()];
     if (!first.is_valid()) return is_marked(complex_.edge_volume[e.value()]);
@@ -304,6 +338,7 @@ class ClosureCount {
     return false;
   }
 
+  /// Whether a marked volume is around the vertex.
   bool is_at_solid(VertexId v) const {
     const FacetId f = complex_.vertex_facet[v.value()];
     if (f.is_valid() && (is_marked(complex_.facet_volume[f.value()][0]) ||
@@ -320,7 +355,7 @@ class ClosureCount {
   ToMeshReport& report_;
 };
 
-/// A marked volume that is volume 0 or meets the frame.
+/// Whether a marked volume is volume 0 or meets the frame.
 bool is_unbounded(const SpaceComplex& complex) {
   if (complex.volume_count() > 0 && complex.volume_mark[0] == 1) return true;
   for (std::size_t f = 0; f < complex.facet_count(); ++f) {
@@ -334,6 +369,7 @@ bool is_unbounded(const SpaceComplex& complex) {
 
 }  // namespace
 
+// A side is reversed if the solid lies on the positive side, as faces are to be seen from outside.
 std::vector<FacetSide> boundary_sides(const SpaceComplex& complex) {
   std::vector<FacetSide> sides;
   for (std::size_t f = 0; f < complex.facet_count(); ++f) {
@@ -372,6 +408,8 @@ bool is_unbounded(const SpaceComplex& complex, FacetId f) {
   return is_far;
 }
 
+// Facets within the solid, or off it, are shown from their positive side; those at its boundary
+// from outside. All facets are shown, so none counts as dropped.
 MeshOfComplex soup_of_complex(const SpaceComplex& complex, const ToMeshOptions& options,
                               Context& context) {
   std::vector<FacetSide> sides;

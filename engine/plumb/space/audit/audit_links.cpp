@@ -1,4 +1,20 @@
-// Step 1 of audit(): arrays and ids alone.
+// Parts 1 and 3 of audit(): arrays and ids, and the boundary cycles of facets in their planes.
+//
+// Part 1 reads arrays and ids alone. Each check reads only what those before it have found to
+// exist, so a complex from an untrusted file cannot make it read out of bounds.
+//
+// Part 3 requires parts 1 and 2: edges and corners are sound around every vertex. Then a facet has
+// one cycle for each connected part of its boundary; the first one is outer, others are holes
+// inside it and apart. Which way a cycle runs is decided at its least vertex, where all edges leave
+// within half a turn: around a hole one corner there is larger than that, around the outside none
+// is. That cycles do not cross each other or themselves is the subject of part 4.
+//
+// Where a point lies in a cycle is found by counting, along a half-line on which one coordinate is
+// constant, the edges that pass it. The walk is independent of facet_site(), which the algorithms
+// use; they share predicates only.
+//
+// Declared in plumb/space/audit/audit_parts.h.
+// Tested by tests/space/space_audit_test.cpp.
 
 #include <algorithm>
 #include <array>
@@ -15,12 +31,13 @@
 namespace plumb {
 namespace {
 
+/// Part 1: arrays and ids alone.
 class LinkAudit : SpaceAuditPart {
  public:
   LinkAudit(const SpaceComplex& complex, Context& context) : SpaceAuditPart(complex, context, 0) {}
 
   std::optional<SpaceFlaw> run() {
-    // Each step reads only what those before have found to be there.
+    // Each check reads only what those before it have found to exist.
     static_cast<void>(has_right_sizes() && has_marks() && names_tables() && names_items() &&
                       has_edges_with_two_ends() && has_stars() && has_linked_uses() &&
                       has_radial_cycles() && has_boundary_cycles() && has_inner_vertices() &&
@@ -31,6 +48,7 @@ class LinkAudit : SpaceAuditPart {
  private:
   // ---- sizes and ids
 
+  /// Whether arrays have one entry for each cell, and lists cover their arrays.
   bool has_right_sizes() {
     const std::size_t v = c_.vertex_count(), e = c_.edge_count(), u = c_.use_count(),
                       f = c_.facet_count();
@@ -47,6 +65,7 @@ class LinkAudit : SpaceAuditPart {
                        has_rows(c_.inner_begin, f, c_.inner.size()),
                    "lists cover their arrays");
   }
+  /// Whether `begin` has the starts of so many rows that cover all entries.
   static bool has_rows(const std::vector<std::uint32_t>& begin, std::size_t rows,
                        std::size_t entries) {
     return begin.size() == rows + 1 && begin.front() == 0 && begin.back() == entries &&
@@ -62,6 +81,7 @@ class LinkAudit : SpaceAuditPart {
     return true;
   }
 
+  /// Whether vertices, edges and facets name points and planes that exist.
   bool names_tables() {
     const std::size_t planes = c_.planes().size(), inputs = c_.planes().points().size(),
                       points = c_.points().size();
@@ -84,7 +104,8 @@ class LinkAudit : SpaceAuditPart {
            });
   }
 
-  /// The number after that of an id that is not valid is 0.
+  /// Whether all ids are below `end`, or invalid if that is allowed. The number after that of an
+  /// invalid id is 0, so one pass without branches decides.
   template <class Id>
   static bool are_below(const std::vector<Id>& ids, std::size_t end, bool may_be_invalid) {
     std::uint32_t least_after = ~std::uint32_t{0}, most_after = 0;
@@ -124,6 +145,7 @@ class LinkAudit : SpaceAuditPart {
     });
   }
 
+  /// Whether every half-edge is in the star of its origin, once.
   bool has_stars() {
     std::vector<std::uint8_t> is_listed(c_.origin.size());
     const auto has_star = [&](VertexId v) {
@@ -139,6 +161,7 @@ class LinkAudit : SpaceAuditPart {
            require(c_.star.size() == c_.origin.size(), "each half-edge is in a star");
   }
 
+  /// Whether next and prev are inverse, uses follow each other, and cycles stay in their facet.
   bool has_linked_uses() {
     return all_of<UseId>(c_.use_count(), [this](UseId u) {
       const UseId next = c_.use_next[u.value()];
@@ -149,6 +172,7 @@ class LinkAudit : SpaceAuditPart {
     });
   }
 
+  /// Whether the uses of each edge make one radial cycle.
   bool has_radial_cycles() {
     std::vector<std::uint8_t> is_reached(c_.use_count());
     return all_of<EdgeId>(c_.edge_count(),
@@ -178,6 +202,7 @@ class LinkAudit : SpaceAuditPart {
            fail_at(invariant, UseId(static_cast<std::size_t>(missing - is_reached.begin())));
   }
 
+  /// Whether every use is on one listed cycle of its facet.
   bool has_boundary_cycles() {
     std::vector<std::uint8_t> is_reached(c_.use_count());
     const auto has_cycles = [&](FacetId f) {
@@ -197,6 +222,7 @@ class LinkAudit : SpaceAuditPart {
 
   // ---- free parts
 
+  /// Whether facets list exactly the vertices inside them.
   bool has_inner_vertices() {
     std::size_t inside = 0;
     for (const FacetId f : c_.vertex_facet) inside += f.is_valid() ? 1U : 0U;
@@ -215,6 +241,7 @@ class LinkAudit : SpaceAuditPart {
            require(inside == c_.inner.size(), "a vertex inside a facet is listed there");
   }
 
+  /// Whether free edges and isolated vertices, and no others, name a volume.
   bool has_volumes_where_needed() {
     const auto has_one = [this](EdgeId e) {
       return require(c_.edge_use[e.value()].is_valid() != c_.edge_volume[e.value()].is_valid(),
@@ -235,11 +262,11 @@ std::optional<SpaceFlaw> audit_links(const SpaceComplex& complex, Context& conte
   return LinkAudit(complex, context).run();
 }
 
-// Step 3 of audit(): the boundary cycles of facets in their planes.
+// Part 3: the boundary cycles of facets.
 
 namespace {
 
-/// An axis along which the plane is not seen as a point: its coordinate varies in the plane.
+/// Returns an axis whose coordinate varies in the plane: the plane is not across it.
 std::size_t varying_axis(const PlaneTable& planes, PlaneId plane) {
   constexpr std::array<PlaneId, 3> kAcross = {kPlaneX, kPlaneY, kPlaneZ};
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -250,6 +277,7 @@ std::size_t varying_axis(const PlaneTable& planes, PlaneId plane) {
   return 2;
 }
 
+/// Part 3: the boundary cycles of facets in their planes.
 class CycleAudit : SpaceAuditPart {
  public:
   CycleAudit(const SpaceComplex& complex, Context& context) : SpaceAuditPart(complex, context, 2) {}
@@ -263,11 +291,13 @@ class CycleAudit : SpaceAuditPart {
   }
 
  private:
-  /// A connected facet has one cycle for each connected part of its boundary.
+  /// Whether the cycles of a facet have no common vertex: a connected facet has one cycle for each
+  /// connected part of its boundary.
   bool has_cycles_apart(FacetId f) {
     if (c_.cycles_of(f).size() == 1) return true;
     for (const UseId cycle : c_.cycles_of(f)) {
       const bool apart = all_of_cycle(cycle, [&](UseId u) {
+        // Facets are checked in turn, so an entry of another facet is out of date.
         UseId& known = cycle_at_[c_.use_origin(u).value()];
         const bool is_new = !known.is_valid() || facet(known) != f || known == cycle;
         known = cycle;
@@ -278,6 +308,7 @@ class CycleAudit : SpaceAuditPart {
     return true;
   }
 
+  /// Returns the lexicographically least vertex of a cycle.
   VertexId least_vertex(UseId cycle) const {
     VertexId least = c_.use_origin(cycle);
     all_of_cycle(cycle, [&](UseId u) {
@@ -288,17 +319,20 @@ class CycleAudit : SpaceAuditPart {
     return least;
   }
 
-  /// At the least vertex all edges leave within half a turn. Around a hole one corner there is more
-  /// than that, around the facet none is. Of a triangle any corner tells.
+  /// Whether a cycle runs around its facet, not around a hole. At the least vertex all edges leave
+  /// within half a turn: around a hole one corner there is more than that, around the facet none
+  /// is. In a triangle any corner decides.
   bool is_outer(UseId cycle) const {
     if (is_triangle(cycle)) return defines_plane(cycle) || is_convex(cycle);
     const VertexId least = least_vertex(cycle);
     return all_of_cycle(cycle, [&](UseId u) { return c_.use_origin(u) != least || is_convex(u); });
   }
+  /// Whether the cycle of the use has three uses.
   bool is_triangle(UseId u) const {
     return c_.use_next[c_.use_next[c_.use_next[u.value()].value()].value()] == u;
   }
-  /// Is the plane defined as that of the triangle's corners, as they come?
+  /// Whether the plane is defined as that of the triangle's corners in their order. Then they run
+  /// counter-clockwise without a computed sign.
   bool defines_plane(UseId u) const {
     const PlaneSource& source = c_.planes().source(plane(u));
     if (source.is_explicit()) return false;
@@ -313,12 +347,13 @@ class CycleAudit : SpaceAuditPart {
     return input == ccw || input == std::array{ccw[1], ccw[2], ccw[0]} ||
            input == std::array{ccw[2], ccw[0], ccw[1]};
   }
-  /// Is the corner of the use below half a turn?
+  /// Whether the corner of the use is below half a turn.
   bool is_convex(UseId u) const {
     const VertexId end = c_.target(corner_end(u));
     return side_in_plane(c_, plane(u), halfedge(u), c_.points(), at(end)) == Sign::Positive;
   }
 
+  /// Whether the first cycle runs around the facet and all others run around holes.
   bool has_cycles_in_order(FacetId f) {
     const auto cycles = c_.cycles_of(f);
     if (!require(is_outer(cycles.front()), "the first cycle runs around its facet", f))
@@ -330,9 +365,13 @@ class CycleAudit : SpaceAuditPart {
     return true;
   }
 
+  /// Whether the holes of a facet lie inside it and apart, and its inner vertices inside it. Since
+  /// cycles have no common vertex and, by part 4, do not cross, one vertex decides for a whole
+  /// hole.
   bool has_holes_inside(FacetId f) {
     const auto cycles = c_.cycles_of(f);
     if (cycles.size() > 1) {
+      // A vertex of a hole is tested against those cycles only whose boxes hold it.
       const BoxTree tree(boxes_of(cycles));
       for (std::uint32_t hole = 1; hole < cycles.size(); ++hole) {
         if (!require(is_inside_and_apart(cycles, hole, tree),
@@ -350,6 +389,7 @@ class CycleAudit : SpaceAuditPart {
     return true;
   }
 
+  /// Returns the box of each cycle.
   std::vector<Box3> boxes_of(std::span<const UseId> cycles) const {
     std::vector<Box3> boxes;
     boxes.reserve(cycles.size());
@@ -362,8 +402,8 @@ class CycleAudit : SpaceAuditPart {
     }
     return boxes;
   }
-  /// A vertex of the hole lies in the first cycle, and beyond the box of another one or outside of
-  /// it.
+  /// Whether a vertex of the hole lies in the first cycle, and for every other cycle beyond its box
+  /// or outside it.
   bool is_inside_and_apart(std::span<const UseId> cycles, std::uint32_t hole, const BoxTree& tree) {
     const VertexId v = c_.use_origin(cycles[hole]);
     bool is_inside = false, is_apart = true;
@@ -376,10 +416,10 @@ class CycleAudit : SpaceAuditPart {
     return is_inside && is_apart;
   }
 
-  std::vector<UseId> cycle_at_;  ///< per vertex: the last cycle seen there
+  std::vector<UseId> cycle_at_;  ///< The last cycle seen at each vertex.
 };
 
-/// Does x, on the line of the half-edge, lie between its ends or on one of them?
+/// Whether x, a point on the line of the half-edge, lies between its ends or on one of them.
 bool is_along(const SpaceComplex& complex, HalfedgeId h, const Point3Table& points, SpacePoint x) {
   const std::array<PlaneId, 2>& planes = complex.edge_planes[h.value() / 2];
   const auto order = [&](SpacePoint from, SpacePoint to) {
@@ -393,8 +433,9 @@ bool is_along(const SpaceComplex& complex, HalfedgeId h, const Point3Table& poin
 
 }  // namespace
 
-// Crossings of the half-line of x along which one coordinate keeps its value: half-edges that reach
-// above that value pass x on its left, those that return below it on its right.
+// Counts crossings with the half-line from x along which one coordinate keeps its value: half-edges
+// that rise above that value pass x on its left, those that return below it on its right. Vertices
+// at that value count as below it, so that every passage counts once.
 FacetPlace place_in_cycle(const SpaceComplex& complex, UseId cycle, const Point3Table& points,
                           SpacePoint x, SpaceAuditSteps& step) {
   const PlaneId n = complex.facet_plane[complex.use_facet[cycle.value()].value()];
@@ -409,6 +450,7 @@ FacetPlace place_in_cycle(const SpaceComplex& complex, UseId cycle, const Point3
     step();
     const HalfedgeId h = complex.use_halfedge[u.value()];
     const Sign to = order(complex.target(h));
+    // An edge strictly on one side passes nothing; any other may hold x or pass the half-line.
     if (from == Sign::Zero || from != to) {
       const Sign left = side_in_plane(complex, n, h, points, x);
       const bool is_level = from == Sign::Zero && to == Sign::Zero;

@@ -1,4 +1,26 @@
-// Step 5 of audit(): volumes, the frame, the minimal form.
+// Parts 4 and 5 of audit(): cells meet only in common vertices and edges; volumes, frame and
+// minimal form.
+//
+// Part 4. Rings, corners and cycles have been checked: near a vertex or an edge nothing overlaps
+// that contains it. So two cells overlap only if somewhere a vertex lies inside an edge or a facet,
+// two edges cross inside both, or an edge passes through a facet: a common segment of two facets
+// ends in one of these. Nearly all of that shows where a vertex or an edge is tested against a
+// closed facet of which it is no part. The other cases are
+//
+//   a vertex inside an edge    the edge is free, or all its facets have the vertex as a corner and
+//                              none is a triangle
+//   edges that cross           all facets of both lie in one plane, or there are none
+//
+// and such edges are few; they are tested against vertices and each other. Triangles around a
+// common vertex that has a fan (mesh_topology.h) need no test. Candidates are pairs of the leaves
+// of contact_leaves.h whose boxes meet.
+//
+// Part 5 finds the volumes again and compares them up to numbering; checks that the mark kBeyond is
+// exactly on the cube and beyond it; and that no sphere map can be simplified
+// (docs/design/boolean.md, Lemma 2).
+//
+// Declared in plumb/space/audit/audit_parts.h.
+// Tested by tests/space/space_audit_test.cpp.
 
 #include <algorithm>
 #include <array>
@@ -19,6 +41,7 @@
 namespace plumb {
 namespace {
 
+/// Part 5.
 class MarkAudit : SpaceAuditPart {
  public:
   MarkAudit(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan, Context& context)
@@ -33,6 +56,7 @@ class MarkAudit : SpaceAuditPart {
  private:
   // ---- volumes
 
+  /// Whether the volumes are those that find_volumes() finds.
   bool has_right_volumes() {
     const VolumeLabels again = find_volumes(c_, step_.context(), has_fan_);
     if (!require(again.count == c_.volume_count(),
@@ -58,7 +82,7 @@ class MarkAudit : SpaceAuditPart {
              return has_same_volume(c_.vertex_volume[v.value()], again.vertex[v.value()], v);
            });
   }
-  /// Up to a renumbering that keeps volume 0.
+  /// Whether two volumes correspond, up to a renumbering that keeps volume 0.
   template <class Id>
   bool has_same_volume(VolumeId here, VolumeId there, Id at) {
     if (!here.is_valid() && !there.is_valid()) return true;
@@ -81,6 +105,8 @@ class MarkAudit : SpaceAuditPart {
   bool is_beyond(FacetId f) const { return is_beyond(c_.facet_mark[f.value()]); }
   bool has_frame() const { return is_beyond(c_.volume_mark[0]); }
 
+  /// Whether the mark kBeyond is on volume 0, the facets beside it, and their edges and vertices
+  /// alone.
   bool has_sane_frame() {
     for (std::uint32_t v = 1; v < c_.volume_count(); ++v) {
       if (!require(!is_beyond(c_.volume_mark[v]), "only volume 0 is beyond", VolumeId(v)))
@@ -109,6 +135,7 @@ class MarkAudit : SpaceAuditPart {
     const UseId first = c_.edge_use[e.value()];
     return first.is_valid() && !all_of_ring(first, [&](UseId u) { return !is_beyond(facet(u)); });
   }
+  /// Whether `visit` is true for all uses around an edge.
   template <class Visit>
   bool all_of_ring(UseId first, Visit visit) const {
     UseId u = first;
@@ -130,7 +157,7 @@ class MarkAudit : SpaceAuditPart {
                        (at_frame || (inside.is_valid() && is_beyond(inside))),
                    "vertices of the frame, and no others, are ends of its edges", v);
   }
-  /// A facet or an edge of the set reaches the frame.
+  /// Whether a facet or an edge of the set reaches the frame, if there is one.
   bool has_needed_frame() {
     bool needed = !has_frame();
     for (std::uint32_t e = 0; e < c_.edge_count() && !needed; ++e) {
@@ -145,18 +172,21 @@ class MarkAudit : SpaceAuditPart {
 
   // ---- the minimal form
 
-  /// Is that clear without a look at the sphere map?
+  /// Whether a facet is needed, as is clear without its sphere map: the volumes beside it differ.
   bool is_surely_needed(FacetId f) const {
     const auto [above, below] = c_.facet_volume[f.value()];
     return c_.volume_mark[above.value()] != c_.volume_mark[below.value()];
   }
+  /// Whether an edge is surely needed: facets in different planes meet there.
   bool is_surely_needed(EdgeId e) const {
     const UseId u = c_.edge_use[e.value()];
     return u.is_valid() && plane(u) != plane(c_.use_radial[u.value()]);
   }
-  /// Other edges than the two directions of one line.
+  /// Whether a vertex is surely needed: it has other edges than the two directions of one line.
   bool is_surely_needed(VertexId v) const { return c_.star_of(v).size() > 2; }
 
+  /// Whether the set changes without this cell: its sphere map cannot be simplified and is that of
+  /// such a cell.
   template <class Id>
   bool is_needed(Id item, PyramidKind kind) {
     if (is_surely_needed(item)) return true;
@@ -173,7 +203,7 @@ class MarkAudit : SpaceAuditPart {
                             [this](VertexId v) { return is_needed(v, PyramidKind::Vertex); });
   }
 
-  std::span<const std::uint8_t> has_fan_;  ///< per vertex
+  std::span<const std::uint8_t> has_fan_;  ///< Whether each vertex has a fan.
   SphereOverlay overlay_;
   LocalMap local_;
   std::vector<VolumeId> forth_;
@@ -188,28 +218,14 @@ std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex,
   return MarkAudit(complex, has_fan, context).run(form);
 }
 
-// Step 4 of audit(): nothing meets but at common vertices and edges.
-//
-// Rings, corners and cycles have been checked: near a vertex or edge nothing overlaps that contains
-// it. So two items overlap only if somewhere a vertex lies inside an edge or a facet, two edges
-// cross inside both, or an edge passes through a facet: a common segment of two facets ends in one
-// of these.
-//
-// Nearly all of that shows where a vertex or an edge is tested against a closed facet that it is no
-// part of. Else
-//
-//   a vertex inside an edge    has the edge in facets alone of which it is a corner, none a
-//   triangle; or in none
-//   edges that cross           have all their facets in the plane of both, or none
-//
-// and such edges are few. Triangles around a common vertex that has a fan (mesh_topology.h) need no
-// test.
+// Part 4: cells meet only in common vertices and edges.
 
 namespace {
 
 constexpr Box3 kEverywhere{{-Box3::kInfinity, -Box3::kInfinity, -Box3::kInfinity},
                            {Box3::kInfinity, Box3::kInfinity, Box3::kInfinity}};
 
+/// Part 4.
 class MeetingAudit : SpaceAuditPart {
  public:
   MeetingAudit(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan, Context& context)
@@ -238,8 +254,9 @@ class MeetingAudit : SpaceAuditPart {
   }
 
  private:
-  /// The first kind found is told, whatever is found first.
+  /// Kinds of flaws. The first kind in this order is reported, whatever is found first.
   enum Kind { kVertexInEdge, kEdgesCross, kVertexInFacet, kEdgeThroughFacet, kNothing };
+  /// Notes a flaw, unless one of an earlier kind is known.
   template <class A, class B>
   void note(Kind kind, A a, B b) {
     static constexpr std::array<const char*, 4> kInvariants{
@@ -252,7 +269,8 @@ class MeetingAudit : SpaceAuditPart {
 
   // ---- pairs
 
-  /// False: some are missing, as the tree does not suit the boxes.
+  /// Tests all pairs that a packed tree finds. Returns false if some are missing, as the tree does
+  /// not suit the boxes.
   bool test_pairs_of(const PackedBoxTree& tree) {
     constexpr std::size_t kStepsPerLeaf = 32;
     if (!tree.fits()) return false;
@@ -269,6 +287,7 @@ class MeetingAudit : SpaceAuditPart {
     };
     return tree.for_each_pair_in_order(look_at, may_go_on);
   }
+  /// Tests two leaves against each other, unless the plane of one separates them.
   void test(std::uint32_t x, std::uint32_t y) {
     if (!leaves_.boxes()[x].meets(leaves_.boxes()[y])) return;
     if (lies_beside(x, y) || lies_beside(y, x)) return;
@@ -278,10 +297,10 @@ class MeetingAudit : SpaceAuditPart {
 
   // ---- corners
 
-  /// Corners are not valid where the facet is none.
+  /// The corners of a facet that is a triangle without inner vertices; invalid for any other leaf.
   struct Triangle {
     std::array<VertexId, 3> corner;
-    std::uint32_t fans = 0;  ///< bit i: corner i has a fan
+    std::uint32_t fans = 0;  ///< Bit i is 1 if corner i has a fan.
     bool is_valid() const { return corner[0].is_valid(); }
   };
   void gather_corners(const MeetLeaf& leaf, std::span<const std::uint8_t> has_fan) {
@@ -302,11 +321,12 @@ class MeetingAudit : SpaceAuditPart {
     triangles_.push_back(t);
     corner_begin_.push_back(static_cast<std::uint32_t>(corner_.size()));
   }
-  /// Of its facet, where that is small and has one cycle; else none.
+  /// Returns the corners of the leaf's facet if that is small and has one cycle; else none.
   std::span<const VertexId> corners_of(std::uint32_t leaf) const {
     return std::span(corner_).subspan(corner_begin_[leaf],
                                       corner_begin_[leaf + 1] - corner_begin_[leaf]);
   }
+  /// Whether two triangles have a common corner that has a fan.
   static bool share_fan(const Triangle& s, const Triangle& t) {
     unsigned shared = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -319,7 +339,8 @@ class MeetingAudit : SpaceAuditPart {
     return (shared & s.fans) != 0;
   }
 
-  /// Are all corners of leaf x's facet, but common ones, on one side of the plane of leaf y's?
+  /// Whether all corners of the facet of leaf x, except common ones, are strictly on one side of
+  /// the plane of leaf y's. Then the facets meet in common corners and edges alone.
   bool lies_beside(std::uint32_t x, std::uint32_t y) const {
     const auto others = corners_of(y);
     if (others.empty()) return false;
@@ -338,7 +359,7 @@ class MeetingAudit : SpaceAuditPart {
   Sign side_of(VertexId v, PlaneId p) const { return side(points_, at(v), p); }
   VertexId end(EdgeId e, std::uint32_t i) const { return c_.origin[2 * e.value() + i]; }
 
-  /// The vertices and edges of leaf x, and the facet of leaf y.
+  /// Tests the vertices and edges of leaf x against the facet of leaf y.
   void test_against_facet(std::size_t x, std::size_t y) {
     const FacetId f = leaves_[y].facet;
     if (!f.is_valid()) return;
@@ -360,17 +381,19 @@ class MeetingAudit : SpaceAuditPart {
     }
   }
 
+  /// Tests a vertex in the plane of a facet. It may be a listed inner vertex or on the boundary.
   void test(VertexId v, FacetId f) {
     if (c_.vertex_facet[v.value()] == f || is_on_boundary(v, f)) return;
     const FacetPlace place = place_in_facet(c_, f, points_, at(v), step_);
     if (place.on.is_valid()) return note(kVertexInEdge, v, SpaceComplex::edge_of(place.on));
     if (place.is_inside) note(kVertexInFacet, v, f);
   }
+  /// Whether an edge at the vertex bounds the facet.
   bool is_on_boundary(VertexId v, FacetId f) const {
     const auto star = c_.star_of(v);
     return std::any_of(star.begin(), star.end(), [&](HalfedgeId h) { return has_use(h, f); });
   }
-  /// Does the edge bound the facet?
+  /// Whether the edge bounds the facet.
   bool has_use(HalfedgeId h, FacetId f) const {
     const UseId first = c_.edge_use[h.value() / 2];
     if (!first.is_valid()) return false;
@@ -382,9 +405,11 @@ class MeetingAudit : SpaceAuditPart {
     return false;
   }
 
-  /// Requires an edge that passes the facet's plane.
+  /// Tests an edge whose ends are strictly on both sides of the facet's plane.
   void test(EdgeId e, FacetId f, const Triangle& triangle) {
     if (surely_passes_by(e, triangle)) return;
+    // The point is constructed and located exactly; if it is on an edge g of the facet, it is a
+    // vertex inside e, or both edges cross.
     const SpacePoint x = crossing(e, plane(f));
     const FacetPlace place = place_in_facet(c_, f, points_, x, step_);
     if (place.on.is_valid()) {
@@ -396,7 +421,8 @@ class MeetingAudit : SpaceAuditPart {
     }
     if (place.is_inside) note(kEdgeThroughFacet, e, f);
   }
-  /// Its line passes two sides of the triangle in different directions.
+  /// Whether an edge passes by a triangle of input points: its line passes two sides in different
+  /// directions.
   bool surely_passes_by(EdgeId e, const Triangle& t) const {
     if (!t.is_valid()) return false;
     std::array<const Point3*, 5> p{};
@@ -410,7 +436,7 @@ class MeetingAudit : SpaceAuditPart {
     const Sign a = orient3d(*p[0], *p[1], *p[2], *p[3]), b = orient3d(*p[0], *p[1], *p[3], *p[4]);
     return a * b == Sign::Negative || a * orient3d(*p[0], *p[1], *p[4], *p[2]) == Sign::Negative;
   }
-  /// Where an edge that passes a plane does so.
+  /// Returns the point in which an edge passes a plane.
   SpacePoint crossing(EdgeId e, PlaneId p) {
     const auto& [first, second] = c_.edge_planes[e.value()];
     return points_.add(first, second, p);
@@ -418,6 +444,7 @@ class MeetingAudit : SpaceAuditPart {
 
   // ---- the other edges
 
+  /// Edges with their boxes.
   struct Edges {
     std::vector<EdgeId> edge;
     std::vector<Box3> box;
@@ -426,6 +453,7 @@ class MeetingAudit : SpaceAuditPart {
     edges.edge.push_back(e);
     edges.box.push_back(box_of(c_, e));
   }
+  /// Whether `holds` is true for all uses around an edge; true for a free edge.
   template <class Holds>
   bool all_uses(UseId first, Holds holds) const {
     if (!first.is_valid()) return true;
@@ -436,6 +464,7 @@ class MeetingAudit : SpaceAuditPart {
     } while (u != first);
     return true;
   }
+  /// Gathers the edges that facets do not test completely.
   void gather_edges() {
     all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) {
       const UseId first = c_.edge_use[e.value()];
@@ -447,6 +476,7 @@ class MeetingAudit : SpaceAuditPart {
     });
   }
 
+  /// Tests all vertices against the edges that no triangle has tested.
   void test_vertices_on_edges() {
     if (untried_.edge.empty()) return;
     const BoxTree tree(untried_.box);
@@ -458,44 +488,49 @@ class MeetingAudit : SpaceAuditPart {
       return true;
     });
   }
+  /// Whether a vertex lies strictly inside an edge.
   bool lies_inside(VertexId v, EdgeId e) const {
     const auto& [p, q] = c_.edge_planes[e.value()];
     if (v == end(e, 0) || v == end(e, 1)) return false;
     return side_of(v, p) == Sign::Zero && side_of(v, q) == Sign::Zero && is_between_ends(e, at(v));
   }
-  /// Is x, a point of the line of e, strictly between its ends?
+  /// Whether x, a point on the line of e, is strictly between its ends.
   bool is_between_ends(EdgeId e, SpacePoint x) const {
     const auto& [p, q] = c_.edge_planes[e.value()];
     return order_along_line(points_, p, q, at(end(e, 0)), x) == Sign::Positive &&
            order_along_line(points_, p, q, x, at(end(e, 1))) == Sign::Positive;
   }
 
+  /// Tests edges whose facets lie in one plane against each other.
   void test_flat_edges() {
     BoxTree(flat_.box).for_each_pair_inside([this](std::uint32_t i, std::uint32_t j) {
       step_();
       if (cross(flat_.edge[i], flat_.edge[j])) note(kEdgesCross, flat_.edge[i], flat_.edge[j]);
     });
   }
-  /// In one point inside both: then one passes a plane of the other.
+  /// Whether two edges cross in one point inside both: then one of them passes a plane of the
+  /// other.
   bool cross(EdgeId e, EdgeId g) {
     const auto& [p, q] = c_.edge_planes[e.value()];
     for (const auto& [first, second] : {std::pair{p, q}, std::pair{q, p}}) {
       if (side_of(end(g, 0), first) * side_of(end(g, 1), first) != Sign::Negative) continue;
+      // g passes the plane `first` through e in x; both edges cross if x lies on the line of e,
+      // between its ends.
       const SpacePoint x = crossing(g, first);
       return side(points_, x, second) == Sign::Zero && is_between_ends(e, x);
     }
     return false;
   }
 
-  Point3Table points_;  ///< those of the complex and crossings
+  Point3Table points_;  ///< The points of the complex, and crossings.
   MeetLeaves leaves_;
   LeafCache items_;
-  std::vector<Triangle> triangles_;          ///< per leaf
-  std::vector<std::uint32_t> corner_begin_;  ///< leaves + 1 entries into corner_
+  std::vector<Triangle> triangles_;          ///< One entry for each leaf.
+  std::vector<std::uint32_t> corner_begin_;  ///< Starts in corner_, one more than leaves.
   std::vector<VertexId> corner_;
-  std::vector<std::uint8_t> is_triangle_;  ///< per facet
-  Edges untried_;  ///< against which vertices have not been tested with a triangle at them
-  Edges flat_;     ///< all of whose facets are in one plane
+  std::vector<std::uint8_t> is_triangle_;  ///< Whether each facet is such a triangle.
+  Edges untried_;                          ///< Edges against which no triangle has tested vertices.
+  Edges flat_;                             ///< Edges whose facets all lie in one plane.
   Kind worst_ = kNothing;
 };
 

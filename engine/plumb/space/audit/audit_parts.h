@@ -1,4 +1,4 @@
-// The steps of audit() (space_audit.h). Internal.
+// The steps of audit() (space_audit.h) and what they have in common. Internal.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,22 @@
 
 namespace plumb {
 
-/// What counts a step of the audit; every some hundred are a checkpoint.
+/// Counts the steps of an audit and calls a checkpoint every 256 steps.
 class SpaceAuditSteps {
  public:
-  /// `part`: how many of the steps of audit() are done.
+  /// Takes the context, to which it keeps a reference, and how many of the five parts of audit()
+  /// are done.
   SpaceAuditSteps(Context& context, std::uint64_t part) : context_(context), part_(part) {}
 
+  /// Counts a step.
   void operator()() {
-    constexpr std::uint32_t kBetween = 256;  // exact signs of long numbers take up to 100 us each
+    constexpr std::uint32_t kBetween = 256;  // Exact signs of long numbers take up to 100 us each.
     if (++count_ % kBetween == 0) [[unlikely]]
       checkpoint();
   }
+  /// Calls a checkpoint now.
   [[gnu::noinline]] void checkpoint() { context_.checkpoint("audit", part_, 5); }
+  /// Returns the context.
   Context& context() { return context_; }
 
  private:
@@ -31,12 +35,13 @@ class SpaceAuditSteps {
   std::uint32_t count_ = 0;
 };
 
-/// What the steps have in common: the complex, and the first flaw.
+/// What the parts of an audit have in common: the complex, and the first flaw.
 class SpaceAuditPart {
  protected:
   SpaceAuditPart(const SpaceComplex& complex, Context& context, std::uint64_t part)
       : c_(complex), step_(context, part) {}
 
+  // The names of cells in reports.
   static std::string name(VertexId v) { return "vertex " + std::to_string(v.value()); }
   static std::string name(EdgeId e) { return "edge " + std::to_string(e.value()); }
   static std::string name(HalfedgeId h) { return "half-edge " + std::to_string(h.value()); }
@@ -44,16 +49,19 @@ class SpaceAuditPart {
   static std::string name(FacetId f) { return "facet " + std::to_string(f.value()); }
   static std::string name(VolumeId v) { return "volume " + std::to_string(v.value()); }
 
-  /// Notes a flaw; returns false.
+  /// Notes a flaw and returns false.
   bool fail(const char* invariant, std::string place) {
     flaw_ = SpaceFlaw{invariant, std::move(place)};
     return false;
   }
+  /// Returns `holds`, and notes a flaw at these cells if it is false.
   template <class... Ids>
   bool require(bool holds, const char* invariant, Ids... ids) {
     return holds || fail_at(invariant, ids...);
   }
 
+  /// Notes a flaw at these cells and returns false. Apart from require(), so that names cost
+  /// nothing while all is well.
   template <class... Ids>
   [[gnu::cold, gnu::noinline]] bool fail_at(const char* invariant, Ids... ids) {
     std::string place;
@@ -61,16 +69,22 @@ class SpaceAuditPart {
     return fail(invariant, place.empty() ? "complex" : place);
   }
 
+  /// Returns the place of a vertex.
   SpacePoint at(VertexId v) const { return c_.vertex_point[v.value()]; }
+  /// Returns the half-edge of an edge use (Weiler).
   HalfedgeId halfedge(UseId u) const { return c_.use_halfedge[u.value()]; }
-  /// Against the corner of u: the half-edge where it ends.
+  /// Returns the half-edge at which the corner of u ends: the reverse of the previous use.
   HalfedgeId corner_end(UseId u) const {
     return SpaceComplex::twin(halfedge(c_.use_prev[u.value()]));
   }
+  /// Returns the facet of a use.
   FacetId facet(UseId u) const { return c_.use_facet[u.value()]; }
+  /// Returns the plane of a facet.
   PlaneId plane(FacetId f) const { return c_.facet_plane[f.value()]; }
+  /// Returns the plane of a use's facet.
   PlaneId plane(UseId u) const { return plane(facet(u)); }
-  /// Does `holds`, asked of 0, 1, ... as ids, for all of so many items? Each is a step.
+  /// Whether `holds` is true for the ids 0, ..., count - 1; stops at the first for which it is not.
+  /// Each counts as a step.
   template <class Id, class Holds>
   bool all_of(std::size_t count, const Holds& holds) const {
     for (std::size_t i = 0; i < count; ++i) {
@@ -79,6 +93,7 @@ class SpaceAuditPart {
     }
     return true;
   }
+  /// Whether `visit` is true for all uses of a cycle; stops at the first for which it is not.
   template <class Visit>
   bool all_of_cycle(UseId first, Visit visit) const {
     UseId u = first;
@@ -92,29 +107,35 @@ class SpaceAuditPart {
 
   const SpaceComplex& c_;
   mutable SpaceAuditSteps step_;
-  std::optional<SpaceFlaw> flaw_;
+  std::optional<SpaceFlaw> flaw_;  ///< The first one found.
 };
 
 /// Where a point of a facet's plane lies: on an edge (or its end), else inside or outside.
 struct FacetPlace {
-  bool is_inside = false;
-  HalfedgeId on;
+  bool is_inside = false;  ///< Whether it lies inside, if it is on no edge.
+  HalfedgeId on;           ///< The half-edge on which it lies; invalid if on none.
 };
-/// Inside: the cycle goes around x an odd number of times. x: of the complex, or of a copy with
-/// more points.
+/// Returns where a point of the facet's plane lies relative to one cycle: inside if the cycle goes
+/// around it an odd number of times. The point is one of the complex, or of a copy of its table
+/// with more points. O(length of the cycle).
 FacetPlace place_in_cycle(const SpaceComplex& complex, UseId cycle, const Point3Table& points,
                           SpacePoint x, SpaceAuditSteps& step);
-/// The same, of all cycles of a facet together.
+/// Returns the same for all cycles of a facet together.
 FacetPlace place_in_facet(const SpaceComplex& complex, FacetId f, const Point3Table& points,
                           SpacePoint x, SpaceAuditSteps& step);
 
+/// Checks part 1: arrays, ids and links. Reads nothing that it has not checked.
 std::optional<SpaceFlaw> audit_links(const SpaceComplex& complex, Context& context);
-/// has_fan: per vertex (mesh_topology.h).
+/// Checks part 2: points, lines and planes, one cell and its neighbours at a time. `has_fan` is the
+/// result of find_fans() (mesh_topology.h).
 std::optional<SpaceFlaw> audit_places(const SpaceComplex& complex,
                                       std::span<const std::uint8_t> has_fan, Context& context);
+/// Checks part 3: boundary cycles of facets in their planes.
 std::optional<SpaceFlaw> audit_cycles(const SpaceComplex& complex, Context& context);
+/// Checks part 4: cells meet only in common vertices and edges.
 std::optional<SpaceFlaw> audit_meeting(const SpaceComplex& complex,
                                        std::span<const std::uint8_t> has_fan, Context& context);
+/// Checks part 5: volumes, the frame and, if `minimal`, the minimal form.
 std::optional<SpaceFlaw> audit_marks(const SpaceComplex& complex,
                                      std::span<const std::uint8_t> has_fan, AuditForm form,
                                      Context& context);

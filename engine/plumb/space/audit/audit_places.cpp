@@ -1,8 +1,20 @@
-// Step 2 of audit(): points, lines and planes, one item and its neighbours at a time.
+// Part 2 of audit(): points, lines and planes, one cell and its neighbours at a time.
 //
-// Directions in a plane n are sign (n x m) for another plane m of the line. Seen from the positive
-// side of n, s (n x m) turns to t (n x k) counter-clockwise exactly when s t det3(n, m, k) is
-// positive.
+// Planes of a table and points of vertices are distinct; ends of edges lie on both planes; edges
+// run as their planes say; edges of a facet lie in its plane; facets turn counter-clockwise around
+// edges; directions around a vertex are distinct and its corners neither cross nor hold an edge. So
+// every sphere map is drawn without crossings. Around a vertex with a fan (mesh_topology.h) the
+// latter holds already; others cost O(d^2) for d edges.
+//
+// Notation: directions in a plane n are sign (n x m) for another plane m of the line. Seen from the
+// positive side of n, s (n x m) turns to t (n x k) counter-clockwise exactly when s t det3(n, m, k)
+// is positive.
+//
+// Equality is found by fingerprints (docs/design/planes-first.md, "Fingerprints"): different ones
+// prove different objects, so only cells with equal ones are compared exactly.
+//
+// Declared in plumb/space/audit/audit_parts.h.
+// Tested by tests/space/space_audit_test.cpp.
 
 #include <algorithm>
 #include <bit>
@@ -20,6 +32,7 @@
 namespace plumb {
 namespace {
 
+/// Part 2.
 class PlaceAudit : SpaceAuditPart {
  public:
   PlaceAudit(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan, Context& context)
@@ -34,12 +47,14 @@ class PlaceAudit : SpaceAuditPart {
  private:
   // ---- planes and points
 
+  /// An item with its fingerprint.
   struct Keyed {
     Fingerprint print;
     std::uint32_t item;
   };
-  /// The items whose fingerprint another one has, too, by fingerprint. Where an item is alone in a
-  /// place that its low bits name, it has no equal: few are left to be sorted.
+  /// Returns the items whose fingerprint another one has, too, sorted by fingerprint, and perhaps
+  /// some more. If an item is alone in the place that its low bits name, it has no equal: so few
+  /// are left to be sorted.
   static std::vector<Keyed> with_equal_prints(std::span<const Fingerprint> prints) {
     std::vector<std::uint8_t> seen(std::bit_ceil(8 * prints.size() + 1));
     const auto place = [&](Fingerprint print) -> std::uint8_t& {
@@ -56,8 +71,8 @@ class PlaceAudit : SpaceAuditPart {
     std::ranges::stable_sort(items, {}, &Keyed::print);
     return items;
   }
-  /// Looks for equal items among those of one fingerprint, which is_before() orders, and
-  /// are_equal() compares.
+  /// Returns a pair of equal items among those of one fingerprint, which is_before() orders and
+  /// are_equal() compares; nothing if there is none.
   template <class Before, class Equal>
   static std::optional<std::pair<std::uint32_t, std::uint32_t>> find_equal(std::vector<Keyed> items,
                                                                            const Before& is_before,
@@ -71,6 +86,7 @@ class PlaceAudit : SpaceAuditPart {
     return std::nullopt;
   }
 
+  /// Whether planes have different coefficients.
   bool has_distinct_planes() {
     const PlaneTable& planes = c_.planes();
     std::vector<Fingerprint> prints(planes.size());
@@ -87,7 +103,7 @@ class PlaceAudit : SpaceAuditPart {
                 "planes " + std::to_string(equal->first) + ", " + std::to_string(equal->second));
   }
 
-  /// Equal points have equal fingerprints.
+  /// Whether vertices have different points. Equal points have equal fingerprints.
   bool has_distinct_vertices() {
     const auto point = [this](const Keyed& k) {
       step_();
@@ -104,6 +120,7 @@ class PlaceAudit : SpaceAuditPart {
     return fail_at("vertices have different points", VertexId(v), VertexId(w));
   }
 
+  /// Returns the fingerprint of each vertex's point, with a checkpoint after each block.
   std::vector<Fingerprint> prints_of_vertices() {
     constexpr std::size_t kBlock = 4096;
     std::vector<Fingerprint> prints;
@@ -118,6 +135,7 @@ class PlaceAudit : SpaceAuditPart {
     return prints;
   }
 
+  /// Whether a vertex lies on a plane.
   bool lies_on(VertexId v, PlaneId p) const {
     const SpacePoint x = at(v);
     if (x.is_input() && c_.planes().source(p).has_point(x.input())) return true;
@@ -130,8 +148,8 @@ class PlaceAudit : SpaceAuditPart {
     return true;
   }
 
-  /// Where all uses lie in the planes of their facets, edges lie in those, too, without another
-  /// look.
+  /// Whether every edge lies on both its planes and runs as they say. If all uses lie in the planes
+  /// of their facets, the ends of an edge lie in those planes without another test.
   bool has_true_edges() {
     are_uses_flat_ = have_uses_their_planes();
     return all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) {
@@ -140,6 +158,7 @@ class PlaceAudit : SpaceAuditPart {
       return (p != q && lies_in_both && runs_forward(e)) || is_true_edge(e);
     });
   }
+  /// Checks one edge, and says what is wrong with it.
   bool is_true_edge(EdgeId e) {
     const auto& [p, q] = c_.edge_planes[e.value()];
     if (!require(p != q && !are_parallel(p, q), "the planes of an edge cross", e)) return false;
@@ -151,12 +170,13 @@ class PlaceAudit : SpaceAuditPart {
     }
     return require(runs_forward(e), "an edge runs as its planes say", e);
   }
-  /// Requires ends that lie on its planes. Never along parallel planes.
+  /// Whether half-edge 2e runs along n_p x n_q; never if the planes are parallel. Requires ends
+  /// that lie on its planes.
   bool runs_forward(EdgeId e) const {
     const auto& [p, q] = c_.edge_planes[e.value()];
     const SpacePoint from = at(c_.origin[2 * e.value()]), to = at(c_.origin[2 * e.value() + 1]);
     const PointBox start = c_.points().box(from), end = c_.points().box(to);
-    std::size_t axis = 0;  // where they are farthest apart
+    std::size_t axis = 0;  // The axis along which the ends are farthest apart.
     for (std::size_t i = 1; i < 3; ++i) {
       if (std::fabs(end.mid[i] - start.mid[i]) > std::fabs(end.mid[axis] - start.mid[axis]))
         axis = i;
@@ -165,15 +185,14 @@ class PlaceAudit : SpaceAuditPart {
     if (is_decided(rises)) return decided(rises) == minor_sign(c_.planes(), p, q, axis);
     return order_along_line(c_.points(), p, q, from, to) == Sign::Positive;
   }
-  /// One of the first two around it.
+  /// Whether one of the first two facets around the edge lies in a plane.
   bool has_facet_in(EdgeId e, PlaneId p) const {
     const UseId u = c_.edge_use[e.value()];
     return u.is_valid() && (plane(u) == p || plane(c_.use_radial[u.value()]) == p);
   }
 
-  bool lies_in_its_plane(UseId u) const {  // where it ends the next one of its cycle begins
-    return lies_on(c_.use_origin(u), plane(u));
-  }
+  /// Whether a use begins in its facet's plane. Where it ends, the next one of its cycle begins.
+  bool lies_in_its_plane(UseId u) const { return lies_on(c_.use_origin(u), plane(u)); }
   bool have_uses_their_planes() const {
     return all_of<UseId>(c_.use_count(), [this](UseId u) { return lies_in_its_plane(u); });
   }
@@ -186,15 +205,15 @@ class PlaceAudit : SpaceAuditPart {
 
   // ---- around an edge
 
-  /// From the facet of one use to that of another, about half-edge 2e. Facets turn as their normals
-  /// do, pointing the other way at uses of 2e + 1.
+  /// Returns the turn from the facet of one use to that of another, about half-edge 2e. Facets turn
+  /// as their normals do, pointing the other way at uses of 2e + 1.
   Sign turn_about_edge(EdgeId e, UseId u, UseId w) const {
     const auto& [p, q] = c_.edge_planes[e.value()];
     const Sign turn = turn_about_line(c_.planes(), p, q, plane(u), plane(w));
     return is_reverse(u) == is_reverse(w) ? turn : -turn;
   }
   bool is_reverse(UseId u) const { return SpaceComplex::is_reverse(halfedge(u)); }
-  /// 0: the same, 1: below half a turn, 2: half a turn, 3: more.
+  /// Returns how far u turns to w: 0 not at all, 1 below half a turn, 2 half a turn, 3 more.
   int turn_class(EdgeId e, UseId u, UseId w) const {
     const Sign turn = turn_about_edge(e, u, w);
     if (turn != Sign::Zero) return turn == Sign::Positive ? 1 : 3;
@@ -206,6 +225,8 @@ class PlaceAudit : SpaceAuditPart {
       return !c_.edge_use[e.value()].is_valid() || has_turning_ring(e);
     });
   }
+  /// Whether the radial cycle of an edge turns counter-clockwise, once. Two facets in different
+  /// planes always do.
   bool has_turning_ring(EdgeId e) {
     const UseId first = c_.edge_use[e.value()], second = c_.use_radial[first.value()];
     if (c_.use_radial[second.value()] == first && plane(first) != plane(second)) return true;
@@ -228,11 +249,13 @@ class PlaceAudit : SpaceAuditPart {
 
   // ---- around a vertex
 
+  /// The direction sign (n x n_m) in a plane n.
   struct DirectionInPlane {
     PlaneId m;
     Sign sign;
     DirectionInPlane opposite() const { return {m, -sign}; }
   };
+  /// Returns the sign of a coordinate of a half-edge's direction.
   Sign coordinate_sign(HalfedgeId h, std::size_t axis) const {
     const auto& [p, q] = c_.edge_planes[h.value() / 2];
     const Sign s = minor_sign(c_.planes(), p, q, axis);
@@ -245,21 +268,23 @@ class PlaceAudit : SpaceAuditPart {
   Sign turn_in_plane(PlaneId n, DirectionInPlane a, DirectionInPlane b) const {
     return a.sign * b.sign * det3_sign(c_.planes(), n, a.m, b.m);
   }
-  /// Of two directions on one line.
+  /// Whether two directions on one line are opposite.
   bool are_opposite(PlaneId n, DirectionInPlane a, DirectionInPlane b) const {
     std::size_t axis = 0;
     while (minor_sign(c_.planes(), n, a.m, axis) == Sign::Zero) ++axis;
     return a.sign * minor_sign(c_.planes(), n, a.m, axis) !=
            b.sign * minor_sign(c_.planes(), n, b.m, axis);
   }
-  /// From a to b, counter-clockwise: 0: no turn, 1: below half a turn, 2: half a turn, 3: more.
+  /// Returns how far a turns to b, counter-clockwise: 0 not at all, 1 below half a turn, 2 half a
+  /// turn, 3 more.
   int turn_class(PlaneId n, DirectionInPlane a, DirectionInPlane b) const {
     const Sign turn = turn_in_plane(n, a, b);
     if (turn != Sign::Zero) return turn == Sign::Positive ? 1 : 3;
     return are_opposite(n, a, b) ? 2 : 0;
   }
 
-  /// Around a vertex with a fan directions differ, and corners lie side by side.
+  /// Whether the sphere map of every vertex is drawn without crossings. Around a vertex with a fan
+  /// directions differ, and corners lie side by side.
   bool has_sound_stars() {
     return all_of<VertexId>(c_.vertex_count(), [this](VertexId v) {
       if (has_fan_[v.value()] != 0) return true;
@@ -271,7 +296,8 @@ class PlaceAudit : SpaceAuditPart {
 
   bool lies_on(HalfedgeId h, PlaneId p) const { return lies_on(c_.target(h), p); }
 
-  /// One line through the vertex leaves it in at most two directions.
+  /// Whether edges leave a vertex in different directions: on one line there are at most two,
+  /// opposite to each other.
   bool has_distinct_directions(VertexId v) {
     const auto star = c_.star_of(v);
     for (std::size_t i = 0; i < star.size(); ++i) {
@@ -297,7 +323,7 @@ class PlaceAudit : SpaceAuditPart {
     return coordinate_sign(g, axis) == -coordinate_sign(h, axis);
   }
 
-  /// The uses that leave the vertex, by plane.
+  /// Returns the uses that leave the vertex, sorted by plane.
   std::vector<UseId> corners_at(VertexId v) const {
     std::vector<UseId> corners;
     for (const HalfedgeId h : c_.star_of(v)) add_corners(h, corners);
@@ -324,7 +350,8 @@ class PlaceAudit : SpaceAuditPart {
     }
     return true;
   }
-  /// Corners of one plane, met in counter-clockwise order: each ends at the edge that comes next.
+  /// Whether corners of one plane, met in counter-clockwise order, each end at the edge that comes
+  /// next: then no edge divides a corner, and no two corners overlap.
   bool has_undivided_corners_in_plane(VertexId v, const std::vector<UseId>& corners) {
     const PlaneId n = plane(corners.front());
     const std::vector<HalfedgeId> around = edges_in_plane(v, n, halfedge(corners.front()));
@@ -342,7 +369,7 @@ class PlaceAudit : SpaceAuditPart {
     }
     return true;
   }
-  /// Counter-clockwise from `first` on.
+  /// Returns the edges at v in a plane, counter-clockwise from `first` on.
   std::vector<HalfedgeId> edges_in_plane(VertexId v, PlaneId n, HalfedgeId first) const {
     std::vector<std::pair<HalfedgeId, DirectionInPlane>> edges;
     for (const HalfedgeId h : c_.star_of(v)) {
@@ -359,7 +386,8 @@ class PlaceAudit : SpaceAuditPart {
     return result;
   }
 
-  /// Does a direction in the plane of a corner lie strictly inside it?
+  /// Whether a direction in the plane of a corner lies strictly inside it. A corner whose end is
+  /// its beginning is a whole turn.
   bool holds(UseId corner, DirectionInPlane d) const {
     const PlaneId n = plane(corner);
     const DirectionInPlane from = direction_in_plane(n, halfedge(corner));
@@ -369,7 +397,8 @@ class PlaceAudit : SpaceAuditPart {
     return at != end ? at < end : turn_in_plane(n, d, to) == Sign::Positive;
   }
 
-  /// Corners in different planes have at most the two directions of their common line in common.
+  /// Whether no two corners cross. Corners in different planes have at most the two directions of
+  /// the planes' common line in common.
   bool has_corners_apart(VertexId v, const std::vector<UseId>& corners) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       for (std::size_t j = i + 1; j < corners.size(); ++j) {
@@ -382,6 +411,7 @@ class PlaceAudit : SpaceAuditPart {
     }
     return true;
   }
+  /// Whether corners in different planes have a direction strictly inside both.
   bool cross(UseId u, UseId w) const {
     const PlaneId n = plane(u), m = plane(w);
     if (n == m) return false;
@@ -390,6 +420,7 @@ class PlaceAudit : SpaceAuditPart {
            (holds(u, in_n.opposite()) && holds(w, in_m.opposite()));
   }
 
+  /// Whether nothing at a vertex inside a facet passes that facet: no edge and no corner.
   bool has_undivided_disk(VertexId v, const std::vector<UseId>& corners) {
     const FacetId f = c_.vertex_facet[v.value()];
     if (!f.is_valid()) return true;
@@ -412,8 +443,8 @@ class PlaceAudit : SpaceAuditPart {
     return true;
   }
 
-  std::span<const std::uint8_t> has_fan_;  ///< per vertex
-  bool are_uses_flat_ = false;             ///< do all lie in the planes of their facets?
+  std::span<const std::uint8_t> has_fan_;  ///< Whether each vertex has a fan.
+  bool are_uses_flat_ = false;             ///< Whether all lie in the planes of their facets.
 };
 
 }  // namespace

@@ -1,3 +1,20 @@
+// Joins vertices with sphere maps to a complex.
+//
+// The maps at all vertices determine a complex (docs/design/boolean.md, "Correctness"): every cell
+// has a vertex in its closure. Points that face each other are the two ends of an edge. Around an
+// edge both maps show the same facets, in opposite senses; matching one facet fixes the rotation,
+// and then corner follows corner along every facet. Cycles are walked; in planes with several of
+// them a sweep finds the outer cycle around each hole. Volumes follow from shells and rays
+// (volumes.h).
+//
+// Invariants, checked by PLUMB_CHECK: facing points have equal marks, rings mirror each other, all
+// corners of a facet and all views of a volume have one mark. They hold because both are computed
+// from the same pair of cells.
+//
+// Memory: arrays of the draft are freed as soon as no later step reads them, since the peak comes
+// with the volumes.
+// Tested by tests/space/nef3_test.cpp and tests/space/simplify_test.cpp.
+
 #include "plumb/space/boolean/assemble.h"
 
 #include <algorithm>
@@ -14,8 +31,9 @@ namespace plumb {
 
 namespace {
 
-constexpr std::size_t kFew = 16;  ///< of so few, each is added faster than all at once
+constexpr std::size_t kFew = 16;  ///< So few items are added faster one by one than all at once.
 
+/// Appends items.
 template <class T>
 void extend(std::vector<T>& all, const std::vector<T>& more) {
   if (more.size() > kFew) {
@@ -25,11 +43,13 @@ void extend(std::vector<T>& all, const std::vector<T>& more) {
   }
 }
 
+/// Appends indices, each raised by `shift`. kNone stays kNone.
 void extend_shifted(std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& more,
                     std::uint32_t shift) {
   for (const std::uint32_t i : more) all.push_back(i == kNone ? i : i + shift);
 }
 
+/// Appends a map; `offsets` is where its parts begin. Half-arcs are two for each arc.
 void append_map(SphereMap& maps, const SphereMap& map, const SpaceDraft::Offsets& offsets) {
   extend(maps.direction, map.direction);
   extend(maps.point_mark, map.point_mark);
@@ -45,6 +65,7 @@ void append_map(SphereMap& maps, const SphereMap& map, const SpaceDraft::Offsets
 
 }  // namespace
 
+// The map is appended with all its indices raised; facing points are set by the maker later.
 SpaceDraft::Offsets SpaceDraft::add(SpacePoint at, const SphereMap& map, bool passed,
                                     std::span<const std::uint32_t> origin_ids) {
   const VertexId v(vertex_point.size());
@@ -82,6 +103,7 @@ SpaceDraft::Offsets SpaceDraft::end() const {
           static_cast<std::uint32_t>(maps.face_count())};
 }
 
+// Twins within the other draft keep facing each other; kNone stays open.
 void SpaceDraft::append(const SpaceDraft& other) {
   const auto vertices = static_cast<std::uint32_t>(vertex_count());
   const Offsets offsets = end();
@@ -114,7 +136,7 @@ void SpaceDraft::reserve_more(std::size_t vertices, std::size_t point_count, std
 
 namespace {
 
-/// Calls visit(half-arc) for those that leave a point, clockwise seen from outside.
+/// Calls visit(half-arc) for the half-arcs that leave a point, clockwise seen from outside.
 template <class Visit>
 void for_each_clockwise(const SphereMap& map, std::uint32_t point, Visit visit) {
   const std::uint32_t first = map.first_out[point];
@@ -126,7 +148,7 @@ void for_each_clockwise(const SphereMap& map, std::uint32_t point, Visit visit) 
   } while (h != first);
 }
 
-/// Items in the order of their planes, as they came within each.
+/// Items sorted by their planes, in their old order within each. O(items + planes).
 class ByPlane {
  public:
   ByPlane(const std::vector<std::uint32_t>& items, const std::vector<PlaneId>& plane,
@@ -139,6 +161,7 @@ class ByPlane {
     for (const std::uint32_t i : items) item_[begin_[plane[i].value() + 1]++] = i;
   }
 
+  /// Returns the items of a plane.
   std::span<const std::uint32_t> of(PlaneId p) const {
     if (item_.empty()) return {};
     return std::span(item_).subspan(begin_[p.value()], begin_[p.value() + 1] - begin_[p.value()]);
@@ -149,7 +172,7 @@ class ByPlane {
   std::vector<std::uint32_t> item_;
 };
 
-/// The join in progress: phases in the order of assemble.h.
+/// The join in progress: steps in the order of assemble.h.
 class Joiner {
  public:
   Joiner(SpaceDraft& draft, Context& context)
@@ -176,7 +199,7 @@ class Joiner {
   }
 
  private:
-  /// Gives memory back: the peak comes with the volumes.
+  /// Frees arrays that no later step reads: the peak of memory comes with the volumes.
   template <class... Arrays>
   static void release(Arrays&... arrays) {
     ((arrays = Arrays()), ...);
@@ -184,10 +207,13 @@ class Joiner {
 
   // ---- vertices and edges
 
+  /// Removes places inside edges. The neighbours of both points of such a place face each other;
+  /// chains of places shrink one by one.
   void splice() {
     for (std::size_t v = 0; v < draft_.vertex_count(); ++v) {
       if (draft_.is_passed[v] == 0) continue;
       has_passed_ = true;
+      // The map of a place inside an edge has exactly two opposite points.
       const std::uint32_t x = draft_.begin[v].point, y = x + 1;
       const std::uint32_t a = draft_.twin[x], b = draft_.twin[y];
       PLUMB_CHECK(a != kNone && b != kNone);
@@ -196,6 +222,7 @@ class Joiner {
     }
   }
 
+  /// Whether a point belongs to a place inside an edge.
   bool is_passed(std::uint32_t point) const {
     return has_passed_ && draft_.is_passed[draft_.vertex_of_point[point].value()] != 0;
   }
@@ -212,6 +239,8 @@ class Joiner {
     out_.vertex_facet.resize(out_.vertex_count());
   }
 
+  /// Makes edge e of the pair (i, j) of facing points, i < j: half-edge 2e leaves point i, whose
+  /// direction gives the edge its two planes in order.
   void make_edges() {
     halfedge_of_point_.resize(maps_.point_count());
     out_.edge_planes.reserve(maps_.point_count() / 2);
@@ -232,8 +261,9 @@ class Joiner {
     out_.edge_use.resize(out_.edge_count());
   }
 
-  /// Sphere maps without points or loops on their own hang together if points - arcs + faces = 2
-  /// (Euler).
+  /// Notes which sphere maps are connected, for label_volumes(). A map without free points and
+  /// loops is connected if and only if points - arcs + faces = 2 (Euler): with k components the sum
+  /// is k + 1.
   void find_connected() {
     connected_.reserve(out_.vertex_count());
     for (std::size_t v = 0; v < draft_.vertex_count(); ++v) {
@@ -248,6 +278,7 @@ class Joiner {
     }
   }
 
+  /// Sorts the half-edges by their origins.
   void make_stars() {
     out_.star_begin.assign(out_.vertex_count() + 1, 0);
     for (const VertexId v : out_.origin) ++out_.star_begin[v.value() + 1];
@@ -259,8 +290,9 @@ class Joiner {
     }
   }
 
-  // ---- uses: one for each arc of a vertex that stays
+  // ---- edge uses: one for each arc of a vertex that stays
 
+  /// Numbers the edge uses and links them along facets and around edges, one edge at a time.
   void link_uses() {
     use_of_arc_.assign(maps_.arc_count(), UseId());
     out_.use_halfedge.reserve(maps_.arc_count());
@@ -280,7 +312,8 @@ class Joiner {
     }
   }
 
-  /// As link_edge(), of an edge of two uses: nearly all edges. False: it is none.
+  /// Does the same as link_edge() for an edge of two uses: nearly all edges. Returns false if the
+  /// edge has another number of uses.
   bool link_plain_edge(std::uint32_t point) {
     const std::uint32_t x = maps_.first_out[point], after_x = maps_.clockwise(x);
     std::uint32_t y = maps_.first_out[draft_.twin[point]];
@@ -297,8 +330,11 @@ class Joiner {
     return true;
   }
 
-  /// Both rings of the edge, matched: half-arcs of one plane, one going out and one coming in.
+  /// Matches the rings of arcs at both ends of an edge: half-arcs of one plane, one going out and
+  /// one coming in. A ring cannot match in two rotations with different results: two facets around
+  /// one edge in the same plane leave it on opposite sides, so plane and sense name one half-arc.
   void link_edge(std::uint32_t point) {
+    // The ring at the far end, reversed, is the ring at the near end, rotated.
     near_.clear();
     far_.clear();
     for_each_clockwise(maps_, point, [this](std::uint32_t h) { near_.push_back(h); });
@@ -323,17 +359,20 @@ class Joiner {
     out_.edge_use[halfedge_of_point_[point].value() / 2] = radial_[0];
   }
 
-  /// The corners of one facet at both ends of an edge follow each other; returns the use along the
-  /// edge.
+  /// Lets the corners of one facet at both ends of an edge follow each other, and returns the use
+  /// along the edge.
   UseId join_corners(std::uint32_t x, std::uint32_t y) {
     // An even half-arc is a corner that starts here: its use leaves along this edge.
     if (x % 2 != 0) std::swap(x, y);
+    // The corner at the other end of the edge follows this one along the facet.
     const UseId leaving = use_of_arc_[x / 2], arriving_at = use_of_arc_[y / 2];
     out_.use_next[leaving.value()] = arriving_at;
     out_.use_prev[arriving_at.value()] = leaving;
     return leaving;
   }
 
+  /// Whether half-arcs at both ends of an edge can belong to one facet: their plane is the same and
+  /// one of them begins a corner while the other ends one.
   bool is_mirror(std::uint32_t x, std::uint32_t y) const {
     return maps_.circle[x / 2] == maps_.circle[y / 2] && (x ^ y) % 2 == 1;
   }
@@ -354,14 +393,17 @@ class Joiner {
     }
   }
 
-  /// Cycles and arcs of inner vertices of one plane.
+  /// The cycles of one plane, and the loops of vertices inside its facets.
   struct PlaneGroup {
     std::span<const std::uint32_t> cycles;
     std::span<const std::uint32_t> loops;
   };
 
+  /// Finds the outer cycle around every hole and inner vertex, plane by plane.
   void gather_facets() {
     const auto cycles = static_cast<std::uint32_t>(first_use_.size());
+    // Cycles and loops are sorted by their planes in linear time, then each plane is nested by
+    // itself.
     parent_.assign(cycles, kNone);
     std::vector<std::uint32_t> all_cycles(cycles), all_loops;
     std::iota(all_cycles.begin(), all_cycles.end(), 0U);
@@ -377,12 +419,15 @@ class Joiner {
     number_facets();
   }
 
+  /// Nests the cycles and inner vertices of one plane. A single cycle without inner vertices needs
+  /// no arithmetic.
   void nest(PlaneId plane, const PlaneGroup& group) {
     if (group.cycles.size() <= 1 && group.loops.empty()) return;
     cycles_.clear();
     inner_.clear();
     for (const std::uint32_t c : group.cycles) cycles_.push_back(first_use_[c]);
     for (const std::uint32_t a : group.loops) inner_.push_back(vertex_of_loop(a));
+    // nest_cycles() names the outer cycle of each cycle and point by its index in these lists.
     const CycleNesting nesting = nest_cycles(out_, plane, cycles_, inner_, context_);
     for (std::size_t i = 0; i < cycles_.size(); ++i) {
       if (nesting.of_cycle[i] != i) parent_[group.cycles[i]] = group.cycles[nesting.of_cycle[i]];
@@ -392,6 +437,7 @@ class Joiner {
     }
   }
 
+  /// Returns the vertex whose map has a loop: the last one whose arcs begin at or before it.
   VertexId vertex_of_loop(std::uint32_t arc) const {
     const auto next =
         std::upper_bound(draft_.begin.begin(), draft_.begin.end(), arc,
@@ -399,13 +445,16 @@ class Joiner {
     return vertex_number_[static_cast<std::size_t>(next - draft_.begin.begin()) - 1];
   }
 
-  /// A facet for each outer cycle, in their order, with its holes and inner vertices.
+  /// Makes a facet of each outer cycle, in their order, with its holes and inner vertices. Its
+  /// facet_origin is the least of those of its corners.
   void number_facets() {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> holes;
     for (std::uint32_t c = 0; c < parent_.size(); ++c) {
       if (parent_[c] != kNone) holes.emplace_back(parent_[c], c);
     }
     std::sort(holes.begin(), holes.end());
+    // Holes and inner vertices are sorted by their outer cycle, so one pass over cycles meets them
+    // in order.
     std::stable_sort(inner_of_cycle_.begin(), inner_of_cycle_.end(),
                      [](const auto& x, const auto& y) { return x.first < y.first; });
     reserve_facets(first_use_.size() - holes.size());
@@ -416,7 +465,8 @@ class Joiner {
       if (parent_[c] != kNone) continue;
       const FacetId f(facet_count_);
       const std::uint32_t arc = arc_of_use_[first_use_[c].value()];
-      out_.facet_plane[facet_count_++] = out_.facet_plane[c];  // never behind c
+      // This overwrites nothing that is still needed, as facet_count_ <= c.
+      out_.facet_plane[facet_count_++] = out_.facet_plane[c];
       out_.facet_mark.push_back(maps_.arc_mark[arc]);
       out_.facet_origin.push_back(draft_.arc_origin[arc]);
       facet_of_cycle[c] = f;
@@ -454,6 +504,7 @@ class Joiner {
 
   // ---- volumes
 
+  /// Sets the mark of a volume, or checks it if it is known already.
   void set_volume_mark(VolumeId volume, Mark mark) {
     Mark& known = out_.volume_mark[volume.value()];
     std::uint8_t& is_known = is_marked_[volume.value()];
@@ -462,6 +513,8 @@ class Joiner {
     is_known = 1;
   }
 
+  /// Copies the marks of volumes from everything that borders on them: sides of facets, free edges,
+  /// isolated vertices.
   void copy_volume_marks() {
     is_marked_.assign(out_.volume_count(), 0);
     for (std::uint32_t u = 0; u < out_.use_count(); ++u) {
@@ -487,17 +540,17 @@ class Joiner {
   Context& context_;
   SpaceComplex out_;
 
-  bool has_passed_ = false;                    // is any vertex of the draft a place inside an edge?
-  std::vector<VertexId> vertex_number_;        // per draft vertex
-  std::vector<std::uint8_t> connected_;        // per vertex, for label_volumes()
-  std::vector<HalfedgeId> halfedge_of_point_;  // per point
-  std::vector<UseId> use_of_arc_;              // per arc
-  std::vector<std::uint32_t> arc_of_use_;      // per use
-  std::vector<UseId> first_use_;               // per cycle
-  std::vector<std::uint32_t> parent_;          // per cycle: the outer cycle around a hole
+  bool has_passed_ = false;              // Whether a vertex of the draft is a place inside an edge.
+  std::vector<VertexId> vertex_number_;  // The new number of each vertex of the draft.
+  std::vector<std::uint8_t> connected_;  // Whether the map of each vertex is connected.
+  std::vector<HalfedgeId> halfedge_of_point_;  // The half-edge of each point.
+  std::vector<UseId> use_of_arc_;              // The use of each arc.
+  std::vector<std::uint32_t> arc_of_use_;      // The arc of each use.
+  std::vector<UseId> first_use_;               // A use of each cycle.
+  std::vector<std::uint32_t> parent_;          // The outer cycle around each hole, else kNone.
   std::vector<std::pair<std::uint32_t, VertexId>> inner_of_cycle_;
   std::size_t facet_count_ = 0;
-  std::vector<std::uint8_t> is_marked_;  // per volume
+  std::vector<std::uint8_t> is_marked_;  // Whether the mark of each volume is set.
   std::vector<std::uint32_t> near_, far_;
   std::vector<UseId> radial_, cycles_;
   std::vector<VertexId> inner_;

@@ -1,19 +1,19 @@
 // A complex in the making: vertices with their sphere maps, before edges, facets and volumes are
-// known. Whoever makes it adds the minimal map of each vertex and says which points of maps face
-// each other; join() does the rest.
+// known. Its maker adds the minimal map of each vertex and pairs the points of maps that face each
+// other; join() does the rest.
 //
 // Main flow of join():
-//  1. splice          vertices in the middle of an edge go: what faced them faces each other
-//  2. make_edges      each pair of facing points is an edge
-//  3. link_uses       the rings of arcs at both ends of an edge are mirror images: this links the
-//                     corners of facets to cycles and gives the radial order
-//  4. gather_facets   cycles are walked; in each plane holes and inner vertices find the facet
-//                     around them (facet_site.h)
-//  5. label_volumes   (volumes.h)
-//  6. copy marks
+//  1. splice         removes vertices inside edges: what faced them faces each other
+//  2. make_edges     makes an edge of each pair of facing points
+//  3. link_uses      matches the rings of arcs at both ends of an edge, which are mirror images:
+//                    this links the corners of facets to cycles and gives the radial order
+//  4. gather_facets  walks the cycles; in each plane holes and inner vertices find the facet around
+//                    them (facet_site.h)
+//  5. label_volumes  finds the volumes (volumes.h)
+//  6. copy marks     copies the marks of volumes from the faces of the maps
 //
-// Every step is O(n) but the sweeps of planes with holes, O(n log n), and the rays of
-// label_volumes.
+// Every step is O(n), except the sweeps of planes with holes, O(n log n), and the rays of
+// label_volumes(). Proof: docs/design/boolean.md, steps 6 and 7 of "The algorithm".
 #pragma once
 
 #include <cstdint>
@@ -26,55 +26,62 @@
 
 namespace plumb {
 
+/// Vertices with their sphere maps. Indices of points, arcs and faces run through all maps.
 struct SpaceDraft {
   /// Where the parts of an added map begin.
   struct Offsets {
-    std::uint32_t point;
-    std::uint32_t arc;
-    std::uint32_t face;
+    std::uint32_t point;  ///< Index of its first point.
+    std::uint32_t arc;    ///< Index of its first arc.
+    std::uint32_t face;   ///< Index of its first face.
   };
 
+  /// Makes a draft without vertices whose points will be those of the tables.
   explicit SpaceDraft(std::shared_ptr<const SpaceTables> used_tables)
       : tables(std::move(used_tables)) {}
 
   /// Adds a vertex, or with is_passed a place inside an edge of the result: two opposite points
-  /// whose neighbours will face each other. `origin_ids`: facet_origin for each arc.
+  /// whose neighbours will face each other. `origin_ids` has a facet_origin for each arc. Returns
+  /// where the parts of the map begin.
   Offsets add(SpacePoint at, const SphereMap& map, bool is_passed,
               std::span<const std::uint32_t> origin_ids);
 
-  /// Drops the last ones, or adds some, to be filled by the caller: none is a place inside an edge,
-  /// no point has a face around it, none a twin.
+  /// Drops the last vertices and their maps, or adds some for the caller to fill: none of them is a
+  /// place inside an edge, no point has a face around it, none has a twin.
   void resize(std::size_t vertices, std::size_t points, std::size_t arcs, std::size_t faces);
 
-  /// Adds the vertices of a draft over the same tables, in their order.
+  /// Appends the vertices of a draft over the same tables, in their order.
   void append(const SpaceDraft& other);
 
-  /// Room for so many besides those there are.
+  /// Reserves memory for so many vertices, points, arcs and faces besides those there are.
   void reserve_more(std::size_t vertices, std::size_t point_count, std::size_t arcs,
                     std::size_t faces);
 
+  /// Returns the number of vertices, places inside edges included.
   std::size_t vertex_count() const { return vertex_point.size(); }
-  /// Where the parts of the next map will begin.
+  /// Returns where the parts of the next map will begin.
   Offsets end() const;
+  /// Whether no arc leaves the point: it is a free edge.
   bool is_free(std::uint32_t point) const { return maps.first_out[point] == kNone; }
+  /// Whether the arc is a whole circle: the vertex lies inside a facet.
   bool is_loop(std::uint32_t arc) const { return maps.is_loop(arc); }
 
-  std::shared_ptr<const SpaceTables> tables;
-  SphereMap maps;  ///< all maps, one after the other, with running indices
+  std::shared_ptr<const SpaceTables> tables;  ///< Planes and points, to which the maker may add.
+  SphereMap maps;  ///< All maps, one after the other, with running indices.
 
-  // per vertex
-  std::vector<SpacePoint> vertex_point;
-  std::vector<Mark> vertex_mark;
-  std::vector<std::uint8_t> is_passed;
-  std::vector<Offsets> begin;
+  // One entry for each vertex.
+  std::vector<SpacePoint> vertex_point;  ///< Its place.
+  std::vector<Mark> vertex_mark;         ///< Its mark.
+  std::vector<std::uint8_t> is_passed;   ///< 1 if it is a place inside an edge.
+  std::vector<Offsets> begin;            ///< Where its map begins.
 
-  std::vector<VertexId> vertex_of_point;  ///< per point
-  std::vector<std::uint32_t> twin;        ///< per point: the one at the other end of the edge
-  std::vector<std::uint32_t> arc_origin;  ///< per arc: facet_origin
+  std::vector<VertexId> vertex_of_point;  ///< The vertex of each point.
+  std::vector<std::uint32_t> twin;        ///< The point at the other end of each point's edge.
+  std::vector<std::uint32_t> arc_origin;  ///< The facet_origin of each arc.
 };
 
-/// Requires twins, and maps that agree at both ends of every edge: a broken invariant stops the
-/// program.
+/// Returns the complex of a draft. Requires that all points have twins and that the maps agree at
+/// both ends of every edge: a broken invariant stops the program. A draft without vertices gives
+/// one volume with mark 0. Throws what the context throws.
 SpaceComplex join(SpaceDraft draft, Context& context);
 
 }  // namespace plumb

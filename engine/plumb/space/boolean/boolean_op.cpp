@@ -1,3 +1,19 @@
+// Booleans of complexes: the order of the steps, what is freed when, and what runs in parallel.
+//
+// The two operands are symmetric until Combiner applies the function of marks, so each step runs
+// for operand 0 and 1 by one function. With threads, contacts are overlaid in batches of 512, each
+// by a Combiner of its own; the parts are appended in the order of the batches, so the result does
+// not depend on the number of threads.
+//
+// A plane as second operand needs neither boxes nor rays: a sign for each vertex says where it
+// lies, and an edge whose ends lie on both sides crosses the plane in one point
+// (docs/design/boolean.md, "Where the result can have a vertex").
+//
+// Invariants: tables only grow, ids in use never change; every array of SpaceComplex appears once
+// in appended(). Peak memory: the draft and the result at once, so operands are freed between them.
+// Tested by tests/space/nef3_test.cpp, tests/space/nef3_property_test.cpp and
+// tests/space/threads_test.cpp.
+
 #include "plumb/space/boolean/boolean_op.h"
 
 #include <algorithm>
@@ -22,17 +38,20 @@ namespace {
 
 constexpr const char* kMemoryName = "a Boolean of space";
 
+/// Returns the complex of a draft. A set without vertices is all of space or nothing: the draft's
+/// mark of the outside says which.
 SpaceComplex joined(CombinedDraft draft, Context& context) {
   SpaceComplex result = join(std::move(draft.vertices), context);
   if (result.vertex_count() == 0) result.volume_mark[0] = draft.outside;
   return result;
 }
 
+/// Returns the facet_origin of a facet that lies in facets of both operands.
 std::uint32_t lesser_origin(std::uint32_t first, std::uint32_t second) {
   return std::min(first, second);
 }
 
-/// The complex with the ids of merged tables.
+/// Replaces all ids of planes and points by those in the merged tables.
 void translate(SpaceComplex& complex, const TableMap& map) {
   for (SpacePoint& p : complex.vertex_point) p = map(p);
   for (auto& planes : complex.edge_planes) {
@@ -58,27 +77,30 @@ std::shared_ptr<SpaceTables> unite_tables(SpaceComplex& a, SpaceComplex& b) {
 
 namespace {
 
-/// With one thread where there is so little to do that more cost more than they bring.
+/// Returns a context with one thread for small operands, where starting threads costs more than it
+/// saves, else one with all threads.
 Context with_useful_threads(const SpaceComplex& a, const SpaceComplex& b, const Context& context) {
   constexpr std::size_t kLeastUses = 4000;
   const bool is_small = a.use_count() + b.use_count() < kLeastUses;
   return Context(context, std::stop_token(), is_small ? 1U : context.threads(), true);
 }
 
-/// Of the draft and what is joined: its arrays have so many bytes for each corner of a facet, and
-/// for all that a contact adds: pairs of items, a point of the tables, a vertex with its map.
+/// Returns an estimate of the bytes of the draft and of the joined complex: so many for each corner
+/// of a facet, and so many for all that a contact adds (two pairs of cells, a point of the tables,
+/// a vertex with its map).
 std::uint64_t draft_bytes(std::size_t uses, std::size_t contacts) {
   constexpr std::uint64_t kBytesPerUse = 60, kBytesPerContact = 600;
   return kBytesPerUse * uses + kBytesPerContact * contacts;
 }
 
-/// Phases 2 to 6. What they take until the draft is joined is charged to `memory`.
+/// Runs steps 2 to 6. The memory in use until the draft is joined is charged to `memory`.
 CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
                        const SpaceComplex& b, const MarkTable& f, const CommonOrigin& origin,
                        MemoryCharge& memory, Context& context) {
   const std::vector<Contact> contacts = meet(a, b, *tables, context);
   memory.add(draft_bytes(a.use_count() + b.use_count(), contacts.size()), kMemoryName);
   const std::array<const SpaceComplex*, 2> operands{&a, &b};
+  // Both operands are labelled at once; neither changes the tables.
   std::array<std::optional<TouchedComplex>, 2> touched;
   std::array<std::vector<VolumeId>, 2> labels;
   run_jobs(context, 2, [&](std::size_t i, Context& own) {
@@ -86,13 +108,14 @@ CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceCo
     labels[i] = label_vertices(*touched[i], *operands[1 - i], contacts, i, *tables, own);
   });
   Combiner combiner(operands, tables, contacts, f, origin);
-  if (context.threads() == 1) {  // nothing to be put together
+  if (context.threads() == 1) {  // One combiner makes all of it, nothing is appended.
     combiner.overlay_contacts(context);
     for (const std::size_t i : {0U, 1U}) combiner.keep_vertices(i, *touched[i], labels[i], context);
     return combiner.finish();
   }
   constexpr std::size_t kContactsAtOnce = 512;
   const std::size_t overlays = (contacts.size() + kContactsAtOnce - 1) / kContactsAtOnce;
+  // One part for each batch of contacts, then one for the other vertices of each operand.
   std::vector<std::optional<Combiner>> parts(overlays + 2);
   run_jobs(context, parts.size(), [&](std::size_t job, Context& own) {
     Combiner& part = parts[job].emplace(operands, tables, contacts, f, origin);
@@ -116,7 +139,7 @@ SpaceComplex boolean_op(SpaceComplex a, SpaceComplex b, MarkFunction f, Context&
   memory.add(memory_bytes(a) + memory_bytes(b), kMemoryName);
   const std::shared_ptr<SpaceTables> tables = unite_tables(a, b);
   CombinedDraft draft = draft_of(tables, a, b, MarkTable(f), lesser_origin, memory, own);
-  a = b = {};  // the peak of memory is yet to come
+  a = b = {};  // The peak of memory is yet to come: the draft and the result at once.
   return joined(std::move(draft), own);
 }
 
@@ -130,7 +153,7 @@ SpaceComplex combine_on(const std::shared_ptr<SpaceTables>& tables, const SpaceC
 
 namespace {
 
-/// On the plane, above it, below it.
+/// Returns the marks on the plane, above it and below it.
 std::array<Mark, 3> marks_of(PlaneSet h) {
   switch (h) {
     case PlaneSet::OpenBelow:
@@ -151,7 +174,9 @@ std::array<Mark, 3> marks_of(PlaneSet h) {
   return {1, 0, 0};
 }
 
-/// A plane as an operand: one facet without boundary, above it volume 0, below it volume 1.
+/// Returns a plane as a complex: one facet without boundary, with volume 0 above it and volume 1
+/// below it. Its arrays of cycles stay empty: local_map() of a facet reads its plane, mark and
+/// volumes only.
 SpaceComplex plane_operand(std::shared_ptr<const SpaceTables> tables, PlaneId plane, PlaneSet h) {
   SpaceComplex out;
   out.tables = std::move(tables);
@@ -165,7 +190,9 @@ SpaceComplex plane_operand(std::shared_ptr<const SpaceTables> tables, PlaneId pl
   return out;
 }
 
-/// Where vertices and edges touch the plane; the other vertices lie above or below.
+/// Finds all contacts with the plane, and the volume (0 above, 1 below) of every vertex off it. An
+/// edge within the plane has its ends on it, and these are contacts. A facet of `a` shares a
+/// direction with the plane, so it is no contact.
 void meet_plane(const SpaceComplex& a, PlaneId plane, SpaceTables& tables,
                 std::vector<Contact>& contacts, std::vector<VolumeId>& labels) {
   std::vector<Sign> sides(a.vertex_count());
@@ -180,6 +207,7 @@ void meet_plane(const SpaceComplex& a, PlaneId plane, SpaceTables& tables,
   }
   for (std::uint32_t e = 0; e < a.edge_count(); ++e) {
     const Sign from = sides[a.origin[2 * e].value()], to = sides[a.origin[2 * e + 1].value()];
+    // The ends are strictly on both sides: the edge crosses the plane in one point.
     if (from * to != Sign::Negative) continue;
     const auto& [p, q] = a.edge_planes[e];
     contacts.push_back({EdgeId(e), FacetId(0), tables.points.add(p, q, plane)});
@@ -214,12 +242,13 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-/// Ids that are not valid stay so.
+/// Appends ids, each raised by `shift`. Invalid ids stay invalid.
 template <class Id>
 void append_shifted(std::vector<Id>& all, const std::vector<Id>& more, std::size_t shift) {
   for (const Id id : more) all.push_back(id.is_valid() ? Id(id.value() + shift) : id);
 }
 
+/// Appends starts of lists, each raised by `shift`, without the first: `all` ends with it already.
 void append_begins(std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& more,
                    std::size_t shift) {
   for (std::size_t i = 1; i < more.size(); ++i) {
@@ -227,7 +256,7 @@ void append_begins(std::vector<std::uint32_t>& all, const std::vector<std::uint3
   }
 }
 
-/// Volume 0 is common.
+/// Renumbers the volumes of an appended complex. Volume 0 is common to both.
 class VolumeShift {
  public:
   explicit VolumeShift(std::size_t volumes_before)
@@ -240,7 +269,8 @@ class VolumeShift {
   std::uint32_t shift_;
 };
 
-/// Ways from a box to infinity along the axes, and which of them are free.
+/// The six ways from a box to infinity along the axes, and which of them are free so far. A way is
+/// the box extended without bound in one direction.
 class Ways {
  public:
   explicit Ways(const Box3& from) : from_(from) {
@@ -250,7 +280,7 @@ class Ways {
       ways_[2 * i + 1].high[i] = Box3::kInfinity;
     }
   }
-  /// False: the box itself is met, or no way is left.
+  /// Blocks the ways that meet `by`. Returns false if `by` meets the box itself or no way is left.
   bool obstruct(const Box3& by) {
     if (by.meets(from_)) return false;
     for (std::size_t w = 0; w < ways_.size(); ++w) {
@@ -265,7 +295,9 @@ class Ways {
   std::array<bool, 6> is_free_ = {true, true, true, true, true, true};
 };
 
-/// Can the box be taken to infinity without meeting the boundary?
+/// Whether the box can be moved to infinity without meeting the boundary of the complex. Then all
+/// of it lies in volume 0. Boxes of facets cover those of their edges and vertices, so that only
+/// free edges and isolated vertices are looked at besides.
 bool is_beyond(const SpaceComplex& complex, const Box3& box) {
   Ways ways(box);
   for (std::size_t f = 0; f < complex.facet_count(); ++f) {
@@ -282,6 +314,7 @@ bool is_beyond(const SpaceComplex& complex, const Box3& box) {
   return true;
 }
 
+/// Whether the box can be moved to infinity without meeting a part.
 bool is_beyond(std::span<const Box3> parts, const Box3& box) {
   Ways ways(box);
   return std::ranges::all_of(parts, [&](const Box3& part) { return ways.obstruct(part); });
@@ -295,6 +328,10 @@ Box3 around(std::span<const Box3> parts) {
 
 }  // namespace
 
+// All of b's boundary lies in its box. If that box can leave along an axis without meeting a, then
+// b lies in volume 0 of a. And a lies in volume 0 of b: a has no point in the box, and the points
+// outside a box are connected. Single cells are tested only once, against the operand with more
+// facets.
 bool are_apart(const BoxedComplex& a, const BoxedComplex& b) {
   if (a.complex.vertex_count() == 0 || b.complex.vertex_count() == 0) return false;
   const Box3 of_a = around(a.parts), of_b = around(b.parts);
@@ -303,6 +340,7 @@ bool are_apart(const BoxedComplex& a, const BoxedComplex& b) {
   return is_a_larger ? is_beyond(a.complex, of_b) : is_beyond(b.complex, of_a);
 }
 
+// Every array of b is appended with its ids raised by the sizes that a had before.
 SpaceComplex appended(SpaceComplex a, SpaceComplex b) {
   unite_tables(a, b);
   const std::size_t vertices = a.vertex_count(), edges = a.edge_count(), uses = a.use_count(),

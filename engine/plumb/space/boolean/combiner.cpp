@@ -1,3 +1,18 @@
+// Steps 4 to 6 of a Boolean: what becomes of every vertex, and which half-edges face each other.
+//
+// At a contact the sphere maps of both operands are overlaid, marks combined, and the result
+// simplified; it is a vertex, a place inside an edge (kept until edges are joined), or nothing. A
+// vertex in a volume with mark n changes its marks by m -> f(m, n): the identity, the negation, or
+// a constant, under which it is dropped.
+//
+// Invariant of pairing: every half-edge of the draft runs in one cell of each operand. Half-edges
+// with the same two cells lie on one line and alternate along it: one that leaves in the reference
+// direction, then one that looks back (docs/design/boolean.md, Lemma 5). The reference direction is
+// that of half-edge 2e if one of the cells is an edge e, else that of n_p x n_q for the planes p of
+// the facet of a and q of the facet of b.
+//
+// Tested by tests/space/nef3_property_test.cpp and tests/space/degenerate_families_test.cpp.
+
 #include "plumb/space/boolean/combiner.h"
 
 #include <algorithm>
@@ -11,14 +26,18 @@ namespace plumb {
 
 namespace {
 
-constexpr std::size_t kRingsAtOnce = 128;  // their part of the draft stays in the cache
+constexpr std::size_t kRingsAtOnce = 128;  // So many that their part of the draft stays cached.
 
+/// Returns the name of the line in which half-edges in the cells a and b run.
 std::uint64_t line_key(SpaceItem a, SpaceItem b) {
   return (std::uint64_t{a.code()} << 32U) | b.code();
 }
 
 }  // namespace
 
+// An overlay that is the map of a facet or a volume is dropped: nothing distinguishes the contact
+// from its neighbourhood. The map of an edge is added as a place inside an edge, because its two
+// half-edges may come from different cells and have to be paired apart.
 void Combiner::overlay_contacts(std::size_t begin, std::size_t end, Context& context) {
   std::vector<std::uint32_t> origin_ids;
   for (std::size_t i = begin; i < end; ++i) {
@@ -36,21 +55,25 @@ void Combiner::overlay_contacts(std::size_t begin, std::size_t end, Context& con
   }
 }
 
+// Vertices are added in their order, so that the draft keeps the order of the operand. Vertices
+// whose corners make one ring (nearly all of them) are collected and added many at once; a vertex
+// of another kind flushes the list first.
 void Combiner::keep_vertices(std::size_t operand, const TouchedComplex& own,
                              std::span<const VolumeId> labels, Context& context) {
   const SpaceComplex& complex = *operands_[operand];
-  MemoryCharge memory(context);  // of the carrier: its arrays of all half-edges and uses
+  MemoryCharge memory(context);  // The carrier's arrays for all half-edges and edge uses.
   memory.add(sizeof(std::uint32_t) * (complex.origin.size() + complex.use_count()),
              "vertices that stay");
   reserve(operand, own, labels);
   VertexCarrier carrier(complex, draft_, overlay_);
-  std::vector<VertexCarrier::Remarked> rings;  // to be added before anything else
+  std::vector<VertexCarrier::Remarked> rings;  // Vertices to be added before the next other one.
   rings.reserve(kRingsAtOnce);
   for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
     if (v % 4096 == 0) context.checkpoint("vertices that stay", v, complex.vertex_count());
     if (own.is_touched(VertexId(v))) continue;
     const std::array<Mark, 3> becomes = marks_in(operand, labels[v]);
-    // What is constant here dissolves, but for the frame.
+    // Under a constant all marks around the vertex are equal, so that minimal form drops it. Only a
+    // vertex of the frame stays, as kBeyond does not change.
     const bool is_constant = becomes[0] == becomes[1];
     if (is_constant && complex.vertex_mark[v] != kBeyond) continue;
     if (!is_constant && carrier.may_have_ring(VertexId(v))) {
@@ -65,7 +88,9 @@ void Combiner::keep_vertices(std::size_t operand, const TouchedComplex& own,
   face_kept_ends(operand, own, labels, carrier.point_of());
 }
 
-/// Half-edges without contacts face their old twins; others wait for what is on their line.
+/// Pairs the half-edges of one operand. An edge without contacts whose both ends stay keeps its
+/// twins. Any other half-edge runs, up to the first contact, in its edge and in the volume of the
+/// other operand around its vertex: these two cells name its line.
 void Combiner::face_kept_ends(std::size_t operand, const TouchedComplex& own,
                               std::span<const VolumeId> labels,
                               std::span<const std::uint32_t> point_of) {
@@ -84,6 +109,7 @@ void Combiner::face_kept_ends(std::size_t operand, const TouchedComplex& own,
   }
 }
 
+// Appending shifts indices of points; names of lines are ids of the operands and stay.
 void Combiner::append(std::span<std::optional<Combiner>> parts) {
   std::size_t vertices = 0, ends = 0;
   SpaceDraft::Offsets sum{};
@@ -110,14 +136,14 @@ CombinedDraft Combiner::finish() {
   return {std::move(draft_), table_(operands_[0]->volume_mark[0], operands_[1]->volume_mark[0])};
 }
 
-/// What each mark of one operand becomes in a volume of the other.
+/// Returns what the marks 0, 1 and kBeyond of one operand become in a volume of the other.
 std::array<Mark, 3> Combiner::marks_in(std::size_t operand, VolumeId volume) const {
   const Mark around = operands_[1 - operand]->volume_mark[volume.value()];
   return {combined(operand, 0, around), combined(operand, 1, around), kBeyond};
 }
 
-/// Makes room for the vertices that stay: in most sets each has as many corners as edges, and two
-/// volumes.
+/// Reserves memory for the vertices that stay: in most sets each has as many corners as edges, and
+/// two volumes around it.
 void Combiner::reserve(std::size_t operand, const TouchedComplex& own,
                        std::span<const VolumeId> labels) {
   const SpaceComplex& complex = *operands_[operand];
@@ -132,7 +158,8 @@ void Combiner::reserve(std::size_t operand, const TouchedComplex& own,
   draft_.reserve_more(vertices, points, points, 2 * vertices);
 }
 
-/// Empties the list. Where several rings meet, one vertex goes alone.
+/// Adds all vertices of the list and empties it. The carrier stops at a vertex with several rings;
+/// that one is added by its local map.
 void Combiner::keep_rings(const SpaceComplex& complex, std::vector<VertexCarrier::Remarked>& rings,
                           VertexCarrier& carrier) {
   std::span<const VertexCarrier::Remarked> left = rings;
@@ -145,6 +172,8 @@ void Combiner::keep_rings(const SpaceComplex& complex, std::vector<VertexCarrier
   rings.clear();
 }
 
+/// Adds one vertex by its local map with new marks. With may_dissolve the map may not be minimal
+/// under them.
 void Combiner::keep_vertex(const SpaceComplex& complex, VertexId v,
                            const std::array<Mark, 3>& becomes, bool may_dissolve,
                            VertexCarrier& carrier) {
@@ -161,7 +190,8 @@ void Combiner::keep_vertex(const SpaceComplex& complex, VertexId v,
   }
 }
 
-/// Where facets of both lie on each other, what common_origin_ makes of their ids.
+/// Returns the facet_origin of an arc of the overlay: that of the facet in which it lies, or what
+/// common_origin_ makes of both where facets of both operands overlap.
 std::uint32_t Combiner::facet_origin(const SphereOrigins::Pair& cells) const {
   const auto is_facet = [&](std::size_t i) {
     return cells[i].is_valid() && cells[i].kind() == SphereCell::Kind::Arc;
@@ -174,13 +204,16 @@ std::uint32_t Combiner::facet_origin(const SphereOrigins::Pair& cells) const {
   return origin_in(1);
 }
 
-/// `p` is a point of map_, the current overlay.
+/// Notes a half-edge that leaves a contact. `p` is a point of map_, the overlay at hand.
 void Combiner::add_contact_end(std::uint32_t draft_point, std::uint32_t p) {
   const SphereOrigins::Pair& cells = origins_.point[p];
   const SpaceItem a = local_[0].item(cells[0]), b = local_[1].item(cells[1]);
   ends_.push_back({line_key(a, b), draft_point, sign_on_line(cells, map_.direction[p])});
 }
 
+/// Returns whether a direction runs along the reference direction of its line or against it. A cell
+/// that is an edge decides by the parity of the half-edge. Otherwise the cells are two facets,
+/// whose planes p, q give n_p x n_q, and same_direction() compares.
 Sign Combiner::sign_on_line(const SphereOrigins::Pair& cells, SphereDirection direction) const {
   for (std::size_t i = 0; i < 2; ++i) {
     if (cells[i].kind() != SphereCell::Kind::Point) continue;
@@ -194,6 +227,8 @@ Sign Combiner::sign_on_line(const SphereOrigins::Pair& cells, SphereDirection di
 
 // ---------------------------------------------------------------- pairing
 
+// Sorting by the name of the line, then by point, makes the order independent of how the draft was
+// divided among threads.
 void Combiner::pair_ends() {
   std::sort(ends_.begin(), ends_.end(), [](const LineEnd& x, const LineEnd& y) {
     return x.line != y.line ? x.line < y.line : x.point < y.point;
@@ -206,6 +241,8 @@ void Combiner::pair_ends() {
   }
 }
 
+// Two ends that look in opposite directions face each other without any arithmetic: nearly all
+// lines are such.
 void Combiner::pair_line(std::span<LineEnd> line) {
   if (line.size() == 2 && line[0].sign != line[1].sign) {
     face_each_other(line[0].point, line[1].point);
@@ -219,8 +256,9 @@ void Combiner::pair_line(std::span<LineEnd> line) {
   }
 }
 
-/// Along the reference direction of the line; of two ends at one vertex the one that looks back
-/// first.
+/// Sorts along the reference direction of the line. Of two ends at one vertex, the one that looks
+/// back comes first, as its edge ends there and the other one's begins. Different vertices of one
+/// line never tie: they are different points.
 void Combiner::sort_along(std::span<LineEnd> line) {
   const std::array<PlaneId, 2> planes = planes_of(line[0].line);
   std::sort(line.begin(), line.end(), [&](const LineEnd& x, const LineEnd& y) {
@@ -231,6 +269,8 @@ void Combiner::sort_along(std::span<LineEnd> line) {
   });
 }
 
+/// Returns two planes that meet in the line, in the order that gives its reference direction: those
+/// of the edge if one of the cells is an edge, else those of the two facets.
 std::array<PlaneId, 2> Combiner::planes_of(std::uint64_t line) const {
   const std::array<std::uint32_t, 2> codes{static_cast<std::uint32_t>(line >> 32U),
                                            static_cast<std::uint32_t>(line)};

@@ -1,7 +1,11 @@
-// Steps 4 to 6 of boolean_op() (boolean_op.h), given contacts and labels. Internal.
+// Steps 4 to 6 of boolean_op(): overlay at the contacts, selection of the other vertices, pairing
+// of half-edges. Contacts and labels are given.
 //
-// Several combiners of the same operands may each make a part, at once, and one of them put the
-// parts together.
+// Several combiners of the same operands may each make a part at the same time; one of them then
+// appends the parts of the others.
+//
+// Cost: O(k log k) for k half-edges whose ends are paired along lines, besides the overlays. Proof:
+// docs/design/boolean.md, steps 3 to 5 and Lemma 5.
 #pragma once
 
 #include <array>
@@ -22,15 +26,16 @@
 
 namespace plumb {
 
-/// What is joined; `outside` is the mark of everything if nothing is left.
+/// The vertices of a result, before they are joined.
 struct CombinedDraft {
-  SpaceDraft vertices;
-  Mark outside;
+  SpaceDraft vertices;  ///< The vertices with their sphere maps; points of maps are paired.
+  Mark outside;         ///< The mark of all of space if no vertex is left.
 };
 
+/// Makes the draft of one Boolean, or a part of it.
 class Combiner {
  public:
-  /// What is given is not copied.
+  /// Keeps references to all arguments but `tables`, which it shares.
   Combiner(std::array<const SpaceComplex*, 2> operands, std::shared_ptr<SpaceTables> tables,
            std::span<const Contact> contacts, const MarkTable& f, const CommonOrigin& origin)
       : operands_(operands),
@@ -42,24 +47,30 @@ class Combiner {
         draft_(tables),
         overlay_(tables->planes) {}
 
-  /// Contacts make the first vertices of the draft.
+  /// Overlays the maps at all contacts. Must come first: contacts make the first vertices of the
+  /// draft.
   void overlay_contacts(Context& context) { overlay_contacts(0, contacts_.size(), context); }
+  /// Overlays the maps at contacts begin, ..., end - 1.
   void overlay_contacts(std::size_t begin, std::size_t end, Context& context);
-  /// Vertices of one operand that lie in volumes of the other.
+  /// Adds the vertices of one operand that lie in volumes of the other, with the marks they get
+  /// there. `labels` has the volume around each of them.
   void keep_vertices(std::size_t operand, const TouchedComplex& own,
                      std::span<const VolumeId> labels, Context& context);
-  /// What other combiners of the same operands have made, one after the other. They are used up.
+  /// Appends what other combiners of the same operands have made, in the order given, and destroys
+  /// them.
   void append(std::span<std::optional<Combiner>> parts);
+  /// Pairs all half-edges and returns the draft. The combiner is used up.
   CombinedDraft finish();
 
  private:
-  /// A point of the draft and the line it points along.
+  /// A point of the draft and the line along which it looks.
   struct LineEnd {
-    std::uint64_t line;   ///< items of a and of b that the half-edge runs in
-    std::uint32_t point;  ///< of the draft
-    Sign sign;            ///< along the line's reference direction or against it
+    std::uint64_t line;   ///< The cells of a and of b in which the half-edge runs.
+    std::uint32_t point;  ///< An index of the draft.
+    Sign sign;            ///< Positive if it looks along the line's reference direction.
   };
 
+  /// Applies the function of marks, with the arguments in the order of the operands.
   Mark combined(std::size_t operand, Mark own, Mark other) const {
     return operand == 0 ? table_(own, other) : table_(other, own);
   }
@@ -93,7 +104,7 @@ class Combiner {
   SpaceDraft draft_;
   SphereOverlay overlay_;
   std::vector<LineEnd> ends_;
-  // of the contact at hand
+  // The maps of the contact at hand and their overlay; memory that is reused.
   std::array<LocalMap, 2> local_;
   SphereMap map_;
   SphereOrigins origins_;

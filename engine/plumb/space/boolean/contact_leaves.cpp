@@ -1,3 +1,22 @@
+// Location of points in large facets by slabs, and the leaves of the box trees of meet().
+//
+// Slabs: between two neighbouring heights of vertices no edge of the facet begins or ends, so the
+// edges there have one order across, and a point is inside the facet if and only if an odd number
+// of edges lies beyond it. A segment tree over the slabs stores each edge O(log n) times instead of
+// once in every slab that it spans. Two edges in one list span a common slab; which comes first is
+// decided at the later one of their lower ends, else at the earlier one of their higher ends: two
+// different edges share one end at most, so they cannot tie at both.
+//
+// Every comparison is exact: heights by compare_axis(), sides by another plane through the edge,
+// which exists as an edge has two planes. A point of another table is compared by its box first,
+// then by copying both points to one table.
+//
+// Leaves: see the header. Invariant: every vertex and edge within reach belongs to exactly one
+// leaf; owner() and edge_use decide to which.
+//
+// Tested by tests/space/facet_site_test.cpp (slabs) and tests/space/find_contacts_test.cpp
+// (leaves).
+
 #include "plumb/space/boolean/contact_leaves.h"
 
 #include <algorithm>
@@ -11,8 +30,11 @@
 
 namespace plumb {
 
+// The exact comparison needs both points in one table; those that are input points are in every
+// table over the same planes.
 Sign PlacedPoint::compare(SpacePoint x, std::size_t axis) const {
   if (&own_ == &table_) return compare_axis(own_, x, at_, axis);
+  // Boxes of both tables decide nearly always.
   const FilteredSign s = rung::compare_axis_filter(own_.box(x), box_, axis);
   if (is_decided(s)) return decide(Predicate::CompareAxis, Rung::Filter, s);
   Point3Table both(own_.planes());
@@ -42,6 +64,8 @@ FacetSlabs::FacetSlabs(const SpaceComplex& complex, FacetId f, Context& context)
 
 // ---------------------------------------------------------------- building
 
+// Sorts the vertices by height, then across, exactly. A new column begins wherever the height
+// changes.
 void FacetSlabs::make_columns(Context& context) {
   const auto inner = complex_.inner_of(facet_);
   ascending_.assign(inner.begin(), inner.end());
@@ -65,6 +89,7 @@ void FacetSlabs::make_columns(Context& context) {
     const Sign height = order(v, w, up_);
     return (height != Sign::Zero ? height : order(v, w, across_)) == Sign::Negative;
   });
+  // place_ is the inverse of the sorting, so that a use finds its columns by the ids of its ends.
   place_.resize(vertex_.size());
   for (std::uint32_t i = 0; i < vertex_.size(); ++i) {
     if (i == 0 || order(vertex_[i - 1], vertex_[i], up_) != Sign::Zero) column_begin_.push_back(i);
@@ -74,27 +99,30 @@ void FacetSlabs::make_columns(Context& context) {
   column_begin_.push_back(static_cast<std::uint32_t>(vertex_.size()));
 }
 
+/// Returns the index of a vertex in vertex_.
 std::uint32_t FacetSlabs::place_of(VertexId v) const {
   return place_[static_cast<std::size_t>(std::ranges::lower_bound(ascending_, v) -
                                          ascending_.begin())];
 }
 
-/// The column of a place in vertex_.
+/// Returns the column of an index in vertex_.
 std::uint32_t FacetSlabs::column_of(std::uint32_t place) const {
   return static_cast<std::uint32_t>(std::ranges::upper_bound(column_begin_, place) -
                                     column_begin_.begin() - 1);
 }
 
-// Left of its use, seen from the positive side, is the facet; left of an edge that runs up lies
-// what is before it across.
+// Left of an edge use, seen from the positive side, is the facet; left of an edge that runs up lies
+// what comes before it across. So the turn of the other plane about the use gives the side beyond
+// the edge, with the sign changed if the use runs down or along half-edge 2e + 1.
 void FacetSlabs::add_use(UseId u) {
   const HalfedgeId h = complex_.use_halfedge[u.value()];
   std::uint32_t from = place_of(complex_.origin[h.value()]), to = place_of(complex_.target(h));
   const EdgeId e = SpaceComplex::edge_of(h);
-  if (column_of(from) == column_of(to)) {  // edges hold no vertices: these are neighbours
+  if (column_of(from) == column_of(to)) {  // Edges hold no vertices, so these are neighbours.
     level_[std::min(from, to)] = e;
     return;
   }
+  // The edge spans the slabs between the columns of its ends.
   const OtherPlane other = other_plane(complex_, e, complex_.facet_plane[facet_.value()]);
   const bool runs_up = from < to;
   if (!runs_up) std::swap(from, to);
@@ -103,8 +131,8 @@ void FacetSlabs::add_use(UseId u) {
       {vertex_[from], vertex_[to], e, other.plane, right, column_of(from), column_of(to)});
 }
 
-/// The nodes whose slabs the edge spans, but not all of their parents'. Leaf i is node slab_count()
-/// + i.
+/// Calls visit(node) for the nodes whose slabs the edge spans, but not all of their parents'. Leaf
+/// i is node slab_count() + i, the parent of node k is k / 2. At most 2 log2(slabs) nodes.
 template <class Visit>
 void FacetSlabs::for_nodes(const Rise& rise, const Visit& visit) const {
   std::size_t first = rise.first_slab + slab_count(), end = rise.end_slab + slab_count();
@@ -114,6 +142,7 @@ void FacetSlabs::for_nodes(const Rise& rise, const Visit& visit) const {
   }
 }
 
+// Counts the entries of each node, places them, then sorts each list across.
 void FacetSlabs::fill_lists(Context& context) {
   begin_.assign(2 * slab_count() + 1, 0);
   for (const Rise& rise : rise_) {
@@ -135,14 +164,15 @@ void FacetSlabs::fill_lists(Context& context) {
   }
 }
 
-/// Where a vertex of the facet lies from an edge, across.
+/// Returns where a vertex of the facet lies from an edge: Positive if beyond it, across.
 Sign FacetSlabs::beyond(const Rise& e, VertexId v) const {
   if (v == e.low || v == e.high) return Sign::Zero;
   return e.beyond * side(complex_.points(), complex_.vertex_point[v.value()], e.plane);
 }
 
-/// Two edges that span a common slab: the later one of the ends below it tells, or the earlier one
-/// of those above.
+/// Whether e comes before f across. Requires two edges that span a common slab. The later one of
+/// their lower ends has the height of a point of the other edge, so its side of that edge decides;
+/// if it lies on it, both begin at one vertex, and the earlier one of the higher ends decides.
 bool FacetSlabs::is_before(const Rise& e, const Rise& f) const {
   Sign order = e.first_slab >= f.first_slab ? -beyond(f, e.low) : beyond(e, f.low);
   if (order == Sign::Zero) {
@@ -153,6 +183,9 @@ bool FacetSlabs::is_before(const Rise& e, const Rise& f) const {
 
 // ---------------------------------------------------------------- queries
 
+// A point on a column that is no vertex and on no level edge is decided by the slab after the
+// column: an edge through it spans that slab, and as many edges lie beyond it as beyond the points
+// just above it.
 SpaceItem FacetSlabs::site(const PlacedPoint& x) const {
   const auto below = [&](std::uint32_t place) {
     return x.compare(complex_.vertex_point[vertex_[place].value()], up_);
@@ -161,6 +194,7 @@ SpaceItem FacetSlabs::site(const PlacedPoint& x) const {
   const auto next = std::partition_point(columns.begin(), columns.end(), [&](std::uint32_t place) {
     return below(place) == Sign::Negative;
   });
+  // `next` is the first column not below the point: the point is on it, or in the slab before it.
   auto column = static_cast<std::size_t>(next - columns.begin());
   if (next != columns.end() && below(*next) == Sign::Zero) {
     if (const SpaceItem item = on_column(column, x); item.is_valid()) return item;
@@ -169,7 +203,7 @@ SpaceItem FacetSlabs::site(const PlacedPoint& x) const {
   return column == 0 || column > slab_count() ? SpaceItem() : in_slab(column - 1, x);
 }
 
-/// A vertex or an edge along the column.
+/// Returns the vertex or level edge of a column on which the point lies, or an invalid item.
 SpaceItem FacetSlabs::on_column(std::size_t column, const PlacedPoint& x) const {
   const auto before = [&](VertexId v) {
     return x.compare(complex_.vertex_point[v.value()], across_);
@@ -180,15 +214,20 @@ SpaceItem FacetSlabs::on_column(std::size_t column, const PlacedPoint& x) const 
       std::partition_point(begin, end, [&](VertexId v) { return before(v) == Sign::Negative; });
   if (at != end && before(*at) == Sign::Zero) return *at;
   if (at == begin || at == end) return {};
+  // The point lies between two neighbouring vertices of the column; a level edge may join them.
   const EdgeId e = level_[static_cast<std::size_t>(at - vertex_.begin()) - 1];
   return e.is_valid() ? SpaceItem(e) : SpaceItem();
 }
 
+/// Returns the edge of a slab on which the point lies, the facet if it lies inside, or an invalid
+/// item. The point lies beyond the first edges of each list, then before the others: those it
+/// counts.
 SpaceItem FacetSlabs::in_slab(std::size_t slab, const PlacedPoint& x) const {
   std::size_t beyond = 0;
   for (std::size_t node = slab + slab_count(); node > 0; node /= 2) {
     const auto edges = list(node);
     const auto side_of = [&](std::uint32_t i) { return rise_[i].beyond * x.side(rise_[i].plane); };
+    // Positive: the point lies beyond the edge. In the order across these come first.
     const auto at = std::partition_point(
         edges.begin(), edges.end(), [&](std::uint32_t i) { return side_of(i) == Sign::Positive; });
     if (at != edges.end() && side_of(*at) == Sign::Zero) return rise_[*at].edge;
@@ -206,7 +245,8 @@ FacetSites::FacetSites(const SpaceComplex& complex, std::span<const FacetId> lar
       large_(large.begin(), large.end()),
       state_(std::make_unique<Large[]>(large.size())) {}
 
-/// None for small facets, and for others as long as walks have cost less than slabs would.
+/// Returns the slabs of a facet; null for small facets, and for others as long as walks have cost
+/// less than slabs would.
 const FacetSlabs* FacetSites::slabs_of(FacetId f, Context& own) const {
   constexpr std::uint32_t kWalks = 48;
   const auto at = std::ranges::lower_bound(large_, f);
@@ -220,7 +260,7 @@ const FacetSlabs* FacetSites::slabs_of(FacetId f, Context& own) const {
   return &*large.slabs;
 }
 
-/// If nobody else has by now. Where it throws, the next one tries again.
+/// Builds the slabs, unless another thread has by now. If it throws, the next caller tries again.
 void FacetSites::make(FacetId f, Large& large, Context& own) const {
   const std::lock_guard lock(large.making);
   if (large.slabs) return;
@@ -244,6 +284,8 @@ SpaceItem FacetSites::site(FacetId f, SpacePoint x, Context& own) const {
   return slabs->site(PlacedPoint(complex_.points(), complex_.points(), x));
 }
 
+// The point is made in a table of its own: this runs in several threads, and most points are not
+// needed later.
 SpaceItem FacetSites::site(FacetId f, PlaneId p, PlaneId q, Context& own) const {
   const FacetSlabs* slabs = large_.empty() ? nullptr : slabs_of(f, own);
   if (slabs == nullptr) return facet_site(complex_, f, p, q);
@@ -267,7 +309,7 @@ MeetLeaves::MeetLeaves(const SpaceComplex& complex, const Box3& reach)
   }
 }
 
-// Everything of a facet lies within the box of its outer cycle.
+// All of a facet lies within the box of its outer cycle.
 void MeetLeaves::add_facet(FacetId f) {
   const std::span<const UseId> cycles = complex_.cycles_of(f);
   if (cycles.empty()) return;
@@ -280,16 +322,20 @@ void MeetLeaves::add_facet(FacetId f) {
     u = complex_.use_next[u.value()];
   } while (u != cycles.front());
   if (!box.meets(reach_)) return;
+  // Facets of few corners make one leaf; others one for the surface and some for their corners.
   if (cycles.size() == 1 && corners <= LeafItems::kMostCorners) {
     return add({f, SpaceItem(), u, corners}, box);
   }
   add({f, SpaceItem(), UseId(), 0}, box);
+  // Inner vertices of the facet are no corners: they have leaves of their own, or belong to their
+  // edges.
   corners = 0;
   for (const UseId first : cycles) corners += add_corners(first);
   if (corners > FacetSites::kFewCorners) large_facets_.push_back(f);
 }
 
-/// Returns how many there are, whether their own or not.
+/// Adds leaves for the corners of one cycle, eight at a time, and returns how many corners it has,
+/// whether they belong to these leaves or not.
 std::uint32_t MeetLeaves::add_corners(UseId first) {
   LeafItems items;
   std::uint32_t count = 0;
@@ -304,7 +350,7 @@ std::uint32_t MeetLeaves::add_corners(UseId first) {
     } while (u != first && leaf.count < LeafItems::kMostCorners);
     count += leaf.count;
     items.fill(complex_, leaf);
-    if (!items.vertices().empty()) add(leaf, box);  // else all of it belongs to neighbours
+    if (!items.vertices().empty()) add(leaf, box);  // Else all of it belongs to neighbours.
   } while (u != first);
   return count;
 }
@@ -319,6 +365,7 @@ void MeetLeaves::add(const MeetLeaf& leaf, const Box3& box) {
 
 namespace {
 
+/// Whether all facets around the edge of a use lie in one plane.
 bool is_flat(const SpaceComplex& complex, UseId u) {
   const PlaneId plane = complex.facet_plane[complex.use_facet[u.value()].value()];
   for (UseId v = complex.use_radial[u.value()]; v != u; v = complex.use_radial[v.value()]) {
@@ -327,7 +374,8 @@ bool is_flat(const SpaceComplex& complex, UseId u) {
   return true;
 }
 
-/// The use that begins at the vertex and in whose leaf it is; not valid: it has free edges only.
+/// Returns the use that begins at the vertex and in whose leaf the vertex is; invalid if the vertex
+/// has free edges only.
 UseId owner(const SpaceComplex& complex, VertexId v) {
   for (const HalfedgeId h : complex.star_of(v)) {
     const UseId u = complex.edge_use[SpaceComplex::edge_of(h).value()];
@@ -339,6 +387,7 @@ UseId owner(const SpaceComplex& complex, VertexId v) {
 
 }  // namespace
 
+// Vertices come first, so that own_vertices() is a prefix of vertices().
 void LeafItems::fill(const SpaceComplex& complex, const MeetLeaf& leaf) {
   own_ = vertex_count_ = edge_count_ = 0;
   has_flat_edges_ = false;
@@ -355,6 +404,7 @@ void LeafItems::fill(const SpaceComplex& complex, const MeetLeaf& leaf) {
   }
 }
 
+/// Takes a free edge with those ends whose first half-edge it is, or a vertex.
 void LeafItems::take_bare(const SpaceComplex& complex, SpaceItem bare) {
   if (bare.kind() == SpaceItem::Kind::Vertex) return take_vertex(bare.vertex());
   for (const std::uint32_t h : {2 * bare.index(), 2 * bare.index() + 1}) {
@@ -377,6 +427,7 @@ void LeafItems::take_edge(const SpaceComplex& complex, EdgeId e, bool is_flat) {
   has_flat_edges_ |= is_flat;
 }
 
+/// Returns the index of a vertex among vertices(), where it is added if it is new.
 std::uint8_t LeafItems::place_of(VertexId v) {
   const auto known = vertices();
   const auto place = static_cast<std::size_t>(std::ranges::find(known, v) - known.begin());

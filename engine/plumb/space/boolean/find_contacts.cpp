@@ -1,19 +1,24 @@
+// The search for contacts: two trees of leaves, and a test for each pair of leaves whose boxes
+// meet.
+//
 // Notation
 //   x, y      leaves of the two complexes
-//   forward   items of the first complex against facets of the second; backward: the other way
-//             round
+//   forward   cells of the first complex against facets of the second; backward is the reverse
+//   located   found in a facet around the other cell by its site
 //
-// Why the tests are complete. A contact with a facet is found by testing the item against it. Of
-// the others, with "located" for: found in a facet around the other item
+// The tests are complete (docs/design/boolean.md, step 1 of "The algorithm"). A contact with a
+// facet is found by testing the other cell against that facet. The other contacts are found so:
 //
 //   VE, EV   the vertex is located in any facet of the edge; direct if the edge is free
 //   VV       forward if the second vertex has a facet, else backward if the first has one; else
 //            direct
-//   EE       an edge that does not lie in some facet's plane around the other crosses it: located.
-//            The plane of two crossing edges holds all facets of both only if both are flat: direct
+//   EE       an edge that does not lie in some facet's plane around the other crosses that plane
+//            and is located. The plane of two crossing edges holds all facets of both only if both
+//            are flat: direct
 //
-// so that pairs of triangles in general position or in one plane cost sides of vertices, and little
-// else.
+// So pairs of triangles in general position or in one plane cost sides of vertices and little else.
+//
+// Tested by tests/space/find_contacts_test.cpp.
 
 #include "plumb/space/boolean/find_contacts.h"
 
@@ -32,7 +37,7 @@ namespace plumb {
 
 namespace {
 
-/// Planes that hold a vertex by construction, for identity.
+/// Planes that hold a vertex by construction. A plane among them gives the side 0 by comparing ids.
 class IncidentPlanes {
  public:
   IncidentPlanes(const SpaceComplex& complex, VertexId v) {
@@ -46,10 +51,12 @@ class IncidentPlanes {
   std::span<const PlaneId> planes() const { return std::span(planes_).first(count_); }
 
  private:
-  std::array<PlaneId, 16> planes_;  // more are of little use: identity only saves time
+  std::array<PlaneId, 16> planes_;  // More are of little use: identity only saves time.
   std::size_t count_ = 0;
 };
 
+/// Returns the side of a plane on which a vertex lies: by the filter, then by identity, then
+/// exactly. Known planes are gathered only where the filter fails.
 Sign side_of(const SpaceComplex& complex, VertexId v, PlaneId plane) {
   const Point3Table& points = complex.points();
   const SpacePoint x = complex.vertex_point[v.value()];
@@ -58,11 +65,12 @@ Sign side_of(const SpaceComplex& complex, VertexId v, PlaneId plane) {
   return rung::side_without_filter(points, x, plane, IncidentPlanes(complex, v).planes());
 }
 
+/// Returns the origin (i = 0) or target (i = 1) of half-edge 2e.
 VertexId end(const SpaceComplex& complex, EdgeId e, std::size_t i) {
   return complex.origin[2 * e.value() + i];
 }
 
-/// Ends strictly on different sides of one of the planes?
+/// Whether the ends of the edge lie strictly on different sides of one of the planes.
 bool crosses_one_of(const SpaceComplex& complex, EdgeId e, std::span<const PlaneId> planes) {
   return std::any_of(planes.begin(), planes.end(), [&](PlaneId p) {
     return side_of(complex, end(complex, e, 0), p) * side_of(complex, end(complex, e, 1), p) ==
@@ -70,15 +78,17 @@ bool crosses_one_of(const SpaceComplex& complex, EdgeId e, std::span<const Plane
   });
 }
 
-/// Two edges not on one line whose relative interiors cross: their lines have a common point or
-/// direction, and each edge crosses a plane through the other (so it is no direction).
+/// Whether two edges that are not on one line cross in their relative interiors. Their four planes
+/// have a common point or direction (det4 = 0), and each edge crosses a plane through the other. So
+/// the lines meet in a point, as an edge parallel to the other's line crosses no plane through it;
+/// and the point is inside both edges.
 bool edges_cross(const SpaceComplex& a, EdgeId e, const SpaceComplex& b, EdgeId f) {
   const auto &p = a.edge_planes[e.value()], &q = b.edge_planes[f.value()];
   return crosses_one_of(b, f, p) && crosses_one_of(a, e, q) &&
          det4_sign(a.planes(), p[0], p[1], q[0], q[1]) == Sign::Zero;
 }
 
-/// Is the vertex in the relative interior of an edge of another complex?
+/// Whether the vertex lies in the relative interior of an edge of another complex.
 bool is_on_edge(const SpaceComplex& of_vertex, VertexId v, const SpaceComplex& of_edge, EdgeId e) {
   const std::array<PlaneId, 2>& planes = of_edge.edge_planes[e.value()];
   for (const PlaneId p : planes) {
@@ -92,7 +102,8 @@ bool is_on_edge(const SpaceComplex& of_vertex, VertexId v, const SpaceComplex& o
          runs_to(x, of_edge.vertex_point[end(of_edge, e, 1).value()]);
 }
 
-/// The corners of a facet that is a triangle of input points.
+/// The corners of a facet that is a triangle of input points. Then no plane or constructed point is
+/// needed to cut it.
 class InputTriangle {
  public:
   InputTriangle(const SpaceComplex& complex, FacetId f) {
@@ -108,8 +119,10 @@ class InputTriangle {
   }
   bool is_valid() const { return is_valid_; }
 
-  /// Where the line a b cuts the triangle; it must cut its plane in one point. A vertex is not told
-  /// from outside.
+  /// Returns the facet or edge where the line a b cuts the triangle, and an invalid item if it
+  /// passes outside or through a vertex. Requires that the line cuts the plane of the triangle in
+  /// one point. The signs orient3d(a, b, p, q) say on which side the line passes each side p q; it
+  /// passes inside if all three agree, and through a side if that one is 0 and the others agree.
   SpaceItem cut(const SpaceComplex& complex, FacetId f, const Point3& a, const Point3& b) const {
     std::array<Sign, 3> turn;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -131,8 +144,9 @@ class InputTriangle {
   bool is_valid_ = false;
 };
 
-/// Where an edge that crosses the plane of a facet of another complex cuts it. A vertex may count
-/// as outside.
+/// Returns the cell of a facet, facet or edge, where an edge cuts it that crosses its plane. A
+/// vertex may be reported or count as outside: it is found as a vertex of its own complex on the
+/// edge.
 SpaceItem cut_of_edge(const SpaceComplex& of_edge, EdgeId e, const SpaceComplex& of_facet,
                       FacetId f, const FacetSites& sites, Context& context) {
   const SpacePoint a = of_edge.vertex_point[end(of_edge, e, 0).value()];
@@ -148,7 +162,8 @@ SpaceItem cut_of_edge(const SpaceComplex& of_edge, EdgeId e, const SpaceComplex&
   return sites.site(f, p, q, context);
 }
 
-/// Collects the pairs of items in contact, in any order and some more than once.
+/// Collects the pairs of cells in contact, in any order and some more than once. There is one
+/// collector for each part of the pairs of leaves; parts may run at the same time.
 class Meeting {
  public:
   Meeting(const MeetLeaves& a, const MeetLeaves& b, const std::array<FacetSites, 2>& sites,
@@ -161,16 +176,18 @@ class Meeting {
         context_(context),
         memory_(context) {}
 
+  /// Tests leaf x of the first complex against leaf y of the second, both ways.
   void test(std::size_t x, std::size_t y) {
     if (++tested_ % 4096 == 0) report();
     const LeafItems &in_a = items_of_a_[x], &in_b = items_of_b_[y];
     if (b_[y].facet.is_valid()) items_in_facet<true>(a_[x], in_a, y);
     if (a_[x].facet.is_valid()) items_in_facet<false>(b_[y], in_b, x);
+    // What facets do not reveal is compared directly.
     const bool is_bare = a_[x].bare.is_valid() || b_[y].bare.is_valid();
     if (is_bare || (in_a.has_flat_edges() && in_b.has_flat_edges())) test_directly(x, y);
   }
 
-  /// (a, b) as high and low half.
+  /// Returns the pairs (a, b) as high and low half of each word.
   std::vector<std::uint64_t> take_keys() { return std::move(keys_); }
 
  private:
@@ -183,7 +200,8 @@ class Meeting {
     return kForward ? b_ : a_;
   }
 
-  /// The items of a leaf against the surface of leaf y of the others.
+  /// Tests the vertices and edges of a leaf against the surface of leaf y of the other complex.
+  /// Each vertex's side is computed once for all its edges in the leaf.
   template <bool kForward>
   void items_in_facet(const MeetLeaf& leaf, const LeafItems& items, std::size_t y) {
     const std::span<const VertexId> vertices = items.vertices();
@@ -197,7 +215,8 @@ class Meeting {
     }
   }
 
-  /// False: all strictly on one side of the facet's plane.
+  /// Computes the sides of the facet's plane on which vertices lie. Returns false if all are
+  /// strictly on one side: then nothing of the leaf meets the facet.
   template <bool kForward>
   bool find_sides(std::span<const VertexId> vertices, std::size_t y,
                   std::array<Sign, LeafItems::kMostVertices>& sides) const {
@@ -211,6 +230,9 @@ class Meeting {
     return has_both;
   }
 
+  /// Adds a vertex that lies in the facet's plane, with the cell on which it is located. A pair of
+  /// vertices is added forward, and backward only if the tested vertex, of the second complex, has
+  /// no facet: otherwise the pair is found forward from a facet around it.
   template <bool kForward>
   void vertex_in_facet(const MeetLeaf& leaf, VertexId v, std::size_t y) {
     const SpaceComplex& complex = tested_complex<kForward>();
@@ -224,6 +246,10 @@ class Meeting {
     }
   }
 
+  /// Adds an edge that crosses the facet's plane, with the facet or edge that it cuts. A pair of
+  /// edges is added forward, and backward only if the tested edge, of the second complex, is flat:
+  /// otherwise it has facets in two planes, the edge of the first complex crosses one of them, and
+  /// the pair is found forward.
   template <bool kForward>
   void edge_in_facet(const LeafEdge& e, std::size_t y) {
     const MeetLeaves& ys = others<kForward>();
@@ -233,6 +259,8 @@ class Meeting {
     if (kForward || site.kind() == SpaceItem::Kind::Facet || e.is_flat) add<kForward>(e.edge, site);
   }
 
+  /// Tests what no facet reveals: pairs of flat edges, vertices on free edges, pairs of vertices
+  /// without facets.
   void test_directly(std::size_t x, std::size_t y) {
     const LeafItems &in_a = items_of_a_[x], &in_b = items_of_b_[y];
     for (const LeafEdge& e : in_a.edges()) {
@@ -258,6 +286,8 @@ class Meeting {
     }
   }
 
+  /// Adds pairs of equal vertices that both have no facet. This is one of the few tests for
+  /// equality of points; both are vertices that the operands already had.
   void equal_vertices(const LeafItems& in_a, const LeafItems& in_b) {
     const SpaceComplex &a = a_.complex(), &b = b_.complex();
     for (const VertexId v : in_a.own_vertices()) {
@@ -280,6 +310,7 @@ class Meeting {
     keys_.push_back(std::uint64_t{a.code()} << 32U | b.code());
   }
 
+  /// Calls the checkpoint and charges the memory by which the list has grown.
   void report() {
     context_.checkpoint("meet", 0, 1);
     const std::size_t bytes = keys_.capacity() * sizeof(keys_[0]);
@@ -299,7 +330,9 @@ class Meeting {
   std::vector<std::uint64_t> keys_;
 };
 
-/// Where an edge cuts another item that is an edge or facet.
+/// Returns the point where an edge cuts another cell, a facet or an edge. Of the planes of another
+/// edge, one that does not hold this edge gives the point; both cannot hold it, or the edges would
+/// be on one line.
 SpacePoint cut_point(SpaceTables& tables, const SpaceComplex& of_edge, EdgeId e,
                      const SpaceComplex& of_other, SpaceItem other) {
   const auto [p, q] = of_edge.edge_planes[e.value()];
@@ -311,6 +344,7 @@ SpacePoint cut_point(SpaceTables& tables, const SpaceComplex& of_edge, EdgeId e,
   return point.is_valid() ? point : tables.points.add(p, q, s);
 }
 
+/// Returns the point of a contact, constructed unless a vertex takes part.
 SpacePoint contact_point(SpaceTables& tables, const SpaceComplex& a, SpaceItem x,
                          const SpaceComplex& b, SpaceItem y) {
   using Kind = SpaceItem::Kind;
@@ -324,6 +358,7 @@ SpacePoint contact_point(SpaceTables& tables, const SpaceComplex& a, SpaceItem x
 
 namespace {
 
+/// Returns boxes around the leaves along the axes of another frame.
 std::vector<Box3> turned_boxes(const MeetLeaves& leaves, const BoxFrame& frame) {
   std::vector<Box3> boxes;
   boxes.reserve(leaves.boxes().size());
@@ -338,17 +373,20 @@ std::vector<Box3> turned_boxes(const MeetLeaves& leaves, const BoxFrame& frame) 
   return boxes;
 }
 
-/// Trees over the leaves, along the axes or in a frame that has fewer pairs, if there are many.
+/// Trees over the boxes of the leaves: along the coordinate axes or, if those would give many
+/// pairs, in a frame that gives fewer. The frame changes the cost only.
 struct LeafTrees {
-  std::array<BoxTree, 2> of;
-  bool is_turned = false;
+  std::array<BoxTree, 2> of;  ///< One for each complex.
+  bool is_turned = false;     ///< Whether the boxes are those of another frame.
 };
 
+/// Builds both trees, each as a job of its own.
 LeafTrees make_trees(const MeetLeaves& xs, const MeetLeaves& ys, Context& context) {
   LeafTrees trees;
   std::array<std::span<const Box3>, 2> boxes{xs.boxes(), ys.boxes()};
   std::array<std::vector<Box3>, 2> turned;
   const double pairs = expected_pairs(xs.boxes(), ys.boxes());
+  // A frame along the edges of both complexes is tried only if the axes would give many pairs.
   if (has_many_pairs(pairs, xs.boxes().size() + ys.boxes().size())) {
     const BoxFrame frame = BoxFrame::of_edges(std::array{&xs.complex(), &ys.complex()});
     turned = {turned_boxes(xs, frame), turned_boxes(ys, frame)};
@@ -362,12 +400,15 @@ LeafTrees make_trees(const MeetLeaves& xs, const MeetLeaves& ys, Context& contex
   return trees;
 }
 
-/// Leaves whose boxes meet, tested; what is found: each once, sorted.
+/// Tests all pairs of leaves whose boxes meet and returns the contacts found, sorted, each once.
+/// The pairs are divided into parts that run at the same time; sorting makes the result independent
+/// of that.
 std::vector<std::uint64_t> contact_keys(const MeetLeaves& xs, const MeetLeaves& ys,
                                         Context& context) {
   constexpr std::size_t kPartsAThread = 16;
   const LeafTrees trees = make_trees(xs, ys, context);
   const std::size_t threads = context.threads();
+  // More parts than threads, so that uneven parts balance.
   const std::vector<BoxTree::Part> parts =
       BoxTree::parts(trees.of[0], trees.of[1], threads == 1 ? 1 : kPartsAThread * threads);
   const std::array<FacetSites, 2> sites{FacetSites(xs.complex(), xs.large_facets(), context),
@@ -393,6 +434,7 @@ std::vector<std::uint64_t> contact_keys(const MeetLeaves& xs, const MeetLeaves& 
 
 std::vector<Contact> meet(const SpaceComplex& a, const SpaceComplex& b, SpaceTables& tables,
                           Context& context) {
+  // Each complex is searched only within the box of the other one.
   constexpr std::size_t kBytesAnItem = 100;
   MemoryCharge memory(context);
   memory.add((a.edge_count() + b.edge_count()) * kBytesAnItem, "box trees");

@@ -1,3 +1,17 @@
+// Adding the cube, dropping it, and cutting a complex to a far box.
+//
+// Adding the cube adds 8 vertices whose maps are known; the vertices of the set go into the draft
+// with their own maps and twins, so no predicate is needed before the complex is joined. Dropping
+// it copies all vertices but those of the cube.
+//
+// Far planes are made as pencils of planes of the frame and planes through the origin, so that R
+// occurs in the column of offsets only and every sign stays linear in R (docs/design/frame.md,
+// Lemma 2). A box in general position is found by trying the cube, then random normals with growing
+// entries: the bad ones lie on finitely many surfaces. Lemma 4 there proves that a shift of a set
+// in general position leaves the traces on the box as they are.
+//
+// Tested by tests/space/transform_test.cpp and tests/space/nef3_test.cpp.
+
 #include "plumb/space/boolean/frame.h"
 
 #include <algorithm>
@@ -14,7 +28,8 @@ namespace plumb {
 
 namespace {
 
-/// Adds the vertices that `is_kept` accepts, each with its map, and the edges between them.
+/// Adds the vertices that `is_kept` accepts to the draft, each with its map, and pairs the
+/// half-edges between them. Requires that no edge leads from an accepted vertex to another one.
 template <class IsKept>
 void copy_vertices(const SpaceComplex& complex, IsKept is_kept, SpaceDraft& draft,
                    Context& context) {
@@ -31,16 +46,18 @@ void copy_vertices(const SpaceComplex& complex, IsKept is_kept, SpaceDraft& draf
       point_of[local.halfedge[i].value()] = offsets.point + i;
     }
   }
+  // Both ends of an edge were added, so that they can face each other.
   for (std::uint32_t h = 0; h < point_of.size(); ++h) {
     if (point_of[h] != kNone) draft.twin[point_of[h]] = point_of[h ^ 1U];
   }
 }
 
-/// A corner of the cube: per axis, whether it lies at +R.
+/// A corner of the cube: for each axis, whether it lies at +R.
 using Corner = std::array<bool, 3>;
 
-/// The map of a corner: point k leads along axis k, arc k lies in the plane of axis k; face 0 is
-/// the cube, face 1 the beyond. `plane`: of each axis at this corner.
+/// Returns the map of a corner. Point k leads along axis k, arc k lies in the plane of axis k; face
+/// 0 is the inside of the cube, face 1 the beyond. `plane` has the plane of each axis at this
+/// corner.
 SphereMap corner_map(const Corner& corner, const std::array<PlaneId, 3>& plane, Mark inside) {
   SphereMap map;
   map.centre_mark = kBeyond;
@@ -50,20 +67,24 @@ SphereMap corner_map(const Corner& corner, const std::array<PlaneId, 3>& plane, 
   map.face.resize(6);
   for (std::uint32_t k = 0; k < 3; ++k) {
     const std::uint32_t i = (k + 1) % 3, j = (k + 2) % 3;
-    // All frame planes have the axis as their normal: n_i x n_j runs along +k; edges lead inwards.
+    // All frame planes have the axis as their normal, so n_i x n_j runs along +k. The edge leads
+    // inwards, against the axis if the corner lies at +R.
     const SphereDirection along{plane[i], plane[j]};
     map.direction.push_back(corner[k] ? along.opposite() : along);
     map.point_mark.push_back(kBeyond);
     map.point_face.push_back(kNone);
     map.circle.push_back(plane[k]);
     map.arc_mark.push_back(kBeyond);
-    // Counter-clockwise about +k from axis i to axis j, if both lead the same way.
+    // Seen from +k, the arc runs counter-clockwise from axis i to axis j if both edges lead the
+    // same way along their axes, else from j to i.
     const bool is_turned = corner[i] != corner[j];
     map.origin[2 * k] = is_turned ? j : i;
     map.origin[2 * k + 1] = is_turned ? i : j;
     map.face[2 * k] = corner[k] ? 1 : 0;
     map.face[2 * k + 1] = corner[k] ? 0 : 1;
   }
+  // Each face has three half-arcs, one along each arc, so the next one of a face is the only one
+  // there that starts where this one ends.
   map.first_out.resize(3);
   for (std::uint32_t h = 0; h < 6; ++h) {
     map.first_out[map.origin[h]] = h;
@@ -76,6 +97,7 @@ SphereMap corner_map(const Corner& corner, const std::array<PlaneId, 3>& plane, 
   return map;
 }
 
+/// Adds the 8 corners of the cube. Edge k of corner c leads to the corner that differs in bit k.
 void add_cube(SpaceDraft& draft, SpaceTables& tables, Mark inside) {
   const std::array<PlaneId, 6> frame = tables.planes.intern_frame();
   const std::array<std::uint32_t, 3> no_origins{kNone, kNone, kNone};
@@ -119,7 +141,7 @@ SpaceComplex with_frame(const SpaceComplex& complex, const std::shared_ptr<Space
 
 namespace {
 
-/// Does an edge or facet of the set end on the frame?
+/// Whether an edge or facet of the set ends on the frame.
 bool is_reached(const SpaceComplex& c) {
   const auto is_beyond = [&c](std::size_t h) {
     return c.vertex_mark[c.origin[h].value()] == kBeyond;
@@ -141,6 +163,8 @@ SpaceComplex without_idle_frame(SpaceComplex complex, Context& context) {
   if (!has_frame(complex)) return complex;
   const auto is_kept = [&complex](VertexId v) { return complex.vertex_mark[v.value()] != kBeyond; };
   if (is_reached(complex)) return complex;
+  // Without cells inside, the result has no vertices, and the mark of all of space is that of the
+  // volume within the cube.
   Mark inside = kBeyond;
   for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
     for (const VolumeId v : complex.facet_volume[f]) {
@@ -158,15 +182,17 @@ SpaceComplex without_idle_frame(SpaceComplex complex, Context& context) {
 
 namespace {
 
-/// What a function of marks makes of two is the first.
+/// The function of two marks that returns the first.
 constexpr MarkFunction kFirst{false, true, false, true};
 
+/// Returns the normal of a plane, up to a factor.
 RationalRow normal_of(const PlaneTable& planes, PlaneId p) {
   const IntegerRow row = planes.coefficients(p);
   return {Rational(row[0]), Rational(row[1]), Rational(row[2])};
 }
 
-/// Are two of |n_i.d| equal and the largest?
+/// Whether a line of direction d leaves the box through an edge: the two largest of |n_i.d| are
+/// equal, as the line reaches both sides at the same distance.
 bool runs_towards_edge(const RationalMatrix& normal, const RationalRow& d) {
   RationalRow reach;
   for (std::size_t i = 0; i < 3; ++i) reach[i] = abs(dot(normal[i], d));
@@ -174,8 +200,9 @@ bool runs_towards_edge(const RationalMatrix& normal, const RationalRow& d) {
   return reach[1] == reach[2];
 }
 
-/// A plane with normal m holds a corner direction c, n_i.c = +1 or -1, if m.c = 0. With m as a
-/// combination of the n_i: if its three coefficients add up to 0 for some signs.
+/// Whether a plane with normal m is parallel to a diagonal c of the box, n_i.c = +1 or -1, that is
+/// m.c = 0. Let m = sum of a_i n_i; then m.c = sum of +-a_i, which is 0 for some signs exactly if
+/// the largest |a_i| is the sum of the two others. The a_i are computed up to one common factor.
 bool holds_diagonal(const RationalMatrix& dual, const RationalRow& m) {
   RationalRow share;
   for (std::size_t i = 0; i < 3; ++i) share[i] = abs(dot(dual[i], m));
@@ -183,9 +210,10 @@ bool holds_diagonal(const RationalMatrix& dual, const RationalRow& m) {
   return share[0] + share[1] == share[2];
 }
 
+/// Whether a vertex lies on the frame.
 bool is_beyond(const SpaceComplex& c, VertexId v) { return c.vertex_mark[v.value()] == kBeyond; }
 
-/// The planes of facets that reach the frame, each once.
+/// Returns the planes of all facets that reach the frame, ascending, each once.
 std::vector<PlaneId> far_planes(const SpaceComplex& c) {
   std::vector<PlaneId> planes;
   for (std::uint32_t u = 0; u < c.use_count(); ++u) {
@@ -199,7 +227,8 @@ std::vector<PlaneId> far_planes(const SpaceComplex& c) {
   return planes;
 }
 
-/// Normals with small entries that look random, and larger ones at every try.
+/// Returns pseudorandom normals whose entries x grow with each attempt: 0 <= x < 16 *
+/// 2^min(attempt, 24). A linear congruential generator makes them, so results are reproducible.
 RationalMatrix some_normals(std::uint64_t attempt) {
   RationalMatrix normal;
   std::uint64_t state = attempt;
@@ -213,7 +242,9 @@ RationalMatrix some_normals(std::uint64_t attempt) {
   return normal;
 }
 
-/// Half as large as would still fit into the cube.
+/// Returns the box with these normals that is half as large as would still fit into the cube. The
+/// box |n_i.x| <= s has the corners x = N^-1 c for c_i = +-s, whose j-th coordinate is at most s
+/// times the sum of magnitudes of row j of N^-1 = cofactors / determinant.
 FarBox box_in_cube(const RationalMatrix& normal) {
   const RationalMatrix columns = cofactors(normal);
   Rational reach = 0;
@@ -223,6 +254,7 @@ FarBox box_in_cube(const RationalMatrix& normal) {
   return {normal, abs(determinant(normal)) / (2 * reach)};
 }
 
+/// Returns n and d, times their common denominator.
 IntegerRow whole(const RationalRow& n, const Rational& d) {
   const Integer common =
       lcm(lcm(denominator(n[0]), denominator(n[1])), lcm(denominator(n[2]), denominator(d)));
@@ -234,6 +266,7 @@ IntegerRow whole(const RationalRow& n, const Rational& d) {
   return row;
 }
 
+/// Whether the plane is one of the sides of the frame that the complex has.
 bool is_framed_by(const SpaceComplex& c, PlaneId plane) {
   for (std::size_t f = 0; f < c.facet_count(); ++f) {
     if (c.facet_plane[f] == plane && c.facet_mark[f] == kBeyond) return true;
@@ -243,7 +276,10 @@ bool is_framed_by(const SpaceComplex& c, PlaneId plane) {
 
 }  // namespace
 
-// Of x_i + R and x_i - R comes n_i x_i + d R; of that and the plane n_j x_j + n_k x_k = 0 the rest.
+// The planes x_i + R = 0 and x_i - R = 0 of the frame span a pencil with n_i x_i + d R = 0. That
+// plane and the plane n_j x_j + n_k x_k = 0 through the origin span a pencil with the wanted one.
+// Interning scales rows, so the factors of the second pencil use the coefficients a and b that the
+// two rows have in the table.
 OrientedPlane far_plane(PlaneTable& planes, const RationalRow& normal, const Rational& d) {
   const IntegerRow n = whole(normal, d);
   std::size_t i = 0;
@@ -265,6 +301,8 @@ OrientedPlane far_plane(PlaneTable& planes, const RationalRow& normal, const Rat
 
 FarBox frame_box() { return {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 1}; }
 
+// Edges that reach the frame must not run towards an edge of the box, and planes of facets that
+// reach it must hold no diagonal.
 bool is_general(const SpaceComplex& complex, const RationalMatrix& normal) {
   const PlaneTable& planes = complex.planes();
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
@@ -283,6 +321,8 @@ bool is_general(const SpaceComplex& complex, const RationalMatrix& normal) {
   return true;
 }
 
+// An attempt fails with small probability: the bad normals lie on finitely many surfaces, and the
+// range of entries doubles each time.
 FarBox general_box(const SpaceComplex& complex) {
   if (is_general(complex, frame_box().normal)) return frame_box();
   for (std::uint64_t attempt = 1;; ++attempt) {
@@ -291,6 +331,7 @@ FarBox general_box(const SpaceComplex& complex) {
   }
 }
 
+// A side that frames the complex already cuts nothing off and is skipped.
 SpaceComplex inside(SpaceComplex complex, const FarBox& box,
                     const std::shared_ptr<SpaceTables>& tables, Context& context) {
   complex.tables = tables;
@@ -298,7 +339,7 @@ SpaceComplex inside(SpaceComplex complex, const FarBox& box,
     context.checkpoint("far box", i, 6);
     const RationalRow& n = box.normal[i / 2];
     const Rational offset = i % 2 == 0 ? Rational(-box.size) : box.size;
-    // n.x - s R <= 0, then n.x + s R >= 0
+    // First n.x - s R <= 0 is kept, then n.x + s R >= 0.
     const OrientedPlane plane = far_plane(tables->planes, n, offset);
     if (is_framed_by(complex, plane.plane())) continue;
     const PlaneSet outside = i % 2 == 0 ? PlaneSet::BeyondAbove : PlaneSet::BeyondBelow;

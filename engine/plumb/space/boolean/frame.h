@@ -1,5 +1,10 @@
-// The symbolic cube around unbounded sets: added before an operation that needs it, dropped when
-// nothing reaches it.
+// The symbolic cube around unbounded sets. It is added before an operation that needs it and
+// dropped when nothing reaches it. The second part has far boxes, which frame an unbounded set
+// while an affine map moves it.
+//
+// Notation: R is the symbolic half side of the cube, larger than every number. What lies on the
+// cube and beyond it has the mark kBeyond. Proofs: docs/design/frame.md, "In space: the symbolic
+// cube" and "Affine maps: far boxes".
 #pragma once
 
 #include <array>
@@ -14,74 +19,81 @@
 
 namespace plumb {
 
-/// Is there a frame?
+/// Whether the complex has a frame: volume 0 is then the beyond. O(1).
 bool has_frame(const SpaceComplex& complex);
 
-/// Per volume: does it reach to infinity? The beyond of a frame does, too. O(n).
+/// Returns for each volume 1 if it reaches to infinity, else 0. The beyond of a frame counts as
+/// unbounded. O(n).
 std::vector<std::uint8_t> unbounded_volumes(const SpaceComplex& complex);
 
-/// The same set inside the cube. `tables` hold at least what the complex's do, under the same ids.
-/// Requires no frame.
+/// Returns the same set inside the cube. Requires that the complex has no frame, and that `tables`
+/// holds at least what the complex's tables do, under the same ids. O(n), besides the join.
 SpaceComplex with_frame(const SpaceComplex& complex, const std::shared_ptr<SpaceTables>& tables,
                         Context& context);
 
-/// Without the frame, if no facet or edge of the set reaches it. O(n).
+/// Returns the complex without its frame if no facet or edge of the set reaches it, else unchanged.
+/// O(n).
 SpaceComplex without_idle_frame(SpaceComplex complex, Context& context);
 
-// Vectors and 3 x 3 matrices of rationals, for maps and the boxes they move.
+// Vectors and 3 x 3 matrices of rationals, for affine maps and the boxes that they move.
 
+/// A vector, or a row of a matrix.
 using RationalRow = std::array<Rational, 3>;
-using RationalMatrix = std::array<RationalRow, 3>;  ///< of rows
+using RationalMatrix = std::array<RationalRow, 3>;  ///< Three rows.
 
-/// The columns of determinant(m) m^-1, as rows.
+/// Returns the columns of determinant(m) m^-1, as rows.
 inline RationalMatrix cofactors(const RationalMatrix& m) {
   return {cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
 }
 
+/// Returns the determinant.
 inline Rational determinant(const RationalMatrix& m) { return dot(m[0], cross(m[1], m[2])); }
 
-/// |r[0]| + |r[1]| + |r[2]|: the largest r.x in the cube |x|, |y|, |z| <= 1.
+/// Returns |r[0]| + |r[1]| + |r[2]|, the largest r.x in the cube |x|, |y|, |z| <= 1.
 inline Rational sum_of_magnitudes(const RationalRow& r) {
   Rational sum = 0;
   for (const Rational& x : r) sum += x < 0 ? Rational(-x) : x;
   return sum;
 }
 
-// Boxes beyond all bounds, of any shape, that frame an unbounded set while it is mapped.
+// Far boxes: parallelepipeds beyond all bounds that frame an unbounded set while it is mapped.
 //
-// A far box is |n_i.x| <= s R for three normals n_i and the R of the frame (frame.h): a linear map
-// takes a framed complex to one in such a box, and six cuts bring it back into the cube. What lies
-// outside has the mark kBeyond.
+// A far box is |n_i.x| <= s R for three normals n_i and the R of the frame. A linear map takes a
+// framed complex to one in such a box, and six cuts bring it back into the cube. What lies outside
+// has the mark kBeyond.
 //
 // A shift takes a far box to one whose planes have offsets s R + c. Leaving out c changes nothing
 // if the complex meets the box in general position: no edge that reaches it runs towards an edge of
-// the box, no facet that reaches it is parallel to one of its diagonals. (Then everything on an
-// edge of the box is a facet crossing it alone, and where two facets follow each other on it at a
-// distance that does not grow with R, they are parallel: both move by as much.) Whether it does is
-// a matter of directions.
+// the box, and no facet that reaches it is parallel to one of its diagonals. (Then everything on an
+// edge of the box is a facet that crosses it alone, and where two facets follow each other on it at
+// a distance that does not grow with R, they are parallel, so both move by the same vector.)
+// Whether the position is general depends on directions alone. Proof: docs/design/frame.md, Lemma
+// 4.
 
+/// The parallelepiped |normal[i].x| <= size R for i = 0, 1, 2.
 struct FarBox {
-  RationalMatrix normal;
-  Rational size;  ///< s > 0
+  RationalMatrix normal;  ///< Three normals, linearly independent.
+  Rational size;          ///< The factor s > 0 of R.
 };
 
-/// The far plane n.x + d R = 0, with its positive side. Requires n and d that are not zero. Planes
-/// made on the way stay in the table.
+/// Returns the far plane n.x + d R = 0 with its positive side. Requires that n and d are not zero.
+/// Planes of pencils that are made on the way stay in the table.
 OrientedPlane far_plane(PlaneTable& planes, const RationalRow& normal, const Rational& d);
 
-/// That of every framed complex.
+/// Returns the cube: the box of every framed complex.
 FarBox frame_box();
 
-/// Does what reaches the frame meet a box with these normals in general position?
-/// Requires a frame and normals that are linearly independent.
+/// Whether all edges and facets of the set that reach the frame meet a box with these normals in
+/// general position. Requires a frame, and normals that are linearly independent. O(n).
 bool is_general(const SpaceComplex& complex, const RationalMatrix& normal);
 
-/// A box inside the cube in general position: the cube itself if it is. Requires a frame. Expected
-/// O(n).
+/// Returns a box inside the cube in general position, which is the cube itself if that is. Requires
+/// a frame. Expected O(n).
 FarBox general_box(const SpaceComplex& complex);
 
-/// The part inside the box. Requires a complex framed by a larger box, or by the same one: then it
-/// is returned as it is. `tables`: the complex's own, or a copy.
+/// Returns the part of a complex inside a box. Requires that the complex is framed by a larger box,
+/// or by the same one: then it is returned unchanged. `tables` is the complex's own table or a copy
+/// of it. Costs up to six cuts.
 SpaceComplex inside(SpaceComplex complex, const FarBox& box,
                     const std::shared_ptr<SpaceTables>& tables, Context& context);
 

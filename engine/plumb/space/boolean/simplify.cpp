@@ -1,3 +1,18 @@
+// Minimal form, by merging in the arrays or by sphere maps.
+//
+// Which cells are superfluous is a local question (docs/design/boolean.md, Lemma 2). If no facet,
+// free edge or isolated vertex is, then volumes stay and only edges between two facets of one plane
+// and vertices inside edges or facets are removed (docs/design/meshes.md, Lemma 4): facets are
+// united over flat edges, edges over passed vertices, and every list is made anew by walking around
+// what was removed. Otherwise every map is simplified and all is joined again. Both ways give the
+// same complex, up to numbering.
+//
+// Invariant of the walks: from an edge use that stays, the next one along the joined facet is found
+// by turning around its end across flat edges; all corners of the result are found so, and a flat
+// half-edge that no corner crosses belongs to a facet that lies all around its vertex.
+//
+// Tested by tests/space/simplify_test.cpp, which compares both ways.
+
 #include "plumb/space/boolean/simplify.h"
 
 #include <algorithm>
@@ -16,11 +31,13 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint64_t kBytesPerHalfedge = 2;    // to look
-constexpr std::uint64_t kBytesPerMergedUse = 60;  // what is merged, and numbers of items
+constexpr std::uint64_t kBytesPerHalfedge = 2;    // What finding the removed cells takes.
+constexpr std::uint64_t kBytesPerMergedUse = 60;  // The merged complex, and numbers of cells.
 
 }  // namespace
 
+// Without flat edges only a vertex with two edges can be removed; sets that are minimal need no
+// arrays at all.
 CoplanarMerge::CoplanarMerge(const SpaceComplex& complex, Context& context)
     : memory_(context), in_(complex) {
   memory_.add(kBytesPerHalfedge * in_.origin.size(), "the minimal form");
@@ -28,7 +45,7 @@ CoplanarMerge::CoplanarMerge(const SpaceComplex& complex, Context& context)
   const bool has_flat = !is_flat_.empty();
   for (std::uint32_t v = 0; v < in_.vertex_count(); ++v) {
     if (v % 4096 == 0) context.checkpoint("simplify", v, in_.vertex_count());
-    if (!has_flat && in_.star_of(VertexId(v)).size() != 2) continue;  // kept
+    if (!has_flat && in_.star_of(VertexId(v)).size() != 2) continue;  // It is kept.
     const Fate fate = fate_of(VertexId(v));
     if (fate == Fate::Kept) continue;
     fate_.resize(in_.vertex_count());
@@ -38,7 +55,7 @@ CoplanarMerge::CoplanarMerge(const SpaceComplex& complex, Context& context)
   if (is_needed_) fate_.resize(in_.vertex_count());
 }
 
-/// Makes no arrays where nothing is flat, as in sets that are minimal.
+/// Finds the flat edges. Makes no arrays if there are none, as in sets that are minimal.
 void CoplanarMerge::find_flat_edges() {
   const auto count = static_cast<std::uint32_t>(in_.edge_count());
   std::uint32_t e = 0;
@@ -68,7 +85,7 @@ SpaceComplex CoplanarMerge::run(Context& context) {
   return std::move(out_);
 }
 
-// ---------------------------------------------------------------- what goes
+// ---------------------------------------------------------------- what is removed
 
 bool CoplanarMerge::is_flat_edge(EdgeId e) const {
   const UseId first = in_.edge_use[e.value()];
@@ -82,6 +99,10 @@ bool CoplanarMerge::is_flat_edge(EdgeId e) const {
          in_.facet_mark[g] == own;
 }
 
+// The edges left at v, and the corners between them, decide. If some flat half-edge is in no such
+// corner, one facet lies all around v: v is gone if no edge is left and it has the mark of the
+// facet, else it stays inside the facet. Otherwise v is passed if two edges are left that continue
+// each other.
 CoplanarMerge::Fate CoplanarMerge::fate_of(VertexId v) {
   const std::span<const HalfedgeId> star = in_.star_of(v);
   if (star.empty() || in_.vertex_facet[v.value()].is_valid()) return Fate::Kept;
@@ -104,7 +125,8 @@ CoplanarMerge::Fate CoplanarMerge::fate_of(VertexId v) {
   return count == 2 && is_passed(v, left[0], left[1]) ? Fate::Passed : Fate::Kept;
 }
 
-/// Notes the flat half-edges at v that lie in corners between edges that are left; how many.
+/// Marks the flat half-edges at v that lie in corners between edges that are left, and returns how
+/// many there are. Each corner is crossed from the use that begins it.
 std::size_t CoplanarMerge::cross_from_left(VertexId v) {
   std::size_t crossed = 0;
   for (const HalfedgeId h : in_.star_of(v)) {
@@ -113,6 +135,7 @@ std::size_t CoplanarMerge::cross_from_left(VertexId v) {
     UseId u = first;
     do {
       if (in_.use_halfedge[u.value()] == h) {
+        // The corner of u extends counter-clockwise across flat edges up to an edge that is left.
         for (UseId w = in_.use_prev[u.value()]; is_flat(w); w = prev_around(w)) {
           is_crossed_[SpaceComplex::twin(in_.use_halfedge[w.value()]).value()] = 1;
           ++crossed;
@@ -124,8 +147,8 @@ std::size_t CoplanarMerge::cross_from_left(VertexId v) {
   return crossed;
 }
 
-/// The facet whose flat edges go all around v: those that no corner holds. Requires that there are
-/// some.
+/// Returns a part of the facet whose flat edges surround v: those that no corner holds. Requires
+/// that there is such an edge.
 FacetId CoplanarMerge::facet_around(VertexId v) const {
   const std::span<const HalfedgeId> star = in_.star_of(v);
   const HalfedgeId h = *std::ranges::find_if(
@@ -133,9 +156,11 @@ FacetId CoplanarMerge::facet_around(VertexId v) const {
   return in_.use_facet[in_.edge_use[h.value() / 2].value()];
 }
 
-/// Of two half-edges that alone are left at v: do they and the facets of both continue each other
-/// there? Facets in two planes have a line in common; of those in one, the directions are compared.
-/// A facet of `other` alone would lie all around v, so that h ran into it.
+/// Whether two half-edges, the only ones left at v, and the facets of both continue each other
+/// there. Facets in two planes have one line in common, so both edges are on it and, being
+/// different, opposite; if all facets are in one plane, the directions are compared. A facet of
+/// `other` alone would lie all around v, so h would run into it: so it is enough to look at the
+/// facets of h.
 bool CoplanarMerge::is_passed(VertexId v, HalfedgeId h, HalfedgeId other) const {
   const Mark mark = in_.vertex_mark[v.value()];
   if (in_.edge_mark[h.value() / 2] != mark || in_.edge_mark[other.value() / 2] != mark)
@@ -143,6 +168,7 @@ bool CoplanarMerge::is_passed(VertexId v, HalfedgeId h, HalfedgeId other) const 
   PlaneId plane;
   bool has_two_planes = false;
   const UseId first = in_.edge_use[h.value() / 2];
+  // Each facet of h must go on, past v, along `other`: forward if its use leaves v, else backward.
   for (UseId u = first; u.is_valid();) {
     const bool leaves = in_.use_halfedge[u.value()] == h;
     const UseId w = leaves ? prev_left(u) : next_left(u);
@@ -159,26 +185,27 @@ bool CoplanarMerge::is_passed(VertexId v, HalfedgeId h, HalfedgeId other) const 
 
 // ---------------------------------------------------------------- walks
 
-/// The other one that is left at a passed vertex.
+/// Returns the other half-edge that is left at a passed vertex.
 HalfedgeId CoplanarMerge::other_left(VertexId v, HalfedgeId h) const {
   const std::span<const HalfedgeId> star = in_.star_of(v);
   return *std::ranges::find_if(star, [&](HalfedgeId g) { return g != h && !is_flat(g); });
 }
 
-/// Along the facet, across flat edges.
+/// Returns the next use along the joined facet: across flat edges, around their ends.
 UseId CoplanarMerge::next_left(UseId u) const {
   UseId w = in_.use_next[u.value()];
   while (is_flat(w)) w = in_.use_next[in_.use_radial[w.value()].value()];
   return w;
 }
 
+/// Returns the previous use along the joined facet.
 UseId CoplanarMerge::prev_left(UseId u) const {
   UseId w = in_.use_prev[u.value()];
   while (is_flat(w)) w = prev_around(w);
   return w;
 }
 
-/// The next use that arrives where a flat one does, across that one.
+/// Returns the use that arrives where a flat one does, in the facet across it.
 UseId CoplanarMerge::prev_around(UseId flat) const {
   return in_.use_prev[in_.use_radial[flat.value()].value()];
 }
@@ -197,6 +224,7 @@ void CoplanarMerge::number_vertices() {
   }
 }
 
+// A chain keeps the planes, mark and direction of its first edge.
 void CoplanarMerge::make_edges() {
   number_.resize(in_.edge_count());
   for (std::uint32_t e = 0; e < in_.edge_count(); ++e) {
@@ -206,6 +234,7 @@ void CoplanarMerge::make_edges() {
     out_.edge_planes.push_back(in_.edge_planes[e]);
     out_.edge_mark.push_back(in_.edge_mark[e]);
     out_.edge_volume.push_back(in_.edge_volume[e]);
+    // The chain is followed from its first edge to both ends, as that may lie in its midst.
     const VertexId to = end_of_chain(HalfedgeId(2 * e), number);
     const VertexId from = end_of_chain(HalfedgeId(2 * e + 1), number);
     out_.origin.push_back(vertex_number_[from.value()]);
@@ -213,7 +242,8 @@ void CoplanarMerge::make_edges() {
   }
 }
 
-/// Numbers the edges from that of h on, in its direction; where the last one ends.
+/// Numbers the edges of a chain from that of h on, in its direction, and returns the vertex at
+/// which it ends.
 VertexId CoplanarMerge::end_of_chain(HalfedgeId h, EdgeId number) {
   for (;;) {
     number_[h.value() / 2] = number;
@@ -223,6 +253,8 @@ VertexId CoplanarMerge::end_of_chain(HalfedgeId h, EdgeId number) {
   }
 }
 
+// The uses of the first edge represent a chain. The next use of the result is found by stepping
+// over the other edges of the chain.
 void CoplanarMerge::make_uses() {
   use_number_.resize(in_.use_count());
   for (std::uint32_t u = 0; u < in_.use_count(); ++u) {
@@ -239,6 +271,7 @@ void CoplanarMerge::make_uses() {
   for (std::uint32_t u = 0; u < in_.use_count(); ++u) {
     const UseId own = use_number_[u];
     if (!own.is_valid()) continue;
+    // Uses of later edges of the same chain have no number of their own and are stepped over.
     UseId next = next_left(UseId(u));
     while (!use_number_[next.value()].is_valid()) next = next_left(next);
     out_.use_next[own.value()] = use_number_[next.value()];
@@ -251,6 +284,8 @@ void CoplanarMerge::make_uses() {
   }
 }
 
+// Facets are numbered by their least part. Its cycles are traced along use_next; if there are
+// several, exactly one of them is outer, and it is moved to the front.
 void CoplanarMerge::make_facets() {
   UnionFind& classes = classes_.emplace(in_.facet_count());
   for (std::uint32_t e = 0; e < in_.edge_count(); ++e) {
@@ -262,6 +297,7 @@ void CoplanarMerge::make_facets() {
   facet_number_.resize(in_.facet_count());
   for (std::uint32_t f = 0; f < in_.facet_count(); ++f) {
     const std::uint32_t root = classes.root(f);
+    // UnionFind keeps the least element as the root, so the root has its number already.
     if (root != f) {
       facet_number_[f] = facet_number_[root];
       continue;
@@ -272,7 +308,7 @@ void CoplanarMerge::make_facets() {
     out_.facet_volume.push_back(in_.facet_volume[f]);
   }
   name_facets();
-  std::vector<UseId> first_uses;  // of the cycles
+  std::vector<UseId> first_uses;  // One use of each cycle.
   out_.cycle_begin.assign(out_.facet_count() + 1, 0);
   for (std::uint32_t u = 0; u < in_.use_count(); ++u) {
     const UseId first = use_number_[u];
@@ -291,6 +327,7 @@ void CoplanarMerge::make_facets() {
   for (std::uint32_t f = 0; f < out_.facet_count(); ++f) {
     const auto begin = out_.cycle.begin() + out_.cycle_begin[f];
     const auto end = out_.cycle.begin() + out_.cycle_begin[f + 1];
+    // With one cycle that is the outer one, and no sign is needed.
     if (end - begin < 2) continue;
     const auto outer = std::find_if(begin, end, [&](UseId u) { return is_outer(out_, u); });
     PLUMB_CHECK(outer != end);
@@ -298,8 +335,8 @@ void CoplanarMerge::make_facets() {
   }
 }
 
-/// Of a facet, the pieces at its corners: those whose uses leave a vertex that stays along an edge
-/// that does.
+/// Gives each facet the least facet_origin of the parts at its corners: those whose uses leave a
+/// vertex that stays along an edge that does. Sphere maps would give the same.
 void CoplanarMerge::name_facets() {
   out_.facet_origin.assign(out_.facet_count(), ~std::uint32_t{0});
   for (std::uint32_t u = 0; u < in_.use_count(); ++u) {
@@ -321,7 +358,8 @@ void CoplanarMerge::make_stars() {
   }
 }
 
-/// Vertices that were inside facets before, and those that are now, in their order.
+/// Lists the vertices inside facets: those that were there before, and those that now are,
+/// ascending.
 void CoplanarMerge::gather_inner() {
   out_.vertex_facet.resize(out_.vertex_count());
   for (std::uint32_t v = 0; v < in_.vertex_count(); ++v) {
@@ -347,9 +385,10 @@ void CoplanarMerge::gather_inner() {
 
 namespace {
 
-constexpr std::uint64_t kBytesPerUse = 110;  // a draft, and what is joined
+constexpr std::uint64_t kBytesPerUse = 110;  // The draft and the joined complex.
 
-/// Does a facet, a free edge or a lone vertex go?
+/// Whether a facet, a free edge or an isolated vertex is superfluous, so that sphere maps are
+/// needed.
 class MapChanges {
  public:
   explicit MapChanges(const SpaceComplex& complex) : c_(complex) {}
@@ -371,7 +410,9 @@ class MapChanges {
   }
 
  private:
+  /// Whether the volume has this mark.
   bool has_mark(VolumeId v, Mark mark) const { return c_.volume_mark[v.value()] == mark; }
+  /// Whether a vertex without edges has the mark of what is around it.
   bool goes_alone(std::uint32_t v) const {
     const FacetId f = c_.vertex_facet[v];
     if (f.is_valid()) return c_.facet_mark[f.value()] == c_.vertex_mark[v];

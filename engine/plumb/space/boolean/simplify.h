@@ -1,28 +1,30 @@
-// Facets of one plane joined over the edges between them, and edges over places inside them: what
-// the minimal form of a complex asks for where no facet, free edge or lone vertex goes. Without
-// sphere maps: volumes stay what they are.
+// Bringing a complex into minimal form after its marks have changed: cells that do not differ from
+// what is around them are removed. CoplanarMerge does so in the arrays where no facet, free edge or
+// isolated vertex is removed; simplified() takes every case, by sphere maps where it has to.
+//
+// CoplanarMerge joins facets of one plane over the edges between them, and edges over places inside
+// them. Volumes stay what they are.
 //
 // Notation
-//   an edge is flat    between two facets of one plane, all three of one mark: it goes, and the
-//                      facets are one
-//   fate of a vertex   gone: nothing is left but one facet all around it, of its mark. Passed: two
-//                      edges are left that are one, with the facets of both. Else it is kept; it
-//                      may lie inside a facet now, with edges or without
-//   chain              edges joined over passed vertices; the first of them stands for it, with its
-//                      uses
+//   flat edge   lies between two facets of one plane, all three with one mark: it is removed, and
+//               the facets become one
+//   fate        of a vertex: it is gone if nothing is left but one facet all around it, of its
+//               mark; passed if two edges are left that are one, with the facets of both; else it
+//               is kept, and may then lie inside a facet, with edges or without
+//   chain       edges joined over passed vertices; the first of them represents it, with its edge
+//               uses
 //
-// Main flow of run():
-//  1. chains     followed from the first edge of each to both ends; vertices and edges numbered
-//                anew
-//  2. uses       those of edges that stand for a chain; the next one is found by walking on along
-//                the facet, across flat edges around their ends
-//  3. facets     classes over flat edges; their cycles traced anew, the outer one by the corner at
-//                its least vertex. A facet has the least id of the pieces that begin its corners,
-//                as it has by sphere maps
-//  4. stars      and what lies inside facets
+// Main flow of CoplanarMerge::run():
+//  1. chains  follows each chain from its first edge to both ends; numbers vertices and edges anew
+//  2. uses    keeps those of edges that represent a chain; finds the next one by walking on along
+//             the facet, across flat edges around their ends
+//  3. facets  makes classes over flat edges and traces their cycles anew; the outer cycle is found
+//             by the corner at its least vertex. A facet has the least facet_origin of the pieces
+//             that begin its corners, as by sphere maps
+//  4. stars   lists the half-edges of vertices, and the vertices inside facets
 //
-// Cost: O(n alpha), with signs for the cycles of facets that have several, and at vertices with two
-// edges of facets in one plane. Source: SPACE.md 3.
+// Cost: O(n alpha(n)), with signs for the cycles of facets that have several, and at vertices with
+// two edges of facets in one plane. Proof: docs/design/meshes.md, Lemma 4.
 #pragma once
 
 #include <cstdint>
@@ -37,21 +39,23 @@
 
 namespace plumb {
 
+/// Minimal form of a complex in which no facet, free edge or isolated vertex is removed.
 class CoplanarMerge {
  public:
-  /// Looks which edges and vertices go. Keeps a reference to the complex; charges the context for
-  /// memory while it lives.
+  /// Finds the edges and vertices that are removed. Keeps a reference to the complex; charges the
+  /// context for memory while it lives. O(n).
   CoplanarMerge(const SpaceComplex& complex, Context& context);
 
-  /// Does any?
+  /// Whether any edge or vertex is removed.
   bool is_needed() const { return is_needed_; }
-  /// The complex without them: minimal, if no facet, free edge or lone vertex goes. Requires
-  /// is_needed().
+  /// Returns the complex without them, which is minimal if no facet, free edge or isolated vertex
+  /// is superfluous. Requires is_needed().
   SpaceComplex run(Context& context);
 
-  /// After run(), the new numbers of facets, the same of those that were joined, and of vertices,
-  /// not valid of those that went. They ascend where they come first.
+  /// Returns, after run(), the new numbers of facets, the same for those that were joined. They
+  /// ascend where each comes first.
   std::span<const FacetId> facet_numbers() const { return facet_number_; }
+  /// Returns, after run(), the new numbers of vertices, invalid for those that were removed.
   std::span<const VertexId> vertex_numbers() const { return vertex_number_; }
 
  private:
@@ -87,35 +91,36 @@ class CoplanarMerge {
   const SpaceComplex& in_;
   SpaceComplex out_;
   bool is_needed_ = false;
-  std::vector<std::uint8_t> is_flat_;  // per edge
-  std::vector<std::uint8_t>
-      is_crossed_;          // per half-edge: does a corner between edges that are left hold it?
-  std::vector<Fate> fate_;  // per vertex
-  std::vector<std::pair<VertexId, FacetId>>
-      inside_;  // vertices that now lie inside a facet, and one of its parts
+  std::vector<std::uint8_t> is_flat_;  // One entry for each edge; empty if none is flat.
+  // Whether a corner between edges that are left holds each half-edge.
+  std::vector<std::uint8_t> is_crossed_;
+  std::vector<Fate> fate_;  // One entry for each vertex.
+  // Vertices that now lie inside a facet, each with one of the facet's parts.
+  std::vector<std::pair<VertexId, FacetId>> inside_;
 
   std::vector<VertexId> vertex_number_;
-  std::vector<EdgeId> number_;  // per edge that is not flat: of its chain
-  std::vector<EdgeId> first_;   // per chain
+  std::vector<EdgeId> number_;  // The chain of each edge that is not flat.
+  std::vector<EdgeId> first_;   // The first edge of each chain.
   std::vector<UseId> use_number_;
-  std::optional<UnionFind> classes_;  // of facets
+  std::optional<UnionFind> classes_;  // Classes of facets over flat edges.
   std::vector<FacetId> facet_number_;
 };
 
-// Bringing a complex into minimal form after marks were changed: items that do not differ from what
-// is around them go.
+// Minimal form of any complex.
 //
 // Main flow of simplified():
-//  1. look      flat passes over facets, edges and vertices: what goes?
-//  2. merge     at most edges between facets of one plane, and places inside edges: joined as they
-//               lie in the arrays (simplify.h)
-//  3. carry     else the map of every vertex is simplified and put into a draft (vertex_labels.h)
-//  4. join      (assemble.h)
+//  1. look   passes over facets, edges and vertices to see which kinds of cells are removed
+//  2. merge  runs CoplanarMerge if these are at most edges between facets of one plane and places
+//            inside edges
+//  3. carry  else simplifies the map of every vertex and puts it into a draft (vertex_labels.h)
+//  4. join   joins the draft (assemble.h)
 
-/// The same set in minimal form. O(n); a minimal complex is given back as it is.
+/// Returns the same set in minimal form. A minimal complex is returned unchanged. O(n), besides the
+/// join.
 SpaceComplex simplified(SpaceComplex complex, Context& context);
 
-/// The same by steps 3 and 4 alone, whatever goes; several times as long where step 2 would do.
+/// Returns the same by steps 3 and 4 alone, whatever is removed. Takes several times as long where
+/// step 2 would do.
 SpaceComplex simplified_by_maps(const SpaceComplex& complex, Context& context);
 
 }  // namespace plumb

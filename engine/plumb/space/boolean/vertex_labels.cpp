@@ -1,3 +1,18 @@
+// Location of vertices by flooding, and carrying vertices into a draft.
+//
+// An edge without a contact inside lies, up to its other end, in the volume in which one end lies
+// (docs/design/boolean.md, Lemma 4). So labels spread over such edges without arithmetic. They
+// start at contacts, where the sphere map of the other operand is asked for the face into which an
+// edge leaves; or at the contact that is nearest to a vertex on one of its edges. A group without
+// any contact asks one ray towards -x; the map of the cell that it hits has the volume that lies on
+// the side from which it came, direction +x, {kPlaneY, kPlaneZ}.
+//
+// Invariant: every vertex gets a label once, and a group is collected only while it has none; so
+// all floods together cost O(vertices + edges). The locator for rays is built for the first group
+// that needs it.
+//
+// Tested by tests/space/nef3_property_test.cpp and tests/space/degenerate_families_test.cpp.
+
 #include "plumb/space/boolean/vertex_labels.h"
 
 #include <algorithm>
@@ -14,8 +29,10 @@ namespace plumb {
 
 namespace {
 
+/// Returns the cell of operand 0 or 1.
 SpaceItem item_of(const Contact& c, std::size_t operand) { return operand == 0 ? c.a : c.b; }
 
+/// The search for the labels of one operand.
 class Labels {
  public:
   Labels(const TouchedComplex& own, const SpaceComplex& other, std::span<const Contact> contacts,
@@ -41,11 +58,14 @@ class Labels {
   }
 
  private:
+  /// Whether the vertex has no contact and no label yet.
   bool needs_label(VertexId v) const {
     return !own_.is_touched(v) && !label_[v.value()].is_valid();
   }
 
-  /// The volume of the other operand that a half-edge leaves the contact into.
+  /// Returns the volume of the other operand into which a half-edge leaves a contact. It leaves
+  /// into a face of the map: along an arc or a point it would run in a facet or an edge of the
+  /// other operand, and the next vertex or place along it would have a contact.
   VolumeId volume_along(const Contact& contact, HalfedgeId h) {
     local_map(other_, item_of(contact, 1 - operand_), local_);
     const SphereCell cell = locate(tables_.planes, local_.map, direction_of(complex_, h));
@@ -53,6 +73,7 @@ class Labels {
     return local_.volume[cell.index()];
   }
 
+  /// Floods from the neighbours of a vertex with a contact.
   void seed_around(VertexId touched) {
     for (const HalfedgeId h : complex_.star_of(touched)) {
       const VertexId v = complex_.target(h);
@@ -61,12 +82,13 @@ class Labels {
     }
   }
 
+  /// Gives the whole group of `start` a label.
   void flood(VertexId start, VolumeId volume) {
     collect(start);
     for (const VertexId v : group_) label_[v.value()] = volume;
   }
 
-  /// All untouched vertices that edges without contacts join to `start`.
+  /// Collects in group_ all vertices without a label that edges without contacts join to `start`.
   void collect(VertexId start) {
     group_.assign(1, start);
     if (in_group_.empty()) in_group_.assign(complex_.vertex_count(), 0);
@@ -82,6 +104,8 @@ class Labels {
     }
   }
 
+  /// Labels a group that no contact at a vertex has labelled: by a contact on an edge that leaves
+  /// it, else by a ray.
   void label_group(VertexId start) {
     collect(start);
     VolumeId volume;
@@ -93,7 +117,8 @@ class Labels {
     for (const VertexId v : group_) label_[v.value()] = volume;
   }
 
-  /// By the nearest contact on an edge that leaves v, if there is one.
+  /// Returns the volume before the nearest contact on an edge that leaves v; invalid if no such
+  /// edge has a contact.
   VolumeId volume_by_contact(VertexId v) {
     for (const HalfedgeId h : complex_.star_of(v)) {
       const EdgeId e = SpaceComplex::edge_of(h);
@@ -102,9 +127,11 @@ class Labels {
     return VolumeId();
   }
 
+  /// Returns the first contact on the edge of h, seen from the origin of h.
   const Contact& nearest_contact(HalfedgeId h) const {
     const EdgeId e = SpaceComplex::edge_of(h);
     const auto& planes = complex_.edge_planes[e.value()];
+    // A contact is nearer than the best one if it comes before it in the direction of h.
     const Sign along = SpaceComplex::is_reverse(h) ? Sign::Negative : Sign::Positive;
     std::uint32_t best = own_.edge_contacts[own_.edge_begin[e.value()]];
     for (std::uint32_t i = own_.edge_begin[e.value()] + 1; i < own_.edge_begin[e.value() + 1];
@@ -117,6 +144,7 @@ class Labels {
     return contacts_[best];
   }
 
+  /// Returns the volume in which v lies, by a ray towards -x: volume 0 if it hits nothing.
   VolumeId volume_by_ray(VertexId v) {
     if (other_.vertex_count() == 0) return VolumeId(0);
     if (!locator_) locator_.emplace(other_);
@@ -154,6 +182,7 @@ TouchedComplex::TouchedComplex(const SpaceComplex& touched, std::span<const Cont
     if (item.kind() == SpaceItem::Kind::Vertex) contact_of_vertex[item.index()] = i;
     if (item.kind() == SpaceItem::Kind::Edge) ++edge_begin[item.index() + 1];
   }
+  // Contacts are sorted by edges in two passes: counts, then places.
   std::partial_sum(edge_begin.begin(), edge_begin.end(), edge_begin.begin());
   edge_contacts.resize(edge_begin.back());
   std::vector<std::uint32_t> at(edge_begin.begin(), edge_begin.end() - 1);
@@ -169,7 +198,7 @@ std::vector<VolumeId> label_vertices(const TouchedComplex& own, const SpaceCompl
   return Labels(own, other, contacts, operand, tables, context).run();
 }
 
-namespace {}  // namespace
+// ---------------------------------------------------------------- carrying vertices
 
 void VertexCarrier::start(SpaceDraft& draft) {
   for (const HalfedgeId h : carried_) point_of_[h.value()] = kNone;
@@ -193,6 +222,7 @@ void VertexCarrier::add(VertexId v, const LocalMap& local) {
   }
 }
 
+// Simplifying renumbers points and arcs; kept_ says from which old one each new one came.
 void VertexCarrier::add_simplified(VertexId v, LocalMap& local) {
   overlay_.simplify(local.map, &kept_);
   const PyramidKind kind = classify(complex_.planes(), local.map);
@@ -222,6 +252,8 @@ bool VertexCarrier::may_have_ring(VertexId v) const {
   });
 }
 
+// The draft grows once for all vertices, by sizes that follow from their degrees, and is cut back
+// if a vertex turns out to have several rings.
 std::size_t VertexCarrier::add_rings(std::span<const Remarked> vertices) {
   if (vertices.empty()) return 0;
   const auto first = static_cast<std::uint32_t>(draft_->vertex_count());
@@ -242,9 +274,9 @@ std::size_t VertexCarrier::add_rings(std::span<const Remarked> vertices) {
   return vertices.size();
 }
 
-/// As local_map() numbers them: points in the order of the star, arcs by the point at which their
-/// use begins, the face to the left of the first half-arc before the other one. False: there are
-/// several rings, and nothing is carried.
+/// Writes the map of a vertex with the numbering of local_map(): points in the order of the star,
+/// arcs by the point at which their edge use begins, the face to the left of the first half-arc
+/// before the other one. Returns false if there are several rings; then nothing is carried.
 bool VertexCarrier::write_ring(const Remarked& remarked, std::uint32_t vertex,
                                const SpaceDraft::Offsets& at) {
   const auto& [v, becomes] = remarked;
@@ -259,6 +291,7 @@ bool VertexCarrier::write_ring(const Remarked& remarked, std::uint32_t vertex,
     draft.maps.point_mark[point] = becomes[complex_.edge_mark[h.value() / 2]];
     draft.vertex_of_point[point] = VertexId(vertex);
     ++point;
+    // A corner belongs to the use that leaves along its first edge.
     for (const UseId u : two_uses(h)) {
       if (complex_.use_halfedge[u.value()] != h) continue;
       const std::uint32_t f = complex_.use_facet[u.value()].value();
@@ -277,6 +310,8 @@ bool VertexCarrier::write_ring(const Remarked& remarked, std::uint32_t vertex,
   return true;
 }
 
+/// Writes the marks of the two faces: left of the first half-arc lies the positive side of its
+/// facet.
 void VertexCarrier::write_face_marks(FacetId of_first_arc, const std::array<Mark, 3>& becomes,
                                      std::uint32_t face) {
   const auto& [positive, negative] = complex_.facet_volume[of_first_arc.value()];
@@ -284,18 +319,24 @@ void VertexCarrier::write_face_marks(FacetId of_first_arc, const std::array<Mark
   draft_->maps.face_mark[face + 1] = becomes[complex_.volume_mark[negative.value()]];
 }
 
-/// False: the face to the left of the first half-arc does not have one of every arc.
+/// Links half-arcs around the points of a vertex. With two arcs at every point, after the one that
+/// arrives follows the other one that leaves. Returns false if the face to the left of the first
+/// half-arc does not have a half-arc of every arc: then the arcs make several rings.
 bool VertexCarrier::link_ring(std::span<const HalfedgeId> star, const SpaceDraft::Offsets& at) {
   SphereMap& maps = draft_->maps;
   std::uint32_t point = at.point;
   for (const HalfedgeId h : star) {
     const auto uses = two_uses(h);
+    // After a half-arc that arrives at this point follows, along the same face, the other one that
+    // leaves it.
     const std::uint32_t x = half_arc(uses[0], h), y = half_arc(uses[1], h);
     maps.origin[x] = maps.origin[y] = point;
     maps.next[SphereMap::twin(x)] = y;
     maps.next[SphereMap::twin(y)] = x;
     maps.first_out[point++] = SpaceComplex::is_reverse(h) ? y : x;
   }
+  // The face left of the first half-arc is walked and gets number at.face; all others keep at.face
+  // + 1. In one ring it has as many half-arcs as there are points.
   const std::uint32_t first = 2 * at.arc;
   std::fill_n(maps.face.begin() + first, 2 * star.size(), at.face + 1);
   std::uint32_t half = first;
@@ -308,12 +349,14 @@ bool VertexCarrier::link_ring(std::span<const HalfedgeId> star, const SpaceDraft
   return length == star.size();
 }
 
+/// Returns the two uses of an edge between two facets.
 std::array<UseId, 2> VertexCarrier::two_uses(HalfedgeId h) const {
   const UseId first = complex_.edge_use[h.value() / 2];
   return {first, complex_.use_radial[first.value()]};
 }
 
-/// The one that leaves along h in the facet of u.
+/// Returns the half-arc that leaves point h in the facet of u: that of the corner which begins
+/// along h, or the reverse of that which ends there.
 std::uint32_t VertexCarrier::half_arc(UseId u, HalfedgeId h) const {
   if (complex_.use_halfedge[u.value()] == h) return 2 * arc_of_use_[u.value()];
   return 2 * arc_of_use_[complex_.use_next[u.value()].value()] + 1;

@@ -1,13 +1,13 @@
-// The phase `locate` of a Boolean: in which volume of the other operand does each vertex without a
-// contact lie?
+// Step 3 of a Boolean, and a part of step 5: finds the volume of the other operand in which each
+// vertex without a contact lies, and carries vertices into a draft with new marks.
 //
-// Main flow:
-//  1. an edge without contacts lies in one volume: vertices joined by such edges have the same
-//     label
-//  2. seeds: at a contact the other operand's sphere map says where each edge leads
-//  3. a group without seeds asks one ray
+// Main flow of label_vertices():
+//  1. flood  vertices that edges without contacts join lie in one volume, so they form a group
+//  2. seeds  at a contact, the other operand's sphere map says into which volume each edge leads
+//  3. ray    a group without seeds asks one ray
 //
-// Expected O(vertices + edges + seeds); a ray for each group without contacts.
+// Expected O(vertices + edges + seeds), and a ray for each group without contacts. Proof:
+// docs/design/boolean.md, Lemma 4.
 #pragma once
 
 #include <array>
@@ -25,24 +25,27 @@
 
 namespace plumb {
 
-/// One operand of a Boolean with what its contacts touch.
+/// One operand of a Boolean with the contacts of each of its vertices and edges.
 struct TouchedComplex {
-  const SpaceComplex& complex;
-  std::vector<std::uint32_t> contact_of_vertex;  ///< index of the contact, or kUntouched
-  std::vector<std::uint32_t> edge_begin;         ///< edge_count() + 1 entries into edge_contacts
-  std::vector<std::uint32_t> edge_contacts;      ///< contacts inside each edge, in no order
+  const SpaceComplex& complex;                   ///< The operand.
+  std::vector<std::uint32_t> contact_of_vertex;  ///< The contact of each vertex, or kUntouched.
+  std::vector<std::uint32_t> edge_begin;         ///< Starts in edge_contacts, edge_count() + 1.
+  std::vector<std::uint32_t> edge_contacts;      ///< Contacts inside each edge, in no order.
 
-  static constexpr std::uint32_t kUntouched = ~std::uint32_t{0};
+  static constexpr std::uint32_t kUntouched = ~std::uint32_t{0};  ///< Names no contact.
 
-  /// `operand` 0 or 1: which item of the contacts is ours.
+  /// Sorts the contacts by the cells of operand 0 or 1. Keeps a reference to the complex. O(n +
+  /// contacts).
   TouchedComplex(const SpaceComplex& touched, std::span<const Contact> contacts,
                  std::size_t operand);
+  /// Whether the vertex takes part in a contact.
   bool is_touched(VertexId v) const { return contact_of_vertex[v.value()] != kUntouched; }
+  /// Whether there is a contact inside the edge.
   bool is_touched(EdgeId e) const { return edge_begin[e.value()] != edge_begin[e.value() + 1]; }
 };
 
-/// Per vertex of operand 0 or 1 (`own`) the volume of `other` it lies in; not valid for touched
-/// ones. `tables` hold the points of both.
+/// Returns for each vertex of `own`, which is operand 0 or 1, the volume of `other` in which it
+/// lies; invalid for vertices with a contact. `tables` has the points of both.
 std::vector<VolumeId> label_vertices(const TouchedComplex& own, const SpaceComplex& other,
                                      std::span<const Contact> contacts, std::size_t operand,
                                      const SpaceTables& tables, Context& context);
@@ -50,43 +53,45 @@ std::vector<VolumeId> label_vertices(const TouchedComplex& own, const SpaceCompl
 // Vertices of a complex that go into a draft as they are, but for their marks.
 //
 // Around most vertices the corners of facets make one ring, with an edge of two facets between any
-// two neighbours. Their sphere maps go straight into the draft, many at once: their points are the
-// half-edges, their arcs the corners, their two faces the sides of the ring. The others go by
-// local_map().
+// two neighbours. The sphere maps of such vertices are written straight into the draft, many at
+// once: their points are the half-edges, their arcs the corners, their two faces the sides of the
+// ring. Other vertices are added by local_map().
 
 /// Carries vertices of a complex into drafts and remembers where their half-edges went.
 class VertexCarrier {
  public:
-  /// A vertex and what the marks 0, 1 and kBeyond around it become.
+  /// A vertex, and what the marks 0, 1 and kBeyond around it become.
   struct Remarked {
-    VertexId vertex;
-    std::array<Mark, 3> becomes;
+    VertexId vertex;              ///< The vertex.
+    std::array<Mark, 3> becomes;  ///< The new mark for each old one.
   };
 
+  /// Keeps references to all arguments. Takes 4 bytes for each half-edge.
   VertexCarrier(const SpaceComplex& complex, SpaceDraft& draft, SphereOverlay& overlay)
       : complex_(complex),
         draft_(&draft),
         overlay_(overlay),
         point_of_(complex.origin.size(), kNone) {}
 
-  /// Forgets what was carried, in time proportional to that, and goes on with another draft.
+  /// Forgets what was carried, in time proportional to that, and continues with another draft.
   void start(SpaceDraft& draft);
 
-  /// Adds `local`, the map of v with other marks; it must be minimal.
+  /// Adds `local`, the map of v with other marks. Requires that it is minimal.
   void add(VertexId v, const LocalMap& local);
-  /// Brings the map into minimal form first; adds nothing if v is no vertex any more, and a place
-  /// inside an edge if it is that.
+  /// Brings the map into minimal form and adds it. Adds nothing if v is no longer a vertex, but a
+  /// place inside an edge if it is that.
   void add_simplified(VertexId v, LocalMap& local);
-  /// The same as add() of each, up to the first whose corners make several rings; returns how many
-  /// it added. Requires vertices with may_have_ring(), minimal with the new marks.
+  /// Adds vertices as add() does, up to the first whose corners make several rings, and returns how
+  /// many it added. Requires vertices with may_have_ring() whose maps are minimal with the new
+  /// marks.
   std::size_t add_rings(std::span<const Remarked> vertices);
-  /// Are all its edges between two facets, and is it inside none?
+  /// Whether all edges of the vertex lie between two facets and it is inside no facet. O(degree).
   bool may_have_ring(VertexId v) const;
 
-  /// Lets the two ends of every edge carried face each other.
+  /// Pairs the two ends of every edge that was carried.
   void face_ends();
 
-  /// Per half-edge: the point of the draft it became, or kNone.
+  /// Returns for each half-edge the point of the draft that it became, or kNone.
   const std::vector<std::uint32_t>& point_of() const { return point_of_; }
 
  private:
@@ -101,8 +106,8 @@ class VertexCarrier {
   SpaceDraft* draft_;
   SphereOverlay& overlay_;
   std::vector<std::uint32_t> point_of_;
-  std::vector<HalfedgeId> carried_;        // those with an entry there
-  std::vector<std::uint32_t> arc_of_use_;  // of the ring at hand
+  std::vector<HalfedgeId> carried_;        // Half-edges with an entry there.
+  std::vector<std::uint32_t> arc_of_use_;  // The arcs of the corners of the vertex at hand.
   std::vector<std::uint32_t> origin_ids_;
   SphereOrigins kept_;
 };

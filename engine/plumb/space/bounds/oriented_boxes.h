@@ -1,28 +1,28 @@
-// The pairs of triangles that come close to each other among many thin ones that run in many
+// Pairs of triangles that come close to each other among many thin ones that run in many
 // directions, where boxes along any one set of axes nearly all meet: a tree whose every node has a
-// box along its own part of the triangles.
+// box along the axes of its own triangles.
 //
 // Main flow of building: the principal axes of all corners (space_boxes.h) and the extents along
-// them are the box. Below it are two nodes:
+// them make the box of a node. Below it are two nodes:
 //  1. a group    of triangles within which no pairs are asked for (triangle_crossing.h), if it is a
 //                large part, and the rest
-//  2. the long   triangles, where there are some, and the short ones, whose boxes would else be as
-//                long
+//  2. the long   triangles, if there are some, and the short ones, whose boxes would otherwise be
+//                as long
 //  3. halves     on either side of the median along the axis on which the triangles' middles are
 //                spread most
 //
-// Two boxes are apart where they are along one of their six axes. (Nine more directions, across an
-// axis of each, would tell all cases.) Before, boxes along the coordinate axes are compared: those
+// Two boxes are apart if they are so along one of their six axes. (Nine more directions, across an
+// axis of each, would decide all cases.) Boxes along the coordinate axes are compared before; those
 // need no slack.
 //
 // Notation: a box holds every middle + sum t_k axis_k with |t_k| <= half_k. Axes are unit vectors
-// at right angles but for some 100 roundings; halves have been widened by 2^-40 of the way to the
-// farthest corner, which pays for that, and the same share of all that is summed pays in a
-// comparison.
+// at right angles up to some 100 roundings. Halves have been widened by 2^-40 of the distance to
+// the farthest corner, which covers that, and the same share of all that is summed covers the
+// roundings of a comparison.
 //
-// Cost: O(n log n) to build, about 1 us a triangle; a comparison ~30 ns. Memory: 300 bytes a
-// triangle, 420 at most, and 96 for its corners. Source: Gottschalk, Lin, Manocha, "OBBTree",
-// SIGGRAPH 1996.
+// Cost: O(n log n) to build, about 1 us a triangle; a comparison about 30 ns. Memory: 300 bytes a
+// triangle, 420 at most, and 96 for its corners. Source: S. Gottschalk, M. Lin, D. Manocha,
+// OBBTree: a hierarchical structure for rapid interference detection, SIGGRAPH (1996).
 #pragma once
 
 #include <array>
@@ -38,20 +38,23 @@
 
 namespace plumb {
 
+/// The tree.
 class OrientedBoxTree {
  public:
-  using Triangle = std::array<PointBox, 3>;  ///< by boxes of its corners, finite or not
+  using Triangle = std::array<PointBox, 3>;  ///< The boxes of its corners, finite or not.
 
-  static constexpr std::uint32_t kNoGroup = ~std::uint32_t{0};
+  static constexpr std::uint32_t kNoGroup = ~std::uint32_t{0};  ///< Names no group.
 
-  /// `groups`: per triangle the number of its group, less than the number of triangles, or
-  /// kNoGroup; empty: of all. on_step() is called for each triangle of each node.
+  /// Builds the tree. `groups` has for each triangle the number of its group, less than the number
+  /// of triangles, or kNoGroup; if it is empty, no triangle has a group. on_step() is called for
+  /// each triangle of each node.
   explicit OrientedBoxTree(std::span<const Triangle> triangles,
                            std::span<const std::uint32_t> groups = {},
                            const std::function<void()>& on_step = {});
 
-  /// visit(i, j) for all pairs of triangles that meet, but those of one group, and of others that
-  /// are near; each pair once. on_step() is called for each pair of nodes that is looked at.
+  /// Calls visit(i, j) for all pairs of triangles that meet, and for some that are near, except
+  /// pairs of one group; each pair once. on_step() is called for each pair of nodes that is
+  /// compared.
   template <class Visit, class OnStep>
   void for_each_pair_inside(Visit&& visit, OnStep&& on_step) const {
     if (!nodes_.empty()) descend_inside(0, visit, on_step);
@@ -60,19 +63,21 @@ class OrientedBoxTree {
  private:
   static constexpr std::uint32_t kLeaf = 2;
 
+  /// A node with the triangles order_[begin], ..., order_[end - 1].
   struct Node {
-    Box3 box;  ///< along the coordinate axes
+    Box3 box;  ///< The box along the coordinate axes.
     Vector3 middle;
     Matrix3 axis;
     Vector3 half;
-    std::uint32_t begin;  ///< into order_
+    std::uint32_t begin;  ///< Its first triangle in order_.
     std::uint32_t end;
-    std::uint32_t second;  ///< the second node below, the first comes next; 0: a leaf
-    std::uint32_t group;   ///< of all its triangles, or kNoGroup
+    std::uint32_t second;  ///< The second node below it, 0 for a leaf. The first one comes next.
+    std::uint32_t group;   ///< The group of all its triangles, or kNoGroup.
     bool is_leaf() const { return second == 0; }
     double size() const { return half[0] + half[1] + half[2]; }
     bool is_with(const Node& n) const { return group != kNoGroup && group == n.group; }
   };
+  /// The group with the most triangles of a node.
   struct LargestGroup {
     std::uint32_t group = kNoGroup;
     std::uint32_t count = 0;
@@ -89,6 +94,7 @@ class OrientedBoxTree {
   std::uint32_t group_of(std::uint32_t triangle) const {
     return groups_.empty() ? kNoGroup : groups_[triangle];
   }
+  /// Visits a pair of triangles, unless they are in one group.
   template <class Visit>
   void take(std::uint32_t i, std::uint32_t j, Visit& visit) const {
     if (group_of(i) == kNoGroup || group_of(i) != group_of(j)) visit(i, j);
@@ -101,13 +107,14 @@ class OrientedBoxTree {
   void descend(std::uint32_t m, std::uint32_t n, Visit& visit, OnStep& on_step) const;
 
   std::vector<std::uint32_t> order_;
-  std::vector<double> key_;     // per triangle: a place along an axis of the node at hand
-  std::vector<double> length_;  // per triangle: of its longest side, along the coordinate axes
-  std::vector<std::uint32_t> groups_;  // per triangle
-  std::vector<std::uint32_t> count_;   // per group: triangles of the node at hand
-  std::vector<Node> nodes_;            // each before those below it
+  std::vector<double> key_;            // The place of each triangle along an axis of the node.
+  std::vector<double> length_;         // The longest side of each triangle, by coordinate axes.
+  std::vector<std::uint32_t> groups_;  // The group of each triangle.
+  std::vector<std::uint32_t> count_;   // The triangles of each group in the node at hand.
+  std::vector<Node> nodes_;            // The nodes, each before those below it.
 };
 
+// Visits the pairs of triangles within one node.
 template <class Visit, class OnStep>
 void OrientedBoxTree::descend_inside(std::uint32_t n, Visit& visit, OnStep& on_step) const {
   const Node& node = nodes_[n];
@@ -122,6 +129,7 @@ void OrientedBoxTree::descend_inside(std::uint32_t n, Visit& visit, OnStep& on_s
   }
 }
 
+// Visits the pairs of one triangle in each of two nodes; the larger node is opened.
 template <class Visit, class OnStep>
 void OrientedBoxTree::descend(std::uint32_t m, std::uint32_t n, Visit& visit,
                               OnStep& on_step) const {

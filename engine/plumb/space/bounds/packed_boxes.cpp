@@ -1,3 +1,12 @@
+// Packs boxes into 12 bytes each and sorts them along a Morton curve.
+//
+// Coordinates become cells of one grid by monotone arithmetic, so that boxes that meet still meet.
+// The tree is not built if it would be of little use: if many boxes lie within one cell, where all
+// of them meet, or if more than 256 in a row have one code, whose order then says nothing. Unused
+// slots of the last group hold a box beyond all cells, which meets nothing, not even itself.
+//
+// Tested by tests/space/mesh_crossings_test.cpp.
+
 #include "plumb/space/bounds/packed_boxes.h"
 
 #include <algorithm>
@@ -6,18 +15,20 @@
 namespace plumb {
 namespace {
 
-constexpr int kLast = 0xfffd;             // cell; 2 places more, where nothing is
-constexpr int kMiddle = 0x7fff;           // subtracted from cells, for places to be signed
-constexpr std::size_t kMostPoints = 64;   // boxes within a cell: as many may all meet
-constexpr std::size_t kPointShare = 8;    // of all boxes, one in so many may be one as well
-constexpr std::size_t kLongestRun = 256;  // of one code: the order says nothing of those
+constexpr int kLast = 0xfffd;             // The last cell. One place more on both sides is empty.
+constexpr int kMiddle = 0x7fff;           // Subtracted from cells, which makes places signed.
+constexpr std::size_t kMostPoints = 64;   // So many boxes may lie within one cell in any case.
+constexpr std::size_t kPointShare = 8;    // One box in so many may lie within one cell besides.
+constexpr std::size_t kLongestRun = 256;  // So many boxes of one code may follow each other.
 
+/// Returns the box around all boxes.
 Box3 box_around(std::span<const Box3> boxes) {
   Box3 all;
   for (const Box3& box : boxes) all.add(box);
   return all;
 }
 
+/// Returns the places of a point.
 std::array<std::int16_t, 3> places(const CellGrid& grid, const std::array<double, 3>& at) {
   std::array<std::int16_t, 3> places;
   const std::array<std::uint32_t, 3> cell = grid.cell(at);
@@ -43,7 +54,7 @@ void PackedBoxTree::Group::set(std::uint32_t i, const Box& b) {
   }
 }
 
-/// Beyond all cells on both sides: it meets nothing, itself neither.
+/// Returns a box beyond all cells on both sides: it meets nothing, not even itself.
 constexpr PackedBoxTree::Box PackedBoxTree::nowhere() {
   constexpr Place least = std::numeric_limits<Place>::min(),
                   most = std::numeric_limits<Place>::max();
@@ -62,6 +73,7 @@ PackedBoxTree::PackedBoxTree(std::span<const Box3> boxes) {
   }
 }
 
+/// Returns the boxes in groups of eight, the last one filled up.
 PackedBoxTree::Level PackedBoxTree::groups_of(std::span<const Box> boxes) {
   Level level((boxes.size() + kWidth - 1) / kWidth);
   for (std::uint32_t i = 0; i < kWidth * level.size(); ++i) {
@@ -70,7 +82,7 @@ PackedBoxTree::Level PackedBoxTree::groups_of(std::span<const Box> boxes) {
   return level;
 }
 
-/// The box around each group.
+/// Returns the box around each group.
 std::vector<PackedBoxTree::Box> PackedBoxTree::around(const Level& level) {
   std::vector<Box> boxes;
   boxes.reserve(level.size());
@@ -81,6 +93,7 @@ std::vector<PackedBoxTree::Box> PackedBoxTree::around(const Level& level) {
   return boxes;
 }
 
+/// Returns the boxes by their places, and sets fits_; returns nothing if the grid is not finite.
 std::vector<PackedBoxTree::Box> PackedBoxTree::pack(std::span<const Box3> boxes) {
   std::vector<Box> packed;
   const CellGrid grid(box_around(boxes), kLast);
@@ -95,7 +108,7 @@ std::vector<PackedBoxTree::Box> PackedBoxTree::pack(std::span<const Box3> boxes)
   return packed;
 }
 
-/// In Morton order of their middles. False: too many are in one place.
+/// Sorts the boxes in Morton order of their middles. Returns false if too many are in one place.
 bool PackedBoxTree::sort(std::span<const Box> boxes) {
   std::vector<MortonCoded> sorted;
   sorted.reserve(boxes.size());

@@ -1,6 +1,9 @@
+// Morton order, and pairs of boxes that meet.
+//
 // Morton order: cells of a grid, codes of 10 bits an axis, and sorting by them. BoxTree
 // (box_tree.h) has an order of its own, of 21 bits an axis and finer where places are crowded,
-// which takes twice as long.
+// which takes twice as long. Source: G. Morton, A computer oriented geodetic data base and a new
+// technique in file sequencing, IBM (1966).
 #pragma once
 
 #include <algorithm>
@@ -17,10 +20,11 @@
 
 namespace plumb {
 
-/// Cells 0 to `last` along each axis, all around a box. Where the box has no extent to speak of all
-/// is in cell 0.
+/// A grid of cells 0 to `last` along each axis, all around a box. If the box has no extent to speak
+/// of, all is in cell 0.
 class CellGrid {
  public:
+  /// Divides the box into last + 1 cells along each axis.
   CellGrid(const Box3& around, std::uint32_t last) : low_(around.low), last_(last) {
     for (std::size_t i = 0; i < 3; ++i) {
       const double extent = around.high[i] - around.low[i];
@@ -28,10 +32,11 @@ class CellGrid {
       scale_[i] = extent > 0x1p-900 ? last / extent : 0;
     }
   }
+  /// Whether the extent of the box is finite along all axes.
   bool is_finite() const { return is_finite_; }
 
-  /// Of a point of the box. Monotone in every coordinate: each step of the arithmetic is. Requires
-  /// is_finite().
+  /// Returns the cell of a point of the box. It is monotone in every coordinate, as each step of
+  /// the arithmetic is. Requires is_finite().
   std::array<std::uint32_t, 3> cell(const std::array<double, 3>& at) const {
     std::array<std::uint32_t, 3> cell;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -49,13 +54,13 @@ class CellGrid {
 
 /// An item with its code.
 struct MortonCoded {
-  std::uint32_t code;
-  std::uint32_t item;
+  std::uint32_t code;  ///< Its Morton code, of 30 bits.
+  std::uint32_t item;  ///< Its number.
 };
 
-/// The bits of three numbers of 10 bits, interleaved; those of the first are the highest.
+/// Returns the bits of three numbers of 10 bits, interleaved; those of the first are the highest.
 inline std::uint32_t morton_code(const std::array<std::uint32_t, 3>& cell) {
-  const auto spread = [](std::uint32_t x) {  // bit i becomes bit 3i
+  const auto spread = [](std::uint32_t x) {  // Bit i becomes bit 3 i.
     x = (x | x << 16) & 0x030000ffU;
     x = (x | x << 8) & 0x0300f00fU;
     x = (x | x << 4) & 0x030c30c3U;
@@ -64,7 +69,8 @@ inline std::uint32_t morton_code(const std::array<std::uint32_t, 3>& cell) {
   return spread(cell[0]) << 2 | spread(cell[1]) << 1 | spread(cell[2]);
 }
 
-/// Items of equal codes keep their order. Three passes by a digit.
+/// Sorts by codes of 30 bits; items of equal codes keep their order. Three passes, by 10 bits each:
+/// O(n).
 inline void sort_by_code(std::vector<MortonCoded>& items) {
   std::vector<MortonCoded> to(items.size());
   constexpr std::uint32_t kDigitBits = 10;
@@ -81,44 +87,46 @@ inline void sort_by_code(std::vector<MortonCoded>& items) {
   }
 }
 
-// The pairs of boxes that meet among many of about one scale, such as those of the triangles of a
+// Pairs of boxes that meet among many boxes of about one scale, such as those of the triangles of a
 // mesh: a tree like BoxTree (box_tree.h) whose boxes take 12 bytes instead of 48, and where a box
 // is compared with eight others at a time.
 //
 // Notation: a place is a coordinate on a grid of 2^16 - 2 cells an axis around all boxes. Places
-// follow coordinates monotonically, so boxes that meet still do; some that do not now may. A group
-// is eight boxes that are neighbours in a Morton order, their places side by side; level 0 has the
-// boxes themselves, box i of a level above goes around group i of the one below.
+// follow coordinates monotonically, so boxes that meet still do; some that do not may now. A group
+// is eight boxes that are neighbours in a Morton order, their places side by side. Level 0 has the
+// boxes themselves; box i of a level above goes around group i of the one below.
 //
-// Requires boxes that the grid tells apart (fits()): for others, of many scales or with infinite
-// bounds, use BoxTree. Nor does fits() say all: very many boxes may share places along one axis. So
-// a search asks before each step whether to go on, and who counts the steps turns to another tree
-// when they are far more than the boxes. Cost: O(n) to build, ~30 ns a box; a comparison of a box
-// with a group ~5 ns. Memory: 18 bytes a box.
+// The tree requires boxes that the grid separates (fits()). For others, of many scales or with
+// infinite bounds, use BoxTree. Even with fits(), very many boxes may share places along one axis.
+// So a search asks before each step whether to continue, and a caller that counts steps can change
+// to another tree when they are far more than the boxes. Cost: O(n) to build, about 30 ns a box; a
+// comparison of a box with a group about 5 ns. Memory: 18 bytes a box.
 
+/// The tree. Immutable after construction.
 class PackedBoxTree {
  public:
+  /// Builds the tree, unless the boxes do not fit.
   explicit PackedBoxTree(std::span<const Box3> boxes);
 
-  /// Are most boxes larger than a cell, and few in the same place of the order? If not, nothing was
-  /// built.
+  /// Whether most boxes are larger than a cell, and few are in the same place of the order. If not,
+  /// nothing was built.
   bool fits() const { return fits_; }
 
-  /// visit(i, j) for every two different boxes that meet, and some that do not; each pair once.
-  /// may_go_on() is asked before every step: a group, a pair of groups or of boxes that meet.
-  /// False: it said no, and pairs are missing. Requires fits().
+  /// Calls visit(i, j) for every two different boxes that meet, and for some that do not; each pair
+  /// once. may_go_on() is asked before every step: a group, a pair of groups, or a pair of boxes
+  /// that meet. Returns false if it said no, so that pairs are missing. Requires fits().
   template <class Visit, class MayGoOn>
   bool for_each_pair_inside(Visit&& visit, MayGoOn&& may_go_on) const {
     return for_each_pair_in_order(
         [&](std::uint32_t i, std::uint32_t j) { visit(order_[i], order_[j]); }, may_go_on);
   }
-  /// The same, with their places in order() for the boxes: what is looked at for many pairs may be
-  /// kept in that order.
+  /// Does the same with the indices of boxes in order(): a caller may keep what it reads for many
+  /// pairs in that order.
   template <class Visit, class MayGoOn>
   bool for_each_pair_in_order(Visit&& visit, MayGoOn&& may_go_on) const {
     return levels_.empty() || inside(levels_.size() - 1, 0, visit, may_go_on);
   }
-  /// The boxes, neighbours together.
+  /// Returns the numbers of the boxes, neighbours together.
   std::span<const std::uint32_t> order() const { return order_; }
 
  private:
@@ -127,11 +135,13 @@ class PackedBoxTree {
   using Places __attribute__((vector_size(kWidth * sizeof(Place)))) = Place;
   using Flags __attribute__((vector_size(kWidth))) = std::int8_t;
 
+  /// A box by its places.
   struct Box {
     std::array<Place, 3> low;
     std::array<Place, 3> high;
     void add(const Box& b);
   };
+  /// Eight boxes, side by side for one vector instruction each.
   struct Group {
     std::array<Places, 3> low;
     std::array<Places, 3> high;
@@ -141,7 +151,7 @@ class PackedBoxTree {
     }
     void set(std::uint32_t i, const Box& b);
 
-    /// Bit 8i: box i meets b.
+    /// Returns a word whose bit 8 i is 1 if box i meets b.
     std::uint64_t meeting(const Box& b) const {
       const Places apart = (low[0] > b.high[0]) | (low[1] > b.high[1]) | (low[2] > b.high[2]) |
                            (high[0] < b.low[0]) | (high[1] < b.low[1]) | (high[2] < b.low[2]);
@@ -153,7 +163,7 @@ class PackedBoxTree {
   };
   using Level = std::vector<Group>;
 
-  /// Which box of a group the lowest bit stands for.
+  /// Returns the box of a group for which the lowest bit stands.
   static std::uint32_t first_of(std::uint64_t bits) {
     return static_cast<std::uint32_t>(std::countr_zero(bits)) / kWidth;
   }
@@ -164,10 +174,11 @@ class PackedBoxTree {
   static Level groups_of(std::span<const Box> boxes);
   static std::vector<Box> around(const Level& level);
 
-  // Boxes i and j are counted through their level. False: stopped.
+  // Visits the pairs of boxes below one group. Boxes i and j are counted through their level.
+  // Returns false if it was stopped.
   template <class MayGoOn, class Take>
   bool inside(std::size_t level, std::uint32_t group, Take& take, MayGoOn& may_go_on) const;
-  /// Of the boxes i and j, which meet, or one each of those within them.
+  /// Visits the pair of boxes i and j, which meet; above level 0, the pairs of one box within each.
   template <class MayGoOn, class Take>
   bool between(std::size_t level, std::uint32_t i, std::uint32_t j, Take& take,
                MayGoOn& may_go_on) const {
@@ -181,11 +192,11 @@ class PackedBoxTree {
                       MayGoOn& may_go_on) const;
 
   bool fits_ = false;
-  std::vector<std::uint32_t> order_;  // numbers of the boxes, neighbours together
+  std::vector<std::uint32_t> order_;  // Numbers of the boxes, neighbours together.
   std::vector<Level> levels_;
 };
 
-/// Of the boxes below one group.
+// Each box of the group is compared with the later ones of its group; `later` masks the others.
 template <class MayGoOn, class Take>
 bool PackedBoxTree::inside(std::size_t level, std::uint32_t group, Take& take,
                            MayGoOn& may_go_on) const {
@@ -206,7 +217,8 @@ bool PackedBoxTree::inside(std::size_t level, std::uint32_t group, Take& take,
   return true;
 }
 
-/// Of one box each within the boxes i and j, which meet.
+// Boxes of group i are compared with the box around group j first, then with its eight boxes at
+// once.
 template <class MayGoOn, class Take>
 bool PackedBoxTree::between_groups(std::size_t level, std::uint32_t i, std::uint32_t j, Take& take,
                                    MayGoOn& may_go_on) const {

@@ -1,3 +1,14 @@
+// Boxes around points and cells, and frames of axes for them.
+//
+// Invariant: every box surely holds its cell, whatever rounding and flushing of subnormals to zero
+// do; bounds are stated at each sum. A cell lies within the box of its vertices, as cells are parts
+// of planes and lines between them. The number of expected pairs is an estimate and decides about
+// speed only: for boxes at random places the probability that two overlap along an axis is about
+// the sum of their mean sides, divided by the width of all.
+//
+// Tested by tests/space/find_contacts_test.cpp, tests/space/mesh_crossings_test.cpp and
+// tests/space/space_locator_test.cpp.
+
 #include "plumb/space/complex/space_boxes.h"
 
 #include <algorithm>
@@ -10,6 +21,7 @@ namespace plumb {
 
 namespace {
 
+/// Returns the box of all of space.
 Box3 everywhere() {
   constexpr double kInfinity = Box3::kInfinity;
   return {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
@@ -17,8 +29,8 @@ Box3 everywhere() {
 
 }  // namespace
 
-// A sum of two doubles is off by one rounding, 2^-52 of it, and by what flushing subnormal operands
-// loses.
+// A sum of two doubles is off by one rounding, 2^-52 of it at most, and by what flushing subnormal
+// operands loses.
 Box3 box_of(const PointBox& point) {
   if (point.radius == 0) return {point.mid, point.mid};
   Box3 box;
@@ -37,6 +49,7 @@ Box3 box_of_constructed(const Point3Table& points, SpacePoint p) {
   Box3 box = box_of(points.near_box(p));
   for (std::size_t i = 0; i < 3; ++i) {
     if (point.mid[i] == 0) continue;
+    // The far part of the point is not 0 along this axis: it is beyond all doubles.
     const bool is_above = point.mid[i] > 0;
     box.low[i] = is_above ? std::numeric_limits<double>::max() : -Box3::kInfinity;
     box.high[i] = is_above ? Box3::kInfinity : std::numeric_limits<double>::lowest();
@@ -71,7 +84,9 @@ namespace {
 
 constexpr Matrix3 kCoordinateAxes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-/// A turn in the plane of axes i and j that makes m[i][j] 0 (Jacobi); rows of `axes` follow.
+/// Turns the matrix in the plane of axes i and j so that m[i][j] becomes 0, and the rows of `axes`
+/// with it: one step of C. Jacobi's method. The smaller root t of t^2 + 2 theta t - 1 = 0 is the
+/// tangent of the angle.
 void rotate(Matrix3& m, Matrix3& axes, std::size_t i, std::size_t j) {
   if (m[i][j] == 0) return;
   const double theta = (m[j][j] - m[i][i]) / (2 * m[i][j]);
@@ -112,11 +127,12 @@ Matrix3 principal_axes(Matrix3 m) {
 
 namespace {
 
+/// Returns the middle of a box.
 Vector3 middle(const Box3& b) {
   return {b.low[0] / 2 + b.high[0] / 2, b.low[1] / 2 + b.high[1] / 2, b.low[2] / 2 + b.high[2] / 2};
 }
 
-/// The sum of d d^T of all edges with finite ends.
+/// Returns the sum of d d^T over the vectors d of all edges with finite ends.
 Matrix3 covariance(std::span<const SpaceComplex* const> complexes) {
   Matrix3 sum{};
   for (const SpaceComplex* c : complexes) {
@@ -142,8 +158,8 @@ BoxFrame BoxFrame::of_edges(std::span<const SpaceComplex* const> complexes) {
   return frame;
 }
 
-/// The value at the middle is off by less than 8 roundings of its terms, as are half the sides;
-/// flushed subnormals lose less than 2^-1000 (the axes' components are at most about 1).
+// The value at the middle is off by less than 8 roundings of its terms, and so are half the sides;
+// flushed subnormals lose less than 2^-1000 (the components of axes are at most about 1).
 Box3 BoxFrame::turned(const Box3& box) const {
   if (!is_turned_) return box;
   constexpr double kInfinity = Box3::kInfinity;
@@ -186,6 +202,8 @@ Box3 BoxFrame::box_of(const SpaceComplex& complex, FacetId f) const {
   return box;
 }
 
+// The pairs of all boxes, times for each axis the part of the whole width that both mean sides
+// have.
 double expected_pairs(std::span<const Box3> a, std::span<const Box3> b) {
   Box3 all;
   Vector3 sides{};
@@ -201,6 +219,7 @@ double expected_pairs(std::span<const Box3> a, std::span<const Box3> b) {
   for (std::size_t k = 0; k < 3; ++k) {
     const double width = all.high[k] - all.low[k];
     if (!std::isfinite(sides[k])) return std::numeric_limits<double>::infinity();
+    // Boxes as wide as everything overlap along this axis in any case.
     if (sides[k] < width) pairs *= sides[k] / width;
   }
   return pairs;

@@ -1,5 +1,5 @@
-// Boxes of doubles around the items of a complex, surely large enough. Of an input point: the point
-// itself.
+// Boxes of doubles around the cells of a complex, surely large enough. The box of an input point is
+// the point itself. The second part has boxes along other axes than the coordinate axes.
 #pragma once
 
 #include <array>
@@ -11,53 +11,60 @@
 
 namespace plumb {
 
-/// Around a point. Infinite when nothing is known of it.
+/// Returns a box around a point; infinite if nothing is known of it.
 Box3 box_of(const PointBox& point);
-/// A point of the frame is beyond all numbers along the axes along which R moves it.
+/// Returns a box around a constructed point. A point of the frame is beyond all numbers along the
+/// axes along which R moves it.
 Box3 box_of_constructed(const Point3Table& points, SpacePoint p);
+/// Returns a box around any point of a table.
 inline Box3 box_of(const Point3Table& points, SpacePoint p) {
   if (!p.is_input()) return box_of_constructed(points, p);
   const Point3& at = points.planes().point(p.input());
   return {{at.x, at.y, at.z}, {at.x, at.y, at.z}};
 }
 
+/// Returns a box around a vertex.
 inline Box3 box_of(const SpaceComplex& complex, VertexId v) {
   return box_of(complex.points(), complex.vertex_point[v.value()]);
 }
+/// Returns a box around an edge.
 Box3 box_of(const SpaceComplex& complex, EdgeId e);
-/// O(its outer cycle).
+/// Returns a box around a facet. O(length of its outer cycle).
 Box3 box_of(const SpaceComplex& complex, FacetId f);
-/// Around all vertices.
+/// Returns a box around all vertices. O(n).
 Box3 box_of(const SpaceComplex& complex);
 
 // The directions in which a cloud of points extends, for boxes that lie along it.
 
 using Vector3 = std::array<double, 3>;
-using Matrix3 = std::array<Vector3, 3>;  ///< rows
+using Matrix3 = std::array<Vector3, 3>;  ///< Three rows.
 
-/// Unit vectors, the eigenvectors of a symmetric matrix, as rows (Jacobi): at right angles but for
-/// some roundings. The coordinate axes where numbers are not finite.
+/// Returns the eigenvectors of a symmetric matrix as rows (Jacobi's method): unit vectors at right
+/// angles up to some roundings. Returns the coordinate axes if numbers are not finite.
 Matrix3 principal_axes(Matrix3 m);
 
 // Boxes along other directions than the coordinate axes: thin parts along a diagonal have large
 // boxes that all meet, but small ones in a frame of their own.
 //
-// A frame is three linear functions; boxes hold their values. What they are decides about speed
-// alone: boxes are surely large enough in any. The frame of edges has the eigenvectors of their
-// covariance.
+// A frame is three linear functions; boxes hold their values. The choice of a frame has influence
+// on speed alone: boxes are surely large enough in any. The frame of edges has the eigenvectors of
+// their covariance. (It has nothing to do with the frame of unbounded sets.)
 
+/// A frame for boxes.
 class BoxFrame {
  public:
-  /// The coordinate axes.
+  /// Makes the frame of the coordinate axes.
   BoxFrame() = default;
-  /// The directions that the edges run in, longer ones counting more.
+  /// Returns the frame of the directions in which edges run; longer ones count more. O(edges).
   static BoxFrame of_edges(std::span<const SpaceComplex* const> complexes);
 
-  /// Around all of a box of the coordinate axes. Infinite if that is.
+  /// Returns a box of this frame around a box of the coordinate axes; infinite if that is.
   Box3 turned(const Box3& box) const;
-  /// Of facets the outer cycle.
+  /// Returns a box of this frame around a facet, that is around its outer cycle.
   Box3 box_of(const SpaceComplex& complex, FacetId f) const;
+  /// Returns a box of this frame around an edge.
   Box3 box_of(const SpaceComplex& complex, EdgeId e) const;
+  /// Returns a box of this frame around a vertex.
   Box3 box_of(const SpaceComplex& complex, VertexId v) const;
 
  private:
@@ -65,13 +72,14 @@ class BoxFrame {
   bool is_turned_ = false;
 };
 
-/// How many pairs of boxes, one of each, would meet if they lay anywhere within all. Not finite
-/// where boxes are not.
+/// Returns how many pairs of boxes, one of each list, would meet if they lay at random places
+/// within the box around all. Not finite if boxes are not.
 double expected_pairs(std::span<const Box3> a, std::span<const Box3> b);
 
-/// Are there so many that another frame is worth a try, `items` being the number of boxes?
+/// Whether so many pairs are expected that another frame is worth a try. `items` is the number of
+/// boxes.
 bool has_many_pairs(double expected, std::size_t items);
-/// Is another frame with so many of them worth its use?
+/// Whether another frame with so many expected pairs is worth its use.
 constexpr bool is_better_frame(double expected, double than) { return expected < than / 4; }
 
 }  // namespace plumb

@@ -1,3 +1,11 @@
+// Copying, merging and compacting the tables of planes and points.
+//
+// Ids are indices: merging appends input points and constructed points after those of the other
+// table, so one offset each maps them; planes are interned again, since equal ones must have one
+// id. Compacting keeps with every object all that defines it, and keeps the order of ids.
+//
+// Tested by tests/space/space_tables_test.cpp.
+
 #include "plumb/space/complex/space_tables.h"
 
 #include <array>
@@ -22,6 +30,7 @@ std::shared_ptr<SpaceTables> copy(const SpaceTables& tables) {
   return std::make_shared<SpaceTables>(PlaneTable(tables.planes), tables.points);
 }
 
+// Planes first: constructed points refer to them by their new ids.
 TableMap merge(SpaceTables& into, const SpaceTables& other) {
   TableMap map;
   map.input_offset = static_cast<std::uint32_t>(into.planes.points().size());
@@ -35,7 +44,7 @@ TableMap merge(SpaceTables& into, const SpaceTables& other) {
 
 namespace {
 
-/// What stays, by old ids.
+/// What is kept, by old ids. Keeping an object keeps all that defines it.
 class Kept {
  public:
   explicit Kept(const SpaceTables& tables)
@@ -60,6 +69,7 @@ class Kept {
     for (std::size_t i = 0; source.is_line() && i < 2; ++i) keep(source.end(i));
   }
 
+  /// Returns the new id of each object that is kept; ids keep their order.
   template <class Id, class Make>
   static std::vector<Id> numbered(const std::vector<bool>& kept, const Make& make) {
     std::vector<Id> ids(kept.size());

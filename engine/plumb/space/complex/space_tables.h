@@ -6,7 +6,7 @@
 // An operation on two sets brings their tables together: copy() the larger one, merge() the other
 // into it, read the other set through the TableMap. What the result does not use is dropped by
 // compacted(). Equal planes have one id in a table; equal input or constructed points may have
-// several (equal() tells).
+// several (equal() decides).
 #pragma once
 
 #include <cstdint>
@@ -20,62 +20,69 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
+/// The planes and points of complexes. Not copied by accident: use copy().
 struct SpaceTables {
-  SpaceTables();
+  SpaceTables();  ///< Makes tables with planes 0, 1, 2 and no points.
+  /// Takes planes, and copies points whose ids of planes fit these.
   SpaceTables(PlaneTable planes, const Point3Table& points);
   SpaceTables(const SpaceTables&) = delete;
   SpaceTables& operator=(const SpaceTables&) = delete;
 
-  PlaneTable planes;
-  Point3Table points;  ///< of `planes`
+  PlaneTable planes;   ///< The planes, with the input points.
+  Point3Table points;  ///< Constructed points, which refer to `planes`.
 };
 
-inline constexpr PlaneId kPlaneX{0};
-inline constexpr PlaneId kPlaneY{1};
-inline constexpr PlaneId kPlaneZ{2};
+inline constexpr PlaneId kPlaneX{0};  ///< The plane x = 0.
+inline constexpr PlaneId kPlaneY{1};  ///< The plane y = 0.
+inline constexpr PlaneId kPlaneZ{2};  ///< The plane z = 0.
 
-/// The same planes and points under the same ids. Cost: that of copying the arrays.
+/// Returns the same planes and points under the same ids. Costs as copying the arrays.
 std::shared_ptr<SpaceTables> copy(const SpaceTables& tables);
 
-/// Where the planes and points of a merged table are.
+/// Maps the ids of a table to those in the table into which it was merged.
 struct TableMap {
-  std::vector<PlaneId> plane;
-  std::uint32_t input_offset = 0;
-  std::uint32_t point_offset = 0;
+  std::vector<PlaneId> plane;      ///< The new id of each plane.
+  std::uint32_t input_offset = 0;  ///< What is added to ids of input points.
+  std::uint32_t point_offset = 0;  ///< What is added to ids of constructed points.
 
+  /// Returns the new id of a plane.
   PlaneId operator()(PlaneId p) const { return plane[p.value()]; }
+  /// Returns the new id of a point.
   SpacePoint operator()(SpacePoint p) const {
     if (p.is_input()) return SpacePoint(InputPointId(p.input().value() + input_offset));
     return SpacePoint::constructed(p.index() + point_offset);
   }
 };
 
-/// Adds the planes and points of `other`, which must be another table. Signs of planes and points
-/// are those of their images: canonical orientation belongs to the plane.
-/// Cost: a hash look-up a plane; points are copied.
+/// Adds the planes and points of `other`, which must be another table, and returns their new ids.
+/// Signs of planes and points are those of their images, as the canonical orientation belongs to
+/// the plane. Costs a hash look-up for each plane; points are copied.
 TableMap merge(SpaceTables& into, const SpaceTables& other);
 
-/// Tables with only what is needed, and the new ids. Dropped: invalid.
+/// Tables with only what is needed, and the new ids. Ids of what was dropped are invalid.
 struct CompactedTables {
-  std::shared_ptr<SpaceTables> tables;
-  std::vector<PlaneId> plane;
-  std::vector<InputPointId> input;
-  std::vector<SpacePoint> constructed;
+  std::shared_ptr<SpaceTables> tables;  ///< The new tables.
+  std::vector<PlaneId> plane;           ///< The new id of each plane.
+  std::vector<InputPointId> input;      ///< The new id of each input point.
+  std::vector<SpacePoint> constructed;  ///< The new id of each constructed point.
 
+  /// Returns the new id of a plane.
   PlaneId operator()(PlaneId p) const { return plane[p.value()]; }
+  /// Returns the new id of a point.
   SpacePoint operator()(SpacePoint p) const {
     return p.is_input() ? SpacePoint(input[p.input().value()]) : constructed[p.index()];
   }
 };
 
-/// Keeps the given planes and points, the planes that define those points, the input points that
-/// define all of these, and planes 0 to 2; ids keep their order. A wall whose parents are dropped
-/// stays the same plane but is_wall_of() forgets it. Cost: linear in the tables.
+/// Returns tables with the given planes and points, the planes that define those points, the input
+/// points that define all of these, and planes 0 to 2; ids keep their order. A wall whose parents
+/// are dropped remains the same plane, but is_wall_of() no longer knows them. O(size of the
+/// tables).
 CompactedTables compacted(const SpaceTables& tables, std::span<const PlaneId> planes,
                           std::span<const SpacePoint> points);
 
-/// A point with any exact coordinates: an input point if doubles hold all three, else the common
-/// point of planes parallel to the coordinate planes.
+/// Adds a point with any exact coordinates and returns it: an input point if doubles hold all
+/// three, else the common point of planes parallel to the coordinate planes.
 SpacePoint add_point(SpaceTables& tables, const RationalPoint3& at);
 
 }  // namespace plumb

@@ -1,3 +1,7 @@
+// Memory of a complex, and dropping planes and points that it does not use.
+//
+// Tested by tests/space/nef3_queries_test.cpp.
+
 #include "plumb/space/complex/tidy_tables.h"
 
 #include <algorithm>
@@ -15,7 +19,7 @@ std::size_t bytes_of(const std::vector<T>&... arrays) {
 }
 
 std::size_t bytes_of(const PlaneTable& planes) {
-  constexpr std::size_t kIndexBytes = 36;  // a plane
+  constexpr std::size_t kIndexBytes = 36;  // The bytes of the index for each plane.
   std::size_t bytes = planes.points().size() * (sizeof(Point3) + sizeof(Grid));
   bytes +=
       planes.size() * (sizeof(PlaneRow) + sizeof(Fingerprint) + sizeof(PlaneSource) + kIndexBytes);
@@ -44,6 +48,7 @@ std::size_t array_bytes(const SpaceComplex& c) {
 
 namespace {
 
+/// Returns the planes of edges and facets, ascending, each once.
 std::vector<PlaneId> used_planes(const SpaceComplex& complex) {
   std::vector<std::uint8_t> is_used(complex.planes().size(), 0);
   for (const PlaneId p : complex.facet_plane) is_used[p.value()] = 1;
@@ -55,6 +60,7 @@ std::vector<PlaneId> used_planes(const SpaceComplex& complex) {
   return planes;
 }
 
+/// Returns the complex with tables of its own that have these planes and its vertices' points.
 SpaceComplex compacted(SpaceComplex complex, const std::vector<PlaneId>& planes) {
   const CompactedTables kept = compacted(*complex.tables, planes, complex.vertex_point);
   for (SpacePoint& p : complex.vertex_point) p = kept(p);
@@ -71,6 +77,8 @@ SpaceComplex with_used_tables(SpaceComplex complex) {
   return compacted(std::move(complex), planes);
 }
 
+// Compacting costs time linear in the tables; doing it only when they are twice too large keeps the
+// cost of a chain of operations linear.
 SpaceComplex with_tidy_tables(SpaceComplex complex) {
   const SpaceTables& tables = *complex.tables;
   const std::vector<PlaneId> planes = used_planes(complex);

@@ -1,3 +1,21 @@
+// Links the facets of a mesh: edges by sorting, radial orders by signs of planes.
+//
+// Uses are put into buckets by the lesser vertex of their edge and sorted by the greater one, so no
+// hash table of pairs is needed and edges come in a canonical order. Facets that come twice have
+// equal cycles, as each starts at its least vertex; only facets that start along the same edge are
+// compared.
+//
+// An edge has two planes of its facets if there are two; else a second plane is made through the
+// edge, parallel to the coordinate axis along which the first plane is seen largest: through both
+// ends and a point straight above one of them, so that its coefficients are no longer than those of
+// an input plane (docs/design/planes-first.md, "Invariants"). Half-edge 2e then runs along n_p x
+// n_q.
+//
+// Around an edge with more than two uses the radial order is sorted by quarters and signs of turns
+// about the line; with two uses there is nothing to sort.
+//
+// Tested by tests/space/from_mesh_test.cpp.
+
 #include "plumb/space/mesh/link_facets.h"
 
 #include <algorithm>
@@ -11,6 +29,7 @@
 namespace plumb {
 namespace {
 
+/// Fills `next` and `facet`.
 void link_cycles(const MeshFacets& facets, MeshLinks& links) {
   links.next.resize(facets.corner.size());
   links.facet.resize(facets.corner.size());
@@ -23,12 +42,13 @@ void link_cycles(const MeshFacets& facets, MeshLinks& links) {
   }
 }
 
-/// Uses in buckets by their lesser vertex; in each (greater vertex, use) as one word.
+/// Uses in buckets by their lesser vertex; each entry is (greater vertex, use) as one word.
 struct Buckets {
   std::vector<std::uint32_t> begin;
   std::vector<std::uint64_t> entry;
 };
 
+/// Counts, then places the uses: begin[v + 1] serves as the place of the next entry of v.
 Buckets bucket_uses(const MeshFacets& facets, const MeshLinks& links, std::size_t vertex_count) {
   Buckets b;
   b.begin.assign(vertex_count + 2, 0);
@@ -59,7 +79,7 @@ MeshLinks link_corners(const MeshFacets& facets, std::size_t vertex_count) {
     const auto first = buckets.entry.begin() + buckets.begin[v];
     const auto last = buckets.entry.begin() + buckets.begin[v + 1];
     std::sort(first, last);
-    std::uint32_t known = ~std::uint32_t{0};  // the other end of the last edge of v
+    std::uint32_t known = ~std::uint32_t{0};  // The other end of the last edge of v.
     for (auto i = first; i != last; ++i) {
       const auto other = static_cast<std::uint32_t>(*i >> 32U);
       if (other != known) {
@@ -78,11 +98,13 @@ MeshLinks link_corners(const MeshFacets& facets, std::size_t vertex_count) {
 
 namespace {
 
+/// Finds facets with equal boundaries.
 class Doubles {
  public:
   Doubles(const MeshFacets& facets, const MeshLinks& links) : facets_(facets), links_(links) {}
 
-  /// Per facet: an earlier one with the same boundary, or itself. Empty: there is none.
+  /// Returns for each facet an earlier one with the same boundary, or itself; an empty list if
+  /// there is none.
   std::vector<std::uint32_t> find() {
     for (std::size_t e = 0; e < links_.edge_count(); ++e) {
       const auto uses = links_.uses_of(e);
@@ -94,9 +116,11 @@ class Doubles {
   }
 
  private:
-  /// Each cycle starts at its least vertex, so equal ones start with equal uses.
+  /// Whether the use begins its cycle. Each cycle starts at its least vertex, so equal ones start
+  /// with equal uses.
   bool is_first(std::uint32_t use) const { return facets_.begin[links_.facet[use]] == use; }
 
+  /// Compares the facet of a use with earlier ones that begin along the same edge.
   void compare_with_earlier(std::span<const std::uint32_t> earlier, std::uint32_t use) {
     const std::uint32_t g = links_.facet[use];
     for (const std::uint32_t other : earlier) {
@@ -116,7 +140,7 @@ class Doubles {
   std::vector<std::uint32_t> same_;
 };
 
-/// The facets that are their own `same`, with the jumps of the others.
+/// Returns the facets that are their own `same`, with the jumps of the others added.
 MeshFacets merged(const MeshFacets& facets, std::span<const std::uint32_t> same) {
   MeshFacets kept;
   kept.loose = facets.loose;
@@ -155,26 +179,27 @@ std::vector<MeshReport::FacePair> merge_doubled(MeshFacets& facets, MeshLinks& l
 
 namespace {
 
-/// A point straight above or below p, seen along an axis: the other coordinates stay, so that the
-/// plane through p, another point and this one is exactly parallel to the axis. 0 and 1 keep
-/// numbers short.
+/// Returns a point straight above or below p, seen along an axis. The other coordinates stay, so
+/// that the plane through p, another point and this one is exactly parallel to the axis. 0 and 1
+/// keep numbers short.
 Point3 moved_along(Point3 p, std::size_t axis) {
   double& c = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
   c = c == 0 ? 1 : 0;
   return p;
 }
 
-/// The planes and directions of edges of which the first plane and both ends are known.
+/// The second planes and directions of edges of which the first plane and both ends are known.
 class EdgePlanes {
  public:
   EdgePlanes(SpaceComplex& complex, SpaceTables& tables) : c_(complex), tables_(tables) {}
 
-  /// A second plane for each: through the edge, parallel to the axis along which the first one is
-  /// seen.
+  /// Gives each edge a second plane: through the edge, parallel to the axis along which the first
+  /// one is seen. It differs from the first one, which is not parallel to that axis.
   void add_second(std::span<const std::uint32_t> edges) {
     std::vector<std::array<InputPointId, 3>> triples;
     std::vector<std::uint32_t> of_inputs;
     for (const std::uint32_t e : edges) {
+      // The first plane is surely not parallel to the axis along which its normal is largest.
       const std::size_t axis = FlatView::of_plane(tables_.planes, c_.edge_planes[e][0]).axis;
       const SpacePoint a = end(2 * e), b = end(2 * e + 1);
       if (a.is_input() && b.is_input()) {
@@ -191,9 +216,10 @@ class EdgePlanes {
     }
   }
 
-  /// Does half-edge 2e run along n_p x n_q? It does from the lesser end if the two agree along the
-  /// axis in which the edge is longest.
+  /// Whether half-edge 2e runs along n_p x n_q. It does if its run and that of n_p x n_q agree
+  /// along an axis in which its ends differ; that in which they differ most is decided fastest.
   bool is_along(std::uint32_t e) const {
+    // minor_sign() is the sign of the component of n_p x n_q along the axis.
     const auto [axis, runs] = longest_axis(end(2 * e), end(2 * e + 1));
     const auto [p, q] = c_.edge_planes[e];
     return runs == minor_sign(tables_.planes, p, q, axis);
@@ -204,7 +230,7 @@ class EdgePlanes {
     return c_.vertex_point[c_.origin[halfedge].value()];
   }
 
-  /// The point straight above an input point, added once.
+  /// Returns the point straight above an input point, which is added once.
   InputPointId above(InputPointId p, std::size_t axis) {
     if (above_.empty()) above_.resize(tables_.planes.points().size());
     InputPointId& known = above_[p.value()][axis];
@@ -214,6 +240,7 @@ class EdgePlanes {
     return known;
   }
 
+  /// Returns the plane through a and b parallel to the axis, by coefficients.
   PlaneId rational_plane(SpacePoint a, SpacePoint b, std::size_t axis) {
     const RationalPoint3 p = exact(tables_.points, a), q = exact(tables_.points, b);
     const std::array<Rational, 3> at{p.x, p.y, p.z};
@@ -225,13 +252,14 @@ class EdgePlanes {
     return tables_.planes.intern(n[0], n[1], n[2], -(n[i] * at[i] + n[j] * at[j])).plane();
   }
 
+  /// An axis, and which way an edge runs along it.
   struct Run {
     std::size_t axis;
     Sign sign;
   };
 
-  /// An axis in which the points differ; where doubles tell, that in which they differ most. And
-  /// which way b is from a.
+  /// Returns an axis in which two points differ, and which way b is from a. Where doubles decide,
+  /// it is the axis in which they differ most.
   Run longest_axis(SpacePoint a, SpacePoint b) const {
     const auto p = tables_.points.box(a).mid, q = tables_.points.box(b).mid;
     std::size_t best = 0;
@@ -239,7 +267,7 @@ class EdgePlanes {
       if (std::fabs(q[i] - p[i]) > std::fabs(q[best] - p[best])) best = i;
     }
     if (a.is_input() && b.is_input() && q[best] - p[best] != 0) {
-      return {best, sign_of(q[best] - p[best])};  // a difference of doubles has the right sign
+      return {best, sign_of(q[best] - p[best])};  // A difference of doubles has the right sign.
     }
     if (q[best] - p[best] != 0) {
       const Sign sign = compare_axis(tables_.points, b, a, best);
@@ -252,9 +280,10 @@ class EdgePlanes {
 
   SpaceComplex& c_;
   SpaceTables& tables_;
-  std::vector<std::array<InputPointId, 3>> above_;  // of input points, along each axis
+  std::vector<std::array<InputPointId, 3>> above_;  // One entry for each input point and axis.
 };
 
+/// Makes the arrays of the complex.
 class Linker {
  public:
   Linker(const MeshFacets& facets, const MeshLinks& links, std::span<const SpacePoint> points,
@@ -296,6 +325,8 @@ class Linker {
     choose_planes();
   }
 
+  /// Whether an edge with one plane may wait for its second one: it lies between two triangles of
+  /// input points.
   bool can_be_open(std::span<const std::uint32_t> uses) const {
     return uses.size() == 2 && is_input_triangle(uses[0]) && is_input_triangle(uses[1]);
   }
@@ -307,8 +338,9 @@ class Linker {
            std::ranges::all_of(corners, [this](std::uint32_t v) { return points_[v].is_input(); });
   }
 
-  /// Two planes through every edge: of the first use, and the first other one; planes that share
-  /// a line are not parallel. Where there is none, one is made, or the edge stays open.
+  /// Chooses two planes through every edge: that of the first use, and the first different one.
+  /// Planes that share a line are not parallel. Where there is none, one is made, or the edge stays
+  /// open.
   void choose_planes() {
     out_.edge_planes.resize(links_.edge_count());
     std::vector<std::uint32_t> flat;
@@ -345,12 +377,14 @@ class Linker {
     for (std::uint32_t e = 0; e < links_.edge_count(); ++e) link_ring(e);
   }
 
+  /// Links the uses of an edge in radial order.
   void link_ring(std::uint32_t e) {
     const auto uses = links_.uses_of(e);
     for (const std::uint32_t u : uses) {
       const bool is_reverse = out_.origin[2 * e].value() != facets_.corner[u];
       out_.use_halfedge[u] = HalfedgeId(2 * e + (is_reverse ? 1 : 0));
     }
+    // Two uses follow each other in either order.
     if (uses.size() == 2) {
       out_.use_radial[uses[0]] = UseId(uses[1]);
       out_.use_radial[uses[1]] = UseId(uses[0]);
@@ -365,9 +399,11 @@ class Linker {
     out_.edge_use[e] = UseId(ring_[0]);
   }
 
-  /// Uses leave a half-edge's line along n x d (of 2e) or -n x d (of 2e + 1), so that their angles
-  /// about d are those of n and -n. Counted from the plane p = edge_planes[e][0]: 0 along n_p, 1 in
-  /// the half-turn after it, 2 along -n_p, 3 in the other half-turn.
+  /// Sorts the uses around an edge. Uses leave a half-edge's line along n x d (of 2e) or -n x d (of
+  /// 2e + 1), so their angles about d are those of n and -n. Counted from the plane p =
+  /// edge_planes[e][0] these fall into classes: 0 along n_p, 1 in the half-turn after it, 2 along
+  /// -n_p, 3 in the other half-turn. Within a half-turn the sign of the turn between two normals
+  /// orders them.
   void sort_ring(std::uint32_t e) {
     const PlaneId p = out_.edge_planes[e][0], q = out_.edge_planes[e][1];
     const auto sense = [&](std::uint32_t u) {
@@ -376,6 +412,7 @@ class Linker {
     const auto turn = [&](PlaneId m1, PlaneId m2) {
       return m1 == m2 ? Sign::Zero : turn_about_line(tables_.planes, p, q, m1, m2);
     };
+    // The class of a use by its angle about d, counted from n_p.
     const auto quarter = [&](std::uint32_t u) {
       const Sign s = turn(p, plane_of(u)) * sense(u);
       if (s == Sign::Zero) return sense(u) == Sign::Positive ? 0 : 2;
@@ -425,7 +462,7 @@ class Linker {
   std::vector<std::uint32_t> ring_;
 };
 
-/// Half-edges 2e and 2e + 1 change their names.
+/// Exchanges the names of half-edges 2e and 2e + 1. Requires an edge with two uses.
 void turn_edge(SpaceComplex& complex, std::uint32_t e) {
   const HalfedgeId h(2 * e), twin(2 * e + 1);
   const auto turned = [&](HalfedgeId g) { return g == h ? twin : h; };
@@ -453,6 +490,7 @@ SpaceComplex link_facets(const MeshFacets& facets, const MeshLinks& links,
   return complex;
 }
 
+// All second planes are interned at once, before any half-edge is turned.
 void complete_flat_edges(SpaceComplex& complex, SpaceTables& tables) {
   std::vector<std::uint32_t> flat;
   for (std::uint32_t e = 0; e < complex.edge_count(); ++e) {

@@ -1,4 +1,6 @@
-// Which corners of a mesh's facets run along which edge.
+// Edges of a mesh, and its complex. The first part finds which corners of facets run along which
+// edge and merges facets that come twice; the second makes a complex of facets that meet in common
+// vertices and edges: edges, edge uses, radial orders and stars.
 #pragma once
 
 #include <array>
@@ -12,50 +14,55 @@
 
 namespace plumb {
 
-/// Uses are numbered as MeshFacets::corner: use u leaves that corner in the canonical direction.
+/// The edges of a mesh with their edge uses (Weiler). Uses are numbered as MeshFacets::corner: use
+/// u leaves that corner in the canonical direction.
 struct MeshLinks {
-  std::vector<std::uint32_t> next;   ///< per use
-  std::vector<std::uint32_t> facet;  ///< per use
-  std::vector<std::array<std::uint32_t, 2>>
-      end;                           ///< per edge: vertices, ascending; edges ascend by them
-  std::vector<std::uint32_t> begin;  ///< edge_count() + 1 entries into use
-  std::vector<std::uint32_t> use;    ///< of edges; ascending in each
+  std::vector<std::uint32_t> next;   ///< The next use along the facet of each use.
+  std::vector<std::uint32_t> facet;  ///< The facet of each use.
+  /// The two vertices of each edge, ascending; edges are sorted by them.
+  std::vector<std::array<std::uint32_t, 2>> end;
+  std::vector<std::uint32_t> begin;  ///< Starts in `use`, edge_count() + 1 of them.
+  std::vector<std::uint32_t> use;    ///< The uses of each edge, ascending.
 
+  /// Returns the number of edges.
   std::size_t edge_count() const { return end.size(); }
+  /// Returns the uses of an edge.
   std::span<const std::uint32_t> uses_of(std::size_t e) const {
     return std::span(use).subspan(begin[e], begin[e + 1] - begin[e]);
   }
-  /// Does the use run from the lesser end to the greater one?
+  /// Whether the use runs from the lesser vertex of its edge to the greater one.
   bool is_forward(const MeshFacets& facets, std::uint32_t u) const {
     return facets.corner[u] < facets.corner[next[u]];
   }
 };
 
-/// O(n log k) for n corners, k at a vertex.
+/// Returns the edges of the facets. O(n log k) for n corners, k at a vertex.
 MeshLinks link_corners(const MeshFacets& facets, std::size_t vertex_count);
 
-/// Makes facets with equal boundaries one, with the sum of their jumps; then links again. Returns
-/// (input face, earlier input face), ascending.
+/// Merges facets with equal boundaries into one with the sum of their jumps, and links again if
+/// there are any. Returns the pairs (input face, earlier input face), ascending.
 std::vector<MeshReport::FacePair> merge_doubled(MeshFacets& facets, MeshLinks& links,
                                                 std::size_t vertex_count);
 
-// Edges, uses, radial orders and stars of facets that meet in common vertices and edges.
+// The complex of facets that meet in common vertices and edges.
 
-/// Edges between two triangles of one plane, with corners at input points: what is asked of such
-/// triangles needs no planes of edges.
+/// What is done with an edge between two triangles of one plane with corners at input points. The
+/// tests of such triangles need no planes of edges, and most of these edges are removed later.
 enum class FlatEdges : std::uint8_t {
-  Complete,  ///< have a second plane: through them, parallel to an axis
-  Open,      ///< have that one plane, and half-edges in any order, until they go or are completed
+  Complete,  ///< They get a second plane, which goes through them and is parallel to an axis.
+  Open,      ///< They keep one plane, with half-edges in any order, until they are completed.
 };
 
-/// The complex of the facets, all marks 0, volumes invalid. Adds second planes of edges at which
-/// all facets are in one plane. O(n log k) for k uses of an edge.
+/// Returns the complex of the facets, with all marks 0 and invalid volumes. `points` has the place
+/// of each vertex. Adds to the tables second planes for edges whose facets all lie in one plane.
+/// O(n log k) for k uses of an edge.
 SpaceComplex link_facets(const MeshFacets& facets, const MeshLinks& links,
                          std::span<const SpacePoint> points,
                          const std::shared_ptr<SpaceTables>& tables,
                          FlatEdges flat_edges = FlatEdges::Complete);
 
-/// Gives open edges their second planes.
+/// Gives open edges their second planes, and turns half-edges that do not run as the planes say.
+/// Requires that nobody else reads the tables meanwhile.
 void complete_flat_edges(SpaceComplex& complex, SpaceTables& tables);
 
 }  // namespace plumb

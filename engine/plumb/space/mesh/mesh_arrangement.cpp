@@ -1,3 +1,20 @@
+// Layers of a mesh, their overlay, and components that face inwards.
+//
+// Three facets of one mesh may meet in a point; then the pairs of cells that name points in a
+// Boolean are not unique. So facets are first coloured such that two that cross differ in colour: a
+// layer does not cross itself. Layers are overlaid by the Boolean's own steps, with marks under
+// which nothing is simplified.
+//
+// Invariants: every facet of the overlay lies in exactly one facet of each layer or in none, so a
+// bundle (sheets that lie upon each other) is a binary tree of pairs whose leaves are sheets, each
+// at most once; the jump of a facet is the sum of the jumps of its sheets. Proof:
+// docs/design/meshes.md, Lemmas 2 and 3.
+//
+// Components of negative volume are turned only if one of their facets borders on volume 0: one
+// that others enclose is a void.
+//
+// Tested by tests/space/mesh_arrangement_test.cpp.
+
 #include "plumb/space/mesh/mesh_arrangement.h"
 
 #include <algorithm>
@@ -22,7 +39,7 @@ struct Lists {
   }
 };
 
-/// Per facet those it crosses.
+/// Returns for each facet those that it crosses.
 Lists rivals_of(std::size_t facets, std::span<const std::pair<FacetId, FacetId>> crossings) {
   Lists lists;
   lists.begin.assign(facets + 1, 0);
@@ -40,7 +57,7 @@ Lists rivals_of(std::size_t facets, std::span<const std::pair<FacetId, FacetId>>
   return lists;
 }
 
-/// Per component its facets.
+/// Returns for each component its facets, ascending.
 Lists facets_of(std::span<const std::uint32_t> component) {
   Lists lists;
   for (const std::uint32_t c : component) {
@@ -54,6 +71,7 @@ Lists facets_of(std::span<const std::uint32_t> component) {
   return lists;
 }
 
+/// The greedy colouring. A layer is free for a facet if no facet that it crosses is there.
 class Colouring {
  public:
   Colouring(const SpaceComplex& complex, std::span<const std::uint32_t> component,
@@ -77,6 +95,7 @@ class Colouring {
   }
 
  private:
+  /// Whether two facets of one component cross.
   bool crosses_itself(std::span<const std::uint32_t> facets) const {
     return std::ranges::any_of(facets, [this](std::uint32_t f) {
       return std::ranges::any_of(rivals_[f],
@@ -84,6 +103,7 @@ class Colouring {
     });
   }
 
+  /// Puts all facets of a component into the least layer that is free for all of them.
   void keep_whole(std::span<const std::uint32_t> facets) {
     ++round_;
     for (const std::uint32_t f : facets) exclude_rivals(f);
@@ -91,12 +111,14 @@ class Colouring {
     for (const std::uint32_t f : facets) put(f, layer);
   }
 
-  /// Goes from a facet to its neighbours, breadth first, staying in one layer where that is free.
+  /// Walks from a facet to its neighbours, breadth first, and stays in one layer where that is
+  /// free.
   void spread_from(std::uint32_t start) {
     if (layers_.of_facet[start] != kNone) return;
     put_near(start, kNone);
     queue_.assign(1, start);
     for (std::size_t i = 0; i < queue_.size(); ++i) {
+      // Neighbours across an edge are those that follow in radial order.
       const UseId first = complex_.cycles_of(FacetId(queue_[i]))[0];
       UseId u = first;
       do {
@@ -110,18 +132,22 @@ class Colouring {
     }
   }
 
+  /// Puts a facet into the wanted layer if it is free, else into the least free one.
   void put_near(std::uint32_t f, std::uint32_t wanted) {
     ++round_;
     exclude_rivals(f);
     put(f, wanted != kNone && excluded_[wanted] != round_ ? wanted : least_free());
   }
 
+  /// Notes the layers that are not free for a facet. The number of the round replaces clearing the
+  /// notes.
   void exclude_rivals(std::uint32_t f) {
     for (const std::uint32_t g : rivals_[f]) {
       if (layers_.of_facet[g] != kNone) excluded_[layers_.of_facet[g]] = round_;
     }
   }
 
+  /// Returns the least layer not excluded in this round, perhaps a new one.
   std::uint32_t least_free() const {
     const auto free = std::ranges::find_if(excluded_, [this](auto r) { return r != round_; });
     return static_cast<std::uint32_t>(free - excluded_.begin());
@@ -138,12 +164,12 @@ class Colouring {
   std::span<const std::uint32_t> component_;
   Lists rivals_;
   MeshLayers layers_;
-  std::vector<std::uint64_t> excluded_;  // per layer: the round in which a rival was seen there
+  std::vector<std::uint64_t> excluded_;  // The last round with a rival in each layer.
   std::uint64_t round_ = 0;
   std::vector<std::uint32_t> queue_;
 };
 
-/// The vertices that take part, ascending.
+/// Copies the facets to `out` and returns the vertices that take part, ascending.
 std::vector<std::uint32_t> gather_corners(const SpaceComplex& complex,
                                           std::span<const FacetId> facets, MeshFacets& out) {
   for (const FacetId f : facets) {
@@ -188,12 +214,13 @@ SpaceComplex layer_of(const SpaceComplex& complex, std::span<const FacetId> face
 
 namespace {
 
-/// Numbers for sheets that lie upon each other: those below count() - pairs are sheets, others
-/// pairs of numbers.
+/// Numbers for bundles of sheets that lie upon each other. A number below the count of sheets is
+/// that sheet; any other one is a pair of numbers.
 class Bundles {
  public:
   explicit Bundles(std::uint32_t sheets) : sheets_(sheets) {}
 
+  /// Returns the number of the bundle that joins two bundles; the same for the same pair.
   std::uint32_t of_both(std::uint32_t a, std::uint32_t b) {
     const std::uint64_t key = key_of({a, b});
     const auto next = static_cast<std::uint32_t>(pairs_.size());
@@ -204,7 +231,7 @@ class Bundles {
     return sheets_ + found;
   }
 
-  /// Adds the sheets of a bundle. Each is in one layer, so none comes twice.
+  /// Appends the sheets of a bundle. Each is in one layer, so none comes twice.
   void unfold(std::uint32_t bundle, std::vector<std::uint32_t>& sheets) {
     open_.assign(1, bundle);
     while (!open_.empty()) {
@@ -226,17 +253,19 @@ class Bundles {
 
   std::uint32_t sheets_;
   std::vector<std::array<std::uint32_t, 2>> pairs_;
-  IdIndex numbers_;  // of pairs_
+  IdIndex numbers_;  // Finds a pair in pairs_.
   std::vector<std::uint32_t> open_;
 };
 
-/// A surface in which nothing can be simplified.
+/// Gives a surface marks under which nothing is simplified: kBeyond differs from the marks of
+/// facets and volumes.
 void mark_surface(SpaceComplex& complex) {
   complex.vertex_mark.assign(complex.vertex_count(), kBeyond);
   complex.edge_mark.assign(complex.edge_count(), kBeyond);
   complex.facet_mark.assign(complex.facet_count(), 1);
 }
 
+/// The overlay of all layers of one mesh, over a copy of its tables.
 class Arranger {
  public:
   Arranger(const MeshComplex& mesh, Context& context)
@@ -257,7 +286,8 @@ class Arranger {
   Bundles& bundles() { return bundles_; }
 
  private:
-  /// Of the layers from `first` to before `last`.
+  /// Returns the overlay of layers first, ..., last - 1, as a balanced tree: then each facet takes
+  /// part in O(log layers) overlays.
   SpaceComplex overlay(std::size_t first, std::size_t last) {
     if (last - first == 1) {
       SpaceComplex layer = layer_of(mesh_.complex, facets_[first], tables_, context_);
@@ -266,6 +296,8 @@ class Arranger {
     }
     const std::size_t middle = first + (last - first) / 2;
     const SpaceComplex a = overlay(first, middle), b = overlay(middle, last);
+    // The union of facets with mark 1 in volumes with mark 0; a facet in both layers gets the
+    // number of both bundles.
     return combine_on(
         tables_, a, b, MarkTable(kUnion),
         [this](std::uint32_t i, std::uint32_t j) { return bundles_.of_both(i, j); }, context_);
@@ -275,10 +307,10 @@ class Arranger {
   Context& context_;
   std::shared_ptr<SpaceTables> tables_;
   Bundles bundles_;
-  std::vector<std::vector<FacetId>> facets_;  // per layer
+  std::vector<std::vector<FacetId>> facets_;  // The facets of each layer.
 };
 
-/// Facets are the sheets themselves.
+/// Lists each facet as its own sheet, for a mesh that does not cross itself.
 void fill_sheets(MeshComplex& mesh) {
   const std::size_t n = mesh.complex.facet_count();
   mesh.sheet_begin.resize(n + 1);
@@ -286,7 +318,8 @@ void fill_sheets(MeshComplex& mesh) {
   mesh.sheet.assign(mesh.sheet_begin.begin(), mesh.sheet_begin.end() - 1);
 }
 
-/// facet_origin of `arranged` are bundles; they become input faces.
+/// Replaces the bundles in facet_origin of `arranged` by the least input face of their sheets, and
+/// lists the sheets.
 void unfold_sheets(SpaceComplex& arranged, Bundles& bundles, MeshComplex& mesh) {
   const std::vector<std::uint32_t>& face = mesh.complex.facet_origin;
   mesh.sheet_begin.assign(1, 0);
@@ -305,6 +338,7 @@ void unfold_sheets(SpaceComplex& arranged, Bundles& bundles, MeshComplex& mesh) 
 
 void arrange(MeshComplex& mesh, Context& context) {
   if (mesh.is_arranged()) return;
+  // Fans say which sphere maps are connected. They are of no use after facets have been cut.
   const std::vector<std::uint8_t> has_fan = std::exchange(mesh.has_fan, {});
   if (mesh.crossings.empty()) {
     label_volumes(mesh.complex, context, has_fan);
@@ -330,14 +364,15 @@ std::vector<std::int32_t> facet_jumps(const MeshComplex& mesh) {
 
 namespace {
 
-/// Per component: does it border on volume 0? Alone somewhere, or, where several lie upon each
-/// other, with others none of which does so alone.
+/// Returns for each component 1 if it borders on volume 0: alone somewhere or, where several lie
+/// upon each other, with others of which none does so alone.
 std::vector<std::uint8_t> find_outermost(const MeshComplex& mesh) {
   const auto component_of = [&](std::uint32_t sheet) { return mesh.component[sheet]; };
   std::vector<std::uint8_t> is_outermost(mesh.is_inside_out.size(), 0);
-  std::vector<std::uint32_t> shared;  // facets
+  std::vector<std::uint32_t> shared;  // Facets in which sheets of several components lie.
   for (std::uint32_t f = 0; f < mesh.complex.facet_count(); ++f) {
     const auto& sides = mesh.complex.facet_volume[f];
+    // Only facets that border on volume 0 count.
     if (sides[0] != VolumeId(0) && sides[1] != VolumeId(0)) continue;
     const auto sheets = mesh.sheets_of(FacetId(f));
     const std::uint32_t first = component_of(sheets[0]);
@@ -347,6 +382,7 @@ std::vector<std::uint8_t> find_outermost(const MeshComplex& mesh) {
       shared.push_back(f);
     }
   }
+  // A shared facet decides only if none of its components borders on volume 0 by itself elsewhere.
   std::vector<std::uint8_t> result = is_outermost;
   for (const std::uint32_t f : shared) {
     const auto sheets = mesh.sheets_of(FacetId(f));
@@ -365,7 +401,7 @@ std::vector<std::uint32_t> turn_inside_out(MeshComplex& mesh, Context& context) 
   if (mesh.report.inside_out.empty()) return turned;
   arrange(mesh, context);
   std::vector<std::uint8_t> is_turned = find_outermost(mesh);
-  auto face = mesh.report.inside_out.begin();  // of inside-out components in order
+  auto face = mesh.report.inside_out.begin();  // The faces of components of negative volume.
   for (std::size_t c = 0; c < is_turned.size(); ++c) {
     if (mesh.is_inside_out[c] == 0) {
       is_turned[c] = 0;

@@ -1,8 +1,23 @@
-// A mesh that crosses itself, taken apart into layers that do not.
+// Meshes that cross themselves as cells of space: facets are cut where they meet, so that every
+// point off them lies in a volume with one winding number. The first part divides such a mesh into
+// layers that do not cross themselves, the second overlays the layers, the third turns components
+// that face inwards.
 //
-// Facets that meet in common vertices and edges only may share a layer. A component that crosses
-// others but not itself stays whole; of one that crosses itself, neighbours stay together as long
-// as they can: borders of layers are edges that an overlay has to meet again.
+// A sheet is a facet of the mesh as it was. Jumps of the sheets of one facet add up, so coincident
+// sheets of opposite sides cancel.
+//
+// Main flow of arrange():
+//  1. find_layers  divides facets into layers that do not cross themselves; with one layer it is
+//                  done
+//  2. overlay      overlays the layers pairwise in a balanced tree (boolean_op.h): a union of
+//                  surfaces in which nothing is simplified. Volumes have mark 0, facets 1, edges
+//                  and vertices the mark that no operation changes (kBeyond), so an edge stays even
+//                  in the midst of a facet
+//  3. name         gives the common facet of two layers a new number for the pair; in the end each
+//                  number is unfolded to the sheets in which the facet lies
+//
+// Cost: layers - 1 overlays of surfaces, O((n + c) log(n + c)) each for c contacts; Booleans do no
+// more. Proof: docs/design/meshes.md, "Layers of a mesh that crosses itself".
 #pragma once
 
 #include <cstdint>
@@ -17,56 +32,46 @@
 
 namespace plumb {
 
+/// Layers of a mesh: a colouring of its facets.
 struct MeshLayers {
-  std::uint32_t count = 0;
-  std::vector<std::uint32_t> of_facet;
+  std::uint32_t count = 0;              ///< The number of layers.
+  std::vector<std::uint32_t> of_facet;  ///< The layer of each facet, below `count`.
 };
 
-/// Greedy colours of the graph of crossing pairs. `component`: per facet. O(n + pairs), and the
-/// number of layers for each facet in the worst case.
+/// Divides the facets into layers of which none crosses itself: greedy colours of the graph of
+/// crossing pairs. Facets that meet in common vertices and edges only may share a layer. A
+/// component that crosses others but not itself stays whole; in one that crosses itself, neighbours
+/// stay together as long as they can, since borders of layers are edges that an overlay has to find
+/// again. `component` has the component of each facet. O(n + pairs), and the number of layers for
+/// each facet in the worst case.
 MeshLayers find_layers(const SpaceComplex& complex, std::span<const std::uint32_t> component,
                        std::span<const std::pair<FacetId, FacetId>> crossings);
 
-/// Some facets of a mesh, each of one cycle, as a complex of their own: all marks 0, volumes
-/// labelled, facet_origin their number in `complex`. Auxiliary planes are added to `tables`, those
-/// of `complex`. O(k log k) for k corners, and a ray for each connected piece.
+/// Returns some facets of a mesh, each of one cycle, as a complex of their own: all marks 0,
+/// volumes labelled, facet_origin their number in `complex`. Auxiliary planes are added to
+/// `tables`, which must be those of `complex` or a copy. O(k log k) for k corners, and a ray for
+/// each connected piece.
 SpaceComplex layer_of(const SpaceComplex& complex, std::span<const FacetId> facets,
                       const std::shared_ptr<SpaceTables>& tables, Context& context);
 
-// Meshes that cross themselves, as cells of space: facets are cut where they meet, so that every
-// point off them lies in a volume with one winding number.
-//
-// Main flow of arrange():
-//  1. find_layers  (mesh_arrangement.h) facets in layers that do not cross themselves; one layer:
-//                  done
-//  2. overlay      of the layers, pairwise in a balanced tree (boolean_op.h): a union of surfaces
-//                  in which nothing is simplified. Volumes have mark 0, facets 1, edges and
-//                  vertices the mark that no operation changes (kBeyond): so an edge stays even in
-//                  the midst of a facet
-//  3. name         where facets of two layers lie upon each other the common facet gets a new
-//                  number for the pair; in the end each is unfolded to the sheets it lies in
-//
-// A sheet is a facet of the mesh as it was. Jumps of the sheets of one facet add up, so coincident
-// sheets of opposite sides cancel.
-//
-// Cost: layers - 1 overlays of surfaces, O((n + c) log(n + c)) each for c contacts. Booleans do no
-// more.
+// The arrangement of a mesh.
 
-/// Makes facets meet in common vertices and edges only, fills MeshComplex::sheets and labels
-/// volumes; marks mean nothing. Nothing happens to a mesh that is arranged. Requires a complex
-/// (MeshOptions).
+/// Makes facets meet in common vertices and edges only, fills MeshComplex::sheet and labels
+/// volumes; marks are left without meaning. Does nothing to a mesh that is arranged already.
+/// Requires that the mesh has a complex. Throws what the context throws.
 void arrange(MeshComplex& mesh, Context& context);
 
-/// Per facet of an arranged mesh: how much the winding number rises from its negative to its
-/// positive side.
+/// Returns for each facet of an arranged mesh by how much the winding number rises from its
+/// negative to its positive side. O(sheets).
 std::vector<std::int32_t> facet_jumps(const MeshComplex& mesh);
 
 // Meshes whose faces look inwards.
 
 /// Turns the components of negative volume that the others do not enclose: the jumps of their
-/// sheets change sign. Enclosed is one that nowhere borders on the unbounded volume but where it
-/// lies upon others that do elsewhere; a component that crosses the only one around it sticks out
-/// and is turned. Returns the least face of each. Arranges the mesh, which must be closed.
+/// sheets change sign. Returns the least face of each. A component is enclosed if it nowhere
+/// borders on the unbounded volume, except where it lies upon others that border on it elsewhere; a
+/// component that crosses the only one around it sticks out and is turned. Arranges the mesh.
+/// Requires that the mesh is closed.
 std::vector<std::uint32_t> turn_inside_out(MeshComplex& mesh, Context& context);
 
 }  // namespace plumb

@@ -1,3 +1,17 @@
+// The search for pairs of facets that cross: candidates by boxes, then one exact test for each.
+//
+// No tree of boxes is good for all meshes, so three are tried in turn. Packed boxes (16 bits a
+// coordinate) serve meshes of one scale: 7 to 8 steps a triangle for spheres and scans. They are
+// given up after 32 steps a triangle, which bounds what is lost by a constant factor. Then boxes of
+// many scales go to a tree of doubles; triangles that are long and thin, or very many around a
+// vertex or in one facet, go to oriented boxes, which leave out pairs of one group, and pairs
+// around a vertex are found by boxes of their directions.
+//
+// Every tree reports each pair whose boxes meet, so the result does not depend on which one is
+// used; found pairs are sorted and repetitions dropped.
+//
+// Tested by tests/space/mesh_crossings_test.cpp.
+
 #include "plumb/space/mesh/mesh_crossings.h"
 
 #include <algorithm>
@@ -17,6 +31,7 @@ using FacetPairs = std::vector<std::pair<FacetId, FacetId>>;
 
 // ---------------------------------------------------------------- all pairs
 
+/// The search in one mesh.
 class CrossingSearch {
  public:
   CrossingSearch(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan,
@@ -41,8 +56,8 @@ class CrossingSearch {
   static constexpr std::uint64_t kBytesPerThinTriangle = 640;
   static constexpr std::uint64_t kStepsPerTriangle = 32;
 
-  /// What the first tree cannot find in a few steps a box is left to one of two others: boxes of
-  /// many scales, or boxes that tell little.
+  /// Tests all pairs. What the first tree cannot find in a few steps a box is left to one of two
+  /// others: for boxes of many scales, or for boxes that say little about their triangles.
   void find_all() {
     checkpoint();
     const std::vector<Box3> boxes = boxes_of_triangles();
@@ -60,7 +75,8 @@ class CrossingSearch {
     }
   }
 
-  /// False: pairs are missing. Of spheres and scanned models, the steps are 7 to 8 for each.
+  /// Tests the pairs that a packed tree finds. Returns false if it was given up, so that pairs are
+  /// missing. For spheres and scanned models it takes 7 to 8 steps a triangle.
   bool find_in(const PackedBoxTree& tree) {
     std::uint64_t left = kStepsPerTriangle * (triangles_.size() + 256);
     const auto may_go_on = [&] {
@@ -77,7 +93,8 @@ class CrossingSearch {
       look_at(triangle_of(i), triangle_of(j));
     });
   }
-  /// Of triangles that are thin and run in more directions than one.
+  /// Tests pairs of triangles that are thin and run in more directions than one, except pairs of
+  /// one group.
   void find_thin(std::span<const Box3> boxes, std::span<const std::uint32_t> groups) {
     memory_.add(kBytesPerThinTriangle * triangles_.size(), "oriented boxes of triangles");
     std::vector<OrientedBoxTree::Triangle> corners;
@@ -94,8 +111,8 @@ class CrossingSearch {
             },
             on_step);
   }
-  /// The pairs that have been left out: a facet does not cross itself, and around a vertex
-  /// directions tell.
+  /// Tests the pairs of one group, which have been left out. A facet does not cross itself, and
+  /// around a vertex the directions decide.
   void find_around_hubs(const TriangleGroups& groups) {
     std::vector<std::uint32_t> around;
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
@@ -109,6 +126,7 @@ class CrossingSearch {
       find_around(groups.hub[g], {first, last});
     }
   }
+  /// Tests pairs of triangles around one vertex. If the vertex has a fan, none of them cross.
   void find_around(VertexId hub, std::span<const std::uint32_t> triangles) {
     std::vector<Box3> boxes;
     for (const std::uint32_t t : triangles) {
@@ -129,6 +147,7 @@ class CrossingSearch {
   }
   void checkpoint() { context_.checkpoint("crossings of the mesh with itself", 0, 0); }
 
+  /// Tests one pair of triangles and notes their facets if they cross.
   void look_at(std::uint32_t i, std::uint32_t j) {
     const FacetTriangle &s = triangles_[i], &t = triangles_[j];
     if (s.facet == t.facet || !test_(s, t)) return;
@@ -152,11 +171,12 @@ class CrossingSearch {
     }
   }
   TriangleCorner corner(VertexId v) const { return {v, complex_.vertex_point[v.value()]}; }
+  /// Whether the facet, the last one gathered, gave one triangle.
   bool is_triangle(FacetId f) const {
     return !triangles_.empty() && (triangles_.size() == 1 || triangles_.rbegin()[1].facet != f);
   }
 
-  /// Of the last triangles, those of facet f: sides that are not on its boundary.
+  /// Marks the sides of the last triangles, those of facet f, that are not on its boundary.
   void mark_diagonals(FacetId f) {
     boundary_.clear();
     for (const UseId first : complex_.cycles_of(f)) {
@@ -176,7 +196,8 @@ class CrossingSearch {
     }
   }
 
-  /// Along the axes, or in a frame where fewer of them meet.
+  /// Returns the boxes of the triangles along the coordinate axes, or along the axes of a frame in
+  /// which fewer of them meet.
   std::vector<Box3> boxes_of_triangles() const {
     std::vector<Box3> boxes = boxes_by([&](VertexId v) { return box_of(complex_, v); });
     const double pairs = expected_pairs(boxes, boxes);
@@ -205,8 +226,8 @@ class CrossingSearch {
   TriangleCrossing test_;
   std::vector<FacetTriangle> triangles_;
   std::vector<std::pair<VertexId, VertexId>> boundary_;
-  FacetPairs found_;         // some of them more than once
-  std::uint64_t steps_ = 0;  // in all trees
+  FacetPairs found_;         // Some pairs come more than once.
+  std::uint64_t steps_ = 0;  // The steps in all trees.
 };
 
 }  // namespace

@@ -1,3 +1,19 @@
+// Makes simple polygons in planes of the faces of a mesh.
+//
+// Corners that repeat or stand between two equal ones are trimmed. The plane of a face is found
+// from three corners far apart; whether all others lie on it is decided exactly, so the choice of
+// corners has influence on speed only. A face that is not planar or not simple becomes triangles:
+// constrained Delaunay triangles if its edges, seen along the axis of its largest area, meet in
+// corners only, else a fan from one corner. All have the boundary of the polygon as an integer
+// chain, which is what winding numbers need (docs/design/meshes.md, "Winding numbers"). Faces
+// without area contribute their edges alone.
+//
+// Newell's normal, twice the area of the polygon seen along each axis, chooses that axis: in
+// doubles where an error bound separates the largest area, else exactly, so that the choice depends
+// on the polygon only.
+//
+// Tested by tests/space/from_mesh_test.cpp.
+
 #include "plumb/space/mesh/mesh_facets.h"
 
 #include <algorithm>
@@ -12,6 +28,7 @@ namespace {
 
 using Vector3 = std::array<double, 3>;
 
+/// Returns the largest magnitude of a coordinate.
 double largest(const Vector3& v) {
   return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
 }
@@ -22,6 +39,7 @@ struct Loop {
   std::uint32_t face;
 };
 
+/// Makes the facets of one mesh, in four steps.
 class Flattener {
  public:
   Flattener(const MeshView& mesh, const MeshVertices& vertices, SpaceTables& tables,
@@ -52,6 +70,7 @@ class Flattener {
  private:
   // ---------------------------------------------------------------- 1. corners
 
+  /// Trims all faces. Those with fewer than three corners left have no area; their edges cancel.
   void gather_loops() {
     corner_.reserve(mesh_.corners.size());
     begin_.reserve(mesh_.face_count() + 1);
@@ -73,8 +92,8 @@ class Flattener {
     }
   }
 
-  /// Nothing is to be trimmed where three corners differ: nearly all faces. False: it is no such
-  /// face.
+  /// Takes a face of three different corners, of which nothing is to be trimmed: nearly all faces.
+  /// Returns false for any other face.
   bool take_triangle(std::uint32_t f) {
     const auto face = mesh_.face(f);
     if (face.size() != 3) return false;
@@ -87,7 +106,8 @@ class Flattener {
     return true;
   }
 
-  /// No corner follows itself, none stands between two equal ones.
+  /// Appends a corner, unless it repeats the last one; removes a corner between two equal ones, an
+  /// edge that is run forth and back.
   void push_corner(std::size_t first, std::uint32_t v) {
     const std::size_t size = corner_.size() - first;
     if (size >= 1 && corner_.back() == v) return;
@@ -98,7 +118,7 @@ class Flattener {
     corner_.push_back(v);
   }
 
-  /// The same where the end meets the beginning.
+  /// Trims in the same way where the end meets the beginning.
   void trim_ends(std::size_t first) {
     std::size_t begin = first, end = corner_.size();
     const auto is_spike = [&](std::size_t before, std::size_t after) {
@@ -125,7 +145,8 @@ class Flattener {
 
   // ---------------------------------------------------------------- 2. planes
 
-  /// The planes of all loops by three corners; those of input points in one go.
+  /// Finds the planes of all loops by three corners. Planes through input points are interned all
+  /// at once.
   void intern_planes() {
     using Triple = std::array<InputPointId, 3>;
     std::vector<Triple> triples;
@@ -133,6 +154,7 @@ class Flattener {
     plane_.resize(loop_count());
     for (std::uint32_t i = 0; i < loop_count(); ++i) {
       const Loop loop = loop_at(i);
+      // Triangles have no choice; polygons take three corners far apart.
       const IndexTriangle t = loop.corners.size() == 3
                                   ? IndexTriangle{loop.corners[0], loop.corners[1], loop.corners[2]}
                                   : widest_triple(loop.corners);
@@ -149,8 +171,8 @@ class Flattener {
     for (std::size_t k = 0; k < loops.size(); ++k) plane_[loops[k]] = found[k];
   }
 
-  /// Three corners far apart: the first, the farthest from it, the farthest from their line. A
-  /// matter of speed only: any three that are not on a line would do.
+  /// Returns three corners far apart: the first, the farthest from it, and the farthest from their
+  /// line. The choice is a matter of speed only: any three that are not on a line would do.
   IndexTriangle widest_triple(std::span<const std::uint32_t> corners) const {
     const double scale = 1 / reach(corners);
     const auto from_first = [&](std::uint32_t v) {
@@ -173,7 +195,7 @@ class Flattener {
     return {corners[0], far, wide};
   }
 
-  /// The largest coordinate, or 1 where its inverse is no number.
+  /// Returns the largest coordinate, or 1 if that is so small that its inverse overflows.
   double reach(std::span<const std::uint32_t> corners) const {
     double reach = 0;
     for (const std::uint32_t v : corners) {
@@ -192,7 +214,8 @@ class Flattener {
     facets_.corner.reserve(corner_.size());
   }
 
-  /// Corners counter-clockwise as seen from the positive side of `plane`, the least one first.
+  /// Adds a facet whose corners run counter-clockwise seen from the positive side of `plane`. It is
+  /// listed counter-clockwise seen from the canonical side, the least corner first.
   void add_facet(std::span<const std::uint32_t> corners, OrientedPlane plane, std::uint32_t face) {
     const std::size_t last = corners.size() - 1;
     auto i = static_cast<std::size_t>(std::ranges::min_element(corners) - corners.begin());
@@ -210,7 +233,7 @@ class Flattener {
     facets_.origin.push_back(face);
   }
 
-  /// The edges of something without area.
+  /// Adds the edges of a face without area.
   void add_loose(std::span<const std::uint32_t> corners) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       facets_.loose.push_back({corners[i], corners[(i + 1) % corners.size()]});
@@ -227,6 +250,8 @@ class Flattener {
     return plane.is_valid();
   }
 
+  /// Adds a face of four corners or more, as one facet if it is planar and simple, else as
+  /// triangles.
   void add_polygon(const Loop& loop, OrientedPlane by_widest) {
     const OrientedPlane plane = by_widest.is_valid() ? by_widest : any_plane(loop.corners);
     if (!plane.is_valid()) {
@@ -234,6 +259,8 @@ class Flattener {
       report_.degenerate.push_back(loop.face);
     } else if (is_planar(loop.corners, plane.plane())) {
       view(loop.corners, FlatView::of_plane(tables_.planes, plane.plane()));
+      // Seen along an axis that crosses its plane, the polygon is simple exactly if it is so in the
+      // plane; its orientation there says which side is outside.
       const PolygonShape shape = shape_of(flat_, local_, context_);
       if (shape == PolygonShape::Simple) {
         const bool is_opposite = orientation_of(flat_, local_) == Sign::Negative;
@@ -248,7 +275,8 @@ class Flattener {
     }
   }
 
-  /// Neighbours all on lines: all corners on one.
+  /// Returns a plane of three corners that follow each other; invalid if all corners lie on one
+  /// line: if every three neighbours are collinear, all are, as neighbours differ.
   OrientedPlane any_plane(std::span<const std::uint32_t> corners) const {
     OrientedPlane plane;
     for (std::size_t i = 2; i < corners.size() && !plane.is_valid(); ++i) {
@@ -267,8 +295,8 @@ class Flattener {
   // ---------------------------------------------------------------- 4. polygons that become
   // triangles
 
-  /// Shows the polygon: its vertices in ascending order are the points of flat_, local_ its
-  /// corners.
+  /// Shows the polygon in a plane: flat_ has its vertices in ascending order, local_ the index
+  /// there of each corner.
   void view(std::span<const std::uint32_t> corners, FlatView view) {
     shown_.assign(corners.begin(), corners.end());
     std::sort(shown_.begin(), shown_.end());
@@ -282,6 +310,7 @@ class Flattener {
     }
   }
 
+  /// Adds triangles with the boundary of the polygon.
   void add_pieces(const Loop& loop, PolygonShape shape) {
     if (shape != PolygonShape::Simple) report_.not_simple.push_back(loop.face);
     pieces_.clear();
@@ -297,8 +326,11 @@ class Flattener {
     }
   }
 
-  /// Constrained Delaunay triangles, wound as the polygon is.
+  /// Makes constrained Delaunay triangles, wound as the polygon is. Returns false if neither the
+  /// polygon nor its reverse bounds a region.
   bool add_delaunay_pieces() {
+    // The region lies to the left of a polygon that runs counter-clockwise; a clockwise one is
+    // triangulated in reverse, and its triangles are turned back.
     std::vector<IndexEdge> edges = boundary_of(local_);
     if (!triangulate(flat_, edges, pieces_)) {
       for (IndexEdge& e : edges) std::swap(e[0], e[1]);
@@ -311,7 +343,7 @@ class Flattener {
     return true;
   }
 
-  /// Triangles that wind around every point as often as the polygon does.
+  /// Makes a fan of triangles that wind around every point as often as the polygon does.
   void add_fan_pieces() {
     for (std::size_t i = 2; i < local_.size(); ++i) {
       const IndexTriangle t{local_[0], local_[i - 1], local_[i]};
@@ -321,22 +353,24 @@ class Flattener {
 
   // ---------------------------------------------------------------- Newell's normal
 
-  /// The view along the axis in which the polygon has the largest area, so that it runs
-  /// counter-clockwise. Of equal ones the first axis.
+  /// Returns the view along the axis in which the polygon has the largest area, from the side on
+  /// which it runs counter-clockwise. Of equal areas the first axis is taken.
   FlatView newell_view(std::span<const std::uint32_t> corners) const {
     Vector3 sum{};
     double bound = 0;
     const bool is_sure = approximate_newell(corners, sum, bound);
     std::array<double, 3> size{std::fabs(sum[0]), std::fabs(sum[1]), std::fabs(sum[2])};
     std::sort(size.begin(), size.end());
+    // Both areas are off by less than `bound`, so a larger gap orders them surely.
     if (!is_sure || !(size[2] - size[1] > 2 * bound)) return exact_newell_view(corners);
     std::size_t axis = 0;
     while (std::fabs(sum[axis]) != size[2]) ++axis;
     return {axis, sum[axis] < 0};
   }
 
-  /// Sums of n products of differences from the first corner: each is off by less than 8 roundings
-  /// of their largest square, each sum by n more. False: rounding is not the only loss.
+  /// Computes Newell's normal in doubles, with a bound for the error of each coordinate: sums of n
+  /// products of differences from the first corner, each off by less than 8 roundings of their
+  /// largest square, and each sum by n more. Returns false if rounding is not the only loss.
   bool approximate_newell(std::span<const std::uint32_t> corners, Vector3& sum,
                           double& bound) const {
     const std::size_t n = corners.size();
@@ -357,6 +391,7 @@ class Flattener {
     return reach > 0x1p-400 && reach < 0x1p400;
   }
 
+  /// Returns the same view, computed with rationals.
   FlatView exact_newell_view(std::span<const std::uint32_t> corners) const {
     std::array<Rational, 3> sum;
     std::array<Rational, 3> before = coordinates(corners.back());
@@ -388,20 +423,21 @@ class Flattener {
   MeshReport& report_;
   Context& context_;
   MeshFacets facets_;
-  // Loops: what is left of faces.
+  // The loops: what is left of faces after trimming.
   std::vector<std::uint32_t> corner_;
   std::vector<std::uint32_t> begin_ = {0};
   std::vector<std::uint32_t> face_;
   std::vector<OrientedPlane> plane_;
   // The polygon being looked at.
   FlatPoints flat_;
-  std::vector<std::uint32_t> shown_;  // per point of flat_: vertex
-  std::vector<std::uint32_t> local_;  // per corner: point of flat_
+  std::vector<std::uint32_t> shown_;  // The vertex of each point of flat_.
+  std::vector<std::uint32_t> local_;  // The point of flat_ of each corner.
   std::vector<IndexTriangle> pieces_;
 };
 
 }  // namespace
 
+// Input points define the plane by their ids; others by the coefficients of (b - a) x (c - a).
 OrientedPlane plane_through(SpaceTables& tables, SpacePoint a, SpacePoint b, SpacePoint c) {
   if (a.is_input() && b.is_input() && c.is_input()) {
     return tables.planes.intern(a.input(), b.input(), c.input());

@@ -1,4 +1,8 @@
 // The faces of a mesh as simple polygons in planes, ready to be linked.
+//
+// A face whose corners lie in one plane and that is simple becomes one facet. Any other face
+// becomes triangles with the same boundary chain, so that winding numbers stay what they are
+// (docs/design/meshes.md, "Winding numbers").
 #pragma once
 
 #include <array>
@@ -12,29 +16,36 @@
 
 namespace plumb {
 
+/// Facets of a mesh: polygons in planes, with the faces from which they come.
 struct MeshFacets {
-  // per facet
-  std::vector<std::uint32_t> begin = {0};  ///< size() + 1 entries into corner
-  std::vector<PlaneId> plane;
-  std::vector<std::int32_t> jump;     ///< MeshComplex::jump
-  std::vector<std::uint32_t> origin;  ///< input face; ascending
-  /// Vertices, counter-clockwise seen from the positive side of the plane, the least one first.
+  // One entry for each facet.
+  std::vector<std::uint32_t> begin = {0};  ///< Starts in `corner`, size() + 1 of them.
+  std::vector<PlaneId> plane;              ///< Its plane.
+  std::vector<std::int32_t> jump;          ///< What MeshComplex::jump says of it.
+  std::vector<std::uint32_t> origin;       ///< The face from which it comes, ascending.
+  /// Its vertices, counter-clockwise seen from the positive side of the plane, the least one first.
   std::vector<std::uint32_t> corner;
-  /// Directed edges of what has no area: they take part in the balance of the mesh.
+  /// Directed edges of faces without area. They take part in the balance of the mesh.
   std::vector<std::array<std::uint32_t, 2>> loose;
 
+  /// Returns the number of facets.
   std::size_t size() const { return plane.size(); }
+  /// Returns the vertices of a facet.
   std::span<const std::uint32_t> corners(std::size_t f) const {
     return std::span(corner).subspan(begin[f], begin[f + 1] - begin[f]);
   }
 };
 
-/// Main flow: corners -> a plane by three of them -> are all others on it? simple? -> else
-/// triangles. Notes in `report` what it changes. O(n log n).
+/// Returns the facets of a mesh and adds their planes to the tables. Notes in `report` what it
+/// changes. Throws what the context throws. O(n log n).
+///
+/// Main flow: trims repeated corners, finds a plane by three corners, tests whether all others lie
+/// on it and the polygon is simple, else makes triangles.
 MeshFacets flatten_mesh(const MeshView& mesh, const MeshVertices& vertices, SpaceTables& tables,
                         MeshReport& report, Context& context);
 
-/// The plane of three points, positive where they are seen counter-clockwise; not valid: on a line.
+/// Returns the plane of three points, with the side positive from which they are seen
+/// counter-clockwise; invalid if they lie on a line.
 OrientedPlane plane_through(SpaceTables& tables, SpacePoint a, SpacePoint b, SpacePoint c);
 
 }  // namespace plumb

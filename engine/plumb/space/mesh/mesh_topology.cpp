@@ -1,3 +1,22 @@
+// Borders, components, signed volumes and fans of a mesh.
+//
+// Borders: the boundary of the sum of all faces, as an integer chain. If it is not 0, edges are cut
+// at vertices that lie on them, so that chains of equal places cancel; what is left balances at
+// every vertex, since it is a boundary, and is walked as closed chains.
+//
+// Components: joining facets over plain edges, then over edges where a component alone does not
+// balance. Invariant: a component that is not the open one balances at each of its edges.
+//
+// Volumes: sums of cones over a fan of every facet, in doubles with an error bound, and exactly
+// where the bound is larger than the sum. Jumps give the orientation of the facets.
+//
+// Fans: the comparisons of the header for the three axes at once, as bits of one byte.
+//
+// See docs/design/meshes.md, "Winding numbers", "Components turned inside out" and "Does the mesh
+// meet itself?".
+// Tested by tests/space/from_mesh_test.cpp, tests/space/mesh_arrangement_test.cpp and
+// tests/space/mesh_crossings_test.cpp.
+
 #include "plumb/space/mesh/mesh_topology.h"
 
 #include <algorithm>
@@ -22,9 +41,11 @@ namespace {
 
 using VertexPair = std::array<std::uint32_t, 2>;
 
-/// How often edges are run through from the lesser to the greater end, less how often back; not 0.
+/// How often an edge is run through from its lesser to its greater end, less how often back. Edges
+/// with 0 are left out.
 using Surplus = std::map<VertexPair, std::int32_t>;
 
+/// Adds an edge that is run through `times` times from one vertex to another.
 void add(std::uint32_t from, std::uint32_t to, std::int32_t times, Surplus& surplus) {
   std::int32_t& sum = surplus[{std::min(from, to), std::max(from, to)}];
   sum += from < to ? times : -times;
@@ -34,12 +55,15 @@ void drop_balanced(Surplus& surplus) {
   std::erase_if(surplus, [](const auto& s) { return s.second == 0; });
 }
 
+/// Returns the boundary of the sum of all faces, with the edges of faces without area.
 Surplus imbalances(const MeshFacets& facets, const MeshLinks& links) {
   Surplus surplus;
   for (std::size_t e = 0; e < links.edge_count(); ++e) {
     std::int32_t sum = 0;
     for (const std::uint32_t u : links.uses_of(e)) {
-      const std::int32_t times = -facets.jump[links.facet[u]];  // in the canonical direction
+      // The facet runs `times` times in its canonical direction, counter-clockwise seen from the
+      // positive side: a face seen so from outside has the jump -1.
+      const std::int32_t times = -facets.jump[links.facet[u]];
       sum += links.is_forward(facets, u) ? times : -times;
     }
     if (sum != 0) surplus[links.end[e]] += sum;
@@ -51,12 +75,14 @@ Surplus imbalances(const MeshFacets& facets, const MeshLinks& links) {
 
 // ---------------------------------------------------------------- edges with vertices on them
 
+/// Cuts edges at vertices that lie on them.
 class EdgeSplitter {
  public:
   EdgeSplitter(std::span<const SpacePoint> points, const Point3Table& table)
       : points_(points), table_(table) {}
 
-  /// The edges cut at all ends of edges that lie on them.
+  /// Returns the edges, cut at all ends of edges that lie on them. Vertices with other edges only
+  /// need no look: cutting there changes no balance.
   Surplus split(const Surplus& edges) {
     for (const auto& [edge, times] : edges) ends_.insert(ends_.end(), edge.begin(), edge.end());
     std::sort(ends_.begin(), ends_.end());
@@ -79,7 +105,7 @@ class EdgeSplitter {
   }
 
  private:
-  /// Vertices inside the edge, from its first end to its second.
+  /// Gathers the vertices inside the edge, from its first end to its second.
   void gather_inner(const VertexPair& edge, const BoxTree& tree) {
     inner_.clear();
     Box3 box = box_of(table_, points_[edge[0]]);
@@ -92,11 +118,12 @@ class EdgeSplitter {
           compare(edge[0], v, axis) == along && compare(v, edge[1], axis) == along;
       if (is_between && are_collinear(edge[0], edge[1], v)) inner_.push_back(v);
     });
+    // Points of one line are in the order of any coordinate that varies along it.
     std::sort(inner_.begin(), inner_.end(),
               [&](std::uint32_t v, std::uint32_t w) { return compare(v, w, axis) == along; });
   }
 
-  /// An axis in which the ends differ: they are different points.
+  /// Returns an axis along which the ends differ. They are different points.
   std::size_t axis_of(const VertexPair& edge) const {
     std::size_t axis = 0;
     while (axis < 2 && compare(edge[0], edge[1], axis) == Sign::Zero) ++axis;
@@ -106,7 +133,7 @@ class EdgeSplitter {
     return compare_axis(table_, points_[v], points_[w], axis);
   }
 
-  /// Seen along each axis.
+  /// Whether three points lie on one line: they do if they do so seen along each axis.
   bool are_collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     const std::array<SpacePoint, 3> p{points_[a], points_[b], points_[c]};
     if (std::ranges::all_of(p, &SpacePoint::is_input)) {
@@ -131,13 +158,14 @@ class EdgeSplitter {
 
   std::span<const SpacePoint> points_;
   const Point3Table& table_;
-  std::vector<std::uint32_t> ends_;   // ascending
-  std::vector<std::uint32_t> inner_;  // of the edge at hand
+  std::vector<std::uint32_t> ends_;   // The ends of all edges, ascending.
+  std::vector<std::uint32_t> inner_;  // The vertices inside the edge at hand.
 };
 
 // ---------------------------------------------------------------- chains
 
-/// Walks directed edges, as many into every vertex as out of it, and cuts loops off the walk.
+/// Walks directed edges, of which as many lead into every vertex as out of it, and cuts loops off
+/// the walk. So every chain is simple.
 class ChainWalker {
  public:
   void add(std::uint32_t from, std::uint32_t to) { targets_[from].push_back(to); }
@@ -150,7 +178,8 @@ class ChainWalker {
   }
 
  private:
-  /// Ends where it started, there being as many ways out as in.
+  /// Walks until it is back at the start, which it reaches since as many edges lead out of every
+  /// vertex as into it.
   void walk(std::uint32_t start) {
     path_ = {start};
     place_ = {{start, 0}};
@@ -167,6 +196,7 @@ class ChainWalker {
     } while (path_.size() > 1);
   }
 
+  /// Makes a chain of the path from a vertex that is reached again.
   void cut_loop(std::size_t from) {
     const auto begin = path_.begin() + static_cast<std::ptrdiff_t>(from);
     chains_.emplace_back(begin, path_.end());
@@ -190,7 +220,7 @@ std::vector<std::vector<std::uint32_t>> trace_borders(const MeshFacets& facets,
   if (!surplus.empty()) surplus = EdgeSplitter(points, table).split(surplus);
   ChainWalker walker;
   for (const auto& [edge, times] : surplus) {
-    const bool is_up = times < 0;  // run downward too often
+    const bool is_up = times < 0;  // It is run downward too often, so running up balances it.
     for (std::int32_t i = 0; i < std::abs(times); ++i) {
       walker.add(edge[is_up ? 0 : 1], edge[is_up ? 1 : 0]);
     }
@@ -200,16 +230,20 @@ std::vector<std::vector<std::uint32_t>> trace_borders(const MeshFacets& facets,
 
 namespace {
 
+/// Joins facets to components.
 class Joiner {
  public:
   Joiner(const SpaceComplex& complex, std::span<const std::int32_t> jump)
       : complex_(complex), jump_(jump), classes_(complex.facet_count()) {}
 
+  // Plain edges, with one facet or two, join their facets at once. Then edges with more facets join
+  // the components that do not balance there by themselves; last, whatever still does not balance
+  // becomes one open component.
   std::vector<std::uint32_t> run(std::size_t& count) {
-    std::vector<UseId> rest;  // of edges that are not plain and balanced
+    std::vector<UseId> rest;  // Uses of edges that are not plain and balanced.
     for (const UseId u : complex_.edge_use) {
       const UseId v = complex_.use_radial[u.value()];
-      const bool is_plain = complex_.use_radial[v.value()] == u;  // one facet or two at the edge
+      const bool is_plain = complex_.use_radial[v.value()] == u;  // One facet or two.
       const std::uint32_t f = facet(u), g = facet(v);
       if (is_plain) classes_.unite(f, g);
       if (!is_plain || !is_balanced(u, f, v, g)) rest.push_back(u);
@@ -225,20 +259,20 @@ class Joiner {
  private:
   std::uint32_t facet(UseId u) const { return complex_.use_facet[u.value()].value(); }
 
-  /// One facet or two at its edge.
+  /// Whether one facet or two lie at the edge of a use.
   bool is_plain(UseId u) const {
     return complex_.use_radial[complex_.use_radial[u.value()].value()] == u;
   }
 
-  /// Of a plain one, of facets f and g: do two facets rise to the same side? They do at most edges
-  /// of most meshes.
+  /// Whether the two facets f and g at a plain edge balance: winding numbers rise to the same side.
+  /// They do at most edges of most meshes.
   bool is_balanced(UseId u, std::uint32_t f, UseId v, std::uint32_t g) const {
     const bool is_one_way = complex_.use_halfedge[u.value()] == complex_.use_halfedge[v.value()];
     return v != u && (is_one_way ? jump_[f] == -jump_[g] : jump_[f] == jump_[g]);
   }
 
-  /// Components that run through the edge more often one way than the other belong together, and to
-  /// `one`. Returns one of them.
+  /// Unites the components that run through the edge more often one way than the other, and with
+  /// them `one`. Returns a facet of the united component, or `one` if all balance.
   std::uint32_t unite_unbalanced(UseId first, std::uint32_t one = kNone) {
     sums_.clear();
     UseId u = first;
@@ -262,6 +296,7 @@ class Joiner {
     return sums_.emplace_back(root, 0).second;
   }
 
+  /// Returns the component of each facet, numbered by least facets.
   std::vector<std::uint32_t> numbers(std::size_t& count) {
     std::vector<std::uint32_t> number(classes_.size(), kNone);
     count = 0;
@@ -281,8 +316,8 @@ class Joiner {
 
 // ---------------------------------------------------------------- volumes
 
-/// Six times the volume of the cone over each facet, from the first corner of its component,
-/// summed.
+/// Signs of the volumes of components: six times the volume of the cone over each facet from the
+/// first corner of its component, summed.
 class VolumeSigns {
  public:
   VolumeSigns(const SpaceComplex& complex, std::span<const std::int32_t> jump,
@@ -290,12 +325,14 @@ class VolumeSigns {
       : complex_(complex), jump_(jump), component_(components.of_facet), apex_(count) {}
 
   std::vector<Sign> run() {
+    // First all components in doubles, then once more with rationals those of which the sign is not
+    // sure.
     std::vector<Sum> sums(apex_.size());
     for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) add(f, sums[component_[f]]);
     std::vector<Sign> signs;
     bool is_unsure = false;
     for (Sum& s : sums) {
-      s.is_sure = std::fabs(s.value) > s.error();  // not where something overflowed
+      s.is_sure = std::fabs(s.value) > s.error();  // False if anything overflowed.
       is_unsure = is_unsure || !s.is_sure;
       signs.push_back(sign_of(s.value));
     }
@@ -304,21 +341,24 @@ class VolumeSigns {
   }
 
  private:
+  /// A sum of products with what its error bound needs.
   struct Sum {
-    double value = 0;
-    double size = 0;   ///< sum of the magnitudes of all products
-    double reach = 1;  ///< of differences of coordinates
-    double terms = 0;
-    bool is_sure = false;
-    /// A term is off by less than 12 roundings of its magnitude, each partial sum by one more;
-    /// flushed subnormals lose less than 2^-1000 times the square of the reach.
+    double value = 0;      ///< The sum in doubles.
+    double size = 0;       ///< The sum of the magnitudes of all products.
+    double reach = 1;      ///< The largest difference of coordinates, or 1.
+    double terms = 0;      ///< The number of cones.
+    bool is_sure = false;  ///< Whether the sign of `value` is right.
+    /// Returns a bound for the error of `value`. A term is off by less than 12 roundings of its
+    /// magnitude, each partial sum by one more; flushed subnormals lose less than 2^-1000 times the
+    /// square of the reach.
     double error() const { return (terms + 16) * (0x1p-51 * size + 0x1p-990 * reach * reach); }
   };
 
   UseId first_use(std::uint32_t f) const { return complex_.cycles_of(FacetId(f))[0]; }
   UseId next(UseId u) const { return complex_.use_next[u.value()]; }
 
-  /// Calls visit(a, b, c) for a fan of the facet, canonical side out.
+  /// Calls visit(a, b, c) for the triangles of a fan of the facet, counter-clockwise seen from the
+  /// canonical side.
   template <class Visit>
   void for_fan(std::uint32_t f, const Visit& visit) const {
     const UseId first = first_use(f);
@@ -328,6 +368,8 @@ class VolumeSigns {
   }
   SpacePoint point(UseId u) const { return complex_.vertex_point[complex_.use_origin(u).value()]; }
 
+  /// Returns the apex of the cones of the facet's component: its first corner, near which
+  /// differences are short.
   SpacePoint apex(std::uint32_t f) {
     SpacePoint& p = apex_[component_[f]];
     if (!p.is_valid()) p = point(first_use(f));
@@ -336,17 +378,20 @@ class VolumeSigns {
 
   using Vector3 = std::array<double, 3>;
 
+  /// Returns the coordinates of an input point, or the middle of the box of a constructed one.
   Vector3 middle(SpacePoint p) const {
     if (!p.is_input()) return complex_.points().box(p).mid;
     const Point3& at = complex_.planes().point(p.input());
     return {at.x, at.y, at.z};
   }
 
+  /// Adds the cone over a facet. A constructed point makes the reach infinite, so that the sum is
+  /// decided exactly.
   void add(std::uint32_t f, Sum& sum) {
     const Vector3 o = middle(apex(f));
     const auto from_apex = [&](SpacePoint p) {
       const Vector3 m = middle(p), d{m[0] - o[0], m[1] - o[1], m[2] - o[2]};
-      // Constructed points are not what their boxes say.
+      // The middle of a box is not the constructed point.
       if (!p.is_input()) sum.reach = std::numeric_limits<double>::infinity();
       for (const double x : d) sum.reach = std::max(sum.reach, std::fabs(x));
       return d;
@@ -366,6 +411,7 @@ class VolumeSigns {
     });
   }
 
+  /// Computes the sums that are not sure with rationals.
   void decide(const std::vector<Sum>& sums, std::vector<Sign>& signs) const {
     std::vector<Rational> exact(sums.size());
     for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
@@ -376,7 +422,8 @@ class VolumeSigns {
     }
   }
 
-  /// From the origin: the whole is closed.
+  /// Returns the cone over a facet from the origin. The apex does not matter, as the component is
+  /// closed.
   Rational exact_cone(std::uint32_t f) const {
     Rational sum;
     for_fan(f, [&](SpacePoint p, SpacePoint q, SpacePoint r) {
@@ -391,7 +438,7 @@ class VolumeSigns {
   const SpaceComplex& complex_;
   std::span<const std::int32_t> jump_;
   const std::vector<std::uint32_t>& component_;
-  std::vector<SpacePoint> apex_;  // per component
+  std::vector<SpacePoint> apex_;  // The apex of each component, once it is known.
 };
 
 }  // namespace
@@ -406,17 +453,19 @@ MeshComponents find_components(const SpaceComplex& complex, std::span<const std:
 
 namespace {
 
-/// Axes as bits 0, 1, 2. Along axis i the other two, i + 1 and i + 2, are seen as right and up.
+/// A set of axes as bits 0, 1, 2. Along axis i the other two, i + 1 and i + 2, are seen as right
+/// and up.
 using Axes = std::uint8_t;
 constexpr Axes kAllAxes = 7;
 
-/// The axes along which a triangle is seen from the positive and from the negative side of its
-/// plane.
+/// The axes along which a facet is seen from the positive and from the negative side of its plane.
+/// An axis in neither is undecided.
 struct Sides {
   Axes positive = 0;
   Axes negative = 0;
 };
 
+/// Finds the vertices with a fan.
 class FanSearch {
  public:
   explicit FanSearch(const SpaceComplex& complex)
@@ -436,13 +485,15 @@ class FanSearch {
   }
 
  private:
-  /// How often the corners around a vertex pass the direction 0, along each axis.
+  /// The axes along which the corners around a vertex pass the direction 0 at least once, and at
+  /// least twice.
   struct Turns {
     Axes once = 0;
     Axes twice = 0;
   };
 
-  // A component of the row's normal is off by less than its error.
+  // A component of the row's normal is off by less than the row's error, so a larger one has the
+  // right sign.
   void find_sides() {
     sides_.reserve(complex_.facet_count());
     for (const PlaneId plane : complex_.facet_plane) {
@@ -457,7 +508,9 @@ class FanSearch {
     }
   }
 
-  /// Uses run with the facet to their left, seen from the positive side.
+  /// Excludes the axes along which the facets at an edge do not lie on different sides of it. Edge
+  /// uses run with the facet to their left, seen from the positive side: two that run oppositely
+  /// need the same side in view, two that run alike different sides.
   void look_at_edge(EdgeId e) {
     const UseId u = complex_.edge_use[e.value()];
     const UseId v = u.is_valid() ? complex_.use_radial[u.value()] : u;
@@ -473,6 +526,7 @@ class FanSearch {
   }
   const Sides& sides_of(UseId u) const { return sides_[complex_.use_facet[u.value()].value()]; }
 
+  /// Counts the corners of a facet. A triangle of input points costs three comparisons of points.
   void count_turns(FacetId f) {
     const UseId first = complex_.cycles_of(f)[0];
     std::array<UseId, 3> uses{first};
@@ -489,7 +543,7 @@ class FanSearch {
       corner[i] = v.value();
       at[i] = &complex_.planes().point(p.input());
     }
-    std::array<Axes, 3> rises;  // from corner i to the next
+    std::array<Axes, 3> rises;  // The axes along which side i, to the next corner, rises.
     for (std::size_t i = 0; i < 3; ++i) rises[i] = rises_along(*at[i], *at[i == 2 ? 0 : i + 1]);
     const Axes is_reversed = sides_[f.value()].negative;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -500,14 +554,15 @@ class FanSearch {
       count(corner[i], passes);
     }
   }
+  /// Counts a corner at v for the axes along which it passes the direction 0.
   void count(std::uint32_t v, unsigned passes) {
     Turns& turns = turns_[v];
     turns.twice |= static_cast<Axes>(turns.once & passes);
     turns.once |= static_cast<Axes>(passes);
   }
 
-  /// Axes along which q is in the upper half-plane around p: above it, or level with it and to the
-  /// right.
+  /// Returns the axes along which q is in the upper half-plane around p: above it, or level with it
+  /// and to the right.
   static Axes rises_along(const Point3& p, const Point3& q) {
     const std::array<unsigned, 3> above{q.x > p.x, q.y > p.y, q.z > p.z};
     const std::array<unsigned, 3> level{q.x == p.x, q.y == p.y, q.z == p.z};
@@ -521,6 +576,7 @@ class FanSearch {
 
   // ---- corners of polygons, and constructed ones
 
+  /// Counts the corners of any facet.
   void count_turns_of_any(FacetId f) {
     for (const UseId first : complex_.cycles_of(f)) {
       UseId u = first;
@@ -530,6 +586,9 @@ class FanSearch {
       } while (u != first);
     }
   }
+  /// Counts the corner of a use. Axes along which boxes do not decide how its edges run are
+  /// excluded. If both edges run up or both down, the corner passes the direction 0 exactly if it
+  /// is not below half a turn.
   void count_turn(FacetId f, UseId u) {
     const VertexId v = complex_.use_origin(u);
     const HalfedgeId next = complex_.use_halfedge[u.value()];
@@ -550,8 +609,9 @@ class FanSearch {
     count(v.value(), (~begins_up & ends_up) | (is_reflex ? is_level : 0));
   }
 
+  /// The axes along which an edge surely runs up, and those along which the boxes decide it.
   struct Rises {
-    Axes up = 0;  // as above
+    Axes up = 0;
     Axes known = 0;
   };
   Rises rises_along(VertexId v, VertexId w) const {
@@ -571,9 +631,9 @@ class FanSearch {
   }
 
   const SpaceComplex& complex_;
-  std::vector<Axes> can_be_;  // per vertex: axes along which it may have a fan
-  std::vector<Turns> turns_;  // per vertex
-  std::vector<Sides> sides_;  // per facet
+  std::vector<Axes> can_be_;  // The axes along which each vertex may have a fan.
+  std::vector<Turns> turns_;  // One entry for each vertex.
+  std::vector<Sides> sides_;  // One entry for each facet.
 };
 
 }  // namespace

@@ -1,3 +1,16 @@
+// Merging equal points by a hash table, and sorting a mesh along a space-filling curve.
+//
+// Two points are equal if their coordinates are, as numbers; doubles are compared by their bits,
+// with -0 replaced by 0, so that flushing of subnormals to zero has no influence. A rational point
+// whose coordinates are doubles goes to the table of doubles; all others go to a sorted map. So
+// every place is found in exactly one of the two tables, and a vertex has the number of the least
+// point there.
+//
+// Hashes are computed 256 points ahead and the entries of the table prefetched: the table is larger
+// than the caches, and looking up is all that merging costs.
+//
+// Tested by tests/space/mesh_vertices_test.cpp and tests/space/from_mesh_test.cpp.
+
 #include "plumb/space/mesh/mesh_vertices.h"
 
 #include <algorithm>
@@ -17,9 +30,11 @@
 namespace plumb {
 namespace {
 
+/// The number of points whose hashes are computed ahead.
 constexpr std::size_t kBlock = 256;
 
-/// -0 becomes 0. By the bits: subnormals stay what they are, whatever FTZ/DAZ say.
+/// Returns the value, with 0 for -0. Decides by the bits: subnormals stay what they are, whatever
+/// FTZ/DAZ say.
 double without_negative_zero(double value) {
   return std::bit_cast<std::uint64_t>(value) << 1U == 0 ? 0.0 : value;
 }
@@ -32,6 +47,7 @@ std::uint32_t hash_of(const Point3& p) {
   return static_cast<std::uint32_t>(SeededHash{}(bits_of(p)));
 }
 
+/// The lexicographic order of rational points.
 struct RationalLess {
   bool operator()(const RationalPoint3& a, const RationalPoint3& b) const {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
@@ -60,6 +76,7 @@ class VertexMaker {
   }
 
  private:
+  /// Gives used points the number 0 instead of kNone; checks all corners.
   void mark_used() {
     result_.of_point.assign(mesh_.point_count(), kNone);
     for (const std::uint32_t c : mesh_.corners) {
@@ -71,17 +88,19 @@ class VertexMaker {
     }
   }
 
+  /// Returns the vertex `known`, and counts the point as merged unless it is new.
   std::uint32_t take(std::uint32_t known, std::uint32_t next) {
     if (known != next) ++result_.merged;
     return known;
   }
 
+  /// Returns point i without negative zeros.
   Point3 place(std::uint32_t i) const {
     const Point3 p = mesh_.point(i);
     return {without_negative_zero(p.x), without_negative_zero(p.y), without_negative_zero(p.z)};
   }
 
-  /// The hashes of the next points; the index is told what will be looked for.
+  /// Computes the hashes of the next block and prefetches their entries in the index.
   void look_ahead(std::uint32_t first) {
     const std::size_t count = std::min(kBlock, mesh_.point_count() - first);
     for (std::uint32_t k = 0; k < count; ++k) {
@@ -112,6 +131,8 @@ class VertexMaker {
     return take(vertex_of_input_[input], next);
   }
 
+  /// Finds or adds a rational point. One that doubles hold is found among the doubles, so that
+  /// equal points have one place.
   std::uint32_t find_or_add(std::uint32_t i, const RationalPoint3& p) {
     const Point3 near{nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
     if (is_exactly(near.x, p.x) && is_exactly(near.y, p.y) && is_exactly(near.z, p.z)) {
@@ -126,11 +147,12 @@ class VertexMaker {
     return take(at->second, next);
   }
 
+  /// Whether a double equals a rational number.
   static bool is_exactly(double near, const Rational& x) {
     return std::isfinite(near) && exact_rational(near) == x;
   }
 
-  /// The vertices that are doubles, in one go.
+  /// Adds the points that are doubles to the table, all at once, in the order of the vertices.
   void add_points() {
     std::uint32_t id = tables_.planes.add_points(inputs_).value();
     for (SpacePoint& p : result_.point) {
@@ -143,10 +165,10 @@ class VertexMaker {
   const MeshView& mesh_;
   SpaceTables& tables_;
   MeshVertices result_;
-  std::vector<Point3> inputs_;                  // the vertices that are doubles
-  std::vector<std::uint32_t> vertex_of_input_;  // of each of these
-  IdIndex doubles_;                             // finds them
-  std::array<std::uint32_t, kBlock> hashes_{};  // of the points of this block
+  std::vector<Point3> inputs_;                  // The vertices whose coordinates are doubles.
+  std::vector<std::uint32_t> vertex_of_input_;  // The vertex of each of inputs_.
+  IdIndex doubles_;                             // Finds a point in inputs_.
+  std::array<std::uint32_t, kBlock> hashes_{};  // The hashes of the points of this block.
   std::map<RationalPoint3, std::uint32_t, RationalLess> rationals_;
 };
 
@@ -158,6 +180,7 @@ MeshVertices merge_equal_points(const MeshView& mesh, SpaceTables& tables) {
 
 namespace {
 
+/// Whether all faces have three corners.
 bool has_only_triangles(const MeshView& mesh) {
   for (std::size_t f = 1; f < mesh.face_begin.size(); ++f) {
     if (mesh.face_begin[f] != 3 * f) return false;
@@ -165,13 +188,14 @@ bool has_only_triangles(const MeshView& mesh) {
   return true;
 }
 
+/// Whether all corners name points and all coordinates are finite.
 bool is_sound(const MeshView& mesh) {
   const std::size_t points = mesh.point_count();
   return std::ranges::all_of(mesh.corners, [=](std::uint32_t c) { return c < points; }) &&
          std::ranges::all_of(mesh.coordinates, [](double x) { return std::isfinite(x); });
 }
 
-/// The code of each point's place; none where the extent is no double.
+/// Returns the Morton code of each point's cell; empty if the extent of the points overflows.
 std::vector<std::uint32_t> places_of(const MeshView& mesh) {
   constexpr std::uint32_t kLast = 1023;
   const auto at = [&](std::size_t i) {
@@ -190,6 +214,7 @@ std::vector<std::uint32_t> places_of(const MeshView& mesh) {
   return places;
 }
 
+/// Returns 0, ..., n - 1 sorted by code_of(i). Equal codes keep their order.
 template <class CodeOf>
 std::vector<MortonCoded> sorted(std::size_t n, CodeOf&& code_of) {
   std::vector<MortonCoded> items;
@@ -208,7 +233,7 @@ OrderedMesh ordered_in_space(const MeshView& mesh) {
   const std::vector<std::uint32_t> place = places_of(mesh);
   if (place.empty()) return ordered;
 
-  std::vector<std::uint32_t> number(place.size());  // of each point, in the new order
+  std::vector<std::uint32_t> number(place.size());  // The new number of each point.
   ordered.coordinates.reserve(mesh.coordinates.size());
   std::uint32_t next = 0;
   for (const MortonCoded& p : sorted(place.size(), [&](std::uint32_t i) { return place[i]; })) {

@@ -1,3 +1,21 @@
+// The exact test of two triangles, and boxes of directions.
+//
+// By the number of common corners (docs/design/meshes.md, "Does the mesh meet itself?"):
+//   0, two planes   the triangles meet along a piece of the planes' common line whose ends are
+//                   where a side of one meets the other; so it is enough to test sides against
+//                   triangles
+//   0, one plane    convex polygons are apart if and only if the line of a side separates them
+//   1               both triangles are cones near the vertex, within their sectors; they meet
+//                   elsewhere if and only if the sectors have another direction in common
+//   2               in different planes they share the line of the edge only; in one plane they
+//                   overlap if and only if both lie on the same side of it
+//   3               they are one triangle of two facets: they overlap
+//
+// All signs are exact: orient3d and orient2d of input points, rationals for constructed ones. Boxes
+// of directions are computed in doubles with a bound for their errors.
+//
+// Tested by tests/space/mesh_crossings_test.cpp.
+
 #include "plumb/space/mesh/triangle_crossing.h"
 
 #include <algorithm>
@@ -17,22 +35,22 @@ using Triangle = FacetTriangle;
 
 constexpr std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
 
-/// Exact signs about corners. Constructed points (vertices with fractions for coordinates) go to
-/// rationals.
+/// Exact signs about corners. Constructed points (vertices with fractions for coordinates) are
+/// converted to rationals.
 class CornerSigns {
  public:
   explicit CornerSigns(const Point3Table& points) : points_(points) {}
 
   Sign side_of(const Corner& c, const Triangle& t) const { return side(points_, c.point, t.plane); }
 
-  /// Requires that a b crosses the plane of p and q, which is not parallel to it. Positive: p q
-  /// passes a b counter-clockwise, seen from a.
+  /// Returns how p q passes a b: Positive if counter-clockwise, seen from a. Requires that a b
+  /// crosses the plane of p and q, which is not parallel to it.
   Sign pass(const Corner& a, const Corner& b, const Corner& p, const Corner& q) const {
     if (are_inputs(a, b) && are_inputs(p, q)) return orient3d(at(a), at(b), at(p), at(q));
     return orient3d(exact_at(a), exact_at(b), exact_at(p), exact_at(q));
   }
 
-  /// The turn of three points of a plane, seen from its positive side.
+  /// Returns the turn of three points of a plane, seen from its positive side.
   Sign turn(PlaneId plane, const Corner& a, const Corner& b, const Corner& c) const {
     const FlatView view = FlatView::of_plane(points_.planes(), plane);
     if (are_inputs(a, b) && c.point.is_input()) {
@@ -41,8 +59,8 @@ class CornerSigns {
     return orient2d(flat(exact_at(a), view), flat(exact_at(b), view), flat(exact_at(c), view));
   }
 
-  /// Have two triangles of one plane a common point? Convex polygons are apart when one is strictly
-  /// beyond a side of the other.
+  /// Whether two triangles of one plane have a common point. Convex polygons are apart exactly if
+  /// one is strictly beyond a side of the other.
   bool overlap_in_plane(const Triangle& s, const Triangle& t) const {
     const FlatView view = FlatView::of_plane(points_.planes(), s.plane);
     const auto seen = [&](const Triangle& u, auto at) {
@@ -61,6 +79,7 @@ class CornerSigns {
   }
 
  private:
+  /// Whether t is strictly beyond a side of s. Both run counter-clockwise.
   template <class Point>
   static bool is_beyond_a_side(const std::array<Point, 3>& s, const std::array<Point, 3>& t) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -112,6 +131,7 @@ Common common_corners(const Triangle& s, const Triangle& t) {
   return common;
 }
 
+/// The exact test by the number of common corners.
 class PairTest {
  public:
   explicit PairTest(const Point3Table& points) : signs_(points) {}
@@ -130,8 +150,9 @@ class PairTest {
   }
 
  private:
-  /// Both run around the triangle with the positive side up, so that on one side of a common edge
-  /// they run along it in one direction.
+  /// Tests triangles with two common corners. Both run around the triangle with the positive side
+  /// up, so on one side of a common edge they run along it in the same direction. A common side
+  /// that is a diagonal of a facet is no common edge: then its points are common points elsewhere.
   static bool meet_at_side(const Triangle& s, const Triangle& t, const Common& common) {
     const auto [i, j] = common.of_first;
     const auto [k, l] = common.of_second;
@@ -142,6 +163,10 @@ class PairTest {
 
   // ---------------------------------------------------------------- one common corner
 
+  /// Tests triangles with one common corner v. In one plane their sectors overlap exactly if a
+  /// bounding direction of one lies in the other. In two planes both sectors must have directions
+  /// on both sides of the other's plane (or in it): then each meets the common line of the planes
+  /// in a ray from v, and it remains to test whether these rays are one.
   bool meet_at_corner(const Triangle& s, std::size_t i, const Triangle& t, std::size_t j) const {
     const Corner &v = s.corner[i], &a = s.corner[next(i)], &b = s.corner[next(next(i))];
     const Corner &c = t.corner[next(j)], &d = t.corner[next(next(j))];
@@ -150,18 +175,19 @@ class PairTest {
              is_in_sector(s.plane, v, c, d, a) || is_in_sector(s.plane, v, c, d, b);
     }
     const Sign side_a = signs_.side_of(a, t), side_b = signs_.side_of(b, t);
-    if (side_a == side_b) return false;  // both 0: one plane
+    if (side_a == side_b) return false;  // Both 0 would mean one plane.
     const Sign side_c = signs_.side_of(c, s), side_d = signs_.side_of(d, s);
     if (side_c == side_d) return false;
-    // Both meet the common line of the planes in a piece that begins at v. The same way?
+    // Both meet the common line of the planes in a piece that begins at v. They leave v the same
+    // way exactly if the segment a b, which crosses the plane of t, does so within the sector of t.
     if (side_a == Sign::Zero) return is_in_sector(t.plane, v, c, d, a);
     if (side_b == Sign::Zero) return is_in_sector(t.plane, v, c, d, b);
     return signs_.pass(a, b, v, c) * side_a != Sign::Negative &&
            signs_.pass(a, b, d, v) * side_a != Sign::Negative;
   }
 
-  /// Is x, in the plane, between the rays v a and v b (or on one), counter-clockwise from the
-  /// first? Requires less than a half-turn between them.
+  /// Whether x, a point of the plane, lies between the rays v a and v b or on one of them,
+  /// counter-clockwise from the first. Requires less than half a turn between them.
   bool is_in_sector(PlaneId plane, const Corner& v, const Corner& a, const Corner& b,
                     const Corner& x) const {
     return signs_.turn(plane, v, a, x) != Sign::Negative &&
@@ -170,7 +196,8 @@ class PairTest {
 
   // ---------------------------------------------------------------- no common corner
 
-  /// Different planes: where they meet, a side of one meets the other.
+  /// Tests triangles in different planes without common corners. Where they meet, a side of one
+  /// meets the other.
   bool cross(const Triangle& s, const Triangle& t) const {
     const std::array<Sign, 3> of_s = sides(s, t);
     if (is_one_side(of_s)) return false;
@@ -182,12 +209,13 @@ class PairTest {
     return {signs_.side_of(s.corner[0], t), signs_.side_of(s.corner[1], t),
             signs_.side_of(s.corner[2], t)};
   }
+  /// Whether all three signs are equal and not 0.
   static bool is_one_side(const std::array<Sign, 3>& sides) {
     return sides[0] != Sign::Zero && sides[0] == sides[1] && sides[1] == sides[2];
   }
 
-  /// Of a side in t's plane the ends are enough: where its inside alone meets t, a side of t
-  /// meets it.
+  /// Whether a side of s meets t. For a side in the plane of t its ends are enough: where only its
+  /// inside meets t, a side of t meets it.
   bool some_side_meets(const Triangle& s, const std::array<Sign, 3>& sides,
                        const Triangle& t) const {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -199,12 +227,15 @@ class PairTest {
     }
     return false;
   }
+  /// Whether t contains x, a point of its plane.
   bool contains(const Triangle& t, const Corner& x) const {
     for (std::size_t i = 0; i < 3; ++i) {
       if (signs_.turn(t.plane, t.corner[i], t.corner[next(i)], x) == Sign::Negative) return false;
     }
     return true;
   }
+  /// Whether the segment a b, whose ends are on different sides of t's plane, meets t: it passes no
+  /// side on the outside.
   bool is_pierced(const Triangle& t, const Corner& a, const Corner& b, Sign side_of_a) const {
     for (std::size_t i = 0; i < 3; ++i) {
       const Sign pass = signs_.pass(a, b, t.corner[i], t.corner[next(i)]);
@@ -225,12 +256,15 @@ bool TriangleCrossing::meet_elsewhere(const FacetTriangle& s, const FacetTriangl
 
 namespace {
 
-/// A unit vector and how far each coordinate may be off; infinite: nothing is known.
+/// A unit vector, and a bound for the error of each coordinate. The bound is infinite if nothing is
+/// known.
 struct Direction {
   std::array<double, 3> unit{};
   double error = Box3::kInfinity;
 };
 
+/// Returns the direction from one point to another. The difference is scaled by its largest
+/// coordinate first, so that nothing overflows or is lost to subnormals.
 Direction direction(const PointBox& from, const PointBox& to) {
   std::array<double, 3> d;
   double most = 0;
@@ -238,11 +272,13 @@ Direction direction(const PointBox& from, const PointBox& to) {
     d[i] = to.mid[i] - from.mid[i];
     most = std::max(most, std::fabs(d[i]));
   }
+  // Points too close together, or coordinates that overflow, give no direction.
   if (!(most > 0x1p-1000 && most < Box3::kInfinity)) return {};
   double square = 0;
   for (double& x : d) x /= most, square += x * x;
-  // Of a vector of length 1 at least, off by r in each coordinate, the unit vector is off by 2
-  // sqrt(3) r at most.
+  // Let a vector be at least 1 long and off by r in each coordinate, so by sqrt(3) r in length;
+  // then its unit vector is off by 2 sqrt(3) r at most, which is below 4 r. 2^-40 covers all
+  // roundings.
   const double error = 4 * ((from.radius + to.radius) / most) + 0x1p-40;
   if (!(error < 0x1p-3)) return {};
   const double length = std::sqrt(square);
@@ -252,6 +288,8 @@ Direction direction(const PointBox& from, const PointBox& to) {
 
 }  // namespace
 
+// A triangle of a large facet belongs to the facet's group. Of the others, each goes to its corner
+// with the most triangles; of equal ones, the greatest vertex, so that the choice is unique.
 TriangleGroups group_triangles(std::span<const FacetTriangle> triangles, std::size_t vertex_count) {
   constexpr std::uint32_t kMany = TriangleGroups::kMany;
   std::vector<std::uint32_t> degree(vertex_count, 0), group_at(vertex_count, kNone);
@@ -279,6 +317,7 @@ TriangleGroups group_triangles(std::span<const FacetTriangle> triangles, std::si
       groups.of[t] = is_around ? group : facet_group;
     }
   }
+  // A triangle makes a pair with each one of its group that came before it.
   std::vector<std::uint64_t> size(groups.hub.size(), 0);
   for (const std::uint32_t g : groups.of) {
     if (g != kNone) groups.pairs += size[g]++;
@@ -286,7 +325,10 @@ TriangleGroups group_triangles(std::span<const FacetTriangle> triangles, std::si
   return groups;
 }
 
-// An arc of the sphere is within chord^2 / 4 of its chord: 1 - sqrt(1 - x^2) <= x^2.
+// The unit vectors towards the side form an arc of a great circle between those towards its ends.
+// Such an arc is within chord^2 / 4 of its chord: for half the chord x the distance is 1 - sqrt(1 -
+// x^2) <= x^2, for every arc up to half a turn. So the box around both ends, widened by that and by
+// the errors, holds the arc.
 Box3 box_of_directions(const PointBox& centre, const PointBox& a, const PointBox& b) {
   const Direction to_a = direction(centre, a), to_b = direction(centre, b);
   const double error = std::max(to_a.error, to_b.error);

@@ -1,3 +1,19 @@
+// Corners and cycles of facets, and the nesting of cycles by one sweep.
+//
+// Directions in the plane n of a facet are sign (n x m) for another plane m of the line, so the
+// turn from one to another is the sign of a det3. Which way a cycle runs is decided at its
+// lexicographically least vertex: all edges leave it within half a turn, so its corner on the
+// inside is less than half a turn exactly if the cycle is outer. If the cycle passes that vertex
+// several times, all corners there have to be such.
+//
+// Nesting: the region of all facets of a plane lies to the left of their edges. Below the least
+// point of a hole is an edge of the outer cycle of its facet, or of another hole of the same facet,
+// whose least point comes before. So holes are resolved in the order of the sweep. The sweep asks
+// for sides of planes through edges instead of turns of points: points of the frame have no
+// coordinates.
+//
+// Tested by tests/space/facet_site_test.cpp.
+
 #include "plumb/space/planar/facet_site.h"
 
 #include <algorithm>
@@ -56,6 +72,7 @@ Sign corner_sign(const SpaceComplex& complex, UseId u) {
   const PlaneId plane = complex.facet_plane[complex.use_facet[u.value()].value()];
   const UseId before = complex.use_prev[u.value()];
   const HalfedgeId back = SpaceComplex::twin(complex.use_halfedge[before.value()]);
+  // For directions s (n x m) and t (n x k) the sine of the turn has the sign of s t det3(n, m, k).
   const DirectionInPlane d1 = direction_in_plane(complex, plane, complex.use_halfedge[u.value()]);
   const DirectionInPlane d2 = direction_in_plane(complex, plane, back);
   return d1.sign * d2.sign * det3_sign(complex.planes(), plane, d1.m, d2.m);
@@ -81,26 +98,27 @@ bool is_outer(const SpaceComplex& complex, UseId cycle) {
 
 namespace {
 
-/// A point where no edge ends, and the edge just below it.
+/// A point at which no edge ends, and the edge just below it.
 struct PointAbove {
   std::uint32_t point;
   std::uint32_t edge;
 };
 
-/// Of a plane through an edge, the side on which points are to the left of its use.
+/// A plane through an edge, and its side on which points are to the left of the edge's use.
 struct LeftSide {
   PlaneId plane;
   Sign side;
 };
 
-/// Edges are asked by their planes: points may be of the frame, and need no coordinates.
+/// The sweep. It asks for planes through edges, as points may be of the frame, which have no
+/// coordinates.
 class BelowSweep final : RegionSweep {
  public:
   BelowSweep(const FlatPoints& points, std::span<const IndexEdge> edges,
              std::span<const LeftSide> left_side, Context& context)
       : RegionSweep(points, edges, &context), flat_(points), left_side_(left_side) {}
 
-  /// Of points in the region, in the order of the sweep.
+  /// Returns the points inside the region at which no edge ends, in the order of the sweep.
   std::vector<PointAbove> run() {
     std::vector<PointAbove> found;
     start();
@@ -108,6 +126,7 @@ class BelowSweep final : RegionSweep {
       count_step();
       const auto [begin, end] = edges_ending(v);
       const std::uint32_t below = edge_below(begin);
+      // The point is in the region if the edge just below it has the region above it.
       if (begin == end && below != kNone && edges_[below].is_lower) {
         found.push_back({order_[v], below});
       }
@@ -119,6 +138,7 @@ class BelowSweep final : RegionSweep {
 
  private:
   Sign turn(std::uint32_t edge, std::uint32_t rank) const override {
+    // Left of the use is left of the edge if the edge runs from its lesser end to its greater one.
     const auto& [plane, positive] = left_side_[edge];
     const Sign left = positive * flat_.side(order_[rank], plane);
     return edges_[edge].is_lower ? left : -left;
@@ -128,6 +148,7 @@ class BelowSweep final : RegionSweep {
   std::span<const LeftSide> left_side_;
 };
 
+/// The nesting of the cycles and points of one plane.
 class Nesting {
  public:
   Nesting(const SpaceComplex& complex, PlaneId plane, std::span<const UseId> cycles,
@@ -168,10 +189,12 @@ class Nesting {
       u = complex_.use_next[u.value()];
     } while (u != first);
   }
+  /// Returns the point of flat_ that shows a vertex.
   std::uint32_t index(VertexId v) const {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(shown_, v) - shown_.begin());
   }
 
+  /// Charges the context for the arrays of the sweep.
   void charge() {
     constexpr std::uint64_t kBytesEach = 200;
     std::uint64_t count = points_.size();
@@ -179,6 +202,7 @@ class Nesting {
     memory_.add(kBytesEach * count, "cycles of a plane");
   }
 
+  /// Fills flat_ with all vertices, and edges_ with a directed edge for each use.
   void show() {
     shown_.assign(points_.begin(), points_.end());
     for (const UseId cycle : cycles_) {
@@ -192,6 +216,7 @@ class Nesting {
       for_uses(cycles_[c], [&](UseId u) { add_edge(complex_.use_halfedge[u.value()], c); });
     }
   }
+  /// Adds a directed edge with the side of its other plane that lies to its left.
   void add_edge(HalfedgeId h, std::uint32_t cycle) {
     const OtherPlane other = other_plane(complex_, SpaceComplex::edge_of(h), plane_);
     edges_.push_back({index(complex_.origin[h.value()]), index(complex_.target(h))});
@@ -199,7 +224,8 @@ class Nesting {
     cycle_of_edge_.push_back(cycle);
   }
 
-  /// A point is the least one of one hole at most: what is to the left of it belongs to one facet.
+  /// Notes the least point of each hole. A point is the least one of one hole at most: what is to
+  /// its left belongs to one facet.
   void find_least_points(std::span<const std::uint32_t> holes) {
     hole_at_.assign(shown_.size(), kNone);
     for (const std::uint32_t c : holes) {
@@ -212,9 +238,12 @@ class Nesting {
     }
   }
 
+  /// Resolves holes and points in the order of the sweep.
   void find_facets(CycleNesting& found) {
-    std::vector<std::uint32_t> around(shown_.size(), kNone);  // per point: an outer cycle
+    std::vector<std::uint32_t> around(shown_.size(), kNone);  // An outer cycle for each point.
     for (const PointAbove& p : BelowSweep(flat_, edges_, left_side_, context_).run()) {
+      // The cycle below has its outer cycle already: it is outer, or a hole whose least point came
+      // before.
       around[p.point] = found.of_cycle[cycle_of_edge_[p.edge]];
       const std::uint32_t hole = hole_at_[p.point];
       if (hole != kNone) found.of_cycle[hole] = around[p.point];
@@ -233,11 +262,11 @@ class Nesting {
   Context& context_;
   MemoryCharge memory_;
   FlatPoints flat_;
-  std::vector<VertexId> shown_;  // per point of flat_, ascending
+  std::vector<VertexId> shown_;  // The vertex of each point of flat_, ascending.
   std::vector<IndexEdge> edges_;
-  std::vector<LeftSide> left_side_;           // per edge
-  std::vector<std::uint32_t> cycle_of_edge_;  // index of cycles_
-  std::vector<std::uint32_t> hole_at_;        // per point: the hole that it is the least point of
+  std::vector<LeftSide> left_side_;           // One entry for each edge.
+  std::vector<std::uint32_t> cycle_of_edge_;  // An index of cycles_ for each edge.
+  std::vector<std::uint32_t> hole_at_;        // The hole of which each point is the least one.
 };
 
 }  // namespace

@@ -1,3 +1,14 @@
+// Shapes of polygons, and triangles of facets.
+//
+// A polygon is convex, and so simple, if all its turns have one sign and it changes its
+// lexicographic direction twice, so that it goes around once. Any other polygon is tested by a
+// sweep that stops at the first place where segments meet other than in common ends.
+//
+// A facet is a triangle (nothing to do), or a polygon whose fan from one corner has left turns
+// only, or is cut by the sweep of triangulate(), which takes holes, slits and inner vertices.
+//
+// Tested by tests/space/triangulate_test.cpp and tests/space/from_mesh_test.cpp.
+
 #include "plumb/space/planar/facet_triangles.h"
 
 #include <algorithm>
@@ -9,8 +20,8 @@
 namespace plumb {
 namespace {
 
-/// One turn, never back: two changes of lexicographic direction, and no two turns of different
-/// signs.
+/// Whether a polygon goes around once and never turns back: two changes of lexicographic direction,
+/// and no two turns of different signs.
 bool is_convex(const FlatPoints& points, std::span<const std::uint32_t> polygon) {
   const std::size_t n = polygon.size();
   Sign turn = Sign::Zero, direction = points.compare(polygon[n - 1], polygon[0]);
@@ -27,7 +38,7 @@ bool is_convex(const FlatPoints& points, std::span<const std::uint32_t> polygon)
   return changes == 2 && turn != Sign::Zero;
 }
 
-/// Do segments meet in common ends only?
+/// Finds out whether segments meet in other places than common ends.
 class TouchVisitor final : public SweepVisitor {
  public:
   bool on_event(const SweepEvent& event) override {
@@ -40,6 +51,7 @@ class TouchVisitor final : public SweepVisitor {
   bool is_crossing_ = false;
 };
 
+/// Whether edges meet in other places than common ends.
 bool is_crossing(const FlatPoints& points, std::span<const IndexEdge> edges, Context& context) {
   std::vector<SweepSegment> segments;
   for (const IndexEdge& e : edges) segments.push_back({e[0], e[1]});
@@ -48,6 +60,7 @@ bool is_crossing(const FlatPoints& points, std::span<const IndexEdge> edges, Con
   return visitor.is_crossing();
 }
 
+/// Whether a corner comes twice.
 bool has_repeats(std::span<const std::uint32_t> polygon) {
   std::vector<std::uint32_t> sorted(polygon.begin(), polygon.end());
   std::sort(sorted.begin(), sorted.end());
@@ -63,7 +76,8 @@ void cancel_reverses(std::vector<IndexEdge>& edges) {
   std::sort(edges.begin(), edges.end(), [&](const IndexEdge& a, const IndexEdge& b) {
     return std::pair(key(a), a) < std::pair(key(b), b);
   });
-  // In a run of one undirected edge: first all there, then all back.
+  // Of one undirected edge, all of one direction come first, then all reverses: each of these
+  // cancels one of the others.
   std::size_t kept = 0;
   for (const IndexEdge& e : edges) {
     if (kept > 0 && edges[kept - 1] == IndexEdge{e[1], e[0]}) {
@@ -92,6 +106,7 @@ PolygonShape shape_of(const FlatPoints& points, std::span<const std::uint32_t> p
   return is_repeating ? PolygonShape::Touching : PolygonShape::Simple;
 }
 
+// The corner at the least point of a simple polygon is convex, so its turn is that of the polygon.
 Sign orientation_of(const FlatPoints& points, std::span<const std::uint32_t> polygon) {
   const std::size_t n = polygon.size();
   std::size_t least = 0;
@@ -106,11 +121,12 @@ void FacetTriangles::cut(FacetId f) {
   triangles_.clear();
   if (is_single_cycle(f) && shown_.size() == edges_.size() && cut_as_fan()) return;
   triangles_.clear();
-  cancel_reverses(edges_);  // an edge with the facet on both sides
+  cancel_reverses(edges_);  // Edges with the facet on both sides.
   PLUMB_CHECK(triangulate(flat_, edges_, triangles_));
 }
 
-/// A simple polygon is star-shaped around its first corner if all triangles there turn left.
+/// Cuts the facet into a fan from its first corner. Returns false if a triangle there does not turn
+/// left; if all do, the simple polygon is star-shaped around that corner.
 bool FacetTriangles::cut_as_fan() {
   for (std::size_t i = 1; i + 1 < edges_.size(); ++i) {
     const IndexTriangle t{edges_[0][0], edges_[i][0], edges_[i][1]};
@@ -120,6 +136,7 @@ bool FacetTriangles::cut_as_fan() {
   return true;
 }
 
+/// Fills shown_, edges_ and flat_ with a facet.
 void FacetTriangles::show(FacetId f) {
   shown_.clear();
   edges_.clear();

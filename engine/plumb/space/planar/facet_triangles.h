@@ -1,4 +1,5 @@
-// Polygons in a view: are they simple, and if not, what do they cover?
+// Polygons in a view: whether they are simple, which way they run, and what they cover. The second
+// part cuts the facets of a complex into triangles.
 #pragma once
 
 #include <array>
@@ -14,35 +15,40 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
+/// How a polygon meets itself.
 enum class PolygonShape : std::uint8_t {
-  Simple,
-  Touching,  ///< meets itself in common corners only, or runs an edge there and back
-  Crossing,
+  Simple,    ///< It does not.
+  Touching,  ///< It does in common corners only, or runs an edge forth and back.
+  Crossing,  ///< Edges of it cross or overlap, or pass through a corner.
 };
 
-/// `polygon`: indices of points, all points different, no corner follows itself. O(n) when convex,
-/// else O(n log n).
+/// Returns the shape of a polygon, given by indices of points. Requires that all points are
+/// different and no corner follows itself. O(n) for a convex polygon, else O(n log n). Throws what
+/// the context throws.
 PolygonShape shape_of(const FlatPoints& points, std::span<const std::uint32_t> polygon,
                       Context& context);
 
-/// Requires a Simple polygon that is not all on a line. Positive: counter-clockwise.
+/// Returns which way a polygon runs: Positive is counter-clockwise. Requires a Simple polygon that
+/// is not all on a line. O(n).
 Sign orientation_of(const FlatPoints& points, std::span<const std::uint32_t> polygon);
 
-/// Without those there whose reverse is there too: neither stays. Sorts the others.
+/// Removes pairs of an edge and its reverse, and sorts the others. O(n log n).
 void cancel_reverses(std::vector<IndexEdge>& edges);
 
-/// The directed edges of a polygon without those that it runs there and back.
+/// Returns the directed edges of a polygon without those that it runs forth and back.
 std::vector<IndexEdge> boundary_of(std::span<const std::uint32_t> polygon);
 
 // Facets cut into triangles between vertices of the complex.
 
-/// Keeps its memory from facet to facet. One for each thread.
+/// Cuts facets into triangles. Keeps its memory from facet to facet, so there is one for each
+/// thread.
 class FacetTriangles {
  public:
+  /// Keeps a reference to the complex.
   explicit FacetTriangles(const SpaceComplex& complex)
       : complex_(complex), flat_(complex.points()) {}
-  /// From now on looks at the nearest doubles of vertices (rounded_point3.h), per vertex of the
-  /// facets to come.
+  /// From now on looks at the nearest doubles of vertices (rounded_point3.h), which decide more
+  /// than boxes. `nearest` has one for each vertex.
   void use_nearest(std::span<const RoundedPoint3> nearest) { nearest_ = nearest; }
 
   /// Calls visit(a, b, c) with the vertices of each triangle, counter-clockwise seen from the
@@ -71,7 +77,7 @@ class FacetTriangles {
   const SpaceComplex& complex_;
   FlatPoints flat_;
   std::span<const RoundedPoint3> nearest_;
-  std::vector<VertexId> shown_;  // per point of flat_, ascending
+  std::vector<VertexId> shown_;  // The vertex of each point of flat_, ascending.
   std::vector<IndexEdge> edges_;
   std::vector<IndexTriangle> triangles_;
 };

@@ -1,3 +1,21 @@
+// Exact predicates of points in a view, the sweep over a region, its triangles, Delaunay flips.
+//
+// Triangulation: the sweep keeps, for the part of the region above each lower edge on the sweep
+// line, the chain of points behind it that no triangle has closed off. Invariant: between the two
+// edges of the part the chain is a path from bottom to top whose inner corners are reflex or flat
+// as seen from the right. A new point closes off triangles with neighbours of the chain as long as
+// it sees them; where no edge ends it divides the chain at its rightmost point, which it surely
+// sees. Every point enters chains a constant number of times and every triangle removes one, so all
+// walks together are O(n) besides the O(n log n) of the status.
+//
+// The edges at a point must alternate between lower and upper, starting by whether the region is
+// below; otherwise some place would be covered twice or less than once, and there is no region.
+//
+// Delaunay: flips of sides that are no given edges, until every side is locally Delaunay; ties go
+// to the lowest index, so the result does not depend on the order of flips.
+//
+// Tested by tests/space/triangulate_test.cpp.
+
 #include "plumb/space/planar/triangulate.h"
 
 #include <algorithm>
@@ -20,7 +38,7 @@ FlatView FlatView::of_plane(const PlaneTable& planes, PlaneId plane) {
   for (std::size_t i = 1; i < 3; ++i) {
     if (std::fabs(row.n[i]) > std::fabs(row.n[view.axis])) view.axis = i;
   }
-  view.is_mirrored = row.n[view.axis] < 0;  // |n| >= 1/2 there, so the sign is the exact one
+  view.is_mirrored = row.n[view.axis] < 0;  // |n| >= 1/2 there, so this is the exact sign.
   return view;
 }
 
@@ -37,6 +55,7 @@ void FlatPoints::push_back(SpacePoint p) {
       {{box.mid[view_.coordinate(0)], box.mid[view_.coordinate(1)]}, box.radius, p, p.is_input()});
 }
 
+// The nearest double is off by half a unit in the last place, at most 2^-53 of its magnitude.
 void FlatPoints::push_back(SpacePoint p, const RoundedPoint3& nearest) {
   const std::array c{nearest.at.x, nearest.at.y, nearest.at.z};
   const Point2 mid{c[view_.coordinate(0)], c[view_.coordinate(1)]};
@@ -66,10 +85,11 @@ const FlatPoints::HomogeneousPoint& FlatPoints::homogeneous_point(std::uint32_t 
 
 namespace {
 
-/// A difference of coordinates is off by E = the radii (and what subnormals lose, flushed or
-/// rounded: 2^-1000 covers it) and one rounding; the determinant by E times the four differences, 2
-/// E^2 and 2^-50 of its products; the factor 2 pays for the roundings of the bound. Overflow: not
-/// decided.
+/// Returns the sign of the turn of three points known up to their radii, if it is sure. A
+/// difference of coordinates is off by E = the radii (and what subnormals lose, flushed or rounded:
+/// 2^-1000 covers it) and one rounding; the determinant by E times the four differences, 2 E^2 and
+/// 2^-50 of its products; the factor 2 covers the roundings of the bound. If anything overflows,
+/// nothing is decided.
 FilteredSign orient_filter(const Point2& a, const Point2& b, const Point2& c, double radii) {
   const double e = radii + 0x1p-1000;
   const double ax = a.x - c.x, ay = a.y - c.y, bx = b.x - c.x, by = b.y - c.y;
@@ -88,18 +108,21 @@ Sign FlatPoints::orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
   if (a.point.is_input() && b.point.is_input() && c.point.is_input()) {
     return orient2d(a.mid, b.mid, c.mid);
   }
+  // A difference of two coordinates is off by the sum of two radii.
   const double radii = 2 * std::max({a.radius, b.radius, c.radius});
   const FilteredSign s = orient_filter(a.mid, b.mid, c.mid, radii);
   if (is_decided(s)) return decide(Predicate::Orient2d, Rung::Filter, s);
   const auto& [ax, ay, aw] = homogeneous_point(i);
   const auto& [bx, by, bw] = homogeneous_point(j);
   const auto& [cx, cy, cw] = homogeneous_point(k);
+  // The determinant of the homogeneous rows has the sign of the turn, as all weights are positive.
   const Integer det =
       ax * (by * cw - bw * cy) - ay * (bx * cw - bw * cx) + aw * (bx * cy - by * cx);
   count_rung(Predicate::Orient2d, Rung::Big);
   return sign_of(det);
 }
 
+// Rounding to nearest is monotone, so two different nearest doubles are in the order of the points.
 Sign FlatPoints::compare_along(std::size_t i, std::size_t j, std::size_t side) const {
   const Entry &a = at_[i], &b = at_[j];
   const double x = side == 0 ? a.mid.x : a.mid.y, y = side == 0 ? b.mid.x : b.mid.y;
@@ -119,6 +142,7 @@ Sign FlatPoints::compare(std::uint32_t i, std::uint32_t j) const {
   return x != Sign::Zero ? x : compare_along(i, j, 1);
 }
 
+// Unless all four are input points, the sign is computed with rationals at once.
 Sign FlatPoints::incircle(std::uint32_t i, std::uint32_t j, std::uint32_t k,
                           std::uint32_t l) const {
   const Entry &a = at_[i], &b = at_[j], &c = at_[k], &d = at_[l];
@@ -148,6 +172,7 @@ RegionSweep::RegionSweep(const PlanarPoints& points, std::span<const IndexEdge> 
   edges_.reserve(edges.size());
   for (const IndexEdge& e : edges) {
     const std::uint32_t from = rank_[e[0]], to = rank_[e[1]];
+    // The region lies to the left: above an edge that runs to the right, below one that runs back.
     edges_.push_back({std::min(from, to), std::max(from, to), from < to});
   }
 }
@@ -163,6 +188,7 @@ void RegionSweep::rank_points() {
   for (std::uint32_t r = 0; r < order_.size(); ++r) rank_[order_[r]] = r;
 }
 
+// Edges that leave one point enter the status together, so they are sorted there beforehand.
 void RegionSweep::start() {
   starts_.resize(edges_.size());
   std::iota(starts_.begin(), starts_.end(), 0U);
@@ -175,18 +201,19 @@ void RegionSweep::start() {
   incoming_.assign(order_.size(), kNone);
 }
 
-/// The order of two edges that some vertical line meets, or that start together.
+/// Returns the order of two edges that some vertical line meets, or that start together.
 bool RegionSweep::is_below(std::uint32_t a, std::uint32_t b) const {
   const SweepEdge &p = edges_[a], &q = edges_[b];
   if (p.left == q.left) {
     const Sign side = turn(a, q.right);
-    // The two halves of a slit: what is below it ends before what is above begins.
+    // These are the two halves of a slit: what is below it ends before what is above begins.
     return side == Sign::Zero ? !p.is_lower && q.is_lower : side == Sign::Positive;
   }
   if (p.left < q.left) return turn(a, q.left) == Sign::Positive;
   return turn(b, p.left) == Sign::Negative;
 }
 
+// Edges that end in one point are neighbours in the status, so one of them leads to all.
 std::pair<RegionSweep::Place, RegionSweep::Place> RegionSweep::edges_ending(std::uint32_t v) {
   if (incoming_[v] == kNone) {
     const Place at = status_.lower_bound(Probe{v});
@@ -208,24 +235,27 @@ struct Chain {
   std::uint32_t rightmost = kNone;
 };
 
+/// A point of a chain, with its neighbours.
 struct ChainNode {
   std::uint32_t rank;
   std::uint32_t below = kNone;
   std::uint32_t above = kNone;
 };
 
-/// A piece of a chain on one side of the point being swept.
+/// A part of a chain on one side of the point being swept.
 struct ChainPart {
-  std::uint32_t outer = kNone;  ///< the node at the edge that bounds the part
-  std::uint32_t inner = kNone;  ///< the node that the new point sees last
+  std::uint32_t outer = kNone;  ///< The node at the edge that bounds the part.
+  std::uint32_t inner = kNone;  ///< The node that the new point sees last.
   bool is_there() const { return outer != kNone; }
 };
 
+/// The triangulation of one region.
 class RegionCut final : RegionSweep {
  public:
   RegionCut(const PlanarPoints& points, std::span<const IndexEdge> edges)
       : RegionSweep(points, edges), chain_(edges.size()) {}
 
+  /// Appends the triangles, or returns false.
   bool run(std::vector<IndexTriangle>& triangles) {
     const std::size_t before = triangles.size();
     triangles_ = &triangles;
@@ -250,26 +280,28 @@ class RegionCut final : RegionSweep {
     nodes_[above].below = below;
   }
 
-  /// Triangle of the new point v and two neighbours of a chain, if v sees them both.
+  /// Adds the triangle of the new point v and two neighbours of a chain, if v sees them both.
   bool close_off(std::uint32_t v, std::uint32_t upper, std::uint32_t lower) {
     const std::uint32_t u = nodes_[upper].rank, l = nodes_[lower].rank;
     if (orient(v, u, l) != Sign::Positive) return false;
     triangles_->push_back({order_[v], order_[u], order_[l]});
     return true;
   }
+  /// Closes off triangles downward from a node, and returns the last one that v sees.
   std::uint32_t walk_down(std::uint32_t v, std::uint32_t node) {
     while (nodes_[node].below != kNone && close_off(v, node, nodes_[node].below)) {
       node = nodes_[node].below;
     }
     return node;
   }
+  /// Closes off triangles upward from a node, and returns the last one that v sees.
   std::uint32_t walk_up(std::uint32_t v, std::uint32_t node) {
     while (nodes_[node].above != kNone && close_off(v, nodes_[node].above, node)) {
       node = nodes_[node].above;
     }
     return node;
   }
-  /// The part between two edges that end in v.
+  /// Closes off the part between two edges that end in v.
   void close_all(std::uint32_t v, std::uint32_t lower) {
     for (std::uint32_t n = chain_[lower].first; nodes_[n].above != kNone; n = nodes_[n].above) {
       close_off(v, nodes_[n].above, n);
@@ -278,12 +310,16 @@ class RegionCut final : RegionSweep {
 
   // ---------------------------------------------------------------- one point
 
+  /// Sweeps over one point. The part below its ending edges keeps the chain `low`, the part above
+  /// `high`; parts between ending edges are closed. Returns false if there is no region.
   bool visit(std::uint32_t v) {
     const auto [begin, end] = edges_ending(v);
     const std::uint32_t below = edge_below(begin);
     const bool is_inside_below = below != kNone && edges_[below].is_lower;
     if (!alternates(begin, end, is_inside_below)) return false;
 
+    // Between ending edges the region is closed off completely; below the lowest and above the
+    // highest of them it goes on, with the chains that v sees.
     ChainPart low, high;
     if (begin == end) {
       if (is_inside_below) split(v, chain_[below], low, high);
@@ -299,6 +335,7 @@ class RegionCut final : RegionSweep {
     return leave(v, below, low, high);
   }
 
+  /// Whether edges alternate between lower and upper ones, starting outside or inside the region.
   bool alternates(Place begin, Place end, bool is_inside) const {
     for (; begin != end; ++begin) {
       if (edges_[*begin].is_lower == is_inside) return false;
@@ -307,8 +344,10 @@ class RegionCut final : RegionSweep {
     return true;
   }
 
-  /// v lies inside the part above `below`: the chain parts at its rightmost point, which both keep.
+  /// Divides the chain of the part above `below`, in which v lies, at its rightmost point, which
+  /// both sides keep.
   void split(std::uint32_t v, const Chain& below, ChainPart& low, ChainPart& high) {
+    // The rightmost point is the last one swept in this part, so nothing lies between it and v.
     const std::uint32_t middle = below.rightmost, above = nodes_[middle].above;
     const std::uint32_t copy = add_node(nodes_[middle].rank);
     if (above != kNone) link(copy, above);
@@ -329,6 +368,7 @@ class RegionCut final : RegionSweep {
       return true;
     });
     if (!alternates || is_inside != high.is_there()) return false;
+    // Without edges that leave, the parts below and above become one.
     if (top == kNone) {
       if (low.is_there()) join(v, below, low, high);
       return true;
@@ -346,6 +386,7 @@ class RegionCut final : RegionSweep {
     return true;
   }
 
+  /// Joins both sides at v, from which no edge leaves.
   void join(std::uint32_t v, std::uint32_t below, ChainPart low, ChainPart high) {
     const std::uint32_t node = add_node(v);
     link(low.inner, node);
@@ -353,7 +394,7 @@ class RegionCut final : RegionSweep {
     chain_[below] = {low.outer, high.outer, node};
   }
 
-  std::vector<Chain> chain_;  // per edge that is lower and in the status
+  std::vector<Chain> chain_;  // The chain of each lower edge in the status.
   std::vector<ChainNode> nodes_;
   std::vector<IndexTriangle>* triangles_ = nullptr;
 };
@@ -369,7 +410,7 @@ bool triangulate(const PlanarPoints& points, std::span<const IndexEdge> edges,
 
 namespace {
 
-/// Sides 3 t + i of triangles: from corner i to the next.
+/// Flips sides of triangles. Side 3 t + i of triangle t runs from corner i to the next one.
 class DelaunayFlips {
  public:
   DelaunayFlips(const PlanarPoints& points, std::span<const IndexEdge> edges,
@@ -398,9 +439,9 @@ class DelaunayFlips {
   static std::uint32_t before(std::uint32_t s) { return s % 3 == 0 ? s + 2 : s - 1; }
   std::uint32_t& origin(std::uint32_t s) { return triangles_[s / 3][s % 3]; }
 
-  /// Sides that are not given edges find the side across.
+  /// Finds for each side that is no given edge the side across.
   void pair_sides(std::span<const IndexEdge> edges) {
-    using Entry = std::pair<IndexEdge, std::uint32_t>;  // ascending ends, side
+    using Entry = std::pair<IndexEdge, std::uint32_t>;  // The ends, ascending, and the side.
     std::vector<Entry> entries;
     const auto key = [](std::uint32_t a, std::uint32_t b) {
       return IndexEdge{std::min(a, b), std::max(a, b)};
@@ -414,6 +455,8 @@ class DelaunayFlips {
     for (std::size_t i = 0; i < entries.size();) {
       std::size_t j = i;
       while (j < entries.size() && entries[j].first == entries[i].first) ++j;
+      // Two entries of one pair of ends are two triangles; a third one is the given edge (kNone
+      // sorts last), which must not be flipped.
       if (j == i + 2 && entries[i + 1].second != kNone) {
         other_[entries[i].second] = entries[i + 1].second;
         other_[entries[i + 1].second] = entries[i].second;
@@ -422,6 +465,8 @@ class DelaunayFlips {
     }
   }
 
+  /// Whether the point across lies inside the circle of the triangle; or on it, if the flip joins
+  /// the lowest index.
   bool should_flip(std::uint32_t s) {
     const std::uint32_t a = origin(s), b = origin(after(s)), c = origin(before(s));
     const std::uint32_t d = origin(before(other_[s]));
@@ -429,12 +474,12 @@ class DelaunayFlips {
     return in == Sign::Positive || (in == Sign::Zero && std::min(c, d) < std::min(a, b));
   }
 
-  /// Triangles (a, b, c), (b, a, d) become (d, c, a)'s and (c, d, b)'s: side s = d -> c.
+  /// Replaces triangles (a, b, c) and (b, a, d) by (d, c, a) and (c, d, b), with side s = d -> c.
   void flip(std::uint32_t s) {
     const std::uint32_t t = other_[s];
     const std::uint32_t c = origin(before(s)), d = origin(before(t));
     const std::uint32_t bc = other_[after(s)], ad = other_[after(t)];
-    // (d, c, a) in the place of (a, b, c); (c, d, b) in the place of (b, a, d)
+    // (d, c, a) takes the place of (a, b, c), and (c, d, b) that of (b, a, d).
     const std::uint32_t a = origin(s), b = origin(t);
     const std::uint32_t ca = other_[before(s)], db = other_[before(t)];
     set(s, d, c, a);
@@ -456,7 +501,7 @@ class DelaunayFlips {
 
   const PlanarPoints& points_;
   std::span<IndexTriangle> triangles_;
-  std::vector<std::uint32_t> other_;  // per side: across; none at given edges
+  std::vector<std::uint32_t> other_;  // The side across each side; kNone at given edges.
 };
 
 }  // namespace

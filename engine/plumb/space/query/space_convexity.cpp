@@ -1,3 +1,13 @@
+// The tests of the header, in its order; each reads the complex once.
+//
+// Since the complex is minimal, what a cell is says what is around it: a facet with V on both sides
+// is a slit, an edge with two facets of one plane separates different marks. So local conditions at
+// facets, edges and vertices decide about the body, and counting runs of marked cells along the
+// sides of a facet decides about its boundary. The proof is in the header and in
+// docs/design/walls.md, "Convexity".
+//
+// Tested by tests/space/space_convexity_test.cpp.
+
 #include "plumb/space/query/space_convexity.h"
 
 #include <algorithm>
@@ -9,7 +19,7 @@
 namespace plumb {
 namespace {
 
-/// The questions of the header, one after the other.
+/// The test of one complex.
 class ConvexityTest {
  public:
   explicit ConvexityTest(const SpaceComplex& complex) : c_(complex) {}
@@ -26,6 +36,8 @@ class ConvexityTest {
  private:
   // ---- 1. body
 
+  /// Whether K is convex and S lies between V and K: every facet has V on one side, every edge is
+  /// convex, every vertex has one cone.
   bool is_body_convex() const {
     for (std::size_t f = 0; f < c_.facet_count(); ++f) {
       const auto& [above, below] = c_.facet_volume[f];
@@ -40,8 +52,9 @@ class ConvexityTest {
     return true;
   }
 
-  /// The use s (n x d), s = 1 of half-edge 2e and -1 of 2e+1, says where from the edge, d along 2e,
-  /// a facet with normal n lies; (n1 x d) x (n2 x d) = d det(n1, n2, d).
+  /// Whether two facets meet at an edge with at most half a turn inside V. The use s (n x d), s = 1
+  /// of half-edge 2e and -1 of 2e + 1, gives the direction from the edge, d along 2e, in which a
+  /// facet with normal n lies; and (n1 x d) x (n2 x d) = d det(n1, n2, d).
   bool is_convex_at(EdgeId e) const {
     const UseId any = c_.edge_use[e.value()];
     if (!any.is_valid()) return false;
@@ -61,8 +74,8 @@ class ConvexityTest {
     return SpaceComplex::is_reverse(c_.use_halfedge[u.value()]) ? Sign::Negative : Sign::Positive;
   }
 
-  /// A point inside a facet, or corners that lead around through all half-edges. Requires edges of
-  /// two uses.
+  /// Whether a vertex lies inside a facet without edges, or its corners lead around through all
+  /// half-edges. Requires edges of two uses.
   bool is_on_one_cone(VertexId v) const {
     const std::size_t degree = c_.star_of(v).size();
     if (c_.vertex_facet[v.value()].is_valid()) return degree == 0;
@@ -81,6 +94,7 @@ class ConvexityTest {
 
   // ---- 2. planes
 
+  /// Tests each plane that has facets.
   bool are_planes_convex() {
     std::vector<FacetId> facets;
     for (std::size_t f = 0; f < c_.facet_count(); ++f) {
@@ -101,6 +115,8 @@ class ConvexityTest {
     return true;
   }
 
+  /// Tests one plane with all its facets. With a marked facet, all marked edges and vertices must
+  /// be on its boundary.
   bool is_plane_convex(std::span<const FacetId> facets) {
     const auto is_marked = [this](FacetId f) { return c_.facet_mark[f.value()] == 1; };
     const auto f = std::find_if(facets.begin(), facets.end(), is_marked);
@@ -113,7 +129,7 @@ class ConvexityTest {
     return edges_.size() == edges && vertices_.size() == vertices;
   }
 
-  /// The marked edges and vertices of the facets' boundaries and inside them, each once.
+  /// Gathers the marked edges and vertices on the boundaries of facets and inside them, each once.
   void gather(std::span<const FacetId> facets) {
     edges_.clear();
     vertices_.clear();
@@ -143,6 +159,7 @@ class ConvexityTest {
   }
   EdgeId edge_of(UseId u) const { return SpaceComplex::edge_of(c_.use_halfedge[u.value()]); }
 
+  /// Whether what was gathered is one edge with any of its ends, one vertex, or nothing.
   bool is_one_edge_or_vertex() const {
     if (edges_.empty()) return vertices_.size() <= 1;
     if (edges_.size() > 1) return false;
@@ -154,7 +171,7 @@ class ConvexityTest {
 
   // ---- 3. sides
 
-  /// Is the facet convex, together with what is marked of its boundary?
+  /// Whether the facet is convex together with what is marked of its boundary.
   bool is_polygon_convex(FacetId f) const {
     if (c_.cycles_of(f).size() != 1 || !c_.inner_of(f).empty()) return false;
     const UseId cycle = c_.cycles_of(f)[0];
@@ -174,17 +191,19 @@ class ConvexityTest {
     return true;
   }
 
-  /// A corner of less than half a turn, or one on the frame.
+  /// Whether a side ends at the corner: it is less than half a turn, or on the frame.
   bool is_side_end(UseId u) const {
     return c_.vertex_mark[c_.use_origin(u).value()] == kBeyond ||
            corner_sign(c_, u) == Sign::Positive;
   }
+  /// Whether the corner is half a turn, and not the end of a slit.
   bool is_straight(UseId u) const {
     const UseId before = c_.use_prev[u.value()];
     return edge_of(before) != edge_of(u) && corner_sign(c_, u) == Sign::Zero;
   }
 
-  /// Are the marked items of the side that starts at u consecutive? Moves u to the next side.
+  /// Whether the marked cells of the side that starts at u are consecutive. Moves u to the next
+  /// side.
   bool is_side_convex(UseId& u) const {
     std::size_t runs = 0;
     bool was_marked = false;
@@ -203,7 +222,9 @@ class ConvexityTest {
 
   // ---- without a marked volume
 
-  /// Nothing is unmarked but sides and ends: all else would be within the complement.
+  /// Tests a set without a marked volume. There must be one facet at most, or one edge, or one
+  /// vertex; only sides and ends may be unmarked, as all other unmarked cells would lie within the
+  /// complement.
   bool is_convex_when_flat() const {
     const std::size_t facets = standard(c_.facet_mark);
     if (facets > 1) return false;
@@ -223,9 +244,11 @@ class ConvexityTest {
     return facets == 0 || is_polygon_convex(standard_facet());
   }
 
+  /// Returns the number of cells off the frame.
   static std::size_t standard(const std::vector<Mark>& marks) {
     return marks.size() - static_cast<std::size_t>(std::count(marks.begin(), marks.end(), kBeyond));
   }
+  /// Returns the first facet off the frame.
   FacetId standard_facet() const {
     std::size_t f = 0;
     while (c_.facet_mark[f] == kBeyond) ++f;
@@ -234,7 +257,7 @@ class ConvexityTest {
 
   const SpaceComplex& c_;
   VolumeId body_;
-  std::vector<EdgeId> edges_;  // of a plane, marked
+  std::vector<EdgeId> edges_;  // Marked edges of the plane at hand.
   std::vector<VertexId> vertices_;
 };
 

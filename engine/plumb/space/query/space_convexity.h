@@ -1,22 +1,22 @@
-// Convexity of a set of space, of any kind: open or closed item by item, unbounded, flat, a
+// Convexity of a set of space, of any kind: open or closed cell by cell, unbounded, flat, a
 // segment, a point.
 //
-// Main flow, S the set of a minimal complex:
-//  1. body    Two marked volumes: the segment between them crosses an item whose surroundings are
-//             not all alike, so S is not convex. One, V: S must lie between V and its closure K,
-//             and K must be convex.
-//  2. plane   for every plane with facets: is S within that plane convex?
-//  3. side    for every side of a marked facet: is S within that line convex?
-// Without a marked volume S must lie in one plane or line (flat), and 2 and 3 are what is left.
+// Main flow, for the set S of a minimal complex:
+//  1. body   If there are two marked volumes, the segment between them crosses a cell whose
+//            surroundings are not all alike, so S is not convex. If there is one, V, then S must
+//            lie between V and its closure K, and K must be convex.
+//  2. plane  In every plane with facets S must be convex.
+//  3. side   In the line of every side of a marked facet S must be convex.
+// Without a marked volume S must lie in one plane or line (flat), and 2 and 3 remain.
 //
-// Why the body is enough for K. Closed and connected, K is convex if it is near each of its points
-// (Tietze 1928, Nakajima 1928). Near a facet: V on one side. Near an edge: two facets, the angle
-// between them inside V at most half a turn (half a turn: both in one plane, with different marks).
-// Near a vertex: K is a cone over regions of the sphere with such angles along their boundary. By
-// Gauss-Bonnet a region between two or more of these closed curves would have no area, so each has
-// one curve and is convex, and K is convex there if there is one region: the edges and corners form
-// one cycle. A facet, edge or vertex with V all around is a slit, one without V sticks out: neither
-// passes.
+// Why the body is enough for K. As a closed connected set K is convex if it is so near each of its
+// points (H. Tietze 1928, S. Nakajima 1928). Near a facet V is on one side. Near an edge there are
+// two facets, and the angle between them inside V is at most half a turn (half a turn if both are
+// in one plane, with different marks). Near a vertex K is a cone over regions of the sphere with
+// such angles along their boundary. By Gauss-Bonnet a region between two or more of these closed
+// curves would have no area, so each has one curve and is convex, and K is convex there if there is
+// one region: the edges and corners form one cycle. A facet, edge or vertex with V all around is a
+// slit, one without V sticks out: neither passes. See docs/design/walls.md, "Convexity".
 //
 // Why planes and lines are enough for S. V is the interior of K, so a segment between two points of
 // S runs through V, or in the boundary of K, and then in one of its planes. Within such a plane H:
@@ -32,17 +32,17 @@
 // edge's ends is left; without a facet, if at most one edge or vertex in that plane is left, with
 // ends.
 //
-// The frame: S is convex if S within the cube is for all great R. What lies on the cube looks as S
-// does on one of its items, cut by half-spaces, so items of the frame are skipped.
+// The frame: S is convex if S within the cube is so for all large R. What lies on the cube looks as
+// S does on one of its cells, cut by half-spaces, so cells of the frame are skipped.
 #pragma once
 
 #include "plumb/space/space_complex.h"
 
 namespace plumb {
 
-/// Does the set hold the segment between any two of its points? The empty set does. Exact: one sign
-/// an edge and a corner of a marked facet. Requires the minimal form. Cost: O(n log n), the order
-/// of facets by planes; no arithmetic beyond what the first violation needs.
+/// Whether the set holds the segment between any two of its points; the empty set does. Exact: one
+/// sign for each edge and for each corner of a marked facet. Requires the minimal form. O(n log n)
+/// for sorting facets by planes; no arithmetic beyond what the first violation needs.
 bool is_convex(const SpaceComplex& complex);
 
 }  // namespace plumb

@@ -1,3 +1,18 @@
+// What a ray meets: parity of edges that pass its shadow's origin, exact signs, distances.
+//
+// A point of the line of the ray has the shadow 0. A vertex is met if both coordinates of its
+// shadow are 0, an edge if its shadow passes through 0 strictly between its ends, a facet if an odd
+// number of its edges cross the half-axis to the right of 0, with ends on the axis counted as
+// below. If the line lies in a facet's plane, all shadows are on one line and parity finds nothing,
+// but vertices and edges of the boundary are found.
+//
+// Signs of shadows and their cross products are linear and quadratic in coordinates, which may
+// depend on the symbol R of the frame (docs/design/frame.md, Lemma 2): an exact value is a
+// FramedNumber, a product a polynomial of degree 2 in R, decided by its leading coefficient that is
+// not 0. Balls decide nearly all signs before.
+//
+// Tested by tests/space/space_locator_test.cpp.
+
 #include "plumb/space/query/space_ray.h"
 
 #include <cmath>
@@ -11,12 +26,14 @@
 namespace plumb {
 namespace {
 
-/// Half a unit in the last place is less than 2^-52 of the value.
+/// Returns a ball around a rational number. Half a unit in the last place is less than 2^-52 of the
+/// value.
 Ball ball_of(const Rational& value) {
   const double rounded = clamped_to_finite(nearest_double(value));
   return Ball::about(rounded, std::fabs(rounded) * 0x1p-52);
 }
 
+/// Returns the axis along which a direction is largest.
 std::size_t largest_component(const RationalPoint3& d) {
   std::size_t k = 0;
   for (std::size_t i = 1; i < 3; ++i) {
@@ -52,7 +69,7 @@ SpaceRay::SpaceRay(const SpaceComplex& complex, const QueryPoint3& origin,
 
 // --- quantities, in balls or exactly
 
-/// (v - O) along an axis.
+/// Returns v - O along an axis.
 template <>
 Ball SpaceRay::offset<Ball>(VertexId v, std::size_t axis) const {
   const PointBox x = complex_.points().box(point_of(v)), &o = origin_.box();
@@ -79,7 +96,7 @@ FramedNumber SpaceRay::shadow<FramedNumber>(VertexId v, std::size_t c) const {
   return offset<FramedNumber>(v, i) - exact_slope(i) * offset<FramedNumber>(v, k_);
 }
 
-/// How fast the line leaves a plane: n . slope.
+/// Returns how fast the line leaves a plane: n . slope.
 Ball SpaceRay::rough_climb(PlaneId plane) const {
   const PlaneRow& row = complex_.planes().row(plane);
   Ball climb = Ball::about(row.n[k_], row.normal_error);
@@ -90,13 +107,14 @@ Ball SpaceRay::rough_climb(PlaneId plane) const {
   return climb;
 }
 
+/// Returns the same exactly.
 Rational SpaceRay::climb(PlaneId plane) const {
   const IntegerRow row = complex_.planes().coefficients(plane);
   const std::size_t i = side_axis(0), j = side_axis(1);
   return row[k_] + row[i] * exact_slope(i) + row[j] * exact_slope(j);
 }
 
-/// Where the line meets a plane, along axis k: -s(O) / climb.
+/// Returns where the line meets a plane, along axis k: -s(O) / climb.
 template <>
 Ball SpaceRay::plane_distance<Ball>(PlaneId plane) const {
   const PlaneRow& row = complex_.planes().row(plane);
@@ -134,7 +152,8 @@ SpaceRayHit SpaceRay::hit_of(SpaceItem item, PlaneId plane) const {
   return hit;
 }
 
-/// The one of the edge's planes that the line surely crosses more steeply.
+/// Returns the one of the edge's planes that the line surely crosses more steeply, which gives the
+/// smaller error. One of them is crossed, as the line does not run along the edge.
 PlaneId SpaceRay::crossing_plane(EdgeId e) const {
   const auto& [p, q] = complex_.edge_planes[e.value()];
   const Ball at_p = rough_climb(p), at_q = rough_climb(q);
@@ -155,7 +174,7 @@ Sign SpaceRay::shadow_sign(VertexId v, std::size_t c) const {
 
 namespace {
 
-/// The sign of a d - b c, a polynomial in R.
+/// Returns the sign of a d - b c, a polynomial in R.
 Sign cross_sign(const FramedNumber& a, const FramedNumber& b, const FramedNumber& c,
                 const FramedNumber& d) {
   const Rational square = a.infinite * d.infinite - b.infinite * c.infinite;
@@ -169,7 +188,8 @@ Sign cross_sign(const FramedNumber& a, const FramedNumber& b, const FramedNumber
 
 }  // namespace
 
-/// The sign of the cross product of two shadows.
+/// Returns the sign of the cross product of two shadows. Along an axis, with doubles only, it is an
+/// orient2d.
 Sign SpaceRay::turn(VertexId a, VertexId b) const {
   const PointBox x = complex_.points().box(point_of(a)), y = complex_.points().box(point_of(b));
   if (is_axis_parallel_ && x.radius == 0 && y.radius == 0 && origin_.is_double()) {
@@ -208,15 +228,17 @@ RationalPoint3 SpaceRay::point(const SpaceRayHit& hit) const {
 
 // --- what the line meets
 
-/// How the shadow of an edge between two points other than the origin passes it. On the right: it
-/// crosses the axis j = 0 at i > 0, points with j = 0 counted as below.
+/// Returns how the shadow of an edge passes the origin, where neither end is. On the right means
+/// that it crosses the axis j = 0 at i > 0, where points with j = 0 count as below; then each cycle
+/// crosses consistently.
 SpaceRay::Passing SpaceRay::passing(const End& a, const End& b) const {
   const auto &p = a.place.at, &q = b.place.at;
-  for (std::size_t c = 0; c < 2; ++c) {  // on one side of an axis, and not on the right of it
+  for (std::size_t c = 0; c < 2; ++c) {  // Both ends on one side of an axis, and not on the right.
     if (p[c] == q[c] && p[c] != Sign::Zero && (c == 1 || p[c] == Sign::Negative)) {
       return Passing::Aside;
     }
   }
+  // A sign of the cross product is needed only if both ends are not on the right of the axis.
   const bool rises = q[1] == Sign::Positive;
   const bool crosses = rises != (p[1] == Sign::Positive);
   if (p[0] == Sign::Positive && q[0] == Sign::Positive) {
@@ -234,7 +256,7 @@ void SpaceRay::meet(VertexId v, std::vector<SpaceRayHit>& hits) const {
   if (end(v).place.is_origin()) hits.push_back(hit_of(v, PlaneId()));
 }
 
-/// Whether the edge passes on the right.
+/// Adds an edge that the line meets inside. Returns whether the edge passes on the right.
 bool SpaceRay::meet_edge(EdgeId e, const End& a, const End& b,
                          std::vector<SpaceRayHit>& hits) const {
   if (a.place.is_origin() || b.place.is_origin()) return false;
@@ -251,7 +273,8 @@ void SpaceRay::meet(EdgeId e, std::vector<SpaceRayHit>& hits) const {
   meet_edge(e, end(a), end(b), hits);
 }
 
-/// Whether the line meets the cycle; turns is_inside over for each edge on the right.
+/// Adds what the line meets of a cycle and returns whether there is anything. Each edge on the
+/// right inverts is_inside.
 bool SpaceRay::meet_cycle(UseId first, bool& is_inside, std::vector<SpaceRayHit>& hits) const {
   const std::size_t before = hits.size();
   const End start = end(complex_.use_origin(first));
@@ -269,10 +292,11 @@ bool SpaceRay::meet_cycle(UseId first, bool& is_inside, std::vector<SpaceRayHit>
   return hits.size() > before;
 }
 
-// Seen against the axis, corners turn as the normal says, and the origin lies beyond one of the
-// sides.
+// Seen against the axis, corners turn as the normal says; the facet is passed if the origin lies
+// beyond one of the sides.
 bool SpaceRay::passes_by(FacetId f) const {
   const PlaneRow& row = complex_.planes().row(complex_.facet_plane[f.value()]);
+  // The facet is not seen edge-on.
   const bool is_seen = std::fabs(row.n[k_]) > static_cast<double>(row.normal_error);
   if (!is_seen || !is_axis_parallel_ || !origin_.is_double()) return false;
   if (complex_.cycles_of(f).size() != 1) return false;
@@ -301,6 +325,7 @@ void SpaceRay::meet(FacetId f, std::vector<SpaceRayHit>& hits) const {
   for (const UseId first : complex_.cycles_of(f)) {
     if (meet_cycle(first, is_inside, hits)) meets_boundary = true;
   }
+  // Inner vertices come before the facet itself: one of them may be what the line meets.
   if (!is_inside && !meets_boundary) return;
   const std::size_t before = hits.size();
   for (const VertexId v : complex_.inner_of(f)) meet(v, hits);

@@ -1,9 +1,11 @@
-// Numbers known up to an error: what filters of constructed quantities compute with.
+// A ray among the cells of a complex (internal to the locator), and numbers known up to an error,
+// with which its filters compute.
 //
-// eps = 2^-52, right in every rounding mode. kTiny pays for what flushing takes: an operand read as
-// 0 changes by less than 2^-1022, a result flushed to 0 by as much; an operand's error is at least
-// kTiny, so a product with a flushed operand is within |other| * error too. kUp pays for the
-// roundings of the error itself. Infinities and NaNs end in no sign.
+// Ball: a number known up to an error. kEps = 2^-52 bounds a rounding in every rounding mode. kTiny
+// covers what flushing takes: an operand read as 0 changes by less than 2^-1022, a result flushed
+// to 0 by as much; an operand's error is at least kTiny, so a product with a flushed operand is
+// within |other| * error too. kUp covers the roundings of the error itself. Infinities and NaNs
+// give no sign.
 #pragma once
 
 #include <array>
@@ -19,22 +21,26 @@
 
 namespace plumb {
 
-/// |value - mid| <= error.
+/// A number with |number - mid| <= error.
 struct Ball {
-  static constexpr double kEps = 0x1p-52;
-  static constexpr double kUp = 1 + 0x1p-48;
-  static constexpr double kTiny = 0x1p-1020;
+  static constexpr double kEps = 0x1p-52;     ///< More than a rounding, relative to the value.
+  static constexpr double kUp = 1 + 0x1p-48;  ///< More than the roundings of an error.
+  static constexpr double kTiny = 0x1p-1020;  ///< More than flushing takes.
 
-  double mid = 0;
-  double error = 0;
+  double mid = 0;    ///< A double near the number.
+  double error = 0;  ///< A bound for its distance from the number.
 
+  /// Returns a ball around a double with this radius.
   static Ball about(double value, double radius = 0) { return {value, radius * kUp + kTiny}; }
+  /// Returns the ball of all numbers.
   static Ball unknown() { return {0, std::numeric_limits<double>::infinity()}; }
 
+  /// Returns the sign of the number if it is sure.
   FilteredSign sign() const {
     if (mid > error) return FilteredSign::Positive;
     return mid < -error ? FilteredSign::Negative : FilteredSign::Unsure;
   }
+  /// Returns an upper bound of the number.
   double upper() const { return mid + error + kEps * (std::fabs(mid) + error); }
 
   friend Ball operator-(Ball a) { return {-a.mid, a.error}; }
@@ -44,7 +50,8 @@ struct Ball {
     return rounded(a.mid * b.mid,
                    std::fabs(a.mid) * b.error + std::fabs(b.mid) * a.error + a.error * b.error);
   }
-  /// |a/b - m| <= (ea + |m| eb) / (|b| - eb) for the quotient m of the centres.
+  /// Returns the quotient; unknown unless b is surely away from 0. |a/b - m| <= (ea + |m| eb) /
+  /// (|b| - eb) for the quotient m of the middles, and |b| - eb >= |b| / 2.
   friend Ball operator/(Ball a, Ball b) {
     if (!(b.error <= std::fabs(b.mid) / 2)) return unknown();
     const double m = a.mid / b.mid;
@@ -57,33 +64,34 @@ struct Ball {
   }
 };
 
-// A ray among the items of a complex (internal to the locator).
+// The ray.
 //
 // Notation
 //   O         where the ray starts; k the axis along which it runs fastest; its direction has 1 or
 //             -1 there and slope_i = d_i / d_k along the other two, i and j
 //   distance  of a point x: (x - O)_k d_k, how far along the ray it is
-//   shadow    of a point x: (x - O)_i - slope_i (x - O)_k, the same for j: what is seen of x by
-//             someone who looks along the ray, which is itself the origin of the shadows
+//   shadow    of a point x: (x - O)_i - slope_i (x - O)_k, the same for j: what is seen of x in the
+//             direction of the ray, which is itself the origin of the shadows
 //
 // The line of the ray meets a vertex where its shadow is the origin, an edge where its shadow
 // passes the origin, and a facet that it does not run along where the boundary's shadow goes around
-// the origin an odd number of times. Only signs are asked for, each of a filter first, then
-// exactly. The shadows of a facet along the ray are on a line, and the same rules then find what
-// the ray meets of its boundary.
+// the origin an odd number of times. Only signs are computed, each by a filter first, then exactly.
+// The shadows of a facet along the ray are on a line, and the same rules then find what the ray
+// meets of its boundary.
 
 /// A vertex, edge or facet that the line of a ray meets in one point.
 struct SpaceRayHit {
-  SpaceItem item;
-  PlaneId plane;  ///< of a facet or edge: holds it, and the line crosses it
-  Ball distance;
+  SpaceItem item;  ///< The cell.
+  PlaneId plane;   ///< A plane that holds the facet or edge and that the line crosses.
+  Ball distance;   ///< How far along the ray it is; negative behind the origin.
 };
 
-/// finite + infinite R: what grows with the frame (plane_table.h).
+/// The number finite + infinite R: what grows with the frame (plane_table.h).
 struct FramedNumber {
-  Rational finite;
-  Rational infinite;
+  Rational finite;    ///< The part without R.
+  Rational infinite;  ///< The factor of R.
 
+  /// Returns the sign for all large R.
   Sign sign() const { return infinite != 0 ? sign_of(infinite.sign()) : sign_of(finite.sign()); }
   friend FramedNumber operator-(const FramedNumber& a) { return {-a.finite, -a.infinite}; }
   friend FramedNumber operator-(const FramedNumber& a, const FramedNumber& b) {
@@ -94,38 +102,45 @@ struct FramedNumber {
   }
 };
 
+/// A ray from a point, with exact predicates about what it meets. Immutable.
 class SpaceRay {
  public:
-  /// Along a coordinate axis. The origin must outlive the ray.
+  /// Makes a ray along a coordinate axis, or against it if is_reverse. Keeps references to the
+  /// complex and the origin.
   SpaceRay(const SpaceComplex& complex, const QueryPoint3& origin, std::size_t axis,
            bool is_reverse);
-  /// Requires a direction that is not zero.
+  /// Makes a ray in any direction, which must not be zero.
   SpaceRay(const SpaceComplex& complex, const QueryPoint3& origin, const RationalPoint3& direction);
 
-  // What the whole line meets, in front of the origin or not, is added to `hits`.
+  // These append to `hits` what the whole line meets, in front of the origin or not. A facet
+  // appends itself if the line crosses it inside, else what the line meets of its boundary.
   void meet(FacetId f, std::vector<SpaceRayHit>& hits) const;
   void meet(EdgeId e, std::vector<SpaceRayHit>& hits) const;
   void meet(VertexId v, std::vector<SpaceRayHit>& hits) const;
-  /// Does the line surely meet nothing of the facet? Tells of triangles between doubles, along an
-  /// axis, in a few filters.
+  /// Whether the line surely meets nothing of the facet. Decides only for triangles of doubles and
+  /// rays along an axis, by a few filters.
   bool passes_by(FacetId f) const;
 
-  /// Positive: in front of the origin.
+  /// Returns Positive if the hit is in front of the origin, Zero at the origin.
   Sign side(const SpaceRayHit& hit) const;
-  /// The order along the ray.
+  /// Returns the order of two hits along the ray.
   Sign compare(const SpaceRayHit& x, const SpaceRayHit& y) const;
-  /// Requires an origin and a hit off the frame.
+  /// Returns the exact point of a hit. Requires an origin and a hit off the frame.
   RationalPoint3 point(const SpaceRayHit& hit) const;
 
+  /// Returns the axis along which the ray runs fastest.
   std::size_t axis() const { return k_; }
+  /// Whether it runs against that axis.
   bool is_reverse() const { return is_reverse_; }
+  /// Returns where the ray starts.
   const QueryPoint3& origin() const { return origin_; }
-  /// Along axes other than axis().
+  /// Returns the slope along an axis other than axis().
   Ball slope(std::size_t axis) const { return slope_[axis]; }
+  /// Whether the ray is parallel to axis().
   bool is_axis_parallel() const { return is_axis_parallel_; }
 
  private:
-  /// The signs of a shadow.
+  /// The signs of a shadow's coordinates.
   struct Place {
     std::array<Sign, 2> at;
     bool is_origin() const { return at[0] == Sign::Zero && at[1] == Sign::Zero; }
@@ -152,7 +167,7 @@ class SpaceRay {
     return exact_slope_ ? (*exact_slope_)[axis] : Rational();
   }
 
-  // Number: Ball or FramedNumber.
+  // These compute with Ball (filter) or FramedNumber (exactly).
   template <class Number>
   Number offset(VertexId v, std::size_t axis) const;
   template <class Number>
@@ -170,7 +185,7 @@ class SpaceRay {
   bool is_reverse_;
   bool is_axis_parallel_;
   std::array<Ball, 3> slope_;
-  std::optional<std::array<Rational, 3>> exact_slope_;  ///< along an axis: none, all are 0
+  std::optional<std::array<Rational, 3>> exact_slope_;  ///< Empty along an axis, where all are 0.
 };
 
 }  // namespace plumb

@@ -1,3 +1,16 @@
+// A grid of cells with known volumes.
+//
+// Invariant: if the place of two points is the same unmarked cell, or neighbouring unmarked cells,
+// the segment between them meets no item. For a point of it would have one of the two cells as its
+// place, since places are monotone in each coordinate, and the box of the item that holds the point
+// marks that cell. Boxes are marked with a margin of 2^-48, so that this is true in every rounding
+// mode. So one exact question decides a whole connected part of unmarked cells.
+//
+// The sizes are bounded: about four cells for each item, 64 cells marked for each on average, one
+// question for 16 items; whatever exceeds that makes the grid know less, never anything wrong.
+//
+// Tested by tests/space/space_locator_test.cpp.
+
 #include "plumb/space/query/volume_grid.h"
 
 #include <algorithm>
@@ -26,18 +39,18 @@ VolumeGrid::VolumeGrid(std::span<const Box3> boxes,
 
 // ---------------------------------------------------------------- cells
 
-/// Cells of one size along the axes that are longer than that; one along the others. False: no
-/// grid.
+/// Lays out cells of one size along the axes that are longer than a cell, and one cell along the
+/// others. Returns false if there is to be no grid.
 bool VolumeGrid::lay_out(std::span<const Box3> boxes) {
   constexpr double kLeastPart = 0x1p-40;
-  constexpr std::size_t kMostForOne =
-      32;  // cells for one that was wanted: three along a short axis
+  // So many cells may be made for one that was wanted: there are three along a short axis.
+  constexpr std::size_t kMostForOne = 32;
   for (const Box3& box : boxes) all_.add(box);
   std::array<double, 3> extent{};
   for (std::size_t i = 0; i < 3; ++i) extent[i] = all_.high[i] - all_.low[i];
   const double longest = std::max({extent[0], extent[1], extent[2]});
   if (boxes.empty() || !std::isfinite(longest) || !(longest > 0x1p-900)) return false;
-  std::array<double, 3> part{};  // of the longest
+  std::array<double, 3> part{};  // The extents, relative to the longest one.
   for (std::size_t i = 0; i < 3; ++i) part[i] = std::max(extent[i] / longest, kLeastPart);
   const std::size_t wanted = std::max(kLeastCells, kCellsPerItem * boxes.size());
   double side = 0;
@@ -63,7 +76,8 @@ bool VolumeGrid::lay_out(std::span<const Box3> boxes) {
   return true;
 }
 
-/// 0 before all boxes, the last one behind them. Monotone: each step of the arithmetic is.
+/// Returns the cell of a coordinate: 0 before all boxes, the last one behind them. It is monotone,
+/// as each step of the arithmetic is.
 std::uint32_t VolumeGrid::place(double x, std::size_t axis, double stretch) const {
   if (x < all_.low[axis]) return 0;
   const std::uint32_t last = count_[axis] - 1;
@@ -76,12 +90,12 @@ VolumeGrid::Cell VolumeGrid::cell_of(const std::array<double, 3>& p) const {
   return {place(p[0], 0), place(p[1], 1), place(p[2], 2)};
 }
 
-/// Neighbours along x are neighbours in memory.
+/// Returns the index of a cell. Neighbours along x are neighbours in memory.
 std::size_t VolumeGrid::index(const Cell& cell) const {
   return (std::size_t{cell[2]} * count_[1] + cell[1]) * count_[0] + cell[0];
 }
 
-/// A coordinate of the place; NaN: none was found.
+/// Returns a coordinate whose place is this one, or NaN if none was found.
 double VolumeGrid::middle(std::uint32_t at, std::size_t axis) const {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   const double low = all_.low[axis], high = all_.high[axis];
@@ -94,9 +108,9 @@ double VolumeGrid::middle(std::uint32_t at, std::size_t axis) const {
 
 // ---------------------------------------------------------------- what is known of them
 
-/// With a hair more on all sides, so that a point of an item is in a marked cell in whichever
-/// rounding mode it is asked for. False: the boxes are so large beside the cells that marking them
-/// all would take too long.
+/// Marks the cells that boxes reach, with a small margin on all sides, so that a point of an item
+/// is in a marked cell in whichever rounding mode it is asked for. Returns false if the boxes are
+/// so large beside the cells that marking them all would take too long.
 bool VolumeGrid::mark(std::span<const Box3> boxes) {
   constexpr std::size_t kMostCellsPerItem = 64;
   std::size_t left = kMostCellsPerItem * (boxes.size() + kLeastCells);
@@ -120,7 +134,8 @@ bool VolumeGrid::mark(std::span<const Box3> boxes) {
   return true;
 }
 
-/// Numbers the connected parts of what is not marked, by their first cells.
+/// Numbers the connected parts of unmarked cells by their first cells, and returns how many there
+/// are.
 std::uint32_t VolumeGrid::join_cells() {
   std::uint32_t parts = 0;
   std::vector<std::uint32_t> open;
@@ -149,7 +164,8 @@ std::uint32_t VolumeGrid::join_cells() {
   return parts;
 }
 
-/// Parts that are left over when the questions are used up stay unknown.
+/// Asks for the volume of each part. Parts that are left over when the questions are used up stay
+/// unknown.
 void VolumeGrid::ask(std::uint32_t parts, std::size_t questions,
                      const std::function<VolumeId(const Point3&)>& volume_of) {
   std::vector<VolumeId> volume(parts);
@@ -171,7 +187,7 @@ void VolumeGrid::ask(std::uint32_t parts, std::size_t questions,
       }
     }
   }
-  part_ = std::vector<std::uint32_t>();  // gives its memory back, which {} would not
+  part_ = std::vector<std::uint32_t>();  // Frees the memory, which {} would not.
 }
 
 // ---------------------------------------------------------------- questions

@@ -1,16 +1,16 @@
-// Places of which the volume is known: a grid over a complex whose cells, but for those near an
-// item, lie in one volume.
+// Places of which the volume is known: a grid over a complex whose cells lie in one volume each,
+// except those near a vertex, edge or facet.
 //
 // Main flow:
-//  1. Places       cells of about one size, a few for each item; a layer of cells around them all
-//                  stands for what is outside
-//  2. mark         every cell that the box of an item reaches
-//  3. join_cells   the others, by a flood: between two neighbours without an item there is none
-//  4. ask          one exact question for each connected part
+//  1. lay_out     makes cells of about one size, a few for each item; a layer of cells around them
+//                 all represents what is outside
+//  2. mark        marks every cell that the box of an item reaches
+//  3. join_cells  floods the others: between two neighbours without an item there is none
+//  4. ask         asks one exact question for each connected part
 //
-// Cells are told apart by a function of each coordinate that never falls, rounding included. So a
-// point that lies in an item, or on the way between points of two neighbouring cells, has its cell,
-// or one of theirs, marked, and nothing here depends on how exact the function is.
+// Cells are distinguished by a function of each coordinate that never falls, rounding included. So
+// a point that lies on an item, or on the way between points of two neighbouring cells, has its
+// cell, or one of theirs, marked, and correctness does not depend on how exact the function is.
 //
 // Cost: O(n) for n boxes. Memory: 4 bytes a cell, kCellsPerItem n cells and a few more.
 #pragma once
@@ -27,28 +27,31 @@
 
 namespace plumb {
 
+/// The grid. Immutable after construction.
 class VolumeGrid {
  public:
-  VolumeGrid() = default;  ///< knows nothing
-  /// `volume_of` says where a point off all items lies. Boxes that are not bounded, or reach into
-  /// too many cells, make a grid that knows nothing.
+  VolumeGrid() = default;  ///< Makes a grid that knows nothing.
+  /// Makes a grid over the boxes of all items. `volume_of` returns the volume of a point off all
+  /// items. Boxes that are not bounded, or reach into too many cells, make a grid that knows
+  /// nothing.
   VolumeGrid(std::span<const Box3> boxes, const std::function<VolumeId(const Point3&)>& volume_of);
 
-  /// The volume around the point, which no item holds; invalid: an item may be near.
+  /// Returns the volume around a point, which then no item holds; invalid if an item may be near.
   VolumeId volume_at(const Point3& p) const;
 
-  /// A place to the left of a point (towards -x), its other coordinates being the same.
+  /// A place to the left of a point (towards -x) with the same other coordinates.
   struct Left {
-    double x = 0;
-    VolumeId volume;  ///< invalid: none is known nearby
+    double x = 0;     ///< Its x coordinate.
+    VolumeId volume;  ///< The volume there; invalid if none is known nearby.
   };
+  /// Returns the nearest place to the left whose volume is known, at most kMostSteps cells away.
   Left left_of(const Point3& p) const;
 
  private:
   static constexpr std::size_t kCellsPerItem = 4;
   static constexpr std::size_t kLeastCells = 512;
-  static constexpr std::uint32_t kMostCellsAlong = 2048;  // an axis
-  static constexpr std::uint32_t kMostSteps = 8;          // to the left
+  static constexpr std::uint32_t kMostCellsAlong = 2048;  // The most cells along one axis.
+  static constexpr std::uint32_t kMostSteps = 8;  // The most cells to the left that are asked.
 
   using Cell = std::array<std::uint32_t, 3>;
 
@@ -65,9 +68,9 @@ class VolumeGrid {
 
   Box3 all_;
   std::array<double, 3> scale_{};
-  std::array<std::uint32_t, 3> count_{};  // with the two outer layers
-  std::vector<std::uint32_t> part_;       // per cell, until ask(): the connected part
-  std::vector<VolumeId> volume_;          // per cell; none: the grid knows nothing
+  std::array<std::uint32_t, 3> count_{};  // Cells along each axis, with both outer layers.
+  std::vector<std::uint32_t> part_;       // The connected part of each cell, until ask().
+  std::vector<VolumeId> volume_;  // The volume of each cell; empty if the grid knows nothing.
 };
 
 }  // namespace plumb

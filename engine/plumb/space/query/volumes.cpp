@@ -1,3 +1,18 @@
+// Finds the volumes of a complex: classes of sides of facets, then one ray for each piece.
+//
+// Two sides bound the same volume near an edge if they follow each other in radial order, and near
+// a vertex if they bound one face of its sphere map. If the map is connected, the first joins all
+// that the second would, so maps are made only at irregular vertices: those whose map is not
+// connected, has a loop, or has points without arcs. A vertex whose corners make one ring through
+// all edges, as nearly all do, is recognized by walking around it.
+//
+// Invariant (docs/design/boolean.md, Lemmas 6 and 7): a class is one shell, the whole boundary of a
+// volume on one piece; at most one shell of a volume has it on an inner side of its piece. So
+// joining the outer shell of every piece to what its ray hits gives the volumes.
+//
+// Tested by tests/space/mesh_arrangement_test.cpp, tests/space/space_locator_test.cpp and
+// tests/io/nef3_reader_test.cpp.
+
 #include "plumb/space/query/volumes.h"
 
 #include <algorithm>
@@ -22,6 +37,7 @@ ShellNodes::ShellNodes(const SpaceComplex& complex, std::span<const std::uint8_t
   join_at_irregular_vertices(connected);
 }
 
+/// Joins the side after each use with the side before the next one.
 void ShellNodes::join_around_edges() {
   for (std::uint32_t u = 0; u < complex_.use_count(); ++u) {
     classes_.unite(node_after(UseId(u)), node_before(complex_.use_radial[u]));
@@ -30,16 +46,18 @@ void ShellNodes::join_around_edges() {
 
 namespace {
 
-/// How many corners follow each other around the vertex from `first` on, each beyond an edge of two
-/// facets. More than `most`: not known.
+/// Returns how many corners follow each other around the vertex from `first` on, each across an
+/// edge of two facets; or more than `most` if there are more, or an edge has another number of
+/// facets.
 std::size_t count_corners(const SpaceComplex& complex, UseId first, std::size_t most) {
   std::size_t count = 0;
   UseId corner = first;
-  // The edge to leave the corner by: that of its use, or else the one before.
+  // The edge across which the walk leaves the corner: that of its use, or else the one before.
   HalfedgeId over = complex.use_halfedge[corner.value()];
   do {
     const UseId own =
         complex.use_halfedge[corner.value()] == over ? corner : complex.use_prev[corner.value()];
+    // The edge must have exactly two uses; the walk crosses it into the other facet.
     const UseId other = complex.use_radial[own.value()];
     if (complex.use_radial[other.value()] != own || other == own || ++count > most) return most + 1;
     const bool leaves = complex.use_halfedge[other.value()] == over;
@@ -52,8 +70,8 @@ std::size_t count_corners(const SpaceComplex& complex, UseId first, std::size_t 
   return count;
 }
 
-/// Do the corners make one ring that all edges are on? (Nearly always; else they may still hang
-/// together.)
+/// Whether the corners make one ring on which all edges are. Nearly always they do; else they may
+/// still be connected.
 bool has_one_ring(const SpaceComplex& complex, VertexId v) {
   const auto star = complex.star_of(v);
   if (star.empty() || complex.vertex_facet[v.value()].is_valid()) return false;
@@ -66,7 +84,8 @@ bool has_one_ring(const SpaceComplex& complex, VertexId v) {
 
 }  // namespace
 
-/// Vertices whose sphere map is not connected, has a loop or points without arcs.
+/// Returns the vertices whose sphere map is not connected, has a loop or points without arcs. For
+/// vertices that have no single ring, one union over all corners decides.
 std::vector<VertexId> ShellNodes::irregular_vertices(
     std::span<const std::uint8_t> connected) const {
   std::vector<VertexId> doubtful, irregular;
@@ -75,7 +94,7 @@ std::vector<VertexId> ShellNodes::irregular_vertices(
     if (!has_one_ring(complex_, VertexId(v))) doubtful.push_back(VertexId(v));
   }
   if (doubtful.empty()) return irregular;
-  UnionFind link(complex_.origin.size());  // half-edges of one vertex, joined by corners
+  UnionFind link(complex_.origin.size());  // Half-edges of one vertex, joined by corners.
   for (std::uint32_t u = 0; u < complex_.use_count(); ++u) {
     const HalfedgeId back = SpaceComplex::twin(complex_.use_halfedge[complex_.use_prev[u].value()]);
     link.unite(complex_.use_halfedge[u].value(), back.value());
@@ -103,6 +122,7 @@ void ShellNodes::face_nodes(const LocalMap& local, SpaceItem item,
   }
 }
 
+/// Joins the nodes in every face of the map of an irregular vertex, free edges included.
 void ShellNodes::join_at_irregular_vertices(std::span<const std::uint8_t> connected) {
   LocalMap local;
   std::vector<std::uint32_t> node;
@@ -112,6 +132,7 @@ void ShellNodes::join_at_irregular_vertices(std::span<const std::uint8_t> connec
     for (std::uint32_t h = 0; h < local.map.face.size(); ++h) {
       classes_.unite(node[local.map.face[h]], facet_node(local.facet[h / 2], (h & 1U) != 0));
     }
+    // A free edge has the node of the face in which its point lies, at both its ends.
     for (std::size_t i = 0; i < local.halfedge.size(); ++i) {
       if (local.map.first_out[i] != kNone) continue;
       std::uint32_t& known = free_node_[local.halfedge[i].value() / 2];
@@ -124,9 +145,10 @@ void ShellNodes::join_at_irregular_vertices(std::span<const std::uint8_t> connec
 
 namespace {
 
-constexpr SphereDirection kLeft{kPlaneZ, kPlaneY};  // -x
-constexpr SphereDirection kRight{kPlaneY, kPlaneZ};
+constexpr SphereDirection kLeft{kPlaneZ, kPlaneY};   // The direction of -x.
+constexpr SphereDirection kRight{kPlaneY, kPlaneZ};  // The direction of x.
 
+/// Joins shells to volumes and numbers them.
 class Labeller {
  public:
   Labeller(const SpaceComplex& complex, Context& context, std::span<const std::uint8_t> connected)
@@ -150,6 +172,7 @@ class Labeller {
  private:
   // ---- connected pieces
 
+  /// Finds the connected pieces (vertices joined by edges and facets) and the least vertex of each.
   void find_pieces() {
     for (std::uint32_t h = 0; h < complex_.origin.size(); h += 2) {
       pieces_.unite(complex_.origin[h].value(), complex_.origin[h + 1].value());
@@ -173,7 +196,7 @@ class Labeller {
     }
   }
 
-  /// The node that faces a direction at an item.
+  /// Returns the node that faces a direction at a cell.
   std::uint32_t node_towards(SpaceItem item, SphereDirection direction) {
     local_map(complex_, item, local_);
     std::vector<std::uint32_t> node;
@@ -183,10 +206,12 @@ class Labeller {
     return node[cell.index()];
   }
 
-  /// One piece holds the least vertex of all; every other finds what is to its left.
+  /// Joins the outer shell of every piece to the shell that its ray towards -x hits, or to volume
+  /// 0. One piece holds the least vertex of all.
   void nest_pieces() {
     std::optional<SpaceLocator> locator;
     for (const VertexId v : least_) {
+      // Nothing of the piece is to the left of its least vertex, so it sees the outer shell there.
       const std::uint32_t outer = node_towards(v, kLeft);
       SpaceItem hit;
       if (least_.size() > 1) {
@@ -205,6 +230,7 @@ class Labeller {
 
   // ---- numbering
 
+  /// Numbers the classes: volume 0 first, then by facets, edges and vertices.
   VolumeLabels numbered() {
     VolumeLabels labels;
     std::vector<VolumeId> number(shells_->size());
@@ -238,13 +264,14 @@ class Labeller {
   std::span<const std::uint8_t> connected_;
   std::optional<ShellNodes> shells_;
   UnionFind pieces_;
-  std::vector<VertexId> least_;           // per piece
-  std::vector<std::uint32_t> outermost_;  // nodes of volume 0
+  std::vector<VertexId> least_;           // The least vertex of each piece.
+  std::vector<std::uint32_t> outermost_;  // Nodes of volume 0.
   LocalMap local_;
 };
 
 }  // namespace
 
+// Without vertices there is all of space, one volume.
 VolumeLabels find_volumes(const SpaceComplex& complex, Context& context,
                           std::span<const std::uint8_t> connected) {
   if (complex.vertex_count() == 0) return {{}, {}, {}, 1};
@@ -266,7 +293,7 @@ void label_volumes(SpaceComplex& complex, Context& context,
 
 std::vector<std::int32_t> winding_numbers(const SpaceComplex& complex,
                                           std::span<const std::int32_t> jump) {
-  // The graph of volumes, facets being its edges, in compressed rows.
+  // The graph of volumes, whose edges are the facets, in compressed rows.
   const std::size_t volumes = complex.volume_count();
   std::vector<std::uint32_t> begin(volumes + 1, 0);
   for (const auto& sides : complex.facet_volume) {
@@ -290,6 +317,7 @@ std::vector<std::int32_t> winding_numbers(const SpaceComplex& complex,
       const std::uint32_t other = sides[is_positive_side ? 1 : 0].value();
       if (is_reached[other] != 0) continue;
       is_reached[other] = 1;
+      // The number rises by the jump from the negative to the positive side.
       winding[other] = winding[v] + (is_positive_side ? -jump[facet[i]] : jump[facet[i]]);
       open.push_back(other);
     }

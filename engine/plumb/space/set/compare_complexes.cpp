@@ -1,3 +1,18 @@
+// Equality of sets by their vertices, equality of arrays, and the canonical order of cells.
+//
+// A set is determined by the sphere maps at its vertices and, if it has none, by the mark of space
+// (docs/design/boolean.md, "Correctness"). So two sets are equal if their vertices are at the same
+// points with the same maps. Fingerprints find the candidates, exact comparison decides
+// (docs/design/planes-first.md, "Fingerprints"); maps are equal if the overlay of both by "unequal"
+// is empty.
+//
+// The canonical order starts from the lexicographic order of points; everything else is numbered by
+// vertices. Two edges have different pairs of vertices; two facets have different corners at their
+// least vertices, for a corner names its facet. So the order is unique.
+//
+// Tested by tests/space/canonical_test.cpp, tests/space/nef3_test.cpp and
+// tests/space/nef3_property_test.cpp.
+
 #include "plumb/space/set/compare_complexes.h"
 
 #include <algorithm>
@@ -13,7 +28,7 @@
 namespace plumb {
 namespace {
 
-/// Vertices in the order of the fingerprints of their points.
+/// Returns the vertices sorted by the fingerprints of their points.
 std::vector<std::pair<Fingerprint, VertexId>> by_fingerprint(
     const Point3Table& points, const std::vector<SpacePoint>& vertex_point) {
   std::vector<std::pair<Fingerprint, VertexId>> order;
@@ -25,12 +40,13 @@ std::vector<std::pair<Fingerprint, VertexId>> by_fingerprint(
   return order;
 }
 
-/// The planes of a map of another table.
+/// Replaces the planes of a map by those of another table.
 void translate(const TableMap& to, SphereMap& map) {
   for (PlaneId& p : map.circle) p = to(p);
   for (SphereDirection& d : map.direction) d = {to(d.p), to(d.q)};
 }
 
+/// Compares two complexes with equally many cells of each kind.
 class Comparison {
  public:
   Comparison(const SpaceComplex& a, const SpaceComplex& b)
@@ -40,11 +56,14 @@ class Comparison {
         to_(merge(*tables_, *b.tables)),
         overlay_(tables_->planes) {}
 
+  /// Whether the sets are equal. Vertices with one fingerprint are compared pairwise; nearly always
+  /// there is one on each side.
   bool operator()() {
     std::vector<SpacePoint> points_of_b;
     for (const SpacePoint p : b_.vertex_point) points_of_b.push_back(to_(p));
     const auto first = by_fingerprint(tables_->points, a_.vertex_point);
     const auto second = by_fingerprint(tables_->points, points_of_b);
+    // Fingerprints of equal points are equal, so sorted lists that differ prove different sets.
     for (std::size_t i = 0; i < first.size(); ++i) {
       if (!(first[i].first == second[i].first)) return false;
     }
@@ -68,6 +87,7 @@ class Comparison {
   }
 
  private:
+  /// Whether two vertices have the same map: no point of the sphere has different marks in both.
   bool have_same_map(VertexId v, VertexId w) {
     local_map(a_, v, local_[0]);
     local_map(b_, w, local_[1]);
@@ -76,6 +96,7 @@ class Comparison {
         m.arc_count() != n.arc_count() || m.face_count() != n.face_count()) {
       return false;
     }
+    // The overlay marks where exactly one map has a mark: it must be one unmarked face.
     translate(to_, local_[1].map);
     overlay_.boolean_op(m, n, MarkTable::unequal(), difference_, origins_);
     return difference_.point_count() == 0 && difference_.arc_count() == 0 &&
@@ -105,6 +126,7 @@ bool is_same(const SpaceComplex& a, const SpaceComplex& b) {
 
 namespace {
 
+/// Whether the tables define the same planes in the same way.
 bool has_same_planes(const PlaneTable& a, const PlaneTable& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -117,6 +139,7 @@ bool has_same_planes(const PlaneTable& a, const PlaneTable& b) {
   return true;
 }
 
+/// Whether two constructed points are defined in the same way.
 bool is_same_source(const PointSource& a, const PointSource& b) {
   if (a.is_line() != b.is_line()) return false;
   for (std::size_t i = 0; a.is_line() && i < 2; ++i) {
@@ -128,6 +151,7 @@ bool is_same_source(const PointSource& a, const PointSource& b) {
   return true;
 }
 
+/// Whether the tables define the same points in the same way.
 bool has_same_points(const SpaceTables& a, const SpaceTables& b) {
   if (a.points.size() != b.points.size()) return false;
   for (std::size_t i = 0; i < a.points.size(); ++i) {
@@ -148,7 +172,8 @@ bool has_same_tables(const SpaceTables& a, const SpaceTables& b) {
 
 bool is_identical(const SpaceComplex& a, const SpaceComplex& b) {
   if (&a == &b) return true;
-  // Sets made alike of other points differ in their tables first.
+  // Sets that were made in the same way of other points differ in their tables, so these come
+  // first.
   return has_same_tables(*a.tables, *b.tables) && a.vertex_point == b.vertex_point &&
          a.vertex_mark == b.vertex_mark && a.vertex_volume == b.vertex_volume &&
          a.vertex_facet == b.vertex_facet && a.star_begin == b.star_begin && a.star == b.star &&
@@ -164,6 +189,7 @@ bool is_identical(const SpaceComplex& a, const SpaceComplex& b) {
 
 namespace {
 
+/// The canonical order in the making.
 class Ordering {
  public:
   Ordering(const SpaceComplex& complex, Context& context) : c_(complex), context_(context) {}
@@ -184,9 +210,9 @@ class Ordering {
   void order_uses();
   void order_volumes();
 
-  /// Where the boundary of a facet is at its least vertex. No other facet is at the same corner: it
-  /// is neither straight nor a full turn, because all of the facet follows the vertex, so it lies
-  /// in one plane and on one side in it.
+  /// The corner of a facet's boundary at a vertex. No other facet has the same corner at its own
+  /// least vertex: the corner is neither straight nor a full turn, because all of the facet comes
+  /// after the vertex, so it lies in one plane and on one side in it.
   struct Corner {
     VertexId vertex;
     VertexId to;
@@ -207,7 +233,7 @@ class Ordering {
     }
     return least;
   }
-  /// The use of its cycle with the least half-edge.
+  /// Returns the use of the cycle with the least half-edge.
   std::pair<HalfedgeId, UseId> start_of_cycle(UseId first) const {
     std::pair least{order_.halfedge(c_, c_.use_halfedge[first.value()]), first};
     for (UseId u = c_.use_next[first.value()]; u != first; u = c_.use_next[u.value()]) {
@@ -224,6 +250,7 @@ class Ordering {
   CanonicalOrder order_;
 };
 
+// The only order that needs signs: all others follow from the numbers of vertices.
 void Ordering::order_vertices() {
   const std::size_t n = c_.vertex_count();
   std::vector<std::uint32_t> vertices(n);
@@ -237,6 +264,7 @@ void Ordering::order_vertices() {
   for (const std::uint32_t v : vertices) order_.vertices.append(VertexId(v));
 }
 
+// Two edges never have the same two vertices, so the order is strict.
 void Ordering::order_edges() {
   context_.checkpoint("order of edges", 1, 5);
   using Ends = std::array<VertexId, 2>;
@@ -251,6 +279,7 @@ void Ordering::order_edges() {
   for (const auto& [ends, e] : edges) order_.edges.append(e);
 }
 
+// Two facets never have the same least corner, so the order is strict.
 void Ordering::order_facets() {
   context_.checkpoint("order of facets", 2, 5);
   std::vector<std::pair<Corner, FacetId>> facets;
@@ -271,7 +300,7 @@ void Ordering::order_uses() {
   for (const FacetId f : order_.facets.ids()) {
     starts.clear();
     for (const UseId first : c_.cycles_of(f)) starts.push_back(start_of_cycle(first));
-    std::sort(starts.begin() + 1, starts.end());  // the outer cycle stays the first
+    std::sort(starts.begin() + 1, starts.end());  // The outer cycle stays the first.
     for (const auto& [h, start] : starts) {
       order_.cycles.push_back(start);
       UseId u = start;
@@ -283,6 +312,7 @@ void Ordering::order_uses() {
   }
 }
 
+// Every volume but volume 0 has a facet, free edge or isolated vertex beside it, so all are named.
 void Ordering::order_volumes() {
   context_.checkpoint("order of volumes", 4, 5);
   order_.volumes = NewOrder<VolumeId>(c_.volume_count());

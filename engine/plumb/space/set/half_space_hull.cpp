@@ -1,3 +1,19 @@
+// Randomized incremental intersection of half-spaces, with one conflict for each to come.
+//
+// Invariant: after each insertion the polytope is the intersection of the cube and the half-spaces
+// inserted, each vertex with at least three edges, each facet a convex polygon; and every
+// half-space to come that cuts anything off knows one vertex that it cuts off. What a half-space
+// cuts off a convex polytope is connected, so a search from that vertex finds all of it; if all of
+// it is removed by another half-space, what the first one cuts off the rest reaches the new facet.
+//
+// The order is a pseudorandom permutation with a fixed seed: results are reproducible, and the
+// expected cost holds for all inputs that were not made to defeat this order. No plane is added;
+// new vertices are common points of three planes. An open half-space that only touches is
+// remembered, because it takes away the points that it touches. Removed half-edges and vertices
+// stay in the arrays, marked by kNone.
+//
+// Tested by tests/space/half_space_hull_test.cpp.
+
 #include "plumb/space/set/half_space_hull.h"
 
 #include <algorithm>
@@ -22,6 +38,7 @@ std::vector<std::uint8_t> HullPolytope::facets_left(std::size_t bounds) const {
 
 namespace {
 
+/// Makes a complex of the polytope: half-edges become edge uses (Weiler), each edge has two.
 class ComplexMaker {
  public:
   ComplexMaker(const HullPolytope& polytope, std::span<const HullBound> bounds)
@@ -42,6 +59,7 @@ class ComplexMaker {
  private:
   const HullBound& bound_of(std::uint32_t h) const { return bounds_[polytope_.halfedge[h].facet]; }
 
+  /// Numbers what was not removed.
   void number_items() {
     std::uint32_t count = 0;
     vertex_number_.assign(polytope_.vertex.size(), kNone);
@@ -61,6 +79,7 @@ class ComplexMaker {
     }
   }
 
+  /// Fills vertices and stars. A vertex belongs to the set if no facet at it is open.
   void fill_vertices(SpaceComplex& c) const {
     for (std::uint32_t v = 0; v < polytope_.vertex.size(); ++v) {
       if (vertex_number_[v] == kNone) continue;
@@ -84,11 +103,11 @@ class ComplexMaker {
   HalfedgeId halfedge_of(std::uint32_t h) const {
     return HalfedgeId(2 * edge_number_[h / 2] + h % 2);
   }
-  /// Uses are the half-edges.
+  /// Returns the use of a half-edge: they have the same numbers.
   UseId use_of(std::uint32_t h) const { return UseId(2 * edge_number_[h / 2] + h % 2); }
 
-  /// A half-edge with its facet to the left runs along the product of the outward normals of that
-  /// facet and of the one to its right: the edge is convex.
+  /// Fills edges and uses. The edge is convex, so a half-edge with its facet to the left runs along
+  /// the product of the outward normals of that facet and of the one to its right.
   void fill_edges(SpaceComplex& c) const {
     for (std::uint32_t e = 0; e < edge_number_.size(); ++e) {
       if (edge_number_[e] == kNone) continue;
@@ -107,8 +126,8 @@ class ComplexMaker {
     c.edge_volume.resize(c.edge_count());
   }
 
-  /// Uses have the positive side of the canonical plane in view: where that is the inside, they run
-  /// back.
+  /// Fills a use. Uses run as seen from the positive side of the canonical plane; where that is the
+  /// inside, they run back.
   void fill_use(std::uint32_t h, SpaceComplex& c) const {
     const auto& half = polytope_.halfedge[h];
     const bool is_back = bound_of(h).plane.is_opposite();
@@ -118,6 +137,7 @@ class ComplexMaker {
     c.use_facet.emplace_back(facet_number_[half.facet]);
   }
 
+  /// Fills facets. Volume 1 is the inside; each facet has one cycle, which starts at its least use.
   void fill_facets(SpaceComplex& c) const {
     for (std::size_t b = 0; b < bounds_.size(); ++b) {
       if (facet_number_[b] == kNone) continue;
@@ -134,6 +154,7 @@ class ComplexMaker {
     c.inner_begin.assign(c.facet_count() + 1, 0);
   }
 
+  /// Clears the marks of the vertices and edges on a plane.
   void clear_touched(PlaneId plane, SpaceComplex& c) const {
     std::vector<std::uint8_t> is_on(c.vertex_count());
     for (std::size_t v = 0; v < c.vertex_count(); ++v) {
@@ -164,6 +185,7 @@ namespace {
 
 constexpr std::uint32_t kPlanesPerCheckpoint = 1024;
 
+/// The insertion of all half-spaces.
 class HullBuilder {
  public:
   template <class HalfSpaces>
@@ -184,11 +206,12 @@ class HullBuilder {
   }
 
  private:
+  /// The side of a vertex on the bound being inserted; valid if `stamp` is that of the insertion.
   struct Seen {
     std::uint32_t stamp;
     Sign sign;
   };
-  /// Half-edges of one facet: `first` leads outside, `last` back.
+  /// Half-edges of one facet, of which `first` leads outside and `last` back.
   struct Chain {
     std::uint32_t first;
     std::uint32_t last;
@@ -196,13 +219,15 @@ class HullBuilder {
 
   // ---------------------------------------------------------------- 1. planes
 
+  /// Interns the planes of the cube and of all half-spaces. Two half-spaces on both sides of one
+  /// plane leave no interior.
   template <class HalfSpaces>
   void take_planes(const HalfSpaces& half_spaces) {
     for (const PlaneId p : tables_->planes.intern_frame()) {
       const bool is_low = tables_->planes.source(p).frame_index() % 2 == 0;
       bounds_.push_back({{p, is_low}, false, kNone});
     }
-    std::vector<std::uint32_t> known;  // per plane
+    std::vector<std::uint32_t> known;  // The bound of each plane.
     for (std::uint32_t i = 0; i < half_spaces.size(); ++i) {
       if (i % kPlanesPerCheckpoint == 0) context_.checkpoint("planes", i, half_spaces.size());
       const HalfSpace3& half_space = half_spaces[i];
@@ -227,7 +252,7 @@ class HullBuilder {
 
   // ---------------------------------------------------------------- 2. the cube
 
-  /// Vertex c has bit k set where it is at +R along axis k.
+  /// Starts with the cube. Vertex c has bit k set if it is at +R along axis k.
   void make_cube() {
     const auto& frame = tables_->planes.frame();
     for (std::uint32_t c = 0; c < 8; ++c) {
@@ -260,16 +285,17 @@ class HullBuilder {
 
   // ---------------------------------------------------------------- 3. insertion
 
-  /// On which side of the bound: Positive is outside.
+  /// Returns on which side of the bound a vertex lies: Positive is outside.
   Sign side_of(std::uint32_t v, const HullBound& b) const {
     return side(tables_->points, polytope_.vertex[v].point, b.plane.plane()) *
            b.plane.orientation();
   }
+  /// Whether a vertex on this side is cut off or, by an open bound, touched.
   static bool is_conflict(Sign s, const HullBound& b) {
     return s == Sign::Positive || (b.is_open && s == Sign::Zero);
   }
 
-  /// False: nothing is left inside.
+  /// Inserts all half-spaces. Returns false if nothing is left inside.
   bool insert_all() {
     make_cube();
     std::vector<std::uint32_t> order(bounds_.size() - 6);
@@ -289,6 +315,8 @@ class HullBuilder {
     return true;
   }
 
+  /// Permutes by a fixed sequence of pseudorandom numbers (a linear congruential generator), which
+  /// depends on the count only.
   static void shuffle(std::vector<std::uint32_t>& order) {
     std::uint64_t state = 0x9e3779b97f4a7c15U;
     for (std::size_t i = order.size(); i > 1; --i) {
@@ -297,7 +325,8 @@ class HullBuilder {
     }
   }
 
-  /// The first of the vertices that the bound cuts off, if there is one.
+  /// Gives a bound the first of these vertices that it cuts off as its conflict, if there is one.
+  /// Bounds with one conflict are linked in a list.
   void give_conflict(std::uint32_t b, std::span<const std::uint32_t> vertices) {
     conflict_of_[b] = kNone;
     for (const std::uint32_t v : vertices) {
@@ -309,6 +338,7 @@ class HullBuilder {
     }
   }
 
+  /// Inserts a bound. Returns false if it leaves nothing inside.
   bool insert(std::uint32_t b) {
     const std::uint32_t start = conflict_of_[b];
     ++stamp_;
@@ -327,8 +357,9 @@ class HullBuilder {
     return true;
   }
 
-  /// All vertices outside, and the signs of their neighbours. From those it touches the search goes
-  /// on, so that an open bound finds from there what is outside.
+  /// Finds all vertices outside, and the signs of their neighbours. The search goes on from
+  /// vertices on the plane, so that an open bound that only touches its conflict finds what is
+  /// outside from there.
   void find_outside(std::uint32_t start, const HullBound& bound) {
     outside_.clear();
     on_count_ = 0;
@@ -345,14 +376,17 @@ class HullBuilder {
       });
     }
   }
+  /// Computes and notes the side of a vertex.
   Sign classify(std::uint32_t v, const HullBound& bound) {
     seen_[v] = {stamp_, side_of(v, bound)};
     on_count_ += seen_[v].sign == Sign::Zero ? 1 : 0;
     return seen_[v].sign;
   }
-  Sign seen_sign(std::uint32_t v) const { return seen_[v].sign; }  // of one that was classified
+  /// Returns the side of a vertex that was classified.
+  Sign seen_sign(std::uint32_t v) const { return seen_[v].sign; }
 
-  /// The chains of edges with ends outside, one in each facet that keeps a vertex.
+  /// Finds the chains of edges with ends outside, one in each facet that keeps a vertex: a convex
+  /// polygon crosses a line twice at most.
   void find_chains() {
     chains_.clear();
     loose_.clear();
@@ -370,7 +404,7 @@ class HullBuilder {
     }
   }
 
-  /// Edges that pass the bound end there, others with an end outside go.
+  /// Lets edges that pass the bound end there. Others with an end outside are removed.
   void move_ends(std::uint32_t b) {
     auto& half = polytope_.halfedge;
     for (const std::uint32_t h : loose_) {
@@ -386,8 +420,8 @@ class HullBuilder {
     }
   }
 
-  /// One edge along the bound instead of the chain. Of a facet that keeps one vertex nothing is
-  /// left, of one that keeps an edge that edge is left to the new facet.
+  /// Replaces a chain by one edge along the bound. Of a facet that keeps only one vertex nothing is
+  /// left; of one that keeps an edge, that edge is left to the new facet.
   void close_chain(const Chain& chain) {
     auto& half = polytope_.halfedge;
     const std::uint32_t from = half[chain.first].origin, to = polytope_.target(chain.last);
@@ -407,12 +441,14 @@ class HullBuilder {
     rim_.push_back(HullPolytope::twin(g));
   }
 
-  /// An open bound without a facet still takes away the vertex or edge that it had there.
+  /// Remembers an open bound that has lost its facet: it still takes away the vertex or edge that
+  /// it had there.
   void keep_touching(std::uint32_t b) {
     if (bounds_[b].is_open) touching_.push_back(b);
   }
 
-  /// The rim's half-edges become the boundary of the new facet.
+  /// Links the half-edges of the rim to the boundary of the new facet: after each follows the one
+  /// that leaves its target.
   void close_facet(std::uint32_t b) {
     for (const std::uint32_t h : gone_) {
       polytope_.halfedge[h].facet = polytope_.halfedge[HullPolytope::twin(h)].facet = kNone;
@@ -427,7 +463,8 @@ class HullBuilder {
     }
   }
 
-  /// Who knew them as a conflict looks along the rim for another one.
+  /// Removes the vertices outside. Bounds to come that had one of them as their conflict look for
+  /// another one along the rim.
   void drop_outside() {
     rim_vertices_.clear();
     for (const std::uint32_t h : rim_) rim_vertices_.push_back(polytope_.halfedge[h].origin);
@@ -445,6 +482,7 @@ class HullBuilder {
     }
   }
 
+  /// Returns the half-spaces with a facet, and open ones that touch.
   std::vector<std::uint32_t> needed() const {
     const std::vector<std::uint8_t> is_left = polytope_.facets_left(bounds_.size());
     std::vector<std::uint32_t> result;
@@ -456,25 +494,26 @@ class HullBuilder {
     return result;
   }
 
+  /// Whether a side of the cube is left.
   bool is_unbounded() const {
     return std::ranges::any_of(polytope_.halfedge, [](const auto& h) { return h.facet < 6; });
   }
 
   Context& context_;
   std::shared_ptr<SpaceTables> tables_;
-  std::vector<HullBound> bounds_;  // the cube's first
+  std::vector<HullBound> bounds_;  // Those of the cube come first.
   bool has_opposite_ = false;
   HullPolytope polytope_;
-  std::size_t alive_ = 0;                     // vertices
-  std::vector<std::uint32_t> touching_;       // open bounds that cut nothing off
-  std::vector<std::uint8_t> is_to_come_;      // per bound
-  std::vector<std::uint32_t> conflict_of_;    // per bound to come: a vertex
-  std::vector<std::uint32_t> conflict_;       // per vertex: the first bound that knows it
-  std::vector<std::uint32_t> next_conflict_;  // per bound: the next one
-  // of the bound being inserted
+  std::size_t alive_ = 0;                     // The number of vertices not removed.
+  std::vector<std::uint32_t> touching_;       // Open bounds that cut nothing off.
+  std::vector<std::uint8_t> is_to_come_;      // Whether each bound is to come.
+  std::vector<std::uint32_t> conflict_of_;    // A vertex for each bound to come, or kNone.
+  std::vector<std::uint32_t> conflict_;       // The first bound that knows each vertex.
+  std::vector<std::uint32_t> next_conflict_;  // The next bound with the conflict of each one.
+  // These belong to the bound being inserted.
   std::uint32_t stamp_ = 0;
   std::size_t on_count_ = 0;
-  std::vector<Seen> seen_;  // per vertex
+  std::vector<Seen> seen_;  // One entry for each vertex.
   std::vector<std::uint32_t> queue_, outside_, loose_, gone_, rim_, rim_vertices_;
   std::vector<Chain> chains_;
 };

@@ -1,4 +1,5 @@
-// A convex polytope in the making, as half-edges between bounds (half_space_hull.h). Internal.
+// The intersection of half-spaces as a convex polytope, without Booleans. The first part is the
+// polytope in the making, as half-edges between bounds; the second inserts half-spaces. Internal.
 #pragma once
 
 #include <cstdint>
@@ -15,30 +16,35 @@
 
 namespace plumb {
 
-/// What is kept of a half-space: below the oriented plane.
+/// What is kept of a half-space: it lies below the oriented plane.
 struct HullBound {
-  OrientedPlane plane;
-  bool is_open;
-  std::uint32_t index;  ///< of the half-space; kNone: of the cube
+  OrientedPlane plane;  ///< Positive outside.
+  bool is_open;         ///< Whether the plane does not belong to it.
+  std::uint32_t index;  ///< The number of the half-space; kNone for a side of the cube.
 };
 
 /// The polytope: half-edges 2i and 2i + 1 are twins; each runs with its facet to the left, seen
 /// from outside.
 class HullPolytope {
  public:
+  /// A half-edge.
   struct Halfedge {
-    std::uint32_t origin;
-    std::uint32_t next;
-    std::uint32_t prev;
-    std::uint32_t facet;  ///< index of its bound; kNone: gone
+    std::uint32_t origin;  ///< The vertex at which it begins.
+    std::uint32_t next;    ///< The next one along the facet.
+    std::uint32_t prev;    ///< The previous one along the facet.
+    std::uint32_t facet;   ///< The index of its bound; kNone if it was removed.
   };
+  /// A vertex.
   struct Vertex {
-    SpacePoint point;
-    std::uint32_t half;  ///< one that leaves it; kNone: gone
+    SpacePoint point;    ///< Its place.
+    std::uint32_t half;  ///< A half-edge that leaves it; kNone if it was removed.
   };
 
+  /// Returns the half-edge of the same edge in the other direction.
   static std::uint32_t twin(std::uint32_t h) { return h ^ 1U; }
+  /// Returns the vertex at which a half-edge ends.
   std::uint32_t target(std::uint32_t h) const { return halfedge[twin(h)].origin; }
+  /// Lets one half-edge follow another one.
   void link(std::uint32_t h, std::uint32_t after) {
     halfedge[h].next = after;
     halfedge[after].prev = h;
@@ -53,56 +59,63 @@ class HullPolytope {
       h = twin(halfedge[h].prev);
     } while (h != first);
   }
+  /// Adds a vertex and returns its index.
   std::uint32_t add_vertex(SpacePoint point, std::uint32_t half) {
     PLUMB_CHECK(point.is_valid());
     vertex.push_back({point, half});
     return static_cast<std::uint32_t>(vertex.size() - 1);
   }
-  /// From a to b along the facet; its twin has no facet yet. Not linked.
+  /// Adds an edge and returns its half-edge from a to b along the facet. Its twin has no facet yet,
+  /// and neither is linked.
   std::uint32_t add_edge(std::uint32_t a, std::uint32_t b, std::uint32_t facet) {
     halfedge.push_back({a, kNone, kNone, facet});
     halfedge.push_back({b, kNone, kNone, kNone});
     return static_cast<std::uint32_t>(halfedge.size() - 2);
   }
 
-  /// Per bound: is there a facet on it?
+  /// Returns for each bound 1 if there is a facet on it, else 0.
   std::vector<std::uint8_t> facets_left(std::size_t bounds) const;
 
-  std::vector<Vertex> vertex;
-  std::vector<Halfedge> halfedge;
+  std::vector<Vertex> vertex;      ///< All vertices, removed ones too.
+  std::vector<Halfedge> halfedge;  ///< All half-edges, removed ones too.
 };
 
-/// In minimal form. `touching`: open bounds that cut nothing off but take away what they touch.
+/// Returns the complex of a bounded polytope in minimal form. `touching` lists open bounds that cut
+/// nothing off but take away what they touch. O(n).
 SpaceComplex complex_of_polytope(const HullPolytope& polytope, std::span<const HullBound> bounds,
                                  std::span<const std::uint32_t> touching,
                                  std::shared_ptr<SpaceTables> tables);
 
-// The intersection of half-spaces as a convex polytope, without Booleans.
+// The intersection of half-spaces.
 //
 // Main flow:
-//  1. take_planes   equal ones once; an open one hides a closed one
-//  2. make_cube     the polytope begins as the cube of the frame (frame.h), so that it is bounded
-//                   from the first
-//  3. insert        one after the other, in an order that depends on nothing but their number. Each
-//                   half-space to come knows a vertex that it cuts off (open: or touches), or none
-//                   and is forgotten. From there the vertices outside are found, each facet around
-//                   them loses a chain of edges and gets a new one, these bound the new facet. Who
-//                   knew a vertex that goes looks at the vertices of the new facet: what a
-//                   half-space cuts off hangs together, so one of them is outside if any vertex is
-//  4. complex       edges, uses and facets of what is left
+//  1. take_planes  takes equal planes once; an open half-space hides a closed one
+//  2. make_cube    starts with the cube of the frame (frame.h), so that the polytope is bounded
+//                  from the beginning
+//  3. insert       inserts one half-space after the other, in an order that depends on nothing but
+//                  their number. Each one to come knows a vertex that it cuts off (or touches, if
+//                  it is open): its conflict. If there is none, it is forgotten. From there the
+//                  vertices outside are found; each facet around them loses a chain of edges and
+//                  gets a new edge, and these bound the new facet. A half-space whose conflict is
+//                  removed looks for another one among the vertices of the new facet: what it cuts
+//                  off is connected, so one of them is outside if any vertex is
+//  4. complex      makes edges, uses and facets of what is left
 //
-// Signs are sides of vertices on planes (point3_signs.h), nothing else. Cost: expected O(n log n).
-// Source: Clarkson and Shor, Discrete & Computational Geometry 4 (1989), for the conflicts.
+// All signs are sides of vertices on planes (point3_signs.h). Cost: expected O(n log n). Source: K.
+// Clarkson, P. Shor, Applications of random sampling in computational geometry, II, Discrete &
+// Computational Geometry 4 (1989), for the conflicts.
 
+/// The intersection of half-spaces.
 struct HalfSpaceHull {
-  /// In minimal form; none if the intersection reaches to infinity or has no inside.
+  /// The polytope in minimal form; empty if the intersection is unbounded or has no interior.
   std::optional<SpaceComplex> polytope;
-  /// Of the half-spaces given, those that have the same intersection: with a facet of it, or open
-  /// and touching it. All, if it has no inside.
+  /// Half-spaces that have the same intersection: those with a facet of it, and open ones that
+  /// touch it; ascending. All, if it has no interior.
   std::vector<std::uint32_t> needed;
 };
 
-/// Throws Error{BadArgument} for a plane without a normal, and what the context throws.
+/// Returns the intersection of half-spaces. Throws Error{BadArgument} for a plane without a normal,
+/// and what the context throws.
 HalfSpaceHull hull_of_half_spaces(std::span<const HalfSpace3> half_spaces, Context& context);
 HalfSpaceHull hull_of_half_spaces(const HalfSpaceList& half_spaces, Context& context);
 

@@ -1,3 +1,16 @@
+// Members of Nef3 that make sets and ask for points and rays; declared in plumb/space/nef3.h.
+//
+// A mesh becomes a set in three steps: its arrangement, winding numbers of volumes, the closure of
+// those that the rule accepts (docs/design/meshes.md, "From numbers to a set"). Half-spaces and
+// planes are Booleans with the empty set; bounded intersections of half-spaces are built as a
+// polytope (half_space_hull.h). Segments and points are drafts with one or two vertices.
+//
+// A ray visits cells one after the other: from one hit to the next it stays in one cell, so the
+// middle between them names it.
+//
+// Tested by tests/space/nef3_test.cpp, tests/space/nef3_queries_test.cpp and
+// tests/space/mesh_arrangement_test.cpp.
+
 #include "plumb/space/set/nef3_state.h"
 
 #include <algorithm>
@@ -20,6 +33,7 @@
 namespace plumb {
 namespace {
 
+/// Whether the rule accepts a winding number.
 bool is_inside(std::int32_t winding, WindingRule rule) {
   switch (rule) {
     case WindingRule::NonZero:
@@ -32,7 +46,7 @@ bool is_inside(std::int32_t winding, WindingRule rule) {
   return winding > 0;
 }
 
-/// The intersection of the half-spaces that are needed, by Booleans.
+/// Returns the intersection of the half-spaces that are needed, by Booleans.
 template <class HalfSpaces>
 Nef3 one_by_one(const HalfSpaces& half_spaces, const std::vector<std::uint32_t>& needed,
                 Context& context) {
@@ -44,7 +58,7 @@ Nef3 one_by_one(const HalfSpaces& half_spaces, const std::vector<std::uint32_t>&
   return intersection_of(sets, context);
 }
 
-/// Facets, edges and vertices belong to the set if a volume beside them does.
+/// Marks facets, edges and vertices that have a marked volume beside them.
 void close_volumes(SpaceComplex& c) {
   c.facet_mark.assign(c.facet_count(), 0);
   c.edge_mark.assign(c.edge_count(), 0);
@@ -65,7 +79,8 @@ void close_volumes(SpaceComplex& c) {
   }
 }
 
-/// The polygon through all points.
+/// Returns the polygon through all points of a mesh without faces. Throws Error{BadShape} unless it
+/// is planar and simple.
 Nef3 only_facet(PolygonMesh mesh, Context& context) {
   std::vector<std::uint32_t> face(mesh.points.size());
   std::iota(face.begin(), face.end(), 0U);
@@ -80,14 +95,14 @@ Nef3 only_facet(PolygonMesh mesh, Context& context) {
   return Nef3::from_facets(std::move(made), context);
 }
 
-/// Two planes through a and b, different points, such that n_p x n_q runs from a to b.
+/// Returns two planes through a and b, different points, such that n_p x n_q runs from a to b.
 SphereDirection line_through(PlaneTable& planes, const RationalPoint3& a, const RationalPoint3& b) {
   const std::array<Rational, 3> from{a.x, a.y, a.z}, d{b.x - a.x, b.y - a.y, b.z - a.z};
   std::size_t i = 0;
   while (i < 3 && d[i] == 0) ++i;
   PLUMB_CHECK(i < 3);
-  // d x e_j and d x e_k; their product is d (d . (e_j x e_k)) = d d_i for (i, j, k) in cyclic
-  // order.
+  // The normals are d x e_j and d x e_k. Their product is d (d . (e_j x e_k)) = d d_i for (i, j, k)
+  // in cyclic order, and d_i is not 0.
   std::array<OrientedPlane, 2> sides;
   for (std::size_t s = 0; s < 2; ++s) {
     const std::size_t j = (i + 1 + s) % 3, k = (j + 1) % 3, l = (j + 2) % 3;
@@ -103,7 +118,8 @@ SphereDirection line_through(PlaneTable& planes, const RationalPoint3& a, const 
   return turn == Sign::Positive ? direction : direction.opposite();
 }
 
-/// A marked vertex with one marked free edge, or none.
+/// Returns the map of a marked vertex with one marked free edge, or with none if `direction` is
+/// null.
 SphereMap lone_map(const SphereDirection* direction) {
   SphereMap map;
   map.centre_mark = 1;
@@ -118,6 +134,7 @@ SphereMap lone_map(const SphereDirection* direction) {
 
 }  // namespace
 
+// A Boolean of the empty set and a plane: one cut of an empty cube.
 Nef3 Nef3::half_space(const Plane3& plane, Boundary boundary) {
   Context& context = unlimited_context();
   const Section section =
@@ -161,6 +178,7 @@ Nef3 Nef3::from_mesh(const PolygonMesh& mesh, const FromMeshOptions& options, Co
   return from_mesh(MeshView(mesh), options, context);
 }
 
+// The report of an open mesh is handed over before OpenMesh is thrown.
 Nef3 Nef3::from_mesh(const MeshView& mesh, const FromMeshOptions& options, Context& context) {
   MeshOptions reading;
   reading.surface = options.surface;
@@ -175,6 +193,7 @@ Nef3 Nef3::from_mesh(const MeshView& mesh, const FromMeshOptions& options, Conte
     throw OpenMesh(std::move(made.report));
   }
   if (!options.surface && !options.rule) {
+    // Without a rule, components that face inwards are turned first.
     made.report.turned = turn_inside_out(made, context);
   }
   report_to(made.report);
@@ -182,6 +201,7 @@ Nef3 Nef3::from_mesh(const MeshView& mesh, const FromMeshOptions& options, Conte
   return from_mesh_complex(std::move(made), options.rule.value_or(WindingRule::Positive), context);
 }
 
+// Arrange, number the volumes, mark those that the rule accepts, and close the set.
 Nef3 Nef3::from_mesh_complex(MeshComplex mesh, WindingRule rule, Context& context) {
   if (!mesh.report.is_closed()) throw OpenMesh(std::move(mesh.report));
   arrange(mesh, context);
@@ -205,6 +225,7 @@ std::vector<Nef3> Nef3::from_meshes(std::span<const PolygonMesh> meshes,
   return sets;
 }
 
+// All facets with their boundaries, in volumes without marks.
 Nef3 Nef3::from_facets(MeshComplex mesh, Context& context) {
   if (!mesh.complex.tables) {
     throw Error(ErrorCode::BadShape, "the mesh is open and was not read as a surface");
@@ -225,7 +246,7 @@ Nef3 Nef3::facet(std::span<const Point3> corners, Context& context) {
 
 Nef3 Nef3::facet(std::span<const RationalPoint3> corners, Context& context) {
   PolygonMesh mesh;
-  mesh.points.resize(corners.size());  // not read
+  mesh.points.resize(corners.size());  // Not read: all points are exact.
   for (std::uint32_t i = 0; i < corners.size(); ++i) mesh.exact.emplace_back(i, corners[i]);
   return only_facet(std::move(mesh), context);
 }
@@ -238,6 +259,7 @@ Nef3 Nef3::segment(const RationalPoint3& a, const RationalPoint3& b) {
   const SphereDirection to_b = line_through(tables->planes, a, b), to_a = to_b.opposite();
   draft.add(add_point(*tables, a), lone_map(&to_b), false, {});
   draft.add(add_point(*tables, b), lone_map(&to_a), false, {});
+  // The two points face each other.
   draft.twin = {1, 0};
   return Nef3(join(std::move(draft), context));
 }
@@ -282,12 +304,14 @@ Nef3 Nef3::points(std::span<const RationalPoint3> points, Context& context) {
 
 namespace {
 
+/// Throws Error{NotFinite} unless the coordinates are finite.
 void require_finite(const Point3& p) {
   if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
     throw Error(ErrorCode::NotFinite, "the coordinates of a point must be finite");
   }
 }
 
+/// Whether a cell belongs to the set.
 bool is_marked(const SpaceComplex& c, SpaceItem item) {
   switch (item.kind()) {
     case SpaceItem::Kind::Vertex:
@@ -302,16 +326,19 @@ bool is_marked(const SpaceComplex& c, SpaceItem item) {
   return c.volume_mark[item.index()] == 1;
 }
 
+/// Returns p + d.
 RationalPoint3 along(const RationalPoint3& p, const RationalPoint3& d) {
   return {p.x + d.x, p.y + d.y, p.z + d.z};
 }
 
+/// Returns the middle of two points.
 RationalPoint3 middle(const RationalPoint3& p, const RationalPoint3& q) {
   return {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2};
 }
 
 }  // namespace
 
+// The first of several threads makes the locator, the others wait for it.
 const SpaceLocator& Nef3::locator() const {
   std::call_once(state_->locator_made,
                  [this] { state_->locator = std::make_unique<SpaceLocator>(state_->complex); });
@@ -355,7 +382,8 @@ bool Nef3::has_on_boundary(const Point3& p, Context& context) const {
   return locator().on_item(p).is_valid();
 }
 
-// Between two hits the ray stays in one cell, so any point in between tells which.
+// Between two hits the ray stays in one cell, so locating any point in between finds that cell. The
+// loop ends because each hit is farther along the ray and a complex is finite.
 std::optional<SpaceHit> Nef3::shoot_if(const RationalPoint3& origin,
                                        const RationalPoint3& direction,
                                        const std::function<bool(SpaceItem)>& accepts,
@@ -370,6 +398,7 @@ std::optional<SpaceHit> Nef3::shoot_if(const RationalPoint3& origin,
   for (;;) {
     context.checkpoint("shoot", 0, 0);
     if (accepts(at.item)) return hit(at.item, at.point);
+    // The cell entered after this point is that of the middle of the way to the next hit.
     const std::optional<SpaceItemHit> next = locator().shoot(at.point, direction);
     const RationalPoint3 beyond = next ? middle(at.point, next->point) : along(at.point, direction);
     const SpaceItem entered = locator().locate(beyond);

@@ -1,3 +1,16 @@
+// Affine images: planes by the inverse transposed matrix, points by the matrix, and a correction of
+// orientations.
+//
+// Everything but ids of planes and points stays: the image has the same cells and incidences. What
+// changes is which side of a plane is positive, which way n_p x n_q runs along an edge, and, if the
+// map reverses orientation, the sense of all rotations. The comment above image_of() has the signs.
+//
+// A framed set is mapped together with its far box, R scaled such that the image encloses the cube,
+// and cut back to the cube; a shift leaves far planes where they are, which is right if the set
+// meets the box in general position (docs/design/frame.md, "Affine maps: far boxes", Lemma 4).
+//
+// Tested by tests/space/transform_test.cpp.
+
 #include "plumb/space/set/transform.h"
 
 #include <algorithm>
@@ -13,6 +26,7 @@
 namespace plumb {
 namespace {
 
+/// Returns n M^-1, the image of a normal.
 RationalRow image_of_normal(const RationalRow& n, const RationalMatrix& cofactors,
                             const Rational& determinant) {
   RationalRow image;
@@ -20,9 +34,9 @@ RationalRow image_of_normal(const RationalRow& n, const RationalMatrix& cofactor
   return image;
 }
 
-/// Points go to M x + t, and a plane n.x + d = 0 to (n M^-1).x + d - (n M^-1).t = 0. Of M^-1 the
-/// columns are the cross products of rows of M, divided by the determinant. R goes to `far_scale`
-/// R, and far planes are not shifted (frame.h).
+/// Maps planes and points into a new table, each once. Points go to M x + t, and a plane n.x + d =
+/// 0 to (n M^-1).x + d - (n M^-1).t = 0. The columns of M^-1 are the cross products of rows of M,
+/// divided by the determinant. R goes to `far_scale` R, and far planes are not shifted (frame.h).
 class Images {
  public:
   Images(const SpaceComplex& complex, const AffineMap3& map, Rational far_scale)
@@ -37,13 +51,15 @@ class Images {
   Sign determinant() const { return sign_of(determinant_); }
   std::shared_ptr<SpaceTables> tables() const { return tables_; }
 
-  /// With the side that was positive.
+  /// Returns the image of a plane, with the image of its positive side as its positive side.
   OrientedPlane operator()(PlaneId p) {
     OrientedPlane& image = planes_[p.value()];
     if (!image.is_valid()) image = image_of(p);
     return image;
   }
 
+  /// Returns the image of a point: a point of three planes by their images, any other by its
+  /// coordinates.
   SpacePoint operator()(SpacePoint p) {
     const Point3Table& points = complex_.points();
     const bool is_of_planes = !p.is_input() && !points.source(p).is_line();
@@ -63,6 +79,7 @@ class Images {
   OrientedPlane image_of(PlaneId p) {
     const IntegerRow row = complex_.planes().primitive(p);
     const RationalRow n{Rational(row[0]), Rational(row[1]), Rational(row[2])};
+    // A plane of the frame becomes a far plane: its offset scales with R and is not shifted.
     const RationalRow image = image_of_normal(n, cofactors_, determinant_);
     if (complex_.planes().is_frame(p)) {
       return far_plane(tables_->planes, image, row[3] * far_scale_);
@@ -80,7 +97,7 @@ class Images {
   std::vector<OrientedPlane> planes_;
 };
 
-/// The uses of a facet whose plane is now seen from its other side.
+/// Reverses the uses of facets whose plane is now seen from its other side.
 void reverse_uses(SpaceComplex& c, const std::vector<std::uint8_t>& is_reversed) {
   for (std::size_t u = 0; u < c.use_count(); ++u) {
     if (is_reversed[c.use_facet[u].value()] == 0) continue;
@@ -89,6 +106,7 @@ void reverse_uses(SpaceComplex& c, const std::vector<std::uint8_t>& is_reversed)
   }
 }
 
+/// Reverses the radial order around every edge.
 void reverse_radial(SpaceComplex& c) {
   std::vector<UseId> before(c.use_count());
   for (std::size_t u = 0; u < c.use_count(); ++u) before[c.use_radial[u].value()] = UseId(u);
@@ -125,8 +143,8 @@ SpaceComplex image_of(const SpaceComplex& complex, Images& image, Context& conte
   return out;
 }
 
-/// The scale of R under which the image of a far box encloses the cube: the cube itself if it can
-/// be, else twice as large as needed.
+/// Returns the scale of R under which the image of a far box encloses the cube: the one that makes
+/// it the cube itself if there is one, else twice as large as needed.
 Rational enclosing_scale(const FarBox& box, const AffineMap3& map) {
   const RationalMatrix dual = cofactors(map.matrix);
   const Rational det = determinant(map.matrix);
@@ -141,10 +159,13 @@ Rational enclosing_scale(const FarBox& box, const AffineMap3& map) {
   return (is_cube ? 1 : 2) * largest / box.size;
 }
 
+/// Whether the map has no translation.
 bool is_linear(const AffineMap3& map) {
   return std::count(map.offset.begin(), map.offset.end(), 0) == 3;
 }
 
+/// Returns the image of a framed complex: cut to a box in general position, mapped, cut to the
+/// cube.
 SpaceComplex framed_image(const SpaceComplex& complex, const AffineMap3& map, Context& context) {
   const FarBox box = is_linear(map) ? frame_box() : general_box(complex);
   const SpaceComplex cut = inside(complex, box, copy(*complex.tables), context);

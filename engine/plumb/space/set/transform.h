@@ -7,13 +7,13 @@
 
 namespace plumb {
 
-/// The image under an invertible map. Planes are transformed exactly, points stay what they are:
-/// input points where doubles hold the image, else points of three planes. Numbers grow with every
-/// map that is not a dyadic one, by no more than the map's own.
+/// Returns the image under an invertible map. Planes are transformed exactly; points remain what
+/// they are: input points if doubles hold the image, else points of three planes. Numbers grow with
+/// every map that is not dyadic, by no more than the map's own.
 ///
-/// O(n); of a framed complex, besides, up to twelve cuts by planes (frame.h): none for a shift of a
+/// O(n); for a framed complex up to twelve cuts by planes besides (frame.h): none for a shift of a
 /// set that meets the cube in general position, or for maps that permute axes. Throws
-/// Error{BadArgument} when the matrix is singular.
+/// Error{BadArgument} if the matrix is singular, and what the context throws.
 SpaceComplex transformed(const SpaceComplex& complex, const AffineMap3& map, Context& context);
 
 }  // namespace plumb
