@@ -45,7 +45,7 @@ void Context::checkpoint(std::string_view phase, std::uint64_t done, std::uint64
     throw Error(ErrorCode::ResourceLimit, "the time limit was reached during " +
                                               std::string(phase) + " (raise --limit-seconds)");
   }
-  const bool is_done = total != 0 && done == total;  // 0 of 0: nobody knows how much there is
+  const bool is_done = total != 0 && done == total;  // A total of 0 means that it is not known.
   if (progress_ && (now - last_report_ >= std::chrono::milliseconds(50) || is_done)) {
     last_report_ = now;
     progress_(phase, done, total);

@@ -16,7 +16,7 @@ namespace plumb {
 void keep_freed_memory() {
 #if defined(__GLIBC__)
   constexpr int kMostOfThreshold =
-      32 << 20;  // glibc takes no more; larger blocks come and go by themselves
+      32 << 20;  // The most that glibc takes. Larger blocks are always mapped by themselves.
   mallopt(M_MMAP_THRESHOLD, kMostOfThreshold);
   mallopt(M_TRIM_THRESHOLD, INT_MAX);
 #endif
@@ -30,7 +30,7 @@ void use_huge_pages() {
   const std::uintptr_t begin = (end_of_heap() + kHugePage - 1) / kHugePage * kHugePage;
   mallopt(M_TOP_PAD, kHeap);
   {
-    // More than is left: the heap grows by this and the pad.
+    // This is more than is left, so the heap grows by it and the pad.
     const std::unique_ptr<volatile char[]> block(new char[std::size_t{1} << 20]);
     block[0] = 0;
   }

@@ -22,17 +22,19 @@ SetOperator binary_operator(char c) {
     case '^':
       return SetOperator::SymmetricDifference;
     default:
-      return SetOperator::Operand;  // no operator
+      return SetOperator::Operand;  // The character is no operator.
   }
 }
 
+/// Returns how strongly an operator binds.
 int rank(SetOperator op) {
   if (op == SetOperator::Complement) return 3;
   if (op == SetOperator::Intersection) return 2;
   return op == SetOperator::SymmetricDifference ? 0 : 1;
 }
 
-/// Two stacks (Dijkstra's shunting yard): `waiting_` holds operators and open parentheses.
+/// Parses an expression with Dijkstra's shunting-yard algorithm: `waiting_` is the stack of
+/// operators and open parentheses.
 class Parser {
  public:
   explicit Parser(std::string_view text) : text_(text) {}

@@ -1,3 +1,19 @@
+// The half-edge structure: construction from cycles or links, compaction, and the Euler operators.
+//
+// Invariants (dcel.h lists them, dcel_audit.cpp checks them): next is a permutation with the
+// inverse prev; it keeps loops and leads from a half-edge to one that leaves its target; every loop
+// is in the ring of its face; a vertex has a half-edge that leaves it, or the loop that it is
+// alone. Every operator keeps them: it changes links first, then loops, then vertices. The cost of
+// an operator is that of relabelling one loop, or constant. Operators refuse structures with
+// pinches, in which a vertex has several rings, because it would not be known to which ring an
+// edge belongs.
+//
+// Sources: L. J. Guibas, J. Stolfi, Primitives for the manipulation of general subdivisions and the
+// computation of Voronoi diagrams, ACM Transactions on Graphics 4 (1985); M. Mäntylä, An
+// Introduction to Solid Modeling, Computer Science Press (1988), for Euler operators.
+//
+// Tested by tests/dcel/dcel_test.cpp and tests/dcel/dcel_euler_test.cpp.
+
 #include "plumb/dcel/dcel.h"
 
 #include <algorithm>
@@ -9,7 +25,7 @@ namespace {
 
 constexpr std::size_t kMaxHalfedges = (std::size_t{1} << 31U) - 2;
 
-/// The even half-edge of each edge goes to its lower corner position.
+/// Returns the half-edge of each corner position; the even one of an edge is at the lower position.
 std::vector<HalfedgeId> number_halfedges(std::span<const std::uint32_t> twin_of) {
   std::vector<HalfedgeId> halfedge_of(twin_of.size());
   std::size_t edges = 0;
@@ -32,7 +48,7 @@ std::size_t face_count_of(std::span<const std::uint32_t> face_of_cycle,
   return count;
 }
 
-/// New ids for the present ones among `slots`.
+/// Returns new ids for those among `slots` that are present.
 template <class Id, class Contains>
 std::vector<Id> renumber(std::size_t slots, Contains contains) {
   std::vector<Id> ids(slots);
@@ -102,6 +118,7 @@ Dcel Dcel::from_links(std::size_t vertex_count, std::span<const VertexId> origin
   return d;
 }
 
+/// Copies the links and derives prev and the first half-edge of each vertex.
 void Dcel::link_halfedges(std::span<const VertexId> origin, std::span<const HalfedgeId> next,
                           std::span<const std::uint32_t> loop_of) {
   halfedges_.resize(origin.size());
@@ -126,7 +143,8 @@ void Dcel::place_isolated(std::span<const IsolatedVertex> isolated) {
   }
 }
 
-/// The half-edges of one listed cycle; every array entry written is one of this cycle's.
+/// Fills in the half-edges of one listed cycle. It writes entries of this cycle only, besides the
+/// first half-edges of its vertices.
 void Dcel::fill_cycle(LoopId l, std::span<const std::uint32_t> vertices,
                       const HalfedgeId* halfedges) {
   HalfedgeId prev = halfedges[vertices.size() - 1];
@@ -143,14 +161,15 @@ void Dcel::fill_cycle(LoopId l, std::span<const std::uint32_t> vertices,
   }
 }
 
-/// Twins must run between the same two vertices.
+/// Checks that twins run between the same two vertices.
 void Dcel::check_targets() const {
   for (std::size_t i = 0; i < halfedges_.size(); ++i) {
     PLUMB_CHECK(origin(next(HalfedgeId(i))) == target(HalfedgeId(i)));
   }
 }
 
-/// Without a pinch the ring of each vertex's first half-edge holds all that leave it.
+/// Whether there is a pinch. Without one, the ring of each vertex's first half-edge has all that
+/// leave the vertex.
 bool Dcel::find_pinches() const {
   std::size_t reached = 0;
   for (const auto first : vertices_) {
@@ -164,6 +183,7 @@ bool Dcel::find_pinches() const {
   return reached != 2 * counts_.edges;
 }
 
+/// Elements are moved first, in the order of their ids, and then all links are renamed.
 DcelCompaction Dcel::compact() {
   const auto contains = [this](auto id) { return this->contains(id); };
   DcelCompaction to{
@@ -200,9 +220,8 @@ DcelCompaction Dcel::compact() {
   return to;
 }
 
-// The Euler operators of Dcel. Each moves the half-edges first and settles loops and vertices
-// after; the names h, t are the new or removed edge: h leaves corner a, t = twin(h) leaves corner
-// b.
+// The Euler operators. Each links the half-edges first and then settles loops and vertices. In them
+// h and t = twin(h) are the new or removed edge: h leaves corner a, t leaves corner b.
 
 // --- faces, loops, isolated vertices -----------------------------------------------------------
 
@@ -258,6 +277,7 @@ void Dcel::enter_face(LoopId l, FaceId f) {
   loops_[loop.prev.value()].next = l;
 }
 
+/// Takes l out of the ring of its face's loops.
 void Dcel::leave_face(LoopId l) {
   const Loop loop = loops_[l.value()];
   LoopId& first = faces_[loop.face.value()];
@@ -266,12 +286,13 @@ void Dcel::leave_face(LoopId l) {
   loops_[loop.next.value()].prev = loop.prev;
 }
 
+/// Only loops are moved, each in constant time; half-edges know their faces through their loops.
 FaceId Dcel::split_face(std::span<const LoopId> loops) {
   PLUMB_CHECK(!loops.empty() && contains(loops.front()));
   const FaceId old = face(loops.front());
   const FaceId f = add_face();
   for (const LoopId l : loops) {
-    PLUMB_CHECK(contains(l) && face(l) == old);  // a loop named twice has left already
+    PLUMB_CHECK(contains(l) && face(l) == old);  // A loop given twice has left the face already.
     leave_face(l);
     enter_face(l, f);
   }
@@ -304,14 +325,14 @@ bool Dcel::is_corner(Corner c) const {
   return contains(c.other()) && is_isolated(c.other());
 }
 
-/// Lets h leave corner `at`, its twin arrive there.
+/// Links an edge at one end: h leaves corner `at`, and its twin arrives there.
 void Dcel::attach(HalfedgeId h, Corner at) {
   if (!at.is_halfedge()) return link(twin(h), h);
   link(prev(at.halfedge()), h);
   link(twin(h), at.halfedge());
 }
 
-/// h alone becomes a loop; its twin runs round it.
+/// Links an edge from a corner to itself: h alone becomes a loop, and its twin runs around it.
 void Dcel::attach_self_loop(HalfedgeId h, Corner at) {
   attach(twin(h), at);
   if (at.is_halfedge())
@@ -326,6 +347,8 @@ void Dcel::relabel(HalfedgeId from, HalfedgeId stop, LoopId l) {
   for (HalfedgeId h = from; h != stop; h = next(h)) halfedges_[h.value()].loop = l;
 }
 
+/// An edge between two corners of one loop splits that loop: the part from h on becomes a new one.
+/// An edge between two loops joins them: the loop of b becomes part of that of a.
 HalfedgeId Dcel::add_edge(Corner a, Corner b) {
   PLUMB_CHECK(!has_pinches_ && is_corner(a) && is_corner(b));
   const LoopId la = loop_at(a), lb = loop_at(b);
@@ -352,20 +375,22 @@ HalfedgeId Dcel::add_edge(Corner a, Corner b) {
   return h;
 }
 
-/// A half-edge leaving origin(h) that is not of h's edge; invalid if there is none.
+/// Returns a half-edge that leaves origin(h) and is not of h's edge; one that is not valid if there
+/// is none.
 HalfedgeId Dcel::other_leaving(HalfedgeId h) const {
   HalfedgeId other = turn_right(h);
-  if (other == twin(h)) other = turn_right(other);  // a self-loop: both its halves leave
+  if (other == twin(h)) other = turn_right(other);  // Both halves of a self-loop leave the vertex.
   return edge_of(other) == edge_of(h) ? HalfedgeId() : other;
 }
 
-/// Takes h away from origin(h), and its twin, that arrives there.
+/// Unlinks h from origin(h), and its twin, which arrives there.
 void Dcel::detach(HalfedgeId h) {
   const HalfedgeId before = prev(h), after = next(twin(h));
   link(before, after);
 }
 
-/// After an edge at v is gone: v's half-edge, or its isolated loop l if it has none.
+/// Gives v its half-edge after an edge at v was removed, or the isolated loop l if there is none
+/// left.
 void Dcel::settle(VertexId v, HalfedgeId leaving, LoopId l) {
   if (leaving.is_valid()) {
     vertices_[v.value()] = leaving;
@@ -375,6 +400,8 @@ void Dcel::settle(VertexId v, HalfedgeId leaving, LoopId l) {
   }
 }
 
+/// The inverse of add_edge(): an edge between two loops of one face joins them to that of the twin;
+/// an edge with one loop on both sides splits it, and the part from next(h) on becomes a new one.
 void Dcel::remove_edge(HalfedgeId h) {
   PLUMB_CHECK(!has_pinches_ && contains(h) && face(h) == face(twin(h)));
   const HalfedgeId t = twin(h);
@@ -385,7 +412,8 @@ void Dcel::remove_edge(HalfedgeId h) {
   if (loop(h) != la) {
     relabel(next(h), h, la);
     drop_loop(loop(h));
-    loops_[la.value()].first = on_h != h ? on_h : on_t;  // neither: settle() says isolated
+    // If neither is left, settle() makes the loop that of an isolated vertex.
+    loops_[la.value()].first = on_h != h ? on_h : on_t;
   } else {
     lb = new_loop(on_h, face(la));
     relabel(on_h, t, lb);
@@ -401,6 +429,8 @@ void Dcel::remove_edge(HalfedgeId h) {
 
 // --- vertices inside edges -----------------------------------------------------------------------
 
+/// h ends at the new vertex w, and n leads on to the former target v. If h was the last edge at v,
+/// n is followed by its own twin. Loops stay, so nothing is relabelled.
 HalfedgeId Dcel::split_edge(HalfedgeId h) {
   PLUMB_CHECK(!has_pinches_ && contains(h));
   const HalfedgeId t = twin(h);
@@ -423,6 +453,8 @@ HalfedgeId Dcel::split_edge(HalfedgeId h) {
   return n;
 }
 
+/// The inverse of split_edge(): h takes the place of both edges, and what pointed to the removed
+/// half-edges points to those of h.
 void Dcel::join_edge(HalfedgeId n) {
   PLUMB_CHECK(!has_pinches_ && contains(n));
   const HalfedgeId h = prev(n), t = twin(h), m = twin(n);

@@ -1,3 +1,17 @@
+// The audits of a half-edge structure: its links, and whether it is one of the plane.
+//
+// DcelAudit checks the invariants of dcel.h in an order in which each check assumes only those
+// before it, so that links can be followed safely in any structure. Many invariants follow from a
+// count: if every chain that is found has one label, and together they reach all half-edges, there
+// is one chain for each label.
+//
+// audit_planar() checks Euler's formula, rings - edges + loops = 2, for each component, which makes
+// it a map of the sphere; and that faces and components, joined by loops, form a tree, which makes
+// the whole a subdivision of the plane.
+//
+// Declared in plumb/dcel/dcel.h.
+// Tested by tests/dcel/dcel_audit_test.cpp.
+
 #include <algorithm>
 #include <numeric>
 
@@ -115,7 +129,7 @@ class DcelAudit {
     return require(seen == d_.counts_, "the counts are those of the arrays", "the counts");
   }
 
-  /// prev(next(h)) = h for all h makes next one-to-one, hence prev its inverse.
+  /// If prev(next(h)) = h for all h, next is one-to-one, and prev is its inverse.
   bool chains() {
     return all<HalfedgeId>(d_.halfedge_slots(), [this](HalfedgeId h) {
       return require(d_.prev(d_.next(h)) == h, "prev undoes next", h) &&
@@ -124,7 +138,8 @@ class DcelAudit {
     });
   }
 
-  /// Labels are constant along chains; with one chain found per loop, all half-edges are reached.
+  /// Labels are constant along chains, so if one chain for each loop reaches all half-edges, every
+  /// loop is one chain.
   bool loop_chains() {
     std::size_t reached = 0;
     all<LoopId>(d_.loop_slots(), [&](LoopId l) {
@@ -166,8 +181,8 @@ class DcelAudit {
 
 namespace {
 
-/// Components of the structure: sets of edges that next and twin connect, and isolated vertices.
-/// Fans that only share a pinch are different components.
+/// The components of the structure: sets of edges that next and twin connect, and isolated
+/// vertices. Fans that share only a pinch are different components.
 class Components {
  public:
   explicit Components(const Dcel& d) : d_(d), sets_(d.edge_slots() + d.vertex_slots()) {
@@ -182,7 +197,7 @@ class Components {
     return sets_.root(c.is_halfedge() ? edge_of(c.halfedge()).value() : isolated);
   }
 
-  /// Does number i represent a component?
+  /// Whether number i represents a component.
   bool contains(std::size_t i) {
     if (sets_.root(static_cast<std::uint32_t>(i)) != i) return false;
     if (i < d_.edge_slots()) return d_.contains(EdgeId(i));
@@ -195,7 +210,7 @@ class Components {
                                : "isolated vertex " + std::to_string(i - d_.edge_slots());
   }
 
-  /// Rings - edges + loops by representative.
+  /// Returns rings - edges + loops for each representative.
   std::vector<std::int64_t> characteristics() {
     std::vector<std::int64_t> sum(d_.edge_slots() + d_.vertex_slots());
     for (std::size_t i = 0; i < d_.edge_slots(); ++i) {
@@ -239,7 +254,7 @@ std::optional<DcelFlaw> Dcel::audit_planar() const {
     ++parts;
     if (sums[i] != 2) return DcelFlaw{"rings - edges + loops = 2", components.name(i)};
   }
-  // Faces and components, joined by loops, must be a tree: no circle, and all connected.
+  // Faces and components, joined by loops, must form a tree: no cycle, and all connected.
   UnionFind nodes(sums.size() + face_slots());
   std::size_t joined = 0;
   for (std::size_t i = 0; i < loop_slots(); ++i) {

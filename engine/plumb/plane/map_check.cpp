@@ -1,4 +1,15 @@
-// Vertices with equal coordinates become one.
+// The check of a map: whether a list of cycles is a planar subdivision.
+//
+// Main flow of MapChecker::run(): edges are paired (map_edges.h); borders that no cycle lists are
+// traced, and outer boundaries inferred if that is wanted; one sweep finds contacts and the
+// rotation system (map_contacts.h); orbits of that are the faces that the edges really induce, and
+// components are nested in them (map_orbits.h). Combinatorial and geometric defects are
+// independent, so all are counted in one run; faces are looked for only if there is no duplicate,
+// open edge or contact, because only then the rotation system is one of a plane graph. docs/maps.md
+// describes the check.
+//
+// Tested by tests/plane/map_check_test.cpp, tests/plane/map_check_property_test.cpp and
+// tests/plane/map_check_scale_test.cpp.
 
 #include "plumb/plane/map_check.h"
 
@@ -18,9 +29,9 @@
 
 namespace plumb {
 
-/// Replaces in every cycle each vertex by the least-numbered one with the same coordinates and
-/// drops repetitions that arise. Vertices keep their numbers; returns the merged ones, ascending.
-/// Throws Error{DegenerateFace} when a cycle keeps fewer than three corners.
+/// Replaces in every cycle each vertex by the least-numbered one with the same coordinates, and
+/// removes repetitions that arise. Vertices keep their numbers. Returns the replaced ones,
+/// ascending. Throws Error{DegenerateFace} if a cycle keeps fewer than three corners.
 std::vector<std::uint32_t> merge_equal_vertices(Map& map);
 
 namespace {
@@ -71,6 +82,8 @@ namespace {
 constexpr std::uint64_t kBytesPerCorner = 64;
 constexpr std::uint64_t kBytesPerVertex = 40;
 
+/// Throws Error{DegenerateFace} or Error{BadIndex} unless every cycle has three corners or more,
+/// existing vertices, and none twice in a row.
 void require_well_formed(const Map& map) {
   for (std::size_t c = 0; c < map.cycle_count(); ++c) {
     const auto cycle = map.cycle(c);
@@ -93,6 +106,7 @@ void require_well_formed(const Map& map) {
   }
 }
 
+/// One check.
 class MapChecker {
  public:
   MapChecker(Map map, const MapCheckOptions& options, Context& context)
@@ -159,6 +173,7 @@ void MapChecker::classify_open() {
   if (options_.outer == OuterRule::Infer) infer_outer_cycles();
 }
 
+// Adds a cycle for each chain that is a missing outer boundary, and pairs the edges again.
 void MapChecker::infer_outer_cycles() {
   for (const OpenChain& chain : findings_.chains) {
     if (chain.area != Sign::Negative) continue;
@@ -194,6 +209,7 @@ void MapChecker::sweep_contacts() {
   report_.components = findings_.components.count;
 }
 
+// Finds the faces that the edges induce, and the regions if all is valid.
 void MapChecker::trace_faces() {
   if (counts().duplicate + counts().open + counts().crossing > 0) return;
   context_.checkpoint("faces", 0, 1);
@@ -209,7 +225,7 @@ void MapChecker::trace_faces() {
   context_.checkpoint("faces", 1, 1);
 }
 
-// A component whose outside is not all listed, in a face that somebody lists.
+// Finds components whose outside is not all listed, and which lie in a listed face.
 void MapChecker::find_nested(const std::vector<std::uint32_t>& parent) {
   const MapOrbits& orbits = findings_.orbits;
   for (std::uint32_t c = 0; c < parent.size(); ++c) {
@@ -221,8 +237,9 @@ void MapChecker::find_nested(const std::vector<std::uint32_t>& parent) {
   counts().nested = findings_.nested.size();
 }
 
-// Region 0 is the unbounded one, then one per counter-clockwise cycle in input order. The clockwise
-// cycles of a component are holes in the region that its parent orbit belongs to.
+// Collects the regions: region 0 is the unbounded one, then comes one for each counter-clockwise
+// cycle in the order of the input. The clockwise cycles of a component are holes of the region to
+// which its parent orbit belongs.
 void MapChecker::collect_regions(const std::vector<std::uint32_t>& parent) {
   const MapOrbits& orbits = findings_.orbits;
   std::vector<std::uint32_t> region_of(map().cycle_count(), 0);
@@ -246,7 +263,7 @@ void MapChecker::collect_regions(const std::vector<std::uint32_t>& parent) {
   }
 }
 
-// The first that holds gives the headline.
+// Returns the first verdict that applies.
 MapVerdict MapChecker::verdict() {
   if (counts().duplicate > 0) return MapVerdict::NotAPlanarSubdivision;
   if (counts().open > 0) return MapVerdict::Open;
@@ -255,7 +272,7 @@ MapVerdict MapChecker::verdict() {
   return superposed > 0 ? MapVerdict::Superposed : MapVerdict::Valid;
 }
 
-// Per corner position: the position of the opposite directed edge.
+// Returns for each corner position the position of the opposite directed edge.
 std::vector<std::uint32_t> twin_positions(const MapEdges& edges) {
   std::vector<std::uint32_t> corner_of(edges.halfedge_count());
   for (std::uint32_t i = 0; i < edges.at_corner.size(); ++i) corner_of[edges.at_corner[i]] = i;

@@ -1,3 +1,12 @@
+// The overlay of two checked maps, and the areas of its cells.
+//
+// Both maps become curves with their regions at the sides, and one sweep that keeps every piece
+// (MapOverlayRule) gives the common subdivision with the pair of regions of each face. The areas of
+// the faces of each region must add up to that of the region, exactly; that is an independent check
+// of the overlay.
+//
+// Tested by tests/plane/map_overlay_test.cpp.
+
 #include "plumb/plane/map_overlay.h"
 
 #include <utility>
@@ -10,11 +19,12 @@
 namespace plumb {
 namespace {
 
+/// One or two maps as curves of a scene.
 struct MapsScene {
   SweepInput scene;
   std::vector<OverlayCurve> sides;
 
-  /// The edges of one map, with the regions beside them.
+  /// Appends the edges of one map, with the regions beside them.
   void append(const MapReport& report, std::uint32_t operand) {
     const Dcel dcel = to_dcel(report).dcel;
     const auto first = static_cast<std::uint32_t>(scene.points.inputs.size());
@@ -56,9 +66,10 @@ MapOverlay overlay_map(const MapReport& report, Context& context) {
 
 namespace {
 
-constexpr std::size_t kBetween = 1024;  // areas from one checkpoint to the next
+constexpr std::size_t kBetween = 1024;  // Areas from one checkpoint to the next.
 
-/// Holes are listed clockwise: their areas are negative.
+/// Returns the area of a region, and 0 for the unbounded one. Holes are listed clockwise, so their
+/// areas are negative.
 Rational area_of(const MapReport& report, const MapRegion& region) {
   if (!region.outer) return 0;
   const auto twice = [&report](std::uint32_t cycle) {
@@ -80,6 +91,7 @@ std::vector<Rational> areas_of(const MapReport& report, Context& context) {
   return areas;
 }
 
+/// Returns the bounded regions whose two areas differ.
 std::vector<std::uint32_t> differences(const std::vector<Rational>& expected,
                                        const std::vector<RationalSum>& found) {
   std::vector<std::uint32_t> different;

@@ -1,4 +1,14 @@
-// What a Nef2 shares between its copies. Internal.
+// Sets of the plane: what copies share, comparison, queries, operators of topology, ray shooting
+// and the parts of a set.
+//
+// A set is its minimal complex, whose numbering is canonical (plane_draft.h). So equality compares
+// links, marks, points and the lines of unbounded edges one by one, and operators of topology
+// change marks and simplify in linear time. Copies share one state; the structures for location and
+// for rays are built when they are first needed, once, whatever thread asks.
+//
+// Booleans are in set/boolean_op.cpp, the sets to start from in set/shapes.cpp.
+//
+// Tested by tests/plane/nef2_test.cpp and tests/plane/nef2_property_test.cpp.
 
 #include "plumb/plane/nef2.h"
 
@@ -21,13 +31,16 @@
 
 namespace plumb {
 
+/// What the copies of a set share.
 struct Nef2::State {
   explicit State(PlaneComplex c) : complex(std::move(c)) {}
 
-  /// The complex of a state that a set gives up: moved if nobody shares it, else copied.
+  /// Returns the complex of a state that a set gives up: moved if no copy shares it, copied
+  /// otherwise.
   static PlaneComplex taken(std::shared_ptr<State> state) {
     if (state.use_count() > 1) return state->complex;
-    std::atomic_thread_fence(std::memory_order_acquire);  // whoever shared it has read it before
+    // use_count() does not synchronize: the fence orders reads by former owners before the move.
+    std::atomic_thread_fence(std::memory_order_acquire);
     return std::move(state->complex);
   }
 
@@ -40,6 +53,7 @@ struct Nef2::State {
 
 namespace {
 
+/// Returns the complex of the empty set or of the whole plane.
 PlaneComplex one_face(bool mark) {
   PlaneComplex complex;
   complex.dcel.add_face();
@@ -65,7 +79,7 @@ PlaneMarks flipped(PlaneMarks marks) {
   return marks;
 }
 
-/// Marks of the closure that are not those of the interior.
+/// Returns the marks of the boundary: those of the closure without those of the interior.
 PlaneMarks boundary_marks(const PlaneComplex& complex) {
   PlaneMarks marks = closure_marks(complex);
   const PlaneMarks inner = interior_marks(complex);
@@ -82,7 +96,7 @@ PlaneMarks boundary_marks(const PlaneComplex& complex) {
 
 // ---------------------------------------------------------------- equality
 
-// Two minimal complexes of the same counts, over one table of points.
+// Compares two minimal complexes with the same counts and marks, over one table of points.
 class SameComplex {
  public:
   SameComplex(const PlaneComplex& a, const PlaneComplex& b)
@@ -109,7 +123,7 @@ class SameComplex {
     }
     return true;
   }
-  /// The lines of bounded edges are given by their ends.
+  /// Whether unbounded edges have the same lines. Those of bounded edges follow from their ends.
   bool have_same_lines() const {
     for (std::size_t i = 0; i < a_.edge_count(); ++i) {
       const HalfedgeId h = first_half(EdgeId(i));
@@ -143,7 +157,7 @@ bool is_same(const PlaneComplex& a, const PlaneComplex& b) {
 
 }  // namespace
 
-// ---------------------------------------------------------------- holding
+// ---------------------------------------------------------------- construction and reading
 
 Nef2::Nef2() : Nef2(one_face(false)) {}
 
@@ -185,13 +199,14 @@ std::size_t Nef2::bytes() const {
          c.line.size() * (sizeof(PlaneLine) + 1) + c.face_count();
 }
 
+/// Built by the first thread that asks; others wait for it.
 const PlaneLocator& Nef2::locator() const {
   std::call_once(state_->locator_made,
                  [this] { state_->locator = std::make_unique<PlaneLocator>(state_->complex); });
   return *state_->locator;
 }
 
-// ---------------------------------------------------------------- questions
+// ---------------------------------------------------------------- queries
 
 bool Nef2::is_empty() const {
   const PlaneMarks& m = complex().marks;
@@ -203,6 +218,7 @@ bool Nef2::is_whole() const {
   return m.face.size() == 1 && m.face[0] == 1 && m.vertex.empty() && m.edge.empty();
 }
 
+/// A set is unbounded if and only if a cell that reaches the frame, or face 0, is marked.
 bool Nef2::is_bounded() const {
   const PlaneComplex& c = complex();
   for (std::size_t v = c.vertex_count(); v < c.dcel.vertex_count(); ++v) {
@@ -277,11 +293,11 @@ std::optional<DcelFlaw> Nef2::audit(Context& context) const {
   return plumb::audit(complex(), AuditForm::Minimal, context);
 }
 
-// Nef2: ray shooting, element by element (ray_walk.h).
+// Ray shooting, from cell to cell (ray_walk.h).
 
 namespace {
 
-/// The first element met that is wanted.
+/// Returns the first cell on a walk for which is_wanted() holds.
 template <class Wanted>
 std::optional<PlaneHit> first_met(RayWalk walk, const Wanted& is_wanted) {
   do {
@@ -323,11 +339,13 @@ std::optional<PlaneHit> Nef2::shoot_to_boundary(const RationalPoint2& origin,
                    [](const PlaneLocation& at) { return !at.face.is_valid(); });
 }
 
-// Nef2::parts(): the closure of a set as polygons, lines and points.
+// The closure of a set as polygons, lines and points.
 
 namespace {
 
-// Works on the complex of a closed set: no marked face has an edge or vertex in its inside.
+// Collects the parts. Works on the minimal complex of a closed set, in which no marked face has an
+// edge or vertex in its inside: every bounded marked face is a polygon, and the marked edges beside
+// no marked face are lines.
 class PartCollector {
  public:
   PartCollector(const PlaneComplex& complex, Context& context)
@@ -338,7 +356,7 @@ class PartCollector {
       watch();
       if (c_.mark(FaceId(f))) add_face(FaceId(f));
     }
-    // Chains from their ends first; what is left then are closed ones.
+    // Chains are followed from their ends first; the edges that are left form closed chains.
     for (std::size_t e = 0; e < c_.edge_count(); ++e) {
       watch();
       add_open_chain(EdgeId(e));
@@ -355,7 +373,7 @@ class PartCollector {
   }
 
  private:
-  /// For every step: a look at the context now and then.
+  /// Counts a step, and looks at the context after every 1024.
   void watch() {
     constexpr std::size_t kStepsPerCheckpoint = 1024;
     if (++steps_ % kStepsPerCheckpoint == 0) context_.checkpoint("parts", 0, 1);
@@ -385,7 +403,7 @@ class PartCollector {
     parts_.polygons.push_back(std::move(polygon));
   }
 
-  /// Marked, bounded, not yet in a chain, and not the border of a marked face.
+  /// Whether an edge is marked, bounded, not yet in a chain, and not the border of a marked face.
   bool is_line(EdgeId e) {
     const HalfedgeId h = first_half(e);
     if (is_used_[e.value()] != 0 || !c_.mark(e) || c_.mark(c_.dcel.face(h)) ||
@@ -398,13 +416,15 @@ class PartCollector {
     return is_bounded;
   }
 
-  /// The other edge of a vertex with exactly two; invalid if there are more or fewer.
+  /// Returns the half-edge that leaves the target of h along its other edge; one that is not valid
+  /// unless the target has exactly two edges.
   HalfedgeId going_on(HalfedgeId h) const {
     const HalfedgeId n = c_.dcel.next(h);
     const bool has_two = n != twin(h) && c_.dcel.turn_left(c_.dcel.turn_left(n)) == n;
     return has_two ? n : HalfedgeId();
   }
 
+  /// Adds the chain of an edge if the chain starts at one of its ends.
   void add_open_chain(EdgeId e) {
     if (!is_line(e)) return;
     for (const HalfedgeId h : {first_half(e), twin(first_half(e))}) {

@@ -1,4 +1,11 @@
-// The invariants of PlaneComplex, from scratch.
+// The audit of a PlaneComplex: its invariants, computed anew.
+//
+// Sizes, the half-edge structure, the frame, points and the order around vertices are checked
+// first, so that links and ids can be followed safely. Then a sweep over the edges alone, with
+// their listed marks, builds the complex once more (plane_records.h): the edges meet at vertices
+// only, and faces and links are those that geometry gives, if and only if the two are equal.
+//
+// Tested by tests/plane/nef2_test.cpp and tests/plane/plane_records_test.cpp.
 
 #include "plumb/plane/plane_audit.h"
 
@@ -12,6 +19,7 @@
 namespace plumb {
 namespace {
 
+/// One audit; keeps the first flaw that is found.
 class PlaneAudit {
  public:
   PlaneAudit(const PlaneComplex& complex, AuditForm form, Context& context)
@@ -100,7 +108,9 @@ class PlaneAudit {
                                      "vertices are in lexicographic order", name(v));
   }
 
-  /// Half-edges that leave to the right come before those to the left, each by direction.
+  /// Whether the ring of a vertex is sorted: half-edges that leave to the right come before those
+  /// that leave to the left, each by direction. A sorted ring has one descent, where it starts
+  /// again.
   bool has_sorted_ring(VertexId v) {
     if (c_.dcel.is_isolated(v)) return true;
     std::size_t descents = 0;
@@ -122,7 +132,8 @@ class PlaneAudit {
     return cross_sign(c_.points.inputs, k.a, k.b, l.a, l.b) == Sign::Positive;
   }
 
-  /// A sweep over the edges alone finds the same faces, and no edges that meet but at vertices.
+  /// Whether a sweep over the edges alone finds the same faces and links. It throws if edges meet
+  /// elsewhere than at vertices.
   bool is_rebuilt_alike() {
     try {
       const PlaneRecords records = to_records(c_);

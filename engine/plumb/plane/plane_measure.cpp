@@ -1,3 +1,14 @@
+// Areas and boundary rings of the faces of a complex, exactly.
+//
+// A sum of many fractions is expensive if their denominators differ. The area of a set is therefore
+// summed over vertices and not over edges (VertexAreas), so that the long numbers of a crossing
+// occur in one term, and the fractions are added in a balanced tree (rational_sum.h).
+//
+// The rings of a face pass over edges with the face on both sides, and are cut where they come to a
+// vertex again, so each ring is a simple cycle.
+//
+// Tested by tests/plane/nef2_test.cpp and tests/plane/map_overlay_test.cpp.
+
 #include "plumb/plane/plane_measure.h"
 
 #include <algorithm>
@@ -12,18 +23,18 @@ RationalPoint2 point(const PlaneComplex& c, VertexId v) {
   return exact(c.points, c.vertex_point[v.value()]);
 }
 
-/// Twice the signed area of the triangle of the origin and a half-edge.
+/// Returns twice the signed area of the triangle of the origin and a half-edge.
 Rational twice_area_below(const PlaneComplex& c, HalfedgeId h) {
   const RationalPoint2 p = point(c, c.dcel.origin(h));
   const RationalPoint2 q = point(c, c.dcel.target(h));
   return p.x * q.y - p.y * q.x;
 }
 
-/// The area as a sum over vertices, not edges: the triangle of the origin and a piece from p to q
-/// of the line through a and b is (t(q) - t(p)) (a x b) / 2, where a + t (b - a) are the points of
-/// the line. So what is long in the coordinates of a vertex is in one term only, and hardly
-/// anything is common to two denominators. Where q is b, as in a polygon that crosses nothing,
-/// terms are those of edges, which neighbours have more in common with.
+/// The area as a sum over vertices, not edges. The triangle of the origin and a piece from p to q
+/// of the line through a and b has the area (t(q) - t(p)) (a x b) / 2, where a + t (b - a) are the
+/// points of the line. So the long numbers of a vertex are in one term only, and two denominators
+/// have hardly any common factor. Vertices that are ends of their lines, as in a polygon that
+/// crosses nothing, have t = 0 or 1; their terms are short and are added apart.
 class VertexAreas {
  public:
   VertexAreas(const PlaneComplex& complex, Context& context)
@@ -45,9 +56,9 @@ class VertexAreas {
 
  private:
   static constexpr std::size_t kEdgesPerCheckpoint = 64;
-  static constexpr std::uint64_t kVertexBytes = 512;  // numbers, and their products on all levels
+  static constexpr std::uint64_t kVertexBytes = 512;  // Numbers, and their products on all levels.
 
-  /// t of p = a + t (b - a).
+  /// Returns t of p = a + t (b - a).
   static Rational place_between(const RationalPoint2& a, const RationalPoint2& b,
                                 const RationalPoint2& p) {
     return a.x != b.x ? (p.x - a.x) / (b.x - a.x) : (p.y - a.y) / (b.y - a.y);
@@ -70,7 +81,7 @@ class VertexAreas {
   const PlaneComplex& c_;
   Context& context_;
   MemoryCharge charge_;
-  std::vector<Rational> twice_;  // per vertex between ends
+  std::vector<Rational> twice_;  // The term of each vertex, without ends of lines.
   RationalSum at_ends_;
 };
 
@@ -87,8 +98,8 @@ std::size_t index_in(const std::vector<Id>& sorted, Id id) {
                                   sorted.begin());
 }
 
-// The rings of one face. Edges with the face on both sides are passed over; walks that come to a
-// vertex again are cut there.
+// The rings of one face. Edges with the face on both sides are skipped; a walk that comes to a
+// vertex again is cut there.
 class FaceRings {
  public:
   FaceRings(const PlaneComplex& complex, FaceId face) : complex_(complex), face_(face) {
@@ -145,15 +156,16 @@ class FaceRings {
 
   const PlaneComplex& complex_;
   FaceId face_;
-  std::vector<HalfedgeId> border_;  // sorted
+  std::vector<HalfedgeId> border_;  // The half-edges of the border, sorted.
   std::vector<std::uint8_t> is_walked_;
-  std::vector<VertexId> corners_;      // sorted, with repetitions
-  std::vector<std::size_t> position_;  // in walk_, by the first index in corners_
+  std::vector<VertexId> corners_;  // Their origins, sorted, with repetitions.
+  std::vector<std::size_t>
+      position_;  // Where a vertex is in walk_, by its first index in corners_.
   std::vector<VertexId> walk_;
   std::vector<std::vector<VertexId>> rings_;
 };
 
-/// Counter-clockwise? The turn at the least vertex tells.
+/// Whether a ring runs counter-clockwise: the turn at its least vertex decides.
 bool is_counter_clockwise(const PlaneComplex& c, const std::vector<VertexId>& ring) {
   const auto least = std::min_element(ring.begin(), ring.end());
   const VertexId before = least == ring.begin() ? ring.back() : *(least - 1);

@@ -1,3 +1,13 @@
+// Sets of the sphere: construction from maps, operators of topology, comparison and Booleans.
+//
+// A set is its unique minimal map (docs/design/sphere.md, Minimal form). So two sets are equal if
+// and only if their symmetric difference is empty, and operators of topology only change marks and
+// simplify: the interior keeps the mark of a cell where all cells around it are marked, the closure
+// marks it where any of them is. Booleans bring both maps over one table of planes and overlay them
+// (sphere_overlay.h).
+//
+// Tested by tests/sphere/nef_sphere_test.cpp and tests/sphere/nef_sphere_property_test.cpp.
+
 #include "plumb/sphere/nef_sphere.h"
 
 #include <algorithm>
@@ -13,6 +23,7 @@ namespace plumb {
 
 namespace {
 
+/// Returns the empty set or the whole sphere.
 NefSphere one_face(Mark mark) {
   static const auto no_planes = std::make_shared<const PlaneTable>();
   SphereMap map;
@@ -20,6 +31,7 @@ NefSphere one_face(Mark mark) {
   return NefSphere::from_minimal_unchecked({no_planes, std::move(map)});
 }
 
+/// Returns the set of a map that need not be minimal.
 NefSphere simplified(std::shared_ptr<const PlaneTable> planes, SphereMap map) {
   SphereMap minimal;
   const bool changed = SphereSimplifier().run(map, minimal);
@@ -30,7 +42,7 @@ void flip(std::vector<Mark>& marks) {
   for (Mark& m : marks) m = m == 0 ? 1 : 0;
 }
 
-/// Of each item the marks of all that is around it, combined.
+/// Returns for each cell its mark combined with those of all cells around it.
 template <class Combine>
 SphereMarks neighbourhood_marks(const SphereMap& map, Combine boolean_op) {
   SphereMarks marks{map.point_mark, map.arc_mark, map.face_mark};
@@ -45,7 +57,7 @@ SphereMarks neighbourhood_marks(const SphereMap& map, Combine boolean_op) {
       continue;
     }
     std::uint32_t h = first;
-    do {  // the new marks of arcs hold those of the faces beside them
+    do {  // The new marks of arcs include those of the faces beside them.
       marks.point[v] = boolean_op(marks.point[v], marks.arc[h / 2]);
       h = map.clockwise(h);
     } while (h != first);
@@ -90,7 +102,7 @@ SphereFaceBoundary face_boundary(const SphereMap& map, std::uint32_t face) {
   return boundary;
 }
 
-// ---------------------------------------------------------------- sets and what they hold
+// ---------------------------------------------------------------- construction and reading
 
 NefSphere::NefSphere() : NefSphere(empty()) {}
 
@@ -144,7 +156,8 @@ const SphereComplex& NefSphere::complex() const& { return *complex_; }
 SphereComplex NefSphere::complex() && {
   const std::shared_ptr<SphereComplex> own = std::move(complex_);
   if (own.use_count() > 1) return *own;
-  std::atomic_thread_fence(std::memory_order_acquire);  // whoever shared it has read it before
+  // use_count() does not synchronize: the fence orders reads by former owners before the move.
+  std::atomic_thread_fence(std::memory_order_acquire);
   return std::move(*own);
 }
 
@@ -234,13 +247,14 @@ bool operator==(const NefSphere& a, const NefSphere& b) {
 
 namespace {
 
-/// The maps of two sets over one table.
+/// The maps of two sets over one table of planes.
 struct OneTable {
   std::shared_ptr<const PlaneTable> planes;
   SphereMap a;
   SphereMap b;
 };
 
+/// Merges the tables of planes, unless both sets share one.
 OneTable over_one_table(const NefSphere& a, const NefSphere& b) {
   const std::shared_ptr<const PlaneTable>& shared = a.complex().planes;
   if (shared == b.complex().planes) return {shared, a.map(), b.map()};
@@ -265,20 +279,22 @@ void select(const SphereSelector& selector, SphereMap& map) {
   select(selector.face, map.face_mark);
 }
 
-/// Without what comes of places where they meet.
+/// Returns the bytes that an overlay takes, without those for places where the maps meet, which
+/// SphereLimits charges.
 std::uint64_t memory_of_overlay(const SphereMap& a, const SphereMap& b) {
   const auto items = [](const SphereMap& m) { return m.point_count() + m.arc_count(); };
   return 400 * (items(a) + items(b));
 }
 
-/// Planes that no item names any more go when they are many.
+/// Returns the set of a minimal map. Planes that no cell refers to any more are removed if they are
+/// many.
 NefSphere with_few_planes(std::shared_ptr<const PlaneTable> planes, SphereMap map) {
   const std::size_t named = map.arc_count() + 2 * map.point_count();
   if (planes->size() > 2 * named + 64) planes = centred(*planes, map);
   return NefSphere::from_minimal_unchecked({std::move(planes), std::move(map)});
 }
 
-/// Halves the list until it is one set.
+/// Combines the sets in a balanced tree. Requires at least one.
 NefSphere fold(std::span<const NefSphere> sets, MarkFunction f, Context& context) {
   if (sets.size() == 1) return sets.front();
   const std::size_t half = sets.size() / 2;

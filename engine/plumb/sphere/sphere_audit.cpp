@@ -1,3 +1,15 @@
+// The audit of a sphere map: whether arrays, planes, links, geometry and faces satisfy the
+// invariants that sphere_audit.h lists.
+//
+// Checks run from cheap to expensive, and each relies on those before it: sizes, ids, planes,
+// links, the order around points by signs, meetings away from points by an overlay of the map with
+// itself, faces, minimal form. Links alone do not prove the faces of a map that is not connected.
+// Euler's formula on the sphere, V - E + F = 1 + parts, gives the number of faces, and the links
+// between parts (SphereParts) say which cycles must share one; docs/design/sphere.md, Lemmas 2 and
+// 3.
+//
+// Tested by tests/sphere/nef_sphere_test.cpp and tests/sphere/sphere_locator_test.cpp.
+
 #include "plumb/sphere/sphere_audit.h"
 
 #include <set>
@@ -12,6 +24,7 @@
 namespace plumb {
 namespace {
 
+/// One audit; keeps the first flaw that is found.
 class SphereAudit {
  public:
   SphereAudit(const PlaneTable& planes, const SphereMap& map) : planes_(planes), map_(map) {}
@@ -97,6 +110,7 @@ bool SphereAudit::has_ids_in_range() {
   return holds;
 }
 
+/// Compares normals exactly, as all other checks assume that different ids mean different normals.
 bool SphereAudit::has_right_planes() {
   std::set<PlaneId> used(map_.circle.begin(), map_.circle.end());
   for (std::size_t v = 0; v < map_.point_count(); ++v) {
@@ -123,7 +137,8 @@ bool SphereAudit::has_right_planes() {
   return true;
 }
 
-/// Goes round the point's half-arcs, at most as many as there are in all.
+/// Goes around the half-arcs of a point, of which there are at most as many as in the whole map, so
+/// that broken links cannot make the walk endless.
 bool SphereAudit::has_one_ring(std::uint32_t v, std::size_t& seen) {
   std::uint32_t h = map_.first_out[v];
   if (h == kNone) return true;
@@ -138,6 +153,8 @@ bool SphereAudit::has_one_ring(std::uint32_t v, std::size_t& seen) {
   return true;
 }
 
+/// With next a permutation that keeps points and faces, half-arcs lie in one ring around each point
+/// if the rings that first_out starts contain all of them.
 bool SphereAudit::is_linked() {
   std::size_t seen = 0;
   std::vector<std::uint8_t> follows(map_.next.size(), 0);
@@ -159,6 +176,8 @@ bool SphereAudit::is_linked() {
   return require(seen == map_.origin.size(), "one ring of half-arcs around each point", "map");
 }
 
+/// Seen from the first half-arc, each next one clockwise must come before the one before it,
+/// counter-clockwise.
 bool SphereAudit::turns_clockwise(std::uint32_t v) {
   const std::uint32_t first = map_.first_out[v];
   if (first == kNone) return true;
@@ -190,7 +209,7 @@ bool SphereAudit::turns_clockwise() {
   return true;
 }
 
-/// Laid over itself the map has no contacts but its own points.
+/// Laid over itself, a map whose arcs meet at points only has no contacts other than these points.
 bool SphereAudit::meets_at_points() {
   SphereContacts contacts;
   contacts.find(planes_, map_, map_);
@@ -209,8 +228,9 @@ bool SphereAudit::meets_at_points() {
   return require(loops <= 1, "there is at most one loop", "map");
 }
 
-/// On a sphere, V - E + F = 1 + parts (a loop counts as a point and an arc). With as many faces as
-/// that, all of them used, and one along each link, faces are the classes of linked cycles.
+/// On a sphere V - E + F = 1 + parts, where a loop counts as a point and an arc. If there are as
+/// many faces as that, each is used, and both ends of each link name one, then the faces are the
+/// classes of linked cycles.
 bool SphereAudit::bounds_right_faces() {
   std::vector<std::uint8_t> is_used(map_.face_count(), 0);
   std::size_t loops = 0;

@@ -1,18 +1,20 @@
-// Once around on a great circle, piece by piece: what is met, in order, without a look at the rest
-// of the map.
+// Location of directions and shots along great circles, in a map that is prepared once.
 //
-// Main flow of next():
-//  1. certain   the nearest thing found that has not been given yet, if it surely lies on the
-//               pieces looked at
-//  2. further   else one more piece, twice as long as the last; the first is about as long as an
-//               arc of a map that is spread evenly. What its bound may meet is asked exactly, over
-//               the whole circle (Leg). Where that is much more than all asked before, the piece is
-//               halved first.
-// All that a piece meets is found with it, so that nothing found later comes before what is
-// certain. Doubles say which items are asked and how long one waits, never what is met.
+// A SphereWalk goes once around on a great circle, piece by piece, and returns what is met in
+// order, without a look at the rest of the map. Main flow of SphereWalk::next():
+//  1. certain   returns the nearest thing that has been found and not returned yet, if it surely
+//               lies on the pieces that have been searched
+//  2. further   otherwise searches one more piece, twice as long as the last; the first is about as
+//               long as an arc of a map that is spread evenly. Items whose bounds the piece may
+//               meet are asked exactly, over the whole circle (Leg). If they are many more than all
+//               that were asked before, the piece is halved first.
+// Invariant: all that a searched piece meets has been found, so nothing found later comes before
+// what is certain. Doubles decide which items are asked and how long one waits, never what is met.
 //
-// Cost: of the items near the way up to what is taken; a point on the way costs its degree.
-// Internal.
+// Cost: the items near the way up to the last thing that is taken; a point on the way costs its
+// degree.
+//
+// Tested by tests/sphere/sphere_locator_test.cpp.
 
 #include "plumb/sphere/sphere_locator.h"
 
@@ -33,26 +35,30 @@
 
 namespace plumb {
 
-/// What walks over one map leave to the next one.
+/// Memory that walks over one map reuse.
 struct WalkMemory {
   explicit WalkMemory(const SphereMap& map) : last_walk(map.point_count() + map.arc_count(), 0) {}
+  /// Begins a walk, for which no item has been asked yet.
   void begin();
 
-  std::vector<std::uint32_t> last_walk;  ///< that asked an item: of points, then of arcs
-  std::uint32_t walk = 0;
-  std::vector<PathHit> hits;
-  std::vector<std::uint32_t> found;  ///< items of a piece
-  std::uint64_t asked = 0;           ///< items, by all walks
+  std::vector<std::uint32_t> last_walk;  ///< The last walk that asked each point, then each arc.
+  std::uint32_t walk = 0;                ///< The number of the walk.
+  std::vector<PathHit> hits;             ///< What the walk has found, sorted from taken_ on.
+  std::vector<std::uint32_t> found;      ///< The items of a piece.
+  std::uint64_t asked = 0;               ///< The number of items that all walks have asked.
 };
 
+/// One walk around a great circle.
 class SphereWalk {
  public:
-  /// From a place on the circle, in its orientation; `start` holds the place. `tree` is over
-  /// bounds_of the map. All must outlive the walk, the table without change.
+  /// Starts at a place on the circle, in the circle's orientation. Requires that `start` contains
+  /// the place, that `tree` is over bounds_of() the map, that all arguments outlive the walk, and
+  /// that the table does not change.
   SphereWalk(const PlaneTable& planes, const SphereMap& map, const SphereBoundTree& tree,
              WalkMemory& memory, OrientedPlane circle, CirclePlace from, const UnitBall& start);
 
-  /// The next thing met, at last none. Entry and exit as one goes.
+  /// Returns the next thing that is met, with entry and exit in the direction of the walk; nothing
+  /// after the last.
   std::optional<PathHit> next();
 
  private:
@@ -70,7 +76,7 @@ class SphereWalk {
   CirclePlace from_;
   UnitWay way_;
   double step_;
-  double done_ = 0;  ///< the angle looked at
+  double done_ = 0;  ///< The angle that has been searched.
   bool is_round_ = false;
   std::size_t asked_ = 0;
   std::size_t taken_ = 0;
@@ -78,10 +84,10 @@ class SphereWalk {
 
 namespace {
 
-constexpr double kLongest = 1.5;     // of a piece: less than a half-circle
-constexpr double kShortest = 1e-10;  // no shorter ones tell things apart
+constexpr double kLongest = 1.5;     // Of a piece: less than a half-circle.
+constexpr double kShortest = 1e-10;  // Shorter pieces do not separate items.
 constexpr std::size_t kFew = 16;
-constexpr double kRound = 2 * std::numbers::pi + 1e-3;  // more than all that is off
+constexpr double kRound = 2 * std::numbers::pi + 1e-3;  // A turn, and more than all errors.
 
 UnitBall oriented(UnitBall normal, bool is_opposite) {
   if (is_opposite) {
@@ -123,8 +129,8 @@ std::optional<PathHit> SphereWalk::next() {
   }
 }
 
-/// Doubles take a place just behind the start for one before it, so the half it lies on is asked
-/// exactly.
+/// Whether a hit surely lies on the pieces that have been searched. In doubles a place just after
+/// the start may have the angle of one just before it, so the half of the circle is asked exactly.
 bool SphereWalk::is_certain(const PathHit& hit) const {
   if (is_round_) return true;
   TurnClass turn = turn_on(planes_, circle_.plane(), from_, hit.place);
@@ -137,6 +143,8 @@ bool SphereWalk::is_certain(const PathHit& hit) const {
   return angle + way_.slack(at) < done_;
 }
 
+/// Whether x is met before y. Against the canonical direction the order is the reverse one, except
+/// that what is met at the start stays first.
 bool SphereWalk::is_before(const PathHit& x, const PathHit& y) const {
   const PlaneId c = circle_.plane();
   if (!circle_.is_opposite()) return is_before_on(planes_, c, from_, x.place, y.place);
@@ -146,14 +154,15 @@ bool SphereWalk::is_before(const PathHit& x, const PathHit& y) const {
   return is_before_on(planes_, c, from_, y.place, x.place);
 }
 
-/// The next one, of length step_. Where doubles say too little: the whole circle.
+/// Returns the next piece, of length step_; the whole circle if the errors are too large for
+/// pieces.
 SphereBound SphereWalk::piece() const {
   if (!way_.is_sharp()) return {SphereBound::Kind::Circle, {}, {}, way_.normal};
   return {SphereBound::Kind::ShortArc, way_.at(done_), way_.at(std::min(done_ + step_, kRound)),
           way_.normal};
 }
 
-/// Finds the items of a piece that is short enough.
+/// Halves the next piece until its items are few enough, and finds those not asked yet.
 void SphereWalk::find_few() {
   std::vector<std::uint32_t>& found = memory_.found;
   for (;; step_ /= 2) {
@@ -168,6 +177,7 @@ void SphereWalk::find_few() {
   }
 }
 
+/// Searches one more piece. Items are asked over the whole circle, so each is asked once a walk.
 void SphereWalk::look_further() {
   find_few();
   done_ = std::min(done_ + step_, kRound);
@@ -196,7 +206,8 @@ void SphereWalk::look_further() {
 
 namespace {
 
-/// The planes that name it may be nearly parallel; its coordinates never fail.
+/// Returns a ball around a vector, from its coordinates: the planes that define the direction may
+/// be nearly parallel.
 UnitBall ball_of(const SphereVector& v) {
   Rational largest;
   for (const Rational* x : {&v.x, &v.y, &v.z}) largest = std::max(largest, Rational(abs(*x)));
@@ -232,7 +243,7 @@ struct SphereLocator::State {
   WalkMemory memory;
 };
 
-/// The point or arc that the direction lies on, if any.
+/// Returns the point or arc on which the direction lies; not valid if there is none.
 SphereCell SphereLocator::State::on_item(SphereDirection u, const UnitBall& ball) {
   const auto points = static_cast<std::uint32_t>(map.point_count());
   SphereCell found;
@@ -248,13 +259,15 @@ SphereCell SphereLocator::State::on_item(SphereDirection u, const UnitBall& ball
   return found;
 }
 
-/// Of a direction on no item.
+/// Returns the face around a direction that is on no point or arc.
 SphereCell SphereLocator::State::face_around(SphereDirection u, const UnitBall& ball) {
   if (map.arc_count() == 0) return SphereCell::face(0);
   const PlaneId c = u.p;
   std::optional<PathHit> hit = walk({c, false}, {u.q, false}, ball).next();
   if (!hit) {
-    // All of c lies in the face. No arc runs along c, and none is a loop: a loop would meet it.
+    // All of c lies in the face. No arc runs along c, and none is a loop, as a loop would meet c.
+    // So a walk along the circle of any arc, from where it crosses c, meets the boundary of that
+    // face first.
     const PlaneId r = map.circle[0];
     const CirclePlace corner{c, false};
     hit = walk({r, false}, corner, plumb::ball_of(planes, direction_of(r, corner))).next();

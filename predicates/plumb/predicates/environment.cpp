@@ -10,9 +10,8 @@ namespace plumb {
 
 namespace {
 
-/// The probes' operands and results go through memory, so that no compiler evaluates a probe
-/// itself. Results are compared as bits: under DAZ a comparison of doubles reads subnormals as
-/// zeros.
+/// Returns v, by way of memory, so that no compiler evaluates a probe. Results are compared by
+/// their bits, as a comparison of doubles reads subnormal numbers as zeros under DAZ.
 double opaque(double v) {
   volatile double memory = v;
   return memory;
@@ -22,15 +21,15 @@ bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(opaque(a)) == std::bit_cast<std::uint64_t>(opaque(b));
 }
 
-/// (1 + 2^-52)(1 - 2^-52) - 1 is -2^-104 when fused; with the product rounded first it is 0
-/// or -2^-53.
+/// Whether a*b+c becomes a fused multiply-add: (1 + 2^-52)(1 - 2^-52) - 1 is then -2^-104. If the
+/// product is rounded first, it is 0 or -2^-53.
 bool contracts() {
   const double a = opaque(1 + DBL_EPSILON), b = opaque(1 - DBL_EPSILON), c = opaque(-1.0);
   return same_bits(a * b + c, -0x1p-104);
 }
 
-/// In double precision 1 + 2^60 is a multiple of 2^8 in every rounding mode, so (1 + 2^60) - 2^60
-/// is 1 only if 2^60 was cancelled first, or the sum was kept in more bits.
+/// Whether sums are reassociated or kept in more bits. In double precision 1 + 2^60 is a multiple
+/// of 2^8 in every rounding mode, so (1 + 2^60) - 2^60 is 1 only in these cases.
 bool reassociates() {
   const double big = opaque(0x1p60), small = opaque(1.0);
   return same_bits((small + big) - big, 1.0);
@@ -50,7 +49,9 @@ bool reads_denormals_as_zero() {
 }
 
 bool check_orient2d() {
-  constexpr double u = 0x1p-53;  // Kettner's example: one ulp beside the diagonal
+  // The example of L. Kettner et al., Classroom examples of robustness problems in geometric
+  // computations, ESA 2004: points one ulp beside the diagonal.
+  constexpr double u = 0x1p-53;
   return orient2d({0.5 + u, 0.5}, {12, 12}, {24, 24}) == Sign::Negative &&
          orient2d({0.5, 0.5 + u}, {12, 12}, {24, 24}) == Sign::Positive &&
          orient2d({0.5, 0.5}, {12, 12}, {24, 24}) == Sign::Zero &&

@@ -1,4 +1,16 @@
-// orient2d and cross_sign beyond their filters. Both are one determinant of two directions.
+// The predicates on points of doubles, after their filters: small integers, integers of a fixed
+// width, and GMP.
+//
+// The inline filters (input_filters.h) answer most calls; what is left comes here. Each predicate
+// first asks whether the filter's own evaluation was exact (small_sign()). Then it brings the
+// coordinates onto a common grid, where they are integers, and picks the fewest limbs that hold
+// every intermediate value of the determinant. Coordinates of more than 125 bits go to GMP.
+//
+// The widths follow from the bounds in determinants.h, which docs/design/numbers.md (Fixed widths
+// for input points) proves. Comments behind the cases give the bits of minors and determinants.
+//
+// Tested by tests/predicates/input_predicates_test.cpp,
+// tests/predicates/predicate_properties_test.cpp and tests/predicates/rung_reach_test.cpp.
 
 #include "plumb/predicates/input_predicates.h"
 
@@ -11,12 +23,13 @@ namespace plumb::rung {
 
 namespace {
 
-/// The axes' grids are independent: scaling a column keeps the sign.
+/// A difference of two points. orient2d and cross_sign are both a determinant of two of them.
 struct Direction2 {
   const Point2& from;
   const Point2& to;
 };
 
+/// A grid for each axis: scaling a column of the determinant keeps the sign.
 struct Grids2 {
   Grid x, y;
   int bits() const { return std::max(x.bits(), y.bits()); }
@@ -26,7 +39,8 @@ Grids2 grids(const Direction2& u, const Direction2& v) {
   return {Grid{u.from.x, u.to.x, v.from.x, v.to.x}, Grid{u.from.y, u.to.y, v.from.y, v.to.y}};
 }
 
-/// |det| <= 2^(2b+1): with b <= 62 in one limb 125 bits of 127, with b <= 126 in two 253 of 255.
+/// Returns the sign of the determinant in 2 L limbs. Differences are at most 2^b in size, and
+/// |det| <= 2^(2b+1): 125 bits of 127 for b = 62 (L = 1), 253 of 255 for b = 126 (L = 2).
 template <int L>
 FilteredSign determinant(const Grids2& g, const Direction2& u, const Direction2& v) {
   const auto difference = [](const Grid& grid, double to, double from) {
@@ -101,12 +115,12 @@ Sign orient2d_beyond_filter(const Point2& a, const Point2& b, const Point2& c) {
 
 }  // namespace plumb::rung
 
-// orient3d beyond its filter.
+// The stages of orient3d after its filter.
 namespace plumb::rung {
 
 namespace {
 
-/// The axes' grids are independent: scaling a column keeps the sign.
+/// A grid for each axis: scaling a column of the determinant keeps the sign.
 struct Grids3 {
   Grid x, y, z;
   int bits() const { return std::max({x.bits(), y.bits(), z.bits()}); }
@@ -129,8 +143,9 @@ OrientColumns<L> columns(const Grids3& g, const Point3& a, const Point3& b, cons
           differences<L, 3>(g.z, {a.z, b.z, c.z}, d.z)};
 }
 
-/// The power of two that makes integers of the coordinates on a grid, in doubles and without an
-/// error, subnormal ones being far from such a grid; 0: not in doubles.
+/// Returns the power of two that makes integers of the coordinates on a grid, by an exact product
+/// of doubles; 0 if there is none. Subnormal coordinates are far from such a grid, so FTZ and DAZ
+/// do not matter.
 double scale_of(const Grid& g) {
   if (g.bits() > kOneLimbBits || std::abs(g.low()) > 1000) return 0;
   return std::bit_cast<double>(static_cast<std::uint64_t>(1023 - g.low()) << 52);
@@ -148,7 +163,8 @@ FilteredSign determinant(const OrientColumns<L>& m) {
   return filtered(dot<To>(m.z, cyclic_minors<Minor>(m.x, m.y)).sign());
 }
 
-/// Every difference is <= 2^62. A minor is <= 2^(bx+by+1), the determinant < 2^(bx+by+bz+3).
+/// Picks the limbs of minors and determinant by the bits of the differences, which are at most 2^62
+/// in size. A minor is at most 2^(bx+by+1), the determinant less than 2^(bx+by+bz+3).
 FilteredSign orient3d_in_one_limb(const OrientColumns<1>& m) {
   const int xy = magnitude_bits(m.x) + magnitude_bits(m.y);
   if (xy <= 61) return determinant<1, 2>(m);                         // 62, 126 bits
@@ -166,7 +182,7 @@ FilteredSign orient3d_small(const Point3& a, const Point3& b, const Point3& c, c
 FilteredSign orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   const Grids3 g = grids(a, b, c, d);
   if (g.bits() <= kOneLimbBits) return orient3d_in_one_limb(columns<1>(g, a, b, c, d));
-  // Differences <= 2^126: minors <= 2^253, the determinant < 2^381.
+  // Differences are at most 2^126, minors at most 2^253, the determinant is less than 2^381.
   if (g.bits() <= kTwoLimbBits) return determinant<4, 6>(columns<2>(g, a, b, c, d));
   return FilteredSign::Unsure;
 }
@@ -198,12 +214,12 @@ Sign orient3d_beyond_filter(const Point3& a, const Point3& b, const Point3& c, c
 
 }  // namespace plumb::rung
 
-// incircle beyond its filter.
+// The stages of incircle after its filter.
 namespace plumb::rung {
 
 namespace {
 
-/// One grid: the lift adds squares of both axes.
+/// Returns one grid for both axes, as the lift adds squares of both.
 Grid common_grid(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   return {a.x, b.x, c.x, d.x, a.y, b.y, c.y, d.y};
 }
@@ -219,7 +235,7 @@ IncircleColumns<L> columns(const Grid& g, const Point2& a, const Point2& b, cons
   return {differences<L, 3>(g, {a.x, b.x, c.x}, d.x), differences<L, 3>(g, {a.y, b.y, c.y}, d.y)};
 }
 
-/// `Square` limbs for minors and lifts.
+/// Returns the sign of the determinant in `To` limbs, with `Square` limbs for minors and lifts.
 template <int Square, int To, int L>
 FilteredSign determinant(const IncircleColumns<L>& m) {
   std::array<Fixed<Square>, 3> lift;
@@ -227,7 +243,8 @@ FilteredSign determinant(const IncircleColumns<L>& m) {
   return filtered(dot<To>(lift, cyclic_minors<Square>(m.x, m.y)).sign());
 }
 
-/// Every difference is <= 2^62. Minors and lifts are <= 2^(2b+1), the determinant < 2^(4b+4).
+/// Picks the limbs by the bits of the differences, which are at most 2^62 in size. Minors and lifts
+/// are at most 2^(2b+1), the determinant is less than 2^(4b+4).
 FilteredSign incircle_in_one_limb(const IncircleColumns<1>& m) {
   const int b = std::max(magnitude_bits(m.x), magnitude_bits(m.y));
   if (b <= 30) return determinant<1, 2>(m);  // 61, 124 bits
@@ -243,7 +260,8 @@ FilteredSign incircle_small(const Point2& a, const Point2& b, const Point2& c, c
 FilteredSign incircle_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const Grid g = common_grid(a, b, c, d);
   if (g.bits() <= kOneLimbBits) return incircle_in_one_limb(columns<1>(g, a, b, c, d));
-  // Differences <= 2^126: minors and lifts <= 2^253, the determinant < 2^508.
+  // Differences are at most 2^126, minors and lifts at most 2^253, the determinant is less than
+  // 2^508.
   if (g.bits() <= kTwoLimbBits) return determinant<4, 8>(columns<2>(g, a, b, c, d));
   return FilteredSign::Unsure;
 }
@@ -265,7 +283,7 @@ Sign incircle_beyond_filter(const Point2& a, const Point2& b, const Point2& c, c
 
 }  // namespace plumb::rung
 
-// insphere beyond its filter.
+// The stages of insphere after its filter.
 namespace plumb::rung {
 
 namespace {
@@ -275,7 +293,7 @@ struct InsphereColumns {
   std::array<Fixed<L>, 4> x, y, z;
 };
 
-/// One grid: the lift adds squares of all axes.
+/// Returns one grid for all axes, as the lift adds squares of all.
 Grid common_grid(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                  const Point3& e) {
   return {a.x, b.x, c.x, d.x, e.x, a.y, b.y, c.y, d.y, e.y, a.z, b.z, c.z, d.z, e.z};
@@ -289,8 +307,9 @@ InsphereColumns<L> columns(const Grid& g, const Point3& a, const Point3& b, cons
           differences<L, 4>(g, {a.z, b.z, c.z, d.z}, e.z)};
 }
 
-/// `Square` limbs for 2x2 minors and lifts, `Cube` for 3x3 minors. Shewchuk's expansion:
-/// d (abc) - c (abd) + b (acd) - a (bcd), the letters before the brackets being lifts.
+/// Returns the sign of the determinant in `To` limbs, with `Square` limbs for 2 x 2 minors and
+/// lifts and `Cube` for 3 x 3 minors. The expansion is that of J. R. Shewchuk (1997): d (abc) - c
+/// (abd) + b (acd) - a (bcd), where the letters before the brackets are lifts.
 template <int Square, int Cube, int To, int L>
 FilteredSign determinant(const InsphereColumns<L>& m) {
   const auto minor = [&m](std::size_t i, std::size_t j) {
@@ -313,8 +332,8 @@ FilteredSign determinant(const InsphereColumns<L>& m) {
   return filtered(det.sign());
 }
 
-/// Every difference is <= 2^62. Minors and lifts are < 2^(2b+2), 3x3 minors < 2^(3b+3), the
-/// determinant < 2^(5b+7).
+/// Picks the limbs by the bits of the differences, which are at most 2^62 in size. Minors and lifts
+/// are less than 2^(2b+2), 3 x 3 minors less than 2^(3b+3), the determinant less than 2^(5b+7).
 FilteredSign insphere_in_one_limb(const InsphereColumns<1>& m) {
   const int b = std::max({magnitude_bits(m.x), magnitude_bits(m.y), magnitude_bits(m.z)});
   if (b <= 20) return determinant<1, 1, 2>(m);  // 42, 63, 107 bits
@@ -334,7 +353,8 @@ FilteredSign insphere_exact(const Point3& a, const Point3& b, const Point3& c, c
                             const Point3& e) {
   const Grid g = common_grid(a, b, c, d, e);
   if (g.bits() <= kOneLimbBits) return insphere_in_one_limb(columns<1>(g, a, b, c, d, e));
-  // Differences <= 2^126: minors and lifts < 2^254, 3x3 minors < 2^381, the determinant < 2^637.
+  // Differences are at most 2^126, minors and lifts less than 2^254, 3 x 3 minors less than 2^381,
+  // the determinant is less than 2^637.
   if (g.bits() <= kTwoLimbBits) return determinant<4, 6, 10>(columns<2>(g, a, b, c, d, e));
   return FilteredSign::Unsure;
 }

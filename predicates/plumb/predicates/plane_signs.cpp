@@ -1,13 +1,27 @@
-// Filters. |n| <= 1, e = normal_error, f = offset_error; the true errors are at most e / 2 + 2^-50
-// and f / 2; eps = 2^-52 a rounding in any mode; e >= 2^-48 = 16 eps. Flushed subnormals lose
-// 2^-1022, which the last bit of e (or FLT_MIN <= f) pays for.
-//   minor  two products: e_p + e_q, and 3 eps of 2 at most              -> 2 (e_p + e_q)
-//   det3   row p is off by e_p / 2 against cofactors <= 2: 3 e_p; rounding of 3 terms <= 2: 45 eps
-//   < e
-//          -> 6 (e_p + e_q + e_r)
-//   det4   sum of d_i det3_i, |det3| <= 4: |d_i| (4 sum e) + 2 f_i; rounding 20 eps sum |d|
-//          -> 8 (sum e)(sum |d|) + 4 sum f
-// Nothing overflows: |d| <= 2^900 wherever f is finite; an infinite f makes the bound infinite.
+// The predicates on planes, and on lines given by two planes: determinants of the rows (n, d).
+//
+// Each asks its filter stage with the rows of doubles, then exact integers of growing widths
+// (exact3::exact_sign()). A determinant of degree 1 in the offsets is c0 + c1 R if a plane of the
+// frame takes part; its two parts are asked one after the other, filters included
+// (docs/design/frame.md).
+//
+// Error bounds of the filters, as docs/design/numbers.md (Planes) proves them. |n_i| <= 1; e and f
+// are the normal_error and the offset_error of rows, whose errors are at most e / 2 and f / 2; the
+// other halves pay for roundings. eps = 2^-52 bounds a rounding in any mode, and e >= 2^-48 = 16
+// eps. What flushing subnormals loses is about 2^-1022 each, which the last bit of e and of f >=
+// 2^-126 pays for.
+//
+//   minor  two products of components off by e_p / 2 and e_q / 2: e_p + e_q, roundings 6 eps.
+//          The code takes 2 (e_p + e_q).
+//   det3   the three components of a row are off by e / 2 against cofactors of at most 2: 3 e for
+//          each row; roundings 30 eps. The code takes 6 (e_p + e_q + e_r).
+//   det4   sum of d_i det3_i with |det3_i| <= 4, off by less than 4 sum e: 4 |d_i| sum e + 2 f_i;
+//          roundings 20 eps sum |d|. The code takes 8 (sum e)(sum |d|) + 4 sum f.
+//
+// Nothing overflows: |d| <= 2^900 wherever f is finite. An infinite f makes the bound infinite, and
+// the filter is Unsure.
+//
+// Tested by tests/predicates/plane_signs_test.cpp and tests/predicates/frame_test.cpp.
 
 #include "plumb/predicates/plane_signs.h"
 
@@ -26,11 +40,13 @@ using exact3::operands;
 
 namespace {
 
+/// Returns the sign of a value that is known up to `error`. Unsure for NaNs.
 FilteredSign beyond(double value, double error) {
   if (value > error) return FilteredSign::Positive;
   return value < -error ? FilteredSign::Negative : FilteredSign::Unsure;
 }
 
+/// Returns component i of the cross product of two normals.
 double minor(const PlaneRow& p, const PlaneRow& q, std::size_t i) {
   const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
   return p.n[j] * q.n[k] - p.n[k] * q.n[j];
@@ -45,7 +61,7 @@ double sum_of_normal_errors(const PlaneRow& p, const PlaneRow& q, const PlaneRow
          static_cast<double>(r.normal_error);
 }
 
-// The forms, for any number type.
+// The determinants as forms that exact3::exact_sign() asks with planes of any number type.
 struct MinorForm {
   std::size_t axis;
   Sign operator()(const auto& p) const { return exact3::minor_sign(p[0], p[1], axis); }
@@ -72,6 +88,7 @@ FilteredSign det3_filter(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r
   return beyond(det3(p, q, r), 6 * sum_of_normal_errors(p, q, r));
 }
 
+/// The expansion by the column of offsets.
 FilteredSign det4_filter(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r,
                          const PlaneRow& s) {
   const double value =
@@ -141,7 +158,7 @@ Sign det4_big(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId
 
 namespace {
 
-/// The ladder of every predicate here.
+/// Asks the stages of a predicate in turn, from the filter's answer on.
 template <std::size_t K, class Form>
 Sign climb(Predicate predicate, FilteredSign filter, const PlaneTable& planes,
            const std::array<PlaneId, K>& ids, const Form& form) {
@@ -184,13 +201,16 @@ Sign det4_sign(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneI
       [](Rung rung) { count_rung(Predicate::PlaneDet4, rung); });
 }
 
-/// With X = p q r: s(X) = det4 / det3(p, q, r), and s grows by det3(p, q, s) along the direction.
+/// Let X be the common point of p, q, r. Then s(X) = det4 / det3(p, q, r), and along the direction
+/// n_p x n_q the value of s grows by det3(p, q, s) per unit. The point Y is where s is zero, so
+/// Y - X has the sign of -s(X) det3(p, q, s).
 Sign order_along_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s) {
   return -(det4_sign(planes, p, q, r, s) * det3_sign(planes, p, q, r) * det3_sign(planes, p, q, s));
 }
 
-/// All the normals are orthogonal to the line, so that n_m1 x n_m2 is a multiple of n_p x n_q: any
-/// component where the latter is not zero tells its sign. The largest one suits the filters best.
+/// All four normals are orthogonal to the line, so n_m1 x n_m2 is a multiple of n_p x n_q. Any
+/// component where the latter is not zero gives the sign of the factor. The component that is
+/// largest in doubles is asked first, because its filter is most likely to decide.
 Sign turn_about_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId m1, PlaneId m2) {
   if (m1 == m2) return Sign::Zero;
   std::array<std::size_t, 3> axes = {0, 1, 2};
@@ -211,8 +231,9 @@ using exact3::BigPlane;
 
 namespace {
 
-/// Zero: the three rows are dependent. Their four 3 x 3 minors are the homogeneous point they have
-/// in common; that they all vanish is one point too many.
+/// Zero if the three rows are linearly dependent, Positive otherwise. Their four 3 x 3 minors are
+/// the homogeneous coordinates of the common point; all of them vanish if and only if there is more
+/// than one common point, that is a common line.
 struct PencilForm {
   template <class Plane>
   Sign operator()(const std::array<Plane, 3>& p) const {
@@ -224,8 +245,10 @@ struct PencilForm {
   }
 };
 
-/// All residues vanish: the coordinates without a common factor, which equal lines share up to
-/// their sign. Coordinates are linear in offsets, so in R: u, then both parts of the moment.
+/// Returns the fingerprint of a line whose residues all vanish, from its integer coordinates
+/// without their common factor; equal lines share these up to the sign, which the leading residue
+/// takes out. Coordinates are linear in the offsets, so in R: the direction u has no R, and the
+/// moment is kept in its two parts.
 Fingerprint primitive_fingerprint(const PlaneTable& planes, PlaneId p, PlaneId q) {
   const IntegerRow a = planes.coefficients(p), b = planes.coefficients(q);
   std::array<Integer, 3> u, finite, infinite;
@@ -249,6 +272,8 @@ Fingerprint primitive_fingerprint(const PlaneTable& planes, PlaneId p, PlaneId q
 
 }  // namespace
 
+/// If det3 is not zero, the three planes have one common point only, so `plane` does not contain
+/// the line. The converse needs all minors, exactly.
 bool holds_line(const PlaneTable& planes, PlaneId plane, PlaneId p, PlaneId q) {
   const std::array<PlaneId, 2> pair = {p, q};
   if (plane == p || plane == q || planes.is_wall_of(plane, pair)) {

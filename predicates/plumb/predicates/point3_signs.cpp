@@ -1,3 +1,19 @@
+// The predicates on points of space: side of a plane, order along an axis, equality, order along a
+// line; and fingerprints and exact coordinates.
+//
+// Each asks, in this order: filters on the cached boxes; identity, by the planes that define a
+// point or are known to contain it; exact integers of growing widths. A point of three planes is
+// compared with a plane by det4 and det3 of four rows; a point on an input line, which has smaller
+// numbers, by its coordinates (point3_exact.h). Numbers c0 + c1 R of the frame are decided part by
+// part (filter_stages.h, docs/design/frame.md).
+//
+// Equality asks fingerprints first: points with different ones differ, and equal ones are confirmed
+// by the sides of one point on the planes of the other.
+//
+// docs/design/numbers.md (Planes, Boxes of constructed points) proves the bounds.
+//
+// Tested by tests/predicates/point3_signs_test.cpp and tests/predicates/frame_test.cpp.
+
 #include "plumb/predicates/point3_signs.h"
 
 #include <algorithm>
@@ -19,7 +35,7 @@ using exact3::PointOperand;
 
 namespace {
 
-/// The side of the common point of p[0], p[1], p[2] on p[3]: det4 / det3.
+/// The side of the common point of p[0], p[1], p[2] on p[3], which is the sign of det4 / det3.
 struct SideForm {
   template <class Plane>
   Sign operator()(const std::array<Plane, 4>& p) const {
@@ -28,18 +44,19 @@ struct SideForm {
   }
 };
 
+/// Whether the point is defined by three planes.
 bool has_three_planes(const Point3Table& points, SpacePoint x) {
   return !x.is_input() && !points.source(x).is_line();
 }
 
-/// Requires has_three_planes.
+/// Returns the planes of the point and another plane as operands. Requires has_three_planes().
 std::array<Operand, 4> with_planes(const Point3Table& points, SpacePoint x, PlaneId plane) {
   const PointSource& source = points.source(x);
   return exact3::operands<4>(points.planes(),
                              {source.plane(0), source.plane(1), source.plane(2), plane});
 }
 
-/// Of a point on a line or an input point, in coordinates.
+/// Returns the side of a point on a plane, by coordinates in the numbers of Plane.
 template <class Plane>
 FilteredSign side_in(const PointOperand& x, const Operand& plane) {
   return exact3::by_parts(exact3::has_frame(x) || plane.source.is_frame(), [&](Part part) {
@@ -49,6 +66,7 @@ FilteredSign side_in(const PointOperand& x, const Operand& plane) {
   });
 }
 
+/// Returns the order of two points along an axis, by coordinates in the numbers of Plane.
 template <class Plane>
 FilteredSign order_in(const PointOperand& x, const PointOperand& y, std::size_t axis) {
   return exact3::by_parts(exact3::has_frame(x) || exact3::has_frame(y), [&](Part part) {
@@ -60,6 +78,7 @@ FilteredSign order_in(const PointOperand& x, const PointOperand& y, std::size_t 
   });
 }
 
+/// The exact stages of side(). An input point against a plane through input points is orient3d.
 Sign exact_side(const Point3Table& points, SpacePoint x, PlaneId plane) {
   const auto count = [](Rung rung) { count_rung(Predicate::SideOfPlane, rung); };
   if (has_three_planes(points, x)) {
@@ -92,7 +111,8 @@ Sign exact_order(const Point3Table& points, SpacePoint x, SpacePoint y, std::siz
 namespace rung {
 
 /// The difference of two doubles is off by one rounding, 2^-52 of it, and by what flushing
-/// subnormal operands loses: 2^-1000 covers it. The last 2^-50 pay for the rounding of the bound.
+/// subnormal operands loses, which 2^-1000 covers. The factors with 2^-50 pay for the rounding of
+/// the bound.
 FilteredSign compare_axis_filter(const PointBox& x, const PointBox& y, std::size_t axis) {
   const double difference = x.mid[axis] - y.mid[axis];
   const double error = (x.radius + y.radius) * (1 + 0x1p-50) + 0x1p-1000;
@@ -111,13 +131,15 @@ FilteredSign near_side_filter(const Point3Table& points, SpacePoint x, PlaneId p
   return side_filter(points.near_box(x), near_row(points.planes(), plane));
 }
 
+/// Compares the directions u first. If both coordinates of u are known to be 0, c1 is 0, and the
+/// boxes around P0 may decide.
 FilteredSign far_compare_axis_filter(const Point3Table& points, SpacePoint x, SpacePoint y,
                                      std::size_t axis) {
   const PointBox a = points.box(x), b = points.box(y);
   const auto is_known = [](const PointBox& p) { return is_far(p) || !std::isinf(p.radius); };
   if (!(is_far(a) || is_far(b)) || !is_known(a) || !is_known(b)) return FilteredSign::Unsure;
   const PointBox u = far_box(a), v = far_box(b);
-  // The signs of u and v are exact: 0 is one as well.
+  // The signs of the coordinates of u and v are exact, 0 included.
   if (v.mid[axis] == 0 && u.mid[axis] != 0) return filtered(sign_of(u.mid[axis]));
   if (u.mid[axis] == 0 && v.mid[axis] != 0) return filtered(-sign_of(v.mid[axis]));
   if (u.mid[axis] != 0) return compare_axis_filter(u, v, axis);
@@ -193,7 +215,7 @@ Sign rung::side_without_filter(const Point3Table& points, SpacePoint x, PlaneId 
     return Sign::Zero;
   }
   const PlaneSource& source = points.planes().source(plane);
-  if (source.is_frame() && !points.depends_on_frame(x)) {  // inside the cube
+  if (source.is_frame() && !points.depends_on_frame(x)) {  // The point is inside the cube.
     count_rung(Predicate::SideOfPlane, Rung::Identity);
     return sign_of(points.planes().row(plane).d);
   }
@@ -202,13 +224,14 @@ Sign rung::side_without_filter(const Point3Table& points, SpacePoint x, PlaneId 
 
 namespace {
 
-/// Is it one double? By its bits: subnormal numbers may compare as zero.
+/// Whether two exact boxes have the same double as coordinate, by its bits, as subnormal numbers
+/// may compare as zero.
 bool is_same_coordinate(const PointBox& x, const PointBox& y, std::size_t axis) {
   return x.radius == 0 && y.radius == 0 &&
          std::bit_cast<std::uint64_t>(x.mid[axis]) == std::bit_cast<std::uint64_t>(y.mid[axis]);
 }
 
-/// Are both on one plane of the cube across the axis, by definition?
+/// Whether both points lie on one plane of the cube across the axis by definition.
 bool share_wall(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis) {
   if (x.is_input() || y.is_input()) return false;
   const auto& frame = points.planes().frame();
@@ -217,6 +240,7 @@ bool share_wall(const Point3Table& points, SpacePoint x, SpacePoint y, std::size
   });
 }
 
+/// The filters of compare_axis().
 FilteredSign rough_order(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis) {
   const FilteredSign s = rung::compare_axis_filter(points.box(x), points.box(y), axis);
   return is_decided(s) ? s : rung::far_compare_axis_filter(points, x, y, axis);
@@ -244,6 +268,7 @@ Sign compare_xyz(const Point3Table& points, SpacePoint x, SpacePoint y) {
 
 namespace {
 
+/// Whether filters show that two points differ along some axis.
 bool is_apart(const Point3Table& points, SpacePoint x, SpacePoint y) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (is_decided(rough_order(points, x, y, axis))) {
@@ -269,12 +294,12 @@ bool equal(const Point3Table& points, SpacePoint x, SpacePoint y) {
   return true;
 }
 
-// --- order along a line
-// ------------------------------------------------------------------------------
+// --- order along a line --------------------------------------------------------------------------
 
 namespace {
 
-/// The axis along which p and q's line surely runs fastest, and the direction's sign there.
+/// An axis along which the line of p and q runs, the fastest by doubles if possible, and the sign
+/// of its direction n_p x n_q there.
 struct Direction {
   std::size_t axis;
   Sign sign;
@@ -298,7 +323,9 @@ Direction direction_of(const PlaneTable& planes, PlaneId p, PlaneId q) {
 
 }  // namespace
 
-/// With s a plane through y that cuts the line: s(y) = 0 = s(x) + l det3(p, q, s), l = y - x.
+/// Boxes decide along the axis where the line runs fastest. Otherwise let s be a plane of y that
+/// cuts the line, and y = x + l (n_p x n_q). Then 0 = s(y) = s(x) + l det3(p, q, s), so l has the
+/// sign of -s(x) det3(p, q, s).
 Sign order_along_line(const Point3Table& points, PlaneId p, PlaneId q, SpacePoint x, SpacePoint y) {
   if (x == y) return Sign::Zero;
   const Direction along = direction_of(points.planes(), p, q);
@@ -313,12 +340,11 @@ Sign order_along_line(const Point3Table& points, PlaneId p, PlaneId q, SpacePoin
   return compare_axis(points, y, x, along.axis) * along.sign;
 }
 
-// --- fingerprints and output
-// ---------------------------------------------------------------------------
+// --- fingerprints and output ---------------------------------------------------------------------
 
 namespace {
 
-/// The formulas of point3_exact.h in F_q.
+/// Returns the coordinates (x, w) of a point modulo q, by the formulas of point3_exact.h.
 ResidueRow residues(const Point3Table& points, const PointSource& source) {
   const PlaneTable& planes = points.planes();
   const PlaneResidues p = residues(planes, source.plane(0));

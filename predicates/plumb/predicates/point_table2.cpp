@@ -1,3 +1,15 @@
+// The table of points of the plane, and the predicates on its points and on crossings.
+//
+// A point that doubles do not hold has homogeneous integer coordinates in a pool of limbs, and its
+// nearest doubles; the two parts below decide signs about such points and about crossings of lines
+// through any points. Each predicate asks, in this order: equal indices, a filter with error
+// bounds, integers of a fixed width if all points are doubles (point2_exact.cpp), and GMP.
+//
+// docs/design/numbers.md (Crossings in the plane) proves the bounds of the filters, which hold in
+// any rounding mode and with subnormal numbers flushed to zero.
+//
+// Tested by tests/predicates/point_table2_test.cpp and tests/predicates/rung_reach_test.cpp.
+
 #include "plumb/predicates/point_table2.h"
 
 #include <algorithm>
@@ -16,7 +28,8 @@ namespace plumb {
 
 namespace {
 
-/// By the bits: under DAZ every comparison and sum would take a subnormal for zero.
+/// Returns 0.0 for -0.0, and every other number as it is. It looks at the bits, because under DAZ
+/// every comparison and sum would take a subnormal for zero.
 double without_negative_zero(double v) {
   constexpr std::uint64_t kNegativeZero = std::uint64_t{1} << 63;
   return std::bit_cast<std::uint64_t>(v) == kNegativeZero ? 0.0 : v;
@@ -31,6 +44,7 @@ void PointTable2::push_back(Point2 p) {
   if (!slot_.empty()) slot_.push_back(kNoSlot);
 }
 
+/// Slots are made only when the first point comes that is no double.
 void PointTable2::push_back(const Rational& x, const Rational& y) {
   const RoundedDouble rx = round_to_double(x);
   const RoundedDouble ry = round_to_double(y);
@@ -51,6 +65,8 @@ void PointTable2::push_back(const Rational& x, const Rational& y) {
   entries_.push_back(entry);
 }
 
+/// Appends |value| to the pool and returns its number of limbs, negative for a negative value, as
+/// GMP has it.
 std::int32_t PointTable2::append_limbs(mpz_srcptr value) {
   const mp_limb_t* limbs = mpz_limbs_read(value);
   limbs_.insert(limbs_.end(), limbs, limbs + mpz_size(value));
@@ -58,7 +74,7 @@ std::int32_t PointTable2::append_limbs(mpz_srcptr value) {
   return mpz_sgn(value) < 0 ? -size : size;
 }
 
-/// Copies point i of `other`, which is no double.
+/// Appends point i of `other`. Requires that it is no double.
 void PointTable2::append_entry(const PointTable2& other, std::uint32_t i) {
   Entry entry = other.entries_[other.slot_[i]];
   const std::size_t length = static_cast<std::size_t>(std::abs(entry.x_size)) +
@@ -120,15 +136,18 @@ RationalPoint2 PointTable2::exact(std::uint32_t i) const {
   return {Rational(Integer(h.x), w), Rational(Integer(h.y), w)};
 }
 
-// Predicates of points of which some are no doubles, and the Big rung.
+// Predicates on points of which some are no doubles, and the GMP stage of predicates on points.
 //
-// Filter bounds, for any rounding mode and under FTZ/DAZ; eps = 2^-52, M <= 2^303 the largest
-// |approximation|. An approximation is off by at most h = eps M / 2 (and 2^-1074, a subnormal one),
-// so a difference of two is off by eps |d'| + 2 h + 2^-1020 = eps (|d'| + M) + 2^-1020. A cross
-// product w of two, P its permanent and S the sum of the four |d'|:
-//     |w' - w| <= 4 eps P + eps M S + 2 eps^2 (|d'| + M)^2 terms <= 4 eps P + eps M S + 18 eps^2
-//     M^2
-// plus flushes below 2^-700. The computed bound is twice that.
+// Bounds of the filter, for any rounding mode and under FTZ/DAZ. eps = 2^-52, and M <= 2^303 is the
+// largest |approximation|. An approximation is off by at most h = eps M / 2 (and by 2^-1074 if it
+// is subnormal), so a difference of two is off by eps |d'| + 2 h + 2^-1020 = eps (|d'| + M) +
+// 2^-1020. Let w be a cross product of two differences, P its permanent and S the sum of the four
+// |d'|. Then
+//
+//     |w' - w| <= 4 eps P + eps M S + terms 2 eps^2 (|d'| + M)^2
+//              <= 4 eps P + eps M S + 18 eps^2 M^2
+//
+// and flushes below 2^-700. The computed bound is twice that.
 
 namespace {
 
@@ -139,7 +158,7 @@ constexpr double kEps = 0x1p-52;
 
 double largest_coordinate(const Point2& p) { return std::max(std::fabs(p.x), std::fabs(p.y)); }
 
-/// Sign of (b - a) x (d - c) for approximations.
+/// Returns the sign of (b - a) x (d - c) from approximations of the four points.
 FilteredSign cross_filter(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const double m = std::max(std::max(largest_coordinate(a), largest_coordinate(b)),
                             std::max(largest_coordinate(c), largest_coordinate(d)));
@@ -220,28 +239,31 @@ Sign rung::cross_sign_big(const PointTable2& points, std::uint32_t a, std::uint3
   return sign_of_mpz(scratch.cross(scratch.line(points, a, b), scratch.line(points, c, d)).w);
 }
 
-// Crossing2: the Filter rung (make_crossing and the certificates from its box) and the ladders.
+// Crossings: their boxes, the filters that read these, and the stages of each predicate.
 //
-// Notation and bounds, for any rounding mode and under FTZ/DAZ. A hat marks what was computed.
-//   eps = 2^-52   every operation is off by at most eps times its result, and by 2^-1022 more
-//                 when it is flushed; a subnormal input may be read as 0, another 2^-1022
-//   M             largest |coordinate|, at most 2^200 (else no box is made)
-//   h             |approx - exact| <= h for the points: 0 when all are doubles, else eps M
-//   a + t u       the crossing: u = b - a, v = d - c, s = c - a, t = num / den, num = s x v, den =
-//   u x v
+// Notation and bounds, for any rounding mode and under FTZ/DAZ. A prime marks what was computed.
 //
-// A difference d of coordinates:  |d' - d| <= eps |d'| + h + 2^-1020.
-// A cross product w of two of them, P its permanent, S the sum of the four |d'|: the errors of the
-// factors give 2 eps P + (h + 2^-1020) S + (eps d' + h + 2^-1020)^2 terms, its own operations 2 eps
-// P.
+//   eps = 2^-52   Every operation is off by at most eps times its result, and by 2^-1022 more if it
+//                 is flushed; a subnormal input may be read as 0, which is another 2^-1022.
+//   M             The largest |coordinate|, at most 2^200; beyond that no box is made.
+//   h             Differences of points are off by at most h besides their rounding: 0 if all
+//                 points are doubles, otherwise eps M.
+//   a + t u       The crossing: u = b - a, v = d - c, s = c - a, t = num / den, num = s x v,
+//                 den = u x v.
+//
+// A difference d of coordinates:
+//     |d' - d| <= eps |d'| + h + 2^-1020.
+// A cross product w of two differences, with P its permanent and S the sum of the four |d'|: the
+// errors of the factors give 2 eps P + (h + 2^-1020) S and terms (eps d' + h + 2^-1020)^2, its own
+// operations 2 eps P. Taken is
 //     |w' - w| <= E(w) = 8 eps P + 2 h (S + h) + 2^-800,
-// generous by nearly a factor of 2 in each term; 2^-1020 S < 2^-815 and every flush go with 2^-800.
+// nearly twice what is needed in each term; 2^-800 covers 2^-1020 S < 2^-815 and every flush.
 // The quotient, with D = 0.99 (|den'| - E(den)) <= |den|:
-//     |t' - t| <= (|t'| E(den) + E(num)) / D + 2 eps |t'| =: T.
-// The sum, r = max(|u'x|, |u'y|): its error is at most
+//     |t' - t| <= T = (|t'| E(den) + E(num)) / D + 2 eps |t'|.
+// The sum, with r = max(|u'x|, |u'y|), is off by at most
 //     (r + h) T + |t'| (eps r + h) + h + 2 eps |t' r| + eps |result| + tiny,
-// and with |t'| <= 2^100 tiny is below 2^-900. (2^-1020 T is covered by r T: D > 0 needs r >
-// 2^-1003.)
+// where tiny is below 2^-900 for |t'| <= 2^100. (2^-1020 T is covered by r T, as D > 0 needs
+// r > 2^-1003.)
 
 namespace {
 
@@ -278,13 +300,13 @@ Cross cross(const Vector2& u, const Vector2& v, double h) {
   return {left - right, 8 * kEps * permanent + 2 * h * (sum + h) + 0x1p-800};
 }
 
-/// A computed value and a bound on its error, +inf when there is none.
+/// A computed value and a bound of its error, which is infinite if there is none.
 struct Approximation {
   double value;
   double error;
 };
 
-/// t' and T.
+/// Returns t' and T.
 Approximation parameter(const Cross& num, const Cross& den) {
   const double least = 0.99 * (std::fabs(den.value) - den.error);
   if (!(least > 0)) return {0, kInfinity};
@@ -298,7 +320,7 @@ struct Box {
   double x, y, radius;
 };
 
-/// The box of a + t u; the factor 1.01 pays for rounding the bound itself.
+/// Returns the box of a + t u. The factor 1.01 pays for the rounding of the bound itself.
 Box box_at(const Point2& a, const Vector2& u, const Approximation& t, double h) {
   const double x = a.x + t.value * u.x;
   const double y = a.y + t.value * u.y;
@@ -315,7 +337,7 @@ Box crossing_box(const Point2& a, const Point2& b, const Point2& c, const Point2
   return box_at(a, u, parameter(cross(difference(a, c), v, h), cross(u, v, h)), h);
 }
 
-/// One of the two lines that define the crossing, by the same indices?
+/// Whether i and j are the indices of one of the two lines that define the crossing.
 bool is_own_line(std::uint32_t i, std::uint32_t j, const Crossing2& p) {
   return (i == p.a && j == p.b) || (i == p.b && j == p.a) || (i == p.c && j == p.d) ||
          (i == p.d && j == p.c);
@@ -337,12 +359,12 @@ Crossing2 make_crossing(const PointTable2& points, std::uint32_t a, std::uint32_
   return {a, b, c, d, box.x, box.y, box.radius};
 }
 
-/// det = u x w with u = j - i, w = p - i. Every point is taken to be h = eps M off (M <= 2^303 the
-/// largest coordinate, the crossing's included), so |u' - u| <= eps |u'| + 2 h and
-/// |w' - w| <= eps |w'| + 2 h + radius; flushes add less than 2^-700 in all:
+/// Decides by det = u x w with u = j - i and w = p - i. Every point is taken to be off by h = eps
+/// M, where M <= 2^303 is the largest coordinate, the crossing's included. So |u' - u| <= eps |u'|
+/// + 2 h and |w' - w| <= eps |w'| + 2 h + radius, and flushes add less than 2^-700 in all:
 ///     |det' - det| <= 4 eps P + |u| (radius + 2 h) + 2 h |w| + 2 h (radius + 2 h) + 2^-700,
-/// P the permanent and | | the sum of the coordinates' sizes. Doubled, it pays for its own
-/// rounding.
+/// with P the permanent and | | the sum of the sizes of the coordinates. The computed bound is
+/// twice that, which pays for its own rounding.
 FilteredSign rung::orient2d_filter(const PointTable2& points, std::uint32_t i, std::uint32_t j,
                                    const Crossing2& p) {
   const Point2 a = points.approx(i);
@@ -380,7 +402,7 @@ Sign detail::compare_xy_unsure(const PointTable2& points, const Crossing2& p, st
 }
 
 Sign detail::compare_xy_unsure(const PointTable2& points, const Crossing2& p, const Crossing2& q) {
-  // A sweep finds the same crossing again and again: identity before arithmetic.
+  // A sweep finds one crossing again and again, so equal indices are asked before any arithmetic.
   if (p.a == q.a && p.b == q.b && p.c == q.c && p.d == q.d) {
     return decide(Predicate::CompareCrossings2, Rung::Identity, FilteredSign::Zero);
   }

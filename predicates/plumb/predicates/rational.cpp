@@ -1,3 +1,14 @@
+// Integers and rationals over GMP: the operations that are too long to be inline.
+//
+// A whole number has a denominator of 1 that is not allocated: its limb is shared by all numbers
+// and never written, which _mp_alloc = 0 marks. So every operation that lets GMP write a
+// denominator first gives the fraction one of its own (new_denominator(), target()). Sums and
+// products of whole numbers go to the functions of GMP for integers and need no gcd.
+//
+// Fractions are in lowest terms with a positive denominator, at all times.
+//
+// Tested by tests/predicates/rational_test.cpp.
+
 #include "plumb/predicates/rational.h"
 
 #include <bit>
@@ -27,13 +38,13 @@ void set_to_zero(mpq_ptr x) {
   set_denominator_to_one(x);
 }
 
-/// The denominator for GMP to write, whatever it was.
+/// Returns the denominator for GMP to write. Its value is lost if it was shared.
 mpz_ptr new_denominator(mpq_ptr x) {
   if (is_shared(mpq_denref(x))) mpq_denref(x)->_mp_size = 0;
   return mpq_denref(x);
 }
 
-/// The fraction for GMP to write. If it is an operand, it may need a denominator of its own.
+/// Returns the fraction for GMP to write. If it is an operand, its denominator keeps the value 1.
 mpq_ptr target(mpq_ptr result, mpq_srcptr a, mpq_srcptr b) {
   if (!is_shared(mpq_denref(result))) return result;
   if (result == a || result == b) {
@@ -44,7 +55,8 @@ mpq_ptr target(mpq_ptr result, mpq_srcptr a, mpq_srcptr b) {
   return result;
 }
 
-/// x + n, or x - n, in lowest terms as x is. `x` or `n` may be parts of the result.
+/// Sets the result to x + n, or to x - n, which is in lowest terms because x is. `x` or `n` may be
+/// parts of the result.
 template <bool kAdds>
 void add_whole(mpq_ptr result, mpq_srcptr x, mpz_srcptr n) {
   if (result == x) {
@@ -56,6 +68,7 @@ void add_whole(mpq_ptr result, mpq_srcptr x, mpz_srcptr n) {
   mpz_set(new_denominator(result), mpq_denref(x));
 }
 
+/// Adds or subtracts. Whole operands need no gcd.
 template <bool kAdds>
 void combine(mpq_ptr result, mpq_srcptr a, mpq_srcptr b) {
   const bool a_is_whole = is_one(mpq_denref(a)), b_is_whole = is_one(mpq_denref(b));
@@ -82,11 +95,12 @@ bool are_digits(std::string_view text) {
 
 void append_digits(mpz_srcptr x, std::string& text) {
   const std::size_t before = text.size();
-  text.resize(before + mpz_sizeinbase(x, 10) + 2);  // a sign and the end
+  text.resize(before + mpz_sizeinbase(x, 10) + 2);  // Two more for a sign and the final zero.
   mpz_get_str(text.data() + before, 10, x);
   text.resize(before + std::strlen(text.c_str() + before));
 }
 
+/// Mixes the sign, the length and the limbs of x into a hash.
 std::size_t mixed(mpz_srcptr x, std::size_t hash) {
   const auto mix = [&hash](std::uint64_t word) {
     std::uint64_t h = (hash ^ word) * 0x9e3779b97f4a7c15U;
@@ -174,7 +188,7 @@ Integer::Integer(std::string_view text) {
     throw Error(ErrorCode::Syntax, "not an integer: '" + std::string(text) + "'");
   }
   reset();
-  Integer read;  // gives back what a failing allocation leaves
+  Integer read;  // Owns the memory, so that an exception leaks nothing.
   mpz_set_str(read.value_, std::string(digits).c_str(), 10);
   if (text.front() == '-') read.negate();
   std::swap(value_[0], read.value_[0]);
@@ -195,7 +209,7 @@ void Integer::require_positive() const {
 }
 
 Rational::Rational(double value) : Rational() {
-  // By its bits: the caller's rounding mode and denormals-are-zero have no say.
+  // The bits decide, so that the rounding mode and denormals-are-zero of the caller do not matter.
   if ((std::bit_cast<std::uint64_t>(value) & ~detail::kSignBit) >> 52U == 0x7ffU)
     throw_not_finite();
   const Decomposed d = decompose(value);

@@ -1,3 +1,17 @@
+// Rounding of rationals to doubles and decimals, and exact texts.
+//
+// Rounding to doubles is a division by MPFR with 53 bits and the exponent range of doubles, after
+// which mpfr_subnormalize() uses the direction of the first rounding to round to subnormal numbers
+// as if there had been only one. The bits of the double are assembled from integers, as arithmetic
+// on subnormal numbers would depend on FTZ and DAZ. MPFR's range and flags are restored afterwards.
+//
+// Decimal rounding divides integers, and is exact to the nearest, ties to even.
+//
+// Reference: L. Fousse, G. Hanrot, V. Lefèvre, P. Pélissier, P. Zimmermann, MPFR, ACM Trans.
+// on Mathematical Software 33 (2007).
+//
+// Tested by tests/predicates/rounding_test.cpp.
+
 #include "plumb/predicates/rounding.h"
 
 #include <bit>
@@ -16,8 +30,8 @@ constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63;
 constexpr int kFractionBits = 52;
 constexpr std::uint64_t kHiddenBit = std::uint64_t{1} << kFractionBits;
 
-/// MPFR's exponent range is that of double for the lifetime; range and flags are put back after.
-/// (MPFR writes numbers as 0.1xxx * 2^e: the least subnormal 2^-1074 has e = -1073.)
+/// Gives MPFR the exponent range of doubles during its lifetime, and restores range and flags.
+/// (MPFR writes numbers as 0.1xxx * 2^e, so the least subnormal number 2^-1074 has e = -1073.)
 class DoubleRange {
  public:
   DoubleRange() : emin_(mpfr_get_emin()), emax_(mpfr_get_emax()), flags_(mpfr_flags_save()) {
@@ -64,8 +78,9 @@ mpfr_rnd_t mpfr_rounding(Rounding rounding) {
   return MPFR_RNDN;
 }
 
-/// Bits of |v| for v = m * 2^(e - 53), 2^52 <= m < 2^53, representable as a double. A subnormal
-/// counts units of 2^-1074: m * 2^(e + 1021), and the bits shifted out are zeros.
+/// Returns the bits of |v| as a double. Requires v = m * 2^(e - 53) with 2^52 <= m < 2^53 that a
+/// double holds. A subnormal number counts units of 2^-1074, so it is m * 2^(e + 1021), and the
+/// bits that are shifted out are zeros.
 std::uint64_t magnitude_bits(mpfr_ptr v) {
   const auto e = mpfr_get_exp(v);
   mpfr_setsign(v, v, 0, MPFR_RNDN);
@@ -75,7 +90,8 @@ std::uint64_t magnitude_bits(mpfr_ptr v) {
   return (static_cast<std::uint64_t>(e + 1022) << kFractionBits) | (m & (kHiddenBit - 1));
 }
 
-/// mpfr_get_d would multiply doubles on its way to a subnormal, which FTZ spoils.
+/// Returns v as a double. mpfr_get_d() would multiply doubles on its way to a subnormal number,
+/// which FTZ makes wrong.
 double to_double(mpfr_ptr v) {
   if (mpfr_zero_p(v)) return 0.0;
   const std::uint64_t sign = mpfr_signbit(v) ? kSignBit : 0;
@@ -92,7 +108,7 @@ Integer power_of_ten(std::int64_t n) {
   return r;
 }
 
-/// Number of bits of a positive integer.
+/// Returns the number of bits of a positive integer.
 std::int64_t bit_count(const Integer& n) {
   return static_cast<std::int64_t>(mpz_sizeinbase(n.mpz(), 2));
 }
@@ -103,7 +119,7 @@ struct Quotient {
   Integer divisor;
 };
 
-/// p * 10^shift / q.
+/// Returns p * 10^shift / q with its remainder.
 Quotient scaled_quotient(const Integer& p, const Integer& q, std::int64_t shift) {
   Quotient r;
   r.divisor = shift < 0 ? Integer(q * power_of_ten(-shift)) : q;
@@ -112,21 +128,22 @@ Quotient scaled_quotient(const Integer& p, const Integer& q, std::int64_t shift)
   return r;
 }
 
-/// Nearest integer of the quotient, ties to even.
+/// Returns the integer nearest to the quotient, ties to even.
 Integer nearest(const Quotient& r) {
   const int half = Integer(2 * r.remainder).compare(r.divisor);
   const bool up = half > 0 || (half == 0 && bit_test(r.floor, 0));
   return up ? Integer(r.floor + 1) : r.floor;
 }
 
-/// A positive value as digits[0].digits[1..] * 10^exponent.
+/// The positive value digits[0].digits[1..] * 10^exponent.
 struct Decimal {
   std::string digits;
   std::int64_t exponent;
 };
 
-/// Starts from log10(p / q) as the bit counts tell it (at most a place or two off) and moves until
-/// the quotient has exactly `digits` digits before rounding.
+/// Returns p / q rounded to so many digits. Starts from an estimate of log10(p / q) by the numbers
+/// of bits, which is off by a place or two at most, and moves until the quotient has exactly
+/// `digits` digits before rounding.
 Decimal round_decimal(const Integer& p, const Integer& q, int digits) {
   const Integer limit = power_of_ten(digits);
   const Integer least = power_of_ten(digits - 1);
@@ -146,7 +163,8 @@ Decimal round_decimal(const Integer& p, const Integer& q, int digits) {
 
 void strip_zeros(std::string& digits) { digits.erase(digits.find_last_not_of('0') + 1); }
 
-/// Digits with the point after place `exponent`, the places without a digit filled with zeros.
+/// Returns digits with the point after place `exponent`. Places without a digit are filled with
+/// zeros.
 std::string plain_text(const std::string& digits, std::int64_t exponent) {
   std::string text;
   if (exponent < 0)

@@ -1,3 +1,15 @@
+// The relations of segments, lines and points of the plane, from orientation signs and the
+// lexicographic order alone.
+//
+// Two segments are related by the sides of the line of each on which the ends of the other lie. If
+// both ends of one are strictly on one side, the segments are disjoint; if all four signs are zero,
+// they are on one line, where the order of the ends decides; otherwise there is exactly one common
+// point, and the signs that are zero say whose end it is. Only crossing_point() constructs numbers.
+//
+// The templates serve points of doubles and of rationals, which are instantiated at the end.
+//
+// Tested by tests/predicates/segment2_test.cpp.
+
 #include "plumb/predicates/segment2.h"
 
 #include "plumb/predicates/arithmetic/double_bits.h"
@@ -10,7 +22,7 @@ namespace plumb {
 
 namespace {
 
-/// The ends in lexicographic order.
+/// The ends of a segment in lexicographic order.
 template <class Point>
 struct Range {
   const Point& low;
@@ -23,6 +35,7 @@ Range<Point> range(const BasicSegment2<Point>& s) {
   return {s.source, s.target};
 }
 
+/// Returns the relation of two segments on one line, from the order of their ends.
 template <class Point>
 SegmentRelation relation_on_a_line(const Range<Point>& s, const Range<Point>& t) {
   const Sign s_to_t = compare_xy(s.high, t.low);
@@ -37,7 +50,7 @@ SegmentRelation relation_on_a_line(const Range<Point>& s, const Range<Point>& t)
   return SegmentRelation::Overlap;
 }
 
-/// Sides of a line on which the two ends of a segment lie.
+/// The sides of a line on which the two ends of a segment lie.
 struct Sides {
   Sign source;
   Sign target;
@@ -55,7 +68,7 @@ Sides sides(const BasicSegment2<Point>& line, const BasicSegment2<Point>& s) {
 RationalPoint2 exact_point(const Point2& p) { return {exact_rational(p.x), exact_rational(p.y)}; }
 const RationalPoint2& exact_point(const RationalPoint2& p) { return p; }
 
-/// The common point of two segments of one line that share just an end.
+/// Returns the common point of two segments on one line that share just an end.
 template <class Point>
 const Point& shared_end(const BasicSegment2<Point>& s, const BasicSegment2<Point>& t) {
   const bool is_source =
@@ -82,6 +95,8 @@ Sign compare_along(const BasicSegment2<Point>& direction, const Point& p, const 
   return compare_xy(p, q) * compare_xy(direction.target, direction.source);
 }
 
+/// A point on the line lies between the ends if it comes after one and before the other in the
+/// lexicographic order, which is monotone along the line.
 template <class Point>
 PlaceOnSegment place_on(const BasicSegment2<Point>& s, const Point& p) {
   if (orient2d(s.source, s.target, p) != Sign::Zero) return PlaceOnSegment::Off;
@@ -99,8 +114,8 @@ SegmentRelation relation(const BasicSegment2<Point>& s, const BasicSegment2<Poin
   if (of_t.are_zero()) return relation_on_a_line(range(s), range(t));
   const Sides of_s = sides(t, s);
   if (of_s.are_same()) return SegmentRelation::Disjoint;
-  // Each meets the other's line and the lines differ: one common point, and an end of t on the line
-  // of s is that point.
+  // Each segment meets the other's line, and the lines differ. So there is one common point, and an
+  // end of t on the line of s is that point.
   if (of_t.has_zero()) {
     return of_s.has_zero() ? SegmentRelation::ShareEndpoint : SegmentRelation::IsTouched;
   }

@@ -1,4 +1,13 @@
-// The nodes of a full tree over boxes in a row: what BoxTree and PackedBoxTree have in common.
+// The building of a tree over boxes, and the test of a ray and a box.
+//
+// Boxes are sorted along a space-filling curve (G. M. Morton, 1966: bits of the axes interleaved),
+// so that consecutive boxes are near each other, and grouped in that order; no other choice is
+// made, so building is linear. Boxes that fall into one cell of the grid are sorted on a grid of
+// their own.
+//
+// The test of a ray errs to the safe side: every bound is loosened by more than all roundings.
+//
+// Tested by tests/base/box_tree_test.cpp.
 
 #include "plumb/base/internal/box_tree.h"
 
@@ -9,16 +18,17 @@
 
 namespace plumb {
 
-/// Nodes level by level, the leaves first; each level but the top one is filled up to an even
+/// Nodes level by level, the leaves first. Each level except the top one is filled up to an even
 /// number.
 template <class Box>
 struct BoxLevels {
-  std::vector<Box> nodes;
-  std::vector<std::size_t> begin;  ///< of each level, into nodes
+  std::vector<Box> nodes;          ///< The boxes of all nodes.
+  std::vector<std::size_t> begin;  ///< Where each level begins in `nodes`.
 };
 
-/// `leaf` consecutive boxes make a leaf, two consecutive nodes the node above them. `empty` is what
-/// boxes are added to, `nowhere` what fills a level up. Requires whole leaves. O(n).
+/// Returns the nodes over boxes: `leaf` consecutive boxes make a leaf, two consecutive nodes the
+/// node above them. Boxes are added to `empty`, and a level is filled up with `nowhere`. Requires
+/// whole leaves. O(n).
 template <class Box>
 BoxLevels<Box> levels_over(const std::vector<Box>& boxes, std::size_t leaf, const Box& empty,
                            const Box& nowhere) {
@@ -48,12 +58,12 @@ BoxLevels<Box> levels_over(const std::vector<Box>& boxes, std::size_t leaf, cons
 namespace {
 
 constexpr std::uint32_t kGridBits = 21;
-constexpr std::uint32_t kDigitBits = 9;  // 7 digits make a code
-constexpr std::size_t kLongestRun = 8;   // of one code
-constexpr double kSlack = 0x1p-48;   // roundings of a difference and a quotient, many times over
-constexpr double kTiny = 0x1p-1000;  // and what flushing subnormal numbers loses
+constexpr std::uint32_t kDigitBits = 9;  // Seven digits make a code.
+constexpr std::size_t kLongestRun = 8;   // Longer runs of one code are sorted again.
+constexpr double kSlack = 0x1p-48;       // More than the roundings of a difference and a quotient.
+constexpr double kTiny = 0x1p-1000;      // More than flushing subnormal numbers loses.
 
-/// Meets no box at all, not even an unbounded one: no comparison with a NaN is true.
+/// Returns a box that meets no box, not even an unbounded one: no comparison with a NaN is true.
 Box3 nowhere() {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   return {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
@@ -64,7 +74,7 @@ struct CodedBox {
   std::uint32_t box;
 };
 
-/// Bit i of the argument becomes bit 3i.
+/// Moves bit i of the argument to bit 3i.
 std::uint64_t spread_bits(std::uint64_t x) {
   x = (x | x << 32) & 0x1f00000000ffffULL;
   x = (x | x << 16) & 0x1f0000ff0000ffULL;
@@ -83,7 +93,7 @@ class Grid {
       high_[i] = std::max(high_[i], m);
     }
   }
-  /// False: all middles are one.
+  /// Whether the middles are not all one point.
   bool has_extent() const { return low_[0] < high_[0] || low_[1] < high_[1] || low_[2] < high_[2]; }
   std::uint64_t code(const Box3& box) const {
     return cell(box, 0) << 2 | cell(box, 1) << 1 | cell(box, 2);
@@ -96,7 +106,7 @@ class Grid {
   }
   std::uint64_t cell(const Box3& box, std::size_t i) const {
     const double place = (middle(box, i) / 2 - low_[i] / 2) / (high_[i] / 2 - low_[i] / 2);
-    if (!(place > 0)) return 0;  // no extent on this axis: 0 / 0
+    if (!(place > 0)) return 0;  // Without extent on this axis the place is 0 / 0.
     constexpr double kCells = std::uint64_t{1} << kGridBits;
     return spread_bits(static_cast<std::uint64_t>(std::min(place * kCells, kCells - 1)));
   }
@@ -127,7 +137,8 @@ class PlaceSort {
     sort_runs(items);
   }
 
-  // Each run spans 2^-21 of the grid or less, or everything lay in one place but for rounding.
+  // Sorts long runs of one code again. A run spans 2^-21 of the grid or less, unless all places
+  // differ by roundings only, when the run has all items and is left as it is.
   void sort_runs(std::span<CodedBox> items) {
     std::size_t begin = 0;
     for (std::size_t i = 1; i <= items.size(); ++i) {
@@ -138,7 +149,8 @@ class PlaceSort {
     }
   }
 
-  // Stable, from the lowest digit up; digits that are the same in all codes are left out.
+  // A stable radix sort from the lowest digit up. Digits that are the same in all codes are
+  // skipped.
   void sort_by_code(std::span<CodedBox> items) {
     std::span<CodedBox> from = items, to = std::span(spare_).first(items.size());
     for (std::uint32_t shift = 0; shift < 3 * kGridBits; shift += kDigitBits) {
@@ -186,7 +198,7 @@ void BoxTree::make_nodes() {
   level_begin_ = std::move(levels.begin);
 }
 
-// Nodes are opened in breadth until there are so many parts.
+// Opens nodes level by level until there are so many parts.
 std::vector<BoxTree::Part> BoxTree::parts(const BoxTree& a, const BoxTree& b, std::size_t about) {
   std::vector<Part> parts, next;
   const auto add = [&](Node m, Node n) {
@@ -216,16 +228,16 @@ std::vector<BoxTree::Part> BoxTree::parts(const BoxTree& a, const BoxTree& b, st
 
 namespace {
 
-/// The times t that an inequality leaves.
+/// The interval of times t that inequalities leave.
 struct Span {
   double first;
   double last;
 };
 
-/// The bound, less what a rounding may have added.
+/// Returns the bound, less what roundings may have added.
 double loosened(double bound) { return bound - (std::fabs(bound) * kSlack + kTiny); }
 
-/// t * factor >= bound.
+/// Keeps the times with t * factor >= bound.
 void keep_at_least(Span& t, double factor, double bound) {
   const double loose = loosened(bound);
   if (factor > 0) {
@@ -239,7 +251,8 @@ void keep_at_least(Span& t, double factor, double bound) {
 
 }  // namespace
 
-// Axes along which the rays do not run come first: no division, and most boxes end there.
+// Axes along which the rays do not run are tested first, as they need no division and exclude most
+// boxes.
 bool can_enter(const BoxRay& ray, const Box3& box, double limit, double& entry) {
   Span t{0, limit};
   const auto is_still = [&](std::size_t i) {

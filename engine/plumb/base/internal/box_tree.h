@@ -1,19 +1,19 @@
-// Boxes of doubles in space and a tree over them: which boxes meet a box, a ray, the boxes of
-// another tree.
+// Boxes of doubles in space and a tree over them, which finds the boxes that meet a box, a ray, or
+// the boxes of another tree.
 //
-// Answers are about the boxes alone. Whoever wants exact answers gives boxes that surely contain
+// Answers are about the boxes alone. For exact answers a caller gives boxes that surely contain
 // what they stand for, and tests exactly what is found.
 //
 // Main flow of building:
-//  1. codes      the middle of each box on a grid of 2^21 cells an axis, bits of the axes
-//                interleaved
-//  2. sort       radix sort by code: neighbours in the order are neighbours in space. Runs of one
-//                code are sorted again on a finer grid of their own.
+//  1. codes      the code of a box is the cell of its middle on a grid of 2^21 cells for each axis,
+//                with the bits of the axes interleaved
+//  2. sort       a radix sort by code makes neighbours in the order neighbours in space. Runs of
+//                one code are sorted again on a finer grid of their own.
 //  3. nodes      four consecutive boxes make a leaf, two consecutive nodes the node above them
 //
-// The tree is full, so a node is its level and its place there, and nothing is linked. Build: O(n)
-// for each 2^21-fold step of scale in the boxes' places (all but always one), ~60 ns a box. Memory:
-// 76 bytes a box.
+// The tree is full, so a node is its level and its place there, and nothing is linked. Building
+// takes O(n) for each 2^21-fold step of scale in the places of the boxes, which is nearly always
+// one, and about 60 ns a box. The tree takes 76 bytes a box.
 #pragma once
 
 #include <algorithm>
@@ -28,14 +28,14 @@
 
 namespace plumb {
 
-/// The closed box low <= x <= high. Bounds may be infinite. Default-constructed: empty.
+/// The closed box low <= x <= high. Bounds may be infinite. A default-constructed one is empty.
 struct Box3 {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-  std::array<double, 3> low = {kInfinity, kInfinity, kInfinity};
-  std::array<double, 3> high = {-kInfinity, -kInfinity, -kInfinity};
+  std::array<double, 3> low = {kInfinity, kInfinity, kInfinity};      ///< The least coordinates.
+  std::array<double, 3> high = {-kInfinity, -kInfinity, -kInfinity};  ///< The greatest ones.
 
-  /// Have they a common point? Requires boxes that are not empty.
+  /// Whether the boxes have a common point. Requires that neither is empty.
   bool meets(const Box3& b) const {
     return low[0] <= b.high[0] && b.low[0] <= high[0] && low[1] <= b.high[1] &&
            b.low[1] <= high[1] && low[2] <= b.high[2] && b.low[2] <= high[2];
@@ -47,7 +47,7 @@ struct Box3 {
       high[i] = b.high[i] > high[i] ? b.high[i] : high[i];
     }
   }
-  /// The sum of its sides.
+  /// Returns the sum of the three sides.
   double extent() const { return (high[0] - low[0]) + (high[1] - low[1]) + (high[2] - low[2]); }
   friend bool operator==(const Box3&, const Box3&) = default;
 };
@@ -55,50 +55,51 @@ struct Box3 {
 /// The rays o + t d, t >= 0, of all points o of one box and all vectors d of another. The
 /// direction's bounds are finite; it may be one vector, such as an axis.
 struct BoxRay {
-  Box3 origin;
-  Box3 direction;
+  Box3 origin;     ///< The points o.
+  Box3 direction;  ///< The vectors d.
 };
 
-/// Can a ray meet the box at some t <= limit? If so, `entry` is a lower bound of every such t.
+/// Whether a ray may meet the box at some t <= limit. If so, sets `entry` to a lower bound of every
+/// such t.
 bool can_enter(const BoxRay& ray, const Box3& box, double limit, double& entry);
 
-/// Const members may be called from many threads.
+/// A tree over boxes. Const members may be called from several threads at once.
 class BoxTree {
  public:
   BoxTree() = default;
-  /// Over boxes[0], boxes[1], ..., at most 2^32 - 4, none of them empty, no NaNs. The order in
-  /// which queries visit boxes depends on nothing but the boxes.
+  /// Builds the tree over boxes[0], boxes[1], ... Requires at most 2^32 - 4 boxes, none of them
+  /// empty, and no NaNs. The order in which queries visit boxes depends on nothing but the boxes.
   explicit BoxTree(std::span<const Box3> boxes);
 
   std::size_t size() const { return order_.size(); }
   bool is_empty() const { return order_.empty(); }
-  /// Around all boxes.
+  /// Returns the least box that contains all boxes.
   Box3 bounds() const { return is_empty() ? Box3{} : node({top(), 0}); }
 
-  /// visit(i) for every box i that meets `query` (not empty). A visit may return bool: no more
-  /// after a false one.
+  /// Calls visit(i) for every box i that meets `query`, which must not be empty. If visit returns
+  /// bool, the first false ends the query.
   template <class Visit>
   void for_each_meeting(const Box3& query, Visit&& visit) const;
 
-  /// visit(i, j) for every box i of `a` and j of `b` that meet.
+  /// Calls visit(i, j) for every box i of `a` and j of `b` that meet.
   template <class Visit>
   static void for_each_pair(const BoxTree& a, const BoxTree& b, Visit&& visit);
 
-  /// visit(i, j) for every two different boxes that meet; each pair once, in some order.
+  /// Calls visit(i, j) for every two different boxes that meet, once for each pair, in some order.
   template <class Visit>
   void for_each_pair_inside(Visit&& visit) const;
 
   /// Part of the pairs of boxes of two trees.
   class Part;
-  /// The work of for_each_pair(), in about so many parts. Which they are depends on the boxes and
-  /// the number alone.
+  /// Returns the work of for_each_pair() in about so many parts, which depend on the boxes and the
+  /// number alone.
   static std::vector<Part> parts(const BoxTree& a, const BoxTree& b, std::size_t about);
   template <class Visit>
   static void for_each_pair(const BoxTree& a, const BoxTree& b, const Part& part, Visit&& visit);
 
-  /// limit = visit(i, entry) for boxes that the ray can enter at some t <= limit; the first limit
-  /// is given. `entry` bounds t from below. Nearer nodes come first, so that a falling limit spares
-  /// the rest; the boxes themselves do not come in an exact order.
+  /// Calls limit = visit(i, entry) for each box that the ray may enter at some t <= limit, starting
+  /// with the given limit. `entry` bounds t from below. Nearer nodes come first, so that a falling
+  /// limit spares the rest; the boxes themselves do not come in an exact order.
   template <class Visit>
   void for_each_along(const BoxRay& ray, double limit, Visit&& visit) const;
 
@@ -106,7 +107,7 @@ class BoxTree {
   static constexpr std::size_t kLeaf = 4;
   static constexpr std::size_t kMostLevels = 32;
 
-  /// A node: level 0 are the leaves.
+  /// A node. Leaves have level 0.
   struct Node {
     std::uint32_t level;
     std::uint32_t at;
@@ -115,7 +116,7 @@ class BoxTree {
   static bool opens_first(const BoxTree& a, Node m, const BoxTree& b, Node n) {
     return n.level == 0 || (m.level > 0 && a.node(m).extent() >= b.node(n).extent());
   }
-  /// Nodes still to be visited, in reverse. Going down leaves one behind on each level.
+  /// Nodes still to be visited, in reverse order. Going down leaves at most one for each level.
   template <class Item>
   struct Stack {
     std::array<Item, 2 * kMostLevels> items;
@@ -139,10 +140,10 @@ class BoxTree {
   template <class Visit>
   static void meet_leaves(const BoxTree& a, Node m, const BoxTree& b, Node n, Visit& visit);
 
-  std::vector<std::uint32_t> order_;      // numbers of the boxes, neighbours together
-  std::vector<Box3> boxes_;               // in that order; filled up with boxes that meet nothing
-  std::vector<Box3> nodes_;               // level by level, each filled up to an even number
-  std::vector<std::size_t> level_begin_;  // into nodes_
+  std::vector<std::uint32_t> order_;      // The numbers of the boxes, neighbours together.
+  std::vector<Box3> boxes_;               // In that order; filled up with boxes that meet nothing.
+  std::vector<Box3> nodes_;               // Level by level, each filled up to an even number.
+  std::vector<std::size_t> level_begin_;  // Where each level begins in nodes_.
 };
 
 class BoxTree::Part {
@@ -211,7 +212,7 @@ void BoxTree::for_each_pair_inside(Visit&& visit) const {
 
 template <class Visit>
 void BoxTree::descend_inside(Node n, Visit& visit) const {
-  if (!node(n).meets(node(n))) return;  // fills up its level
+  if (!node(n).meets(node(n))) return;  // The node only fills up its level.
   if (n.level > 0) {
     const Node m = n.child(0), o = n.child(1);
     descend_inside(m, visit);

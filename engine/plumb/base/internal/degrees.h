@@ -9,10 +9,10 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// (cos, sin) of an angle; of quarter turns exactly. Requires a finite one.
+/// Returns (cos, sin) of an angle, exactly for quarter turns. Requires a finite angle.
 inline Point2 unit_vector(double degrees) {
   constexpr double kQuarter = 90;
-  const double rest = std::remainder(degrees, 4 * kQuarter);  // exact
+  const double rest = std::remainder(degrees, 4 * kQuarter);  // This is exact.
   const double quarters = std::nearbyint(rest / kQuarter);
   const double angle = (rest - quarters * kQuarter) * (std::numbers::pi / (2 * kQuarter));
   const double c = std::cos(angle), s = std::sin(angle);

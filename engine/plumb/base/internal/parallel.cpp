@@ -25,8 +25,8 @@ class Jobs {
       others.reserve(workers);
       try {
         for (std::size_t i = 1; i < workers; ++i) others.emplace_back([this] { work(false); });
-      } catch (const std::system_error&) {  // no more threads to be had: those there are do it
-      } catch (const std::bad_alloc&) {     // nor memory for one
+      } catch (const std::system_error&) {  // There are no more threads: fewer do the work.
+      } catch (const std::bad_alloc&) {     // There is no memory for one more: likewise.
       }
       work(true);
     }
@@ -51,8 +51,8 @@ class Jobs {
 
   Context& context_;
   const std::function<void(std::size_t, Context&)>& job_;
-  std::vector<std::stop_source> stop_;     // per job
-  std::vector<std::exception_ptr> error_;  // per job
+  std::vector<std::stop_source> stop_;     // Stops each job.
+  std::vector<std::exception_ptr> error_;  // The error of each job, if it failed.
   std::atomic<std::size_t> next_ = 0;
   unsigned share_ = 1;
 };

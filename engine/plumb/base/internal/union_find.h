@@ -8,14 +8,15 @@
 
 namespace plumb {
 
-/// Path halving; the least number of a class is its root, so that roots do not depend on the order
-/// of the unions. Amortised O(log n) each.
+/// Union-find with path halving. The root of a class is its least number, so roots do not depend on
+/// the order of unions. Operations take amortized O(log n).
 class UnionFind {
  public:
   explicit UnionFind(std::size_t size) : parent_(size) {
     std::iota(parent_.begin(), parent_.end(), 0U);
   }
   std::size_t size() const { return parent_.size(); }
+  /// Returns the root of the class of i.
   std::uint32_t root(std::uint32_t i) {
     for (;;) {
       const std::uint32_t parent = parent_[i], beyond = parent_[parent];
@@ -24,7 +25,7 @@ class UnionFind {
       i = beyond;
     }
   }
-  /// False if they were in one class already.
+  /// Unites the classes of i and j. Returns false if they were one class already.
   bool unite(std::uint32_t i, std::uint32_t j) {
     i = root(i);
     j = root(j);

@@ -1,3 +1,17 @@
+// The sweep over the edges of a map: contacts of edges, and the rotation system.
+//
+// A pair of edges is counted at the first point that it has in common: not where it arrives in one
+// bundle, as it was counted before, and not where it has a common vertex, unless it leaves in one
+// bundle. The number of pairs at an event may be quadratic in the edges there, so pairs are counted
+// by sorting: all pairs less the legal ones. Only as many as are described are looked at one by
+// one.
+//
+// Without contacts, the order of incoming and outgoing edges at each event is the rotation system,
+// and the edge below the first vertex of a component says where that component lies.
+// docs/design/sweep.md proves the sweep, docs/maps.md describes the check.
+//
+// Tested by tests/plane/map_check_test.cpp and tests/plane/map_check_property_test.cpp.
+
 #include "plumb/plane/check/map_contacts.h"
 
 #include <algorithm>
@@ -14,7 +28,7 @@ constexpr std::size_t kMembersPerCheckpoint = std::size_t{1} << 16U;
 
 std::uint64_t pairs(std::uint64_t n) { return n * (n - 1) / 2; }
 
-// Sum of pairs(length) over the runs of equal keys in a sorted range.
+// Returns the sum of pairs(length) over the runs of equal keys in a sorted range.
 template <class Range, class Key>
 std::uint64_t pairs_in_runs(const Range& sorted, const Key& key) {
   std::uint64_t sum = 0;
@@ -29,10 +43,10 @@ std::uint64_t pairs_in_runs(const Range& sorted, const Key& key) {
 // An edge at an event that is not plain.
 struct Member {
   std::uint32_t edge;
-  std::uint32_t incoming;  // bundle it arrives in, or kNone
-  std::uint32_t outgoing;  // bundle it leaves in, or kNone
-  std::uint32_t vertex;    // its end point here, or kNone when it passes through
-  std::uint32_t second;    // the other end point of a zero-length edge, or kNone
+  std::uint32_t incoming;  // The bundle in which it arrives, or kNone.
+  std::uint32_t outgoing;  // The bundle in which it leaves, or kNone.
+  std::uint32_t vertex;    // Its end point here, or kNone if it passes through.
+  std::uint32_t second;    // The other end point of a zero-length edge, or kNone.
 };
 
 // An end point here, and the edge that has it.
@@ -49,8 +63,9 @@ bool share_vertex(const Member& p, const Member& q) {
          share_bundle(p.second, q.vertex) || share_bundle(p.second, q.second);
 }
 
-// Pairs are told at the first point they have in common: a pair that arrives in one bundle was told
-// before; a pair with a common vertex here is legal unless it leaves in one bundle.
+// Whether a pair is reported at this event, the first point that it has in common. A pair that
+// arrives in one bundle was reported before; a pair with a common vertex here is legal unless it
+// leaves in one bundle.
 bool is_told_here(const Member& p, const Member& q) {
   if (share_bundle(p.incoming, q.incoming)) return false;
   return share_bundle(p.outgoing, q.outgoing) || !share_vertex(p, q);
@@ -124,11 +139,11 @@ class ContactCollector final : public SweepVisitor {
   MemoryCharge memory_;
   std::uint32_t events_ = 0;
   std::size_t members_since_checkpoint_ = 0;
-  std::vector<char> is_placed_;      // per component
-  std::vector<std::uint32_t> ring_;  // half-edges leaving a vertex, counter-clockwise
+  std::vector<char> is_placed_;      // Whether each component's first vertex has been met.
+  std::vector<std::uint32_t> ring_;  // Half-edges that leave a vertex, counter-clockwise.
   SweepMembers at_event_;
   std::vector<Member> members_;
-  std::vector<EndHere> ends_;  // sorted by vertex
+  std::vector<EndHere> ends_;  // Sorted by vertex.
 };
 
 // ---------------------------------------------------------------- rotation system
@@ -140,8 +155,9 @@ void ContactCollector::place_component(const SweepEvent& event, std::uint32_t v)
   if (event.below.is_valid()) result_.rotation.edge_below[component] = event.below.value();
 }
 
-// Counter-clockwise from straight down: outgoing edges bottom to top, incoming ones top to bottom.
-// Zero-length edges have no direction; any place does, as long as it is one place.
+// Links the half-edges at a vertex counter-clockwise from straight down: outgoing edges bottom to
+// top, then incoming ones top to bottom. Zero-length edges have no direction, and may have any
+// place, as long as it is one place.
 void ContactCollector::link_around(const SweepEvent& event, std::uint32_t v) {
   ring_.clear();
   const auto add = [&](SegmentId s) {
@@ -180,7 +196,7 @@ void ContactCollector::look_at_limits() {
                       std::max<std::uint64_t>(events_, components_.of_vertex.size()));
 }
 
-// One entry per edge, sorted by edge.
+// Collects the edges at an event, one entry for each, sorted by edge.
 void ContactCollector::gather_members(const SweepEvent& event) {
   members_.clear();
   const auto add = [&](SegmentId s, std::uint32_t incoming, std::uint32_t outgoing) {
@@ -195,7 +211,8 @@ void ContactCollector::gather_members(const SweepEvent& event) {
   for (const SweepIncidence& i : at_event_.incoming()) add(i.segment, i.bundle, kNone);
   for (const SweepIncidence& i : at_event_.outgoing()) add(i.segment, kNone, i.bundle);
   for (const SegmentId s : event.zero_length) add(s, kNone, kNone);
-  // An edge that passes through stands twice, arriving first (kNone is the greatest): join the two.
+  // An edge that passes through has two entries, the arriving one first, as kNone is the greatest
+  // number. They are joined.
   std::sort(members_.begin(), members_.end(), [](const Member& p, const Member& q) {
     return std::tie(p.edge, p.incoming) < std::tie(q.edge, q.incoming);
   });
@@ -218,8 +235,8 @@ void ContactCollector::gather_ends() {
   }
 }
 
-// is_told_here() summed over all pairs, by counting: two edges share at most one vertex, so
-// "share a vertex and no bundle" is a sum over vertices.
+// Returns the number of pairs for which is_told_here() holds, by counting the others. Two edges
+// have at most one common vertex, so "a common vertex and no common bundle" is a sum over vertices.
 std::uint64_t ContactCollector::count_contacts() {
   const auto arrival = [](const Member& m) { return m.incoming; };
   std::sort(members_.begin(), members_.end(),
@@ -233,8 +250,8 @@ std::uint64_t ContactCollector::count_contacts() {
   return pairs(members_.size()) - legal;
 }
 
-// Pairs of edges that end here in one vertex and have the same bundle; without a bundle (kNone) an
-// edge is in no pair.
+// Returns the number of pairs of edges that end here in one vertex and have the same bundle. An
+// edge without a bundle (kNone) is in no pair.
 template <class Bundle>
 std::uint64_t ContactCollector::pairs_with_common_end(const Bundle& bundle) {
   const auto key = [&](const EndHere& e) { return std::pair(bundle(e), e.vertex); };
@@ -247,7 +264,8 @@ std::uint64_t ContactCollector::pairs_with_common_end(const Bundle& bundle) {
 
 // ---------------------------------------------------------------- describing
 
-// The same pairs one by one, without looking at the (possibly very many) legal ones.
+// Describes the same pairs one by one, without looking at the legal ones, of which there may be
+// very many.
 void ContactCollector::describe_contacts(const SweepEvent& event) {
   std::sort(members_.begin(), members_.end(), [](const Member& p, const Member& q) {
     return std::tie(p.second, p.vertex, p.edge) > std::tie(q.second, q.vertex, q.edge);
@@ -257,7 +275,8 @@ void ContactCollector::describe_contacts(const SweepEvent& event) {
   describe_zero_length(event);
 }
 
-// Members without `second` come first, grouped by vertex; kNone groups are single edges.
+// Describes pairs without a common vertex. Members without `second` come first, grouped by vertex;
+// those without a vertex are groups of their own.
 void ContactCollector::describe_across_vertices(const SweepEvent& event) {
   std::size_t ordinary = 0;
   while (ordinary < members_.size() && members_[ordinary].second == kNone) ++ordinary;
@@ -274,7 +293,7 @@ void ContactCollector::describe_across_vertices(const SweepEvent& event) {
   }
 }
 
-// Pairs with a common vertex that leave in one bundle.
+// Describes pairs with a common vertex that leave in one bundle.
 void ContactCollector::describe_overlaps(const SweepEvent& event) {
   std::vector<Member> leaving;
   for (const Member& m : members_) {

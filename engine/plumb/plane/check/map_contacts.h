@@ -1,5 +1,5 @@
-// What the sweep tells about the edges of a map: illegal contacts, and the way the edges lie around
-// every vertex.
+// The results of the sweep over the edges of a map: illegal contacts, and the order of the edges
+// around every vertex.
 #pragma once
 
 #include <cstdint>
@@ -12,42 +12,45 @@
 
 namespace plumb {
 
-/// Two edges that meet anywhere but at a common vertex.
+/// Two edges that meet elsewhere than at a common vertex.
 struct EdgeContact {
+  /// The kind of contact.
   enum class Kind {
-    Cross,    ///< interiors cross in one point
-    Touch,    ///< a vertex of one lies inside the other
-    Alias,    ///< two vertices with equal coordinates
-    Overlap,  ///< more than a point in common; the place is where that begins
+    Cross,    ///< The interiors cross in one point.
+    Touch,    ///< A vertex of one lies inside the other.
+    Alias,    ///< Two vertices have equal coordinates.
+    Overlap,  ///< They have more than a point in common; the place is where that begins.
   };
   Kind kind;
-  std::uint32_t edge_a;  ///< edge_a < edge_b
-  std::uint32_t edge_b;
-  std::uint32_t vertex = 0;           ///< the vertex at the place (Touch, Alias, Overlap)
-  std::optional<Crossing2> crossing;  ///< the place, for Cross
+  std::uint32_t edge_a;               ///< The edge with the lesser number.
+  std::uint32_t edge_b;               ///< The other edge.
+  std::uint32_t vertex = 0;           ///< The vertex at the place, for Touch, Alias and Overlap.
+  std::optional<Crossing2> crossing;  ///< The place, for Cross.
 };
 
-/// Rotation system and places of components; complete only when there are no contacts.
+/// The rotation system and the places of components. Complete only if there are no contacts.
 struct MapRotation {
-  std::vector<std::uint32_t> orbit_next;  ///< per half-edge: the next one of its induced face
-  std::vector<std::uint32_t> order;       ///< per vertex: its number in lexicographic order
-  std::vector<std::uint32_t> edge_below;  ///< per component: edge below its first vertex, or kNone
+  std::vector<std::uint32_t> orbit_next;  ///< The next half-edge of the induced face of each one.
+  std::vector<std::uint32_t> order;       ///< The number of each vertex in lexicographic order.
+  std::vector<std::uint32_t>
+      edge_below;  ///< The edge below each component's first vertex or kNone.
 };
 
 /// A vertex in the interior of an edge.
 struct VertexOnEdge {
-  std::uint32_t edge;
-  std::uint32_t vertex;
+  std::uint32_t edge;    ///< The edge.
+  std::uint32_t vertex;  ///< The vertex.
 };
 
+/// The results of the sweep.
 struct MapContacts {
-  std::uint64_t count = 0;             ///< all pairs of edges in contact
-  std::vector<EdgeContact> described;  ///< the first ones met by the sweep, sorted by edges
-  std::vector<VertexOnEdge> on_edge;   ///< the first ones; by edge, then along it left to right
-  MapRotation rotation;
+  std::uint64_t count = 0;             ///< The number of all pairs of edges in contact.
+  std::vector<EdgeContact> described;  ///< The first ones that the sweep meets, sorted by edges.
+  std::vector<VertexOnEdge> on_edge;   ///< The first ones, by edge, then along it left to right.
+  MapRotation rotation;                ///< The order of edges around vertices.
 };
 
-/// Sweeps the edges once. Describes at most `max_described` contacts.
+/// Sweeps the edges once. Describes at most `max_described` contacts, and counts all.
 MapContacts find_contacts(const Map& map, const MapEdges& edges, const MapComponents& components,
                           std::uint64_t max_described, Context& context);
 

@@ -1,3 +1,13 @@
+// The texts of defects and warnings, with exact places.
+//
+// Each defect names its faces and edges, the exact point with the nearest doubles, and a hint how
+// to mend it. Hints follow from the other findings: an open edge may be a T-junction, if the
+// vertices on it are joined by listed edges; a part of a border chain, which is a gap or a missing
+// outer boundary by the sign of its area; or a face that is listed the wrong way round. Faces and
+// vertices are counted from 1 in texts. docs/maps.md describes the kinds.
+//
+// Tested by tests/plane/map_check_test.cpp.
+
 #include "plumb/plane/check/map_describe.h"
 
 #include <algorithm>
@@ -10,8 +20,8 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kMaxListedCycles = 16;     // in one mixed defect
-constexpr std::size_t kMaxSpelledVertices = 12;  // in one hint
+constexpr std::size_t kMaxListedCycles = 16;     // The most cycles in one mixed defect.
+constexpr std::size_t kMaxSpelledVertices = 12;  // The most vertices in one hint.
 
 std::string number(std::size_t index) { return std::to_string(index + 1); }
 
@@ -28,6 +38,7 @@ std::string spelled(const std::vector<std::uint32_t>& vertices) {
   return text;
 }
 
+// Writes all defects, kind by kind, until there are as many as the report may have.
 class DefectWriter {
  public:
   DefectWriter(const MapFindings& findings, std::uint64_t max_defects, MapReport& report)
@@ -68,7 +79,7 @@ class DefectWriter {
   std::uint64_t max_;
   MapReport& report_;
   const PointTable2& points_;
-  std::unordered_map<std::uint32_t, std::uint32_t> chain_of_;  // unlisted half-edge -> chain
+  std::unordered_map<std::uint32_t, std::uint32_t> chain_of_;  // The chain of unlisted half-edges.
 };
 
 void DefectWriter::push(MapDefect defect, RationalPoint2 place) {
@@ -85,7 +96,7 @@ RationalPoint2 DefectWriter::midpoint(std::uint32_t u, std::uint32_t v) const {
   return {(p.x + q.x) / 2, (p.y + q.y) / 2};
 }
 
-// All cycles that use an edge, in either direction.
+// Returns all cycles that list an edge, in either direction.
 std::vector<std::uint32_t> DefectWriter::cycles_at(std::uint32_t edge) const {
   std::vector<std::uint32_t> cycles = edges().uses(2 * edge);
   const std::vector<std::uint32_t> backward = edges().uses(2 * edge + 1);
@@ -132,8 +143,8 @@ std::string DefectWriter::open_hint(std::uint32_t h) const {
   return lead + (covered.empty() ? chain_hint(h ^ 1U) : covered);
 }
 
-// A T-junction: the other side is listed in pieces, by way of vertices on the edge; or this edge is
-// such a piece itself.
+// Returns the hint for a T-junction, where the other side of an edge is listed in pieces, by way of
+// vertices on the edge; empty if it is none.
 std::string DefectWriter::covered_by(std::uint32_t h) const {
   const std::uint32_t edge = h / 2;
   const auto& on_edge = findings_.contacts.on_edge;

@@ -1,4 +1,4 @@
-// Defects and warnings in words, with places.
+// The defects and warnings of a checked map in words, with their places.
 #pragma once
 
 #include <cstdint>
@@ -11,30 +11,31 @@
 
 namespace plumb {
 
-/// A component that lies in a face of another one without being listed as its hole.
+/// A component that lies in a face of another one and is not listed as its hole.
 struct NestedComponent {
-  std::uint32_t component;
-  std::uint32_t container;  ///< the listed cycle it lies in
+  std::uint32_t component;  ///< The component.
+  std::uint32_t container;  ///< The listed cycle in which it lies.
 };
 
-/// Everything the phases of check_map found, for describing.
+/// The results of all phases of check_map().
 struct MapFindings {
-  MapEdges edges;
-  MapComponents components;
-  MapContacts contacts;
-  MapOrbits orbits;  ///< empty when there are duplicates, open edges or contacts
-  std::vector<OpenChain> chains;
-  std::vector<NestedComponent> nested;
-  std::vector<std::uint32_t> merged;    ///< vertices merged into another, ascending
-  std::vector<std::uint32_t> inferred;  ///< cycles added by OuterRule::Infer
-  bool open_is_defect = true;
+  MapEdges edges;                       ///< The edges.
+  MapComponents components;             ///< The connected components.
+  MapContacts contacts;                 ///< Contacts of edges.
+  MapOrbits orbits;                     ///< Empty if there are duplicates, open edges or contacts.
+  std::vector<OpenChain> chains;        ///< Borders that no cycle lists.
+  std::vector<NestedComponent> nested;  ///< Components that are not listed as holes.
+  std::vector<std::uint32_t> merged;    ///< Vertices merged into another, ascending.
+  std::vector<std::uint32_t> inferred;  ///< Cycles that OuterRule::Infer added.
+  bool open_is_defect = true;           ///< Whether open edges are defects.
 };
 
-/// Fills in report.defects (at most max_defects, by kind, then by position). Counts must be set.
+/// Sets report.defects: at most max_defects, by kind, then by position. Requires that the counts of
+/// the report are set.
 void describe_defects(const MapFindings& findings, std::uint64_t max_defects, MapReport& report);
 
-/// Fills in report.warnings; at most max_warnings of each kind are spelled out, then one line says
-/// how many more there are.
+/// Sets report.warnings. At most max_warnings of each kind are spelled out, then one line says how
+/// many more there are.
 void describe_warnings(const MapFindings& findings, std::uint64_t max_warnings, MapReport& report);
 
 }  // namespace plumb

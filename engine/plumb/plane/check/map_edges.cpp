@@ -1,3 +1,12 @@
+// Pairing of the directed edges of a map, its components, and the borders of what it covers.
+//
+// Directed edges are bucketed by the lesser of their vertices and sorted within a bucket, so equal
+// edges come side by side, first forward, then backward, each in the order of the listing. A border
+// is followed through the faces beside it: from a missing half-edge one goes backwards around its
+// end, from listed half-edge to listed half-edge, until the next one is missing.
+//
+// Tested by tests/plane/map_check_test.cpp and tests/plane/map_check_property_test.cpp.
+
 #include "plumb/plane/check/map_edges.h"
 
 #include <algorithm>
@@ -10,12 +19,12 @@
 namespace plumb {
 namespace {
 
-// One corner, seen from the lesser of its edge's two vertices.
+// A directed edge of the listing, seen from the lesser of its two vertices.
 struct DirectedUse {
   std::uint32_t greater;
   std::uint32_t corner;
   std::uint32_t cycle;
-  bool backward;  // runs from the greater to the lesser vertex
+  bool backward;  // Whether it runs from the greater to the lesser vertex.
 
   friend bool operator<(const DirectedUse& p, const DirectedUse& q) {
     return std::tie(p.greater, p.backward, p.corner) < std::tie(q.greater, q.backward, q.corner);
@@ -35,10 +44,12 @@ void for_each_corner(const Map& map, const Visit& visit) {
 }
 
 struct Buckets {
-  std::vector<std::uint32_t> begin;  // per vertex
+  std::vector<std::uint32_t> begin;  // Where the bucket of each vertex begins.
   std::vector<DirectedUse> uses;
 };
 
+// Buckets the directed edges by a counting sort: the counts are taken two places ahead, so that
+// after the summation each begin moves to its place while the bucket is filled.
 Buckets bucket_by_lesser_vertex(const Map& map) {
   Buckets buckets;
   buckets.begin.assign(map.vertex_count() + 2, 0);
@@ -56,6 +67,7 @@ Buckets bucket_by_lesser_vertex(const Map& map) {
   return buckets;
 }
 
+// Adds a directed edge. Equal edges must come one after the other.
 void add_use(MapEdges& edges, std::uint32_t lesser, const DirectedUse& use) {
   if (edges.ends.empty() || edges.ends.back().from != lesser ||
       edges.ends.back().to != use.greater) {
@@ -142,7 +154,7 @@ MapComponents connect(const Map& map, const MapEdges& edges) {
     parent[std::max(a, b)] = std::min(a, b);
     components.of_vertex[e.from] = components.of_vertex[e.to] = 0;
   }
-  // Roots are least in their component, so a root is numbered before its members are reached.
+  // A root is the least vertex of its component, so it is numbered before the others are reached.
   for (std::uint32_t v = 0; v < map.vertex_count(); ++v) {
     if (components.of_vertex[v] == MapComponents::kNoComponent) continue;
     const std::uint32_t root = find_root(parent, v);
@@ -154,7 +166,7 @@ MapComponents connect(const Map& map, const MapEdges& edges) {
 
 namespace {
 
-// Walks borders: needs to know, for a listed half-edge, the one before it in its cycle.
+// Walks borders. For that it finds the half-edge before a listed one in its cycle.
 class BorderWalker {
  public:
   BorderWalker(const Map& map, const MapEdges& edges) : map_(map), edges_(edges) {
@@ -183,7 +195,7 @@ class BorderWalker {
 
   const Map& map_;
   const MapEdges& edges_;
-  std::vector<std::uint32_t> corner_of_;  // per listed half-edge
+  std::vector<std::uint32_t> corner_of_;  // The corner of each listed half-edge.
 };
 
 }  // namespace
@@ -195,6 +207,8 @@ std::vector<std::uint32_t> cycle_of_chain(const MapEdges& edges, const OpenChain
   return cycle;
 }
 
+// Every unlisted half-edge whose twin is listed is in exactly one chain, because after() is
+// one-to-one.
 std::vector<OpenChain> trace_open_chains(const Map& map, const MapEdges& edges) {
   const BorderWalker walker(map, edges);
   std::vector<char> seen(edges.halfedge_count(), 0);

@@ -1,7 +1,8 @@
-// The undirected edges of a listed map, and who uses them.
+// The undirected edges of a listed map, the cycles that list them, the connected components, and
+// the borders of what the cycles cover.
 //
 // Half-edges are numbered by edge: half-edge 2e runs from ends[e].from to ends[e].to, 2e+1 back. A
-// half-edge that no cycle lists exists all the same (its cycle is kNoCycle): it is "open".
+// half-edge that no cycle lists exists all the same; its cycle is kNoCycle.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +16,20 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
+/// The edges of a map.
 struct MapEdges {
   static constexpr std::uint32_t kNoCycle = std::numeric_limits<std::uint32_t>::max();
 
-  /// A use of a half-edge beyond its first.
+  /// A listing of a half-edge beyond its first.
   struct ExtraUse {
-    std::uint32_t halfedge;
-    std::uint32_t cycle;
+    std::uint32_t halfedge;  ///< The half-edge.
+    std::uint32_t cycle;     ///< The cycle that lists it again.
   };
 
-  std::vector<SweepSegment> ends;        ///< per edge; from < to as indices
-  std::vector<std::uint32_t> cycle_of;   ///< per half-edge: the cycle that lists it (first use)
-  std::vector<ExtraUse> extra_uses;      ///< ascending by half-edge, then by position in the input
-  std::vector<std::uint32_t> at_corner;  ///< per corner of the listing: its half-edge
+  std::vector<SweepSegment> ends;        ///< The ends of each edge; from < to as indices.
+  std::vector<std::uint32_t> cycle_of;   ///< The first cycle that lists each half-edge.
+  std::vector<ExtraUse> extra_uses;      ///< By half-edge, then by position in the input.
+  std::vector<std::uint32_t> at_corner;  ///< The half-edge of each corner of the listing.
 
   std::size_t edge_count() const { return ends.size(); }
   std::size_t halfedge_count() const { return cycle_of.size(); }
@@ -35,45 +37,51 @@ struct MapEdges {
     return (h & 1U) == 0 ? ends[h >> 1U].from : ends[h >> 1U].to;
   }
   std::uint32_t target(std::uint32_t h) const { return origin(h ^ 1U); }
-  bool is_open(std::uint32_t h) const {  // listed, but its twin is not
+  /// Whether h is listed and its twin is not.
+  bool is_open(std::uint32_t h) const {
     return cycle_of[h] != kNoCycle && cycle_of[h ^ 1U] == kNoCycle;
   }
-  /// All cycles that list half-edge h, one entry per use.
+  /// Returns all cycles that list half-edge h, one entry for each time.
   std::vector<std::uint32_t> uses(std::uint32_t h) const;
-  /// A cycle that lists edge e in both directions, or kNoCycle.
+  /// Returns a cycle that lists edge e in both directions, or kNoCycle.
   std::uint32_t cycle_on_both_sides(std::uint32_t e) const;
-  /// The edge {u, v}, or edge_count() when there is none. O(log n): edges are sorted by their ends.
+  /// Returns the edge {u, v}, or edge_count() if there is none. O(log n), as edges are sorted by
+  /// their ends.
   std::size_t find(std::uint32_t u, std::uint32_t v) const;
 };
 
-/// Buckets the directed edges by their lesser vertex and pairs them. O(n) plus the sorting of the
-/// edges at each vertex; the order of `ends` depends on the set of edges only.
+/// Returns the edges of a map: buckets the directed edges by their lesser vertex and pairs them.
+/// O(n) and the sorting of the edges at each vertex. The order of `ends` depends on the set of
+/// edges only.
 MapEdges match_twins(const Map& map);
 
-/// Connected parts of the edge graph: per vertex a component number (kNoComponent: no edge).
+/// The connected components of the edge graph.
 struct MapComponents {
   static constexpr std::uint32_t kNoComponent = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> of_vertex;
-  std::size_t count = 0;
+  std::vector<std::uint32_t>
+      of_vertex;          ///< The component of each vertex; kNoComponent without edge.
+  std::size_t count = 0;  ///< The number of components.
 };
+/// Returns the components, numbered by their least vertices. O(n a(n)).
 MapComponents connect(const Map& map, const MapEdges& edges);
 
-// Borders of what the listed cycles cover: chains of half-edges that nobody lists.
+// Borders of what the listed cycles cover: chains of half-edges that no cycle lists.
 
 /// A closed chain of unlisted half-edges whose twins are listed, in the direction in which a cycle
 /// that closes the map would list them.
 struct OpenChain {
-  std::vector<std::uint32_t> halfedges;
-  /// Negative: clockwise, the outer boundary of a part of the map is missing. Positive: a gap, a
-  /// face is missing. Zero: a slit without area.
+  std::vector<std::uint32_t> halfedges;  ///< The half-edges in order.
+  /// The sign of the area: Negative for a clockwise chain, the missing outer boundary of a part of
+  /// the map; Positive for a gap, a missing face; Zero for a slit without area.
   Sign area;
 };
 
-/// All chains, by their least half-edge. Requires no duplicate uses (then every chain closes); at a
-/// vertex where several borders meet each turns so as to stay with the same faces. O(n).
+/// Returns all chains, by their least half-edges. At a vertex where several borders meet, each
+/// turns so that it stays with the same faces. Requires that no half-edge is listed twice, as then
+/// every chain closes. O(n).
 std::vector<OpenChain> trace_open_chains(const Map& map, const MapEdges& edges);
 
-/// The vertices of a chain, as a cycle to list.
+/// Returns the vertices of a chain, as a cycle to list.
 std::vector<std::uint32_t> cycle_of_chain(const MapEdges& edges, const OpenChain& chain);
 
 }  // namespace plumb

@@ -1,3 +1,13 @@
+// The faces that the edges of a map induce, and the nesting of components.
+//
+// Following the rotation system gives orbits, one boundary cycle each. Whether an orbit is the
+// outside of its component is seen at its lexicographically first vertex, where all edges lead to
+// the right: it is if some corner there contains the direction to the left. A component lies in the
+// face above the edge that is next below its first vertex; components are settled in the order of
+// those vertices, so the one with that edge is settled before.
+//
+// Tested by tests/plane/map_check_test.cpp and tests/plane/map_check_property_test.cpp.
+
 #include "plumb/plane/check/map_orbits.h"
 
 #include <algorithm>
@@ -28,14 +38,14 @@ class OrbitTracer {
   }
 
  private:
-  // What one walk around an orbit finds.
+  // The result of one walk around an orbit.
   struct Walk {
-    std::uint32_t first;    // a half-edge leaving the lexicographically first vertex
-    bool has_outer_corner;  // some corner there looks to the far left: the orbit is an outside
-    bool single_cycle;      // at most one listed cycle has half-edges in it
-    std::uint32_t cycle;
-    std::uint32_t length;
-    bool complete;
+    std::uint32_t first;    // A half-edge that leaves the lexicographically first vertex.
+    bool has_outer_corner;  // Whether some corner there opens to the left: it is an outside.
+    bool single_cycle;      // Whether at most one listed cycle has half-edges in it.
+    std::uint32_t cycle;    // The least such cycle, or kNone.
+    std::uint32_t length;   // The number of half-edges.
+    bool complete;          // Whether all of them are listed.
   };
 
   void trace(std::uint32_t start);
@@ -50,7 +60,8 @@ class OrbitTracer {
   const MapComponents& components_;
   const MapRotation& rotation_;
   MapOrbits result_;
-  std::vector<FilteredSign> area_sign_;  // per listed cycle, Unsure: not asked yet
+  std::vector<FilteredSign>
+      area_sign_;  // The sign of each listed cycle's area; Unsure if not known.
 };
 
 void OrbitTracer::trace(std::uint32_t start) {
@@ -97,9 +108,9 @@ void OrbitTracer::visit_corner(std::uint32_t arriving, std::uint32_t leaving, Wa
   if (turn != Sign::Positive) w.has_outer_corner = true;
 }
 
-// An orbit is mixed when it is not the boundary its listed cycles claim: a bounded face must be one
-// counter-clockwise cycle, an outside must be clockwise cycles only. (An orbit nobody lists is a
-// gap, told as open edges.)
+// Whether an orbit is not the boundary that its listed cycles claim: a bounded face must be one
+// counter-clockwise cycle, an outside must be clockwise cycles only. An orbit of which nothing is
+// listed is a gap, which open edges report.
 bool OrbitTracer::is_mixed(const Walk& w) {
   if (w.cycle == kNone) return false;
   const bool is_the_cycle = w.complete && w.single_cycle && w.length == map_.cycle(w.cycle).size();
@@ -144,7 +155,8 @@ std::vector<std::uint32_t> cycles_of_orbit(const MapEdges& edges, const MapRotat
   return cycles;
 }
 
-// Components are settled in the order of their first vertices: the component below was first.
+// Components are settled in the order of their first vertices, so the component below is settled
+// before.
 std::vector<std::uint32_t> nest_components(const MapEdges& edges, const MapComponents& components,
                                            const MapRotation& rotation, const MapOrbits& orbits) {
   std::vector<std::uint32_t> by_order(components.count);

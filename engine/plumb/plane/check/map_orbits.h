@@ -1,7 +1,8 @@
-// Faces of the graph that a listing's edges really induce, and how the listed cycles fit them.
+// The faces that the edges of a map really induce, and how the listed cycles fit them.
 //
-// An orbit is one boundary cycle of an induced face: follow orbit_next. It runs counter-clockwise
-// when it is the outer boundary of a bounded face, clockwise when it is the outside of a component.
+// An orbit is one boundary cycle of an induced face: a cycle of orbit_next. It runs
+// counter-clockwise if it is the outer boundary of a bounded face, clockwise if it is the outside
+// of a component.
 #pragma once
 
 #include <cstdint>
@@ -12,35 +13,37 @@
 
 namespace plumb {
 
+/// The orbits of a map.
 struct MapOrbits {
+  /// One orbit.
   struct Orbit {
-    std::uint32_t halfedge;  ///< one of them, leaving its lexicographically first vertex
-    std::uint32_t cycle;     ///< a listed cycle with half-edges in it, or kNone
-    bool counterclockwise;
-    bool mixed;     ///< defect: see is_mixed() in map_orbits.cpp
-    bool complete;  ///< every half-edge of it is listed
+    std::uint32_t halfedge;  ///< A half-edge that leaves its lexicographically first vertex.
+    std::uint32_t cycle;     ///< The least listed cycle with half-edges in it, or kNone.
+    bool counterclockwise;   ///< Whether it is the outer boundary of a bounded face.
+    bool mixed;              ///< Whether it is a defect, as is_mixed() in map_orbits.cpp says.
+    bool complete;           ///< Whether every half-edge of it is listed.
   };
 
-  std::vector<Orbit> orbits;
-  std::vector<std::uint32_t> of_halfedge;
-  std::vector<std::uint32_t> outside;  ///< per component: its clockwise orbit
+  std::vector<Orbit> orbits;               ///< All orbits, by their least half-edges.
+  std::vector<std::uint32_t> of_halfedge;  ///< The orbit of each half-edge.
+  std::vector<std::uint32_t> outside;      ///< The clockwise orbit of each component.
 };
 
-/// Requires a map without duplicate uses and without contacts. O(n); exact areas of cycles are
-/// taken only where orbits and listed cycles differ.
+/// Returns the orbits. Requires a map in which no half-edge is listed twice, without contacts.
+/// O(n); exact areas of cycles are computed only where orbits and listed cycles differ.
 MapOrbits trace_orbits(const Map& map, const MapEdges& edges, const MapComponents& components,
                        const MapRotation& rotation);
 
-/// The listed cycles with half-edges in an orbit, ascending.
+/// Returns the listed cycles with half-edges in the orbit of a half-edge, ascending.
 std::vector<std::uint32_t> cycles_of_orbit(const MapEdges& edges, const MapRotation& rotation,
                                            std::uint32_t halfedge);
 
-/// For each component the orbit it lies in: a counter-clockwise one, or kNone for the unbounded
-/// face.
+/// Returns for each component the orbit in which it lies: a counter-clockwise one, or kNone for the
+/// unbounded face.
 std::vector<std::uint32_t> nest_components(const MapEdges& edges, const MapComponents& components,
                                            const MapRotation& rotation, const MapOrbits& orbits);
 
-/// Vertices at which one orbit passes more than once, ascending.
+/// Returns the vertices that one orbit passes more than once, ascending.
 std::vector<std::uint32_t> find_pinches(const Map& map, const MapEdges& edges,
                                         const MapOrbits& orbits);
 

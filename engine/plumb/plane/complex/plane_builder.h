@@ -1,20 +1,22 @@
-// Builds the complex of a sweep: the visitor that carries labels upward and keeps what is needed.
+// Builds the complex of a sweep: the visitor that carries labels upward and keeps the cells of the
+// minimal form. docs/design/sweep.md proves that labels are known (Lemma 2) and that the kept cells
+// are the minimal complex (Lemma 3).
 //
-// Notation: a label says what a face of the arrangement is (for a Boolean: the faces of both
-// operands it is part of; for polygons: a winding number). The value of a bundle says what its
-// curves are together; an event tells which curves join and leave, so it costs what changes. The
-// rule knows what both mean:
+// Notation: a label says what a face of the arrangement is (for a Boolean, the faces of both
+// operands that it is part of; for polygons, a winding number). The value of a bundle says what its
+// curves are together; an event reports which curves join and leave, so it costs what changes. The
+// rule defines what both mean:
 //
 //   struct Rule {
 //     using Label = ...;                      // small values
-//     using Value = ...;                      // of no curve: Value()
-//     static constexpr bool kKeepsAll;        // keep every piece and point (an arrangement)?
-//     static constexpr bool kKeepsLabels;     // are the labels of faces asked for afterwards?
-//     Label bottom();                         // of face 0
-//     void begin_change();                    // the next ones until another change one bundle's
-//                                             value
-//     void join(Value&, SegmentId);           // a curve that starts in a bundle
-//     void leave(Value&, SegmentId);          // a curve that ends in it
+//     using Value = ...;                      // Value() for no curve
+//     static constexpr bool kKeepsAll;        // whether every piece and point is kept
+//     static constexpr bool kKeepsLabels;     // whether build() returns the labels of faces
+//     Label bottom();                         // the label of face 0
+//     void begin_change();                    // joins and leaves up to the next call change one
+//                                             // value
+//     void join(Value&, SegmentId);           // a curve starts in a bundle
+//     void leave(Value&, SegmentId);          // a curve ends in it
 //     Label above(Label below, Value);        // across a bundle, upward (leftward if vertical)
 //     Label below(Label above, Value);        // and back
 //     bool face_mark(Label);
@@ -24,24 +26,26 @@
 //     void keep_edge(Value);                  // the next edge begins with a piece of this value
 //   };
 //
-// Main flow of on_event:
-//  1. face_below        label and support of the face just below (right of) the event, from the
-//                       bundle there; the support is a kept half-edge with that face to its left
-//  2. label_outgoing    labels upward across the outgoing bundles; a piece is kept if its mark
-//                       differs from a face beside it
-//  3. place_vertex      nothing kept: an isolated vertex, if its mark differs from its face;
-//                       one kept piece in and one out, on one line, equal marks: the edge passes;
-//                       else a vertex
-//  4. start_edges       new edges for the kept outgoing pieces; states for all
-// and of build():
+// Main flow of on_event():
+//  1. face_below        reads the label and support of the face just below (right of) the event
+//                       from the bundle there; the support is a kept half-edge with that face to
+//                       its left
+//  2. label_outgoing    labels the outgoing bundles upward; a piece is kept if its mark differs
+//                       from that of a face beside it
+//  3. place_vertex      decides on a vertex: if nothing is kept here, an isolated one if its mark
+//                       differs from that of its face; if one kept piece ends and one starts, on
+//                       one line and with equal marks, none, and the edge passes; else a vertex
+//  4. start_edges       starts edges for the kept outgoing pieces, and sets the states of all
+// Main flow of build():
 //  5. close_frame, trace_loops (plane_draft.h)
-//  6. class_loops       a loop is the outside of its component if its first vertex opens there to
-//                       the left; it lies in the face of that vertex's support
+//  6. class_loops       finds the face of each loop: a loop is the outside of its component if its
+//                       first vertex opens there to the left, and lies in the face of that vertex's
+//                       support
 //  7. finish
 //
-// Why one pass gives the minimal form: the kept pieces do not depend on each other, faces are what
-// they leave connected, and a vertex is needed unless nothing but one straight edge, or one face,
-// of its own mark is at it.
+// One pass gives the minimal form because the kept pieces do not depend on each other, faces are
+// the connected parts that they leave, and a vertex is needed unless nothing but one straight edge,
+// or one face, of its own mark is at it.
 #pragma once
 
 #include <algorithm>
@@ -58,23 +62,24 @@
 
 namespace plumb {
 
-/// The curves and points a complex is built from.
+/// The curves and points from which a complex is built.
 struct SweepInput {
-  PlanePoints points;
-  std::vector<SweepCurve> curves;
-  std::vector<std::uint32_t> stops;  ///< points that are events whatever starts or ends there
+  PlanePoints points;                ///< All points to which curves and stops refer.
+  std::vector<SweepCurve> curves;    ///< The curves.
+  std::vector<std::uint32_t> stops;  ///< Points that are events whether curves end there or not.
 };
 
 /// What a rule may ask about the place of a vertex.
 template <class Rule>
 struct PlaneSurroundings {
-  typename Rule::Label below;  ///< label of the face just below (right of) the place
-  const SweepEvent& event;
-  std::span<const typename Rule::Value> incoming;  ///< of bundles; none at plain events
-  bool any_marked;                                 ///< is a piece or a face at the place marked?
-  bool all_marked;                                 ///< are all of them?
+  typename Rule::Label below;  ///< The label of the face just below (right of) the place.
+  const SweepEvent& event;     ///< The event.
+  std::span<const typename Rule::Value> incoming;  ///< Values of bundles; none at plain events.
+  bool any_marked;                                 ///< Whether any piece or face there is marked.
+  bool all_marked;                                 ///< Whether all of them are.
 };
 
+/// The visitor of a sweep that builds the complex. See the head of this file.
 template <class Rule>
 class PlaneBuilder final : public SweepVisitor {
  public:
@@ -96,30 +101,32 @@ class PlaneBuilder final : public SweepVisitor {
   }
   bool on_event(const SweepEvent& event) override;
 
-  /// After the sweep of a renumbered scene: `to` per input point the number it has in `points` of
-  /// build().
+  /// Gives each input point i the number to[i], which it has in the `points` of build(). For scenes
+  /// that were renumbered. To be called after the sweep.
   void rename_points(std::span<const std::uint32_t> to);
-  /// After the sweep. Label of each ordinary face in `labels`, if the rule keeps them.
+  /// Returns the complex after the sweep. Sets `labels` to the label of each ordinary face, if the
+  /// rule keeps them.
   PlaneComplex build(PlanePoints points, std::vector<Label>* labels = nullptr);
 
  private:
-  /// A bundle and what lies above it, by the curve that names it.
+  /// A bundle and the face above it, kept under the curve that names it.
   struct State {
-    Value value{};
-    Label above{};
-    HalfedgeId support;  ///< the face above lies left of it; invalid: face 0 of the first bottom
-    EdgeId edge;         ///< the kept edge; invalid: not kept
-    bool mark = false;   ///< of the pieces
-    bool mark_above = false;  ///< of the face above
+    Value value{};            ///< What the curves of the bundle are.
+    Label above{};            ///< The label of the face above.
+    HalfedgeId support;       ///< Has the face above to its left; not valid if that is face 0.
+    EdgeId edge;              ///< The kept edge; not valid if the piece is not kept.
+    bool mark = false;        ///< The mark of the piece.
+    bool mark_above = false;  ///< The mark of the face above.
   };
-  /// A vertex with nothing kept to its left: the corner there, and what is below.
+  /// A vertex with nothing kept to its left.
   struct Opening {
     VertexId vertex;
-    HalfedgeId corner;  ///< invalid: the vertex is isolated
-    HalfedgeId support;
+    HalfedgeId corner;   ///< Leaves the vertex at its left corner; not valid if it is isolated.
+    HalfedgeId support;  ///< The support of the face below the vertex.
   };
+  /// An outgoing bundle of the event at hand.
   struct Piece {
-    SegmentId curve;  // names the bundle
+    SegmentId curve;  // Names the bundle.
     State state;
     Label below;
     bool mark_below;
@@ -149,7 +156,7 @@ class PlaneBuilder final : public SweepVisitor {
 
   PlaneFaceClasses class_loops(const PlaneLoops& loops, HalfedgeId bottom_frame) const;
 
-  /// Measured: with two edges a vertex the whole work peaks at 320 bytes a vertex.
+  /// Measured: with two edges for each vertex the whole work peaks at 320 bytes a vertex.
   static constexpr std::uint64_t kBytesPerVertex = 320;
   static constexpr std::size_t kVerticesPerCharge = 4096;
   static constexpr std::uint64_t kBytesPerCurve = 200;
@@ -160,22 +167,22 @@ class PlaneBuilder final : public SweepVisitor {
   MemoryCharge memory_;
   const SweepCurves* curves_ = nullptr;
   PlaneDraft draft_;
-  std::vector<Label> labels_;  // per half-edge: of the face to its left
+  std::vector<Label> labels_;  // The label of the face to the left of each half-edge.
   std::vector<Crossing2> new_crossings_;
-  std::vector<State> states_;  // per curve that names an active bundle
-  State bottom_;               // below everything
-  Label first_bottom_;         // of face 0
+  std::vector<State> states_;  // The state of the bundle that each curve names.
+  State bottom_;               // The face below everything.
+  Label first_bottom_;         // The label of face 0.
   std::vector<Opening> openings_;
-  std::vector<HalfedgeId> left_ends_, right_ends_, up_ends_, down_ends_;  // in sweep order
+  std::vector<HalfedgeId> left_ends_, right_ends_, up_ends_, down_ends_;  // In sweep order.
 
   // The event at hand.
   struct Incoming {
     EdgeId edge;
     SegmentId curve;
   };
-  std::vector<Incoming> kept_in_;  // bottom to top
-  std::vector<Value> values_in_;   // bottom to top
-  std::vector<Piece> pieces_;      // outgoing, bottom to top
+  std::vector<Incoming> kept_in_;  // Kept incoming edges, bottom to top.
+  std::vector<Value> values_in_;   // Values of incoming bundles, bottom to top.
+  std::vector<Piece> pieces_;      // Outgoing bundles, bottom to top.
   std::size_t kept_out_ = 0;
   bool any_marked_ = false;
   bool all_marked_ = true;
@@ -282,7 +289,8 @@ bool PlaneBuilder<Rule>::vertex_mark(const SweepEvent& event, const State& below
       PlaneSurroundings<Rule>{below.above, event, values_in_, any_marked_, all_marked_});
 }
 
-/// Does the one kept piece to the left go straight on in the one to the right?
+/// Whether the one kept piece to the left goes straight on in the one to the right, with its mark
+/// and that of the place.
 template <class Rule>
 bool PlaneBuilder<Rule>::passes(bool mark) const {
   if (Rule::kKeepsAll || kept_in_.size() != 1 || kept_out_ != 1) return false;
@@ -361,7 +369,8 @@ EdgeId PlaneBuilder<Rule>::new_edge(VertexId left, const Piece& piece) {
   return e;
 }
 
-/// States of all outgoing pieces; edges for those that are kept and do not go on with one.
+/// Sets the states of all outgoing pieces, and starts edges for those that are kept and do not
+/// continue one. Without a left vertex new edges come from infinity.
 template <class Rule>
 void PlaneBuilder<Rule>::start_edges(VertexId left, HalfedgeId support) {
   for (Piece& piece : pieces_) {
@@ -377,7 +386,8 @@ void PlaneBuilder<Rule>::start_edges(VertexId left, HalfedgeId support) {
 
 // ---------------------------------------------------------------- ends at infinity
 
-/// The face left of the vertical is the bottom so far; the one to its right is the new bottom.
+/// The face to the left of the vertical is the bottom so far; the one to its right is the new
+/// bottom.
 template <class Rule>
 void PlaneBuilder<Rule>::start_vertical(const SweepEvent& event) {
   const Value value = value_of(event, 0);

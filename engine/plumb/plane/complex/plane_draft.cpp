@@ -1,3 +1,17 @@
+// Complexes under construction, and the minimal form in linear time.
+//
+// Numbering is canonical, so that equal sets have equal arrays: vertices in lexicographic order,
+// edges as a sweep meets them, loops by least half-edge, faces by least half-edge with face 0 first
+// and the face beyond the frame last, and input points in their order with those left out to which
+// nothing refers.
+//
+// simplify() drops edges first. Whether an edge is dropped depends on the marks of its old faces,
+// which are equal where faces are joined, so the order does not matter; the same holds for vertices
+// once edges are settled (docs/design/sweep.md, Lemma 3). Kept edges stay in the order of the
+// sweep, because a chain takes the place of its first edge.
+//
+// Tested by tests/plane/nef2_test.cpp and tests/plane/sweep_unbounded_test.cpp.
+
 #include "plumb/plane/complex/plane_draft.h"
 
 #include <algorithm>
@@ -13,8 +27,8 @@ constexpr std::uint32_t kNoFace = FaceId::kInvalid;
 
 // ---------------------------------------------------------------- faces
 
-// Face 0 first, then by least half-edge, then faces without any (there is at most one: the whole
-// plane, which is face 0); the face beyond the frame has the greatest half-edges and comes last.
+// Numbers the faces: face 0 first, then by least half-edge. Only face 0 may have no half-edge. The
+// face beyond the frame has the greatest half-edges and comes last.
 class FaceNumbers {
  public:
   FaceNumbers(const PlaneLoops& loops, const PlaneFaceClasses& classes)
@@ -38,12 +52,12 @@ class FaceNumbers {
   }
 
   std::vector<std::uint32_t> face_of_class_;
-  std::vector<HalfedgeId> first_;  // per face
+  std::vector<HalfedgeId> first_;  // The least half-edge of each face.
 };
 
 // ---------------------------------------------------------------- points
 
-// Keeps the points that vertices, lines and kept crossings name, in their order.
+// Keeps the points to which vertices, lines and kept crossings refer, in their order.
 class PointCompaction {
  public:
   PointCompaction(const PlaneDraft& draft, const PlanePoints& points)
@@ -128,8 +142,8 @@ EdgeId PlaneDraft::add_edge(VertexId left, PlaneLine edge_line, bool mark, bool 
   return e;
 }
 
-// Between two neighbours, counter-clockwise, lies a corner of the face left of the first: who
-// arrives along the second goes on along the first.
+// Between two neighbours, counter-clockwise, lies a corner of the face to the left of the first
+// one; so the half-edge that arrives along the second is followed by the first.
 void PlaneDraft::link_ring(std::span<const HalfedgeId> leaving) {
   for (std::size_t i = 0; i < leaving.size(); ++i) {
     const HalfedgeId after = leaving[i + 1 < leaving.size() ? i + 1 : 0];
@@ -137,6 +151,8 @@ void PlaneDraft::link_ring(std::span<const HalfedgeId> leaving) {
   }
 }
 
+// The ends come counter-clockwise around the plane, so the frame edge from each end to the next has
+// the face between the two to its left, and its twin has the face beyond.
 HalfedgeId close_frame(PlaneDraft& draft) {
   const std::size_t n = draft.ends.size();
   if (n == 0) return HalfedgeId();
@@ -176,6 +192,8 @@ PlaneLoops trace_loops(const PlaneDraft& draft) {
   return loops;
 }
 
+// Vertices are in lexicographic order, so the least id is the least vertex. Frame vertices have ids
+// beyond all others and no place in that order.
 std::vector<VertexId> least_vertices(const PlaneDraft& draft, const PlaneLoops& loops) {
   std::vector<VertexId> least(loops.count());
   std::vector<std::uint8_t> is_along_frame(loops.count(), 0);
@@ -217,7 +235,7 @@ FinishedDraft finish(const PlaneDraft& draft, const PlaneLoops& loops,
 
 namespace {
 
-// Faces merged so far, by the least of each set.
+// The faces that have been joined: union-find with the least of each set as its root.
 class MergedFaces {
  public:
   explicit MergedFaces(std::size_t count) : parent_(count) {
@@ -239,6 +257,7 @@ class MergedFaces {
   std::vector<std::uint32_t> parent_;
 };
 
+// One run of simplify().
 class Simplifier {
  public:
   explicit Simplifier(PlaneComplex& complex)
@@ -279,13 +298,13 @@ class Simplifier {
   const Dcel& dcel_;
   MergedFaces faces_;
   PlaneDraft draft_;
-  std::vector<std::uint8_t> is_kept_;     // per old edge
-  std::vector<EdgeId> continues_;         // per old edge: the one it goes on with, to the right
-  std::vector<VertexId> vertex_;          // new by old; invalid: gone
-  std::vector<HalfedgeId> halfedge_;      // new by old, at the ends of chains
-  std::vector<HalfedgeId> old_halfedge_;  // old by new, any one of the chain
-  std::vector<FaceId> isolated_face_;     // per entry of draft_.isolated: old face
-  std::vector<HalfedgeId> kept_here_;     // leaving half-edges, counter-clockwise
+  std::vector<std::uint8_t> is_kept_;     // Whether each old edge stays.
+  std::vector<EdgeId> continues_;         // The edge with which each old edge goes on to the right.
+  std::vector<VertexId> vertex_;          // The new vertex of each old one; not valid if dropped.
+  std::vector<HalfedgeId> halfedge_;      // The new half-edge of old ones at the ends of chains.
+  std::vector<HalfedgeId> old_halfedge_;  // An old half-edge of each new one.
+  std::vector<FaceId> isolated_face_;     // The old face of each entry of draft_.isolated.
+  std::vector<HalfedgeId> kept_here_;     // Kept half-edges that leave a vertex, counter-clockwise.
 };
 
 void Simplifier::drop_edges() {
@@ -305,12 +324,17 @@ void Simplifier::collect_kept(VertexId v) {
   }
 }
 
+// Whether the two kept edges at a vertex lie on one line. Pieces of one curve have the same two
+// points, so arithmetic is rarely needed.
 bool Simplifier::is_straight() const {
   const PlaneLine& k = complex_.line[edge_of(kept_here_[0]).value()];
   const PlaneLine& l = complex_.line[edge_of(kept_here_[1]).value()];
   return k == l || cross_sign(complex_.points.inputs, k.a, k.b, l.a, l.b) == Sign::Zero;
 }
 
+// Drops a vertex, or keeps it. A vertex between two kept edges on one line is dropped if all three
+// have one mark; the edge that arrives from the left then continues in the one that leaves to the
+// right.
 void Simplifier::place_vertex(VertexId v) {
   const bool mark = complex_.mark(v);
   collect_kept(v);
@@ -337,6 +361,9 @@ void Simplifier::place_vertices() {
   for (std::size_t i = 0; i < complex_.vertex_count(); ++i) place_vertex(VertexId(i));
 }
 
+// Makes one edge of a chain, with the line and marks of its first edge, which all edges of it
+// share. Only the half-edges at the two ends get new numbers, as no others are looked up at
+// vertices.
 void Simplifier::add_chain(EdgeId first) {
   const VertexId from = dcel_.origin(first_half(first));
   const EdgeId e =
@@ -353,7 +380,7 @@ void Simplifier::add_chain(EdgeId first) {
   old_halfedge_.push_back(twin(first_half(first)));
 }
 
-// A chain begins where an edge is not gone on to from the left.
+// A chain begins with each kept edge whose left end stays or is at infinity.
 void Simplifier::chain_edges() {
   for (std::size_t i = 0; i < is_kept_.size(); ++i) {
     const EdgeId e(i);
@@ -370,7 +397,7 @@ void Simplifier::link_vertices() {
   }
 }
 
-// The frame's vertices are numbered counter-clockwise from face 0.
+// The frame's vertices are numbered counter-clockwise from face 0, so the kept ends come in order.
 void Simplifier::collect_ends() {
   for (std::size_t v = complex_.vertex_count(); v < dcel_.vertex_count(); ++v) {
     for (const HalfedgeId h : dcel_.around(VertexId(v))) {
@@ -380,6 +407,8 @@ void Simplifier::collect_ends() {
   }
 }
 
+// The class of a loop is the joined face of any old half-edge of it; loops along the frame from
+// outside have a class of their own.
 PlaneFaceClasses Simplifier::class_loops(const PlaneLoops& loops) {
   const std::uint32_t beyond = static_cast<std::uint32_t>(dcel_.face_count());
   PlaneFaceClasses classes;
@@ -407,6 +436,8 @@ PlaneComplex Simplifier::run() {
   return finish(draft_, loops, classes, std::move(complex_.points)).complex;
 }
 
+// Combines the mark of each edge with those of the faces beside it, and the mark of each vertex
+// with those of all cells around it.
 template <class Combine>
 PlaneMarks neighbourhood_marks(const PlaneComplex& complex, Combine boolean_op) {
   PlaneMarks marks = complex.marks;
@@ -423,7 +454,7 @@ PlaneMarks neighbourhood_marks(const PlaneComplex& complex, Combine boolean_op) 
     if (complex.dcel.is_isolated(v)) {
       mark = boolean_op(mark, complex.mark(complex.dcel.face(complex.dcel.isolated_loop(v))));
     } else {
-      // The new marks of the edges already hold those of the faces beside them.
+      // The new marks of the edges already include those of the faces beside them.
       for (const HalfedgeId h : complex.dcel.around(v)) {
         mark = boolean_op(mark, marks.edge[edge_of(h).value()] != 0);
       }

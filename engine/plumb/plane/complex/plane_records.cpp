@@ -1,3 +1,13 @@
+// Complexes as plain lists, and their check by a sweep.
+//
+// A list is taken as true only as far as a sweep confirms it: indices and lines are checked first,
+// then the listed edges are swept with their listed marks as labels, and the result is listed
+// again. If both lists agree, the listed marks are those of the faces that the edges really bound,
+// edges meet at vertices only, and everything is in its order. For a set, simplify() must change
+// nothing besides.
+//
+// Tested by tests/plane/plane_records_test.cpp and tests/io/plane_io_test.cpp.
+
 #include "plumb/plane/complex/plane_records.h"
 
 #include <algorithm>
@@ -28,12 +38,12 @@ const char* name_of(Kind kind) {
   throw RecordError(kind, index, why);
 }
 
-// Every piece is kept; labels are the marks listed with the edges. What is inconsistent shows when
-// the result is listed again.
+// The rule of the sweep: every piece is kept, and labels are the marks listed with the edges. Marks
+// that disagree show when the result is listed again.
 class RecordRule {
  public:
   using Label = std::uint8_t;
-  using Value = SegmentId;  // edges do not overlap
+  using Value = SegmentId;  // Edges do not overlap.
   static constexpr bool kKeepsAll = true;
   static constexpr bool kKeepsLabels = false;
 
@@ -65,7 +75,7 @@ class RecordRule {
   const PlaneRecords::Edge& edge(Value value) const { return records_.edges[value.value()]; }
 
   const PlaneRecords& records_;
-  std::vector<std::uint32_t> vertex_at_;  // per point
+  std::vector<std::uint32_t> vertex_at_;  // The vertex at each point.
 };
 
 // ---------------------------------------------------------------- checks before the sweep
@@ -115,10 +125,12 @@ void check_edge(const PlaneRecords& r, std::size_t i) {
   if (is_bounded && e.from >= e.to) refuse(Kind::Edge, i, "it must run from its lesser end");
 }
 
+/// Returns the edges as curves, and every vertex as a stop, so that a vertex inside an edge is an
+/// event.
 SweepInput scene_of(const PlaneRecords& r) {
   SweepInput scene;
   scene.points = r.points;
-  // Boxes are a matter of this table, not of the file.
+  // Boxes are computed here, as a file need not have right ones.
   for (Crossing2& c : scene.points.crossings) {
     c = make_crossing(scene.points.inputs, c.a, c.b, c.c, c.d);
   }
@@ -134,7 +146,7 @@ SweepInput scene_of(const PlaneRecords& r) {
 
 // ---------------------------------------------------------------- checks after it
 
-/// The result, listed again, must be what was listed.
+/// Throws unless the result, listed again, is what was listed.
 void compare(const PlaneRecords& given, const PlaneRecords& found) {
   if (given.vertices.size() != found.vertices.size()) {
     refuse(Kind::Vertex, std::min(given.vertices.size(), found.vertices.size()),
@@ -155,6 +167,7 @@ void compare(const PlaneRecords& given, const PlaneRecords& found) {
   }
 }
 
+/// Throws unless the complex is minimal.
 void check_minimal(const PlaneComplex& complex) {
   const PlaneComplex minimal = simplify(complex);
   if (minimal.vertex_count() != complex.vertex_count() ||

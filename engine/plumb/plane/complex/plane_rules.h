@@ -1,4 +1,6 @@
-// What labels and marks mean: the rules that PlaneBuilder is run with.
+// The rules with which PlaneBuilder is run: what labels and marks mean for polygons, Booleans,
+// overlays of maps and arrangements. plane_builder.h lists what a rule has;
+// docs/design/sweep.md, Labels carried upward, has a table of them.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +17,8 @@
 
 namespace plumb {
 
-/// Polygons by winding number. A label is the winding number of a face, the value of a bundle how
-/// much its curves raise and lower it upward.
+/// The rule of polygons. A label is the winding number of a face; the value of a bundle is how much
+/// its curves raise it and lower it on the way upward.
 class WindingNumberRule {
  public:
   using Label = std::int32_t;
@@ -27,9 +29,9 @@ class WindingNumberRule {
   static constexpr bool kKeepsAll = false;
   static constexpr bool kKeepsLabels = false;
 
-  /// `jump` per curve: how much the winding number rises from the right side to the left one, seen
-  /// along the curve as given: 1, -1, or 0 for a slit. `is_point` per input point: a chain of its
-  /// own, which a closed set contains whatever lies around it.
+  /// `jump` says for each curve by how much the winding number rises from its right side to its
+  /// left, seen along the curve as given: 1, -1, or 0 for a slit. `is_point` says for each input
+  /// point whether it is a chain of its own, which a closed set contains whatever lies around it.
   WindingNumberRule(std::span<const SweepCurve> curves, std::vector<std::int8_t> jump,
                     std::vector<std::uint8_t> is_point, WindingRule rule, Boundary boundary,
                     Label bottom = 0)
@@ -69,14 +71,14 @@ class WindingNumberRule {
   }
 
   std::span<const SweepCurve> curves_;
-  std::vector<std::int8_t> jump_;  // after start(): upward
+  std::vector<std::int8_t> jump_;  // After start() the jump on the way upward.
   std::vector<std::uint8_t> is_point_;
   WindingRule rule_;
   Boundary boundary_;
   Label bottom_;
 };
 
-/// The curves of a bundle of two at most.
+/// The curves of a bundle of at most two.
 struct BundlePair {
   SegmentId first;
   SegmentId second;
@@ -91,24 +93,23 @@ struct BundlePair {
   }
 };
 
-/// Where a curve of an overlay comes from. Faces are those of its operand; after start() left is
-/// above.
+/// Where a curve of an overlay comes from. After start() the left side is the upper one.
 struct OverlayCurve {
-  std::uint32_t left;
-  std::uint32_t right;
-  EdgeId edge;
-  std::uint32_t operand;  ///< 0 or 1
+  std::uint32_t left;     ///< The face of the operand to the left.
+  std::uint32_t right;    ///< The face of the operand to the right.
+  EdgeId edge;            ///< The edge of the operand.
+  std::uint32_t operand;  ///< The operand, 0 or 1.
 };
 
-/// Turns the sides of curves that the sweep runs the other way.
+/// Exchanges the sides of curves that the sweep runs the other way.
 void turn_sides(std::span<const SweepCurve> given, const SweepCurves& turned,
                 std::span<OverlayCurve> sides);
 
 /// The label of a place in two subdivisions: a face of each.
 using FacePair = std::array<std::uint32_t, 2>;
 
-/// Carries the pair of faces. Base of the rules of overlays. Edges of one operand do not overlap: a
-/// bundle has a curve of each at most.
+/// The base of the rules of overlays, which carries the pair of faces upward. Edges of one operand
+/// do not overlap, so a bundle has at most one curve of each.
 class OverlayLabels {
  public:
   using Label = FacePair;
@@ -144,14 +145,14 @@ class OverlayLabels {
   Label bottom_;
 };
 
-/// Marks of an operand, or those of them that a selector lets through.
+/// The marks of an operand, or those that a selector accepts.
 struct PlaneMarksView {
   std::span<const std::uint8_t> vertex;
   std::span<const std::uint8_t> edge;
   std::span<const std::uint8_t> face;
 };
 
-/// A Boolean: the marks of both operands through a function.
+/// The rule of a Boolean: a function of the marks of both operands.
 class BooleanRule : public OverlayLabels {
  public:
   static constexpr bool kKeepsAll = false;
@@ -159,8 +160,8 @@ class BooleanRule : public OverlayLabels {
   static constexpr std::uint32_t kNoVertex = 0xffffffff;
   static constexpr std::uint32_t kSecondOperand = std::uint32_t{1} << 31U;
 
-  /// `vertex_at` per point of the scene: vertex of the first operand, of the second with
-  /// kSecondOperand set, or kNoVertex.
+  /// `vertex_at` has for each point of the scene the vertex of the first operand there, that of the
+  /// second with kSecondOperand set, or kNoVertex.
   BooleanRule(OverlayLabels labels, std::array<PlaneMarksView, 2> marks, MarkFunction f,
               std::vector<std::uint32_t> vertex_at)
       : OverlayLabels(std::move(labels)),
@@ -183,7 +184,7 @@ class BooleanRule : public OverlayLabels {
   std::vector<std::uint32_t> vertex_at_;
 };
 
-/// Two maps: every piece is kept, and the pairs of regions are asked for.
+/// The rule of the overlay of two maps: every piece is kept, and the pairs of regions are returned.
 class MapOverlayRule : public OverlayLabels {
  public:
   static constexpr bool kKeepsAll = true;
@@ -197,7 +198,7 @@ class MapOverlayRule : public OverlayLabels {
   void keep_edge(const Value&) {}
 };
 
-/// An arrangement: every piece is kept, with the curves it came from.
+/// The rule of an arrangement: every piece is kept, with the curves that it is part of.
 class OriginsRule {
  public:
   using Label = std::uint8_t;
@@ -205,7 +206,7 @@ class OriginsRule {
   static constexpr bool kKeepsAll = true;
   static constexpr bool kKeepsLabels = false;
 
-  /// `name` per curve: what it is called in the sets; empty: its number.
+  /// `name` has for each curve its id in the sets; if it is empty, that is its number.
   OriginsRule(std::size_t curve_count, std::vector<SegmentId> name, Context& context)
       : sets(curve_count), name_(std::move(name)), memory_(context) {}
 
@@ -222,7 +223,7 @@ class OriginsRule {
   void keep_edge(Value value) { origins.push_back(value); }
 
   SegmentSets sets;
-  std::vector<SegmentSets::Set> origins;  ///< per edge
+  std::vector<SegmentSets::Set> origins;  ///< The set of curves of each edge.
 
  private:
   SegmentId name(SegmentId s) const { return name_.empty() ? s : name_[s.value()]; }
@@ -240,7 +241,7 @@ class OriginsRule {
   std::size_t charged_ = 0;
 };
 
-/// Sweeps the scene and builds the complex. `scene.points` is moved into it.
+/// Sweeps the scene and returns the complex, into which `scene.points` is moved.
 template <class Rule>
 PlaneComplex build_complex(SweepInput& scene, Rule& rule, Context& context,
                            std::vector<typename Rule::Label>* labels = nullptr) {

@@ -1,3 +1,12 @@
+// Point location: a segment tree over the slabs between the abscissae of vertices.
+//
+// An edge that spans all slabs of a node has a place in the vertical order of the node's list,
+// which is found by signs without the edges being cut. A query asks one binary search of sides for
+// each node on the way from the root to its slab. Reference: M. de Berg, O. Cheong, M. van Kreveld,
+// M. Overmars, Computational Geometry, 3rd edition (2008), section 10.3, for segment trees.
+//
+// Tested by tests/plane/nef2_test.cpp and tests/plane/ray_walk_test.cpp.
+
 #include "plumb/plane/query/plane_locator.h"
 
 #include <algorithm>
@@ -17,7 +26,7 @@ bool PlaneLocator::is_vertical(EdgeId e) const {
   return compare_x(points_, l.a, l.b) == Sign::Zero;
 }
 
-// Vertices are in order of x; vertical edges without vertices are merged in.
+// Makes the columns. Vertices are in order of x; vertical edges without vertices are merged in.
 void PlaneLocator::make_columns() {
   const auto vertices = static_cast<std::uint32_t>(complex_.vertex_count());
   std::vector<EdgeId> lines;
@@ -27,7 +36,7 @@ void PlaneLocator::make_columns() {
     const HalfedgeId h = first_half(e);
     if (complex_.is_at_infinity(complex_.dcel.origin(h)) &&
         complex_.is_at_infinity(complex_.dcel.target(h)) && is_vertical(e)) {
-      lines.push_back(e);  // edges are numbered as the sweep met them: in order of x
+      lines.push_back(e);  // Edges are numbered as the sweep met them, so in order of x.
     }
   }
   std::uint32_t v = 0;
@@ -54,6 +63,7 @@ void PlaneLocator::make_columns() {
   }
 }
 
+// Puts edges into the lists of O(log n) nodes each, and sorts the lists.
 void PlaneLocator::fill_lists() {
   const std::size_t slabs = columns_.size() + 1;
   lists_.resize(4 * slabs);
@@ -79,7 +89,8 @@ void PlaneLocator::fill_lists() {
   }
 }
 
-/// Node `node` stands for slabs [begin, end); the edge spans [from, to).
+/// Puts an edge that spans the slabs [from, to) into the lists below a node of the slabs [begin,
+/// end).
 void PlaneLocator::spread(EdgeId e, std::size_t node, std::size_t begin, std::size_t end,
                           std::size_t from, std::size_t to) {
   if (to <= begin || end <= from) return;
@@ -92,8 +103,8 @@ void PlaneLocator::spread(EdgeId e, std::size_t node, std::size_t begin, std::si
   spread(e, 2 * node + 1, middle, end, from, to);
 }
 
-// Both span a common slab. The left end that comes later lies above, below, or on the other edge;
-// in that case the directions decide.
+// Whether e lies below f. Requires that both span a common slab. The left end that comes later lies
+// above or below the other edge, or on it, and then the directions decide.
 bool PlaneLocator::is_below(EdgeId e, EdgeId f) const {
   if (e == f) return false;
   const PlaneLine& k = complex_.line[e.value()];
@@ -172,8 +183,8 @@ bool PlaneLocator::locate_on_column(const Column& column, std::size_t vertex_end
   return false;
 }
 
-/// The highest of the edges of a slab for which the answer is yes: the lower ones. Invalid if there
-/// is none.
+/// Returns the highest of the edges of a slab for which is_below_point() holds; one that is not
+/// valid if there is none. The edges for which it holds must be the lower ones.
 template <class Below>
 EdgeId PlaneLocator::highest_below(std::size_t slab, const Below& is_below_point) const {
   EdgeId best;
@@ -224,7 +235,8 @@ PlaneLocation PlaneLocator::locate(const QueryPoint2& q) const {
     PlaneLocation found;
     if (locate_on_column(columns_[place.column], vertex_end, q, found)) return found;
   }
-  // On a column but on no vertex and no vertical edge: the slab to the right tells the face.
+  // A point on a column that is on no vertex and no vertical edge is found in the slab to the
+  // right: nothing ends at it.
   const std::size_t slab = place.column + (place.is_on ? 1 : 0);
   const EdgeId e =
       highest_below(slab, [&](EdgeId below) { return side(below, q) != Sign::Negative; });

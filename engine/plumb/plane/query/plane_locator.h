@@ -1,16 +1,17 @@
-// Point location in a complex.
+// Point location in a complex of the plane.
 //
 // Notation: columns are the different abscissae of vertices and vertical edges; slab i lies left of
 // column i (slab 0 left of all, the last one right of all). The slabs are the leaves of a segment
-// tree; an edge that spans the slabs of a node (and not those of its parent) is in the node's list,
-// and the list is in vertical order: edges do not cross.
+// tree. An edge that spans the slabs of a node, but not those of the node's parent, is in the list
+// of the node. As edges do not cross, each list has a vertical order.
 //
 // Main flow of locate():
-//  1. find_column       binary search; on a column, its vertices and vertical edges are looked at
-//  2. highest_below     down the tree to the slab (the one right of the column); in each list a
-//                       binary search; the highest edge at or below the point wins
-//  3. the face above that edge; without one, face 0 or the face right of the last vertical edge
-//     that comes from below
+//  1. find_column       finds the column of the point or the slab around it, by binary search; on a
+//                       column, its vertices and vertical edges are tested
+//  2. highest_below     goes down the tree to the slab, for a column the one right of it; a binary
+//                       search in each list finds the highest edge at or below the point
+//  3. returns the face above that edge; if there is none, face 0 or the face right of the last
+//     vertical edge that comes from below
 //
 // Cost: O(n log n) memory, O(n log^2 n) time to build; O(log^2 n) for a query.
 #pragma once
@@ -23,29 +24,33 @@
 
 namespace plumb {
 
+/// Finds the cells of a complex in which points lie. Const members may be called from several
+/// threads at once.
 class PlaneLocator {
  public:
-  /// Keeps a reference to the complex.
+  /// Builds the tree. Keeps a reference to the complex.
   explicit PlaneLocator(const PlaneComplex& complex);
 
+  // The cell in which a point lies.
   PlaneLocation locate(const RationalPoint2& p) const { return locate(QueryPoint2(p)); }
   PlaneLocation locate(Point2 p) const { return locate(QueryPoint2(p)); }
   PlaneLocation locate(const QueryPoint2& q) const;
 
-  /// The edge next below a point that lies in a face, just right of it; invalid if there is none.
+  /// Returns the edge next below a point that lies in a face, just right of it; one that is not
+  /// valid if there is none.
   EdgeId edge_below(const QueryPoint2& q) const;
-  /// The same for a vertex without edges to its left.
+  /// Returns the same for a vertex without edges to its left.
   EdgeId edge_below(VertexId v) const;
 
  private:
   struct Column {
-    std::uint32_t point;         ///< any point of this abscissa (dense index)
-    std::uint32_t vertex_begin;  ///< its vertices are [vertex_begin, next column's)
-    EdgeId line;                 ///< a vertical edge without vertices, if any
+    std::uint32_t point;         ///< Any point of this abscissa (dense index).
+    std::uint32_t vertex_begin;  ///< Its first vertex; the last is before the next column's first.
+    EdgeId line;                 ///< A vertical edge without vertices, if there is one.
   };
   struct ColumnPlace {
-    std::size_t column;  ///< the first one not left of the point
-    bool is_on;
+    std::size_t column;  ///< The first column that is not left of the point.
+    bool is_on;          ///< Whether the point is on it.
   };
 
   void make_columns();
@@ -71,13 +76,13 @@ class PlaneLocator {
   PlanePointsView points_;
   std::vector<Column> columns_;
   std::vector<std::uint32_t> column_of_vertex_;
-  std::vector<std::uint32_t> column_of_line_;  // per edge, for vertical edges without vertices
-  std::vector<std::vector<EdgeId>> lists_;     // per node of the tree, bottom to top
+  std::vector<std::uint32_t> column_of_line_;  // The column of vertical edges without vertices.
+  std::vector<std::vector<EdgeId>> lists_;     // The list of each node, bottom to top.
   struct Down {
     std::size_t column;
     FaceId right;
   };
-  std::vector<Down> downs_;  // vertical edges from below, by column
+  std::vector<Down> downs_;  // Vertical edges that come from below, by column.
 };
 
 }  // namespace plumb

@@ -1,3 +1,14 @@
+// The faces of a complex cut into trapezoids, by a sweep that repeats the one that numbered the
+// complex.
+//
+// Vertices and edges are numbered in the order of the sweep, so the order of events and of outgoing
+// edges is known. For each edge the trapezoids just above and below it are kept; at a vertex these
+// end, and give its incoming edges in their order, and new ones begin. Only a vertex without edges
+// to its left needs a search. Reference: M. de Berg, O. Cheong, M. van Kreveld, M. Overmars,
+// Computational Geometry, 3rd edition (2008), chapter 6, for trapezoidal maps and their shear.
+//
+// Tested by tests/plane/ray_walk_test.cpp.
+
 #include "plumb/plane/query/plane_trapezoids.h"
 
 #include <algorithm>
@@ -41,11 +52,11 @@ class PlaneTrapezoids::Builder {
   PlanePointsView points_;
   const PlaneLocator& locator_;
 
-  std::vector<TrapezoidId> above_;  // per edge: the one above it just now
-  std::vector<TrapezoidId> below_;  // per edge: the one below it just now
-  TrapezoidId bottom_;              // the lowest one just now
-  std::vector<EdgeId> from_below_;  // vertical edges from infinity, left to right
-  std::vector<EdgeId> to_above_;    // vertical edges to infinity, left to right
+  std::vector<TrapezoidId> above_;  // The trapezoid above each edge at the sweep line.
+  std::vector<TrapezoidId> below_;  // The trapezoid below each edge at the sweep line.
+  TrapezoidId bottom_;              // The lowest trapezoid at the sweep line.
+  std::vector<EdgeId> from_below_;  // Vertical edges from infinity, left to right.
+  std::vector<EdgeId> to_above_;    // Vertical edges to infinity, left to right.
   std::size_t next_from_below_ = 0;
   std::size_t next_to_above_ = 0;
   std::size_t next_vertex_ = 0;
@@ -59,8 +70,8 @@ void PlaneTrapezoids::Builder::run() {
   list_along();
 }
 
-// Counting sorts of the edges by their ends; in order of number, so outgoing ones are bottom to
-// top.
+// Sorts the edges by their ends: counting sorts, which keep the order of numbers, so that outgoing
+// edges are listed bottom to top.
 void PlaneTrapezoids::Builder::list_edges() {
   const std::size_t vertices = c_.vertex_count();
   for (auto* lists : {&r_.outgoing_, &r_.incoming_}) {
@@ -100,7 +111,8 @@ void PlaneTrapezoids::Builder::open_left() {
   }
 }
 
-// At one x: the vertical edge from below, the vertices, the one that goes up.
+// Adds the next wall; returns false if there is none. At one x the vertical edge from below comes
+// first, then the vertices, then the edge that goes up.
 bool PlaneTrapezoids::Builder::next_wall() {
   const std::uint32_t low =
       next_from_below_ < from_below_.size() ? point_on(from_below_[next_from_below_]) : kNone;
@@ -130,7 +142,8 @@ bool PlaneTrapezoids::Builder::next_wall() {
   return true;
 }
 
-// From any of them down to the lowest, then up: trapezoids between them end here.
+// Sorts the incoming edges of a vertex bottom to top: goes from any of them down to the lowest,
+// then up, from trapezoid to trapezoid, as those between them end here.
 void PlaneTrapezoids::Builder::order_incoming(VertexId v, std::span<EdgeId> edges) const {
   if (edges.size() < 2) return;
   const auto ends_here = [&](EdgeId e) { return e.is_valid() && right(e) == v; };
@@ -143,6 +156,7 @@ void PlaneTrapezoids::Builder::order_incoming(VertexId v, std::span<EdgeId> edge
   }
 }
 
+// Begins a trapezoid.
 TrapezoidId PlaneTrapezoids::Builder::begin(EdgeId bottom, EdgeId top, VertexId left) {
   const TrapezoidId t(r_.trapezoids_.size());
   r_.trapezoids_.push_back({bottom, top, left, VertexId(), {}, {}, {}, {}});
@@ -151,14 +165,14 @@ TrapezoidId PlaneTrapezoids::Builder::begin(EdgeId bottom, EdgeId top, VertexId 
   return t;
 }
 
-// The trapezoid in which a vertex without edges to its left lies.
+// Returns the trapezoid in which a vertex without edges to its left lies.
 TrapezoidId PlaneTrapezoids::Builder::trapezoid_at(VertexId v) const {
   if (c_.is_at_infinity(v)) return bottom_;
   const EdgeId bottom = locator_.edge_below(v);
   return bottom.is_valid() ? above_[bottom.value()] : bottom_;
 }
 
-/// The highest one that ends at the wall; all of them have it to their right then.
+/// Ends the trapezoids left of a wall and returns the highest of them.
 TrapezoidId PlaneTrapezoids::Builder::end_incoming(VertexId v, std::span<const EdgeId> incoming) {
   TrapezoidId highest = incoming.empty() ? trapezoid_at(v) : below_[incoming.front().value()];
   r_.trapezoids_[highest.value()].right = v;

@@ -1,3 +1,14 @@
+// A walk along a ray, from cell to cell.
+//
+// All questions are signs about the line of the ray, which runs to the right or upward: the side of
+// a vertex, the turn from the line of an edge, and the order of a crossing and a vertex. In a
+// trapezoid the ray meets the bottom or the top if it approaches that edge and crosses its line
+// before the wall ahead; otherwise it passes the wall above or below its vertex, or meets the
+// vertex. "Before" is lexicographic, as trapezoids are those of the sheared plane, so vertical rays
+// and edges need no cases of their own except at walls of ends at infinity.
+//
+// Tested by tests/plane/ray_walk_test.cpp.
+
 #include "plumb/plane/query/ray_walk.h"
 
 #include <algorithm>
@@ -28,7 +39,7 @@ bool RayWalk::advance() {
   return here_.edge.is_valid() ? leave_edge() : leave_face();
 }
 
-// ---------------------------------------------------------------- elements
+// ---------------------------------------------------------------- cells
 
 void RayWalk::enter(VertexId v) {
   here_ = {v, EdgeId(), FaceId(), complex_.mark(v)};
@@ -42,7 +53,8 @@ void RayWalk::enter(FaceId f) { here_ = {VertexId(), EdgeId(), f, complex_.mark(
 
 // ---------------------------------------------------------------- vertices
 
-// Edges to the right of a vertex are steeper further up, those to the left less steep.
+// Of the edges to the right of a vertex, higher ones are steeper; of those to the left, less steep.
+// So bisection by turns finds the direction of the ray among them.
 bool RayWalk::leave_vertex() {
   const VertexId v = here_.vertex;
   const bool right = ray_.goes_right();
@@ -61,7 +73,7 @@ bool RayWalk::leave_vertex() {
   return true;
 }
 
-/// The face between two neighbours of the edges to one side of v.
+/// Enters the face between two neighbours among the edges on one side of v.
 void RayWalk::enter_gap(VertexId v, std::span<const EdgeId> edges, std::size_t edges_below) {
   const Dcel& dcel = complex_.dcel;
   if (edges_below > 0) {
@@ -70,7 +82,7 @@ void RayWalk::enter_gap(VertexId v, std::span<const EdgeId> edges, std::size_t e
     enter(dcel.face(twin(first_half(edges.front()))));
   } else if (dcel.is_isolated(v)) {
     enter(dcel.face(dcel.isolated_loop(v)));
-  } else {  // above the highest edge on the other side
+  } else {  // The face above the highest edge on the other side.
     const auto others = ray_.goes_right() ? trapezoids_.incoming(v) : trapezoids_.outgoing(v);
     enter(dcel.face(first_half(others.back())));
   }
@@ -96,7 +108,8 @@ bool RayWalk::go_along(EdgeId e) {
   return true;
 }
 
-/// The trapezoid next to the place at hand on an edge, or, without an edge, at the bottom.
+/// Returns the trapezoid at the place at hand along an edge, above or below it; without an edge,
+/// the one at the bottom.
 TrapezoidId RayWalk::beside(EdgeId e, bool is_above) const {
   const auto along = is_above ? trapezoids_.above(e) : trapezoids_.below(e);
   return *std::partition_point(along.begin(), along.end(), [&](TrapezoidId t) {
@@ -118,7 +131,8 @@ bool RayWalk::leave_face() {
       enter(wall);
       return true;
     }
-    // A wall whose vertex lies above can be passed below it only, and the top not be met.
+    // If the vertex of the wall lies above the ray, the ray cannot meet the top before the wall,
+    // and it passes the wall below the vertex; likewise the other way round.
     for (const bool is_top : {false, true}) {
       const EdgeId e = is_top ? t.top : t.bottom;
       if (!e.is_valid() || side == (is_top ? Sign::Positive : Sign::Negative)) continue;
@@ -136,6 +150,7 @@ bool RayWalk::leave_face() {
   }
 }
 
+/// Whether the ray approaches an edge and crosses its line before the wall.
 bool RayWalk::meets_before_wall(EdgeId e, bool is_top, VertexId wall) const {
   const Sign turn = turn_from(e);
   const bool approaches =
@@ -144,9 +159,10 @@ bool RayWalk::meets_before_wall(EdgeId e, bool is_top, VertexId wall) const {
   return !wall.is_valid() || is_left_of(e, wall) == ray_.goes_right();
 }
 
-/// Positive: the vertex lies above the ray's line. A vertical ray is told whether a vertex at
-/// infinity is high instead: it never passes the wall, and what is left out for that, the bottom
-/// (top) of a trapezoid beside a wall that starts below (above) everything, is at infinity itself.
+/// Returns Positive if the vertex of a wall lies above the ray's line. For a vertex at infinity it
+/// returns whether that is the upper end, which is right for a vertical ray, too: the ray never
+/// passes the wall, and the edge that is not tested for that reason, the bottom (top) of a
+/// trapezoid beside a wall that starts below (above) everything, is at infinity itself.
 Sign RayWalk::side_of(VertexId wall) const {
   if (!complex_.is_at_infinity(wall)) {
     return side(points_, ray_, complex_.vertex_point[wall.value()]);
@@ -154,7 +170,8 @@ Sign RayWalk::side_of(VertexId wall) const {
   return trapezoids_.is_low(wall) ? Sign::Negative : Sign::Positive;
 }
 
-/// Does the ray cross the line of an edge left of the wall? It never does so at its vertex.
+/// Whether the ray crosses the line of an edge left of the wall. It never crosses exactly at the
+/// vertex of the wall, as the walk would then be at that vertex.
 bool RayWalk::is_left_of(EdgeId crossed, VertexId wall) const {
   const PlaneLine& l = complex_.line[crossed.value()];
   if (!complex_.is_at_infinity(wall)) {

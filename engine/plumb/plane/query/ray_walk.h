@@ -1,11 +1,12 @@
-// What a ray meets, one element after the other.
+// A walk along a ray through a complex of the plane, from cell to cell.
 //
-// Main flow: the ray is always at one of three kinds of place, and each step leads to the next one:
-//  at a vertex   the direction among its edges, by bisection: along one of them, or into a face
-//  on an edge    across it, into the trapezoid at that place, by bisection; or along it to its end
-//  in a face     from trapezoid to trapezoid until an edge or a vertex is met: O(1) for each
+// The ray is always in one of three kinds of place, and each step leads to the next one:
+//  at a vertex   bisection finds the direction among its edges: along one of them, or into a face
+//  on an edge    the ray crosses it into the trapezoid at that place, found by bisection, or runs
+//                along it to its end
+//  in a face     the ray goes from trapezoid to trapezoid until it meets an edge or a vertex
 //
-// Cost: O(log n) for each vertex and edge met, and O(1) for each trapezoid.
+// Cost: O(log n) for each vertex and edge that is met, and O(1) for each trapezoid.
 #pragma once
 
 #include "plumb/plane/query/plane_trapezoids.h"
@@ -13,18 +14,19 @@
 
 namespace plumb {
 
+/// One walk.
 class RayWalk {
  public:
-  /// Keeps references.
+  /// Starts at the origin of the ray. Keeps references to all arguments.
   RayWalk(const PlaneComplex& complex, const PlaneLocator& locator,
           const PlaneTrapezoids& trapezoids, const QueryRay2& ray);
 
-  /// The element at hand: first the one at the origin.
+  /// Returns the cell at hand. The first one is that of the origin.
   const PlaneLocation& here() const { return here_; }
-  /// The first point of it on the ray; of a face or edge that does not contain that point, the
-  /// infimum.
+  /// Returns the first point of the ray in that cell, or, for a face or edge that the ray enters
+  /// from its boundary, the point where it does.
   RationalPoint2 point() const;
-  /// Moves on to the next element; false when the ray goes on in this one for ever.
+  /// Moves on to the next cell; returns false if the ray stays in this one for ever.
   bool advance();
 
  private:
@@ -52,11 +54,11 @@ class RayWalk {
   const QueryRay2& ray_;
 
   PlaneLocation here_;
-  // The last place met: a vertex, the crossing of an edge, or else the origin.
+  // The last place that was met: a vertex, the crossing of an edge, or else the origin.
   VertexId at_vertex_;
   EdgeId at_edge_;
-  TrapezoidId trapezoid_;  // in a face; invalid at the start
-  bool is_along_ = false;  // on an edge: does the ray run along it?
+  TrapezoidId trapezoid_;  // The trapezoid, in a face; not valid at the start.
+  bool is_along_ = false;  // Whether the ray runs along the edge at hand.
 };
 
 }  // namespace plumb

@@ -1,3 +1,16 @@
+// Booleans and affine maps of sets of the plane.
+//
+// The edges of both operands become curves of one scene, and one sweep builds the minimal complex
+// of the result: BooleanRule carries the pair of faces upward and applies the function to their
+// marks (docs/design/sweep.md, Lemmas 2 and 3). Crossings keep the lines of input points that
+// define them, so a Boolean of results costs no larger numbers than one of inputs.
+//
+// An affine map moves the input points and sweeps again, as the order of everything may change. The
+// face at the bottom, from which labels start, is then found from the mapped unbounded curves.
+//
+// Tested by tests/plane/nef2_test.cpp, tests/plane/nef2_property_test.cpp and
+// tests/plane/overlay_cases_test.cpp.
+
 #include "plumb/plane/set/boolean_op.h"
 
 #include <array>
@@ -9,6 +22,7 @@
 namespace plumb {
 namespace {
 
+/// Appends crossings, with the input points of their lines renamed.
 void append_crossings(const PlanePoints& from, const std::vector<std::uint32_t>& to,
                       PlanePoints& points) {
   for (Crossing2 c : from.crossings) {
@@ -20,6 +34,7 @@ void append_crossings(const PlanePoints& from, const std::vector<std::uint32_t>&
   }
 }
 
+/// Appends the edges of a complex as curves, and notes its vertices.
 void append_complex(const PlaneComplex& complex, const std::vector<std::uint32_t>& to,
                     std::uint32_t operand, JoinedInput& joined) {
   const std::uint32_t flag = operand == 0 ? 0 : BooleanRule::kSecondOperand;
@@ -85,6 +100,7 @@ namespace {
 
 PlaneMarksView view(const PlaneMarks& marks) { return {marks.vertex, marks.edge, marks.face}; }
 
+/// Sweeps the scene and returns the set. `bottom` is the pair of faces at (-infinity, -infinity).
 Nef2 build(JoinedInput joined, std::array<PlaneMarksView, 2> marks, MarkFunction f, FacePair bottom,
            Context& context) {
   BooleanRule rule(OverlayLabels(joined.scene.curves, std::move(joined.sides), bottom), marks, f,
@@ -100,6 +116,7 @@ void select(const std::function<bool(Id)>& accepts, std::vector<std::uint8_t>& m
   }
 }
 
+/// Returns the marks of the cells that a selector accepts; the others count as unmarked.
 PlaneMarks selected(const Nef2& set, const PlaneSelector& selector) {
   PlaneMarks marks = set.complex().marks;
   select(selector.vertex, marks.vertex);
@@ -116,7 +133,7 @@ Nef2 combine_marked(const Nef2& a, const PlaneMarks& marks_a, const Nef2& b,
   return build(std::move(joined), {view(marks_a), view(marks_b)}, f, {0, 0}, context);
 }
 
-/// Halves the list until it is one set.
+/// Combines the sets in a balanced tree. Requires at least one.
 Nef2 fold(std::span<const Nef2> sets, MarkFunction f, Context& context) {
   if (sets.size() == 1) return sets.front();
   const std::size_t half = sets.size() / 2;
@@ -130,6 +147,7 @@ RationalPoint2 apply(const AffineMap2& m, const RationalPoint2& p) {
   return {m.xx * p.x + m.xy * p.y + m.x0, m.yx * p.x + m.yy * p.y + m.y0};
 }
 
+/// Maps the input points. Crossings keep their lines, and get new boxes.
 PlanePoints mapped_points(const PlanePoints& points, const AffineMap2& map) {
   PlanePoints mapped;
   for (std::uint32_t i = 0; i < points.inputs.size(); ++i) {

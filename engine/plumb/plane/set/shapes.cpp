@@ -1,4 +1,13 @@
-// Nef2: the sets to start from.
+// The sets of the plane to start from: half-planes, lines, polygons, polylines, points, and regions
+// of checked maps.
+//
+// Chains of points become curves with winding jumps: across a curve of a polygon the winding number
+// changes by 1, across a slit (a line or polyline) it does not. One sweep with WindingNumberRule
+// then gives the minimal complex of the points that the winding rule selects, however the chains
+// cross or overlap (docs/design/sweep.md).
+//
+// Declared in plumb/plane/nef2.h.
+// Tested by tests/plane/nef2_test.cpp and tests/plane/nef2_property_test.cpp.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +25,7 @@
 namespace plumb {
 namespace {
 
-// Chains of points as curves with winding jumps.
+/// Chains of points as curves with winding jumps.
 struct ChainScene {
   SweepInput scene;
   std::vector<std::int8_t> jump;
@@ -47,6 +56,7 @@ struct ChainScene {
   }
 };
 
+/// Throws Error{BadArgument} unless the chains cover all corners and refer to existing points.
 void require_chains(const PointTable2& points, std::span<const std::uint32_t> corners,
                     std::span<const std::uint32_t> chain_begin) {
   const bool is_cover = !chain_begin.empty() && chain_begin.front() == 0 &&
@@ -68,6 +78,7 @@ void for_each_chain(std::span<const std::uint32_t> corners,
   }
 }
 
+/// Returns a table of points. Throws Error{NotFinite}.
 PointTable2 table_of(std::span<const Point2> points) {
   PointTable2 table;
   table.reserve(points.size());
@@ -90,6 +101,7 @@ struct OneChain {
   }
 };
 
+/// Returns a table of the two points of a line. Throws Error{BadArgument} if they are equal.
 PointTable2 table_of(const Line2& line) {
   if (line.a == line.b) {
     throw Error(ErrorCode::BadArgument, "a line needs two different points");
@@ -100,7 +112,7 @@ PointTable2 table_of(const Line2& line) {
   return table;
 }
 
-/// The part of a line from `from` on, or all of it, as a slit.
+/// Returns the part of a line from `from` on, or all of it, as a slit.
 Nef2 slit(const Line2& line, std::uint32_t from) {
   ChainScene chains(table_of(line));
   chains.scene.curves.push_back({from, SweepCurve::kUnbounded, 0, 1});
@@ -109,7 +121,8 @@ Nef2 slit(const Line2& line, std::uint32_t from) {
   return chains.build(WindingRule::NonZero, Boundary::Closed, context);
 }
 
-/// Is (-infinity, -infinity), first far down and then further left, left of a -> b?
+/// Whether the place far down, and then much further left, which is where face 0 reaches, lies left
+/// of a -> b.
 bool is_bottom_on_left(const Line2& line) {
   const Sign by_x = sign_of(line.b.x.compare(line.a.x));
   return by_x != Sign::Zero ? by_x == Sign::Negative : line.a.y < line.b.y;

@@ -1,3 +1,19 @@
+// The plane sweep over segments, rays and lines, for all degeneracies.
+//
+// Events come in lexicographic order: sorted end points, crossings found on the way, ends of
+// vertical curves at infinity. Invariant S: after each event, the status is the list of bundles
+// just right of it, from bottom to top; and any two neighbours have been tested: if they meet
+// further right, their crossing is in the queue, or the end point where they touch is marked.
+// docs/design/sweep.md proves from it that every event is reported (Lemma 1).
+//
+// A plain event has one point, no overlap and no mark. Nothing passes through it, so only the
+// curves that start there are sorted, and the status is searched only if none ends there. Every
+// other event is handled in general: all bundles through it are taken from the status, those that
+// go on are put back in reverse order, and starting curves are merged in by direction. A bundle is
+// known by the curve of it that ends last, so that its end is an event of its own.
+//
+// Tested by tests/plane/sweep_test.cpp and tests/plane/sweep_unbounded_test.cpp.
+
 #include "plumb/plane/sweep/sweep.h"
 
 #include <algorithm>
@@ -11,6 +27,7 @@ namespace {
 
 constexpr std::size_t kEventsPerCheckpoint = 4096;
 
+/// One sweep with its queue and status.
 class Sweep {
  public:
   Sweep(const PlanePointsView& points, std::span<const SweepCurve> curves,
@@ -68,12 +85,12 @@ class Sweep {
     return {enders_.data() + ender_begin_[v], enders_.data() + ender_begin_[v + 1]};
   }
 
-  /// A curve from its start to its end. `node` and `arrival` are those of the bundle it is the key
-  /// of: of all that join a bundle the key is the curve that opened it, gone or not.
+  /// What is known of a curve between its start and its end. The key of a bundle is the curve that
+  /// opened it, even after that curve has ended; `node` and `arrival` are set for keys.
   struct Active {
-    SegmentId key;
-    StatusNode node;
-    std::uint32_t arrival = 0;  // place among the incoming bundles of the event at hand
+    SegmentId key;              // The key of the curve's bundle.
+    StatusNode node;            // The node of the bundle.
+    std::uint32_t arrival = 0;  // Its place among the incoming bundles of the event at hand.
   };
 
   PlanePointsView points_;
@@ -82,31 +99,32 @@ class Sweep {
   SweepVisitor& visitor_;
   Context& context_;
 
-  std::vector<std::uint32_t> start_begin_;  // per point, into starts_
-  std::vector<SegmentId> starts_;           // by left end, zero-length ones included
-  std::vector<SegmentId> left_unbounded_;   // not vertical
-  std::vector<std::uint32_t> ender_begin_;  // per point, into enders_
-  std::vector<SegmentId> enders_;           // by right end, without zero-length ones
-  std::vector<char> is_marked_;             // per point: something else touches it
-  std::vector<Active> active_;              // per curve
+  std::vector<std::uint32_t> start_begin_;  // Where the curves of each point begin in starts_.
+  std::vector<SegmentId> starts_;           // Curves by left end, with those of zero length.
+  std::vector<SegmentId> left_unbounded_;   // Curves from the left infinity, without vertical ones.
+  std::vector<std::uint32_t> ender_begin_;  // Where the curves of each point begin in enders_.
+  std::vector<SegmentId> enders_;           // Curves by right end, without those of zero length.
+  std::vector<char> is_marked_;             // Whether something else touches each point.
+  std::vector<Active> active_;              // One entry for each curve.
 
   SweepStatus status_;
 
   // The event at hand.
-  std::vector<StatusNode> through_;  // bundles through it, bottom to top
-  StatusNode below_;                 // the node next below, if any
+  std::vector<StatusNode> through_;  // The bundles through it, bottom to top.
+  StatusNode below_;                 // The node next below it, if any.
   std::vector<SegmentId> incoming_;
   std::vector<SegmentId> outgoing_;
   std::vector<SegmentId> starters_;
   std::vector<SegmentId> ends_;
-  std::vector<std::uint32_t> ends_end_;    // per incoming bundle
-  std::vector<std::uint32_t> starts_end_;  // per outgoing bundle
-  std::vector<std::uint32_t> arrived_as_;  // per outgoing bundle
+  std::vector<std::uint32_t> ends_end_;    // One entry for each incoming bundle (SweepEvent).
+  std::vector<std::uint32_t> starts_end_;  // One entry for each outgoing bundle.
+  std::vector<std::uint32_t> arrived_as_;  // One entry for each outgoing bundle.
   std::vector<SegmentId> zero_length_;
 };
 
 // ---------------------------------------------------------------- set-up
 
+/// Groups the curves by their ends: counting sorts.
 void Sweep::collect_starts() {
   start_begin_.assign(points_.size() + 1, 0);
   ender_begin_.assign(points_.size() + 1, 0);
@@ -157,6 +175,7 @@ void Sweep::run() {
   end_unbounded();
 }
 
+/// Handles the event at hand. Returns whether the visitor wants more.
 bool Sweep::handle_event() {
   if (place().kind == SweepPlace::VerticalStart) return vertical_start();
   if (place().kind == SweepPlace::VerticalEnd) return vertical_end();
@@ -174,6 +193,8 @@ void Sweep::clear_event() {
   for (auto* list : {&ends_end_, &starts_end_, &arrived_as_}) list->clear();
 }
 
+/// All curves from the left infinity enter in one event, sorted by their order there; those on one
+/// line form a bundle.
 bool Sweep::start_unbounded() {
   if (left_unbounded_.empty()) return true;
   clear_event();
@@ -189,7 +210,7 @@ bool Sweep::start_unbounded() {
     joins ? join_bundle(i) : start_bundle(i);
   }
   replace_in_status();
-  // Unlike curves that leave a point, these may still meet each other.
+  // Unlike curves that leave one point, these may still meet each other.
   for (StatusNode n = status_.first(); n.is_valid(); n = status_.next(n)) {
     test_neighbours(n, status_.next(n));
   }
@@ -224,7 +245,7 @@ bool Sweep::vertical_end() {
 
 // ---------------------------------------------------------------- plain events
 
-// Falls back to the general event as soon as an overlap or a contact shows up.
+// Handles an event as plain, or as a general one as soon as an overlap or a contact shows up.
 bool Sweep::plain_event(std::uint32_t v) {
   through_.clear();
   incoming_.clear();
@@ -234,7 +255,8 @@ bool Sweep::plain_event(std::uint32_t v) {
   return report(SweepPlace::Point, true);
 }
 
-// A bundle of several that ends here, or goes on, leaves a number of nodes that is too small.
+// Takes the nodes of the curves that end here, which are neighbours. Returns false if they are
+// fewer than the curves: some of these share a bundle, or are in one that goes on.
 bool Sweep::take_enders(std::uint32_t v) {
   StatusNode n = node(enders(v).front());
   const auto ends_here = [&](StatusNode candidate) {
@@ -249,12 +271,15 @@ bool Sweep::take_enders(std::uint32_t v) {
   return through_.size() == enders(v).size();
 }
 
+// Finds the place in the status of a point where nothing ends. Returns false if it lies on a
+// bundle.
 bool Sweep::place_without_enders() {
   const auto location = status_.locate([&](SegmentId s) { return side_of_event(s); });
   below_ = location.below;
   return !location.on.is_valid();
 }
 
+// Sorts the curves that start here. Returns false if two have one direction.
 bool Sweep::order_plain_starters(std::uint32_t v) {
   const auto starting = starts(v);
   outgoing_.assign(starting.begin(), starting.end());
@@ -280,6 +305,7 @@ bool Sweep::general_event() {
   return report(SweepPlace::Point, false);
 }
 
+// Whether the event lies on a bundle. Most questions are answered by ranks.
 bool Sweep::contains_event(SegmentId s) const {
   if (place().is_point() && curves_.ends_at(s, place().rank)) return true;
   return side_of_event(s) == Sign::Zero;
@@ -292,7 +318,7 @@ Sign Sweep::side_of_event(SegmentId s) const {
   return curves_.side(s, crossing.point);
 }
 
-// Any node through the event, or none and below_ set.
+// Finds any node through the event, or sets below_ if there is none.
 void Sweep::find_seed() {
   through_.clear();
   for (const std::uint32_t v : place().points) {
@@ -307,6 +333,7 @@ void Sweep::find_seed() {
   below_ = location.below;
 }
 
+// The bundles through the event are consecutive in the status.
 void Sweep::take_all_through() {
   find_seed();
   if (through_.empty()) return;
@@ -328,7 +355,7 @@ void Sweep::collect_incoming() {
   for (const StatusNode n : through_) incoming_.push_back(status_.segment(n));
 }
 
-// Curves that end here by bundle: a counting sort.
+// Groups the curves that end here by bundle: a counting sort.
 void Sweep::group_ends() {
   ends_.clear();
   ends_end_.assign(incoming_.size() + 1, 0);
@@ -361,6 +388,7 @@ void Sweep::order_starters() {
   });
 }
 
+/// Appends an outgoing bundle that arrived as an incoming one, or is new.
 void Sweep::leave(SegmentId bundle, std::uint32_t came_from) {
   outgoing_.push_back(bundle);
   arrived_as_.push_back(came_from);
@@ -372,7 +400,7 @@ void Sweep::start_bundle(std::size_t starter) {
   ++starts_end_.back();
 }
 
-/// Joins the bundle that left last.
+/// Adds a starting curve to the last outgoing bundle, which it names if it ends later.
 void Sweep::join_bundle(std::size_t starter) {
   const SegmentId s = starters_[starter];
   active_[s.value()].key = active_[outgoing_.back().value()].key;
@@ -380,8 +408,9 @@ void Sweep::join_bundle(std::size_t starter) {
   ++starts_end_.back();
 }
 
-// What goes on leaves in the reverse order of its arrival: no arithmetic. Starters are merged in;
-// those of one direction come after the bundle they join.
+// Bundles that go on leave in the reverse order of their arrival, without arithmetic, because the
+// event is a common point of them. Starting curves are merged in; those of one direction come after
+// the bundle that they join.
 void Sweep::merge_starters() {
   outgoing_.clear();
   arrived_as_.clear();
@@ -411,8 +440,8 @@ void Sweep::merge_starters() {
 // ---------------------------------------------------------------- status
 
 void Sweep::replace_in_status() {
-  // A place inside one bundle: the same node, name and neighbours, which have been tested. To test
-  // them again would queue their crossing once for every such place.
+  // At a place inside one bundle the node, its name and its neighbours stay, and the neighbours
+  // have been tested. Testing them again would queue their crossing once for every such place.
   if (through_.size() == 1 && outgoing_.size() == 1 && incoming_.front() == outgoing_.front())
     return;
   for (std::size_t i = outgoing_.size(); i < through_.size(); ++i) status_.erase(through_[i]);
@@ -433,6 +462,7 @@ void Sweep::bind_bundle(SegmentId bundle, StatusNode n) {
   active_[active_[bundle.value()].key.value()].node = n;
 }
 
+/// Keeps Invariant S for two new neighbours.
 void Sweep::test_neighbours(StatusNode below, StatusNode above) {
   if (!below.is_valid() || !above.is_valid()) return;
   const SegmentId lower = status_.segment(below);

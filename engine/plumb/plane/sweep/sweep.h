@@ -1,44 +1,49 @@
-// One exact plane sweep for everything that asks where segments of the plane meet.
+// The exact plane sweep, which finds where curves of the plane meet.
 //
-// It computes, for straight segments between the points of a table, every place where segments
-// start, end, cross, touch or overlap, in lexicographic (x, then y) order, and the order of the
-// segments below, through and above each such place. Decisions are predicates on input points and
-// on implicit crossings; no coordinate is ever rounded, so any degeneracy is an ordinary case.
+// For straight segments between the points of a table it computes every place where segments start,
+// end, cross, touch or overlap, in lexicographic order (x, then y), and the order of the segments
+// below, through and above each such place. Decisions are predicates on input points and on
+// implicit crossings. No coordinate is ever rounded, so every degeneracy is an ordinary case.
 //
 // Notation: a curve is a segment, a ray or a line. It runs from its lexicographically lesser end
 // (left) to the greater one (right); a vertical curve runs upward. Ends at infinity need no
 // coordinates: curves from the left are in the status at the start, steeper ones below; a vertical
 // end at infinity is an event before (after) all points of its x; two curves to the right infinity
-// cross there if and only if the lower is steeper. A bundle is a maximal set of collinear segments
-// that overlap just left (incoming) or just right (outgoing) of an event. The status is the list of
-// bundles met by the sweep line, bottom to top.
+// cross before it if and only if the lower is steeper. A bundle is a maximal set of curves on one
+// line that overlap just left (incoming) or just right (outgoing) of an event. The status is the
+// list of bundles that the sweep line meets, bottom to top.
 //
 // Main flow of sweep():
-//  1. rank_points         sort the end points once; equal points get equal ranks
-//  2. collect_starts      segments by their left end; zero-length ones are kept apart
-//     start_unbounded     curves from the left infinity fill the status, in one event
-//  3. next_event          the next end point or pending crossing, with everything that equals it
-//  4. take_enders         plain events (one point, nothing passes through, nothing overlaps): the
-//                         segments that end here stand side by side in the status
-//  5. take_all_through    other events: walk the status both ways while bundles contain the point
-//     group_ends          the segments that end here, by bundle
-//  6. order_starters      by direction; segments of one direction form a bundle, or join one that
-//                         goes on
-//  7. replace_in_status   incoming bundles make room for outgoing ones
-//  8. test_neighbours     two bundles that became neighbours: a crossing is queued, a touch marks
-//                         the end point as not plain
-//  9. on_event            the visitor sees the finished event
-// 10. end_unbounded       what is left in the status ends at the right infinity, in one event
+//  1. rank_points         sorts the end points once; equal points get equal ranks
+//  2. collect_starts      groups the curves by their left ends, and keeps those of zero length
+//                         apart
+//     start_unbounded     fills the status with the curves from the left infinity, in one event
+//  3. advance             takes the next end point or pending crossing, and all that are equal to
+//                         it
+//  4. take_enders         at plain events (one point, nothing passes through, nothing overlaps)
+//                         finds the curves that end here side by side in the status
+//  5. take_all_through    at other events walks the status both ways while bundles contain the
+//                         point
+//     group_ends          groups the curves that end here by bundle
+//  6. order_starters      sorts starting curves by direction; those of one direction form a bundle,
+//                         or join one that continues
+//  7. replace_in_status   replaces incoming bundles by outgoing ones
+//  8. test_neighbours     tests two bundles that became neighbours: a crossing is queued, a touch
+//                         marks the end point as not plain
+//  9. on_event            gives the finished event to the visitor
+// 10. end_unbounded       ends all that is left in the status at the right infinity, in one event
 //
-// Invariants: neighbours in the status have been tested (8) since they became neighbours; so an
-// event reached without mark and without crossing is plain, and costs no arithmetic but its own. A
-// bundle is known by the one of its segments that ends last; so it ends when that one does, and no
-// event looks at segments that just pass through in a bundle.
+// Invariants: neighbours in the status have been tested (8) since they became neighbours, so an
+// event that is reached without a mark and without a crossing is plain, and costs no arithmetic
+// other than its own. A bundle is known by the curve of it that ends last, so it ends when that
+// curve does, and no event looks at curves that just pass through in a bundle. docs/design/sweep.md
+// has the proofs.
 //
-// Cost: O((n + k) log n) expected for n segments and k event-bundle incidences (n nested segments
-// on one line: 2n of them), one orientation test per new neighbour pair in the plain case; O(n +
-// pending crossings) memory. Source: Bentley and Ottmann 1979; degeneracies after Mehlhorn and
-// Näher, LEDA (1999), chapter 10.7.
+// Cost: O((n + k) log n) expected for n curves and k incidences of events and bundles (n nested
+// segments on one line have 2 n), with one orientation sign for each new pair of neighbours in the
+// plain case; O(n + pending crossings) memory. Sources: J. L. Bentley, T. A. Ottmann, Algorithms
+// for reporting and counting geometric intersections, IEEE Transactions on Computers C-28 (1979);
+// degeneracies after K. Mehlhorn, S. Näher, LEDA, Cambridge University Press (1999), section 10.7.
 #pragma once
 
 #include <cstdint>
@@ -52,11 +57,11 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// A segment by the indices of its end points; any direction. Equal coordinates of both ends are
-/// allowed (a zero-length segment), equal indices are not.
+/// A segment by the indices of its end points, in any direction. Both ends may have equal
+/// coordinates (a zero-length segment), but not equal indices.
 struct SweepSegment {
-  std::uint32_t from;
-  std::uint32_t to;
+  std::uint32_t from;  ///< One end.
+  std::uint32_t to;    ///< The other end.
 };
 
 /// A segment, ray or line: the part of the line a -> b from `from` to `to`. The ends are points of
@@ -65,54 +70,57 @@ struct SweepSegment {
 struct SweepCurve {
   static constexpr std::uint32_t kUnbounded = std::numeric_limits<std::uint32_t>::max();
 
-  std::uint32_t from;
-  std::uint32_t to;
-  std::uint32_t a;
-  std::uint32_t b;
+  std::uint32_t from;  ///< The start, a point or kUnbounded.
+  std::uint32_t to;    ///< The end, a point or kUnbounded.
+  std::uint32_t a;     ///< An input point of the line.
+  std::uint32_t b;     ///< A later input point of the line.
 };
 
-/// What kind of place an event is. The first and the last come at most once, first and last.
+/// The kind of place of an event. LeftInfinity and RightInfinity come at most once, as the first
+/// and the last event.
 enum class SweepPlace : std::uint8_t {
-  LeftInfinity,   ///< all curves from the left infinity: outgoing only
-  VerticalStart,  ///< coincident vertical curves from below: outgoing only, one bundle
-  Point,
-  VerticalEnd,    ///< coincident vertical curves go up to infinity: incoming only, one bundle
-  RightInfinity,  ///< all curves to the right infinity: incoming only
+  LeftInfinity,   ///< All curves from the left infinity, as outgoing bundles.
+  VerticalStart,  ///< Coincident vertical curves from below, as one outgoing bundle.
+  Point,          ///< An end point, a stop or a crossing.
+  VerticalEnd,    ///< Coincident vertical curves that go up to infinity, as one incoming bundle.
+  RightInfinity,  ///< All curves to the right infinity, as incoming bundles.
 };
 
-/// Everything that happens at one place. The spans are valid during the call only. A bundle is
-/// named by the one of its curves that reaches furthest right; as it was when the bundle last left
-/// a place.
+/// An event: everything that happens at one place. The spans are valid during the call only. A
+/// bundle is given by the curve of it that ends last, as it was when the bundle last left a place.
 struct SweepEvent {
   static constexpr std::uint32_t kNew = std::numeric_limits<std::uint32_t>::max();
 
-  SweepPlace place = SweepPlace::Point;
-  std::span<const std::uint32_t> points;   ///< end points lying here; empty: a mere crossing
-  const Crossing2* crossing = nullptr;     ///< set when points is empty (and place is Point)
-  std::span<const SegmentId> incoming;     ///< bundles just left of the event, bottom to top
-  std::span<const SegmentId> outgoing;     ///< bundles just right of it, bottom to top
-  std::span<const SegmentId> ends;         ///< curves that end here, by bundle; none at infinity
-  std::span<const SegmentId> starts;       ///< curves that start here, by bundle
-  std::span<const SegmentId> zero_length;  ///< zero-length segments lying here
-  SegmentId below;                         ///< the bundle next below the event, if any
-  bool plain = false;  ///< one point, no overlap, every segment here starts or ends at that point
+  SweepPlace place = SweepPlace::Point;    ///< The kind of place.
+  std::span<const std::uint32_t> points;   ///< End points and stops here; none at a mere crossing.
+  const Crossing2* crossing = nullptr;     ///< Set if there are no points and `place` is Point.
+  std::span<const SegmentId> incoming;     ///< Bundles just left of the event, bottom to top.
+  std::span<const SegmentId> outgoing;     ///< Bundles just right of it, bottom to top.
+  std::span<const SegmentId> ends;         ///< Curves that end here, by bundle; none at infinity.
+  std::span<const SegmentId> starts;       ///< Curves that start here, by bundle.
+  std::span<const SegmentId> zero_length;  ///< Segments of zero length here.
+  SegmentId below;                         ///< The bundle next below the event, if any.
+  /// Whether there is one point and no overlap, and every curve here starts or ends at that point.
+  bool plain = false;
 
-  // Of events that are not plain, behind the functions below.
-  std::span<const std::uint32_t> arrived_as;  ///< per outgoing bundle
-  std::span<const std::uint32_t> ends_end;    ///< per incoming bundle, into ends
-  std::span<const std::uint32_t> starts_end;  ///< per outgoing bundle, into starts
+  // For events that are not plain; read by the functions below.
+  std::span<const std::uint32_t> arrived_as;  ///< What came_from() returns for outgoing bundles.
+  std::span<const std::uint32_t> ends_end;    ///< Where each incoming bundle's part of ends stops.
+  std::span<const std::uint32_t>
+      starts_end;  ///< Where each outgoing bundle's part of starts stops.
 
-  /// The incoming bundle that goes on in an outgoing one; kNew: all its curves start here.
+  /// Returns the incoming bundle that continues in an outgoing one, or kNew if all curves of the
+  /// outgoing one start here.
   std::uint32_t came_from(std::size_t out) const { return plain ? kNew : arrived_as[out]; }
-  /// The curves of an incoming bundle that end here.
+  /// Returns the curves of an incoming bundle that end here.
   std::span<const SegmentId> ending_in(std::size_t in) const {
     return plain ? incoming.subspan(in, 1) : part(ends, ends_end, in);
   }
-  /// The curves of an outgoing bundle that start here.
+  /// Returns the curves of an outgoing bundle that start here.
   std::span<const SegmentId> starting_in(std::size_t out) const {
     return plain ? outgoing.subspan(out, 1) : part(starts, starts_end, out);
   }
-  /// Does every curve here start or end here, each in a bundle of its own?
+  /// Whether every curve here starts or ends here, each in a bundle of its own.
   bool has_ends_only() const;
 
  private:
@@ -126,6 +134,7 @@ struct SweepEvent {
 
 class [[gnu::visibility("hidden")]] SweepCurves;
 
+/// Takes the events of a sweep.
 class SweepVisitor {
  public:
   virtual ~SweepVisitor() = default;
@@ -139,8 +148,8 @@ class SweepVisitor {
 void sweep(const PointTable2& points, std::span<const SweepSegment> segments, SweepVisitor& visitor,
            Context& context);
 
-/// Sweeps all curves; each of the points `stops` is an event too, even where nothing starts or
-/// ends.
+/// Sweeps all curves. Each of the points `stops` is an event, too, even if no curve starts or ends
+/// there. Throws only what the visitor or the context throws.
 void sweep(const PlanePointsView& points, std::span<const SweepCurve> curves,
            std::span<const std::uint32_t> stops, SweepVisitor& visitor, Context& context);
 

@@ -1,3 +1,11 @@
+// Ranks of points, order and meetings of curves, and the members of bundles.
+//
+// Points are sorted once, input points by keys of their nearest doubles: rounding is monotone, so
+// different keys order exact points rightly, and only equal keys need exact comparison. Where two
+// neighbours of the status meet next is one orientation sign (docs/design/sweep.md, Neighbours).
+//
+// Tested by tests/plane/sweep_test.cpp and tests/plane/sweep_unbounded_test.cpp.
+
 #include "plumb/plane/sweep/sweep_curves.h"
 
 #include <algorithm>
@@ -8,8 +16,8 @@
 namespace plumb {
 namespace {
 
-// Keys of input points decide almost always. Rounding is monotone, so different keys order exact
-// points rightly; equal keys mean equal points only when both points are doubles.
+// A point with keys that decide almost always. Rounding is monotone, so different keys order exact
+// points rightly; equal keys mean equal points only if all input points are doubles.
 struct KeyedPoint {
   std::uint64_t x;
   std::uint64_t y;
@@ -33,7 +41,7 @@ class KeyOrder {
   bool exact_keys_;
 };
 
-// Crossings have no keys: their approximations are not monotone.
+// Compares points exactly. Crossings have no keys, as their approximations are not monotone.
 class PredicateOrder {
  public:
   explicit PredicateOrder(const PlanePointsView& points) : points_(points) {}
@@ -57,6 +65,7 @@ std::vector<KeyedPoint> keyed_points(const PlanePointsView& points, const std::v
   return keyed;
 }
 
+// Sorts the points, equal ones by index, and gives each the position of the first equal one.
 template <class Order>
 PointRanks rank_by(const Order& order, std::vector<KeyedPoint> keyed, std::size_t point_count) {
   std::sort(keyed.begin(), keyed.end(), [&order](const KeyedPoint& p, const KeyedPoint& q) {
@@ -98,6 +107,7 @@ SweepCurves::SweepCurves(const PlanePointsView& points, std::span<const SweepCur
   for (const SweepCurve& c : curves) curves_.push_back(left_to_right(c));
 }
 
+/// Bounded curves are turned by the ranks of their ends, others by two points of the line.
 SweepCurves::Curve SweepCurves::left_to_right(const SweepCurve& c) const {
   const bool is_bounded = c.from != SweepCurve::kUnbounded && c.to != SweepCurve::kUnbounded;
   const bool forward = is_bounded ? rank(c.from) <= rank(c.to)
@@ -128,9 +138,10 @@ Sign SweepCurves::order_at_left_infinity(SegmentId s, SegmentId t) const {
   return turn != Sign::Zero ? -turn : side(s, (*this)[t].a);
 }
 
-// They meet further right if and only if the one that ends first does not end strictly on its own
-// side of the other. An infinite curve ends after a finite one, even a vertical one: to the right
-// of an infinite vertical lower curve is below it. Two infinite ones meet if the lower is steeper.
+// Two curves meet further right if and only if the one that ends first does not end strictly on its
+// own side of the other. An infinite curve ends after a finite one. This holds for a vertical one,
+// too: what lies to the right of an infinite vertical lower curve lies below it. Two infinite
+// curves meet if the lower one is steeper.
 SweepCurves::NextMeeting SweepCurves::next_meeting(SegmentId lower, SegmentId upper) const {
   const Curve& l = curves_[lower.value()];
   const Curve& u = curves_[upper.value()];
@@ -139,7 +150,7 @@ SweepCurves::NextMeeting SweepCurves::next_meeting(SegmentId lower, SegmentId up
     return {steeper ? Meeting::Crossing : Meeting::None, 0};
   }
   const bool both_end = l.has_right() && u.has_right();
-  if (both_end && rank(l.right) == rank(u.right)) return {};  // the event there sees both
+  if (both_end && rank(l.right) == rank(u.right)) return {};  // The event there has both.
   const bool lower_ends_first = both_end ? rank(l.right) < rank(u.right) : l.has_right();
   const std::uint32_t end = lower_ends_first ? l.right : u.right;
   const Sign own_side = lower_ends_first ? -side(upper, end) : side(lower, end);
@@ -158,6 +169,8 @@ void SweepMembers::update(const SweepEvent& event) {
   list_outgoing(event);
 }
 
+// The curves of a bundle form a list, whose first one head_ has for the curve that names the
+// bundle. A bundle that came from a plain event has that curve alone.
 void SweepMembers::list_incoming(const SweepEvent& event) {
   incoming_.clear();
   begin_.assign(1, 0);
@@ -172,6 +185,8 @@ void SweepMembers::list_incoming(const SweepEvent& event) {
   for (const SegmentId s : event.ends) is_ended_[s.value()] = 1;
 }
 
+// The members of an outgoing bundle are those of the incoming one that do not end, then those that
+// start. Their list is made anew under the curve that names the bundle from here on.
 void SweepMembers::list_outgoing(const SweepEvent& event) {
   outgoing_.clear();
   for (std::size_t i = 0; i < event.outgoing.size(); ++i) {

@@ -1,4 +1,5 @@
-// Lexicographic ranks of points.
+// The curves of a sweep with the ranks of their ends, the questions that a sweep asks about two
+// curves, and lists of the curves in the bundles of an event.
 #pragma once
 
 #include <cstdint>
@@ -15,27 +16,27 @@ namespace plumb {
 struct PointRanks {
   static constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
-  std::vector<std::uint32_t> order;  ///< used points, sorted; equal points by index
-  std::vector<std::uint32_t> rank;   ///< per point: position in `order` of the first equal one
+  std::vector<std::uint32_t> order;  ///< The used points, sorted; equal points by index.
+  std::vector<std::uint32_t> rank;   ///< The position in `order` of the first equal point.
 };
 
-/// Ranks the points whose `used` entry is set. O(n log n).
+/// Returns the ranks of the points whose `used` entry is set. O(n log n).
 PointRanks rank_points(const PlanePointsView& points, const std::vector<char>& used);
 
-// The curves of a sweep, each turned to run from left to right, and what the sweep asks of two.
-
+/// The curves of a sweep, each turned to run from left to right.
 class SweepCurves {
  public:
-  /// The line a -> b runs to the right, or upward.
+  /// A curve. Its line a -> b runs to the right, or upward.
   struct Curve {
-    std::uint32_t left;  ///< a point, or SweepCurve::kUnbounded; right likewise
-    std::uint32_t right;
-    std::uint32_t a;
-    std::uint32_t b;
+    std::uint32_t left;   ///< The left end, a point or SweepCurve::kUnbounded.
+    std::uint32_t right;  ///< The right end, likewise.
+    std::uint32_t a;      ///< An input point of the line.
+    std::uint32_t b;      ///< A greater input point of the line.
     bool has_left() const { return left != SweepCurve::kUnbounded; }
     bool has_right() const { return right != SweepCurve::kUnbounded; }
   };
 
+  /// Ranks the ends of all curves and the stops, and turns the curves.
   SweepCurves(const PlanePointsView& points, std::span<const SweepCurve> curves,
               std::span<const std::uint32_t> stops);
 
@@ -45,13 +46,16 @@ class SweepCurves {
   const Curve& operator[](SegmentId s) const { return curves_[s.value()]; }
   std::uint32_t rank(std::uint32_t point) const { return ranks_.rank[point]; }
 
+  /// Whether both ends have the same coordinates.
   bool is_zero_length(SegmentId s) const;
+  /// Whether all points of the curve have one abscissa.
   bool is_vertical(SegmentId s) const;
+  /// Whether the right end has the given rank.
   bool ends_at(SegmentId s, std::uint32_t rank_of_place) const {
     const Curve& c = curves_[s.value()];
     return c.has_right() && rank(c.right) == rank_of_place;
   }
-  /// Does s end later than t? (Of curves on one line.)
+  /// Whether s ends later than t. Requires curves on one line.
   bool reaches_further(SegmentId s, SegmentId t) const {
     const Curve& c = curves_[s.value()];
     const Curve& d = curves_[t.value()];
@@ -59,6 +63,7 @@ class SweepCurves {
     return !c.has_right() || rank(c.right) > rank(d.right);
   }
 
+  /// Returns the side of the line of s on which a point lies; Positive is above.
   Sign side(SegmentId s, std::uint32_t point) const {
     const Curve& c = curves_[s.value()];
     return orient2d(points_, c.a, c.b, point);
@@ -67,23 +72,26 @@ class SweepCurves {
     const Curve& c = curves_[s.value()];
     return orient2d(points_.inputs(), c.a, c.b, point);
   }
-  /// Positive when t runs steeper than s.
+  /// Returns Positive if t is steeper than s, Zero if they are parallel.
   Sign direction_order(SegmentId s, SegmentId t) const;
-  /// Order of two curves from the left infinity there: Positive when t lies above s, Zero when they
-  /// are on one line.
+  /// Returns the order at the left infinity of two curves from there: Positive if t lies above s,
+  /// Zero if they are on one line.
   Sign order_at_left_infinity(SegmentId s, SegmentId t) const;
 
-  /// What becomes of two curves of which `lower` runs next below `upper`.
+  /// Where two curves meet, of which `lower` runs next below `upper`.
   enum class Meeting : std::uint8_t {
-    None,      ///< they do not meet further right, or end at equal points
-    Crossing,  ///< inside both
-    AtEnd,     ///< at the right end of one, inside the other: `end`
+    None,      ///< They do not meet further right, or end at equal points.
+    Crossing,  ///< They cross inside both.
+    AtEnd,     ///< The right end of one, `end`, lies inside the other.
   };
+  /// The answer of next_meeting().
   struct NextMeeting {
-    Meeting kind = Meeting::None;
-    std::uint32_t end = 0;
+    Meeting kind = Meeting::None;  ///< Where they meet.
+    std::uint32_t end = 0;         ///< The end point, for AtEnd.
   };
+  /// Returns where two neighbours of the status meet next. Costs one sign.
   NextMeeting next_meeting(SegmentId lower, SegmentId upper) const;
+  /// Returns the common point of the lines of two curves. Requires that they are not parallel.
   Crossing2 crossing(SegmentId lower, SegmentId upper) const;
 
  private:
@@ -96,16 +104,17 @@ class SweepCurves {
 
 // All curves of the bundles at an event, for visitors that have to look at every one of them.
 //
-// An event costs the number of curves there, also of those that pass through in a bundle: of n
-// nested segments on one line n^2 / 2 in all. Visitors that can do with what changes at an event
-// ask the event itself.
+// An event costs the number of curves there, with those that pass through in a bundle: n nested
+// segments on one line cost n^2 / 2 in all. Visitors for which the changes at an event suffice
+// should ask the event itself.
 
-/// A curve at an event; curves of equal `bundle` overlap on that side of the event.
+/// A curve at an event. Curves of equal `bundle` overlap on that side of the event.
 struct SweepIncidence {
-  SegmentId segment;
-  std::uint32_t bundle;  ///< 0, 1, ... from bottom to top
+  SegmentId segment;     ///< The curve.
+  std::uint32_t bundle;  ///< The number of its bundle: 0, 1, ... from bottom to top.
 };
 
+/// Keeps the lists of the curves in all bundles.
 class SweepMembers {
  public:
   static constexpr std::size_t kBytesPerCurve = 9;
@@ -113,10 +122,10 @@ class SweepMembers {
   explicit SweepMembers(std::size_t curve_count)
       : next_(curve_count), head_(curve_count), is_ended_(curve_count, 0) {}
 
-  /// To be told of every event that is not plain; plain ones may be left out.
+  /// Takes an event. Requires every event that is not plain, in order; plain ones may be left out.
   void update(const SweepEvent& event);
 
-  /// Of the last event told: bottom to top.
+  // The curves at the last event, bottom to top.
   std::span<const SweepIncidence> incoming() const { return incoming_; }
   std::span<const SweepIncidence> outgoing() const { return outgoing_; }
 
@@ -124,12 +133,13 @@ class SweepMembers {
   void list_incoming(const SweepEvent& event);
   void list_outgoing(const SweepEvent& event);
 
-  std::vector<SegmentId> next_;  // per curve: the next one of its bundle
-  std::vector<SegmentId> head_;  // per curve that names a bundle: its first; invalid: just itself
-  std::vector<char> is_ended_;   // per curve
+  std::vector<SegmentId> next_;  // The next curve in the bundle of each curve.
+  std::vector<SegmentId> head_;  // The first curve of the bundle that a curve names; not valid if
+                                 // the bundle has that curve alone.
+  std::vector<char> is_ended_;   // Whether each curve has ended.
   std::vector<SweepIncidence> incoming_;
   std::vector<SweepIncidence> outgoing_;
-  std::vector<std::size_t> begin_;  // per incoming bundle, into incoming_; and one more
+  std::vector<std::size_t> begin_;  // Where each incoming bundle begins in incoming_; and the end.
 };
 
 }  // namespace plumb

@@ -1,3 +1,17 @@
+// The queue and the status of a sweep.
+//
+// The queue merges three sorted sequences: end points by rank, a heap of crossings, and the
+// vertical ends at infinity. The start of a vertical at the bottom comes before all points of its
+// x, its end at the top after them; this is the order of the ends around the plane
+// (docs/design/frame.md, Lemma 1).
+//
+// The status is a treap: a binary tree in the order of positions and a heap in the order of random
+// priorities, which keeps it balanced in expectation. Nodes are also linked in a list, so
+// neighbours cost O(1), and an insertion next to a known node needs no search, only expected O(1)
+// rotations.
+//
+// Tested by tests/plane/sweep_test.cpp and tests/plane/sweep_unbounded_test.cpp.
+
 #include "plumb/plane/sweep/sweep_structures.h"
 
 #include <algorithm>
@@ -6,7 +20,7 @@
 namespace plumb {
 namespace {
 
-// Heap order: std::push_heap keeps the greatest first, so "less" means "later".
+// The order of the heap: std::push_heap() keeps the greatest first, so "less" means "later".
 struct Later {
   const PointTable2& points;
   bool operator()(const SweepQueue::PendingCrossing& p,
@@ -47,7 +61,7 @@ bool SweepQueue::advance() {
   if ((starts_.left() || ends_.left()) && advance_to_vertical()) return true;
   const bool points_left = cursor_ < curves_.ranks().order.size();
   if (!points_left && heap_.empty()) return false;
-  Sign first = Sign::Positive;  // of the next crossing against the next point
+  Sign first = Sign::Positive;  // The order of the next crossing and the next point.
   if (!heap_.empty()) {
     first = points_left
                 ? compare_xy(curves_.points(), heap_.front().point, curves_.ranks().order[cursor_])
@@ -58,7 +72,8 @@ bool SweepQueue::advance() {
   return true;
 }
 
-// A start comes before the points of its x, an end after them; at equal x the start is first.
+// Takes the next vertical ends if they come before all else. A start comes before the points of its
+// x, an end after them; at equal x the start is first.
 bool SweepQueue::advance_to_vertical() {
   if (is_next(starts_, SweepPlace::VerticalStart)) {
     const bool end_is_earlier =
@@ -74,6 +89,7 @@ bool SweepQueue::advance_to_vertical() {
   return true;
 }
 
+// Whether the next vertical ends of a kind come before the next point and the next crossing.
 bool SweepQueue::is_next(const Verticals& verticals, SweepPlace kind) const {
   if (!verticals.left()) return false;
   const std::uint32_t x = curves_[verticals.next()].a;
@@ -126,7 +142,8 @@ void SweepQueue::add_crossing(SegmentId lower, SegmentId upper) {
 
 namespace {
 
-// One step of splitmix64 (Steele, Lea and Flood 2014); a fixed start keeps runs alike.
+// One step of splitmix64 (G. L. Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number
+// generators, OOPSLA 2014). The fixed start makes runs repeatable.
 std::uint32_t next_random(std::uint64_t& state) {
   std::uint64_t z = (state += 0x9E3779B97F4A7C15ULL);
   z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
@@ -158,7 +175,8 @@ StatusNode SweepStatus::insert_above(StatusNode below, SegmentId s) {
   return n;
 }
 
-// The free child slot between `below` and its successor: one of the two always has it.
+// Hangs the node into the free child slot between `below` and its successor. One of the two has it:
+// of two neighbours in order, one is below the other in the tree and has no child on that side.
 void SweepStatus::attach(StatusNode n, StatusNode below) {
   if (below.is_valid() && !at(below).right.is_valid()) {
     at(below).right = n;
@@ -174,6 +192,7 @@ void SweepStatus::attach(StatusNode n, StatusNode below) {
   at(n).parent = above;
 }
 
+// Links the node into the list.
 void SweepStatus::thread(StatusNode n, StatusNode below) {
   const StatusNode above = below.is_valid() ? at(below).next : first_;
   at(n).prev = below;
@@ -190,6 +209,7 @@ void SweepStatus::sift_up(StatusNode n) {
   while (at(n).parent.is_valid() && at(at(n).parent).priority < at(n).priority) rotate_up(n);
 }
 
+// Exchanges a node and its parent; the order of positions stays.
 void SweepStatus::rotate_up(StatusNode n) {
   const StatusNode p = at(n).parent;
   const StatusNode grandparent = at(p).parent;
@@ -213,6 +233,7 @@ void SweepStatus::replace_child(StatusNode parent, StatusNode old_child, StatusN
   }
 }
 
+// Rotates the node down until it has at most one child, which then takes its place.
 void SweepStatus::erase(StatusNode n) {
   while (at(n).left.is_valid() && at(n).right.is_valid()) {
     const StatusNode l = at(n).left;

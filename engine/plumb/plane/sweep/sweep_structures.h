@@ -1,5 +1,7 @@
-// The events of a sweep in lexicographic order: sorted end points, crossings found on the way, and
-// the ends of vertical curves at infinity.
+// The two data structures of a sweep: the queue of events and the status.
+//
+// The queue gives the events in lexicographic order: sorted end points, crossings found on the way,
+// and the ends of vertical curves at infinity.
 #pragma once
 
 #include <cstdint>
@@ -12,38 +14,42 @@
 
 namespace plumb {
 
+/// The events of a sweep. See the head of this file.
 class SweepQueue {
  public:
+  /// A crossing that has been found and not yet been reached.
   struct PendingCrossing {
-    Crossing2 point;
-    SegmentId lower;
-    SegmentId upper;
+    Crossing2 point;  ///< Where.
+    SegmentId lower;  ///< The bundle that is the lower one before it.
+    SegmentId upper;  ///< The bundle that is the upper one before it.
   };
 
   /// The event at hand. Points and crossings are at one place; vertical ends come alone.
   struct Place {
-    SweepPlace kind = SweepPlace::Point;
-    std::uint32_t rank = PointRanks::kUnused;  ///< kUnused: a mere crossing
-    std::vector<std::uint32_t> points;         ///< equal end points
-    std::vector<PendingCrossing> crossings;    ///< equal crossings
-    std::vector<SegmentId> verticals;          ///< coincident vertical curves, for vertical ends
+    SweepPlace kind = SweepPlace::Point;       ///< A point or a vertical end.
+    std::uint32_t rank = PointRanks::kUnused;  ///< The rank of the points; kUnused without any.
+    std::vector<std::uint32_t> points;         ///< Equal end points.
+    std::vector<PendingCrossing> crossings;    ///< Equal crossings.
+    std::vector<SegmentId> verticals;          ///< Coincident vertical curves, for vertical ends.
+    /// Whether there is an end point or stop.
     bool is_point() const { return rank != PointRanks::kUnused; }
   };
 
-  /// Keeps a reference to `curves`.
+  /// Makes the queue of these curves, to which it keeps a reference.
   explicit SweepQueue(const SweepCurves& curves);
 
-  /// Moves on to the next event; false when there is none. Curves from the left and to the right
-  /// infinity are not events.
+  /// Moves on to the next event; returns false if there is none. The left and the right infinity
+  /// are not in the queue.
   bool advance();
   const Place& place() const { return place_; }
+  /// Adds the crossing of two neighbours of the status. O(log n).
   void add_crossing(SegmentId lower, SegmentId upper);
 
   std::size_t done() const { return cursor_; }
   std::size_t total() const { return curves_.ranks().order.size(); }
 
  private:
-  // Vertical ends at infinity, by x: a group of equal x is one event.
+  // Vertical ends at infinity by x. A group of equal x is one event.
   struct Verticals {
     std::vector<SegmentId> order;
     std::size_t cursor = 0;
@@ -61,42 +67,46 @@ class SweepQueue {
   void pop_crossing();
 
   const SweepCurves& curves_;
-  std::vector<PendingCrossing> heap_;  // least crossing first
-  std::size_t cursor_ = 0;             // into ranks().order
+  std::vector<PendingCrossing> heap_;  // The least crossing comes first.
+  std::size_t cursor_ = 0;             // The next point in ranks().order.
   Verticals starts_;
   Verticals ends_;
   Place place_;
 };
 
-// The ordered list of bundles under the sweep line: a treap in flat arrays, threaded as a list.
+// The status is the ordered list of bundles that the sweep line meets: a treap in flat arrays,
+// threaded as a list.
 //
-// Order is positional: nodes are placed next to known neighbours, never compared by a stored key,
-// so the caller's geometry may change (at crossings) as long as it re-places what changes. Cost:
-// expected O(1) for insert and erase next to a known node, O(log n) for a search.
+// The order is one of positions: nodes are placed next to known neighbours and never compared by a
+// stored key. So the geometry may change at crossings, as long as the sweep replaces what changes.
+// Cost: expected O(1) for insert and erase next to a known node, expected O(log n) for a search.
+// Source: R. G. Seidel, C. R. Aragon, Randomized search trees, Algorithmica 16 (1996).
 
 using StatusNode = StrongId<struct StatusNodeTag>;
 
+/// The bundles that the sweep line meets.
 class SweepStatus {
  public:
   StatusNode first() const { return first_; }
   StatusNode next(StatusNode n) const { return nodes_[n.value()].next; }
   StatusNode prev(StatusNode n) const { return nodes_[n.value()].prev; }
 
-  /// The curve that names the node's bundle.
+  /// Returns the curve that names the node's bundle.
   SegmentId segment(StatusNode n) const { return nodes_[n.value()].segment; }
   void set_segment(StatusNode n, SegmentId s) { nodes_[n.value()].segment = s; }
 
-  /// A new node directly above `below` (at the very bottom when `below` is invalid).
+  /// Inserts a node directly above `below`, or at the very bottom if `below` is not valid.
   StatusNode insert_above(StatusNode below, SegmentId s);
+  /// Removes a node, which may be used again later.
   void erase(StatusNode n);
 
   /// Where a point lies among the bundles.
   struct Location {
-    StatusNode below;  ///< highest node below the point, if any
-    StatusNode on;     ///< a node through the point, if any (then `below` is not set)
+    StatusNode below;  ///< The highest node below the point, if any.
+    StatusNode on;     ///< A node through the point, if any; `below` is then not set.
   };
 
-  /// Locates the point for which `side(segment)` answers Positive when it lies above that segment.
+  /// Locates the point for which side(segment) returns its side of a curve: Positive above it.
   template <class Side>
   Location locate(const Side& side) const {
     Location found;

@@ -1,3 +1,18 @@
+// Signs about directions and great circles, crossings of arcs and circles, walks along circles, and
+// the connected parts of a sphere map.
+//
+// All order on a circle and around a direction is reduced to det3 and to single components of cross
+// products (docs/design/sphere.md, The signs). Whether a circle crosses an arc follows from the
+// sides of the arc's ends alone: going around, one passes four stations in a fixed order (Crossings
+// from sides, and Lemma 1 there). No circle through two directions is ever formed, so degrees stay
+// at 6.
+//
+// Faces of a map that is not connected are found by walks from part to part, each along one circle
+// to the circle of a common root arc and along that to the arc; Lemmas 2 and 3 of that page prove
+// that their links join all boundary cycles of each face.
+//
+// Tested by tests/sphere/sphere_overlay_test.cpp and tests/sphere/nef_sphere_test.cpp.
+
 #include "plumb/sphere/arcs/sphere_arcs.h"
 
 #include <algorithm>
@@ -18,7 +33,7 @@ void SphereMap::clear() {
 
 namespace {
 
-/// The sign of l in n_m1 x n_m2 = l u. Requires both circles through u.
+/// Returns the sign of l in n_m1 x n_m2 = l u. Requires that both circles contain u.
 Sign turn_between(const PlaneTable& planes, SphereDirection u, PlaneId m1, PlaneId m2) {
   if (m1 == m2) return Sign::Zero;
   if (m1 == u.p && m2 == u.q) return Sign::Positive;
@@ -26,12 +41,15 @@ Sign turn_between(const PlaneTable& planes, SphereDirection u, PlaneId m1, Plane
   return turn_about_line(planes, u.p, u.q, m1, m2);
 }
 
-/// Zero: the same place or the opposite one.
+/// Returns the half of the circle, seen from the first place, in which the second lies: Positive if
+/// the turn is less than half a circle, Negative if it is more, Zero if the places are equal or
+/// opposite.
 Sign half_on(const PlaneTable& planes, PlaneId circle, CirclePlace from, CirclePlace to) {
   if (from.other == to.other) return Sign::Zero;
   return det3_sign(planes, circle, from.other, to.other) * from.sign() * to.sign();
 }
 
+/// Returns the same for two headings at u.
 Sign half_at(const PlaneTable& planes, SphereDirection u, OrientedPlane from, OrientedPlane to) {
   return turn_between(planes, u, from.plane(), to.plane()) * from.orientation() * to.orientation();
 }
@@ -48,6 +66,7 @@ Sign side_of(const PlaneTable& planes, SphereDirection u, PlaneId circle) {
   return det3_sign(planes, u.p, u.q, circle);
 }
 
+/// v lies on both circles of u if and only if it is u or -u; the turn distinguishes the two.
 bool is_same(const PlaneTable& planes, SphereDirection u, SphereDirection v) {
   if (u == v) return true;
   if (u == v.opposite()) return false;
@@ -55,12 +74,14 @@ bool is_same(const PlaneTable& planes, SphereDirection u, SphereDirection v) {
          turn_between(planes, u, v.p, v.q) == Sign::Positive;
 }
 
+/// For another circle, u is a multiple of n_c x n_(u.p), whose sign is that of a turn at u.
 CirclePlace place_on(const PlaneTable& planes, PlaneId circle, SphereDirection u) {
   if (circle == u.p) return {u.q, false};
   if (circle == u.q) return {u.p, true};
   return {u.p, turn_between(planes, u, circle, u.p) == Sign::Negative};
 }
 
+/// If det3 is zero, the places are equal or opposite, and one component of a cross product decides.
 TurnClass turn_on(const PlaneTable& planes, PlaneId circle, CirclePlace from, CirclePlace to) {
   const Sign half = half_on(planes, circle, from, to);
   if (half != Sign::Zero) return class_of(half, false);
@@ -101,9 +122,11 @@ bool is_before_at(const PlaneTable& planes, SphereDirection u, OrientedPlane fro
 namespace {
 
 /// Going counter-clockwise on c one is on the positive side of d, at n_c x n_d, on the negative
-/// side, at the opposite point, and so on: four stations in this order.
+/// side, and at the opposite point: four stations in this order.
 enum Station : unsigned { kPositive = 0, kAhead = 1, kNegative = 2, kBehind = 3 };
 
+/// Returns the station of the origin of a half-arc, which its side of d determines unless it lies
+/// on d.
 Station station(const PlaneTable& planes, const SphereMap& map, std::uint32_t half_arc, PlaneId d,
                 Sign side) {
   if (side == Sign::Positive) return kPositive;
@@ -113,16 +136,18 @@ Station station(const PlaneTable& planes, const SphereMap& map, std::uint32_t ha
   return turn_on(planes, c, {d, false}, place) == TurnClass::None ? kAhead : kBehind;
 }
 
-/// Both ends at one station: does the arc go all the way round?
+/// Whether an arc whose ends are at one station goes once around and does not stay there.
 bool goes_round(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc, Station at) {
   if (map.origin[2 * arc] == map.origin[2 * arc + 1]) return true;
-  if (at == kAhead || at == kBehind) return false;  // different points are never at one of these
+  if (at == kAhead || at == kBehind) return false;  // Two points are never at one of these.
   return turn_on(planes, map.circle[arc], origin_place(planes, map, 2 * arc),
                  origin_place(planes, map, 2 * arc + 1)) == TurnClass::Right;
 }
 
 }  // namespace
 
+/// Passes the stations from that of the start to that of the end. A station is strictly inside the
+/// arc unless it is the first or the last.
 ArcCrossings crossings(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc, PlaneId d,
                        Sign from_side, Sign to_side) {
   if (map.is_loop(arc)) return {true, true};
@@ -168,7 +193,7 @@ std::uint32_t sector_at(const PlaneTable& planes, const SphereMap& map, std::uin
   std::uint32_t best = first;
   for (std::uint32_t h = first;;) {
     if (heading_of(map, h) == heading) return kNone;
-    // The last one counter-clockwise from the heading is the next one clockwise.
+    // The last half-arc counter-clockwise from the heading is the next one clockwise of it.
     if (is_before_at(planes, u, heading, heading_of(map, best), heading_of(map, h))) best = h;
     h = map.clockwise(h);
     if (h == first) return best;
@@ -188,6 +213,7 @@ void Leg::add_point(std::uint32_t v, std::vector<PathHit>& hits) const {
   hits.push_back({place, SphereCell::point(v), slot_towards(v, true), slot_towards(v, false)});
 }
 
+/// Returns the slot of the face into which the leg runs at a point, or from which it came.
 SphereSlot Leg::slot_towards(std::uint32_t v, bool backward) const {
   if (map_.first_out[v] == kNone) return {kNone, v};
   return {sector_at(planes_, map_, v, {circle_, backward}), kNone};
@@ -200,7 +226,8 @@ void Leg::add_arc(std::uint32_t a, std::vector<PathHit>& hits) const {
   if (on_leg.behind) add_crossing(a, true, hits);
 }
 
-/// At n_c x n_m the leg leaves the positive side of m, which is to the left of the even half-arc.
+/// At n_c x n_m the leg leaves the positive side of m, which is to the left of the even half-arc of
+/// the arc on m. So the entry is that half-arc there, and the odd one at the opposite point.
 void Leg::add_crossing(std::uint32_t a, bool is_opposite, std::vector<PathHit>& hits) const {
   const CirclePlace place{map_.circle[a], is_opposite};
   if (!is_on(place)) return;
@@ -231,11 +258,15 @@ void walk_leg(const PlaneTable& planes, const SphereMap& map, PlaneId circle, Ci
   });
 }
 
+/// The first leg follows u.p to the nearer of its two common points with the circle r of the arc,
+/// the corner; the second follows r. If u lies on r, there is no first leg. At the corner the walk
+/// turns, so that a hit there has no exit on the first leg and no entry on the second: what lies
+/// before it and after it need not be one face.
 void walk_to_arc(const PlaneTable& planes, const SphereMap& map, SphereDirection u,
                  std::uint32_t arc, std::vector<PathHit>& hits) {
   const PlaneId r = map.circle[arc];
   const Sign side = side_of(planes, u, r);
-  CirclePlace corner;  // on r
+  CirclePlace corner;  // The place on r.
   if (side == Sign::Zero) {
     corner = place_on(planes, r, u);
   } else {
@@ -253,8 +284,6 @@ void walk_to_arc(const PlaneTable& planes, const SphereMap& map, SphereDirection
     hits[first].entry = {};
   }
 }
-
-namespace {}  // namespace
 
 void unite(std::vector<std::uint32_t>& parent, std::uint32_t i, std::uint32_t j) {
   i = find_root(parent, i);
@@ -286,7 +315,9 @@ void SphereParts::walk_from(const PlaneTable& planes, const SphereMap& map, std:
   }
 }
 
-/// Loops are never walked from: two of them would cross, so the only one is the goal.
+/// Arcs that share a point are one part. No walk starts from a loop: two loops would cross, so
+/// there is one at most, and it is taken as the root arc. Each other part has points, and its least
+/// one is its root in the union-find.
 void SphereParts::find(const PlaneTable& planes, const SphereMap& map) {
   point_count_ = static_cast<std::uint32_t>(map.point_count());
   make_singles(parent_, map.point_count() + map.arc_count());

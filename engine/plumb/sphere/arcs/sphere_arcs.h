@@ -1,21 +1,24 @@
-// Signs about directions and great circles: all that a sphere map asks of numbers.
+// Signs about directions and great circles, which are all the arithmetic of a sphere map; what arcs
+// and rings of a map answer by them; walks along great circles; and the connected parts of a map.
+// Internal to engine/sphere.
 //
-// Notation. A direction u = n_p x n_q is a pair of planes, a circle c a plane, both through the
+// Notation. A direction u = n_p x n_q is a pair of planes, a circle c is a plane, all through the
 // centre. Two things are ordered cyclically: directions on a circle, and circles through a
 // direction.
 //
-//   place on c      u = +-(n_c x n_m), named by m and the sign: u in normal form on c
+//   place on c      u = +-(n_c x n_m), given by m and the sign
 //   turn on c       (n_c x m1) x (n_c x m2) = n_c det3(c, m1, m2): one determinant
-//   heading at u    a circle through u with a direction along it: counter-clockwise about +-n_c
+//   heading at u    a circle through u with a direction along it, counter-clockwise about +-n_c
 //   turn at u       (m1 x u) x (m2 x u) = u [u, m1, m2]: the turn from n_m1 to n_m2 about u
 //
-// A turn in four classes, counter-clockwise seen from outside (from the positive side of c): 0
-// none, 1 less than half a circle, 2 half a circle, 3 more. Classes order all turns from one start
-// but those in one open half, which a second sign orders.
+// A turn, counter-clockwise seen from outside (from the positive side of c), falls into one of four
+// classes: none, less than half a circle, half a circle, more. Classes order all turns from one
+// start except those in one open half, which a second sign orders.
 //
-// Planes with different ids have different normals (one vertex, one table), so equal ids are asked
-// before any arithmetic, and two headings are along one circle exactly when their ids are equal.
-// Source: SPACE.md 2; degree 6 in coordinates of input planes' points (det3), 4 (turns at u).
+// Planes of one map with different ids have different normals, as all contain the centre. So equal
+// ids are asked before any arithmetic, and two headings run along one circle if and only if their
+// ids are equal. The degree in input coordinates is 6 (det3), and 4 for turns at u. Source:
+// docs/design/sphere.md, The signs.
 #pragma once
 
 #include <vector>
@@ -27,133 +30,146 @@ namespace plumb {
 
 /// The direction n_c x n_other on a circle c, or the opposite one.
 struct CirclePlace {
-  PlaneId other;  ///< not c
-  bool is_opposite = false;
+  PlaneId other;             ///< A circle other than c.
+  bool is_opposite = false;  ///< Whether the direction is -(n_c x n_other).
+  /// Returns the opposite direction.
   constexpr CirclePlace opposite() const { return {other, !is_opposite}; }
+  /// Returns the factor of n_c x n_other.
   constexpr Sign sign() const { return is_opposite ? Sign::Negative : Sign::Positive; }
 };
 
-/// Whole turns in four classes.
+/// The class of a turn, in the order of growing turns: none, less than half a circle, half a
+/// circle, more.
 enum class TurnClass : std::uint8_t { None, Left, Back, Right };
 
+/// Returns the direction at a place of a circle.
 inline SphereDirection direction_of(PlaneId circle, CirclePlace place) {
   return place.is_opposite ? SphereDirection{place.other, circle}
                            : SphereDirection{circle, place.other};
 }
 
-/// Positive: u lies on the side of the circle's normal.
+/// Returns the side of the circle on which u lies; Positive is that of the circle's normal.
 Sign side_of(const PlaneTable& planes, SphereDirection u, PlaneId circle);
 
+/// Whether u and v are one direction.
 bool is_same(const PlaneTable& planes, SphereDirection u, SphereDirection v);
+/// Whether u and v are opposite.
 inline bool is_opposite(const PlaneTable& planes, SphereDirection u, SphereDirection v) {
   return is_same(planes, u.opposite(), v);
 }
 
-/// Requires u on the circle.
+/// Returns the place of u on a circle. Requires that u lies on it.
 CirclePlace place_on(const PlaneTable& planes, PlaneId circle, SphereDirection u);
 
-/// The turn from one place to another, counter-clockwise about the circle's normal.
+/// Returns the class of the turn from one place to another, counter-clockwise about the circle's
+/// normal.
 TurnClass turn_on(const PlaneTable& planes, PlaneId circle, CirclePlace from, CirclePlace to);
 
-/// Is x met strictly before y, going counter-clockwise from `from` (which is met first)?
+/// Whether x is met strictly before y, going counter-clockwise from `from`, which is met first.
 bool is_before_on(const PlaneTable& planes, PlaneId circle, CirclePlace from, CirclePlace x,
                   CirclePlace y);
 
-/// Does x lie strictly between, going counter-clockwise? From a place to itself is the whole
-/// circle.
+/// Whether x lies strictly between two places, going counter-clockwise from the first to the
+/// second. From a place to itself is the whole circle.
 bool is_between_on(const PlaneTable& planes, PlaneId circle, CirclePlace from, CirclePlace to,
                    CirclePlace x);
 
-/// The turn at u from one heading to another. Requires circles through u.
+/// Returns the class of the turn at u from one heading to another. Requires circles through u.
 TurnClass turn_at(const PlaneTable& planes, SphereDirection u, OrientedPlane from,
                   OrientedPlane to);
 
-/// Is x met strictly before y, turning counter-clockwise at u from the heading `from`?
+/// Whether x is met strictly before y, turning counter-clockwise at u from the heading `from`.
 bool is_before_at(const PlaneTable& planes, SphereDirection u, OrientedPlane from, OrientedPlane x,
                   OrientedPlane y);
 
-// What arcs and rings of a map answer: where circles cross an arc, what lies inside it, between
-// which half-arcs a heading leaves a point. Internal to engine/sphere.
+// Arcs and rings of a map: where circles cross an arc, what lies inside it, and between which
+// half-arcs a heading leaves a point.
 
 /// Which of the two points +-(n_c x n_d) lie strictly inside an arc of circle c.
 struct ArcCrossings {
-  bool ahead = false;   ///< n_c x n_d: the circle goes from the positive side of d to the negative
-  bool behind = false;  ///< the opposite one
-  /// The same points as seen from circle d.
+  bool ahead = false;   ///< Whether n_c x n_d does: c passes there to the negative side of d.
+  bool behind = false;  ///< Whether the opposite point does.
+  /// Returns the same points as seen from circle d.
   constexpr ArcCrossings swapped() const { return {behind, ahead}; }
 };
+/// Returns the points that are in both.
 constexpr ArcCrossings operator&(ArcCrossings a, ArcCrossings b) {
   return {a.ahead && b.ahead, a.behind && b.behind};
 }
 
-/// Requires d != circle[arc]; the sides of d on which the arc begins and ends (of a loop: any).
+/// Returns which of the points +-(n_c x n_d) lie strictly inside an arc, given the sides of d on
+/// which the arc begins and ends (those of a loop are not read). Requires d != circle[arc].
 ArcCrossings crossings(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc, PlaneId d,
                        Sign from_side, Sign to_side);
-/// The same, asking for the sides.
+/// Returns the same, and computes the sides.
 ArcCrossings crossings(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc,
                        PlaneId d);
 
-/// The place of the origin of a half-arc on its circle.
+/// Returns the place of the origin of a half-arc on its circle. Requires that it is no loop.
 inline CirclePlace origin_place(const PlaneTable& planes, const SphereMap& map,
                                 std::uint32_t half_arc) {
   return place_on(planes, map.circle[half_arc / 2], map.direction[map.origin[half_arc]]);
 }
 
-/// Is a place on the arc's circle strictly inside the arc? Everything is inside a loop.
+/// Whether a place on the arc's circle is strictly inside the arc. Every place is inside a loop.
 bool is_inside_arc(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc,
                    CirclePlace place);
 
-/// Does a direction lie strictly inside an arc?
+/// Whether a direction lies strictly inside an arc.
 bool is_on_arc(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc,
                SphereDirection u);
 
+/// Returns the heading of a half-arc where it leaves its origin.
 inline OrientedPlane heading_of(const SphereMap& map, std::uint32_t half_arc) {
   return {map.circle[half_arc / 2], (half_arc & 1U) != 0};
 }
 
-/// The half-arc that leaves the point next clockwise of a heading, so that its left sector holds
-/// the heading; kNone when the heading runs along an arc. Requires a point with arcs.
+/// Returns the half-arc that leaves the point next clockwise of a heading, so that the heading lies
+/// in the sector to its left; kNone if the heading runs along an arc. Requires a point with arcs.
 std::uint32_t sector_at(const PlaneTable& planes, const SphereMap& map, std::uint32_t point,
                         OrientedPlane heading);
 
 // Walks over a sphere map along great circles: what is met, and from which side.
 //
-// Main flow: a leg runs counter-clockwise along one circle. The first leg from u along a circle
-// through u ends where it meets the circle of a given arc; the second follows that circle to the
-// arc. Both circles are circles of the maps, so nothing but det3 is ever asked: no circle through
-// two points has to be made. Cost: O(size of the map) signs, a sort of what is met. Internal.
+// A leg runs counter-clockwise along one circle. The first leg goes from u along a circle through u
+// to the circle of a given arc; the second follows that circle to the arc. Both circles are planes
+// that the maps have, so nothing but det3 is ever asked: no circle through two points is formed.
+// Cost: O(size of the map) signs, and sorting what is met.
 
-/// Where something of a face's boundary is: a half-arc with the face to its left, or an isolated
-/// point.
+/// A place on the boundary of a face: a half-arc with the face to its left, or an isolated point.
 struct SphereSlot {
-  std::uint32_t half_arc = kNone;
-  std::uint32_t point = kNone;
+  std::uint32_t half_arc = kNone;  ///< The half-arc, or kNone.
+  std::uint32_t point = kNone;     ///< The isolated point, or kNone.
+  /// Whether it is either.
   bool is_valid() const { return half_arc != kNone || point != kNone; }
 };
 
-/// What one comes to. Entry and exit: whose face one comes from and goes on into; not valid where
-/// one comes or goes along an arc.
+/// A point or arc that a walk meets. Entry and exit are on the boundaries of the faces that the
+/// walk comes from and goes on into; they are not valid where it comes or goes along an arc.
 struct PathHit {
-  CirclePlace place;
-  SphereCell cell;
-  SphereSlot entry;
-  SphereSlot exit;
+  CirclePlace place;  ///< Where, on the circle of the leg.
+  SphereCell cell;    ///< The point or arc.
+  SphereSlot entry;   ///< A slot of the face before.
+  SphereSlot exit;    ///< A slot of the face after.
 };
 
-/// The face that a slot is of. Requires a valid one.
+/// Returns the face whose boundary a slot is on. Requires a valid slot.
 inline std::uint32_t face_of(const SphereMap& map, SphereSlot slot) {
   return slot.half_arc != kNone ? map.face[slot.half_arc] : map.point_face[slot.point];
 }
 
-/// A closed leg, from a place to itself the whole circle: what it meets of one point or arc.
+/// A leg with its ends; from a place to itself it is the whole circle. Finds where it meets single
+/// points and arcs of the map.
 class Leg {
  public:
   Leg(const PlaneTable& planes, const SphereMap& map, PlaneId circle, CirclePlace from,
       CirclePlace to)
       : planes_(planes), map_(map), circle_(circle), from_(from), to_(to) {}
 
+  /// Appends the point if the leg meets it.
   void add_point(std::uint32_t point, std::vector<PathHit>& hits) const;
-  /// Strictly inside the arc. Nothing when the leg runs along its circle.
+  /// Appends each place strictly inside the arc that the leg crosses; none if the leg runs along
+  /// the circle of the arc.
   void add_arc(std::uint32_t arc, std::vector<PathHit>& hits) const;
 
  private:
@@ -168,52 +184,60 @@ class Leg {
   CirclePlace to_;
 };
 
-/// Adds what is met on the closed leg, in order. Reads no face and no mark of the map.
+/// Appends what is met on the leg, its ends included, in order. Reads no face and no mark of the
+/// map.
 void walk_leg(const PlaneTable& planes, const SphereMap& map, PlaneId circle, CirclePlace from,
               CirclePlace to, std::vector<PathHit>& hits);
 
-/// The way from u to an arc: what is met strictly after u, up to the arc. Requires that u is not on
-/// the arc.
+/// Appends what is met on the way from u to an arc, in order; a point of the map at u comes first.
+/// Where the way turns from the first circle to the second, a hit has no exit (at the end of the
+/// first leg) or no entry (at the start of the second). Requires that u is not on the arc.
 void walk_to_arc(const PlaneTable& planes, const SphereMap& map, SphereDirection u,
                  std::uint32_t arc, std::vector<PathHit>& hits);
 
-// Connected parts of a map, and which of their cycles bound one face. Internal.
+// Connected parts of a map, and which of their cycles bound one face.
 //
-// Each part but one walks to a given arc (sphere_arcs.h). What follows each other on a walk bounds
-// one face; and since the faces and parts of a sphere form a tree, the walks tell this of all
-// cycles: on its way a walk passes through every face between its ends. Reads no face and no mark
-// of the map. Cost: O(n a(n)), and O(n log n) for each part but one.
+// A walk goes from each part but one to a given arc. Two things that a walk meets one after the
+// other bound one face. The faces and parts of a sphere form a tree, so the walks join all cycles
+// of every face: docs/design/sphere.md, Lemmas 2 and 3. Reads no face and no mark of the map. Cost:
+// O(n a(n)) with the inverse Ackermann function a, and O(n log n) for each part but one.
 
-// Union-find: the root of a set is its least member.
+// Union-find, where the root of a set is its least member.
+
+/// Returns the root of the set of i, and shortens the path.
 inline std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
   while (parent[i] != i) i = parent[i] = parent[parent[i]];
   return i;
 }
+/// Unites the sets of i and j.
 void unite(std::vector<std::uint32_t>& parent, std::uint32_t i, std::uint32_t j);
+/// Makes `count` sets of one member each.
 void make_singles(std::vector<std::uint32_t>& parent, std::size_t count);
 
-/// Keeps its memory between calls.
+/// The connected parts of a map. Keeps its memory between calls.
 class SphereParts {
  public:
-  /// Two places on the boundary of one face, of different parts or not.
+  /// Two places on the boundary of one face, of one part or of two.
   struct Link {
-    SphereSlot first;
-    SphereSlot second;
+    SphereSlot first;   ///< The place that a walk leaves.
+    SphereSlot second;  ///< The next place that it meets.
   };
 
+  /// Finds the parts of a map and the links.
   void find(const PlaneTable& planes, const SphereMap& map);
 
-  // Parts are named by numbers below bound(), not all of which are used.
+  // A part is a number below bound(). Not all of them are used.
   std::uint32_t bound() const { return static_cast<std::uint32_t>(parent_.size()); }
   std::uint32_t of_point(std::uint32_t v) { return find_root(parent_, v); }
   std::uint32_t of_arc(std::uint32_t a) { return find_root(parent_, point_count_ + a); }
   std::uint32_t of(SphereSlot slot) {
     return slot.half_arc != kNone ? of_arc(slot.half_arc / 2) : of_point(slot.point);
   }
+  /// Returns the number of parts.
   std::size_t count() const;
 
-  /// Unite what they link, and the cycles of one face are one. Without arcs none: there is one
-  /// face.
+  /// Returns the links. Uniting the cycles that they link unites all cycles of each face. A map
+  /// without arcs has no links, as it has one face.
   const std::vector<Link>& links() const { return links_; }
 
  private:
@@ -221,7 +245,7 @@ class SphereParts {
                  std::uint32_t root_arc);
 
   std::uint32_t point_count_ = 0;
-  std::vector<std::uint32_t> parent_;  // points, then arcs
+  std::vector<std::uint32_t> parent_;  // Union-find over points, then arcs.
   std::vector<Link> links_;
   std::vector<PathHit> hits_;
 };

@@ -1,3 +1,17 @@
+// Bounds of points and arcs of a sphere map on the unit sphere, and a tree over them.
+//
+// A direction is the cross product of two rows of doubles, normalized, in a ball whose radius
+// covers the errors of the rows and all roundings. The extent of an arc along a unit vector n is
+// that of its ends, and that of its circle where n . x may have its maximum or minimum inside the
+// arc. The tree halves the items along the longest axis of their centres; a node keeps a box and a
+// slab across the circle of one of its arcs.
+//
+// Everything here errs to the safe side: a bound contains what it bounds, whatever the roundings,
+// so that the tree may report pairs that do not meet but omits none. Nothing is decided here
+// (docs/design/sphere.md, Cost).
+//
+// Tested by tests/sphere/sphere_overlay_test.cpp and tests/sphere/sphere_locator_test.cpp.
+
 #include "plumb/sphere/arcs/sphere_bounds.h"
 
 #include <algorithm>
@@ -14,14 +28,16 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-constexpr double kRounding = 1e-14;  // more than the roundings of anything below
+constexpr double kRounding = 1e-14;  // More than the roundings of any computation below.
 
-/// How far the circle of a normal goes along a unit vector, at most.
+/// Returns how far the circle of a normal goes along a unit vector, at most: the sine of the angle
+/// between the two.
 double reach(const UnitBall& normal, const Vector& n) {
   const double along = std::max(0.0, std::fabs(dot(normal.middle, n)) - normal.radius - kRounding);
   return std::sqrt(std::max(0.0, 1 - along * along)) + kRounding;
 }
 
+/// Whether an arc is shorter than a half-circle, exactly.
 bool is_short(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc) {
   return !map.is_loop(arc) && turn_on(planes, map.circle[arc], origin_place(planes, map, 2 * arc),
                                       origin_place(planes, map, 2 * arc + 1)) == TurnClass::Left;
@@ -29,10 +45,11 @@ bool is_short(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc)
 
 }  // namespace
 
-/// The middle v / |v| is off by at most 2 error / |v|.
+/// The middle v / |v| is off by at most 2 error / |v|. If v is hardly longer than its error, the
+/// ball contains the whole sphere.
 UnitBall unit_ball(const Vector& v, double error) {
   const double length = std::sqrt(dot(v, v));
-  if (!(length > 8 * error)) return {{0, 0, 0}, 1};  // anywhere
+  if (!(length > 8 * error)) return {{0, 0, 0}, 1};
   return {{v[0] / length, v[1] / length, v[2] / length}, 2 * error / length + kRounding};
 }
 
@@ -49,7 +66,7 @@ UnitBall ball_of(const PlaneTable& planes, SphereDirection u) {
   return unit_ball(cross(p.n, q.n), 4 * errors);
 }
 
-/// S cos a + (N x S) sin a, with what is off in S and N.
+/// Returns S cos a + (N x S) sin a for the start S and the normal N, with their errors.
 UnitBall UnitWay::at(double angle) const {
   const Vector ahead = cross(normal.middle, start.middle);
   const double c = std::cos(angle);
@@ -82,7 +99,9 @@ std::vector<SphereBound> bounds_of(const PlaneTable& planes, const SphereMap& ma
   return bounds;
 }
 
-/// Of n . x over the bound; n is a unit vector, or zero.
+/// Returns the extent of n . x over the bound, for a unit vector n or zero. Along a short arc the
+/// derivative of n . x is n . (N x x): only if it may be positive at the start and negative at the
+/// end does the maximum lie inside, and the circle's reach is taken; likewise for the minimum.
 SphereBoundTree::Interval SphereBoundTree::extent(const SphereBound& bound, const Vector& n) {
   if (bound.kind == SphereBound::Kind::Circle) {
     const double far = reach(bound.normal, n);
@@ -130,7 +149,7 @@ SphereBoundTree::Query SphereBoundTree::query_of(const SphereBound& bound) {
   return {bound, box_of(bound), bound.normal.middle, bound.normal.radius + kRounding};
 }
 
-/// Unit vectors x within the box with |across . x| <= slack?
+/// Whether the box may contain a vector x with |across . x| <= slack.
 bool SphereBoundTree::meets_plane(const Box3& box, const Query& query) {
   double middle = 0;
   double reach = 0;
@@ -141,8 +160,8 @@ bool SphereBoundTree::meets_plane(const Box3& box, const Query& query) {
   return std::fabs(middle) <= reach + 2 * query.slack + kRounding;
 }
 
-/// An arc lies in the plane of its circle: all of it is where n . x = 0, and a slab across it has
-/// no thickness.
+/// Whether an item may meet the query. Besides their boxes, each of two arcs must meet the plane of
+/// the other's circle, as an arc lies where n . x = 0 for its normal n.
 bool SphereBoundTree::may_meet(std::uint32_t item, const Query& query) const {
   if (!boxes_[item].meets(query.box)) return false;
   const SphereBound& bound = bounds_[item];
@@ -154,6 +173,8 @@ bool SphereBoundTree::may_meet(std::uint32_t item, const Query& query) const {
   return meets_plane(bound, query.bound) && meets_plane(query.bound, bound);
 }
 
+/// The slab is across the circle of the first arc from the middle on; items near each other tend to
+/// lie along it.
 SphereBoundTree::Node SphereBoundTree::node_over(std::uint32_t begin, std::uint32_t end) const {
   Node node{boxes_[order_[begin]], {}, {0, 0}};
   for (std::uint32_t i = begin + 1; i < end; ++i) node.box.add(boxes_[order_[i]]);
@@ -171,6 +192,7 @@ SphereBoundTree::Node SphereBoundTree::node_over(std::uint32_t begin, std::uint3
   return node;
 }
 
+/// Splits the items in two halves by their centres along the axis where these spread most.
 void SphereBoundTree::build(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
   if (nodes_.size() <= node) nodes_.resize(node + 1);
   const std::uint32_t middle = begin + (end - begin) / 2;

@@ -1,17 +1,18 @@
-// What surely holds the points and arcs of a map, taken on the unit sphere, and a tree over such
-// bounds. Internal.
+// Bounds of the points and arcs of a map, taken on the unit sphere, and a tree over such bounds.
+// Internal.
 //
-// In doubles, from the rows of planes and their error bounds: a filter, which decides nothing. An
-// arc shorter than a half-circle reaches beyond its ends along a direction n only where n . x grows
-// at one end and falls at the other; then it may go as far as its circle does.
+// Bounds are computed in doubles, from the rows of planes and their error bounds. They are a
+// filter, which decides nothing. An arc shorter than a half-circle reaches beyond its ends along a
+// direction n only if n . x grows at its start and falls at its end; then it may go as far as its
+// circle does.
 //
 // Boxes along the axes alone fail where many long arcs run side by side, as on a cone with many
 // ridges: each box meets a share of all others. So a node of the tree has, besides, a slab across
 // the circle of one of its arcs, which is as thin as its arcs lie close to each other. A query that
-// is an arc is looked for only where its plane goes.
+// is an arc is searched only where its plane goes.
 //
-// Building: O(n log n). A query: O(log n + what it finds) for arcs that lie side by side; worst
-// O(n).
+// Cost: building takes O(n log n). A query takes O(log n + what it finds) for arcs that lie side by
+// side, and O(n) in the worst case.
 #pragma once
 
 #include <array>
@@ -23,51 +24,59 @@
 
 namespace plumb {
 
-/// The unit vector meant lies within `radius` of `middle`.
+/// A ball that contains an exact unit vector.
 struct UnitBall {
-  std::array<double, 3> middle;
-  double radius;
+  std::array<double, 3> middle;  ///< The computed vector.
+  double radius;                 ///< Bounds the distance of the exact one.
 };
 
-/// |v - meant| <= error, the one meant of any length.
+/// Returns a ball around the direction of an exact vector, of any length, with |v - exact| <=
+/// error.
 UnitBall unit_ball(const std::array<double, 3>& v, double error);
-UnitBall ball_of(const PlaneTable& planes, PlaneId circle);  ///< Of its normal.
-UnitBall ball_of(const PlaneTable& planes, SphereDirection u);
+UnitBall ball_of(const PlaneTable& planes, PlaneId circle);     ///< Returns that of the normal.
+UnitBall ball_of(const PlaneTable& planes, SphereDirection u);  ///< Returns that of the direction.
 
 /// The way around a circle from one of its directions, counter-clockwise about the normal, in
 /// radians.
 struct UnitWay {
-  UnitBall normal;
-  UnitBall start;
+  UnitBall normal;  ///< The normal of the circle.
+  UnitBall start;   ///< The direction where the way starts.
 
   bool is_sharp() const {
     return start.radius + normal.radius < 1e-6;
-  }  ///< Else nothing below says much.
+  }  ///< Whether the errors are small; otherwise the results below are of little use.
+  /// Returns the direction after a turn by `angle`.
   UnitBall at(double angle) const;
-  /// From -pi to pi, within slack(at); requires a direction on the circle.
+  /// Returns the angle of a direction, from -pi to pi, within slack(at). Requires that the exact
+  /// direction lies on the circle.
   double angle_of(const UnitBall& at) const;
+  /// Returns a bound of the error of angle_of(at).
   double slack(const UnitBall& at) const {
     return 4 * (at.radius + start.radius + normal.radius) + 1e-13;
   }
 };
 
+/// A bound of a point or an arc.
 struct SphereBound {
+  /// What is bounded: a point, an arc shorter than a half-circle, or a longer one by its circle.
   enum class Kind : std::uint8_t { Point, ShortArc, Circle };
 
-  Kind kind;
-  UnitBall from;    ///< of a point: it
-  UnitBall to;      ///< of a short arc, counter-clockwise about `normal`
-  UnitBall normal;  ///< of an arc
+  Kind kind;        ///< Which of the balls are set.
+  UnitBall from;    ///< The point, or the start of a short arc.
+  UnitBall to;      ///< The end of a short arc, counter-clockwise about `normal`.
+  UnitBall normal;  ///< The normal of an arc's circle.
 };
 
-/// Of the points, then of the arcs.
+/// Returns the bounds of the points of a map, then those of its arcs.
 std::vector<SphereBound> bounds_of(const PlaneTable& planes, const SphereMap& map);
 
+/// A tree over bounds, which finds those that may meet another bound.
 class SphereBoundTree {
  public:
+  /// Builds the tree in O(n log n).
   explicit SphereBoundTree(std::vector<SphereBound> bounds);
 
-  /// visit(i) for every bound i that may have a direction in common with `query`.
+  /// Calls visit(i) for every bound i that may have a direction in common with `query`.
   template <class Visit>
   void for_each_meeting(const SphereBound& query, Visit&& visit) const {
     find_meeting(query, [&](std::uint32_t i) {
@@ -75,7 +84,7 @@ class SphereBoundTree {
       return true;
     });
   }
-  /// The same, as long as visit(i) says so. Did it to the end?
+  /// Does the same until visit(i) returns false. Returns whether all were visited.
   template <class Visit>
   bool find_meeting(const SphereBound& query, Visit&& visit) const {
     return nodes_.empty() ||
@@ -89,14 +98,14 @@ class SphereBoundTree {
   };
   struct Node {
     Box3 box;
-    std::array<double, 3> across;  ///< zero: no slab
-    Interval slab;
+    std::array<double, 3> across;  ///< The normal of the slab; zero if there is none.
+    Interval slab;                 ///< Bounds across . x over the node.
   };
   struct Query {
     const SphereBound& bound;
     Box3 box;
-    std::array<double, 3> across;  ///< of an arc its normal; zero: no plane
-    double slack;                  ///< |across . x| on it
+    std::array<double, 3> across;  ///< The normal of an arc; zero for a point.
+    double slack;                  ///< Bounds |across . x| on the arc.
   };
 
   static constexpr std::uint32_t kLeaf = 4;
@@ -113,7 +122,8 @@ class SphereBoundTree {
   Node node_over(std::uint32_t begin, std::uint32_t end) const;
   void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
 
-  /// Node `node` has the bounds order_[begin .. end); its children are 2 node + 1 and 2 node + 2.
+  /// Visits what may meet the query below a node, which has the bounds order_[begin .. end) and the
+  /// children 2 node + 1 and 2 node + 2.
   template <class Visit>
   bool descend(std::uint32_t node, std::uint32_t begin, std::uint32_t end, const Query& query,
                Visit& visit) const {

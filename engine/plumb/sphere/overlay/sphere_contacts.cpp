@@ -1,3 +1,15 @@
+// The contacts of two sphere maps: equal points, points on arcs, and crossings of arcs.
+//
+// Everything is read off the sides of the points of one map on the circles of the other. Small maps
+// tabulate these once, so that each det3 is computed at most once and nothing is allocated in later
+// calls; large maps ask for pairs of items whose bounds meet. The order of pairs does not depend on
+// the way they are found, so both ways give the same numbers to the points.
+//
+// docs/design/sphere.md, Crossings from sides, proves that two arcs of different circles cross if
+// and only if both have the same one of the two common points of their circles inside (Lemma 1).
+//
+// Tested by tests/sphere/sphere_overlay_test.cpp.
+
 #include "plumb/sphere/overlay/sphere_contacts.h"
 
 #include <algorithm>
@@ -16,12 +28,14 @@ bool have_common(const std::vector<PlaneId>& sorted_a, const std::vector<PlaneId
 
 }  // namespace
 
+/// Adds a point to the overlay.
 std::uint32_t SphereContacts::add(SphereDirection u, SphereCell in_a, SphereCell in_b) {
   direction.push_back(u);
   cell.push_back({in_a, in_b});
   return static_cast<std::uint32_t>(direction.size() - 1);
 }
 
+/// Lists the circles of map k once each, and numbers those of its arcs.
 void SphereContacts::number_circles(const SphereMap& map, std::size_t k) {
   std::vector<PlaneId>& circles = circles_[k];
   circles = map.circle;
@@ -43,6 +57,7 @@ Sign SphereContacts::side(std::size_t k, std::uint32_t point, std::uint32_t circ
                     : compute_side(k, point, circle);
 }
 
+/// Arcs on the circle itself have no crossings with it; a loop on another circle has both.
 ArcCrossings SphereContacts::compute_crossings(std::size_t k, std::uint32_t arc,
                                                std::uint32_t circle) const {
   const SphereMap& map = *map_[k];
@@ -59,6 +74,7 @@ ArcCrossings SphereContacts::crossings_of(std::size_t k, std::uint32_t arc,
                     : compute_crossings(k, arc, circle);
 }
 
+/// Computes each sign of the phase once, whichever pairs need it later.
 void SphereContacts::make_tables() {
   for (std::size_t k = 0; k < 2; ++k) {
     const auto count = static_cast<std::uint32_t>(circles_[1 - k].size());
@@ -73,6 +89,7 @@ void SphereContacts::make_tables() {
   }
 }
 
+/// Finds the pairs of items whose bounds meet, and sorts them into the order of the tables.
 void SphereContacts::find_pairs() {
   for (std::vector<Pair>& pairs : pairs_) pairs.clear();
   const auto points_a = static_cast<std::uint32_t>(map_[0]->point_count());
@@ -118,6 +135,7 @@ void SphereContacts::for_each_pair(PairKind kind, Visit visit) const {
   }
 }
 
+/// Points are compared exactly only if the side of one on a circle through the other is zero.
 void SphereContacts::join_points() {
   equal_.assign(map_[1]->point_count(), kNone);
   for_each_pair(PointPoint, [&](std::uint32_t v, std::uint32_t w) {
@@ -138,7 +156,7 @@ void SphereContacts::join_points() {
   }
 }
 
-/// Points of map k on arcs of the other; a point lies on one at most.
+/// Finds points of map k that lie strictly inside arcs of the other map, each inside one at most.
 void SphereContacts::add_points_on(std::size_t k) {
   const std::size_t other = 1 - k;
   const SphereMap& arcs = *map_[other];
@@ -157,6 +175,7 @@ void SphereContacts::add_points_on(std::size_t k) {
   }
 }
 
+/// Adds the crossing of arcs a and b at n_a x n_b, or at the opposite point.
 void SphereContacts::add_crossing(std::uint32_t a, std::uint32_t b, bool is_opposite) {
   const CirclePlace on_a{map_[1]->circle[b], is_opposite};
   const CirclePlace on_b{map_[0]->circle[a], !is_opposite};
@@ -166,6 +185,7 @@ void SphereContacts::add_crossing(std::uint32_t a, std::uint32_t b, bool is_oppo
   stops[1].push_back({b, p, on_b});
 }
 
+/// The two maps name the common points of two circles the other way round, hence swapped().
 void SphereContacts::add_crossings() {
   for_each_pair(ArcArc, [&](std::uint32_t a, std::uint32_t b) {
     const ArcCrossings on_a = crossings_of(0, a, circle_of_[1][b]);

@@ -1,4 +1,19 @@
-// What an overlay of large sphere maps may use. Internal to engine/sphere.
+// The phase "cross" of an overlay of sphere maps (sphere_overlay.h): every place where two maps
+// meet; and the limits that an overlay of large maps observes. Internal to engine/sphere.
+//
+// Main flow of SphereContacts::find():
+//  1. make_tables    for small maps: computes the side of each point of one map on each circle of
+//                    the other, the only det3 of the phase except those that order points within
+//                    one half-circle
+//     find_pairs     for large maps: finds pairs of items whose bounds meet (sphere_bounds.h);
+//                    signs are then asked one by one
+//  2. join_points    makes one of equal points of both maps
+//  3. add_points_on  finds points of one map strictly inside arcs of the other
+//  4. add_crossings  finds where arcs of different circles cross: both must have the same one of
+//                    the two common points of their circles strictly inside, which follows from the
+//                    sides of their ends (docs/design/sphere.md, Lemma 1)
+// Arcs of one circle need nothing more: where they overlap, ends of one lie inside the other or at
+// its ends. Cost: O(n m) for small maps; O((n + m) log(n + m) + pairs) for large ones.
 #pragma once
 
 #include <array>
@@ -11,12 +26,13 @@
 
 namespace plumb {
 
-/// Charges one overlay as it grows, up to its end.
+/// Charges the memory of one overlay to a context as it grows; frees the charge in the end.
 class SphereLimits {
  public:
   explicit SphereLimits(Context& context) : context_(context), memory_(context) {}
 
-  /// Call every few thousand steps, with what has been found so far.
+  /// Charges what has been found so far, and throws Cancelled or ResourceLimit as the context
+  /// demands. To be called every few thousand steps.
   void look(std::uint64_t pairs, std::uint64_t crossings) {
     context_.checkpoint("overlay", 0, 0);
     const std::uint64_t bytes = kBytesPerPair * pairs + kBytesPerCrossing * crossings;
@@ -26,68 +42,57 @@ class SphereLimits {
   }
 
  private:
-  static constexpr std::uint64_t kBytesPerPair = 16;        // eight, in arrays that double
-  static constexpr std::uint64_t kBytesPerCrossing = 1200;  // a point and a piece more of two arcs
+  static constexpr std::uint64_t kBytesPerPair = 16;  // Eight, in arrays that grow by doubling.
+  static constexpr std::uint64_t kBytesPerCrossing =
+      1200;  // A point, and a piece more of two arcs.
 
   Context& context_;
   MemoryCharge memory_;
   std::uint64_t charged_ = 0;
 };
 
-/// Between two steps; nothing where an overlay is so small that there are no limits.
+/// Looks at the limits between two steps. Small overlays have none.
 inline void look(SphereLimits* limits) {
   if (limits != nullptr) limits->look(0, 0);
 }
 
-// Phase "cross" of an overlay: every place where two maps meet. Internal to engine/sphere.
-//
-// Main flow of find():
-//  1. make_tables    small maps: each point of one map against each circle of the other; these are
-//                    the only det3 of the phase but those that order points within one half-circle
-//     find_pairs     large maps: pairs of items whose bounds meet (sphere_bounds.h); signs are then
-//                    asked one by one
-//  2. join_points    equal points of both maps become one
-//  3. add_points_on  points of one map strictly inside arcs of the other
-//  4. add_crossings  arcs of different circles: both must hold the same one of the two points of
-//                    their circles strictly inside, which the sides of their ends tell
-// Arcs of one circle need nothing more: where they overlap, ends of one lie inside the other.
-// Cost: O(n m) for small maps; O((n + m) log(n + m) + pairs) for large ones.
-
-/// Keeps its memory between calls, but for the bounds of large maps.
+/// The points of an overlay. Keeps its memory between calls, except the bounds of large maps.
 class SphereContacts {
  public:
-  /// A point strictly inside an arc.
+  /// A point of the overlay strictly inside an arc of a map.
   struct Stop {
-    std::uint32_t arc;
-    std::uint32_t point;  ///< of the overlay
-    CirclePlace place;    ///< on the arc's circle
+    std::uint32_t arc;    ///< The arc.
+    std::uint32_t point;  ///< The point of the overlay.
+    CirclePlace place;    ///< Where it is on the arc's circle.
   };
 
-  /// Pairs of items up to which tables are faster than boxes: about 64 arcs with their points each.
+  /// The number of pairs of items up to which tables are faster than boxes: about 64 arcs with
+  /// their points in each map.
   static constexpr std::size_t kMostTabled = 128 * 128;
 
-  /// Are there so few items that tables are made?
+  /// Whether there are so few items that tables are made.
   static bool are_small(const SphereMap& a, const SphereMap& b,
                         std::size_t most_tabled = kMostTabled) {
     return (a.point_count() + a.arc_count()) * (b.point_count() + b.arc_count()) <= most_tabled;
   }
 
-  /// `limits` are looked at where no tables are made; may be null.
+  /// Finds all contacts of two maps. Looks at `limits` where no tables are made, unless it is null.
   void find(const PlaneTable& planes, const SphereMap& a, const SphereMap& b,
             std::size_t most_tabled = kMostTabled, SphereLimits* limits = nullptr);
 
-  // Per point of the overlay: those of a, those of b only, crossings.
+  /// The points of the overlay: those of a, those of b alone, then crossings.
   std::vector<SphereDirection> direction;
-  /// The point or arc of each map it lies in or on; not valid: in a face, not said which.
+  /// For each point of the overlay the point or arc of each map on which it lies; not valid if it
+  /// lies in a face, which is not known here.
   std::vector<std::array<SphereCell, 2>> cell;
 
-  std::array<std::vector<std::uint32_t>, 2> point_of;  ///< per point of each map: of the overlay
-  std::array<std::vector<Stop>, 2> stops;              ///< in no order
-  bool shares_circles = false;
+  std::array<std::vector<std::uint32_t>, 2> point_of;  ///< The overlay's point of each map's point.
+  std::array<std::vector<Stop>, 2> stops;              ///< The stops of each map, in no order.
+  bool shares_circles = false;                         ///< Whether the maps have a common circle.
 
  private:
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
-  /// Kinds of pairs: an item of a, an item of b.
+  /// The kinds of pairs of an item of a and an item of b.
   enum PairKind : std::size_t { PointPoint, PointArc, ArcPoint, ArcArc };
 
   void number_circles(const SphereMap& map, std::size_t k);
@@ -111,14 +116,14 @@ class SphereContacts {
   const PlaneTable* planes_ = nullptr;
   SphereLimits* limits_ = nullptr;
   std::array<const SphereMap*, 2> map_{};
-  std::array<std::vector<PlaneId>, 2> circles_;          // each once, by id
-  std::array<std::vector<std::uint32_t>, 2> circle_of_;  // per arc: into circles_
-  std::vector<std::uint32_t> equal_;                     // per point of b: that of a, or kNone
+  std::array<std::vector<PlaneId>, 2> circles_;          // Each circle once, sorted by id.
+  std::array<std::vector<std::uint32_t>, 2> circle_of_;  // Index in circles_ for each arc.
+  std::vector<std::uint32_t> equal_;  // For each point of b the equal one of a, or kNone.
 
   bool is_tabled_ = false;
-  std::array<std::vector<Sign>, 2> sides_;              // points of k x circles of the other
-  std::array<std::vector<ArcCrossings>, 2> crossings_;  // arcs of k x circles of the other
-  std::array<std::vector<Pair>, 4> pairs_;              // per PairKind
+  std::array<std::vector<Sign>, 2> sides_;              // Points of k by circles of the other map.
+  std::array<std::vector<ArcCrossings>, 2> crossings_;  // Arcs of k by circles of the other map.
+  std::array<std::vector<Pair>, 4> pairs_;              // The pairs of each PairKind.
 };
 
 }  // namespace plumb

@@ -1,11 +1,24 @@
+// The phases "link" and "label" of an overlay of sphere maps.
+//
+// Linking: between two neighbouring stops of an arc there is nothing else of either map, so pieces
+// of one circle that leave one point in one direction are the same. Around a point where both maps
+// are present, half-arcs are sorted by heading.
+//
+// Labelling: going clockwise around a point that lies on map k, the face to the right of a half-arc
+// of k contains what follows up to the next such half-arc. That face holds on along pieces and over
+// points that touch nothing of k, so a flood labels every part that touches k. The other parts get
+// their face, and cycles are joined to faces, by the links of walks between parts
+// (docs/design/sphere.md, Pieces and rings, Labels, Lemmas 2 and 3).
+//
+// Tested by tests/sphere/sphere_overlay_test.cpp.
+
 #include "plumb/sphere/overlay/sphere_labels.h"
 
 #include <algorithm>
 
 namespace plumb {
 
-namespace {}  // namespace
-
+/// Sorts stops by arc, and those of one arc by place from its origin, or for a loop from any stop.
 void SpherePieces::sort_stops(std::size_t k, SphereContacts& contacts) {
   using Stop = SphereContacts::Stop;
   std::vector<Stop>& stops = contacts.stops[k];
@@ -27,6 +40,8 @@ void SpherePieces::sort_stops(std::size_t k, SphereContacts& contacts) {
   }
 }
 
+/// Appends the pieces of arc a of map k. The first piece of a loop with stops starts at its last
+/// stop; a loop without stops stays one.
 void SpherePieces::cut_arc(std::size_t k, std::uint32_t a, const SphereContacts::Stop* first,
                            const SphereContacts::Stop* last, const SphereContacts& contacts) {
   const bool is_loop = map_[k]->is_loop(a);
@@ -53,6 +68,7 @@ void SpherePieces::cut_arcs(std::size_t k, const SphereContacts& contacts) {
   }
 }
 
+/// Sorts the pieces so that equal ones follow each other, and makes one of each run.
 void SpherePieces::merge() {
   std::sort(pieces_.begin(), pieces_.end(), [](const Piece& p, const Piece& q) {
     if (p.circle != q.circle) return p.circle < q.circle;
@@ -73,7 +89,8 @@ void SpherePieces::merge() {
   pieces_.resize(count);
 }
 
-/// A half-arc of a piece of map k's arc, at its origin: an end of the arc, or a stop inside it.
+/// Notes the half-arc of a piece at its origin, if it is part of an arc of map k: the origin is an
+/// end of that arc, or a stop inside it.
 void SpherePieces::note_leaving(std::uint32_t half, std::size_t k, const SphereContacts& contacts) {
   const std::uint32_t a = arc[half / 2][k];
   const std::uint32_t point = map.origin[half];
@@ -121,6 +138,7 @@ void SpherePieces::add_ring(std::size_t k, std::uint32_t point, const SphereCont
   } while (h != first);
 }
 
+/// Sorts the half-arcs of both maps clockwise. Overlapping arcs gave one half-arc twice.
 void SpherePieces::sort_ring(std::uint32_t point) {
   const SphereDirection u = map.direction[point];
   const OrientedPlane from = heading_of(map, ring_[0]);
@@ -130,6 +148,7 @@ void SpherePieces::sort_ring(std::uint32_t point) {
   ring_.erase(std::unique(ring_.begin(), ring_.end()), ring_.end());
 }
 
+/// The half-arc that arrives where g leaves is followed by the one that leaves next clockwise.
 void SpherePieces::link_rings(const SphereContacts& contacts) {
   map.next.resize(map.origin.size());
   for (std::uint32_t h = 0; h < map.origin.size(); ++h) {
@@ -191,7 +210,7 @@ SphereCell face_cell(std::uint32_t face) {
 
 }  // namespace
 
-// ---------------------------------------------------------------- what the contacts tell
+// ---------------------------------------------------------------- labels from the contacts
 
 void SphereLabels::take_known(const SphereContacts& contacts) {
   point_cell_ = contacts.cell;
@@ -206,6 +225,7 @@ void SphereLabels::take_known(const SphereContacts& contacts) {
   }
 }
 
+/// Gives the piece of a half-arc a face of map k, unless it is part of an arc of k or has one.
 void SphereLabels::set_label(std::size_t k, std::uint32_t half, std::uint32_t face) {
   const std::uint32_t piece = half / 2;
   if (face == kNone || pieces_->arc[piece][k] != kNone || label_[k][piece] != kNone) return;
@@ -213,14 +233,16 @@ void SphereLabels::set_label(std::size_t k, std::uint32_t half, std::uint32_t fa
   stack_.push_back(piece);
 }
 
-/// Clockwise: the face to the right of a half-arc of map k holds what follows.
+/// Labels the pieces around a point that lies on map k. Going clockwise, the face to the right of a
+/// half-arc of k contains what follows. If the point is isolated in k, its face contains all; else
+/// a second round is needed for what comes before the first half-arc of k.
 void SphereLabels::label_around(std::size_t k, std::uint32_t point) {
   const SphereMap& map = pieces_->map;
   const SphereCell cell = point_cell_[point][k];
   std::uint32_t face = kNone;
   if (cell.kind() == SphereCell::Kind::Point) face = map_[k]->point_face[cell.index()];
   const std::uint32_t first = map.first_out[point];
-  const int rounds = face == kNone ? 2 : 1;  // the first of two comes upon a half-arc of map k
+  const int rounds = face == kNone ? 2 : 1;
   for (int round = 0; round < rounds; ++round) {
     std::uint32_t h = first;
     do {
@@ -235,6 +257,8 @@ void SphereLabels::label_around(std::size_t k, std::uint32_t point) {
   }
 }
 
+/// A point that is not on map k lies in the face of any piece that ends there, and so do all other
+/// pieces around it.
 void SphereLabels::flood(std::size_t k) {
   const SphereMap& map = pieces_->map;
   while (!stack_.empty()) {
@@ -273,7 +297,7 @@ SphereCell SphereLabels::half_cell(std::size_t k, std::uint32_t half) const {
   return face_cell(a != kNone ? map_[k]->face[2 * a + (half & 1U)] : label_[k][half / 2]);
 }
 
-/// The face of map k at a slot; kNone: the part touches nothing of it.
+/// Returns the face of map k at a slot; kNone if its part touches nothing of map k.
 std::uint32_t SphereLabels::face_at(std::size_t k, SphereSlot slot) const {
   if (slot.half_arc != kNone) {
     const SphereCell cell = half_cell(k, slot.half_arc);
@@ -284,6 +308,7 @@ std::uint32_t SphereLabels::face_at(std::size_t k, SphereSlot slot) const {
   return cell.kind() == SphereCell::Kind::Point ? map_[k]->point_face[cell.index()] : cell.index();
 }
 
+/// Gives the part at `to` the label of that at `from`, if it needs one. Returns whether it did.
 bool SphereLabels::pass_label(std::size_t k, SphereSlot from, SphereSlot to) {
   std::uint32_t& label = part_label_[k][parts_.of(to)];
   if (label != kNone || face_at(k, to) != kNone) return false;
@@ -292,7 +317,8 @@ bool SphereLabels::pass_label(std::size_t k, SphereSlot from, SphereSlot to) {
   return label != kNone;
 }
 
-/// Parts that touch nothing of map k get the face of those that they are linked with.
+/// Gives parts that touch nothing of map k the face of the parts with which they are linked:
+/// between the two, nothing of map k was met. Repeats until nothing changes.
 void SphereLabels::label_parts(std::size_t k) {
   part_label_[k].assign(parts_.bound(), kNone);
   for (bool goes_on = true; goes_on;) {
@@ -302,7 +328,7 @@ void SphereLabels::label_parts(std::size_t k) {
       if (pass_label(k, l.second, l.first)) goes_on = true;
     }
   }
-  // Nothing of map k is anywhere, or there are isolated points alone.
+  // What is left lies in face 0: map k has no points and arcs, or there are only isolated points.
   for (std::uint32_t& label : part_label_[k]) {
     if (label == kNone) label = 0;
   }
@@ -310,6 +336,8 @@ void SphereLabels::label_parts(std::size_t k) {
 
 // ---------------------------------------------------------------- faces and cells
 
+/// Numbers each class of joined cycles when it is first met, and sets the faces of half-arcs and
+/// isolated points.
 void SphereLabels::number_faces(SphereOrigins& cells) {
   SphereMap& map = pieces_->map;
   face_number_.assign(class_.size() + 1, kNone);

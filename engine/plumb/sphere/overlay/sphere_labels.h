@@ -1,13 +1,14 @@
-// Phase "link" of an overlay: arcs are cut where the other map touches them, overlapping pieces
-// become one, and the pieces are put around their points. Internal to engine/sphere.
+// Two phases of an overlay of sphere maps (sphere_overlay.h): SpherePieces links, SphereLabels
+// finds faces. Internal to engine/sphere.
 //
-// Main flow of build():
-//  1. sort_stops   the stops of each arc in its order
-//  2. cut_arcs     pieces between them; a loop with stops is cut into ordinary arcs
-//  3. merge        pieces of one circle that leave one point are the same piece
-//  4. link_rings   half-arcs around each point in circular order: known where one map only is
-//                  present, sorted by headings where both are
-//  5. trace        orbits of next: each is one boundary cycle
+// SpherePieces cuts arcs where the other map touches them, makes one of overlapping pieces, and
+// puts the pieces around their points. Main flow of SpherePieces::build():
+//  1. sort_stops   sorts the stops of each arc along it
+//  2. cut_arcs     makes the pieces between them; a loop with stops is cut into ordinary arcs
+//  3. merge        makes one piece of those of one circle that leave one point
+//  4. link_rings   puts half-arcs around each point in circular order, which is known where only
+//                  one map is present, and sorted by headings where both are
+//  5. trace        finds the orbits of next, each of which is one boundary cycle
 #pragma once
 
 #include <array>
@@ -19,22 +20,25 @@
 
 namespace plumb {
 
-/// Keeps its memory between calls.
+/// The pieces of the arcs of two maps. Keeps its memory between calls.
 class SpherePieces {
  public:
-  /// `limits` are looked at between steps; may be null.
+  /// Makes the pieces of two maps with the given contacts, whose stops it sorts. Looks at `limits`
+  /// between steps, unless it is null.
   void build(const PlaneTable& planes, const SphereMap& a, const SphereMap& b,
              SphereContacts& contacts, SphereLimits* limits = nullptr);
 
-  /// Points of the contacts; one arc for each piece; without marks. face: the cycle of each
-  /// half-arc; point_face: of isolated points, numbers following the cycles.
+  /// The overlaid map: the points of the contacts and one arc for each piece, without marks. In it
+  /// face is the cycle of each half-arc, and point_face of an isolated point is a number after
+  /// those of the cycles.
   SphereMap map;
-  /// Per piece: the arc of each map that it is a part of, or kNone.
+  /// For each piece the arc of each map of which it is a part, or kNone.
   std::vector<std::array<std::uint32_t, 2>> arc;
-  /// Cycles of half-arcs; then one for each isolated point.
+  /// The number of cycles of half-arcs, without isolated points.
   std::uint32_t cycle_count = 0;
 
  private:
+  /// A part of an arc between two points of the overlay.
   struct Piece {
     PlaneId circle;
     std::uint32_t from;
@@ -58,30 +62,28 @@ class SpherePieces {
   const PlaneTable* planes_ = nullptr;
   std::array<const SphereMap*, 2> map_{};
   std::vector<Piece> pieces_;
-  // Per half-arc of each map: the half of a piece that leaves its origin.
+  // For each half-arc of each map, the half of a piece that leaves its origin.
   std::array<std::vector<std::uint32_t>, 2> leaving_;
-  // Per point inside an arc of a map: the halves of pieces that leave it forward and backward.
+  // For each point inside an arc of a map, the halves of pieces that leave it forward and backward.
   std::array<std::vector<Halves>, 2> through_;
-  std::vector<std::uint32_t> ring_;  // half-arcs around a point, clockwise
+  std::vector<std::uint32_t> ring_;  // Half-arcs around a point, clockwise.
 };
 
-// Phase "label" of an overlay: the faces of the overlaid map, and in which pair of cells each of
-// its cells lies. Internal to engine/sphere.
-//
-// Main flow of build():
-//  1. label_around   at a point of both maps the ring says in which face of the one the pieces of
-//                    the other run
-//  2. flood          that face holds along pieces, over points that the other map does not touch
-//  3. label_parts    connected parts that touch nothing of a map learn from parts beside them in
-//                    which face of it they lie (sphere_arcs.h)
-//  4. number_faces   classes of cycles that bound one face
+// SphereLabels finds the faces of the overlaid map, and the pair of cells in which each of its
+// cells lies. Main flow of SphereLabels::build():
+//  1. label_around   reads off the ring of a point that lies on a map in which face of it the
+//                    pieces of the other map run
+//  2. flood          carries that face along pieces, over points that the map does not touch
+//  3. label_parts    gives connected parts that touch nothing of a map the face of parts beside
+//                    them (sphere_arcs.h)
+//  4. number_faces   numbers the classes of cycles that bound one face
 // Cost: O(n), and a walk of O(n log n) for each part but one.
 
-/// Keeps its memory between calls.
+/// The faces of an overlay and the cells of the operands. Keeps its memory between calls.
 class SphereLabels {
  public:
-  /// Turns the cycles of pieces.map into faces; fills `cells`. `limits` are looked at between
-  /// steps; may be null.
+  /// Makes faces of the cycles of pieces.map, and fills `cells`. Looks at `limits` between steps,
+  /// unless it is null.
   void build(const PlaneTable& planes, const SphereMap& a, const SphereMap& b,
              const SphereContacts& contacts, SpherePieces& pieces, SphereOrigins& cells,
              SphereLimits* limits = nullptr);
@@ -104,14 +106,14 @@ class SphereLabels {
   const PlaneTable* planes_ = nullptr;
   std::array<const SphereMap*, 2> map_{};
   SpherePieces* pieces_ = nullptr;
-  std::vector<std::array<SphereCell, 2>> point_cell_;  // not valid: not known
-  std::array<std::vector<std::uint32_t>, 2> label_;    // per piece that is no part of an
-                                                       // arc of map k: its face there
-  std::vector<std::uint32_t> stack_;                   // pieces to flood from
+  std::vector<std::array<SphereCell, 2>> point_cell_;  // Not valid while not known.
+  // For each piece that is no part of an arc of map k, its face there, or kNone if not known.
+  std::array<std::vector<std::uint32_t>, 2> label_;
+  std::vector<std::uint32_t> stack_;  // Pieces from which to flood.
   SphereParts parts_;
-  std::array<std::vector<std::uint32_t>, 2> part_label_;  // per part
-  std::vector<std::uint32_t> class_;                      // union-find: cycles
-  std::vector<std::uint32_t> face_number_;                // per root in class_
+  std::array<std::vector<std::uint32_t>, 2> part_label_;  // The face of map k, for each part.
+  std::vector<std::uint32_t> class_;                      // Union-find over cycles.
+  std::vector<std::uint32_t> face_number_;                // The face of each root in class_.
 };
 
 }  // namespace plumb

@@ -1,13 +1,19 @@
-// The overlay of what an edge and a facet look like where the one pierces the other: lunes, two
-// opposite points joined by half-circles, and a circle that crosses all of these. Internal to
-// engine/sphere.
+// The overlay of two sphere maps: the entry points boolean_op() and simplify(), the special case of
+// an edge through a facet, location of directions, and the kind of a map's centre.
 //
-// Main flow of build():
-//  1. is the one map like this, and the other? On which side of the circle is the first point?
-//  2. each half-circle is cut where the circle crosses it, and the circle there: all links are
-//     known
-//  3. each face is the part of a lune on one side of the circle
-// Cost: O(half-circles), one sign.
+// The general overlay runs in three classes: SphereContacts finds where the maps meet, SpherePieces
+// cuts and links arcs, SphereLabels finds faces and the cells of the operands.
+// docs/design/sphere.md proves them.
+//
+// SphereLunes does the most common case: the map of a point inside an edge (lunes: two opposite
+// points joined by half-circles) over that of a point inside a facet that the edge pierces (a loop
+// that crosses all half-circles). Main flow of SphereLunes::build():
+//  1. tests whether the maps are like this, and on which side of the loop the first point lies
+//  2. cuts each half-circle where the loop crosses it, and the loop there; all links are known
+//  3. makes each face, the part of a lune on one side of the loop
+// Its cost is O(half-circles) and one sign.
+//
+// Tested by tests/sphere/sphere_overlay_test.cpp.
 
 #include "plumb/sphere/overlay/sphere_overlay.h"
 
@@ -24,11 +30,12 @@
 
 namespace plumb {
 
-/// Keeps its memory between calls.
+/// The overlay of lunes and a loop. Keeps its memory between calls.
 class SphereLunes {
  public:
-  /// Fills `out`, but for its marks, and `cells`, the pair of cells that each cell of it lies in.
-  /// False if the maps are not like this; then both are left as they are.
+  /// Fills `out`, except its marks, and `cells`, the pair of cells in which each of its cells lies.
+  /// Returns false, and leaves both as they are, if the maps are not lunes and a loop that crosses
+  /// them.
   bool build(const PlaneTable& planes, const SphereMap& a, const SphereMap& b, SphereMap& out,
              SphereOrigins& cells);
 
@@ -49,20 +56,24 @@ class SphereLunes {
 
   const SphereMap* lunes_ = nullptr;
   const SphereMap* circle_ = nullptr;
-  bool has_lunes_first_ = false;  // are the lunes of map a?
-  Sign first_side_ = Sign::Zero;  // of the circle: that of point 0 of the lunes
+  bool has_lunes_first_ = false;  // Whether the lunes are map a.
+  Sign first_side_ = Sign::Zero;  // The side of the circle on which point 0 of the lunes lies.
   SphereMap* out_ = nullptr;
   SphereOrigins* cells_ = nullptr;
-  std::vector<std::uint32_t> lune_of_piece_;  // per piece of the circle: the face of the lunes
-  std::vector<std::uint32_t> number_;         // per face of the lunes and side: the face, or kNone
+  std::vector<std::uint32_t>
+      lune_of_piece_;                  // The face of the lunes, for each piece of the circle.
+  std::vector<std::uint32_t> number_;  // The face, or kNone, for each face of the lunes and side.
 };
 
 namespace {
 
+/// Whether the map is one loop.
 bool is_circle(const SphereMap& map) {
   return map.point_count() == 0 && map.arc_count() == 1 && map.is_loop(0);
 }
 
+/// Whether the map is two opposite points joined by half-circles. The points must be named as
+/// opposites; others take the general overlay.
 bool are_lunes(const SphereMap& map) {
   if (map.point_count() != 2 || map.arc_count() == 0) return false;
   if (map.direction[1] != map.direction[0].opposite()) return false;
@@ -72,8 +83,8 @@ bool are_lunes(const SphereMap& map) {
   return true;
 }
 
-/// Half-circle i of the lunes becomes arcs 2i and 2i + 1, which run as it does: of a half of it,
-/// the one that leaves the same point.
+/// Half-circle i of the lunes becomes arcs 2i and 2i + 1, which have its direction. Returns the
+/// half-arc of these that leaves the same point as a half-arc of the lunes does.
 std::uint32_t leaving_half(std::uint32_t half) { return 4 * (half / 2) + (half % 2 == 0 ? 0 : 3); }
 
 }  // namespace
@@ -82,18 +93,18 @@ SphereLunes::Pair SphereLunes::pair(SphereCell of_lunes, SphereCell of_circle) c
   return has_lunes_first_ ? Pair{of_lunes, of_circle} : Pair{of_circle, of_lunes};
 }
 
-/// What lies on a side of the circle in its own map.
+/// Returns the face of the circle's map on a side of it.
 SphereCell SphereLunes::face_on(Sign side) const {
   return SphereCell::face(circle_->face[side == Sign::Positive ? 0 : 1]);
 }
 
-/// Of the point that half-circle i starts at, going counter-clockwise.
+/// Returns the side of the point where half-circle i starts, going counter-clockwise.
 Sign SphereLunes::start_side(std::uint32_t i) const {
   return lunes_->origin[2 * i] == 0 ? first_side_ : -first_side_;
 }
 
-/// The ends of the half-circles, then crossings. About c, what comes from the positive side of q
-/// crosses it at c x q.
+/// Adds the ends of the half-circles, then the crossings. Going counter-clockwise on c from the
+/// positive side of q, one crosses q at n_c x n_q.
 void SphereLunes::add_points() {
   const PlaneId q = circle_->circle[0];
   const auto count = static_cast<std::uint32_t>(lunes_->arc_count());
@@ -127,8 +138,8 @@ void SphereLunes::cut_half_circles() {
   }
 }
 
-/// Clockwise around the point on its positive side; pieces run the other way, from the half-circle
-/// that comes after a lune.
+/// Goes clockwise around the point on the circle's positive side. Seen from there the circle runs
+/// counter-clockwise, so a piece runs from the half-circle after a lune to the one before it.
 void SphereLunes::cut_circle() {
   const auto first_piece = static_cast<std::uint32_t>(out_->circle.size());
   const auto last_piece = first_piece + static_cast<std::uint32_t>(lunes_->arc_count()) - 1;
@@ -138,7 +149,7 @@ void SphereLunes::cut_circle() {
   std::uint32_t h = start;
   for (std::uint32_t piece = first_piece; piece <= last_piece; ++piece) {
     const std::uint32_t after = lunes_->clockwise(h);
-    const std::uint32_t lune = lunes_->face[SphereMap::twin(h)];  // to the right of h
+    const std::uint32_t lune = lunes_->face[SphereMap::twin(h)];  // The face to the right of h.
     lune_of_piece_.push_back(lune);
     add_arc(circle_->circle[0], 2 + after / 2, 2 + h / 2,
             pair(SphereCell::face(lune), SphereCell::arc(0)));
@@ -147,8 +158,9 @@ void SphereLunes::cut_circle() {
   }
 }
 
-/// Around the crossing with half-circle i, where one piece of the circle leaves and another
-/// arrives.
+/// Links the four half-arcs around the crossing with half-circle i, where one piece of the circle
+/// leaves and another arrives. The order is clockwise: the leaving piece, the half-arc to the
+/// negative side, the arriving piece backwards, the half-arc to the positive side.
 void SphereLunes::link_crossing(std::uint32_t i, std::uint32_t leaving, std::uint32_t arriving) {
   const std::uint32_t on = 2 * (2 * i + 1), back = 2 * (2 * i) + 1;
   const bool goes_down = start_side(i) == Sign::Positive;
@@ -160,6 +172,7 @@ void SphereLunes::link_crossing(std::uint32_t i, std::uint32_t leaving, std::uin
   out_->first_out[2 + i] = clockwise[0];
 }
 
+/// Around the ends of the half-circles the order is that of the lunes.
 void SphereLunes::link_ends() {
   for (std::uint32_t h = 0; h < lunes_->next.size(); ++h) {
     out_->next[SphereMap::twin(leaving_half(h))] = leaving_half(lunes_->clockwise(h));
@@ -167,6 +180,7 @@ void SphereLunes::link_ends() {
   for (const std::size_t p : {0U, 1U}) out_->first_out[p] = leaving_half(lunes_->first_out[p]);
 }
 
+/// Returns the number of the part of a lune on one side of the circle, and numbers it if it is new.
 std::uint32_t SphereLunes::face(std::uint32_t lune, Sign side) {
   std::uint32_t& number = number_[2 * std::size_t{lune} + (side == Sign::Positive ? 0 : 1)];
   if (number == kNone) {
@@ -227,12 +241,14 @@ Mark mark_of(const SphereMap& map, SphereCell cell) {
   return map.face_mark[cell.index()];
 }
 
+/// Sets `to` to the pairs of the old cells.
 void pick(const std::vector<std::uint32_t>& old, const std::vector<SphereOrigins::Pair>& from,
           std::vector<SphereOrigins::Pair>& to) {
   to.clear();
   for (const std::uint32_t i : old) to.push_back(from[i]);
 }
 
+/// Sets `to` to the old cells, alone in their pairs.
 void name(const std::vector<std::uint32_t>& old, SphereCell::Kind kind,
           std::vector<SphereOrigins::Pair>& to) {
   to.clear();
@@ -263,7 +279,7 @@ struct SphereOverlay::Work {
   SphereMap spare;
 };
 
-/// To pieces.map and cells, without marks.
+/// Lays the maps over each other; pieces.map and cells are the result, without marks.
 void SphereOverlay::Work::overlay(const SphereMap& a, const SphereMap& b, SphereLimits* limits) {
   if (lunes.build(planes, a, b, pieces.map, cells)) return;
   contacts.find(planes, a, b, SphereContacts::kMostTabled, limits);
@@ -324,7 +340,7 @@ bool SphereOverlay::simplify(SphereMap& map, SphereOrigins* kept) {
   return changed;
 }
 
-// Where a direction lies in a map, and what a map is around its centre.
+// The cell of a map in which a direction lies, and the kind of a map's centre.
 
 namespace {
 
@@ -335,9 +351,9 @@ bool is_parallel(const PlaneTable& planes, PlaneId p, PlaneId q) {
   return true;
 }
 
-/// The plane of the map parallel to one that need not pass through the centre, if there is one.
-/// Canonical planes that are parallel have normals of one direction, so either names the same
-/// directions.
+/// Returns the plane of the map that is parallel to `plane`, which need not contain the centre, or
+/// `plane` itself if there is none. Canonical planes that are parallel have normals of one
+/// direction, so either defines the same directions.
 PlaneId plane_like(const PlaneTable& planes, const SphereMap& map, PlaneId plane) {
   PlaneId like = plane;
   const auto look_at = [&](PlaneId p) {
@@ -360,6 +376,7 @@ bool all_are(const std::vector<Mark>& marks, Mark mark) {
   return true;
 }
 
+/// Whether the map consists of two opposite points with the mark of the centre, joined by arcs.
 bool is_edge(const PlaneTable& planes, const SphereMap& map) {
   if (map.point_count() != 2 || !all_are(map.point_mark, map.centre_mark)) return false;
   for (std::uint32_t a = 0; a < map.arc_count(); ++a) {
@@ -370,7 +387,9 @@ bool is_edge(const PlaneTable& planes, const SphereMap& map) {
 
 }  // namespace
 
-// Planes through the centre are told apart by their ids; the direction's need not be through it.
+// Planes through the centre are distinguished by their ids, so the planes of the direction are
+// first replaced by parallel ones of the map. If the direction is on no point or arc, the first
+// thing met on the way to an arc bounds its face.
 SphereCell locate(const PlaneTable& planes, const SphereMap& map, SphereDirection direction) {
   direction = {plane_like(planes, map, direction.p), plane_like(planes, map, direction.q)};
   for (std::uint32_t v = 0; v < map.point_count(); ++v) {

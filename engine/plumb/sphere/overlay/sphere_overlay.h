@@ -1,18 +1,21 @@
-// Booleans of sphere maps: two maps laid over each other, marks combined, minimal form.
+// Booleans of sphere maps: two maps are laid over each other, their marks combined, and the result
+// brought into minimal form.
 //
 // Main flow of boolean_op():
-//  1. cross      arcs meet at n_c1 x n_c2, overlap on equal circles, pass through points: every arc
-//                is cut where the other map touches it
-//  2. link       pieces around each point in circular order; orbits; components
-//  3. label      each cell gets the pair of cells it lies in: across an arc the pair changes as its
-//                sides say; a component that meets nothing of the other map asks once where it lies
-//                Where an edge pierces a facet, all of this is known (sphere_overlay.cpp).
-//  4. select     marks of the pairs through the table
-//  5. simplify   arcs equal to both faces go, then points inside an arc or a face
+//  1. cross      finds where arcs cross at n_c1 x n_c2, overlap on equal circles, or pass through
+//                points: every arc is cut where the other map touches it
+//  2. link       puts the pieces around each point in circular order, and finds orbits and parts
+//  3. label      finds the pair of cells in which each cell lies: across an arc the pair changes to
+//                that of the arc's other side; a part that meets nothing of the other map takes
+//                its face from the parts beside it
+//  4. select     looks up the marks of the pairs in the table
+//  5. simplify   removes arcs equal to both their faces, then points inside an arc or a face
+// Where an edge pierces a facet, steps 1 to 3 are written down directly (sphere_overlay.cpp).
 //
-// Cost: O(n m) for small maps (below 64 arcs, the case of nearly every vertex of a solid);
-// O((n + m + k) log(n + m)) for large ones. All memory is kept between calls.
-// Source: Hachenberger, Kettner, Mehlhorn, CGTA 38 (2007), section 4; SPACE.md 4.
+// Cost: O(n m) for small maps (about 64 arcs each, the case of nearly every vertex of a solid);
+// O((n + m + k) log(n + m)) for large ones with k pairs whose bounds meet. All memory is kept
+// between calls. Source: P. Hachenberger, L. Kettner, K. Mehlhorn, Computational Geometry 38
+// (2007), section 4; docs/design/sphere.md.
 #pragma once
 
 #include <array>
@@ -24,33 +27,36 @@
 
 namespace plumb {
 
-/// Per item of the combined map, the item of each operand it lies in (its own item for a point of
-/// both). Items merged by simplification: one of them.
+/// For each cell of the combined map, the cell of each operand in which it lies. A cell that
+/// simplification made of several has the pair of one of them.
 struct SphereOrigins {
-  using Pair = std::array<SphereCell, 2>;
-  std::vector<Pair> point;
-  std::vector<Pair> arc;
-  std::vector<Pair> face;
+  using Pair = std::array<SphereCell, 2>;  ///< A cell of a and a cell of b.
+  std::vector<Pair> point;                 ///< One pair for each point.
+  std::vector<Pair> arc;                   ///< One pair for each arc.
+  std::vector<Pair> face;                  ///< One pair for each face.
 };
 
+/// Computes Booleans and minimal forms of sphere maps over one table of planes. Keeps its memory
+/// between calls.
 class SphereOverlay {
  public:
-  /// The planes must outlive it; planes may be added.
+  /// Makes an object for maps over `planes`, which must outlive it; planes may be added.
   explicit SphereOverlay(const PlaneTable& planes);
   ~SphereOverlay();
   SphereOverlay(const SphereOverlay&) = delete;
   SphereOverlay& operator=(const SphereOverlay&) = delete;
 
-  /// `out` (not an operand) becomes the minimal map of table(mark in a, mark in b). Of large maps,
-  /// memory beyond that of the maps is charged to `context` until the end, and its time is looked
-  /// at.
+  /// Sets `out` to the minimal map of table(mark in a, mark in b). Requires that `out` is no
+  /// operand. With a context, an overlay of large maps charges memory beyond that of the maps to it
+  /// until the end, and throws as it demands.
   void boolean_op(const SphereMap& a, const SphereMap& b, const MarkTable& table, SphereMap& out,
                   SphereOrigins& origins, Context* context = nullptr);
 
-  /// Brings a map into minimal form: arcs whose mark is that of both faces go, then points that are
-  /// mere points of an arc, a loop or a face. Returns whether anything changed. Per remaining item,
-  /// `kept` says which item it was (of merged ones: one of them). O(size), no arithmetic but for
-  /// points between two arcs of one circle.
+  /// Brings a map into minimal form: removes arcs whose mark is that of both faces, then points
+  /// that are mere points of an arc, a loop or a face. Returns whether anything changed. Sets
+  /// `kept` to the former cell of each cell that is left, or to one of several that were merged.
+  /// Cost: O(n a(n)) for n cells, without arithmetic: two arcs of one circle at a point are
+  /// opposite there.
   bool simplify(SphereMap& map, SphereOrigins* kept = nullptr);
 
  private:
@@ -58,11 +64,12 @@ class SphereOverlay {
   std::unique_ptr<Work> work_;
 };
 
-/// Requires a minimal map.
+/// Returns what the set is at the centre of its map: inside a volume, a facet or an edge, or a
+/// vertex. Requires a minimal map.
 PyramidKind classify(const PlaneTable& planes, const SphereMap& map);
 
-/// The item of the map that the direction hits. Its planes need not pass through the centre.
-/// O(size).
+/// Returns the cell of the map in which a direction lies. The planes of the direction need not
+/// contain the centre. Cost: O(size of the map).
 SphereCell locate(const PlaneTable& planes, const SphereMap& map, SphereDirection direction);
 
 }  // namespace plumb

@@ -1,3 +1,13 @@
+// The minimal form of a marked map on the sphere.
+//
+// Which arcs are dropped does not depend on the order, because it depends on the marks of the old
+// faces, which are equal where faces are joined. Then each point is judged by the half-arcs that it
+// keeps. Arcs between dropped points form chains, each of which becomes one arc, or a loop if it is
+// closed. No sign is asked: two kept half-arcs of one circle that leave a point are opposite.
+// Source: docs/design/sphere.md, Minimal form; docs/design/boolean.md, Lemma 2.
+//
+// Tested by tests/sphere/sphere_overlay_test.cpp.
+
 #include "plumb/sphere/overlay/sphere_simplify.h"
 
 #include <algorithm>
@@ -5,8 +15,7 @@
 
 namespace plumb {
 
-namespace {}  // namespace
-
+/// Returns the least face that was joined with the given one.
 std::uint32_t SphereSimplifier::find(std::uint32_t face) {
   while (parent_[face] != face) face = parent_[face] = parent_[parent_[face]];
   return face;
@@ -30,6 +39,7 @@ bool SphereSimplifier::drop_arcs(const SphereMap& in) {
   return changed;
 }
 
+/// Sets kept_here_ to the kept half-arcs that leave a point, clockwise.
 void SphereSimplifier::collect_kept(const SphereMap& in, std::uint32_t v) {
   kept_here_.clear();
   const std::uint32_t first = in.first_out[v];
@@ -41,7 +51,7 @@ void SphereSimplifier::collect_kept(const SphereMap& in, std::uint32_t v) {
   } while (h != first);
 }
 
-/// Is a point no more than the arc or the face around it? Reads kept_here_.
+/// Whether a point is no more than the arc or the face around it. Reads kept_here_.
 bool SphereSimplifier::is_mere(const SphereMap& in, std::uint32_t v) {
   const Mark mark = in.point_mark[v];
   if (kept_here_.empty()) {
@@ -54,6 +64,8 @@ bool SphereSimplifier::is_mere(const SphereMap& in, std::uint32_t v) {
   return in.circle[a] == in.circle[b] && in.arc_mark[a] == mark && in.arc_mark[b] == mark;
 }
 
+/// At a dropped point between two arcs, the one that arrives goes on in the one that leaves
+/// forward.
 bool SphereSimplifier::judge_points(const SphereMap& in) {
   new_point_.assign(in.point_count(), kNone);
   goes_on_.assign(in.arc_count(), kNone);
@@ -81,6 +93,7 @@ void SphereSimplifier::place_points(const SphereMap& in, SphereMap& out) {
   }
 }
 
+/// Adds the arc or loop that a chain becomes, with the circle and mark of its first arc.
 void SphereSimplifier::add_chain(const SphereMap& in, std::uint32_t first, SphereMap& out) {
   std::uint32_t last = first;
   is_chained_[first] = 1;
@@ -102,7 +115,8 @@ void SphereSimplifier::add_chain(const SphereMap& in, std::uint32_t first, Spher
   old_arc_.push_back(first);
 }
 
-/// Chains begin at points that stay; arcs that then are left are closed: loops.
+/// Chains begin at points that stay. The arcs that are left then form closed chains, which become
+/// loops.
 void SphereSimplifier::chain_arcs(const SphereMap& in, SphereMap& out) {
   old_arc_.clear();
   is_chained_.assign(in.arc_count(), 0);
@@ -133,13 +147,13 @@ void SphereSimplifier::link_points(const SphereMap& in, SphereMap& out) {
   }
 }
 
-/// Faces were copied as old ones until here.
+/// Replaces old faces, which out.face and out.point_face have had until here, by new numbers.
 void SphereSimplifier::number_faces(const SphereMap& in, SphereMap& out) {
   new_face_.resize(in.face_count());
   old_face_.clear();
   for (std::uint32_t f = 0; f < in.face_count(); ++f) {
     if (find(f) != f) {
-      new_face_[f] = new_face_[find(f)];  // the least of its class comes first
+      new_face_[f] = new_face_[find(f)];  // The least of the class has come before.
       continue;
     }
     new_face_[f] = static_cast<std::uint32_t>(old_face_.size());

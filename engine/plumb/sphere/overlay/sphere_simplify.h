@@ -1,14 +1,16 @@
-// The unique minimal form of a marked map on the sphere. Internal; SphereOverlay::simplify is the
-// door.
+// The unique minimal form of a marked map on the sphere. Internal; SphereOverlay::simplify() is the
+// entry point.
 //
 // Main flow of run():
-//  1. drop_arcs     an arc goes if its mark is that of both faces beside it; these become one
-//  2. judge_points  a point that keeps no arc goes if its mark is that of its face; one between two
-//                   arcs of one circle goes if its mark is theirs
-//  3. chain_arcs    arcs through gone points become one; a closed chain of them becomes a loop
-//  4. link_points   rings of the points that stay
-//  5. number_faces  classes of merged faces, by the least of each
-// Cost: O(n a(n)), no arithmetic: two different arcs of one circle at a point lie opposite.
+//  1. drop_arcs     drops each arc whose mark is that of both faces beside it, which become one
+//  2. judge_points  drops each point that keeps no arc if its mark is that of its face, and each
+//                   point between two arcs of one circle if its mark is theirs
+//  3. chain_arcs    makes one arc of those through dropped points, or a loop of a closed chain
+//  4. link_points   makes the rings of the points that stay
+//  5. number_faces  numbers the classes of merged faces, by the least of each
+// Cost: O(n a(n)) with the inverse Ackermann function a, without arithmetic: two different arcs of
+// one circle at a point are opposite there. Why the form is unique: docs/design/boolean.md, Lemma
+// 2.
 #pragma once
 
 #include <vector>
@@ -17,14 +19,15 @@
 
 namespace plumb {
 
-/// Keeps its memory between calls.
+/// Brings maps into minimal form. Keeps its memory between calls.
 class SphereSimplifier {
  public:
-  /// Writes the minimal form of `in` to `out`, another map. False: `in` is minimal, `out`
-  /// untouched.
+  /// Writes the minimal form of `in` to `out`, another map, and returns true; or returns false, and
+  /// leaves `out` as it is, if `in` is minimal.
   bool run(const SphereMap& in, SphereMap& out);
 
-  /// After run() returned true: per item of `out` the item of `in` it was (of merged ones: one).
+  // After run() has returned true: for each point, arc and face of `out` the one of `in` that it
+  // was, or one of several that were merged.
   const std::vector<std::uint32_t>& old_point() const { return old_point_; }
   const std::vector<std::uint32_t>& old_arc() const { return old_arc_; }
   const std::vector<std::uint32_t>& old_face() const { return old_face_; }
@@ -41,17 +44,17 @@ class SphereSimplifier {
   void number_faces(const SphereMap& in, SphereMap& out);
   std::uint32_t find(std::uint32_t face);
 
-  std::vector<std::uint32_t> parent_;     // per old face
-  std::vector<std::uint8_t> is_kept_;     // per old arc
-  std::vector<std::uint32_t> goes_on_;    // per old arc: the next one of its chain
-  std::vector<std::uint32_t> new_point_;  // per old point; kNone: gone
-  std::vector<std::uint32_t> new_half_;   // per old half-arc at the end of a chain
-  std::vector<std::uint32_t> new_face_;   // per old face
-  std::vector<std::uint32_t> kept_here_;  // half-arcs that leave a point, clockwise
+  std::vector<std::uint32_t> parent_;     // Union-find over old faces.
+  std::vector<std::uint8_t> is_kept_;     // Whether each old arc stays.
+  std::vector<std::uint32_t> goes_on_;    // The next arc of the chain of each old arc, or kNone.
+  std::vector<std::uint32_t> new_point_;  // The new number of each old point; kNone if dropped.
+  std::vector<std::uint32_t> new_half_;   // The new number of old half-arcs at the ends of chains.
+  std::vector<std::uint32_t> new_face_;   // The new number of each old face.
+  std::vector<std::uint32_t> kept_here_;  // Kept half-arcs that leave a point, clockwise.
   std::vector<std::uint32_t> old_point_;
   std::vector<std::uint32_t> old_arc_;
   std::vector<std::uint32_t> old_face_;
-  std::vector<std::uint8_t> is_chained_;  // per old arc
+  std::vector<std::uint8_t> is_chained_;  // Whether each old arc is in a chain already.
 };
 
 }  // namespace plumb

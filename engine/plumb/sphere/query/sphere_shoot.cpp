@@ -37,7 +37,7 @@ bool SphereRound::is_at_start(const PathHit& hit) const {
   return turn_on(planes_, circle_.plane(), from_, hit.place) == TurnClass::None;
 }
 
-/// The face or arc that one goes on in.
+/// Returns the face or arc in which the shot goes on after a hit.
 SphereCell SphereRound::after(const PathHit& hit) const {
   if (hit.exit.is_valid()) return SphereCell::face(face_of(map_, hit.exit));
   std::uint32_t h = map_.first_out[hit.cell.index()];
@@ -53,10 +53,11 @@ SphereVector SphereRound::at(const PathHit& hit) const {
 
 namespace {
 
-/// From so many directions on a locator is worth its making.
+/// The number of directions from which on it pays to build a locator.
 constexpr std::size_t kMany = 16;
 
-/// All on a circle from a place on, as one goes.
+/// Returns all that is met on a circle from a place on, in the direction of the circle. Against the
+/// canonical direction the order is reversed, except that a hit at the start stays first.
 std::vector<PathHit> all_around(const PlaneTable& planes, const SphereMap& map,
                                 OrientedPlane circle, CirclePlace from) {
   std::vector<PathHit> hits;

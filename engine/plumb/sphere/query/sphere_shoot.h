@@ -1,4 +1,4 @@
-// What a shot once around on a great circle meets first, given all that lies on the circle in
+// The first thing that a shot once around on a great circle meets, given what lies on the circle in
 // order. Internal.
 #pragma once
 
@@ -9,21 +9,24 @@
 
 namespace plumb {
 
+/// Whether a cell of the map is marked.
 bool is_marked(const SphereMap& map, SphereCell cell);
 
-/// The circle through both, in the direction of the shot. Throws Error{BadArgument} when there is
-/// no one circle.
+/// Returns the circle through both directions, in the direction of the shot. Throws
+/// Error{BadArgument} if they are the same or opposite.
 OrientedPlane intern_circle_through(PlaneTable& planes, const SphereVector& origin,
                                     const SphereVector& towards);
 
-/// A shot, and the cell it starts in.
+/// A shot, and the cell in which it starts.
 class SphereRound {
  public:
   SphereRound(const PlaneTable& planes, const SphereMap& map, OrientedPlane circle,
               CirclePlace from, SphereCell start, const SphereVector& origin)
       : planes_(planes), map_(map), circle_(circle), from_(from), start_(start), origin_(origin) {}
 
-  /// next(): the next PathHit, entry and exit as one goes, or none; first what is met at the start.
+  /// Returns the first marked cell, and where it is met; nothing if there is none. next() returns
+  /// the next PathHit, with entry and exit in the direction of the shot, or nothing; what is met at
+  /// the start comes first.
   template <class Next>
   std::optional<SphereHit> first_marked(Next next) const {
     if (is_marked(map_, start_)) return SphereHit{{start_, true}, origin_};
@@ -42,6 +45,8 @@ class SphereRound {
     return std::nullopt;
   }
 
+  /// Returns the first point or arc, and where it is met; nothing if there is none. next() is as
+  /// above.
   template <class Next>
   std::optional<SphereHit> first_of_boundary(Next next) const {
     if (start_.kind() != SphereCell::Kind::Face) {

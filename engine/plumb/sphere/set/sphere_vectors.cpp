@@ -1,3 +1,13 @@
+// Directions as vectors and as pairs of planes, and the sets to start from: half-spheres, circles,
+// regions, arcs and points.
+//
+// A vector v becomes the pair of planes through the centre with the normals v x e1 and v x e2, for
+// two axes e1 and e2 such that v is not orthogonal to the third. Chains of arcs are built as maps
+// with their links, and audited by NefSphere::from_complex(), which refuses those that meet
+// themselves.
+//
+// Tested by tests/sphere/nef_sphere_test.cpp.
+
 #include "plumb/sphere/set/sphere_vectors.h"
 
 #include <algorithm>
@@ -17,12 +27,13 @@ void require_nonzero(const SphereVector& v) {
   if (v.is_zero()) throw Error(ErrorCode::BadArgument, "a direction must not be zero");
 }
 
+/// Returns the first three numbers of a row, without a common factor.
 SphereVector vector_of(const IntegerRow& row) {
   const IntegerRow r = primitive(row);
   return {Rational(r[0]), Rational(r[1]), Rational(r[2])};
 }
 
-/// Gives planes of one table their place in another.
+/// Moves planes of one table to the centre, into a table of their own.
 class Centring {
  public:
   explicit Centring(const PlaneTable& planes) : planes_(planes) {}
@@ -73,7 +84,8 @@ OrientedPlane intern_circle(PlaneTable& planes, const SphereVector& normal) {
   return planes.intern(normal.x, normal.y, normal.z, Rational(0));
 }
 
-/// (v x e1) x (v x e2) = v (v . e3), for an axis e3 with v . e3 != 0.
+/// Since (v x e1) x (v x e2) = v (v . e3), the two planes define v or -v if v . e3 is not zero. The
+/// sign of v . e3 and the orientations of the two planes decide which.
 SphereDirection intern_direction(PlaneTable& planes, const SphereVector& v) {
   require_nonzero(v);
   const std::array<SphereVector, 3> unit{SphereVector(1, 0, 0), SphereVector(0, 1, 0),
@@ -113,7 +125,8 @@ namespace {
 
 Mark mark_if(bool is_marked) { return is_marked ? 1 : 0; }
 
-/// One circle, its faces marked on the side of the normal or not at all.
+/// Returns the set of one circle with the given marks of the circle and of the face on the side of
+/// the normal; the other face is not marked.
 NefSphere loop(const SphereVector& normal, Mark circle, Mark inside) {
   auto planes = std::make_shared<PlaneTable>();
   const OrientedPlane plane = intern_circle(*planes, normal);
@@ -137,6 +150,7 @@ void require_on(const SphereVector& direction, const SphereVector& normal) {
   }
 }
 
+/// Returns the normal about which the shorter arc runs counter-clockwise.
 SphereVector normal_of_shorter(const SphereVector& from, const SphereVector& to) {
   SphereVector normal = cross(from, to);
   if (normal.is_zero()) {
@@ -146,7 +160,7 @@ SphereVector normal_of_shorter(const SphereVector& from, const SphereVector& to)
   return normal;
 }
 
-// A chain of arcs, as a map.
+/// A chain of arcs, as a map under construction.
 class Chain {
  public:
   std::uint32_t add_point(const SphereVector& direction, Mark mark) {
@@ -173,7 +187,7 @@ class Chain {
     return h;
   }
 
-  /// One half-arc after the other, and their twins back.
+  /// Links one half-arc to the next, and their twins the other way.
   void link(std::uint32_t h, std::uint32_t next) {
     map_.next[h] = next;
     map_.next[SphereMap::twin(next)] = SphereMap::twin(h);
@@ -187,7 +201,8 @@ class Chain {
   SphereMap map_;
 };
 
-/// Equal for equal directions: the first coordinate that is not 0 becomes 1 or -1.
+/// Returns a vector of the same direction whose first coordinate other than 0 is 1 or -1, so that
+/// equal directions have equal vectors.
 SphereVector normal_form(const SphereVector& v) {
   if (v.is_zero()) throw Error(ErrorCode::BadArgument, "a direction must not be zero");
   const Rational scale = abs(v.x != 0 ? v.x : v.y != 0 ? v.y : v.z);
@@ -213,6 +228,8 @@ NefSphere NefSphere::convex(std::span<const SphereVector> normals, Boundary boun
   return intersection_of(sides, context);
 }
 
+/// The chain bounds face 0 to the left of its half-arcs, which is marked, and face 1 to their
+/// right.
 NefSphere NefSphere::region(std::span<const SphereSide> sides, Boundary boundary) {
   if (sides.empty()) return empty();
   const Mark border = mark_if(boundary == Boundary::Closed);
@@ -244,6 +261,8 @@ NefSphere NefSphere::polygon(std::span<const SphereVector> corners, Boundary bou
   return region(sides, boundary);
 }
 
+/// An arc from a point to itself is a whole circle with two faces; any other arc has one face,
+/// along which next leads from each half-arc to its twin.
 NefSphere NefSphere::arc(const SphereVector& from, const SphereVector& to,
                          const SphereVector& normal, Boundary boundary) {
   require_on(from, normal);

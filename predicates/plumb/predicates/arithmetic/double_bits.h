@@ -1,6 +1,6 @@
-// Doubles as integers times a power of two, and their order, by integer operations only: right
-// under every rounding mode and under flush-to-zero / denormals-are-zero, where even `a < b` on
-// doubles is not.
+// Doubles as integers times a power of two, and their order, by integer operations only. So all of
+// it is right in every rounding mode and under flush-to-zero and denormals-are-zero, where even `a
+// < b` on doubles is not.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct Decomposed {
 
 namespace detail {
 
-inline constexpr int kExponentBias = 1075;  // of the mantissa read as an integer
+inline constexpr int kExponentBias = 1075;  // For the mantissa read as an integer.
 inline constexpr std::uint64_t kFractionMask = (std::uint64_t{1} << 52) - 1;
 inline constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63;
 
@@ -52,7 +52,7 @@ constexpr std::int64_t with_sign(std::uint64_t magnitude, bool negative) {
 
 }  // namespace detail
 
-/// Requires a finite value.
+/// Returns mantissa and exponent. Requires a finite value.
 constexpr Decomposed decompose(double value) {
   const detail::RawDouble r = detail::raw(value);
   if (r.magnitude == 0) return {};
@@ -61,15 +61,16 @@ constexpr Decomposed decompose(double value) {
           r.biased - detail::kExponentBias + zeros};
 }
 
-/// A key that orders like the real numbers: ordered_key(a) < ordered_key(b) iff a < b, and equal
-/// iff a = b (both zeros are one number). Infinities sort at the ends. Requires: not a NaN.
+/// Returns a key with the order of the real numbers: ordered_key(a) < ordered_key(b) if and only if
+/// a < b, and both are equal if and only if a = b (both zeros are one number). Infinities come
+/// first and last. Requires that the value is no NaN.
 constexpr std::uint64_t ordered_key(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   return (bits & detail::kSignBit) != 0 ? detail::kSignBit - (bits & ~detail::kSignBit)
                                         : detail::kSignBit + bits;
 }
 
-/// The order of a and b: Negative when a < b. Right under DAZ, where `a < b` is not.
+/// Returns the order of a and b: Negative if a < b. It is right under DAZ, where `a < b` is not.
 constexpr Sign compare(double a, double b) {
   const std::uint64_t p = ordered_key(a);
   const std::uint64_t q = ordered_key(b);
@@ -79,10 +80,10 @@ constexpr Sign compare(double a, double b) {
 constexpr bool is_less(double a, double b) { return ordered_key(a) < ordered_key(b); }
 constexpr bool is_equal(double a, double b) { return ordered_key(a) == ordered_key(b); }
 
-/// The sign of a double. Right under DAZ.
+/// Returns the sign of a double. It is right under DAZ.
 constexpr Sign sign_of_double(double value) { return compare(value, 0.0); }
 
-/// Is the value neither infinite nor a NaN? Right under -ffinite-math-only too.
+/// Whether the value is neither infinite nor a NaN. It is right under -ffinite-math-only, too.
 constexpr bool is_finite(double value) {
   return ((std::bit_cast<std::uint64_t>(value) >> 52) & 0x7ff) != 0x7ff;
 }
@@ -96,7 +97,8 @@ class Grid {
     for (const double v : values) add(v);
   }
 
-  constexpr void add(double value) {  // no branches: it is the larger part of an Exact rung
+  /// Adds a value. Without branches, as this takes most of the time of a stage of fixed width.
+  constexpr void add(double value) {
     const detail::RawDouble r = detail::raw(value);
     const int unit = r.biased + std::countr_zero(r.magnitude);
     low_ = std::min(low_, r.magnitude == 0 ? kNone : unit);
@@ -104,30 +106,32 @@ class Grid {
     high_ = std::max(high_, r.biased + static_cast<int>(std::bit_width(r.magnitude)));
   }
 
-  /// The common grid of both sets.
+  /// Adds all values of another grid.
   constexpr void add(const Grid& other) {
     low_ = std::min(low_, other.low_);
     high_ = std::max(high_, other.high_);
   }
 
-  /// Exponent of the grid's unit; 0 for an empty grid.
+  /// Returns the exponent of the grid's unit; 0 for an empty grid.
   constexpr int low() const { return is_empty() ? 0 : low_ - detail::kExponentBias; }
-  /// The integers' magnitude bits: 53 + spread, less the common trailing zeros; at most 2098.
+  /// Returns the magnitude bits of the integers: 53 and the spread of exponents, less the common
+  /// trailing zeros; at most 2098.
   constexpr int bits() const { return is_empty() ? 0 : high_ - low_; }
   constexpr bool is_empty() const { return low_ == kNone; }
 
-  /// value / 2^low(). Requires value to be on the grid and bits() <= 63.
+  /// Returns value / 2^low(). Requires that the value is on the grid and bits() <= 63.
   constexpr std::int64_t to_int64(double value) const {
     const detail::RawDouble r = detail::raw(value);
     // magnitude < 2^53, so it may go up by 10 first. The shift back is then never negative, because
     // biased - low_ > 10 would make bits() > 63, and at most 62, because trailing zeros are <= 52.
-    // Of a zero any shift is right (unsigned: on an empty grid low_ is kNone).
+    // For a zero any shift is right. (It is unsigned because low_ is kNone on an empty grid.)
     const unsigned up = static_cast<unsigned>(r.biased) - static_cast<unsigned>(low_);
     const unsigned down = (10U - up) & 63U;
     return detail::with_sign((r.magnitude << 10) >> down, r.negative);
   }
 
-  /// value / 2^low() in L limbs. Requires value to be on the grid and bits() <= 64 L - 1.
+  /// Returns value / 2^low() in L limbs. Requires that the value is on the grid and bits() <= 64 L
+  /// - 1.
   template <int L>
   Fixed<L> to_fixed(double value) const {
     const Decomposed d = decompose(value);

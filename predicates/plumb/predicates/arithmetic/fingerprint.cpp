@@ -11,7 +11,7 @@ Residue Residue::of(const Integer& value) {
 
 namespace {
 
-/// x^(2^k).
+/// Returns x^(2^k).
 Residue square_times(Residue x, int k) {
   for (int i = 0; i < k; ++i) x = x * x;
   return x;
@@ -19,8 +19,8 @@ Residue square_times(Residue x, int k) {
 
 }  // namespace
 
-/// Fermat: x^(q - 2), q - 2 = 2^61 - 3 = 4 (2^59 - 1) + 1. With t_k = x^(2^k - 1),
-/// t_(j + k) = t_j^(2^k) t_k.
+/// By Fermat's little theorem the inverse is x^(q - 2), and q - 2 = 2^61 - 3 = 4 (2^59 - 1) + 1.
+/// With t_k = x^(2^k - 1), t_(j + k) = t_j^(2^k) t_k.
 Residue Residue::inverse() const {
   const Residue t1 = *this;
   const Residue t2 = square_times(t1, 1) * t1;
@@ -35,7 +35,9 @@ Residue Residue::inverse() const {
   return square_times(t59, 2) * t1;
 }
 
-/// Montgomery's trick: scratch[i] is the product of the nonzero values before i.
+/// One inversion serves for all (Montgomery's trick): scratch[i] is the product of the nonzero
+/// values before i. (P. L. Montgomery, Speeding the Pollard and elliptic curve methods of
+/// factorization, Mathematics of Computation 48, 1987.)
 void invert_all(std::span<Residue> values, std::span<Residue> scratch) {
   Residue product = Residue::of(std::uint64_t{1});
   for (std::size_t i = 0; i < values.size(); ++i) {

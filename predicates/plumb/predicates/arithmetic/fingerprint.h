@@ -4,15 +4,15 @@
 // multiple of it. Taken modulo the prime q = 2^61 - 1 and divided by its first nonzero residue,
 // every multiple gives the same row of residues, without a gcd. Hence
 //
-//   different fingerprints  prove  different objects;
-//   equal fingerprints      mean   "very likely equal": confirm exactly (1 and 2^61 are one
-//   residue).
+//   different fingerprints  prove that objects differ;
+//   equal fingerprints      mean that they are very likely equal, which has to be confirmed exactly
+//                           (1 and 2^61 are one residue).
 //
-// The one row this cannot serve is one whose scale is a multiple of q: all residues are 0. It is
-// first reduced to its primitive form (gcd 1), which has a nonzero residue.
+// A row whose common factor is a multiple of q has no residue other than 0. It is first brought
+// into its primitive form (gcd 1), which has one.
 //
-// Cost: a product in F_q ~2 ns, an inversion ~150 ns alone and ~3 products in a batch; a gcd of the
-// same row would cost ~700 ns.
+// Cost: a product in F_q takes about 2 ns, an inversion 150 ns alone and 3 products in a batch; a
+// gcd of the same row would take 700 ns.
 #pragma once
 
 #include <array>
@@ -33,22 +33,22 @@ class Residue {
   static constexpr std::uint64_t kModulus = (std::uint64_t{1} << kBits) - 1;
 
   constexpr Residue() = default;
-  /// `value` modulo q.
+  /// Returns `value` modulo q.
   static constexpr Residue of(std::uint64_t value) {
     return reduced((value & kModulus) + (value >> kBits));
   }
-  /// The residue of a finite double m 2^e, exactly, for any e: 2^61 = 1 in F_q, so that 2^e rotates
-  /// the 61-bit word of m. Bit operations only: right under FTZ/DAZ.
+  /// Returns the residue of a finite double m 2^e, exactly, for any e. As 2^61 = 1 in F_q, 2^e
+  /// rotates the 61-bit word of m. It is right under FTZ and DAZ, as it uses bit operations only.
   static constexpr Residue of(double value);
   static Residue of(const Integer& value);
-  /// 2^exponent, for any exponent.
+  /// Returns 2^exponent, for any exponent.
   static constexpr Residue power_of_two(int exponent) {
     return raw(std::uint64_t{1} << modulo_bits(exponent));
   }
 
   constexpr std::uint64_t value() const { return value_; }
   constexpr bool is_zero() const { return value_ == 0; }
-  /// The inverse; of zero: zero.
+  /// Returns the inverse; zero for zero.
   Residue inverse() const;
 
   friend constexpr Residue operator+(Residue a, Residue b) { return reduced(a.value_ + b.value_); }
@@ -57,7 +57,7 @@ class Residue {
   }
   friend constexpr Residue operator-(Residue a) { return reduced(kModulus - a.value_); }
   friend constexpr Residue operator*(Residue a, Residue b);
-  /// a b - c d, and a b + c d + e f: one reduction each.
+  // Return a b - c d and a b + c d + e f, with one reduction each.
   friend constexpr Residue cross_product(Residue a, Residue b, Residue c, Residue d);
   friend constexpr Residue sum_of_products(Residue a, Residue b, Residue c, Residue d, Residue e,
                                            Residue f);
@@ -73,7 +73,8 @@ class Residue {
   static constexpr Residue reduced(std::uint64_t value) {
     return raw(value >= kModulus ? value - kModulus : value);
   }
-  /// exponent mod 61, in [0, 61). 61 * 2^20 brings every exponent that occurs above 0.
+  /// Returns exponent mod 61, in [0, 61). Adding 61 * 2^20 makes every exponent that occurs
+  /// positive.
   static constexpr unsigned modulo_bits(int exponent) {
     return static_cast<unsigned>(exponent + kBits * (1 << 20)) % kBits;
   }
@@ -118,7 +119,8 @@ __extension__ typedef unsigned __int128 WideProduct;
 constexpr WideProduct wide_product(std::uint64_t a, std::uint64_t b) {
   return static_cast<WideProduct>(a) * b;  // < 2^122 for residues
 }
-/// Modulo q, below 2 q + 8: the three 61-bit digits of x < 2^125, the top one below 8.
+/// Returns a number below 2 q + 8 that is x modulo q: the sum of the three 61-bit digits of x <
+/// 2^125, of which the top one is below 8.
 constexpr std::uint64_t folded(WideProduct x) {
   return (static_cast<std::uint64_t>(x) & Residue::kModulus) +
          (static_cast<std::uint64_t>(x >> Residue::kBits) & Residue::kModulus) +
@@ -143,11 +145,11 @@ constexpr Residue sum_of_products(Residue a, Residue b, Residue c, Residue d, Re
 }
 #endif
 
-/// Replaces every element by its inverse (zeros stay zero): one inversion and three products an
-/// element. `scratch` has as many elements.
+/// Replaces every element by its inverse; zeros stay zero. Costs one inversion and three products
+/// for each element. Requires that `scratch` has at least as many elements.
 void invert_all(std::span<Residue> values, std::span<Residue> scratch);
 
-/// The word two objects are told apart by. Uniform enough in all its low 61 bits to be a hash.
+/// A word that distinguishes objects. All its low 61 bits are uniform enough for a hash.
 using Fingerprint = std::uint64_t;
 
 /// A homogeneous row modulo q.
@@ -156,7 +158,7 @@ using ResidueRow = std::array<Residue, 4>;
 /// The six coordinates of a line modulo q.
 using LineResidues = std::array<Residue, 6>;
 
-/// The first nonzero residue, or zero when there is none.
+/// Returns the first nonzero residue, or zero if there is none.
 template <std::size_t N>
 constexpr Residue leading(const std::array<Residue, N>& row) {
   for (const Residue r : row) {
@@ -165,9 +167,10 @@ constexpr Residue leading(const std::array<Residue, N>& row) {
   return {};
 }
 
-/// Fingerprint of a row whose leading residue has the given inverse. Normalising and hashing are
-/// both linear: sum_i k_i (r_i / l) = (sum_i k_i r_i) / l, one product instead of three.
-/// Two different rows collide with probability about 1/q over the (fixed, random) k_i.
+/// Returns the fingerprint of a row whose leading residue l has the given inverse. Division by l
+/// and hashing are both linear, sum_i k_i (r_i / l) = (sum_i k_i r_i) / l, so one product with the
+/// inverse suffices. Over random weights k_i, two different rows collide with a probability of
+/// about 1/q; the weights are fixed.
 constexpr Fingerprint fingerprint(const ResidueRow& row, Residue inverse_of_leading) {
   constexpr std::array<std::uint64_t, 4> kWeights = {0x0b7e151628aed2a6, 0x1f4bf70c11a8a4d1,
                                                      0x18a9e0a1d2c5b3f7, 0x046d1f2a9c83e5b1};
@@ -176,12 +179,12 @@ constexpr Fingerprint fingerprint(const ResidueRow& row, Residue inverse_of_lead
   return (sum * inverse_of_leading).value();
 }
 
-/// The same for one row. Requires a nonzero leading residue. Cost: one inversion.
+/// Returns the same for one row. Requires a nonzero leading residue. Costs one inversion.
 inline Fingerprint fingerprint(const ResidueRow& row) {
   return fingerprint(row, leading(row).inverse());
 }
 
-/// The same for a line.
+/// Returns the same for a line.
 inline Fingerprint fingerprint(const LineResidues& row) {
   constexpr std::array<std::uint64_t, 6> kWeights = {0x12f8b1a9d3c7e645, 0x0d51c2e7f9a83b64,
                                                      0x1a6b93f08e2d4c57, 0x07c4e5d1b8f23a9d,
@@ -195,10 +198,10 @@ inline Fingerprint fingerprint(const LineResidues& row) {
 /// An exact homogeneous row.
 using IntegerRow = std::array<Integer, 4>;
 
-/// The row divided by the gcd of its elements; the sign stays. Requires: not all zero.
+/// Returns the row divided by the gcd of its elements; signs stay. Requires a row other than zero.
 IntegerRow primitive(const IntegerRow& row);
 
-/// The fingerprint of any exact row but the zero row, whatever its residues.
+/// Returns the fingerprint of an exact row, whatever its residues. Requires a row other than zero.
 Fingerprint fingerprint(const IntegerRow& row);
 
 }  // namespace plumb

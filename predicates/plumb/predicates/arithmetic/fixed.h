@@ -1,9 +1,8 @@
-// Signed integers of a fixed number of 64-bit limbs: the Exact rung's arithmetic.
+// Signed integers of a fixed number of 64-bit limbs, the arithmetic of the stages of fixed width.
 //
 // Fixed<L> holds the integers of [-2^(64L-1), 2^(64L-1)) in two's complement. Nothing here checks
-// for overflow: every caller proves its widths (docs/predicates.md lists them), so a result that
-// does not fit is a broken proof, not an input. Two implementations stand behind this one
-// interface:
+// for overflow: every caller proves its widths (docs/design/numbers.md), so a result that does not
+// fit would be an error in a proof. There are two implementations of this interface:
 //
 //   fixed_native.h     carry chains and 64x64->128 products; everything inlines and unrolls
 //   fixed_portable.h   Boost.Multiprecision cpp_int of fixed size (PLUMB_PORTABLE)
@@ -18,7 +17,7 @@
 //   x + y, x - y, -x, x += y, x -= y    the result must fit L limbs
 //   x << n                           0 <= n < 64 L, the result must fit
 //   x == y, x <=> y
-//   x.fits<M>()                      does x lie in the range of Fixed<M>?
+//   x.fits<M>()                      whether x lies in the range of Fixed<M>
 //   x.resized<M>()                   the same value in M limbs; requires fits<M>()
 //   multiply(Fixed<A>, Fixed<B>)     -> Fixed<A + B>, never overflows
 //   multiply_to<To>(Fixed<A>, Fixed<B>) -> Fixed<To>; the product must fit To limbs
@@ -33,13 +32,13 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The product, exactly. Cost: A * B word products.
+/// Returns the exact product. Costs A * B products of words.
 template <int A, int B>
 Fixed<A + B> multiply(const Fixed<A>& x, const Fixed<B>& y) {
   return multiply_to<A + B>(x, y);
 }
 
-/// Number of bits of |x|: the least n with |x| < 2^n (0 for x = 0).
+/// Returns the number of bits of |x|: the least n with |x| < 2^n (0 for x = 0).
 template <int L>
 int bit_length(const Fixed<L>& x) {
   const Fixed<L> magnitude = x.sign() == Sign::Negative ? -x : x;

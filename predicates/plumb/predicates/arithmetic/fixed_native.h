@@ -1,4 +1,4 @@
-// Fixed<L> on 64-bit words with 128-bit products. See fixed.h for the contract.
+// Fixed<L> on 64-bit words with 128-bit products. fixed.h describes the interface.
 //
 // The carry chains use the built-in functions behind _addcarry_u64 and _subborrow_u64, because the
 // header that declares these takes 45,000 lines.
@@ -31,7 +31,7 @@ __extension__ typedef unsigned __int128 Uint128;
 __extension__ typedef __int128 Int128;
 using Carry = unsigned char;
 
-/// x + y + carry; the carry out replaces `carry`.
+/// Returns x + y + carry. The carry out replaces `carry`.
 inline std::uint64_t add_with_carry(std::uint64_t x, std::uint64_t y, Carry& carry) {
 #if defined(__x86_64__)
   unsigned long long sum = 0;
@@ -44,7 +44,7 @@ inline std::uint64_t add_with_carry(std::uint64_t x, std::uint64_t y, Carry& car
 #endif
 }
 
-/// x - y - borrow; the borrow out replaces `borrow`.
+/// Returns x - y - borrow. The borrow out replaces `borrow`.
 inline std::uint64_t subtract_with_borrow(std::uint64_t x, std::uint64_t y, Carry& borrow) {
 #if defined(__x86_64__)
   unsigned long long difference = 0;
@@ -210,7 +210,7 @@ void add_row(std::array<std::uint64_t, To>& r, std::uint64_t x,
 
 }  // namespace detail
 
-/// Two's complement product: with X, Y the unsigned readings of x, y,
+/// Returns the product in two's complement. With X and Y for the limbs of x and y read as unsigned,
 /// x y = X Y - [x < 0] 2^(64 A) Y - [y < 0] 2^(64 B) X, modulo 2^(64 (A + B)).
 template <int To, int A, int B>
 Fixed<To> multiply_to(const Fixed<A>& x, const Fixed<B>& y) {

@@ -1,4 +1,5 @@
-// Fixed<L> on Boost.Multiprecision: no intrinsics and no __int128 of ours. See fixed.h.
+// Fixed<L> on Boost.Multiprecision, without intrinsics and __int128. fixed.h describes the
+// interface.
 #pragma once
 
 #include <bit>
@@ -26,8 +27,8 @@ class Fixed {
 
  public:
   static constexpr int kLimbs = L;
-  /// Sign and 64 L magnitude bits: one bit more than the contract needs. At least 128 bits, because
-  /// narrower cpp_ints are plain machine words with another overflow behaviour.
+  /// The number of magnitude bits besides a sign, one more than the interface needs. It is at least
+  /// 128, because narrower cpp_ints are machine words, which behave differently on overflow.
   static constexpr unsigned kBits = L == 1 ? 128 : 64 * L;
   using Number = boost::multiprecision::number<
       boost::multiprecision::cpp_int_backend<kBits, kBits, boost::multiprecision::signed_magnitude,

@@ -1,18 +1,21 @@
-// Sums of two doubles with a bound of their error: some 100 bits, for what doubles nearly decide.
+// Sums of two doubles with a bound of their error, some 100 bits, and the doubles nearest to
+// quotients that are computed with them. docs/design/numbers.md (Rounding to nearest) proves the
+// bounds.
 //
-// Notation. u = 2^-53. A Twofold {high, low, terms} stands for high + low, |low| <= u |high|;
-// `terms` bounds the sum of the absolute values of what it was computed from. Its error is a
-// multiple of u^2 terms that whoever computes counts:
+// Notation. u = 2^-53. A Twofold {high, low, terms} stands for high + low with |low| <= u |high|;
+// `terms` bounds the sum of the absolute values from which it was computed. Its error is a multiple
+// of u^2 terms, which the code that computes it counts:
 //
-//   difference(a, b)   of doubles: none
-//   product of x, y    errors e u^2 terms and f u^2 terms give (e + f + 9) u^2 terms: u^2 of both
-//                      lows, which are left out, and at most 7 u^2 for the roundings of what is
-//                      below `high`
-//   sum of x, y        6 u^2 terms more than the larger error
+//   difference(a, b)   has no error for doubles a and b.
+//   product of x, y    has (e + f + 9) u^2 terms for errors of e and f u^2 terms: u^2 for the
+//                      product of both lows, which is left out, at most 7 u^2 for the roundings of
+//                      the parts below `high`, and 1 to spare.
+//   sum of x, y        has 6 u^2 terms more than the larger error.
 //
-// Requires rounding to nearest (rounds_to_nearest()) and that nothing overflows or becomes
-// subnormal; the terms' own roundings are for the caller's slack. Source: Dekker, Numer. Math. 18
-// (1971); Knuth, TAOCP 2, 4.2.2.
+// This requires rounding to nearest (rounds_to_nearest()), and that nothing overflows or becomes
+// subnormal. The roundings of `terms` are covered by what callers take more than needed. Sources:
+// T. J. Dekker, A floating-point technique for extending the available precision, Numerische
+// Mathematik 18 (1971); D. E. Knuth, The Art of Computer Programming 2, 4.2.2.
 #pragma once
 
 #include <algorithm>
@@ -26,13 +29,14 @@
 
 namespace plumb {
 
+/// The number high + low.
 struct Twofold {
-  double high = 0;
-  double low = 0;
-  double terms = 0;
+  double high = 0;   ///< The leading part.
+  double low = 0;    ///< The rest, |low| <= u |high|.
+  double terms = 0;  ///< Bounds the sum of the absolute values of all terms.
 };
 
-/// Does arithmetic round to nearest, as it is now? FTZ and DAZ do not matter where nothing is
+/// Whether arithmetic rounds to nearest, as it is now. FTZ and DAZ do not matter where nothing is
 /// subnormal.
 inline bool rounds_to_nearest() {
   const volatile double one = 1, less = 0x1p-53, more = 0x1.8p-53;
@@ -41,7 +45,7 @@ inline bool rounds_to_nearest() {
 
 namespace twofold {
 
-/// a + b = high + low exactly.
+/// Returns a + b = high + low exactly (Knuth's two-sum).
 inline Twofold exact_sum(double a, double b, double terms) {
   const double high = a + b, of_b = high - a;
   return {high, (a - (high - of_b)) + (b - of_b), terms};
@@ -56,7 +60,7 @@ inline Halves halves(double a) {
   return {upper, a - upper};
 }
 
-/// a b = high + low exactly.
+/// Returns a b = high + low exactly (Dekker's product).
 inline Twofold exact_product(double a, double b) {
   const double high = a * b;
   const auto [a1, a2] = halves(a);
@@ -86,40 +90,41 @@ inline Twofold sum(const Twofold& x, const Twofold& y) {
 
 }  // namespace twofold
 
-// The doubles nearest to quotients, told by some 100 bits of numerator and denominator.
+// The doubles nearest to quotients, from some 100 bits of numerator and denominator.
 //
-// With E and F the errors of x and w (nearest_quotient.h; 2^7 u^2 terms are taken for either), the
-// quotient q = q1 + q2, q1 = x.high / w.high, q2 = (x - q1 w).high / w.high, is off by at most 2 (E
-// + |q| F) / |w.high|: E + |q| F for the operands, at most 64 u^2 terms for x - q1 w and q2, where
-// |w.high| >= 2^20 F. A double a added to it is off by that and one rounding of what is below the
-// leading doubles of a + q and q, 2 u^2 of either. Errors are given twice as large.
+// Let E and F be the errors of x and w; 2^7 u^2 terms are taken for either. The quotient q = q1 +
+// q2 with q1 = x.high / w.high and q2 = (x - q1 w).high / w.high is off by at most 2 (E + |q| F) /
+// |w.high|: E + |q| F for the operands, and at most 64 u^2 terms for x - q1 w and q2, where
+// |w.high| >= 2^20 F. If a double a is added, the sum is off by that and by one rounding of the
+// parts below the leading doubles of a + q and q, 2 u^2 of either. Errors are given twice as large.
 //
-// A number high + low is taken for rounded if `high` is what both ends of the interval around it
-// round to, and none of its points is `high` itself: so the number is no double.
+// A number high + low is taken for rounded if both ends of the interval around it round to `high`,
+// and `high` is not in the interval, so that the number is no double.
 //
-// Fixed widths. The top 106 bits of exact integers x and w are mantissas of 1/2 at least, off by 2
-// u^2 at most: they go the same way, with themselves for terms. Their quotient lies between 1/2 and
-// 2; one in [2^-900, 2^900] is such a one times a power of two.
+// Fixed widths. The top 106 bits of exact integers x and w are mantissas of at least 1/2, off by at
+// most 2 u^2. They are divided in the same way, with themselves for terms. Their quotient lies
+// between 1/2 and 2; a quotient in [2^-900, 2^900] is such a one times a power of two.
 
 namespace twofold {
 
-/// |number - (high + low)| <= error, |low| <= u |high|.
+/// A number with |number - (high + low)| <= error and |low| <= u |high|.
 struct Number {
   double high;
   double low;
   double error;
 };
 
+/// Returns 2^7 u^2 terms.
 inline double error_of(const Twofold& x) { return 0x1p-99 * x.terms; }
 
-/// Is it not 0, and known well enough to divide by it?
+/// Whether w is surely not 0, and known well enough to divide by it.
 inline bool is_divisor(const Twofold& w) {
   return std::fabs(w.high) >= std::max(0x1p-400, 0x1p20 * error_of(w));
 }
 
-/// x / w, the error infinite where that is less than 2^-200 or w may be 0. Requires
-/// rounds_to_nearest(), and that x - q1 w does not become subnormal where |w| >= 2^-400 and |q1| >=
-/// 2^-200.
+/// Returns x / w, with an infinite error if that is less than 2^-200 or w may be 0. Requires
+/// rounds_to_nearest(), and that x - q1 w does not become subnormal for |w| >= 2^-400 and
+/// |q1| >= 2^-200.
 inline Number quotient(const Twofold& x, const Twofold& w) {
   const double q1 = x.high / w.high;
   if (!is_divisor(w) || !(std::fabs(q1) >= 0x1p-200)) {
@@ -130,14 +135,15 @@ inline Number quotient(const Twofold& x, const Twofold& w) {
   return {q.high, q.low, 4 * (error_of(x) + std::fabs(q.high) * error_of(w)) / std::fabs(w.high)};
 }
 
-/// a + q
+/// Returns a + q.
 inline Number sum(double a, const Number& q) {
   const Twofold leading = exact_sum(a, q.high, 0);
   const Twofold s = exact_sum(leading.high, leading.low + q.low, 0);
   return {s.high, s.low, q.error + 0x1p-104 * (std::fabs(leading.high) + std::fabs(q.high))};
 }
 
-/// The number rounded to nearest, if that is clear and not the number itself; else 0.
+/// Returns the number rounded to nearest, if that is certain and not the number itself; otherwise
+/// 0.
 inline double nearest_to(const Number& q) {
   const bool is_clear = q.high + (q.low + q.error) == q.high &&
                         q.high + (q.low - q.error) == q.high && std::fabs(q.low) > q.error;
@@ -146,13 +152,13 @@ inline double nearest_to(const Number& q) {
 
 }  // namespace twofold
 
-/// value ~ mantissa * 2^exponent
+/// The number mantissa * 2^exponent.
 struct TwofoldScaled {
-  Twofold mantissa;
-  int exponent;
+  Twofold mantissa;  ///< Of at least 1/2 and at most 1 in size.
+  int exponent;      ///< The power of two.
 };
 
-/// Requires x != 0.
+/// Returns the leading 106 bits of x, truncated. Requires x != 0.
 template <int L>
 TwofoldScaled top_bits(const Fixed<L>& x) {
   const bool is_negative = x.is_negative();
@@ -160,7 +166,7 @@ TwofoldScaled top_bits(const Fixed<L>& x) {
   int top = L - 1;
   while (magnitude.limb(top) == 0) --top;
   const int zeros = std::countl_zero(magnitude.limb(top));
-  const auto bits = [&](int limb) {  // 64 of them, from the highest 1 of the number on
+  const auto bits = [&](int limb) {  // 64 bits, counted from the highest 1 of the number on.
     const std::uint64_t high = limb >= 0 ? magnitude.limb(limb) << zeros : 0;
     return limb > 0 && zeros > 0 ? high | (magnitude.limb(limb - 1) >> (64 - zeros)) : high;
   };
@@ -174,7 +180,7 @@ TwofoldScaled top_bits(const Fixed<L>& x) {
   return {is_negative ? twofold::negative(mantissa) : mantissa, 64 * top + 64 - zeros};
 }
 
-/// twofold::nearest_to() x 2^scale / w. Requires rounds_to_nearest(). Cost: ~20 ns.
+/// Returns twofold::nearest_to() of x 2^scale / w. Requires rounds_to_nearest(). Cost: about 20 ns.
 template <int L>
 double nearest_quotient(const Fixed<L>& x, const TwofoldScaled& w, int scale) {
   if (x.is_zero()) return 0;

@@ -10,8 +10,8 @@ using Watch = std::function<void()>;
 
 Integer odd_part(const Integer& value) { return value >> lsb(value); }
 
-/// Level 0 are the numbers, each entry of a level above is the product of two of the level below,
-/// or the odd one out.
+/// Returns the tree of products: level 0 is the numbers, and each entry of a level above is the
+/// product of two of the level below, or the last one if their number is odd.
 std::vector<std::vector<Integer>> product_tree(std::vector<Integer> numbers, const Watch& watch) {
   std::vector<std::vector<Integer>> levels = {std::move(numbers)};
   while (levels.back().size() > 1) {
@@ -26,8 +26,8 @@ std::vector<std::vector<Integer>> product_tree(std::vector<Integer> numbers, con
   return levels;
 }
 
-/// For each number w the product of all others, modulo w: the product of all modulo w^2, divided by
-/// w.
+/// Returns for each number w the product of all others modulo w, which is the product of all modulo
+/// w^2, divided by w. The remainders are computed down the tree.
 std::vector<Integer> others_modulo(const std::vector<Integer>& numbers, const Watch& watch) {
   std::vector<std::vector<Integer>> levels = product_tree(numbers, watch);
   std::vector<Integer> remainders = std::move(levels.back());
@@ -44,17 +44,18 @@ std::vector<Integer> others_modulo(const std::vector<Integer>& numbers, const Wa
   return remainders;
 }
 
-/// A fraction in lowest terms, as long as nobody has to find those.
+/// A fraction that is known to be in lowest terms.
 struct Fraction {
   Integer above, below;
 };
 
-/// Requires denominators without common factors: so the sum is in lowest terms, too.
+/// Returns a + b. Requires denominators without common factors, so that the sum is in lowest terms.
 Fraction coprime_sum(const Fraction& a, const Fraction& b) {
   return {a.above * b.below + b.above * a.below, a.below * b.below};
 }
 
-/// n / (s r) = a / s + b / r for s and r without common factors, each in lowest terms.
+/// Returns a / s and b / r in lowest terms with n / (s r) = a / s + b / r. Requires s and r without
+/// common factors, whose product is the denominator of `term`.
 std::pair<Rational, Fraction> split(const Rational& term, const Integer& s, const Integer& r) {
   Integer a = 0;
   if (s > 1) {
@@ -99,7 +100,7 @@ Rational RationalSum::total() const {
 
 Rational sum_of_fractions(const std::vector<Rational>& terms, const std::function<void()>& watch) {
   RationalSum shared;
-  std::vector<const Rational*> others;  // terms with more than powers of 2 below
+  std::vector<const Rational*> others;  // Terms whose denominator is no power of 2.
   std::vector<Integer> odd;
   for (const Rational& term : terms) {
     Integer part = odd_part(denominator(term));
@@ -123,7 +124,7 @@ Rational sum_of_fractions(const std::vector<Rational>& terms, const std::functio
   const Rational with_shared = shared.total();
   Fraction sum = coprime_sum(total_of(std::move(lone), watch),
                              {numerator(with_shared), denominator(with_shared)});
-  Rational result;  // by hand: its constructor would look for common factors
+  Rational result;  // Set part by part, as its constructor would search for common factors.
   mpz_swap(mpq_numref(result.mpq()), sum.above.mpz());
   mpz_swap(mpq_denref(result.mpq()), sum.below.mpz());
   return result;

@@ -1,4 +1,4 @@
-// Exact integers as a double times a power of two, for approximating exact forms; and as limbs.
+// Exact integers as a double times a power of two, for approximations of exact forms; and as limbs.
 #pragma once
 
 #include <bit>
@@ -13,19 +13,19 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// value ~ mantissa * 2^exponent with 1/2 <= |mantissa| < 1, truncated: relative error < 2^-51
-/// under any rounding mode. Zero is {0, 0}.
+/// The approximation mantissa * 2^exponent of an integer, with 1/2 <= |mantissa| < 1. It is
+/// truncated, so its relative error is less than 2^-51 in any rounding mode. Zero is {0, 0}.
 struct Scaled {
   double mantissa = 0;
   int exponent = 0;
 };
 
-/// 2^exponent. Requires -1022 <= exponent <= 1023.
+/// Returns 2^exponent. Requires -1022 <= exponent <= 1023.
 constexpr double power_of_two(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
-/// The top bits of |x| by integer operations only.
+/// Returns the leading bits of x, by integer operations only.
 template <int L>
 Scaled scaled(const Fixed<L>& x) {
   const bool negative = x.is_negative();
@@ -43,21 +43,21 @@ Scaled scaled(const Fixed<L>& x) {
 
 Scaled scaled(const Integer& x);
 
-/// The nearest power of two not below |x| is 2^bit_length(x) (0 for 0).
+/// Returns the number of bits of |x|: the least n with |x| < 2^n (0 for x = 0).
 inline int bit_length(const Integer& x) {
   return x.is_zero() ? 0 : static_cast<int>(mpz_sizeinbase(x.mpz(), 2));
 }
 
-/// x / 2^(trailing zeros), and how many there were. Requires x != 0.
+/// Returns the number of trailing zero bits. Requires x != 0.
 inline int trailing_zeros(const Integer& x) { return static_cast<int>(mpz_scan1(x.mpz(), 0)); }
 
-/// Appends x to `limbs` in two's complement, `count` limbs. Requires bit_length(x) < 64 count.
+/// Appends x to `limbs` in two's complement of `count` limbs. Requires bit_length(x) < 64 count.
 void append_limbs(const Integer& x, std::size_t count, std::vector<std::uint64_t>& limbs);
 
-/// The integer that append_limbs wrote.
+/// Returns the integer that append_limbs() wrote.
 Integer integer_from_limbs(const std::uint64_t* limbs, std::size_t count);
 
-/// The first `count` limbs, sign-extended or, when the value fits, cut to L.
+/// Returns the integer of `count` limbs in L limbs, sign-extended or cut. Requires that it fits.
 template <int L>
 Fixed<L> fixed_from_limbs(const std::uint64_t* limbs, std::size_t count) {
   const bool negative = static_cast<std::int64_t>(limbs[count - 1]) < 0;
@@ -68,14 +68,14 @@ Fixed<L> fixed_from_limbs(const std::uint64_t* limbs, std::size_t count) {
   return Fixed<L>::from_limbs(extended);
 }
 
-/// The integer mantissa * 2^shift. Requires shift >= 0.
+/// Returns the integer mantissa * 2^shift. Requires shift >= 0.
 inline Integer shifted(const Integer& mantissa, int shift) {
   Integer result = mantissa;
   result <<= static_cast<unsigned>(shift);
   return result;
 }
 
-/// value / 2^low. Requires value to be on the grid of unit 2^low.
+/// Returns value / 2^low. Requires that the value is on the grid of unit 2^low.
 inline Integer to_integer(double value, int low) {
   const Decomposed d = decompose(value);
   return d.mantissa == 0 ? Integer(0) : shifted(Integer(d.mantissa), d.exponent - low);

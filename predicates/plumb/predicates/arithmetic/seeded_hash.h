@@ -1,14 +1,16 @@
-// Hashes for tables of what files say. Whoever knows a hash function can write a file of points
-// that all have one hash: a table then takes quadratic time, and one that grows where keys crowd,
-// all the memory that there is. So each process draws a function of its own. Nothing that plumb
-// answers may depend on it: tables are asked, never walked through.
+// Hashes for tables of what files contain, and a hash set of ids.
 //
-// Two different keys have one hash with a probability of 2^-32, whatever they are: the upper half
-// of a sum of products, of words of 32 bits with random ones of 64. A fixed permutation comes after
-// that, so that keys in a row do not make hashes in a row.
+// If a hash function is known, a file can be made of points that all have one hash: a table then
+// takes quadratic time, or, if it grows where keys crowd, all memory. So each process chooses a
+// random function of its own. No result of plumb may depend on it: tables are searched and never
+// iterated.
 //
-// Sources: Lemire and Kaser, "Strongly universal string hashing is fast" (2014); the permutation is
-// MurmurHash3's.
+// Two different keys have one hash with a probability of 2^-32, whatever they are: the hash is the
+// upper half of a sum of products of 32-bit words of the key with random 64-bit words. A fixed
+// permutation comes after that, so that consecutive keys do not give consecutive hashes.
+//
+// Sources: D. Lemire, O. Kaser, Strongly universal string hashing is fast, The Computer Journal 57
+// (2014); the permutation is that of MurmurHash3 (A. Appleby).
 #pragma once
 
 #include <array>
@@ -20,33 +22,33 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// 32 bits, all of them as good as each other.
+/// Returns hashes of 32 bits, all of which are equally good.
 struct SeededHash {
   std::size_t operator()(std::uint64_t key) const;
   std::size_t operator()(const std::array<std::uint64_t, 3>& key) const;
 };
 
-// A hash set of ids whose keys lie elsewhere: for tables that give equal things one id.
-//
-// Open addressing, 8 bytes an entry, two entries in three taken at most. Beside a hash set of a
-// library it finds or adds in one walk, and takes hints of what will be looked for: large tables
-// wait for memory, not for arithmetic. There is no removal.
-
+/// A hash set of ids whose keys are elsewhere, for tables that give equal objects one id.
+///
+/// It has open addressing, 8 bytes for each entry, and at most two of three entries taken. Unlike a
+/// hash set of a library it finds or adds in one search, and can fetch entries ahead, as large
+/// tables wait for memory and not for arithmetic. Nothing is ever removed.
 class IdIndex {
  public:
-  /// Makes room for so many ids in all.
+  /// Reserves memory for so many ids in all.
   void reserve(std::size_t ids) {
     const std::size_t entries = std::bit_ceil(ids + ids / 2 + 1);
     if (entries > entries_.size()) rehash(entries);
   }
 
-  /// Fetches what find_or_add will read for this hash.
+  /// Fetches what find_or_add() will read for this hash.
   void prefetch(std::uint32_t hash) const {
     if (!entries_.empty()) __builtin_prefetch(&entries_[hash & mask()]);
   }
 
-  /// The id of this hash for which is_same(id); if there is none `next`, which is added. Hashes:
-  /// all their bits are good (SeededHash), and equal for ids that are the same. next < 2^32 - 1.
+  /// Returns the id with this hash for which is_same(id) holds; if there is none, adds and returns
+  /// `next`. Requires next < 2^32 - 1, and hashes that are equal for equal objects and good in all
+  /// bits (SeededHash).
   template <class IsSame>
   std::uint32_t find_or_add(std::uint32_t hash, std::uint32_t next, IsSame is_same) {
     if (3 * (count_ + 1) > 2 * entries_.size()) rehash(std::bit_ceil(2 * count_ + 2));
@@ -79,7 +81,7 @@ class IdIndex {
     }
   }
 
-  std::vector<Entry> entries_;  // none, or a power of two of them
+  std::vector<Entry> entries_;  // Their number is 0 or a power of two.
   std::size_t count_ = 0;
 };
 

@@ -1,16 +1,19 @@
-// The Exact rung's shared parts (internal): differences on a common grid, and the determinants over
-// integers of given widths.
+// The common parts of the stages of the predicates on points of doubles after their filters.
+// Internal.
 //
-// Widths. With all differences |d| <= 2^b (2^bx, 2^by, 2^bz by axis), exactly:
+// Integers of a fixed width: differences on a common grid, and determinants. With all differences
+// |d| <= 2^b (2^bx, 2^by, 2^bz by axis), the exact values are bounded by
 //
-//   2x2 minor     |.| <= 2^(2b+1)          lift of 2, 3 squares  <= 2^(2b+1), < 2^(2b+2)
-//   3x3 minor     |.| <  2^(3b+3)   (6 terms)
-//   orient3d      |.| <  2^(bx+by+bz+3)    incircle  < 2^(4b+4)  (12 terms)
-//   insphere      |.| <  2^(5b+7)   (72 terms)
+//   2 x 2 minor           <= 2^(2b+1)
+//   lift of 2, 3 squares  <= 2^(2b+1), < 2^(2b+2)
+//   3 x 3 minor           <  2^(3b+3)          6 terms
+//   orient3d              <  2^(bx+by+bz+3)    6 terms
+//   incircle              <  2^(4b+4)          12 terms of degree 4
+//   insphere              <  2^(5b+7)          72 terms of degree 5
 //
-// and every partial sum is within the same bound. A Fixed<L> holds what is < 2^(64L-1) in
-// magnitude. The templates take their widths as parameters; each caller picks them by b and shows
-// that they do.
+// and every partial sum by the same (docs/design/numbers.md, Fixed widths for input points). A
+// Fixed<L> holds magnitudes below 2^(64L-1). The templates take their widths as parameters; each
+// caller picks them by b and shows that they suffice.
 #pragma once
 
 #include <array>
@@ -26,18 +29,18 @@
 
 namespace plumb::rung {
 
-/// Bits of grid integers whose differences have one limb (|n| < 2^61, |d| <= 2^62) or two
-/// (|n| < 2^125, |d| <= 2^126).
+/// The most bits of integers on a grid whose differences have one limb (|n| < 2^61, |d| <= 2^62),
+/// or two (|n| < 2^125, |d| <= 2^126).
 inline constexpr int kOneLimbBits = 61;
 inline constexpr int kTwoLimbBits = 125;
 
-/// The least b with |d| <= 2^b for every d in `differences`.
+/// Returns the least b, or one more, such that |d| <= 2^b for every d in `differences`.
 template <std::size_t N>
 int magnitude_bits(const std::array<Fixed<1>, N>& differences) {
   std::uint64_t any = 0;
   for (const Fixed<1>& d : differences) {
     const auto v = static_cast<std::int64_t>(d.limb(0));
-    any |= static_cast<std::uint64_t>(v ^ (v >> 63));  // |v|, or |v| - 1 for a negative v
+    any |= static_cast<std::uint64_t>(v ^ (v >> 63));  // This is |v|, or |v| - 1 for a negative v.
   }
   return static_cast<int>(std::bit_width(any));
 }
@@ -51,7 +54,7 @@ Fixed<L> on_grid(const Grid& grid, double value) {
   }
 }
 
-/// One coordinate of N points minus that of an origin, on `grid`.
+/// Returns one coordinate of N points minus that of an origin, on `grid`.
 template <int L, std::size_t N>
 std::array<Fixed<L>, N> differences(const Grid& grid, const std::array<double, N>& values,
                                     double origin) {
@@ -61,13 +64,13 @@ std::array<Fixed<L>, N> differences(const Grid& grid, const std::array<double, N
   return r;
 }
 
-/// x0 y1 - x1 y0.
+/// Returns x0 y1 - x1 y0.
 template <int To, int L>
 Fixed<To> minor2(const Fixed<L>& x0, const Fixed<L>& y0, const Fixed<L>& x1, const Fixed<L>& y1) {
   return multiply_to<To>(x0, y1) - multiply_to<To>(x1, y0);
 }
 
-/// The 2x2 minors of rows (1,2), (2,0), (0,1) of two columns.
+/// Returns the 2 x 2 minors of rows (1,2), (2,0), (0,1) of two columns.
 template <int To, int L>
 std::array<Fixed<To>, 3> cyclic_minors(const std::array<Fixed<L>, 3>& x,
                                        const std::array<Fixed<L>, 3>& y) {
@@ -87,14 +90,14 @@ Fixed<To> square(const Fixed<L>& x) {
 
 }  // namespace plumb::rung
 
-// The Big rung's shared parts (internal): the determinants over integers of any size. Doubles reach
-// it on their common grid (up to 2098 bits), rationals over their common denominator.
+// The last stage: determinants of integers of any size. Doubles come to it on their common grid,
+// with up to 2098 bits, rationals over their common denominator.
 namespace plumb::rung {
 
-/// The integer value / 2^grid.low().
+/// Returns the integer value / 2^grid.low().
 Integer big_on_grid(const Grid& grid, double value);
 
-/// One coordinate of N points minus that of an origin.
+/// Returns one coordinate of N points minus that of an origin.
 template <std::size_t N>
 std::array<Integer, N> big_differences(const std::array<double, N>& values, double origin,
                                        const Grid& grid) {
@@ -104,20 +107,20 @@ std::array<Integer, N> big_differences(const std::array<double, N>& values, doub
   return r;
 }
 
-/// x[0] y[1] - x[1] y[0].
+/// Returns the sign of x[0] y[1] - x[1] y[0].
 Sign big_cross(const std::array<Integer, 2>& x, const std::array<Integer, 2>& y);
-/// The determinant of three columns.
+/// Returns the sign of the determinant of three columns.
 Sign big_orient3d(const std::array<Integer, 3>& x, const std::array<Integer, 3>& y,
                   const std::array<Integer, 3>& z);
-/// ... of x, y and x^2 + y^2.
+/// Returns that of the columns x, y and x^2 + y^2.
 Sign big_incircle(const std::array<Integer, 3>& x, const std::array<Integer, 3>& y);
-/// ... of x, y, z and x^2 + y^2 + z^2.
+/// Returns that of the columns x, y, z and x^2 + y^2 + z^2.
 Sign big_insphere(const std::array<Integer, 4>& x, const std::array<Integer, 4>& y,
                   const std::array<Integer, 4>& z);
 
 }  // namespace plumb::rung
 
-// The Small rung (internal): the filter's own evaluation, when it is exact.
+// The stage of small integers: the evaluation of the filter, if it was exact.
 //
 // If all coordinates are integers below 2^51 and the computed permanent is at most 2^52, the
 // evaluation makes no rounding error, in any rounding mode: differences of such integers are exact;
@@ -127,9 +130,9 @@ Sign big_insphere(const std::array<Integer, 4>& x, const std::array<Integer, 4>&
 // zero included. This is what makes exactly degenerate small integers cheap.
 namespace plumb::rung {
 
-/// Are all values integers of [-2^51, 2^51)? Adding 1.5 * 2^52 rounds to an integer, in whatever
-/// direction; subtracting it is exact. Comparing bits, not doubles, tells a subnormal from the zero
-/// it is read as under DAZ; the sign bit is left out for -0.
+/// Whether all values are integers of [-2^51, 2^51). Adding 1.5 * 2^52 rounds to an integer, in
+/// whatever direction; subtracting it is exact. Bits are compared and not doubles, because under
+/// DAZ a subnormal number equals zero; the sign bit is left out for -0.
 template <std::size_t N>
 bool all_integers(const std::array<double, N>& values) {
   constexpr double kMagic = 0x1.8p52;
@@ -142,7 +145,7 @@ bool all_integers(const std::array<double, N>& values) {
   return (changed << 1) == 0 && (far >> 52) == 0;
 }
 
-/// The evaluation's sign if it is exact.
+/// Returns the sign of the evaluation if it is exact, otherwise Unsure.
 template <std::size_t N>
 FilteredSign small_sign(const detail::Evaluation& e, const std::array<double, N>& values) {
   if (!(e.permanent <= 0x1p52) || !all_integers(values)) return FilteredSign::Unsure;

@@ -1,5 +1,6 @@
-// The Filter rung of the predicates on input doubles: one expression, one static bound, one range
-// gate. Inline: most calls end here.
+// The filters of the predicates on points of doubles: one expression, one semi-static bound, one
+// test of the range. They are inline, as most calls end here. docs/design/numbers.md (Filters of
+// input points) has the same proof.
 //
 // Notation
 //   eps     2^-52: in *every* rounding mode |fl(x) - x| <= eps |x| and <= eps |fl(x)|, barring
@@ -98,8 +99,9 @@ struct Evaluation {
   bool in_gate;
 };
 
-/// The filters' common end. A NaN (from infinities beyond the gate) is Unsure. `det` is a normal
-/// number when it is above the bound, so its sign bit tells.
+/// Returns the sign of the determinant if it exceeds its bound. A NaN, which comes of infinities
+/// beyond the gate, gives Unsure. A determinant above the bound is a normal number, so its sign bit
+/// is right.
 inline FilteredSign certify(const Evaluation& e, double error, double floor) {
   if (e.in_gate && std::abs(e.det) > error * e.permanent + floor) [[likely]] {
     return static_cast<FilteredSign>((std::bit_cast<std::int64_t>(e.det) >> 63) | 1);
@@ -107,7 +109,8 @@ inline FilteredSign certify(const Evaluation& e, double error, double floor) {
   return FilteredSign::Unsure;
 }
 
-/// Two doubles in one register, on every target of g++ and clang: a quarter off orient2d's time.
+/// Two doubles in one register, on every target of g++ and clang; this saves a quarter of the time
+/// of orient2d.
 typedef double Pair __attribute__((vector_size(16)));
 typedef std::int64_t PairBits __attribute__((vector_size(16)));
 
@@ -118,8 +121,8 @@ inline Pair abs(Pair v) {
 
 inline Pair difference(const Point2& p, const Point2& q) { return Pair{p.x, p.y} - Pair{q.x, q.y}; }
 
-/// Sign of u[0] v[1] - u[1] v[0]; u and v are differences of inputs. The sum of the four
-/// differences' magnitudes bounds each of them.
+/// Evaluates u[0] v[1] - u[1] v[0] for differences u and v of inputs. The sum of the magnitudes of
+/// the four differences, which is tested, bounds each of them.
 inline Evaluation cross(Pair u, Pair v) {
   const Pair products = u * Pair{v[1], v[0]};
   const Pair sizes = abs(products);
@@ -177,7 +180,7 @@ inline Vector difference(const Point3& p, const Point3& q) {
   return {p.x - q.x, p.y - q.y, p.z - q.z};
 }
 
-/// A 2x2 minor of the x and y coordinates and its permanent.
+/// A minor and its permanent.
 struct Minor {
   double value;
   double size;
@@ -188,7 +191,7 @@ inline Minor minor_xy(const Vector& u, const Vector& v) {
   return {left - right, std::abs(left) + std::abs(right)};
 }
 
-/// det(u, v, w) from the 2x2 minors.
+/// Returns det(u, v, w) from 2 x 2 minors of the x and y coordinates.
 inline Minor minor_xyz(double uz, const Minor& vw, double vz, const Minor& uw, double wz,
                        const Minor& uv) {
   return {uz * vw.value - vz * uw.value + wz * uv.value,

@@ -1,5 +1,5 @@
-// Which rung of which predicate decided, counted per thread. Compiled in by PLUMB_COUNT_RUNGS only;
-// otherwise count_rung() is nothing and the counts stay zero.
+// Counts, for each thread, which stage of which predicate decided. Compiled in by PLUMB_COUNT_RUNGS
+// only; without it count_rung() does nothing and the counts stay zero.
 #pragma once
 
 #include <array>
@@ -11,6 +11,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
+/// The predicates that are counted.
 enum class Predicate : std::uint8_t {
   Orient2d,
   CrossSign,
@@ -22,12 +23,12 @@ enum class Predicate : std::uint8_t {
   PlaneDet4,
   SideOfPlane,
   CompareAxis,
-  HoldsLine,          ///< three planes with a line in common?
-  ComparePoints2,     ///< order of points of a table of the plane
-  CompareCrossings2,  ///< the same, of which one at least is a crossing
-  SideOfCrossing2,    ///< orient2d of a line and a crossing
-  PointQuery2,        ///< a point that is in no table, and one that is
-  RayQuery2           ///< a ray that is in no table, and points and lines that are
+  HoldsLine,          ///< Whether three planes have a common line.
+  ComparePoints2,     ///< The order of points of a table of the plane.
+  CompareCrossings2,  ///< The same if at least one of them is a crossing.
+  SideOfCrossing2,    ///< orient2d of a line and a crossing.
+  PointQuery2,        ///< A point that is in no table, and one that is.
+  RayQuery2           ///< A ray that is in no table, and points and lines that are.
 };
 inline constexpr std::size_t kPredicates = 16;
 inline constexpr std::array<const char*, kPredicates> kPredicateNames{
@@ -36,13 +37,14 @@ inline constexpr std::array<const char*, kPredicates> kPredicateNames{
     "side of plane",     "compare axis",     "holds line",  "compare points",
     "compare crossings", "side of crossing", "point query", "ray query"};
 
-/// Identity: answered by ids, without arithmetic (planes, points of space, crossings).
+/// The stages: the filter, small integers, integers of a fixed width, integers of GMP; and
+/// identity, where ids decide without arithmetic (planes, points of space, crossings).
 enum class Rung : std::uint8_t { Filter, Small, Exact, Big, Identity };
 inline constexpr std::size_t kRungs = 5;
 inline constexpr std::array<const char*, kRungs> kRungNames{"filter", "small", "exact", "big",
                                                             "identity"};
 
-/// counts[predicate][rung]: calls decided there.
+/// The number of calls that each stage of each predicate decided: counts[predicate][rung].
 using RungCounts = std::array<std::array<std::uint64_t, kRungs>, kPredicates>;
 
 #ifdef PLUMB_COUNT_RUNGS
@@ -55,7 +57,7 @@ inline void count_rung(Predicate predicate, Rung rung) {
   ++detail::rung_counts[static_cast<std::size_t>(predicate)][static_cast<std::size_t>(rung)];
 }
 
-/// The calling thread's counts since its last reset.
+/// Returns the counts of the calling thread since its last reset.
 inline RungCounts rung_counts() { return detail::rung_counts; }
 inline void reset_rung_counts() { detail::rung_counts = {}; }
 
@@ -67,7 +69,7 @@ inline void reset_rung_counts() {}
 
 #endif
 
-/// Counts the rung and returns its sign. Requires is_decided(sign).
+/// Counts the stage and returns its sign. Requires is_decided(sign).
 inline Sign decide(Predicate predicate, Rung rung, FilteredSign sign) {
   count_rung(predicate, rung);
   return decided(sign);

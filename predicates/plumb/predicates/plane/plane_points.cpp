@@ -10,14 +10,16 @@
 namespace plumb {
 namespace {
 
-// Sum of (p_i - o) x (p_{i+1} - o) with o the first point, and a bound on its error.
+// Returns the sign of the sum of (p_i - o) x (p_{i+1} - o), with o the first point, if it exceeds
+// its error bound.
 //
-// u = 2^-52 covers every rounding mode. Each term (dx * ey - dy * ex) carries a relative error of
-// at most (3 + small)u of |dx ey| + |dy ex|, as orient2d does; summing n terms adds less than n*u
-// of the sum of the magnitudes. 4 + n covers both with room for the rounding of the bound itself.
-// Gate: with every difference at most 2^500 nothing overflows for n <= 2^20 terms a sum of which
-// stays below 2^1022; flushing and subnormal inputs read as zero change a difference by at most 3 *
-// 2^-1022, a term by less than 2^-518, the sum by less than n * 2^-518, which `floor` covers.
+// eps = 2^-52 covers every rounding mode. Each term dx ey - dy ex has an error of at most
+// (3 + small) eps of |dx ey| + |dy ex|, as in orient2d. The sum of n terms adds less than n eps of
+// the sum of these magnitudes. 4 + n covers both and the rounding of the bound itself. With
+// differences of at most 2^500 and n <= 2^20 terms, sums stay below 2^1022, so nothing overflows.
+// Flushing, and subnormal inputs that are read as zero, change a difference by at most 3 * 2^-1022,
+// a term by less than 2^-518, and the sum by less than n 2^-518, which the last term of the bound
+// covers.
 FilteredSign area_filter(const PointTable2& points, std::span<const std::uint32_t> polygon) {
   const auto n = static_cast<double>(polygon.size());
   const Point2 o = points.approx(polygon[0]);
@@ -68,7 +70,7 @@ Sign polygon_area_sign(const PointTable2& points, std::span<const std::uint32_t>
 
 namespace {
 
-/// A coordinate that is no double is within 2^-53 of its size from its approximation.
+/// Returns a bound of the distance of x from its approximation, which is within 2^-53 of its size.
 double reach_of(const PointTable2& inputs, std::uint32_t i) {
   return inputs.is_double(i) ? 0 : 0x1p-52 * std::fabs(inputs.approx(i).x);
 }

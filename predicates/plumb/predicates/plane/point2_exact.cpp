@@ -1,3 +1,16 @@
+// Exact arithmetic for points and crossings of the plane: integers of any length (Scratch2), and
+// the stage of fixed-width integers of the predicates on crossings.
+//
+// The GMP part works on homogeneous triples of integers, as point2_exact.h describes. Each thread
+// keeps one set of integers, so that a call allocates nothing once they are long enough.
+//
+// The fixed-width part serves crossings of lines through doubles. All coordinates of a question are
+// brought onto one grid per axis and become integers of at most 64 L - 2 bits; each predicate is a
+// polynomial in their differences. The widths are listed where that part begins, and proved in
+// docs/design/numbers.md (Crossings in the plane).
+//
+// Tested by tests/predicates/point_table2_test.cpp and tests/predicates/plane_points_test.cpp.
+
 #include "plumb/predicates/plane/point2_exact.h"
 
 #include <algorithm>
@@ -34,6 +47,7 @@ void Scratch2::shrink() {
   is_long_ = false;
 }
 
+/// Both coordinates are multiplied by the least power of two that makes integers of them.
 Triple Scratch2::point(Point2 p) {
   const Decomposed x = decompose(p.x);
   const Decomposed y = decompose(p.y);
@@ -50,6 +64,7 @@ Triple Scratch2::point(Point2 p) {
   return own(s);
 }
 
+/// W is the product of the denominators, not their lcm: a gcd would cost more than longer products.
 Triple Scratch2::point(const RationalPoint2& p) {
   mpq_srcptr x = p.x.mpq();
   mpq_srcptr y = p.y.mpq();
@@ -69,6 +84,7 @@ Triple Scratch2::point(const PointTable2& points, std::uint32_t i) {
   return {s.view.x, s.view.y, s.view.w};
 }
 
+/// Joins two points, or intersects two lines.
 Triple Scratch2::cross(const Triple& p, const Triple& q) {
   const auto minor = [](mpz_ptr out, mpz_srcptr a, mpz_srcptr d, mpz_srcptr b, mpz_srcptr c) {
     mpz_mul(out, a, d);
@@ -88,6 +104,7 @@ Sign Scratch2::dot_sign(const Triple& l, const Triple& p) {
   return sign_of_mpz(sum_);
 }
 
+/// p / pw - q / qw = (p qw - q pw) / (pw qw), and a quotient has the sign of the product.
 Sign Scratch2::compare_quotients(mpz_srcptr p, mpz_srcptr pw, mpz_srcptr q, mpz_srcptr qw) {
   mpz_mul(sum_, p, qw);
   mpz_submul(sum_, q, pw);
@@ -103,19 +120,23 @@ Rational to_rational(mpz_srcptr n, mpz_srcptr d) { return Rational(Integer(n), I
 
 }  // namespace plumb::detail
 
-// Crossing2's Exact rung: integers of L limbs per coordinate, widths proved below.
+// The fixed-width stage of the predicates on Crossing2: integers of L limbs per coordinate.
 //
-// Each axis has its own grid (scaling an axis by a power of two changes no sign here). Coordinates
+// Each axis has its own grid: scaling an axis by a power of two changes no sign here. Coordinates
 // have at most 64 L - 2 bits, so with n = 64 L a difference d of two is below 2^(n-1) in size, and:
-//   w   = d d - d d                a cross product             below 2 * 2^(2n-2) = 2^(2n-1)   2 L
-//   limbs q   = d w + d w                a coordinate times den      below 2^(3n-1) 3 L det = w w +
-//   w w                orient2d with a crossing    below 2^(4n-1)                  4 L q w - q w
-//   compare two crossings       2^(5n-2) + 2^(5n-3) < 2^(5n-1)  5 L
-// (in the last line one q is a single product d w, below 2^(3n-2)). Signed, each fits its limbs.
+//
+//   w   = d d - d d   a cross product            below 2 * 2^(2n-2) = 2^(2n-1)         2 L limbs
+//   q   = d w + d w   a coordinate times den     below 2 * 2^(3n-2) = 2^(3n-1)         3 L limbs
+//   det = w w + w w   orient2d with a crossing   below 2 * 2^(4n-2) = 2^(4n-1)         4 L limbs
+//   q w - q w         order of two crossings     below 2^(5n-2) + 2^(5n-3) < 2^(5n-1)  5 L limbs
+//
+// In the last line one q is a single product d w, below 2^(3n-2). With its sign each fits its
+// limbs.
 namespace plumb::rung {
 
 namespace {
 
+/// A grid for each axis, of all points that take part.
 struct Grids {
   Grid x;
   Grid y;
@@ -152,15 +173,16 @@ Fixed<2 * L> cross(const Vector<L>& u, const Vector<L>& v) {
   return multiply(u.x, v.y) - multiply(u.y, v.x);
 }
 
-/// The crossing a + (num / den) u.
+/// The crossing a + (num / den) u of the lines a b and c d.
 template <int L>
 struct Meeting {
-  Vector<L> a;
-  Vector<L> u;
-  Fixed<2 * L> num;
-  Fixed<2 * L> den;
+  Vector<L> a;       ///< The first end of the first line.
+  Vector<L> u;       ///< b - a.
+  Fixed<2 * L> num;  ///< (c - a) x v with v = d - c.
+  Fixed<2 * L> den;  ///< u x v. Not zero, as the lines are not parallel.
 };
 
+/// The four points that define a crossing.
 struct Corners {
   Point2 a, b, c, d;
 };
@@ -174,15 +196,16 @@ Meeting<L> meet(const Grids& grids, const Corners& p) {
   return {a, u, cross(c - a, v), cross(u, v)};
 }
 
-/// Order of a coordinate of the crossing and i, by den (a - i) + num u.
+/// Returns the order of a coordinate of the crossing and i. The difference
+/// a + (num / den) u - i has the sign of (den (a - i) + num u) den.
 template <int L>
 Sign compare_axis(const Meeting<L>& p, Fixed<L> Vector<L>::*axis, const Fixed<L>& i) {
   const Fixed<3 * L> q = multiply(p.a.*axis - i, p.den) + multiply(p.u.*axis, p.num);
   return q.sign() * p.den.sign();
 }
 
-/// Order of a coordinate of two crossings: p = a + u n / w against q = b + v m / z, by
-/// ((a - b) w + u n) z - (v m) w.
+/// Returns the order of a coordinate of two crossings, p = a + u n / w and q = b + v m / z. The
+/// difference p - q has the sign of (((a - b) w + u n) z - (v m) w) w z.
 template <int L>
 Sign compare_axis(const Meeting<L>& p, const Meeting<L>& q, Fixed<L> Vector<L>::*axis) {
   const Fixed<3 * L> left = multiply(p.a.*axis - q.a.*axis, p.den) + multiply(p.u.*axis, p.num);
@@ -207,7 +230,8 @@ Sign compare_xy_in(const Grids& grids, const Corners& first, const Corners& seco
   return by_x != Sign::Zero ? by_x : compare_axis(p, q, &Vector<L>::y);
 }
 
-/// (j - i) x (a + (num / den) u - i), by den ((j - i) x (a - i)) + num ((j - i) x u).
+/// Returns the sign of (j - i) x (a + (num / den) u - i), which is that of
+/// (den ((j - i) x (a - i)) + num ((j - i) x u)) den.
 template <int L>
 Sign orient2d_in(const Grids& grids, const Point2& i, const Point2& j, const Corners& corners) {
   const Meeting<L> p = meet<L>(grids, corners);
@@ -218,6 +242,7 @@ Sign orient2d_in(const Grids& grids, const Point2& i, const Point2& j, const Cor
   return det.sign() * p.den.sign();
 }
 
+/// Whether all these points are doubles; the others have no integers of a fixed width.
 bool are_doubles(const PointTable2& points, std::initializer_list<std::uint32_t> indices) {
   if (points.all_double()) return true;
   return std::all_of(indices.begin(), indices.end(),
@@ -234,7 +259,8 @@ Corners corners(const PointTable2& points, const Crossing2& p, Grids& grids) {
   return r;
 }
 
-/// The narrowest integers that hold `bits` per coordinate.
+/// Asks in_limbs<L>() with the narrowest integers that hold `bits` per coordinate: 64 L - 2 >=
+/// bits. Unsure if two limbs are too few.
 template <class InLimbs>
 FilteredSign narrowest(int bits, const InLimbs& in_limbs) {
   if (bits <= 62) return filtered(in_limbs.template operator()<1>());

@@ -1,3 +1,11 @@
+// Predicates on points and rays of queries, which are in no table.
+//
+// Each is a filter and exact rationals; queries are too few for stages between. The filter carries
+// an error bound with every number (Rough): each operation adds its rounding and what flushing
+// subnormal numbers may lose, so a sign is certain if the value exceeds its error.
+//
+// Tested by tests/predicates/plane_points_test.cpp and tests/plane/ray_walk_test.cpp.
+
 #include "plumb/predicates/plane/query2.h"
 
 #include <cmath>
@@ -12,7 +20,8 @@
 namespace plumb {
 namespace {
 
-/// By x and the box of a crossing; the query's rounding is within 2^-52 of its size.
+/// Compares x of a point or the box of a crossing with the query's nearest double, which is off by
+/// at most 2^-52 of its size.
 FilteredSign compare_x_filter(const PlanePointsView& points, std::uint32_t i,
                               const QueryPoint2& q) {
   const double x = q.approx().x;
@@ -65,10 +74,10 @@ Sign orient2d(const PlanePointsView& points, std::uint32_t a, std::uint32_t b,
 
 namespace {
 
-// A number known within an error. Every operation adds 2^-52 of its result, which is its rounding
-// in any direction, and kUnderflow: a product has up to six places where flushing to zero, or
-// reading a subnormal number as zero, loses less than kLeast. 1 + 2^-48 covers the rounding of
-// errors themselves, six operations for a product, each down by 2^-52 at most.
+// A number with a bound of its error. Every operation adds 2^-52 of its result, which is its
+// rounding in any direction, and kUnderflow: a product has up to six places where flushing to zero,
+// or reading a subnormal number as zero, loses less than kLeast. The factor 1 + 2^-48 covers the
+// roundings of errors themselves, six operations for a product, each down by at most 2^-52.
 struct Rough {
   double value;
   double error;
@@ -82,7 +91,7 @@ constexpr double kUnderflow = 8 * kLeast;
 Rough rough(double value, double error) {
   const double size = std::fabs(value);
   const double bound = (error + 0x1p-52 * size) * (1 + 0x1p-48) + kUnderflow;
-  // Rounded downward, what overflows is the greatest double and not infinite.
+  // In a mode that rounds toward zero, what overflows is the greatest double and not infinite.
   return {value, size < kGreatest && bound < kGreatest ? bound : kInfinity};
 }
 Rough operator-(Rough p, Rough q) { return rough(p.value - q.value, p.error + q.error); }
@@ -93,7 +102,7 @@ Rough operator*(Rough p, Rough q) {
 }
 
 FilteredSign known_sign(Rough r) {
-  // False for what is no number, and for infinite errors.
+  // Both comparisons are false for NaNs and for infinite errors.
   if (r.value > r.error) return filtered(Sign::Positive);
   if (-r.value > r.error) return filtered(Sign::Negative);
   return FilteredSign::Unsure;
@@ -104,8 +113,8 @@ struct RoughPoint {
   Rough y;
 };
 
-/// Doubles that stand for a number: exact, or the nearest ones, which are clamped to the greatest.
-/// A subnormal one may be read as zero by whatever takes it.
+/// Returns a double that stands for a number, which it is exactly, or to which it is the nearest,
+/// clamped to the greatest double. A subnormal one may be read as zero by any operation.
 Rough rounded(double value, bool is_exact) {
   const double size = std::fabs(value);
   if (is_exact) return {value, size < kLeast ? kLeast : 0};
@@ -133,7 +142,7 @@ RationalPoint2 difference(const RationalPoint2& p, const RationalPoint2& q) {
 }
 RoughPoint difference(const RoughPoint& p, const RoughPoint& q) { return {p.x - q.x, p.y - q.y}; }
 
-/// What the crossing of two lines is made of: origin + direction numerator / denominator.
+/// The parameter of the crossing of two lines, which is origin + direction numerator / denominator.
 template <class Number>
 struct Share {
   Number numerator;

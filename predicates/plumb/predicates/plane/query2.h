@@ -1,4 +1,5 @@
-// A point that is in no table: what a user asks about. Predicates against the points of a table.
+// Points and rays that are in no table, as users give them in queries, and the predicates on them
+// and the points of a table.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +12,17 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
+/// A point of a query.
 class QueryPoint2 {
  public:
-  /// Requires finite coordinates.
+  /// Makes a point of doubles. Requires finite coordinates.
   explicit QueryPoint2(Point2 p);
+  /// Makes a rational point.
   explicit QueryPoint2(const RationalPoint2& p);
 
+  /// Whether both coordinates are doubles.
   bool is_double() const { return is_double_; }
-  /// The nearest doubles, clamped as in PointTable2; the point itself when is_double().
+  /// Returns the nearest doubles, clamped as in PointTable2; the point itself if is_double().
   Point2 approx() const { return approx_; }
   const RationalPoint2& exact() const { return exact_; }
 
@@ -28,29 +32,28 @@ class QueryPoint2 {
   bool is_double_;
 };
 
-/// Order of point i against the query point, by x and then y, or by x alone.
+/// Returns the lexicographic order of point i and the query point.
 Sign compare_xy(const PlanePointsView& points, std::uint32_t i, const QueryPoint2& q);
+/// Returns their order by x alone.
 Sign compare_x(const PlanePointsView& points, std::uint32_t i, const QueryPoint2& q);
 
-/// Side of the line through input points a -> b on which the query point lies: Positive = left.
-/// Doubles throughout: as orient2d of three points; else exact rationals.
+/// Returns the side of the line through input points a -> b on which the query point lies; Positive
+/// is left. If all three are doubles, this is orient2d of three points, otherwise exact rationals
+/// decide.
 Sign orient2d(const PlanePointsView& points, std::uint32_t a, std::uint32_t b,
               const QueryPoint2& q);
 
-// A ray whose points are in no table: what a user shoots. Predicates against the points of a table.
-//
-// The line of a ray is taken to run to the right, or upward, whichever way the ray goes: "above" is
-// left of that line.
-
+/// A ray of a query. Its line is taken to run to the right, or upward, whichever way the ray goes;
+/// "above" is left of that line.
 class QueryRay2 {
  public:
   /// Requires a direction that is not zero.
   QueryRay2(const RationalPoint2& origin, const RationalPoint2& direction);
 
   const QueryPoint2& origin() const { return origin_; }
-  /// Turned to the right, or upward.
+  /// Returns the direction of the line, to the right or upward.
   const QueryPoint2& direction() const { return direction_; }
-  /// Does the ray go the way of direction()?
+  /// Whether the ray runs along direction() and not against it.
   bool goes_right() const { return goes_right_; }
   bool is_vertical() const { return direction_.exact().x == 0; }
 
@@ -60,21 +63,22 @@ class QueryRay2 {
   QueryPoint2 direction_;
 };
 
-/// Side of the ray's line on which point i lies: Positive = above.
+/// Returns the side of the ray's line on which point i lies; Positive is above.
 Sign side(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t i);
 
-/// The turn from line a -> b, of input points, to the ray's line: Positive when the ray's is
-/// steeper, for a -> b to the right or upward.
+/// Returns the turn from the line a -> b to the ray's line: Positive if the ray's is steeper.
+/// Requires that a -> b runs to the right or upward.
 Sign turn(const PlanePointsView& points, std::uint32_t a, std::uint32_t b, const QueryRay2& ray);
 
-/// Order of the crossing of the ray's line and line a -> b against point i, by x and then y, or by
-/// x alone. Requires that the lines are not parallel.
+/// Returns the lexicographic order of point i and the crossing of the ray's line and line a -> b:
+/// that of the crossing to the point. Requires that the lines are not parallel.
 Sign compare_crossing_xy(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t a,
                          std::uint32_t b, std::uint32_t i);
+/// Returns the same order by x alone.
 Sign compare_crossing_x(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t a,
                         std::uint32_t b, std::uint32_t i);
 
-/// That crossing.
+/// Returns that crossing, exactly.
 RationalPoint2 crossing(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t a,
                         std::uint32_t b);
 

@@ -1,13 +1,16 @@
-// Filters for the frame. A point that depends on it is P0 + u R with R beyond all bounds, and a
-// form of such points is c0 + c1 R (plane_exact.h, Parts). The filters serve each part by itself,
-// with other rows and boxes for the planes and points:
+// The stages of the predicates of space: rows and boxes for the filters of each part of a number
+// c0 + c1 R, residues for fingerprints, and the exact stages of signs about planes.
 //
-//   far   in units of R, for c1: of a plane d is the multiple of R that its offset is; a box is
-//         around u, that of a point without R around 0
-//   near  with 0 for R, for c0: a plane of the frame has no offset; a box is around P0
+// A point that depends on the frame is P0 + u R, where R is larger than every number, and a form of
+// such points is c0 + c1 R (docs/design/frame.md). The filters serve each part by itself, with
+// other rows and boxes for the planes and points:
 //
-// What the far parts decide decides the whole. Only where c1 is known to be 0 may the near ones be
-// asked.
+//   far   For c1, in units of R: the offset of a plane is the multiple of R that it has, 0 for
+//         ordinary planes; a box is around u, which is 0 for a point without R.
+//   near  For c0, with 0 for R: a plane of the frame has no offset; a box is around P0.
+//
+// If the far filter decides, that is the sign of the whole. The near filter may be asked only where
+// c1 is known to be 0.
 #pragma once
 
 #include <algorithm>
@@ -24,15 +27,16 @@
 
 namespace plumb {
 
-/// The row but for its offset, which is 0 without error.
+/// Returns the row with the exact offset 0.
 inline PlaneRow row_of_normal(PlaneRow row) {
   row.d = 0;
   row.offset_error = 0;
   return row;
 }
 
-/// The rows of the cube's planes are exact: a unit vector and +-1. Of other far planes the multiple
-/// is not in the row: no filter decides.
+/// Returns the row for far filters. The rows of the cube's planes are exact: a unit vector and +-1.
+/// Those of other far planes keep an infinite offset error, as the row does not have the multiple
+/// of R, and no filter decides.
 inline PlaneRow far_row(const PlaneTable& planes, PlaneId p) {
   const PlaneSource& source = planes.source(p);
   PlaneRow row = planes.row(p);
@@ -41,18 +45,19 @@ inline PlaneRow far_row(const PlaneTable& planes, PlaneId p) {
   return row;
 }
 
+/// Returns the row for near filters.
 inline PlaneRow near_row(const PlaneTable& planes, PlaneId p) {
   return planes.is_frame(p) ? row_of_normal(planes.row(p)) : planes.row(p);
 }
 
-/// Requires a box that is finite or of a known direction.
+/// Returns the box for far filters. Requires a box that is finite or has a known direction.
 inline PointBox far_box(const PointBox& box) {
   if (!is_far(box)) return {{}, 0};
   const auto& u = box.mid;
   return {u, kDirectionError * std::max({std::fabs(u[0]), std::fabs(u[1]), std::fabs(u[2])})};
 }
 
-// Points and planes of space modulo q = 2^61 - 1: what fingerprints are made of.
+// Points and planes of space modulo q = 2^61 - 1, from which fingerprints are made.
 
 using Residues3 = std::array<Residue, 3>;
 
@@ -75,18 +80,19 @@ inline Residues3 operator-(const Residues3& a, const Residues3& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// n.x + d = 0 up to a factor.
+/// The plane n.x + d = 0 modulo q, up to a factor.
 struct PlaneResidues {
-  Residues3 n;
-  Residue d;
+  Residues3 n;  ///< The normal.
+  Residue d;    ///< The offset.
 };
 
+/// Returns the plane through three points.
 inline PlaneResidues plane_residues(const Residues3& p, const Residues3& q, const Residues3& r) {
   const Residues3 n = cross(q - p, r - p);
   return {n, -dot(n, p)};
 }
 
-/// Of a plane of the frame: with kFrameResidue for R.
+/// Returns the plane with the given id, with kFrameResidue for R.
 inline PlaneResidues residues(const PlaneTable& planes, PlaneId id) {
   const PlaneSource& source = planes.source(id);
   if (source.is_explicit()) {
@@ -101,13 +107,13 @@ inline PlaneResidues residues(const PlaneTable& planes, PlaneId id) {
 
 }  // namespace plumb
 
-// The exact rungs of every sign about planes: the narrowest width that holds the operands, then
-// wider ones, then mpz. A *form* computes the sign from an array of loaded planes of any number
+// The exact stages of every sign about planes: the narrowest width that holds the operands, then
+// wider ones, then GMP. A *form* computes the sign from an array of loaded planes of any number
 // type:
 //
 //   form(const std::array<Plane, K>&) -> Sign      Plane = FixedPlane<W> or BigPlane, aligned
 //
-// With planes of the frame a form is asked part by part (plane_exact.h).
+// If planes of the frame take part, a form is asked part by part (plane_exact.h).
 namespace plumb::exact3 {
 
 template <std::size_t K>
@@ -131,7 +137,8 @@ bool has_frame(const std::array<Operand, K>& operands) {
   return any;
 }
 
-/// Of one part. Unsure when the operands, or their offsets on a common scale, do not fit W.
+/// Returns the sign of one part in the width W. Unsure if the operands, or their offsets on a
+/// common scale, do not fit W.
 template <class W, std::size_t K, class Form>
 FilteredSign fixed_part(const std::array<Operand, K>& operands, Part part, const Form& form) {
   if (width_of(operands) > W::kIndex) return FilteredSign::Unsure;
@@ -144,6 +151,7 @@ FilteredSign fixed_part(const std::array<Operand, K>& operands, Part part, const
   return filtered(form(planes));
 }
 
+/// Returns the sign of one part in integers of any length.
 template <std::size_t K, class Form>
 Sign big_part(const std::array<Operand, K>& operands, Part part, const Form& form) {
   std::array<BigPlane, K> planes;
@@ -155,19 +163,22 @@ Sign big_part(const std::array<Operand, K>& operands, Part part, const Form& for
   return form(planes);
 }
 
+/// Returns the sign of the form in the width W, part by part; Unsure as fixed_part().
 template <class W, std::size_t K, class Form>
 FilteredSign fixed_sign(const std::array<Operand, K>& operands, const Form& form) {
   return by_parts(has_frame(operands),
                   [&](Part part) { return fixed_part<W>(operands, part, form); });
 }
 
+/// Returns the sign of the form in integers of any length.
 template <std::size_t K, class Form>
 Sign big_sign(const std::array<Operand, K>& operands, const Form& form) {
   return decided(by_parts(has_frame(operands),
                           [&](Part part) { return filtered(big_part(operands, part, form)); }));
 }
 
-/// Of one part; `count(rung)` is told which rung decides.
+/// Returns the sign of one part in the narrowest numbers that hold it; calls `count` with the stage
+/// that decides.
 template <std::size_t K, class Form, class Count>
 Sign exact_part(const std::array<Operand, K>& operands, Part part, const Form& form,
                 const Count& count) {
@@ -182,7 +193,8 @@ Sign exact_part(const std::array<Operand, K>& operands, Part part, const Form& f
   return decided(s);
 }
 
-/// With a frame c1 first, then near() -> FilteredSign about c0, a filter, then c0.
+/// Returns the sign of the form, exactly. With a frame it asks c1 first, then near() ->
+/// FilteredSign, a filter for c0, then c0.
 template <std::size_t K, class Form, class Near, class Count>
 Sign exact_sign(const std::array<Operand, K>& operands, const Form& form, const Near& near,
                 const Count& count) {
@@ -195,6 +207,7 @@ Sign exact_sign(const std::array<Operand, K>& operands, const Form& form, const 
   return exact_part(operands, Part::Finite, form, count);
 }
 
+/// Returns the same without a filter for c0.
 template <std::size_t K, class Form, class Count>
 Sign exact_sign(const std::array<Operand, K>& operands, const Form& form, const Count& count) {
   return exact_sign(

@@ -1,11 +1,20 @@
+// Loading of exact planes, and their determinants in each width.
+//
+// A plane through input points is computed from them each time, which costs less than fetching
+// stored coefficients; other planes are read from their limbs. The width of an operand is the least
+// that holds its coefficients by condition (L) of plane_exact.h, which bounds everything that is
+// computed from them (docs/design/numbers.md, Planes).
+//
+// Tested by tests/predicates/plane_exact_test.cpp.
+
 #include "plumb/predicates/space/plane_exact.h"
 
 #include "plumb/predicates/arithmetic/double_bits.h"
 #include "plumb/predicates/input_predicates.h"
 
-// Inlines everything a function calls. Left to itself g++ calls every product of a determinant with
-// its operands in memory, which costs a tenth of the rung; but Wide gets slower by it (stack
-// traffic).
+// Inlines everything that a function calls. Without it g++ calls every product of a determinant
+// with its operands in memory, which costs a tenth of the time. The width Wide gets slower by it,
+// because of traffic on the stack.
 #ifdef PLUMB_PORTABLE
 #define PLUMB_FLATTEN
 #else
@@ -16,7 +25,7 @@ namespace plumb::exact3 {
 
 namespace {
 
-/// The three input points of a source.
+/// Returns the three input points of a source.
 std::array<const Point3*, 3> corners(const PlaneTable& table, const PlaneSource& source) {
   const std::span<const Point3> points = table.points();
   return {&points[source.code[0]], &points[source.code[1]], &points[source.code[2]]};
@@ -109,7 +118,7 @@ FilteredSign side_by_corners(const PlaneTable& table, InputPointId x, const Plan
   Grid grid = grid_of(table, plane);
   grid.add(table.grid(x));
   const auto [p, q, r] = corners(table, plane);
-  return rung::orient3d_exact(grid, *q, *p, *r, table.point(x));  // positive above
+  return rung::orient3d_exact(grid, *q, *p, *r, table.point(x));  // Positive above the plane.
 }
 
 Operand operand(const PlaneTable& table, const PlaneSource& source) {

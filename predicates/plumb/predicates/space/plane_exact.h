@@ -1,12 +1,13 @@
-// Exact coefficients of planes for the exact rungs: fixed widths and mpz, and the determinants that
+// Exact coefficients of planes, in fixed widths and in integers of GMP, and the determinants that
 // every sign about planes is.
 //
 // Notation: the plane is n.x + d 2^scale = 0 with integers n, d, up to a positive factor. For the
 // plane through input points p, q, r on the grid of unit 2^g (p = P 2^g, ...) that is
 // n = (Q - P) x (R - P), d = -n.P, scale = g.
 //
-// Bits. With |P| < 2^b: |Q - P| < 2^(b+1), |n| < 2^(2b+3), |d| <= 3 |n| |P| < 2^(3b+5).
-// A width W has C limbs for coordinates, N for normals, D for offsets. Loading guarantees
+// Bits (docs/design/numbers.md, Planes). With |P| < 2^b: |Q - P| < 2^(b+1), |n| < 2^(2b+3),
+// |d| <= 3 |n| |P| < 2^(3b+5). A width W has C limbs for coordinates, N for normals, D for offsets.
+// Loading guarantees
 //
 //   (L)  |n| <= 2^(64N-3)  and  |d| <= 2^(64D-2)
 //
@@ -18,15 +19,16 @@
 //          x.n + d det3                3 2^(O+3M-8) + 2^(O+3M-8)     = 2^(O+3M-6)
 // Limits on b from 2b+3 <= 64N-3 and 3b+5 <= 64D-2:  N,D = 1,2: 29;  2,3: 61;  4,6: 125.
 //
-// Parts. The offset of a plane of the frame (plane_table.h) is d R, with d in place of a number. A
-// form here is linear in the column of offsets, or does not read it:
+// Parts (docs/design/frame.md, Lemma 2). The offset of a plane of the frame (plane_table.h) is d R,
+// and its stored offset is d. A form here is linear in the column of offsets, or does not read it:
 //   det4                  one offset in each of its terms
 //   common point          x = P0 + P1 R, as each component is a sum of d (n x m); w has no offset
 //   side of x on s        n.(P0 + P1 R) + (d0 + d1 R) w
 //   x / w against y / v   (P0 + P1 R) v - (Q0 + Q1 R) w, times the signs of w and v
 // So it is c0 + c1 R, where c1 is the form of the planes with the ordinary offsets set to 0 (the
-// Infinite part), and c0 that with the frame's set to 0 (the Finite part). With R beyond all bounds
-// its sign is that of c1, or if c1 = 0 that of c0. Ordinary planes: c1 = 0, unasked.
+// Infinite part), and c0 that with the frame's set to 0 (the Finite part). As R is larger than
+// every number, its sign is that of c1, or if c1 = 0 that of c0. For ordinary planes c1 is 0 and
+// not asked.
 #pragma once
 
 #include <array>
@@ -40,7 +42,7 @@
 #pragma GCC visibility push(default)
 namespace plumb::exact3 {
 
-/// The widths a rung may work in: a whole number of limbs each.
+/// The widths of the exact stages, in whole numbers of limbs.
 struct Narrow {
   static constexpr int kCoordinate = 1, kNormal = 1, kOffset = 2, kMaxBits = 29, kIndex = 0;
 };
@@ -69,9 +71,10 @@ using Det4 = Fixed<W::kOffset + 3 * W::kNormal>;
 template <class Number>
 using Vector = std::array<Number, 3>;
 
-/// scale of a plane through the origin: any would do; the largest never lowers a minimum.
+/// The scale of a plane through the origin. Any would be right; the largest never lowers a minimum.
 inline constexpr int kAnyScale = INT_MAX;
 
+/// The plane n.x + d 2^scale = 0 in integers of the width W.
 template <class W>
 struct FixedPlane {
   Vector<Normal<W>> n;
@@ -79,33 +82,35 @@ struct FixedPlane {
   int scale = kAnyScale;
 };
 
+/// The same in integers of any length.
 struct BigPlane {
   Vector<Integer> n;
   Integer d;
   int scale = kAnyScale;
 };
 
-/// A plane about to be loaded: its table and source, and what decides the width.
+/// A plane before it is loaded.
 struct Operand {
-  const PlaneTable* table;
-  PlaneSource source;
-  Grid grid;  ///< of the input points
-  int width;  ///< 0 Narrow, 1 Medium, 2 Wide, 3 mpz: the least that holds this plane
+  const PlaneTable* table;  ///< Its table.
+  PlaneSource source;       ///< Its source.
+  Grid grid;                ///< The grid of its input points.
+  int width;  ///< The least width that holds it: 0 Narrow, 1 Medium, 2 Wide, 3 any length.
 };
 
+/// Returns the operand of a plane.
 Operand operand(const PlaneTable& table, const PlaneSource& source);
 inline Operand operand(const PlaneTable& table, PlaneId plane) {
   return operand(table, table.source(plane));
 }
 
-/// On which side of a plane through input points one of them lies: a determinant of differences,
-/// with no plane loaded. Unsure: more bits than fixed widths hold.
+/// Returns the side of a plane through input points on which an input point lies: orient3d, without
+/// a plane. Unsure if the points have more bits than fixed widths hold.
 FilteredSign side_by_corners(const PlaneTable& table, InputPointId x, const PlaneSource& plane);
 
-/// What of a number that may depend on the frame.
+/// The parts of a number c0 + c1 R: Finite is c0, Infinite is c1.
 enum class Part { Finite, Infinite };
 
-/// Sets the offset to 0 that does not belong to the part.
+/// Sets the offset to 0 if it does not belong to the part.
 template <class Plane>
 void take_part(const Operand& operand, Part part, Plane& plane) {
   if (operand.source.is_frame() == (part == Part::Infinite)) return;
@@ -113,7 +118,8 @@ void take_part(const Operand& operand, Part part, Plane& plane) {
   plane.scale = kAnyScale;
 }
 
-/// The sign of c0 + c1 R from question(part) -> FilteredSign; `has_frame`: may c1 be nonzero?
+/// Returns the sign of c0 + c1 R from question(part) -> FilteredSign. Without `has_frame` c1 is 0
+/// and not asked.
 template <class Question>
 FilteredSign by_parts(bool has_frame, const Question& question) {
   if (has_frame) {
@@ -123,17 +129,18 @@ FilteredSign by_parts(bool has_frame, const Question& question) {
   return question(Part::Finite);
 }
 
-/// The exact coefficients (of the frame: with the multiple of R). Requires operand.width <=
-/// W::kIndex. Loading the same plane in two widths gives the same numbers.
+/// Returns the exact coefficients; of a plane of the frame the offset is the multiple of R. Loading
+/// a plane in two widths gives the same numbers. Requires operand.width <= W::kIndex.
 template <class W>
 FixedPlane<W> load(const Operand& operand);
+/// Returns the same in integers of any length.
 BigPlane load_big(const Operand& operand);
 
 extern template FixedPlane<Narrow> load(const Operand&);
 extern template FixedPlane<Medium> load(const Operand&);
 extern template FixedPlane<Wide> load(const Operand&);
 
-// --- products: fixed widths and mpz under one spelling -------------------------------------------
+// --- products of fixed widths and of integers, under the same names ------------------------------
 
 template <class To, int A, int B>
 To product(const Fixed<A>& x, const Fixed<B>& y) {
@@ -180,7 +187,8 @@ Integer dot(const Vector<Integer>& a, const Vector<Integer>& b) {
 
 // --- shifts --------------------------------------------------------------------------------------
 
-/// value <<= shift; false when the result would exceed `max_bits` magnitude bits. shift >= 0.
+/// Sets value <<= shift and returns true, or returns false if |value| would have more than
+/// `max_bits` bits. Requires shift >= 0.
 template <int L>
 bool shift_within(Fixed<L>& value, int shift, int max_bits) {
   if (shift == 0 || value.is_zero()) return true;
@@ -199,13 +207,14 @@ Sign sign_of(const Fixed<L>& x) {
   return x.sign();
 }
 
+/// Returns the most bits that (L) allows for an offset.
 template <class W>
 constexpr int offset_bits(const FixedPlane<W>&) {
   return 64 * W::kOffset - 2;
 }
 inline int offset_bits(const BigPlane&) { return INT_MAX; }
 
-/// Gives all planes one scale (the least); false when an offset then breaks (L).
+/// Gives all planes the least of their scales. Returns false if an offset then breaks (L).
 template <class Plane, std::size_t K>
 bool align(std::array<Plane, K>& planes) {
   int scale = kAnyScale;
@@ -220,7 +229,7 @@ bool align(std::array<Plane, K>& planes) {
 
 // --- determinants --------------------------------------------------------------------------------
 
-/// The number types of a plane type: what each degree is held in.
+/// The number types that a plane type uses for each form.
 template <class Plane>
 struct Types;
 template <class W>
@@ -238,6 +247,7 @@ struct Types<BigPlane> {
   using Det4 = Integer;
 };
 
+/// Returns the sign of the determinant of three normals.
 template <class Plane>
 Sign det3_sign(const Plane& p, const Plane& q, const Plane& r) {
   using T = Types<Plane>;
@@ -245,20 +255,22 @@ Sign det3_sign(const Plane& p, const Plane& q, const Plane& r) {
   return sign_of(dot<typename T::Det3>(pq, r.n));
 }
 
+/// Returns the sign of a component of n_p x n_q.
 template <class Plane>
 Sign minor_sign(const Plane& p, const Plane& q, std::size_t axis) {
   return sign_of(cross_component<typename Types<Plane>::Minor>(p.n, q.n, axis));
 }
 
-/// det4 of four rows and det3 of the first three normals.
+/// The determinants det4 of four rows and det3 of the first three normals.
 template <class Plane>
 struct Determinants {
   typename Types<Plane>::Det4 det4;
   typename Types<Plane>::Det3 det3;
 };
 
-/// Requires aligned planes. Expanded by the column of offsets; the four det3 share two crosses:
-/// a sixth fewer word products than building the point and evaluating it.
+/// Returns both determinants, expanded by the column of offsets. The four det3 share two cross
+/// products, which takes a sixth fewer products of words than the common point and its value would.
+/// Requires aligned planes.
 template <class Plane>
 Determinants<Plane> expand(const Plane& p, const Plane& q, const Plane& r, const Plane& s) {
   using T = Types<Plane>;
@@ -271,7 +283,7 @@ Determinants<Plane> expand(const Plane& p, const Plane& q, const Plane& r, const
   return {sum, pqr};
 }
 
-/// expand(), compiled in plane_exact.cpp: with every product inlined where that is faster.
+/// Returns expand(), compiled in plane_exact.cpp with every product inlined where that is faster.
 template <class Plane>
 Determinants<Plane> determinants(const Plane& p, const Plane& q, const Plane& r, const Plane& s);
 template <>
@@ -287,8 +299,8 @@ template <>
 Determinants<BigPlane> determinants(const BigPlane&, const BigPlane&, const BigPlane&,
                                     const BigPlane&);
 
-/// The common point of three planes: x 2^scale / w. By Cramer, with n_i.x + d_i = 0:
-/// x = d_p (q x r) + d_q (r x p) + d_r (p x q), w = -det3.
+/// The point x 2^scale / w. For the common point of three planes n_i.x + d_i = 0, Cramer's rule
+/// gives x = d_p (q x r) + d_q (r x p) + d_r (p x q) and w = -det3.
 template <class Numerator_, class Det3_>
 struct Homogeneous {
   Vector<Numerator_> x;
@@ -299,7 +311,8 @@ struct Homogeneous {
 template <class Plane>
 using PointOf = Homogeneous<typename Types<Plane>::Numerator, typename Types<Plane>::Det3>;
 
-/// Requires aligned planes.
+/// Returns the common point of three planes; w is 0 if there is none or more than one. Requires
+/// aligned planes.
 template <class Plane>
 PointOf<Plane> common_point(const Plane& p, const Plane& q, const Plane& r) {
   using T = Types<Plane>;
@@ -319,8 +332,8 @@ PointOf<Plane> common_point(const Plane& p, const Plane& q, const Plane& r) {
   return point;
 }
 
-/// The sign of n.x + d w for a point on the plane's scale: the side of the point is this times the
-/// sign of w.
+/// Returns the sign of n.x + d w. The side of the point on the plane is this times the sign of w.
+/// Requires that point and plane have one scale.
 template <class Plane>
 Sign value_sign(const PointOf<Plane>& point, const Plane& plane) {
   using T = Types<Plane>;

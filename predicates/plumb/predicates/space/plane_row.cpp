@@ -1,16 +1,28 @@
-// Error analysis for any rounding mode and under FTZ/DAZ. eps = 2^-52 bounds the relative error of
-// one operation in every mode, eta = 2^-1022 what flushing a subnormal operand or result loses.
+// The rows of planes in doubles, with proved error bounds.
 //
-// fast_row. Gate: |coordinates| <= 2^300 and max |n| >= 2^-600.
-//   u = q - p, v = r - p: relative eps, and 3 eta absolute (two operands, one result).
-//   n_x = u_y v_z - u_z v_y. With t = |u_y v_z| + |u_z v_y| as computed, the relative errors of u,
-//   v, the product and the subtraction add up to at most (1 + eps)^4 - 1 < 4.1 eps of the exact t,
-//   that is < 5 eps t. The etas: 2 * 3 eta * 2^302 + 4 eta < 2^-716. So |n - exact| <= e = 6 eps
-//   max t + 2^-700 with slack eps max t for the rounding of t and e itself. t = 0 may be an
-//   underflow, so that a component counts as zero only if each of its products has a factor that is
-//   the difference of equal numbers. After scaling by s = 2^-k, max |n| in [1/2, 1): normal_error =
-//   2 (e s) + 2^-48. d = -n.p: |n - exact| |p|_1 + 3 eps |p|_1 + 4 eta (max |n| < 1), so with E = e
-//   s: offset_error = 2 (E + 2^-49) |p|_1 + FLT_MIN: twice the error and more.
+// The analysis holds for any rounding mode and under FTZ/DAZ (docs/design/numbers.md, Planes).
+// eps = 2^-52 bounds the relative error of one operation in every mode, eta = 2^-1022 what flushing
+// a subnormal operand or result loses.
+//
+// fast_row() admits |coordinates| <= 2^300 and max |n| >= 2^-600.
+//
+// - u = q - p and v = r - p: the relative error is eps, and flushing adds 3 eta (two operands and
+// one
+//   result).
+// - n_x = u_y v_z - u_z v_y: with t = |u_y v_z| + |u_z v_y| as computed, the relative errors of u,
+// v,
+//   the product and the subtraction add up to at most (1 + eps)^4 - 1 < 4.1 eps of the exact t,
+//   which is less than 5 eps t. Flushing adds 2 * 3 eta * 2^302 + 4 eta < 2^-716. So |n - exact| <=
+//   e with e = 6 eps max t + 2^-700, where eps max t pays for the roundings of t and e.
+// - Scaling by s = 2^-k makes max |n| lie in [1/2, 1). The row has normal_error = 2 (e s) + 2^-48.
+// - d = -n.p is off by |n - exact| |p|_1 + 3 eps |p|_1 + 4 eta, as max |n| < 1. With E = e s the
+// row
+//   has offset_error = 2 (E + 2^-49) |p|_1, at least 2^-126, which is more than twice the error.
+//
+// A computed zero may be an underflow. So a component counts as zero only if each of its products
+// has a factor that is the difference of equal numbers.
+//
+// Tested by tests/predicates/plane_row_test.cpp.
 
 #include "plumb/predicates/space/plane_row.h"
 
@@ -44,7 +56,7 @@ double max_abs(const Point3& p) {
   return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
 }
 
-/// 2^-k with k such that x 2^-k is in [1/2, 1). Requires a normal x in [2^-1000, 2^1000].
+/// Returns 2^-k such that x 2^-k is in [1/2, 1). Requires a normal x in [2^-1000, 2^1000].
 double normalizer(double x) {
   const auto field = (std::bit_cast<std::uint64_t>(x) >> 52) & 0x7ff;
   return std::bit_cast<double>((std::uint64_t{2045} - field) << 52);
@@ -60,7 +72,8 @@ Component cross_component(double a, double b, double c, double d) {
   return {left - right, std::fabs(left) + std::fabs(right)};
 }
 
-/// Is component i of (q - p) x (r - p) zero because each product has a zero factor?
+/// Whether component i of (q - p) x (r - p) is zero because each of its products has a factor that
+/// is the difference of equal numbers.
 bool is_plainly_zero(const Point3& p, const Point3& q, const Point3& r, std::size_t i) {
   const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
   const auto same = [](const Point3& a, const Point3& b, std::size_t axis) {
@@ -69,7 +82,8 @@ bool is_plainly_zero(const Point3& p, const Point3& q, const Point3& r, std::siz
   return (same(p, q, j) || same(p, r, k)) && (same(p, q, k) || same(p, r, j));
 }
 
-/// Sign of the first nonzero component of n = (q - p) x (r - p); 0 when doubles cannot tell.
+/// Returns the sign of the first nonzero component of n = (q - p) x (r - p); 0 if doubles do not
+/// show it.
 int leading_sign(const std::array<Component, 3>& n, double error, const Point3& p, const Point3& q,
                  const Point3& r) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -110,13 +124,15 @@ FastRow fast_row(const Point3& p, const Point3& q, const Point3& r) {
 
 namespace {
 
-/// s.mantissa 2^(s.exponent - lower), or 0 below 2^-200: an absolute error of 2^-200.
+/// Returns s.mantissa 2^(s.exponent - lower), or 0 below 2^-200, which is an absolute error of
+/// 2^-200.
 double lowered(const Scaled& s, int lower) {
   const int exponent = s.exponent - lower;
   return exponent < -200 ? 0 : s.mantissa * power_of_two(exponent);
 }
 
-/// The offset with its error: clamped where doubles or floats end.
+/// Sets the offset and its error. An offset above 2^900 becomes 0 with an infinite error, one below
+/// 2^-900 becomes 0 with the least error.
 void set_offset(const Scaled& s, long exponent, PlaneRow& row) {
   if (exponent > 900) {
     row.d = 0;
@@ -129,7 +145,7 @@ void set_offset(const Scaled& s, long exponent, PlaneRow& row) {
 
 }  // namespace
 
-/// scaled() loses 2^-51 of each coefficient, < kUnitError / 2.
+/// scaled() loses less than 2^-51 of each coefficient, which is less than kUnitError / 2.
 template <class Plane>
 PlaneRow exact_row(const Plane& plane) {
   const std::array<Scaled, 3> n = {scaled(plane.n[0]), scaled(plane.n[1]), scaled(plane.n[2])};

@@ -1,3 +1,22 @@
+// The interning of planes: equal planes get equal ids, however they are defined.
+//
+// A new plane is brought into canonical orientation, and its exact row (a, b, c, d) is hashed to a
+// fingerprint that does not depend on its scale (fingerprint.h). A hash set finds the first plane
+// with that fingerprint; whether the two are equal is then decided exactly, from the definitions if
+// these are the same, by orient3d of the corners of one plane against the other, or by comparing
+// exact coefficients. So fingerprints speed up the search and never decide. Planes that share a
+// fingerprint with a different plane go to an ordered map by their primitive rows, so that input
+// made to collide costs O(log n) a plane and not O(n).
+//
+// Triangles are interned in blocks: all residues of a block are inverted with one inversion, and
+// the entries of the hash set that will be read are fetched ahead.
+//
+// Invariant: the index holds each plane once, by its fingerprint or, if another plane was there
+// first, in `others`. docs/design/numbers.md (Planes) proves the rows' errors, docs/design/frame.md
+// the planes at infinity.
+//
+// Tested by tests/predicates/plane_table_test.cpp and tests/predicates/frame_test.cpp.
+
 #include "plumb/predicates/space/plane_table.h"
 
 #include <algorithm>
@@ -16,13 +35,14 @@ namespace plumb {
 using exact3::BigPlane;
 using exact3::kAnyScale;
 
-// --- the index: a hash set of ids that finds planes
-// -----------------------------------------------
+// --- the index: a hash set of ids that finds planes ---------------------------------------------
 
 namespace {
 
-/// Are two canonical planes the same? n x m = 0 and n_k e = m_k d for a nonzero n_k. Canonical
-/// planes that are parallel run the same way, so m_k is then nonzero too.
+/// Zero if two canonical planes (n, d) and (m, e) are the same, Positive otherwise. They are the
+/// same if n x m = 0 and n_k e = m_k d, for the first n_k that is not zero. Parallel canonical
+/// planes have the same direction, so m_k is not zero then either, and n x m = 0 follows from its
+/// components with the factor n_k: m_i = 0 for i < k, and n_k m_i = m_k n_i for i > k.
 struct SamePlane {
   template <class Plane>
   Sign operator()(const std::array<Plane, 2>& planes) const {
@@ -47,8 +67,8 @@ struct SamePlane {
   }
 };
 
-/// Are the planes defined by the same numbers? So they are where tables with a common past are
-/// merged.
+/// Whether the planes are defined by the same numbers, as they often are in the merge of tables
+/// with a common past.
 bool is_same_definition(const PlaneTable& table, const PlaneSource& a, const PlaneSource& b) {
   if (a.is_explicit() != b.is_explicit()) return false;
   if (a.is_explicit()) {
@@ -63,9 +83,10 @@ bool is_same_definition(const PlaneTable& table, const PlaneSource& a, const Pla
   });
 }
 
-/// Of planes through input points: on which side of one do the corners of another lie, the first
-/// that is not on it? Unsure: they have more bits than fixed widths. Points that are known to be on
-/// it are not asked; others become known.
+/// Returns the side of `plane` on which the first corner of `other` lies that is not on it, Zero if
+/// all are on it, and Unsure if the points have more bits than fixed widths hold. Requires planes
+/// through input points. Points that are noted to be on the plane are not asked about; those found
+/// on it are noted.
 template <class Notes>
 FilteredSign first_off_plane(const PlaneTable& table, PlaneId plane, const PlaneSource& other,
                              Notes* notes) {
@@ -80,8 +101,8 @@ FilteredSign first_off_plane(const PlaneTable& table, PlaneId plane, const Plane
   return FilteredSign::Zero;
 }
 
-/// Equal fingerprints are confirmed here. There is no interval check before: planes that collide
-/// without being equal are too rare for it to pay.
+/// Whether two planes with equal fingerprints are equal, exactly. There is no filter before that,
+/// as planes that collide without being equal are too rare for one to pay.
 template <class Notes>
 bool is_same_plane(const PlaneTable& table, PlaneId plane, const PlaneSource& b, Notes* notes) {
   const PlaneSource& a = table.source(plane);
@@ -100,7 +121,7 @@ std::uint32_t hash_of(Fingerprint fingerprint) {
   return static_cast<std::uint32_t>(SeededHash{}(fingerprint));
 }
 
-/// (a, b, c, d) as integers on one scale.
+/// Returns (a, b, c, d) as integers on one scale.
 IntegerRow integer_row(const BigPlane& plane) {
   const int scale = plane.scale == kAnyScale ? 0 : plane.scale;
   const int up = std::max(-scale, 0);
@@ -112,8 +133,8 @@ IntegerRow integer_row(const PlaneTable& table, const PlaneSource& source) {
   return integer_row(exact3::load_big(exact3::operand(table, source)));
 }
 
-/// What equal planes have in common, however they are defined: are they of the frame, and the
-/// primitive row.
+/// What equal planes have in common, however they are defined: whether they are of the frame, and
+/// the primitive row.
 using ExactPlane = std::pair<bool, IntegerRow>;
 
 ExactPlane exact_plane(const PlaneTable& table, const PlaneSource& source) {
@@ -123,12 +144,13 @@ ExactPlane exact_plane(const PlaneTable& table, const PlaneSource& source) {
 }  // namespace
 
 struct PlaneTable::Index {
-  IdIndex firsts;  // of each fingerprint the plane that was there first
-  /// The others. Few, unless somebody looks for them: 33^3 planes through points at powers of 2^61
-  /// on the axes are one residue.
+  IdIndex firsts;  ///< The first plane of each fingerprint.
+  /// The planes that came later with the fingerprint of another. They are few, except in input made
+  /// for that: 33^3 planes through points at powers of 2^61 on the axes have one residue.
   std::map<ExactPlane, PlaneId> others;
 
-  /// Planes with these will be looked for next. Not too many: they stay in the cache.
+  /// Fetches what the search for these fingerprints will read. They should be few enough for the
+  /// entries to stay in the cache.
   void look_ahead(std::span<const Fingerprint> fingerprints) const {
     for (const Fingerprint f : fingerprints) firsts.prefetch(hash_of(f));
   }
@@ -136,14 +158,14 @@ struct PlaneTable::Index {
 
 /// A plane before its interning.
 struct PlaneTable::Draft {
-  bool is_plane;
-  bool is_flipped;
-  PlaneRow row;
-  PlaneSource source;  ///< canonical
+  bool is_plane;       ///< Whether the normal is not zero.
+  bool is_flipped;     ///< Whether the given orientation is opposite to the canonical one.
+  PlaneRow row;        ///< The row in canonical orientation.
+  PlaneSource source;  ///< The source in canonical orientation.
 };
 
-/// What is kept of all input points while many triangles are interned: residues, and some planes
-/// that each is on.
+/// What is kept about all input points while many triangles are interned: their residues, and for
+/// each point the four planes that it was last found to be on.
 class PlaneTable::CornerNotes {
  public:
   CornerNotes(std::span<const Point3> points, bool keep) : points_(points) {
@@ -160,7 +182,7 @@ class PlaneTable::CornerNotes {
     const auto& known = planes_[p.value()];
     return std::find(known.begin(), known.end(), plane) != known.end();
   }
-  /// Forgets the oldest.
+  /// Notes that p is on a plane, in place of the oldest of four notes.
   void note(InputPointId p, PlaneId plane) {
     if (planes_.empty()) return;
     auto& known = planes_[p.value()];
@@ -196,7 +218,7 @@ void PlaneTable::reserve(std::size_t planes) {
   index_->firsts.reserve(planes);
 }
 
-/// Room for as many planes, in one step; many small calls still grow geometrically.
+/// Reserves memory for so many more planes in one step. Many small calls still grow geometrically.
 void PlaneTable::make_room(std::size_t planes) {
   const std::size_t needed = size() + planes;
   if (needed > rows_.capacity()) reserve(std::max(needed, 2 * rows_.capacity()));
@@ -210,6 +232,9 @@ InputPointId PlaneTable::add_points(std::span<const Point3> points) {
   return first;
 }
 
+/// The plane is searched under its fingerprint first. If a different plane is found there, the
+/// exact row decides in the ordered map; so the number of planes with one fingerprint does not
+/// matter.
 OrientedPlane PlaneTable::find_or_add(const Draft& draft, Fingerprint fingerprint,
                                       CornerNotes* notes) {
   const PlaneId next{rows_.size()};
@@ -221,7 +246,7 @@ OrientedPlane PlaneTable::find_or_add(const Draft& draft, Fingerprint fingerprin
   return {plane == next ? push(draft.row, fingerprint, draft.source) : plane, draft.is_flipped};
 }
 
-/// Requires a plane that only the index holds.
+/// Appends a plane to all arrays. Requires that the index holds it under this id already.
 PlaneId PlaneTable::push(const PlaneRow& row, Fingerprint fingerprint, const PlaneSource& source) {
   const PlaneId id{rows_.size()};
   rows_.push_back(row);
@@ -232,11 +257,11 @@ PlaneId PlaneTable::push(const PlaneRow& row, Fingerprint fingerprint, const Pla
   return id;
 }
 
-// --- planes through three points
-// -------------------------------------------------------------------
+// --- planes through three points -----------------------------------------------------------------
 
 namespace {
 
+/// Returns the sign of the first nonzero component of the normal; Zero if there is none.
 template <class Plane>
 Sign orientation(const Plane& plane) {
   for (const auto& n : plane.n) {
@@ -251,7 +276,7 @@ void negate(Plane& plane) {
   plane.d = -plane.d;
 }
 
-/// The row of a plane in its canonical orientation, and the orientation it had.
+/// Sets `row` to the row of a plane in canonical orientation, and returns the orientation it had.
 template <class Plane>
 Sign canonical_row(Plane plane, PlaneRow& row) {
   const Sign sign = orientation(plane);
@@ -263,6 +288,8 @@ Sign canonical_row(Plane plane, PlaneRow& row) {
 
 }  // namespace
 
+/// Doubles give the row and the orientation of nearly every triangle. The others, nearly or really
+/// degenerate, are computed from exact coefficients. Flipping swaps two corners.
 PlaneTable::Draft PlaneTable::draft(const PlaneSource& corners) const {
   const auto& [p, q, r] = corners.code;
   const FastRow fast = fast_row(points_[p], points_[q], points_[r]);
@@ -281,7 +308,7 @@ PlaneTable::Draft PlaneTable::draft(const PlaneSource& corners) const {
 
 namespace {
 
-constexpr std::size_t kBlock = 256;  // one inversion for so many triangles; the scratch stays in L1
+constexpr std::size_t kBlock = 256;  // Triangles for one inversion. The scratch stays in L1.
 
 }  // namespace
 
@@ -303,7 +330,9 @@ OrientedPlane PlaneTable::intern(InputPointId p, InputPointId q, InputPointId r)
   return result;
 }
 
-/// Phases: residues, inversion and fingerprints, then row and look-up of each triangle.
+/// Works in three passes over the block: the residues of the exact rows; their inversion and
+/// fingerprints; row and search for each triangle. A row whose residues are all zero has the
+/// fingerprint of its primitive row, which is computed in the last pass, as only planes need one.
 void PlaneTable::intern_block(std::span<const std::array<InputPointId, 3>> triangles,
                               std::span<OrientedPlane> result, CornerNotes& notes) {
   std::array<ResidueRow, kBlock> rows;
@@ -317,7 +346,7 @@ void PlaneTable::intern_block(std::span<const std::array<InputPointId, 3>> trian
     inverses[i] = leading(rows[i]);
   }
   invert_all(std::span(inverses).first(count), std::span(scratch).first(count));
-  std::array<Fingerprint, kBlock> fingerprints;  // 0: not known yet
+  std::array<Fingerprint, kBlock> fingerprints;  // 0 if not known yet.
   for (std::size_t i = 0; i < count; ++i) {
     fingerprints[i] = inverses[i].is_zero() ? 0 : plumb::fingerprint(rows[i], inverses[i]);
   }
@@ -334,12 +363,12 @@ void PlaneTable::intern_block(std::span<const std::array<InputPointId, 3>> trian
   }
 }
 
-// --- planes from coefficients
-// ------------------------------------------------------------------------
+// --- planes from coefficients --------------------------------------------------------------------
 
 namespace {
 
-/// The coefficients n, d 2^scale without common powers of two; d odd or zero.
+/// Takes powers of two out of the coefficients n, d 2^scale: the common one of the normal, and all
+/// those of d, which is then odd or zero. Requires a normal other than zero.
 void strip(IntegerRow& row, int& scale) {
   int low = INT_MAX;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -364,6 +393,7 @@ Fingerprint fingerprint_of(const IntegerRow& row, int scale) {
 
 }  // namespace
 
+/// Stores coefficients in the limb pool, each with a bit for the sign.
 PlaneSource PlaneTable::push_slot(const IntegerRow& row, int scale,
                                   std::array<PlaneId, 2> parents) {
   const int normal_bits = std::max({bit_length(row[0]), bit_length(row[1]), bit_length(row[2])});
@@ -376,11 +406,14 @@ PlaneSource PlaneTable::push_slot(const IntegerRow& row, int scale,
   return {{PlaneSource::kExplicit, slot, 0}};
 }
 
+/// Takes back the last push_slot().
 void PlaneTable::pop_slot() {
   limbs_.resize(slots_.back().first);
   slots_.pop_back();
 }
 
+/// The slot is stored first, because the comparison with known planes reads it, and taken back if
+/// the plane is known.
 OrientedPlane PlaneTable::intern_row(IntegerRow row, int scale, std::array<PlaneId, 2> parents) {
   BigPlane plane = big_plane(row, scale);
   const Sign sign = orientation(plane);
@@ -393,10 +426,11 @@ OrientedPlane PlaneTable::intern_row(IntegerRow row, int scale, std::array<Plane
                     push_slot(row, scale, parents)};
   const std::size_t planes = size();
   const OrientedPlane result = find_or_add(draft, fingerprint_of(row, scale));
-  if (size() == planes) pop_slot();  // known already
+  if (size() == planes) pop_slot();  // The plane was known already.
   return result;
 }
 
+/// The normal is taken on the common grid of its components; the offset has a scale of its own.
 OrientedPlane PlaneTable::intern(double a, double b, double c, double d) {
   const Grid normal = {a, b, c};
   const Decomposed offset = decompose(d);
@@ -415,13 +449,15 @@ OrientedPlane PlaneTable::intern(const Rational& a, const Rational& b, const Rat
   return intern_row({whole(a), whole(b), whole(c), whole(d)}, 0, {});
 }
 
-// --- the frame
-// ---------------------------------------------------------------------------------------
+// --- the frame -----------------------------------------------------------------------------------
 
+/// The rows are exact: a unit vector and the offset +-1 in units of R. Their offset error is
+/// infinite all the same, so that no filter takes the offset for a number; far_row() sets it to 0
+/// where offsets are multiples of R.
 std::array<PlaneId, 6> PlaneTable::intern_frame() {
   for (std::size_t i = 0; i < frame_.size(); ++i) {
     if (frame_[i].is_valid()) continue;
-    const bool is_above = i % 2 != 0;  // x - R = 0; else x + R = 0
+    const bool is_above = i % 2 != 0;  // The plane x - R = 0, or else x + R = 0.
     IntegerRow row = {0, 0, 0, is_above ? -1 : 1};
     ResidueRow residues{};
     residues[3] = is_above ? -kFrameResidue : kFrameResidue;
@@ -439,9 +475,10 @@ std::array<PlaneId, 6> PlaneTable::intern_frame() {
   return frame_;
 }
 
-// --- walls
-// -------------------------------------------------------------------------------------------
+// --- walls ---------------------------------------------------------------------------------------
 
+/// The row is the combination of the two rows. A far plane, with an offset that is a multiple of R,
+/// is made primitive, as its fingerprint has R in the offset alone.
 OrientedPlane PlaneTable::intern(const Pencil& wall) {
   const IntegerRow p = coefficients(wall.first), q = coefficients(wall.second);
   IntegerRow row;
@@ -449,8 +486,9 @@ OrientedPlane PlaneTable::intern(const Pencil& wall) {
   if (!is_frame(wall.first) && !is_frame(wall.second)) {
     return intern_row(std::move(row), 0, {wall.first, wall.second});
   }
-  // A far plane: the offset is a multiple of R.
-  intern_frame();  // it may be one of those
+  // The offset is a multiple of R. The plane may be one of the cube's, which must be there first,
+  // as they have sources of their own.
+  intern_frame();
   const Sign sign = orientation(big_plane(row, 0));
   if (sign == Sign::Zero) return {};
   row = plumb::primitive(row);
@@ -465,13 +503,14 @@ OrientedPlane PlaneTable::intern(const Pencil& wall) {
   draft.source.code[2] = static_cast<std::uint32_t>(frame_.size()) + 1;
   const std::size_t planes = size();
   const OrientedPlane result = find_or_add(draft, plumb::fingerprint(residues));
-  if (size() == planes) pop_slot();  // known already
+  if (size() == planes) pop_slot();  // The plane was known already.
   return result;
 }
 
 namespace {
 
-/// unit^-1 (n.x + d w) for x on the grid of the given unit; the multiplier of a wall.
+/// Returns n.x + d w over the unit of the grid of x, or over 1 if w is 1 and that unit is larger:
+/// the multiplier of a wall. Both rows of a pencil get the same factor, which is all that matters.
 Integer value_at(const IntegerRow& row, const Point3& x, int w) {
   const int low = Grid{x.x, x.y, x.z}.low();
   Integer sum =
@@ -480,6 +519,7 @@ Integer value_at(const IntegerRow& row, const Point3& x, int w) {
   return shifted(sum, std::max(low, 0)) + shifted(row[3], std::max(-low, 0));
 }
 
+/// The combination c_second first - c_first second vanishes at x (w = 1), or along x (w = 0).
 Pencil wall(const PlaneTable& planes, PlaneId first, PlaneId second, const Point3& x, int w) {
   return {first, second, value_at(planes.coefficients(first), x, w),
           value_at(planes.coefficients(second), x, w)};
@@ -510,13 +550,13 @@ bool PlaneTable::is_wall_of(PlaneId wall, std::span<const PlaneId> planes) const
   return pair && is_known((*pair)[0]) && is_known((*pair)[1]);
 }
 
-// --- output and merging
-// --------------------------------------------------------------------------------
+// --- output and merging --------------------------------------------------------------------------
 
 IntegerRow PlaneTable::coefficients(PlaneId p) const { return integer_row(*this, source(p)); }
 
 IntegerRow PlaneTable::primitive(PlaneId p) const { return plumb::primitive(coefficients(p)); }
 
+/// Copies a slot of another table. Parents are renamed by `map`, and lost unless both have an id.
 PlaneSource PlaneTable::copy_slot(const PlaneTable& other, const PlaneSource& source,
                                   std::span<const PlaneId> map) {
   const PlaneSlot& slot = other.slot(source);
@@ -531,6 +571,8 @@ PlaneSource PlaneTable::copy_slot(const PlaneTable& other, const PlaneSource& so
   return {{PlaneSource::kExplicit, index, source.code[2]}};
 }
 
+/// The planes are all different and come in the order of their new ids, so find_or_add() gives each
+/// of them its new id.
 PlaneTable::PlaneTable(const PlaneTable& other, std::span<const PlaneId> plane_map,
                        std::span<const InputPointId> point_map)
     : PlaneTable() {

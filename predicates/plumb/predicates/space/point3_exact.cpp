@@ -1,3 +1,14 @@
+// Exact points of space in every width, and the forms that compare them.
+//
+// An operand keeps what defines the point and the least width that holds it; loading computes
+// homogeneous coordinates x 2^scale / w by the formulas of point3_exact.h. A point of three planes
+// of which two share two input points, as neighbours in a mesh do, is taken as a point on the line
+// of these, with smaller numbers. Scales are made equal by shifting the coarser side; if a shift
+// breaks the limits (L), the next width is asked.
+//
+// Tested by tests/predicates/point3_signs_test.cpp, tests/predicates/rounded_point3_test.cpp and
+// tests/predicates/frame_test.cpp.
+
 #include "plumb/predicates/space/point3_exact.h"
 
 #include <algorithm>
@@ -13,6 +24,7 @@ int width_of_bits(int bits) {
 
 namespace {
 
+/// Sets the line of an operand, or twice an input point, with the grid that both are on.
 void set_ends(PointOperand& operand, const PlaneTable& planes, InputPointId a, InputPointId b) {
   operand.ends = {&planes.point(a), &planes.point(b)};
   operand.grid = planes.grid(a);
@@ -20,7 +32,7 @@ void set_ends(PointOperand& operand, const PlaneTable& planes, InputPointId a, I
   operand.width = width_of_bits(operand.grid.bits());
 }
 
-/// The numbers of a plane type: what coordinates and the values s(y) are held in.
+/// The numbers that a plane type uses for coordinates and for the values s(y).
 template <class Plane>
 struct Numbers;
 template <class W>
@@ -38,6 +50,7 @@ struct Numbers<BigPlane> {
   static constexpr int kNumeratorBits = INT_MAX;
 };
 
+/// Returns the integer value / 2^grid.low(). Requires that the type holds the bits of the grid.
 template <class Number>
 Number on_grid(const Grid& grid, double value) {
   if constexpr (std::is_same_v<Number, Integer>) {
@@ -58,6 +71,7 @@ Coordinates<Plane> on_grid(const Grid& grid, const Point3& p) {
   return {on_grid<Number>(grid, p.x), on_grid<Number>(grid, p.y), on_grid<Number>(grid, p.z)};
 }
 
+/// Shifts three coordinates. Returns false if one has more bits than the width admits.
 template <class Plane>
 bool shift_all(Coordinates<Plane>& x, int shift) {
   return std::all_of(x.begin(), x.end(), [&](auto& c) {
@@ -74,6 +88,7 @@ To widened(const From& x) {
   }
 }
 
+/// Loads the common point of three planes on one scale.
 template <class Plane>
 bool load_three(const PointOperand& operand, Part part, PointOf<Plane>& point) {
   std::array<Plane, 3> planes = {load_as<Plane>(operand.planes[0], part),
@@ -84,6 +99,7 @@ bool load_three(const PointOperand& operand, Part part, PointOf<Plane>& point) {
   return true;
 }
 
+/// Loads an input point: w = 1, and no part with R.
 template <class Plane>
 bool load_input(const PointOperand& operand, Part part, PointOf<Plane>& point) {
   using T = Types<Plane>;
@@ -100,7 +116,7 @@ bool load_input(const PointOperand& operand, Part part, PointOf<Plane>& point) {
   return true;
 }
 
-/// P1 = (a - b) d; w as in the finite part.
+/// Sets P1 = (a - b) d, with the w of the finite part.
 template <class Plane>
 void load_line_infinite(const PointOperand& operand, PointOf<Plane>& point) {
   using T = Types<Plane>;
@@ -117,6 +133,7 @@ void load_line_infinite(const PointOperand& operand, PointOf<Plane>& point) {
   point.scale = 0;
 }
 
+/// Sets x = a s(b) - b s(a) and w = s(b) - s(a), where the plane and the points are on one scale.
 template <class Plane>
 bool load_line(const PointOperand& operand, Part part, PointOf<Plane>& point) {
   using T = Types<Plane>;
@@ -154,7 +171,8 @@ bool has_frame(const PointOperand& operand) {
 
 namespace {
 
-/// Input points that two planes are defined by: if there are two, their line is that of the planes.
+/// Returns two input points that both planes go through by definition, if there are two. Their line
+/// is that of the planes.
 std::optional<std::array<InputPointId, 2>> common_points(const PlaneSource& p,
                                                          const PlaneSource& q) {
   if (p.is_explicit() || q.is_explicit()) return {};
@@ -182,6 +200,7 @@ PointSource as_line(const PlaneTable& planes, const PointSource& source) {
   return source;
 }
 
+/// The width is the greatest of those of the planes and of the grid of the line's points.
 PointOperand operand(const Point3Table& points, const PointSource& given) {
   const PlaneTable& planes = points.planes();
   const PointSource source = as_line(planes, given);
@@ -235,7 +254,8 @@ bool load_point(const PointOperand& operand, Part part, PointOf<Plane>& point) {
                                   : load_input<Plane>(operand, part, point);
 }
 
-/// The scales are made equal on the side that is coarser.
+/// Scales are made equal by shifting the offset or the coordinates, whichever has the coarser
+/// scale.
 template <class Plane>
 FilteredSign side_sign(PointOf<Plane> point, Plane plane) {
   const int shift = plane.scale == kAnyScale ? 0 : plane.scale - point.scale;
@@ -248,7 +268,7 @@ FilteredSign side_sign(PointOf<Plane> point, Plane plane) {
   return filtered(value_sign(point, plane) * sign_of(point.w));
 }
 
-/// x / v - y / w has the sign of (x w - y v) v w. Degree 13.
+/// x / v - y / w has the sign of (x w - y v) v w. The degree in input coordinates is 13.
 template <class Plane>
 FilteredSign axis_order(const PointOf<Plane>& x, const PointOf<Plane>& y, std::size_t axis) {
   auto a = x.x[axis], b = y.x[axis];
@@ -288,7 +308,7 @@ Integer integer(const Fixed<L>& x) {
   return integer_from_limbs(limbs.data(), L);
 }
 
-/// False where the width does not hold the point.
+/// Sets the row in the numbers of Plane. Returns false if they do not hold the point.
 template <class Plane>
 bool load_row(const PointOperand& operand, Part part, IntegerRow& row) {
   PointOf<Plane> p;
@@ -301,7 +321,7 @@ bool load_row(const PointOperand& operand, Part part, IntegerRow& row) {
 
 }  // namespace
 
-/// In the narrowest width: mpz takes twenty times as long.
+/// The row is computed in the narrowest width, as GMP takes twenty times as long.
 IntegerRow integer_row(const PointOperand& operand, Part part) {
   IntegerRow row;
   const bool is_loaded =
@@ -312,8 +332,8 @@ IntegerRow integer_row(const PointOperand& operand, Part part) {
   return row;
 }
 
-/// Both parts have the same w. With g the gcd of all, they are equal rows for equal points up to
-/// their sign, which the leading residue takes away.
+/// Both parts have the same w. Divided by the gcd of all coordinates, they are equal rows for equal
+/// points up to the sign, which the leading residue takes out.
 Fingerprint primitive_fingerprint(const PointOperand& operand) {
   PointOf<BigPlane> finite, infinite;
   load_point<BigPlane>(operand, Part::Finite, finite);

@@ -1,16 +1,30 @@
-// Boxes. eps = 2^-52; e, f are the errors of plane rows (plane_table.h), |n| <= 1.
-//   three planes  w = det3, off by ew = 6 sum e (plane_signs.cpp). x_i = -sum d m_i with minors
-//                 m_i, off by at most e_a + e_b + 6 eps, |m_i| <= 2: off by ex = 4 (sum e)(sum |d|)
-//                 + 4 sum f, where the slack of a factor 2 pays for the roundings.
-//   line x plane  t = s(a) / (s(a) - s(b)), with s off by es (side of an input point,
-//   point3_signs.cpp). quotients     |x/w - x'/w'| <= (ex + |x'/w'| ew) / (|w'| - ew); with ew <=
-//   |w'| / 2 at most
-//                 2 (ex + |x'/w'| ew) / |w'|, and 2 eps |x'/w'| for the division.
+// The table of the points of space: each point is kept as its definition and a box of doubles
+// around it, from which later questions are filtered.
 //
-// The direction u of a point of the frame is the point of the planes' rows in units of R
-// (filter_stages.h), so that the first and last of these hold for it as they stand. Of a line from
-// a to b it is d (a - b) / n.(b - a), and n is an axis: quotients of two differences, each off by 3
-// eps of itself at most.
+// A new point gets its box from the first of these that gives one no wider than 2^-34 of its
+// coordinates: doubles with error bounds (fast_box()); sums of two doubles, which also give the
+// nearest doubles (rounded_on_line()); exact integers, the narrowest that hold the planes, which
+// also find out that the planes have no common point (exact_box()). A point P0 + u R that depends
+// on the frame gets a box around its direction u instead, with an infinite radius.
+//
+// Error bounds. eps = 2^-52; e and f are the errors of plane rows (PlaneRow), |n_i| <= 1. A prime
+// marks what was computed. docs/design/numbers.md (Boxes of constructed points) proves the bounds.
+//
+//   three planes  w = det3 is off by at most ew = 6 sum e (plane_signs.cpp).
+//                 x_i = -sum d m_i with minors m_i, |m_i| <= 2, which are off by at most
+//                 e_a + e_b + 6 eps. So x_i is off by at most ex = 4 (sum e)(sum |d|) + 4 sum f:
+//                 twice what is needed, which pays for the roundings.
+//   line x plane  t = s(a) / (s(a) - s(b)), where s is off by the bound of the side of an input
+//                 point (point3_signs.h).
+//   quotients     |x/w - x'/w'| <= (ex + |x'/w'| ew) / (|w'| - ew), which for ew <= |w'| / 2 is at
+//                 most 2 (ex + |x'/w'| ew) / |w'|; the division adds 2 eps |x'/w'|.
+//
+// The direction u of a point of three planes is the common point of the planes' rows in units of R
+// (filter_stages.h), so the first and the last bound hold for it as they stand. The direction of a
+// point on a line from a to b is d (a - b) / n.(b - a), where n is an axis: quotients of two
+// differences, each of which is off by at most 3 eps of itself.
+//
+// Tested by tests/predicates/point3_signs_test.cpp and tests/predicates/frame_test.cpp.
 
 #include "plumb/predicates/space/point3_table.h"
 
@@ -27,7 +41,7 @@ namespace plumb {
 
 namespace {
 
-constexpr double kTooWide = 0x1p-34;  // of the coordinates: then the exact rung gives the box
+constexpr double kTooWide = 0x1p-34;  // Relative to the coordinates. Wider boxes are made exactly.
 static_assert(kTooWide <= kDirectionError);
 constexpr double kRounding = 0x1p-48;
 constexpr double kTiny = 0x1p-960;
@@ -37,12 +51,12 @@ double max_abs(const std::array<double, 3>& v) {
   return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
 }
 
-/// Is the box worth keeping? (False for NaNs.)
+/// Whether the box is narrow enough to be kept. False for NaNs.
 bool is_good(const PointBox& box) {
   return box.radius <= kTooWide * max_abs(box.mid) && box.radius < 0x1p900;
 }
 
-/// Of a point of the frame, from a box around its direction.
+/// Returns the box of a point that depends on the frame, from a box around its direction.
 PointBox far_from(const PointBox& direction) {
   if (!is_good(direction)) return kEverywhere;
   return {direction.mid, std::numeric_limits<double>::infinity()};
@@ -58,7 +72,8 @@ double sum(float a, float b, float c) {
   return static_cast<double>(a) + static_cast<double>(b) + static_cast<double>(c);
 }
 
-/// Not good when the planes do not surely meet in one point.
+/// Returns a box around the common point of three planes; one that is not good unless the planes
+/// surely have exactly one common point.
 PointBox fast_box(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r) {
   const Row qr = cross(q.n, r.n), rp = cross(r.n, p.n), pq = cross(p.n, q.n);
   const double w = pq[0] * r.n[0] + pq[1] * r.n[1] + pq[2] * r.n[2];
@@ -77,7 +92,7 @@ PointBox fast_box(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r) {
   return box;
 }
 
-/// s(a) and its error.
+/// s(a) = n.a + d and a bound of its error.
 struct Value {
   double value;
   double error;
@@ -89,7 +104,10 @@ Value value_at(const PlaneRow& plane, const Point3& a) {
           static_cast<double>(plane.normal_error) * size + static_cast<double>(plane.offset_error)};
 }
 
-/// Not good when the line does not surely cut the plane. |t| <= 2^30 keeps a + t (b - a) tame.
+/// Returns a box around the point where the line from a to b cuts the plane; one that is not good
+/// unless it surely does. The test of ew also bounds t: ew is at least 2^-48 (|a|_1 + |d|), up to
+/// roundings, and |s(a)| is at most |a|_1 + |d|, so that |t| < 2^48. Where a + t (b - a) overflows
+/// all the same, the box is infinite or NaN, which is_good() refuses.
 PointBox fast_box(const Point3& a, const Point3& b, const PlaneRow& plane) {
   const Value at_a = value_at(plane, a), at_b = value_at(plane, b);
   const double w = at_a.value - at_b.value;
@@ -98,7 +116,7 @@ PointBox fast_box(const Point3& a, const Point3& b, const PlaneRow& plane) {
   if (!(ew <= std::fabs(w) / 2)) return box;
   const double t = at_a.value / w;
   const double et = 2 * (at_a.error + std::fabs(t) * ew) / std::fabs(w) + kRounding * std::fabs(t) +
-                    0x1p-1000;  // a flushed t
+                    0x1p-1000;  // The last term covers a t that was flushed to zero.
   const std::array<double, 3> step = {b.x - a.x, b.y - a.y, b.z - a.z};
   box.mid = {a.x + t * step[0], a.y + t * step[1], a.z + t * step[2]};
   const double size = max_abs({a.x, a.y, a.z}) + std::fabs(t) * max_abs(step);
@@ -106,8 +124,8 @@ PointBox fast_box(const Point3& a, const Point3& b, const PlaneRow& plane) {
   return box;
 }
 
-/// The direction of the line where the planes of the cube cut it. Not good where a difference may
-/// have lost bits to underflow or overflow.
+/// Returns a box around the direction u of the point where the line from a to b cuts a plane of the
+/// cube. It is not good where a difference may have lost bits to underflow or overflow.
 PointBox fast_direction(const Point3& a, const Point3& b, const PlaneRow& far) {
   const std::array<double, 3> step = {b.x - a.x, b.y - a.y, b.z - a.z};
   const double climb = far.n[0] * step[0] + far.n[1] * step[1] + far.n[2] * step[2];
@@ -117,7 +135,8 @@ PointBox fast_direction(const Point3& a, const Point3& b, const PlaneRow& far) {
   return box;
 }
 
-/// Good only if the signs of all coordinates are sure, too.
+/// Returns a box around the direction u of a point that depends on the frame. It is good only if
+/// the signs of all coordinates are sure, too, as PointBox promises.
 PointBox fast_direction(const PlaneTable& planes, const PointSource& source) {
   const auto row = [&](std::size_t i) { return far_row(planes, source.plane(i)); };
   PointBox box = source.is_line() ? fast_direction(planes.point(source.end(0)),
@@ -129,7 +148,9 @@ PointBox fast_direction(const PlaneTable& planes, const PointSource& source) {
   return box;
 }
 
-/// x 2^scale / w; both parts are off by 2^-52 at most, as is the division: 2^-50 in all.
+/// Returns a box around x 2^scale / w. Both parts are off by less than 2^-51 of themselves, and the
+/// division by 2^-52; the largest coordinate's 2^-50 covers them. Coordinates below 2^-900 become
+/// 0, for which 2^-890 is added unless the point is the origin exactly.
 template <class X, class W>
 PointBox box_of(const exact3::Homogeneous<X, W>& p) {
   const Scaled w = scaled(p.w);
@@ -149,7 +170,8 @@ PointBox box_of(const exact3::Homogeneous<X, W>& p) {
   return box;
 }
 
-/// Has each coordinate the sign it should have? Those below 2^-900 became 0.
+/// Whether each coordinate of the box is zero exactly if that of the point is. Coordinates below
+/// 2^-900 became 0 in box_of().
 template <class X, class W>
 bool has_exact_signs(const exact3::Homogeneous<X, W>& p, const PointBox& box) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -160,17 +182,19 @@ bool has_exact_signs(const exact3::Homogeneous<X, W>& p, const PointBox& box) {
 
 PointBox box_around(const RoundedPoint3& nearest) {
   PointBox box{{nearest.at.x, nearest.at.y, nearest.at.z}, 0};
-  if (!nearest.is_exact) box.radius = 0x1p-53 * max_abs(box.mid);  // half an ulp at most
+  if (!nearest.is_exact) box.radius = 0x1p-53 * max_abs(box.mid);  // At most half an ulp.
   return box;
 }
 
-/// Of a constructed point, by exact integers; of a point of the frame around u.
+/// A box by exact integers: around a constructed point, or around u if it depends on the frame.
 struct ExactBox {
-  Sign w;  ///< Zero: the point does not exist, and has no box
-  PointBox box;
-  bool is_nearest = false;
+  Sign w;                   ///< Zero if the point does not exist; it then has no box.
+  PointBox box;             ///< Around the point or its direction.
+  bool is_nearest = false;  ///< Whether the middle is the nearest doubles.
 };
 
+/// Sets the box of an exact point: the nearest doubles where the numbers have a fixed width and
+/// every coordinate is known to be rounded right, otherwise the quotients of leading bits.
 template <class Plane>
 void set_box(const exact3::PointOf<Plane>& point, const PlaneTable& planes,
              const PointSource& source, bool is_framed, ExactBox& result) {
@@ -186,6 +210,8 @@ void set_box(const exact3::PointOf<Plane>& point, const PlaneTable& planes,
   if (is_framed && !has_exact_signs(point, result.box)) result.box = kEverywhere;
 }
 
+/// Makes the box in the narrowest integers. A point of the frame exists if its Infinite part does:
+/// w has no R, so both parts share it.
 ExactBox exact_box(const Point3Table& points, const PointSource& source) {
   const exact3::PointOperand operand = exact3::operand(points, source);
   const bool is_framed = exact3::has_frame(operand);
@@ -212,6 +238,7 @@ void Point3Table::reserve(std::size_t points) {
   is_nearest_.reserve(points);
 }
 
+/// Tries the ways to make a box, cheapest first. Only exact_box() can find that there is no point.
 SpacePoint Point3Table::add_new(const PointSource& source, const PointBox& fast) {
   if (is_good(fast)) return add(source, fast);
   const bool is_framed = depends_on_frame(source);

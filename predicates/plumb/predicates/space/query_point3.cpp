@@ -11,8 +11,9 @@
 namespace plumb {
 namespace {
 
-/// The nearest doubles. Off by half a unit in the last place, 2^-53 of the coordinate, or by half
-/// of the least subnormal; beyond all doubles nothing is known.
+/// Returns a box around the nearest doubles. These are off by at most half a unit in the last
+/// place, 2^-53 of the coordinate, or by half of the least subnormal number. Beyond all doubles the
+/// box is infinite.
 PointBox rounded_box(const RationalPoint3& p) {
   PointBox box{{}, 0};
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,5 +1,5 @@
-// A point of space that is in no table: what a user asks about. Predicates against the planes and
-// points of a table.
+// Points of space that are in no table, as users give them in queries, and the predicates on them
+// and the planes and points of a table.
 #pragma once
 
 #include <cstddef>
@@ -14,24 +14,29 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Belongs to one thread: the exact coordinates are made when first asked for.
+/// A point of a query. For use by one thread, as exact coordinates are computed when they are first
+/// needed.
 class QueryPoint3 {
  public:
-  /// Requires finite coordinates.
+  /// Makes a point of doubles. Requires finite coordinates.
   explicit QueryPoint3(const Point3& p) : box_{{p.x, p.y, p.z}, 0} {}
+  /// Makes a rational point.
   explicit QueryPoint3(const RationalPoint3& p);
-  /// A point of a table. Both must stay as they are while the query is used.
+  /// Makes a point of a table, which must stay as it is while the query is used.
   QueryPoint3(const Point3Table& points, SpacePoint p)
       : box_(points.box(p)), points_(&points), source_(p) {}
 
+  /// Returns a box around the point.
   const PointBox& box() const { return box_; }
-  /// Not valid unless made from a point of a table.
+  /// Returns the point of the table from which this was made; not valid if there is none.
   SpacePoint source() const { return source_; }
+  /// Whether the point is known to be one of doubles.
   bool is_double() const { return box_.radius == 0; }
-  /// Requires is_double().
+  /// Returns the doubles. Requires is_double().
   Point3 point() const { return {box_.mid[0], box_.mid[1], box_.mid[2]}; }
-  /// Requires a point off the frame.
+  /// Returns the exact coordinates. Requires a point that does not depend on the frame.
   const RationalPoint3& exact() const { return parts().finite; }
+  /// Returns both parts of the exact coordinates.
   const FramedPoint3& parts() const;
 
  private:
@@ -41,17 +46,17 @@ class QueryPoint3 {
   mutable std::optional<FramedPoint3> parts_;
 };
 
-// Points of the table are asked about as points of the table. Others, in doubles against input
-// points: as the predicates on input doubles. Else a filter, then rationals.
+// Points of the table go to the predicates on such points. Other points of doubles are compared
+// with planes through input points by the predicates on doubles. In all other cases a filter
+// decides, then rationals.
 
-/// The side of the (canonical) plane: as point3_signs.h says.
+/// Returns the side of the canonical plane on which the point lies, as side() in point3_signs.h.
 Sign side(const Point3Table& points, const QueryPoint3& q, PlaneId plane);
 
-/// The order of a point of the table and the query along coordinate axis 0, 1 or 2: the sign of
-/// x - q.
+/// Returns the order of a point of the table and the query along axis 0, 1 or 2: the sign of x - q.
 Sign compare_axis(const Point3Table& points, SpacePoint x, const QueryPoint3& q, std::size_t axis);
 
-/// Coordinate `axis` = 0, 1 or 2.
+/// Returns coordinate 0, 1 or 2.
 inline const Rational& coordinate(const RationalPoint3& p, std::size_t axis) {
   return axis == 0 ? p.x : (axis == 1 ? p.y : p.z);
 }

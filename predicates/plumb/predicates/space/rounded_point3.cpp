@@ -1,6 +1,10 @@
-// Filter. Where three planes through input points meet, the quotient of two determinants is
+// The nearest doubles to points of space: a filter with sums of two doubles, exact integers of
+// fixed width, and division of exact integers.
+//
+// The filter. Where three planes through input points meet, the quotient of two determinants is
 // computed with some 100 bits (nearest_quotient.h), and what lies clearly between two doubles is
-// rounded by that. Errors in u^2 terms:
+// rounded by that. The errors, in multiples of u^2 terms with u = 2^-53, are proved in
+// docs/design/numbers.md (Rounding to nearest):
 //
 //   n = (q - p) x (r - p)     products 9, their sum 6 more: 15
 //   d = -n.p                  15 + 9, two sums 12 more: 36
@@ -8,20 +12,22 @@
 //   w = n.(m x k)             15 + 45 + 9 + 12 = 81
 //   x = sum of d (n x m)      36 + 45 + 9 + 12 = 102
 //
-// Where two planes go through two common points a and b, the point is a + s(a) (b - a) / (s(a) -
-// s(b)), which takes a sixth of the products and loses no bits to planes that are nearly parallel
-// to each other:
+// Where two planes go through two common points a and b, the point is
+// a + s(a) (b - a) / (s(a) - s(b)), which takes a sixth of the products and loses no bits to planes
+// that are nearly parallel to each other:
 //
 //   s = n.(x - p)             15 + 9, two sums 12 more: 36
 //   w = s(a) - s(b)           36 + 6 = 42
 //   x = s(a) (b - a)          36 + 9 = 45
 //
-// 2^7 u^2 terms is taken for w and x (nearest_quotient.h); the slack pays for the roundings of the
-// terms and for products of errors.
+// The code takes 2^7 u^2 terms for w and x (nearest_quotient.h); the rest pays for the roundings of
+// the terms and for products of errors.
 //
-// Range. Coordinates are 0 or in [2^-60, 2^60], multiples of 2^-112: what comes of up to seven of
-// them (of a line: four), with what is lost on the way, is 0 or in [2^-784, 2^440]; that of x - q1
-// w, too, as |w.high| >= 2^-400 and |q1| >= 2^-200.
+// Range. Coordinates are 0 or in [2^-60, 2^60], so multiples of 2^-112. Products of up to seven of
+// them (four for a line), and what is lost in them, are 0 or in [2^-784, 2^440]; so is x - q1 w, as
+// |w.high| >= 2^-400 and |q1| >= 2^-200. So nothing overflows or becomes subnormal.
+//
+// Tested by tests/predicates/rounded_point3_test.cpp.
 
 #include "plumb/predicates/space/rounded_point3.h"
 
@@ -47,7 +53,7 @@ using twofold::product;
 using twofold::quotient;
 using twofold::sum;
 
-/// n.x + d = 0
+/// The plane n.x + d = 0.
 struct TwofoldPlane {
   std::array<Twofold, 3> n;
   Twofold d;
@@ -57,7 +63,8 @@ using Corners = std::array<const Point3*, 3>;
 
 std::array<double, 3> coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
 
-/// By bits where it is about equality: subnormal numbers may compare as zero.
+/// Whether the filter admits a point. Zero is recognized by its bits, as subnormal numbers may
+/// compare as zero.
 bool is_in_range(const Point3& p) {
   return std::ranges::all_of(coordinates(p), [](double c) {
     return is_equal(c, 0) || (std::fabs(c) >= 0x1p-60 && std::fabs(c) <= 0x1p60);
@@ -68,7 +75,7 @@ bool are_in_range(const Corners& corners) {
   return std::ranges::all_of(corners, [](const Point3* p) { return is_in_range(*p); });
 }
 
-/// (a x b)_i
+/// Returns component i of a x b.
 Twofold cross_component(const std::array<Twofold, 3>& a, const std::array<Twofold, 3>& b,
                         std::size_t i) {
   const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
@@ -93,8 +100,9 @@ TwofoldPlane plane_through(const Corners& corners) {
   return {n, negative(sum(sum(product(n[0], p[0]), product(n[1], p[1])), product(n[2], p[2])))};
 }
 
-/// As the next one, of the point where a line through two input points meets a plane; nothing where
-/// it may not.
+/// Returns the coordinates of the point where a line through two input points meets a plane that
+/// are clear and no doubles, rounded, and 0 for the others; nothing if the line may be parallel to
+/// the plane.
 std::optional<std::array<double, 3>> clear_coordinates(const Point3& a, const Point3& b,
                                                        const Corners& corners) {
   const std::array<Twofold, 3> n = normal_of(corners);
@@ -113,11 +121,11 @@ std::optional<std::array<double, 3>> clear_coordinates(const Point3& a, const Po
   return found;
 }
 
-/// Of the point of three planes, coordinates that are clear and not exact; the others are 0.
+/// Returns the same for the common point of three planes; all 0 if they may have none.
 std::array<double, 3> clear_coordinates(const std::array<Corners, 3>& corners) {
   std::array<TwofoldPlane, 3> planes;
   std::transform(corners.begin(), corners.end(), planes.begin(), plane_through);
-  std::array<std::array<Twofold, 3>, 3> minors;  // of the two planes after each
+  std::array<std::array<Twofold, 3>, 3> minors;  // The cross product of the two planes after each.
   for (std::size_t i = 0; i < 3; ++i) {
     minors[i] = cross(planes[(i + 1) % 3].n, planes[(i + 2) % 3].n);
   }
@@ -136,7 +144,7 @@ std::array<double, 3> clear_coordinates(const std::array<Corners, 3>& corners) {
   return found;
 }
 
-/// Of a plane, if it goes through input points.
+/// Returns the input points that define a plane; nothing for other planes.
 std::optional<Corners> corners_of(const PlaneTable& planes, PlaneId plane) {
   const PlaneSource& source = planes.source(plane);
   if (source.is_explicit()) return {};
@@ -149,7 +157,8 @@ const double& along(const Point3& p, std::size_t axis) {
   return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
-/// What all points of a plane through input points have along an axis; nothing if they differ.
+/// Returns the coordinate along an axis that all points of a plane through input points have; null
+/// if they differ, and for other planes.
 const double* coordinate_across(const PlaneTable& planes, PlaneId plane, std::size_t axis) {
   const std::optional<Corners> corners = corners_of(planes, plane);
   if (!corners) return nullptr;
@@ -159,7 +168,7 @@ const double* coordinate_across(const PlaneTable& planes, PlaneId plane, std::si
   return is_across ? &c : nullptr;
 }
 
-/// The same of the points of a line.
+/// Returns the same for the points of a line.
 const double* coordinate_along(const PlaneTable& planes, const PointSource& source,
                                std::size_t axis) {
   if (!source.is_line()) return nullptr;
@@ -167,7 +176,8 @@ const double* coordinate_along(const PlaneTable& planes, const PointSource& sour
   return is_equal(c, along(planes.point(source.end(1)), axis)) ? &c : nullptr;
 }
 
-/// Of the three planes that define a point, if all go through input points within range.
+/// Returns the input points of the three planes that define a point, if all planes have such,
+/// within range; otherwise nothing.
 std::optional<std::array<Corners, 3>> corners_of_planes(const PlaneTable& planes,
                                                         const PointSource& source) {
   std::array<Corners, 3> corners;
@@ -181,7 +191,7 @@ std::optional<std::array<Corners, 3>> corners_of_planes(const PlaneTable& planes
 
 // ---------------------------------------------------------------- fixed widths
 
-/// False if the width is less than the operand's, or a scale breaks it.
+/// Rounds in the width W. Returns false if that is less than the operand's, or a scale breaks (L).
 template <class W>
 bool round_in(const exact3::PointOperand& operand, const Point3Table& points, SpacePoint x,
               std::optional<RoundedPoint3>& rounded) {
@@ -195,10 +205,10 @@ bool round_in(const exact3::PointOperand& operand, const Point3Table& points, Sp
   return true;
 }
 
-// ---------------------------------------------------------------- exactly
+// ---------------------------------------------------------------- exact integers
 
-/// Rounding divides; that a common factor is left in numerator and denominator does not matter
-/// there.
+/// Returns the rounded quotient. The numbers are lent to a Rational without removing common
+/// factors, which does not matter to the division.
 RoundedDouble round_quotient(Integer& numerator, Integer& denominator, Rational& scratch) {
   mpq_ptr q = scratch.mpq();
   mpz_swap(mpq_numref(q), numerator.mpz());
@@ -226,7 +236,7 @@ std::optional<RoundedPoint3> exact3::with_coordinates_across(std::array<double, 
     }
     if (only == nullptr) only = coordinate_along(planes, exact3::as_line(planes, source), axis);
     if (only == nullptr) return {};
-    clear[axis] = is_equal(*only, 0) ? 0 : *only;  // not -0.0
+    clear[axis] = is_equal(*only, 0) ? 0 : *only;  // Never -0.0.
   }
   return RoundedPoint3{{clear[0], clear[1], clear[2]}, is_exact};
 }

@@ -1,4 +1,5 @@
-// The nearest doubles to points of space, without their exact coordinates in lowest terms.
+// The nearest doubles to points of space, computed without exact coordinates in lowest terms.
+// docs/design/numbers.md (Rounding to nearest) proves the bounds.
 #pragma once
 
 #include <optional>
@@ -8,26 +9,31 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
+/// A point rounded to the nearest doubles.
 struct RoundedPoint3 {
-  Point3 at;      ///< each coordinate correctly rounded; beyond all doubles: infinite
-  bool is_exact;  ///< nothing was lost
+  Point3 at;      ///< Each coordinate correctly rounded; infinite beyond all doubles.
+  bool is_exact;  ///< Whether the point is that of doubles.
 };
 
+/// The stages of rounded(), callable on their own for tests and benchmarks.
 namespace rung {
 
-/// What some 100 bits tell, of points of three planes through input points: nothing if a coordinate
-/// is, or is very near to, a double or the middle of two, but for one that a plane across its axis
-/// says. Nothing, too, where arithmetic does not round to nearest. Cost: ~0.5 us.
+/// Rounds a point of three planes through input points by some 100 bits. Returns nothing for other
+/// points, if arithmetic does not round to nearest, or if a coordinate is, or is very near to, a
+/// double or the middle of two, unless a plane across its axis or the line states that coordinate.
+/// Cost: about 0.5 us.
 std::optional<RoundedPoint3> rounded_filter(const Point3Table& points, SpacePoint x);
-/// The same of the exact coordinates in fixed widths, however close to parallel the planes are, and
-/// of lines, too. Requires a constructed point that does not depend on the frame. Cost: ~0.5 us.
+/// Rounds by the leading bits of exact coordinates in fixed widths, however close to parallel the
+/// planes are. Returns nothing in the same cases, and if the point has more bits. Requires a
+/// constructed point that does not depend on the frame. Cost: about 0.5 us.
 std::optional<RoundedPoint3> rounded_fixed(const Point3Table& points, SpacePoint x);
-/// Requires a constructed point. Cost: ~1.5 us, a third of exact(): three divisions, no gcd.
+/// Rounds by three divisions of exact integers. Requires a constructed point that does not depend
+/// on the frame. Cost: about 1.5 us, a third of exact(), as no gcd is computed.
 RoundedPoint3 rounded_exact(const Point3Table& points, SpacePoint x);
 
 }  // namespace rung
 
-/// Identity: round_to_double() of exact(points, x), by its coordinates. Requires
+/// Returns round_to_double() of each coordinate of exact(points, x). Requires
 /// !points.depends_on_frame(x).
 RoundedPoint3 rounded(const Point3Table& points, SpacePoint x);
 
