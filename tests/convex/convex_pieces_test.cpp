@@ -16,7 +16,6 @@
 #include "oracle/pieces_check.h"
 #include "plumb/convex/decompose.h"
 #include "plumb/convex/part/cut_set.h"
-#include "plumb/convex/part/merge_parts.h"
 #include "plumb/convex/sum/volume_sum.h"
 #include "plumb/io/mesh_io.h"
 #include "plumb/predicates/error.h"
@@ -267,46 +266,6 @@ TEST(Decompose, FallsBackOnTheClassicalRule) {
         EXPECT_LE(pieces.pieces.size(), greedy);
       }
     }
-  }
-}
-
-// The last two blocks make one that fits the first; with it, one that fits the second.
-TEST(MergeSets, TriesWhatAnEarlierPieceHasBecome) {
-  Context context;
-  std::vector<Nef3> pieces;
-  for (const auto& [low, high] : std::vector<std::pair<Point3, Point3>>{{{0, 0, 0}, {2, 1, 1}},
-                                                                        {{2, 0, 0}, {3, 2, 1}},
-                                                                        {{0, 1, 0}, {1, 2, 1}},
-                                                                        {{1, 1, 0}, {2, 2, 1}}}) {
-    pieces.push_back(solid(box_mesh(low, high)));
-  }
-  merge_sets(pieces, context);
-  ASSERT_EQ(pieces.size(), 1U);
-  EXPECT_TRUE(pieces[0] == solid(box_mesh({0, 0, 0}, {3, 2, 1})));
-}
-
-// In any order, as few pieces: a polygon refused once has not become a good one.
-TEST(MergeSets, MergesAGridInAnyOrder) {
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    Dice dice(seed);
-    std::vector<Nef3> pieces;
-    for (int i = 0; i < 4; ++i) {
-      const double x = i % 2, y = i / 2;
-      pieces.push_back(solid(box_mesh({x, y, 0}, {x + 1, y + 1, 1})));
-    }
-    pieces.push_back(solid(box_mesh({0, 0, 1}, {1, 1, 2})));  // an L with what is below
-    for (std::size_t i = pieces.size(); i > 1; --i) std::swap(pieces[i - 1], pieces[dice.below(i)]);
-    Context context;
-    merge_sets(pieces, context);
-    EXPECT_LE(pieces.size(), 3U) << seed;
-    Nef3 all;
-    for (const Nef3& piece : pieces) {
-      EXPECT_TRUE(piece.is_convex()) << seed;
-      all += piece;
-    }
-    EXPECT_TRUE(all ==
-                solid(box_mesh({0, 0, 0}, {2, 2, 1})) + solid(box_mesh({0, 0, 1}, {1, 1, 2})))
-        << seed;
   }
 }
 

@@ -8,7 +8,7 @@
 //   along a line through it      if the marks depend only on the sides of the planes through that
 //   line.
 // Vertices, edges, facets and volumes are the connected parts of the places where the greatest such
-// dimension is 0, 1, 2, 3: a matter of the set alone (SPACE.md 0).
+// dimension is 0, 1, 2, 3: a matter of the set alone.
 #pragma once
 
 #include <array>

@@ -13,7 +13,6 @@
 #include "plumb/predicates/arithmetic/rational_sum.h"
 #include "plumb/predicates/plane/query2.h"
 #include "plumb/predicates/rational_predicates.h"
-#include "plumb/predicates/rounding.h"
 #include "plumb/predicates/segment2.h"
 
 namespace plumb {
@@ -141,34 +140,6 @@ TEST_P(Families, OrderAndSidesAreThoseOfTheRationals) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Plane, Families, ::testing::ValuesIn(plane_families()));
-
-// Products that are far from zero though a factor is subnormal.
-TEST(QueryRay2, SubnormalDirectionsCountWhateverTheEnvironment) {
-  const QueryRay2 ray({0, 0}, {exact_rational(0x1p-1030), exact_rational(0x1p-1000)});
-  PlanePoints points;
-  points.inputs.push_back({0x1p960, 0x1p1000});
-  points.inputs.push_back({0, 0});
-  for (const testing_environment::Setting& mode : testing_environment::kSettings) {
-    const testing_environment::Scope scope(mode);
-    // 2^-30 - 2^-40
-    EXPECT_EQ(side(points, ray, 0), Sign::Positive) << mode.name;
-    EXPECT_EQ(turn(points, 1, 0, ray), Sign::Negative) << mode.name;
-  }
-}
-
-// Rounded downward, the denominator 2^1041 becomes the greatest double, and its error stays finite.
-TEST(QueryRay2, OverflowDecidesNothingWhateverTheEnvironment) {
-  const QueryRay2 ray({0, 0}, {exact_rational(0x1p540), 0});
-  PlanePoints points;
-  points.inputs.push_back({-0x1p-608, -0x1p500});
-  points.inputs.push_back({-0x1p-608, 0x1p500});
-  points.inputs.push_back({-0x1p-600, 0});
-  for (const testing_environment::Setting& mode : testing_environment::kSettings) {
-    const testing_environment::Scope scope(mode);
-    EXPECT_EQ(compare_crossing_x(points, ray, 0, 1, 2), Sign::Positive) << mode.name;
-    EXPECT_EQ(compare_crossing_xy(points, ray, 0, 1, 2), Sign::Positive) << mode.name;
-  }
-}
 
 TEST(PlanePoints, CrossingsAreNumberedAfterInputs) {
   PlanePoints points;

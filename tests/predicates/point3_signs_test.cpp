@@ -270,50 +270,6 @@ TEST(Point3Signs, AgreeWithIntegersOnAdversarialFamilies) {
   for (const std::uint64_t n : shares.fixed) EXPECT_GT(n, shares.signs / 20);
 }
 
-/// Boxes hold their points, whatever the environment they were computed in; none is wide, also
-/// where planes are all but parallel, at every scale.
-TEST(Point3Table, BoxesHoldTheirPoints) {
-  cases::Random random(22);
-  for (std::uint64_t i = 0; i < 3000 && !HasFailure(); ++i) {
-    cases::Case c = cases::any(random);
-    const double scale = std::ldexp(1, cases::integer(random, -80, 80));
-    const auto can_scale = [&](double x) {
-      return x == 0 || (std::fabs(x) > 0x1p-800 && std::fabs(x) < 0x1p800);
-    };
-    if (std::all_of(c.corners.begin(), c.corners.end(), [&](const Point3& p) {
-          return can_scale(p.x) && can_scale(p.y) && can_scale(p.z);
-        })) {
-      c.corners =
-          cases::map_all(c.corners, [&](const Point3& p) { return cases::scaled(p, scale); });
-    }
-    std::optional<Built> built;
-    std::optional<Point3Table> points;
-    std::vector<SpacePoint> ids;
-    {
-      testing_environment::Scope scope(kModes[i % kModes.size()]);
-      built.emplace(c);
-      if (!built->has_all_planes()) continue;
-      points.emplace(built->table);
-      ids = {points->add(built->id(0), built->id(1), built->id(2)),
-             points->add(InputPointId(0), InputPointId(4), built->id(3))};
-    }
-    for (const SpacePoint x : ids) {
-      if (!x.is_valid()) continue;
-      const PointBox box = points->box(x);
-      const RationalPoint3 at = exact(*points, x);
-      if (!std::isfinite(box.radius)) continue;
-      const double largest =
-          std::max({std::fabs(box.mid[0]), std::fabs(box.mid[1]), std::fabs(box.mid[2])});
-      EXPECT_LE(box.radius, kDirectionError * largest + 0x1p-889) << text(c);
-      for (const auto& [mid, coordinate] :
-           {std::pair(box.mid[0], at.x), std::pair(box.mid[1], at.y),
-            std::pair(box.mid[2], at.z)}) {
-        EXPECT_LE(abs(Rational(coordinate - Rational(mid))), Rational(box.radius)) << text(c);
-      }
-    }
-  }
-}
-
 /// Each coordinate is the double nearest to it; exact where all three are doubles.
 TEST(RoundedPoint3, IsNearestInEachCoordinate) {
   cases::Random random(23);
@@ -346,15 +302,6 @@ TEST(RoundedPoint3, IsNearestInEachCoordinate) {
   EXPECT_GT(exact_ones, 50U);
   EXPECT_GT(others, 50U);
   EXPECT_GT(told_in_fixed, 50U);
-}
-
-TEST(PointSource, HasThePlanesThatDefineIt) {
-  const PointSource of_planes(PlaneId(3), PlaneId(5), PlaneId(8));
-  const PointSource of_line(InputPointId(3), InputPointId(5), PlaneId(8));
-  for (const std::uint32_t p : {0U, 3U, 5U, 8U}) {
-    EXPECT_EQ(of_planes.has_plane(PlaneId(p)), p != 0);
-    EXPECT_EQ(of_line.has_plane(PlaneId(p)), p == 8);
-  }
 }
 
 TEST(Point3Signs, IdentityNeedsNoArithmetic) {

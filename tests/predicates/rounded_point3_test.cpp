@@ -1,5 +1,4 @@
-// Points rounded to the nearest doubles, and the line of an edge that stands for its two planes,
-// against rationals.
+// Points rounded to the nearest doubles, against rationals.
 #include "plumb/predicates/space/rounded_point3.h"
 
 #include <gtest/gtest.h>
@@ -103,18 +102,6 @@ TEST(RoundedPoint3, FixedWidthsTellOfNearlyParallelPlanes) {
   EXPECT_GE(told, all - 5);
 }
 
-/// (b - a) x (c - a) . (x - a) in rationals: zero on the plane through a, b and c.
-Rational distance(const std::array<Point3, 3>& corners, const RationalPoint3& x) {
-  const auto row = [&](const auto& at) {
-    const Point3& a = corners[0];
-    return std::array<Rational, 3>{Rational(at.x) - Rational(a.x), Rational(at.y) - Rational(a.y),
-                                   Rational(at.z) - Rational(a.z)};
-  };
-  const auto [u, v, w] = std::array{row(corners[1]), row(corners[2]), row(x)};
-  return w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
-         w[2] * (u[0] * v[1] - u[1] * v[0]);
-}
-
 /// The point of the planes of two triangles with a common edge and of a third one, which may be
 /// nearly parallel to the first.
 struct EdgeAndPlane {
@@ -144,44 +131,6 @@ struct EdgeAndPlane {
     return table.intern(point(i), point(j), point(k)).plane();
   }
 };
-
-/// Whatever the order of the planes, however close they are to parallel: the line through the
-/// common points stands for the two.
-TEST(PointSource, OfTwoPlanesWithACommonEdgeIsALine) {
-  std::mt19937_64 random(33);
-  for (int i = 0; i < 200; ++i) {
-    const double scale = std::ldexp(1.0, (i % 5 - 2) * 25);
-    EdgeAndPlane e(random, scale, i % 2 == 0 ? 1e-12 : 1, i % 3 != 0);
-    std::rotate(e.planes.begin(), e.planes.begin() + i % 3, e.planes.end());
-    Point3Table points(e.table);
-    const SpacePoint x = points.add(e.planes[0], e.planes[1], e.planes[2]);
-    const PointSource line = exact3::as_line(e.table, points.source(x));
-    ASSERT_TRUE(line.is_line());
-    const RationalPoint3 at = exact(points, x);
-    for (const auto& corners : e.corners) EXPECT_EQ(distance(corners, at), 0);
-    for (const PlaneId plane : e.planes) EXPECT_EQ(side(points, x, plane), Sign::Zero);
-    const SpacePoint again = points.add(line.end(0), line.end(1), line.plane(0));
-    EXPECT_TRUE(equal(points, x, again));
-    EXPECT_EQ(fingerprint(points, x), fingerprint(points, again));
-    EXPECT_EQ(exact(points, again), at);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      EXPECT_EQ(compare_axis(points, x, again, axis), Sign::Zero);
-    }
-  }
-}
-
-TEST(PointSource, IsNoLineForTheFrameOrForPlanesThatShareAPoint) {
-  std::mt19937_64 random(34);
-  EdgeAndPlane e(random, 1, 1, true);
-  const PlaneId at_corner = e.plane(2, 3, 4), far = e.table.intern_frame()[0],
-                wall = e.table.intern(1.0, 0.0, 0.0, -1.0).plane(),
-                level = e.table.intern(0.0, 0.0, 1.0, -1.0).plane();
-  for (const PointSource& source :
-       {PointSource(e.planes[0], e.planes[2], at_corner),
-        PointSource(e.planes[0], e.planes[1], far), PointSource(wall, level, e.planes[0])}) {
-    EXPECT_FALSE(exact3::as_line(e.table, source).is_line());
-  }
-}
 
 /// Boxes that doubles do not give are around the nearest doubles, which rounded() then takes from
 /// there: nearly always, in the one rounding mode that allows it.

@@ -1,5 +1,5 @@
 // Sets of space whose numbers can be argued by hand: the examples of the Nef note, the mistakes
-// that an implementation makes first (SPACE.md 9), and what was seen to go wrong elsewhere.
+// that an implementation makes first, and what was seen to go wrong elsewhere.
 
 #include "plumb/space/nef3.h"
 
@@ -314,7 +314,7 @@ TEST(Nef3, SheetsJoinAndCross) {
   EXPECT_TRUE(has(a + upright, {10, 11, 3, 1, 0}));
 }
 
-// ---------------------------------------------------------------- mistakes made first (SPACE.md 9)
+// ---------------------------------------------------------------- mistakes made first
 
 /// Two tetrahedra that share the apex (0, 0, 0).
 Nef3 bow_tie(double size) {

@@ -56,9 +56,9 @@ void add_pieces(const PlaneRegion& region, std::vector<Nef2>& pieces, Context& c
 //  3. tidy     removes cuts that later ones made superfluous (drop_superfluous())
 //
 // Each cut of step 1 joins two loops and each cut of step 2 divides one, so r reflex corners and h
-// holes give at most r + 1 - h parts. A cut lies on a line of the set, and so does what it meets: a
-// new point is the crossing of two lines of the set. Cost: O(n) for each cut, less when parts get
-// small.
+// holes of positive area give at most r + 1 - h parts; a point or slit inside the region adds to r
+// alone. A cut lies on a line of the set, and so does what it meets: a new point is the crossing of
+// two lines of the set. Cost: O(n) for each cut, less when parts get small.
 
 /// Cuts the region into convex parts. Throws what the context throws.
 void cut_by_sides(PlaneRegion& region, Context& context);

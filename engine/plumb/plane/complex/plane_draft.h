@@ -100,8 +100,8 @@ FinishedDraft finish(const PlaneDraft& draft, const PlaneLoops& loops,
 // Cost: O(n a(n)) with the inverse Ackermann function a, and one cross_sign for each vertex that
 // keeps two edges. Source: docs/design/sweep.md, The minimal form in the same pass.
 
-/// Returns the minimal complex of the same set. Requires a complex that audit(complex, false)
-/// accepts. Idempotent.
+/// Returns the minimal complex of the same set. Requires a complex in which
+/// audit(complex, AuditForm::Any) finds no flaw. Idempotent.
 PlaneComplex simplify(PlaneComplex complex);
 
 /// Returns the marks of the interior: an edge or vertex stays marked only if everything around it
