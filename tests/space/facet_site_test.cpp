@@ -1,13 +1,10 @@
-// Facets of many corners: the structures that are built for them say what a walk along their
-// boundary says.
+// Facets of many corners: which cycles and vertices lie in which facet, and Booleans of such facets.
 #include "plumb/space/planar/facet_site.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <memory>
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -16,10 +13,6 @@
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
 #include "plumb/predicates/error.h"
-#include "plumb/predicates/plane_signs.h"
-#include "plumb/predicates/point3_signs.h"
-#include "plumb/space/boolean/contact_leaves.h"
-#include "plumb/space/complex/space_boxes.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/space_audit.h"
 #include "plumb/space/space_measure.h"
@@ -88,153 +81,6 @@ std::vector<Named> sets() {
 void expect_sound(const Nef3& set, const std::string& name) {
   const auto flaw = audit(set.complex(), AuditForm::Minimal);
   EXPECT_FALSE(flaw) << name << ": " << flaw->invariant << " at " << flaw->place;
-}
-
-// ---------------------------------------------------------------- points in facets
-
-class SiteCheck {
- public:
-  SiteCheck(const SpaceComplex& set, Dice& dice) : complex_(set), dice_(dice) {
-    tables_ = copy(*set.tables);
-    complex_.tables = tables_;
-  }
-
-  void check(FacetId f) {
-    Context context;
-    slabs_.emplace(complex_, f, context);
-    facet_ = f;
-    plane_ = complex_.facet_plane[f.value()];
-    std::vector<SpacePoint> here;
-    for (const SpacePoint p : complex_.vertex_point) {
-      if (side(complex_.points(), p, plane_) == Sign::Zero) here.push_back(p);
-    }
-    for (const SpacePoint p : here) compare(p);
-    for (std::size_t i = 0; i < 4 * here.size(); ++i) {
-      const SpacePoint p = here[dice_.below(here.size())], q = here[dice_.below(here.size())];
-      const bool is_near =
-          !complex_.points().depends_on_frame(p) && !complex_.points().depends_on_frame(q);
-      if (is_near) compare(between(p, q, Rational(1) / 2));
-    }
-    // Halfway along the edges, and on their lines beyond them.
-    for (const UseId first : complex_.cycles_of(f)) {
-      UseId u = first;
-      do {
-        const HalfedgeId h = complex_.use_halfedge[u.value()];
-        const SpacePoint p = complex_.vertex_point[complex_.origin[h.value()].value()];
-        const SpacePoint q = complex_.vertex_point[complex_.target(h).value()];
-        const bool is_near =
-            !complex_.points().depends_on_frame(p) && !complex_.points().depends_on_frame(q);
-        for (const int at : {1, -1, 3}) {
-          if (is_near) compare(between(p, q, Rational(at) / 2));
-        }
-        u = complex_.use_next[u.value()];
-      } while (u != first);
-    }
-    for (int i = 0; i < 40; ++i) compare_crossing();
-  }
-  std::size_t inside() const { return inside_; }
-  std::size_t on_boundary() const { return on_boundary_; }
-
- private:
-  SpacePoint between(SpacePoint p, SpacePoint q, const Rational& at) {
-    const RationalPoint3 a = exact(complex_.points(), p), b = exact(complex_.points(), q);
-    return add_point(*tables_,
-                     {a.x + (b.x - a.x) * at, a.y + (b.y - a.y) * at, a.z + (b.z - a.z) * at});
-  }
-  void compare(SpacePoint p) {
-    expect(slabs_->site(PlacedPoint(complex_.points(), complex_.points(), p)),
-           facet_site(complex_, facet_, p));
-  }
-  /// The common point of three planes, in a table of its own.
-  void compare_crossing() {
-    const auto any_plane = [&] {
-      return complex_.facet_plane[dice_.below(complex_.facet_count())];
-    };
-    const PlaneId p = any_plane();
-    const PlaneId q = any_plane();
-    if (det3_sign(complex_.planes(), p, q, plane_) == Sign::Zero) return;
-    Point3Table crossing(complex_.planes());
-    const SpacePoint x = crossing.add(p, q, plane_);
-    expect(slabs_->site(PlacedPoint(complex_.points(), crossing, x)),
-           facet_site(complex_, facet_, p, q));
-  }
-  void expect(SpaceItem found, SpaceItem walked) {
-    EXPECT_EQ(found.code(), walked.code());
-    if (!walked.is_valid()) return;
-    ++(walked.kind() == SpaceItem::Kind::Facet ? inside_ : on_boundary_);
-  }
-
-  SpaceComplex complex_;
-  std::shared_ptr<SpaceTables> tables_;
-  Dice& dice_;
-  std::optional<FacetSlabs> slabs_;
-  FacetId facet_;
-  PlaneId plane_;
-  std::size_t inside_ = 0;
-  std::size_t on_boundary_ = 0;
-};
-
-TEST(LargeFacets, SlabsSayWhatAWalkSays) {
-  Dice dice(7);
-  for (const auto& [name, set] : sets()) {
-    SCOPED_TRACE(name);
-    SiteCheck check(set.complex(), dice);
-    for (std::uint32_t f = 0; f < set.complex().facet_count() && f < 60; ++f)
-      check.check(FacetId(f));
-    EXPECT_GT(check.inside(), 0U);
-    EXPECT_GT(check.on_boundary(), 0U);
-  }
-}
-
-// ---------------------------------------------------------------- leaves
-
-/// A prism over a polygon of n corners; its sides come first, so that every edge belongs to one of
-/// them.
-PolygonMesh sides_then_caps(std::uint32_t n) {
-  PolygonMesh mesh;
-  for (const double z : {0.0, 5.0}) {
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const double x = i;
-      mesh.points.push_back({x, x * (x - n), z});  // on a parabola: convex, counter-clockwise
-    }
-  }
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t j = (i + 1) % n;
-    mesh.add_face(std::array<std::uint32_t, 4>{i, j, n + j, n + i});
-  }
-  std::vector<std::uint32_t> low, high;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    low.push_back(n - 1 - i);
-    high.push_back(n + i);
-  }
-  mesh.add_face(low);
-  mesh.add_face(high);
-  return mesh;
-}
-
-/// A leaf without a surface has a box because of what belongs to it; a vertex, an edge belongs to
-/// one leaf.
-void expect_owned(const SpaceComplex& complex, const std::string& name) {
-  const MeetLeaves leaves(complex, box_of(complex));
-  std::size_t vertices = 0, edges = 0;
-  for (std::size_t i = 0; i < leaves.boxes().size(); ++i) {
-    LeafItems items;
-    items.fill(complex, leaves[i]);
-    vertices += items.own_vertices().size();
-    edges += items.edges().size();
-    EXPECT_TRUE(leaves[i].facet.is_valid() || !items.vertices().empty()) << name << " " << i;
-  }
-  EXPECT_EQ(vertices, complex.vertex_count()) << name;
-  EXPECT_EQ(edges, complex.edge_count()) << name;
-}
-
-/// (One that owned nothing had an empty box in a turned frame, which made that frame look useless.)
-TEST(LargeFacets, LeavesOfCornersOwnSomething) {
-  for (const auto& [name, set] : sets()) expect_owned(set.complex(), name);
-  const Nef3 prism = solid(sides_then_caps(12));
-  expect_owned(prism.complex(), "prism");
-  const SpaceComplex& c = prism.complex();
-  EXPECT_EQ(MeetLeaves(c, box_of(c)).boxes().size(), 14U);  // corners of caps belong to sides
 }
 
 // ---------------------------------------------------------------- cycles in facets
@@ -316,32 +162,6 @@ TEST(LargeFacets, NestingKeepsToLimits) {
   limits.max_memory_bytes = 100'000;  // of 788 corners
   EXPECT_THROW(nest(Context(limits)), Error);
   EXPECT_THROW(nest(stopped()), Error);
-}
-
-TEST(LargeFacets, SlabsKeepToLimits) {
-  const PiercedFacet pierced;
-  const SpaceComplex& c = pierced.set.complex();
-  const FacetId f = pierced.facet;
-  ASSERT_LT(f.value(), c.facet_count());
-  // As often as it takes for slabs to be built.
-  const auto ask = [&](const FacetSites& sites, Context own) {
-    for (std::size_t i = 0; i < 100; ++i) {
-      const SpacePoint corner = c.vertex_point[c.use_origin(c.cycles_of(f)[i]).value()];
-      EXPECT_EQ(sites.site(f, corner, own).code(), facet_site(c, f, corner).code());
-    }
-  };
-  Limits little_memory, little_time;
-  little_memory.max_memory_bytes = 100'000;
-  little_time.max_seconds = 1e-9;
-  Context context, tight(little_memory);
-  EXPECT_THROW(ask(FacetSites(c, {&f, 1}, tight), Context()), Error);
-  EXPECT_NO_THROW(tight.charge_memory(100'000, "all of it"));  // nothing is kept
-
-  const FacetSites sites(c, {&f, 1}, context);
-  EXPECT_THROW(ask(sites, stopped()), Error);
-  EXPECT_THROW(ask(sites, Context(little_time)), Error);
-  ask(sites, Context());  // who comes next tries again
-  ask(sites, stopped());  // and now they are there
 }
 
 /// Boxes in holes, parts of facets in holes of others, all in two planes.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -15,7 +14,6 @@
 #include "oracle/facet_contacts.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/audit/audit_parts.h"
-#include "plumb/space/bounds/oriented_boxes.h"
 #include "plumb/space/bounds/packed_boxes.h"
 #include "plumb/space/from_mesh.h"
 #include "plumb/space/mesh/triangle_crossing.h"
@@ -328,136 +326,6 @@ TEST(PackedBoxTree, StopsWhenItIsTold) {
     EXPECT_EQ(asked, most + 1);
     EXPECT_LE(visited, most);
   }
-}
-
-// ---------------------------------------------------------------- oriented boxes
-
-using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
-
-/// The pairs that the tree shows, ascending; each once.
-std::vector<IndexPair> pairs_shown(std::span<const OrientedBoxTree::Triangle> triangles,
-                                   std::size_t& steps, std::span<const std::uint32_t> groups = {}) {
-  std::vector<IndexPair> shown;
-  OrientedBoxTree(triangles, groups)
-      .for_each_pair_inside(
-          [&](std::uint32_t i, std::uint32_t j) {
-            shown.emplace_back(std::min(i, j), std::max(i, j));
-          },
-          [&] { ++steps; });
-  std::ranges::sort(shown);
-  EXPECT_EQ(std::ranges::adjacent_find(shown), shown.end());
-  return shown;
-}
-
-std::vector<OrientedBoxTree::Triangle> oriented_triangles(const PolygonMesh& mesh) {
-  std::vector<OrientedBoxTree::Triangle> triangles;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    OrientedBoxTree::Triangle t;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Point3& p = mesh.points[mesh.face(f)[i]];
-      t[i] = {{p.x, p.y, p.z}, 0};
-    }
-    triangles.push_back(t);
-  }
-  return triangles;
-}
-
-/// Thin triangles in all directions whose longest sides have one of few points for their middle, so
-/// that many meet there.
-PolygonMesh thin_triangles(Dice& dice, double unit, std::size_t count) {
-  PolygonMesh mesh;
-  for (std::uint32_t i = 0; i < 3 * count; i += 3) {
-    const Point3 p = random_point(dice, 2, 1);
-    const Point3 d = random_point(dice, 100, 1);
-    const Point3 by = random_point(dice, 3, 0x1p-6);
-    const auto add = [&](double x, double y, double z) {
-      mesh.points.push_back({unit * x, unit * y, unit * z});
-    };
-    add(p.x - d.x, p.y - d.y, p.z - d.z);
-    add(p.x + d.x, p.y + d.y, p.z + d.z);
-    add(p.x + d.x + by.x, p.y + d.y + by.y, p.z + d.z + by.z);
-    mesh.add_face(std::array{i, i + 1, i + 2});
-  }
-  return mesh;
-}
-
-TEST(OrientedBoxTree, ShowsAllThatMeet) {
-  Dice dice(21);
-  std::size_t found = 0, shown_in_all = 0, steps = 0;
-  for (const double unit : {1.0, 0.1, 1e-200, 1e200, 1e305}) {
-    for (const std::size_t count : {1U, 2U, 3U, 5U, 40U}) {
-      const PolygonMesh mesh = thin_triangles(dice, unit, count);
-      const std::vector<IndexPair> shown = pairs_shown(oriented_triangles(mesh), steps);
-      shown_in_all += shown.size();
-      const MeshComplex complex = made(mesh);
-      const auto origin_of = [&](FacetId f) { return complex.complex.facet_origin[f.value()]; };
-      for (const auto& [f, g] : complex.crossings) {
-        const std::uint32_t i = origin_of(f), j = origin_of(g);
-        EXPECT_TRUE(std::ranges::binary_search(shown, IndexPair(std::min(i, j), std::max(i, j))));
-        ++found;
-      }
-    }
-  }
-  EXPECT_GT(found, 100U);
-  EXPECT_GT(shown_in_all, found);
-}
-
-TEST(OrientedBoxTree, ShowsAllThatMeetButThoseOfAGroup) {
-  Dice dice(23);
-  std::size_t found = 0, steps = 0;
-  for (const std::uint32_t group_count : {1U, 2U, 5U, 20U}) {
-    const PolygonMesh mesh = thin_triangles(dice, 1, 60);
-    std::vector<std::uint32_t> groups(mesh.face_count(), OrientedBoxTree::kNoGroup);
-    for (std::uint32_t& group : groups) {
-      if (dice.below(4) != 0) group = static_cast<std::uint32_t>(dice.below(group_count));
-    }
-    const auto is_left_out = [&](std::uint32_t i, std::uint32_t j) {
-      return groups[i] == groups[j] && groups[i] != OrientedBoxTree::kNoGroup;
-    };
-    const std::vector<IndexPair> shown = pairs_shown(oriented_triangles(mesh), steps, groups);
-    for (const auto& [i, j] : shown) EXPECT_FALSE(is_left_out(i, j));
-    const MeshComplex complex = made(mesh);
-    for (const auto& [f, g] : complex.crossings) {
-      const auto [i, j] = std::minmax(complex.complex.facet_origin[f.value()],
-                                      complex.complex.facet_origin[g.value()]);
-      if (is_left_out(i, j)) continue;
-      EXPECT_TRUE(std::ranges::binary_search(shown, IndexPair(i, j)));
-      ++found;
-    }
-  }
-  EXPECT_GT(found, 100U);
-}
-
-/// A box that says nothing is apart from none.
-TEST(OrientedBoxTree, ShowsUnknownPoints) {
-  Dice dice(22);
-  std::vector<OrientedBoxTree::Triangle> triangles =
-      oriented_triangles(thin_triangles(dice, 1, 20));
-  triangles[7][1] = {{0, 0, 0}, std::numeric_limits<double>::infinity()};
-  std::size_t steps = 0;
-  const std::vector<IndexPair> shown = pairs_shown(triangles, steps);
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    if (i == 7) continue;
-    EXPECT_TRUE(std::ranges::binary_search(shown, IndexPair(std::min(i, 7U), std::max(i, 7U))));
-  }
-}
-
-/// The walls of a star: their boxes along any axes overlap, but all that meet are neighbours.
-TEST(OrientedBoxTree, NeedsFewStepsForAStar) {
-  std::array<double, 2> each{};
-  for (const std::size_t k : {0U, 1U}) {
-    const int tips = k == 0 ? 500 : 4000;
-    std::vector<OrientedBoxTree::Triangle> walls;
-    const PolygonMesh star = fanned(star_prism(tips));
-    for (const OrientedBoxTree::Triangle& t : oriented_triangles(star)) {
-      if (t[0].mid[2] != t[1].mid[2] || t[1].mid[2] != t[2].mid[2]) walls.push_back(t);
-    }
-    std::size_t steps = 0;
-    pairs_shown(walls, steps);
-    each[k] = static_cast<double>(steps) / static_cast<double>(walls.size());
-  }
-  EXPECT_LT(each[1], 2 * each[0]);  // for 8 times the tips
-  EXPECT_LT(each[1], 100);
 }
 
 TEST(MeshCrossings, StarsWithManyTips) {

@@ -1,17 +1,14 @@
-// What a set can be asked besides membership: rays, shells, soups, origins; and selective Booleans.
+// What a set can be asked besides membership: rays, soups, origins; and selective Booleans.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <vector>
 
 #include "generate/space_program.h"
 #include "oracle/nef3_check.h"
 #include "plumb/predicates/error.h"
 #include "plumb/space/space_audit.h"
-#include "plumb/space/space_measure.h"
-#include "plumb/space/space_shells.h"
 
 namespace plumb::testing {
 namespace {
@@ -123,110 +120,6 @@ TEST(ManyPoints, AreLocatedLikeOne) {
   EXPECT_THROW(solid.contains(points, std::span(marked).first(3)), Error);
   EXPECT_GT(solid.bytes(), 1000U);
   EXPECT_LT(solid.bytes(), 100000U);
-}
-
-// ---------------------------------------------------------------- shells
-
-TEST(Shells, OfASolidWithVoids) {
-  Context context;
-  const Nef3 solid =
-      box({0, 9}, {0, 9}, {0, 9}) - box({1, 3}, {1, 3}, {1, 3}) - box({5, 8}, {5, 8}, {5, 8});
-  const SpaceShells shells(solid.complex());
-  EXPECT_EQ(shells.size(), 6U) << "two sides of three boundaries";
-  const VolumeId body = solid.locate(Point3{4, 4, 4}).item.volume();
-  const auto of_body = shells.shells_of(body);
-  ASSERT_EQ(of_body.size(), 3U);
-  for (const ShellId s : of_body) {
-    EXPECT_EQ(shells.volume(s), body);
-    EXPECT_EQ(shells.sides(s).size(), 6U);
-    EXPECT_EQ(shells.edges(s).size(), 12U);
-    EXPECT_EQ(shells.vertices(s).size(), 8U);
-  }
-  const auto volume = [&](ShellId s, ShellSolid side) {
-    const MeshOfComplex made = mesh_of_shell(shells, s, side, {}, context);
-    return marked_volume(
-        Nef3::from_mesh(made.mesh, {.rule = WindingRule::Positive}, context).complex());
-  };
-  EXPECT_EQ(volume(of_body[0], ShellSolid::Volume), Rational(729)) << "the outer one is the first";
-  EXPECT_EQ(volume(of_body[1], ShellSolid::Other), Rational(8));
-  EXPECT_EQ(volume(of_body[2], ShellSolid::Other), Rational(27));
-  EXPECT_EQ(volume(of_body[1], ShellSolid::Volume), Rational(0));
-  const Nef3 hole = set_of_shell(solid, shells, of_body[2], ShellMarks::All, context);
-  EXPECT_TRUE(hole == box({5, 8}, {5, 8}, {5, 8}).boundary());
-  EXPECT_TRUE(hole.with_bounded_volumes() == box({5, 8}, {5, 8}, {5, 8}));
-  EXPECT_TRUE(set_of_shell(solid, shells, of_body[2], ShellMarks::Own, context).is_empty());
-  const Nef3 skin = set_of_shell(solid, shells, of_body[0], ShellMarks::Own, context);
-  EXPECT_TRUE(skin == box({0, 9}, {0, 9}, {0, 9}).boundary());
-}
-
-TEST(Shells, OfLooseParts) {
-  const Nef3 set = square(0) + Nef3::segment({1, 1, 0}, {1, 1, 3}) + Nef3::point({9, 9, 9});
-  const SpaceShells shells(set.complex());
-  ASSERT_EQ(shells.size(), 2U);
-  const auto all = shells.shells_of(VolumeId(0));
-  ASSERT_EQ(all.size(), 2U);
-  EXPECT_EQ(shells.sides(all[0]).size(), 2U) << "both sides of the square";
-  EXPECT_EQ(shells.edges(all[0]).size(), 5U);
-  EXPECT_EQ(shells.vertices(all[0]).size(), 6U);
-  EXPECT_EQ(shells.vertices(all[1]).size(), 1U);
-  EXPECT_TRUE(shells.sides(all[1]).empty());
-}
-
-/// Every side, free edge and lone vertex is on one shell; the items of volumes add up.
-TEST(Shells, ArePartsOfTheBoundary) {
-  for (std::uint64_t seed = 0; seed < 40 && !HasFailure(); ++seed) {
-    SCOPED_TRACE(seed);
-    Dice dice(seed);
-    Context context;
-    const auto expression = random_set(dice, 5);
-    const Nef3 set = to_nef(*expression);
-    const SpaceComplex& c = set.complex();
-    const SpaceShells shells(c);
-    std::set<std::pair<FacetId, bool>> sides;
-    Nef3 boundary;
-    for (std::uint32_t s = 0; s < shells.size(); ++s) {
-      const VolumeId v = shells.volume(ShellId(s));
-      for (const FacetSide& side : shells.sides(ShellId(s))) {
-        EXPECT_TRUE(sides.insert({side.facet, side.is_reversed}).second);
-        EXPECT_EQ(c.facet_volume[side.facet.value()][side.is_reversed ? 0 : 1], v);
-      }
-      boundary += set_of_shell(set, shells, ShellId(s), ShellMarks::All, context);
-    }
-    EXPECT_EQ(sides.size(), 2 * set.counts().facets);
-    EXPECT_TRUE(boundary == set.boundary());
-  }
-}
-
-/// Counts what it is shown; knows of no edges.
-struct CountSidesAndVertices {
-  void operator()(const FacetSide&) { ++sides; }
-  void operator()(VertexId) { ++vertices; }
-  std::size_t sides = 0, vertices = 0;
-};
-
-TEST(Shells, ShowTheirItemsToAVisitor) {
-  const Nef3 solid = box({0, 9}, {0, 9}, {0, 9}) - box({1, 3}, {1, 3}, {1, 3});
-  const SpaceShells shells(solid.complex());
-  for (std::uint32_t s = 0; s < shells.size(); ++s) {
-    CountSidesAndVertices count;
-    shells.visit(ShellId(s), count);
-    EXPECT_EQ(count.sides, 6U);
-    EXPECT_EQ(count.vertices, 8U);
-    std::vector<EdgeId> edges;
-    shells.visit(ShellId(s), [&](EdgeId e) { edges.push_back(e); });
-    EXPECT_TRUE(std::ranges::equal(edges, shells.edges(ShellId(s))));
-  }
-}
-
-TEST(Shells, ThatReachInfinityHaveNoMesh) {
-  Context context;
-  const Nef3 h = Nef3::half_space({0, 0, 1, 0}, Boundary::Closed);
-  const SpaceShells shells(h.complex());
-  ASSERT_EQ(shells.size(), 2U);
-  EXPECT_EQ(shells.sides(ShellId(0)).size(), 1U);
-  EXPECT_THROW(mesh_of_shell(shells, ShellId(0), ShellSolid::Volume, {}, context), Error);
-  EXPECT_TRUE(set_of_shell(h, shells, ShellId(0), ShellMarks::Own, context) == h.boundary());
-  EXPECT_TRUE(h.with_bounded_volumes() == h);
 }
 
 // ---------------------------------------------------------------- soups

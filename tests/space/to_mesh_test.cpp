@@ -16,8 +16,6 @@
 namespace plumb::testing {
 namespace {
 
-using Faces = std::vector<std::uint32_t>;
-
 MeshComplex complex_of(const PolygonMesh& mesh) {
   Context context;
   MeshComplex result = complex_of_mesh(mesh, {}, context);
@@ -273,68 +271,6 @@ TEST(ToMesh, CoordinatesAreRoundedTheSameWithoutExactOnes) {
                 (Point3{nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)}));
     }
   }
-}
-
-TEST(RoundedMesh, DoublesAreNotLookedAt) {
-  EXPECT_TRUE(rounding_of(joined(kCube, moved(kCube, {1, 1, 1}))).is_sound());
-}
-
-TEST(RoundedMesh, WhatBreaksIsNamed) {
-  const Rational tiny = Rational(1) / (Integer(1) << 200), third = Rational(1) / 3;
-  // Two boxes with a gap that no double sees: corners and faces fall together.
-  PolygonMesh boxes = joined(kCube, moved(kCube, {3, 0, 0}));
-  for (std::uint32_t v = 8; v < 16; ++v) {
-    const Point3& p = boxes.points[v];
-    boxes.exact.emplace_back(v, RationalPoint3{p.x + tiny, p.y, p.z});
-  }
-  RoundingReport report = rounding_of(boxes);
-  EXPECT_EQ(report.vertices_merged, 4U);
-  EXPECT_EQ(report.doubled.size(), 1U);
-  EXPECT_FALSE(report.is_sound());
-
-  // Half a face apart: they touch now.
-  boxes = joined(kCube, moved(kCube, {3, 1, 1}));
-  for (std::uint32_t v = 8; v < 16; ++v) {
-    const Point3& p = boxes.points[v];
-    boxes.exact.emplace_back(v, RationalPoint3{p.x + tiny, p.y, p.z});
-  }
-  report = rounding_of(boxes);
-  EXPECT_EQ(report.vertices_merged, 0U);
-  EXPECT_GT(report.crossing_count, 0U);
-
-  // A flat tetrahedron.
-  PolygonMesh flat = tetrahedron_mesh({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0});
-  flat.exact = {{3, {third, third, tiny}}};
-  flat.points[3] = {1.0 / 3, 1.0 / 3, 0};
-  report = rounding_of(flat);
-  EXPECT_GT(report.crossing_count, 0U);  // its faces overlap
-  EXPECT_TRUE(report.vertices_merged == 0 && report.degenerate.empty());
-
-  // A vertex next to an edge falls on it, or across it.
-  PolygonMesh needle = tetrahedron_mesh({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0.25, 0.25, 1});
-  needle.points[1] = {0.5, 0, 0};
-  needle.exact = {{1, {Rational(1) / 2, tiny, 0}}};
-  report = rounding_of(needle);
-  EXPECT_EQ(report.degenerate, Faces{0});
-  EXPECT_FALSE(report.is_sound());
-}
-
-TEST(RoundedMesh, TurnedFacesAreNamed) {
-  // a = (1/3, 1/3 + tiny) is left of the line from the origin to (1, 1) and rounds onto it; with
-  // the line's other end moved by less than rounding moves a, the face turns over.
-  const Rational third = Rational(1) / 3, tiny = Rational(1) / (Integer(1) << 70);
-  PolygonMesh mesh =
-      make_mesh({{0, 0, 0}, {1, 0x1.0000000000001p0, 0}, {1.0 / 3, 1.0 / 3, 0}}, {{0, 1, 2}});
-  mesh.exact = {{1, {Rational(1), 1 + 2 * tiny, 0}}, {2, {third, third + tiny, 0}}};
-  const RoundingReport report = rounding_of(mesh);
-  EXPECT_EQ(report.flipped, Faces{0});
-}
-
-TEST(RoundedMesh, CoordinatesBeyondDoubles) {
-  const Rational huge = Rational(Integer(1) << 1100);
-  const MeshComplex complex = complex_of(scaled(kCube, huge));
-  const MeshOfComplex out = mesh_of(marked(complex));
-  EXPECT_EQ(rounding_of(out.mesh).beyond_doubles.size(), 7U);
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include "plumb/predicates/rational_predicates.h"
 #include "plumb/predicates/segment2.h"
 #include "plumb/space/complex/space_tables.h"
-#include "plumb/space/planar/facet_triangles.h"
 #include "plumb/testing/dice.h"
 
 namespace plumb::testing {
@@ -225,37 +224,6 @@ TEST(Triangulate, TiesGoToTheLowestIndex) {
     ASSERT_TRUE(triangulate(laid.flat, region.edges, triangles));
     make_delaunay(laid.flat, region.edges, triangles);
     for (const IndexTriangle& t : triangles) EXPECT_EQ(std::ranges::min(t), 0U);
-  }
-}
-
-TEST(FlatPolygon, Shapes) {
-  struct Case {
-    std::vector<Point2> points;
-    std::vector<std::uint32_t> corners;
-    PolygonShape shape;
-  };
-  const std::vector<Case> cases = {
-      {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {0, 1, 2, 3}, PolygonShape::Simple},
-      {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {0, 2, 1, 3}, PolygonShape::Crossing},
-      {{{0, 0}, {4, 0}, {1, 1}, {0, 4}}, {0, 1, 2, 3}, PolygonShape::Simple},
-      {{{0, 0}, {4, 0}, {2, 0}, {0, 4}},
-       {0, 1, 2, 3},
-       PolygonShape::Crossing},  // back along a side
-      {{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}},
-       {0, 1, 2, 3, 4},
-       PolygonShape::Crossing},  // corner on a side
-      {{{0, 0}, {1, 0}, {1, 1}, {-1, -1}, {0, -1}}, {0, 1, 2, 0, 3, 4}, PolygonShape::Touching},
-      {{{0, 0}, {9, 0}, {0, 9}, {1, 1}, {1, 2}, {2, 1}},
-       {0, 1, 2, 0, 3, 4, 5, 3},
-       PolygonShape::Touching},
-  };
-  Context context;
-  for (const Case& c : cases) {
-    const Laid laid({c.points, {}});
-    EXPECT_EQ(shape_of(laid.flat, c.corners, context), c.shape);
-    if (c.shape == PolygonShape::Simple) {
-      EXPECT_EQ(orientation_of(laid.flat, c.corners), Sign::Positive);
-    }
   }
 }
 
