@@ -1,4 +1,4 @@
-// Sets of the sphere on cases a person can check; what is refused; maps of other tables; flaws.
+// Sets of the sphere on cases a person can check; what is refused; maps of other tables.
 #include "plumb/sphere/nef_sphere.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,6 @@
 #include "generate/sphere_program.h"
 #include "generate/test_share.h"
 #include "plumb/predicates/error.h"
-#include "plumb/sphere/overlay/sphere_contacts.h"
 #include "plumb/sphere/overlay/sphere_overlay.h"
 
 namespace plumb::testing {
@@ -226,116 +225,7 @@ TEST(SphereMap, IsClassifiedByWhatItLooksLike) {
   EXPECT_EQ(kind(NefSphere::circle(kX) * closed_half(kY), 1), PyramidKind::Edge);
 }
 
-// ---------------------------------------------------------------- audit
-
-// A map of everything: islands, a loop, isolated points.
-SphereMap sample_map(PlaneTable& planes) {
-  const std::vector<SphereVector> corners{{0.5, 0, 1}, {-0.5, 0.5, 1}, {-0.5, -0.5, 1}};
-  const NefSphere set = NefSphere::polygon(corners, Boundary::Closed) + NefSphere::circle(kZ) +
-                        NefSphere::points(std::vector{kZ.opposite(), SphereVector{1, 1, 1}});
-  planes = PlaneTable(set.planes());
-  return set.map();
-}
-
-struct Damage {
-  const char* invariant;
-  std::function<void(SphereMap&)> make;
-};
-
-TEST(SphereAudit, NamesTheInvariantBroken) {
-  PlaneTable planes;
-  const SphereMap sound = sample_map(planes);
-  ASSERT_FALSE(audit(planes, sound, AuditForm::Minimal).has_value());
-  std::uint32_t island = 0;  // an arc of the triangle
-  while (sound.is_loop(island)) ++island;
-  std::uint32_t lone = 0;
-  while (sound.first_out[lone] != kNone) ++lone;
-  const std::uint32_t other_face = (sound.point_face[lone] + 1) % 3;
-  const Damage damages[] = {
-      {"arrays of points have one size", [](SphereMap& m) { m.point_mark.pop_back(); }},
-      {"marks are 0, 1 or beyond", [](SphereMap& m) { m.face_mark[0] = 3; }},
-      {"a point has a half-arc there is, or a face there is",
-       [&](SphereMap& m) { m.point_face[lone] = 17; }},
-      {"a direction is of two planes that cross",
-       [&](SphereMap& m) { m.direction[lone].q = m.direction[lone].p; }},
-      {"half-arcs follow each other", [&](SphereMap& m) { m.next[2 * island] = 2 * island; }},
-      {"a boundary has one face",
-       [&](SphereMap& m) { m.next[2 * island] = SphereMap::twin(2 * island); }},
-      {"a point lies on the circles of its arcs",
-       [&](SphereMap& m) { m.direction[m.origin[2 * island]] = m.direction[lone]; }},
-      {"points are different",
-       [&](SphereMap& m) {
-         for (std::uint32_t v = 0; v < m.point_count(); ++v) {
-           if (v != lone && m.first_out[v] == kNone) m.direction[v] = m.direction[lone];
-         }
-       }},
-      {"boundaries of one face name it", [&](SphereMap& m) { m.point_face[lone] = other_face; }},
-      {"the map is minimal",
-       [&](SphereMap& m) { m.point_mark[lone] = m.face_mark[m.point_face[lone]]; }},
-  };
-  for (const Damage& damage : damages) {
-    SphereMap damaged = sound;
-    damage.make(damaged);
-    const auto flaw = audit(planes, damaged, AuditForm::Minimal);
-    ASSERT_TRUE(flaw.has_value()) << damage.invariant;
-    EXPECT_EQ(flaw->invariant, damage.invariant);
-  }
-}
-
-// Whatever one number of a map is changed to, it is no sound map of the same set any more.
-TEST(SphereAudit, FindsEveryChangedLink) {
-  PlaneTable planes;
-  const SphereMap sound = sample_map(planes);
-  const auto expect_flaw = [&](auto member, const char* name) {
-    for (std::size_t i = 0; i < (sound.*member).size(); ++i) {
-      for (std::uint32_t value = 0; value < 12; ++value) {
-        if ((sound.*member)[i] == value) continue;
-        SphereMap damaged = sound;
-        (damaged.*member)[i] = value;
-        const bool is_another_start = member == &SphereMap::first_out &&
-                                      sound.first_out[i] != kNone && value < sound.origin.size() &&
-                                      sound.origin[value] == i;
-        EXPECT_EQ(audit(planes, damaged, AuditForm::Minimal).has_value(), !is_another_start)
-            << name << '[' << i << "] = " << value;
-      }
-    }
-  };
-  expect_flaw(&SphereMap::origin, "origin");
-  expect_flaw(&SphereMap::next, "next");
-  expect_flaw(&SphereMap::face, "face");
-  expect_flaw(&SphereMap::first_out, "first_out");
-  expect_flaw(&SphereMap::point_face, "point_face");
-}
-
 // ---------------------------------------------------------------- large maps
-
-TEST(SphereContacts, AreTheSameByTablesAndByBoxes) {
-  for (std::uint64_t seed = 0; seed < share_of(300) && !HasFailure(); ++seed) {
-    Dice dice(seed);
-    const auto values = static_cast<SphereValues>(seed % kSphereValues);
-    const auto sets = sets_on_sphere(random_sphere_program(dice, values, 10), 12);
-    if (sets.size() < 2) continue;
-    PlaneTable planes(sets[0].planes());
-    SphereMap b = sets[1].map();
-    const std::vector<PlaneId> to = planes.merge(sets[1].planes());
-    for (PlaneId& c : b.circle) c = to[c.value()];
-    for (SphereDirection& u : b.direction) u = {to[u.p.value()], to[u.q.value()]};
-    SphereContacts by_tables;
-    SphereContacts by_boxes;
-    by_tables.find(planes, sets[0].map(), b);
-    by_boxes.find(planes, sets[0].map(), b, 0);
-    EXPECT_TRUE(by_tables.direction == by_boxes.direction) << seed;
-    EXPECT_TRUE(by_tables.cell == by_boxes.cell) << seed;
-    EXPECT_TRUE(by_tables.point_of == by_boxes.point_of) << seed;
-    for (std::size_t k = 0; k < 2; ++k) {
-      ASSERT_EQ(by_tables.stops[k].size(), by_boxes.stops[k].size()) << seed;
-      for (std::size_t i = 0; i < by_tables.stops[k].size(); ++i) {
-        EXPECT_EQ(by_tables.stops[k][i].arc, by_boxes.stops[k][i].arc);
-        EXPECT_EQ(by_tables.stops[k][i].point, by_boxes.stops[k][i].point);
-      }
-    }
-  }
-}
 
 TEST(NefSphere, OfManyArcsObeysTheLaws) {
   const std::size_t n = 400;

@@ -1,4 +1,6 @@
-// The laws of divided surfaces, on closed surfaces and others; and meshes.
+// The laws of divided surfaces, on closed surfaces and others.
+#include "plumb/surface/cells/surface_arrangement.h"
+
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -8,8 +10,6 @@
 #include <string>
 
 #include "divided.h"
-#include "plumb/predicates/error.h"
-#include "plumb/surface/cells/surface_arrangement.h"
 #include "plumb/testing/dice.h"
 
 namespace plumb::testing {
@@ -266,54 +266,6 @@ TEST(SurfaceDivision, CellsOfASphereFollowFromCrossings) {
     for (std::uint32_t p = 0; p < part.size(); ++p) RC_ASSERT(d.polygon_separation(p).over_z);
     RC_ASSERT(euler_flaw(d) == "");
   }));
-}
-
-// ---------------------------------------------------------------- meshes
-
-TEST(SurfaceMesh, RefusesWhatIsNoOrientableManifold) {
-  const std::vector<Point3> points(12);
-  using Triangles = std::vector<SurfaceTriangle>;
-  const auto refusal = [&](const Triangles& triangles) {
-    try {
-      SurfaceMesh(points, triangles);
-    } catch (const Error& e) {
-      return std::string(e.what());
-    }
-    return std::string();
-  };
-  EXPECT_EQ(refusal({{0, 1, 2}, {1, 0, 3}}), "");
-  EXPECT_NE(refusal({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}).find("edge 0-1 (faces 0 1 2)"),
-            std::string::npos);
-  EXPECT_NE(refusal({{0, 1, 2}, {0, 3, 4}}).find("vertex 0"), std::string::npos);
-  EXPECT_NE(refusal({{0, 1, 12}}).find("face 0: no vertex 12"), std::string::npos);
-  EXPECT_NE(refusal({{0, 1, 1}}).find("face 0: a repeated vertex"), std::string::npos);
-  // A strip of five triangles, joined with half a turn.
-  EXPECT_NE(refusal({{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}}).find("not orientable"),
-            std::string::npos);
-}
-
-TEST(SurfaceMesh, TurnsFacesToAgree) {
-  const MeshPointer plain = sphere_mesh(3);
-  std::vector<Point3> points;
-  std::vector<SurfaceTriangle> triangles;
-  for (std::uint32_t v = 0; v < plain->vertex_count(); ++v)
-    points.push_back(plain->point(VertexId(v)));
-  for (std::uint32_t f = 0; f < plain->face_count(); ++f) {
-    SurfaceTriangle t = plain->corners(FaceId(f));
-    if (f > 0 && f % 3 == 1) std::swap(t[1], t[2]);
-    triangles.push_back(t);
-  }
-  const SurfaceMesh mesh(points, triangles);
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    EXPECT_EQ(mesh.corners(FaceId(f)), plain->corners(FaceId(f)));
-    EXPECT_EQ(mesh.is_flipped(FaceId(f)), f > 0 && f % 3 == 1);
-  }
-  for (std::uint32_t h = 0; h < 3 * mesh.face_count(); ++h) {
-    const HalfedgeId t = mesh.twin(HalfedgeId(h));
-    EXPECT_EQ(mesh.twin(t), HalfedgeId(h));
-    EXPECT_EQ(mesh.origin(t), mesh.target(HalfedgeId(h)));
-    EXPECT_EQ(mesh.edge(t), mesh.edge(HalfedgeId(h)));
-  }
 }
 
 }  // namespace
