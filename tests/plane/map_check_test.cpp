@@ -244,52 +244,7 @@ TEST(GeneratedMaps, AreJudgedAsTheTableSays) {
   for (const Row& row : rows) expect_row(row);
 }
 
-// ---------------------------------------------------------------- hints
-
-/// Two squares, on the edge between them k vertices that the right one alone knows, in any order of
-/// numbers.
-TestMap t_junctions(const std::vector<std::uint32_t>& order, bool is_healed) {
-  TestMap map;
-  for (const auto& [x, y] : {std::pair(0, 0), {0, 8}, {-8, 8}, {-8, 0}, {8, 0}, {8, 8}}) {
-    map.add_point(x, y);
-  }
-  std::vector<std::uint32_t> between(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    between[order[i]] = static_cast<std::uint32_t>(map.points.size());
-    map.add_point(0, static_cast<int>(order[i]) + 1);
-  }
-  std::vector<std::uint32_t> left = {0, 1, 2, 3}, right = {4, 5, 1}, outer = {0, 3, 2, 1, 5, 4};
-  if (is_healed) left.insert(left.begin() + 1, between.begin(), between.end());
-  right.insert(right.end(), between.rbegin(), between.rend());
-  right.push_back(0);
-  map.cycles = {left, right, outer};
-  return map;
-}
-
-/// What a hint says of a T-junction heals it. Hints number from 1, as files do.
-TEST(Hints, SpellTheVerticesOnAnEdgeInOrder) {
-  std::vector<std::uint32_t> order = {0, 1, 2};
-  do {
-    const MapReport report = checked(t_junctions(order, false));
-    ASSERT_EQ(report.verdict, MapVerdict::Open);
-    std::string path = "1";
-    for (std::uint32_t at = 0; at < order.size(); ++at) {
-      path += "-" + std::to_string(7 + (std::ranges::find(order, at) - order.begin()));
-    }
-    const std::string wanted = "T-junction, edge 1-2 is covered by " + path +
-                               "-2; insert the vertices between into face 1";
-    EXPECT_TRUE(std::ranges::any_of(
-        report.defects,
-        [&](const MapDefect& d) { return d.hint.find(wanted) != std::string::npos; }))
-        << wanted << " is not in:\n"
-        << [&] {
-             std::string all;
-             for (const MapDefect& d : report.defects) all += d.hint + "\n";
-             return all;
-           }();
-    EXPECT_EQ(checked(t_junctions(order, true)).verdict, MapVerdict::Valid);
-  } while (std::ranges::next_permutation(order).found);
-}
+// ---------------------------------------------------------------- refusals
 
 /// What check_map says when it refuses a map.
 std::string refusal_of(const TestMap& map, OracleOptions options = {}) {
@@ -320,37 +275,6 @@ TEST(Refusals, NumberFacesAndVerticesFromOne) {
             std::string::npos);
 }
 
-TEST(Defects, OfOneEdgeAreInItsMiddle) {
-  TestMap map = triangle_and({});
-  map.cycles.pop_back();
-  const MapReport report = checked(map);
-  ASSERT_EQ(report.counts.open, 3U);
-  for (const MapDefect& defect : report.defects) {
-    ASSERT_TRUE(defect.point.has_value());
-    const RationalPoint2 p = report.map.points.exact(defect.edges.at(0).from),
-                         q = report.map.points.exact(defect.edges.at(0).to);
-    EXPECT_EQ(defect.point->x + defect.point->x, p.x + q.x);
-    EXPECT_EQ(defect.point->y + defect.point->y, p.y + q.y);
-  }
-}
-
-/// A dozen vertices are named; of more there are dots.
-TEST(Hints, NameADozenVertices) {
-  for (const std::uint32_t corners : {5U, 12U, 13U, 30U}) {
-    TestMap map;
-    map.cycles.emplace_back();
-    for (std::uint32_t i = 0; i < corners; ++i) {
-      map.add_point(static_cast<int>(i), static_cast<int>(i * i));
-      map.cycles[0].push_back(i);
-    }
-    const MapReport report = checked(map);
-    ASSERT_EQ(report.counts.open, corners);
-    const bool has_dots = std::ranges::any_of(
-        report.defects, [](const MapDefect& d) { return d.hint.find("...") != std::string::npos; });
-    EXPECT_EQ(has_dots, corners > 12) << report.defects[0].hint;
-  }
-}
-
 // ---------------------------------------------------------------- half-edge structures
 
 /// A square in a square: regions are faces, also that with a hole, and the unbounded one.
@@ -378,33 +302,6 @@ TEST(ToDcel, FacesAreRegions) {
     }
   }
   EXPECT_EQ(cycles, 4U);
-}
-
-// ---------------------------------------------------------------- warnings
-
-/// Two triangles that meet in the origin, and a vertex of nobody.
-TestMap bow_tie() {
-  TestMap map;
-  for (const auto& [x, y] : {std::pair(0, 0), {-2, -1}, {-2, 1}, {2, -1}, {2, 1}, {5, 5}}) {
-    map.add_point(x, y);
-  }
-  map.cycles = {{0, 2, 1}, {0, 3, 4}, {0, 4, 3, 0, 1, 2}};
-  return map;
-}
-
-TEST(Warnings, NameTheirVertexWhateverItsNumber) {
-  std::vector<std::uint32_t> order = {0, 1, 2, 3, 4, 5};
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    std::rotate(order.begin(), order.begin() + 1, order.end());
-    const MapReport report = checked(relabelled(bow_tie(), order));
-    EXPECT_EQ(report.verdict, MapVerdict::Valid);
-    ASSERT_EQ(report.warnings.size(), 2U);
-    for (const MapWarning& warning : report.warnings) {
-      const Point2 at = report.map.points.approx(warning.vertex);
-      EXPECT_EQ(at.x, warning.kind == WarningKind::Pinch ? 0 : 5);
-    }
-    EXPECT_NE(report.warnings[0].kind, report.warnings[1].kind);
-  }
 }
 
 }  // namespace
