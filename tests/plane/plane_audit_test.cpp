@@ -104,7 +104,7 @@ TEST(PlaneAudit, NamesTheInvariantBroken) {
     return p == Point2{1, 3} ? Point2{1, -3} : p;
   });
   for (const AuditForm form : {AuditForm::Minimal, AuditForm::Any})
-    EXPECT_TRUE(audit(crossed, minimal ? AuditForm::Minimal : AuditForm::Any).has_value());
+    EXPECT_TRUE(audit(crossed, form).has_value());
   // A triangle that is moved away from what was inside it.
   const std::vector<Point2> around{{-9, -9}, {9, -9}, {0, 9}}, inside{{0, 0}, {1, 1}};
   const Nef2 nested = Nef2::polygon(around, Boundary::Open) - Nef2::polyline(inside);
@@ -112,7 +112,7 @@ TEST(PlaneAudit, NamesTheInvariantBroken) {
     return p.x < -5 || p.x > 5 || p.y > 5 ? Point2{p.x, p.y + 20} : p;
   });
   for (const AuditForm form : {AuditForm::Minimal, AuditForm::Any})
-    EXPECT_TRUE(audit(outside, minimal ? AuditForm::Minimal : AuditForm::Any).has_value());
+    EXPECT_TRUE(audit(outside, form).has_value());
 }
 
 /// A vertex inside a straight edge is sound, but not minimal; and minimal means that marks differ.
