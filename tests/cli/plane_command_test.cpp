@@ -232,14 +232,17 @@ TEST(PlaneProgram, says_what_a_file_does_not_say) {
   write_file(scratch / "tiny.wkt",
              "POLYGON ((1/3 1/3, 33333333333333333333334/100000000000000000000000 1/3, 1/3 "
              "33333333333333333333334/100000000000000000000000, 1/3 1/3))");
+  write_file(scratch / "point.wkt", "POINT (0 9)");
   const std::vector<std::pair<Words, const char*>> cases{
       {{"complement", kStar}, "unbounded sets need .nef2"},
-      {{"interior", kStar}, "closure"},
+      {{"difference", kStar, path("point.wkt")}, "missing inside"},
       {{"closure", path("tiny.wkt")}, "rounding"},
   };
   for (const auto& [words, part] : cases) {
     for (const std::string name : {"out.wkt", "out.geojson"}) {
-      Words arguments{"plane", words[0], words[1], "-o", path(name)};
+      Words arguments{"plane"};
+      arguments.insert(arguments.end(), words.begin(), words.end());
+      arguments.insert(arguments.end(), {"-o", path(name)});
       const RunResult result = run(arguments);
       EXPECT_EQ(result.code, 0);
       EXPECT_TRUE(result.err.starts_with(path(name) + ": ")) << result.err;
@@ -250,13 +253,17 @@ TEST(PlaneProgram, says_what_a_file_does_not_say) {
       EXPECT_TRUE(fs::remove(path(name)));
       arguments.back() = "--strict";
       expect_refusal(run(arguments), path(name) + ": ", part);
-      EXPECT_EQ(scratch.files(), Words{"tiny.wkt"});
+      EXPECT_EQ(scratch.files(), (Words{"point.wkt", "tiny.wkt"}));
     }
-    const RunResult exact = run({"plane", words[0], words[1], "-o", path("o.nef2"), "--strict"});
+    Words arguments{"plane"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    arguments.insert(arguments.end(), {"-o", path("o.nef2"), "--strict"});
+    const RunResult exact = run(arguments);
     EXPECT_EQ(exact.code, 0);
     EXPECT_EQ(exact.err, "");
     EXPECT_TRUE(fs::remove(path("o.nef2")));
   }
+  EXPECT_EQ(run({"plane", "interior", kStar}).err, "") << "a border is no loss";
   expect_refusal(run({"plane", "interior", kStar, "--strict"}), "stdout: ", "closure");
 }
 

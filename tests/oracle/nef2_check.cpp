@@ -180,6 +180,11 @@ class Checker {
     const PlaneParts parts = engine_.parts();
     const CellMarks closed = closure_of(cells_, twin_);
     expect_same(parts.dropped_open, closed != twin_, "dropped_open");
+    expect_same(parts.filled && !parts.dropped_open, false, "filled without being open");
+    const CellMarks inner = interior_of(cells_, closed);
+    bool lacks_inner = false;
+    for (std::size_t i = 0; i < inner.size(); ++i) lacks_inner |= inner[i] != 0 && twin_[i] == 0;
+    if (lacks_inner) expect_same(parts.filled, true, "filled");
     expect_same(parts.dropped_unbounded, !is_bounded(cells_, twin_), "dropped_unbounded");
     check_polygon_count(parts, minimal_graph(cells_, closed));
     CellMarks built(cells_.size());

@@ -183,10 +183,24 @@ TEST(ToMesh, WhatIsDroppedAndFilledIsCounted) {
   open.edge_mark[5] = 0;
   open.vertex_mark[1] = 0;
   MeshOfComplex out = mesh_of(open);
-  EXPECT_EQ(out.report.filled.facets, 6U);
-  EXPECT_EQ(out.report.filled.edges, 1U);
-  EXPECT_EQ(out.report.filled.vertices, 1U);
+  EXPECT_EQ(out.report.closed.facets, 6U);
+  EXPECT_EQ(out.report.closed.edges, 1U);
+  EXPECT_EQ(out.report.closed.vertices, 1U);
+  EXPECT_EQ(out.report.filled.total(), 0U);
   EXPECT_EQ(out.mesh.face_count(), 6U);
+
+  SpaceComplex cracked = marked(complex_of(joined(kCube, moved(kCube, {3, 0, 0}))));
+  const auto is_wall = [&](std::size_t f) {
+    return cracked.volume_mark[cracked.facet_volume[f][0].value()] == 1 &&
+           cracked.volume_mark[cracked.facet_volume[f][1].value()] == 1;
+  };
+  for (std::size_t f = 0; f < cracked.facet_count(); ++f) {
+    if (is_wall(f)) cracked.facet_mark[f] = 0;
+  }
+  out = mesh_of(cracked);
+  EXPECT_EQ(out.report.filled.facets, 1U);
+  EXPECT_EQ(out.report.filled.total(), 1U);
+  EXPECT_EQ(out.report.closed.total(), 0U);
 
   SpaceComplex shell = marked(complex_of(kCube));  // a marked surface around nothing
   shell.volume_mark = {0, 0};

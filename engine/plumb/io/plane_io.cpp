@@ -312,10 +312,16 @@ Nef2 read_plane_set_file(const std::string& path, std::optional<PlaneFormat> for
   return set;
 }
 
+std::string PlaneLosses::closing() const {
+  return open ? "the set is not closed; its closure was written (.nef2 keeps marks)" : "";
+}
+
 std::vector<std::string> PlaneLosses::sentences() const {
   std::vector<std::string> list;
   if (unbounded) list.push_back("unbounded parts were left out; unbounded sets need .nef2");
-  if (open) list.push_back("the set is not closed; its closure was written (.nef2 keeps marks)");
+  if (filled) {
+    list.push_back("points that are missing inside the set were filled (.nef2 keeps marks)");
+  }
   if (reshaped) {
     list.push_back("rounding to doubles changed the shape: " + to_text((*reshaped)[0]) +
                    " became " + to_text((*reshaped)[1]) + " (.nef2 is exact)");
@@ -329,6 +335,7 @@ PlaneText::PlaneText(const Nef2& set, PlaneFormat format, Context& context)
   const PlaneParts parts = set.parts(context);
   losses_.unbounded = parts.dropped_unbounded;
   losses_.open = parts.dropped_open;
+  losses_.filled = parts.filled;
   shapes_ = to_shapes(parts, context);
   if (shapes_.points.all_double()) return;
   const PlaneCounts before =

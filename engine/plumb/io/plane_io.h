@@ -99,13 +99,17 @@ Nef2 read_plane_set_file(const std::string& path, std::optional<PlaneFormat> for
 struct PlaneLosses {
   bool unbounded = false;  ///< Unbounded faces, rays or lines were left out.
   bool open = false;       ///< The set is not closed; its closure was written.
+  bool filled = false;     ///< The closure has points inside that the set lacks. Implies `open`.
   /// Set if rounding the coordinates changed the structure: the counts of the set that should have
   /// been written, then those of the set that a reader will get.
   std::optional<std::array<PlaneCounts, 2>> reshaped;
 
   /// Whether anything is lost.
   bool any() const { return unbounded || open || reshaped.has_value(); }
-  /// Returns the losses as text: one sentence for each, for people.
+  /// Returns the sentence that says that the closure was written, or an empty string. A difference
+  /// is seldom closed: the program says so only where a file must hold the set exactly.
+  std::string closing() const;
+  /// Returns the other losses as text: one sentence for each, for people.
   std::vector<std::string> sentences() const;
 };
 

@@ -451,13 +451,46 @@ class PartCollector {
   PlaneParts parts_;
 };
 
+/// Whether the closure gains points that are not on its border: an unmarked cell in the interior of
+/// the closure, or an unmarked vertex between two marked edges beside which no face is marked.
+bool gains_inside(const PlaneComplex& complex, const PlaneComplex& closed) {
+  const PlaneMarks inner = interior_marks(closed);
+  const auto gains = [](const std::vector<std::uint8_t>& now,
+                        const std::vector<std::uint8_t>& was) {
+    for (std::size_t i = 0; i < was.size(); ++i) {
+      if (now[i] != 0 && was[i] == 0) return true;
+    }
+    return false;
+  };
+  if (gains(inner.edge, complex.marks.edge) || gains(inner.vertex, complex.marks.vertex)) {
+    return true;
+  }
+  std::vector<std::uint8_t> has_chain(complex.vertex_count(), 0);
+  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
+    const HalfedgeId h = first_half(EdgeId(e));
+    if (!complex.mark(EdgeId(e)) || complex.mark(complex.dcel.face(h)) ||
+        complex.mark(complex.dcel.face(twin(h)))) {
+      continue;
+    }
+    for (const VertexId v : {complex.dcel.origin(h), complex.dcel.target(h)}) {
+      if (complex.is_at_infinity(v) || complex.mark(v)) continue;
+      if (has_chain[v.value()] != 0) return true;
+      has_chain[v.value()] = 1;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 PlaneParts Nef2::parts(Context& context) const {
-  const bool was_closed = is_closed();
-  const Nef2 closed = was_closed ? *this : closure(context);
-  PlaneParts parts = PartCollector(closed.complex(), context).collect();
-  parts.dropped_open = !was_closed;
+  if (is_closed()) return PartCollector(complex(), context).collect();
+  const Nef2 minimal = closure(context);
+  PlaneParts parts = PartCollector(minimal.complex(), context).collect();
+  parts.dropped_open = true;
+  PlaneComplex closed = complex();  // The cells of this set, so that marks can be compared.
+  closed.marks = closure_marks(complex());
+  parts.filled = gains_inside(complex(), closed);
   return parts;
 }
 

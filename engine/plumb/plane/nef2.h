@@ -89,6 +89,9 @@ struct PlaneParts {
   std::vector<RationalPoint2> points;  ///< Isolated points.
   bool dropped_unbounded = false;      ///< Whether unbounded faces, rays or lines were left out.
   bool dropped_open = false;  ///< Whether the set was not closed, so that parts were added.
+  /// Whether points inside the closure were added: of a crack or puncture in a face, or of a gap
+  /// between two edges. False if only ends and borders were added, as after every difference.
+  bool filled = false;
 };
 
 /// The numbers of cells that a user sees; cells of the frame are not counted.

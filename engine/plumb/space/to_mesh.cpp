@@ -298,7 +298,8 @@ class MeshMaker {
 
 // ---------------------------------------------------------------- what is left out
 
-/// Counts marked cells outside the closure of the interior, and unmarked cells in it.
+/// Counts marked cells outside the closure of the interior, and unmarked cells in it, by whether
+/// they lie inside or on its boundary.
 class ClosureCount {
  public:
   ClosureCount(const SpaceComplex& complex, ToMeshReport& report)
@@ -306,49 +307,64 @@ class ClosureCount {
 
   void run() {
     for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
-      const bool is_closed_in =
-          is_marked(complex_.facet_volume[f][0]) || is_marked(complex_.facet_volume[f][1]);
-      count(complex_.facet_mark[f], is_closed_in, &ItemCounts::facets);
+      count(complex_.facet_mark[f], around(FacetId(f)), &ItemCounts::facets);
     }
     for (std::uint32_t e = 0; e < complex_.edge_count(); ++e) {
-      count(complex_.edge_mark[e], is_beside_solid(EdgeId(e)), &ItemCounts::edges);
+      count(complex_.edge_mark[e], around(EdgeId(e)), &ItemCounts::edges);
     }
     for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
-      count(complex_.vertex_mark[v], is_at_solid(VertexId(v)), &ItemCounts::vertices);
+      count(complex_.vertex_mark[v], around(VertexId(v)), &ItemCounts::vertices);
     }
   }
 
  private:
-  bool is_marked(VolumeId v) const { return v.is_valid() && complex_.volume_mark[v.value()] == 1; }
+  /// Whether marked volumes, and others, lie around a cell.
+  struct Around {
+    bool marked = false;
+    bool unmarked = false;
+  };
 
-  void count(Mark mark, bool is_in_closure, std::uint64_t ItemCounts::*kind) {
-    if (mark == 1 && !is_in_closure) ++(report_.dropped.*kind);
-    if (mark == 0 && is_in_closure) ++(report_.filled.*kind);
+  void count(Mark mark, Around around, std::uint64_t ItemCounts::*kind) {
+    if (mark == 1 && !around.marked) ++(report_.dropped.*kind);
+    if (mark == 0 && around.marked) {
+      ++((around.unmarked ? report_.closed : report_.filled).*kind);
+    }
   }
 
-  /// Whether a marked volume is around the edge.
-  bool is_beside_solid(EdgeId e) const {
+  void add(VolumeId v, Around& around) const {
+    if (!v.is_valid()) return;
+    (complex_.volume_mark[v.value()] == 1 ? around.marked : around.unmarked) = true;
+  }
+  void add(FacetId f, Around& around) const {
+    for (const VolumeId v : complex_.facet_volume[f.value()]) add(v, around);
+  }
+  void add(EdgeId e, Around& around) const {
     const UseId first = complex_.edge_use[e.value()];
-    if (!first.is_valid()) return is_marked(complex_.edge_volume[e.value()]);
+    if (!first.is_valid()) return add(complex_.edge_volume[e.value()], around);
     UseId u = first;
     do {
-      if (is_marked(complex_.volume_after(u))) return true;
+      add(complex_.volume_after(u), around);
       u = complex_.use_radial[u.value()];
     } while (u != first);
-    return false;
   }
 
-  /// Whether a marked volume is around the vertex.
-  bool is_at_solid(VertexId v) const {
+  Around around(FacetId f) const {
+    Around result;
+    add(f, result);
+    return result;
+  }
+  Around around(EdgeId e) const {
+    Around result;
+    add(e, result);
+    return result;
+  }
+  Around around(VertexId v) const {
+    Around result;
+    add(complex_.vertex_volume[v.value()], result);
     const FacetId f = complex_.vertex_facet[v.value()];
-    if (f.is_valid() && (is_marked(complex_.facet_volume[f.value()][0]) ||
-                         is_marked(complex_.facet_volume[f.value()][1]))) {
-      return true;
-    }
-    if (is_marked(complex_.vertex_volume[v.value()])) return true;
-    return std::ranges::any_of(complex_.star_of(v), [&](HalfedgeId h) {
-      return is_beside_solid(SpaceComplex::edge_of(h));
-    });
+    if (f.is_valid()) add(f, result);
+    for (const HalfedgeId h : complex_.star_of(v)) add(SpaceComplex::edge_of(h), result);
+    return result;
   }
 
   const SpaceComplex& complex_;

@@ -70,7 +70,8 @@ struct ToMeshReport {
   /// whether a facet does; such facets are left out.
   bool is_unbounded = false;
   ItemCounts dropped;                       ///< Marked cells not in the closure of marked volumes.
-  ItemCounts filled;                        ///< Unmarked cells in the closure of marked volumes.
+  ItemCounts filled;                        ///< Unmarked cells inside the solid, now part of it.
+  ItemCounts closed;                        ///< Unmarked cells on its boundary, now part of it.
   std::uint64_t non_manifold_edges = 0;     ///< Edges with more than two faces.
   std::uint64_t non_manifold_vertices = 0;  ///< Vertices with several cones.
   /// Whether an edge has more than two faces, or a vertex several cones.

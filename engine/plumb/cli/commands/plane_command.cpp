@@ -93,7 +93,7 @@ ReadyFile ready_file(const Nef2& set, const SetOutput& output, Context& context)
   const PlaneFormat format = index ? *kFormats[static_cast<std::size_t>(*index)].text : by_itself;
   const PlaneText text(set, format, context);
   return {[text, &context](std::ostream& out) { text.write(out, context); },
-          text.losses().sentences()};
+          text.losses().sentences(), text.losses().closing()};
 }
 
 struct PlaneInput {

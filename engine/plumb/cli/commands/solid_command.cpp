@@ -115,7 +115,8 @@ struct Solid {
   }
   static ReadyFile ready(const Nef3& set, const SetOutput& output, Context& context) {
     const auto text = std::make_shared<SolidText>(set, format_of(output), context);
-    return {[text, &context](std::ostream& out) { text->write(out, context); }, text->losses()};
+    return {[text, &context](std::ostream& out) { text->write(out, context); }, text->losses(),
+            text->closing()};
   }
   static Nef3 canonical(const Nef3& set, Context& context) {
     return plumb::canonical(set, context);

@@ -56,8 +56,9 @@ void SetOutput::prepare(const std::function<nlohmann::ordered_json()>& info,
     if (error.code() != ErrorCode::CannotWrite) throw;
     throw Error(error.code(), error.message(), {name()});
   }
-  if (!strict || file_.losses.empty()) return;
-  throw Error(ErrorCode::CannotWrite, "--strict: " + file_.losses.front(), {name()});
+  if (!strict) return;
+  const std::string& first = file_.losses.empty() ? file_.closing : file_.losses.front();
+  if (!first.empty()) throw Error(ErrorCode::CannotWrite, "--strict: " + first, {name()});
 }
 
 void SetOutput::deliver(Session& session) {

@@ -89,9 +89,12 @@ void SolidText::make_mesh(MeshFormat format, Context& context) {
     losses_.push_back("left out what no volume of the set touches: " +
                       to_text(made.report.dropped));
   }
+  if (made.report.closed.total() != 0) {
+    closing_ =
+        "the set is not closed; its closure was written, with " + to_text(made.report.closed);
+  }
   if (made.report.filled.total() != 0) {
-    losses_.push_back("the set is not closed; its closure was written, with " +
-                      to_text(made.report.filled));
+    losses_.push_back("filled what is missing inside the set: " + to_text(made.report.filled));
   }
   if (format != MeshFormat::ExactOff) {
     constexpr std::uint64_t kListed = 1;

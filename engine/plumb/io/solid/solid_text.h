@@ -40,6 +40,9 @@ class SolidText {
   /// Returns what the file does not say of the set, or says otherwise after rounding; one sentence
   /// each.
   const std::vector<std::string>& losses() const { return losses_; }
+  /// Returns the sentence that says that the set is not closed and its closure was written, or an
+  /// empty string. It is no loss to users of meshes, to whom a difference is a closed solid.
+  const std::string& closing() const { return closing_; }
   /// Writes the set; `.nef` with checkpoints.
   void write(std::ostream& out, Context& context) const;
 
@@ -50,6 +53,7 @@ class SolidText {
   SolidFormat format_;
   PolygonMesh mesh_;
   std::vector<std::string> losses_;
+  std::string closing_;
 };
 
 // The check that the links of a complex can be followed, which a reader makes before anything else
