@@ -9,12 +9,7 @@
 namespace plumb::testing {
 namespace {
 
-struct Vector {
-  Rational x, y, z;
-};
-Vector operator-(const RationalPoint3& a, const RationalPoint3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
+using Vector = RationalPoint3;
 Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 Rational dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Vector cross(const Vector& a, const Vector& b) {

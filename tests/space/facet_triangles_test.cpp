@@ -137,7 +137,6 @@ TEST(FacetTriangles, EdgesThatAreMetBothWaysCancel) {
 using testing::cross;
 using testing::dot;
 using testing::operator+;
-using testing::operator-;
 
 /// Facets with holes, slits and vertices inside, reflex corners, corners of half a turn.
 SpaceScene scene_of_facets() {

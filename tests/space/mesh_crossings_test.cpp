@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 
@@ -16,7 +15,6 @@
 #include "plumb/space/audit/audit_parts.h"
 #include "plumb/space/bounds/packed_boxes.h"
 #include "plumb/space/from_mesh.h"
-#include "plumb/space/mesh/triangle_crossing.h"
 #include "plumb/testing/dice.h"
 
 namespace plumb::testing {
@@ -369,31 +367,6 @@ PolygonMesh pencil(Dice& dice, std::size_t count) {
 TEST(MeshCrossings, ManyTrianglesAtAVertexAsBruteForce) {
   Dice dice(19);
   expect_as_brute_force(pencil(dice, 200));
-}
-
-// The points of an arc are within its box.
-TEST(TriangleGroups, DirectionsAreWithinTheirBoxes) {
-  Dice dice(20);
-  const auto box = [](const Point3& p) { return PointBox{{p.x, p.y, p.z}, 0}; };
-  for (int round = 0; round < 3000; ++round) {
-    const double unit = round % 3 == 0 ? 1e-200 : round % 3 == 1 ? 1 : 1e200;
-    const int size = round % 2 == 0 ? 3 : 1000;
-    const Point3 v = random_point(dice, size, unit);
-    const Point3 a = random_point(dice, size, unit);
-    const Point3 b = random_point(dice, size, unit);
-    const Box3 directions = box_of_directions(box(v), box(a), box(b));
-    for (int i = 0; i <= 8; ++i) {
-      const double s = i / 8.0, t = 1 - s;
-      const std::array to{(s * a.x + t * b.x - v.x) / unit, (s * a.y + t * b.y - v.y) / unit,
-                          (s * a.z + t * b.z - v.z) / unit};
-      const double length = std::hypot(to[0], to[1], to[2]);
-      if (length < 1e-3) continue;
-      for (std::size_t k = 0; k < 3; ++k) {
-        EXPECT_LE(directions.low[k], to[k] / length + 1e-13);
-        EXPECT_GE(directions.high[k], to[k] / length - 1e-13);
-      }
-    }
-  }
 }
 
 // Small spheres far apart: the other tree.

@@ -87,6 +87,7 @@ ReadyFile ready_file(const Nef2& set, const SetOutput& output, Context& context)
     return {[set, title = output.title()](std::ostream& out) {
               write_nef2_svg(out, set, {.title = title});
             },
+            {},
             {}};
   }
   const PlaneFormat by_itself = set.is_bounded() ? PlaneFormat::Wkt : PlaneFormat::Nef2;
