@@ -26,6 +26,7 @@
 
 namespace {
 
+using plumb::AuditForm;
 using plumb::Boundary;
 using plumb::HalfSpace3;
 using plumb::HalfSpaceList;

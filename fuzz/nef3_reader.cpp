@@ -26,6 +26,7 @@
 
 namespace {
 
+using plumb::AuditForm;
 using plumb::Nef3;
 using plumb::SpaceComplex;
 using plumb::fuzz::require;

@@ -206,7 +206,7 @@ TEST(LinkFacets, LeavesFlatEdgesOfInputTrianglesOpenWhenTold) {
     for (const auto& [p, q] : c.edge_planes) open += q.is_valid() ? 0U : 1U;
     EXPECT_EQ(open, has_fractions ? 0U : 6U);  // one diagonal a side
     EXPECT_EQ(c.planes().size() == planes, !has_fractions);
-    complete_flat_edges(c);
+    complete_flat_edges(c, *linked.tables);
     expect_sound_edges(c);
   }
 }

@@ -146,11 +146,6 @@ RationalPoint2 exact_node(const SurfaceArrangement& arrangement, const SurfacePo
 SurfacePointId add_node_point(const SurfaceArrangement& arrangement,
                               const SurfacePointTable& points, NodeId node, SurfacePointTable& to);
 
-}  // namespace plumb
-#pragma GCC visibility pop
-
-namespace plumb {
-
 // The different points of polygons, and where they lie along edges.
 
 /// Nodes of input points: those on edges first, by edge and t; then vertices, then points in faces.
@@ -177,3 +172,4 @@ struct SurfaceNodes {
 SurfaceNodes make_nodes(const SurfacePolygons& polygons, Context& context);
 
 }  // namespace plumb
+#pragma GCC visibility pop
