@@ -1,4 +1,6 @@
 // The parts that pictures are made of.
+#include "plumb/picture/plane/plane_view.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,7 +8,6 @@
 #include <random>
 
 #include "plumb/picture/map/map_marks.h"
-#include "plumb/picture/plane/plane_view.h"
 #include "plumb/picture/svg/sheet.h"
 #include "plumb/picture/svg/svg_text.h"
 #include "svg_checks.h"

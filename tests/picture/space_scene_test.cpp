@@ -1,5 +1,7 @@
 // Scenes of sets of space, and their images.
 
+#include "plumb/picture/space_scene.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +13,6 @@
 #include "plumb/convex/decompose.h"
 #include "plumb/picture/render.h"
 #include "plumb/picture/scene_html.h"
-#include "plumb/picture/space_scene.h"
 #include "plumb/picture/space_svg.h"
 #include "plumb/picture/svg/svg_text.h"
 #include "plumb/predicates/error.h"

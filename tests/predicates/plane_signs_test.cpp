@@ -1,4 +1,6 @@
 // Lines of two planes against their Plücker coordinates in cpp_int.
+#include "plumb/predicates/plane_signs.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -8,7 +10,6 @@
 
 #include "float_environment.h"
 #include "generate/test_share.h"
-#include "plumb/predicates/plane_signs.h"
 #include "space_cases.h"
 #include "space_oracle.h"
 

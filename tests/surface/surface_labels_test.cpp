@@ -1,5 +1,7 @@
 // Results of Booleans are input again: the same set, whatever the mesh, the expression and the
 // rule.
+#include "plumb/surface/cells/surface_labels.h"
+
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -16,7 +18,6 @@
 #include "plumb/predicates/rounding.h"
 #include "plumb/surface/cells/surface_arrangement.h"
 #include "plumb/surface/cells/surface_cells.h"
-#include "plumb/surface/cells/surface_labels.h"
 #include "plumb/surface/surface.h"
 #include "plumb/testing/dice.h"
 
