@@ -1,4 +1,5 @@
-// Facets of many corners: which cycles and vertices lie in which facet, and Booleans of such facets.
+// Facets of many corners: which cycles and vertices lie in which facet, and Booleans of such
+// facets.
 #include "plumb/space/planar/facet_site.h"
 
 #include <gtest/gtest.h>

@@ -6,15 +6,19 @@
 //  2. star     finds a point o that lies strictly behind every face
 //  3. edges    checks that no edge is reflex and no polygon has a reflex corner
 //  4. degree   checks that one ray from o meets one face
-// The projection from o onto a sphere is a covering near faces (2) and edges (3), branched at
-// vertices at most. Its degree is the number of faces that a ray meets. Degree 1 leaves no
-// branches, so the surface is star-shaped about o, and convex because all its edges are. Without
-// step 4 a double pyramid that winds twice around its axis would pass. If no o is found (the body
-// may be so flat that no point with double coordinates lies inside), the set of the mesh is tested
-// instead, which takes longer and is exact, too.
+// These steps are sufficient. Consider the projection of the surface from o onto a sphere. It is a
+// covering near each face by step 2 and near each edge by step 3, so it can be branched at vertices
+// only. Its degree is the number of faces that a ray from o meets. A covering of degree 1 has no
+// branches, so the surface is star-shaped about o. A star-shaped surface without reflex edges is
+// convex. Step 4 is needed: without it, a double pyramid that winds twice around its axis would
+// pass.
 //
-// Cost: O(E) for E edges, about 0.2 us for each face. Evidence takes O(F log V) expected time for F
-// faces and V vertices, and O(F V) at worst, because tests of a face stop early. Proof:
+// Step 2 may find no point o, because a body can be so flat that no point with double coordinates
+// lies inside it. Then the set that the mesh bounds is tested instead. That test takes longer; it
+// is exact, too.
+//
+// Cost: O(E) for E edges, about 0.2 us for each face. Evidence for F faces and V vertices takes O(F
+// log V) expected time, because the test of a face stops early, and O(F V) time at worst. Proof:
 // docs/design/walls.md. Source: K. Mehlhorn, S. Naeher et al., Checking geometric programs or
 // verification of geometric structures, Computational Geometry 12 (1999).
 #pragma once
@@ -30,9 +34,9 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Whether the mesh is the surface of one convex body, covered once, with either orientation. Faces
-/// may be coplanar. Returns false for a mesh that is open, not connected or not a 2-manifold.
-/// Throws what complex_of_mesh() throws.
+/// Whether the mesh is the surface of one convex body and covers it once. The faces may look
+/// outwards or inwards. Faces may be coplanar. Returns false for a mesh that is open, not connected
+/// or not a 2-manifold. Throws what complex_of_mesh() throws.
 [[nodiscard]] bool is_convex_mesh(const MeshView& mesh, Context& context = unlimited_context());
 /// Returns the same for a mesh that owns its arrays.
 [[nodiscard]] inline bool is_convex_mesh(const PolygonMesh& mesh,
@@ -42,13 +46,13 @@ namespace plumb {
 
 /// A face that has vertices strictly on both sides of its plane.
 struct FailingFace {
-  std::uint32_t face = 0;    ///< 0-based number of the input face, or of the set's facet.
+  std::uint32_t face = 0;    ///< 0-based index of the input face, or of the facet of the set.
   std::uint32_t vertex = 0;  ///< A vertex strictly on the outer side.
   friend bool operator==(const FailingFace&, const FailingFace&) = default;
 };
 
-/// The result of a convexity test. Numbers are 0-based, in the mesh or complex that was tested;
-/// lists ascend.
+/// The result of a convexity test. Faces and vertices are 0-based indices in the mesh or complex
+/// that was tested. Lists are ascending.
 struct ConvexityEvidence {
   bool is_convex = false;          ///< Whether the mesh or set is convex.
   std::uint64_t reflex_edges = 0;  ///< The number of reflex edges.
@@ -57,7 +61,7 @@ struct ConvexityEvidence {
 
 /// Returns whether the mesh is convex, with evidence. An edge between two faces is reflex if the
 /// solid behind them spans more than half a turn. A mesh that is not a closed 2-manifold is not
-/// convex, its reflex edges are unknown, and only its failing faces are listed. Throws what
+/// convex; only its failing faces are listed, because its reflex edges are unknown. Throws what
 /// complex_of_mesh() throws.
 [[nodiscard]] ConvexityEvidence convexity_of_mesh(const MeshView& mesh,
                                                   Context& context = unlimited_context());
@@ -67,15 +71,16 @@ struct ConvexityEvidence {
   return convexity_of_mesh(MeshView(mesh), context);
 }
 
-/// Returns whether the set is convex, with evidence. The set is tested as a point set with its
-/// marks, as by Nef3::is_convex(). The empty set, the whole space, a point, and an open or
-/// half-open convex body are convex. A closed cube without an inner point of an edge is not convex,
-/// although no edge is reflex and no face fails. Throws what the context throws.
+/// Returns whether the set is convex, with evidence. The test is that of Nef3::is_convex(): it
+/// takes the marks of facets, edges and vertices into account. The empty set, the whole space, a
+/// point, and an open or half-open convex body are convex. A closed cube from which one inner point
+/// of an edge was removed is not convex, although no edge is reflex and no face fails. Throws what
+/// the context throws.
 ConvexityEvidence convexity_of_set(const Nef3& set, Context& context = unlimited_context());
 
-/// Returns the edges around which some marked volume spans more than half a turn, each once, in
-/// ascending order. These include the rim of a facet inside a volume and a line removed from a
-/// volume. O(n).
+/// Returns the edges around which some marked volume spans more than half a turn. Each edge occurs
+/// once, in ascending order. The edges at the rim of a facet inside a volume are among them, and so
+/// are the edges of a line that was removed from a volume. O(n).
 std::vector<EdgeId> reflex_edges(const SpaceComplex& complex);
 
 }  // namespace plumb

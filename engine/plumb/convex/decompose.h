@@ -8,24 +8,25 @@
 //  3. walls       (walls.h) with method Best, cuts each bounded volume by vertical walls where
 //                 fewer convex parts are expected, and takes the smaller decomposition
 //
-// The set is arbitrary: open, closed, half-open, unbounded, not a manifold, with voids, several
-// components, dangling facets, edges and points. The interface calls a convex part a piece. A piece
-// has one dimension and a convex relative interior, so it is convex except for points of its
-// boundary. Every point of the set belongs to exactly one piece. Points on a cut keep their mark
-// and go to one side. The union of the pieces is the set; the union of closed pieces is the closure
-// of the set.
+// The set is arbitrary. It may be open, closed, half-open or unbounded, and need not be a manifold.
+// It may have voids, several components, and dangling facets, edges and points.
 //
-// Numbers. Cuts use no plane through a constructed point: the plane of a cut goes through an edge
-// of the set and one of its vertices, or belongs to the pencil of the planes at the edge. So the
-// numbers of cuts do not grow with the depth of the recursion. The numbers of walls grow with the
-// rounds: one round is enough unless a cell lies above itself, but later rounds use pencils of
-// walls (walls.h).
+// The interface calls a convex part a piece. A piece has one dimension and a convex relative
+// interior, so it is convex except for points of its boundary. Every point of the set belongs to
+// exactly one piece. A point on a cut keeps its mark and goes to the piece on one side. The union
+// of the pieces is the set; the union of closed pieces is the closure of the set.
 //
-// Origins distinguish walls from facets of the set: the facet_origin of a piece's facet is that of
-// the set's facet in which it lies, or kWallOrigin. A facet that is both, where a wall prolongs a
-// facet of the set, counts as the set's, because pieces are minimal complexes. Facets of the set
-// without an id, such as those of half-spaces, keep kNoOrigin, and so do walls of pieces that are
-// decomposed again.
+// Numbers. The plane of a cut goes through an edge of the set. It also goes through a vertex of the
+// set, or belongs to the pencil of the planes at that edge. No plane goes through a point that an
+// earlier cut constructed. So the numbers of cuts do not grow with the depth of the recursion. The
+// numbers of walls grow with the rounds. One round is enough unless some cell lies above itself;
+// later rounds use pencils of walls (walls.h).
+//
+// Origins distinguish walls from facets of the set. A facet of a piece has the facet_origin of the
+// set's facet in which it lies, or kWallOrigin if it lies in none. A facet is both if a wall
+// prolongs a facet of the set: pieces are minimal complexes, so the two are one facet. Such a facet
+// counts as a facet of the set. Facets of the set without an id, such as those of half-spaces, keep
+// kNoOrigin. A wall of a piece gets kNoOrigin when the piece is decomposed again.
 //
 // Cost and bounds: docs/convex.md; proofs: docs/design/walls.md. Sources: B. Chazelle, Convex
 // partitions of polyhedra, SIAM Journal on Computing 13 (1984); P. Hachenberger, Exact Minkowski
@@ -44,15 +45,18 @@ namespace plumb {
 
 /// The method that makes the pieces.
 enum class DecomposeMethod : std::uint8_t {
-  Cuts,   ///< Planes through reflex edges; each cuts along one component of its section.
-  Walls,  ///< Vertical walls through reflex edges: O(r^2) pieces for r reflex edges (walls.h).
-  Best,   ///< The smaller result of both, with neighbours merged.
+  /// Cuts by planes through reflex edges, each along one component of its section with the set.
+  Cuts,
+  /// Cuts by vertical walls through reflex edges (walls.h): O(r^2) pieces for r reflex edges.
+  Walls,
+  Best,  ///< Takes the smaller result of Cuts and Walls, with neighbours merged.
 };
 
 /// Options of decompose().
 struct DecomposeOptions {
   DecomposeMethod method = DecomposeMethod::Best;  ///< The method that makes the pieces.
-  bool closed = false;  ///< Whether to return closures, which share the points on cuts.
+  /// Whether to return the closures of the pieces, which share the points on cuts.
+  bool closed = false;
 };
 
 /// The facet_origin of a facet without an id, such as a facet of a half-space.
@@ -65,13 +69,13 @@ inline constexpr std::uint32_t kWallOrigin = kNoOrigin - 1;
 struct ConvexPieces {
   std::vector<Nef3> pieces;        ///< The convex parts, in an order that depends on the set alone.
   std::uint64_t reflex_edges = 0;  ///< The number of reflex edges of the set (convexity.h).
-  DecomposeMethod method =
-      DecomposeMethod::Cuts;  ///< Walls if walls made the pieces of at least one volume, else Cuts.
+  /// Is Walls if walls made the pieces of at least one volume, else Cuts.
+  DecomposeMethod method = DecomposeMethod::Cuts;
 };
 
-/// Returns the convex parts of `set` and the method that made them. The empty set has none. Throws
-/// what the context throws, and Error{ResourceLimit} if method Walls leaves reflex edges after 64
-/// rounds.
+/// Returns the convex parts of `set` and the method that made them. The empty set has no parts.
+/// Throws what the context throws, and Error{ResourceLimit} if method Walls leaves reflex edges
+/// after 64 rounds.
 ConvexPieces decompose(const Nef3& set, const DecomposeOptions& options = {},
                        Context& context = unlimited_context());
 

@@ -2,15 +2,16 @@
 // set may be unbounded, a line, a segment, or points.
 //
 // Main flow of convexity_of_set(), where S is the set of a minimal complex:
-//  1. face    With two marked faces S is not convex: the segment between them crosses a cell whose
-//             surroundings do not all have its mark. One marked face f must have one boundary loop
-//             and no reflex corner; then it is convex (Tietze 1928), and all other marked cells
-//             must lie on that boundary, so that S lies between f and its closure
-//  2. sides   The segments left to check lie within one side of f: the marked cells of each side
-//             must be consecutive
-//  3. none    Without a marked face, two marked edges span an unmarked triangle, or lie on a line,
-//             where a convex S would make them one edge. So S is convex only if it is one edge with
-//             any of its ends, or one point, or empty
+//  1. face    decides about the marked faces. If there are two, S is not convex: the segment
+//             between them crosses a cell whose surroundings do not all have its mark. A single
+//             marked face f must have one boundary loop and no reflex corner; then f is convex
+//             (Tietze 1928). All other marked cells must lie on the boundary of f, so that S lies
+//             between f and its closure
+//  2. sides   checks the segments that are left: each lies within one side of f. The marked cells
+//             of each side must be consecutive
+//  3. none    decides about a set without a marked face. Two marked edges span an unmarked
+//             triangle, or lie on a line, where a convex S would make them one edge. So S is convex
+//             only if it is empty, one point, or one edge with any of its ends
 //
 // The same argument decides convexity within each plane in space. Evidence: the reflex corners, and
 // the number of connected components. Cost: O(n). Proof: docs/design/walls.md. Source: H. Tietze,
@@ -33,19 +34,19 @@ struct FailingRegion {
   RationalPoint2 corner;  ///< A corner around which the face spans more than half a turn.
 };
 
-/// The result of a convexity test in the plane. Lists ascend.
+/// The result of a convexity test in the plane. Lists are ascending.
 struct PlaneConvexity {
   bool is_convex = false;            ///< Whether the set is convex.
-  std::uint64_t reflex_corners = 0;  ///< The number of reflex corners (PlanePieces).
+  std::uint64_t reflex_corners = 0;  ///< The number of reflex corners, as in PlanePieces.
   std::uint64_t parts = 0;           ///< The number of connected components of the set.
   std::vector<FailingRegion> faces;  ///< The marked faces with reflex corners.
 };
 
 /// Returns whether the set contains the segment between any two of its points, with evidence. The
-/// set is tested as a point set with its marks. The empty set, the whole plane, a point, a line,
-/// and an open or half-open convex polygon are convex. A closed square without an inner point of a
-/// side is not convex, although no corner is reflex and the set is connected. Throws what the
-/// context throws.
+/// test takes the marks of edges and vertices into account. The empty set, the whole plane, a
+/// point, a line, and an open or half-open convex polygon are convex. A closed square from which
+/// one inner point of a side was removed is not convex, although no corner is reflex and the set is
+/// connected. Throws what the context throws.
 PlaneConvexity convexity_of_set(const Nef2& set, Context& context = unlimited_context());
 
 }  // namespace plumb

@@ -1,9 +1,10 @@
-// The sphere map at any vertex, edge or facet of a complex: what a small sphere around one of its
-// points meets.
+// The sphere map at a vertex, edge or facet of a complex: the intersection of the complex with a
+// small sphere around a point of that cell.
 //
-//   vertex   has its half-edges as points, its corners as arcs, and parts of volumes as faces
-//   edge     has two opposite points, joined by a half-circle for each use
-//   facet    has one loop between two faces
+//   vertex   its half-edges are points of the map, its corners are arcs, and parts of volumes are
+//            faces
+//   edge     its map has two opposite points, joined by one half-circle for each edge use
+//   facet    its map has one loop between two faces
 //
 // A vertex whose map is connected needs no arithmetic. Otherwise cycles are grouped into faces by
 // walks along great circles (docs/design/sphere.md, Nesting).
@@ -17,16 +18,19 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The sphere map of an item, and the cells of the complex that its cells belong to.
+/// The sphere map of an item (a vertex, edge or facet of a complex), and the cell of the complex
+/// that each cell of the map belongs to.
 struct LocalMap {
   SphereMap map;  ///< The map, seen from the item outwards.
-  /// The half-edge of each point, which leaves the item. An edge has both its half-edges.
+  /// The half-edge of each point, which leaves the item. The two points of an edge have its two
+  /// half-edges.
   std::vector<HalfedgeId> halfedge;
-  /// The use of each arc. Around a vertex the arc is the corner of the use, around an edge it is
-  /// its half-circle; a loop has no use (invalid).
+  /// The edge use of each arc. Around a vertex the arc is the corner of the use. Around an edge the
+  /// arc is the half-circle of the use. A loop has no use (invalid).
   std::vector<UseId> use;
-  std::vector<FacetId> facet;    ///< The facet of each arc.
-  std::vector<VolumeId> volume;  ///< The volume of each face; invalid while not labelled.
+  std::vector<FacetId> facet;  ///< The facet of each arc.
+  /// The volume of each face; invalid while volumes are not labelled.
+  std::vector<VolumeId> volume;
 
   /// Returns the item of the complex that a cell of the map belongs to.
   SpaceItem item(SphereCell cell) const {
@@ -42,8 +46,8 @@ struct LocalMap {
   }
 };
 
-/// Replaces `out` by the map of an item, reusing its memory. Requires that the item is a vertex,
-/// edge or facet.
+/// Replaces `out` by the map of an item, and reuses the memory of `out`. Requires that the item is
+/// a vertex, edge or facet.
 void local_map(const SpaceComplex& complex, SpaceItem item, LocalMap& out);
 
 /// Returns the direction of a half-edge.

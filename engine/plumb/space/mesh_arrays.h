@@ -1,16 +1,17 @@
-// Polygon meshes with shared vertices: the content of mesh files, and what sets of space are made
-// from and converted to.
+// Polygon meshes with shared vertices. Mesh files contain such meshes, and sets of space are made
+// from them and converted to them.
 //
-// A program that keeps its own arrays (coordinates x y z x y z ..., and indices of points,
-// counter-clockwise seen from outside) needs no conversion:
+// A program that keeps its own arrays needs no conversion. The arrays contain coordinates (x y z x
+// y z ...) and, for each face, indices of points, counter-clockwise seen from outside:
 //
 //   in     mesh_of_triangles(xyz, corners), mesh_of_polygons(xyz, face_begin, corners): a MeshView
 //   out    coordinates_of(mesh), mesh.corners, mesh.face_begin
 //
-// A view is read in place; of 4,096 and more triangles a sorted copy is made, which is released
-// early. A set keeps its vertices as points of its own tables, so that the arrays may be released
-// once the set is made. Nothing here checks corners against the number of points, or coordinates
-// for being finite: the user of a mesh does (complex_of_mesh(): Error{BadIndex}, Error{NotFinite}).
+// A view is read in place. However, a mesh of 4,096 or more triangles is copied in sorted order;
+// the copy is released early. A set keeps its vertices as points of its own tables, so the arrays
+// may be released once the set is made. The functions of this header check neither that corners are
+// indices of points nor that coordinates are finite. The function that reads the mesh does:
+// complex_of_mesh() throws Error{BadIndex} and Error{NotFinite}.
 #pragma once
 
 #include <cstddef>
@@ -25,9 +26,9 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Triangles in plain arrays, as graphics programs take them.
+/// Triangles in plain arrays, in the form that graphics programs use.
 struct TriangleMesh {
-  std::vector<double> coordinates;  ///< x y z of each point.
+  std::vector<double> coordinates;  ///< The coordinates x y z of each point.
   /// Three point indices for each triangle, counter-clockwise seen from outside.
   std::vector<std::uint32_t> triangles;
 
@@ -40,10 +41,12 @@ struct TriangleMesh {
 /// A mesh of polygons over shared points, in flat arrays.
 struct PolygonMesh {
   std::vector<Point3> points;  ///< The vertices, rounded to the nearest doubles.
-  /// (Index, exact coordinates) of the vertices that are no doubles, ascending by index.
+  /// Pairs (index, exact coordinates) of the vertices whose coordinates are not doubles, ascending
+  /// by index.
   std::vector<std::pair<std::uint32_t, RationalPoint3>> exact;
-  std::vector<std::uint32_t> face_begin = {0};  ///< Starts in `corners`, face_count() + 1 of them.
-  std::vector<std::uint32_t> corners;           ///< Point indices, counter-clockwise from outside.
+  /// Where each face starts in `corners`; face_count() + 1 entries.
+  std::vector<std::uint32_t> face_begin = {0};
+  std::vector<std::uint32_t> corners;  ///< Point indices, counter-clockwise seen from outside.
 
   /// Returns the number of faces.
   std::size_t face_count() const { return face_begin.size() - 1; }
@@ -59,21 +62,22 @@ struct PolygonMesh {
 };
 
 /// Non-owning view of mesh arrays. The arrays must outlive the view. A PolygonMesh converts to a
-/// view. Requires that face_begin is as mesh_of_polygons() demands; functions that take a view do
-/// not check it again.
+/// view. Requires that face_begin satisfies the conditions of mesh_of_polygons(); functions that
+/// take a view do not check them again.
 struct MeshView {
   std::span<const double>
-      coordinates;  ///< x y z of each point, rounded if it is listed in `exact`.
-  /// (Index, exact coordinates) as in PolygonMesh::exact.
+      coordinates;  ///< The coordinates x y z of each point; rounded if `exact` lists the point.
+  /// Pairs (index, exact coordinates), as in PolygonMesh::exact.
   std::span<const std::pair<std::uint32_t, RationalPoint3>> exact = {};
   std::span<const std::uint32_t> face_begin =
-      {};                                       ///< As in PolygonMesh. If empty, all are triangles.
+      {};  ///< As in PolygonMesh. If empty, all faces are triangles.
   std::span<const std::uint32_t> corners = {};  ///< Point indices, as in PolygonMesh.
 
   MeshView() = default;  ///< Makes a view without points and faces.
   /// Makes a view of the arrays of `mesh`.
   MeshView(const PolygonMesh& mesh);
-  MeshView(const PolygonMesh&& mesh) = delete;  ///< The view would outlive a temporary.
+  /// Deleted, because the view would outlive a temporary.
+  MeshView(const PolygonMesh&& mesh) = delete;
 
   /// Returns the number of points.
   std::size_t point_count() const { return coordinates.size() / 3; }
@@ -95,22 +99,24 @@ struct MeshView {
   }
 };
 
-/// Returns a view of triangles: triangle t has the corners at 3 t, 3 t + 1 and 3 t + 2. Throws
-/// Error{BadArgument} unless both sizes are multiples of three and there are fewer than 2^32 points
-/// and corners. O(1).
+/// Returns a view of triangles. Triangle t has the corners corners[3 t], corners[3 t + 1] and
+/// corners[3 t + 2]. Throws Error{BadArgument} if the size of an array is not a multiple of three,
+/// or if there are 2^32 or more points or corners. O(1).
 MeshView mesh_of_triangles(std::span<const double> coordinates,
                            std::span<const std::uint32_t> corners);
 
-/// Returns a view of polygons: face f has the corners at face_begin[f], ...,
-/// face_begin[f + 1] - 1. Throws Error{BadArgument} unless face_begin ascends from 0 to the number
-/// of corners, the number of coordinates is a multiple of three, and all arrays have fewer than
-/// 2^32 entries or points. O(faces), to check face_begin.
+/// Returns a view of polygons. Face f has the corners corners[face_begin[f]], ...,
+/// corners[face_begin[f + 1] - 1]. The function checks face_begin, in O(faces). Throws
+/// Error{BadArgument} unless:
+/// - face_begin ascends from 0 to the number of corners,
+/// - the number of coordinates is a multiple of three,
+/// - there are fewer than 2^32 points, and the other arrays have fewer than 2^32 entries.
 MeshView mesh_of_polygons(std::span<const double> coordinates,
                           std::span<const std::uint32_t> face_begin,
                           std::span<const std::uint32_t> corners);
 
-/// Returns x y z of all points, rounded to the nearest doubles for those listed in mesh.exact. The
-/// span is valid as long as mesh.points is.
+/// Returns the coordinates x y z of all points. Those of points in mesh.exact are rounded to the
+/// nearest doubles. The span is valid as long as mesh.points.
 std::span<const double> coordinates_of(const PolygonMesh& mesh);
 
 }  // namespace plumb

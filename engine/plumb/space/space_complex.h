@@ -1,32 +1,37 @@
-// A marked subdivision of space, the form in which every set of space is held: vertices, edges,
-// facets and volumes in flat arrays, each with a mark that says whether it belongs to the set.
+// A marked subdivision of space. Every set of space is stored in this form: vertices, edges, facets
+// and volumes in flat arrays, each with a mark that says whether it belongs to the set.
 //
 // Notation
-//   edge e       lies on the line of edge_planes[e] = {p, q}; half-edge 2e runs along n_p x n_q,
-//                half-edge 2e + 1 the other way
+//   edge e       lies on the line of edge_planes[e] = {p, q}. Half-edge 2 e runs along n_p x n_q,
+//                where x is the cross product and n the normal of a plane; half-edge 2 e + 1 runs
+//                the other way
 //   use u        is an edge on the boundary of a facet, an "edge use" (K. Weiler, The radial edge
 //                structure, in: Geometric Modeling for CAD Applications, 1988). It runs along
-//                use_halfedge[u], with the facet to its left, seen from the positive side of the
-//                facet's (canonical) plane. The corner of a use is the corner of its facet at its
-//                origin, which sweeps counter-clockwise from use_halfedge[u] to the reverse of
-//                use_halfedge[use_prev[u]].
-//   radial       is the order of the uses of both half-edges of e, counter-clockwise around 2e,
-//                seen so that its direction points at the viewer. After a use of 2e follows the
-//                volume on the positive side of its facet; after a use of 2e + 1, the volume on the
-//                negative side.
+//                use_halfedge[u]. The facet is to its left, seen from the positive side of the
+//                (canonical) plane of the facet. The corner of a use is the corner of its facet at
+//                the origin of the use. It sweeps counter-clockwise from use_halfedge[u] to the
+//                reverse of use_halfedge[use_prev[u]]
+//   radial       is the order of the uses of both half-edges of e, counter-clockwise around
+//                half-edge 2 e, which points at the viewer. A use of 2 e is followed by the volume
+//                on the positive side of its facet, and a use of 2 e + 1 by the volume on the
+//                negative side
 //   facet f      has a plane, a mark, a volume on its positive [0] and negative [1] side, boundary
 //                cycles (the outer one first, then holes), and vertices inside it
-//   volume 0     reaches to infinity in a bounded set; otherwise it is the volume beyond the frame
+//   volume 0     reaches to infinity in a bounded set. In an unbounded set it is the volume beyond
+//                the frame
 //
-// The sphere map of a vertex (local_maps.h) is a view of these arrays: its points are the
-// half-edges that leave the vertex, its arcs the corners of uses, its faces the sides of facets.
+// The sphere map of a vertex (local_maps.h) is a view of these arrays. Its points are the
+// half-edges that leave the vertex, its arcs are the corners of uses, and its faces are the sides
+// of facets.
 //
-// Free cells: an edge without uses lies in the volume edge_volume. A vertex inside a facet (its
-// sphere map has a loop; edges may leave it all the same) has vertex_facet and is listed in `inner`
-// of that facet. A vertex with neither half-edges nor a facet lies in vertex_volume.
+// Free cells:
+// - An edge without uses lies in the volume edge_volume.
+// - A vertex inside a facet has vertex_facet, and `inner` of that facet lists it. The sphere map of
+//   such a vertex has a loop; edges may leave the vertex.
+// - A vertex with neither half-edges nor a facet lies in vertex_volume.
 //
-// Frame: an unbounded set is cut by a cube |x|, |y|, |z| <= R with R beyond all bounds. What lies
-// on the cube and beyond it has the mark kBeyond and is never shown to users.
+// Frame: an unbounded set is cut by a cube |x|, |y|, |z| <= R with R greater than all numbers.
+// Cells on the cube and beyond it have the mark kBeyond and are never shown to users.
 //
 // audit() in space_audit.h checks the invariants. Sources: docs/design/boolean.md, sphere.md and
 // frame.md.
@@ -45,61 +50,66 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The cells of a subdivision of space and their incidences, in flat arrays. See the head of this
-/// file for the notation.
+/// The cells of a subdivision of space and their incidences, in flat arrays. The head of this file
+/// explains the notation.
 struct SpaceComplex {
   std::shared_ptr<const SpaceTables> tables;  ///< Planes and points, shared by copies.
 
   // One entry for each vertex.
-  std::vector<SpacePoint> vertex_point;   ///< Its place, an id in `tables`.
-  std::vector<Mark> vertex_mark;          ///< Whether it belongs to the set.
-  std::vector<VolumeId> vertex_volume;    ///< Its volume if it is isolated; else invalid.
-  std::vector<FacetId> vertex_facet;      ///< Its facet if it is inside one; else invalid.
-  std::vector<std::uint32_t> star_begin;  ///< Starts in `star`, vertex_count() + 1 of them.
-  std::vector<HalfedgeId> star;           ///< Half-edges that leave each vertex.
+  std::vector<SpacePoint> vertex_point;  ///< The point of each vertex, an id in `tables`.
+  std::vector<Mark> vertex_mark;         ///< Whether the vertex belongs to the set.
+  std::vector<VolumeId> vertex_volume;   ///< The volume of an isolated vertex; else invalid.
+  std::vector<FacetId> vertex_facet;     ///< The facet of a vertex inside a facet; else invalid.
+  /// Where each vertex starts in `star`; vertex_count() + 1 entries.
+  std::vector<std::uint32_t> star_begin;
+  std::vector<HalfedgeId> star;  ///< The half-edges that leave each vertex.
 
-  // One entry for each edge; `origin` has one for each half-edge.
-  std::vector<std::array<PlaneId, 2>> edge_planes;  ///< Two planes that meet in its line.
-  std::vector<Mark> edge_mark;                      ///< Whether it belongs to the set.
-  std::vector<UseId> edge_use;                      ///< One of its uses; invalid if free.
-  std::vector<VolumeId> edge_volume;                ///< Its volume if it is free.
-  std::vector<VertexId> origin;                     ///< Where each half-edge begins.
+  // One entry for each edge, except `origin`, which has one entry for each half-edge.
+  /// Two planes that meet in the line of the edge.
+  std::vector<std::array<PlaneId, 2>> edge_planes;
+  std::vector<Mark> edge_mark;        ///< Whether the edge belongs to the set.
+  std::vector<UseId> edge_use;        ///< One use of the edge; invalid if the edge is free.
+  std::vector<VolumeId> edge_volume;  ///< The volume of a free edge.
+  std::vector<VertexId> origin;       ///< The vertex at which each half-edge begins.
 
   // One entry for each edge use.
-  std::vector<HalfedgeId> use_halfedge;  ///< Its edge, in the direction of the facet's cycle.
+  std::vector<HalfedgeId> use_halfedge;  ///< The edge, in the direction of the facet's cycle.
   std::vector<UseId> use_next;           ///< The next use along the cycle.
   std::vector<UseId> use_prev;           ///< The previous use along the cycle.
   std::vector<UseId> use_radial;         ///< The next use around the same edge.
-  std::vector<FacetId> use_facet;        ///< The facet that it bounds.
+  std::vector<FacetId> use_facet;        ///< The facet that the use bounds.
 
   // One entry for each facet.
-  std::vector<PlaneId> facet_plane;  ///< Its plane; the normal points to its positive side.
-  std::vector<Mark> facet_mark;      ///< Whether it belongs to the set.
-  /// The volumes on its positive [0] and negative [1] side.
+  std::vector<PlaneId> facet_plane;  ///< The plane; its normal points to the positive side.
+  std::vector<Mark> facet_mark;      ///< Whether the facet belongs to the set.
+  /// The volumes on the positive [0] and negative [1] side of the facet.
   std::vector<std::array<VolumeId, 2>> facet_volume;
-  std::vector<std::uint32_t> facet_origin;  ///< Id given by its maker and carried along.
-  std::vector<std::uint32_t> cycle_begin;   ///< Starts in `cycle`, facet_count() + 1 of them.
-  std::vector<UseId> cycle;                 ///< One use of each cycle, the outer cycle first.
-  std::vector<std::uint32_t> inner_begin;   ///< Starts in `inner`, facet_count() + 1 of them.
-  std::vector<VertexId> inner;              ///< Vertices inside each facet.
+  std::vector<std::uint32_t> facet_origin;  ///< The id that the caller gave; operations pass it on.
+  /// Where each facet starts in `cycle`; facet_count() + 1 entries.
+  std::vector<std::uint32_t> cycle_begin;
+  std::vector<UseId> cycle;  ///< One use of each cycle of a facet, the outer cycle first.
+  /// Where each facet starts in `inner`; facet_count() + 1 entries.
+  std::vector<std::uint32_t> inner_begin;
+  std::vector<VertexId> inner;  ///< The vertices inside each facet.
 
   std::vector<Mark> volume_mark;  ///< Whether each volume belongs to the set.
 
-  // The numbers of cells include the cells of the frame.
+  // The counts of cells include the cells of the frame.
 
-  std::size_t vertex_count() const { return vertex_point.size(); }  ///< Returns how many vertices.
-  std::size_t edge_count() const { return edge_planes.size(); }     ///< Returns how many edges.
+  /// Returns the count of vertices.
+  std::size_t vertex_count() const { return vertex_point.size(); }
+  std::size_t edge_count() const { return edge_planes.size(); }  ///< Returns the count of edges.
   /// Returns the number of edge uses.
   std::size_t use_count() const { return use_halfedge.size(); }
-  std::size_t facet_count() const { return facet_plane.size(); }  ///< Returns how many facets.
-  /// Returns the number of volumes, with the one beyond the frame if there is a frame.
+  std::size_t facet_count() const { return facet_plane.size(); }  ///< Returns the count of facets.
+  /// Returns the number of volumes. If there is a frame, this includes the volume beyond the frame.
   std::size_t volume_count() const { return volume_mark.size(); }
 
   /// Returns the half-edge of the same edge in the other direction.
   static HalfedgeId twin(HalfedgeId h) { return HalfedgeId(h.value() ^ 1U); }
   /// Returns the edge of a half-edge.
   static EdgeId edge_of(HalfedgeId h) { return EdgeId(h.value() >> 1U); }
-  /// Whether the half-edge is the one of its edge with an odd id.
+  /// Whether the half-edge has an odd id, so that it runs against n_p x n_q.
   static bool is_reverse(HalfedgeId h) { return (h.value() & 1U) != 0; }
   /// Returns the vertex at which a half-edge ends.
   VertexId target(HalfedgeId h) const { return origin[h.value() ^ 1U]; }
@@ -147,7 +157,7 @@ class SpaceItem {
     return item;
   }
 
-  /// Whether this names an item. The other members but code() require it.
+  /// Whether this names an item. All other members except code() require this.
   constexpr bool is_valid() const { return code_ != ~std::uint32_t{0}; }
   /// Returns the kind of the item.
   constexpr Kind kind() const { return static_cast<Kind>(code_ >> 30U); }

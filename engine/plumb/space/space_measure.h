@@ -1,9 +1,10 @@
 // Exact measures of a set of space: volume and centroid of its marked volumes, and the area of
 // their boundary.
 //
-// A volume is the sum of signed tetrahedra from the origin over its boundary. A facet is the sum of
-// signed triangles from one of its corners over its edges, holes included: nothing is triangulated,
-// and the terms of vertices that are doubles stay fractions of powers of two.
+// The volume is a sum over the boundary of signed tetrahedra with the origin as apex. Each facet is
+// a sum over its edges, holes included, of signed triangles with one corner of the facet as apex.
+// So nothing is triangulated. For vertices with double coordinates, all terms are fractions whose
+// denominators are powers of two.
 //
 // All functions require volumes and marks, and throw what the context throws. Cost: a few rational
 // terms for each edge of a facet, about 10 us.
@@ -18,8 +19,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the exact volume of all marked volumes together, or nothing if it is infinite. It is 0
-/// if there is no marked volume: cells of lower dimension do not count.
+/// Returns the exact volume of all marked volumes together, or nothing if it is infinite. Cells of
+/// lower dimension do not count, so the result is 0 if there is no marked volume.
 std::optional<Rational> marked_volume(const SpaceComplex& complex,
                                       Context& context = unlimited_context());
 

@@ -1,12 +1,14 @@
 // The shells of a complex: the connected components of the boundaries of its volumes.
 //
-// A shell is what a point moving in one volume can reach on its boundary: sides of facets, across
-// edges to the next side, and through vertices around which the volume continues; also free edges
-// and isolated vertices. A facet with the same volume on both sides contributes both. The boundary
-// of a volume is the union of its shells: for a bounded volume the outer one, and the voids in it.
+// A shell contains the parts of the boundary that a point moving in one volume can reach along that
+// boundary. The point moves on sides of facets, across edges to the next side, and through vertices
+// around which the volume continues. Free edges and isolated vertices are parts of shells, too. A
+// facet with the same volume on both sides contributes both sides. The boundary of a volume is the
+// union of its shells. A bounded volume has one outer shell, and other shells around the voids in
+// it.
 //
-// In an unbounded set, whatever reaches to infinity is connected there, by the frame. Cells of the
-// frame and volumes beyond it are not listed.
+// In an unbounded set, all parts that reach to infinity are connected there, by the frame. Cells of
+// the frame and volumes beyond it are not listed.
 //
 // Cost: O(n alpha(n)). A shell is read as a few spans, or by a visitor with visit().
 #pragma once
@@ -25,7 +27,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-using ShellId = StrongId<struct ShellTag>;  ///< A component of the boundary of a volume.
+using ShellId = StrongId<struct ShellTag>;  ///< The id of a component of the boundary of a volume.
 
 /// The shells of all volumes of a complex.
 class SpaceShells {
@@ -33,21 +35,22 @@ class SpaceShells {
   /// Finds the shells. Requires volumes. The complex must outlive the shells. O(n alpha(n)).
   explicit SpaceShells(const SpaceComplex& complex);
 
-  /// Returns the number of shells. They are ordered by volume, then by their lexicographically
-  /// least vertex: the outer shell of a bounded volume comes first. A shell without vertices (all
-  /// of it at infinity) comes last.
+  /// Returns the number of shells. Shells are ordered by volume, then by their lexicographically
+  /// least vertex. So the outer shell of a bounded volume comes first. A shell without vertices
+  /// (all of it lies at infinity) comes last.
   std::size_t size() const { return volume_.size(); }
   /// Returns the shells of a volume, in their order.
   std::span<const ShellId> shells_of(VolumeId v) const;
   /// Returns the volume that a shell bounds.
   VolumeId volume(ShellId s) const { return volume_[s.value()]; }
 
-  /// Returns the sides of facets that bound the volume, as faces of a solid that fills it:
-  /// is_reversed is set if the volume is on the positive side.
+  /// Returns the sides of facets that make up the shell, seen as faces of a solid that fills the
+  /// volume. So is_reversed is set if the volume is on the positive side of the facet.
   std::span<const FacetSide> sides(ShellId s) const { return part(sides_, side_begin_, s); }
-  /// Returns the edges of its facets and its free edges, each once.
+  /// Returns the edges of the facets of the shell and its free edges, each once.
   std::span<const EdgeId> edges(ShellId s) const { return part(edges_, edge_begin_, s); }
-  /// Returns the vertices of its facets and edges and its isolated vertices, each once.
+  /// Returns the vertices of the facets and edges of the shell and its isolated vertices, each
+  /// once.
   std::span<const VertexId> vertices(ShellId s) const { return part(vertices_, vertex_begin_, s); }
 
   /// Calls the visitor once with every FacetSide of a shell, then with every EdgeId, then with
@@ -84,13 +87,14 @@ class SpaceShells {
   std::vector<VertexId> vertices_;
 };
 
-/// The solid that the faces of the mesh of a shell bound.
+/// The solid that a mesh made from a shell bounds.
 enum class ShellSolid : std::uint8_t {
-  Volume,  ///< The shell's volume: faces look out of it.
-  Other,   ///< What lies on the other side: a void becomes a solid.
+  Volume,  ///< The volume of the shell: faces look out of it.
+  Other,   ///< The solid on the other side of the shell: a void becomes a solid.
 };
 
-/// Returns the facets of a shell as a mesh. Throws Error{BadArgument} if one reaches to infinity.
+/// Returns the facets of a shell as a mesh. Throws Error{BadArgument} if one of the facets reaches
+/// to infinity.
 MeshOfComplex mesh_of_shell(const SpaceShells& shells, ShellId s, ShellSolid solid,
                             const ToMeshOptions& options = {},
                             Context& context = unlimited_context());
@@ -102,7 +106,8 @@ enum class ShellMarks : std::uint8_t {
 };
 
 /// Returns the facets, edges and vertices of a shell as a set without volumes.
-/// Nef3::with_bounded_volumes() fills it. Requires that `shells` are those of set.complex().
+/// Nef3::with_bounded_volumes() adds the volumes that such a set encloses. Requires that `shells`
+/// are those of set.complex().
 Nef3 set_of_shell(const Nef3& set, const SpaceShells& shells, ShellId s, ShellMarks marks,
                   Context& context = unlimited_context());
 

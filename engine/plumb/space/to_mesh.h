@@ -9,8 +9,8 @@
 //  3. ClosureCount     counts marked cells outside the closure of the interior, and unmarked cells
 //                      in it
 //
-// Triangles have only vertices of the complex as corners, and no vertex in the interior of a side:
-// there are no T-junctions.
+// The corners of triangles are vertices of the complex, and no vertex lies inside a side of a
+// triangle. So there are no T-junctions.
 //
 // Cost: O(n log n), and about 5 us for each constructed vertex, which is rounded exactly.
 #pragma once
@@ -29,10 +29,11 @@ namespace plumb {
 
 /// How facets become faces.
 enum class MeshFaces : std::uint8_t {
-  /// Facets that are simple polygons and whose corners are doubles stay polygons. Others are
-  /// triangulated.
+  /// A facet stays a polygon if it is simple and the coordinates of its corners are doubles. Other
+  /// facets are triangulated.
   PlanarPolygons,
-  /// All facets that are simple polygons stay polygons; rounded corners may leave their planes.
+  /// A facet stays a polygon if it is simple. Its rounded corners may lie outside its plane. Other
+  /// facets are triangulated.
   Polygons,
   Triangles,  ///< All facets are triangulated.
 };
@@ -40,8 +41,8 @@ enum class MeshFaces : std::uint8_t {
 /// Options of the conversion to a mesh.
 struct ToMeshOptions {
   MeshFaces faces = MeshFaces::PlanarPolygons;  ///< How facets become faces.
-  /// Whether each cone of the solid at a vertex gets a vertex of its own, with equal coordinates.
-  /// Edges with more than two faces are then split too.
+  /// Whether each cone of the solid at a vertex gets its own vertex of the mesh. These vertices
+  /// have equal coordinates. Edges with more than two faces are then split, too.
   bool split_vertices = false;
   /// Whether mesh.exact is filled, which triples the time of a mesh with many constructed vertices.
   /// check_rounding() and exact formats need it.
@@ -55,7 +56,7 @@ struct FacetSide {
   friend bool operator==(const FacetSide&, const FacetSide&) = default;
 };
 
-/// Numbers of cells.
+/// Counts of cells.
 struct ItemCounts {
   std::uint64_t facets = 0;    ///< Number of facets.
   std::uint64_t edges = 0;     ///< Number of edges.
@@ -64,27 +65,28 @@ struct ItemCounts {
   std::uint64_t total() const { return facets + edges + vertices; }
 };
 
-/// What a mesh does not represent of its set, and where it is not a manifold.
+/// Counts of the cells of a set that its mesh does not represent, and of the edges and vertices
+/// where the mesh is not a manifold.
 struct ToMeshReport {
-  /// Whether a marked volume reaches to infinity; the mesh is then empty. For soup_of_complex(),
-  /// whether a facet does; such facets are left out.
+  /// Whether a marked volume reaches to infinity. The mesh is then empty. After soup_of_complex():
+  /// whether a facet reaches to infinity. Such facets are left out of the mesh.
   bool is_unbounded = false;
   ItemCounts dropped;                       ///< Marked cells not in the closure of marked volumes.
   ItemCounts filled;                        ///< Unmarked cells inside the solid, now part of it.
   ItemCounts closed;                        ///< Unmarked cells on its boundary, now part of it.
   std::uint64_t non_manifold_edges = 0;     ///< Edges with more than two faces.
-  std::uint64_t non_manifold_vertices = 0;  ///< Vertices with several cones.
-  /// Whether an edge has more than two faces, or a vertex several cones.
+  std::uint64_t non_manifold_vertices = 0;  ///< Vertices with more than one cone.
+  /// Whether an edge has more than two faces, or a vertex more than one cone.
   bool is_soup() const { return non_manifold_edges + non_manifold_vertices > 0; }
 };
 
 /// A mesh and the facets that it comes from.
 struct MeshOfComplex {
-  /// The mesh. Its points are correctly rounded; `exact` holds the coordinates of those that are
-  /// no doubles, if options.keeps_exact is set.
+  /// The mesh. Its points are correctly rounded. If options.keeps_exact is set, `exact` lists the
+  /// exact coordinates of the points that had to be rounded.
   PolygonMesh mesh;
-  std::vector<FacetId> facet;  ///< The facet behind each face.
-  ToMeshReport report;         ///< What the mesh does not represent.
+  std::vector<FacetId> facet;  ///< The facet that each face comes from.
+  ToMeshReport report;         ///< The cells that the mesh does not represent.
 };
 
 /// Returns the boundary of the closure of the interior as a mesh. If a marked volume is unbounded,
@@ -93,15 +95,15 @@ struct MeshOfComplex {
 MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& options = {},
                               Context& context = unlimited_context());
 
-/// Returns all facets of a set as a mesh, whether there is a solid behind them or not. Facets of
-/// boundary_sides() are seen from outside; other facets (dangling facets, cuts in a solid) occur
+/// Returns all facets of a set as a mesh, whether or not there is a solid behind them. Facets of
+/// boundary_sides() are seen from outside. Other facets (dangling facets, cuts in a solid) occur
 /// once, seen from their positive side. Facets that reach to infinity are left out, and
 /// report.is_unbounded is set. report.dropped counts marked edges and vertices outside the closure
-/// of the marked volumes; its number of facets is 0. Requires volumes and marks.
+/// of the marked volumes; report.dropped.facets is 0. Requires volumes and marks.
 MeshOfComplex soup_of_complex(const SpaceComplex& complex, const ToMeshOptions& options = {},
                               Context& context = unlimited_context());
 
-/// Whether the facet reaches to infinity: whether it has a vertex on the frame.
+/// Whether the facet reaches to infinity, that is, has a vertex on the frame.
 bool is_unbounded(const SpaceComplex& complex, FacetId f);
 
 /// Returns the boundary of the closure of the interior, as sides in ascending order of facets.
@@ -109,8 +111,9 @@ bool is_unbounded(const SpaceComplex& complex, FacetId f);
 std::vector<FacetSide> boundary_sides(const SpaceComplex& complex);
 
 /// Returns any sides, for instance those of a shell, as a mesh. Only the counts of non-manifold
-/// edges and vertices are filled in the report. Requires that each side occurs at most once, and
-/// that as many sides have the solid before them as after them around every edge.
+/// edges and vertices are filled in the report. Requires that each side occurs at most once. Also
+/// requires that, around every edge, as many sides have the solid before them as have it after
+/// them.
 MeshOfComplex mesh_of_sides(const SpaceComplex& complex, std::span<const FacetSide> sides,
                             const ToMeshOptions& options = {},
                             Context& context = unlimited_context());

@@ -1,29 +1,32 @@
-// The exponential map of a mesh: the ends of straight lines from one of its points. It places plane
-// drawings on surfaces.
+// The exponential map of a mesh: it maps offsets to the ends of straight lines that start at one
+// point of the mesh. It places plane drawings on surfaces.
 //
 // An offset (x, y) is mapped to the end of the straight line that leaves the centre in the
-// direction of (x, y) and is as long as (x, y). In the named face the x axis runs along the side
-// from its first to its second corner, as the mesh was given (SurfaceMesh::is_flipped()), turned
-// counter-clockwise by an angle; the y axis is a quarter turn further counter-clockwise. Where the
+// direction of (x, y) and is as long as (x, y). The axes are laid out in a face at the centre,
+// which the caller names. The x axis has the direction of the side from the first to the second
+// corner of that face, in the corner order of the input (SurfaceMesh::is_flipped()), turned
+// counter-clockwise by an angle. The y axis is a quarter turn further counter-clockwise. Where the
 // surroundings of the centre are flat, the map is a similarity.
 //
-// At a vertex inside the mesh whose full angle is not a whole turn, all directions are spread
-// evenly over that angle, starting at the side of the named face that leaves the vertex. At a
-// vertex of the border they are not spread, and some directions lead off the mesh.
+// A centre may be a vertex inside the mesh whose full angle is not a whole turn. Then all
+// directions are spread evenly over the full angle, starting at the side of the named face that
+// leaves the vertex. At a vertex of the border the directions are not spread, and some of them lead
+// off the mesh.
 //
 // Main flow of ExponentialMap::add:
 //  1. aim     chooses a face at the centre and lays it out in the plane, with the line
 //  2. cross   crosses side after side, and lays out each next face beside the last; the third
 //             corner decides which side comes next. A line along a side passes through either face
-//             beside it, as rounding decides
-//  3. pass    passes a vertex within 2^-40 of the line's direction whose full angle is not a whole
-//             turn with equal angles on both sides, so that the line is a straightest geodesic, and
-//             at the border with half a turn on one side
+//             beside it, depending on rounding
+//  3. pass    continues the line behind a vertex within 2^-40 of its direction. If the full angle
+//             of an inner vertex is not a whole turn, the angles on both sides of the line are
+//             equal there, so that it is a straightest geodesic. At a vertex of the border, the
+//             angle on one side is half a turn
 //  4. land    computes the weights in the last face; weights below 2^-40 become zero, so that the
 //             point lies on an edge or a vertex
 //
-// Steps 1 to 4 are computed in doubles; the point that results is stored exactly and does not
-// change later. Source: K. Polthier and M. Schmies, Straightest geodesics on polyhedral surfaces,
+// Steps 1 to 4 are computed in doubles. The resulting point is stored exactly and does not change
+// later. Source: K. Polthier and M. Schmies, Straightest geodesics on polyhedral surfaces,
 // Mathematical Visualization (1998). Design: docs/design/surface.md.
 #pragma once
 
@@ -40,18 +43,21 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Maps offsets in a plane to the ends of straight lines on a mesh, from one of its points.
+/// Maps offsets in a plane to the ends of straight lines on a mesh. All lines start at the same
+/// point of the mesh.
 class ExponentialMap {
  public:
-  /// Makes the map around `centre`, a row of `points`. Requires that the centre lies in `face` and
-  /// that `angle`, in degrees, is finite. The mesh must outlive the map. O(n).
+  /// Makes the map around `centre`, which is a row of `points`. The x axis is turned by `angle`
+  /// degrees against the first side of `face`. Requires that the centre lies in `face` and that
+  /// `angle` is finite. The mesh must outlive the map. O(n).
   ExponentialMap(const SurfacePointTable& points, SurfacePointId centre, FaceId face, double angle);
 
-  /// Appends the point at an offset to `points` and returns its row; returns no value if the line
-  /// leaves the mesh at its border. Requires a finite offset, in units of the mesh, and a table
-  /// over the same mesh. Costs O(faces crossed + degrees of the vertices passed), and O(log degree)
-  /// if the centre is a vertex. Throws Error{ResourceLimit} if the line crosses more faces than
-  /// several rounds over the whole mesh, and what the context throws.
+  /// Appends the point at an offset to `points` and returns its row. Returns no value if the line
+  /// leaves the mesh at its border. The offset is in units of the mesh. Requires that the offset is
+  /// finite and that `points` is a table over the same mesh. Costs O(faces crossed + degrees of the
+  /// vertices passed), and O(log degree) more if the centre is a vertex. Throws
+  /// Error{ResourceLimit} if the line crosses more faces than it would in several rounds over the
+  /// whole mesh, and what the context throws.
   std::optional<SurfacePointId> add(Point2 offset, SurfacePointTable& points,
                                     Context& context = unlimited_context()) const;
 
@@ -60,8 +66,9 @@ class ExponentialMap {
   /// The corners around a vertex, counter-clockwise.
   struct Fan {
     std::vector<HalfedgeId> halfedges;  ///< The half-edges that leave the vertex.
-    std::vector<double> angles = {0};   ///< The angle from the first to each, and the full angle.
-    bool is_at_border = false;          ///< Whether the vertex lies at the border.
+    /// The angle from the first half-edge to each, then the full angle.
+    std::vector<double> angles = {0};
+    bool is_at_border = false;  ///< Whether the vertex lies at the border.
 
     double full_angle() const { return angles.back(); }
     double angle_before(HalfedgeId h) const;

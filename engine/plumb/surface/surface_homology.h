@@ -1,22 +1,28 @@
-// The homology of a surface, and the loops that a polygon lacks to separate it.
+// The homology of a surface, and the loops that must be added to a polygon so that it separates the
+// surface.
 //
-// Each border counts as closed by a disk: a cycle that bounds only with the help of the border
-// separates the surface.
+// Each border counts as closed by a disk. So a cycle that bounds only with the help of the border
+// separates the surface, too.
 //
 // Main flow of the constructor (tree and cotree; D. Eppstein, Dynamic generators of topologically
 // embedded graphs, SODA 2003):
 //  1. tree       spans the vertices, breadth first
 //  2. cotree     spans the faces and the disks, over edges that are not in the tree
-//  3. generators are the 2 g edges left over, for genus g; each closes a loop with the tree
-//  4. dual loops cross an edge left over each, and return through the cotree
-// The class of a polygon: the polygon is pushed onto edges, point by point; its coefficient at a
-// generator is the signed number of times that it then crosses the generator's dual loop. This is
-// correct because adding faces would clear the polygon from the edges of the cotree, the only ones
-// where dual loops cross other edges, and leave each generator that number of times.
+//  3. generators are the 2 g edges that are in neither tree, for genus g; each closes a loop with
+//                the tree
+//  4. dual loops cross one of these edges each, and return through the cotree
 //
-// Cost: O(mesh + length of the dual loops, which breadth first keeps short) for the constructor;
-// O(length of the polygon x dual loops across its edges + 2 g) for a class; O(its length) for a
-// loop. Errors: ResourceLimit and Cancelled as the Context demands. Proofs: docs/design/surface.md.
+// The class of a polygon has one coefficient for each generator. The polygon is pushed onto edges,
+// point by point. The coefficient is the signed number of times that the pushed polygon crosses the
+// dual loop of the generator. This is correct for the following reason. Dual loops cross edges of
+// the cotree, and one generator each. Adding faces to the polygon would clear it from all edges of
+// the cotree, without a change of its crossings with dual loops. Each generator would then remain
+// as often as its dual loop is crossed.
+//
+// Cost: the constructor takes O(mesh + length of the dual loops); breadth first search keeps these
+// loops short. A class takes O(length of the polygon * dual loops across its edges + 2 g), and a
+// loop O(its length). Errors: ResourceLimit and Cancelled as the Context demands. Proofs:
+// docs/design/surface.md.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +37,7 @@
 namespace plumb {
 
 /// Generators of the first homology of a mesh relative to its border, and the classes of polygons
-/// in terms of them.
+/// as sums of these generators.
 class SurfaceHomology {
  public:
   /// Computes generators and dual loops. The mesh must outlive the object. Throws what the context
@@ -40,16 +46,16 @@ class SurfaceHomology {
 
   /// Returns the number of generators: twice the sum of the genera of all components.
   std::size_t generator_count() const { return generators_.size(); }
-  /// Returns the vertices of generator i in order along edges, each once.
+  /// Returns the vertices of generator i, a closed loop of edges, in order and each once.
   std::vector<VertexId> generator(std::size_t i) const;
 
   /// Returns the coefficients of the generators whose sum is homologous to the polygon. The polygon
-  /// separates the surface if and only if all are zero. Requires valid polygons (require_valid()).
-  /// Throws what the context throws.
+  /// separates the surface if and only if all coefficients are zero. Requires valid polygons
+  /// (require_valid()). Throws what the context throws.
   std::vector<std::int64_t> class_of(const SurfacePolygons& polygons, std::size_t polygon,
                                      Context& context = unlimited_context()) const;
-  /// Returns the class of a sum of polygons. A polygon may occur in `sum` several times and adds
-  /// its class as often, but the class is computed only once.
+  /// Returns the class of a sum of polygons. A polygon that occurs in `sum` several times adds its
+  /// class that many times, but the class is computed only once.
   std::vector<std::int64_t> class_of(const SurfacePolygons& polygons,
                                      std::span<const std::uint32_t> sum,
                                      Context& context = unlimited_context()) const;
@@ -57,7 +63,7 @@ class SurfaceHomology {
   /// Appends generator i, or its reverse, to `polygons`.
   void add_generator(std::size_t i, bool is_reversed, SurfacePolygons& polygons) const;
   /// Appends the loops that must be added to a shape, a sum of polygons, so that it separates the
-  /// surface. Returns the numbers of the new polygons. Throws what the context throws.
+  /// surface. Returns the indices of the new polygons. Throws what the context throws.
   std::vector<std::uint32_t> add_repair(std::span<const std::uint32_t> shape,
                                         SurfacePolygons& polygons,
                                         Context& context = unlimited_context()) const;

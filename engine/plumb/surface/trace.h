@@ -1,24 +1,26 @@
 // Traces geodesics between points of a mesh: locally shortest paths.
 //
-// Notation: the doors of a strip of faces are the sides that it leads through (face_strip.h); a
-// bend is a vertex at which the shortest path in a strip turns.
+// Notation: a strip is a sequence of faces in which each face shares a side with the next one.
+// These sides are the doors of the strip (face_strip.h). A bend is a vertex at which the shortest
+// path in a strip turns.
 //
 // Main flow of Tracer::trace:
 //  1. order      starts at the lower point, and reverses the path at the end if necessary
-//  2. find       finds a strip of faces over the dual graph that is short by the faces' centroids
-//                (face_strip.h)
+//  2. find       finds a strip over the dual graph whose length, measured by the centroids of its
+//                faces, is short (face_strip.h)
 //  3. tighten    lays the strip out in the plane, and finds the shortest path in it by a funnel
 //                (unfolded_strip.h)
-//  4. flip       leads the strip around the other side of each bend that has less than half a turn
-//                there; repeats 3 and 4 until there are no such bends or the path does not become
-//                shorter
-//  5. read off   appends the vertices where the path bends or would pass within 2^-40 of a side's
-//                length, and a parameter t for each other side that is crossed: a double, or exact
-//                where the faces between two such vertices are coplanar (unfolded_strip.h)
+//  4. flip       leads the strip around the other side of each bend, if the angle on that side is
+//                less than half a turn; repeats steps 3 and 4 until there are no such bends or the
+//                path does not become shorter
+//  5. read off   appends the points of the path. These are the vertices where the path bends, the
+//                vertices that it would pass within 2^-40 of a side's length, and a parameter t for
+//                each other side that is crossed. The parameter is exact where the faces between
+//                two such vertices are coplanar; otherwise it is a double (unfolded_strip.h)
 //
-// Steps 1 to 4 are computed in doubles, which only chooses a path. From step 5 on the chosen path
-// is exact, and it is never traced again. If several paths are locally shortest, any of them may be
-// chosen, but always the same one. Design: docs/design/surface.md.
+// Steps 1 to 4 are computed in doubles, which only choose a path. From step 5 on the chosen path is
+// exact, and it is never traced again. If several paths are locally shortest, any of them may be
+// chosen, but always the same path. Design: docs/design/surface.md.
 #pragma once
 
 #include <cstddef>
@@ -37,17 +39,17 @@ namespace plumb {
 /// Traces paths between points of a mesh.
 class Tracer {
  public:
-  /// Makes a tracer for the mesh, which must outlive it. O(n).
+  /// Makes a tracer for the mesh. The mesh must outlive the tracer. O(n).
   explicit Tracer(const SurfaceMesh& mesh);
   /// A moved-from tracer may only be destroyed. Tracers are not copied, because finder_ refers to
   /// positions_.
   Tracer(Tracer&&) = default;
 
-  /// Returns a path from a to b, rows of `points`, and appends the points between to `points`.
-  /// Returns no value if a and b lie on different components. Requires a table over the same mesh.
-  /// trace(b, a) is the same path reversed. Two points in one face are joined by a segment. Costs
-  /// as much as finding the strip (StripFinder), plus the length of the strip for each round of
-  /// flips. Throws what the context throws.
+  /// Returns a path from a to b, which are rows of `points`, and appends the points between them to
+  /// `points`. Returns no value if a and b lie on different components. Requires that `points` is a
+  /// table over the same mesh. trace(b, a) is the same path reversed. Two points in one face are
+  /// joined by a segment. Costs as much as finding the strip (StripFinder), plus the length of the
+  /// strip for each round of flips. Throws what the context throws.
   std::optional<SurfacePath> trace(SurfacePointTable& points, SurfacePointId a, SurfacePointId b,
                                    Context& context = unlimited_context());
 
@@ -64,12 +66,12 @@ class Tracer {
   StripFinder finder_;
 };
 
-/// Appends the closed polygon through control points, rows of `polygons.points`, joined by traced
-/// paths. Returns no value on success; otherwise appends no polygon, and returns the index of the
-/// first control point from which no path leads to the next. `named` holds a face for each control
-/// point that contains it; if that face contains the next control point, too, the two are joined by
-/// a segment there. (Any common face would do, except where two triangles make up a component and
-/// share every edge.) Throws what the context throws.
+/// Appends the closed polygon through control points, which are rows of `polygons.points`, joined
+/// by traced paths. Returns no value on success. On failure, appends no polygon and returns the
+/// index of the first control point from which no path leads to the next one. For each control
+/// point, `named` has a face that contains it. If this face contains the next control point, too,
+/// the two points are joined by a segment in this face. (The choice among common faces matters only
+/// in a component of two triangles that share all edges.) Throws what the context throws.
 std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
                                               std::span<const SurfacePointId> control,
                                               std::span<const FaceId> named,

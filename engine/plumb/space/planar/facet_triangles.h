@@ -1,5 +1,6 @@
-// Polygons in a view: whether they are simple, which way they run, and what they cover. The second
-// part cuts the facets of a complex into triangles.
+// Polygons in a view (FlatView). The first part finds out whether they are simple, in which
+// direction they run, and which region they bound. The second part cuts the facets of a complex
+// into triangles.
 #pragma once
 
 #include <array>
@@ -17,43 +18,44 @@ namespace plumb {
 
 /// How a polygon meets itself.
 enum class PolygonShape : std::uint8_t {
-  Simple,    ///< It does not.
-  Touching,  ///< It does in common corners only, or runs an edge forth and back.
-  Crossing,  ///< Edges of it cross or overlap, or pass through a corner.
+  Simple,  ///< The polygon does not meet itself.
+  /// It meets itself in common corners only, or along an edge that it runs forth and back.
+  Touching,
+  Crossing,  ///< Its edges cross or overlap, or pass through a corner.
 };
 
 /// Returns the shape of a polygon, given by indices of points. Requires that all points are
-/// different and no corner follows itself. O(n) for a convex polygon, else O(n log n). Throws what
-/// the context throws.
+/// different and no corner is followed by the same corner. O(n) for a convex polygon, else
+/// O(n log n). Throws what the context throws.
 PolygonShape shape_of(const FlatPoints& points, std::span<const std::uint32_t> polygon,
                       Context& context);
 
-/// Returns which way a polygon runs: Positive is counter-clockwise. Requires a Simple polygon that
-/// is not all on a line. O(n).
+/// Returns the direction in which a polygon runs: Positive is counter-clockwise. Requires that the
+/// polygon is Simple and does not lie on one line. O(n).
 Sign orientation_of(const FlatPoints& points, std::span<const std::uint32_t> polygon);
 
-/// Removes pairs of an edge and its reverse, and sorts the others. O(n log n).
+/// Removes pairs of an edge and its reverse, and sorts the remaining edges. O(n log n).
 void cancel_reverses(std::vector<IndexEdge>& edges);
 
-/// Returns the directed edges of a polygon without those that it runs forth and back.
+/// Returns the directed edges of a polygon, without edges that it runs forth and back.
 std::vector<IndexEdge> boundary_of(std::span<const std::uint32_t> polygon);
 
 // Facets cut into triangles between vertices of the complex.
 
-/// Cuts facets into triangles. Keeps its memory from facet to facet, so there is one for each
-/// thread.
+/// Cuts facets into triangles. An object keeps its working memory from facet to facet, so each
+/// thread needs its own object.
 class FacetTriangles {
  public:
-  /// Keeps a reference to the complex.
+  /// Keeps a reference to the complex, which must outlive the object.
   explicit FacetTriangles(const SpaceComplex& complex)
       : complex_(complex), flat_(complex.points()) {}
-  /// From now on looks at the nearest doubles of vertices (rounded_point3.h), which decide more
-  /// than boxes. `nearest` has one for each vertex.
+  /// Makes for_each() use the nearest doubles of vertices (rounded_point3.h) in its filters. They
+  /// decide more predicates than the boxes of vertices do. `nearest` has one entry for each vertex.
   void use_nearest(std::span<const RoundedPoint3> nearest) { nearest_ = nearest; }
 
   /// Calls visit(a, b, c) with the vertices of each triangle, counter-clockwise seen from the
-  /// positive side of the facet's plane. Vertices inside the facet are corners too; no triangle has
-  /// a vertex in its inside or on an edge. O(n log n).
+  /// positive side of the facet's plane. Vertices inside the facet are corners, too. No vertex lies
+  /// inside a triangle or inside one of its edges. O(n log n).
   template <class Visit>
   void for_each(FacetId f, const Visit& visit) {
     const UseId a = complex_.cycles_of(f)[0];

@@ -1,5 +1,6 @@
-// Points of a plane as algorithms on them ask for them (by index, exactly, however they are
-// stored), triangulation of regions, and the sweep that triangulation and nesting have in common.
+// Geometry of points in a plane. This header has three parts: an interface to points by index, with
+// exact predicates, however the points are stored; triangulation of regions; and the sweep that
+// triangulation and nesting have in common.
 #pragma once
 
 #include <array>
@@ -23,11 +24,11 @@ namespace plumb {
 class PlanarPoints {
  public:
   virtual std::uint32_t size() const = 0;  ///< Returns the number of points.
-  /// Returns the turn of i, j, k: Positive is left.
+  /// Returns the direction of the turn i, j, k: Positive is left.
   virtual Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const = 0;
   /// Returns the lexicographic order of i and j, x first.
   virtual Sign compare(std::uint32_t i, std::uint32_t j) const = 0;
-  /// Returns Positive if l lies inside the circle of i, j, k. Requires that these run
+  /// Returns Positive if l lies inside the circle through i, j, k. Requires that i, j, k run
   /// counter-clockwise.
   virtual Sign incircle(std::uint32_t i, std::uint32_t j, std::uint32_t k,
                         std::uint32_t l) const = 0;
@@ -36,47 +37,53 @@ class PlanarPoints {
   ~PlanarPoints() = default;
 };
 
-// Points of space seen along a coordinate axis as points of the plane: all questions about points
-// of one plane are asked there.
+// Points of space seen along a coordinate axis, as points of the plane. All predicates on points
+// that lie in one plane of space are evaluated in such a view.
 
-/// The axis along which a view looks, and from which side.
+/// The axis along which a view looks, and the side from which it looks.
 struct FlatView {
-  std::size_t axis = 2;      ///< The coordinate of space that is left out.
-  bool is_mirrored = false;  ///< Whether the view looks from -axis.
+  std::size_t axis = 2;      ///< The coordinate of space that the view leaves out.
+  bool is_mirrored = false;  ///< Whether the view looks from the negative side of the axis.
 
-  /// Returns the view onto the positive side of the (canonical) plane, along the axis to which its
-  /// normal is nearest. Orientations of its points then have the signs seen from its positive side.
+  /// Returns the view onto the positive side of the (canonical) plane, along the axis nearest to
+  /// the normal of the plane. Orientations of points of the plane have the same signs in this view
+  /// as seen from the positive side.
   static FlatView of_plane(const PlaneTable& planes, PlaneId plane);
-  /// Returns the coordinate of space that is x (0) or y (1) of the view.
+  /// Returns the index of the coordinate of space that the view shows as x (i = 0) or y (i = 1).
   std::size_t coordinate(std::size_t i) const {
     const bool is_second = (i == 1) != is_mirrored;
     return (axis + (is_second ? 2 : 1)) % 3;
   }
 };
 
-/// A list of points in a view, with exact predicates by index. Filter stages: doubles with the
-/// points' boxes, or with the nearest doubles if they are given. Then input points go on as
-/// orient2d() does, others in integers, circles in rationals. Not for several threads at once:
-/// exact coordinates are kept when they have been asked for.
+/// A list of points in a view, with exact predicates by index. A predicate has these stages:
+/// - a filter in doubles, from the boxes of the points or from their nearest doubles if these are
+///   given,
+/// - for input points, the stages of orient2d(); for other points, integers; for circles,
+///   rationals.
+///
+/// An object must not be used by several threads at the same time, because it stores exact
+/// coordinates when they are first needed.
 class FlatPoints final : public PlanarPoints {
  public:
-  /// Makes an empty list of points of this table, to which it keeps a reference.
+  /// Makes an empty list of points of the table `points`. Keeps a reference to the table.
   explicit FlatPoints(const Point3Table& points) : points_(points) {}
 
   void reset(FlatView view);     ///< Empties the list and sets the view.
   void push_back(SpacePoint p);  ///< Appends a point.
-  /// Appends a point with its nearest doubles, which are closer than its box, so that filters
-  /// decide more. Requires nearest == rounded(points, p).
+  /// Appends a point with its nearest doubles. These are more precise than the box of the point, so
+  /// filters decide more predicates. Requires nearest == rounded(points, p).
   void push_back(SpacePoint p, const RoundedPoint3& nearest);
   std::uint32_t size() const override { return static_cast<std::uint32_t>(at_.size()); }
   Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const override;
   Sign compare(std::uint32_t i, std::uint32_t j) const override;
   Sign incircle(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) const override;
-  /// Returns the side of a plane of space on which point i lies; it may be a point of the frame.
+  /// Returns the side of a plane of space on which point i lies. The point may be a point of the
+  /// frame.
   Sign side(std::uint32_t i, PlaneId plane) const {
     return plumb::side(points_, at_[i].point, plane);
   }
-  /// Returns the same points in a table of the plane.
+  /// Returns the points of the list, in the view, as a table of points of the plane.
   PointTable2 table() const;
 
  private:
@@ -84,7 +91,9 @@ class FlatPoints final : public PlanarPoints {
     Point2 mid;
     double radius;
     SpacePoint point;
-    bool is_nearest;  // Whether mid is nearest; if two such differ, they are in the points' order.
+    // Whether mid has the nearest doubles. If two such mids differ, they have the order of their
+    // points.
+    bool is_nearest;
   };
   /// The coordinates (x w, y w, w) with w > 0.
   using HomogeneousPoint = std::array<Integer, 3>;
@@ -96,55 +105,58 @@ class FlatPoints final : public PlanarPoints {
   const Point3Table& points_;
   FlatView view_;
   std::vector<Entry> at_;
-  // Computed when they are first asked for.
+  // Computed when they are first needed.
   mutable std::vector<std::optional<HomogeneousPoint>> homogeneous_;
   mutable std::vector<std::optional<RationalPoint2>> exact_;
 };
 
 // Regions of a plane cut into triangles between their own points.
 //
-// triangulate() sweeps in lexicographic order and triangulates what it leaves behind (S. Hertel, K.
-// Mehlhorn, Fast triangulation of simple polygons, Fundamentals of Computation Theory, 1983;
-// extended to regions whose boundaries touch in points). The part of the region between two
-// neighbouring edges on the sweep line keeps a chain: the points behind the line that no triangle
-// has closed off, where each corner is reflex or flat.
+// triangulate() sweeps over the points in lexicographic order and triangulates the region behind
+// the sweep line (S. Hertel, K. Mehlhorn, Fast triangulation of simple polygons, Fundamentals of
+// Computation Theory, 1983; extended to regions whose boundaries touch in points). Consider the
+// part of the region between two neighbouring edges on the sweep line. It has a chain of points:
+// the points behind the line that no triangle has closed off. Each inner corner of a chain is
+// reflex or flat.
 
 using IndexEdge = std::array<std::uint32_t, 2>;      ///< Two points, in a direction.
 using IndexTriangle = std::array<std::uint32_t, 3>;  ///< Three points, counter-clockwise.
 
-/// Appends triangles whose corners are given points and whose union is the region to the left of
-/// the edges. Points inside the region are corners too. Requires that all points are different and
-/// that edges meet each other and points in their ends only; an edge that runs both ways is a slit.
-/// Returns false, and appends nothing, if the edges have no region to their left (somewhere it
-/// would be covered twice, or less than once). O(n log n).
+/// Appends triangles that together cover the region to the left of the edges. Their corners are
+/// points of `points`, and each point inside the region is a corner. Requires that all points are
+/// different, and that edges meet each other and points in their ends only. An edge that occurs in
+/// both directions is a slit. Returns false, and appends nothing, if the edges have no region to
+/// their left, because some part of the plane would be covered twice or a negative number of times.
+/// O(n log n).
 bool triangulate(const PlanarPoints& points, std::span<const IndexEdge> edges,
                  std::vector<IndexTriangle>& triangles);
 
-/// Flips sides of triangles that are not among `edges` until every one is locally Delaunay. Of four
-/// points on a circle the one with the lowest index is joined, so the result is unique. O(n^2)
-/// flips at worst, O(n) as a rule.
+/// Flips sides of triangles until every side that is not in `edges` is locally Delaunay. If four
+/// points lie on a circle, the diagonal is the one that ends in the point of lowest index, so the
+/// result is unique. O(n^2) flips at worst, and usually O(n).
 void make_delaunay(const PlanarPoints& points, std::span<const IndexEdge> edges,
                    std::span<IndexTriangle> triangles);
 
-// The sweep over a region of the plane that triangulate() and nest_cycles() have in common: points
-// in lexicographic order, and the edges that meet the sweep line from bottom to top.
+// The sweep over a region of the plane that triangulate() and nest_cycles() have in common. It
+// visits points in lexicographic order, and keeps the edges that meet the sweep line from bottom to
+// top.
 
-/// A sweep over the region to the left of directed edges. Requires what triangulate() does: edges
-/// meet each other and points in their ends only; an edge that runs both ways is a slit, or has a
-/// part of the region on either side.
+/// A sweep over the region to the left of directed edges. Requires that edges meet each other and
+/// points in their ends only, as triangulate() does. An edge that occurs in both directions is a
+/// slit, or separates two parts of the region.
 class RegionSweep {
  protected:
   /// An edge from its lesser end to its greater one, in ranks of the sweep order.
   struct SweepEdge {
     std::uint32_t left;   ///< The rank of its lesser end.
     std::uint32_t right;  ///< The rank of its greater end.
-    bool is_lower;        ///< Whether the region is above it.
+    bool is_lower;        ///< Whether the region is above the edge.
   };
-  /// A point by its rank, to be looked up among edges.
+  /// A point, given by its rank, whose position among the edges is looked up.
   struct Probe {
     std::uint32_t rank;
   };
-  /// The order of edges on the sweep line, and of edges and points.
+  /// The order of edges on the sweep line, and of an edge and a point.
   struct Below {
     using is_transparent = void;
     const RegionSweep* sweep;
@@ -163,28 +175,29 @@ class RegionSweep {
   RegionSweep& operator=(const RegionSweep&) = delete;
   virtual ~RegionSweep() = default;
 
-  /// Sorts the edges by their left ends, and there from bottom to top.
+  /// Sorts the edges by their left ends. Edges with the same left end are sorted from bottom to
+  /// top.
   void start();
 
-  /// Returns the turn from the left end of an edge over the right one to a point. A derived class
-  /// that knows the lines of edges can ask these instead.
+  /// Returns the direction of the turn from the left end of an edge over its right end to a point.
+  /// A derived class that knows the lines of edges can use these lines instead.
   virtual Sign turn(std::uint32_t edge, std::uint32_t rank) const {
     return orient(edges_[edge].left, edges_[edge].right, rank);
   }
-  /// Returns the turn of three points, by rank.
+  /// Returns the direction of the turn of three points, given by rank.
   Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
     return points_.orient(order_[i], order_[j], order_[k]);
   }
 
-  /// Returns the edges in the status that end in v, or an empty range, if v lies between edges, at
-  /// its place.
+  /// Returns the range of the edges in the status that end in v. If no edge ends in v, the range is
+  /// empty, and lies at the position of v between the edges.
   std::pair<Place, Place> edges_ending(std::uint32_t v);
-  /// Returns the edge just below a place of the status, or kNone.
+  /// Returns the edge just below a position in the status, or kNone.
   std::uint32_t edge_below(Place at) const {
     return at == status_.begin() ? kNone : *std::prev(at);
   }
-  /// Calls visit(edge) for the edges that leave v to the right, bottom to top, and puts each into
-  /// the status. Returns false as soon as a visit does.
+  /// Calls visit(edge) for each edge that leaves v to the right, from bottom to top, and inserts it
+  /// into the status. Stops and returns false as soon as visit() returns false.
   template <class Visit>
   bool insert_leaving(std::uint32_t v, const Visit& visit) {
     for (; next_start_ < starts_.size() && edges_[starts_[next_start_]].left == v; ++next_start_) {
@@ -196,7 +209,7 @@ class RegionSweep {
     return true;
   }
 
-  /// Calls a checkpoint at every 4096th step.
+  /// Calls the checkpoint of the context at every 4096th step.
   void count_step() {
     if (context_ != nullptr && ++steps_ % 4096 == 0) context_->checkpoint("sweep of a plane", 0, 0);
   }
@@ -212,11 +225,12 @@ class RegionSweep {
 
   Context* context_;
   std::uint64_t steps_ = 0;
-  std::vector<std::uint32_t> rank_;    // The rank of each index.
-  std::vector<std::uint32_t> starts_;  // Edges by left end, there from bottom to top.
+  std::vector<std::uint32_t> rank_;  // The rank of each index.
+  // Edges by left end; at the same left end, from bottom to top.
+  std::vector<std::uint32_t> starts_;
   std::uint32_t next_start_ = 0;
   std::vector<std::uint32_t> incoming_;  // An edge in the status that ends at each rank.
-  std::vector<Place> place_;             // The place of each edge in the status.
+  std::vector<Place> place_;             // The position of each edge in the status.
 };
 
 }  // namespace plumb

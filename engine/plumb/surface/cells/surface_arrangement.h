@@ -1,19 +1,20 @@
-// Polygons on a surface against each other: the subdivision into which they cut it, face by face.
+// The subdivision into which polygons cut a surface, face by face.
 //
-// A face is touched if a node lies in it or on its boundary. Touched faces are planar subdivisions
-// with half-edges: first those along the face's own boundary (split at nodes; the outside belongs
-// to another face), then those of arcs inside it, in pairs. Other faces are whole.
+// A face is touched if a node lies in it or on its boundary. Each touched face is a planar
+// subdivision with half-edges. The first half-edges of a face run along its own boundary. They are
+// split at nodes; their outside belongs to another face. The half-edges of arcs inside the face
+// follow, in pairs. Other faces are not divided.
 //
 // Main flow of slice():
 //  1. nodes      makes equal points one node, by sorting along each edge and in each face
 //                (make_nodes())
-//  2. runs       adds up segments along mesh edges on the pieces of those edges
-//  3. segments   adds up the other segments by face and ends; those that cancel go
+//  2. runs       adds up segments along mesh edges, on each piece of such an edge
+//  3. segments   adds up the other segments by face and ends; drops sums that are zero
 //  4. faces      arranges each touched face on its own (face_arrangement.h)
 //  5. sew        finds the twins of half-edges along mesh edges
 //
-// Multiplicities are those of chains: a polygon that runs back the way it came is zero. Theory:
-// docs/design/surface.md, section Slicing.
+// Multiplicities are those of chains: the multiplicity of a polygon is zero where it runs back the
+// way it came. Theory: docs/design/surface.md, section Slicing.
 #pragma once
 
 #include <array>
@@ -29,23 +30,25 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Where two segments between input nodes meet inside a face; its exact place is implicit.
+/// The point where two segments between input nodes meet inside a face. Its exact coordinates are
+/// not stored; the segments define them.
 struct SurfaceCrossing {
   FaceId face;
-  std::array<NodeId, 4> ends;  ///< Ends of the first segment, then those of the second.
+  std::array<NodeId, 4> ends;  ///< The ends of the first segment, then the ends of the second.
   Point2 approx;               ///< (u, v), rounded.
-  double radius;               ///< Bound on the error of both; may be infinite.
+  double radius;               ///< Bound on the errors of u and v; may be infinite.
 };
 
-/// Sparse vectors over polygons, end to end. Equal ones may occur more than once.
+/// A list of bundles. A bundle is a sparse vector over polygons: the multiplicities of polygons
+/// that run together. Equal bundles may occur more than once.
 class SurfaceBundles {
  public:
   std::size_t size() const { return begin_.size() - 1; }
   std::span<const SignedEntry> operator[](std::size_t b) const {
     return std::span(entries_).subspan(begin_[b], begin_[b + 1] - begin_[b]);
   }
-  /// Appends the sum of `terms`, given in any order, and returns true. If the sum is zero it
-  /// appends nothing and returns false.
+  /// Appends the sum of `terms` as a bundle and returns true. The terms may be in any order. If the
+  /// sum is zero, appends nothing and returns false.
   bool add_sum(std::span<SignedEntry> terms);
 
  private:
@@ -53,40 +56,41 @@ class SurfaceBundles {
   std::vector<SignedEntry> entries_;
 };
 
-/// The subdivision in flat arrays. Half-edges of a touched face are consecutive, and so are its
+/// The subdivision in flat arrays. The half-edges of a touched face are consecutive, and so are its
 /// pieces.
 struct SurfaceArrangement {
-  std::size_t segments = 0;  ///< Segments of the input, without those of length zero.
+  std::size_t segments = 0;  ///< Number of segments of the input, without those of length zero.
 
-  // Nodes: input points, then corners of touched faces that no polygon runs through, then
-  // crossings.
-  std::vector<SurfacePointId> node_point;  ///< Input points; the first nodes.
-  std::vector<VertexId> corner_vertex;     ///< Corners; the nodes after them.
-  std::vector<SurfaceCrossing> crossings;  ///< Crossings; the last nodes.
+  // The nodes are, in this order: input points, corners of touched faces that no polygon runs
+  // through, crossings.
+  std::vector<SurfacePointId> node_point;  ///< The input points, which are the first nodes.
+  std::vector<VertexId> corner_vertex;     ///< The corners, which are the next nodes.
+  std::vector<SurfaceCrossing> crossings;  ///< The crossings, which are the last nodes.
   std::vector<NodeId> node_of_entry;       ///< Node of each entry of SurfacePolygons::point.
 
-  // Touched faces, in slots by ascending id.
+  // Each touched face has a slot. Slots are in ascending order of face ids.
   std::vector<FaceId> slot_face;
   std::vector<std::uint32_t> slot_of_face;  ///< Slot of each face, or kNone.
-  /// Four entries per slot: where the half-edges of sides 0, 1, 2 and those of arcs begin.
+  /// Four entries for each slot: the first half-edges of sides 0, 1 and 2, and the first half-edge
+  /// of arcs.
   std::vector<std::uint32_t> side_begin;
   std::vector<PieceId> piece_begin;  ///< First piece of each slot, and one past the last.
 
   std::vector<NodeId> origin;  ///< Origin of each half-edge.
-  /// Twin; invalid at the mesh border and beside faces that are not touched.
+  /// Twin of each half-edge; invalid at the mesh border and beside faces that are not touched.
   std::vector<HalfedgeId> twin;
-  std::vector<HalfedgeId> next;  ///< Next half-edge around the piece.
-  std::vector<PieceId> piece;    ///< Piece to the left.
-  std::vector<ArcId> arc;        ///< Arc, invalid if no polygon runs here.
+  std::vector<HalfedgeId> next;  ///< Next half-edge around the piece of each half-edge.
+  std::vector<PieceId> piece;    ///< Piece to the left of each half-edge.
+  std::vector<ArcId> arc;        ///< Arc of each half-edge; invalid if no polygon runs there.
 
   std::vector<std::uint32_t> piece_slot;
-  std::vector<double> piece_share;        ///< Part of the area of its face.
+  std::vector<double> piece_share;        ///< The share of each piece in the area of its face.
   std::vector<std::uint32_t> loop_begin;  ///< First loop of each piece, and one past the last.
   std::vector<HalfedgeId> loop;  ///< A half-edge of each boundary cycle, the outer one first.
 
-  std::vector<HalfedgeId> arc_halfedge;  ///< The half-edge that runs with the arc.
+  std::vector<HalfedgeId> arc_halfedge;  ///< The half-edge that runs in the direction of each arc.
   std::vector<std::uint32_t> arc_bundle;
-  SurfaceBundles bundles;  ///< Polygons with their multiplicities along arcs.
+  SurfaceBundles bundles;  ///< The polygons along arcs, with their multiplicities.
 
   std::size_t crossings_begin() const { return node_point.size() + corner_vertex.size(); }
   std::size_t node_count() const { return crossings_begin() + crossings.size(); }
@@ -96,7 +100,7 @@ struct SurfaceArrangement {
   bool is_input(NodeId n) const { return n.value() < node_point.size(); }
   bool is_crossing(NodeId n) const { return n.value() >= crossings_begin(); }
   SurfacePointId input(NodeId n) const { return node_point[n.value()]; }
-  /// Returns the vertex of a node that is neither input nor crossing.
+  /// Returns the vertex of a node that is neither an input point nor a crossing.
   VertexId corner(NodeId n) const { return corner_vertex[n.value() - node_point.size()]; }
   const SurfaceCrossing& crossing(NodeId n) const {
     return crossings[n.value() - crossings_begin()];
@@ -104,7 +108,7 @@ struct SurfaceArrangement {
   std::span<const SignedEntry> multiplicities(ArcId a) const {
     return bundles[arc_bundle[a.value()]];
   }
-  /// Whether the half-edge runs with its arc. Requires an arc.
+  /// Whether the half-edge runs in the direction of its arc. Requires that it has an arc.
   bool is_with_arc(HalfedgeId h) const { return arc_halfedge[arc[h.value()].value()] == h; }
   NodeId target(HalfedgeId h) const { return origin[next[h.value()].value()]; }
   FaceId face_of(PieceId p) const { return slot_face[piece_slot[p.value()]]; }
@@ -112,12 +116,14 @@ struct SurfaceArrangement {
   std::uint32_t arcs_begin(std::uint32_t slot) const { return side_begin[4 * slot + 3]; }
 };
 
-/// Arranges polygons. Requires that require_valid(polygons) passes. Throws what the context throws.
+/// Returns the subdivision by the polygons. Requires that require_valid(polygons) does not throw.
+/// Throws what the context throws.
 SurfaceArrangement slice(const SurfacePolygons& polygons, Context& context);
 
 inline constexpr std::uint8_t kCrossingEnds = 3;
-/// Returns how many arcs end in each node, both ends of a closed arc counted, up to kCrossingEnds;
-/// a node with that many is a crossing. Only arcs for which `counts(arc)` holds are counted.
+/// Returns the number of ends of arcs at each node, but at most kCrossingEnds. A closed arc has two
+/// ends at its node. A node with kCrossingEnds ends is a crossing. Only arcs for which
+/// `counts(arc)` holds are counted.
 template <class Counts>
 std::vector<std::uint8_t> arc_ends(const SurfaceArrangement& a, const Counts& counts) {
   std::vector<std::uint8_t> ends(a.node_count());
@@ -134,28 +140,30 @@ inline std::vector<std::uint8_t> arc_ends(const SurfaceArrangement& a) {
   return arc_ends(a, [](ArcId) { return true; });
 }
 
-/// Returns (u, v) of a crossing.
+/// Returns the exact (u, v) of a crossing.
 RationalPoint2 exact_crossing(const SurfaceArrangement& arrangement,
                               const SurfacePointTable& points, const SurfaceCrossing& crossing);
 
-/// Returns (u, v) of any node in a face it lies in.
+/// Returns the exact (u, v) of any node. Requires that the node lies in the face.
 RationalPoint2 exact_node(const SurfaceArrangement& arrangement, const SurfacePointTable& points,
                           NodeId node, FaceId f);
 
-/// Returns the point of a node, appended to a table over the same mesh.
+/// Appends the point of a node to a table over the same mesh, and returns its row.
 SurfacePointId add_node_point(const SurfaceArrangement& arrangement,
                               const SurfacePointTable& points, NodeId node, SurfacePointTable& to);
 
-// The different points of polygons, and where they lie along edges.
+// The distinct points of polygons, and their order along edges.
 
-/// Nodes of input points: those on edges first, by edge and t; then vertices, then points in faces.
+/// Nodes of input points. The nodes on edges come first, by edge and t. Then come the vertices,
+/// then the points in faces.
 struct SurfaceNodes {
   std::vector<SurfacePointId> point;  ///< Point of each node.
   std::vector<NodeId> of_entry;       ///< Node of each entry of the polygons.
   std::vector<EdgeId> edges;          ///< Edges with nodes inside, ascending.
-  /// First node of each such edge, and one past the last; its nodes ascend by t.
+  /// First node of each edge of `edges`, and one past the last node. The nodes of an edge are in
+  /// ascending order of t.
   std::vector<std::uint32_t> edge_begin;
-  std::vector<std::uint32_t> slot_of_edge;  ///< Index into `edges` of each mesh edge, or kNone.
+  std::vector<std::uint32_t> slot_of_edge;  ///< Index of each mesh edge in `edges`, or kNone.
   std::uint32_t vertices_begin = 0;
   std::uint32_t faces_begin = 0;
   std::vector<NodeId> of_vertex;  ///< Node of each mesh vertex.
@@ -164,11 +172,13 @@ struct SurfaceNodes {
     const std::uint32_t slot = slot_of_edge[e.value()];
     return slot == kNone ? 0 : edge_begin[slot + 1] - edge_begin[slot];
   }
-  /// Returns the first node inside an edge with count_on() > 0; the others follow it.
+  /// Returns the first node inside an edge; the other nodes inside the edge follow it. Requires
+  /// that count_on(e) > 0.
   std::uint32_t first_on(EdgeId e) const { return edge_begin[slot_of_edge[e.value()]]; }
 };
 
-/// Finds the different points. Expected cost: O(n log n) for n entries, and O(mesh) to set up.
+/// Finds the distinct points of the polygons. Expected cost: O(n log n) for n entries, and O(mesh)
+/// to set up.
 SurfaceNodes make_nodes(const SurfacePolygons& polygons, Context& context);
 
 }  // namespace plumb

@@ -1,12 +1,12 @@
-// The cells into which polygons cut a surface, which cells lie across arcs from each other, and the
-// borders of selected cells.
+// The cells into which polygons cut a surface, the graph of cells that are neighbours across arcs,
+// and the borders of selected cells.
 //
 // Main flow of make_cells():
 //  1. join      joins pieces across half-edges without arc, and faces across mesh edges
 //               (union-find)
 //  2. number    numbers cells in the order of their first face
-//  3. measure   computes areas, and which cells are at the mesh border
-//  4. graph     lists arcs between cells, equal ones once
+//  3. measure   computes areas, and finds the cells at the mesh border
+//  4. graph     lists the arcs between cells; equal arcs are listed once
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// An edge of the graph of cells: from cell `from` to cell `to` labels grow by sign times the
-/// bundle. Requires from <= to.
+/// An edge of the graph of cells. From cell `from` to cell `to`, labels change by `sign` times the
+/// bundle (SurfaceBundles). from <= to.
 struct CellEdge {
   CellId from;
   CellId to;
@@ -31,9 +31,9 @@ struct CellEdge {
 /// The cells and their graph.
 struct SurfaceCells {
   std::vector<CellId> of_piece;
-  std::vector<CellId> of_face;           ///< Cell of each face that is not touched.
-  std::vector<double> area;              ///< Area of each cell; the largest double if it overflows.
-  std::vector<std::uint32_t> component;  ///< Component of the mesh of each cell.
+  std::vector<CellId> of_face;  ///< Cell of each face that is not touched.
+  std::vector<double> area;  ///< The area of each cell; the largest double if the area exceeds it.
+  std::vector<std::uint32_t> component;  ///< The component of the mesh that contains each cell.
   std::vector<std::uint8_t> is_at_border;
   std::vector<CellEdge> edges;  ///< Distinct edges, sorted by (from, to).
 
@@ -50,21 +50,22 @@ CellId cell_at_corner(const SurfaceArrangement& arrangement, const SurfaceCells&
 // The border of selected cells as closed polygons.
 //
 // Main flow of trace_borders():
-//  1. start     begins at each half-edge of an arc with a selected cell to its left and a cell that
-//               is not selected to its right, unless a loop has used it
-//  2. follow    goes around the selected side: at a point where several borders meet it turns about
-//               the point within the selected cells (their exact angular order is that of the
-//               half-edges) to the next border; it follows the mesh border where the selected cells
-//               end there
-//  3. name      names corners: control points of generators, and points where two strands of
+//  1. start     begins at each half-edge of an arc that has a selected cell to its left and an
+//               unselected cell to its right, unless a loop has used this half-edge
+//  2. follow    follows the border with the selected cells to its left. At a point where several
+//               borders meet, it turns about the point within the selected cells to the next
+//               border; half-edges are in exact angular order. It follows the mesh border where the
+//               selected cells end there
+//  3. name      chooses the corners: control points of generators, and points where two strands of
 //               generators meet. Crossings with other polygons are left out, because the border
 //               runs straight through them
 //
-// Cost: O(half-edges of the arrangement), and of the mesh border where it is followed.
+// Cost: O(half-edges of the arrangement + half-edges of the mesh border that are followed).
 
-/// Returns the border of the cells for which `is_selected` is set, one entry per cell; `generators`
-/// are polygons in ascending order. Loops that consist of mesh border alone are left out. Throws
-/// what the context throws.
+/// Returns the border of the selected cells as polygons. `is_selected` has one entry for each cell.
+/// `generators` lists polygons in ascending order; their control points become control points of
+/// the border. Loops that consist of mesh border alone are left out. Throws what the context
+/// throws.
 SurfacePolygons trace_borders(const SurfacePolygons& polygons,
                               const SurfaceArrangement& arrangement, const SurfaceCells& cells,
                               std::span<const std::uint8_t> is_selected,

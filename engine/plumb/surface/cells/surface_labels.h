@@ -1,14 +1,15 @@
-// Labels of cells: for each shape the integer function that jumps across arcs by the multiplicity
-// of the shape there.
+// Labels of cells. The label of a shape is an integer function on cells. From one side of an arc to
+// the other, it changes by the multiplicity of the shape along the arc.
 //
 // Main flow of label_cells():
-//  1. tree       grows a tree of cells in each component of the mesh, from the cell where labels
-//                are to be zero if it is known, else from the largest (at the border, if there is
-//                one)
+//  1. tree       grows a tree of cells in each component of the mesh. The root is the cell where
+//                labels must be zero, if it is known. Otherwise it is the largest cell at the mesh
+//                border, or the largest cell if there is no border
 //  2. potential  computes labels along the tree, zero at its root; sparse
-//  3. check      checks every other edge of the graph; a shape that fails has no label, and a cycle
-//                proves it
-//  4. shift      shifts each shape and component to its zero, or to the level that is given
+//  3. check      checks the edges of the graph that are not in the tree. A shape that fails has no
+//                label, and a cycle proves it
+//  4. shift      shifts the labels of each shape in each component to its zero, or to the level
+//                that is given
 //
 // Cost: O(edges + sum of the lengths of labels and jumps). Proof: docs/design/surface.md, section
 // Labels.
@@ -26,12 +27,13 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// How labels change across cell edges: for each edge a sparse vector over shapes, from `from` to
-/// `to`.
+/// The changes of labels along the edges of the graph of cells. Each edge has a sparse vector over
+/// shapes: label in cell `to` minus label in cell `from`.
 struct CellJumps {
   explicit CellJumps(Context& context) : memory(std::make_unique<MemoryCharge>(context)) {}
 
-  std::unique_ptr<MemoryCharge> memory;  ///< The charge of the lists; released with them.
+  /// The charge for the memory of the lists; it is released together with them.
+  std::unique_ptr<MemoryCharge> memory;
   std::vector<std::uint32_t> begin = {0};
   std::vector<SignedEntry> entries;
   std::span<const SignedEntry> operator[](std::size_t e) const {
@@ -39,23 +41,23 @@ struct CellJumps {
   }
 };
 
-/// Returns the jumps if every polygon is a shape. Throws what the context throws.
+/// Returns the jumps of polygons, each as a shape of its own. Throws what the context throws.
 CellJumps jumps_of_polygons(const SurfaceArrangement& arrangement, const SurfaceCells& cells,
                             Context& context);
 /// Returns the jumps of shapes that are sums of polygons. Throws what the context throws.
 CellJumps jumps_of_shapes(const CellJumps& polygons,
                           std::span<const std::vector<std::uint32_t>> shapes, Context& context);
 
-/// A label that is given.
+/// A known label of a shape in a cell.
 struct CellLevel {
   std::uint32_t shape;
   CellId cell;
   std::int32_t label;
 };
 
-/// Sparse labels of all cells, and what each shape separates.
+/// Sparse labels of all cells, and whether each shape separates the surface.
 struct CellLabels {
-  std::vector<Separation> separation;  ///< Outcome for each shape.
+  std::vector<Separation> separation;  ///< Whether the label of each shape exists.
   std::vector<std::uint32_t> begin;    ///< First entry of each cell, and one past the last.
   std::vector<SignedEntry> entries;
   std::span<const SignedEntry> operator[](CellId c) const {
@@ -63,9 +65,10 @@ struct CellLabels {
   }
 };
 
-/// Returns the labels, or for each shape without labels a cycle that proves it. `outside` is the
-/// cell where labels are zero, for its component; it may be invalid. `levels` take precedence; at
-/// most one for a shape in a component. Throws what the context throws.
+/// Returns the labels. For each shape without labels, returns a cycle that proves it. `outside` is
+/// the cell of its component where labels are zero; it may be invalid. `levels` take precedence
+/// over `outside`. There is at most one level for each pair of a shape and a component. Throws what
+/// the context throws.
 CellLabels label_cells(const SurfaceCells& cells, const CellJumps& jumps, std::size_t shapes,
                        CellId outside, std::span<const CellLevel> levels, Context& context);
 

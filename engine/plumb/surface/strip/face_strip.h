@@ -1,5 +1,6 @@
-// Strips of triangles of a mesh, for paths that are found in doubles: faces laid out in the plane,
-// each beside the one before, and strips between two points (trace.h, exponential_map.h).
+// Strips of triangles of a mesh, for paths that are found in doubles. The first part lays out faces
+// in the plane, each beside the face before it. The second part finds strips between two points
+// (trace.h, exponential_map.h).
 #pragma once
 
 #include <array>
@@ -19,30 +20,33 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Vertices times 2^-exponent, so that no product of two of their coordinates overflows.
+/// The positions of vertices, multiplied by 2^-exponent so that no product of two coordinates
+/// overflows.
 struct ScaledPositions {
   std::vector<Point3> at;
   int exponent = 0;
 };
-/// Returns the vertices scaled so that coordinates are at most 1.
+/// Returns the positions of the vertices, scaled so that the absolute values of coordinates are at
+/// most 1.
 ScaledPositions scaled_positions(const SurfaceMesh& mesh);
 
 /// The corners of a face in the plane, in the order of the mesh, counter-clockwise.
 using FaceCorners = std::array<Point2, 3>;
 
-/// Returns the face with corner `first` at the origin and the next corner to the right of it.
+/// Returns the face laid out with corner `first` at the origin and the next corner to the right of
+/// it.
 FaceCorners laid_out(const SurfaceMesh& mesh, std::span<const Point3> positions, FaceId f,
                      std::size_t first);
-/// Returns the face across a door, given the corners of the face that the door leads out of.
-/// Requires that there is one.
+/// Lays out the face on the other side of a door, beside the face that the door leads out of.
+/// `corners` are the corners of that face. Requires that there is a face on the other side.
 FaceCorners laid_out_across(const SurfaceMesh& mesh, std::span<const Point3> positions,
                             const FaceCorners& corners, HalfedgeId door);
 
-/// Returns the angle of the face of h at the origin of h, from 0 to pi.
+/// Returns the angle, from 0 to pi, of the face of h at the origin of h.
 double corner_angle(const SurfaceMesh& mesh, std::span<const Point3> positions, HalfedgeId h);
 
-/// Returns the weights of a point, by its approximate parameters, among three corners of one of its
-/// faces.
+/// Returns the weights of the three corners of a face in a point of that face, computed from the
+/// approximate parameters of the point.
 std::array<double, 3> weights_in(const SurfacePointTable& table, SurfacePointId p, FaceId f);
 
 /// Vectors of doubles for layouts in the plane.
@@ -60,17 +64,18 @@ inline Point2 combined(const FaceCorners& p, const std::array<double, 3>& w) {
 
 }  // namespace layout
 
-// Strips of faces between two points of a mesh, for tracing (trace.h): found over the dual graph,
-// led to the other side of a vertex, cut short. Doubles choose; whatever they choose is a strip.
+// Strips of faces between two points of a mesh, for tracing (trace.h). A strip is found over the
+// dual graph, led to the other side of a vertex, and shortened. Doubles choose among strips. A
+// rounding error can change the choice, but the result is always a strip.
 
-/// Faces, each across a side of the one before. `doors` are those sides, as half-edges of the faces
-/// that they lead out of.
+/// A sequence of faces in which each face shares a side with the next one. `doors` are the shared
+/// sides, as half-edges of the faces that they lead out of.
 struct FaceStrip {
   FaceId first;
   std::vector<HalfedgeId> doors;
 };
 
-/// An end of a path, with its position in the doubles of the tracer.
+/// An end of a path, with its scaled position in doubles.
 struct StripEnd {
   const SurfacePointTable* table;
   SurfacePointId point;
@@ -80,23 +85,26 @@ struct StripEnd {
   bool lies_in(FaceId f) const { return table->is_in(point, f); }
 };
 
-/// Returns the faces that a point lies in, those around a vertex in order. An isolated vertex has
-/// none.
+/// Returns the faces that contain a point. The faces around a vertex are in order around it. An
+/// isolated vertex has no faces.
 std::vector<FaceId> faces_at(const SurfacePointTable& points, SurfacePointId p);
 
-/// Working memory for many strips on one mesh: O(faces) once, then O(faces looked at).
+/// Finds and shortens strips, and keeps the working memory for many strips on one mesh. Costs
+/// O(faces) once, then O(faces visited) for each strip.
 class StripFinder {
  public:
-  /// `positions` are those of the vertices, scaled so that no product of two overflows.
+  /// `positions` are the positions of the vertices, scaled so that no product of two coordinates
+  /// overflows.
   StripFinder(const SurfaceMesh& mesh, std::span<const Point3> positions);
 
-  /// Returns a strip that is short as measured by the centroids of its faces (A*); no value if no
-  /// strip leads from one end to the other. Ties go to the lower face, so the answer does not
-  /// depend on the platform's heap.
+  /// Returns a strip whose length, measured by the centroids of its faces, is short (A* search).
+  /// Returns no value if no strip leads from one end to the other. Ties go to the lower face, so
+  /// the answer does not depend on the platform's heap.
   std::optional<FaceStrip> find(const StripEnd& from, const StripEnd& to, Context& context);
 
-  /// Cuts out what leads back to a face, and faces at the ends that are left at the end itself. A
-  /// path in the strip does not become longer.
+  /// Keeps the part of the strip from the last face that contains its start to the next face that
+  /// contains its end. Within this part, removes every detour from a face back to the same face.
+  /// The shortest path in the strip does not become longer.
   void shorten(FaceStrip& strip, const StripEnd& from, const StripEnd& to);
 
  private:
@@ -105,7 +113,7 @@ class StripFinder {
     bool is_done = false;
     double cost = 0;
     HalfedgeId door;         // Half-edge through which the face was entered.
-    std::uint32_t last = 0;  // Last place in the strip, for shorten().
+    std::uint32_t last = 0;  // Last position in the strip, for shorten().
   };
   struct Entry {
     double bound;
@@ -128,9 +136,9 @@ class StripFinder {
   Point3 goal_;
 };
 
-/// Returns the half-edges crossed on the way around a vertex, clockwise or counter-clockwise, from
-/// the face of `from`, which leaves the vertex, to another face at it; no value if the border is in
-/// the way.
+/// Returns the half-edges that a way around a vertex crosses, clockwise or counter-clockwise. The
+/// half-edge `from` leaves the vertex, and the way leads from the face of `from` to the face `to`
+/// at the same vertex. Returns no value if the border is in the way.
 std::optional<std::vector<HalfedgeId>> doors_around(const SurfaceMesh& mesh, HalfedgeId from,
                                                     FaceId to, bool clockwise);
 
