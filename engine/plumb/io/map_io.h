@@ -1,16 +1,19 @@
-// Reads and writes planar maps: a header `n f`, n lines `x y`, and f lines of 1-based vertex ids
-// (docs/formats.md, "map").
+// Reads and writes planar maps as text (docs/formats.md, "map"). The text consists of a header
+// `n f`, n lines `x y` with the coordinates of the vertices, and f lines with the 1-based vertex
+// ids of the faces.
 //
 // Main flow of read_map:
-//  1. read_counts    reads the header and checks its counts against the bytes that follow
+//  1. read_counts    reads the header and checks its counts against the number of bytes that follow
 //  2. read_vertices  reads exactly two numbers from each line (record_reader.h)
-//  3. read_faces     reads at least three ids from each line, all in range, with no vertex twice in
-//                    a row and not all vertices on one line of the plane (decided exactly)
+//  3. read_faces     reads the vertex ids of each face from its line. There must be at least three
+//                    ids, all in range. The same id must not occur twice in a row. The points of
+//                    the vertices must not all be collinear, which is decided exactly.
 //  4. end            accepts only blank lines and comments after the faces
 //
-// Cost: O(bytes) time; the memory holds the text and the map. Errors: NotText, Syntax,
-// NumberOutOfRange, CountMismatch, BadIndex and DegenerateFace, thrown with the place (file, line,
-// column); CannotOpen, ResourceLimit and Cancelled.
+// Cost: O(bytes) time. Text and map are in memory together.
+//
+// Errors: NotText, Syntax, NumberOutOfRange, CountMismatch, BadIndex and DegenerateFace name the
+// file, line and column. Other errors are CannotOpen, ResourceLimit and Cancelled.
 #pragma once
 
 #include <iosfwd>
@@ -24,8 +27,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the map that `text` holds. The memory of the map stays charged to `context`. Throws the
-/// errors stated above.
+/// Returns the map that `text` describes. The memory of the map stays charged to `context`. Throws
+/// the errors stated above.
 Map read_map(std::string_view text, const ReadOptions& options = {},
              Context& context = unlimited_context());
 
@@ -34,8 +37,9 @@ Map read_map(std::string_view text, const ReadOptions& options = {},
 Map read_map_file(const std::string& path, ReadOptions options = {},
                   Context& context = unlimited_context());
 
-/// Writes a map without loss: read_map() of the text, without exact decimals, returns the same
-/// points and cycles. Its own buffer is flushed at the end, `out` is not. Throws what `out` throws.
+/// Writes a map without loss. If read_map() reads the text without ReadOptions::exact_decimals, it
+/// returns the same points and cycles. At the end all bytes have been passed to `out`, but `out` is
+/// not flushed. Passes on exceptions of `out`.
 void write_map(std::ostream& out, const Map& map);
 
 }  // namespace plumb

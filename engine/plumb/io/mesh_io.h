@@ -1,11 +1,12 @@
-// Reads and writes polygon meshes: the entry point to OFF, OBJ, STL, PLY and, for reading only,
-// glTF.
+// Reads and writes polygon meshes as OFF, OBJ, STL and PLY, and reads glTF.
 //
-// Reading: the format is given, taken from the extension, or guessed from the first bytes. Faces
-// stay as the file lists them; what a reader leaves out is reported in MeshFile::notes.
+// Reading: the caller states the format, or the extension of the file determines it, or it is
+// guessed from the first bytes. Faces stay as the file lists them. MeshFile::notes reports the
+// contents of the file that were left out.
 //
-// Writing: OFF, OBJ, PLY and text STL hold doubles, binary STL holds floats, exact OFF holds
-// fractions. STL holds triangles only. as_written() returns what a reader of the file will get.
+// Writing: the coordinates in OFF, OBJ, PLY and text STL are doubles. The coordinates in binary STL
+// are floats. The coordinates in exact OFF are fractions. STL files contain triangles only.
+// as_written() returns the mesh that a reader of the written file will get.
 #pragma once
 
 #include <cstdint>
@@ -24,13 +25,14 @@ namespace plumb {
 
 /// A mesh read from a file.
 struct MeshFile {
-  PolygonMesh mesh;  ///< The mesh as it stands in the file.
-  /// What else the file says, and what was left out: one sentence each, for people.
+  PolygonMesh mesh;  ///< The mesh as the file lists it.
+  /// Notes for a human reader, one sentence each. They report contents of the file that are not in
+  /// `mesh`.
   std::vector<std::string> notes;
 };
 
-/// Formats of mesh files. For reading, Stl and StlBinary accept both forms of STL, and Ply and
-/// PlyText accept every form of PLY; for writing, they select the form.
+/// Formats of mesh files. A writer writes exactly the form that the format names. A reader accepts
+/// both forms of STL for Stl and for StlBinary, and every form of PLY for Ply and for PlyText.
 enum class MeshFormat : std::uint8_t {
   Off,        ///< OFF with doubles.
   ExactOff,   ///< OFF with fractions p/q as coordinates.
@@ -39,7 +41,7 @@ enum class MeshFormat : std::uint8_t {
   StlBinary,  ///< Binary STL, with floats.
   Ply,        ///< Binary PLY, little-endian, with doubles.
   PlyText,    ///< Text PLY, with doubles.
-  Gltf,       ///< glTF, text or binary; for reading only.
+  Gltf,       ///< glTF, text or binary. This format can be read but not written.
 };
 
 /// Returns the format that the extension of `path` names: .off, .obj, .stl, .ply, .gltf or .glb.
@@ -49,45 +51,51 @@ std::optional<MeshFormat> mesh_format_of(const std::string& path);
 /// glb. Returns nullopt for any other name.
 std::optional<MeshFormat> mesh_format_named(std::string_view name);
 
-/// Returns the format that the file seems to have. Its first bytes decide: "glTF" or "{" begin
-/// glTF, "ply" begins PLY, "solid" or a length that fits binary STL means STL, and "OFF" with its
-/// prefixes or a number begins OFF. Everything else is taken for OBJ.
+/// Returns the format that a file with these bytes seems to have:
+///   - glTF if the bytes begin with "glTF" or "{"
+///   - PLY if the bytes begin with "ply"
+///   - STL if the bytes begin with "solid", or if their number fits binary STL
+///   - OFF if the bytes begin with "OFF", with "OFF" after one of its prefixes, or with a number
+///   - OBJ in all other cases
 MeshFormat guess_mesh_format(std::string_view bytes);
 
-/// Returns the mesh that `bytes` hold in the given format. Throws the errors that the reader of the
-/// format states (off.h, obj.h, stl.h, ply.h, gltf.h).
+/// Returns the mesh that `bytes` describe in the given format. Throws the errors that the header of
+/// the reader of this format states (off.h, obj.h, stl.h, ply.h, gltf.h).
 MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions& options = {},
                    Context& context = unlimited_context());
 
-/// Returns the mesh of the file `path`, whose bytes have been read already. The format is that of
-/// the extension, or else guessed. Buffers of glTF are looked up in the folder of the file. Throws
-/// as read_mesh() does.
+/// Returns the mesh of the file `path`. The caller has already read the bytes of the file. The
+/// extension of `path` determines the format. If it names no format, the format is guessed. Buffers
+/// of a glTF file are read from the folder of this file. Throws as read_mesh() does.
 MeshFile read_mesh_of(const std::string& path, std::string_view bytes,
                       const ReadOptions& options = {}, Context& context = unlimited_context());
 
-/// Reads the file `path`, or standard input if `path` is "-", and returns its mesh. Without
-/// `format`, the format is that of the extension, or else guessed. `options.name` is ignored. The
-/// memory of the bytes is released. Throws as read_mesh() does, and if the file cannot be read.
+/// Reads the file `path`, or standard input if `path` is "-", and returns its mesh. If `format` is
+/// not given, the format is found as in read_mesh_of(). `options.name` is ignored. The memory of
+/// the bytes is released. Throws as read_mesh() does, and if the file cannot be read.
 MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> format,
                         ReadOptions options = {}, Context& context = unlimited_context());
 
-/// Writes a mesh to a stream. Requires a format other than Gltf. Throws, before the first byte is
-/// written, Error{NumberOutOfRange} if a coordinate cannot be rounded, and Error{BadArgument} if a
-/// face that is not a triangle is to be written as STL. Throws what `out` throws.
+/// Writes a mesh to a stream. Requires a format other than Gltf. Throws Error{NumberOutOfRange} if
+/// a coordinate cannot be rounded to the numbers of the format. Throws Error{BadArgument} if the
+/// format is STL and a face is not a triangle. Both errors are thrown before the first byte is
+/// written. Passes on exceptions of `out`.
 void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format);
 
-/// Writes a mesh to the file `path` in the given format, or else in that of the extension (.off,
-/// .obj, .stl, .ply). The file appears, or replaces an older one, only after all of it is written.
-/// Throws Error{UnknownFormat} for any other extension, Error{CannotWrite} if the file cannot be
-/// written, and as write_mesh() does.
+/// Writes a mesh to the file `path`. If `format` is not given, the extension of `path` determines
+/// the format: .off, .obj, .stl or .ply. The file is created, or an existing file is replaced, only
+/// after all bytes have been written. Throws Error{UnknownFormat} if `format` is Gltf, or if it is
+/// not given and the extension is any other. Throws Error{CannotWrite} if the file cannot be
+/// written. Throws the errors of write_mesh(), too.
 void write_mesh_file(const std::string& path, const PolygonMesh& mesh,
                      std::optional<MeshFormat> format = {});
-/// Writes a mesh of triangles in plain arrays to a file, in the same way and with the same errors.
+/// Writes a mesh of triangles in plain arrays to a file. Format, replacement and errors are those
+/// of the function above.
 void write_mesh_file(const std::string& path, const TriangleMesh& mesh,
                      std::optional<MeshFormat> format = {});
 
-/// Returns the mesh with the coordinates that a reader of the written file will get. Throws as
-/// write_mesh() does.
+/// Returns the mesh with its coordinates rounded as write_mesh() rounds them. This is the mesh that
+/// a reader of the written file will get. Throws as write_mesh() does.
 PolygonMesh as_written(PolygonMesh mesh, MeshFormat format);
 
 }  // namespace plumb

@@ -9,12 +9,16 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Writes a complex without loss: read_nef3() of the text returns the same complex, on tables that
-/// hold only what the complex uses. The order of the tables is: the planes of the axes, the planes
-/// of the frame if one of them is used, all other planes, input points, constructed points; within
-/// each group the order of the ids is kept. Equal complexes on equal tables give equal bytes. There
-/// is a checkpoint after each 64 kB. Throws what `out` throws. Cost: O(n), with a gcd for each
-/// plane.
+/// Writes a complex without loss. read_nef3() of the text returns the same complex. Planes and
+/// points that the complex does not use are not written. The others are written in this order:
+///   1. the planes of the axes
+///   2. the planes of the frame, if at least one of them is used
+///   3. all other planes
+///   4. the input points
+///   5. the constructed points
+/// Within each of these groups, planes or points keep the order of their ids. Equal complexes on
+/// equal tables give equal bytes. The writer calls Context::checkpoint() after each 64 kB. Passes
+/// on exceptions of `out`. Cost: O(n), and one gcd for each plane.
 void write_nef3(std::ostream& out, const SpaceComplex& complex,
                 Context& context = unlimited_context());
 

@@ -1,12 +1,15 @@
-// Reads and writes sets of the plane: the entry point to WKT, GeoJSON and .nef2.
+// Reads and writes sets of the plane in the formats WKT, GeoJSON and .nef2.
 //
-// WKT and GeoJSON list polygons, lines and points (PlaneShapes). As a set, a polygon is the closed
-// region of the points that its rings enclose by the even-odd rule, with its boundary; a line is
-// the set of its points; the set of the file is the union of everything listed.
+// WKT and GeoJSON files list polygons, lines and points (PlaneShapes). A polygon stands for the
+// points that its rings enclose by the even-odd rule, together with the points on its rings. A line
+// stands for the set of its points. The file stands for the union of all polygons, lines and points
+// listed in it.
 //
-// Reading: WKT and GeoJSON carry no marks and give a closed set. Writing: .nef2 holds every set
-// exactly. WKT and GeoJSON hold polygons, lines and points with doubles as coordinates; what that
-// loses is always reported (PlaneLosses).
+// Reading: WKT and GeoJSON have no marks, so the set of a WKT or GeoJSON file is closed.
+//
+// Writing: .nef2 represents every set exactly. In WKT and GeoJSON the coordinates are doubles, and
+// there are only polygons, lines and points. Properties of the set that such a file cannot
+// represent are always reported (PlaneLosses).
 #pragma once
 
 #include <array>
@@ -28,17 +31,21 @@
 namespace plumb {
 
 /// Polygons, lines and points in flat arrays. A ring or a line is a chain of indices into `points`.
-/// A ring closes from its last corner to its first, which is not repeated.
+/// A ring also has an edge from its last corner to its first corner, and the first corner is not
+/// repeated at the end.
 struct PlaneShapes {
-  PointTable2 points;                              ///< All corners, exact.
-  std::vector<std::uint32_t> ring_corners;         ///< Corners of all rings, end to end.
-  std::vector<std::uint32_t> ring_begin = {0};     ///< First corners of rings, and the end.
-  std::vector<std::uint32_t> polygon_begin = {0};  ///< First rings of polygons, and the end.
-  std::vector<std::uint32_t> line_corners;         ///< Points of all polylines, end to end.
-  std::vector<std::uint32_t> line_begin = {0};     ///< First points of lines, and the end.
-  std::vector<std::uint32_t> single_points;        ///< Indices of the isolated points.
+  PointTable2 points;                       ///< All corners, exact.
+  std::vector<std::uint32_t> ring_corners;  ///< Corners of all rings, end to end.
+  /// Offsets of the first corners of the rings in ring_corners, and the size of ring_corners.
+  std::vector<std::uint32_t> ring_begin = {0};
+  /// Indices of the first rings of the polygons, and the number of rings.
+  std::vector<std::uint32_t> polygon_begin = {0};
+  std::vector<std::uint32_t> line_corners;  ///< Points of all lines, end to end.
+  /// Offsets of the first points of the lines in line_corners, and the size of line_corners.
+  std::vector<std::uint32_t> line_begin = {0};
+  std::vector<std::uint32_t> single_points;  ///< Indices of the isolated points.
 
-  /// Returns the number of polygons. Each has an outer ring and any number of holes.
+  /// Returns the number of polygons. Each polygon has an outer ring and any number of holes.
   std::size_t polygon_count() const { return polygon_begin.size() - 1; }
   std::size_t ring_count() const { return ring_begin.size() - 1; }  ///< Number of rings.
   std::size_t line_count() const { return line_begin.size() - 1; }  ///< Number of lines.
@@ -53,17 +60,18 @@ struct PlaneShapes {
   /// Whether there are no polygons, lines or isolated points.
   bool empty() const { return polygon_count() == 0 && line_count() == 0 && single_points.empty(); }
 
-  /// Makes a ring of the corners appended since the last ring.
+  /// Ends a ring. Its corners are those appended to ring_corners after the previous ring ended.
   void end_ring() { ring_begin.push_back(static_cast<std::uint32_t>(ring_corners.size())); }
-  /// Makes a polygon of the rings appended since the last polygon.
+  /// Ends a polygon. Its rings are those that ended after the previous polygon ended.
   void end_polygon() { polygon_begin.push_back(static_cast<std::uint32_t>(ring_count())); }
-  /// Makes a line of the points appended since the last line.
+  /// Ends a line. Its points are those appended to line_corners after the previous line ended.
   void end_line() { line_begin.push_back(static_cast<std::uint32_t>(line_corners.size())); }
 };
 
-/// Returns the set that the shapes stand for. One sweep handles all polygons whose rings meet only
-/// at common corners (touching polygons, touching holes); a polygon that crosses itself is first
-/// resolved by a sweep of its own. Cost: O((n + k) log n) for n corners and k crossings.
+/// Returns the set for which the shapes stand. Polygons whose rings meet only at common corners
+/// (such as a hole that touches the outer ring) are all handled in one sweep. Before that, each
+/// polygon that crosses itself is resolved by a separate sweep. Cost: O((n + k) log n) for n
+/// corners and k crossings.
 Nef2 to_set(const PlaneShapes& shapes, Context& context = unlimited_context());
 
 /// Returns the parts of a set as shapes, with exact coordinates.
@@ -73,25 +81,26 @@ PlaneShapes to_shapes(const PlaneParts& parts, Context& context = unlimited_cont
 /// Error{NumberOutOfRange} if a coordinate lies beyond the largest double.
 PlaneShapes rounded(PlaneShapes shapes, Context& context = unlimited_context());
 
-/// Formats for sets of the plane. Only Nef2 (.nef2) holds every set without loss.
+/// Formats for sets of the plane. Only the format Nef2 (.nef2) represents every set without loss.
 enum class PlaneFormat : std::uint8_t { Wkt, GeoJson, Nef2 };
 
 /// Returns the format that the extension of `path` names: .wkt, .geojson or .json, or .nef2.
 /// Returns nullopt for any other extension.
 std::optional<PlaneFormat> plane_format_of(const std::string& path);
 
-/// Returns the format that the text seems to have. "{" and "[" begin GeoJSON, "plumb-" begins
-/// .nef2; everything else is taken for WKT.
+/// Returns the format that the text seems to have. A text that begins with "{" or "[" is GeoJSON. A
+/// text that begins with "plumb-" is .nef2. Any other text is WKT.
 PlaneFormat guess_plane_format(std::string_view text);
 
-/// Returns the set that `text` holds in the given format. Throws the errors that the reader of the
-/// format states (wkt.h, geojson.h, nef2_format.h).
+/// Returns the set that `text` describes in the given format. Throws the errors that the header of
+/// the reader of this format states (wkt.h, geojson.h, nef2_format.h).
 Nef2 read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions& options = {},
                     Context& context = unlimited_context());
 
-/// Reads the file `path`, or standard input if `path` is "-", and returns its set. Without
-/// `format`, the format is that of the extension, or else guessed. `options.name` is ignored. The
-/// memory of the text is released. Throws as read_plane_set() does, and if the file cannot be read.
+/// Reads the file `path`, or standard input if `path` is "-", and returns its set. If `format` is
+/// not given, the extension of `path` determines the format. If it names no format, the format is
+/// guessed. `options.name` is ignored. The memory of the text is released. Throws as
+/// read_plane_set() does, and if the file cannot be read.
 Nef2 read_plane_set_file(const std::string& path, std::optional<PlaneFormat> format,
                          ReadOptions options = {}, Context& context = unlimited_context());
 
@@ -113,17 +122,19 @@ struct PlaneLosses {
   std::vector<std::string> sentences() const;
 };
 
-/// A set prepared for writing in a format. The constructor does all the work and finds all losses,
-/// so that a caller can refuse them before the first byte is written.
+/// A set that is prepared for writing in a format. The constructor finds all losses. So a caller
+/// can decide not to write the file before the first byte is written.
 class PlaneText {
  public:
-  /// Prepares `set`. If a coordinate has to be rounded, the set that a reader will get is built and
-  /// compared. Throws Error{NumberOutOfRange} if a coordinate lies beyond the largest double and
-  /// the format is not Nef2.
+  /// Prepares `set` for writing. If a coordinate must be rounded, the constructor also builds the
+  /// set that a reader of the file will get, and compares it with `set`. Throws
+  /// Error{NumberOutOfRange} if the format is not Nef2 and a coordinate lies beyond the largest
+  /// double.
   PlaneText(const Nef2& set, PlaneFormat format, Context& context = unlimited_context());
 
-  const PlaneLosses& losses() const { return losses_; }  ///< What the file will not hold.
-  /// Writes the file, with a checkpoint after each 64 kB. Throws what `out` throws.
+  /// Returns the properties of the set that the file will not represent.
+  const PlaneLosses& losses() const { return losses_; }
+  /// Writes the file. Calls Context::checkpoint() after each 64 kB. Passes on exceptions of `out`.
   void write(std::ostream& out, Context& context = unlimited_context()) const;
 
  private:

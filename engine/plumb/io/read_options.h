@@ -1,4 +1,4 @@
-// Options common to all readers.
+// Options that are common to all readers.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@ namespace plumb {
 /// Options that say how a text is read.
 struct ReadOptions {
   std::string name = "input";  ///< The name of the file in messages.
-  /// Whether numbers with a point or an exponent have exactly the value written. Otherwise each is
-  /// rounded to the nearest double.
+  /// Whether a number with a decimal point or an exponent is read exactly. Otherwise such a number
+  /// is rounded to the nearest double.
   bool exact_decimals = false;
 };
 

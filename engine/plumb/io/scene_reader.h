@@ -1,34 +1,47 @@
-// Reads scenes: polygons on a mesh (docs/formats.md, "Scenes").
+// Reads scenes. A scene consists of polygons on a mesh (docs/formats.md, "Scenes"). Its file is a
+// JSON object of this form, in which "?" marks optional members:
 //
 //   {"model": FILE, "points": [[face, u, v], ..], "polygons": [[point, ..], ..],
 //    "shapes"?: [[polygon, ..], ..], "outside"?: face, "levels"?: [[shape, face, label], ..],
 //    "svg"?: {"file": FILE, "center": [face, u, v], "scale": length, "angle"?: degrees,
 //    "tolerance"?: length}}
 //
-// Indices count from 0. The numbers u and v are the weights of the second and the third vertex of
-// the face; faces are numbered as the model lists them, with larger polygons cut into fans in
-// order. FILE is looked up in the folder of the scene. A weight is a JSON number or a string with a
-// fraction, "1/3". Members with other names are ignored.
+// Indices are 0-based. Faces are triangles, numbered in the order of the model. A larger polygon of
+// the model counts as the triangles of its fan, in order. In a point, u and v are the barycentric
+// weights of the second and the third vertex of the face. A weight is a JSON number, or a string
+// with a fraction such as "1/3". A relative FILE starts from the folder of the scene. Members with
+// other names are ignored.
 //
 // Main flow of read_scene_file:
-//  1. parse      reads the text, and keeps the place of each index and weight
-//  2. model      reads the mesh (mesh_io.h), cuts it into triangles and makes a SurfaceMesh
-//  3. points     puts each point on a vertex, on an edge or into a face, exactly (below)
-//  4. trace      leads polygons from point to point (trace.h), straight within a face that both
-//                points name
-//  5. draw       reads each "svg" (one, or a list) once (svg_reader.h), puts its points onto the
-//                surface by straight lines from the centre (exponential_map.h), and joins them by
-//                traces; each element becomes a shape, after the shapes of the scene
+//  1. parse      reads the text, and records the position of each index and weight in it
+//  2. model      reads the mesh (mesh_io.h), cuts it into triangles, and makes a SurfaceMesh
+//  3. points     decides exactly on which vertex, on which edge or in which face each point lies
+//                (see below)
+//  4. trace      traces each polygon from one of its points to the next (trace.h). Between two
+//                points given in the same face, the trace is straight.
+//  5. draw       reads each drawing of "svg", which is one object or a list, with svg_reader.h.
+//                Puts the points of a drawing onto the surface, along straight lines from its
+//                centre (exponential_map.h). Joins these points by traces. Each element of a
+//                drawing becomes a shape. These shapes follow the shapes of the scene.
 //
-// The numbers as they are written, decimals included, decide where a point lies: [f, 0.3, 0.7] lies
-// on the edge and equals [g, 0.7, 0] across it, although no doubles add up to that. A decimal is
-// then rounded once to the nearest double, unless that would move the point off its edge, onto an
-// edge, or out of its face. If u or v is a decimal and u + v differs from 1 by at most 2^-52, the
-// sum is taken for 1; a point outside its face by no more than that is accepted.
+// Exact decisions: the numbers as written decide where a point lies. This holds for decimals, too.
+// For example, [f, 0.3, 0.7] lies on an edge of face f, because 0.3 + 0.7 = 1. This would not hold
+// for the doubles nearest to 0.3 and 0.7. In the face g across this edge, the same point may be
+// [g, 0.7, 0]. After the decision, a decimal is rounded once to the nearest double. It is not
+// rounded if this would move the point off its edge, onto an edge, or out of its face.
 //
-// Cost: O(bytes), and the cost of tracing. Errors, thrown with their place: the errors of JSON and
-// of the model; BadIndex; BadShape for a point outside its face, for control points that no path
-// joins, and for points of drawings beyond the border; ResourceLimit; Cancelled.
+// Tolerance: if u or v is a decimal and u + v differs from 1 by at most 2^-52, the sum counts as 1.
+// A point slightly outside its face is accepted and moved to the border of the face. It is accepted
+// if none of u, v and 1 - u - v is less than -2^-52.
+//
+// Cost: O(bytes), plus the cost of tracing.
+//
+// Errors name their position in the file:
+//   - the errors of JSON and of the model
+//   - BadIndex
+//   - BadShape for a point outside its face, for control points that no path joins, and for points
+//     of drawings beyond the border of the surface
+//   - ResourceLimit and Cancelled
 #pragma once
 
 #include <string>
@@ -46,7 +59,8 @@ namespace plumb {
 struct SceneFile {
   SurfaceScene scene;  ///< The input of SurfaceDivision.
   std::string model;   ///< The path of the mesh.
-  /// The notes of the readers of mesh and drawings, with the names of their files, for people.
+  /// Notes of the readers of the mesh and the drawings, for a human reader. Each note names its
+  /// file.
   std::vector<std::string> notes;
 };
 
@@ -55,8 +69,9 @@ struct SceneFile {
 SceneFile read_scene_file(const std::string& path, ReadOptions options = {},
                           Context& context = unlimited_context());
 
-/// Returns the surface of a mesh, with each polygon cut into a fan of triangles, in order. Throws
-/// as SurfaceMesh does. Cost: O(n).
+/// Returns the surface of a mesh in which each polygon is cut into a fan of triangles. The
+/// triangles are in the order of the polygons. Throws the errors of the constructor of SurfaceMesh.
+/// Cost: O(n).
 SurfaceMesh fanned_surface(const PolygonMesh& mesh);
 
 }  // namespace plumb

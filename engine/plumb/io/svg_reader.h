@@ -1,20 +1,26 @@
-// Reads drawings: SVG (docs/formats.md, "Drawings"), as closed polygons in the plane.
+// Reads SVG drawings (docs/formats.md, "Drawings") as closed polygons in the plane.
 //
 // Main flow of read_svg:
-//  1. scan     reads elements and attributes (svg_syntax.h); nothing is expanded or loaded
-//  2. place    composes the transforms of groups and of the element
-//  3. trace    turns rect, circle, ellipse, line, polyline, polygon and path into lines and curves
-//              (svg_outline.h); every subpath is closed, as it is for filling
+//  1. scan     reads elements and attributes (svg_syntax.h). It expands no entities and loads no
+//              other files.
+//  2. place    composes the transforms of each element and of the groups around it
+//  3. trace    converts rect, circle, ellipse, line, polyline, polygon and path to lines and curves
+//              (svg_outline.h). Every subpath is closed, as SVG closes it for filling.
 //  4. flatten  replaces curves by chords within the tolerance (svg_outline.h)
 //  5. turn     moves the middle of the drawing to the origin and makes y point upwards
 //
-// Each element that has an outline gives one shape, in the order of the file; its subpaths are the
-// rings of the shape. Colours, strokes, styles, clips and fill rules are ignored. Contents that are
-// only defined (defs, symbol, clipPath, mask, marker, pattern) and elements with other names are
-// skipped. Skipped elements that would be drawn (use, text, image, nested drawings) give a note.
+// Shapes: each element that has an outline becomes one shape, in the order of the file. The
+// subpaths of the element are the rings of the shape. Colours, strokes, styles, clips and fill
+// rules are ignored.
 //
-// The middle of the drawing is that of viewBox, or else that of width and height if both are
-// lengths, or else the origin of the drawing.
+// Skipped elements: the contents of defs, symbol, clipPath, mask, marker and pattern are skipped,
+// because they define something but draw nothing. Elements with unknown names are skipped, too.
+// Some elements would be drawn but are not supported: use, text, image and nested drawings. They
+// are skipped with a note.
+//
+// Middle: the middle of a drawing with a viewBox is the middle of this box. Otherwise, if width and
+// height are both lengths, it is the middle of the rectangle of this size. Otherwise it is the
+// origin of the drawing.
 #pragma once
 
 #include <cstddef>
@@ -34,27 +40,35 @@ namespace plumb {
 
 /// Closed polygons in flat arrays: shapes are lists of rings, rings are lists of points.
 struct SvgDrawing {
-  std::vector<Point2> points;       ///< Points; x to the right, y upwards, origin in the middle.
-  std::vector<std::size_t> places;  ///< The byte of the text that gives each point.
-  std::vector<std::uint32_t> ring_begin = {0};   ///< First points of rings, and the end.
-  std::vector<std::uint32_t> shape_begin = {0};  ///< First rings of shapes, and the end.
-  std::vector<std::string> notes;                ///< What was left out, for people.
+  /// All points. The x-axis points to the right and the y-axis upwards. The origin is the middle of
+  /// the drawing.
+  std::vector<Point2> points;
+  std::vector<std::size_t> places;  ///< For each point, the byte of the text that defines it.
+  /// Offsets of the first points of the rings in `points`, and the size of `points`.
+  std::vector<std::uint32_t> ring_begin = {0};
+  /// Indices of the first rings of the shapes, and the number of rings.
+  std::vector<std::uint32_t> shape_begin = {0};
+  std::vector<std::string> notes;  ///< Notes for a human reader that report skipped elements.
 
   std::size_t ring_count() const { return ring_begin.size() - 1; }    ///< Number of rings.
   std::size_t shape_count() const { return shape_begin.size() - 1; }  ///< Number of shapes.
-  /// Returns the points of ring `r`. The ring closes from its last point to its first.
+  /// Returns the points of ring `r`. The ring has an edge from its last point to its first point.
   std::span<const Point2> ring(std::size_t r) const {
     return std::span(points).subspan(ring_begin[r], ring_begin[r + 1] - ring_begin[r]);
   }
 };
 
-/// Returns the drawing that `text` holds. `tolerance` is the largest distance of a curve from its
-/// chords, in units of the drawing, and must be positive; the default is a thousandth of the larger
-/// side of viewBox, or of width and height. The memory of the drawing stays charged to `context`.
+/// Returns the drawing that `text` describes. `tolerance` is the largest distance of a curve from
+/// its chords, in units of the drawing. It must be positive. Its default is a thousandth of the
+/// larger side of the viewBox, or else of the larger of width and height. The memory of the drawing
+/// stays charged to `context`.
 ///
-/// Cost: O(bytes + points). Errors, thrown with their place: the errors of the scanner; Syntax;
-/// NumberOutOfRange; BadShape for a negative size, and for a curve if the tolerance is unknown;
-/// ResourceLimit; Cancelled.
+/// Cost: O(bytes + points). Errors name their position in the text:
+///   - the errors of the scanner (svg_syntax.h)
+///   - Syntax and NumberOutOfRange
+///   - BadShape for a negative size, and for a curve if `tolerance` is not given and the drawing
+///     has no size
+///   - ResourceLimit and Cancelled
 SvgDrawing read_svg(std::string_view text, const ReadOptions& options,
                     std::optional<double> tolerance, Context& context = unlimited_context());
 

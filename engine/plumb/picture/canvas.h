@@ -1,4 +1,4 @@
-// A software rasteriser that keeps colour, depth and the visible patch of every sample.
+// A software rasteriser. It stores a colour, a depth and the visible patch for each sample.
 #pragma once
 
 #include <algorithm>
@@ -11,60 +11,63 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// An image: rows from the top, three bytes for each pixel.
+/// An image in three bytes for each pixel. The rows are stored from top to bottom.
 struct Image {
   std::uint32_t width = 0;        ///< Width in pixels.
   std::uint32_t height = 0;       ///< Height in pixels.
   std::vector<std::uint8_t> rgb;  ///< Red, green, blue: 3 * width * height bytes.
 };
 
-/// A position in units of samples: x to the right, y downwards, z towards the viewer. The middle of
-/// sample (i, j) is (i + 1/2, j + 1/2).
+/// A point of the canvas, in units of samples. The x-axis points to the right, the y-axis downwards
+/// and the z-axis towards the viewer. The middle of sample (i, j) is (i + 1/2, j + 1/2).
 struct Spot {
-  double x = 0, y = 0, z = 0;  ///< Coordinates: to the right, downwards, towards the viewer.
+  double x = 0, y = 0, z = 0;  ///< Coordinates.
 };
 
 /// A grid of samples, each with a depth, a colour and the patch that is visible there.
 class Canvas {
  public:
-  /// Makes a canvas of samples that have the colour `paper` and are infinitely far away.
+  /// Makes a canvas whose samples all have the colour `paper` and are infinitely far away.
   Canvas(std::uint32_t width, std::uint32_t height, Colour paper);
 
   std::uint32_t width() const { return width_; }    ///< Width in samples.
   std::uint32_t height() const { return height_; }  ///< Height in samples.
 
-  /// Calls visit(sample, spot) for each sample in the triangle, which may have either orientation.
-  /// Two triangles with a common side neither share a sample nor leave one out, except where
-  /// rounding moves the side. Cost: O(rows + samples visited).
+  /// Calls visit(sample, spot) for each sample whose middle `spot` lies in the triangle a b c. The
+  /// triangle may have either orientation. Two triangles beside a common side have no sample in
+  /// common, and leave no sample out between them, except where rounding moves the side. Cost:
+  /// O(rows + samples visited).
   template <class Visit>
   void for_triangle(Spot a, Spot b, Spot c, const Visit& visit) const;
 
-  /// Returns the depth of the nearest thing drawn at a sample.
+  /// Returns the depth of the nearest patch drawn at a sample.
   double depth(std::size_t sample) const { return depth_[sample]; }
-  /// Draws a patch at a sample, unless something as near or nearer is there already.
+  /// Draws a patch at a sample. Does nothing if the patch there is nearer or has the same depth.
   void put(std::size_t sample, double depth, std::uint32_t patch, Colour colour) {
     if (depth <= depth_[sample]) return;
     depth_[sample] = static_cast<float>(depth);
     patch_[sample] = patch;
     colour_[sample] = colour;
   }
-  /// Mixes a colour into a sample with weight `part`, from 0 to 1.
+  /// Mixes a colour into the colour of a sample. The weight `part` is from 0 to 1.
   void blend(std::size_t sample, Colour colour, double part);
 
-  /// Draws a line that nearer things hide; the patches in `patches` never hide it. `part_at(spot)`
-  /// is the weight, from 0 to 1, with which the line covers. finish() lays lines over all else.
+  /// Draws a line. Nearer patches hide the line, except those in `patches`. At each spot, the line
+  /// covers the colour below it with the weight `part_at(spot)`, from 0 to 1. finish() draws the
+  /// lines over the patches.
   template <class PartAt>
   void line(Spot a, Spot b, double width, const std::array<std::uint32_t, 2>& patches,
             Colour colour, const PartAt& part_at);
-  /// Draws a disc, or a ring around white if `is_hollow`, with weight `part`.
+  /// Draws a disc, or a ring around a white disc if `is_hollow` is set. Nearer patches hide the
+  /// dot. The weight `part` is from 0 to 1.
   void dot(Spot at, double radius, Colour colour, bool is_hollow, double part);
 
-  /// Draws a line with round ends over everything.
+  /// Draws a line with round ends that nothing hides.
   void stroke(Point2 a, Point2 b, double width, Colour colour);
   /// Returns the patch visible at each sample, or Scene::kNoPatch where there is none.
   const std::vector<std::uint32_t>& patches() const { return patch_; }
 
-  /// Returns the image whose pixels are the means of blocks of `samples` x `samples` samples.
+  /// Returns the image. Each pixel is the mean of a square block with `samples` samples on a side.
   Image finish(std::uint32_t samples);
 
  private:

@@ -1,12 +1,15 @@
-// Draws a set of the plane. Marked faces are filled; marked edges are solid, unmarked edges dashed;
-// marked points are dots, unmarked points hollow; unbounded parts fade out towards the frame. The
-// file is self-contained SVG without scripts; y points upwards.
+// Draws a set of the plane as SVG:
+//   - Marked faces are filled.
+//   - Marked edges are solid lines, and unmarked edges are dashed lines.
+//   - Marked points are filled dots, and unmarked points are hollow dots.
+//   - Unbounded parts fade out towards the sides of the picture.
+// The file is self-contained and has no scripts. The y-axis points upwards.
 //
 // Main flow of write_nef2_svg:
 //  1. window   makes a box around all vertices (PlaneWindow)
-//  2. cut      intersects the set with the open box, exactly: every face and edge is then bounded
-//  3. draw     draws fill, convex parts, edges and dots, except for what lies on the box
-//  4. explain  writes axes, the legend of what occurs, and notes
+//  2. cut      intersects the set with the open box, exactly. Then every face and edge is bounded.
+//  3. draw     draws filled faces, convex parts, edges and dots, except those on the box
+//  4. explain  writes axes, notes, and a legend of the kinds of cells that occur
 #pragma once
 
 #include <iosfwd>
@@ -21,16 +24,17 @@ namespace plumb {
 
 /// Options of the picture of a set of the plane.
 struct Nef2SvgOptions {
-  std::string title = {};  ///< The title, such as the name of the file; any bytes.
-  /// Convex parts of the set. Each part of dimension 2 has a colour of its own, with thin lines
-  /// between the parts.
+  std::string title = {};  ///< The title, for example the name of the file. Any bytes.
+  /// Convex parts of the set. Each part of dimension 2 is drawn in its own colour, and thin lines
+  /// separate the parts.
   std::span<const Nef2> pieces = {};
-  Context* context = nullptr;  ///< Checked between parts; its exceptions are passed on.
+  /// The context whose checkpoint() is called between convex parts, or null.
+  Context* context = nullptr;
 };
 
-/// Writes the picture of a set, with any exact coordinates and any number of faces. The file stays
-/// below 20 MB and states what is left out for that. The output is deterministic. Cost: O(n log n).
-/// Throws what `out` and the Context throw.
+/// Writes the picture of a set with any exact coordinates and any number of faces. The file stays
+/// below 20 MB. If parts of the set are left out for this reason, the picture states which. The
+/// output is deterministic. Cost: O(n log n). Passes on exceptions of `out` and of the Context.
 void write_nef2_svg(std::ostream& out, const Nef2& set, const Nef2SvgOptions& options = {});
 
 }  // namespace plumb

@@ -1,5 +1,5 @@
-// Writes a picture of the plane as one HTML file that can be moved and enlarged by mouse, finger
-// and keys. The file is self-contained: it loads nothing.
+// Writes a picture of the plane as one HTML file. In a browser, the picture can be moved and
+// enlarged by mouse, finger and keys. The file is self-contained: it loads nothing.
 #pragma once
 
 #include <iosfwd>
@@ -9,8 +9,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Writes the page. `svg` is a complete file made by one of the writers of SVG; `title` is any
-/// bytes. Throws what `out` throws.
+/// Writes the page. `svg` is a complete SVG file made by write_map_svg(), write_nef2_svg() or
+/// write_overlay_svg(). `title` may contain any bytes. Passes on exceptions of `out`.
 void write_plane_html(std::ostream& out, std::string_view svg, const std::string& title);
 
 }  // namespace plumb

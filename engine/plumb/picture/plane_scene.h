@@ -1,5 +1,5 @@
-// Makes flat scenes of maps and sets of the plane, for pictures without text and for programs that
-// need triangles.
+// Makes flat scenes of maps and of sets of the plane. Such scenes serve pictures without text, and
+// programs that need triangles.
 #pragma once
 
 #include "plumb/picture/scene.h"
@@ -9,13 +9,13 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the scene of a set: its marked faces, all edges, and the vertices that show more than
-/// the edges do. The set is cut at a window, as in write_nef2_svg(). Exact coordinates are
-/// triangulated. Cost: O(n log n), about 10 us for each vertex.
+/// Returns the scene of a set. It shows the marked faces, all edges, and the vertices that are not
+/// already evident from the edges. The set is cut at a window, as in write_nef2_svg(). Faces are
+/// triangulated with exact coordinates. Cost: O(n log n), about 10 us for each vertex.
 Scene scene_of(const Nef2& set);
 
-/// Returns the scene of a report: the regions of a valid map, or the listed edges and the defects
-/// of a defective map.
+/// Returns the scene of a report. The scene of a valid map shows its regions. The scene of a
+/// defective map shows the listed edges and the defects.
 Scene scene_of(const MapReport& report);
 
 }  // namespace plumb

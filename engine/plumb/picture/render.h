@@ -1,5 +1,6 @@
-// Renders a scene as an image: every sample shows the nearest facet, lit from one side; lines and
-// dots are drawn over what does not hide them. Texts are placed on the visible parts of groups.
+// Renders a scene as an image. Every sample of the image shows the nearest facet, lit from one
+// side. Lines and dots are drawn over the facets, unless a nearer facet hides them. Texts are
+// placed on the visible parts of groups.
 #pragma once
 
 #include <cstdint>
@@ -12,28 +13,29 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// A text and its place.
+/// A text with its position and size in a picture.
 struct PlacedText {
   Point2 middle;     ///< The middle of the text, in samples of the canvas.
-  double height;     ///< Height of capitals.
-  std::string text;  ///< The text; any bytes.
+  double height;     ///< Height of capital letters, in samples of the canvas.
+  std::string text;  ///< The text. Any bytes.
 };
 
-/// Returns a place for the text of each group of which enough is visible: the place farthest from
-/// everything else that is visible. The text is `most` high, or as high as fits, but at least
-/// `least` high; a group whose visible part is too small has no text. Cost: O(samples).
+/// Returns the texts of the groups with their positions. The middle of a text is the sample that is
+/// farthest from the border of the visible part of its group. The height of a text is `most`, or
+/// less if less fits, but at least `least`. A group whose visible part is too small gets no text.
+/// Cost: O(samples).
 std::vector<PlacedText> place_texts(const Scene& scene, const Canvas& canvas, double least,
                                     double most);
 
-/// A parallel projection along a fixed direction (from above for a flat scene), scaled so that the
-/// whole scene fits into the picture.
+/// A parallel projection, scaled so that the whole scene fits into the picture. The direction of
+/// view is fixed. A flat scene is seen from above.
 class Camera {
  public:
-  /// Fits the whole scene into a picture of the given size.
+  /// Makes the projection of the whole scene into a picture of the given size.
   Camera(const Scene& scene, double width, double height);
 
   Spot place(const Point3& p) const;  ///< Returns the image of a point.
-  /// Returns the point of the scene at a spot.
+  /// Returns the point of the scene whose image is `spot`.
   Point3 point_at(const Spot& spot) const;
   /// Returns the unit vector towards the viewer.
   const Point3& viewer() const { return axes_[2]; }
@@ -50,18 +52,19 @@ class Camera {
 struct RenderOptions {
   std::uint32_t width = 1200;  ///< Width in pixels.
   std::uint32_t height = 900;  ///< Height in pixels.
-  double text_height = 24;     ///< Largest height of capitals, in pixels.
+  double text_height = 24;     ///< Largest height of capital letters, in pixels.
 };
 
-/// An image and the texts that are not drawn in it, with places and heights in pixels.
+/// An image, and the texts that a caller may write over it.
 struct Rendering {
   Image image;                    ///< The image without text.
-  std::vector<PlacedText> texts;  ///< The texts to be written over the image.
+  std::vector<PlacedText> texts;  ///< The texts. Positions and heights are in pixels.
 };
 
 /// Returns the image of a scene. The output is deterministic. Cost: O(pixels + triangles).
 Image rendered(const Scene& scene, const RenderOptions& options = {});
-/// Returns the image and its texts separately, for pages that have fonts. Cost as for rendered().
+/// Returns the image of a scene and, separately, its texts. A page can then write the texts in its
+/// own fonts. The cost is that of rendered().
 Rendering rendered_without_text(const Scene& scene, const RenderOptions& options = {});
 
 }  // namespace plumb

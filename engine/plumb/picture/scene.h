@@ -1,13 +1,15 @@
-// Scenes, the input of every picture in space: facets cut into triangles, lines and dots, in
-// doubles, each with a paint that says what it is. Drawing may round; the engine never does.
+// Scenes are the input of every picture in space. A scene consists of facets (cut into triangles),
+// lines and dots. Each of them has a paint, which states its role. Coordinates are doubles: a scene
+// may be rounded, while the engine is exact.
 //
 // Main flow from a set to a file:
-//  1. scene_of           makes a scene of the boundary of a set, cut at a window if it is unbounded
-//                        (space_scene.h, plane_scene.h), or of a divided surface, in layers
-//                        (surface_scene.h)
-//  2. rendered           makes an image of the scene seen from one side (render.h), or
-//     write_scene_glb    writes the scene for other programs (scene_glb.h), or
-//     write_scene_html   writes a page on which the scene can be turned (scene_html.h)
+//  1. scene_of makes a scene. For a set, the scene shows the boundary; an unbounded set is cut at a
+//     window (space_scene.h, plane_scene.h). For a divided surface, the scene has layers
+//     (surface_scene.h).
+//  2. One of these functions produces the output:
+//       rendered          makes an image of the scene seen from one side (render.h)
+//       write_scene_glb   writes a file for other programs (scene_glb.h)
+//       write_scene_html  writes a page on which the scene can be turned (scene_html.h)
 #pragma once
 
 #include <array>
@@ -26,24 +28,24 @@ enum class Paint : std::uint8_t {
   ClosedFacet,  ///< A facet in the set, with a marked volume behind it.
   OpenFacet,    ///< A facet not in the set, with a marked volume behind it.
   Sheet,        ///< A facet in the set, with no marked volume beside it.
-  Cut,          ///< The place where the window cuts a marked volume.
+  Cut,          ///< A facet where the window cuts a marked volume.
   Edge,         ///< An edge in the set.
   OpenEdge,     ///< An edge not in the set.
   FreeEdge,     ///< An edge in the set, with no facet beside it.
   Point,        ///< A point in the set.
-  OpenPoint,    ///< A point not in the set, although its surroundings are.
+  OpenPoint,    ///< A point not in the set, although the cells around it are.
   Defect,       ///< A defect of a map.
-  Region,       ///< A region of a map; six paints make neighbours differ.
+  Region,       ///< A region of a map. Six paints make neighbouring regions differ.
   Region2,      ///< A region of a map.
   Region3,      ///< A region of a map.
   Region4,      ///< A region of a map.
   Region5,      ///< A region of a map.
   Region6,      ///< A region of a map.
-  Surface,      ///< A mesh that carries polygons, where no layer tints it.
+  Surface,      ///< A mesh on which polygons lie, where no layer tints it.
   Wire,         ///< A side of a triangle.
   Control,      ///< A control point of a polygon.
   Crossing,     ///< A point where polygons meet.
-  Curve,        ///< A polygon on a surface; six paints make shapes differ.
+  Curve,        ///< A polygon on a surface. Six paints make shapes differ.
   Curve2,       ///< A polygon on a surface.
   Curve3,       ///< A polygon on a surface.
   Curve4,       ///< A polygon on a surface.
@@ -73,7 +75,7 @@ struct PaintStyle {
   std::string_view meaning;  ///< A few words of explanation.
 };
 const PaintStyle& style_of(Paint paint);  ///< Returns the style of a paint.
-/// Returns a colour as in "#a9c8e6".
+/// Returns a colour as a text such as "#a9c8e6".
 std::string hex(Colour colour);
 
 /// Triangles, lines and dots, each with its paint.
@@ -84,37 +86,40 @@ struct Scene {
   struct Patch {
     Point3 normal;            ///< Unit normal.
     Paint paint;              ///< The role of the patch.
-    std::uint32_t group = 0;  ///< Index into groups, if there are any.
-    bool is_hatched = false;  ///< Whether images hatch it: a wall (convex/decompose.h).
+    std::uint32_t group = 0;  ///< Index into groups. Not used if the scene has no groups.
+    /// Whether images hatch the patch. Walls are hatched (convex/decompose.h).
+    bool is_hatched = false;
   };
   /// A triangle of a patch.
   struct Triangle {
-    std::array<std::uint32_t, 3> corners;  ///< Counter-clockwise, seen against the normal.
-    std::uint32_t patch;                   ///< Index into patches.
+    /// Indices into points. The order is counter-clockwise for a viewer who looks against the
+    /// normal.
+    std::array<std::uint32_t, 3> corners;
+    std::uint32_t patch;  ///< Index into patches.
   };
   /// A straight part of an edge or curve.
   struct Line {
     std::array<std::uint32_t, 2> ends;     ///< Indices into points.
     Paint paint;                           ///< The role of the line.
-    std::array<std::uint32_t, 2> patches;  ///< Two patches beside it, or kNoPatch.
-    std::uint8_t layers = kAllLayers;      ///< A bit for each layer that holds it.
+    std::array<std::uint32_t, 2> patches;  ///< The two patches beside the line, or kNoPatch.
+    std::uint8_t layers = kAllLayers;      ///< A bit for each layer that contains the line.
   };
   /// A visible point.
   struct Dot {
     std::uint32_t at;                  ///< Index into points.
     Paint paint;                       ///< The role of the dot.
-    std::uint8_t layers = kAllLayers;  ///< A bit for each layer that holds it.
+    std::uint8_t layers = kAllLayers;  ///< A bit for each layer that contains the dot.
   };
   /// Patches that belong together.
   struct Group {
     std::string name;  ///< The name in a legend.
-    std::string text;  ///< The text written on it.
+    std::string text;  ///< The text that is written on the group.
   };
-  /// A part of the scene that can be shown or hidden. Patches have the tints of the last layer
-  /// shown that has tints.
+  /// A part of the scene that can be shown or hidden. If several shown layers have tints, the last
+  /// of them tints the patches.
   struct Layer {
-    std::string name;           ///< The name at its switch.
-    std::vector<Colour> tints;  ///< One tint for each group, or none.
+    std::string name;           ///< The name of the switch that shows or hides the layer.
+    std::vector<Colour> tints;  ///< One tint for each group. Empty if the layer has no tints.
     bool has_text = false;      ///< Whether the texts of groups are written.
   };
   static constexpr std::uint32_t kNoPatch = ~std::uint32_t{0};  ///< The invalid index into patches.
@@ -124,15 +129,16 @@ struct Scene {
   std::vector<Triangle> triangles;  ///< Triangles of all patches.
   std::vector<Line> lines;          ///< Edges and curves.
   std::vector<Dot> dots;            ///< Vertices and points.
-  std::vector<Group> groups;        ///< Groups of patches; none for a set.
-  std::vector<Layer> layers;        ///< Layers; none for a set, all of which is shown.
+  std::vector<Group> groups;        ///< Groups of patches. The scene of one set has none.
+  std::vector<Layer> layers;        ///< Layers. The scene of one set has none and is always shown.
   std::uint8_t shown = kAllLayers;  ///< A bit for each layer that is shown.
 
-  bool is_flat = false;     ///< Whether all lies in the plane z = 0, seen from above.
-  bool fades = false;       ///< Whether it fades out towards the sides of the box +-half.
-  Point3 half = {1, 1, 1};  ///< Half the extents of the box around all points.
-  /// A quarter of the centre: scene coordinates p stand for centre + scale p in the set. Quarters
-  /// are kept so that no difference of doubles overflows.
+  bool is_flat = false;  ///< Whether the scene lies in the plane z = 0 and is seen from above.
+  bool fades = false;    ///< Whether the scene fades out towards the sides of its box.
+  /// Half the side lengths of the box around all points. The box is centred at the origin.
+  Point3 half = {1, 1, 1};
+  /// A quarter of the centre. A scene point p stands for the point centre + scale * p of the set.
+  /// Centre and scale are divided by 4, so that no difference of doubles overflows.
   Point3 quarter_centre = {0, 0, 0};
   double quarter_scale = .25;  ///< A quarter of the scale.
 
@@ -145,18 +151,20 @@ struct Scene {
   bool is_shown(std::size_t layer) const { return (shown >> layer & 1U) != 0; }
   /// Returns the layer whose tints are shown, or nullptr if there is none.
   const Layer* tinted() const;
-  /// Returns the tint that a shown layer gives to the group of a patch, or else the colour of its
-  /// paint.
+  /// Returns the colour of a patch. If a shown layer has tints, this is the tint of the group of
+  /// the patch. Otherwise it is the colour of the paint of the patch.
   Colour colour_of(const Patch& patch) const;
   bool shows_text() const;  ///< Whether a layer with text is shown.
 
-  /// Returns for each paint whether it occurs in one of the given layers.
+  /// Returns, for each paint, whether a patch has it, or a line or dot of one of the given layers.
   std::array<bool, kPaints> paints(std::uint8_t layers_seen = kAllLayers) const;
-  /// Returns for each paint whether a legend explains it: it occurs and has a name. Paints of
-  /// patches are left out while a layer tints the patches.
+  /// Returns, for each paint, whether a legend explains it. A legend explains a paint that occurs
+  /// and has a name. Paint::Cut occurs if the scene fades. While a layer tints the patches, a
+  /// legend omits the paints of patches.
   std::array<bool, kPaints> legend(std::uint8_t layers_seen = kAllLayers) const;
-  /// Returns the strength of drawing at a point: 1 well inside the box; if the scene fades, 0 at
-  /// the sides of the box.
+  /// Returns the strength of drawing at a point, from 0 to 1. The strength is 1 well inside the box
+  /// of the scene. If the scene fades, it falls to 0 at the sides of the box. Otherwise it is 1
+  /// everywhere.
   double strength(const Point3& p) const;
 };
 

@@ -1,11 +1,13 @@
-// Writes a scene as binary glTF 2.0, for other programs. The file holds the facets and, as a second
-// primitive, the edges of facets; other lines and all dots are left out.
+// Writes a scene as binary glTF 2.0, for other programs. The file contains the facets and the edges
+// of facets. The edges are a primitive of their own. Other lines and all dots are left out.
 //
 // Main flow of write_scene_glb:
-//  1. vertices    writes one vertex for each facet and corner, so that normals are per facet; y
-//                 points upwards
-//  2. primitives  writes the triangles of each paint with its material, then the lines
-//  3. node        maps scene coordinates back to those of the set, if floats can hold them
+//  1. vertices    writes a separate vertex for each corner of each facet. So each facet has its own
+//                 normal. The y-axis points upwards.
+//  2. primitives  writes one primitive for each paint, with the triangles and the material of this
+//                 paint, and then the primitive of the lines
+//  3. node        writes the transform from scene coordinates to the coordinates of the set, if
+//                 floats can represent it
 #pragma once
 
 #include <iosfwd>
@@ -16,8 +18,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Writes the scene. Facets where a window cuts a set (Paint::Cut) are left out. Cost: O(n). Throws
-/// what `out` throws.
+/// Writes the scene. Facets where a window cuts a set (Paint::Cut) are left out. Cost: O(n). Passes
+/// on exceptions of `out`.
 void write_scene_glb(std::ostream& out, const Scene& scene, const std::string& title);
 
 }  // namespace plumb

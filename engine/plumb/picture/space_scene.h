@@ -1,12 +1,13 @@
-// Makes scenes of sets of space: the facets of the minimal complex, its edges, and the points that
-// show more than the edges do. Several sets can be moved apart in one scene (exploded_scene).
+// Makes scenes of sets of space. A scene shows the facets and edges of the minimal complex, and the
+// points that are not already evident from the edges. exploded_scene() shows several sets in one
+// scene and moves them apart.
 //
 // Main flow of scene_of(set):
-//  1. window  makes a box around all vertices, and a point of each facet and line without
-//             vertices (SpaceWindow)
+//  1. window  makes a box that contains all vertices, and at least one point of each facet and each
+//             line without vertices (SpaceWindow)
 //  2. cut     intersects an unbounded set with the open box, exactly
-//  3. draw    adds points, facets (triangles between vertices), edges and dots; what lies on the
-//             box is Paint::Cut or left out
+//  3. draw    adds points, facets (as triangles between vertices), edges and dots. Facets on the
+//             box get Paint::Cut. Edges and points on the box are left out.
 #pragma once
 
 #include <span>
@@ -21,11 +22,11 @@ namespace plumb {
 /// Returns the scene of a set. Cost: O(n log n).
 Scene scene_of(const Nef3& set, Context& context = unlimited_context());
 
-/// Returns a scene of several sets in one layer; each set is a group with a colour of its own. The
-/// middle of each set is moved away from the middle of all by `apart` times their distance, so that
-/// 0 leaves the sets in place. Throws Error{BadArgument} if a set is unbounded, if `apart` is
-/// negative or not finite, or if a point would be moved beyond the largest double. Cost: O(n log
-/// n).
+/// Returns a scene of several sets in one layer. Each set is a group with its own colour. Each set
+/// is moved away from the middle of all sets. The distance by which it moves is `apart` times the
+/// distance between the middle of the set and the middle of all sets. So 0 leaves the sets in
+/// place. Throws Error{BadArgument} if a set is unbounded, if `apart` is negative or not finite, or
+/// if a point would be moved beyond the largest double. Cost: O(n log n).
 Scene exploded_scene(std::span<const Nef3> sets, double apart,
                      Context& context = unlimited_context());
 

@@ -3,8 +3,9 @@
 //   polygons   the surface with its polygons, their control points, and the points where they meet
 //   slices     the triangles into which the polygons cut the surface
 //   cells      the cells, each in a colour of its own
-//   labels     the labels written on the cells; equal labels have equal colours
-//   result     the cells that an expression selects, their borders, and the control points of these
+//   labels     the labels, written on the cells; cells with equal labels have equal colours
+//   result     the cells that an expression selects, the borders of these cells, and the control
+//              points on these borders
 #pragma once
 
 #include <array>
@@ -33,15 +34,16 @@ inline constexpr std::array<std::string_view, 5> kSurfaceLayerNames{"polygons", 
 /// Returns the name of a layer, such as "polygons".
 std::string layer_name(SurfaceLayer layer);
 
-/// Returns the scene of a division with all layers; it has the layer of a result only if `result`
-/// is not null. Patches are grouped by cells. The caller selects the layers that are shown. Cost:
-/// O(n log n).
+/// Returns the scene of a division with all its layers. The scene has a layer for the result only
+/// if `result` is not null. The patches of a cell form a group. The caller selects the layers that
+/// are shown. Cost: O(n log n).
 Scene scene_of(const SurfaceDivision& division, const SurfaceTriangulation& triangles,
                const SurfaceResult* result);
 
-/// Returns the facts in one line: "3456 triangles, 12 segments, 4 cells".
+/// Returns facts about a division in one line, such as "3456 triangles, 12 segments, 4 cells".
 std::string facts_of(const SurfaceDivision& division);
-/// Returns the name of a shape in expressions: "A", "B" to "Z", then "s26", "s27" and so on.
+/// Returns the name of a shape in expressions. Shapes 0 to 25 are called "A" to "Z". The following
+/// shapes are called "s26", "s27" and so on.
 std::string shape_name(std::uint32_t shape);
 /// Returns a label as text, such as "A+2B-C", or "0" for the empty label.
 std::string label_text(std::span<const SignedEntry> label);

@@ -1,15 +1,16 @@
-// The arrangement of segments, rays and lines: every vertex, edge and face into which they divide
-// the plane, and for each edge the set of curves that it is part of.
+// The arrangement of curves: segments, rays and lines. It consists of the vertices, edges and faces
+// into which the curves divide the plane. For each edge it records which curves contain the edge.
 //
 // Main flow of arrange():
-//  1. in_sweep_order  renumbers points and curves along the sweep, for locality, if all points are
-//                     doubles (arrangement.cpp)
+//  1. in_sweep_order  renumbers points and curves in the order of the sweep, so that memory is
+//                     read in sequence; only if all points are doubles (arrangement.cpp)
 //  2. sweep           visits all events in one exact sweep (sweep.h, docs/design/sweep.md)
-//  3. PlaneBuilder    keeps every part of a curve and restores the numbers of the input
-//  4. PlaneAssembler  traces the boundaries and nests components
+//  3. PlaneBuilder    makes an edge of every part of a curve, and restores the indices of the input
+//  4. PlaneAssembler  traces the boundaries of the faces and nests components in faces
 //
-// Cost: O((n + k) log n) for n curves and k crossings, overlaps included: the edges of n nested
-// segments on one line come from n^2 curves in all, but their sets share memory (SegmentSets).
+// Cost: O((n + k) log n) for n curves and k crossings. This bound includes curves that overlap. For
+// n nested segments on one line, the sets of curves of all edges have n^2 members in all, but the
+// sets share memory (SegmentSets).
 #pragma once
 
 #include <cstddef>
@@ -28,43 +29,48 @@ namespace plumb {
 
 // --- sets of curves ---------------------------------------------------------------------------
 
-/// Sets of curves that share memory, as persistent balanced trees (treaps: R. Seidel, C. R. Aragon,
-/// Randomized search trees, Algorithmica 16, 1996). They record which curves each edge of an
-/// arrangement is part of.
+/// Sets of curves that share memory. They record which curves contain each edge of an arrangement.
+/// The sets are persistent balanced trees (treaps: R. Seidel, C. R. Aragon, Randomized search
+/// trees, Algorithmica 16, 1996).
 ///
-/// A set is a number. A number less than the number of curves is the set of that one curve; an
-/// invalid one is the empty set; the others are roots of treaps whose nodes never change. A changed
-/// set has new nodes on the path to the change and shares all others with the old set. The priority
-/// of a curve is a hash of its number, so the shape of a set does not depend on how it was made.
+/// A set is named by an id (Set), which has one of three forms:
+///   - An id less than the number of curves names the set that consists of this one curve.
+///   - The invalid id names the empty set.
+///   - Any other id names the root of a treap, whose nodes never change.
+/// A changed set has new nodes on the path to the change and shares all other nodes with the old
+/// set. The priority of a curve is a hash of its index, so the shape of a treap depends only on its
+/// curves, not on the order of the changes.
 ///
-/// Within one change of several steps (begin_change()), nodes that the change itself made are
-/// reused: the sets between its steps are lost, and a set of m curves built in one change takes
-/// at most m nodes.
+/// A change may consist of several steps (begin_change()). A step reuses the nodes that earlier
+/// steps of the same change made. The intermediate sets are therefore lost, and a set of m curves
+/// built in one change takes at most m nodes.
 ///
-/// Cost: expected O(log m) time and nodes to change a set of m curves; a set of one curve takes no
-/// memory.
+/// Cost: a change of a set of m curves takes expected O(log m) time and nodes. A set of one curve
+/// takes no memory.
 class SegmentSets {
  public:
-  /// The number of a set. An invalid one is the empty set.
+  /// The id of a set. The invalid id is the empty set.
   using Set = StrongId<struct SegmentSetTag>;
-  /// Memory of a node in bytes: 12, times 2 for an array that grows by doubling.
+  /// Memory of a node in bytes. A node has 12 bytes; the factor 2 accounts for an array that grows
+  /// by doubling.
   static constexpr std::size_t kBytesPerNode = 24;
 
   SegmentSets() = default;  ///< Makes a family of sets over no curves.
   /// Makes a family of sets over the curves 0, ..., curve_count - 1.
   explicit SegmentSets(std::size_t curve_count) : curves_(curve_count) {}
 
-  /// Starts a change. Of the sets that with() and without() return until the next change starts,
-  /// only the last one stays valid, and each step must start from the result of the step before.
-  /// Before the first change all sets stay valid.
+  /// Starts a change, which lasts until the next call of begin_change(). Each call of with() or
+  /// without() is a step of the change. The first step may start from any valid set, every later
+  /// step must start from the result of the previous step. Of these results, only the last one
+  /// stays valid. All sets made before the first change stay valid.
   void begin_change();
   /// Returns the set with s added. Requires that s is not in the set. Throws Error{ResourceLimit}
-  /// if the nodes exceed ids of 32 bits.
+  /// if the number of nodes exceeds the range of 32-bit ids.
   Set with(Set set, SegmentId s);
-  /// Returns the set with s removed. Requires that s is in the set. Errors as with().
+  /// Returns the set with s removed. Requires that s is in the set. Throws as with() does.
   Set without(Set set, SegmentId s);
 
-  /// Appends the curves of the set to `curves`, ascending. O(size of the set).
+  /// Appends the curves of the set to `curves`, in ascending order. O(size of the set).
   void append(Set set, std::vector<SegmentId>& curves) const;
 
   /// Returns the number of nodes of all sets together.
@@ -99,22 +105,22 @@ class SegmentSets {
   std::vector<Node> nodes_;
   // Nodes from this index on were made by the current change.
   std::size_t own_from_ = std::numeric_limits<std::size_t>::max();
-  Set free_;  // First node of the current change that is free; the free ones are linked by `left`.
+  Set free_;  // First free node of the current change; free nodes are linked by `left`.
 };
 
 // --- arrangements -----------------------------------------------------------------------------
 
 /// The subdivision of the plane by curves.
 struct Arrangement {
-  /// The subdivision. No cell is marked. It is not minimal: an end point of a curve in the interior
-  /// of another one is a vertex.
+  /// The subdivision. No cell is marked. The subdivision is not minimal: an end point of a curve is
+  /// a vertex even if it lies in the interior of another curve on the same line.
   PlaneComplex complex;
   SegmentSets origin_sets;  ///< Sets of curves, shared by all edges.
-  /// For each ordinary edge, the curves that it is part of: a set of origin_sets.
+  /// For each ordinary edge, the set of the curves that contain it. The set belongs to origin_sets.
   std::vector<SegmentSets::Set> origins;
 
-  /// Returns the curves that an edge is part of, ascending. Requires that e is an ordinary edge.
-  /// O(number of these curves).
+  /// Returns the curves that contain edge e, in ascending order. Requires that e is an ordinary
+  /// edge. O(number of these curves).
   std::vector<SegmentId> origins_of(EdgeId e) const {
     std::vector<SegmentId> curves;
     origin_sets.append(origins[e.value()], curves);
@@ -122,16 +128,16 @@ struct Arrangement {
   }
 };
 
-/// Returns the arrangement of curves and points. `isolated` holds indices of points that become
-/// vertices even if no curve meets them, as do curves of length zero. Requires that the indices of
-/// curves are in range and the ends of a curve lie on its line (SweepCurve). Throws ResourceLimit
-/// and Cancelled as the Context demands.
+/// Returns the arrangement of curves and points. `isolated` contains indices of points that become
+/// vertices even if no curve meets them. Curves of length zero become vertices, too. Requires that
+/// all indices in the curves are in range, and that the ends of each curve lie on its line
+/// (SweepCurve). Throws ResourceLimit and Cancelled as the Context demands.
 Arrangement arrange(const PlanePoints& points, std::span<const SweepCurve> curves,
                     std::span<const std::uint32_t> isolated,
                     Context& context = unlimited_context());
 
 /// Returns the arrangement of segments between input points. Segments of length zero become
-/// vertices. Requirements and errors as above.
+/// vertices. The requirements and errors are those of the function above.
 Arrangement arrange(PointTable2 points, std::span<const SweepSegment> segments,
                     Context& context = unlimited_context());
 

@@ -1,15 +1,15 @@
-// Conversions between plain arrays and points or maps of the plane. The arrays hold coordinates
+// Conversions between plain arrays and points or maps of the plane. The arrays contain coordinates
 // x y x y ... and indices of points.
 //
-//   in     points_of(xy) makes points for Nef2::polygons(points, corners, chain_begin, ...) and
-//          arrange(points, ...);
-//          map_of_cycles(xy, cycle_begin, corners) makes a map for check_map()
-//   out    coordinates_of(points) gives the array that the indices of a Map, or of the shapes of a
-//          set (plumb/io/plane_shapes.h), refer to
+//   input   points_of(xy) makes a table of points, as Nef2::polygons(points, corners, chain_begin,
+//           ...) and arrange(points, ...) take it.
+//           map_of_cycles(xy, cycle_begin, corners) makes a map for check_map().
+//   output  coordinates_of(points) makes an array of coordinates. The indices of a Map, or of the
+//           shapes of a set (plumb/io/plane_shapes.h), are indices of the points in this array.
 //
-// Every function that takes indices takes them as spans, Dcel::from_cycles() included. The results
-// own copies of the data, made without intermediate copies, so the arrays may be released
-// afterwards.
+// Every function that takes indices takes them as spans. This includes Dcel::from_cycles(). The
+// data are copied once into the result. The result does not refer to the arrays, so the caller may
+// release them afterwards.
 #pragma once
 
 #include <cstdint>
@@ -23,19 +23,19 @@
 namespace plumb {
 
 /// Returns the points (xy[2 i], xy[2 i + 1]), in order. Throws Error{BadArgument} if the number of
-/// coordinates is odd or there are more than 2^32 - 2 points; Error{NotFinite}, with the number of
-/// the point, if a coordinate is not finite. O(n).
+/// coordinates is odd or there are more than 2^32 - 2 points. Throws Error{NotFinite}, with the
+/// index of the point, if a coordinate is not finite. O(n).
 PointTable2 points_of(std::span<const double> xy);
 
 /// Returns the map of these points and cycles. Cycle c consists of corners[cycle_begin[c]], ...,
-/// corners[cycle_begin[c + 1] - 1]; cycle_begin has one entry more than there are cycles. Throws
-/// Error{BadArgument} unless cycle_begin ascends from 0 to the number of corners, and as
-/// points_of() does. The corners themselves are checked by check_map() only. O(n).
+/// corners[cycle_begin[c + 1] - 1]. So cycle_begin has one entry more than there are cycles. Throws
+/// Error{BadArgument} if cycle_begin does not ascend from 0 to the number of corners. Throws the
+/// errors of points_of(), too. The corners are not checked here, but by check_map(). O(n).
 Map map_of_cycles(std::span<const double> xy, std::span<const std::uint32_t> cycle_begin,
                   std::span<const std::uint32_t> corners);
 
-/// Returns the coordinates x y x y ... of all points. Coordinates that are not doubles are rounded
-/// to the nearest ones. O(n).
+/// Returns the coordinates x y x y ... of all points. A coordinate that is not a double is rounded
+/// to the nearest double. O(n).
 std::vector<double> coordinates_of(const PointTable2& points);
 
 }  // namespace plumb

@@ -1,24 +1,31 @@
-// A marked subdivision of the plane, bounded or not: the representation of Nef2 and Arrangement.
+// A subdivision of the plane with a mark for each cell. It represents a Nef2 or an Arrangement, and
+// may have unbounded edges.
 //
-// Notation: ordinary vertices, edges and faces come first in every numbering, followed by those of
-// the frame. The frame is a symbolic circle around everything: each end of a ray or line at
-// infinity is a frame vertex, two neighbouring ends bound a frame edge, and the face beyond the
-// frame is the last one. Without unbounded edges there is no frame. No cell of the frame has
-// coordinates (docs/design/frame.md).
+// The frame: a subdivision with unbounded edges has a symbolic circle around all bounded cells, the
+// frame. Each end of a ray or line at infinity is a frame vertex. A frame edge joins each two
+// neighbouring frame vertices. One more face lies beyond the frame. A subdivision without unbounded
+// edges has no frame. Cells of the frame have no coordinates (docs/design/frame.md). All other
+// cells are called ordinary. In each numbering, the ordinary cells come before the cells of the
+// frame.
 //
-//   vertex v   lies at points[vertex_point[v]]; vertices are numbered in lexicographic order
-//   edge e     lies on the line through the input points line[e].a and line[e].b; half-edge 2e runs
-//              from the lexicographically lesser end (left) to the greater one, and the line runs
-//              from a to b in the same direction. Edges are numbered in the order in which a sweep
-//              meets their left ends (those at the left infinity first, then by point; vertical
-//              edges that come from infinity below precede all points of their x), edges with the
-//              same left end from bottom to top
-//   face 0     reaches down to (-infinity, -infinity); other faces are numbered by their least
-//              half-edge
+// Vertices: vertex v lies at points[vertex_point[v]]. Vertices are numbered in lexicographic order
+// of their points.
 //
-// Coordinates stay implicit: a vertex is an input point or the crossing of two lines through input
-// points, however many operations led to it, so chains of operations never make numbers longer.
-// plane_audit.h checks these invariants.
+// Edges: edge e lies on the line through the input points line[e].a and line[e].b. The left end of
+// an edge is its lexicographically lesser end. Half-edge 2 e runs from the left end to the other
+// end, in the direction from a to b. Edges are numbered in the order in which a sweep meets their
+// left ends:
+//   - Edges that come from the left infinity are first.
+//   - All other edges follow in lexicographic order of their left ends. The left end of a vertical
+//     edge from infinity below precedes all points with the same x.
+//   - Edges with the same left end are ordered from bottom to top.
+//
+// Faces: face 0 reaches down to (-infinity, -infinity). The other faces are numbered in the order
+// of the least half-edge of their boundaries.
+//
+// Coordinates are implicit. Each vertex is an input point, or the crossing of two lines through
+// input points. This remains true after any number of operations, so chains of operations never
+// make numbers longer. plane_audit.h checks these invariants.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +55,7 @@ struct PlaneMarks {
   friend bool operator==(const PlaneMarks&, const PlaneMarks&) = default;
 };
 
-/// Where a point lies. Exactly one of the ids is valid.
+/// The cell that contains a point. Exactly one of the three ids is valid.
 struct PlaneLocation {
   VertexId vertex;      ///< Valid if the point is this vertex.
   EdgeId edge;          ///< Valid if the point lies on this edge.
@@ -60,11 +67,13 @@ struct PlaneLocation {
 /// A subdivision of the plane with marks. The head of this file states the invariants.
 struct PlaneComplex {
   PlanePoints points;  ///< Input points and crossings.
-  Dcel dcel;           ///< Incidences of vertices, edges and faces, those of the frame included.
-  /// For each ordinary vertex, the dense index of its point in `points`.
+  Dcel dcel;           ///< Incidences of all vertices, edges and faces, including the frame.
+  /// For each ordinary vertex, the index of its point. Index i less than points.inputs.size() is
+  /// input point i. Index points.inputs.size() + k is crossing k.
   std::vector<std::uint32_t> vertex_point;
-  std::vector<PlaneLine> line;  ///< For each ordinary edge, its line; a, b index points.inputs.
-  PlaneMarks marks;             ///< The marks of all ordinary cells.
+  /// For each ordinary edge, its line. The indices a and b of a line refer to points.inputs.
+  std::vector<PlaneLine> line;
+  PlaneMarks marks;  ///< The marks of all ordinary cells.
 
   /// Returns the number of ordinary vertices.
   std::size_t vertex_count() const { return vertex_point.size(); }
@@ -73,19 +82,19 @@ struct PlaneComplex {
   /// Returns the number of ordinary faces.
   std::size_t face_count() const { return dcel.face_count() - (has_frame() ? 1 : 0); }
 
-  /// Whether there is a frame, that is, an unbounded edge.
+  /// Whether the subdivision has a frame. It has one if an edge is unbounded.
   bool has_frame() const { return dcel.edge_count() != line.size(); }
-  /// Whether v is a frame vertex: an end of a ray or line at infinity.
+  /// Whether v is a frame vertex, that is, an end of a ray or line at infinity.
   bool is_at_infinity(VertexId v) const { return v.value() >= vertex_count(); }
-  /// Whether e is a frame edge, between two ends at infinity.
+  /// Whether e is a frame edge, that is, an edge between two frame vertices.
   bool is_frame(EdgeId e) const { return e.value() >= edge_count(); }
   /// Whether h is a half-edge of a frame edge.
   bool is_frame(HalfedgeId h) const { return is_frame(edge_of(h)); }
   /// Whether f is the face beyond the frame.
   bool is_beyond(FaceId f) const { return f.value() >= face_count(); }
 
-  /// Returns the ordinary half-edge after h around its face. If h leads to infinity, the frame edge
-  /// that follows it is skipped. O(1).
+  /// Returns the next ordinary half-edge after h along the boundary of its face. If h ends at
+  /// infinity, a frame edge follows h; this edge is skipped. O(1).
   HalfedgeId next(HalfedgeId h) const {
     const HalfedgeId n = dcel.next(h);
     return is_frame(n) ? dcel.next(n) : n;
@@ -98,8 +107,8 @@ struct PlaneComplex {
   bool mark(FaceId f) const { return marks.face[f.value()] != 0; }
 };
 
-/// Whether face f is unbounded: it is face 0, or a boundary of it runs along the frame. O(length of
-/// its boundary).
+/// Whether face f is unbounded. A face is unbounded if it is face 0 or if its boundary contains a
+/// frame edge. O(length of the boundary).
 bool is_unbounded(const PlaneComplex& complex, FaceId f);
 
 }  // namespace plumb

@@ -1,29 +1,36 @@
-// Nef polyhedra on the sphere: every set of directions that unions, intersections and complements
-// make from open and closed half-spheres. A set is open or closed along every arc and at every
-// point, and may have isolated points, slits of great circles and whole circles.
+// Nef polyhedra on the sphere. These are the sets of directions that can be made from open and
+// closed half-spheres by unions, intersections and complements. Each arc and each point of the
+// boundary may belong to the set or not. A set may have isolated points, slits along great circles,
+// and whole great circles.
 //
-// A set is held as its unique minimal map (sphere_map.h): points, arcs (one of them may be a loop,
-// a whole circle without a point) and faces, each with a mark that says whether it belongs to the
-// set. Equal sets have equal maps, up to numbering. centre_mark is not used.
+// A set is stored as its unique minimal map (sphere_map.h). The map consists of points, arcs and
+// faces. One of the arcs may be a loop, that is, a whole circle without a point. The mark of each
+// cell states whether the cell belongs to the set. Equal sets have equal maps, except for the
+// numbering of the cells. SphereMap::centre_mark is not used.
 //
-// Directions are vectors other than zero; their length means nothing, so no coordinate is a square
-// root. A great circle is given by a normal. Its positive side is the half-sphere around the
-// normal, which lies to the left of a walk counter-clockwise about the normal, seen from outside.
+// A direction is given by a vector other than zero. The length of the vector has no meaning, so
+// coordinates never need square roots. A great circle is given by a normal. The positive side of
+// the circle is the open half-sphere that contains the normal. Seen from outside, it lies to the
+// left of a walk along the circle, counter-clockwise about the normal.
 //
-// Main flow of every operation:
+// Main flow of every Boolean operation:
 //  1. one table   brings the circles of both operands into one table of planes
-//  2. boolean_op  overlays the maps: SphereOverlay crosses, links, labels, selects, simplifies
-// Unary topology operators re-mark and simplify in O(n).
+//  2. boolean_op  overlays the maps with a SphereOverlay, which finds the intersections of arcs,
+//                 links half-arcs, labels cells, computes their marks, and simplifies the result
+// Unary topological operators set new marks and remove redundant cells. They take O(n).
 //
-// A NefSphere is an immutable value: copies share their map and cost O(1), and const members may be
-// called from several threads at once. Every operation gives the strong exception guarantee.
+// A NefSphere is an immutable value. Copies share their map and cost O(1). Several threads may call
+// const members of the same set concurrently. Every operation gives the strong exception guarantee.
 //
-// Cost: binary operations as SphereOverlay::boolean_op, unary ones O(n); location and shooting take
-// O(n) a call, besides a copy of the planes. To ask one set often, make a SphereLocator. Errors:
-// Error{NotFinite} for coordinates that are not finite, Error{BadArgument} where stated and for the
-// zero vector; ResourceLimit and Cancelled as the Context demands. Source: P. Hachenberger, L.
-// Kettner, K. Mehlhorn, Boolean operations on 3D selective Nef complexes, Computational Geometry 38
-// (2007), section 4; docs/design/sphere.md.
+// Cost: a binary operation costs as much as SphereOverlay::boolean_op(). A unary operation takes
+// O(n). Each point location or ray shooting takes O(n) and copies the table of planes. For many
+// queries of the same set, use a SphereLocator.
+//
+// Errors: Error{NotFinite} for coordinates that are not finite; Error{BadArgument} for the zero
+// vector and where stated; ResourceLimit and Cancelled as the Context demands.
+//
+// Source: P. Hachenberger, L. Kettner, K. Mehlhorn, Boolean operations on 3D selective Nef
+// complexes, Computational Geometry 38 (2007), section 4; docs/design/sphere.md.
 #pragma once
 
 #include <cstdint>
@@ -45,17 +52,18 @@ namespace plumb {
 
 /// A direction, or the normal of a great circle.
 struct SphereVector {
-  Rational x;  ///< First coordinate of a vector of any length but 0.
+  Rational x;  ///< First coordinate. The length of the vector has no meaning.
   Rational y;  ///< Second coordinate.
   Rational z;  ///< Third coordinate.
 
-  /// Takes the coordinates as they are.
+  /// Constructs the vector with these coordinates.
   SphereVector(Rational a, Rational b, Rational c)
       : x(std::move(a)), y(std::move(b)), z(std::move(c)) {}
-  /// Takes the coordinates exactly, integers up to 2^53 included. Throws Error{NotFinite}.
+  /// Constructs the vector with exactly these coordinates. Integers up to 2^53 are exact doubles.
+  /// Throws Error{NotFinite} if a coordinate is not finite.
   SphereVector(double a, double b, double c);
 
-  /// Whether all coordinates are 0, so that this is no direction.
+  /// Whether all coordinates are 0. The zero vector is not a direction.
   [[nodiscard]] bool is_zero() const { return x == 0 && y == 0 && z == 0; }
   /// Returns the antipode.
   [[nodiscard]] SphereVector opposite() const { return {Rational(-x), Rational(-y), Rational(-z)}; }
@@ -68,26 +76,27 @@ struct SphereVector {
 /// Whether two vectors have the same direction, whatever their lengths.
 [[nodiscard]] bool is_same_direction(const SphereVector& u, const SphereVector& v);
 
-/// One arc of a boundary. It runs from `from` counter-clockwise about `normal` to the `from` of the
-/// next side.
+/// One side of a boundary: an arc that starts at `from`, runs counter-clockwise about `normal`, and
+/// ends where the next side starts.
 struct SphereSide {
-  SphereVector from;    ///< Where the arc begins.
-  SphereVector normal;  ///< The normal of its circle; the set lies to the left.
+  SphereVector from;    ///< The start of the arc.
+  SphereVector normal;  ///< The normal of the circle of the arc. The set lies to the left.
 };
 
-/// Where a direction lies.
+/// The cell that contains a direction.
 struct SphereLocation {
-  SphereCell cell;      ///< The point, arc or face.
+  SphereCell cell;      ///< The point, arc or face that contains the direction.
   bool marked = false;  ///< Whether the direction belongs to the set.
   friend bool operator==(const SphereLocation&, const SphereLocation&) = default;
 };
 
 /// The first cell that a walk along a great circle meets, and the first direction of that cell on
-/// the way. For a face that is entered through an open boundary this is the infimum: the direction
-/// on that boundary.
+/// the way. If the walk enters a face through a boundary that does not belong to the set, the face
+/// has no first direction on the way. Then `point` is the direction where the walk crosses this
+/// boundary.
 struct SphereHit {
-  SphereLocation location;  ///< The cell that is met.
-  SphereVector point;       ///< Where it is met.
+  SphereLocation location;  ///< The cell that the walk meets.
+  SphereVector point;       ///< The direction where the walk meets the cell.
 };
 
 /// One mark for each cell.
@@ -98,7 +107,7 @@ struct SphereMarks {
   friend bool operator==(const SphereMarks&, const SphereMarks&) = default;
 };
 
-/// The numbers of cells.
+/// The counts of cells.
 struct SphereCounts {
   std::size_t points = 0;        ///< Ends of arcs and isolated points.
   std::size_t arcs = 0;          ///< Arcs and whole circles.
@@ -107,14 +116,15 @@ struct SphereCounts {
   friend bool operator==(const SphereCounts&, const SphereCounts&) = default;
 };
 
-/// A map of the sphere with the planes through the centre that it names.
+/// A map of the sphere, together with the table of planes to which its ids of planes refer. The
+/// planes pass through the centre of the sphere.
 struct SphereComplex {
   std::shared_ptr<const PlaneTable> planes;  ///< The planes of the circles; never null.
   SphereMap map;                             ///< Points, arcs, faces, links and marks.
 };
 
-/// Selects the marks that take part in an operation: those of the cells that are accepted, by
-/// index. Other cells count as unmarked. An empty function accepts every cell.
+/// Selects the cells of an operand whose marks an operation uses. Each function takes the index of
+/// a cell. A cell that is not accepted counts as unmarked. An empty function accepts every cell.
 struct SphereSelector {
   std::function<bool(std::uint32_t)> point;  ///< Accepts points.
   std::function<bool(std::uint32_t)> arc;    ///< Accepts arcs.
@@ -126,52 +136,52 @@ struct SphereFaceBoundary {
   std::vector<std::uint32_t> half_arcs;  ///< One half-arc of each boundary cycle.
   std::vector<std::uint32_t> points;     ///< The isolated points inside the face.
 };
-/// Returns what bounds a face of a map. O(size of the map).
+/// Returns the boundary of a face of a map. O(size of the map).
 [[nodiscard]] SphereFaceBoundary face_boundary(const SphereMap& map, std::uint32_t face);
 
 class NefSphere;
 
-/// Returns the directions u for which f(u in a, u in b) holds.
+/// Returns the set of the directions u for which f(u in a, u in b) is true.
 [[nodiscard]] NefSphere boolean_op(const NefSphere& a, const NefSphere& b, MarkFunction f,
                                    Context& context = unlimited_context());
-/// Returns the same as boolean_op(a, b, f), where only the cells that the selectors accept count as
-/// marked.
+/// Returns boolean_op(a, b, f) of the operands in which only accepted cells keep their marks: a
+/// cell that the selector of its operand does not accept counts as unmarked.
 [[nodiscard]] NefSphere boolean_op(const NefSphere& a, const SphereSelector& select_a,
                                    const NefSphere& b, const SphereSelector& select_b,
                                    MarkFunction f, Context& context = unlimited_context());
-/// Returns the union of any number of sets, computed pairwise in a balanced tree. The union of no
-/// sets is empty.
+/// Returns the union of any number of sets. The union is computed from pairs in a balanced binary
+/// tree. The union of zero sets is empty.
 [[nodiscard]] NefSphere union_of(std::span<const NefSphere> sets,
                                  Context& context = unlimited_context());
-/// Returns the intersection of any number of sets, as union_of() does. The intersection of no sets
-/// is the sphere.
+/// Returns the intersection of any number of sets, computed in the same way as union_of(). The
+/// intersection of zero sets is the sphere.
 [[nodiscard]] NefSphere intersection_of(std::span<const NefSphere> sets,
                                         Context& context = unlimited_context());
 
-// The operators of Nef's algebra. Declared here because g++ does not export a friend that is
-// declared in its class alone.
+// The operators of Nef's algebra. They are declared here because g++ does not export a friend that
+// is declared only inside its class.
 [[nodiscard]] NefSphere operator+(const NefSphere& a, const NefSphere& b);  ///< Returns the union.
 /// Returns the intersection.
 [[nodiscard]] NefSphere operator*(const NefSphere& a, const NefSphere& b);
 /// Returns the difference.
 [[nodiscard]] NefSphere operator-(const NefSphere& a, const NefSphere& b);
-/// Returns the symmetric difference: the directions of exactly one of the sets.
+/// Returns the symmetric difference: the directions that belong to exactly one of the two sets.
 [[nodiscard]] NefSphere operator^(const NefSphere& a, const NefSphere& b);
 /// Whether both are the same set.
 [[nodiscard]] bool operator==(const NefSphere& a, const NefSphere& b);
 
-/// A set of the sphere. See the head of this file.
+/// A set of the sphere. The head of this file describes it.
 class NefSphere {
  public:
   // --- types of the grammar of sets (nef_set.h) -------------------------------------------------
 
-  using Point = SphereVector;       ///< What the set consists of: directions.
-  using Complex = SphereComplex;    ///< What represents the set.
+  using Point = SphereVector;       ///< An element of the set: a direction.
+  using Complex = SphereComplex;    ///< The representation of the set.
   using Marks = SphereMarks;        ///< One mark for each cell.
-  using Counts = SphereCounts;      ///< Numbers of cells.
-  using Location = SphereLocation;  ///< Where a direction lies.
-  using Hit = SphereHit;            ///< What a walk along a great circle meets.
-  using Selector = SphereSelector;  ///< Which cells take part in an operation.
+  using Counts = SphereCounts;      ///< Counts of cells.
+  using Location = SphereLocation;  ///< The cell that contains a direction.
+  using Hit = SphereHit;            ///< The first cell that a walk along a great circle meets.
+  using Selector = SphereSelector;  ///< The cells whose marks an operation uses.
   using Flaw = DcelFlaw;            ///< A broken invariant.
 
   // --- sets to start from -----------------------------------------------------------------------
@@ -180,49 +190,56 @@ class NefSphere {
   [[nodiscard]] static NefSphere empty();  ///< Returns the set without directions.
   [[nodiscard]] static NefSphere whole();  ///< Returns the sphere.
 
-  /// Returns the directions u with normal . u > 0, or >= 0 if `boundary` is Closed.
+  /// Returns the set of the directions u with dot(normal, u) > 0 if `boundary` is Open, and with
+  /// dot(normal, u) >= 0 if it is Closed.
   [[nodiscard]] static NefSphere half_sphere(const SphereVector& normal, Boundary boundary);
-  /// Returns the great circle normal . u = 0.
+  /// Returns the great circle of the directions u with dot(normal, u) = 0.
   [[nodiscard]] static NefSphere circle(const SphereVector& normal);
-  /// Returns the intersection of the half-spheres of these normals. Of none it is the sphere.
+  /// Returns the intersection of the half-spheres with these normals. Without normals the result is
+  /// the sphere.
   [[nodiscard]] static NefSphere convex(std::span<const SphereVector> normals, Boundary boundary,
                                         Context& context = unlimited_context());
 
-  /// Returns the region to the left of a closed chain of arcs. Each side runs counter-clockwise
-  /// about its normal to the next side's `from`, at most once around; one side alone is a whole
-  /// circle. No side gives the empty set. Throws Error{BadArgument} if a `from` does not lie on the
-  /// circles of both sides there, or if the chain meets itself.
+  /// Returns the region to the left of a closed chain of arcs. Each side runs from its own `from`
+  /// counter-clockwise about its normal to the `from` of the next side, at most once around. A
+  /// single side is a whole circle. A chain without sides gives the empty set. Throws
+  /// Error{BadArgument} if the chain meets itself, or if the `from` of a side does not lie on the
+  /// circles of this side and of the previous side.
   [[nodiscard]] static NefSphere region(std::span<const SphereSide> sides, Boundary boundary);
-  /// Returns the region to the left of the closed chain of the shorter arcs between consecutive
-  /// corners. Throws Error{BadArgument} as region(), and if two consecutive corners are the same or
-  /// opposite.
+  /// Returns the region to the left of a closed chain, which joins consecutive corners by the
+  /// shorter of the two arcs between them. Throws Error{BadArgument} if two consecutive corners are
+  /// the same or opposite direction, and if the chain meets itself.
   [[nodiscard]] static NefSphere polygon(std::span<const SphereVector> corners, Boundary boundary);
 
-  /// Returns the arc from `from` counter-clockwise about the normal to `to`, which is a whole
-  /// circle if they are the same. The ends belong to it if `boundary` is Closed. Throws
-  /// Error{BadArgument} if one of them does not lie on the circle.
+  /// Returns the arc that starts at `from`, runs counter-clockwise about `normal`, and ends at
+  /// `to`. If `from` and `to` are the same direction, the arc is a whole circle. Its ends belong to
+  /// the set if `boundary` is Closed. Throws Error{BadArgument} if `from` or `to` does not lie on
+  /// the circle with this normal.
   [[nodiscard]] static NefSphere arc(const SphereVector& from, const SphereVector& to,
                                      const SphereVector& normal,
                                      Boundary boundary = Boundary::Closed);
-  /// Returns the shorter arc. Throws Error{BadArgument} if the ends are the same or opposite.
+  /// Returns the shorter arc of a great circle between two directions. Its ends belong to the set
+  /// if `boundary` is Closed. Throws Error{BadArgument} if `from` and `to` are the same or opposite
+  /// directions.
   [[nodiscard]] static NefSphere arc(const SphereVector& from, const SphereVector& to,
                                      Boundary boundary = Boundary::Closed);
   /// Returns the set of one direction.
   [[nodiscard]] static NefSphere point(const SphereVector& direction);
-  /// Returns the set of these directions; equal ones are one.
+  /// Returns the set of these directions. Equal directions count once.
   [[nodiscard]] static NefSphere points(std::span<const SphereVector> directions,
                                         Context& context = unlimited_context());
 
-  /// Returns the set that a map and its marks describe, in minimal form. Planes count by their
-  /// normals alone, kBeyond as unmarked. Throws Error{BadArgument} unless audit(planes, map, AuditForm::Any)
-  /// finds no flaw.
+  /// Returns the set that a map with its marks represents. The map need not be minimal; the
+  /// function brings it into minimal form. Only the normals of the planes are used. The mark
+  /// kBeyond counts as unmarked. Throws Error{BadArgument} if audit(planes, map, AuditForm::Any)
+  /// finds a flaw.
   [[nodiscard]] static NefSphere from_complex(SphereComplex complex,
                                               Context& context = unlimited_context());
-  /// Returns the set of a map that is in minimal form already, over planes through the centre.
-  /// Nothing is done or checked; audit() finds out.
+  /// Returns the set of a map that is already in minimal form, and whose planes pass through the
+  /// centre. This function checks nothing. audit() checks whether the map is sound and minimal.
   [[nodiscard]] static NefSphere from_minimal_unchecked(SphereComplex complex);
-  /// Returns the set of this set's map with other marks. Throws Error{BadArgument} unless there is
-  /// one mark for each cell. O(n).
+  /// Returns the set represented by the map of this set with the given marks. Throws
+  /// Error{BadArgument} if `marks` does not have exactly one mark for each cell. O(n).
   [[nodiscard]] NefSphere with_marks(SphereMarks marks,
                                      Context& context = unlimited_context()) const;
 
@@ -230,65 +247,71 @@ class NefSphere {
 
   /// Returns the minimal map with its planes.
   [[nodiscard]] const SphereComplex& complex() const&;
-  /// Returns the map of a set that is given up, without a copy unless the set shares it.
+  /// Returns the map of an expiring set with its planes. The map is moved out, or copied if other
+  /// sets share it.
   [[nodiscard]] SphereComplex complex() &&;
   /// Returns complex().map.
   [[nodiscard]] const SphereMap& map() const { return complex().map; }
   /// Returns the planes of the circles of the map.
   [[nodiscard]] const PlaneTable& planes() const { return *complex().planes; }
   [[nodiscard]] SphereMarks marks() const;    ///< Returns the marks of all cells.
-  [[nodiscard]] SphereCounts counts() const;  ///< Returns the numbers of cells. O(n).
+  [[nodiscard]] SphereCounts counts() const;  ///< Returns the counts of cells. O(n).
   [[nodiscard]] std::size_t bytes() const;    ///< Returns the memory of the map in bytes.
-  /// Returns an exact vector of a point; for a point of a circle without other points, its
-  /// canonical normal, about which half-arc 2a runs counter-clockwise.
+  /// Returns the direction of a point of the map. The coordinates are integers without a common
+  /// factor.
   [[nodiscard]] SphereVector direction(std::uint32_t point) const;
-  /// Returns the normal of the circle of an arc. Its positive side lies left of half-arc 2 arc.
+  /// Returns the normal of the circle of an arc. Half-arc 2 a of arc a runs counter-clockwise about
+  /// this normal. The coordinates are integers without a common factor.
   [[nodiscard]] SphereVector normal(std::uint32_t arc) const;
 
   [[nodiscard]] bool is_empty() const;   ///< Whether the set has no directions. O(1).
   [[nodiscard]] bool is_whole() const;   ///< Whether the set is the sphere. O(1).
-  [[nodiscard]] bool is_closed() const;  ///< Whether the set is its own closure. O(n).
-  [[nodiscard]] bool is_open() const;    ///< Whether the set is its own interior. O(n).
-  /// Whether every direction of this set belongs to `other`. Costs a difference.
+  [[nodiscard]] bool is_closed() const;  ///< Whether the set equals its closure. O(n).
+  [[nodiscard]] bool is_open() const;    ///< Whether the set equals its interior. O(n).
+  /// Whether every direction of this set belongs to `other`. The cost is that of a set difference.
   [[nodiscard]] bool is_subset_of(const NefSphere& other,
                                   Context& context = unlimited_context()) const;
 
-  /// Whether the direction belongs to the set. Costs as locate().
+  /// Whether the direction belongs to the set. The cost is that of locate().
   [[nodiscard]] bool contains(const SphereVector& direction,
                               Context& context = unlimited_context()) const {
     return locate(direction, context).marked;
   }
-  /// Returns the cell on which a direction lies. Throws Error{BadArgument} for the zero vector.
+  /// Returns the cell that contains a direction. Throws Error{BadArgument} for the zero vector.
   /// O(n).
   [[nodiscard]] SphereLocation locate(const SphereVector& direction,
                                       Context& context = unlimited_context()) const;
-  /// Locates many directions at once: up to 16 share the copy of the planes, more share a
-  /// SphereLocator, which takes O(n log n) to make.
+  /// Returns the cell that contains each direction, in order. Up to 16 directions share one copy of
+  /// the planes. More directions share one SphereLocator, which takes O(n log n) to build.
   [[nodiscard]] std::vector<SphereLocation> locate(std::span<const SphereVector> directions,
                                                    Context& context = unlimited_context()) const;
-  /// Whether the direction lies on the boundary of the set. Isolated points and slits are boundary.
+  /// Whether the direction lies on the boundary of the set. Isolated points and slits belong to the
+  /// boundary.
   [[nodiscard]] bool has_on_boundary(const SphereVector& direction,
                                      Context& context = unlimited_context()) const;
 
-  /// Returns the first marked cell that a walk from `origin` along the great circle towards
-  /// `towards` meets, once around, which may be that of `origin`; or nothing. Throws
-  /// Error{BadArgument} if the two are the same or opposite. O(n), and a sort of what is met.
+  /// Returns the first marked cell on a walk along a great circle, or nullopt if the walk meets
+  /// none. The walk starts at `origin`, takes the shorter way to `towards`, and continues once
+  /// around. The first cell of the walk is the one that contains `origin`. Throws
+  /// Error{BadArgument} if `origin` and `towards` are the same or opposite directions. Cost: O(n),
+  /// plus sorting the cells on the circle.
   [[nodiscard]] std::optional<SphereHit> shoot(const SphereVector& origin,
                                                const SphereVector& towards,
                                                Context& context = unlimited_context()) const;
-  /// Returns the first point or arc that the walk meets, marked or not; one on which `origin` lies
-  /// is met at once. Errors and cost as shoot().
+  /// Returns the first point or arc on the walk of shoot(), whether marked or not, or nullopt if
+  /// the walk meets none. If `origin` lies on a point or arc, this is the first one. Errors and
+  /// cost are those of shoot().
   [[nodiscard]] std::optional<SphereHit> shoot_to_boundary(
       const SphereVector& origin, const SphereVector& towards,
       Context& context = unlimited_context()) const;
 
-  /// Checks every invariant from scratch and returns the first one that is broken, with its place,
-  /// or nothing.
+  /// Checks every invariant from scratch. Returns the first broken invariant and where it is
+  /// broken, or nullopt if all hold.
   [[nodiscard]] std::optional<DcelFlaw> audit(Context& context = unlimited_context()) const;
 
   // --- operations -------------------------------------------------------------------------------
 
-  /// Returns the directions that do not belong to the set. O(n).
+  /// Returns the set of the directions that do not belong to this set. O(n).
   [[nodiscard]] NefSphere complement(Context& context = unlimited_context()) const;
   /// Returns the set without its boundary. O(n).
   [[nodiscard]] NefSphere interior(Context& context = unlimited_context()) const;
@@ -315,7 +338,7 @@ class NefSphere {
  private:
   explicit NefSphere(std::shared_ptr<SphereComplex> complex) : complex_(std::move(complex)) {}
 
-  std::shared_ptr<SphereComplex> complex_;  // changed only by who holds it alone
+  std::shared_ptr<SphereComplex> complex_;  // Changed only by a set that is its sole owner.
 };
 
 }  // namespace plumb

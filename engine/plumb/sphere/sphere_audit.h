@@ -1,4 +1,4 @@
-// Checks the invariants of a sphere map that sphere_map.h states.
+// Checks the invariants of a sphere map. sphere_map.h states the notation.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,20 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Checks every invariant of a map from scratch and returns the first one that is broken, with its
-/// place, or nothing. The invariants, in the order in which they are checked:
-///   the arrays have the right sizes; ids are in range; marks are 0, 1 or kBeyond; a loop has no
-///   point, any other arc has two
-///   different circles have different normals; each direction is of two planes that cross
-///   half-arcs follow each other, in one ring around each point; a boundary has one face
-///   points lie on the circles of their arcs; rings turn clockwise, once around
-///   no two points are equal; arcs intersect at points only; there is at most one loop
-///   cycles and isolated points name the faces that they bound; every face has a boundary
-/// AuditForm::Minimal also checks that no cell can be removed without changing the set. Costs as
-/// much as an overlay of the map with itself, which is O(n^2) for small maps.
+/// Checks every invariant of a map from scratch. Returns the first broken invariant and where it is
+/// broken, or nullopt if all hold. The invariants, in the order of the checks:
+///   - The arrays have the right sizes. All ids are in range. Each mark is 0, 1 or kBeyond. A loop
+///     has no end points; any other arc has two.
+///   - Different circles have different normals. The two planes of each direction cross.
+///   - The half-arcs are linked: those that leave a point form one ring around it. All half-arcs of
+///     a boundary cycle name the same face.
+///   - Points lie on the circles of their arcs. The ring around each point turns clockwise, exactly
+///     once around.
+///   - No two points are equal. Arcs intersect at points only. There is at most one loop.
+///   - Each boundary cycle and each isolated point names the face that it bounds. Every face has a
+///     boundary.
+/// AuditForm::Minimal also checks that no cell can be removed without changing the set. The cost is
+/// that of an overlay of the map with itself, which is O(n^2) for small maps.
 std::optional<DcelFlaw> audit(const PlaneTable& planes, const SphereMap& map, AuditForm form);
 
 }  // namespace plumb

@@ -1,24 +1,32 @@
-// A sphere map: the neighbourhood of a point, drawn on a small sphere around it. Near that point
-// (the centre) a marked subdivision of space is a cone, so it is described by a subdivision of the
-// sphere by great circles, with a mark for each cell and one for the centre.
+// A sphere map describes a marked subdivision of space near one of its points, the centre. Near the
+// centre, every cell of the subdivision is a cone with its apex at the centre. So the cells are
+// determined by their intersections with a small sphere around the centre. These intersections form
+// a subdivision of the sphere by great circles. A sphere map consists of this subdivision, with a
+// mark for each cell, and of one more mark for the centre.
 //
-//   cell of the map   cell of space that it is part of          its mark
+//   cell of the map   cell of space that contains it            mark of the cell
 //   point             an edge that leaves the centre            mark of the edge
 //   arc               a facet with a corner at the centre       mark of the facet
 //   face              a volume that touches the centre          mark of the volume
 //
-// Notation: a circle is a plane through the centre; only the normal of the plane is read. A
-// direction is the cross product of two normals, so no length is ever needed and no square root
-// appears. Each arc a has two half-arcs: 2a runs counter-clockwise about the (canonical) normal of
-// circle[a], with the positive side of the plane to its left, seen from outside the sphere; 2a + 1
-// runs the other way. An arc may be longer than a half-circle. An arc that starts and ends at the
-// same point is a whole circle; a whole circle without a point (origin kNone) is a loop. Two
-// circles always cross, so a map has at most one loop, and then every other arc lies strictly on
-// one side of it.
+// Circles: a great circle is given by a plane through the centre. Only the normal of the plane is
+// used.
 //
-// Invariants: audit() (sphere_audit.h) checks them. All planes of a map come from one PlaneTable,
-// and different planes have different normals there, since they all pass through the centre.
-// Source: docs/design/sphere.md.
+// Directions: a direction is given as the cross product of two normals. Its length has no meaning,
+// so no square root is needed.
+//
+// Arcs: arc a consists of half-arcs 2 a and 2 a + 1. Half-arc 2 a runs counter-clockwise about the
+// canonical normal of circle[a]. Seen from outside the sphere, the positive side of the plane lies
+// to the left of this half-arc. Half-arc 2 a + 1 runs in the opposite direction. An arc may be
+// longer than a half-circle. An arc that starts and ends at the same point is a whole circle.
+//
+// Loops: a loop is a whole circle without a point. The origin of its half-arcs is kNone. Two great
+// circles always cross, so a map has at most one loop, and every other arc then lies strictly on
+// one side of the loop.
+//
+// Invariants: sphere_audit.h lists the invariants of a map, and audit() checks them. All planes of
+// a map come from one PlaneTable. They pass through the centre, so different planes have different
+// normals. Source: docs/design/sphere.md.
 #pragma once
 
 #include <array>
@@ -31,8 +39,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The direction n_p x n_q, where n_p and n_q are the normals of two planes that are not parallel.
-/// {q, p} is the opposite direction.
+/// The direction cross(n_p, n_q), where n_p and n_q are the normals of the planes p and q. The
+/// planes are not parallel. The opposite direction is {q, p}.
 struct SphereDirection {
   PlaneId p;  ///< A plane through the centre.
   PlaneId q;  ///< Another plane through the centre.
@@ -41,14 +49,15 @@ struct SphereDirection {
   friend bool operator==(const SphereDirection&, const SphereDirection&) = default;
 };
 
-/// The id of a cell of a map, in 32 bits. Default-constructed it names no cell.
+/// The id of a cell of a map, in 32 bits. A default-constructed id names no cell.
 class SphereCell {
  public:
   /// The kinds of cells.
   enum class Kind : std::uint32_t { Point, Arc, Face };
 
   constexpr SphereCell() = default;
-  /// Makes the id of the cell of a kind with number `index`, which must be less than 2^30.
+  /// Makes the id of the cell of this kind with this index. Requires that `index` is less than
+  /// 2^30.
   constexpr SphereCell(Kind kind, std::uint32_t index)
       : code_((static_cast<std::uint32_t>(kind) << 30U) | index) {}
   /// Returns the id of point i.
@@ -62,7 +71,7 @@ class SphereCell {
   constexpr bool is_valid() const { return code_ != ~std::uint32_t{0}; }
   /// Returns the kind of the cell. Requires is_valid().
   constexpr Kind kind() const { return static_cast<Kind>(code_ >> 30U); }
-  /// Returns the number of the cell among those of its kind. Requires is_valid().
+  /// Returns the index of the cell among the cells of its kind. Requires is_valid().
   constexpr std::uint32_t index() const { return code_ & 0x3fffffffU; }
   friend constexpr auto operator<=>(SphereCell, SphereCell) = default;
 
@@ -70,13 +79,11 @@ class SphereCell {
   std::uint32_t code_ = ~std::uint32_t{0};
 };
 
-/// A marked subdivision of the sphere, in flat arrays. The head of this file states the invariants.
-/// A mark is 0, 1 or kBeyond (marks.h).
+/// A marked subdivision of the sphere, in flat arrays. The head of this file explains the terms. A
+/// mark is 0, 1 or kBeyond (marks.h). The index kNone stands for no point, no half-arc or no face.
 struct SphereMap {
-  /// Stands for no point, no half-arc or no face.
-
   // For each point:
-  std::vector<SphereDirection> direction;  ///< The direction of the point; all are different.
+  std::vector<SphereDirection> direction;  ///< The direction of the point. No two are equal.
   std::vector<Mark> point_mark;            ///< Whether the point belongs to the set.
   /// A half-arc that leaves the point; kNone if the point is isolated.
   std::vector<std::uint32_t> first_out;
@@ -88,16 +95,16 @@ struct SphereMap {
   std::vector<Mark> arc_mark;   ///< Whether the arc belongs to the set.
 
   // For each half-arc:
-  std::vector<std::uint32_t> origin;  ///< The point where it starts; kNone for a loop.
+  std::vector<std::uint32_t> origin;  ///< The point where the half-arc starts; kNone for a loop.
   std::vector<std::uint32_t> next;    ///< The next half-arc along the face to the left.
-  std::vector<std::uint32_t> face;    ///< The face to the left.
+  std::vector<std::uint32_t> face;    ///< The face to the left of the half-arc.
 
   std::vector<Mark> face_mark;  ///< For each face, whether it belongs to the set.
   Mark centre_mark = 0;         ///< Whether the centre itself belongs to the set.
 
-  /// Returns the number of points, isolated ones included.
+  /// Returns the number of points, including isolated points.
   std::size_t point_count() const { return direction.size(); }
-  /// Returns the number of arcs. Arc a consists of half-arcs 2a and 2a + 1.
+  /// Returns the number of arcs. Arc a consists of half-arcs 2 a and 2 a + 1.
   std::size_t arc_count() const { return circle.size(); }
   /// Returns the number of faces.
   std::size_t face_count() const { return face_mark.size(); }
@@ -105,22 +112,25 @@ struct SphereMap {
   static std::uint32_t twin(std::uint32_t half_arc) { return half_arc ^ 1U; }
   /// Returns the point where a half-arc ends, or kNone for a loop.
   std::uint32_t target(std::uint32_t half_arc) const { return origin[twin(half_arc)]; }
-  /// Whether an arc is a loop: a whole circle without a point.
+  /// Whether an arc is a loop, that is, a whole circle without a point.
   bool is_loop(std::uint32_t arc) const { return origin[2 * std::size_t{arc}] == kNone; }
-  /// Returns the half-arc that leaves the same point next in clockwise order, seen from outside.
+  /// Returns the next half-arc that leaves the same point. Seen from outside the sphere, the order
+  /// of the half-arcs around the point is clockwise.
   std::uint32_t clockwise(std::uint32_t half_arc) const { return next[twin(half_arc)]; }
 
   /// Empties all arrays but keeps their memory.
   void clear();
 };
 
-/// The kind of cell of space in which the centre of a minimal map lies. Near the centre the set is
-/// invariant under translations along that cell.
+/// The kind of the cell of space that contains the centre of a minimal map. Near the centre, the
+/// set is invariant under translations along this cell. The shape of the map decides the kind.
 enum class PyramidKind : std::uint8_t {
-  Volume,  ///< The map is a single face with the mark of the centre.
-  Facet,   ///< The map has only one loop, with the mark of the centre.
-  Edge,    ///< Two opposite points with the centre's mark, isolated or joined by half-circles.
-  Vertex,  ///< Any other map.
+  Volume,  ///< The map consists of one face, which has the mark of the centre.
+  Facet,   ///< The map has one loop, which has the mark of the centre, and no other arc or point.
+  /// The map has exactly two points. They are opposite and have the mark of the centre. Each is
+  /// isolated, or half-circles join them.
+  Edge,
+  Vertex,  ///< The map has any other shape.
 };
 
 }  // namespace plumb

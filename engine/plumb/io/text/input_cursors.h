@@ -1,9 +1,13 @@
-// Cursors over input: TextCursor walks a line-oriented text with lines, tokens and the place of
-// every error; BinaryInput walks the binary part of a file.
+// Cursors over input. TextCursor reads the lines and tokens of a text, and gives the position of
+// every error. BinaryInput reads the binary part of a file.
 //
-// Lines end with LF or CRLF; blanks are spaces and tabs; blank lines and lines whose first
-// non-blank is '#' are skipped. Comments must be UTF-8 without control characters. A byte order
-// mark at the start is skipped. Columns count bytes, from 1.
+// Rules of texts:
+//   - Lines end with LF or CRLF. Blanks are spaces and tabs.
+//   - Blank lines are skipped. Lines whose first character after blanks is '#' are comments and are
+//     skipped, too.
+//   - Comments must be UTF-8 without control characters.
+//   - A byte order mark at the start is skipped.
+//   - Columns are counted in bytes, starting at 1.
 #pragma once
 
 #include <bit>
@@ -19,23 +23,25 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Walks the lines and tokens of a text.
+/// Reads the lines and tokens of a text.
 class TextCursor {
  public:
-  /// `text` must outlive the cursor; `name` is the file's name in messages.
+  /// Starts before the first line of `text`. Requires that `text` outlives the cursor. `name` is
+  /// the name of the file in messages.
   TextCursor(std::string_view text, std::string name);
 
-  /// Moves to the first token of the next line that has one; returns false at the end of the text.
-  /// Requires that the current line is finished (at_line_end()).
+  /// Moves to the first token of the next line that has a token. Returns false at the end of the
+  /// text. Requires that the current line is finished (at_line_end()).
   bool next_line();
 
-  /// Skips blanks; returns true if the current line has no more tokens.
+  /// Skips blanks. Returns true if the current line has no more tokens.
   bool at_line_end() {
     while (p_ != end_ && (*p_ == ' ' || *p_ == '\t')) ++p_;
     return p_ == end_ || *p_ == '\n' || (*p_ == '\r' && skip_carriage_return());
   }
 
-  /// Does the same for formats in which a comment may end a line; the comment is skipped.
+  /// Does the same as at_line_end(), for formats in which a comment may end a line. The comment is
+  /// skipped.
   bool at_line_end_or_comment() {
     if (at_line_end()) return true;
     if (*p_ != '#') return false;
@@ -43,20 +49,22 @@ class TextCursor {
     return true;
   }
 
-  /// Returns the next token: everything up to a blank or the end of the line. Requires
+  /// Returns the next token, which ends before a blank or the end of the line. Requires
   /// !at_line_end().
   std::string_view token();
 
-  /// Does the same for formats with punctuation: returns one of `marks`, or everything up to one of
-  /// them, a blank or the end of the line. Requires !at_line_end().
+  /// Returns the next token in formats with punctuation. Each character in `marks` is a token of
+  /// its own. Any other token ends before such a character, a blank or the end of the line.
+  /// Requires !at_line_end().
   std::string_view word(std::string_view marks);
 
-  /// Moves to `where`, which is not before the position, counting the line breaks between. For
-  /// texts that something else parses.
+  /// Moves to `where` and counts the line breaks on the way. Requires that `where` is not before
+  /// the current position. This function serves texts that another parser reads.
   void move_to(const char* where);
 
-  /// Sets `value` to a token of 1 to 9 digits and returns true; otherwise returns false and
-  /// consumes nothing, and token() must be called. A hot path of readers. Requires !at_line_end().
+  /// Reads a token of 1 to 9 digits into `value` and returns true. If the next token has any other
+  /// form, returns false and does not move; the caller must then use token(). Readers call this
+  /// function often. Requires !at_line_end().
   bool short_number(std::uint32_t& value) {
     const char* q = p_;
     std::uint32_t v = 0;
@@ -70,7 +78,7 @@ class TextCursor {
   }
 
   const char* position() const { return p_; }
-  /// Returns all that follows the position.
+  /// Returns the text from the current position to the end.
   std::string_view rest() const { return {p_, bytes_left()}; }
   /// Skips `bytes` bytes of the line.
   void skip(std::size_t bytes) { p_ += bytes; }
@@ -79,11 +87,13 @@ class TextCursor {
   std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - p_); }
   std::size_t bytes_read() const { return static_cast<std::size_t>(p_ - begin_); }
 
-  /// Throws Error{code} at `where`, a pointer into the current line (by default the position).
+  /// Throws Error{code} with the position `where`, a pointer into the current line. The default of
+  /// `where` is the current position.
   [[noreturn]] void fail(ErrorCode code, std::string message, const char* where = nullptr) const;
 
-  /// Throws what is wrong with `token`, a token of the current line: NotText at its first byte that
-  /// is not text, else Syntax "expected WHAT, found 'TOKEN'".
+  /// Throws the error for an unexpected `token` of the current line. If a byte of the token is not
+  /// text, this is Error{NotText} at the first such byte. Otherwise it is Error{Syntax} with the
+  /// message "expected WHAT, found 'TOKEN'".
   [[noreturn]] void fail_token(std::string_view token, std::string_view what) const;
 
   static constexpr bool ends_token(char c) {
@@ -93,7 +103,8 @@ class TextCursor {
  private:
   bool skip_carriage_return();
   void skip_comment();
-  /// Throws Error{NotText} at the first byte of `text` that is not text; `text` lies in this line.
+  /// Throws Error{NotText} at the first byte of `text` that is not text. Requires that `text` is a
+  /// part of the current line.
   void require_text(std::string_view text) const;
 
   const char* begin_;
@@ -104,28 +115,28 @@ class TextCursor {
   std::string name_;
 };
 
-/// Removes `prefix` from the front of `text`; returns false if it is not there.
+/// Removes `prefix` from the front of `text`. Returns false if `text` does not start with `prefix`.
 inline bool take_prefix(std::string_view& text, std::string_view prefix) {
   if (!text.starts_with(prefix)) return false;
   text.remove_prefix(prefix.size());
   return true;
 }
 
-/// Returns the length of the longest prefix of `text` that is UTF-8 without control characters but
-/// tab.
+/// Returns the length of the longest prefix of `text` that is valid UTF-8 and has no control
+/// characters except tabs.
 std::size_t text_prefix(std::string_view text);
 
-/// Returns `token` as shown in a message: in quotes, shortened to at most 32 bytes at a character
-/// boundary, and to what is before a control character.
+/// Returns `token` in quotes, for a message. The token is cut before its first control character,
+/// and to at most 32 bytes at a character boundary.
 std::string quoted(std::string_view token);
 
-// Walks the binary part of a file: numbers of fixed size, in either byte order.
+// The cursor over the binary part of a file.
 
-/// Walks the binary part of a file: numbers of fixed size, in either byte order.
+/// Reads numbers of fixed size, in either byte order, from the binary part of a file.
 class BinaryInput {
  public:
-  /// Begins at byte `start` of the file. `bytes` must outlive the input; `name` is the file in
-  /// messages.
+  /// Starts at byte `start` of the file with the contents `bytes`. Requires that `bytes` outlives
+  /// this object. `name` is the name of the file in messages.
   BinaryInput(std::string_view bytes, std::size_t start, std::endian order, std::string name)
       : bytes_(bytes),
         at_(start),
@@ -135,10 +146,11 @@ class BinaryInput {
   std::size_t position() const { return at_; }
   std::size_t bytes_left() const { return bytes_.size() - at_; }
 
-  /// Skips bytes. Requires `bytes` <= bytes_left().
+  /// Skips bytes. Requires that `bytes` is at most bytes_left().
   void skip(std::size_t bytes) { at_ += bytes; }
 
-  /// Returns the next integer or floating-point number. Requires sizeof(Number) <= bytes_left().
+  /// Returns the next integer or floating-point number. Requires that sizeof(Number) is at most
+  /// bytes_left().
   template <class Number>
   Number take() {
     char raw[sizeof(Number)];
@@ -167,9 +179,10 @@ class BinaryInput {
   std::string name_;
 };
 
-// Places for limits that are met where no place is known: every error of a reader has one.
+// Every error of a reader has a position. The following functions add one to errors about limits
+// that were thrown without a position.
 
-/// The place of errors that concern a file as a whole.
+/// The position of errors that concern a whole file.
 struct WholeFile {
   const std::string& name;
   [[noreturn]] void fail(ErrorCode code, const std::string& message) const {
@@ -177,8 +190,8 @@ struct WholeFile {
   }
 };
 
-/// Returns `read()`. A limit that is met without a place is thrown at that of `in`: a TextCursor, a
-/// BinaryInput or a WholeFile.
+/// Returns `read()`. If `read()` throws Error{ResourceLimit} without a position, throws this error
+/// with the position of `in`. `in` is a TextCursor, a BinaryInput or a WholeFile.
 template <class Input, class Read>
 auto with_place(const Input& in, Read read) {
   try {

@@ -1,4 +1,4 @@
-// Numbers and text, formatted fast, to any std::ostream.
+// Fast formatting of numbers and text for any std::ostream.
 #pragma once
 
 #include <bit>
@@ -18,21 +18,21 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the shortest text that reads back as `value` under the rules of record_reader.h: a whole
-/// number below 2^63 in magnitude as an integer, else the shortest decimal. Requires a finite
-/// value.
+/// Returns a text from which the rules of record_reader.h read exactly `value`. An integer with an
+/// absolute value less than 2^63 is written as an integer. Any other value is written as the
+/// shortest decimal. Requires that `value` is finite.
 std::string format_double(double value);
 
-/// Returns "p/q", or "p" if q = 1.
+/// Returns the text "p/q" of a rational, or "p" if the denominator q is 1.
 std::string format_exact(const Rational& value);
 
-/// A block of text on its way to a stream. It is written when it is full and on flush(), which must
-/// be called before the end of its life: the destructor drops what is left, because it may run when
-/// writing has failed.
+/// A buffer for text that is written to a stream. The buffer is written when it is full, and by
+/// flush(). The caller must call flush() at the end, because the destructor discards the rest of
+/// the buffer: the destructor may run after writing has failed.
 class TextOutput {
  public:
   explicit TextOutput(std::ostream& out);
-  /// Checks the context at each block.
+  /// Calls Context::checkpoint() for each block that is written.
   TextOutput(std::ostream& out, Context& context) : TextOutput(out) { context_ = &context; }
 
   TextOutput& operator<<(char c) {
@@ -44,7 +44,7 @@ class TextOutput {
   TextOutput& operator<<(const char* text) { return *this << std::string_view(text); }
   TextOutput& operator<<(std::uint64_t value);
   TextOutput& operator<<(std::uint32_t value) { return *this << std::uint64_t{value}; }
-  /// Writes as format_double() does.
+  /// Writes format_double(value).
   TextOutput& operator<<(double value);
 
   void flush();
@@ -52,7 +52,8 @@ class TextOutput {
  private:
   static constexpr std::size_t kBlock = std::size_t{1} << 16;
 
-  /// Returns where at least `bytes` (<= kBlock) can be written.
+  /// Returns a pointer to free memory for at least `bytes` bytes. Requires that `bytes` is at most
+  /// kBlock.
   char* room(std::size_t bytes) {
     if (kBlock - used_ < bytes) flush();
     return block_.get() + used_;
@@ -64,11 +65,11 @@ class TextOutput {
   std::size_t used_ = 0;
 };
 
-/// Writes the coordinates of point i, "x y": doubles as format_double() does, others exactly.
+/// Writes the coordinates of point i as "x y". A coordinate that is a double is written as
+/// format_double() writes it. Any other coordinate is written exactly.
 void write_point(TextOutput& out, const PointTable2& points, std::uint32_t i);
 
-// Numbers of fixed size as little-endian bytes.
-
+/// Writes a number of fixed size as little-endian bytes.
 template <class Number>
 void put_little_endian(TextOutput& out, Number value) {
   char raw[sizeof(Number)];

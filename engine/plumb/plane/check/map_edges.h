@@ -1,8 +1,9 @@
 // The undirected edges of a listed map, the cycles that list them, the connected components, and
-// the borders of what the cycles cover.
+// the borders of the area that the cycles cover.
 //
-// Half-edges are numbered by edge: half-edge 2e runs from ends[e].from to ends[e].to, 2e+1 back. A
-// half-edge that no cycle lists exists all the same; its cycle is kNoCycle.
+// Edge e has the half-edges 2 e and 2 e + 1. Half-edge 2 e runs from ends[e].from to ends[e].to,
+// and half-edge 2 e + 1 runs in the opposite direction. Every edge has both half-edges, even if no
+// cycle lists one of them. The cycle of a half-edge that is not listed is kNoCycle.
 #pragma once
 
 #include <cstdint>
@@ -20,16 +21,17 @@ namespace plumb {
 struct MapEdges {
   static constexpr std::uint32_t kNoCycle = std::numeric_limits<std::uint32_t>::max();
 
-  /// A listing of a half-edge beyond its first.
+  /// A second or later occurrence of a half-edge in the listed cycles.
   struct ExtraUse {
     std::uint32_t halfedge;  ///< The half-edge.
-    std::uint32_t cycle;     ///< The cycle that lists it again.
+    std::uint32_t cycle;     ///< The cycle that lists the half-edge again.
   };
 
-  std::vector<SweepSegment> ends;        ///< The ends of each edge; from < to as indices.
-  std::vector<std::uint32_t> cycle_of;   ///< The first cycle that lists each half-edge.
-  std::vector<ExtraUse> extra_uses;      ///< By half-edge, then by position in the input.
-  std::vector<std::uint32_t> at_corner;  ///< The half-edge of each corner of the listing.
+  std::vector<SweepSegment> ends;       ///< The end vertices of each edge. The index from is less.
+  std::vector<std::uint32_t> cycle_of;  ///< For each half-edge, the first cycle that lists it.
+  /// The extra occurrences, sorted by half-edge, and for each half-edge in the order of the input.
+  std::vector<ExtraUse> extra_uses;
+  std::vector<std::uint32_t> at_corner;  ///< The half-edge that starts at each listed corner.
 
   std::size_t edge_count() const { return ends.size(); }
   std::size_t halfedge_count() const { return cycle_of.size(); }
@@ -41,47 +43,51 @@ struct MapEdges {
   bool is_open(std::uint32_t h) const {
     return cycle_of[h] != kNoCycle && cycle_of[h ^ 1U] == kNoCycle;
   }
-  /// Returns all cycles that list half-edge h, one entry for each time.
+  /// Returns all cycles that list half-edge h. A cycle that lists h several times occurs as often.
   std::vector<std::uint32_t> uses(std::uint32_t h) const;
-  /// Returns a cycle that lists edge e in both directions, or kNoCycle.
+  /// Returns a cycle that lists edge e in both directions, or kNoCycle if there is none.
   std::uint32_t cycle_on_both_sides(std::uint32_t e) const;
-  /// Returns the edge {u, v}, or edge_count() if there is none. O(log n), as edges are sorted by
-  /// their ends.
+  /// Returns the index of the edge {u, v}, or edge_count() if there is no such edge. O(log n),
+  /// because edges are sorted by their ends.
   std::size_t find(std::uint32_t u, std::uint32_t v) const;
 };
 
-/// Returns the edges of a map: buckets the directed edges by their lesser vertex and pairs them.
-/// O(n) and the sorting of the edges at each vertex. The order of `ends` depends on the set of
-/// edges only.
+/// Returns the edges of a map. The function sorts the directed edges into buckets by the lesser of
+/// their two vertex ids, and pairs those of the same undirected edge. Cost: O(n), plus sorting the
+/// edges in each bucket. The order of `ends` depends only on the set of edges.
 MapEdges match_twins(const Map& map);
 
 /// The connected components of the edge graph.
 struct MapComponents {
   static constexpr std::uint32_t kNoComponent = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t>
-      of_vertex;          ///< The component of each vertex; kNoComponent without edge.
+      of_vertex;          ///< The component of each vertex; kNoComponent if it has no edge.
   std::size_t count = 0;  ///< The number of components.
 };
-/// Returns the components, numbered by their least vertices. O(n a(n)).
+/// Returns the components, numbered in the order of their least vertex ids. O(n a(n)), where a is
+/// the inverse Ackermann function.
 MapComponents connect(const Map& map, const MapEdges& edges);
 
-// Borders of what the listed cycles cover: chains of half-edges that no cycle lists.
+// The borders of the area that the listed cycles cover. They are chains of half-edges that no cycle
+// lists.
 
-/// A closed chain of unlisted half-edges whose twins are listed, in the direction in which a cycle
-/// that closes the map would list them.
+/// A closed chain of half-edges that are not listed, but whose twins are listed. The chain runs in
+/// the direction of the missing cycle: if a cycle with these half-edges were listed, the border
+/// would be closed.
 struct OpenChain {
   std::vector<std::uint32_t> halfedges;  ///< The half-edges in order.
-  /// The sign of the area: Negative for a clockwise chain, the missing outer boundary of a part of
-  /// the map; Positive for a gap, a missing face; Zero for a slit without area.
+  /// The sign of the area. A clockwise chain is Negative: it is the missing outer boundary of a
+  /// part of the map. A counter-clockwise chain is Positive: it bounds a gap, that is, a missing
+  /// face. A slit without area is Zero.
   Sign area;
 };
 
-/// Returns all chains, by their least half-edges. At a vertex where several borders meet, each
-/// turns so that it stays with the same faces. Requires that no half-edge is listed twice, as then
-/// every chain closes. O(n).
+/// Returns all chains, in the order of their least half-edges. At a vertex where several borders
+/// meet, each border continues along the same faces. Requires that no half-edge is listed twice;
+/// then every chain closes. O(n).
 std::vector<OpenChain> trace_open_chains(const Map& map, const MapEdges& edges);
 
-/// Returns the vertices of a chain, as a cycle to list.
+/// Returns the vertices of a chain in order. A map can list them as a cycle.
 std::vector<std::uint32_t> cycle_of_chain(const MapEdges& edges, const OpenChain& chain);
 
 }  // namespace plumb

@@ -1,4 +1,5 @@
-// A complex as a plain list, as files have it (.nef2), and the check of such a list.
+// A complex as a plain list of vertices and edges, and the check of such a list. A .nef2 file
+// contains such a list.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +14,23 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The vertices and edges of a complex with their marks. Faces and links follow from them.
+/// The vertices and edges of a complex with their marks, and the marks of the faces beside the
+/// edges. from_records() computes the faces and the links between cells from these records.
 struct PlaneRecords {
   static constexpr std::uint32_t kUnbounded = std::numeric_limits<std::uint32_t>::max();
 
   /// A vertex.
   struct Vertex {
-    std::uint32_t point;  ///< Its point (dense index).
+    std::uint32_t point;  ///< The dense index of its point (plane_points.h).
     bool mark;            ///< Its mark.
     friend bool operator==(const Vertex&, const Vertex&) = default;
   };
   /// An edge.
   struct Edge {
-    std::uint32_t from;  ///< The lesser end, an index into `vertices`, or kUnbounded.
-    std::uint32_t to;    ///< The greater end, or kUnbounded.
-    PlaneLine line;      ///< Two input points of its line, which runs from -> to.
-    bool mark;           ///< Its mark.
+    std::uint32_t from;  ///< The lesser end: an index into `vertices`, or kUnbounded.
+    std::uint32_t to;    ///< The greater end: an index into `vertices`, or kUnbounded.
+    PlaneLine line;      ///< The line of the edge, in the direction from `from` to `to`.
+    bool mark;           ///< The mark of the edge.
     bool left;           ///< The mark of the face to the left.
     bool right;          ///< The mark of the face to the right.
     friend bool operator==(const Edge&, const Edge&) = default;
@@ -40,13 +42,14 @@ struct PlaneRecords {
   bool bottom = false;           ///< The mark of face 0.
 };
 
-/// The error that from_records() throws if one record is at fault.
+/// The error that from_records() throws if it finds the fault in a single record.
 class RecordError : public Error {
  public:
   /// The kind of the record.
   enum class Kind : std::uint8_t { Crossing, Vertex, Edge };
 
-  /// Makes the error; `why` is a sentence about record `index`, which counts from 0.
+  /// Makes the error. `index` is the 0-based index of the record among those of its kind. `why` is
+  /// a sentence that explains the fault.
   RecordError(Kind kind, std::size_t index, const std::string& why);
 
   Kind kind() const { return kind_; }
@@ -64,14 +67,19 @@ PlaneRecords::Vertex record_of(const PlaneComplex& complex, VertexId v);
 /// Returns the record of one edge.
 PlaneRecords::Edge record_of(const PlaneComplex& complex, EdgeId e);
 
-/// Returns the minimal complex of the records; from_records(to_records(c)) is c if c is minimal.
-/// Throws Error{BadArgument}, mostly a RecordError, with the first thing that is wrong: an index, a
-/// line through two equal points, parallel lines of a crossing, a vertex that is not on the line of
-/// its edge, edges that meet elsewhere than at their vertices, marks of one face that disagree, or
-/// a cell that is not needed or out of order. Costs a sweep.
+/// Returns the minimal complex of the records. If c is minimal, from_records(to_records(c)) equals
+/// c. Throws Error{BadArgument}, usually a RecordError, for the first fault. Faults are:
+///   - an index out of range
+///   - a line through two equal points, or a crossing of two parallel lines
+///   - a vertex that does not lie on the line of its edge
+///   - edges that intersect elsewhere than at their common vertices
+///   - different marks for the same face
+///   - a cell that is not needed or out of order
+/// The cost is that of a sweep.
 PlaneComplex from_records(const PlaneRecords& records, Context& context);
 
-/// Returns the same for complexes that need not be minimal, such as arrangements.
+/// Returns the complex of the records, which need not be minimal. For example, an arrangement is
+/// not minimal. Errors and cost are those of from_records().
 PlaneComplex rebuild(const PlaneRecords& records, Context& context);
 
 }  // namespace plumb

@@ -1,49 +1,66 @@
 // The exact plane sweep, which finds where curves of the plane meet.
 //
-// For straight segments between the points of a table it computes every place where segments start,
-// end, cross, touch or overlap, in lexicographic order (x, then y), and the order of the segments
-// below, through and above each such place. Decisions are predicates on input points and on
-// implicit crossings. No coordinate is ever rounded, so every degeneracy is an ordinary case.
+// The sweep visits every point where curves start, end, cross, touch or overlap. Each such point is
+// an event. The events are visited in lexicographic order of (x, y). For each event, the sweep
+// reports the curves through the point and their order, and the nearest curve below the point. All
+// decisions are predicates on input points and on implicit crossings. No coordinate is ever
+// rounded, so no degeneracy needs special treatment.
 //
-// Notation: a curve is a segment, a ray or a line. It runs from its lexicographically lesser end
-// (left) to the greater one (right); a vertical curve runs upward. Ends at infinity need no
-// coordinates: curves from the left are in the status at the start, steeper ones below; a vertical
-// end at infinity is an event before (after) all points of its x; two curves to the right infinity
-// cross before it if and only if the lower is steeper. A bundle is a maximal set of curves on one
-// line that overlap just left (incoming) or just right (outgoing) of an event. The status is the
-// list of bundles that the sweep line meets, bottom to top.
+// Curves: a curve is a segment, a ray or a line. Its left end is the lexicographically lesser end,
+// and its right end is the greater one. A curve runs from left to right, and a vertical curve runs
+// upward.
+//
+// Bundles: a bundle is a maximal set of curves that lie on the same line and overlap next to an
+// event. An incoming bundle overlaps just left of the event, an outgoing bundle just right of it.
+//
+// Status: the status is the list of the bundles that the sweep line meets, from bottom to top.
+//
+// Infinity: ends at infinity need no coordinates:
+//   - Curves from the left infinity are in the status at the start. Among these, a steeper curve is
+//     below a less steep one.
+//   - A vertical curve from infinity below starts in an event before all points with the same x. A
+//     vertical curve to infinity above ends in an event after all points with the same x.
+//   - Two curves to the right infinity cross before they reach it if and only if the lower curve is
+//     steeper.
 //
 // Main flow of sweep():
 //  1. rank_points         sorts the end points once; equal points get equal ranks
-//  2. collect_starts      groups the curves by their left ends, and keeps those of zero length
-//                         apart
+//  2. collect_starts      groups the curves by their left ends, and sets curves of zero length
+//                         aside
 //     start_unbounded     fills the status with the curves from the left infinity, in one event
-//  3. advance             takes the next end point or pending crossing, and all that are equal to
-//                         it
-//  4. take_enders         at plain events (one point, nothing passes through, nothing overlaps)
-//                         finds the curves that end here side by side in the status
-//  5. take_all_through    at other events walks the status both ways while bundles contain the
-//                         point
-//     group_ends          groups the curves that end here by bundle
-//  6. order_starters      sorts starting curves by direction; those of one direction form a bundle,
-//                         or join one that continues
-//  7. replace_in_status   replaces incoming bundles by outgoing ones
-//  8. test_neighbours     tests two bundles that became neighbours: a crossing is queued, a touch
-//                         marks the end point as not plain
-//  9. on_event            gives the finished event to the visitor
-// 10. end_unbounded       ends all that is left in the status at the right infinity, in one event
+//  3. advance             takes the next end point or pending crossing, and all end points and
+//                         crossings that are equal to it
+//  4. take_enders         at a plain event, finds the curves that end there, which are neighbours
+//  in
+//                         the status. An event is plain if it has one end point, no curve passes
+//                         through it, and no curves overlap.
+//  5. take_all_through    at any other event, walks up and down the status while bundles contain
+//                         the point
+//     group_ends          groups the curves that end at the event by bundle
+//  6. order_starters      sorts the curves that start at the event by direction. Curves of the same
+//                         direction form a bundle, or join a bundle that continues.
+//  7. replace_in_status   replaces the incoming bundles by the outgoing bundles
+//  8. test_neighbours     tests two bundles that became neighbours. If they cross, the crossing is
+//                         put into the queue. If they touch in an end point, the event of this
+//                         point is marked as not plain.
+//  9. on_event            passes the finished event to the visitor
+// 10. end_unbounded       ends all bundles that remain in the status at the right infinity, in one
+//                         event
 //
-// Invariants: neighbours in the status have been tested (8) since they became neighbours, so an
-// event that is reached without a mark and without a crossing is plain, and costs no arithmetic
-// other than its own. A bundle is known by the curve of it that ends last, so it ends when that
-// curve does, and no event looks at curves that just pass through in a bundle. docs/design/sweep.md
-// has the proofs.
+// Invariants: step 8 has tested all bundles that are neighbours in the status. So an event is plain
+// if it is not marked and has no crossing. A plain event needs no arithmetic besides its own steps.
+// A bundle is represented by the curve that ends last among its curves. So the bundle ends when
+// this curve ends, and an event does not visit the other curves of a bundle that passes through.
+// docs/design/sweep.md has the proofs.
 //
-// Cost: O((n + k) log n) expected for n curves and k incidences of events and bundles (n nested
-// segments on one line have 2 n), with one orientation sign for each new pair of neighbours in the
-// plain case; O(n + pending crossings) memory. Sources: J. L. Bentley, T. A. Ottmann, Algorithms
-// for reporting and counting geometric intersections, IEEE Transactions on Computers C-28 (1979);
-// degeneracies after K. Mehlhorn, S. Näher, LEDA, Cambridge University Press (1999), section 10.7.
+// Cost: expected O((n + k) log n) time, where n is the number of curves and k the number of
+// incidences of events and bundles. For example, n nested segments on one line have 2 n incidences.
+// A plain event takes one orientation sign for each new pair of neighbours. Memory: O(n + pending
+// crossings).
+//
+// Sources: J. L. Bentley, T. A. Ottmann, Algorithms for reporting and counting geometric
+// intersections, IEEE Transactions on Computers C-28 (1979). Degeneracies are handled as in K.
+// Mehlhorn, S. Näher, LEDA, Cambridge University Press (1999), section 10.7.
 #pragma once
 
 #include <cstdint>
@@ -57,70 +74,74 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// A segment by the indices of its end points, in any direction. Both ends may have equal
-/// coordinates (a zero-length segment), but not equal indices.
+/// A segment, given by the indices of its end points in any order. The two indices are different.
+/// The points may have equal coordinates; then the segment has length zero.
 struct SweepSegment {
-  std::uint32_t from;  ///< One end.
-  std::uint32_t to;    ///< The other end.
+  std::uint32_t from;  ///< Index of one end point.
+  std::uint32_t to;    ///< Index of the other end point.
 };
 
-/// A segment, ray or line: the part of the line a -> b from `from` to `to`. The ends are points of
-/// any kind on that line, in its direction, or kUnbounded; a and b are input points of different
-/// coordinates (unless from and to are equal points: a zero-length segment).
+/// A segment, ray or line. It is the part from `from` to `to` of the line that runs from point a to
+/// point b. `from` and `to` are points on this line, input points or crossings, in the direction of
+/// the line. Each of them may also be kUnbounded. The input points a and b have different
+/// coordinates, except in a segment of length zero, where `from` and `to` are equal points.
 struct SweepCurve {
   static constexpr std::uint32_t kUnbounded = std::numeric_limits<std::uint32_t>::max();
 
-  std::uint32_t from;  ///< The start, a point or kUnbounded.
-  std::uint32_t to;    ///< The end, a point or kUnbounded.
-  std::uint32_t a;     ///< An input point of the line.
-  std::uint32_t b;     ///< A later input point of the line.
+  std::uint32_t from;  ///< The start: the index of a point, or kUnbounded.
+  std::uint32_t to;    ///< The end: the index of a point, or kUnbounded.
+  std::uint32_t a;     ///< Index of an input point on the line.
+  std::uint32_t b;     ///< Index of an input point that comes after a on the line.
 };
 
-/// The kind of place of an event. LeftInfinity and RightInfinity come at most once, as the first
-/// and the last event.
+/// The kinds of events. LeftInfinity can only be the first event, and RightInfinity only the last.
 enum class SweepPlace : std::uint8_t {
-  LeftInfinity,   ///< All curves from the left infinity, as outgoing bundles.
-  VerticalStart,  ///< Coincident vertical curves from below, as one outgoing bundle.
+  LeftInfinity,   ///< All curves from the left infinity start, as outgoing bundles.
+  VerticalStart,  ///< Coincident vertical curves from infinity below start, as one bundle.
   Point,          ///< An end point, a stop or a crossing.
-  VerticalEnd,    ///< Coincident vertical curves that go up to infinity, as one incoming bundle.
-  RightInfinity,  ///< All curves to the right infinity, as incoming bundles.
+  VerticalEnd,    ///< Coincident vertical curves to infinity above end, as one bundle.
+  RightInfinity,  ///< All curves to the right infinity end, as incoming bundles.
 };
 
-/// An event: everything that happens at one place. The spans are valid during the call only. A
-/// bundle is given by the curve of it that ends last, as it was when the bundle last left a place.
+/// An event: the curves that start, end or pass at a point or at infinity. The spans are valid only
+/// during the call of on_event(). A bundle is represented by one of its curves: of the curves that
+/// the bundle had when it last left an event, the one that ends last.
 struct SweepEvent {
   static constexpr std::uint32_t kNew = std::numeric_limits<std::uint32_t>::max();
 
-  SweepPlace place = SweepPlace::Point;    ///< The kind of place.
-  std::span<const std::uint32_t> points;   ///< End points and stops here; none at a mere crossing.
-  const Crossing2* crossing = nullptr;     ///< Set if there are no points and `place` is Point.
-  std::span<const SegmentId> incoming;     ///< Bundles just left of the event, bottom to top.
-  std::span<const SegmentId> outgoing;     ///< Bundles just right of it, bottom to top.
-  std::span<const SegmentId> ends;         ///< Curves that end here, by bundle; none at infinity.
-  std::span<const SegmentId> starts;       ///< Curves that start here, by bundle.
-  std::span<const SegmentId> zero_length;  ///< Segments of zero length here.
-  SegmentId below;                         ///< The bundle next below the event, if any.
-  /// Whether there is one point and no overlap, and every curve here starts or ends at that point.
+  SweepPlace place = SweepPlace::Point;  ///< The kind of the event.
+  /// End points and stops at the event. A crossing without an end point or stop has none.
+  std::span<const std::uint32_t> points;
+  const Crossing2* crossing = nullptr;  ///< Set if `place` is Point and `points` is empty.
+  std::span<const SegmentId> incoming;  ///< Bundles just left of the event, bottom to top.
+  std::span<const SegmentId> outgoing;  ///< Bundles just right of the event, bottom to top.
+  /// Curves that end at the event, grouped by bundle. Empty at infinity.
+  std::span<const SegmentId> ends;
+  std::span<const SegmentId> starts;       ///< Curves that start at the event, grouped by bundle.
+  std::span<const SegmentId> zero_length;  ///< Segments of length zero at the event.
+  SegmentId below;                         ///< The nearest bundle below the event, if any.
+  /// Whether the event has one point, no curves overlap, and every curve at the event starts or
+  /// ends at this point.
   bool plain = false;
 
-  // For events that are not plain; read by the functions below.
-  std::span<const std::uint32_t> arrived_as;  ///< What came_from() returns for outgoing bundles.
-  std::span<const std::uint32_t> ends_end;    ///< Where each incoming bundle's part of ends stops.
+  // Set for events that are not plain. The functions below read them.
+  std::span<const std::uint32_t> arrived_as;  ///< Results of came_from() for outgoing bundles.
+  std::span<const std::uint32_t> ends_end;    ///< Ends of the parts of `ends` in incoming bundles.
   std::span<const std::uint32_t>
-      starts_end;  ///< Where each outgoing bundle's part of starts stops.
+      starts_end;  ///< Ends of the parts of `starts` in outgoing bundles.
 
-  /// Returns the incoming bundle that continues in an outgoing one, or kNew if all curves of the
-  /// outgoing one start here.
+  /// Returns the index of the incoming bundle that continues in outgoing bundle `out`, or kNew if
+  /// all curves of the outgoing bundle start at the event.
   std::uint32_t came_from(std::size_t out) const { return plain ? kNew : arrived_as[out]; }
-  /// Returns the curves of an incoming bundle that end here.
+  /// Returns the curves of an incoming bundle that end at the event.
   std::span<const SegmentId> ending_in(std::size_t in) const {
     return plain ? incoming.subspan(in, 1) : part(ends, ends_end, in);
   }
-  /// Returns the curves of an outgoing bundle that start here.
+  /// Returns the curves of an outgoing bundle that start at the event.
   std::span<const SegmentId> starting_in(std::size_t out) const {
     return plain ? outgoing.subspan(out, 1) : part(starts, starts_end, out);
   }
-  /// Whether every curve here starts or ends here, each in a bundle of its own.
+  /// Whether every curve at the event starts or ends there, and no two curves share a bundle.
   bool has_ends_only() const;
 
  private:
@@ -134,22 +155,22 @@ struct SweepEvent {
 
 class [[gnu::visibility("hidden")]] SweepCurves;
 
-/// Takes the events of a sweep.
+/// Receives the events of a sweep.
 class SweepVisitor {
  public:
   virtual ~SweepVisitor() = default;
   /// Called once before the first event. `curves` stays valid during the sweep.
   virtual void on_start(const SweepCurves& curves) { static_cast<void>(curves); }
-  /// Called once for every event, in lexicographic order. Returning false stops the sweep.
+  /// Called once for every event, in lexicographic order. The result false stops the sweep.
   virtual bool on_event(const SweepEvent& event) = 0;
 };
 
-/// Sweeps all segments. Throws only what the visitor or the context throws.
+/// Sweeps all segments. Throws only exceptions of the visitor or the context.
 void sweep(const PointTable2& points, std::span<const SweepSegment> segments, SweepVisitor& visitor,
            Context& context);
 
-/// Sweeps all curves. Each of the points `stops` is an event, too, even if no curve starts or ends
-/// there. Throws only what the visitor or the context throws.
+/// Sweeps all curves. Each of the points `stops` is an event, even if no curve starts or ends
+/// there. Throws only exceptions of the visitor or the context.
 void sweep(const PlanePointsView& points, std::span<const SweepCurve> curves,
            std::span<const std::uint32_t> stops, SweepVisitor& visitor, Context& context);
 
