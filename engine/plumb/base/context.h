@@ -14,9 +14,9 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Bounds on the resources of an operation. Readers check a size that a file claims against the
-/// limits and against the bytes that are left in the file *before* they allocate memory or build a
-/// number.
+/// Bounds on the resources of an operation. If a file states a size, its reader compares the size
+/// with the limits and with the number of bytes left in the file. It does so *before* it allocates
+/// memory or builds a number.
 struct Limits {
   std::uint64_t max_memory_bytes = std::uint64_t{16} << 30;  ///< Working memory, estimated.
   double max_seconds = 0;                                    ///< Wall time; 0 means no limit.
@@ -24,36 +24,39 @@ struct Limits {
   std::uint32_t max_decimal_exponent = 4096;                 ///< Largest exact |exponent|.
 };
 
-/// Callback that receives the name of a phase and how many of its `total` steps are done. A total
-/// of 0 means that the number of steps is unknown.
+/// Callback that receives the name of a phase, the number of steps done, and the total number of
+/// steps of the phase. A total of 0 means that the number of steps is unknown.
 using ProgressCallback =
     std::function<void(std::string_view phase, std::uint64_t done, std::uint64_t total)>;
 
-/// The state that a long operation shares with its caller; it is passed by reference. A Context is
-/// not thread-safe: each operation, and each parallel job within it (parallel.h), has its own.
+/// The state that a long operation shares with its caller, passed by reference. A Context is not
+/// thread-safe. Each operation needs a Context of its own, and so does each parallel job within an
+/// operation (parallel.h).
 class Context {
  public:
-  /// Makes a context; the time limit counts from here. `progress` is called on the thread that runs
-  /// the operation. `threads` is the number of threads that an operation may use; 0 means 1.
+  /// Constructs a context. The time limit counts from its construction. `progress` is called on the
+  /// thread that runs the operation. `threads` is the number of threads that an operation may use;
+  /// 0 means 1.
   explicit Context(Limits limits = {}, std::stop_token stop = {}, ProgressCallback progress = {},
                    unsigned threads = 1);
-  /// Makes the context of a job within the operation of `of`. The job shares the limits, the start
-  /// time and the charged memory of `of`. It stops if either `of` or `stop` is stopped, and it
-  /// reports progress only if `reports` is true.
+  /// Constructs the context of a job within an operation whose context is `of`. The job shares the
+  /// limits, the start time and the charged memory of `of`. It stops if a stop of `of` or of `stop`
+  /// is requested. It reports progress only if `reports` is true.
   Context(const Context& of, std::stop_token stop, unsigned threads, bool reports);
 
   const Limits& limits() const { return limits_; }  ///< Returns the limits.
   unsigned threads() const { return threads_; }     ///< Returns the number of threads, at least 1.
 
-  /// Reports progress and checks for a stop; an operation calls it every few thousand steps. Throws
-  /// Error{Cancelled} if a stop was requested, and Error{ResourceLimit} if the time is used up. The
-  /// callback is called at most 20 times a second, and at the end of a phase (done == total > 0).
+  /// Reports progress and checks for a stop request. An operation calls this function every few
+  /// thousand steps. Throws Error{Cancelled} if a stop was requested, and Error{ResourceLimit} if
+  /// the time limit is exceeded. The callback is called at most 20 times a second, and at the end
+  /// of a phase (done == total > 0).
   void checkpoint(std::string_view phase, std::uint64_t done, std::uint64_t total);
 
-  /// Charges memory that is about to be allocated. Throws Error{ResourceLimit}, and charges
-  /// nothing, if `bytes` more would exceed the memory limit; the message names `what`.
+  /// Charges memory that is about to be allocated. If `bytes` more bytes would exceed the memory
+  /// limit, it charges nothing and throws Error{ResourceLimit} with a message that names `what`.
   void charge_memory(std::uint64_t bytes, std::string_view what);
-  /// Releases charged memory. Releases no more than what is charged.
+  /// Subtracts `bytes` from the charged memory, which never falls below 0.
   void release_memory(std::uint64_t bytes);
 
  private:
@@ -68,14 +71,15 @@ class Context {
   Clock::time_point last_report_;
 };
 
-/// Returns a context of the calling thread that has no limits and cannot be stopped or watched.
-/// Functions use it if their caller passes no context. It is valid until the thread ends.
+/// Returns a context of the calling thread that has no limits, no stop request and no progress
+/// callback. Functions use this context if their caller passes none. It is valid until the thread
+/// ends.
 Context& unlimited_context();
 
-/// Charges memory to a context as it grows and releases all of it on destruction.
+/// Charges growing amounts of memory to a context, and releases the whole charge on destruction.
 class MemoryCharge {
  public:
-  /// Makes a charge of 0 bytes. Requires that the context outlives it.
+  /// Constructs a charge of 0 bytes. Requires that the context outlives the charge.
   explicit MemoryCharge(Context& context) : context_(context) {}
   ~MemoryCharge() { context_.release_memory(bytes_); }
   MemoryCharge(const MemoryCharge&) = delete;

@@ -11,10 +11,10 @@ namespace plumb {
 /// A point where edges end, or an isolated vertex in a facet, face or volume.
 using VertexId = StrongId<struct VertexTag>;
 using HalfedgeId = StrongId<struct HalfedgeTag>;  ///< An edge in one of its two directions.
-using EdgeId = StrongId<struct EdgeTag>;          ///< An undirected edge, half-edges 2e and 2e+1.
+using EdgeId = StrongId<struct EdgeTag>;          ///< Edge e: the half-edges 2 e and 2 e + 1.
 using LoopId = StrongId<struct LoopTag>;          ///< A boundary cycle of a face.
 using FaceId = StrongId<struct FaceTag>;          ///< A region of a planar, sphere or surface map.
-using CycleId = StrongId<struct CycleTag>;        ///< A cycle as listed in the input.
+using CycleId = StrongId<struct CycleTag>;        ///< A cycle that the input lists.
 using SegmentId = StrongId<struct SegmentTag>;    ///< An input curve of an arrangement.
 
 // Complexes in space (space_complex.h) use the ids above for vertices, edges and half-edges. An
@@ -22,7 +22,7 @@ using SegmentId = StrongId<struct SegmentTag>;    ///< An input curve of an arra
 // structure, in: Geometric Modeling for CAD Applications, North-Holland, 1988).
 using UseId = StrongId<struct UseTag>;        ///< An edge use: an edge on the boundary of a facet.
 using FacetId = StrongId<struct FacetTag>;    ///< A connected part of a plane.
-using VolumeId = StrongId<struct VolumeTag>;  ///< A connected part of space without the facets.
+using VolumeId = StrongId<struct VolumeTag>;  ///< A connected part of space minus all facets.
 
 }  // namespace plumb
 #pragma GCC visibility pop

@@ -1,8 +1,8 @@
 // Marks of cells, and functions that compute the marks of a result from those of the operands.
 //
-// A mark is 1 if the cell belongs to the set and 0 otherwise. A third mark, kBeyond, belongs to
-// what lies outside the symbolic cube that frames an unbounded set (docs/design/frame.md). No
-// operation changes it, so that the frame needs no special cases.
+// A mark is 1 if the cell belongs to the set and 0 otherwise. An unbounded set is framed by a
+// symbolic cube (docs/design/frame.md). Cells outside the cube have a third mark, kBeyond. No
+// operation changes this mark, so that the frame needs no special cases.
 #pragma once
 
 #include <array>
@@ -14,15 +14,15 @@ namespace plumb {
 /// Whether a set contains its boundary (Closed) or not (Open).
 enum class Boundary : std::uint8_t { Open, Closed };
 
-/// Which form an audit requires: any valid one, or the minimal form, of which no cell can be
-/// removed without changing the set.
+/// The form of a representation that an audit requires. Any accepts every valid form. Minimal
+/// accepts only the form from which no cell can be removed without changing the set.
 enum class AuditForm : std::uint8_t { Any, Minimal };
 
-/// The winding numbers that count as inside: all but 0, the odd ones, or the positive ones.
+/// The winding numbers of points inside a set: all except 0, all odd ones, or all positive ones.
 enum class WindingRule : std::uint8_t { NonZero, EvenOdd, Positive };
 
-/// A Boolean function of two sets. Each member says whether points of that kind belong to the
-/// result.
+/// A Boolean function of two sets. Each member states whether the points that it describes belong
+/// to the result.
 struct MarkFunction {
   bool neither = false;      ///< Value for points in neither set.
   bool first_only = false;   ///< Value for points only in the first set.
@@ -41,26 +41,28 @@ inline constexpr MarkFunction kSymmetricDifference{false, true, true, false};  /
 
 /// The mark of a cell: 0, 1 or kBeyond.
 using Mark = std::uint8_t;
-inline constexpr Mark kBeyond = 2;  ///< The mark of the frame, neither in nor outside a set.
+inline constexpr Mark kBeyond = 2;  ///< The mark of cells beyond the frame.
 
-/// A MarkFunction extended to marks that may be kBeyond. In set operations either both marks are
-/// kBeyond or neither is.
+/// A MarkFunction extended to marks that may be kBeyond. In a set operation, the two marks are
+/// either both kBeyond or both 0 or 1.
 class MarkTable {
  public:
-  /// Extends f; the value is kBeyond if a mark is kBeyond.
+  /// Extends f. The value is kBeyond if at least one of the marks is kBeyond.
   constexpr explicit MarkTable(MarkFunction f)
       : table_{f.neither, f.second_only, kBeyond, f.first_only, f.both,
                kBeyond,   kBeyond,       kBeyond, kBeyond} {}
 
-  /// Returns the table whose value is 1 if the marks differ, kBeyond included, and 0 otherwise.
+  /// Returns the table whose value is 1 if the marks differ, and 0 if they are equal. Each mark may
+  /// also be kBeyond.
   static constexpr MarkTable unequal() {
     MarkTable table(kSymmetricDifference);
     table.table_ = {0, 1, 1, 1, 0, 1, 1, 1, 0};
     return table;
   }
 
-  /// Returns the table that combines a set (first) with walls (second): kBeyond if a wall lies in
-  /// the set, otherwise the mark of the set. The value is kBeyond if a mark is kBeyond.
+  /// Returns the table that combines a set (the first mark) with walls (the second mark). The value
+  /// is kBeyond for a cell that belongs to the set and to a wall. It is also kBeyond if at least
+  /// one of the marks is kBeyond. Otherwise the value is the mark of the set.
   static constexpr MarkTable walled() {
     MarkTable table(kDifference);
     table.table_ = {0, 0, kBeyond, 1, kBeyond, kBeyond, kBeyond, kBeyond, kBeyond};

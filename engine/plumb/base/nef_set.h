@@ -1,12 +1,12 @@
-// The grammar that the sets of plane, sphere and space share, stated as concepts.
+// The common interface of the sets of the plane, the sphere and space, stated as concepts.
 //
-// Nef2, NefSphere and Nef3 answer the same question under the same name, with the same order of
-// arguments and the same shape of answer. Code written against NefSet works for all three;
-// tests/base/nef_set_test.cpp instantiates it for each of them.
+// A function of Nef2, NefSphere and Nef3 that serves the same purpose has the same name, the same
+// order of arguments, and results of the same form. Code written for the concept NefSet works for
+// all three classes; tests/base/nef_set_test.cpp instantiates such code for each of them.
 //
-// What differs is what a set consists of: points of the plane, directions, points of space. The
-// types that depend on it are members of the set: Point, Complex, Marks, Counts, Location, Hit,
-// Selector, Flaw.
+// The classes differ in the elements of their sets: points of the plane, directions, and points of
+// space. The types that depend on the kind of element are members of the class: Point, Complex,
+// Marks, Counts, Location, Hit, Selector and Flaw.
 #pragma once
 
 #include <concepts>
@@ -28,7 +28,7 @@ concept NefSet = std::regular<Set> &&
              const typename Set::Selector& selector, typename Set::Complex complex,
              typename Set::Marks marks, std::span<const Set> sets, MarkFunction f,
              Context& context) {
-  // Sets to start from.
+  // Constructing sets.
   { Set::empty() } -> std::same_as<Set>;
   { Set::whole() } -> std::same_as<Set>;
   { Set::point(p) } -> std::same_as<Set>;
@@ -36,7 +36,7 @@ concept NefSet = std::regular<Set> &&
   { Set::from_minimal_unchecked(complex) } -> std::same_as<Set>;
   { a.with_marks(marks, context) } -> std::same_as<Set>;
 
-  // Reading.
+  // Queries.
   { a.complex() } -> std::same_as<const typename Set::Complex&>;
   { a.marks() } -> std::same_as<typename Set::Marks>;
   { a.counts() } -> std::same_as<typename Set::Counts>;
@@ -76,30 +76,30 @@ concept NefSet = std::regular<Set> &&
   { intersection_of(sets, context) } -> std::same_as<Set>;
 };
 
-/// A NefSet with an exact measure: area or volume. (The solid angle of a set of the sphere is no
-/// rational number.)
+/// A NefSet with an exact measure, which is an area or a volume. (NefSphere has no exact measure,
+/// because a solid angle is in general not a rational number.)
 template <class Set>
 concept MeasurableNefSet = NefSet<Set> && requires(const Set& a, Context& context) {
   { a.measure(context)->sign() } -> std::convertible_to<int>;
   { a.is_bounded() } -> std::same_as<bool>;
 };
 
-/// Returns the closure of the interior of the union: what users of meshes and polygons mean by it.
-/// No isolated points, slits or dangling parts remain, and the result is closed.
+/// Returns the closure of the interior of the union. This is the union that users of meshes and
+/// polygons expect: the result is closed and has no isolated points, slits or dangling parts.
 template <NefSet Set>
 [[nodiscard]] Set regularized_union(const Set& a, const Set& b,
                                     Context& context = unlimited_context()) {
   return boolean_op(a, b, kUnion, context).regularization(context);
 }
-/// Returns the closure of the interior of the intersection. Sets that only touch have the empty
-/// one.
+/// Returns the closure of the interior of the intersection. The result is empty for sets that only
+/// touch.
 template <NefSet Set>
 [[nodiscard]] Set regularized_intersection(const Set& a, const Set& b,
                                            Context& context = unlimited_context()) {
   return boolean_op(a, b, kIntersection, context).regularization(context);
 }
-/// Returns the closure of the interior of a without b: a closed set, which keeps the boundary that
-/// it shares with b.
+/// Returns the closure of the interior of a - b. The result is closed. It contains the part of its
+/// boundary that it shares with b.
 template <NefSet Set>
 [[nodiscard]] Set regularized_difference(const Set& a, const Set& b,
                                          Context& context = unlimited_context()) {

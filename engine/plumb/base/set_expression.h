@@ -34,17 +34,18 @@ struct SetExpression {
     friend bool operator==(const Step&, const Step&) = default;
   };
   std::vector<Step> steps;         ///< The steps in postfix order.
-  std::vector<std::string> names;  ///< The distinct names, in order of first appearance.
+  std::vector<std::string> names;  ///< The distinct names, in the order of first appearance.
 };
 
-/// Parses an expression. Throws Error{Syntax}, with the column, if `text` is not one. It does not
-/// recurse, so any depth of parentheses is allowed. Cost: O(length) steps, and a search among the
-/// distinct names for each operand.
+/// Parses an expression. Throws Error{Syntax}, with the column, if `text` is not an expression. The
+/// parser does not recurse, so any depth of parentheses is allowed. Cost: O(length) steps, and for
+/// each operand a search among the distinct names.
 SetExpression parse_set_expression(std::string_view text);
 
-/// Returns the value of an expression. `operand(i)` returns the value of names[i], `complement(a)`
-/// the complement of a, and `boolean_op(op, a, b)` the value of a binary operator. Requires an
-/// expression that parse_set_expression returned.
+/// Returns the value of an expression. The caller passes three functions: `operand(i)` returns the
+/// value of names[i], `complement(a)` returns the complement of a, and `boolean_op(op, a, b)`
+/// returns the value of a binary operator. Requires an expression that parse_set_expression
+/// returned.
 template <class Set, class Operand, class Complement, class Combine>
 Set evaluate(const SetExpression& expression, Operand operand, Complement complement,
              Combine boolean_op) {

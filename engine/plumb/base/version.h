@@ -1,10 +1,10 @@
-// The version of the library, by the rules of semantic versioning (https://semver.org). Below 1.0 a
-// new minor version may be incompatible.
+// The version of the library, which follows the rules of semantic versioning (https://semver.org).
+// Before version 1.0, a new minor version may be incompatible with the previous one.
 #pragma once
 
 /// Major version; a new one may be incompatible.
 #define PLUMB_VERSION_MAJOR 0
-/// Minor version; a new one adds features and, below 1.0, may be incompatible.
+/// Minor version; a new one adds features and, before version 1.0, may be incompatible.
 #define PLUMB_VERSION_MINOR 1
 /// Patch version; a new one corrects errors.
 #define PLUMB_VERSION_PATCH 0

@@ -1,44 +1,46 @@
 // Doubly connected edge list (half-edge structure), shared by plane, sphere and surface maps.
 //
-// It stores topology only. The owner keeps geometry and marks in parallel arrays, indexed by
-// VertexId, EdgeId and FaceId. Edge e consists of the half-edges 2e and 2e+1, so that the twin of a
-// half-edge has the same id with the lowest bit inverted.
+// The structure stores topology only. The owner of the structure, such as a planar map, keeps
+// geometry and marks in parallel arrays, indexed by VertexId, EdgeId and FaceId. Edge e consists of
+// the half-edges 2 e and 2 e + 1. Therefore the ids of twins differ only in the lowest bit.
 //
 //   half-edge h : has origin(h), next(h), prev(h) and loop(h); its face lies to its left
 //   loop l      : one boundary cycle of a face; has a first half-edge or an isolated vertex, its
 //                 face and the next loop of that face
-//   face f      : has a first loop; which loop is the outer one is geometry, known to the owner
+//   face f      : has a first loop; only the owner knows which loop is the outer one, because that
+//                 depends on the geometry
 //   vertex v    : has one half-edge that leaves it, or the loop of an isolated vertex
-//   corner      : a place at a vertex inside a face where an edge can be attached: the one just
-//                 before half-edge h, at origin(h), or the only one of an isolated vertex
+//   corner      : a position at a vertex inside a face where an edge can be attached; it lies just
+//                 before a half-edge h, at origin(h), or is the only corner of an isolated vertex
 //
-// A half-edge refers to its loop and a loop to its face, so merging two faces changes loops, but no
-// half-edges.
+// A half-edge refers to its loop, and a loop refers to its face. Therefore merging two faces
+// changes loops, but no half-edges.
 //
 // Main flow:
 //  1. Building
-//     Dcel::from_cycles      takes listed cycles of vertex ids in which every directed edge occurs
-//                            once, as does its twin
+//     Dcel::from_cycles      takes listed cycles of vertex ids; every directed edge occurs once in
+//                            the cycles, and so does its twin
 //     Dcel::from_links       takes half-edges with known successors
-//  2. Editing by Euler operators, each of which is undone by its partner
+//  2. Editing by pairs of Euler operators, which undo each other
 //     add_face/remove_face       a face without loops (a whole plane or sphere)
 //     add_vertex/remove_vertex   an isolated vertex in a face
-//     add_edge/remove_edge       an edge between two corners: it splits their loop if they lie in
-//                                one loop, and joins two loops of one face otherwise
+//     add_edge/remove_edge       an edge between two corners: it splits their loop if both corners
+//                                lie in the same loop, and otherwise joins two loops of a face
 //     split_edge/join_edge       a vertex of degree 2 inside an edge
 //     split_face/join_faces      moves chosen loops into a new face, and back
 //  3. audit                      checks every invariant from scratch
 //
-// Removed cells leave holes until compact(): ids stay valid and new cells are appended, so that
-// parallel arrays only grow by push_back. All operations take O(1) time unless stated otherwise. An
-// operator stops the program (PLUMB_CHECK) if a precondition is found violated.
+// Removed cells leave holes in the numbering until compact() is called. The other ids stay valid,
+// and new cells are appended, so that parallel arrays only grow by push_back. All operations take
+// O(1) time unless stated otherwise. If an operator finds that a precondition is violated, it
+// reports a broken invariant (PLUMB_CHECK in error.h).
 //
-// A pinch is a vertex whose half-edges form several rings: listed cycles may touch at a vertex
-// without passing through each other. from_cycles keeps such a vertex. The operators require a
-// structure without pinches, because a vertex refers to only one of its rings.
+// A pinch is a vertex whose half-edges form several rings. Pinches arise from listed cycles that
+// touch at a vertex without passing through each other. from_cycles keeps such a vertex. The
+// operators require a structure without pinches, because a vertex refers to only one of its rings.
 //
-// Memory: 16 bytes per half-edge, 16 per loop, 4 per vertex, 4 per face. At most 2^31 - 2
-// half-edges.
+// Memory: 16 bytes per half-edge, 16 per loop, 4 per vertex, 4 per face. A structure has at most
+// 2^31 - 2 half-edges.
 // Sources: D. E. Muller and F. P. Preparata, Finding the intersection of two convex polyhedra,
 // Theoretical Computer Science 7 (1978); M. Mäntylä, An Introduction to Solid Modeling, Computer
 // Science Press (1988), for the Euler operators.
@@ -62,10 +64,11 @@ namespace plumb {
 constexpr HalfedgeId twin(HalfedgeId h) { return HalfedgeId(h.value() ^ 1U); }
 /// Returns the edge of a half-edge.
 constexpr EdgeId edge_of(HalfedgeId h) { return EdgeId(h.value() >> 1U); }
-/// Returns the half-edge of an edge that has the even id.
+/// Returns the half-edge with the even id of an edge.
 constexpr HalfedgeId first_half(EdgeId e) { return HalfedgeId(e.value() << 1U); }
 
-/// A half-edge, an `Other`, or neither. The top bit distinguishes the two kinds.
+/// The id of a half-edge, an id of type `Other`, or no id. The top bit distinguishes the two kinds
+/// of ids.
 template <class Other>
 class HalfedgeOr {
  public:
@@ -91,11 +94,11 @@ class HalfedgeOr {
   std::uint32_t bits_ = HalfedgeId::kInvalid;
 };
 
-/// A place where an edge can be attached: before a half-edge, or at an isolated vertex.
+/// A position where an edge can be attached: before a half-edge, or at an isolated vertex.
 using Corner = HalfedgeOr<VertexId>;
 
-/// A range that visits a closed chain of ids once: for (HalfedgeId h : dcel.along(l)). It allocates
-/// nothing. The structure must not be edited during the iteration.
+/// A range that visits each id of a closed chain once, as in for (HalfedgeId h : dcel.along(l)). It
+/// allocates nothing. The structure must not be edited during the iteration.
 template <class Id, class Step>
 class Ring {
  public:
@@ -114,7 +117,7 @@ class Ring {
       if (at_ == first_) at_ = Id();
       return *this;
     }
-    /// Advances likewise and returns the previous iterator.
+    /// Advances to the next id and returns the iterator before the step.
     Iterator operator++(int) {
       Iterator old = *this;
       ++*this;
@@ -127,7 +130,7 @@ class Ring {
     Step step_;
   };
 
-  /// Makes the range first, step(first), ...; it is empty if `first` is invalid.
+  /// Constructs the range first, step(first), and so on. It is empty if `first` is invalid.
   Ring(Id first, Step step) : first_(first), step_(step) {}
   Iterator begin() const { return {first_, step_}; }  ///< Returns an iterator to the first id.
   std::default_sentinel_t end() const { return {}; }  ///< Returns the end of the range.
@@ -137,23 +140,24 @@ class Ring {
   Step step_;
 };
 
-/// New ids after compact(), indexed by old id; invalid for a hole. The order is kept.
+/// The ids after compact(). Each array is indexed by old ids and contains new ids. The entry of a
+/// hole is invalid. The order of the cells is kept.
 struct DcelCompaction {
   std::vector<VertexId> vertex;  ///< New id of each old vertex.
   std::vector<EdgeId> edge;      ///< New id of each old edge.
   std::vector<LoopId> loop;      ///< New id of each old loop.
   std::vector<FaceId> face;      ///< New id of each old face.
 
-  /// Returns the new id of an old half-edge, with the same direction, or an invalid id if its edge
-  /// was removed.
+  /// Returns the new id of the half-edge `old`, or an invalid id if its edge was removed. The new
+  /// half-edge has the same direction.
   HalfedgeId halfedge(HalfedgeId old) const {
     const EdgeId e = edge[edge_of(old).value()];
     return e.is_valid() ? HalfedgeId(first_half(e).value() | (old.value() & 1U)) : HalfedgeId();
   }
 };
 
-/// Compacts a parallel array of the owner. `new_ids` is the matching member of DcelCompaction.
-/// Requires one entry in `payload` per old id. Cost: O(n).
+/// Compacts a parallel array `payload` of the owner. `new_ids` is the member of DcelCompaction for
+/// the same kind of cell. Requires that `payload` has one entry per old id. Cost: O(n).
 template <class Id, class T>
 void follow(const std::vector<Id>& new_ids, std::vector<T>& payload) {
   std::size_t kept = 0;
@@ -165,7 +169,7 @@ void follow(const std::vector<Id>& new_ids, std::vector<T>& payload) {
   payload.erase(payload.begin() + static_cast<std::ptrdiff_t>(kept), payload.end());
 }
 
-/// A violated invariant and where it is violated.
+/// A violated invariant and the cell at which it is violated.
 struct DcelFlaw {
   std::string invariant;  ///< The invariant.
   std::string place;      ///< The cell, such as "half-edge 7".
@@ -176,7 +180,7 @@ struct DcelFromCycles;
 /// Vertices, half-edges, loops and faces, without coordinates.
 class Dcel {
  public:
-  /// Makes an empty structure, without any face.
+  /// Constructs an empty structure, without any face.
   Dcel() = default;
 
   /// An isolated vertex and the face in which it lies.
@@ -189,15 +193,19 @@ class Dcel {
   /// corners[p] to the next corner of its cycle.
   ///   cycle_begin    cycle c is corners[cycle_begin[c], cycle_begin[c+1])
   ///   twin           twin[p] is the position of the opposite directed edge
-  ///   face_of_cycle  the face of each cycle; several cycles may share a face; faces are 0..max
-  ///   isolated       vertices without edges; a vertex that is neither in a cycle nor listed here
-  ///   is
-  ///                  a hole of the numbering (contains() returns false)
-  /// Cycle c becomes loop c, and the isolated vertices become the loops after the cycles; the loops
-  /// of a face are in this order. The half-edge stored at a vertex is the one at its lowest corner
-  /// position. Edges are numbered by their lower corner position, which gets the even half-edge.
-  /// Requires that twin is an involution without fixed points that joins opposite directed edges,
-  /// that no cycle is empty and that all ids are in range (all checked). Cost: O(n).
+  ///   face_of_cycle  the face of each cycle; several cycles may share a face; the faces of the
+  ///                  structure are 0 to the largest one listed
+  ///   isolated       vertices without edges; a vertex id that occurs neither in a cycle nor here
+  ///                  is a hole of the numbering (contains() returns false)
+  /// Cycle c becomes loop c. The isolated vertices become the loops after those of the cycles. The
+  /// loops of a face are in this order. A vertex stores its half-edge with the lowest corner
+  /// position. Edges are numbered in the order of the lower of their two corner positions. The
+  /// half-edge at the lower position gets the even id.
+  /// Requires the following, which the function checks:
+  ///   - twin is an involution without fixed points that pairs opposite directed edges;
+  ///   - no cycle is empty;
+  ///   - all ids are in range.
+  /// Cost: O(n).
   static DcelFromCycles from_cycles(std::size_t vertex_count,
                                     std::span<const std::uint32_t> corners,
                                     std::span<const std::uint32_t> cycle_begin,
@@ -206,14 +214,15 @@ class Dcel {
                                     std::span<const IsolatedVertex> isolated = {});
 
   /// Builds a structure from linked half-edges and keeps all ids.
-  ///   origin        the origin of each half-edge; twins are 2e and 2e + 1
+  ///   origin        the origin of each half-edge; the half-edges 2 e and 2 e + 1 are twins
   ///   next          the successor of each half-edge
   ///   loop_of       the loop of each half-edge, one loop for each closed chain of next
-  ///   face_of_loop  the face of each loop; loops are 0..max and so are faces
-  ///   isolated      vertices without edges; they become the loops after the others
-  /// The half-edge stored at a loop or a vertex is its least one. Requires that all ids are in
-  /// range, that next(h) begins where twin(h) begins (both checked), and that loop_of is constant
-  /// along each chain of next. Cost: O(n).
+  ///   face_of_loop  the face of each loop; the ids of loops and of faces are numbered from 0
+  ///                 without gaps
+  ///   isolated      vertices without edges; they become the loops after those of the half-edges
+  /// A loop or a vertex stores its half-edge with the least id. Requires that all ids are in range
+  /// and that next(h) begins where twin(h) begins; the function checks both. Also requires, without
+  /// a check, that loop_of is constant along each chain of next. Cost: O(n).
   static Dcel from_links(std::size_t vertex_count, std::span<const VertexId> origin,
                          std::span<const HalfedgeId> next, std::span<const std::uint32_t> loop_of,
                          std::span<const FaceId> face_of_loop,
@@ -241,7 +250,7 @@ class Dcel {
   bool is_isolated(VertexId v) const { return vertices_[v.value()].is_other(); }
   /// Returns the loop of an isolated vertex, or an invalid id for other vertices.
   LoopId isolated_loop(VertexId v) const { return vertices_[v.value()].other(); }
-  /// Returns where a loop begins: a half-edge or an isolated vertex.
+  /// Returns the beginning of a loop: a half-edge or an isolated vertex.
   Corner first(LoopId l) const { return loops_[l.value()].first; }
   /// Returns the first loop of f, or an invalid id if f has no loop.
   LoopId first_loop(FaceId f) const {
@@ -263,8 +272,8 @@ class Dcel {
   /// Returns the range of the half-edges of a loop, in their direction; it is empty for an isolated
   /// vertex.
   auto along(LoopId l) const { return ring<&Dcel::next>(first(l).halfedge()); }
-  /// Returns the range of the half-edges that leave v, counter-clockwise; at a pinch, one ring of
-  /// them.
+  /// Returns the range of the half-edges that leave v, counter-clockwise. At a pinch, the range
+  /// contains only one of the rings.
   auto around(VertexId v) const { return ring<&Dcel::turn_left>(halfedge(v)); }
   /// Returns the range of the loops of a face.
   auto loops_of(FaceId f) const { return ring<&Dcel::next_loop>(first_loop(f)); }
@@ -274,7 +283,7 @@ class Dcel {
   std::size_t vertex_count() const {
     return counts_.vertices;
   }  ///< Returns the number of present vertices.
-  /// Returns the number of present half-edges, twice that of the edges.
+  /// Returns the number of present half-edges, which is twice the number of edges.
   std::size_t halfedge_count() const { return 2 * counts_.edges; }
   std::size_t edge_count() const {
     return counts_.edges;
@@ -286,12 +295,13 @@ class Dcel {
     return counts_.faces;
   }  ///< Returns the number of present faces.
 
-  /// Returns the size of an array indexed by vertex id: ids are 0 to slots - 1, holes included.
+  /// Returns the size that an array indexed by VertexId needs. It is the number of ids in use,
+  /// including holes. The functions below return the same for the other cells.
   std::size_t vertex_slots() const { return vertices_.size(); }
-  std::size_t halfedge_slots() const { return halfedges_.size(); }  ///< Likewise for half-edges.
-  std::size_t edge_slots() const { return halfedges_.size() / 2; }  ///< Likewise for edges.
-  std::size_t loop_slots() const { return loops_.size(); }          ///< Likewise for loops.
-  std::size_t face_slots() const { return faces_.size(); }          ///< Likewise for faces.
+  std::size_t halfedge_slots() const { return halfedges_.size(); }  ///< Number of half-edge ids.
+  std::size_t edge_slots() const { return halfedges_.size() / 2; }  ///< Number of edge ids.
+  std::size_t loop_slots() const { return loops_.size(); }          ///< Number of loop ids.
+  std::size_t face_slots() const { return faces_.size(); }          ///< Number of face ids.
 
   /// Whether vertex v is present: in range and not removed.
   bool contains(VertexId v) const {
@@ -328,17 +338,19 @@ class Dcel {
 
   /// Adds an edge from vertex_at(a) to vertex_at(b) and returns its even half-edge h, which has
   /// that direction. Requires that both corners lie in one face.
-  ///   one loop   is split: left of h lies a new loop of the same face, from b around to a (if
-  ///              a == b, h alone, a self-loop); twin(h) stays in the old loop. Cost: O(length of
-  ///              the new loop)
-  ///   two loops  become one, which keeps the id of the loop of a. Cost: O(length of the loop of b)
+  ///   - If the corners lie in the same loop, this loop is split. h and the part of the loop from b
+  ///     to a form a new loop of the same face. (If a == b, the new loop consists of h alone, a
+  ///     self-loop.) twin(h) stays in the old loop. Cost: O(length of the new loop).
+  ///   - If the corners lie in two loops, the loops become one, which keeps the id of the loop of
+  ///     a. Cost: O(length of the loop of b).
   HalfedgeId add_edge(Corner a, Corner b);
-  /// Removes the edge of h. Requires the same face on both sides (call join_faces first).
-  ///   two loops  become one, which keeps the id of the loop of twin(h). Cost: O(length of the loop
-  ///              of h)
-  ///   one loop   is split in two: the part at origin(h) keeps the id and the part at target(h)
-  ///              gets a new one; a part without half-edges becomes an isolated vertex. Cost:
-  ///              O(length of the part at target(h))
+  /// Removes the edge of h. Requires that both sides of h have the same face (call join_faces
+  /// first).
+  ///   - If h and twin(h) lie in two loops, the loops become one, which keeps the id of the loop of
+  ///     twin(h). Cost: O(length of the loop of h).
+  ///   - If h and twin(h) lie in the same loop, the loop is split in two. The part at origin(h)
+  ///     keeps the id, and the part at target(h) gets a new id. A part without half-edges becomes
+  ///     an isolated vertex. Cost: O(length of the part at target(h)).
   void remove_edge(HalfedgeId h);
 
   /// Inserts a new vertex w into h. Afterwards h ends at w, twin(h) begins at w, and the returned
@@ -351,7 +363,7 @@ class Dcel {
   /// Adds a face, moves `loops` to it in this order, and returns it. Requires at least one loop,
   /// and distinct loops of one face. Cost: O(number of loops).
   FaceId split_face(std::span<const LoopId> loops);
-  /// Moves all loops of `gone` to `kept`, after its own loops, and removes `gone`. Requires
+  /// Moves all loops of `gone` to `kept`, after the loops of `kept`, and removes `gone`. Requires
   /// distinct faces. Cost: O(number of loops of `gone`).
   void join_faces(FaceId kept, FaceId gone);
 
@@ -365,19 +377,21 @@ class Dcel {
   /// arbitrary contents of the arrays. Cost: O(n).
   ///   sizes, ranges     present cells refer only to present cells, and the counts are right
   ///   next/prev         they are inverse to each other, and target(h) = origin(next(h))
-  ///   loop              each loop is exactly one closed chain of next, whose half-edges refer to
-  ///   it vertex            its half-edge leaves it, or its isolated loop begins with it
+  ///   loop              each loop is one closed chain of next, and its half-edges refer to it
+  ///   vertex            the half-edge of a vertex leaves it, or its isolated loop begins with it
   ///   pinches           the rings around vertices agree with has_pinches()
-  ///   face              its loops form one ring, and each of them refers to it
+  ///   face              the loops of a face form one ring, and each of them refers to the face
   std::optional<DcelFlaw> audit() const;
 
   /// Checks that the structure is a map of the plane or sphere and returns the first flaw, or no
-  /// value. A component is a set of edges connected by next and twin (fans that share only a pinch
-  /// belong to different components), or an isolated vertex. A ring is one fan of half-edges around
-  /// a vertex, or an isolated vertex. Two conditions are checked: rings - edges + loops = 2 in each
-  /// component, and faces and components, joined by loops, form a tree. Without pinches this
-  /// implies V - E + F = 1 + components. Requires that audit() finds no flaw. Cost: O(n a(n)),
-  /// where a is the inverse Ackermann function.
+  /// value. A component is an isolated vertex, or a set of edges connected by next and twin. Fans
+  /// of half-edges that share only a pinch belong to different components. A ring is one fan of
+  /// half-edges around a vertex, or an isolated vertex. The function checks two conditions:
+  ///   - rings - edges + loops = 2 in each component;
+  ///   - the graph whose nodes are the faces and the components, and whose arcs are the loops, is a
+  ///     tree.
+  /// Without pinches, these conditions imply V - E + F = 1 + components. Requires that audit()
+  /// finds no flaw. Cost: O(n a(n)), where a is the inverse Ackermann function.
   std::optional<DcelFlaw> audit_planar() const;
 
  private:

@@ -1,5 +1,6 @@
-// Exact numbers from and to those of Boost.Multiprecision, for programs that have both. It costs
-// 200000 lines of Boost's headers; nothing of plumb includes it.
+// Conversions between the exact numbers of plumb and those of Boost.Multiprecision, for programs
+// that use both libraries. This header includes 200000 lines of Boost's headers. No other file of
+// plumb includes it.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -14,7 +15,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the integer as a mpz_int or cpp_int of Boost's.
+/// Converts x to `Number`, which is one of Boost's types mpz_int and cpp_int.
 template <class Number>
 requires std::same_as<Number, boost::multiprecision::mpz_int> ||
     std::same_as<Number, boost::multiprecision::cpp_int>
@@ -31,7 +32,7 @@ requires std::same_as<Number, boost::multiprecision::mpz_int> ||
   return result;
 }
 
-/// Returns the fraction as a mpq_rational or cpp_rational of Boost's.
+/// Converts x to `Number`, which is one of Boost's types mpq_rational and cpp_rational.
 template <class Number>
 requires std::same_as<Number, boost::multiprecision::mpq_rational> ||
     std::same_as<Number, boost::multiprecision::cpp_rational>
@@ -46,12 +47,12 @@ requires std::same_as<Number, boost::multiprecision::mpq_rational> ||
   }
 }
 
-/// Returns the integer as plumb's.
+/// Converts an integer of Boost's to plumb's type.
 inline Integer from_boost(const boost::multiprecision::mpz_int& x) {
   return Integer(x.backend().data());
 }
 
-/// Returns the integer as plumb's.
+/// Converts an integer of Boost's to plumb's type.
 inline Integer from_boost(const boost::multiprecision::cpp_int& x) {
   std::vector<unsigned char> bytes;
   export_bits(boost::multiprecision::cpp_int(abs(x)), std::back_inserter(bytes), 8);
@@ -60,12 +61,12 @@ inline Integer from_boost(const boost::multiprecision::cpp_int& x) {
   return x < 0 ? -result : result;
 }
 
-/// Returns the fraction as plumb's.
+/// Converts a fraction of Boost's to plumb's type.
 inline Rational from_boost(const boost::multiprecision::mpq_rational& x) {
   return Rational(x.backend().data());
 }
 
-/// Returns the fraction as plumb's.
+/// Converts a fraction of Boost's to plumb's type.
 inline Rational from_boost(const boost::multiprecision::cpp_rational& x) {
   using boost::multiprecision::cpp_int;
   return Rational(from_boost(cpp_int(numerator(x))), from_boost(cpp_int(denominator(x))));

@@ -1,5 +1,5 @@
-// Check of the floating-point environment that the filters are derived for. Compile-time checks are
-// in input_filters.h; self_test() checks at run time.
+// Check of the floating-point environment. The error bounds of the filters assume a certain
+// environment. input_filters.h checks these assumptions at compile time, self_test() at run time.
 #pragma once
 
 #include <string>
@@ -15,13 +15,13 @@ struct SelfTestReport {
   std::vector<std::string> notes;     ///< Unusual settings that do not affect the predicates.
 };
 
-/// Probes the arithmetic of this build with the current settings of the calling thread, and runs
+/// Tests the arithmetic of this build with the current settings of the calling thread, and runs
 /// predicates on difficult inputs with known signs. It does not change the environment.
 ///
-/// Failures are reassociated or extended-precision arithmetic and wrong signs of predicates. Notes
-/// are a rounding mode other than to nearest, flush-to-zero, denormals-are-zero, and contraction of
-/// a*b+c to a fused multiply-add. The bounds of the filters hold with all of these, but other code
-/// of the caller may depend on them.
+/// It reports as failures: reassociated arithmetic, extended-precision arithmetic, and wrong signs
+/// of predicates. It reports as notes: a rounding mode other than to nearest, flush-to-zero,
+/// denormals-are-zero, and contraction of a*b+c to a fused multiply-add. The bounds of the filters
+/// hold with all settings reported as notes, but other code of the caller may depend on them.
 SelfTestReport self_test();
 
 }  // namespace plumb

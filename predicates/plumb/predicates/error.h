@@ -1,9 +1,10 @@
-// The exceptions that plumb throws, and the check of its own invariants.
+// The exceptions that plumb throws, and the macro by which plumb checks its own invariants.
 //
-// Bad input, exceeded limits and cancellation throw Error. Negative answers ("open", "not convex",
-// "not equal") are results, never errors. std::bad_alloc passes through unchanged when the system
-// refuses memory. A broken invariant is a bug in plumb: PLUMB_CHECK calls the handler that the host
-// installed, then throws BrokenInvariant. The host is never aborted.
+// Bad input, exceeded limits and cancellation throw Error. A negative answer ("open", "not convex",
+// "not equal") is a result, never an error. If the system refuses memory, std::bad_alloc reaches
+// the caller unchanged. A broken invariant is a bug in plumb. In that case PLUMB_CHECK calls the
+// handler that the program installed, and then throws BrokenInvariant. plumb never aborts the
+// program.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +15,10 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Closed set of reasons, numbered in ranges: 1xx input text and files, 2xx resources and
-/// cancellation, 3xx geometry handed in by a caller.
+/// The reason for an Error. No other reasons exist. The numbers form three ranges:
+///   - 1xx: input text and files;
+///   - 2xx: resources and cancellation;
+///   - 3xx: geometry that a caller passes.
 enum class ErrorCode {
   CannotOpen = 100,
   CannotWrite = 101,
@@ -27,31 +30,33 @@ enum class ErrorCode {
   DegenerateFace = 107,
   UnknownFormat = 108,
   Usage = 109,
-  ClosedPipe = 110,  ///< the reader of our output went away: end quietly
-  BadShape = 111,    ///< a ring that is not closed, records that contradict each other
+  ClosedPipe = 110,  ///< The reader of plumb's output closed the pipe; end without a message.
+  BadShape = 111,    ///< A ring is not closed, or records contradict each other.
   ResourceLimit = 200,
   Cancelled = 201,
   NotFinite = 300,
   BadArgument = 301,
 };
 
-/// Where in a text input; 1-based, 0 = unknown.
+/// A position in a text input.
 struct TextPlace {
-  std::string file;        ///< its path, or what the input is called
-  std::size_t line = 0;    ///< 1-based; 0 = unknown
-  std::size_t column = 0;  ///< 1-based, in bytes; 0 = unknown
+  std::string file;        ///< The path or another name of the input.
+  std::size_t line = 0;    ///< The line, counted from 1; 0 if unknown.
+  std::size_t column = 0;  ///< The column in bytes, counted from 1; 0 if unknown.
 };
 
-/// Bad input, an exhausted limit, or cancellation. what() is ready to print:
-/// "FILE:LINE:COLUMN: message", "FILE: message" or "message".
+/// Thrown for bad input, an exceeded limit, or cancellation. what() returns a text to print, in one
+/// of the forms "FILE:LINE:COLUMN: message", "FILE: message" and "message".
 class Error : public std::runtime_error {
  public:
-  /// Puts what() together of the message and the place.
+  /// Composes the text of what() from the message and the place.
   Error(ErrorCode code, std::string message, TextPlace place = {});
 
-  ErrorCode code() const { return code_; }                 ///< The reason; programs decide by it.
-  const std::string& message() const { return message_; }  ///< For people; without the place.
-  const TextPlace& place() const { return place_; }  ///< Empty where the error is not about a text.
+  ErrorCode code() const { return code_; }  ///< Returns the reason, for decisions of a program.
+  /// Returns the message for people, without the place.
+  const std::string& message() const { return message_; }
+  /// Returns the place; it is empty if the error does not concern a text.
+  const TextPlace& place() const { return place_; }
 
  private:
   ErrorCode code_;
@@ -59,20 +64,21 @@ class Error : public std::runtime_error {
   TextPlace place_;
 };
 
-/// Thrown when plumb finds that one of its own invariants does not hold: a bug in plumb, whatever
-/// the input. what() names the condition and its place in the sources. Objects that took part in
-/// the failed operation may only be destroyed or assigned to.
+/// Thrown if plumb finds that one of its own invariants does not hold. This is always a bug in
+/// plumb, even for bad input. what() names the condition and its place in the source code. Objects
+/// that took part in the failed operation may only be destroyed or assigned to.
 class BrokenInvariant : public std::logic_error {
  public:
   using std::logic_error::logic_error;
 };
 
-/// Called with the condition that does not hold and its place in the sources, before
-/// BrokenInvariant is thrown. A handler may log, throw an exception of its own, or end the process.
+/// A function that is called before BrokenInvariant is thrown. It receives the condition that does
+/// not hold and the place of the condition in the source code. A handler may log, throw an
+/// exception of its own, or end the process.
 using InvariantHandler = void (*)(const char* condition, const char* file, int line);
 
-/// Installs a handler for all threads and returns the previous one. A null pointer, the initial
-/// value, means that BrokenInvariant is thrown at once.
+/// Installs a handler for all threads and returns the previous handler. A null pointer, which is
+/// the initial value, means that BrokenInvariant is thrown without a call of a handler.
 InvariantHandler set_invariant_handler(InvariantHandler handler) noexcept;
 
 namespace detail {
@@ -82,7 +88,7 @@ namespace detail {
 }  // namespace plumb
 #pragma GCC visibility pop
 
-/// Reports a broken invariant, in every build type, as described at BrokenInvariant.
+/// Calls the handler and throws BrokenInvariant if the condition is false, in every build type.
 #define PLUMB_CHECK(condition)        \
   ((condition) ? static_cast<void>(0) \
                : ::plumb::detail::report_broken_invariant(#condition, __FILE__, __LINE__))

@@ -1,13 +1,14 @@
 // Predicates on points with double coordinates.
 //
 // A predicate returns the exact sign of a determinant of its points' coordinates. The sign is exact
-// for all finite doubles (subnormals, +-DBL_MAX, any spread of exponents), in every rounding mode,
-// and with flush-to-zero and denormals-are-zero on or off. Every function requires finite
-// coordinates and does not check them. The only exception is std::bad_alloc, from the stage that
-// uses GMP. All functions may be called from several threads at once.
+// for all finite doubles, including subnormals, +-DBL_MAX and any spread of exponents. It is exact
+// in every rounding mode, and with flush-to-zero and denormals-are-zero on or off. Every function
+// requires finite coordinates and does not check them. The only exception that a function may throw
+// is std::bad_alloc, from the stage that uses GMP. Several threads may call all functions at the
+// same time.
 //
-// Main flow of every predicate: it asks the stages in turn until one decides. Each stage is also
-// callable on its own, in namespace rung, for tests and benchmarks.
+// Main flow of every predicate: it runs the stages in turn until a stage decides. Tests and
+// benchmarks can also call each stage on its own, in namespace rung.
 //  1. Filter  X_filter  (input_filters.h)  evaluates in doubles; returns a sign or Unsure
 //  2. Small   X_small   (determinants.h)   evaluates in doubles again, exactly if the coordinates
 //                       are small integers; returns a sign or Unsure
@@ -15,9 +16,9 @@
 //                       Unsure
 //  4. Big     X_big     (determinants.h)   evaluates in GMP integers; always returns a sign
 //
-// All stages that decide agree; docs/design/numbers.md proves the bounds. The sign conventions are
-// those of J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
-// Predicates, Discrete & Computational Geometry 18 (1997).
+// All stages that decide return the same sign; docs/design/numbers.md proves the bounds. The sign
+// conventions are those of J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast
+// Robust Geometric Predicates, Discrete & Computational Geometry 18 (1997).
 #pragma once
 
 #include "plumb/predicates/arithmetic/double_bits.h"
@@ -31,8 +32,8 @@ namespace plumb {
 
 namespace rung {
 
-// The Small stage returns Unsure unless all coordinates are integers below 2^51 in magnitude and
-// the magnitudes of the determinant's terms add up to at most 2^52.
+// The Small stage decides if all coordinates are integers below 2^51 in magnitude and the sum of
+// the magnitudes of the determinant's terms is at most 2^52. Otherwise it returns Unsure.
 FilteredSign orient2d_small(const Point2& a, const Point2& b, const Point2& c);
 FilteredSign cross_sign_small(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 FilteredSign orient3d_small(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
@@ -40,9 +41,9 @@ FilteredSign incircle_small(const Point2& a, const Point2& b, const Point2& c, c
 FilteredSign insphere_small(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                             const Point3& e);
 
-// The Exact stage writes the coordinates as integers on a common grid (orient2d, cross_sign and
-// orient3d use one grid per axis). It returns Unsure if and only if these integers need more than
-// kExactBits bits.
+// The Exact stage converts the coordinates to integers on a common grid. (orient2d, cross_sign and
+// orient3d use one grid per axis.) It returns Unsure if and only if one of these integers needs
+// more than kExactBits bits.
 
 /// Largest number of bits of a grid integer that the Exact stage accepts.
 inline constexpr int kExactBits = 125;
@@ -50,8 +51,8 @@ inline constexpr int kExactBits = 125;
 FilteredSign orient2d_exact(const Point2& a, const Point2& b, const Point2& c);
 FilteredSign cross_sign_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 FilteredSign orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
-/// Returns the same sign for points on a known common grid. Takes a third of the time if the grid
-/// integers have at most 61 bits.
+/// Does the same for points on a common grid that the caller knows. It takes a third of the time if
+/// the grid integers have at most 61 bits.
 FilteredSign orient3d_exact(const Grid& grid, const Point3& a, const Point3& b, const Point3& c,
                             const Point3& d);
 FilteredSign incircle_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
@@ -66,8 +67,8 @@ Sign incircle_big(const Point2& a, const Point2& b, const Point2& c, const Point
 Sign insphere_big(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                   const Point3& e);
 
-// Each of these asks the stages Small, Exact and Big in turn. The predicates call them if their
-// filter returns Unsure.
+// Each of the following functions runs the stages Small, Exact and Big in turn until a stage
+// decides. A predicate calls its function if its filter returns Unsure.
 Sign orient2d_beyond_filter(const Point2& a, const Point2& b, const Point2& c);
 Sign cross_sign_beyond_filter(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 Sign orient3d_beyond_filter(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
@@ -77,9 +78,9 @@ Sign insphere_beyond_filter(const Point3& a, const Point3& b, const Point3& c, c
 
 }  // namespace rung
 
-/// Returns the orientation of three points, the sign of det [a-c; b-c]: Positive if a, b, c make a
-/// left turn (are in counter-clockwise order), Negative if they make a right turn, Zero if they are
-/// collinear. A swap of two points flips the sign; a cyclic shift keeps it.
+/// Returns the orientation of three points, which is the sign of det [a-c; b-c]. It is Positive if
+/// a, b, c make a left turn (are in counter-clockwise order), Negative if they make a right turn,
+/// and Zero if they are collinear. Swapping two points flips the sign; a cyclic shift keeps it.
 inline Sign orient2d(const Point2& a, const Point2& b, const Point2& c) {
   const FilteredSign s = rung::orient2d_filter(a, b, c);
   if (!is_decided(s)) [[unlikely]]
@@ -87,9 +88,9 @@ inline Sign orient2d(const Point2& a, const Point2& b, const Point2& c) {
   return decide(Predicate::Orient2d, Rung::Filter, s);
 }
 
-/// Returns the sign of the cross product (b - a) x (d - c): Positive if the direction of cd is to
-/// the left of the direction of ab, Zero if they are parallel or one of them is zero. A swap of a
-/// and b, of c and d, or of the two pairs flips the sign.
+/// Returns the sign of the cross product (b - a) x (d - c). It is Positive if the vector from c to
+/// d points to the left of the vector from a to b. It is Zero if the vectors are parallel or one of
+/// them is zero. Swapping a and b, c and d, or the two pairs flips the sign.
 inline Sign cross_sign(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const FilteredSign s = rung::cross_sign_filter(a, b, c, d);
   if (!is_decided(s)) [[unlikely]]
@@ -97,9 +98,9 @@ inline Sign cross_sign(const Point2& a, const Point2& b, const Point2& c, const 
   return decide(Predicate::CrossSign, Rung::Filter, s);
 }
 
-/// Returns the orientation of four points, the sign of det [a-d; b-d; c-d]: Positive if d lies
-/// below the plane of a, b, c, where "below" is the side from which a, b, c appear clockwise; Zero
-/// if the points are coplanar. A swap of two points flips the sign.
+/// Returns the orientation of four points, which is the sign of det [a-d; b-d; c-d]. It is Positive
+/// if d lies below the plane of a, b, c. "Below" is the side from which a, b, c appear clockwise.
+/// It is Zero if the points are coplanar. Swapping two points flips the sign.
 inline Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   const FilteredSign s = rung::orient3d_filter(a, b, c, d);
   if (!is_decided(s)) [[unlikely]]
@@ -107,10 +108,10 @@ inline Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Po
   return decide(Predicate::Orient3d, Rung::Filter, s);
 }
 
-/// Returns the sign of det [a-d, |a-d|^2; b-d, |b-d|^2; c-d, |c-d|^2]. If a, b, c are
-/// counter-clockwise, it is Positive if d lies inside their circle and Zero if d lies on it; if
-/// they are clockwise, Positive and Negative are exchanged. Collinear a, b, c are allowed. A swap
-/// of two points flips the sign.
+/// Returns the sign of det [a-d, |a-d|^2; b-d, |b-d|^2; c-d, |c-d|^2]. For counter-clockwise a, b,
+/// c, the result is Positive if d lies inside their circle, and Zero if d lies on the circle. For
+/// clockwise a, b, c, Positive and Negative are exchanged. Collinear a, b, c are allowed. Swapping
+/// two points flips the sign.
 inline Sign incircle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const FilteredSign s = rung::incircle_filter(a, b, c, d);
   if (!is_decided(s)) [[unlikely]]
@@ -119,9 +120,9 @@ inline Sign incircle(const Point2& a, const Point2& b, const Point2& c, const Po
 }
 
 /// Returns the sign of det [a-e, |a-e|^2; ...; d-e, |d-e|^2]. If orient3d(a, b, c, d) is Positive,
-/// it is Positive if e lies inside the sphere of a, b, c, d and Zero if e lies on it; if orient3d
-/// is Negative, Positive and Negative are exchanged. Coplanar a, b, c, d are allowed. A swap of two
-/// points flips the sign.
+/// the result is Positive if e lies inside the sphere of a, b, c, d, and Zero if e lies on the
+/// sphere. If orient3d(a, b, c, d) is Negative, Positive and Negative are exchanged. Coplanar a, b,
+/// c, d are allowed. Swapping two points flips the sign.
 inline Sign insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                      const Point3& e) {
   const FilteredSign s = rung::insphere_filter(a, b, c, d, e);

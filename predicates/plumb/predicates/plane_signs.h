@@ -1,8 +1,8 @@
-// Predicates on lines of space, each of which is given by two planes. No line is stored. Every
-// result is exact, also for planes of the frame (docs/design/frame.md).
+// Predicates on planes of space, and on lines that are each given by two planes. No line is stored.
+// Every result is exact, also for planes of the frame (docs/design/frame.md).
 //
-// turn_about_line (plane_signs.h) compares the directions in which two pairs of planes run along
-// one line.
+// Two pairs of planes can define the same line with opposite directions. turn_about_line compares
+// the two directions.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,11 @@
 namespace plumb {
 
 /// Whether `plane` contains the common line of p and q. Requires that p and q are not parallel. The
-/// degree in input coordinates is 7. Stages: identity (`plane` is p or q, or a wall of both), the
-/// filter of det3, fixed-width integers, GMP integers.
+/// degree in input coordinates is 7. The stages are:
+///   - identity: `plane` is p or q, or a wall of both;
+///   - the filter of det3;
+///   - fixed-width integers;
+///   - GMP integers.
 bool holds_line(const PlaneTable& planes, PlaneId plane, PlaneId p, PlaneId q);
 
 /// Whether the common line of p and q equals that of r and s. Requires that neither pair is
@@ -24,12 +27,14 @@ bool is_same_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, Pla
 
 /// Returns the fingerprint of the line's Plücker coordinates (n_p x n_q, d_p n_q - d_q n_p). Equal
 /// lines have equal fingerprints, whatever planes define them and in whatever order. Different
-/// fingerprints prove that lines differ; equal ones must be confirmed by is_same_line. Requires
-/// that p and q are not parallel. Cost: about 250 ns, mostly one modular inversion, and about 100
-/// ns more for each plane with stored exact coefficients, such as a wall.
+/// fingerprints prove that the lines differ. Equal fingerprints prove nothing: is_same_line must
+/// confirm that the lines are equal. Requires that p and q are not parallel. Cost: about 250 ns,
+/// mostly one modular inversion, and about 100 ns more for each plane with stored exact
+/// coefficients, such as a wall.
 Fingerprint line_fingerprint(const PlaneTable& planes, PlaneId p, PlaneId q);
 
-// Predicates on planes. All of them are determinants of the canonical rows (n, d):
+// Predicates on planes. Each of them is the sign of one or more determinants of the canonical rows
+// (n, d), where n is the normal vector and d the offset of a plane:
 //
 //   minor(p, q, i)      component i of n_p x n_q, the direction of the line of p and q
 //   det3(p, q, r)       determinant of the three normals
@@ -39,54 +44,58 @@ Fingerprint line_fingerprint(const PlaneTable& planes, PlaneId p, PlaneId q);
 // Every result is exact. The planes have their canonical orientation; a caller with oriented planes
 // multiplies the result by their orientations.
 //
-// Stages: identity (equal ids), the filters in namespace rung, integers of the fixed widths Narrow,
-// Medium and Wide, GMP integers. docs/design/numbers.md proves the bounds.
-// Cost: a filter takes 3 to 8 ns, a fixed width 60 to 250 ns for coordinates with full mantissas,
-// GMP 2 to 6 us.
+// The stages are identity (equal ids), the filters in namespace rung, integers of the fixed widths
+// Narrow, Medium and Wide, and GMP integers. docs/design/numbers.md proves the bounds.
+// Cost: a filter takes 3 to 8 ns. A stage of fixed width takes 60 to 250 ns for coordinates with
+// full mantissas. GMP takes 2 to 6 us.
 
 /// Returns the sign of component `axis` (0, 1 or 2) of n_p x n_q. It is Zero if the line of p and q
-/// is orthogonal to that axis, or if p and q are parallel. Swapping p and q flips the sign. Degree
-/// 4 in input coordinates.
+/// is orthogonal to that axis, or if p and q are parallel. Swapping p and q flips the sign. The
+/// degree in input coordinates is 4.
 Sign minor_sign(const PlaneTable& planes, PlaneId p, PlaneId q, std::size_t axis);
 
 /// Returns the sign of det3(p, q, r). It is Zero if the normals are linearly dependent, so that the
-/// planes have a common direction. Two more meanings:
-///   - it is the side of the great circle of r on which the point n_p x n_q of the sphere lies;
-///   - since (n x m1) x (n x m2) = n det3(n, m1, m2), the direction n x m2 is counter-clockwise of
-///     n x m1, seen from the positive side of n, if det3_sign(n, m1, m2) is Positive.
-/// Swapping two planes flips the sign; the result is Zero if two planes are equal. Degree 6 in
-/// input coordinates.
+/// planes have a common direction. The sign has two more meanings:
+///   - It is the side of the great circle of r on which the point n_p x n_q of the sphere lies.
+///   - For normals n, m1 and m2, (n x m1) x (n x m2) = n det3(n, m1, m2). Therefore a Positive
+///     det3_sign(n, m1, m2) means that the direction n x m2 is counter-clockwise of n x m1, seen
+///     from the positive side of n.
+/// Swapping two planes flips the sign; the result is Zero if two planes are equal. The degree in
+/// input coordinates is 6.
 Sign det3_sign(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r);
 
 /// Returns the sign of det4(p, q, r, s). It is Zero if the rows are linearly dependent, so that the
-/// planes have a common point, or at least a common direction (a point at infinity). The side of
-/// the common point of p, q, r on s is det4_sign(p, q, r, s) * det3_sign(p, q, r). Swapping two
-/// planes flips the sign; the result is Zero if two planes are equal. Degree 9 in input
-/// coordinates.
+/// planes have a common point, or at least a common direction (a point at infinity). Let X be the
+/// common point of p, q and r. The side of s on which X lies is
+/// det4_sign(p, q, r, s) * det3_sign(p, q, r). Swapping two planes flips the sign; the result is
+/// Zero if two planes are equal. The degree in input coordinates is 9.
 Sign det4_sign(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s);
 
-/// Returns the sign of Y - X along the direction n_p x n_q, where X is the common point of p, q, r
-/// and Y that of p, q, s: Positive if Y comes after X. Requires that det3(p, q, r) and det3(p, q,
-/// s) are not zero. Degree 9 in input coordinates.
+/// Returns the order of two points on the line of p and q, in the direction n_p x n_q. Let X be the
+/// common point of p, q, r, and Y the common point of p, q, s. The result is the sign of Y - X:
+/// Positive if Y comes after X. Requires that det3(p, q, r) and det3(p, q, s) are not zero. The
+/// degree in input coordinates is 9.
 Sign order_along_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s);
 
-/// Returns the turn from n_m1 to n_m2 about the line of p and q: the sign of l in n_m1 x n_m2 =
-/// l (n_p x n_q). Requires that p and q are not parallel and that all four planes are parallel to
-/// one line. Degree 4 in input coordinates. For facets around an edge, Zero means that their
-/// half-planes have equal or opposite directions. If p q and m1 m2 define the same line, Positive
-/// means that both pairs run along it in the same direction.
+/// Returns the turn from n_m1 to n_m2 about the line of p and q. It is the sign of the number t
+/// with n_m1 x n_m2 = t (n_p x n_q). Requires that p and q are not parallel and that all four
+/// planes are parallel to the same line. The degree in input coordinates is 4. For two facets
+/// around an edge, Zero means that their half-planes have equal or opposite directions. If the
+/// pairs (p, q) and (m1, m2) define the same line, Positive means that they give it the same
+/// direction.
 Sign turn_about_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId m1, PlaneId m2);
 
-/// The stages, callable on their own for tests and benchmarks. W is exact3::Narrow, Medium or Wide.
-/// A stage of fixed width returns Unsure if and only if the operands do not fit the width.
+/// The stages, which tests and benchmarks can call on their own. W is exact3::Narrow, Medium or
+/// Wide. A stage of fixed width returns Unsure if and only if the operands do not fit the width.
 namespace rung {
 
 FilteredSign minor_filter(const PlaneRow& p, const PlaneRow& q, std::size_t axis);
 FilteredSign det3_filter(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r);
 FilteredSign det4_filter(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r,
                          const PlaneRow& s);
-/// Filters of the two parts of det4 = c0 + c1 R if a plane of the frame takes part: far decides c1,
-/// near decides c0 and requires that c1 is zero (filter_stages.h, docs/design/frame.md).
+/// Filters for planes of the frame (filter_stages.h, docs/design/frame.md). With such a plane, det4
+/// has two parts: det4 = c0 + c1 R, where R is the half-width of the frame. far_det4_filter decides
+/// the sign of c1. near_det4_filter decides the sign of c0 and requires that c1 is zero.
 FilteredSign far_det4_filter(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s);
 FilteredSign near_det4_filter(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s);
 

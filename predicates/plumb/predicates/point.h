@@ -12,7 +12,7 @@ struct Point2 {
   friend bool operator==(const Point2&, const Point2&) = default;
 };
 
-/// A point of space, with the same requirement.
+/// A point of space. The same requirement of finite coordinates applies.
 struct Point3 {
   double x = 0;  ///< Finite coordinate.
   double y = 0;  ///< Finite coordinate.

@@ -1,10 +1,10 @@
 // Predicates on points of space: input points, constructed points and points of the frame
 // (docs/design/frame.md). Every result is exact.
 //
-// Stages: identity, the filters in namespace rung on the cached boxes, fixed-width integers, GMP
-// integers. docs/design/numbers.md proves the bounds and the degrees.
-// Cost: identity takes about 2 ns, a filter 5 to 12 ns, a fixed width 100 to 400 ns for coordinates
-// with full mantissas, GMP 3 to 10 us.
+// The stages are identity, the filters in namespace rung on the cached boxes, fixed-width integers,
+// and GMP integers. docs/design/numbers.md proves the bounds and the degrees.
+// Cost: identity takes about 2 ns, and a filter 5 to 12 ns. A stage of fixed width takes 100 to 400
+// ns for coordinates with full mantissas. GMP takes 3 to 10 us.
 #pragma once
 
 #include <cstddef>
@@ -19,19 +19,21 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the side of the canonical plane on which x lies, the sign of n.x + d: Positive on the
-/// side from which three input points that define the plane appear counter-clockwise. `incident`
-/// lists further planes that the caller knows to contain x, such as those of the facets around a
-/// vertex. The result is Zero without arithmetic if `plane` is one of them, defines x, or is a wall
-/// of two such planes. The degree in input coordinates is 9, for an input point 3.
+/// Returns the side of the canonical plane on which x lies, which is the sign of n.x + d. It is
+/// Positive on the side from which three input points that define the plane appear
+/// counter-clockwise. The caller can list in `incident` further planes that are known to contain x,
+/// such as the planes of the facets around a vertex. The result is Zero without arithmetic if
+/// `plane` is one of the planes that define x, one of `incident`, or a wall of two of these planes.
+/// The degree in input coordinates is 9, and 3 if x is an input point.
 ///
-/// Defining planes are tested before the filter. The other identities are tested only if the filter
-/// returns Unsure: it always does so for a plane through x, and it reads fewer cache lines than
-/// they do.
+/// The defining planes are compared with `plane` before the filter runs. The other identities are
+/// tested only after the filter has returned Unsure. It returns Unsure for every plane through x,
+/// so that no identity is missed, and it reads fewer cache lines than those tests.
 Sign side(const Point3Table& points, SpacePoint x, PlaneId plane,
           std::span<const PlaneId> incident = {});
 
-/// Whether ids alone prove that the plane contains x. A result of false proves nothing.
+/// Whether the ids alone prove that the plane contains x. The plane may contain x even if the
+/// result is false.
 bool is_known_on(const Point3Table& points, SpacePoint x, PlaneId plane,
                  std::span<const PlaneId> incident = {});
 
@@ -43,48 +45,51 @@ Sign compare_axis(const Point3Table& points, SpacePoint x, SpacePoint y, std::si
 /// compare_xyz(y, x), and it is Zero if and only if equal(x, y).
 Sign compare_xyz(const Point3Table& points, SpacePoint x, SpacePoint y);
 
-/// Whether x and y are the same point. Boxes distinguish most different points, fingerprints the
-/// rest. Equal fingerprints are confirmed: the three planes of one point must contain the other.
+/// Whether x and y are the same point. The boxes of most different points are disjoint; the
+/// fingerprints distinguish the rest. If the fingerprints are equal, an exact test confirms that
+/// the three planes of one point contain the other point.
 bool equal(const Point3Table& points, SpacePoint x, SpacePoint y);
 
-/// Returns the sign of y - x along n_p x n_q, Positive if y comes after x; Zero if p and q are
-/// parallel. Requires that x and y lie on the line of p and q. If the boxes do not decide, it takes
-/// the side of x on a plane that defines y and crosses the line, which has degree 9.
+/// Returns the sign of y - x in the direction n_p x n_q: Positive if y comes after x. The result is
+/// Zero if p and q are parallel. Requires that x and y lie on the line of p and q. If the boxes do
+/// not decide, the function chooses a plane that defines y and crosses the line, and computes on
+/// which side of that plane x lies. That predicate has degree 9.
 Sign order_along_line(const Point3Table& points, PlaneId p, PlaneId q, SpacePoint x, SpacePoint y);
 
 /// Returns the fingerprint of a point. Equal points have equal fingerprints, however they are
 /// defined. Cost: about 250 ns, mostly one modular inversion.
 Fingerprint fingerprint(const Point3Table& points, SpacePoint x);
 
-/// Returns the fingerprints of many points: result[i] = fingerprint(points, x[i]). One inversion
-/// serves 256 points, so that an input point takes about 40 ns instead of about 250 ns.
+/// Returns the fingerprints of many points: result[i] = fingerprint(points, x[i]). 256 points share
+/// one modular inversion, so that an input point takes about 40 ns instead of about 250 ns.
 std::vector<Fingerprint> fingerprints(const Point3Table& points, std::span<const SpacePoint> x);
 
-/// Returns the homogeneous coordinates (x w, y w, z w, w) with w > 0, possibly with a common
-/// factor. Requires !points.depends_on_frame(x). Cost: about 0.5 us for a constructed point, a
-/// tenth of exact().
+/// Returns four integers (w X, w Y, w Z, w) with w > 0 for the point x = (X, Y, Z). The integers
+/// may have a common factor. Requires !points.depends_on_frame(x). Cost: about 0.5 us for a
+/// constructed point, a tenth of the cost of exact().
 IntegerRow homogeneous(const Point3Table& points, SpacePoint x);
 
 /// Returns the exact coordinates, for output. Requires !points.depends_on_frame(x).
 RationalPoint3 exact(const Point3Table& points, SpacePoint x);
 
-/// The exact coordinates finite + infinite R of any point, where R is the unbounded half-width of
-/// the frame.
+/// The exact coordinates of any point, as the sum finite + infinite * R. R stands for the
+/// half-width of the frame, which is larger than every number.
 struct FramedPoint3 {
   RationalPoint3 finite;    ///< The part without R.
   RationalPoint3 infinite;  ///< The factor of R; zero if the point does not depend on the frame.
 };
-/// Returns the exact coordinates of x, whether or not it depends on the frame.
+/// Returns the exact coordinates of x, which may be a point of the frame.
 FramedPoint3 exact_parts(const Point3Table& points, SpacePoint x);
 
-/// The stages, callable on their own. W is exact3::Narrow, Medium or Wide. A stage of fixed width
-/// returns Unsure if its operands do not fit the width.
+/// The stages, which tests and benchmarks can call on their own. W is exact3::Narrow, Medium or
+/// Wide. A stage of fixed width returns Unsure if its operands do not fit the width.
 namespace rung {
 
-/// Returns the sign of n.x + d at the midpoint of the box if it exceeds the error bound, otherwise
-/// Unsure. Since each |n[i]| <= 1, the value of an input point has an error of at most
-/// normal_error |x|_1 + offset_error, rounding included (see PlaneRow). A box adds at most 3
-/// radius; the bound takes 4 radius, which also covers the rounding of the bound.
+/// Evaluates n.x + d at the midpoint of the box. Returns the sign of the value if its magnitude
+/// exceeds the error bound, otherwise Unsure. For an input point the error is at most
+/// normal_error * |x|_1 + offset_error, rounding included (see PlaneRow). For a box, the error
+/// grows by at most 3 * radius, since each |n[i]| <= 1. The bound adds 4 * radius, which also
+/// covers the rounding of the bound itself.
 inline FilteredSign side_filter(const PointBox& x, const PlaneRow& plane) {
   const auto& m = x.mid;
   const double value = plane.n[0] * m[0] + plane.n[1] * m[1] + plane.n[2] * m[2] + plane.d;
@@ -99,13 +104,14 @@ inline FilteredSign side_filter(const PointBox& x, const PlaneRow& plane) {
 /// Returns the sign of x - y along `axis` if the boxes are disjoint along it, otherwise Unsure.
 FilteredSign compare_axis_filter(const PointBox& x, const PointBox& y, std::size_t axis);
 
-/// Filters for points that depend on the frame; Unsure if no argument point does. They evaluate the
-/// parts with R, that is the directions of the points (filter_stages.h). If the parts with R of
-/// both points are zero along `axis`, far_compare_axis_filter compares the parts without R.
+/// Filters for points that depend on the frame. They return Unsure if no argument point depends on
+/// the frame. They evaluate the factors of R, that is the directions of the points
+/// (filter_stages.h). If the factors of R of both points are zero along `axis`,
+/// far_compare_axis_filter compares the parts without R.
 FilteredSign far_side_filter(const Point3Table& points, SpacePoint x, PlaneId plane);
 FilteredSign far_compare_axis_filter(const Point3Table& points, SpacePoint x, SpacePoint y,
                                      std::size_t axis);
-/// Filters the part without R. Requires that the part with R is zero.
+/// Filter for the part without R. Requires that the factor of R is zero.
 FilteredSign near_side_filter(const Point3Table& points, SpacePoint x, PlaneId plane);
 
 template <class W>
@@ -117,8 +123,8 @@ FilteredSign compare_axis_fixed(const Point3Table& points, SpacePoint x, SpacePo
 Sign side_big(const Point3Table& points, SpacePoint x, PlaneId plane);
 Sign compare_axis_big(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis);
 
-/// Decides the side with the stages that remain if side_filter returns Unsure: the filter for
-/// points of the frame, the other identities, fixed widths, GMP.
+/// Decides the side if side_filter returns Unsure. The remaining stages are the filter for points
+/// of the frame, the other identities, fixed-width integers, and GMP integers.
 Sign side_without_filter(const Point3Table& points, SpacePoint x, PlaneId plane,
                          std::span<const PlaneId> incident);
 

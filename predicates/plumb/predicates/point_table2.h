@@ -1,12 +1,12 @@
-// Points of the plane as the engine stores them: flat arrays of doubles, and an exact side table
-// for the few points that doubles cannot represent (integers beyond 2^53, fractions). Predicates
-// take points by index. Crossing2 is the intersection of two lines through such points, kept
-// implicit.
+// The table in which the engine stores points of the plane. It consists of flat arrays of doubles,
+// and of an exact side table for the few points that doubles cannot represent (integers beyond
+// 2^53, fractions). The predicates take the indices of points. Crossing2 represents the
+// intersection of two lines through such points without computing its coordinates exactly.
 //
-// Main flow of every predicate (each stage is callable on its own, in namespace rung):
+// Main flow of every predicate (each stage can be called on its own, in namespace rung):
 //  1. Filter   decides from the cached doubles, or returns Unsure
-//  2. Exact    computes in fixed-width integers; Unsure for points that are not doubles and for
-//              exponents that are spread too far
+//  2. Exact    computes in fixed-width integers; returns Unsure for points that are not doubles and
+//              for exponents that are spread too far
 //  3. Big      computes in GMP integers and always decides
 // docs/design/numbers.md proves the error bounds.
 #pragma once
@@ -26,8 +26,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Read-only view of the exact point (X / W, Y / W) as integers X : Y : W with W > 0. It is valid
-/// until the table grows and must not be cleared with mpz_clear.
+/// Read-only view of an exact point (X / W, Y / W) as three integers X, Y and W > 0. The view is
+/// valid until the table grows. Its integers must not be cleared with mpz_clear.
 struct HomogeneousView2 {
   mpz_t x;  ///< The integer X.
   mpz_t y;  ///< The integer Y.
@@ -35,22 +35,23 @@ struct HomogeneousView2 {
 };
 
 /// Append-only table of exact points. approx(i) is the nearest point with double coordinates (ties
-/// to even), and equals the point if is_double(i). The integers of all other points share one pool
-/// of limbs, so that no point has an allocation of its own. A table holds at most 2^32 - 2 points.
+/// to even). It equals point i if is_double(i). The integers of all other points are stored in one
+/// shared pool of limbs, so that no point has an allocation of its own. A table stores at most
+/// 2^32 - 2 points.
 class PointTable2 {
  public:
-  /// Reserves memory for `points` points in all.
+  /// Reserves memory for `points` points, including those that are in the table already.
   void reserve(std::size_t points);
   /// Appends a point. Requires finite coordinates. Negative zero is stored as zero.
   void push_back(Point2 p);
-  /// Appends a point, as doubles if both coordinates are exactly doubles. Coordinates that round to
-  /// an infinity are allowed: approx() then returns +-DBL_MAX.
+  /// Appends a point. It is stored as doubles if doubles represent both coordinates exactly.
+  /// Coordinates that round to an infinity are allowed; approx() returns +-DBL_MAX for them.
   void push_back(const Rational& x, const Rational& y);
   /// Appends all points of `other` in their order. Requires a table other than this one. Cost:
   /// O(size of other).
   void append(const PointTable2& other);
-  /// Returns the points whose entry in `keep` is not 0, in their order. Requires one entry per
-  /// point. Cost: O(n).
+  /// Returns a table of the points whose entry in `keep` is not 0, in the same order. Requires one
+  /// entry per point. Cost: O(n).
   PointTable2 subset(std::span<const std::uint8_t> keep) const;
 
   std::size_t size() const { return points_.size(); }  ///< Returns the number of points.
@@ -70,8 +71,8 @@ class PointTable2 {
 
  private:
   static constexpr std::uint32_t kNoSlot = 0xffffffff;
-  /// Three integers, one after another in limbs_. The sign of a size is the sign of its integer, as
-  /// in mpz_t.
+  /// The three integers of a point, which lie one after another in limbs_ from `begin` on. The sign
+  /// of each size is the sign of the integer, as in mpz_t.
   struct Entry {
     std::size_t begin;
     std::int32_t x_size;
@@ -82,53 +83,55 @@ class PointTable2 {
   void append_entry(const PointTable2& other, std::uint32_t i);
 
   std::vector<Point2> points_;
-  std::vector<std::uint32_t> slot_;  ///< Empty while all points are doubles, else one per point.
+  /// The index into entries_ of each point, or kNoSlot. Empty while all points are doubles.
+  std::vector<std::uint32_t> slot_;
   std::vector<Entry> entries_;
   std::vector<mp_limb_t> limbs_;
 };
 
 /// Compares points i and j lexicographically (x, then y). The result is Zero if and only if the
-/// points are equal; it is transitive, and swapping i and j flips the sign.
+/// points are equal. The order is transitive, and swapping i and j flips the sign.
 Sign compare_xy(const PointTable2& points, std::uint32_t i, std::uint32_t j);
 
 /// Returns the orientation of three points: Positive if i, j, k make a left turn
-/// (counter-clockwise), Zero if they are collinear. Swapping two of them flips the sign; a cyclic
+/// (counter-clockwise), Zero if they are collinear. Swapping two points flips the sign; a cyclic
 /// shift keeps it.
 Sign orient2d(const PointTable2& points, std::uint32_t i, std::uint32_t j, std::uint32_t k);
 
-/// Returns the sign of the cross product (b - a) x (d - c): Positive if d - c points to the left of
-/// b - a, Zero if they are parallel or one of them is zero. cross_sign(a, b, a, c) equals
-/// orient2d(a, b, c).
+/// Returns the sign of the cross product (b - a) x (d - c). It is Positive if the vector d - c
+/// points to the left of the vector b - a. It is Zero if the vectors are parallel or one of them is
+/// zero. cross_sign(a, b, a, c) equals orient2d(a, b, c).
 Sign cross_sign(const PointTable2& points, std::uint32_t a, std::uint32_t b, std::uint32_t c,
                 std::uint32_t d);
 
-/// The intersection of the lines ab and cd, kept implicit as four point indices and a cached box.
-/// Requires that the lines are not parallel.
+/// The intersection of the lines ab and cd. It is represented by four point indices and a cached
+/// box around the intersection. Requires that the lines are not parallel.
 struct Crossing2 {
   std::uint32_t a, b, c, d;  ///< Indices of the points that define the two lines.
   double x, y;               ///< Approximate coordinates.
-  double radius;             ///< Bound of |exact - approximate| for both coordinates; may be +inf.
+  double radius;             ///< Bound of the error of x and of the error of y; may be +inf.
 };
 
-/// Returns the intersection of the lines ab and cd. Requires that they are not parallel. No exact
-/// arithmetic is used: the radius is +inf if doubles give no bound. Cost: about 20 ns.
+/// Returns the intersection of the lines ab and cd. Requires that the lines are not parallel. The
+/// function uses no exact arithmetic; it sets the radius to +inf if doubles give no bound. Cost:
+/// about 20 ns.
 Crossing2 make_crossing(const PointTable2& points, std::uint32_t a, std::uint32_t b,
                         std::uint32_t c, std::uint32_t d);
 
-/// Compares a crossing with point i, or two crossings, lexicographically. Together with
-/// compare_xy(points, i, j) this is one total order of the points of both kinds.
+/// Compares a crossing with point i, or two crossings, lexicographically (x, then y). Together with
+/// compare_xy(points, i, j), these functions define one total order of all points and crossings.
 Sign compare_xy(const PointTable2& points, const Crossing2& p, std::uint32_t i);
 Sign compare_xy(const PointTable2& points, const Crossing2& p, const Crossing2& q);
 
-/// Returns the side of the directed line i -> j on which the crossing lies; Positive is left. The
-/// result is Zero without arithmetic for the two lines that define the crossing, if they are given
-/// by the same indices. Requires that points i and j differ.
+/// Returns the side of the directed line from i to j on which the crossing lies: Positive if it
+/// lies to the left. If i and j are the indices of a line that defines the crossing, the result is
+/// Zero without arithmetic. Requires that points i and j differ.
 Sign orient2d(const PointTable2& points, std::uint32_t i, std::uint32_t j, const Crossing2& p);
 
 /// Returns the exact coordinates of a crossing, for output.
 RationalPoint2 exact(const PointTable2& points, const Crossing2& p);
 
-/// The stages of the predicates above, each callable on its own.
+/// The stages of the predicates above, each of which can be called on its own.
 namespace rung {
 
 FilteredSign compare_xy_filter(const PointTable2& points, std::uint32_t i, std::uint32_t j);
@@ -158,7 +161,7 @@ Sign orient2d_big(const PointTable2& points, std::uint32_t i, std::uint32_t j, c
 
 namespace detail {
 
-// The stages after the inlined filters.
+// The stages that follow the inlined filters.
 Sign compare_xy_unsure(const PointTable2& points, std::uint32_t i, std::uint32_t j);
 Sign orient2d_mixed(const PointTable2& points, std::uint32_t i, std::uint32_t j, std::uint32_t k);
 Sign cross_sign_mixed(const PointTable2& points, std::uint32_t a, std::uint32_t b, std::uint32_t c,
@@ -166,10 +169,11 @@ Sign cross_sign_mixed(const PointTable2& points, std::uint32_t a, std::uint32_t 
 Sign compare_xy_unsure(const PointTable2& points, const Crossing2& p, std::uint32_t i);
 Sign compare_xy_unsure(const PointTable2& points, const Crossing2& p, const Crossing2& q);
 
-/// Returns the sign of p - q if they are more than `radius` apart, otherwise Unsure. Requires
-/// radius >= 2^-300, and |p| < 2^303 or radius = +inf. The computed difference is off by a factor
-/// of at most 1 + 2^-52 in any rounding mode and by at most 2^-1020 with flush-to-zero or
-/// denormals-are-zero. The factor 1.0001 covers both, and the rounding of `radius`.
+/// Returns the sign of p - q if p and q are more than `radius` apart, otherwise Unsure. Requires
+/// radius >= 2^-300. Also requires |p| < 2^303 or radius = +inf. In any rounding mode, the computed
+/// difference is wrong by a factor of at most 1 + 2^-52. Flush-to-zero or denormals-are-zero may
+/// add an error of at most 2^-1020. The factor 1.0001 covers both errors and the rounding of
+/// `radius`.
 inline FilteredSign compare_apart(double p, double q, double radius) {
   const double difference = p - q;
   if (!(std::fabs(difference) > 1.0001 * radius)) return FilteredSign::Unsure;
@@ -206,8 +210,9 @@ inline Sign cross_sign(const PointTable2& points, std::uint32_t a, std::uint32_t
   return cross_sign(points.approx(a), points.approx(b), points.approx(c), points.approx(d));
 }
 
-/// A coordinate that is not a double differs from its approximation by at most 2^-53 of its size,
-/// unless it is clamped; then it is farther out than any finite radius reaches.
+/// Compares only the x-coordinates. If the coordinate of point i is not a double, it differs from
+/// its approximation by at most 2^-53 of its magnitude. The only exception is a clamped coordinate,
+/// which is so large that no box with a finite radius reaches it.
 inline FilteredSign rung::compare_xy_filter(const PointTable2& points, const Crossing2& p,
                                             std::uint32_t i) {
   const double x = points.approx(i).x;

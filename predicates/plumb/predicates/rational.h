@@ -1,8 +1,10 @@
-// Exact integers and fractions, the public exact coordinate: GMP's mpz_t and mpq_t as values.
+// Exact integers (Integer) and fractions (Rational). Fractions are the exact coordinates in the
+// interface of plumb. The two classes wrap GMP's mpz_t and mpq_t with value semantics.
 //
-// 0 takes no memory, nor does the denominator of a whole number; moving never allocates. Operators
-// reuse the memory of temporaries. Built-in integers of any width are operands as they are, doubles
-// are operands of fractions, exactly.
+// The number 0 needs no allocated memory, and neither does the denominator of a fraction that is an
+// integer. Moving never allocates. Operators reuse the memory of temporaries. Every operator also
+// accepts built-in integers of any width. The operators of fractions also accept doubles and
+// floats, whose exact values they use.
 #pragma once
 
 #include <gmp.h>
@@ -30,7 +32,8 @@ class Rational;
 
 namespace detail {
 
-/// What a number without memory of its own points to: a denominator of 1, or any limb of 0.
+/// The limb to which a number without allocated memory points. It is the value of a denominator of
+/// 1. For the number 0, which has no limbs, its value does not matter.
 inline constexpr mp_limb_t kSharedLimb = 1;
 
 inline mp_ptr shared_limb() { return const_cast<mp_ptr>(&kSharedLimb); }
@@ -48,19 +51,21 @@ concept IntegerTerm = std::same_as<T, Integer> || BuiltInInteger<T>;
 template <class T>
 concept RationalTerm = std::same_as<T, Rational> || IntegerTerm<T> || BuiltInFloat<T>;
 
-/// Operands, with or without references, one of them an Integer.
+/// Whether A and B, possibly references, are operands of an integer operator: at least one is an
+/// Integer, and the other is an Integer or a built-in integer.
 template <class A, class B>
 concept IntegerTerms = IntegerTerm<std::remove_cvref_t<A>> && IntegerTerm<std::remove_cvref_t<B>> &&
     (std::same_as<std::remove_cvref_t<A>, Integer> ||
      std::same_as<std::remove_cvref_t<B>, Integer>);
 
-/// Operands, with or without references, one of them a Rational.
+/// Whether A and B, possibly references, are operands of an operator of fractions: at least one is
+/// a Rational, and the other is any RationalTerm.
 template <class A, class B>
 concept RationalTerms = RationalTerm<std::remove_cvref_t<A>> &&
     RationalTerm<std::remove_cvref_t<B>> &&(std::same_as<std::remove_cvref_t<A>, Rational> ||
                                             std::same_as<std::remove_cvref_t<B>, Rational>);
 
-/// A built-in integer as GMP reads it, without an allocation.
+/// A built-in integer in the representation of GMP, without an allocation.
 class BuiltInOperand {
  public:
   template <BuiltInInteger T>
@@ -88,7 +93,7 @@ class BuiltInOperand {
   mpq_t value_;
 };
 
-/// An integer of somebody else's as a fraction.
+/// A view of an existing GMP integer as a fraction. It copies no limbs.
 class WholeOperand {
  public:
   explicit WholeOperand(mpz_srcptr value) {
@@ -101,16 +106,17 @@ class WholeOperand {
   mpq_t value_;
 };
 
-// `result` may be an operand, and its denominator the shared one.
+// `result` may be the same object as an operand. Its denominator may point to the shared limb.
 void add(mpq_ptr result, mpq_srcptr a, mpq_srcptr b);
 void subtract(mpq_ptr result, mpq_srcptr a, mpq_srcptr b);
 void multiply(mpq_ptr result, mpq_srcptr a, mpq_srcptr b);
 void divide(mpq_ptr result, mpq_srcptr a, mpq_srcptr b);
 void set(mpq_ptr result, mpq_srcptr value);
 
-/// The magnitude and true, or false where it has more than 64 bits.
+/// Sets `magnitude` to |value| and returns true, or returns false if |value| has more than 64 bits.
 bool magnitude_fits(mpz_srcptr value, std::uint64_t& magnitude);
-/// The nearest double, ties to even; infinity beyond the range.
+/// Returns the nearest double, ties to even; an infinity if the value is beyond the range of
+/// double.
 double nearest(mpq_srcptr value);
 
 std::size_t hash_of(mpz_srcptr value);
@@ -120,7 +126,7 @@ std::size_t hash_of(mpq_srcptr value);
 [[noreturn]] void throw_negative_shift();
 [[noreturn]] void throw_out_of_range();
 
-/// Throws Error if `count` is negative or no GMP bit count.
+/// Returns `count` as GMP's type of bit counts. Throws Error if `count` is negative or too large.
 template <BuiltInInteger T>
 mp_bitcnt_t bit_count(T count) {
   if (count < 0) throw_negative_shift();
@@ -134,60 +140,62 @@ mp_bitcnt_t bit_count(T count) {
 
 }  // namespace detail
 
-/// An integer of any size. Division truncates, as that of built-in integers does.
+/// An integer of any size. Division truncates towards 0, as for built-in integers.
 class Integer {
  public:
-  /// Makes 0, without an allocation.
+  /// Constructs 0, without an allocation.
   Integer() noexcept { reset(); }
-  /// Makes the integer that `value` is.
+  /// Constructs the integer equal to `value`.
   template <detail::BuiltInInteger T>
   Integer(T value) {
     value == 0 ? reset() : mpz_init_set(value_, detail::BuiltInOperand(value).mpz());
   }
-  /// Makes `value` without its fraction. Throws Error (NotFinite) if it is NaN or infinite.
+  /// Constructs `value` truncated towards 0. Throws Error (NotFinite) if it is NaN or infinite.
   explicit Integer(double value);
-  /// Reads decimal digits, after a sign or none. Throws Error (Syntax) if `text` is anything else.
+  /// Parses decimal digits with an optional sign before them. Throws Error (Syntax) if `text` has
+  /// any other form.
   explicit Integer(std::string_view text);
   /// Copies a GMP integer.
   explicit Integer(mpz_srcptr value) {
     value->_mp_size == 0 ? reset() : mpz_init_set(value_, value);
   }
-  /// Copies.
+  /// Copies the value.
   Integer(const Integer& other) : Integer(other.mpz()) {}
-  /// Takes the value over, without an allocation; leaves 0.
+  /// Moves the value without an allocation and leaves 0 in `other`.
   Integer(Integer&& other) noexcept : value_{{other.value_[0]}} { other.reset(); }
-  /// Copies; the memory there is reused.
+  /// Copies the value and reuses the memory of this number.
   Integer& operator=(const Integer& other) {
     mpz_set(value_, other.value_);
     return *this;
   }
-  /// Takes the value over, without an allocation; leaves 0.
+  /// Moves the value without an allocation and leaves 0 in `other`.
   Integer& operator=(Integer&& other) noexcept {
     Integer taken(std::move(other));
     std::swap(value_[0], taken.value_[0]);
     return *this;
   }
-  /// Sets the value; the memory there is reused.
+  /// Sets the value and reuses the memory of this number.
   template <detail::BuiltInInteger T>
   Integer& operator=(T value) {
     mpz_set(value_, detail::BuiltInOperand(value).mpz());
     return *this;
   }
-  /// Gives the memory back.
+  /// Releases the memory.
   ~Integer() {
     if (value_[0]._mp_alloc != 0) mpz_clear(value_);
   }
 
-  /// Returns the number as GMP reads it.
+  /// Returns a pointer to the GMP number, for reading.
   mpz_srcptr mpz() const noexcept { return value_; }
-  /// Returns the number for GMP to change.
+  /// Returns a pointer to the GMP number, for reading and writing.
   mpz_ptr mpz() noexcept { return value_; }
 
-  /// Returns -1, 0 or 1.
+  /// Returns the sign: -1, 0 or 1.
   int sign() const noexcept { return mpz_sgn(value_); }
-  /// Tells whether this is 0.
+  /// Whether the number is 0.
   bool is_zero() const noexcept { return value_[0]._mp_size == 0; }
-  /// Returns a negative number if this is less than `other`, a positive one if greater, else 0.
+  /// Compares this number with `other`. The result is negative if this number is less, 0 if they
+  /// are equal, and positive if this number is greater.
   template <detail::IntegerTerm T>
   int compare(const T& other) const noexcept {
     if constexpr (std::same_as<T, Integer>) {
@@ -198,10 +206,10 @@ class Integer {
   }
   /// Changes the sign.
   void negate() noexcept { value_[0]._mp_size = -value_[0]._mp_size; }
-  /// Returns the decimal digits, after a minus if negative.
+  /// Returns the decimal digits, with a minus sign before them if the number is negative.
   std::string str() const;
 
-  /// Tells whether a T can hold the value.
+  /// Whether the type T can represent the value.
   template <detail::BuiltInInteger T>
   bool fits() const noexcept {
     std::uint64_t magnitude = 0;
@@ -209,8 +217,8 @@ class Integer {
     const auto most = static_cast<std::uint64_t>(std::numeric_limits<T>::max());
     return sign() >= 0 ? magnitude <= most : std::signed_integral<T> && magnitude <= most + 1;
   }
-  /// Returns the value as a built-in integer. Throws Error (NumberOutOfRange) if that cannot hold
-  /// it.
+  /// Returns the value as a built-in integer. Throws Error (NumberOutOfRange) if the type T cannot
+  /// represent the value.
   template <detail::BuiltInInteger T>
   T convert_to() const {
     if (!fits<T>()) detail::throw_out_of_range();
@@ -218,42 +226,44 @@ class Integer {
     detail::magnitude_fits(value_, magnitude);
     return static_cast<T>(sign() < 0 ? 0 - magnitude : magnitude);
   }
-  /// Returns the nearest double, ties to even; infinity beyond the range.
+  /// Returns the nearest double, ties to even. Returns an infinity if the value is beyond the range
+  /// of double.
   template <std::same_as<double> T>
   T convert_to() const {
     return detail::nearest(detail::WholeOperand(value_).mpq());
   }
-  /// Converts like convert_to().
+  /// Returns convert_to<T>().
   template <class T>
   requires detail::BuiltInInteger<T> || std::same_as<T, double>
   explicit operator T() const { return convert_to<T>(); }
 
-  /// Adds.
+  /// Adds `other`.
   template <detail::IntegerTerm T>
   Integer& operator+=(const T& other) {
     mpz_add(value_, value_, operand(other).mpz());
     return *this;
   }
-  /// Subtracts.
+  /// Subtracts `other`.
   template <detail::IntegerTerm T>
   Integer& operator-=(const T& other) {
     mpz_sub(value_, value_, operand(other).mpz());
     return *this;
   }
-  /// Multiplies.
+  /// Multiplies by `other`.
   template <detail::IntegerTerm T>
   Integer& operator*=(const T& other) {
     mpz_mul(value_, value_, operand(other).mpz());
     return *this;
   }
-  /// Divides and truncates. Throws Error (BadArgument) if `other` is 0.
+  /// Divides by `other` and truncates the quotient. Throws Error (BadArgument) if `other` is 0.
   template <detail::IntegerTerm T>
   Integer& operator/=(const T& other) {
     if (other == 0) detail::throw_division_by_zero();
     mpz_tdiv_q(value_, value_, operand(other).mpz());
     return *this;
   }
-  /// Leaves the remainder of /=, of this number's sign. Throws Error (BadArgument) if `other` is 0.
+  /// Replaces this number by the remainder of its division by `other`. The remainder is 0 or has
+  /// the sign of this number. Throws Error (BadArgument) if `other` is 0.
   template <detail::IntegerTerm T>
   Integer& operator%=(const T& other) {
     if (other == 0) detail::throw_division_by_zero();
@@ -286,13 +296,13 @@ class Integer {
   Integer& operator++() { return *this += 1; }
   /// Subtracts 1.
   Integer& operator--() { return *this -= 1; }
-  /// Adds 1 and returns what was there before.
+  /// Adds 1 and returns the previous value.
   Integer operator++(int) {
     Integer before = *this;
     ++*this;
     return before;
   }
-  /// Subtracts 1 and returns what was there before.
+  /// Subtracts 1 and returns the previous value.
   Integer operator--(int) {
     Integer before = *this;
     --*this;
@@ -317,14 +327,15 @@ class Integer {
   friend Integer operator*(A&& a, B&& b) {
     return into<A, B>(a, b, [](auto... x) { mpz_mul(x...); });
   }
-  /// Returns the quotient, truncated. Throws Error (BadArgument) if `b` is 0.
+  /// Returns the truncated quotient. Throws Error (BadArgument) if `b` is 0.
   template <class A, class B>
   requires detail::IntegerTerms<A, B>
   friend Integer operator/(A&& a, B&& b) {
     if (b == 0) detail::throw_division_by_zero();
     return into<A, B>(a, b, [](auto... x) { mpz_tdiv_q(x...); });
   }
-  /// Returns the remainder, of the sign of `a`. Throws Error (BadArgument) if `b` is 0.
+  /// Returns the remainder, which is 0 or has the sign of `a`. Throws Error (BadArgument) if `b` is
+  /// 0.
   template <class A, class B>
   requires detail::IntegerTerms<A, B>
   friend Integer operator%(A&& a, B&& b) {
@@ -359,12 +370,12 @@ class Integer {
   }
   /// Returns the same number.
   friend Integer operator+(Integer x) noexcept { return x; }
-  /// Returns the negative.
+  /// Returns the number with the opposite sign.
   friend Integer operator-(Integer x) noexcept {
     x.negate();
     return x;
   }
-  /// Tells whether the numbers are equal.
+  /// Whether the numbers are equal.
   template <detail::IntegerTerm T>
   friend bool operator==(const Integer& a, const T& b) noexcept {
     return a.compare(b) == 0;
@@ -375,46 +386,47 @@ class Integer {
     return a.compare(b) <=> 0;
   }
 
-  /// Returns the magnitude.
+  /// Returns the absolute value.
   friend Integer abs(Integer x) noexcept {
     if (x.sign() < 0) x.negate();
     return x;
   }
-  /// Returns the greatest common divisor, not negative; 0 for two zeros.
+  /// Returns the greatest common divisor, which is never negative. gcd(0, 0) is 0.
   friend Integer gcd(const Integer& a, const Integer& b) {
     Integer result;
     mpz_gcd(result.value_, a.value_, b.value_);
     return result;
   }
-  /// Returns the least common multiple, not negative; 0 if one of the numbers is 0.
+  /// Returns the least common multiple, which is never negative. It is 0 if a or b is 0.
   friend Integer lcm(const Integer& a, const Integer& b) {
     Integer result;
     mpz_lcm(result.value_, a.value_, b.value_);
     return result;
   }
-  /// Returns base^exponent; 1 for 0^0.
+  /// Returns base^exponent. The result for 0^0 is 1.
   friend Integer pow(const Integer& base, unsigned exponent) {
     Integer result;
     mpz_pow_ui(result.value_, base.value_, exponent);
     return result;
   }
-  /// Sets `quotient` and `remainder` as / and % do. Requires two different objects. Throws Error
-  /// (BadArgument) if `b` is 0.
+  /// Sets `quotient` to a / b and `remainder` to a % b. Requires that `quotient` and `remainder`
+  /// are different objects. Throws Error (BadArgument) if `b` is 0.
   friend void divide_qr(const Integer& a, const Integer& b, Integer& quotient, Integer& remainder) {
     if (b.is_zero()) detail::throw_division_by_zero();
     mpz_tdiv_qr(quotient.value_, remainder.value_, a.value_, b.value_);
   }
-  /// Returns the place of the highest bit that is 1. Throws Error (BadArgument) if x <= 0.
+  /// Returns the index of the highest bit that is 1; the lowest bit of a number has index 0. Throws
+  /// Error (BadArgument) if x <= 0.
   friend std::size_t msb(const Integer& x) {
     x.require_positive();
     return mpz_sizeinbase(x.value_, 2) - 1;
   }
-  /// Returns the place of the lowest bit that is 1. Throws Error (BadArgument) if x <= 0.
+  /// Returns the index of the lowest bit that is 1. Throws Error (BadArgument) if x <= 0.
   friend std::size_t lsb(const Integer& x) {
     x.require_positive();
     return mpz_scan1(x.value_, 0);
   }
-  /// Tells whether bit number `place` is 1, in two's complement.
+  /// Whether the bit with index `place` is 1 in the two's complement representation.
   friend bool bit_test(const Integer& x, std::size_t place) {
     return mpz_tstbit(x.value_, detail::bit_count(place)) != 0;
   }
@@ -433,8 +445,8 @@ class Integer {
     return detail::BuiltInOperand(x);
   }
 
-  /// The result of what `set` does of three GMP integers; the first is an operand if that is a
-  /// temporary.
+  /// Calls set(result, a, b) and returns the result. If an operand is a temporary, the result is
+  /// computed in its memory.
   template <class A, class B, class Set>
   static Integer into(A& a, B& b, Set set) {
     if constexpr (std::same_as<A, Integer>) {
@@ -450,72 +462,73 @@ class Integer {
     }
   }
 
-  mpz_t value_;  // 0 by shared_limb() and no memory, unless there was a value before
+  mpz_t value_;  // A new 0 points to shared_limb() and has no allocated memory.
 };
 
 /// A fraction of integers of any size, always in lowest terms with a positive denominator.
 class Rational {
  public:
-  /// Makes 0, without an allocation.
+  /// Constructs 0, without an allocation.
   Rational() noexcept { reset(); }
-  /// Makes the whole number that `value` is.
+  /// Constructs the rational equal to the integer `value`.
   template <detail::BuiltInInteger T>
   Rational(T value) : Rational(Integer(value)) {}
-  /// Makes exactly the value. Throws Error (NotFinite) if it is NaN or infinite.
+  /// Constructs the exact value of `value`. Throws Error (NotFinite) if it is NaN or infinite.
   Rational(double value);
-  /// Makes exactly the value. Throws Error (NotFinite) if it is NaN or infinite.
+  /// Constructs the exact value of `value`. Throws Error (NotFinite) if it is NaN or infinite.
   Rational(float value) : Rational(static_cast<double>(value)) {}
-  /// Makes the whole number that `value` is.
+  /// Constructs the rational equal to the integer `value`.
   Rational(const Integer& value) : Rational(Integer(value)) {}
-  /// Makes the whole number that `value` is, of its memory.
+  /// Constructs the rational equal to the integer `value` and takes over the memory of `value`.
   Rational(Integer&& value) noexcept {
     reset();
     std::swap(*mpq_numref(value_), *value.mpz());
   }
-  /// Makes numerator / denominator. Throws Error (BadArgument) if the denominator is 0.
+  /// Constructs numerator / denominator. Throws Error (BadArgument) if the denominator is 0.
   Rational(Integer numerator, Integer denominator);
-  /// Reads an integer, or two and a '/' between them, the latter unsigned, in decimal digits.
-  /// Throws Error: Syntax if `text` is anything else, BadArgument if the denominator is 0.
+  /// Parses "p" or "p/q" in decimal digits. p may have a sign, but q must not. Throws Error
+  /// (Syntax) if `text` has any other form, and Error (BadArgument) if q is 0.
   explicit Rational(std::string_view text);
-  /// Copies a GMP fraction. Requires it to be in lowest terms with a positive denominator.
+  /// Copies a GMP fraction. Requires that it is in lowest terms with a positive denominator.
   explicit Rational(mpq_srcptr value) : Rational() { detail::set(value_, value); }
-  /// Copies.
+  /// Copies the value.
   Rational(const Rational& other) : Rational(other.mpq()) {}
-  /// Takes the value over, without an allocation; leaves 0.
+  /// Moves the value without an allocation and leaves 0 in `other`.
   Rational(Rational&& other) noexcept : value_{{other.value_[0]}} { other.reset(); }
-  /// Copies; the memory there is reused.
+  /// Copies the value and reuses the memory of this number.
   Rational& operator=(const Rational& other) {
     detail::set(value_, other.value_);
     return *this;
   }
-  /// Takes the value over, without an allocation; leaves 0.
+  /// Moves the value without an allocation and leaves 0 in `other`.
   Rational& operator=(Rational&& other) noexcept {
     Rational taken(std::move(other));
     std::swap(value_[0], taken.value_[0]);
     return *this;
   }
-  /// Gives the memory back.
+  /// Releases the memory.
   ~Rational() {
     if (mpq_numref(value_)->_mp_alloc != 0) mpz_clear(mpq_numref(value_));
     if (mpq_denref(value_)->_mp_alloc != 0) mpz_clear(mpq_denref(value_));
   }
 
-  /// Returns the number as GMP reads it.
+  /// Returns a pointer to the GMP number, for reading.
   mpq_srcptr mpq() const noexcept { return value_; }
-  /// Returns the number for GMP to change. It must be in lowest terms with a positive denominator
-  /// again before anything else is done with it.
+  /// Returns a pointer to the GMP number, for reading and writing. After writing, the number must
+  /// be in lowest terms with a positive denominator before this object is used again.
   mpq_ptr mpq() {
     if (mpq_denref(value_)->_mp_alloc == 0) mpz_init_set_ui(mpq_denref(value_), 1);
     return value_;
   }
 
-  /// Returns -1, 0 or 1.
+  /// Returns the sign: -1, 0 or 1.
   int sign() const noexcept { return mpq_sgn(value_); }
-  /// Tells whether this is 0.
+  /// Whether the number is 0.
   bool is_zero() const noexcept { return mpq_numref(value_)->_mp_size == 0; }
-  /// Tells whether the denominator is 1.
+  /// Whether the number is an integer, that is, its denominator is 1.
   bool is_whole() const noexcept { return mpz_cmp_ui(mpq_denref(value_), 1) == 0; }
-  /// Returns a negative number if this is less than `other`, a positive one if greater, else 0.
+  /// Compares this number with `other`. The result is negative if this number is less, 0 if they
+  /// are equal, and positive if this number is greater.
   /// Throws Error (NotFinite) if `other` is NaN or infinite.
   template <detail::RationalTerm T>
   int compare(const T& other) const {
@@ -526,38 +539,40 @@ class Rational {
   }
   /// Changes the sign.
   void negate() noexcept { mpq_numref(value_)->_mp_size = -mpq_numref(value_)->_mp_size; }
-  /// Returns numerator/denominator in decimal digits, without "/1".
+  /// Returns "numerator/denominator" in decimal digits, or only the numerator if the denominator is
+  /// 1.
   std::string str() const;
-  /// Returns the nearest double, ties to even; infinity beyond the range.
+  /// Returns the nearest double, ties to even. Returns an infinity if the value is beyond the range
+  /// of double.
   template <std::same_as<double> T>
   T convert_to() const {
     return detail::nearest(value_);
   }
-  /// Converts like convert_to().
+  /// Returns convert_to<T>().
   template <std::same_as<double> T>
   explicit operator T() const {
     return convert_to<T>();
   }
 
-  /// Adds. Throws Error (NotFinite) if `other` is NaN or infinite, as all operators do.
+  /// Adds `other`. Like all operators, it throws Error (NotFinite) if `other` is NaN or infinite.
   template <detail::RationalTerm T>
   Rational& operator+=(const T& other) {
     detail::add(value_, value_, operand(other).mpq());
     return *this;
   }
-  /// Subtracts.
+  /// Subtracts `other`.
   template <detail::RationalTerm T>
   Rational& operator-=(const T& other) {
     detail::subtract(value_, value_, operand(other).mpq());
     return *this;
   }
-  /// Multiplies.
+  /// Multiplies by `other`.
   template <detail::RationalTerm T>
   Rational& operator*=(const T& other) {
     detail::multiply(value_, value_, operand(other).mpq());
     return *this;
   }
-  /// Divides. Throws Error (BadArgument) if `other` is 0.
+  /// Divides by `other`. Throws Error (BadArgument) if `other` is 0.
   template <detail::RationalTerm T>
   Rational& operator/=(const T& other) {
     detail::divide(value_, value_, operand(other).mpq());
@@ -567,13 +582,13 @@ class Rational {
   Rational& operator++() { return *this += 1; }
   /// Subtracts 1.
   Rational& operator--() { return *this -= 1; }
-  /// Adds 1 and returns what was there before.
+  /// Adds 1 and returns the previous value.
   Rational operator++(int) {
     Rational before = *this;
     ++*this;
     return before;
   }
-  /// Subtracts 1 and returns what was there before.
+  /// Subtracts 1 and returns the previous value.
   Rational operator--(int) {
     Rational before = *this;
     --*this;
@@ -598,12 +613,12 @@ class Rational {
   friend Rational operator/(A&& a, B&& b) { return into<A, B>(a, b, detail::divide); }
   /// Returns the same number.
   friend Rational operator+(Rational x) noexcept { return x; }
-  /// Returns the negative.
+  /// Returns the number with the opposite sign.
   friend Rational operator-(Rational x) noexcept {
     x.negate();
     return x;
   }
-  /// Tells whether the numbers are equal. Throws Error (NotFinite) if `b` is NaN or infinite.
+  /// Whether the numbers are equal. Throws Error (NotFinite) if `b` is NaN or infinite.
   template <detail::RationalTerm T>
   friend bool operator==(const Rational& a, const T& b) {
     if constexpr (detail::BuiltInInteger<T>) {
@@ -617,18 +632,18 @@ class Rational {
     return a.compare(b) <=> 0;
   }
 
-  /// Returns the magnitude.
+  /// Returns the absolute value.
   friend Rational abs(Rational x) noexcept {
     if (x.sign() < 0) x.negate();
     return x;
   }
-  /// Returns the numerator, of the sign of the number.
+  /// Returns the numerator, which has the sign of the number.
   friend Integer numerator(const Rational& x) { return Integer(mpq_numref(x.value_)); }
   /// Returns the denominator, which is positive.
   friend Integer denominator(const Rational& x) { return Integer(mpq_denref(x.value_)); }
   /// Exchanges the values, without an allocation.
   friend void swap(Rational& a, Rational& b) noexcept { std::swap(a.value_[0], b.value_[0]); }
-  /// Writes what str() returns.
+  /// Writes x.str().
   friend std::ostream& operator<<(std::ostream& out, const Rational& x);
 
  private:
@@ -648,8 +663,8 @@ class Rational {
     return Rational(x);
   }
 
-  /// The result of what `set` does of three GMP fractions; the first is an operand if that is a
-  /// temporary.
+  /// Calls set(result, a, b) and returns the result. If an operand is a temporary, the result is
+  /// computed in its memory.
   template <class A, class B>
   static Rational into(A& a, B& b, void (*set)(mpq_ptr, mpq_srcptr, mpq_srcptr)) {
     if constexpr (std::same_as<A, Rational>) {
@@ -665,25 +680,25 @@ class Rational {
     }
   }
 
-  mpq_t value_;  // a denominator without memory of its own is 1, by shared_limb()
+  mpq_t value_;  // A denominator without allocated memory is 1 and points to shared_limb().
 };
 
 }  // namespace plumb
 #pragma GCC visibility pop
 
-/// Hashes of integers: those of equal ones are equal.
+/// Hash function of integers. Equal integers have equal hashes.
 template <>
 struct std::hash<plumb::Integer> {
-  /// Returns the hash.
+  /// Returns the hash of x.
   std::size_t operator()(const plumb::Integer& x) const noexcept {
     return plumb::detail::hash_of(x.mpz());
   }
 };
 
-/// Hashes of fractions: those of equal ones are equal.
+/// Hash function of fractions. Equal fractions have equal hashes.
 template <>
 struct std::hash<plumb::Rational> {
-  /// Returns the hash.
+  /// Returns the hash of x.
   std::size_t operator()(const plumb::Rational& x) const noexcept {
     return plumb::detail::hash_of(x.mpq());
   }

@@ -1,9 +1,10 @@
-// Segments of the plane: where a point lies on a segment, how two segments intersect, and where a
-// segment lies relative to a line, for doubles and for exact rationals.
+// Predicates on segments of the plane. They compute the position of a point relative to a segment,
+// the way in which two segments intersect, and the position of a segment relative to a line. The
+// coordinates are doubles or exact rationals.
 //
 // A segment is closed and has two different ends; its interior is the segment without its ends.
-// Every result is exact. All of them follow from orient2d and compare_xy, so that one
-// implementation serves both kinds of points.
+// Every result is exact. All results follow from orient2d and compare_xy, so that the same
+// implementation serves points with double and with rational coordinates.
 #pragma once
 
 #include <cstdint>
@@ -30,9 +31,9 @@ using RationalSegment2 = BasicSegment2<RationalPoint2>;  ///< A segment with rat
 Sign compare_xy(const Point2& p, const Point2& q);
 Sign compare_xy(const RationalPoint2& p, const RationalPoint2& q);
 
-/// Compares two points of a line in the direction of a segment on it: Negative if p comes before q.
-/// Requires that p and q lie on the line of `direction`. Swapping p and q, or reversing the
-/// direction, flips the sign.
+/// Compares p and q in the direction of a segment: Negative if p comes before q. Requires that p
+/// and q lie on the line through the segment. Swapping p and q, or reversing the segment, flips the
+/// sign.
 template <class Point>
 Sign compare_along(const BasicSegment2<Point>& direction, const Point& p, const Point& q);
 
@@ -48,26 +49,26 @@ enum class PlaceOnSegment : std::uint8_t {
 template <class Point>
 PlaceOnSegment place_on(const BasicSegment2<Point>& s, const Point& p);
 
-/// How two segments intersect.
+/// The way in which two segments intersect.
 enum class SegmentRelation : std::uint8_t {
   Disjoint,       ///< There is no common point.
   Cross,          ///< The one common point is interior to both.
   Touches,        ///< The one common point is an end of the first and interior to the second.
   IsTouched,      ///< The one common point is an end of the second and interior to the first.
   ShareEndpoint,  ///< The one common point is an end of both.
-  Overlap,        ///< They share a segment, and neither contains the other.
-  Covers,         ///< The second is a proper part of the first.
-  IsCovered,      ///< The first is a proper part of the second.
-  Equal,          ///< They are the same point set.
+  Overlap,        ///< The common part is a segment, and neither segment contains the other.
+  Covers,         ///< The second segment is a proper part of the first.
+  IsCovered,      ///< The first segment is a proper part of the second.
+  Equal,          ///< The two segments are the same point set.
 };
 
-/// Returns how s and t intersect. relation(s, t) equals mirrored(relation(t, s)). Reversing s or t
-/// does not change the result. Cost: two orient2d if t lies strictly on one side of the line of s
-/// or on that line, otherwise four.
+/// Returns the way in which s and t intersect. relation(s, t) equals mirrored(relation(t, s)).
+/// Reversing s or t does not change the result. Cost: two calls of orient2d if t lies strictly on
+/// one side of the line of s or on that line, otherwise four calls.
 template <class Point>
 SegmentRelation relation(const BasicSegment2<Point>& s, const BasicSegment2<Point>& t);
 
-/// Returns the relation with the two segments exchanged.
+/// Returns the relation of the same two segments in exchanged order.
 constexpr SegmentRelation mirrored(SegmentRelation r) {
   switch (r) {
     case SegmentRelation::Touches:
@@ -92,15 +93,15 @@ constexpr bool meet_in_a_point(SegmentRelation r) {
 enum class LineRelation : std::uint8_t {
   Left,              ///< The segment is strictly left of the line.
   Right,             ///< The segment is strictly right of the line.
-  TouchesFromLeft,   ///< One end is on the line, the rest is left of it.
-  TouchesFromRight,  ///< One end is on the line, the rest is right of it.
+  TouchesFromLeft,   ///< One end is on the line; the rest of the segment is left of it.
+  TouchesFromRight,  ///< One end is on the line; the rest of the segment is right of it.
   Crosses,           ///< The ends lie strictly on different sides.
   Inside,            ///< The segment is a part of the line.
 };
 
-/// Returns the position of s relative to the line through `line`, which has the direction of
-/// `line`. Reversing the line exchanges left and right; reversing s does not change the result.
-/// Cost: two orient2d.
+/// Returns the position of s relative to the directed line through the segment `line`. Reversing
+/// `line` exchanges left and right; reversing s does not change the result. Cost: two calls of
+/// orient2d.
 template <class Point>
 LineRelation relation_to_line(const BasicSegment2<Point>& line, const BasicSegment2<Point>& s);
 

@@ -16,7 +16,7 @@ enum class FilteredSign : std::int8_t { Negative = -1, Zero = 0, Positive = 1, U
 /// Returns the sign of the negated quantity.
 constexpr Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)); }
 
-/// Returns the sign of the product.
+/// Returns the sign of the product of two quantities with the signs s and t.
 constexpr Sign operator*(Sign s, Sign t) {
   return static_cast<Sign>(static_cast<int>(s) * static_cast<int>(t));
 }

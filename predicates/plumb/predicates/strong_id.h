@@ -1,4 +1,4 @@
-// 32-bit ids of distinct types, so that ids of different kinds cannot be confused.
+// 32-bit ids. Each kind of id has its own type, so that ids of different kinds cannot be confused.
 #pragma once
 
 #include <compare>
@@ -10,12 +10,12 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The index of nothing, in arrays of 32-bit indices.
+/// The value that means "no index" in arrays of 32-bit indices.
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// A 32-bit index into arrays of one kind. `Tag` is any type, possibly incomplete, that names the
-/// kind. A default-constructed id is invalid. Ids are ordered by value; the invalid id is the
-/// greatest.
+/// A 32-bit index of an object of one kind, such as a vertex. `Tag` is any type, possibly
+/// incomplete, that names the kind. A default-constructed id is invalid. Ids are ordered by value;
+/// the invalid id is the greatest.
 template <class Tag>
 class StrongId {
  public:
@@ -24,7 +24,8 @@ class StrongId {
   static constexpr Value kInvalid = std::numeric_limits<Value>::max();
 
   constexpr StrongId() = default;
-  /// Makes the id with this index. Requires value <= kInvalid; larger values are truncated.
+  /// Constructs the id with the index `value`. Requires value <= kInvalid; a larger value is
+  /// truncated to 32 bits.
   constexpr explicit StrongId(std::size_t value) : value_(static_cast<Value>(value)) {}
 
   constexpr Value value() const { return value_; }  ///< Returns the index, or kInvalid.
@@ -38,7 +39,7 @@ class StrongId {
 }  // namespace plumb
 #pragma GCC visibility pop
 
-/// Hashes an id to its value.
+/// Hash function of ids: the hash of an id is its value.
 template <class Tag>
 struct std::hash<plumb::StrongId<Tag>> {
   std::size_t operator()(plumb::StrongId<Tag> id) const noexcept { return id.value(); }

@@ -9,7 +9,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns (cos, sin) of an angle, exactly for quarter turns. Requires a finite angle.
+/// Returns (cos, sin) of an angle. The result is exact for multiples of 90 degrees. Requires a
+/// finite angle.
 inline Point2 unit_vector(double degrees) {
   constexpr double kQuarter = 90;
   const double rest = std::remainder(degrees, 4 * kQuarter);  // This is exact.

@@ -1,6 +1,6 @@
-// Doubles as integers times a power of two, and their order, by integer operations only. So all of
-// it is right in every rounding mode and under flush-to-zero and denormals-are-zero, where even `a
-// < b` on doubles is not.
+// Doubles as integers times a power of two, and the order of doubles. All functions use integer
+// operations only. Therefore they are right in every rounding mode, and also under flush-to-zero
+// (FTZ) and denormals-are-zero (DAZ), where even `a < b` on doubles can be wrong.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,8 @@ namespace plumb {
 
 static_assert(std::numeric_limits<double>::is_iec559 && sizeof(double) == 8);
 
-/// value = mantissa * 2^exponent. The mantissa is odd, or 0 with exponent 0; |mantissa| < 2^53.
+/// A double as mantissa * 2^exponent with |mantissa| < 2^53. The mantissa is odd, except that the
+/// double 0 has mantissa 0 and exponent 0.
 struct Decomposed {
   std::int64_t mantissa = 0;
   int exponent = 0;
@@ -61,16 +62,18 @@ constexpr Decomposed decompose(double value) {
           r.biased - detail::kExponentBias + zeros};
 }
 
-/// Returns a key with the order of the real numbers: ordered_key(a) < ordered_key(b) if and only if
-/// a < b, and both are equal if and only if a = b (both zeros are one number). Infinities come
-/// first and last. Requires that the value is no NaN.
+/// Returns a key that has the order of the real numbers: ordered_key(a) < ordered_key(b) if and
+/// only if a < b, and the keys are equal if and only if a = b. Both zeros have the same key.
+/// Negative infinity has the least key, positive infinity the greatest. Requires that the value is
+/// not a NaN.
 constexpr std::uint64_t ordered_key(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   return (bits & detail::kSignBit) != 0 ? detail::kSignBit - (bits & ~detail::kSignBit)
                                         : detail::kSignBit + bits;
 }
 
-/// Returns the order of a and b: Negative if a < b. It is right under DAZ, where `a < b` is not.
+/// Returns the order of a and b: Negative if a < b. The result is right under DAZ, too, where
+/// `a < b` can be wrong.
 constexpr Sign compare(double a, double b) {
   const std::uint64_t p = ordered_key(a);
   const std::uint64_t q = ordered_key(b);
@@ -80,16 +83,18 @@ constexpr Sign compare(double a, double b) {
 constexpr bool is_less(double a, double b) { return ordered_key(a) < ordered_key(b); }
 constexpr bool is_equal(double a, double b) { return ordered_key(a) == ordered_key(b); }
 
-/// Returns the sign of a double. It is right under DAZ.
+/// Returns the sign of a double. The result is right under DAZ, too.
 constexpr Sign sign_of_double(double value) { return compare(value, 0.0); }
 
-/// Whether the value is neither infinite nor a NaN. It is right under -ffinite-math-only, too.
+/// Whether the value is neither infinite nor a NaN. The result is right with -ffinite-math-only,
+/// too.
 constexpr bool is_finite(double value) {
   return ((std::bit_cast<std::uint64_t>(value) >> 52) & 0x7ff) != 0x7ff;
 }
 
-/// The common grid of a set of doubles: every one of them is an integer n * 2^low with
-/// |n| < 2^bits(). Zeros are on every grid; an empty grid (zeros only) has bits() = 0.
+/// The common grid of a set of doubles: each double of the set is n * 2^low() for an integer n with
+/// |n| < 2^bits(). Zeros are on every grid. The grid of a set without nonzero doubles is empty and
+/// has bits() = 0.
 class Grid {
  public:
   constexpr Grid() = default;
@@ -97,12 +102,13 @@ class Grid {
     for (const double v : values) add(v);
   }
 
-  /// Adds a value. Without branches, as this takes most of the time of a stage of fixed width.
+  /// Adds a value. The code has no branches, because it takes most of the time of a stage of fixed
+  /// width.
   constexpr void add(double value) {
     const detail::RawDouble r = detail::raw(value);
     const int unit = r.biased + std::countr_zero(r.magnitude);
     low_ = std::min(low_, r.magnitude == 0 ? kNone : unit);
-    // A zero adds 1 here, which no nonzero value falls below.
+    // A zero contributes the value 1 here. Every nonzero value contributes at least 1, too.
     high_ = std::max(high_, r.biased + static_cast<int>(std::bit_width(r.magnitude)));
   }
 
@@ -114,17 +120,18 @@ class Grid {
 
   /// Returns the exponent of the grid's unit; 0 for an empty grid.
   constexpr int low() const { return is_empty() ? 0 : low_ - detail::kExponentBias; }
-  /// Returns the magnitude bits of the integers: 53 and the spread of exponents, less the common
-  /// trailing zeros; at most 2098.
+  /// Returns the number of bits of the largest |n|. It is 53 plus the spread of the exponents minus
+  /// the number of common trailing zeros, and at most 2098.
   constexpr int bits() const { return is_empty() ? 0 : high_ - low_; }
   constexpr bool is_empty() const { return low_ == kNone; }
 
   /// Returns value / 2^low(). Requires that the value is on the grid and bits() <= 63.
   constexpr std::int64_t to_int64(double value) const {
     const detail::RawDouble r = detail::raw(value);
-    // magnitude < 2^53, so it may go up by 10 first. The shift back is then never negative, because
-    // biased - low_ > 10 would make bits() > 63, and at most 62, because trailing zeros are <= 52.
-    // For a zero any shift is right. (It is unsigned because low_ is kNone on an empty grid.)
+    // magnitude < 2^53, so it can be shifted left by 10 bits first. The shift to the right is then
+    // never negative, because biased - low_ > 10 would make bits() > 63. It is at most 62, because
+    // there are at most 52 trailing zeros. For a zero any shift is right. (The shift is computed in
+    // unsigned integers because low_ is kNone on an empty grid.)
     const unsigned up = static_cast<unsigned>(r.biased) - static_cast<unsigned>(low_);
     const unsigned down = (10U - up) & 63U;
     return detail::with_sign((r.magnitude << 10) >> down, r.negative);

@@ -1,18 +1,20 @@
-// Fingerprints of homogeneous rows: equal objects get equal 64-bit words whatever their scale.
+// Fingerprints of homogeneous rows. Equal objects have equal fingerprints, which are 64-bit words,
+// even if their rows have different scales.
 //
-// A row of exact coefficients (a plane a b c d, a point x y z w) stands for the same object as any
-// multiple of it. Taken modulo the prime q = 2^61 - 1 and divided by its first nonzero residue,
-// every multiple gives the same row of residues, without a gcd. Hence
+// A row of exact coefficients (a plane a b c d, a point x y z w) represents the same object as
+// every multiple of the row. The row is reduced modulo the prime q = 2^61 - 1 and divided by its
+// first nonzero residue. The result is the same for every multiple, and no gcd is needed. Hence
 //
-//   different fingerprints  prove that objects differ;
-//   equal fingerprints      mean that they are very likely equal, which has to be confirmed exactly
-//                           (1 and 2^61 are one residue).
+//   different fingerprints  prove that the objects differ;
+//   equal fingerprints      mean that the objects are very likely equal. An exact comparison must
+//                           confirm it, because different numbers, such as 1 and 2^61, have the
+//                           same residue.
 //
-// A row whose common factor is a multiple of q has no residue other than 0. It is first brought
-// into its primitive form (gcd 1), which has one.
+// If the common factor of a row is a multiple of q, all residues of the row are 0. Such a row is
+// first divided by its gcd; the result has a nonzero residue.
 //
-// Cost: a product in F_q takes about 2 ns, an inversion 150 ns alone and 3 products in a batch; a
-// gcd of the same row would take 700 ns.
+// Cost: a product in F_q takes about 2 ns. An inversion takes 150 ns alone, and as long as 3
+// products in a batch. A gcd of the same row would take 700 ns.
 #pragma once
 
 #include <array>
@@ -26,7 +28,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// An element of F_q, q = 2^61 - 1; always reduced to [0, q).
+/// An element of the field F_q with q = 2^61 - 1, always reduced to [0, q).
 class Residue {
  public:
   static constexpr int kBits = 61;
@@ -37,8 +39,9 @@ class Residue {
   static constexpr Residue of(std::uint64_t value) {
     return reduced((value & kModulus) + (value >> kBits));
   }
-  /// Returns the residue of a finite double m 2^e, exactly, for any e. As 2^61 = 1 in F_q, 2^e
-  /// rotates the 61-bit word of m. It is right under FTZ and DAZ, as it uses bit operations only.
+  /// Returns the residue of a finite double m * 2^e, exactly, for any e. Since 2^61 = 1 in F_q, the
+  /// factor 2^e rotates the 61-bit word of m. The result is right under FTZ and DAZ, because the
+  /// function uses bit operations only.
   static constexpr Residue of(double value);
   static Residue of(const Integer& value);
   /// Returns 2^exponent, for any exponent.
@@ -48,7 +51,7 @@ class Residue {
 
   constexpr std::uint64_t value() const { return value_; }
   constexpr bool is_zero() const { return value_ == 0; }
-  /// Returns the inverse; zero for zero.
+  /// Returns the inverse. The result for zero is zero.
   Residue inverse() const;
 
   friend constexpr Residue operator+(Residue a, Residue b) { return reduced(a.value_ + b.value_); }
@@ -57,7 +60,7 @@ class Residue {
   }
   friend constexpr Residue operator-(Residue a) { return reduced(kModulus - a.value_); }
   friend constexpr Residue operator*(Residue a, Residue b);
-  // Return a b - c d and a b + c d + e f, with one reduction each.
+  // These return a b - c d and a b + c d + e f. Each of them reduces modulo q only once.
   friend constexpr Residue cross_product(Residue a, Residue b, Residue c, Residue d);
   friend constexpr Residue sum_of_products(Residue a, Residue b, Residue c, Residue d, Residue e,
                                            Residue f);
@@ -95,8 +98,8 @@ constexpr Residue Residue::of(double value) {
 }
 
 #ifdef PLUMB_PORTABLE
-/// With a = a1 2^31 + a0 and b likewise (a1, b1 < 2^30): 2^62 = 2, and the middle term
-/// (h 2^30 + l) 2^31 = h + l 2^31. The sum is below 2^61 + 2^32 + 2^61 + 2^62 < 2^64.
+/// Let a = a1 2^31 + a0 and b = b1 2^31 + b0 with a1, b1 < 2^30. In F_q, 2^62 = 2, and the middle
+/// term is (h 2^30 + l) 2^31 = h + l 2^31. The sum is below 2^61 + 2^32 + 2^61 + 2^62 < 2^64.
 constexpr Residue operator*(Residue a, Residue b) {
   constexpr std::uint64_t kLow31 = (std::uint64_t{1} << 31) - 1;
   constexpr std::uint64_t kLow30 = (std::uint64_t{1} << 30) - 1;
@@ -119,8 +122,8 @@ __extension__ typedef unsigned __int128 WideProduct;
 constexpr WideProduct wide_product(std::uint64_t a, std::uint64_t b) {
   return static_cast<WideProduct>(a) * b;  // < 2^122 for residues
 }
-/// Returns a number below 2 q + 8 that is x modulo q: the sum of the three 61-bit digits of x <
-/// 2^125, of which the top one is below 8.
+/// Returns a number below 2 q + 8 that equals x modulo q. It is the sum of the three 61-bit digits
+/// of x. Requires x < 2^125, so that the highest digit is below 8.
 constexpr std::uint64_t folded(WideProduct x) {
   return (static_cast<std::uint64_t>(x) & Residue::kModulus) +
          (static_cast<std::uint64_t>(x >> Residue::kBits) & Residue::kModulus) +
@@ -145,11 +148,11 @@ constexpr Residue sum_of_products(Residue a, Residue b, Residue c, Residue d, Re
 }
 #endif
 
-/// Replaces every element by its inverse; zeros stay zero. Costs one inversion and three products
-/// for each element. Requires that `scratch` has at least as many elements.
+/// Replaces every element by its inverse; zeros stay zero. Requires that `scratch` has at least as
+/// many elements as `values`. Cost: one inversion in all, and three products for each element.
 void invert_all(std::span<Residue> values, std::span<Residue> scratch);
 
-/// A word that distinguishes objects. All its low 61 bits are uniform enough for a hash.
+/// A word that distinguishes objects. Its low 61 bits are uniform enough for a hash.
 using Fingerprint = std::uint64_t;
 
 /// A homogeneous row modulo q.
@@ -158,7 +161,7 @@ using ResidueRow = std::array<Residue, 4>;
 /// The six coordinates of a line modulo q.
 using LineResidues = std::array<Residue, 6>;
 
-/// Returns the first nonzero residue, or zero if there is none.
+/// Returns the first nonzero residue of a row, or zero if all residues are zero.
 template <std::size_t N>
 constexpr Residue leading(const std::array<Residue, N>& row) {
   for (const Residue r : row) {
@@ -168,9 +171,9 @@ constexpr Residue leading(const std::array<Residue, N>& row) {
 }
 
 /// Returns the fingerprint of a row whose leading residue l has the given inverse. Division by l
-/// and hashing are both linear, sum_i k_i (r_i / l) = (sum_i k_i r_i) / l, so one product with the
-/// inverse suffices. Over random weights k_i, two different rows collide with a probability of
-/// about 1/q; the weights are fixed.
+/// and hashing are both linear: sum_i k_i (r_i / l) = (sum_i k_i r_i) / l. Therefore one product
+/// with the inverse suffices. With random weights k_i, two different rows would have the same
+/// fingerprint with a probability of about 1/q. The weights here are fixed.
 constexpr Fingerprint fingerprint(const ResidueRow& row, Residue inverse_of_leading) {
   constexpr std::array<std::uint64_t, 4> kWeights = {0x0b7e151628aed2a6, 0x1f4bf70c11a8a4d1,
                                                      0x18a9e0a1d2c5b3f7, 0x046d1f2a9c83e5b1};
@@ -179,12 +182,12 @@ constexpr Fingerprint fingerprint(const ResidueRow& row, Residue inverse_of_lead
   return (sum * inverse_of_leading).value();
 }
 
-/// Returns the same for one row. Requires a nonzero leading residue. Costs one inversion.
+/// Returns the fingerprint of one row. Requires a nonzero leading residue. Cost: one inversion.
 inline Fingerprint fingerprint(const ResidueRow& row) {
   return fingerprint(row, leading(row).inverse());
 }
 
-/// Returns the same for a line.
+/// Returns the fingerprint of a line. Requires a nonzero leading residue. Cost: one inversion.
 inline Fingerprint fingerprint(const LineResidues& row) {
   constexpr std::array<std::uint64_t, 6> kWeights = {0x12f8b1a9d3c7e645, 0x0d51c2e7f9a83b64,
                                                      0x1a6b93f08e2d4c57, 0x07c4e5d1b8f23a9d,
@@ -198,10 +201,12 @@ inline Fingerprint fingerprint(const LineResidues& row) {
 /// An exact homogeneous row.
 using IntegerRow = std::array<Integer, 4>;
 
-/// Returns the row divided by the gcd of its elements; signs stay. Requires a row other than zero.
+/// Returns the row divided by the gcd of its elements, with unchanged signs. Requires a row that is
+/// not zero.
 IntegerRow primitive(const IntegerRow& row);
 
-/// Returns the fingerprint of an exact row, whatever its residues. Requires a row other than zero.
+/// Returns the fingerprint of an exact row, even if all its residues are zero. Requires a row that
+/// is not zero.
 Fingerprint fingerprint(const IntegerRow& row);
 
 }  // namespace plumb

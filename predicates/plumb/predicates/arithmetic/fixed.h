@@ -1,8 +1,8 @@
-// Signed integers of a fixed number of 64-bit limbs, the arithmetic of the stages of fixed width.
+// Signed integers with a fixed number of 64-bit limbs. The stages of fixed width compute with them.
 //
-// Fixed<L> holds the integers of [-2^(64L-1), 2^(64L-1)) in two's complement. Nothing here checks
-// for overflow: every caller proves its widths (docs/design/numbers.md), so a result that does not
-// fit would be an error in a proof. There are two implementations of this interface:
+// Fixed<L> represents the integers of [-2^(64L-1), 2^(64L-1)) in two's complement. No operation
+// checks for overflow. Every caller has a proof that its results fit (docs/design/numbers.md).
+// There are two implementations of this interface:
 //
 //   fixed_native.h     carry chains and 64x64->128 products; everything inlines and unrolls
 //   fixed_portable.h   Boost.Multiprecision cpp_int of fixed size (PLUMB_PORTABLE)
@@ -32,7 +32,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the exact product. Costs A * B products of words.
+/// Returns the exact product. Cost: A * B products of words.
 template <int A, int B>
 Fixed<A + B> multiply(const Fixed<A>& x, const Fixed<B>& y) {
   return multiply_to<A + B>(x, y);

@@ -1,7 +1,8 @@
 // Fixed<L> on 64-bit words with 128-bit products. fixed.h describes the interface.
 //
-// The carry chains use the built-in functions behind _addcarry_u64 and _subborrow_u64, because the
-// header that declares these takes 45,000 lines.
+// The carry chains use the compiler's built-in functions that implement _addcarry_u64 and
+// _subborrow_u64, because the header that declares _addcarry_u64 and _subborrow_u64 takes 45,000
+// lines.
 //
 // Notes on speed (g++ 12, clang 14): _addcarry_u64 in an unrolled loop becomes a clean add/adc
 // chain; the same chain written with __int128 costs four to five times the instructions under
@@ -31,7 +32,7 @@ __extension__ typedef unsigned __int128 Uint128;
 __extension__ typedef __int128 Int128;
 using Carry = unsigned char;
 
-/// Returns x + y + carry. The carry out replaces `carry`.
+/// Returns x + y + carry, and sets `carry` to the carry of the sum.
 inline std::uint64_t add_with_carry(std::uint64_t x, std::uint64_t y, Carry& carry) {
 #if defined(__x86_64__)
   unsigned long long sum = 0;
@@ -44,7 +45,7 @@ inline std::uint64_t add_with_carry(std::uint64_t x, std::uint64_t y, Carry& car
 #endif
 }
 
-/// Returns x - y - borrow. The borrow out replaces `borrow`.
+/// Returns x - y - borrow, and sets `borrow` to the borrow of the difference.
 inline std::uint64_t subtract_with_borrow(std::uint64_t x, std::uint64_t y, Carry& borrow) {
 #if defined(__x86_64__)
   unsigned long long difference = 0;
@@ -174,7 +175,7 @@ class Fixed {
  private:
   static constexpr std::size_t kSize = static_cast<std::size_t>(L);
 
-  /// *this -= y * 2^(64 offset), modulo 2^(64 L), if `condition`.
+  /// If `condition` is true, subtracts y * 2^(64 offset) modulo 2^(64 L).
   template <int M>
   void subtract_shifted_if(bool condition, const Fixed<M>& y, std::size_t offset) {
     const std::uint64_t mask = condition ? ~std::uint64_t{0} : 0;
@@ -192,8 +193,8 @@ class Fixed {
 
 namespace detail {
 
-/// r += x * y * 2^(64 offset), modulo the size of r; one row of the schoolbook product. The limbs
-/// of r from offset + B on are still zero.
+/// Adds x * y * 2^(64 offset) to r, modulo the size of r. This is one row of the schoolbook
+/// product. Requires that the limbs of r from offset + B on are zero.
 template <std::size_t To, std::size_t B>
 void add_row(std::array<std::uint64_t, To>& r, std::uint64_t x,
              const std::array<std::uint64_t, B>& y, std::size_t offset) {
@@ -210,8 +211,9 @@ void add_row(std::array<std::uint64_t, To>& r, std::uint64_t x,
 
 }  // namespace detail
 
-/// Returns the product in two's complement. With X and Y for the limbs of x and y read as unsigned,
-/// x y = X Y - [x < 0] 2^(64 A) Y - [y < 0] 2^(64 B) X, modulo 2^(64 (A + B)).
+/// Returns the product in two's complement. Let X and Y be the values of the limbs of x and y, read
+/// as unsigned integers. Then x y = X Y - [x < 0] 2^(64 A) Y - [y < 0] 2^(64 B) X, modulo
+/// 2^(64 (A + B)).
 template <int To, int A, int B>
 Fixed<To> multiply_to(const Fixed<A>& x, const Fixed<B>& y) {
   if constexpr (To > A + B) {

@@ -27,8 +27,9 @@ class Fixed {
 
  public:
   static constexpr int kLimbs = L;
-  /// The number of magnitude bits besides a sign, one more than the interface needs. It is at least
-  /// 128, because narrower cpp_ints are machine words, which behave differently on overflow.
+  /// The number of bits of a magnitude, without the sign. It is one more than the interface needs,
+  /// and at least 128, because narrower cpp_ints are machine words, which behave differently on
+  /// overflow.
   static constexpr unsigned kBits = L == 1 ? 128 : 64 * L;
   using Number = boost::multiprecision::number<
       boost::multiprecision::cpp_int_backend<kBits, kBits, boost::multiprecision::signed_magnitude,
@@ -41,7 +42,7 @@ class Fixed {
 
   static Fixed from_limbs(const std::uint64_t* limbs) {
     const bool negative = static_cast<std::int64_t>(limbs[L - 1]) < 0;
-    Number magnitude = 0;  // of -1 - x if x is negative: its limbs are the complements
+    Number magnitude = 0;  // If x < 0, that of -1 - x, whose limbs are the complements of x's.
     for (int i = L; i-- > 0;) magnitude = (magnitude << 64) | (negative ? ~limbs[i] : limbs[i]);
     return Fixed(negative ? Number(-1 - magnitude) : magnitude);
   }

@@ -11,7 +11,7 @@
 namespace plumb {
 
 /// Adds terms in a balanced tree. The sum of n fractions without a common denominator is n times as
-/// long as one of them, so adding them one by one would cost n^2.
+/// long as a single fraction. Therefore adding the fractions one by one would take O(n^2) time.
 class RationalSum {
  public:
   /// Adds a term.
@@ -24,12 +24,13 @@ class RationalSum {
   std::uint64_t count_ = 0;
 };
 
-/// Returns the sum of fractions whose denominators have only small factors in common, as those of
-/// crossings of many lines. There the greatest common divisors of long numbers, which RationalSum
-/// computes, would cost more than all else, and GMP cannot be interrupted in one. Factors that a
-/// denominator shares with any other are split off first; sums of the rest are in lowest terms
-/// without a gcd. Calls `watch` between long operations. O(M(n) log n) for n digits with products
-/// in M(n), unless long factors are shared.
+/// Returns the sum of fractions whose denominators have only small common factors, such as the
+/// coordinates of crossings of many lines. For such fractions, RationalSum would spend most of its
+/// time on greatest common divisors of long numbers, and GMP cannot be interrupted in a gcd. This
+/// function first splits off the factors that a denominator shares with any other denominator. Sums
+/// of the remaining fractions are in lowest terms without a gcd. The function calls `watch` between
+/// long operations. Cost: O(M(n) log n) for n digits, where M(n) is the cost of a product, unless
+/// the denominators share long factors.
 ///
 /// Shared factors are found by trees of products and remainders. Source: D. J. Bernstein, How to
 /// find smooth parts of integers (2004).

@@ -1,4 +1,5 @@
-// Exact integers as a double times a power of two, for approximations of exact forms; and as limbs.
+// Conversions of exact integers: to a double times a power of two, for approximations of exact
+// expressions, and to and from arrays of limbs.
 #pragma once
 
 #include <bit>
@@ -13,8 +14,9 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The approximation mantissa * 2^exponent of an integer, with 1/2 <= |mantissa| < 1. It is
-/// truncated, so its relative error is less than 2^-51 in any rounding mode. Zero is {0, 0}.
+/// The approximation mantissa * 2^exponent of an integer, with 1/2 <= |mantissa| < 1. The mantissa
+/// is truncated, so that the relative error is less than 2^-51 in any rounding mode. Zero is {0,
+/// 0}.
 struct Scaled {
   double mantissa = 0;
   int exponent = 0;
@@ -25,7 +27,7 @@ constexpr double power_of_two(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
-/// Returns the leading bits of x, by integer operations only.
+/// Returns the approximation of x by its leading bits. The bits are found by integer operations.
 template <int L>
 Scaled scaled(const Fixed<L>& x) {
   const bool negative = x.is_negative();
@@ -57,7 +59,8 @@ void append_limbs(const Integer& x, std::size_t count, std::vector<std::uint64_t
 /// Returns the integer that append_limbs() wrote.
 Integer integer_from_limbs(const std::uint64_t* limbs, std::size_t count);
 
-/// Returns the integer of `count` limbs in L limbs, sign-extended or cut. Requires that it fits.
+/// Converts an integer of `count` limbs to one of L limbs, by sign extension or truncation.
+/// Requires that the integer fits L limbs.
 template <int L>
 Fixed<L> fixed_from_limbs(const std::uint64_t* limbs, std::size_t count) {
   const bool negative = static_cast<std::int64_t>(limbs[count - 1]) < 0;

@@ -1,13 +1,13 @@
-// Hashes for tables of what files contain, and a hash set of ids.
+// Hash functions for tables of data from files, and a hash set of ids.
 //
-// If a hash function is known, a file can be made of points that all have one hash: a table then
-// takes quadratic time, or, if it grows where keys crowd, all memory. So each process chooses a
-// random function of its own. No result of plumb may depend on it: tables are searched and never
-// iterated.
+// If the hash function were known, an attacker could write a file of points that all have the same
+// hash. A table of these points would take quadratic time. A table that grows where keys crowd
+// would even take all memory. Therefore each process chooses a random hash function. No result of
+// plumb may depend on the hash function: tables are searched and never iterated.
 //
-// Two different keys have one hash with a probability of 2^-32, whatever they are: the hash is the
-// upper half of a sum of products of 32-bit words of the key with random 64-bit words. A fixed
-// permutation comes after that, so that consecutive keys do not give consecutive hashes.
+// Any two different keys have the same hash with a probability of 2^-32. The hash is the upper half
+// of a sum of products of 32-bit words of the key with random 64-bit words. A fixed permutation is
+// applied to this sum, so that consecutive keys do not have consecutive hashes.
 //
 // Sources: D. Lemire, O. Kaser, Strongly universal string hashing is fast, The Computer Journal 57
 // (2014); the permutation is that of MurmurHash3 (A. Appleby).
@@ -22,33 +22,35 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns hashes of 32 bits, all of which are equally good.
+/// Returns 32-bit hashes. All bits of a hash are equally good.
 struct SeededHash {
   std::size_t operator()(std::uint64_t key) const;
   std::size_t operator()(const std::array<std::uint64_t, 3>& key) const;
 };
 
-/// A hash set of ids whose keys are elsewhere, for tables that give equal objects one id.
+/// A hash set of ids, for tables in which equal objects have the same id. The set does not store
+/// the objects themselves.
 ///
-/// It has open addressing, 8 bytes for each entry, and at most two of three entries taken. Unlike a
-/// hash set of a library it finds or adds in one search, and can fetch entries ahead, as large
-/// tables wait for memory and not for arithmetic. Nothing is ever removed.
+/// It uses open addressing with 8 bytes per entry, and at most two of three entries are occupied.
+/// Unlike a hash set of the standard library, it finds or adds an id in one search. It can also
+/// prefetch entries, because searches in large tables are limited by the latency of memory. Ids are
+/// never removed.
 class IdIndex {
  public:
-  /// Reserves memory for so many ids in all.
+  /// Reserves memory for `ids` ids, including those in the set already.
   void reserve(std::size_t ids) {
     const std::size_t entries = std::bit_ceil(ids + ids / 2 + 1);
     if (entries > entries_.size()) rehash(entries);
   }
 
-  /// Fetches what find_or_add() will read for this hash.
+  /// Prefetches the entry that find_or_add() will read first for this hash.
   void prefetch(std::uint32_t hash) const {
     if (!entries_.empty()) __builtin_prefetch(&entries_[hash & mask()]);
   }
 
-  /// Returns the id with this hash for which is_same(id) holds; if there is none, adds and returns
-  /// `next`. Requires next < 2^32 - 1, and hashes that are equal for equal objects and good in all
-  /// bits (SeededHash).
+  /// Returns the id with this hash for which is_same(id) is true. If there is no such id, adds and
+  /// returns `next`. Requires next < 2^32 - 1. Also requires that equal objects have equal hashes
+  /// and that all bits of a hash are good (SeededHash).
   template <class IsSame>
   std::uint32_t find_or_add(std::uint32_t hash, std::uint32_t next, IsSame is_same) {
     if (3 * (count_ + 1) > 2 * entries_.size()) rehash(std::bit_ceil(2 * count_ + 2));

@@ -1,41 +1,44 @@
-// The filters of the predicates on points of doubles: one expression, one semi-static bound, one
-// test of the range. They are inline, as most calls end here. docs/design/numbers.md (Filters of
-// input points) has the same proof.
+// The filters of the predicates on points with double coordinates. Each filter consists of one
+// expression, one semi-static error bound and one range test. The filters are inline, because they
+// decide most calls. docs/design/numbers.md (Filters of input points) contains the same proof.
 //
 // Notation
-//   eps     2^-52: in *every* rounding mode |fl(x) - x| <= eps |x| and <= eps |fl(x)|, barring
-//           underflow and overflow (to nearest it would be 2^-53)
-//   M       2^m, the gate: all computed differences are <= M in magnitude, so nothing overflows
-//   flush   2^-1021: what an operation may lose to underflow: a result below 2^-1022 may become 0,
-//           at once (FTZ) or when it is read (DAZ)
-//   Delta   2^-1020: the same for a difference of two inputs: each may be read as 0 (DAZ), a change
-//           below 2^-1022, and the difference may be flushed
+//   eps     2^-52. In *every* rounding mode, |fl(x) - x| <= eps |x| and |fl(x) - x| <= eps |fl(x)|,
+//           if there is no underflow or overflow. (If only rounding to nearest were allowed, eps
+//           could be 2^-53.)
+//   M       2^m, the gate. All computed differences are <= M in magnitude, so nothing overflows.
+//   flush   2^-1021, a bound of the error of one operation by underflow. A result below 2^-1022 may
+//           become 0 when it is computed (FTZ) or when it is read (DAZ).
+//   Delta   2^-1020, the same bound for a difference of two inputs. Each input may be read as 0
+//           (DAZ), which is a change below 2^-1022, and the difference may be flushed.
 //
-// Each filter says: the sign of the computed determinant det' is right if
+// Each filter relies on this statement: the sign of the computed determinant det' is right if
 //
 //     |det'| > C P' + F
 //
-// where P' is the computed permanent (the determinant with every term in absolute value), C bounds
-// the rounding errors and F those of underflow.
+// where P' is the computed permanent (the determinant with every term in absolute value), C P'
+// bounds the rounding errors, and F bounds the errors by underflow.
 //
-// C. Follow one term of the determinant through the expression: a difference brings eps, a product
-// the errors of its factors and eps, a sum the larger error of its parts and eps. The last sum's
-// error is eps |det'|. The term's error relative to the computed permanent is k eps to first order;
-// k is given with each constant. What is left is of second order: with k <= 16 and fewer than 32
-// operations, the products of factors (1 +- eps) in k, in the computed P', in C P' + F and in the
-// last sum together change k by less than 2000 eps. C is k + 1 or more, which is far beyond that.
-// A fused multiply-add only leaves out one of the roundings counted, so contraction does no harm.
+// C. Follow one term of the determinant through the expression. A difference has the relative error
+// eps. A product has the errors of its factors and eps. A sum has the larger error of its parts and
+// eps. The error of the last sum is eps |det'|. The error of the term relative to the computed
+// permanent is k eps to first order; k is given with each constant. The remaining errors are of
+// second order. There are fewer than 32 operations, and k <= 16. Therefore the products of factors
+// (1 +- eps) in k, in the computed P', in C P' + F and in the last sum together change k by less
+// than 2000 eps. C is at least k + 1 (in units of eps), which leaves far more room than that. A
+// fused multiply-add omits one of the roundings counted, so contraction does no harm.
 //
 // F. Let the determinant be a sum of T products of n differences. An error of Delta in a difference
-// is multiplied by the other n - 1, at most M^(n-1): T n Delta M^(n-1) together. A flush of an
-// intermediate result of degree j >= 2 is multiplied by at most 3 M^(n-2) (3: a lift), so all the
-// others together are smaller than that by a factor of 2^100. Doubling covers them and the
-// rounding:
+// is multiplied by the other n - 1 differences, which is a factor of at most M^(n-1). Together
+// these errors are at most T n Delta M^(n-1). A flush of an intermediate result of degree j >= 2 is
+// multiplied by at most 3 M^(n-2), where the factor 3 is that of a lift. All these flushes together
+// are smaller than the bound by a factor of 2^100. Twice the bound covers them and the rounding:
 //
 //     F >= 2 T n 2^-1020 M^(n-1)
 //
-// The same flushes in P' are multiplied by C and vanish beside F. m is chosen so that the filter
-// reaches about as far down as up: points of size 2^-m have a det' of about F.
+// Flushes in P' are multiplied by C and are negligible compared with F. The exponent m is chosen so
+// that the filter decides for about the same range of exponents below 1 and above 1: points of size
+// 2^-m have a det' of about F.
 #pragma once
 
 #include <algorithm>
@@ -61,6 +64,8 @@ namespace constants {
 
 inline constexpr double kEpsilon = 0x1p-52;
 
+// The comments below give the errors of the parts in units of eps, and then k.
+//
 // orient2d, cross: difference 1, product 1+1+1 = 3: k = 3. T = 2, n = 2: F >= 2^3 2^-1020 2^340.
 inline constexpr double kOrient2dError = 4 * kEpsilon;
 inline constexpr double kOrient2dGate = 0x1p340;
@@ -99,9 +104,9 @@ struct Evaluation {
   bool in_gate;
 };
 
-/// Returns the sign of the determinant if it exceeds its bound. A NaN, which comes of infinities
-/// beyond the gate, gives Unsure. A determinant above the bound is a normal number, so its sign bit
-/// is right.
+/// Returns the sign of the determinant if its magnitude exceeds the bound, otherwise Unsure. A NaN,
+/// which arises from infinities beyond the gate, also gives Unsure. A determinant above the bound
+/// is a normal number, so its sign bit is right.
 inline FilteredSign certify(const Evaluation& e, double error, double floor) {
   if (e.in_gate && std::abs(e.det) > error * e.permanent + floor) [[likely]] {
     return static_cast<FilteredSign>((std::bit_cast<std::int64_t>(e.det) >> 63) | 1);
@@ -121,8 +126,8 @@ inline Pair abs(Pair v) {
 
 inline Pair difference(const Point2& p, const Point2& q) { return Pair{p.x, p.y} - Pair{q.x, q.y}; }
 
-/// Evaluates u[0] v[1] - u[1] v[0] for differences u and v of inputs. The sum of the magnitudes of
-/// the four differences, which is tested, bounds each of them.
+/// Evaluates u[0] v[1] - u[1] v[0] for differences u and v of inputs. The gate is tested on the sum
+/// of the magnitudes of the four differences, which bounds each of them.
 inline Evaluation cross(Pair u, Pair v) {
   const Pair products = u * Pair{v[1], v[0]};
   const Pair sizes = abs(products);

@@ -1,5 +1,5 @@
-// Counts, for each thread, which stage of which predicate decided. Compiled in by PLUMB_COUNT_RUNGS
-// only; without it count_rung() does nothing and the counts stay zero.
+// Counters of the stages that decided, for each predicate and each thread. They exist only if
+// PLUMB_COUNT_RUNGS is defined. Otherwise count_rung() does nothing and the counts stay zero.
 #pragma once
 
 #include <array>
@@ -25,10 +25,10 @@ enum class Predicate : std::uint8_t {
   CompareAxis,
   HoldsLine,          ///< Whether three planes have a common line.
   ComparePoints2,     ///< The order of points of a table of the plane.
-  CompareCrossings2,  ///< The same if at least one of them is a crossing.
+  CompareCrossings2,  ///< The order of two points of which at least one is a crossing.
   SideOfCrossing2,    ///< orient2d of a line and a crossing.
-  PointQuery2,        ///< A point that is in no table, and one that is.
-  RayQuery2           ///< A ray that is in no table, and points and lines that are.
+  PointQuery2,        ///< Predicates on a query point (query2.h) and points of a table.
+  RayQuery2           ///< Predicates on a query ray (query2.h) and points and lines of a table.
 };
 inline constexpr std::size_t kPredicates = 16;
 inline constexpr std::array<const char*, kPredicates> kPredicateNames{
@@ -37,8 +37,9 @@ inline constexpr std::array<const char*, kPredicates> kPredicateNames{
     "side of plane",     "compare axis",     "holds line",  "compare points",
     "compare crossings", "side of crossing", "point query", "ray query"};
 
-/// The stages: the filter, small integers, integers of a fixed width, integers of GMP; and
-/// identity, where ids decide without arithmetic (planes, points of space, crossings).
+/// The stages: the filter, small integers, integers of fixed width, GMP integers, and identity. The
+/// stage Identity decides by comparing ids of planes, points of space or crossings, without
+/// arithmetic.
 enum class Rung : std::uint8_t { Filter, Small, Exact, Big, Identity };
 inline constexpr std::size_t kRungs = 5;
 inline constexpr std::array<const char*, kRungs> kRungNames{"filter", "small", "exact", "big",
@@ -69,7 +70,7 @@ inline void reset_rung_counts() {}
 
 #endif
 
-/// Counts the stage and returns its sign. Requires is_decided(sign).
+/// Counts a decision of the stage `rung` and returns `sign`. Requires is_decided(sign).
 inline Sign decide(Predicate predicate, Rung rung, FilteredSign sign) {
   count_rung(predicate, rung);
   return decided(sign);

@@ -1,5 +1,5 @@
-// The signed area of polygons; and the points of an arrangement, input points and crossings under
-// one numbering, with their order and orientation.
+// The signed area of polygons, and the points of an arrangement. Input points and crossings share
+// one range of indices. The predicates are the order and the orientation of these points.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,19 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the sign of the area that the closed polygon through the given points encloses, simple
-/// or not: Positive if it winds counter-clockwise on balance, Zero for instance for a symmetric
-/// bow-tie. Reversal flips the sign, rotation of the list keeps it. O(n) doubles if the filter
-/// decides, otherwise O(n) exact terms.
+/// Returns the sign of the signed area of the closed polygon through the given points. The polygon
+/// need not be simple. The sign is Positive if the counter-clockwise area exceeds the clockwise
+/// area, and Zero for a symmetric bow-tie, for example. Reversal of the list flips the sign; a
+/// rotation of the list keeps it. Cost: O(n) operations on doubles if the filter decides, otherwise
+/// O(n) exact terms.
 Sign polygon_area_sign(const PointTable2& points, std::span<const std::uint32_t> polygon);
 
 /// Returns twice the signed area, exactly. Requires a polygon that is not empty.
 Rational twice_polygon_area(const PointTable2& points, std::span<const std::uint32_t> polygon);
 
-// The points of an arrangement have a dense index: input point i is i, crossing k is
-// inputs.size() + k. Lines are given by two input points, never by crossings, so predicates have
-// the same degree however a point came about.
+// The points of an arrangement have dense indices: input point i has the index i, and crossing k
+// has the index inputs.size() + k. A line is always given by two input points, never by crossings.
+// Therefore the degree of a predicate does not grow with the number of constructions.
 
 /// Input points, and crossings of lines through input points.
 struct PlanePoints {
@@ -32,7 +33,8 @@ struct PlanePoints {
   std::size_t size() const { return inputs.size() + crossings.size(); }
 };
 
-/// A read-only view of PlanePoints, or of a table alone. Valid as long as these are unchanged.
+/// A read-only view of PlanePoints, or of a table without crossings. It is valid as long as the
+/// PlanePoints or the table is unchanged.
 class PlanePointsView {
  public:
   PlanePointsView(const PointTable2& inputs) : inputs_(&inputs) {}
@@ -50,29 +52,29 @@ class PlanePointsView {
   std::span<const Crossing2> crossings_;
 };
 
-/// Returns the lexicographic order of two points of any kind.
+/// Compares two points, which may be input points or crossings, lexicographically (x, then y).
 Sign compare_xy(const PlanePointsView& points, std::uint32_t i, std::uint32_t j);
-/// Returns that of a crossing, which need not be in the table, and a point.
+/// Compares a crossing p, which need not be in the table, with point i lexicographically.
 Sign compare_xy(const PlanePointsView& points, const Crossing2& p, std::uint32_t i);
 
-/// Returns the order of two points by x alone.
+/// Compares two points by x alone.
 Sign compare_x(const PlanePointsView& points, std::uint32_t i, std::uint32_t j);
-/// Returns that of a crossing and a point.
+/// Compares a crossing p, which need not be in the table, with point i by x alone.
 Sign compare_x(const PlanePointsView& points, const Crossing2& p, std::uint32_t i);
 
-/// Returns the side of the line through input points a -> b on which point i of any kind lies;
-/// Positive is left.
+/// Returns the side of the directed line from input point a to input point b on which point i lies:
+/// Positive if it lies to the left. Point i may be an input point or a crossing.
 inline Sign orient2d(const PlanePointsView& points, std::uint32_t a, std::uint32_t b,
                      std::uint32_t i) {
   return points.is_input(i) ? orient2d(points.inputs(), a, b, i)
                             : orient2d(points.inputs(), a, b, points.crossing(i));
 }
 
-/// Returns the exact coordinates of a point of any kind.
+/// Returns the exact coordinates of an input point or a crossing.
 RationalPoint2 exact(const PlanePointsView& points, std::uint32_t i);
 
-/// Returns the nearest doubles of an input point, or the approximation of a crossing, which is not
-/// correctly rounded.
+/// Returns approximate coordinates: the nearest doubles of an input point, or the stored
+/// approximation of a crossing, which is not correctly rounded.
 inline Point2 approx(const PlanePointsView& points, std::uint32_t i) {
   if (points.is_input(i)) return points.inputs().approx(i);
   return {points.crossing(i).x, points.crossing(i).y};

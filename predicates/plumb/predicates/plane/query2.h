@@ -1,5 +1,5 @@
-// Points and rays that are in no table, as users give them in queries, and the predicates on them
-// and the points of a table.
+// The points and rays of queries, which are in no table, and the predicates on a query and the
+// points of a table.
 #pragma once
 
 #include <cstdint>
@@ -34,17 +34,17 @@ class QueryPoint2 {
 
 /// Returns the lexicographic order of point i and the query point.
 Sign compare_xy(const PlanePointsView& points, std::uint32_t i, const QueryPoint2& q);
-/// Returns their order by x alone.
+/// Returns the order of point i and the query point by x alone.
 Sign compare_x(const PlanePointsView& points, std::uint32_t i, const QueryPoint2& q);
 
-/// Returns the side of the line through input points a -> b on which the query point lies; Positive
-/// is left. If all three are doubles, this is orient2d of three points, otherwise exact rationals
-/// decide.
+/// Returns the side of the directed line from input point a to input point b on which the query
+/// point lies: Positive if it lies to the left. If the coordinates of all three points are doubles,
+/// this is orient2d of three points. Otherwise exact rationals decide.
 Sign orient2d(const PlanePointsView& points, std::uint32_t a, std::uint32_t b,
               const QueryPoint2& q);
 
-/// A ray of a query. Its line is taken to run to the right, or upward, whichever way the ray goes;
-/// "above" is left of that line.
+/// A ray of a query. The direction of its line is to the right, or upward if the line is vertical,
+/// even if the ray has the opposite direction. "Above" means left of that line.
 class QueryRay2 {
  public:
   /// Requires a direction that is not zero.
@@ -66,19 +66,20 @@ class QueryRay2 {
 /// Returns the side of the ray's line on which point i lies; Positive is above.
 Sign side(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t i);
 
-/// Returns the turn from the line a -> b to the ray's line: Positive if the ray's is steeper.
-/// Requires that a -> b runs to the right or upward.
+/// Returns the turn from the directed line through a and b to the ray's line. It is Positive if the
+/// ray's line is steeper. Requires that the direction from a to b is to the right or upward.
 Sign turn(const PlanePointsView& points, std::uint32_t a, std::uint32_t b, const QueryRay2& ray);
 
-/// Returns the lexicographic order of point i and the crossing of the ray's line and line a -> b:
-/// that of the crossing to the point. Requires that the lines are not parallel.
+/// Compares a crossing with point i lexicographically: Negative if the crossing is less. The
+/// crossing is that of the ray's line and the line through a and b. Requires that the two lines are
+/// not parallel.
 Sign compare_crossing_xy(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t a,
                          std::uint32_t b, std::uint32_t i);
-/// Returns the same order by x alone.
+/// Compares the crossing with point i by x alone.
 Sign compare_crossing_x(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t a,
                         std::uint32_t b, std::uint32_t i);
 
-/// Returns that crossing, exactly.
+/// Returns the exact crossing of the ray's line and the line through a and b.
 RationalPoint2 crossing(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t a,
                         std::uint32_t b);
 

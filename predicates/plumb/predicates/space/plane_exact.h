@@ -1,5 +1,5 @@
-// Exact coefficients of planes, in fixed widths and in integers of GMP, and the determinants that
-// every sign about planes is.
+// Exact coefficients of planes, in integers of fixed width and in GMP integers, and their
+// determinants. The result of every predicate on planes is the sign of such a determinant.
 //
 // Notation: the plane is n.x + d 2^scale = 0 with integers n, d, up to a positive factor. For the
 // plane through input points p, q, r on the grid of unit 2^g (p = P 2^g, ...) that is
@@ -25,10 +25,10 @@
 //   common point          x = P0 + P1 R, as each component is a sum of d (n x m); w has no offset
 //   side of x on s        n.(P0 + P1 R) + (d0 + d1 R) w
 //   x / w against y / v   (P0 + P1 R) v - (Q0 + Q1 R) w, times the signs of w and v
-// So it is c0 + c1 R, where c1 is the form of the planes with the ordinary offsets set to 0 (the
-// Infinite part), and c0 that with the frame's set to 0 (the Finite part). As R is larger than
-// every number, its sign is that of c1, or if c1 = 0 that of c0. For ordinary planes c1 is 0 and
-// not asked.
+// So the form is c0 + c1 R. c1, the Infinite part, is the form of the planes with the ordinary
+// offsets set to 0. c0, the Finite part, is the form with the offsets of the frame set to 0. As R
+// is larger than every number, the form has the sign of c1, or the sign of c0 if c1 = 0. For
+// ordinary planes c1 is 0 and is not computed.
 #pragma once
 
 #include <array>
@@ -71,7 +71,8 @@ using Det4 = Fixed<W::kOffset + 3 * W::kNormal>;
 template <class Number>
 using Vector = std::array<Number, 3>;
 
-/// The scale of a plane through the origin. Any would be right; the largest never lowers a minimum.
+/// The scale of a plane through the origin. Any scale would be right. The largest scale never
+/// lowers the minimum of several scales.
 inline constexpr int kAnyScale = INT_MAX;
 
 /// The plane n.x + d 2^scale = 0 in integers of the width W.
@@ -82,14 +83,14 @@ struct FixedPlane {
   int scale = kAnyScale;
 };
 
-/// The same in integers of any length.
+/// The plane n.x + d 2^scale = 0 in integers of any length.
 struct BigPlane {
   Vector<Integer> n;
   Integer d;
   int scale = kAnyScale;
 };
 
-/// A plane before it is loaded.
+/// A plane whose exact coefficients are not computed yet; load() computes them.
 struct Operand {
   const PlaneTable* table;  ///< Its table.
   PlaneSource source;       ///< Its source.
@@ -103,8 +104,8 @@ inline Operand operand(const PlaneTable& table, PlaneId plane) {
   return operand(table, table.source(plane));
 }
 
-/// Returns the side of a plane through input points on which an input point lies: orient3d, without
-/// a plane. Unsure if the points have more bits than fixed widths hold.
+/// Returns the side of a plane through input points on which an input point lies. It is computed by
+/// orient3d from the four points. Returns Unsure if the points have too many bits for fixed widths.
 FilteredSign side_by_corners(const PlaneTable& table, InputPointId x, const PlaneSource& plane);
 
 /// The parts of a number c0 + c1 R: Finite is c0, Infinite is c1.
@@ -118,8 +119,8 @@ void take_part(const Operand& operand, Part part, Plane& plane) {
   plane.scale = kAnyScale;
 }
 
-/// Returns the sign of c0 + c1 R from question(part) -> FilteredSign. Without `has_frame` c1 is 0
-/// and not asked.
+/// Returns the sign of c0 + c1 R. question(part) returns the sign of one part as a FilteredSign. If
+/// `has_frame` is false, c1 is 0 and its sign is not computed.
 template <class Question>
 FilteredSign by_parts(bool has_frame, const Question& question) {
   if (has_frame) {
@@ -129,11 +130,11 @@ FilteredSign by_parts(bool has_frame, const Question& question) {
   return question(Part::Finite);
 }
 
-/// Returns the exact coefficients; of a plane of the frame the offset is the multiple of R. Loading
-/// a plane in two widths gives the same numbers. Requires operand.width <= W::kIndex.
+/// Returns the exact coefficients. The offset of a plane of the frame is returned as its factor of
+/// R. Loading a plane in two widths gives the same numbers. Requires operand.width <= W::kIndex.
 template <class W>
 FixedPlane<W> load(const Operand& operand);
-/// Returns the same in integers of any length.
+/// Returns the exact coefficients in integers of any length.
 BigPlane load_big(const Operand& operand);
 
 extern template FixedPlane<Narrow> load(const Operand&);
@@ -207,14 +208,15 @@ Sign sign_of(const Fixed<L>& x) {
   return x.sign();
 }
 
-/// Returns the most bits that (L) allows for an offset.
+/// Returns the largest number of bits that the bound (L) allows for an offset.
 template <class W>
 constexpr int offset_bits(const FixedPlane<W>&) {
   return 64 * W::kOffset - 2;
 }
 inline int offset_bits(const BigPlane&) { return INT_MAX; }
 
-/// Gives all planes the least of their scales. Returns false if an offset then breaks (L).
+/// Converts all planes to the least of their scales. Returns false if an offset then violates the
+/// bound (L).
 template <class Plane, std::size_t K>
 bool align(std::array<Plane, K>& planes) {
   int scale = kAnyScale;
@@ -333,7 +335,7 @@ PointOf<Plane> common_point(const Plane& p, const Plane& q, const Plane& r) {
 }
 
 /// Returns the sign of n.x + d w. The side of the point on the plane is this times the sign of w.
-/// Requires that point and plane have one scale.
+/// Requires that the point and the plane have the same scale.
 template <class Plane>
 Sign value_sign(const PointOf<Plane>& point, const Plane& plane) {
   using T = Types<Plane>;

@@ -6,25 +6,29 @@
 //   fingerprint  a hash of the exact homogeneous row (n, d), by which interning finds equal planes
 //   source       three input points, or a slot of exact limbs, which the exact stages read
 //
-// A plane takes 60 bytes, 12 to 24 more in the index, and a plane through three input points
-// allocates nothing. The exact coefficients of such a plane are never stored: computing them again
-// costs less than fetching them.
+// A plane takes 60 bytes, and 12 to 24 more bytes in the index. A plane through three input points
+// needs no allocation of its own. The exact coefficients of such a plane are never stored, because
+// computing them again costs less than fetching them.
 //
-// The canonical orientation of a plane makes the first nonzero one of (a, b, c) positive. So
-// opposite orientations share an id and differ in one bit (OrientedPlane). Ids number the planes in
-// the order of their first appearance.
+// In the canonical orientation of a plane, the first nonzero coefficient among (a, b, c) is
+// positive. A plane has one id for both orientations, which differ in one bit (OrientedPlane). Ids
+// number the planes in the order of their first appearance.
 //
-// The frame consists of six planes x = -R, x = R, y = -R, ... of a cube whose size R is larger than
-// every number, for sets that reach to infinity (docs/design/frame.md). Their normals are ordinary,
-// their offsets are +R and -R. Only offsets hold R, and no two of them are ever multiplied, so
-// every determinant is c0 + c1 R: it has the sign of c1, or if that is zero the sign of c0. Every
-// predicate on planes and points takes them. No other plane equals them. Their rows have an exact
-// normal, the offset in units of R, and an infinite offset error. So filters that read normals
-// alone decide as for other planes; those that read offsets are Unsure of the rows as they stand,
-// and decide c1 and c0 one after the other from rows for each part (filter_stages.h). The exact
-// stages are asked for the two parts in the same way (Part in plane_exact.h).
+// The frame consists of the six planes x = -R, x = R, y = -R, ... of a cube. Its half-width R is
+// larger than every number. Sets that reach to infinity need it (docs/design/frame.md). The normals
+// of these planes are ordinary; their offsets are +R and -R. R occurs only in offsets, and no two
+// offsets are ever multiplied. Therefore every determinant has the form c0 + c1 R. It has the sign
+// of c1 if c1 is not zero, and otherwise the sign of c0. Every predicate on planes and points
+// accepts planes of the frame. No other plane equals a plane of the frame.
 //
-// Const members may be called from several threads at once; interning is exclusive.
+// The row of a plane of the frame has an exact normal, the offset in units of R, and an infinite
+// offset error. Filters that read only normals decide as for other planes. Filters that read
+// offsets return Unsure for these rows; other filters then decide c1 and c0 separately
+// (filter_stages.h). The exact stages compute the two parts separately, too (Part in
+// plane_exact.h).
+//
+// Several threads may call const members at the same time. A thread that interns a plane needs
+// exclusive access.
 #pragma once
 
 #include <array>
@@ -49,7 +53,8 @@ using PlaneId = StrongId<struct PlaneTag>;
 /// An input point of space, by its index in the table.
 using InputPointId = StrongId<struct InputPointTag>;
 
-/// A plane with a direction of its normal, in 32 bits. A default-constructed one is no plane.
+/// A plane with a direction of its normal, in 32 bits. A default-constructed OrientedPlane is not
+/// valid.
 class OrientedPlane {
  public:
   constexpr OrientedPlane() = default;
@@ -61,8 +66,8 @@ class OrientedPlane {
   constexpr PlaneId plane() const { return PlaneId(code_ >> 1); }
   /// Whether the normal is opposite to the canonical one.
   constexpr bool is_opposite() const { return (code_ & 1) != 0; }
-  /// Returns the factor of signs: the side of a point on the oriented plane is orientation() times
-  /// its side on plane().
+  /// Returns the factor that converts sides: the side of a point relative to the oriented plane is
+  /// orientation() times its side relative to plane().
   constexpr Sign orientation() const { return is_opposite() ? Sign::Negative : Sign::Positive; }
   /// Returns the same plane with the other direction.
   constexpr OrientedPlane opposite() const { return {plane(), !is_opposite()}; }
@@ -74,10 +79,10 @@ class OrientedPlane {
 };
 
 /// The canonical plane, scaled by a power of two so that 1/2 <= max |n[i]| <= 1, in doubles:
-/// |n[i] - exact| <= normal_error / 2 and |d - exact| <= offset_error / 2. The other halves pay for
-/// the roundings of what is computed from them (plane_signs.cpp). If offset_error is infinite, no
-/// filter that reads the offset decides. In the row of a plane with the offset d R, d is the sign
-/// of that multiple and offset_error is infinite.
+/// |n[i] - exact| <= normal_error / 2 and |d - exact| <= offset_error / 2. The other halves of the
+/// errors cover the roundings of the computations with the row (plane_signs.cpp). If offset_error
+/// is infinite, no filter that reads the offset decides. If the offset of the plane is a multiple
+/// of R, d is the sign of the factor of R and offset_error is infinite.
 struct PlaneRow {
   std::array<double, 3> n;  ///< The normal.
   double d;                 ///< The offset.
@@ -85,16 +90,18 @@ struct PlaneRow {
   float offset_error;       ///< Twice the error of the offset, at least 2^-126.
 };
 
-/// The residue that stands for R in fingerprints. Equal objects stay equal whatever number stands
-/// for R.
+/// The residue that replaces R in fingerprints. Equal objects have equal fingerprints for every
+/// choice of this residue.
 inline constexpr Residue kFrameResidue = Residue::of(std::uint64_t{0x13198a2e03707344});
 
-/// Where a plane comes from.
+/// The definition of a plane: three input points, or stored coefficients, or a plane of the frame.
 struct PlaneSource {
   static constexpr std::uint32_t kExplicit = ~std::uint32_t{0};
-  /// One of three codes: three input points, counter-clockwise seen from the positive side;
-  /// {kExplicit, slot, 0}, a plane with stored coefficients; {kExplicit, slot, 1 + i}, plane i of
-  /// the frame for i < 6, and for i = 6 any other plane n.x + d R = 0, whose d the slot has.
+  /// One of the following codes:
+  ///   - three input points, counter-clockwise seen from the positive side;
+  ///   - {kExplicit, slot, 0}: a plane whose coefficients are stored in a slot;
+  ///   - {kExplicit, slot, 1 + i} with i < 6: plane i of the frame;
+  ///   - {kExplicit, slot, 7}: any other plane n.x + d R = 0; the slot stores d.
   std::array<std::uint32_t, 3> code;
   /// Whether the coefficients are stored in a slot.
   bool is_explicit() const { return code[0] == kExplicit; }
@@ -120,59 +127,64 @@ struct PlaneSlot {
   std::array<PlaneId, 2> parents;  ///< The planes of a wall's pencil; not valid for other planes.
 };
 
-/// A wall: the plane c_second * first - c_first * second of the pencil of two planes, with exact
-/// multipliers of their rows PlaneTable::coefficients.
+/// A wall: a plane through the common line of two planes (a plane of their pencil). Its row is
+/// c_second * first - c_first * second, where `first` and `second` stand for the rows
+/// PlaneTable::coefficients of the two planes. The multipliers are exact.
 struct Pencil {
   PlaneId first;     ///< One plane of the pencil.
   PlaneId second;    ///< The other plane of the pencil.
-  Integer c_first;   ///< The value at the wall's point or direction of the first row.
-  Integer c_second;  ///< The value there of the second row.
+  Integer c_first;   ///< The value of the first row at the point or direction of the wall.
+  Integer c_second;  ///< The value of the second row at the point or direction of the wall.
 };
 
-/// The planes of space and the input points that define them. See the head of this file.
+/// The planes of space and the input points that define them. The opening comment of this file
+/// describes the table.
 class PlaneTable {
  public:
   PlaneTable();
   ~PlaneTable();
-  /// Copies a table, with the same ids. Costs as much as copying the arrays; nothing is computed or
-  /// looked up.
+  /// Copies a table, with the same ids. It only copies arrays.
   explicit PlaneTable(const PlaneTable& other);
-  /// Takes the planes and input points of `other` to which the maps give an id, under that id.
-  /// Requires that each map has one entry for each plane (point), that the valid ones are 0, 1, 2,
-  /// ... in order, and that every corner of a plane that is kept is kept. A wall whose parents are
-  /// not both kept loses them.
+  /// Copies a part of the planes and input points of `other`. The maps contain the new id of each
+  /// plane and point that is kept, and invalid ids for the rest. A wall whose parents are not both
+  /// kept has no parents in the copy. Requires:
+  ///   - each map has one entry for each plane (or point);
+  ///   - the valid entries are 0, 1, 2, ... in order;
+  ///   - the input points that define a kept plane are kept, too.
   PlaneTable(const PlaneTable& other, std::span<const PlaneId> plane_map,
              std::span<const InputPointId> point_map);
   PlaneTable(PlaneTable&&) noexcept;
   PlaneTable& operator=(PlaneTable&&) noexcept;
 
-  /// Reserves memory for so many planes in all.
+  /// Reserves memory for `planes` planes, including those that are in the table already.
   void reserve(std::size_t planes);
 
   // --- input points ---------------------------------------------------------------------------
-  /// Adds points and returns the id of the first; the others follow. Equal points may be added
-  /// twice and get two ids. Requires finite coordinates, and at most 2^31 - 1 points in all.
+  /// Adds points and returns the id of the first point. The other points have the ids after it.
+  /// Equal points may be added twice and have two ids. Requires finite coordinates, and at most
+  /// 2^31 - 1 points in all.
   InputPointId add_points(std::span<const Point3> points);
   /// Adds one point and returns its id.
   InputPointId add_point(const Point3& p) { return add_points({&p, 1}); }
   const Point3& point(InputPointId p) const { return points_[p.value()]; }
   std::span<const Point3> points() const { return points_; }
-  /// Returns the grid of the point's coordinates. It is kept because every exact stage starts from
-  /// it.
+  /// Returns the grid of the point's coordinates. The table stores it because every exact stage
+  /// needs it.
   const Grid& grid(InputPointId p) const { return grids_[p.value()]; }
 
   // --- interning ------------------------------------------------------------------------------
-  // The result is valid if and only if the arguments define a plane: the normal is not zero. A
-  // plane that is known already gives its id. Requires at most 2^31 - 2 planes.
+  // To intern a plane means to find its id, or to add the plane if it is new. The result is valid
+  // if and only if the arguments define a plane, that is, the normal is not zero. Requires at most
+  // 2^31 - 2 planes.
 
-  /// Returns the plane through three input points, positive where p, q, r are seen
-  /// counter-clockwise. Cost: about 250 ns, mostly one modular inversion; intern_triangles() serves
-  /// many at once.
+  /// Returns the plane through three input points. Its positive side is the one from which p, q, r
+  /// appear counter-clockwise. Cost: about 250 ns, mostly one modular inversion. For many planes,
+  /// intern_triangles() is faster.
   OrientedPlane intern(InputPointId p, InputPointId q, InputPointId r);
   /// Returns a x + b y + c z + d = 0 with its positive side. The doubles are taken exactly.
   /// Requires that they are finite.
   OrientedPlane intern(double a, double b, double c, double d);
-  /// Returns the same for rational coefficients.
+  /// Returns the plane with rational coefficients.
   OrientedPlane intern(const Rational& a, const Rational& b, const Rational& c, const Rational& d);
   /// Returns a plane of a pencil. If it is new, the table keeps the two planes as its parents().
   /// The wall of two planes of the frame, or of one of them and a plane through the origin, is a
@@ -186,10 +198,11 @@ class PlaneTable {
   /// triangles.size().
   void intern_triangles(std::span<const std::array<InputPointId, 3>> triangles,
                         std::span<OrientedPlane> result);
-  /// Adds the points and planes of another table; result[i] is the id of its plane i here. Its
-  /// points come after those of this table, in their order. This is a hash join: nothing is
-  /// computed anew but the confirmation of equal planes. The canonical orientation belongs to the
-  /// plane, so signs need no translation. Requires a table other than this one.
+  /// Adds the points and planes of another table. result[i] is the id in this table of plane i of
+  /// `other`. The points of `other` come after those of this table, in their order. The merge is a
+  /// hash join: the only computation is the confirmation that planes are equal. A plane has the
+  /// same canonical orientation in both tables, so signs stay valid. Requires a table other than
+  /// this one.
   std::vector<PlaneId> merge(const PlaneTable& other);
 
   // --- reading --------------------------------------------------------------------------------
@@ -200,18 +213,18 @@ class PlaneTable {
   const PlaneSlot& slot(const PlaneSource& s) const { return slots_[s.code[1]]; }
   const std::uint64_t* limbs(const PlaneSlot& s) const { return limbs_.data() + s.first; }
   bool is_frame(PlaneId p) const { return source(p).is_frame(); }
-  /// Returns what intern_frame() returned; ids that are not valid if it has not been called.
+  /// Returns the result of intern_frame(), or invalid ids if it has not been called.
   const std::array<PlaneId, 6>& frame() const { return frame_; }
 
-  /// Whether both parents of `wall` are among the given planes, so that it contains their common
-  /// points.
+  /// Whether both parents of `wall` are among the given planes. If so, `wall` contains the common
+  /// points of the planes.
   bool is_wall_of(PlaneId wall, std::span<const PlaneId> planes) const;
   /// Returns the parents of a plane that was first interned as a wall; nothing for other planes.
   std::optional<std::array<PlaneId, 2>> parents(PlaneId wall) const;
-  /// Returns exact coefficients (a, b, c, d) of the canonical plane, up to a positive factor that
-  /// is always the same. Of a plane of the frame, d is the multiple of R that its offset is.
+  /// Returns exact coefficients (a, b, c, d) of the canonical plane, up to a positive factor. The
+  /// factor is the same in every call. The offset of a plane of the frame is d R.
   IntegerRow coefficients(PlaneId p) const;
-  /// Returns the same with gcd 1. For output, as it costs the gcd.
+  /// Returns the coefficients divided by their gcd. Meant for output, because the gcd is expensive.
   IntegerRow primitive(PlaneId p) const;
 
  private:
@@ -243,13 +256,15 @@ class PlaneTable {
   std::unique_ptr<Index> index_;  // Finds the id of a fingerprint (plane_table.cpp).
 };
 
-/// Returns the wall of two planes, through their common line, that is parallel to `direction`. (Two
-/// planes without a common line give one of the two, or no plane.) Requires finite doubles. The
-/// multipliers are n1.u and n2.u for the direction u. If that is an axis and the planes go through
-/// points of b bits, multipliers and normals have at most 2 b + 3 bits (docs/design/numbers.md), so
-/// the wall's normal, a difference of two products, has at most 4 b + 7.
+/// Returns the wall of two planes that is parallel to `direction`. The wall is a plane through
+/// their common line. (For two planes without a common line, the result is one of the two, or no
+/// plane.) Requires finite doubles. The multipliers are n1.u and n2.u for the direction u. Let u be
+/// an axis and let the planes pass through points of b bits. Then the multipliers and normals have
+/// at most 2 b + 3 bits (docs/design/numbers.md). The normal of the wall is a difference of two
+/// products, so it has at most 4 b + 7 bits.
 Pencil wall_along(const PlaneTable& planes, PlaneId first, PlaneId second, const Point3& direction);
-/// Returns the wall of two planes that contains the point x; otherwise as wall_along().
+/// Returns the wall of two planes that contains the point x. In all other respects it is like
+/// wall_along().
 Pencil wall_through(const PlaneTable& planes, PlaneId first, PlaneId second, const Point3& x);
 
 }  // namespace plumb

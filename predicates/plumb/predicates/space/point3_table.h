@@ -1,10 +1,10 @@
-// Points of space with their definition: an input point, the point where a line through two input
-// points meets a plane, or the common point of three planes. Coordinates are never rounded, because
-// none are kept: a point is its definition, and a box of doubles around it decides nearly every
-// question.
+// Points of space with their definitions. A point is an input point, the intersection of a plane
+// with a line through two input points, or the common point of three planes. The coordinates of a
+// constructed point are not stored, so they are never rounded. The table stores the definition of
+// the point, and a box of doubles around it, which decides nearly every predicate.
 //
-// A constructed point takes 45 bytes. Input points cost nothing, as the PlaneTable has them.
-// Const members may be called from several threads at once.
+// A constructed point takes 45 bytes. Input points take no memory here, because the PlaneTable
+// stores them. Several threads may call const members at the same time.
 #pragma once
 
 #include <array>
@@ -18,7 +18,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// An input point or a constructed one, in 32 bits. A default-constructed one is no point.
+/// An input point or a constructed point, in 32 bits. A default-constructed SpacePoint is not
+/// valid.
 class SpacePoint {
  public:
   constexpr SpacePoint() = default;
@@ -43,10 +44,11 @@ class SpacePoint {
   std::uint32_t code_ = ~std::uint32_t{0};
 };
 
-/// A cube around a point: |coordinate - mid| <= radius for each of the three. The radius may be
-/// infinite, and is for every point P0 + u R that depends on the frame. There mid is u if that is
-/// known: each of its coordinates is off by at most kDirectionError max |u| and has the sign of
-/// u's. If it is not known, mid is 0.
+/// A cube around a point: |coordinate - mid| <= radius for each of the three coordinates. The
+/// radius may be infinite. It is infinite for every point P0 + u R that depends on the frame. For
+/// such a point, mid approximates the direction u if u is known, and is 0 otherwise. Each
+/// coordinate of the approximation has an error of at most kDirectionError max |u| and the same
+/// sign as that of u.
 struct PointBox {
   std::array<double, 3> mid;  ///< The middle, or the direction u.
   double radius;              ///< Half of the side.
@@ -54,7 +56,7 @@ struct PointBox {
 /// The error of a direction u in a PointBox, relative to its largest coordinate.
 inline constexpr double kDirectionError = 0x1p-30;
 
-/// Whether it is the box of a point that depends on the frame, with a known u.
+/// Whether `box` belongs to a point that depends on the frame and has a known direction u.
 inline bool is_far(const PointBox& box) {
   return !(box.radius < std::numeric_limits<double>::infinity()) &&
          (box.mid[0] != 0 || box.mid[1] != 0 || box.mid[2] != 0);
@@ -78,8 +80,8 @@ class PointSource {
     return code_[2] == p.value() ||
            (!is_line() && (code_[0] == p.value() || code_[1] == p.value()));
   }
-  /// Returns the same point under other ids: plane(PlaneId) -> PlaneId and input(InputPointId) ->
-  /// InputPointId give them.
+  /// Returns the definition of the same point with other ids. plane(PlaneId) returns the new id of
+  /// a plane, and input(InputPointId) the new id of an input point.
   template <class PlaneMap, class InputMap>
   constexpr PointSource mapped(const PlaneMap& plane, const InputMap& input) const {
     if (is_line()) return {input(end(0)), input(end(1)), plane(this->plane(0))};
@@ -91,21 +93,22 @@ class PointSource {
   std::array<std::uint32_t, 3> code_{};
 };
 
-/// The constructed points of space over a table of planes. See the head of this file.
+/// The constructed points of space over a table of planes. The opening comment of this file
+/// describes the table.
 class Point3Table {
  public:
   /// Makes an empty table. The table of planes must outlive it and stay where it is; planes may be
-  /// added at any time.
+  /// added to it at any time.
   explicit Point3Table(const PlaneTable& planes) : planes_(&planes) {}
-  /// Copies the points of `other` onto another table of planes. Requires that this has all planes
-  /// and input points of the other's under the same ids.
+  /// Copies the points of `other`, and refers to `planes` as their table of planes. Requires that
+  /// `planes` contains all planes and input points of other.planes() under the same ids.
   Point3Table(const PlaneTable& planes, const Point3Table& other) : Point3Table(other) {
     planes_ = &planes;
   }
 
   const PlaneTable& planes() const { return *planes_; }
   std::size_t size() const { return boxes_.size(); }
-  /// Reserves memory for so many constructed points in all.
+  /// Reserves memory for `points` constructed points, including those in the table already.
   void reserve(std::size_t points);
 
   /// Adds the common point of three planes and returns it. Returns a point that is not valid, and
@@ -113,36 +116,38 @@ class Point3Table {
   /// merged; equal() finds them. Cost: about 25 ns; where doubles do not give the box to 2^-34 of
   /// its coordinates, 150 ns on the line of an edge and 500 ns elsewhere.
   SpacePoint add(PlaneId p, PlaneId q, PlaneId r);
-  /// Adds the point where the line of two input points meets the plane. Returns a point that is not
-  /// valid if it does not meet it or lies in it.
+  /// Adds the intersection of the plane with the line through two input points. Returns a point
+  /// that is not valid if the line is parallel to the plane or lies in it.
   SpacePoint add(InputPointId a, InputPointId b, PlaneId p);
   /// Adds a point that comes from another table. Requires that it exists, that the box contains it,
   /// and that is_nearest() is right for the box.
   SpacePoint add(const PointSource& source, const PointBox& box, bool is_nearest = false);
-  /// Adds the points of a table whose planes were merged into those of this table: its plane i is
-  /// plane_map[i], its input point i is i + input_offset. Returns the offset by which its
-  /// constructed points are renumbered. Boxes are copied.
+  /// Adds the constructed points of `other`, whose planes were merged into those of this table.
+  /// Plane i of `other` is plane_map[i] here, and input point i of `other` is i + input_offset.
+  /// Returns the number that is added to the indices of the constructed points. Boxes are copied.
   std::uint32_t merge(const Point3Table& other, std::span<const PlaneId> plane_map,
                       std::uint32_t input_offset);
 
   /// Returns the definition of a point. Requires a constructed point.
   const PointSource& source(SpacePoint p) const { return sources_[p.index()]; }
-  /// Returns the box around a point. That of an input point is the point itself with radius 0.
+  /// Returns the box around a point. The box of an input point is the point itself with radius 0.
   PointBox box(SpacePoint p) const {
     if (!p.is_input()) return boxes_[p.index()];
     const Point3& at = planes_->point(p.input());
     return {{at.x, at.y, at.z}, 0};
   }
-  /// Whether the middle of the box is known to be the point's nearest doubles (and with a radius of
-  /// 0 the point itself). It is so where plain doubles did not give the box, except for points that
-  /// depend on the frame, and for those with a coordinate that is a double, or half-way between
-  /// two, where no plane or line of the definition states that coordinate.
+  /// Whether the middle of the box is known to be the point rounded to the nearest doubles. If it
+  /// is known and the radius is 0, the middle is the point itself. It is known if plain doubles did
+  /// not suffice to compute the box, with two exceptions:
+  ///   - points that depend on the frame;
+  ///   - points with a coordinate that is a double or half-way between two doubles, if no plane or
+  ///     line of the definition states that coordinate.
   bool is_nearest(SpacePoint p) const { return p.is_input() || is_nearest_[p.index()] != 0; }
-  /// Returns a box around P0, the point with 0 for R. That of a point without R is its box. Cost:
-  /// about 25 ns for a point with R.
+  /// Returns a box around P0, which is the point P0 + u R without its part u R. For a point that
+  /// does not depend on the frame, this is box(p). Cost: about 25 ns for a point with R.
   PointBox near_box(SpacePoint p) const;
-  /// Whether one of the planes that define the point is of the frame, so that its coordinates grow
-  /// with R.
+  /// Whether one of the planes that define the point belongs to the frame. If so, the coordinates
+  /// of the point grow with R.
   bool depends_on_frame(SpacePoint p) const;
 
  private:

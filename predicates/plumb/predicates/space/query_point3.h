@@ -1,4 +1,4 @@
-// Points of space that are in no table, as users give them in queries, and the predicates on them
+// The points of queries in space, which need not be in a table, and the predicates on a query point
 // and the planes and points of a table.
 #pragma once
 
@@ -14,8 +14,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// A point of a query. For use by one thread, as exact coordinates are computed when they are first
-/// needed.
+/// A point of a query. Only one thread may use it, because its exact coordinates are computed when
+/// they are first needed.
 class QueryPoint3 {
  public:
   /// Makes a point of doubles. Requires finite coordinates.
@@ -28,9 +28,10 @@ class QueryPoint3 {
 
   /// Returns a box around the point.
   const PointBox& box() const { return box_; }
-  /// Returns the point of the table from which this was made; not valid if there is none.
+  /// Returns the point of the table from which the query point was constructed, or an invalid point
+  /// if the query point does not come from a table.
   SpacePoint source() const { return source_; }
-  /// Whether the point is known to be one of doubles.
+  /// Whether the coordinates are known to be doubles.
   bool is_double() const { return box_.radius == 0; }
   /// Returns the doubles. Requires is_double().
   Point3 point() const { return {box_.mid[0], box_.mid[1], box_.mid[2]}; }
@@ -46,9 +47,9 @@ class QueryPoint3 {
   mutable std::optional<FramedPoint3> parts_;
 };
 
-// Points of the table go to the predicates on such points. Other points of doubles are compared
-// with planes through input points by the predicates on doubles. In all other cases a filter
-// decides, then rationals.
+// If the query point is a point of the table, the predicates on points of the table decide. If its
+// coordinates are doubles and the plane passes through input points, the predicates on doubles
+// decide. In all other cases a filter decides, or, if it cannot, rational numbers.
 
 /// Returns the side of the canonical plane on which the point lies, as side() in point3_signs.h.
 Sign side(const Point3Table& points, const QueryPoint3& q, PlaneId plane);

@@ -12,20 +12,24 @@ namespace plumb {
 /// A point rounded to the nearest doubles.
 struct RoundedPoint3 {
   Point3 at;      ///< Each coordinate correctly rounded; infinite beyond all doubles.
-  bool is_exact;  ///< Whether the point is that of doubles.
+  bool is_exact;  ///< Whether the rounded coordinates equal the exact coordinates.
 };
 
-/// The stages of rounded(), callable on their own for tests and benchmarks.
+/// The stages of rounded(), which tests and benchmarks can call on their own.
 namespace rung {
 
-/// Rounds a point of three planes through input points by some 100 bits. Returns nothing for other
-/// points, if arithmetic does not round to nearest, or if a coordinate is, or is very near to, a
-/// double or the middle of two, unless a plane across its axis or the line states that coordinate.
-/// Cost: about 0.5 us.
+/// Rounds the common point of three planes, or of a line and a plane, that pass through input
+/// points. The precision is some 100 bits. Cost: about 0.5 us. Returns no value in the following
+/// cases:
+///   - the point has another definition;
+///   - the arithmetic does not round to nearest;
+///   - a coordinate is equal or very near to a double or to the middle of two doubles, and neither
+///     a plane orthogonal to its axis nor the line states that coordinate.
 std::optional<RoundedPoint3> rounded_filter(const Point3Table& points, SpacePoint x);
-/// Rounds by the leading bits of exact coordinates in fixed widths, however close to parallel the
-/// planes are. Returns nothing in the same cases, and if the point has more bits. Requires a
-/// constructed point that does not depend on the frame. Cost: about 0.5 us.
+/// Rounds by the leading bits of exact coordinates in fixed widths. It also decides if the planes
+/// are nearly parallel. Returns no value in the last two cases of rounded_filter(), and if the
+/// point has too many bits for fixed widths. Requires a constructed point that does not depend on
+/// the frame. Cost: about 0.5 us.
 std::optional<RoundedPoint3> rounded_fixed(const Point3Table& points, SpacePoint x);
 /// Rounds by three divisions of exact integers. Requires a constructed point that does not depend
 /// on the frame. Cost: about 1.5 us, a third of exact(), as no gcd is computed.
