@@ -254,7 +254,7 @@ PolygonMesh scaled(PolygonMesh mesh, const Rational& by) {
 TEST(ToMesh, CoordinatesAreRoundedAndKept) {
   const MeshComplex thirds = complex_of(scaled(kCube, Rational(1) / 30));
   for (const MeshFaces faces : {MeshFaces::Polygons, MeshFaces::PlanarPolygons}) {
-    const MeshOfComplex out = mesh_of(marked(thirds), {faces, false});
+    const MeshOfComplex out = mesh_of(marked(thirds), {.faces = faces, .keeps_exact = true});
     EXPECT_EQ(out.mesh.exact.size(), 7U);  // all but the origin
     EXPECT_EQ(out.mesh.points[6], (Point3{0.1, 0.1, 0.1}));
     EXPECT_EQ(out.mesh.face_count(), faces == MeshFaces::Polygons ? 6U : 12U);

@@ -327,7 +327,9 @@ class ClosureCount {
   void count(Mark mark, Around around, std::uint64_t ItemCounts::*kind) {
     if (mark == 1 && !around.marked) ++(report_.dropped.*kind);
     if (mark == 0 && around.marked) {
-      ++((around.unmarked ? report_.closed : report_.filled).*kind);
+      // By name: g++ 12 increments a copy if the conditional stands before .* itself.
+      ItemCounts& counts = around.unmarked ? report_.closed : report_.filled;
+      ++(counts.*kind);
     }
   }
 
