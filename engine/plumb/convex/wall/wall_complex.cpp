@@ -360,9 +360,12 @@ SpaceComplex with_walls(SpaceComplex complex, const std::shared_ptr<SpaceTables>
   cutters.facet_mark.assign(cutters.facet_count(), 1);
   cutters.volume_mark.assign(cutters.volume_count(), 0);
   complex.tables = cutters.tables;
+  // Where walls crossed, arrange() may have given them tables of their own.
+  const std::shared_ptr<SpaceTables> common =
+      cutters.tables == tables ? tables : unite_tables(complex, cutters);
   memory.add(memory_bytes(complex) + array_bytes(cutters), "a set and its walls");
   const auto common_origin = [](std::uint32_t of_set, std::uint32_t) { return of_set; };
-  return combine_on(tables, complex, cutters, MarkTable::walled(), common_origin, context);
+  return combine_on(common, complex, cutters, MarkTable::walled(), common_origin, context);
 }
 
 std::vector<Nef3> volumes_as_sets(const SpaceComplex& complex, Context& context) {
