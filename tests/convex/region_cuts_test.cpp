@@ -88,7 +88,7 @@ TEST(RegionCuts, LeaveNoReflexCornerAndFewPieces) {
       cut_by_sides(r, unlimited_context());
       EXPECT_EQ(reflex_halves(r), 0U);
       EXPECT_LE(r.count_loops(), reflex + 2 - rings);
-      const std::size_t left = std::ranges::count(r.is_cut, 1);
+      const auto left = static_cast<std::size_t>(std::ranges::count(r.is_cut, 1));
       const PlaneRegion before = r;
       drop_superfluous(r);
       EXPECT_EQ(r.next, before.next);

@@ -177,7 +177,7 @@ TEST(Point3Exact, EveryWidthThatTakesAPointHasIt) {
 /// Linear in R: the parts, with any number in place of it.
 TEST(Point3Exact, PartsAddUpToThePointForAnyCube) {
   testing::Dice dice(2);
-  for (int round = 0; round < 30; ++round) {
+  for (unsigned round = 0; round < 30; ++round) {
     Scene s(dice, 20);
     if (!s.is_good()) continue;
     const auto frame = s.table.intern_frame();

@@ -59,7 +59,7 @@ SpaceScene shuffled(const SpaceScene& s, Dice& dice) {
     for (auto& cycle : f.cycles) {
       for (std::uint32_t& v : cycle) v = number[v];
       if (is_reversed) std::ranges::reverse(cycle);
-      std::ranges::rotate(cycle, cycle.begin() + dice.below(cycle.size()));
+      std::rotate(cycle.begin(), cycle.begin() + dice.below(cycle.size()), cycle.end());
     }
   }
   for (auto& [a, b] : result.free_edges) {
