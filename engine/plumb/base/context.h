@@ -14,9 +14,9 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Bounds on the resources of an operation. If a file states a size, its reader compares the size
-/// with the limits and with the number of bytes left in the file. It does so *before* it allocates
-/// memory or builds a number.
+/// Bounds on the resources of an operation. If a file states a size, the reader of the file
+/// compares this size with the limits and with the number of bytes left in the file. This
+/// comparison comes *before* the reader allocates memory or builds a number.
 struct Limits {
   std::uint64_t max_memory_bytes = std::uint64_t{16} << 30;  ///< Working memory, estimated.
   double max_seconds = 0;                                    ///< Wall time; 0 means no limit.
@@ -29,19 +29,19 @@ struct Limits {
 using ProgressCallback =
     std::function<void(std::string_view phase, std::uint64_t done, std::uint64_t total)>;
 
-/// The state that a long operation shares with its caller, passed by reference. A Context is not
-/// thread-safe. Each operation needs a Context of its own, and so does each parallel job within an
-/// operation (parallel.h).
+/// The state that a long operation shares with its caller. The caller passes it by reference. A
+/// Context is not thread-safe. Each operation needs a Context of its own. Each parallel job within
+/// an operation (parallel.h) also needs a Context of its own.
 class Context {
  public:
-  /// Constructs a context. The time limit counts from its construction. `progress` is called on the
-  /// thread that runs the operation. `threads` is the number of threads that an operation may use;
-  /// 0 means 1.
+  /// Constructs a context. The time limit counts from the construction of the context. `progress`
+  /// is called on the thread that runs the operation. `threads` is the number of threads that an
+  /// operation may use; 0 means 1.
   explicit Context(Limits limits = {}, std::stop_token stop = {}, ProgressCallback progress = {},
                    unsigned threads = 1);
   /// Constructs the context of a job within an operation whose context is `of`. The job shares the
-  /// limits, the start time and the charged memory of `of`. It stops if a stop of `of` or of `stop`
-  /// is requested. It reports progress only if `reports` is true.
+  /// limits, the start time and the charged memory of `of`. The job stops if a stop is requested
+  /// through `of` or through `stop`. The job reports progress only if `reports` is true.
   Context(const Context& of, std::stop_token stop, unsigned threads, bool reports);
 
   const Limits& limits() const { return limits_; }  ///< Returns the limits.
@@ -49,12 +49,13 @@ class Context {
 
   /// Reports progress and checks for a stop request. An operation calls this function every few
   /// thousand steps. Throws Error{Cancelled} if a stop was requested, and Error{ResourceLimit} if
-  /// the time limit is exceeded. The callback is called at most 20 times a second, and at the end
-  /// of a phase (done == total > 0).
+  /// the time limit is exceeded. The callback is called at most 20 times a second. In addition, it
+  /// is called at the end of a phase (done == total > 0).
   void checkpoint(std::string_view phase, std::uint64_t done, std::uint64_t total);
 
   /// Charges memory that is about to be allocated. If `bytes` more bytes would exceed the memory
-  /// limit, it charges nothing and throws Error{ResourceLimit} with a message that names `what`.
+  /// limit, the function charges nothing. In this case it throws Error{ResourceLimit} with a
+  /// message that names `what`.
   void charge_memory(std::uint64_t bytes, std::string_view what);
   /// Subtracts `bytes` from the charged memory, which never falls below 0.
   void release_memory(std::uint64_t bytes);
@@ -72,8 +73,8 @@ class Context {
 };
 
 /// Returns a context of the calling thread that has no limits, no stop request and no progress
-/// callback. Functions use this context if their caller passes none. It is valid until the thread
-/// ends.
+/// callback. Functions use this context if their caller passes no context. The context is valid
+/// until the thread ends.
 Context& unlimited_context();
 
 /// Charges growing amounts of memory to a context, and releases the whole charge on destruction.

@@ -10,7 +10,7 @@ namespace plumb {
 
 /// A point where edges end, or an isolated vertex in a facet, face or volume.
 using VertexId = StrongId<struct VertexTag>;
-using HalfedgeId = StrongId<struct HalfedgeTag>;  ///< An edge in one of its two directions.
+using HalfedgeId = StrongId<struct HalfedgeTag>;  ///< One of the two directions of an edge.
 using EdgeId = StrongId<struct EdgeTag>;          ///< Edge e: the half-edges 2 e and 2 e + 1.
 using LoopId = StrongId<struct LoopTag>;          ///< A boundary cycle of a face.
 using FaceId = StrongId<struct FaceTag>;          ///< A region of a planar, sphere or surface map.
@@ -22,7 +22,7 @@ using SegmentId = StrongId<struct SegmentTag>;    ///< An input curve of an arra
 // structure, in: Geometric Modeling for CAD Applications, North-Holland, 1988).
 using UseId = StrongId<struct UseTag>;        ///< An edge use: an edge on the boundary of a facet.
 using FacetId = StrongId<struct FacetTag>;    ///< A connected part of a plane.
-using VolumeId = StrongId<struct VolumeTag>;  ///< A connected part of space minus all facets.
+using VolumeId = StrongId<struct VolumeTag>;  ///< A connected component of space minus all facets.
 
 }  // namespace plumb
 #pragma GCC visibility pop

@@ -1,8 +1,8 @@
-// Marks of cells, and functions that compute the marks of a result from those of the operands.
+// Marks of cells, and functions that compute the marks of a result from the marks of the operands.
 //
 // A mark is 1 if the cell belongs to the set and 0 otherwise. An unbounded set is framed by a
 // symbolic cube (docs/design/frame.md). Cells outside the cube have a third mark, kBeyond. No
-// operation changes this mark, so that the frame needs no special cases.
+// operation changes the mark kBeyond. Therefore the operations need no special cases for the frame.
 #pragma once
 
 #include <array>
@@ -14,15 +14,17 @@ namespace plumb {
 /// Whether a set contains its boundary (Closed) or not (Open).
 enum class Boundary : std::uint8_t { Open, Closed };
 
-/// The form of a representation that an audit requires. Any accepts every valid form. Minimal
-/// accepts only the form from which no cell can be removed without changing the set.
+/// The form that an audit requires of the representation of a set. Any accepts every valid
+/// representation. Minimal accepts only the representation from which no cell can be removed
+/// without changing the set.
 enum class AuditForm : std::uint8_t { Any, Minimal };
 
-/// The winding numbers of points inside a set: all except 0, all odd ones, or all positive ones.
+/// The winding numbers that count as inside: every number except 0 (NonZero), every odd number
+/// (EvenOdd), or every positive number (Positive).
 enum class WindingRule : std::uint8_t { NonZero, EvenOdd, Positive };
 
-/// A Boolean function of two sets. Each member states whether the points that it describes belong
-/// to the result.
+/// A Boolean function of two sets. Each member describes a kind of point and states whether such
+/// points belong to the result.
 struct MarkFunction {
   bool neither = false;      ///< Value for points in neither set.
   bool first_only = false;   ///< Value for points only in the first set.
@@ -43,8 +45,8 @@ inline constexpr MarkFunction kSymmetricDifference{false, true, true, false};  /
 using Mark = std::uint8_t;
 inline constexpr Mark kBeyond = 2;  ///< The mark of cells beyond the frame.
 
-/// A MarkFunction extended to marks that may be kBeyond. In a set operation, the two marks are
-/// either both kBeyond or both 0 or 1.
+/// A MarkFunction extended to marks that may be kBeyond. In a set operation, either both marks are
+/// kBeyond, or neither mark is kBeyond.
 class MarkTable {
  public:
   /// Extends f. The value is kBeyond if at least one of the marks is kBeyond.
@@ -52,8 +54,8 @@ class MarkTable {
       : table_{f.neither, f.second_only, kBeyond, f.first_only, f.both,
                kBeyond,   kBeyond,       kBeyond, kBeyond} {}
 
-  /// Returns the table whose value is 1 if the marks differ, and 0 if they are equal. Each mark may
-  /// also be kBeyond.
+  /// Returns the table whose value is 1 if the marks differ, and 0 if they are equal. This also
+  /// holds if one or both of the marks are kBeyond.
   static constexpr MarkTable unequal() {
     MarkTable table(kSymmetricDifference);
     table.table_ = {0, 1, 1, 1, 0, 1, 1, 1, 0};

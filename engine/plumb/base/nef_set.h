@@ -1,7 +1,7 @@
 // The common interface of the sets of the plane, the sphere and space, stated as concepts.
 //
-// A function of Nef2, NefSphere and Nef3 that serves the same purpose has the same name, the same
-// order of arguments, and results of the same form. Code written for the concept NefSet works for
+// Functions of Nef2, NefSphere and Nef3 that serve the same purpose have the same name, the same
+// order of arguments, and the same form of results. Code written for the concept NefSet works for
 // all three classes; tests/base/nef_set_test.cpp instantiates such code for each of them.
 //
 // The classes differ in the elements of their sets: points of the plane, directions, and points of
@@ -20,8 +20,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// A set that is closed under Boolean operations and topological operators, with a minimal complex
-/// that represents it.
+/// A class of sets. Boolean operations and topological operators on sets of the class give sets of
+/// the same class. Each set is represented by a minimal complex.
 template <class Set>
 concept NefSet = std::regular<Set> &&
     requires(const Set& a, const Set& b, const typename Set::Point& p,
@@ -98,14 +98,15 @@ template <NefSet Set>
                                            Context& context = unlimited_context()) {
   return boolean_op(a, b, kIntersection, context).regularization(context);
 }
-/// Returns the closure of the interior of a - b. The result is closed. It contains the part of its
-/// boundary that it shares with b.
+/// Returns the closure of the interior of a - b. The result is closed. It contains its whole
+/// boundary, including the part that lies on the boundary of b.
 template <NefSet Set>
 [[nodiscard]] Set regularized_difference(const Set& a, const Set& b,
                                          Context& context = unlimited_context()) {
   return boolean_op(a, b, kDifference, context).regularization(context);
 }
-/// Returns the closure of the interior of the points that belong to exactly one of the sets.
+/// Returns the closure of the interior of the symmetric difference. The symmetric difference
+/// consists of the points that belong to exactly one of the sets.
 template <NefSet Set>
 [[nodiscard]] Set regularized_symmetric_difference(const Set& a, const Set& b,
                                                    Context& context = unlimited_context()) {

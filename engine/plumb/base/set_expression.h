@@ -2,8 +2,9 @@
 //
 //   !  complement    *  intersection    +  union    -  difference    ^  symmetric difference
 //
-// The operator ! binds tightest, then *, then + and -, then ^. Operators of the same rank associate
-// to the left. A name consists of letters, digits and underscores and does not begin with a digit.
+// The operator ! binds most tightly, then *, then + and -, then ^. Operators of the same precedence
+// associate to the left. A name consists of letters, digits and underscores and does not begin with
+// a digit.
 #pragma once
 
 #include <cstdint>
@@ -24,13 +25,13 @@ enum class SetOperator : std::uint8_t {
   SymmetricDifference,
 };
 
-/// An expression in postfix order. An operand pushes its value; an operator pops one value
-/// (Complement) or two values and pushes its result.
+/// An expression in postfix order. An operand pushes its value. The operator Complement pops one
+/// value and pushes its complement. Every other operator pops two values and pushes its result.
 struct SetExpression {
   /// One operand or operator.
   struct Step {
     SetOperator op;      ///< The kind of the step.
-    std::uint32_t name;  ///< The index into `names` if it is an operand, else 0.
+    std::uint32_t name;  ///< For an operand the index into `names`, otherwise 0.
     friend bool operator==(const Step&, const Step&) = default;
   };
   std::vector<Step> steps;         ///< The steps in postfix order.
@@ -38,8 +39,8 @@ struct SetExpression {
 };
 
 /// Parses an expression. Throws Error{Syntax}, with the column, if `text` is not an expression. The
-/// parser does not recurse, so any depth of parentheses is allowed. Cost: O(length) steps, and for
-/// each operand a search among the distinct names.
+/// parser does not recurse, so any depth of parentheses is allowed. Cost: O(length) steps, plus one
+/// search among the distinct names for each operand.
 SetExpression parse_set_expression(std::string_view text);
 
 /// Returns the value of an expression. The caller passes three functions: `operand(i)` returns the

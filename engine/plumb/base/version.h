@@ -2,11 +2,11 @@
 // Before version 1.0, a new minor version may be incompatible with the previous one.
 #pragma once
 
-/// Major version; a new one may be incompatible.
+/// Major version. A new major version may be incompatible.
 #define PLUMB_VERSION_MAJOR 0
-/// Minor version; a new one adds features and, before version 1.0, may be incompatible.
+/// Minor version. A new minor version adds features. Before version 1.0, it may be incompatible.
 #define PLUMB_VERSION_MINOR 1
-/// Patch version; a new one corrects errors.
+/// Patch version. A new patch version corrects errors.
 #define PLUMB_VERSION_PATCH 0
 /// The version as text.
 #define PLUMB_VERSION_STRING "0.1.0"

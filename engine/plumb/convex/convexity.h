@@ -1,26 +1,28 @@
-// Tests whether a mesh or a set of space is convex, and returns evidence: the number of reflex
-// edges, and the faces that fail, each with a vertex that proves it.
+// Tests whether a mesh or a set of space is convex, and returns evidence. The evidence is the
+// number of reflex edges and the list of failing faces. A face fails if vertices lie strictly on
+// both sides of its plane. One such vertex is returned with each failing face.
 //
 // Main flow of is_convex_mesh(), for a mesh that is a closed 2-manifold:
-//  1. pair     checks that every directed edge has one reverse
+//  1. pair     checks that every directed edge has exactly one reverse
 //  2. star     finds a point o that lies strictly behind every face
 //  3. edges    checks that no edge is reflex and no polygon has a reflex corner
-//  4. degree   checks that one ray from o meets one face
-// These steps are sufficient. Consider the projection of the surface from o onto a sphere. It is a
-// covering near each face by step 2 and near each edge by step 3, so it can be branched at vertices
-// only. Its degree is the number of faces that a ray from o meets. A covering of degree 1 has no
-// branches, so the surface is star-shaped about o. A star-shaped surface without reflex edges is
-// convex. Step 4 is needed: without it, a double pyramid that winds twice around its axis would
-// pass.
+//  4. degree   checks that one ray from o meets exactly one face
+// These steps are sufficient. Consider the projection of the surface from o onto a sphere. The
+// projection is a covering near each face by step 2, and near each edge by step 3. So its branch
+// points can only be vertices. The degree of the projection is the number of faces that a ray from
+// o meets. By step 4 the degree is 1. A covering of degree 1 has no branch points, so the surface
+// is star-shaped about o. A star-shaped surface without reflex edges is convex. Step 4 is needed:
+// without it, a double pyramid that winds twice around its axis would pass.
 //
 // Step 2 may find no point o, because a body can be so flat that no point with double coordinates
-// lies inside it. Then the set that the mesh bounds is tested instead. That test takes longer; it
-// is exact, too.
+// lies inside the body. In this case the mesh is converted to a set, and the set is tested. The
+// test of the set is exact, too, but takes longer.
 //
-// Cost: O(E) for E edges, about 0.2 us for each face. Evidence for F faces and V vertices takes O(F
-// log V) expected time, because the test of a face stops early, and O(F V) time at worst. Proof:
-// docs/design/walls.md. Source: K. Mehlhorn, S. Naeher et al., Checking geometric programs or
-// verification of geometric structures, Computational Geometry 12 (1999).
+// Cost: a mesh of E edges takes O(E), about 0.2 us for each face. The evidence for F faces and V
+// vertices takes O(F log V) expected time, because the search for a vertex on one side of a face
+// stops at the first vertex found. At worst it takes O(F V) time. Proof: docs/design/walls.md.
+// Source: K. Mehlhorn, S. Naeher et al., Checking geometric programs or verification of geometric
+// structures, Computational Geometry 12 (1999).
 #pragma once
 
 #include <cstdint>
@@ -34,9 +36,9 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Whether the mesh is the surface of one convex body and covers it once. The faces may look
-/// outwards or inwards. Faces may be coplanar. Returns false for a mesh that is open, not connected
-/// or not a 2-manifold. Throws what complex_of_mesh() throws.
+/// Whether the mesh is the surface of one convex body and covers this surface exactly once. All
+/// faces may look outwards, or all may look inwards. Faces may be coplanar. Returns false if the
+/// mesh is open, is not connected, or is not a 2-manifold. Throws what complex_of_mesh() throws.
 [[nodiscard]] bool is_convex_mesh(const MeshView& mesh, Context& context = unlimited_context());
 /// Returns the same for a mesh that owns its arrays.
 [[nodiscard]] inline bool is_convex_mesh(const PolygonMesh& mesh,
@@ -60,9 +62,9 @@ struct ConvexityEvidence {
 };
 
 /// Returns whether the mesh is convex, with evidence. An edge between two faces is reflex if the
-/// solid behind them spans more than half a turn. A mesh that is not a closed 2-manifold is not
-/// convex; only its failing faces are listed, because its reflex edges are unknown. Throws what
-/// complex_of_mesh() throws.
+/// solid behind the faces spans more than half a turn around the edge. A mesh that is not a closed
+/// 2-manifold is not convex. For such a mesh only the failing faces are listed; the number of
+/// reflex edges is unknown. Throws what complex_of_mesh() throws.
 [[nodiscard]] ConvexityEvidence convexity_of_mesh(const MeshView& mesh,
                                                   Context& context = unlimited_context());
 /// Returns the same for a mesh that owns its arrays.
@@ -71,16 +73,17 @@ struct ConvexityEvidence {
   return convexity_of_mesh(MeshView(mesh), context);
 }
 
-/// Returns whether the set is convex, with evidence. The test is that of Nef3::is_convex(): it
-/// takes the marks of facets, edges and vertices into account. The empty set, the whole space, a
-/// point, and an open or half-open convex body are convex. A closed cube from which one inner point
-/// of an edge was removed is not convex, although no edge is reflex and no face fails. Throws what
-/// the context throws.
+/// Returns whether the set is convex, with evidence. The answer is the same as that of
+/// Nef3::is_convex(). The test takes the marks of facets, edges and vertices into account. The
+/// empty set, the whole space, a point, and an open or half-open convex body are convex. A closed
+/// cube from which one inner point of an edge was removed is not convex, although no edge is reflex
+/// and no face fails. Throws what the context throws.
 ConvexityEvidence convexity_of_set(const Nef3& set, Context& context = unlimited_context());
 
 /// Returns the edges around which some marked volume spans more than half a turn. Each edge occurs
-/// once, in ascending order. The edges at the rim of a facet inside a volume are among them, and so
-/// are the edges of a line that was removed from a volume. O(n).
+/// once, in ascending order. If a facet lies inside a marked volume, the edges of its boundary are
+/// reflex edges. If a line was removed from a marked volume, the edges on this line are reflex
+/// edges. O(n).
 std::vector<EdgeId> reflex_edges(const SpaceComplex& complex);
 
 }  // namespace plumb

@@ -1,32 +1,38 @@
 // Decomposition of sets of space into convex parts.
 //
 // Main flow of decompose():
-//  1. parts_of    (set_parts.h) splits the set by dimension: each marked volume with the boundary
-//                 that it owns, and the dangling facets, edges and points
-//  2. cut_set     (cut_set.h) cuts by planes through reflex edges until no edge is reflex; with
-//                 method Best, merges neighbours whose union is convex (merge_parts.h)
-//  3. walls       (walls.h) with method Best, cuts each bounded volume by vertical walls where
-//                 fewer convex parts are expected, and takes the smaller decomposition
+//  1. parts_of    (set_parts.h) splits the set by dimension. Each marked volume is one part, with
+//                 the boundary cells assigned to it. The dangling facets, edges and points are
+//                 further parts
+//  2. cut_set     (cut_set.h) cuts by planes through reflex edges until no edge is reflex. With
+//                 method Best, then merges neighbours whose union is convex (merge_parts.h)
+//  3. walls       (walls.h) with method Best, cuts a bounded volume by vertical walls, too, if this
+//                 is expected to give fewer convex parts. Then keeps the decomposition with fewer
+//                 parts
 //
 // The set is arbitrary. It may be open, closed, half-open or unbounded, and need not be a manifold.
 // It may have voids, several components, and dangling facets, edges and points.
 //
-// The interface calls a convex part a piece. A piece has one dimension and a convex relative
-// interior, so it is convex except for points of its boundary. Every point of the set belongs to
-// exactly one piece. A point on a cut keeps its mark and goes to the piece on one side. The union
-// of the pieces is the set; the union of closed pieces is the closure of the set.
+// The interface calls a convex part a piece. Every piece has a dimension, and its relative interior
+// is convex. Only points of its boundary may be missing, so a piece need not be convex itself.
+// Every point of the set belongs to exactly one piece. A point on a cut keeps its mark and is
+// assigned to the piece on one side of the cut. The union of the pieces is the set; the union of
+// closed pieces is the closure of the set.
 //
-// Numbers. The plane of a cut goes through an edge of the set. It also goes through a vertex of the
-// set, or belongs to the pencil of the planes at that edge. No plane goes through a point that an
-// earlier cut constructed. So the numbers of cuts do not grow with the depth of the recursion. The
-// numbers of walls grow with the rounds. One round is enough unless some cell lies above itself;
-// later rounds use pencils of walls (walls.h).
+// Numbers. The plane of each cut contains an edge of the set. In addition, either the plane passes
+// through a vertex of the set, or its equation is an integer combination of the equations of the
+// two facet planes at the edge. No plane is defined by a point that an earlier cut constructed. So
+// the lengths of the numbers in cuts do not grow with the depth of the recursion. The lengths of
+// the numbers in walls grow with the count of rounds. More than one round is needed only if some
+// vertical line meets one cell in several segments. The planes of later rounds are combinations of
+// the planes of two walls (walls.h).
 //
-// Origins distinguish walls from facets of the set. A facet of a piece has the facet_origin of the
-// set's facet in which it lies, or kWallOrigin if it lies in none. A facet is both if a wall
-// prolongs a facet of the set: pieces are minimal complexes, so the two are one facet. Such a facet
-// counts as a facet of the set. Facets of the set without an id, such as those of half-spaces, keep
-// kNoOrigin. A wall of a piece gets kNoOrigin when the piece is decomposed again.
+// Origins distinguish walls from facets of the set. If a facet of a piece lies in a facet of the
+// set, it has the facet_origin of the set's facet. Otherwise it has kWallOrigin. A wall can
+// continue a facet of the set in the same plane. Because pieces are minimal complexes, the wall and
+// the facet are then one facet of the piece. Such a facet counts as a facet of the set. Facets of
+// the set without an id, such as the facets of half-spaces, keep kNoOrigin. A wall of a piece gets
+// kNoOrigin when the piece is decomposed again.
 //
 // Cost and bounds: docs/convex.md; proofs: docs/design/walls.md. Sources: B. Chazelle, Convex
 // partitions of polyhedra, SIAM Journal on Computing 13 (1984); P. Hachenberger, Exact Minkowski
@@ -45,11 +51,12 @@ namespace plumb {
 
 /// The method that makes the pieces.
 enum class DecomposeMethod : std::uint8_t {
-  /// Cuts by planes through reflex edges, each along one component of its section with the set.
+  /// Cuts by planes through reflex edges. Each cut follows one connected component of the
+  /// intersection of the plane with the set.
   Cuts,
   /// Cuts by vertical walls through reflex edges (walls.h): O(r^2) pieces for r reflex edges.
   Walls,
-  Best,  ///< Takes the smaller result of Cuts and Walls, with neighbours merged.
+  Best,  ///< Takes the result of Cuts or Walls that has fewer pieces, with neighbours merged.
 };
 
 /// Options of decompose().
@@ -61,8 +68,8 @@ struct DecomposeOptions {
 
 /// The facet_origin of a facet without an id, such as a facet of a half-space.
 inline constexpr std::uint32_t kNoOrigin = ~std::uint32_t{0};
-/// The facet_origin of a piece's facet that lies in no facet of the set. The caller's own ids
-/// should be below 2^32 - 3.
+/// The facet_origin of a piece's facet that lies in no facet of the set. Ids that the caller gives
+/// to facets should be less than 2^32 - 3.
 inline constexpr std::uint32_t kWallOrigin = kNoOrigin - 1;
 
 /// The result of decompose().

@@ -1,32 +1,38 @@
-// Minkowski sums of sets of space: all a + b with a in A and b in B. Sums are exact, including
-// every mark.
+// Minkowski sums of sets of space. The Minkowski sum of A and B is the set of all points a + b with
+// a in A and b in B. Sums are exact, and so is the mark of every cell.
 //
 // Main flow of minkowski_sum():
-//  1. parts          decomposes both operands into convex parts; each is closed or relatively open
-//                    (a body without its boundary, an open triangle, an open segment, a point)
-//  2. convex_sum     (convex_sum.h) adds each pair of parts that can matter
+//  1. parts          decomposes both operands into convex parts. Each part is closed or relatively
+//                    open. Relatively open parts are bodies without their boundary, open triangles,
+//                    open segments, and points
+//  2. convex_sum     (convex_sum.h) computes the sum of each pair of parts, except for pairs that
+//                    cannot change the result
 //  3. union_of       unites the sums
 //
-// Marks. Let S and T be convex, R(.) the relative interior and K(.) the closure. Then R(S) + R(T) =
-// R(K(S) + K(T)), and K(S) + K(T) is closed if S or T is bounded.
-//   both closed         Each operand is the union of its closed convex parts. So the sum is a union
-//                       of closed sums, and it is closed.
+// Marks. Let S and T be convex sets. R(S) denotes the relative interior of S, and K(S) the closure
+// of S. Then R(S) + R(T) = R(K(S) + K(T)), and K(S) + K(T) is closed if S or T is bounded.
+//   both closed         Each operand is the union of its closed convex parts. So the sum is a
+//                       finite union of closed sets, and is closed, too.
 //   otherwise           Each operand is the union of its relatively open parts, the cells of its
-//                       convex parts. The sum with an open body is open. It stays the same when the
-//                       other operand is replaced by a dense part of itself. So a body is added
-//                       only to those parts of the other operand that lie in the boundary of no
-//                       other part. All other pairs of parts are needed.
-// So open + anything is open, and closed + closed is closed. The sum of two half-open boxes
-// contains a facet, edge or vertex of its boundary if both operands contain their own facet, edge
-// or vertex in that direction. If the operands' facets in a direction are unmarked, the marked
-// edges and vertices around them still add up: two marked edges that are not parallel mark a
-// parallelogram of the sum's facet.
+//                       convex parts. The sum of any set and an open body is open. This sum does
+//                       not change if the other set is replaced by a dense subset of the set. So an
+//                       open body needs to be added only to some parts of the other operand: those
+//                       that do not lie in the boundary of another part. All pairs of parts without
+//                       a body are needed.
+// So open + anything is open, and closed + closed is closed. Consider two half-open boxes and one
+// facet, edge or vertex of the boundary of their sum. The sum contains this cell if each box
+// contains its own facet, edge or vertex in the same direction. Suppose that the facets of both
+// operands in one direction are unmarked. The sum's facet in this direction can still have marked
+// parts, because marked edges and vertices of the two facets are added, too. For example, the sum
+// of two marked edges that are not parallel is a marked parallelogram in the sum's facet.
 //
-// Cost: let the operands have sizes n and m, and let the sum have k facets. Two convex sets take
-// O((n + m + k) log(n + m + k)) besides the degrees of vertices, if both are closed or one is open
-// (convex_sum.h). Other operands cost the product of their counts of parts, and a union of as many
-// sets. Numbers: the normals of the sum's planes are normals of the input or cross products of two
-// edges. So the numbers of a sum of sums are longer than those of a Boolean of sums.
+// Cost: let the operands have sizes n and m, and let the sum have k facets. The sum of two convex
+// sets takes O((n + m + k) log(n + m + k)) if the degrees of vertices are bounded, and if both sets
+// are closed or at least one is open (convex_sum.h). For other operands, the number of sums is the
+// product of the numbers of parts of the two operands. The union of all these sums is computed,
+// too. Numbers: the normal of each plane of the sum is a normal of the input or a cross product of
+// two edges of the input. So numbers become longer with each sum of sums, but not with each Boolean
+// of sums.
 //
 // Proofs: docs/design/walls.md. Sources: M. de Berg et al., Computational Geometry, chapter 13; P.
 // Hachenberger, Exact Minkowski sums of polyhedra and exact and efficient decomposition of
@@ -40,21 +46,21 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns { a + b : a in A, b in B }. Operands may be solids, facets, polylines, points, or mixed.
-/// The sum is empty if an operand is empty. Identities: A + B = B + A; (A union B) + C = (A + C)
-/// union (B + C); A + {p} is the translate of A by p. Throws Error{BadArgument} if one operand is
-/// unbounded and the other one is not empty, and what the context throws.
+/// Returns { a + b : a in A, b in B }. Each operand may consist of solids, facets, polylines and
+/// points. The sum is empty if an operand is empty. Identities: A + B = B + A; (A union B) + C = (A
+/// + C) union (B + C); A + {p} is the translate of A by p. Throws Error{BadArgument} if one operand
+/// is unbounded and the other operand is not empty. Throws what the context throws.
 Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context = unlimited_context());
 
-/// Returns { x : x + b in A for all b in B }. It is A without the points that the mirror image of B
-/// covers when it moves through the complement of A. Returns the whole space if B is empty. Throws
-/// Error{BadArgument} if B is unbounded, or if both A and its complement are unbounded, and what
-/// the context throws.
+/// Returns { x : x + b in A for all b in B }. These are the vectors x for which the set B, moved by
+/// x, lies in A. Returns the whole space if B is empty. Throws Error{BadArgument} if B is
+/// unbounded, or if both A and the complement of A are unbounded. Throws what the context throws.
 Nef3 minkowski_erosion(const Nef3& a, const Nef3& b, Context& context = unlimited_context());
 
-/// Returns a closed polyhedral ball, for offsets. It is the octahedron |x| + |y| + |z| <= radius
-/// with its faces subdivided `rounds` times. New vertices are moved to the sphere of that radius
-/// and rounded to doubles. The ball has 8 * 4^rounds triangles. Throws:
+/// Returns a closed polyhedron that approximates a ball, for use in offsets. The polyhedron is made
+/// from the octahedron |x| + |y| + |z| <= radius, whose faces are subdivided `rounds` times. New
+/// vertices are moved to the sphere with this radius around the origin, and rounded to doubles. The
+/// ball has 8 * 4^rounds triangles. Throws:
 /// - Error{BadArgument} if the radius is not positive, not finite, or below 2^-900 with rounds > 0,
 /// - Error{ResourceLimit} if rounds > 7.
 Nef3 polyhedral_ball(double radius, unsigned rounds, Context& context = unlimited_context());

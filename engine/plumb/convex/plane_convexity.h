@@ -2,20 +2,23 @@
 // set may be unbounded, a line, a segment, or points.
 //
 // Main flow of convexity_of_set(), where S is the set of a minimal complex:
-//  1. face    decides about the marked faces. If there are two, S is not convex: the segment
-//             between them crosses a cell whose surroundings do not all have its mark. A single
-//             marked face f must have one boundary loop and no reflex corner; then f is convex
-//             (Tietze 1928). All other marked cells must lie on the boundary of f, so that S lies
-//             between f and its closure
-//  2. sides   checks the segments that are left: each lies within one side of f. The marked cells
+//  1. face    examines the marked faces. If there are two or more, S is not convex, because a
+//             segment between two of them leaves S or crosses an edge or vertex that a minimal
+//             complex would not have. If there is exactly one marked face f, it must have one
+//             boundary loop and no reflex corner. Then f is convex (Tietze 1928). All other marked
+//             cells must lie on the boundary of f, so that S contains f and is contained in the
+//             closure of f
+//  2. sides   checks the segments between two points of S on the same side of f. The marked cells
 //             of each side must be consecutive
-//  3. none    decides about a set without a marked face. Two marked edges span an unmarked
-//             triangle, or lie on a line, where a convex S would make them one edge. So S is convex
-//             only if it is empty, one point, or one edge with any of its ends
+//  3. none    examines a set without a marked face. Two marked edges on different lines span a
+//             triangle that is not in S. Two marked edges on the same line would be one edge if S
+//             were convex. So S is convex only if it is empty, one point, or one edge together with
+//             none, one or both of its ends
 //
-// The same argument decides convexity within each plane in space. Evidence: the reflex corners, and
-// the number of connected components. Cost: O(n). Proof: docs/design/walls.md. Source: H. Tietze,
-// Über Konvexheit im kleinen und im großen, Mathematische Zeitschrift 28 (1928).
+// The convexity test in space uses the same argument in each plane. The evidence consists of the
+// reflex corners and the number of connected components. Cost: O(n). Proof: docs/design/walls.md.
+// Source: H. Tietze, Über Konvexheit im kleinen und im großen, Mathematische Zeitschrift 28
+// (1928).
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,9 @@
 // Decomposition of sets of the plane into convex parts: decompose() of a Nef2.
 //
 // Main flow, for each marked face:
-//  1. region    (plane_region.h) copies its boundary into half-edges of its own: outer ring, holes,
-//               slits, and points removed from it
+//  1. region    (plane_region.h) copies the boundary of the face into a separate list of
+//               half-edges. The boundary consists of the outer ring, holes, slits, and points
+//               removed from the face
 //  2. cut       adds edges between corners, by one of three methods:
 //       cuts       (region_cuts.h) prolongs one side of each reflex corner up to the first vertex
 //                  or edge that the line meets, or to infinity
@@ -10,30 +11,34 @@
 //                  that no reflex corner needs (Hertel and Mehlhorn)
 //       optimal    (optimal_cuts.h) finds the fewest parts that diagonals between vertices can
 //                  make, by a dynamic program
-//  3. pieces    (region_cuts.h) makes each remaining loop a set, with the boundary that it owns
-// Each marked edge or vertex that borders no marked face then becomes a part of its own.
+//  3. pieces    (region_cuts.h) makes a set of the region inside each remaining loop, with the
+//               boundary cells assigned to it
+// Then each marked edge or vertex that is not on the boundary of a marked face becomes a separate
+// part.
 //
 // Method Best tries several methods on each bounded face, and takes the result with the fewest
-// parts. It runs optimal if the face allows it, otherwise diagonals. It also runs cuts, unless
-// there are only two parts already or r n is too large, where r and n are the numbers of reflex
-// corners and of corners. An unbounded face can be cut by method cuts only.
+// parts. First it runs optimal if optimal can cut the face, otherwise diagonals. Then it runs cuts,
+// too, except in two cases: the first method made only two parts, or the product r n is too large.
+// Here r is the number of reflex corners and n the number of corners. Only method cuts can cut an
+// unbounded face.
 //
-// As in space, the interface calls a convex part a piece. A piece has one dimension and a convex
-// relative interior, so it is convex except for points of its boundary. Every point of the set
-// belongs to exactly one piece. A point on a cut goes to the piece on one side. The union of the
-// pieces is the set; the union of closed pieces is the closure of the set.
+// As in space, the interface calls a convex part a piece. Every piece has a dimension, and its
+// relative interior is convex. Only points of its boundary may be missing, so a piece need not be
+// convex itself. Every point of the set belongs to exactly one piece. A point on a cut is assigned
+// to the piece on one side of the cut. The union of the pieces is the set; the union of closed
+// pieces is the closure of the set.
 //
-// Bounds. Consider a face with r reflex corners and h holes of positive area. Cuts make at most
-// r + 1 - h parts. No partition makes fewer than r / 2 + 1 - h parts, because one segment ends at
-// two corners at most. If 3 h <= r, the two bounds differ by a factor of at most 4; without holes,
-// by a factor of at most 2. Diagonals make at most 2 r + 1 - h parts. docs/convex.md has the
-// proofs.
+// Bounds. Consider a face with r reflex corners and h holes of positive area. Method cuts makes at
+// most r + 1 - h parts. No partition has fewer than r / 2 + 1 - h parts, because each segment ends
+// at two corners at most. If 3 h <= r, the two bounds differ by a factor of at most 4. If there are
+// no holes, they differ by a factor of at most 2. Method diagonals makes at most 2 r + 1 - h parts.
+// The proofs are in docs/convex.md.
 //
-// Cost: O(n log n) for diagonals, O(r n) for cuts, O(n^3) for optimal. Diagonals construct no
-// points. Cuts construct intersections of two lines of the set. Sources: S. Hertel and K. Mehlhorn,
-// Fast triangulation of simple polygons, FCT 1983; M. Keil and J. Snoeyink, On the time bound for
-// convex decomposition of simple polygons, International Journal of Computational Geometry and
-// Applications 12 (2002) 181-192.
+// Cost: O(n log n) for diagonals, O(r n) for cuts, O(n^3) for optimal. Method diagonals constructs
+// no points. The points that method cuts constructs are intersections of two lines of the set.
+// Sources: S. Hertel and K. Mehlhorn, Fast triangulation of simple polygons, FCT 1983; M. Keil and
+// J. Snoeyink, On the time bound for convex decomposition of simple polygons, International Journal
+// of Computational Geometry and Applications 12 (2002) 181-192.
 #pragma once
 
 #include <cstddef>
@@ -48,17 +53,17 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The method that cuts faces, and the faces that it can cut.
+/// The method that cuts faces. Not every method can cut every face.
 enum class PartitionMethod : std::uint8_t {
-  Cuts,       ///< Prolongs sides of reflex corners; cuts faces of any set.
-  Diagonals,  ///< Triangulates and removes diagonals; cuts bounded faces only.
-  /// Finds the fewest parts; cuts bounded faces with one boundary and at most
-  /// kMostCornersForOptimal corners.
+  Cuts,       ///< Prolongs sides of reflex corners; can cut every face.
+  Diagonals,  ///< Triangulates, then removes diagonals; can cut bounded faces only.
+  /// Finds the fewest parts that diagonals can make. Can cut only bounded faces with one boundary
+  /// loop and at most kMostCornersForOptimal corners.
   Optimal,
-  Best,  ///< Takes the method that makes the fewest pieces; cuts faces of any set.
+  Best,  ///< Takes the method that makes the fewest pieces; can cut every face.
 };
 
-/// The greatest number of corners that a face may have to be cut by PartitionMethod::Optimal.
+/// The greatest number of corners of a face that PartitionMethod::Optimal can cut.
 inline constexpr std::size_t kMostCornersForOptimal = 500;
 
 /// Options of decompose().
@@ -81,8 +86,8 @@ struct PlanePieces {
 PlanePieces decompose(const Nef2& set, const PartitionOptions& options = {},
                       Context& context = unlimited_context());
 
-/// Whether the areas of the pieces add up exactly to the area of the set. Returns no value if the
-/// area of the set is infinite. Throws what the context throws.
+/// Returns whether the sum of the areas of the pieces is exactly the area of the set. Returns no
+/// value if the area of the set is infinite. Throws what the context throws.
 std::optional<bool> do_areas_add_up(const Nef2& set, std::span<const Nef2> pieces,
                                     Context& context = unlimited_context());
 

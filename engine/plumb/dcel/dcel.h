@@ -5,39 +5,43 @@
 // the half-edges 2 e and 2 e + 1. Therefore the ids of twins differ only in the lowest bit.
 //
 //   half-edge h : has origin(h), next(h), prev(h) and loop(h); its face lies to its left
-//   loop l      : one boundary cycle of a face; has a first half-edge or an isolated vertex, its
-//                 face and the next loop of that face
-//   face f      : has a first loop; only the owner knows which loop is the outer one, because that
-//                 depends on the geometry
-//   vertex v    : has one half-edge that leaves it, or the loop of an isolated vertex
-//   corner      : a position at a vertex inside a face where an edge can be attached; it lies just
-//                 before a half-edge h, at origin(h), or is the only corner of an isolated vertex
+//   loop l      : one boundary cycle of a face, or an isolated vertex in a face; refers to its
+//                 first half-edge or to the isolated vertex, to the face, and to the next loop of
+//                 the face
+//   face f      : refers to its first loop; only the owner knows which loop is the outer loop,
+//                 because this depends on the geometry
+//   vertex v    : refers to one half-edge that leaves v; an isolated vertex refers to its loop
+//   corner      : a position at a vertex, inside a face, where an edge can be attached. A corner at
+//                 a half-edge h lies at origin(h), just before h on the loop of h. An isolated
+//                 vertex has only one corner.
 //
 // A half-edge refers to its loop, and a loop refers to its face. Therefore merging two faces
 // changes loops, but no half-edges.
 //
 // Main flow:
 //  1. Building
-//     Dcel::from_cycles      takes listed cycles of vertex ids; every directed edge occurs once in
-//                            the cycles, and so does its twin
+//     Dcel::from_cycles      takes listed cycles of vertex ids; in all cycles together, every edge
+//                            occurs once in each direction
 //     Dcel::from_links       takes half-edges with known successors
 //  2. Editing by pairs of Euler operators, which undo each other
 //     add_face/remove_face       a face without loops (a whole plane or sphere)
 //     add_vertex/remove_vertex   an isolated vertex in a face
-//     add_edge/remove_edge       an edge between two corners: it splits their loop if both corners
-//                                lie in the same loop, and otherwise joins two loops of a face
+//     add_edge/remove_edge       an edge between two corners; if both corners lie in the same loop,
+//                                the new edge splits this loop; otherwise it joins the two loops
 //     split_edge/join_edge       a vertex of degree 2 inside an edge
-//     split_face/join_faces      moves chosen loops into a new face, and back
+//     split_face/join_faces      moves chosen loops into a new face, and moves them back
 //  3. audit                      checks every invariant from scratch
 //
-// Removed cells leave holes in the numbering until compact() is called. The other ids stay valid,
-// and new cells are appended, so that parallel arrays only grow by push_back. All operations take
-// O(1) time unless stated otherwise. If an operator finds that a precondition is violated, it
-// reports a broken invariant (PLUMB_CHECK in error.h).
+// Removed cells leave holes in the numbering until compact() is called. The ids of the other cells
+// stay valid. New cells get new ids at the end, so that parallel arrays only grow by push_back. All
+// operations take O(1) time unless stated otherwise. If an operator finds that a precondition is
+// violated, it reports a broken invariant (PLUMB_CHECK in error.h).
 //
-// A pinch is a vertex whose half-edges form several rings. Pinches arise from listed cycles that
-// touch at a vertex without passing through each other. from_cycles keeps such a vertex. The
-// operators require a structure without pinches, because a vertex refers to only one of its rings.
+// The half-edges that leave a vertex form a ring: each is followed by the next one
+// counter-clockwise. A pinch is a vertex whose half-edges form several rings. A pinch arises if
+// listed cycles touch at a vertex without passing through each other. from_cycles keeps pinches.
+// The operators require a structure without pinches, because a vertex refers to only one of its
+// rings.
 //
 // Memory: 16 bytes per half-edge, 16 per loop, 4 per vertex, 4 per face. A structure has at most
 // 2^31 - 2 half-edges.
@@ -94,11 +98,12 @@ class HalfedgeOr {
   std::uint32_t bits_ = HalfedgeId::kInvalid;
 };
 
-/// A position where an edge can be attached: before a half-edge, or at an isolated vertex.
+/// A position where an edge can be attached. It is given by the half-edge that follows it, or by an
+/// isolated vertex.
 using Corner = HalfedgeOr<VertexId>;
 
-/// A range that visits each id of a closed chain once, as in for (HalfedgeId h : dcel.along(l)). It
-/// allocates nothing. The structure must not be edited during the iteration.
+/// A range that visits each id of a closed chain once, as in for (HalfedgeId h : dcel.along(l)).
+/// The range allocates no memory. The structure must not be edited during the iteration.
 template <class Id, class Step>
 class Ring {
  public:
@@ -117,7 +122,7 @@ class Ring {
       if (at_ == first_) at_ = Id();
       return *this;
     }
-    /// Advances to the next id and returns the iterator before the step.
+    /// Advances to the next id and returns a copy of the iterator from before the step.
     Iterator operator++(int) {
       Iterator old = *this;
       ++*this;
@@ -130,7 +135,8 @@ class Ring {
     Step step_;
   };
 
-  /// Constructs the range first, step(first), and so on. It is empty if `first` is invalid.
+  /// Constructs the range first, step(first), step(step(first)), and so on. The range is empty if
+  /// `first` is invalid.
   Ring(Id first, Step step) : first_(first), step_(step) {}
   Iterator begin() const { return {first_, step_}; }  ///< Returns an iterator to the first id.
   std::default_sentinel_t end() const { return {}; }  ///< Returns the end of the range.
@@ -140,8 +146,8 @@ class Ring {
   Step step_;
 };
 
-/// The ids after compact(). Each array is indexed by old ids and contains new ids. The entry of a
-/// hole is invalid. The order of the cells is kept.
+/// The new ids after compact(). Each array is indexed by old ids and contains new ids. The entry of
+/// a removed cell is the invalid id. The order of the cells is kept.
 struct DcelCompaction {
   std::vector<VertexId> vertex;  ///< New id of each old vertex.
   std::vector<EdgeId> edge;      ///< New id of each old edge.
@@ -156,8 +162,9 @@ struct DcelCompaction {
   }
 };
 
-/// Compacts a parallel array `payload` of the owner. `new_ids` is the member of DcelCompaction for
-/// the same kind of cell. Requires that `payload` has one entry per old id. Cost: O(n).
+/// Compacts `payload`, an array of the owner with one entry for each cell of one kind. `new_ids` is
+/// the member of DcelCompaction for this kind of cell. Requires that `payload` has one entry per
+/// old id. Cost: O(n).
 template <class Id, class T>
 void follow(const std::vector<Id>& new_ids, std::vector<T>& payload) {
   std::size_t kept = 0;
@@ -191,17 +198,18 @@ class Dcel {
 
   /// Builds a structure from listed cycles. Corner position p represents the directed edge from
   /// corners[p] to the next corner of its cycle.
-  ///   cycle_begin    cycle c is corners[cycle_begin[c], cycle_begin[c+1])
+  ///   cycle_begin    the corners of cycle c have the positions from cycle_begin[c] to
+  ///                  cycle_begin[c+1] - 1
   ///   twin           twin[p] is the position of the opposite directed edge
-  ///   face_of_cycle  the face of each cycle; several cycles may share a face; the faces of the
-  ///                  structure are 0 to the largest one listed
-  ///   isolated       vertices without edges; a vertex id that occurs neither in a cycle nor here
-  ///                  is a hole of the numbering (contains() returns false)
-  /// Cycle c becomes loop c. The isolated vertices become the loops after those of the cycles. The
-  /// loops of a face are in this order. A vertex stores its half-edge with the lowest corner
-  /// position. Edges are numbered in the order of the lower of their two corner positions. The
-  /// half-edge at the lower position gets the even id.
-  /// Requires the following, which the function checks:
+  ///   face_of_cycle  the face of each cycle; several cycles may share a face; the structure gets
+  ///                  all faces from 0 to the largest id in this array
+  ///   isolated       vertices without edges; a vertex id that occurs neither in a cycle nor in
+  ///                  this array is a hole of the numbering (contains() returns false)
+  /// Cycle c becomes loop c. The loops of the isolated vertices have the ids after the loops of the
+  /// cycles. The loops of a face are ordered by their ids. A vertex stores its half-edge with the
+  /// lowest corner position. Edges are numbered in the order of the lower of their two corner
+  /// positions. The half-edge at the lower position gets the even id. Requires the following, which
+  /// the function checks:
   ///   - twin is an involution without fixed points that pairs opposite directed edges;
   ///   - no cycle is empty;
   ///   - all ids are in range.
@@ -216,13 +224,14 @@ class Dcel {
   /// Builds a structure from linked half-edges and keeps all ids.
   ///   origin        the origin of each half-edge; the half-edges 2 e and 2 e + 1 are twins
   ///   next          the successor of each half-edge
-  ///   loop_of       the loop of each half-edge, one loop for each closed chain of next
+  ///   loop_of       the loop of each half-edge; each closed chain of `next` is one loop
   ///   face_of_loop  the face of each loop; the ids of loops and of faces are numbered from 0
   ///                 without gaps
-  ///   isolated      vertices without edges; they become the loops after those of the half-edges
+  ///   isolated      vertices without edges; their loops have the ids after the other loops
   /// A loop or a vertex stores its half-edge with the least id. Requires that all ids are in range
-  /// and that next(h) begins where twin(h) begins; the function checks both. Also requires, without
-  /// a check, that loop_of is constant along each chain of next. Cost: O(n).
+  /// and that next(h) begins where twin(h) begins. The function checks these two conditions. Also
+  /// requires that all half-edges of a chain of `next` have the same entry in `loop_of`. The
+  /// function does not check this. Cost: O(n).
   static Dcel from_links(std::size_t vertex_count, std::span<const VertexId> origin,
                          std::span<const HalfedgeId> next, std::span<const std::uint32_t> loop_of,
                          std::span<const FaceId> face_of_loop,
@@ -234,7 +243,7 @@ class Dcel {
   VertexId origin(HalfedgeId h) const { return halfedges_[h.value()].origin; }
   VertexId target(HalfedgeId h) const {
     return origin(twin(h));
-  }  ///< Returns the vertex where it ends.
+  }  ///< Returns the vertex where a half-edge ends.
   /// Returns the next half-edge along the face to its left.
   HalfedgeId next(HalfedgeId h) const { return halfedges_[h.value()].next; }
   /// Returns the previous half-edge along the face to its left.
@@ -269,11 +278,11 @@ class Dcel {
   /// Returns the next half-edge that leaves origin(h), clockwise.
   HalfedgeId turn_right(HalfedgeId h) const { return next(twin(h)); }
 
-  /// Returns the range of the half-edges of a loop, in their direction; it is empty for an isolated
-  /// vertex.
+  /// Returns the range of the half-edges of a loop, in their direction. For the loop of an isolated
+  /// vertex, the range is empty.
   auto along(LoopId l) const { return ring<&Dcel::next>(first(l).halfedge()); }
-  /// Returns the range of the half-edges that leave v, counter-clockwise. At a pinch, the range
-  /// contains only one of the rings.
+  /// Returns the range of the half-edges that leave v, counter-clockwise. If v is a pinch, the
+  /// range contains only one of the rings of v.
   auto around(VertexId v) const { return ring<&Dcel::turn_left>(halfedge(v)); }
   /// Returns the range of the loops of a face.
   auto loops_of(FaceId f) const { return ring<&Dcel::next_loop>(first_loop(f)); }
@@ -295,29 +304,30 @@ class Dcel {
     return counts_.faces;
   }  ///< Returns the number of present faces.
 
-  /// Returns the size that an array indexed by VertexId needs. It is the number of ids in use,
-  /// including holes. The functions below return the same for the other cells.
+  /// Returns the size that an array indexed by VertexId needs. This is the number of vertex ids,
+  /// including the ids of removed vertices. The functions below return the same number for the
+  /// other kinds of cells.
   std::size_t vertex_slots() const { return vertices_.size(); }
   std::size_t halfedge_slots() const { return halfedges_.size(); }  ///< Number of half-edge ids.
   std::size_t edge_slots() const { return halfedges_.size() / 2; }  ///< Number of edge ids.
   std::size_t loop_slots() const { return loops_.size(); }          ///< Number of loop ids.
   std::size_t face_slots() const { return faces_.size(); }          ///< Number of face ids.
 
-  /// Whether vertex v is present: in range and not removed.
+  /// Whether vertex v is present: its id is in range, and the vertex was not removed.
   bool contains(VertexId v) const {
     return v.value() < vertices_.size() && vertices_[v.value()].is_valid();
   }
-  /// Whether half-edge h is present: in range and not removed.
+  /// Whether half-edge h is present: its id is in range, and the half-edge was not removed.
   bool contains(HalfedgeId h) const {
     return h.value() < halfedges_.size() && halfedges_[h.value()].origin.is_valid();
   }
-  /// Whether edge e is present: in range and not removed.
+  /// Whether edge e is present: its id is in range, and the edge was not removed.
   bool contains(EdgeId e) const { return e.is_valid() && contains(first_half(e)); }
-  /// Whether loop l is present: in range and not removed.
+  /// Whether loop l is present: its id is in range, and the loop was not removed.
   bool contains(LoopId l) const {
     return l.value() < loops_.size() && loops_[l.value()].first.is_valid();
   }
-  /// Whether face f is present: in range and not removed.
+  /// Whether face f is present: its id is in range, and the face was not removed.
   bool contains(FaceId f) const {
     return f.value() < faces_.size() && faces_[f.value()] != kRemoved;
   }
@@ -331,62 +341,69 @@ class Dcel {
   /// Removes a face. Requires that it has no loops.
   void remove_face(FaceId f);
 
-  /// Adds an isolated vertex, which is a new loop of f, and returns it.
+  /// Adds an isolated vertex with a new loop of f, and returns the vertex.
   VertexId add_vertex(FaceId f);
   /// Removes a vertex and its loop. Requires that it is isolated.
   void remove_vertex(VertexId v);
 
-  /// Adds an edge from vertex_at(a) to vertex_at(b) and returns its even half-edge h, which has
-  /// that direction. Requires that both corners lie in one face.
+  /// Adds an edge from vertex_at(a) to vertex_at(b). Returns the even half-edge h of the edge,
+  /// which leads from vertex_at(a) to vertex_at(b). Requires that both corners lie in the same
+  /// face.
   ///   - If the corners lie in the same loop, this loop is split. h and the part of the loop from b
   ///     to a form a new loop of the same face. (If a == b, the new loop consists of h alone, a
   ///     self-loop.) twin(h) stays in the old loop. Cost: O(length of the new loop).
-  ///   - If the corners lie in two loops, the loops become one, which keeps the id of the loop of
-  ///     a. Cost: O(length of the loop of b).
+  ///   - If the corners lie in two loops, the loops are joined. The joined loop keeps the id of the
+  ///     loop of a. Cost: O(length of the loop of b).
   HalfedgeId add_edge(Corner a, Corner b);
   /// Removes the edge of h. Requires that both sides of h have the same face (call join_faces
   /// first).
-  ///   - If h and twin(h) lie in two loops, the loops become one, which keeps the id of the loop of
-  ///     twin(h). Cost: O(length of the loop of h).
+  ///   - If h and twin(h) lie in two loops, the loops are joined. The joined loop keeps the id of
+  ///     the loop of twin(h). Cost: O(length of the loop of h).
   ///   - If h and twin(h) lie in the same loop, the loop is split in two. The part at origin(h)
   ///     keeps the id, and the part at target(h) gets a new id. A part without half-edges becomes
   ///     an isolated vertex. Cost: O(length of the part at target(h)).
   void remove_edge(HalfedgeId h);
 
-  /// Inserts a new vertex w into h. Afterwards h ends at w, twin(h) begins at w, and the returned
-  /// successor of h leads from w to the old target.
+  /// Inserts a new vertex w into the edge of h and returns the new half-edge next(h). Afterwards h
+  /// ends at w, twin(h) begins at w, and next(h) leads from w to the old target of h.
   HalfedgeId split_edge(HalfedgeId h);
-  /// Undoes split_edge: removes h, its twin and origin(h), after which prev(h) ends at target(h).
-  /// Requires that exactly two half-edges leave origin(h) and that they belong to different edges.
+  /// Undoes split_edge: removes h, twin(h) and origin(h). Afterwards the previous half-edge of h
+  /// ends at the target of h. Requires that exactly two half-edges leave origin(h) and that they
+  /// belong to different edges.
   void join_edge(HalfedgeId h);
 
-  /// Adds a face, moves `loops` to it in this order, and returns it. Requires at least one loop,
-  /// and distinct loops of one face. Cost: O(number of loops).
+  /// Adds a face, moves the loops of the list to this face in the order of the list, and returns
+  /// the face. Requires that the list is not empty and that its loops are distinct and belong to
+  /// the same face. Cost: O(number of loops).
   FaceId split_face(std::span<const LoopId> loops);
   /// Moves all loops of `gone` to `kept`, after the loops of `kept`, and removes `gone`. Requires
   /// distinct faces. Cost: O(number of loops of `gone`).
   void join_faces(FaceId kept, FaceId gone);
 
-  /// Renumbers all cells without holes, keeps their order and returns the new ids. Owners compact
-  /// their arrays with follow(), for example follow(compaction.vertex, coordinates). Cost: O(n).
+  /// Gives all cells new ids without holes, in the same order, and returns the new ids. Owners
+  /// compact their arrays with follow(), for example follow(compaction.vertex, coordinates). Cost:
+  /// O(n).
   DcelCompaction compact();
 
   // --- auditing ------------------------------------------------------------------------------
 
-  /// Checks every invariant from scratch and returns the first violated one, or no value. Accepts
-  /// arbitrary contents of the arrays. Cost: O(n).
+  /// Checks every invariant from scratch. Returns the first violated invariant, or no value if all
+  /// invariants hold. The arrays may have arbitrary contents. Cost: O(n).
   ///   sizes, ranges     present cells refer only to present cells, and the counts are right
-  ///   next/prev         they are inverse to each other, and target(h) = origin(next(h))
-  ///   loop              each loop is one closed chain of next, and its half-edges refer to it
-  ///   vertex            the half-edge of a vertex leaves it, or its isolated loop begins with it
+  ///   next/prev         next and prev are inverse to each other, and target(h) = origin(next(h))
+  ///   loop              each loop is one closed chain of next, and its half-edges refer to this
+  ///                     loop
+  ///   vertex            the half-edge of a vertex leaves the vertex, and the loop of an isolated
+  ///                     vertex begins with this vertex
   ///   pinches           the rings around vertices agree with has_pinches()
   ///   face              the loops of a face form one ring, and each of them refers to the face
   std::optional<DcelFlaw> audit() const;
 
-  /// Checks that the structure is a map of the plane or sphere and returns the first flaw, or no
-  /// value. A component is an isolated vertex, or a set of edges connected by next and twin. Fans
-  /// of half-edges that share only a pinch belong to different components. A ring is one fan of
-  /// half-edges around a vertex, or an isolated vertex. The function checks two conditions:
+  /// Checks that the structure is a map of the plane or sphere. Returns the first flaw, or no value
+  /// if there is no flaw. A component is an isolated vertex, or a set of half-edges that are
+  /// connected by next and twin. Half-edges that are connected only through a pinch belong to
+  /// different components. A ring is an isolated vertex, or a cycle of half-edges around a vertex,
+  /// each followed by its turn_left(). The function checks two conditions:
   ///   - rings - edges + loops = 2 in each component;
   ///   - the graph whose nodes are the faces and the components, and whose arcs are the loops, is a
   ///     tree.
@@ -396,7 +413,7 @@ class Dcel {
 
  private:
   friend class DcelAudit;
-  friend class DcelSurgeon;  // Gives tests access, to damage the arrays on purpose.
+  friend class DcelSurgeon;  // For tests, which damage the arrays on purpose.
 
   struct Halfedge {
     VertexId origin;  ///< Invalid if removed.

@@ -1,19 +1,21 @@
-// Reads and writes planar maps as text (docs/formats.md, "map"). The text consists of a header
-// `n f`, n lines `x y` with the coordinates of the vertices, and f lines with the 1-based vertex
-// ids of the faces.
+// Reads and writes planar maps as text (docs/formats.md, "map"). The text has three parts:
+//   - a header `n f`, the number of vertices and the number of faces
+//   - n lines `x y`, the coordinates of the vertices
+//   - f lines, each with the 1-based vertex ids of one face
 //
 // Main flow of read_map:
-//  1. read_counts    reads the header and checks its counts against the number of bytes that follow
+//  1. read_counts    reads the header, and checks that the number of bytes after the header is
+//                    enough for its counts
 //  2. read_vertices  reads exactly two numbers from each line (record_reader.h)
 //  3. read_faces     reads the vertex ids of each face from its line. There must be at least three
 //                    ids, all in range. The same id must not occur twice in a row. The points of
-//                    the vertices must not all be collinear, which is decided exactly.
+//                    these vertices must not all be collinear. This is decided exactly.
 //  4. end            accepts only blank lines and comments after the faces
 //
-// Cost: O(bytes) time. Text and map are in memory together.
+// Cost: O(bytes) time. The text and the map are in memory at the same time.
 //
-// Errors: NotText, Syntax, NumberOutOfRange, CountMismatch, BadIndex and DegenerateFace name the
-// file, line and column. Other errors are CannotOpen, ResourceLimit and Cancelled.
+// Errors: the errors NotText, Syntax, NumberOutOfRange, CountMismatch, BadIndex and DegenerateFace
+// name the file, line and column. The other errors are CannotOpen, ResourceLimit and Cancelled.
 #pragma once
 
 #include <iosfwd>
@@ -28,18 +30,18 @@
 namespace plumb {
 
 /// Returns the map that `text` describes. The memory of the map stays charged to `context`. Throws
-/// the errors stated above.
+/// the errors that the head of this file states.
 Map read_map(std::string_view text, const ReadOptions& options = {},
              Context& context = unlimited_context());
 
 /// Reads the file `path`, or standard input if `path` is "-", and returns its map. `options.name`
-/// is ignored. Throws the errors stated above.
+/// is ignored. Throws the errors that the head of this file states.
 Map read_map_file(const std::string& path, ReadOptions options = {},
                   Context& context = unlimited_context());
 
-/// Writes a map without loss. If read_map() reads the text without ReadOptions::exact_decimals, it
-/// returns the same points and cycles. At the end all bytes have been passed to `out`, but `out` is
-/// not flushed. Passes on exceptions of `out`.
+/// Writes a map without loss. If ReadOptions::exact_decimals is false, read_map() returns the same
+/// points and cycles from the written text. When the function returns, all bytes have been passed
+/// to `out`, but `out` has not been flushed. Passes on exceptions of `out`.
 void write_map(std::ostream& out, const Map& map);
 
 }  // namespace plumb

@@ -1,8 +1,9 @@
 // Reads and writes polygon meshes as OFF, OBJ, STL and PLY, and reads glTF.
 //
-// Reading: the caller states the format, or the extension of the file determines it, or it is
-// guessed from the first bytes. Faces stay as the file lists them. MeshFile::notes reports the
-// contents of the file that were left out.
+// Reading: the caller may state the format. Otherwise the extension of the file determines the
+// format. If the extension names no format, the format is guessed from the bytes of the file. Faces
+// are not changed: they have the corners that the file lists. MeshFile::notes reports all contents
+// of the file that are not in the mesh.
 //
 // Writing: the coordinates in OFF, OBJ, PLY and text STL are doubles. The coordinates in binary STL
 // are floats. The coordinates in exact OFF are fractions. STL files contain triangles only.
@@ -26,13 +27,14 @@ namespace plumb {
 /// A mesh read from a file.
 struct MeshFile {
   PolygonMesh mesh;  ///< The mesh as the file lists it.
-  /// Notes for a human reader, one sentence each. They report contents of the file that are not in
-  /// `mesh`.
+  /// Notes for a human reader, one sentence each. The notes report contents of the file that are
+  /// not in `mesh`.
   std::vector<std::string> notes;
 };
 
-/// Formats of mesh files. A writer writes exactly the form that the format names. A reader accepts
-/// both forms of STL for Stl and for StlBinary, and every form of PLY for Ply and for PlyText.
+/// Formats of mesh files. For some formats there are several forms, such as text and binary STL. A
+/// writer writes exactly the form that the enumerator names. A reader accepts every form: text and
+/// binary STL for both Stl and StlBinary, and every form of PLY for both Ply and PlyText.
 enum class MeshFormat : std::uint8_t {
   Off,        ///< OFF with doubles.
   ExactOff,   ///< OFF with fractions p/q as coordinates.
@@ -54,8 +56,10 @@ std::optional<MeshFormat> mesh_format_named(std::string_view name);
 /// Returns the format that a file with these bytes seems to have:
 ///   - glTF if the bytes begin with "glTF" or "{"
 ///   - PLY if the bytes begin with "ply"
-///   - STL if the bytes begin with "solid", or if their number fits binary STL
-///   - OFF if the bytes begin with "OFF", with "OFF" after one of its prefixes, or with a number
+///   - STL if the bytes begin with "solid", or if the number of bytes is that of a binary STL file
+///     with the stated number of triangles
+///   - OFF if the bytes begin with "OFF", with a variant of this word such as "COFF", or with a
+///     number
 ///   - OBJ in all other cases
 MeshFormat guess_mesh_format(std::string_view bytes);
 
@@ -65,32 +69,36 @@ MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions&
                    Context& context = unlimited_context());
 
 /// Returns the mesh of the file `path`. The caller has already read the bytes of the file. The
-/// extension of `path` determines the format. If it names no format, the format is guessed. Buffers
-/// of a glTF file are read from the folder of this file. Throws as read_mesh() does.
+/// extension of `path` determines the format. If the extension names no format, the format is
+/// guessed by guess_mesh_format(). If the file is a glTF file that refers to other files, these
+/// files are read from the folder of `path`. Throws as read_mesh() does.
 MeshFile read_mesh_of(const std::string& path, std::string_view bytes,
                       const ReadOptions& options = {}, Context& context = unlimited_context());
 
 /// Reads the file `path`, or standard input if `path` is "-", and returns its mesh. If `format` is
-/// not given, the format is found as in read_mesh_of(). `options.name` is ignored. The memory of
-/// the bytes is released. Throws as read_mesh() does, and if the file cannot be read.
+/// not given, the format is found as in read_mesh_of(). `options.name` is ignored. The bytes of the
+/// file are no longer charged to `context` when the function returns. Throws the errors of
+/// read_mesh(). Also throws if the file cannot be read.
 MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> format,
                         ReadOptions options = {}, Context& context = unlimited_context());
 
-/// Writes a mesh to a stream. Requires a format other than Gltf. Throws Error{NumberOutOfRange} if
-/// a coordinate cannot be rounded to the numbers of the format. Throws Error{BadArgument} if the
-/// format is STL and a face is not a triangle. Both errors are thrown before the first byte is
-/// written. Passes on exceptions of `out`.
+/// Writes a mesh to a stream. Requires that `format` is not Gltf. Throws Error{NumberOutOfRange} if
+/// a coordinate is too large for the doubles or floats of the format. Throws Error{BadArgument} if
+/// the format is Stl or StlBinary and a face is not a triangle. Both errors are thrown before the
+/// first byte is written. Passes on exceptions of `out`.
 void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format);
 
 /// Writes a mesh to the file `path`. If `format` is not given, the extension of `path` determines
 /// the format: .off, .obj, .stl or .ply. The file is created, or an existing file is replaced, only
-/// after all bytes have been written. Throws Error{UnknownFormat} if `format` is Gltf, or if it is
-/// not given and the extension is any other. Throws Error{CannotWrite} if the file cannot be
-/// written. Throws the errors of write_mesh(), too.
+/// after all bytes have been written. Throws:
+///   - Error{UnknownFormat} if `format` is Gltf
+///   - Error{UnknownFormat} if `format` is not given and the extension is none of these four
+///   - Error{CannotWrite} if the file cannot be written
+///   - the errors of write_mesh()
 void write_mesh_file(const std::string& path, const PolygonMesh& mesh,
                      std::optional<MeshFormat> format = {});
-/// Writes a mesh of triangles in plain arrays to a file. Format, replacement and errors are those
-/// of the function above.
+/// Writes a TriangleMesh to a file. The format is determined as in the function above. The file is
+/// replaced in the same way, and the errors are the same.
 void write_mesh_file(const std::string& path, const TriangleMesh& mesh,
                      std::optional<MeshFormat> format = {});
 

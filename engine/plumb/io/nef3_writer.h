@@ -9,16 +9,18 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Writes a complex without loss. read_nef3() of the text returns the same complex. Planes and
-/// points that the complex does not use are not written. The others are written in this order:
+/// Writes a complex without loss: read_nef3() returns the same complex from the written text.
+/// Planes and points that the complex does not use are not written. The planes and points that the
+/// complex uses are written in this order:
 ///   1. the planes of the axes
 ///   2. the planes of the frame, if at least one of them is used
 ///   3. all other planes
 ///   4. the input points
 ///   5. the constructed points
-/// Within each of these groups, planes or points keep the order of their ids. Equal complexes on
-/// equal tables give equal bytes. The writer calls Context::checkpoint() after each 64 kB. Passes
-/// on exceptions of `out`. Cost: O(n), and one gcd for each plane.
+/// Within each of these groups, planes or points keep the order of their ids. The output is
+/// deterministic: equal complexes whose tables of planes and points are equal give equal bytes. The
+/// writer calls Context::checkpoint() after each 64 kB. Passes on exceptions of `out`. Cost: O(n),
+/// plus one greatest common divisor for each plane.
 void write_nef3(std::ostream& out, const SpaceComplex& complex,
                 Context& context = unlimited_context());
 

@@ -2,14 +2,15 @@
 //
 // WKT and GeoJSON files list polygons, lines and points (PlaneShapes). A polygon stands for the
 // points that its rings enclose by the even-odd rule, together with the points on its rings. A line
-// stands for the set of its points. The file stands for the union of all polygons, lines and points
-// listed in it.
+// stands for the set of its points. A file stands for the union of the sets of all its polygons,
+// lines and points.
 //
-// Reading: WKT and GeoJSON have no marks, so the set of a WKT or GeoJSON file is closed.
+// Reading: WKT and GeoJSON cannot state which boundary points belong to the set. A set that is read
+// from such a file is closed.
 //
-// Writing: .nef2 represents every set exactly. In WKT and GeoJSON the coordinates are doubles, and
-// there are only polygons, lines and points. Properties of the set that such a file cannot
-// represent are always reported (PlaneLosses).
+// Writing: .nef2 represents every set exactly. WKT and GeoJSON represent only polygons, lines and
+// points, and the writer rounds their coordinates to doubles. If a set has properties that such a
+// file cannot represent, these losses are reported (PlaneLosses).
 #pragma once
 
 #include <array>
@@ -31,7 +32,7 @@
 namespace plumb {
 
 /// Polygons, lines and points in flat arrays. A ring or a line is a chain of indices into `points`.
-/// A ring also has an edge from its last corner to its first corner, and the first corner is not
+/// A ring is closed: an edge joins its last corner to its first corner. The first corner is not
 /// repeated at the end.
 struct PlaneShapes {
   PointTable2 points;                       ///< All corners, exact.
@@ -68,10 +69,10 @@ struct PlaneShapes {
   void end_line() { line_begin.push_back(static_cast<std::uint32_t>(line_corners.size())); }
 };
 
-/// Returns the set for which the shapes stand. Polygons whose rings meet only at common corners
-/// (such as a hole that touches the outer ring) are all handled in one sweep. Before that, each
-/// polygon that crosses itself is resolved by a separate sweep. Cost: O((n + k) log n) for n
-/// corners and k crossings.
+/// Returns the set for which the shapes stand. First, a separate sweep resolves each polygon whose
+/// rings meet elsewhere than at common corners. Then one sweep handles all polygons together. A
+/// polygon needs no sweep of its own if its rings meet only at common corners, for example if a
+/// hole touches the outer ring at a corner. Cost: O((n + k) log n) for n corners and k crossings.
 Nef2 to_set(const PlaneShapes& shapes, Context& context = unlimited_context());
 
 /// Returns the parts of a set as shapes, with exact coordinates.
@@ -84,8 +85,8 @@ PlaneShapes rounded(PlaneShapes shapes, Context& context = unlimited_context());
 /// Formats for sets of the plane. Only the format Nef2 (.nef2) represents every set without loss.
 enum class PlaneFormat : std::uint8_t { Wkt, GeoJson, Nef2 };
 
-/// Returns the format that the extension of `path` names: .wkt, .geojson or .json, or .nef2.
-/// Returns nullopt for any other extension.
+/// Returns the format that the extension of `path` names. The extensions are .wkt for Wkt, .geojson
+/// and .json for GeoJson, and .nef2 for Nef2. Returns nullopt for any other extension.
 std::optional<PlaneFormat> plane_format_of(const std::string& path);
 
 /// Returns the format that the text seems to have. A text that begins with "{" or "[" is GeoJSON. A
@@ -98,38 +99,43 @@ Nef2 read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions
                     Context& context = unlimited_context());
 
 /// Reads the file `path`, or standard input if `path` is "-", and returns its set. If `format` is
-/// not given, the extension of `path` determines the format. If it names no format, the format is
-/// guessed. `options.name` is ignored. The memory of the text is released. Throws as
-/// read_plane_set() does, and if the file cannot be read.
+/// not given, the extension of `path` determines the format. If the extension names no format, the
+/// format is guessed by guess_plane_format(). `options.name` is ignored. The text is no longer
+/// charged to `context` when the function returns. Throws the errors of read_plane_set(). Also
+/// throws if the file cannot be read.
 Nef2 read_plane_set_file(const std::string& path, std::optional<PlaneFormat> format,
                          ReadOptions options = {}, Context& context = unlimited_context());
 
-/// The properties of a set that a written file does not hold.
+/// The properties of a set that a written file does not represent.
 struct PlaneLosses {
   bool unbounded = false;  ///< Unbounded faces, rays or lines were left out.
-  bool open = false;       ///< The set is not closed; its closure was written.
-  bool filled = false;     ///< The closure has points inside that the set lacks. Implies `open`.
-  /// Set if rounding the coordinates changed the structure: the counts of the set that should have
-  /// been written, then those of the set that a reader will get.
+  bool open = false;       ///< The set is not closed, so its closure was written.
+  /// The written closure has points inside that do not belong to the set (PlaneParts::filled). If
+  /// this is true, `open` is true, too.
+  bool filled = false;
+  /// Set only if rounding the coordinates changed the counts of cells. The first entry has the
+  /// counts of the set before rounding. The second entry has the counts of the set that a reader of
+  /// the file will get.
   std::optional<std::array<PlaneCounts, 2>> reshaped;
 
   /// Whether anything is lost.
   bool any() const { return unbounded || open || reshaped.has_value(); }
-  /// Returns the sentence that says that the closure was written, or an empty string. A difference
-  /// is seldom closed: the program says so only where a file must hold the set exactly.
+  /// Returns a sentence for people which says that the closure was written, or an empty string if
+  /// the set is closed. This sentence is not one of sentences(): a difference of sets is seldom
+  /// closed, so the program prints the sentence only if the file must represent the set exactly.
   std::string closing() const;
-  /// Returns the other losses as text: one sentence for each, for people.
+  /// Returns all other losses, each as one sentence for people.
   std::vector<std::string> sentences() const;
 };
 
-/// A set that is prepared for writing in a format. The constructor finds all losses. So a caller
-/// can decide not to write the file before the first byte is written.
+/// A set that is prepared for writing in a format. The constructor finds all losses before any byte
+/// is written. So the caller can look at the losses and decide not to write the file.
 class PlaneText {
  public:
   /// Prepares `set` for writing. If a coordinate must be rounded, the constructor also builds the
-  /// set that a reader of the file will get, and compares it with `set`. Throws
-  /// Error{NumberOutOfRange} if the format is not Nef2 and a coordinate lies beyond the largest
-  /// double.
+  /// set that a reader of the file will get. It compares the counts of cells of that set with the
+  /// counts before rounding (PlaneLosses::reshaped). Throws Error{NumberOutOfRange} if the format
+  /// is not Nef2 and a coordinate lies beyond the largest double.
   PlaneText(const Nef2& set, PlaneFormat format, Context& context = unlimited_context());
 
   /// Returns the properties of the set that the file will not represent.

@@ -6,7 +6,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Options that say how a text is read.
+/// Options of reading a text.
 struct ReadOptions {
   std::string name = "input";  ///< The name of the file in messages.
   /// Whether a number with a decimal point or an exponent is read exactly. Otherwise such a number

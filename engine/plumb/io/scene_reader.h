@@ -1,46 +1,49 @@
-// Reads scenes. A scene consists of polygons on a mesh (docs/formats.md, "Scenes"). Its file is a
-// JSON object of this form, in which "?" marks optional members:
+// Reads scenes. A scene consists of polygons on a mesh (docs/formats.md, "Scenes"). The file of a
+// scene contains a JSON object of the following form. A "?" marks an optional member.
 //
 //   {"model": FILE, "points": [[face, u, v], ..], "polygons": [[point, ..], ..],
 //    "shapes"?: [[polygon, ..], ..], "outside"?: face, "levels"?: [[shape, face, label], ..],
 //    "svg"?: {"file": FILE, "center": [face, u, v], "scale": length, "angle"?: degrees,
 //    "tolerance"?: length}}
 //
-// Indices are 0-based. Faces are triangles, numbered in the order of the model. A larger polygon of
-// the model counts as the triangles of its fan, in order. In a point, u and v are the barycentric
-// weights of the second and the third vertex of the face. A weight is a JSON number, or a string
-// with a fraction such as "1/3". A relative FILE starts from the folder of the scene. Members with
-// other names are ignored.
+// Indices are 0-based. Faces are triangles, numbered in the order of the model. A polygon of the
+// model with more than three corners is cut into a fan of triangles. These triangles are numbered
+// one after the other. In a point, u and v are the barycentric weights of the second and the third
+// vertex of the face. A weight is a JSON number, or a string with a fraction such as "1/3". A
+// relative path FILE is relative to the folder of the scene file. Members with other names are
+// ignored.
 //
 // Main flow of read_scene_file:
-//  1. parse      reads the text, and records the position of each index and weight in it
+//  1. parse      reads the text, and records the position in the text of each index and each weight
 //  2. model      reads the mesh (mesh_io.h), cuts it into triangles, and makes a SurfaceMesh
-//  3. points     decides exactly on which vertex, on which edge or in which face each point lies
-//                (see below)
-//  4. trace      traces each polygon from one of its points to the next (trace.h). Between two
-//                points given in the same face, the trace is straight.
-//  5. draw       reads each drawing of "svg", which is one object or a list, with svg_reader.h.
-//                Puts the points of a drawing onto the surface, along straight lines from its
-//                centre (exponential_map.h). Joins these points by traces. Each element of a
-//                drawing becomes a shape. These shapes follow the shapes of the scene.
+//  3. points     decides exactly for each point whether it is a vertex, lies on an edge, or lies in
+//                the interior of a face (see "Exact decisions")
+//  4. trace      joins consecutive points of each polygon by a path on the surface, the trace
+//                (trace.h). If both points are given with the same face, the trace is straight.
+//  5. draw       reads the drawings with svg_reader.h. The member "svg" is one drawing or a list of
+//                drawings. Each point of a drawing is put onto the surface along a straight line
+//                that starts at the member "center" (exponential_map.h). Traces join these points.
+//                Each element of a drawing becomes a shape. These shapes are numbered after the
+//                member "shapes".
 //
-// Exact decisions: the numbers as written decide where a point lies. This holds for decimals, too.
-// For example, [f, 0.3, 0.7] lies on an edge of face f, because 0.3 + 0.7 = 1. This would not hold
-// for the doubles nearest to 0.3 and 0.7. In the face g across this edge, the same point may be
-// [g, 0.7, 0]. After the decision, a decimal is rounded once to the nearest double. It is not
-// rounded if this would move the point off its edge, onto an edge, or out of its face.
+// Exact decisions: the exact values of the written numbers decide where a point lies, even if they
+// are decimals. For example, [f, 0.3, 0.7] lies on an edge of face f, because 0.3 + 0.7 = 1. The
+// exact sum of the doubles nearest to 0.3 and 0.7 is not 1. The same point may also be given in the
+// face g on the other side of this edge, for example as [g, 0.7, 0]. After the decision, each
+// decimal is rounded once to the nearest double. A decimal is kept exactly if rounding it would
+// move the point off its edge, onto an edge, or out of its face.
 //
-// Tolerance: if u or v is a decimal and u + v differs from 1 by at most 2^-52, the sum counts as 1.
-// A point slightly outside its face is accepted and moved to the border of the face. It is accepted
-// if none of u, v and 1 - u - v is less than -2^-52.
+// Tolerance: if u or v is a decimal and u + v differs from 1 by at most 2^-52, the point is treated
+// as if u + v were 1. A point outside its face is accepted if u, v and 1 - u - v are all at least
+// -2^-52. Such a point is moved to the border of the face.
 //
 // Cost: O(bytes), plus the cost of tracing.
 //
 // Errors name their position in the file:
-//   - the errors of JSON and of the model
+//   - the errors of the readers of JSON and of the model
 //   - BadIndex
-//   - BadShape for a point outside its face, for control points that no path joins, and for points
-//     of drawings beyond the border of the surface
+//   - BadShape for a point outside its face, for two consecutive points that no path joins, and for
+//     a point of a drawing that would lie beyond the border of the surface
 //   - ResourceLimit and Cancelled
 #pragma once
 
@@ -59,13 +62,14 @@ namespace plumb {
 struct SceneFile {
   SurfaceScene scene;  ///< The input of SurfaceDivision.
   std::string model;   ///< The path of the mesh.
-  /// Notes of the readers of the mesh and the drawings, for a human reader. Each note names its
-  /// file.
+  /// Notes of the readers of the mesh and the drawings, for a human reader. Each note names the
+  /// file that it is about.
   std::vector<std::string> notes;
 };
 
-/// Reads the scene in the file `path`, or in standard input if `path` is "-", with its mesh and its
-/// drawings. `options.name` is ignored. Throws the errors stated above.
+/// Reads a scene, its mesh and its drawings. The scene is in the file `path`, or in standard input
+/// if `path` is "-". `options.name` is ignored. Throws the errors that the head of this file
+/// states.
 SceneFile read_scene_file(const std::string& path, ReadOptions options = {},
                           Context& context = unlimited_context());
 

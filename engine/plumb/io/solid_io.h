@@ -1,9 +1,9 @@
 // Reads sets of space from files. A file is a mesh (mesh_io.h), a .nef file (nef3_reader.h) or a
 // list of half-spaces.
 //
-// A mesh becomes a closed set. The winding number of each volume decides whether the volume belongs
-// to the set. A .nef file represents any set exactly. A note reports whatever the reader changes or
-// leaves out.
+// A mesh becomes a closed set: the facets of the mesh bound volumes, and the winding number of a
+// volume decides whether it belongs to the set. A .nef file represents any set exactly. If the
+// reader changes or leaves out something of the file, a note reports this.
 #pragma once
 
 #include <cstddef>
@@ -22,11 +22,11 @@ namespace plumb {
 
 /// Options of the conversion of a file to a set.
 struct SolidReadOptions {
-  /// The rule for winding numbers. A volume is inside if the rule accepts its winding number.
-  /// Without a value, the rule is Positive, and each component that has a negative volume and lies
-  /// in no other component is flipped.
+  /// The rule for winding numbers. A volume belongs to the set if the rule accepts its winding
+  /// number. If no rule is given, the rule is Positive, and some components of the mesh are flipped
+  /// first: those that have a negative volume and lie in no other component.
   std::optional<WindingRule> rule;
-  bool surface = false;  ///< Whether an open mesh is read as the set of its facets.
+  bool surface = false;  ///< Whether the set of an open mesh is the union of its facets.
   /// Whether a number with a decimal point or an exponent is read exactly. Otherwise such a number
   /// is rounded to the nearest double.
   bool exact_decimals = false;
@@ -38,14 +38,15 @@ struct SolidRead {
   std::vector<std::string> notes;  ///< Notes of the reader for a human, one sentence each.
 };
 
-/// Whether a file is a .nef file. The extension of `path` decides. If it names no format, the first
-/// bytes decide.
+/// Whether a file is a .nef file. The extension of `path` decides. If the extension names no
+/// format, the first bytes of the file decide.
 bool is_nef_file(const std::string& path, std::string_view bytes);
 
-/// Reads the file `path`, or standard input if `path` is "-", and returns its set. Throws the
-/// errors of mesh_io.h and nef3_reader.h. Throws Error{BadShape} if the audit finds a flaw in a
-/// .nef file. Throws Error{BadShape}, with the border of the mesh, if a mesh is open and
-/// `options.surface` is not set.
+/// Reads the file `path`, or standard input if `path` is "-", and returns its set. Throws:
+///   - the errors of mesh_io.h and nef3_reader.h
+///   - Error{BadShape} if the audit (space_audit.h) finds a flaw in a .nef file
+///   - Error{BadShape}, with the border of the mesh, if the mesh is open and `options.surface` is
+///     false
 SolidRead read_solid_file(const std::string& path, const SolidReadOptions& options = {},
                           Context& context = unlimited_context());
 /// Returns the set of the file `path`. The caller has already read the bytes of the file. Throws as
@@ -54,9 +55,9 @@ SolidRead read_solid(const std::string& path, const std::string& bytes,
                      const SolidReadOptions& options = {}, Context& context = unlimited_context());
 
 /// Reads half-spaces from the file `path`, or from standard input if `path` is "-". A line
-/// `a b c d closed` stands for the half-space a x + b y + c z + d <= 0. A line `a b c d open`
-/// stands for a x + b y + c z + d < 0. Throws Error{Syntax} or Error{NumberOutOfRange}, with the
-/// position in the file.
+/// `a b c d closed` stands for the half-space `a x + b y + c z + d <= 0`. A line `a b c d open`
+/// stands for the half-space `a x + b y + c z + d < 0`. Errors are Error{Syntax} and
+/// Error{NumberOutOfRange}, each with its position in the file.
 HalfSpaceList read_half_spaces_file(const std::string& path, ReadOptions options = {},
                                     Context& context = unlimited_context());
 

@@ -1,7 +1,7 @@
 // Writes divided surfaces in several formats:
 //   - OBJ and PLY: the triangles, each with the cell to which it belongs
 //   - Graphviz: the graph of the cells
-//   - JSON: the borders of cells as a scene
+//   - JSON: polygons on the surface, such as the borders of cells, as a scene
 #pragma once
 
 #include <cstdint>
@@ -17,40 +17,44 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Selects the cells that are written. The span has one flag for each cell; a flag other than 0
-/// selects the cell. An empty span selects all cells.
+/// Selects the cells that are written. The span has one flag for each cell. A cell is selected if
+/// its flag is not 0. An empty span selects all cells.
 using CellChoice = std::span<const std::uint8_t>;
 
-/// Writes the triangles of the chosen cells as OBJ. Coordinates are doubles. Each cell is a group,
-/// such as `g cell_3`. The number of all cells is `cells`.
+/// Writes the triangles of the chosen cells as OBJ. Coordinates are doubles. The triangles of a
+/// cell form a group; the group of cell 3 is `g cell_3`. `cells` is the number of all cells of the
+/// division.
 void write_surface_obj(std::ostream& out, const SurfaceTriangulation& triangles, std::size_t cells,
                        CellChoice chosen);
-/// Writes the triangles of the chosen cells as text PLY. Coordinates are doubles. Each face has a
-/// property `cell`, the index of its cell.
+/// Writes the triangles of the chosen cells as text PLY. Coordinates are doubles. Each triangle has
+/// a property `cell`, the index of its cell.
 void write_surface_ply(std::ostream& out, const SurfaceTriangulation& triangles, CellChoice chosen);
 
-/// A directed edge of the graph of cells. It leads from the cell to the right of its first polygon
-/// to the cell to the left of this polygon. The label of `to` is the sum of the label of `from` and
-/// the entries of `polygons`.
+/// A directed edge of the graph of cells. The edge joins two cells that share a part of their
+/// borders. The polygons that run along this part are listed in `polygons`. The edge is directed
+/// from the cell to the right of the first of these polygons to the cell to the left of this
+/// polygon. The label of `to` is the sum of the label of `from` and the entries of `polygons`.
 struct CellStep {
   CellId from;  ///< The cell to the right of the first polygon.
   CellId to;    ///< The cell to the left of the first polygon.
-  /// The polygons between the two cells, in ascending order. The entry of a polygon states by how
-  /// much its number in the label grows. The value of the first entry is positive.
+  /// The polygons between the two cells, in ascending order of their indices. The entry of a
+  /// polygon has its index, and the value by which its coefficient in the label grows from `from`
+  /// to `to`. The value of the first entry is positive.
   std::vector<SignedEntry> polygons;
 };
 /// Returns an edge of the graph, directed so that the entry of its first polygon is positive.
 CellStep upward_step(const SurfaceDivision& division, const CellEdge& edge);
 
-/// Writes the graph of the chosen cells for Graphviz. The graph has one node for each cell, with
-/// the label and area of the cell. It has one edge for each pair of cells and each set of polygons
-/// between them, directed as upward_step() directs it. An edge lists its polygons by index, as in
-/// "+0 -2*3".
+/// Writes the graph of the chosen cells for Graphviz. The graph has one node for each chosen cell.
+/// The node shows the label and the area of the cell. The graph has one edge for each pair of
+/// chosen cells and each list of polygons between these cells. The edge has the direction that
+/// upward_step() returns. The text of an edge lists the indices of its polygons with their signs,
+/// as in "+0 -2*3".
 void write_cell_graph(std::ostream& out, const SurfaceDivision& division, CellChoice chosen);
 
 /// Writes a scene as JSON. read_scene_file() reads exactly the same points from this text. Every
-/// point of a polygon becomes a control point of the scene. `model` is written unchanged as the
-/// path of the model.
+/// point of a polygon becomes a control point in the file. `model` is the path of the model and is
+/// written unchanged.
 void write_scene(std::ostream& out, const SurfaceScene& scene, const std::string& model);
 
 }  // namespace plumb

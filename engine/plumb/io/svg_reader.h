@@ -1,26 +1,30 @@
 // Reads SVG drawings (docs/formats.md, "Drawings") as closed polygons in the plane.
 //
 // Main flow of read_svg:
-//  1. scan     reads elements and attributes (svg_syntax.h). It expands no entities and loads no
-//              other files.
-//  2. place    composes the transforms of each element and of the groups around it
+//  1. scan     reads elements and attributes (svg_syntax.h). This step expands no entities and
+//              loads no other files.
+//  2. place    composes the transform of each element with the transforms of the groups that
+//              contain the element
 //  3. trace    converts rect, circle, ellipse, line, polyline, polygon and path to lines and curves
-//              (svg_outline.h). Every subpath is closed, as SVG closes it for filling.
-//  4. flatten  replaces curves by chords within the tolerance (svg_outline.h)
-//  5. turn     moves the middle of the drawing to the origin and makes y point upwards
+//              (svg_outline.h). Every subpath is closed: SVG closes subpaths in the same way when
+//              it fills them.
+//  4. flatten  replaces curves by chords. The distance of a curve from its chords is at most the
+//              tolerance (svg_outline.h)
+//  5. turn     moves the middle of the drawing to the origin and makes the y-axis point upwards
 //
 // Shapes: each element that has an outline becomes one shape, in the order of the file. The
 // subpaths of the element are the rings of the shape. Colours, strokes, styles, clips and fill
 // rules are ignored.
 //
-// Skipped elements: the contents of defs, symbol, clipPath, mask, marker and pattern are skipped,
-// because they define something but draw nothing. Elements with unknown names are skipped, too.
-// Some elements would be drawn but are not supported: use, text, image and nested drawings. They
-// are skipped with a note.
+// Skipped elements: elements that only define something are skipped with their contents, because
+// they draw nothing. These elements are defs, symbol, clipPath, mask, marker and pattern. Elements
+// with unknown names are skipped, too. A few elements that draw something are not supported: use,
+// text, image and nested drawings. These are skipped with a note.
 //
-// Middle: the middle of a drawing with a viewBox is the middle of this box. Otherwise, if width and
-// height are both lengths, it is the middle of the rectangle of this size. Otherwise it is the
-// origin of the drawing.
+// Middle: the middle of the drawing is determined as follows:
+//   - If the drawing has a viewBox, the middle is the middle of this box.
+//   - Otherwise, if width and height are both lengths, the middle is (width / 2, height / 2).
+//   - In all other cases the middle is the origin of the drawing.
 #pragma once
 
 #include <cstddef>
@@ -38,12 +42,13 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Closed polygons in flat arrays: shapes are lists of rings, rings are lists of points.
+/// Closed polygons in flat arrays. A shape is a list of rings. A ring is a list of points.
 struct SvgDrawing {
   /// All points. The x-axis points to the right and the y-axis upwards. The origin is the middle of
   /// the drawing.
   std::vector<Point2> points;
-  std::vector<std::size_t> places;  ///< For each point, the byte of the text that defines it.
+  /// For each point, the byte offset in the text at which its definition starts.
+  std::vector<std::size_t> places;
   /// Offsets of the first points of the rings in `points`, and the size of `points`.
   std::vector<std::uint32_t> ring_begin = {0};
   /// Indices of the first rings of the shapes, and the number of rings.
@@ -58,16 +63,17 @@ struct SvgDrawing {
   }
 };
 
-/// Returns the drawing that `text` describes. `tolerance` is the largest distance of a curve from
-/// its chords, in units of the drawing. It must be positive. Its default is a thousandth of the
-/// larger side of the viewBox, or else of the larger of width and height. The memory of the drawing
-/// stays charged to `context`.
+/// Returns the drawing that `text` describes. `tolerance` is the largest allowed distance of a
+/// curve from its chords, in units of the drawing. The tolerance must be positive. If `tolerance`
+/// is not given, the tolerance is a thousandth of the larger side of the viewBox. In a drawing
+/// without a viewBox, it is a thousandth of the larger of width and height. The memory of the
+/// drawing stays charged to `context`.
 ///
-/// Cost: O(bytes + points). Errors name their position in the text:
+/// Cost: O(bytes + points). Errors name their position in the text. They are:
 ///   - the errors of the scanner (svg_syntax.h)
 ///   - Syntax and NumberOutOfRange
-///   - BadShape for a negative size, and for a curve if `tolerance` is not given and the drawing
-///     has no size
+///   - BadShape for a negative size, and for a curve in a drawing without a size if `tolerance` is
+///     not given
 ///   - ResourceLimit and Cancelled
 SvgDrawing read_svg(std::string_view text, const ReadOptions& options,
                     std::optional<double> tolerance, Context& context = unlimited_context());

@@ -1,4 +1,5 @@
-// A software rasteriser. It stores a colour, a depth and the visible patch for each sample.
+// A software rasteriser. For each sample it stores a colour, a depth, and the patch that is visible
+// at the sample.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// An image in three bytes for each pixel. The rows are stored from top to bottom.
+/// An image with three bytes for each pixel. The rows are stored from top to bottom.
 struct Image {
   std::uint32_t width = 0;        ///< Width in pixels.
   std::uint32_t height = 0;       ///< Height in pixels.
@@ -19,12 +20,13 @@ struct Image {
 };
 
 /// A point of the canvas, in units of samples. The x-axis points to the right, the y-axis downwards
-/// and the z-axis towards the viewer. The middle of sample (i, j) is (i + 1/2, j + 1/2).
+/// and the z-axis towards the viewer. The middle of sample (i, j) has x = i + 1/2 and y = j + 1/2.
 struct Spot {
   double x = 0, y = 0, z = 0;  ///< Coordinates.
 };
 
-/// A grid of samples, each with a depth, a colour and the patch that is visible there.
+/// A grid of samples. Each sample has a depth, a colour, and the patch that is visible at the
+/// sample.
 class Canvas {
  public:
   /// Makes a canvas whose samples all have the colour `paper` and are infinitely far away.
@@ -34,15 +36,16 @@ class Canvas {
   std::uint32_t height() const { return height_; }  ///< Height in samples.
 
   /// Calls visit(sample, spot) for each sample whose middle `spot` lies in the triangle a b c. The
-  /// triangle may have either orientation. Two triangles beside a common side have no sample in
-  /// common, and leave no sample out between them, except where rounding moves the side. Cost:
-  /// O(rows + samples visited).
+  /// triangle may have either orientation. If two triangles lie on different sides of a common
+  /// edge, each sample beside this edge is visited for exactly one of the two triangles. There can
+  /// be exceptions where rounding moves the edge. Cost: O(rows + samples visited).
   template <class Visit>
   void for_triangle(Spot a, Spot b, Spot c, const Visit& visit) const;
 
   /// Returns the depth of the nearest patch drawn at a sample.
   double depth(std::size_t sample) const { return depth_[sample]; }
-  /// Draws a patch at a sample. Does nothing if the patch there is nearer or has the same depth.
+  /// Draws a patch at a sample. Does nothing if the patch that was drawn at this sample is nearer
+  /// or has the same depth.
   void put(std::size_t sample, double depth, std::uint32_t patch, Colour colour) {
     if (depth <= depth_[sample]) return;
     depth_[sample] = static_cast<float>(depth);
@@ -52,22 +55,25 @@ class Canvas {
   /// Mixes a colour into the colour of a sample. The weight `part` is from 0 to 1.
   void blend(std::size_t sample, Colour colour, double part);
 
-  /// Draws a line. Nearer patches hide the line, except those in `patches`. At each spot, the line
-  /// covers the colour below it with the weight `part_at(spot)`, from 0 to 1. finish() draws the
-  /// lines over the patches.
+  /// Draws a line. Nearer patches hide the line, but the two patches in `patches` never hide it. At
+  /// each spot, the colour of the line is mixed into the colour of the patches. The weight of the
+  /// line is `part_at(spot)`, from 0 to 1. The canvas stores the line; finish() draws all lines
+  /// over the patches.
   template <class PartAt>
   void line(Spot a, Spot b, double width, const std::array<std::uint32_t, 2>& patches,
             Colour colour, const PartAt& part_at);
-  /// Draws a disc, or a ring around a white disc if `is_hollow` is set. Nearer patches hide the
-  /// dot. The weight `part` is from 0 to 1.
+  /// Draws a dot. The dot is a disc, or a ring around a white disc if `is_hollow` is true. Nearer
+  /// patches hide the dot. The weight `part` is from 0 to 1, as in line().
   void dot(Spot at, double radius, Colour colour, bool is_hollow, double part);
 
-  /// Draws a line with round ends that nothing hides.
+  /// Draws a line with round ends. No patch hides this line.
   void stroke(Point2 a, Point2 b, double width, Colour colour);
-  /// Returns the patch visible at each sample, or Scene::kNoPatch where there is none.
+  /// Returns, for each sample, the patch that is visible at the sample, or Scene::kNoPatch if there
+  /// is none.
   const std::vector<std::uint32_t>& patches() const { return patch_; }
 
-  /// Returns the image. Each pixel is the mean of a square block with `samples` samples on a side.
+  /// Draws the lines and dots over the patches, and returns the image. The colour of a pixel is the
+  /// mean colour of a square block of samples. A side of the block has `samples` samples.
   Image finish(std::uint32_t samples);
 
  private:

@@ -1,5 +1,5 @@
-// Writes a picture of the plane as one HTML file. In a browser, the picture can be moved and
-// enlarged by mouse, finger and keys. The file is self-contained: it loads nothing.
+// Writes a picture of the plane as one HTML file. In a browser, the user can move and enlarge the
+// picture with the mouse, with fingers or with keys. The file does not load other files.
 #pragma once
 
 #include <iosfwd>

@@ -1,5 +1,5 @@
-// Makes flat scenes of maps and of sets of the plane. Such scenes serve pictures without text, and
-// programs that need triangles.
+// Makes flat scenes of maps and of sets of the plane. Such scenes are used for pictures without
+// text. They also provide triangles for other programs.
 #pragma once
 
 #include "plumb/picture/scene.h"
@@ -9,9 +9,10 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the scene of a set. It shows the marked faces, all edges, and the vertices that are not
-/// already evident from the edges. The set is cut at a window, as in write_nef2_svg(). Faces are
-/// triangulated with exact coordinates. Cost: O(n log n), about 10 us for each vertex.
+/// Returns the scene of a set. The scene shows the marked faces, all edges, and the vertices that
+/// cannot be seen from the edges alone. The set is intersected with a window, as in
+/// write_nef2_svg(). Faces are triangulated with exact coordinates. Cost: O(n log n), about 10 us
+/// for each vertex.
 Scene scene_of(const Nef2& set);
 
 /// Returns the scene of a report. The scene of a valid map shows its regions. The scene of a

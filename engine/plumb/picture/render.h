@@ -1,6 +1,6 @@
-// Renders a scene as an image. Every sample of the image shows the nearest facet, lit from one
-// side. Lines and dots are drawn over the facets, unless a nearer facet hides them. Texts are
-// placed on the visible parts of groups.
+// Renders a scene as an image. Every sample of the image shows the facet that is nearest to the
+// viewer. The light comes from one side. Lines and dots are drawn over the facets, unless a nearer
+// facet hides them. The text of a group is placed on the visible part of the group.
 #pragma once
 
 #include <cstdint>
@@ -17,18 +17,19 @@ namespace plumb {
 struct PlacedText {
   Point2 middle;     ///< The middle of the text, in samples of the canvas.
   double height;     ///< Height of capital letters, in samples of the canvas.
-  std::string text;  ///< The text. Any bytes.
+  std::string text;  ///< The text. May be any bytes.
 };
 
 /// Returns the texts of the groups with their positions. The middle of a text is the sample that is
-/// farthest from the border of the visible part of its group. The height of a text is `most`, or
-/// less if less fits, but at least `least`. A group whose visible part is too small gets no text.
-/// Cost: O(samples).
+/// farthest from the border of the visible part of its group. The height of a text is `most` if
+/// this fits into the visible part. Otherwise it is the largest height that fits, but not less than
+/// `least`. If not even half of `least` fits, the group gets no text. Cost: O(samples).
 std::vector<PlacedText> place_texts(const Scene& scene, const Canvas& canvas, double least,
                                     double most);
 
-/// A parallel projection, scaled so that the whole scene fits into the picture. The direction of
-/// view is fixed. A flat scene is seen from above.
+/// A parallel projection. Its scale is chosen so that the whole scene fits into the picture. The
+/// direction of view cannot be chosen: a flat scene is seen from above, and all other scenes are
+/// seen from the same direction.
 class Camera {
  public:
   /// Makes the projection of the whole scene into a picture of the given size.
@@ -63,8 +64,8 @@ struct Rendering {
 
 /// Returns the image of a scene. The output is deterministic. Cost: O(pixels + triangles).
 Image rendered(const Scene& scene, const RenderOptions& options = {});
-/// Returns the image of a scene and, separately, its texts. A page can then write the texts in its
-/// own fonts. The cost is that of rendered().
+/// Returns the image of a scene without its texts, and the texts separately. So a page can write
+/// the texts in its own fonts. The cost is the same as for rendered().
 Rendering rendered_without_text(const Scene& scene, const RenderOptions& options = {});
 
 }  // namespace plumb

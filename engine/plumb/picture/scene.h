@@ -1,13 +1,13 @@
 // Scenes are the input of every picture in space. A scene consists of facets (cut into triangles),
-// lines and dots. Each of them has a paint, which states its role. Coordinates are doubles: a scene
-// may be rounded, while the engine is exact.
+// lines and dots. Each facet, line and dot has a paint, which states its role. Coordinates are
+// doubles. The exact coordinates of a set are rounded when the scene is made.
 //
 // Main flow from a set to a file:
-//  1. scene_of makes a scene. For a set, the scene shows the boundary; an unbounded set is cut at a
-//     window (space_scene.h, plane_scene.h). For a divided surface, the scene has layers
-//     (surface_scene.h).
+//  1. scene_of makes a scene. The scene of a set shows the boundary of the set. An unbounded set is
+//     first intersected with a window (space_scene.h, plane_scene.h). The scene of a divided
+//     surface has layers (surface_scene.h).
 //  2. One of these functions produces the output:
-//       rendered          makes an image of the scene seen from one side (render.h)
+//       rendered          makes an image of the scene (render.h)
 //       write_scene_glb   writes a file for other programs (scene_glb.h)
 //       write_scene_html  writes a page on which the scene can be turned (scene_html.h)
 #pragma once
@@ -33,19 +33,19 @@ enum class Paint : std::uint8_t {
   OpenEdge,     ///< An edge not in the set.
   FreeEdge,     ///< An edge in the set, with no facet beside it.
   Point,        ///< A point in the set.
-  OpenPoint,    ///< A point not in the set, although the cells around it are.
+  OpenPoint,    ///< A point not in the set, although the cells around it are in the set.
   Defect,       ///< A defect of a map.
-  Region,       ///< A region of a map. Six paints make neighbouring regions differ.
+  Region,       ///< A region of a map. Six paints serve to distinguish neighbouring regions.
   Region2,      ///< A region of a map.
   Region3,      ///< A region of a map.
   Region4,      ///< A region of a map.
   Region5,      ///< A region of a map.
   Region6,      ///< A region of a map.
-  Surface,      ///< A mesh on which polygons lie, where no layer tints it.
+  Surface,      ///< A mesh on which polygons lie, if no shown layer has tints.
   Wire,         ///< A side of a triangle.
   Control,      ///< A control point of a polygon.
   Crossing,     ///< A point where polygons meet.
-  Curve,        ///< A polygon on a surface. Six paints make shapes differ.
+  Curve,        ///< A polygon on a surface. Six paints serve to distinguish shapes.
   Curve2,       ///< A polygon on a surface.
   Curve3,       ///< A polygon on a surface.
   Curve4,       ///< A polygon on a surface.
@@ -53,14 +53,14 @@ enum class Paint : std::uint8_t {
   Curve6,       ///< A polygon on a surface.
 };
 inline constexpr std::size_t kPaints = 26;  ///< Number of paints.
-/// Whether a paint is for polygons on a surface.
+/// Whether a paint is used for polygons on a surface.
 inline constexpr bool is_curve(Paint paint) { return paint >= Paint::Curve; }
-/// Whether a paint is for dots.
+/// Whether a paint is used for dots.
 inline constexpr bool is_dot(Paint paint) {
   return paint == Paint::Point || paint == Paint::OpenPoint || paint == Paint::Control ||
          paint == Paint::Crossing;
 }
-/// Whether a paint is for lines.
+/// Whether a paint is used for lines.
 inline constexpr bool is_line(Paint paint) {
   return (paint >= Paint::Edge && paint <= Paint::FreeEdge) || paint == Paint::Defect ||
          paint == Paint::Wire || is_curve(paint);
@@ -87,13 +87,14 @@ struct Scene {
     Point3 normal;            ///< Unit normal.
     Paint paint;              ///< The role of the patch.
     std::uint32_t group = 0;  ///< Index into groups. Not used if the scene has no groups.
-    /// Whether images hatch the patch. Walls are hatched (convex/decompose.h).
+    /// Whether the patch is hatched in images. The patches of walls are hatched
+    /// (convex/decompose.h).
     bool is_hatched = false;
   };
   /// A triangle of a patch.
   struct Triangle {
-    /// Indices into points. The order is counter-clockwise for a viewer who looks against the
-    /// normal.
+    /// Indices into points. The corners are in counter-clockwise order, seen from the side to which
+    /// the normal points.
     std::array<std::uint32_t, 3> corners;
     std::uint32_t patch;  ///< Index into patches.
   };
@@ -115,8 +116,9 @@ struct Scene {
     std::string name;  ///< The name in a legend.
     std::string text;  ///< The text that is written on the group.
   };
-  /// A part of the scene that can be shown or hidden. If several shown layers have tints, the last
-  /// of them tints the patches.
+  /// A part of the scene that can be shown or hidden. A layer may have tints, which replace the
+  /// colours of the patches while the layer is shown. If several shown layers have tints, the tints
+  /// of the last one are used.
   struct Layer {
     std::string name;           ///< The name of the switch that shows or hides the layer.
     std::vector<Colour> tints;  ///< One tint for each group. Empty if the layer has no tints.
@@ -130,15 +132,16 @@ struct Scene {
   std::vector<Line> lines;          ///< Edges and curves.
   std::vector<Dot> dots;            ///< Vertices and points.
   std::vector<Group> groups;        ///< Groups of patches. The scene of one set has none.
-  std::vector<Layer> layers;        ///< Layers. The scene of one set has none and is always shown.
+  std::vector<Layer> layers;        ///< Layers. The scene of one set has none: all of it is shown.
   std::uint8_t shown = kAllLayers;  ///< A bit for each layer that is shown.
 
   bool is_flat = false;  ///< Whether the scene lies in the plane z = 0 and is seen from above.
   bool fades = false;    ///< Whether the scene fades out towards the sides of its box.
   /// Half the side lengths of the box around all points. The box is centred at the origin.
   Point3 half = {1, 1, 1};
-  /// A quarter of the centre. A scene point p stands for the point centre + scale * p of the set.
-  /// Centre and scale are divided by 4, so that no difference of doubles overflows.
+  /// A quarter of the centre. The point p of the scene represents the point `centre + scale * p` of
+  /// the set. The centre and the scale are stored divided by 4, so that no difference of doubles
+  /// overflows.
   Point3 quarter_centre = {0, 0, 0};
   double quarter_scale = .25;  ///< A quarter of the scale.
 
@@ -149,22 +152,24 @@ struct Scene {
   }
   /// Whether a layer is shown.
   bool is_shown(std::size_t layer) const { return (shown >> layer & 1U) != 0; }
-  /// Returns the layer whose tints are shown, or nullptr if there is none.
+  /// Returns the layer whose tints are used, or nullptr if no shown layer has tints.
   const Layer* tinted() const;
-  /// Returns the colour of a patch. If a shown layer has tints, this is the tint of the group of
-  /// the patch. Otherwise it is the colour of the paint of the patch.
+  /// Returns the colour of a patch. If a shown layer has tints, the colour is the tint of the
+  /// patch's group. Otherwise it is the colour of the patch's paint.
   Colour colour_of(const Patch& patch) const;
   bool shows_text() const;  ///< Whether a layer with text is shown.
 
-  /// Returns, for each paint, whether a patch has it, or a line or dot of one of the given layers.
+  /// Returns, for each paint, whether the paint occurs. A paint occurs if a patch has it, or if a
+  /// line or dot in one of the given layers has it.
   std::array<bool, kPaints> paints(std::uint8_t layers_seen = kAllLayers) const;
-  /// Returns, for each paint, whether a legend explains it. A legend explains a paint that occurs
-  /// and has a name. Paint::Cut occurs if the scene fades. While a layer tints the patches, a
-  /// legend omits the paints of patches.
+  /// Returns, for each paint, whether a legend explains it. A legend explains each paint that has a
+  /// name and occurs (see paints()). There are two exceptions:
+  ///   - A legend explains Paint::Cut if and only if the scene fades out.
+  ///   - If a shown layer has tints, a legend does not explain the paints of patches.
   std::array<bool, kPaints> legend(std::uint8_t layers_seen = kAllLayers) const;
-  /// Returns the strength of drawing at a point, from 0 to 1. The strength is 1 well inside the box
-  /// of the scene. If the scene fades, it falls to 0 at the sides of the box. Otherwise it is 1
-  /// everywhere.
+  /// Returns the weight, from 0 to 1, with which the scene is drawn at a point. If the scene fades
+  /// out, the weight is 1 in the inner part of the scene's box and decreases to 0 at the sides of
+  /// the box. Otherwise the weight is 1 everywhere.
   double strength(const Point3& p) const;
 };
 

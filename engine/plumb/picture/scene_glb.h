@@ -1,13 +1,15 @@
-// Writes a scene as binary glTF 2.0, for other programs. The file contains the facets and the edges
-// of facets. The edges are a primitive of their own. Other lines and all dots are left out.
+// Writes a scene as binary glTF 2.0, for other programs. The file contains the facets of the scene
+// and the lines that are shown. Dots are left out.
 //
 // Main flow of write_scene_glb:
-//  1. vertices    writes a separate vertex for each corner of each facet. So each facet has its own
-//                 normal. The y-axis points upwards.
-//  2. primitives  writes one primitive for each paint, with the triangles and the material of this
-//                 paint, and then the primitive of the lines
-//  3. node        writes the transform from scene coordinates to the coordinates of the set, if
-//                 floats can represent it
+//  1. vertices    writes a separate vertex for each corner of each facet. So the vertices of a
+//                 facet have the normal of this facet.
+//  2. primitives  writes one primitive for each paint of facets, with the triangles and the
+//                 material of this paint. If the scene has groups, writes one mesh for each group
+//                 instead. Then writes one primitive for each paint of lines.
+//  3. node        writes the rotation that makes the y-axis point upwards. Also writes the scale
+//                 and the translation from the coordinates of the scene to the coordinates of the
+//                 set, if floats can represent them.
 #pragma once
 
 #include <iosfwd>

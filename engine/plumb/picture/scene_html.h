@@ -1,6 +1,6 @@
-// Writes a scene as one HTML file. In a browser, the scene can be turned, moved and enlarged by
-// mouse, finger and keys. The file is self-contained: it loads nothing. The page needs WebGL. In a
-// browser without WebGL it shows a message.
+// Writes a scene as one HTML file. In a browser, the user can turn, move and enlarge the scene with
+// the mouse, with fingers or with keys. The file does not load other files. The page needs WebGL.
+// In a browser without WebGL, the page shows a message.
 #pragma once
 
 #include <iosfwd>
@@ -13,7 +13,7 @@ namespace plumb {
 
 /// The text on the page of a scene.
 struct SceneText {
-  std::string title;  ///< The title. Any bytes.
+  std::string title;  ///< The title. May be any bytes.
   std::string kind;   ///< The kind of the set or surface, in a few words.
   std::string facts;  ///< Facts such as counts, in one line.
 };

@@ -1,10 +1,11 @@
-// Writes a page about a set of space as SVG. The page has facts, a picture, and a legend of the
-// paints that occur. The file is self-contained and has no scripts.
+// Writes a page about a set of space as SVG. The page has facts about the set, a picture, and a
+// legend of the paints that occur. The file does not load other files and has no scripts.
 //
-// The picture is a PNG image inside the page. It is not a list of facets sorted by depth, because
-// facets cannot always be sorted. In an image, visibility is correct at every sample, and the size
-// of the file does not depend on the number of facets. The caller encodes the image as PNG, so the
-// library does not depend on a PNG encoder.
+// The picture is a PNG image inside the page. A picture made of SVG polygons would need the facets
+// in an order from back to front, and such an order does not always exist. An image has two
+// advantages: it shows the visible facet at every sample, and the size of the file does not depend
+// on the number of facets. The caller encodes the image as PNG, so the library does not depend on a
+// PNG encoder.
 #pragma once
 
 #include <iosfwd>
@@ -21,7 +22,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Render options for the image of the page. The image of a page must have these proportions.
+/// Render options for the image of a page. The width and the height of the image must have the same
+/// ratio as in these options.
 inline constexpr RenderOptions kPageImage{1104, 828};
 
 /// Returns facts about a set in one line, such as "12 vertices, 18 edges, 8 facets, 2 volumes;
@@ -31,17 +33,18 @@ std::string facts_of(const Nef3& set, Context& context = unlimited_context());
 std::string kind_of(const Nef3& set);
 
 /// Writes the page of a set. `scene` is the scene of the set. `png` contains the bytes of a PNG
-/// file, the image of this scene. Cost: O(size of the image), plus the cost of facts_of(). Passes
-/// on exceptions of `out`.
+/// file with the image of this scene. Cost: O(size of the image), plus the cost of facts_of().
+/// Passes on exceptions of `out`.
 void write_space_svg(std::ostream& out, const Nef3& set, const Scene& scene, std::string_view png,
                      const std::string& title, Context& context = unlimited_context());
 
-/// The contents of the page of a scene. The page also has a legend, which is made from the scene.
+/// The contents of the page of a scene. In addition, the page has a legend, which write_scene_svg()
+/// makes from the scene.
 struct ScenePage {
   SceneText text;                 ///< Title, kind and facts.
   std::string_view png;           ///< A PNG file of the size of kPageImage.
   std::vector<PlacedText> texts;  ///< Texts over the image. Positions are in pixels of the image.
-  std::string middle;             ///< The text in place of the image if nothing is visible.
+  std::string middle;             ///< The text that replaces the image if nothing is visible.
 };
 
 /// Writes the page of any scene. Passes on exceptions of `out`.

@@ -1,9 +1,10 @@
 // Makes scenes of divided surfaces. A scene has up to five layers:
 //
-//   polygons   the surface with its polygons, their control points, and the points where they meet
+//   polygons   the surface with its polygons, the control points of the polygons, and the points
+//              where polygons meet
 //   slices     the triangles into which the polygons cut the surface
 //   cells      the cells, each in a colour of its own
-//   labels     the labels, written on the cells; cells with equal labels have equal colours
+//   labels     the labels, written on the cells. Cells with equal labels have equal colours.
 //   result     the cells that an expression selects, the borders of these cells, and the control
 //              points on these borders
 #pragma once
@@ -23,7 +24,7 @@ namespace plumb {
 
 /// The layers of a picture of a division.
 enum class SurfaceLayer : std::uint8_t { Polygons, Slices, Cells, Labels, Result };
-/// Returns the bit of a layer in Scene::shown.
+/// Returns the bit that stands for a layer in Scene::shown.
 inline constexpr std::uint8_t bit(SurfaceLayer layer) {
   return static_cast<std::uint8_t>(1U << static_cast<unsigned>(layer));
 }
@@ -34,9 +35,9 @@ inline constexpr std::array<std::string_view, 5> kSurfaceLayerNames{"polygons", 
 /// Returns the name of a layer, such as "polygons".
 std::string layer_name(SurfaceLayer layer);
 
-/// Returns the scene of a division with all its layers. The scene has a layer for the result only
+/// Returns the scene of a division with all its layers. The layer SurfaceLayer::Result exists only
 /// if `result` is not null. The patches of a cell form a group. The caller selects the layers that
-/// are shown. Cost: O(n log n).
+/// are shown, by setting Scene::shown. Cost: O(n log n).
 Scene scene_of(const SurfaceDivision& division, const SurfaceTriangulation& triangles,
                const SurfaceResult* result);
 

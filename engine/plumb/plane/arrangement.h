@@ -1,16 +1,20 @@
-// The arrangement of curves: segments, rays and lines. It consists of the vertices, edges and faces
-// into which the curves divide the plane. For each edge it records which curves contain the edge.
+// The arrangement of curves. A curve is a segment, a ray or a line. The arrangement consists of the
+// vertices, edges and faces into which the curves divide the plane. It records for each edge which
+// curves contain the edge.
 //
 // Main flow of arrange():
-//  1. in_sweep_order  renumbers points and curves in the order of the sweep, so that memory is
-//                     read in sequence; only if all points are doubles (arrangement.cpp)
+//  1. in_sweep_order  renumbers points and curves in the order of the sweep, so that memory is read
+//                     in sequence. This step is taken only if all coordinates of points are doubles
+//                     (arrangement.cpp).
 //  2. sweep           visits all events in one exact sweep (sweep.h, docs/design/sweep.md)
-//  3. PlaneBuilder    makes an edge of every part of a curve, and restores the indices of the input
-//  4. PlaneAssembler  traces the boundaries of the faces and nests components in faces
+//  3. PlaneBuilder    makes an edge for each part of a curve between two vertices, and replaces the
+//                     new indices of points and curves by those of the input
+//  4. PlaneAssembler  traces the boundaries of the faces, and finds the face that contains each
+//                     connected component
 //
-// Cost: O((n + k) log n) for n curves and k crossings. This bound includes curves that overlap. For
-// n nested segments on one line, the sets of curves of all edges have n^2 members in all, but the
-// sets share memory (SegmentSets).
+// Cost: O((n + k) log n) for n curves and k crossings. This bound also holds for curves that
+// overlap. For example, if n segments on one line are nested, the sets of curves of all edges have
+// n^2 members in all. The bound holds because these sets share memory (SegmentSets).
 #pragma once
 
 #include <cstddef>
@@ -33,26 +37,27 @@ namespace plumb {
 /// The sets are persistent balanced trees (treaps: R. Seidel, C. R. Aragon, Randomized search
 /// trees, Algorithmica 16, 1996).
 ///
-/// A set is named by an id (Set), which has one of three forms:
+/// An id (Set) names a set. There are three forms of ids:
 ///   - An id less than the number of curves names the set that consists of this one curve.
 ///   - The invalid id names the empty set.
 ///   - Any other id names the root of a treap, whose nodes never change.
-/// A changed set has new nodes on the path to the change and shares all other nodes with the old
-/// set. The priority of a curve is a hash of its index, so the shape of a treap depends only on its
-/// curves, not on the order of the changes.
+/// A change makes a new set and leaves the old set as it is. The new set has new nodes on the path
+/// from the root to the change. It shares all other nodes with the old set. The priority of a curve
+/// in a treap is a hash of the index of the curve. So the shape of a treap depends only on its
+/// curves, and not on the order of the changes.
 ///
 /// A change may consist of several steps (begin_change()). A step reuses the nodes that earlier
-/// steps of the same change made. The intermediate sets are therefore lost, and a set of m curves
-/// built in one change takes at most m nodes.
+/// steps of the same change made. This has two consequences: the intermediate sets of a change are
+/// lost, and a set of m curves that is built in one change takes at most m nodes.
 ///
-/// Cost: a change of a set of m curves takes expected O(log m) time and nodes. A set of one curve
-/// takes no memory.
+/// Cost: a step that changes a set of m curves takes expected O(log m) time and makes expected
+/// O(log m) nodes. A set of one curve needs no node.
 class SegmentSets {
  public:
   /// The id of a set. The invalid id is the empty set.
   using Set = StrongId<struct SegmentSetTag>;
-  /// Memory of a node in bytes. A node has 12 bytes; the factor 2 accounts for an array that grows
-  /// by doubling.
+  /// Memory of a node in bytes. A node has 12 bytes. The value is twice as large because the array
+  /// of nodes grows by doubling.
   static constexpr std::size_t kBytesPerNode = 24;
 
   SegmentSets() = default;  ///< Makes a family of sets over no curves.
@@ -60,9 +65,9 @@ class SegmentSets {
   explicit SegmentSets(std::size_t curve_count) : curves_(curve_count) {}
 
   /// Starts a change, which lasts until the next call of begin_change(). Each call of with() or
-  /// without() is a step of the change. The first step may start from any valid set, every later
-  /// step must start from the result of the previous step. Of these results, only the last one
-  /// stays valid. All sets made before the first change stay valid.
+  /// without() is a step of the change. The first step may start from any valid set. Every later
+  /// step must start from the result of the previous step. After the change, only the result of its
+  /// last step is valid. All sets that were valid before the change stay valid.
   void begin_change();
   /// Returns the set with s added. Requires that s is not in the set. Throws Error{ResourceLimit}
   /// if the number of nodes exceeds the range of 32-bit ids.
@@ -88,7 +93,7 @@ class SegmentSets {
   };
 
   bool is_one(Set set) const { return set.value() < curves_; }
-  /// Whether the node was made by the current change.
+  /// Whether the current change made the root node of the set.
   bool is_own(Set set) const { return !is_one(set) && set.value() - curves_ >= own_from_; }
   Node& node(Set set) { return nodes_[set.value() - curves_]; }
   const Node& node(Set set) const { return nodes_[set.value() - curves_]; }
@@ -105,15 +110,16 @@ class SegmentSets {
   std::vector<Node> nodes_;
   // Nodes from this index on were made by the current change.
   std::size_t own_from_ = std::numeric_limits<std::size_t>::max();
-  Set free_;  // First free node of the current change; free nodes are linked by `left`.
+  Set free_;  // First free node of the current change. `left` links the free nodes to a list.
 };
 
 // --- arrangements -----------------------------------------------------------------------------
 
 /// The subdivision of the plane by curves.
 struct Arrangement {
-  /// The subdivision. No cell is marked. The subdivision is not minimal: an end point of a curve is
-  /// a vertex even if it lies in the interior of another curve on the same line.
+  /// The subdivision. No cell is marked. The subdivision need not be minimal: every end point of a
+  /// curve is a vertex. This includes an end point in the interior of another curve on the same
+  /// line.
   PlaneComplex complex;
   SegmentSets origin_sets;  ///< Sets of curves, shared by all edges.
   /// For each ordinary edge, the set of the curves that contain it. The set belongs to origin_sets.
@@ -130,14 +136,14 @@ struct Arrangement {
 
 /// Returns the arrangement of curves and points. `isolated` contains indices of points that become
 /// vertices even if no curve meets them. Curves of length zero become vertices, too. Requires that
-/// all indices in the curves are in range, and that the ends of each curve lie on its line
+/// all indices of points are in range, and that the ends of each curve lie on the line of the curve
 /// (SweepCurve). Throws ResourceLimit and Cancelled as the Context demands.
 Arrangement arrange(const PlanePoints& points, std::span<const SweepCurve> curves,
                     std::span<const std::uint32_t> isolated,
                     Context& context = unlimited_context());
 
 /// Returns the arrangement of segments between input points. Segments of length zero become
-/// vertices. The requirements and errors are those of the function above.
+/// vertices. The function above states the requirements and errors.
 Arrangement arrange(PointTable2 points, std::span<const SweepSegment> segments,
                     Context& context = unlimited_context());
 

@@ -1,29 +1,33 @@
-// Decides exactly whether a list of cycles is a planar subdivision. If it is, check_map() reports
-// the regions of the subdivision. Otherwise it reports all defects and where they are.
+// Decides exactly whether a list of cycles is a planar subdivision. For a planar subdivision,
+// check_map() reports its regions. For any other list, it reports all defects with their positions.
 //
-// Notation: a listed cycle uses the directed edges (half-edges) between its consecutive corners.
-// The twin of (u, v) is (v, u). An undirected edge is a pair {u, v} that is used in at least one
-// direction. The id of a vertex or cycle is its 0-based index in the input.
+// Notation: a directed edge (half-edge) is a pair (u, v) of vertices. A listed cycle uses the
+// directed edges from each corner to the next. The twin of (u, v) is (v, u). An undirected edge is
+// a pair {u, v} such that a cycle uses (u, v) or (v, u). The id of a vertex or cycle is its 0-based
+// index in the input.
 //
 // Main flow of check_map() (docs/maps.md defines every defect):
 //  1. match_twins       sorts the half-edges into buckets by the lesser of their two vertex ids,
 //                       and finds the duplicate, open and twin defects
-//  2. classify_open     follows chains of open edges. Each chain bounds a gap in the coverage or is
-//                       a missing outer boundary.
+//  2. classify_open     follows chains of open edges. An edge is open if a cycle uses one of its
+//                       half-edges and no cycle uses the other. Each chain bounds a gap between the
+//                       listed faces, or is a missing outer boundary.
 //  3. find_contacts     makes one sweep over the undirected edges (docs/design/sweep.md). It finds:
-//                         - every pair of edges that intersect elsewhere than at a common vertex
+//                         - every pair of edges with a common point that is not a common vertex
 //                         - the order of the edges around each vertex
 //                         - for each component, the edge below its first vertex
-//  4. trace_orbits      traces the faces of the induced graph, that is, the planar graph of all
-//                       undirected edges, and finds the mixed faces. A face is traced from each
-//                       half-edge to the next one, which the order of the edges around a vertex
-//                       determines. This step is taken only if steps 1 to 3 found no duplicate,
-//                       open or crossing defect.
-//  5. nest_components   puts each component into a face: step 3 found the edge below the first
-//                       vertex of the component, and the face is the one above this edge
-//  6. describe_defects  describes the defects in a fixed order, with exact points and hints
+//  4. trace_orbits      traces the boundaries of the faces of the induced graph, and finds the
+//                       mixed faces. The induced graph is the planar graph of all undirected edges.
+//                       At each vertex, the order of the edges around it determines the next
+//                       half-edge of a boundary. This step is taken only if steps 1 to 3 found no
+//                       duplicate, open or crossing defect.
+//  5. nest_components   finds the face that contains each component. Step 3 found the edge below
+//                       the first vertex of the component. The component lies in the face above
+//                       this edge.
+//  6. describe_defects  describes the defects in a fixed order. A description has the exact point
+//                       of the defect and a hint for the user.
 //
-// Cost: O((n + k) log n) time for n corners and k crossings; O(n + d) memory for d described
+// Cost: O((n + k) log n) time and O(n + d) memory for n corners, k crossings and d described
 // defects.
 #pragma once
 
@@ -45,13 +49,13 @@ namespace plumb {
 enum class OuterRule {
   Listed,  ///< The outer boundary of every component must be listed, clockwise.
   Infer,   ///< Clockwise chains of open edges become the missing outer cycles, with a warning.
-  /// Open edges are no defects. A component that lies inside a listed face is a Nested defect,
-  /// unless the outer boundary of the component is listed.
+  /// An open edge is not a defect. But if a component lies inside a listed face, the outer boundary
+  /// of the component must be listed. If it is not listed, the component is a Nested defect.
   Ignore,
 };
 
-/// The verdict on a list of cycles (docs/maps.md). If several verdicts apply, the first of them in
-/// this list is given.
+/// The verdict on a list of cycles (docs/maps.md). If defects of several kinds exist, the verdict
+/// is the first one in this list whose defects exist.
 enum class MapVerdict {
   Valid,                  ///< There is no defect.
   NotAPlanarSubdivision,  ///< There are Duplicate defects.
@@ -63,11 +67,11 @@ enum class MapVerdict {
 enum class DefectKind {
   Duplicate,  ///< A directed edge is used more than once.
   Open,       ///< A directed edge is used, but its twin is not.
-  Crossing,   ///< Two undirected edges intersect elsewhere than at a common vertex.
+  Crossing,   ///< Two undirected edges have a common point that is not a common vertex.
   Twin,       ///< One cycle uses an edge in both directions.
-  /// The boundary of a face of the induced graph differs from the listed cycles. The boundary of a
-  /// bounded face must be one counter-clockwise cycle. The boundary of the outside of a component
-  /// must consist of clockwise cycles only.
+  /// A face of the induced graph does not have the required boundary of listed cycles. The outer
+  /// boundary of a bounded face must be one counter-clockwise listed cycle. The outer boundary of a
+  /// component must consist of clockwise listed cycles only.
   Mixed,
   Nested  ///< A component lies in a listed face, and its outer boundary is not listed.
 };
@@ -75,8 +79,10 @@ enum class DefectKind {
 /// Options of check_map().
 struct MapCheckOptions {
   OuterRule outer = OuterRule::Listed;  ///< The requirement on outer boundaries.
-  bool merge_vertices = false;  ///< Whether vertices with equal coordinates are merged first.
-  /// The largest number of defects that are described. The counts of defects are always complete.
+  /// Whether vertices with equal coordinates are merged before the check.
+  bool merge_vertices = false;
+  /// The largest number of defects that are described. Defects that are not described are counted,
+  /// too.
   std::uint64_t max_defects = 1000;
 };
 
@@ -90,13 +96,14 @@ struct MapEdge {
 /// One defect, with everything a user needs to find and correct it.
 struct MapDefect {
   DefectKind kind = DefectKind::Duplicate;  ///< The kind of defect.
-  /// The ids of the listed cycles that have the defect, in ascending order.
+  /// The ids of the listed cycles at which the defect occurs, in ascending order.
   std::vector<std::uint32_t> cycles;
-  /// The edges that have the defect. They are undirected for Crossing and Twin, otherwise directed.
-  /// A Mixed defect has one edge of the boundary of the face. A Nested defect has one edge of the
-  /// boundary of the component.
+  /// The edges at which the defect occurs. The edges of a Crossing or Twin defect are undirected,
+  /// all other edges are directed. For a Mixed defect this is one edge of the boundary of the face.
+  /// For a Nested defect it is one edge of the boundary of the component.
   std::vector<MapEdge> edges;
-  /// The exact point where the defect is. For edges that overlap it is the first common point.
+  /// The exact position of the defect. For two edges that overlap, this is their first common
+  /// point.
   std::optional<RationalPoint2> point;
   Point2 near{};     ///< The doubles nearest to the coordinates of `point`.
   std::string hint;  ///< A sentence that explains the defect and how to correct it.
@@ -106,10 +113,10 @@ struct MapDefect {
 struct MapDefectCounts {
   std::uint64_t duplicate = 0;  ///< Repeated uses of a directed edge.
   std::uint64_t open = 0;       ///< Directed edges without a twin; 0 under OuterRule::Ignore.
-  /// Pairs of undirected edges that intersect elsewhere than at a common vertex.
+  /// Pairs of undirected edges with a common point that is not a common vertex.
   std::uint64_t crossing = 0;
   std::uint64_t twin = 0;  ///< Undirected edges with both half-edges in one cycle.
-  /// Mixed faces. Set only if `duplicate`, `open` and `crossing` are all 0.
+  /// Mixed faces. This count is set only if `duplicate`, `open` and `crossing` are all 0.
   std::optional<std::uint64_t> mixed;
   std::uint64_t nested = 0;  ///< Nested components. Only OuterRule::Ignore can make it positive.
 };
@@ -129,7 +136,8 @@ struct MapWarning {
   std::string text;          ///< One sentence for the user.
 };
 
-/// A face of the subdivision, bounded by at most one outer cycle and any number of holes.
+/// A face of the subdivision. Its boundary consists of at most one outer cycle, and of the cycles
+/// of any number of holes.
 struct MapRegion {
   /// Id of the counter-clockwise cycle around the region. The unbounded region has none.
   std::optional<std::uint32_t> outer;
@@ -148,27 +156,31 @@ struct MapReport {
   /// The described defects, at most max_defects. They are sorted by kind, and within a kind by
   /// their position in the input.
   std::vector<MapDefect> defects;
-  /// The warnings, sorted by kind. At most max_defects warnings of each kind are listed, and then
-  /// one more warning that states how many are not listed. InferredOuter has no such limit.
+  /// The warnings, sorted by kind. At most max_defects warnings of each kind are listed. If there
+  /// are more warnings of a kind, one further warning states how many are not listed. The kind
+  /// InferredOuter has no such limit.
   std::vector<MapWarning> warnings;
   /// The regions, the unbounded region first. Only a map with the verdict Valid has regions.
   std::vector<MapRegion> regions;
   Map map;  ///< The map that was checked, with vertices merged and outer cycles added.
 };
 
-/// Checks a map and returns the verdict with all defects or all regions. Throws:
+/// Checks a map. Returns the verdict, with all regions if the map is valid, and with all defects if
+/// it is not. Throws:
 ///   - Error{DegenerateFace} if two consecutive corners of a listed cycle are the same vertex, or
-///     if a cycle has fewer than 3 corners, before or after vertices are merged
+///     if a cycle has fewer than 3 corners. If vertices are merged, this is checked before and
+///     after merging.
 ///   - Error{BadIndex} if a corner is not the index of a vertex
 ///   - ResourceLimit and Cancelled as the Context demands
-/// The head of this file states the cost.
+/// The cost is stated at the head of this file.
 MapReport check_map(Map map, const MapCheckOptions& options = {},
                     Context& context = unlimited_context());
 
-/// Returns the half-edge structure of a valid map. It has one loop for each listed cycle, and one
-/// face for each region, in the order of report.regions. It does not contain vertices that no cycle
-/// uses. Throws Error{BadArgument} if the verdict is not Valid or a directed edge has no twin. A
-/// map that is valid under OuterRule::Ignore may have such edges.
+/// Returns the half-edge structure of a valid map. The structure has one loop for each cycle of
+/// report.map, and one face for each region, in the order of report.regions. Vertices that no cycle
+/// uses are left out. Throws Error{BadArgument} if the verdict is not Valid. Throws
+/// Error{BadArgument} also if a cycle uses a directed edge whose twin no cycle uses. A map that is
+/// valid under OuterRule::Ignore may have such edges.
 DcelFromCycles to_dcel(const MapReport& report);
 
 }  // namespace plumb

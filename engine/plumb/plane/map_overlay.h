@@ -1,11 +1,12 @@
-// The overlay of two checked subdivisions. The overlay is a subdivision in which every face lies in
-// exactly one region of each map. measure() checks exactly that the areas of the faces add up to
-// the areas of the regions from which they were cut.
+// The overlay of two checked subdivisions. The overlay is the subdivision of the plane by the edges
+// of both maps. Every face of the overlay lies in exactly one region of each map. measure() checks
+// with exact arithmetic that the area of each region is the sum of the areas of the faces in it.
 //
-// Main flow of overlay_maps(): one sweep visits the edges of both maps together. Every face gets a
-// label, a pair of regions (one of each map). At every event, the sweep derives the label of the
-// face above each edge from the label of the face below it (plane_builder.h, docs/design/sweep.md).
-// Cost: O((n + k) log n) time for n edges and k crossings.
+// Main flow of overlay_maps(): one sweep visits the edges of both maps. Every face gets a label.
+// The label is the pair of the regions, one of each map, that contain the face. At every event, the
+// sweep visits the edges from bottom to top. It derives the label of the face above an edge from
+// the label of the face below this edge (plane_builder.h, docs/design/sweep.md). Cost: O((n + k)
+// log n) time for n edges and k crossings.
 #pragma once
 
 #include <cstdint>
@@ -31,41 +32,42 @@ struct MapOverlay {
   std::vector<Origin> origin;  ///< For each face of the complex, the regions that contain it.
 };
 
-/// Returns the overlay of two subdivisions. Throws Error{BadArgument} if one of the verdicts is not
-/// Valid, or if a directed edge of a map has no twin. Throws ResourceLimit and Cancelled as the
-/// Context demands.
+/// Returns the overlay of two subdivisions. Throws Error{BadArgument} if the verdict of a report is
+/// not Valid, or if a cycle uses a directed edge whose twin no cycle uses. Throws ResourceLimit and
+/// Cancelled as the Context demands.
 MapOverlay overlay_maps(const MapReport& first, const MapReport& second,
                         Context& context = unlimited_context());
 
-/// Returns a single subdivision in the form of an overlay: Origin::second is 0 for every face.
-/// Throws as overlay_maps() does.
+/// Returns one subdivision in the form of a MapOverlay. Origin::second is 0 for every face. Throws
+/// as overlay_maps() does.
 MapOverlay overlay_map(const MapReport& report, Context& context = unlimited_context());
 
 // --- areas of an overlay ----------------------------------------------------------------------
 
-/// Exact areas of the faces of an overlay, and of the regions from which they were cut.
+/// Exact areas of the faces of an overlay, and of the regions of both maps.
 struct OverlayAreas {
   std::vector<Rational> cell;  ///< Area of each face of the complex; 0 for unbounded faces.
-  /// Area of each region of the first map and of each region of the second map. Each area is
-  /// computed from the listed cycles of the region, and holes are subtracted. Region 0 has area 0.
+  /// Area of each region of the first map, and of each region of the second map. Each area is
+  /// computed from the listed cycles of the region; the areas of its holes are subtracted. The
+  /// entry of region 0, which is unbounded, is 0.
   std::vector<Rational> first, second;
-  /// Bounded regions of the first map and of the second map whose area differs from the sum of the
-  /// areas of their faces, in ascending order. An entry in one of these lists reveals a defect of
-  /// the library.
+  /// Bounded regions with a wrong area, in ascending order: those of the first map and those of the
+  /// second map. The area of a region is wrong if it differs from the sum of the areas of the faces
+  /// in it. A correct library never lists a region here.
   std::vector<std::uint32_t> wrong_first, wrong_second;
 
-  /// Whether the area of every bounded region equals the sum of the areas of its faces.
+  /// Whether the area of every bounded region equals the sum of the areas of the faces in it.
   bool add_up() const { return wrong_first.empty() && wrong_second.empty(); }
 };
 
-/// Returns the exact areas of the faces and of the regions. Requires that `overlay` is the overlay
-/// of these two reports, in this order. Throws ResourceLimit and Cancelled as the Context demands.
-/// Cost: the sum of O(n) rational terms.
+/// Returns the exact areas of the faces and of the regions. Requires that `overlay` is
+/// overlay_maps(first, second). Throws ResourceLimit and Cancelled as the Context demands. Cost:
+/// additions of O(n) rational terms.
 OverlayAreas measure(const MapOverlay& overlay, const MapReport& first, const MapReport& second,
                      Context& context = unlimited_context());
 
-/// Returns the sum of areas. For OverlayAreas::first this is the area that the bounded regions of
-/// the first map cover together.
+/// Returns the sum of areas. For example, the sum of OverlayAreas::first is the total area of the
+/// bounded regions of the first map.
 Rational sum_of(const std::vector<Rational>& areas);
 
 }  // namespace plumb

@@ -1,40 +1,43 @@
-// Nef polyhedra in the plane. These are the sets that can be made from open and closed half-planes
-// by unions, intersections and complements. Each edge and each vertex of the boundary may belong to
-// the set or not. A set may be unbounded, and may have isolated points, slits, rays and lines.
+// Nef polyhedra in the plane. A Nef polyhedron in the plane is a set that can be made from finitely
+// many open and closed half-planes by unions, intersections and complements. Each edge and each
+// vertex of its boundary may belong to the set or not. The set may be unbounded. It may have
+// isolated points, slits, rays and lines.
 //
 // A set is stored as its unique minimal complex (plane_complex.h). The complex consists of
 // vertices, edges and faces. The mark of each cell states whether the cell belongs to the set.
 // Equal sets have equal complexes.
 //
 // Main flow of every Boolean operation:
-//  1. SweepInput        collects the edges of all operands as curves, with one common table of
-//                       points
+//  1. SweepInput        collects the edges of all operands as curves. All curves refer to one
+//                       common table of points.
 //  2. sweep             visits all events in one exact sweep (sweep.h), which handles rays and
 //                       lines like segments
 //  3. PlaneBuilder      labels each face of the arrangement with the faces of the operands that
-//                       contain it, upward through each event. A rule computes the mark of each
-//                       cell from the labels. An edge is kept only if its mark differs from the
-//                       mark of a face beside it. A vertex is dropped if it is only a point of one
-//                       straight edge, or of one face, with the same mark.
-//  4. PlaneAssembler    joins the ends at infinity by the edges of the frame, traces the boundaries
-//                       of faces, nests each component in the face below it, and removes points
-//                       that are not used
-// Unary topological operators set new marks and remove redundant cells. They take O(n) and make no
-// sweep.
+//                       contain it. At each event, labels are computed from bottom to top. A rule
+//                       computes the mark of each cell from the labels. An edge is kept only if its
+//                       mark differs from the mark of a face beside it. A vertex is dropped in two
+//                       cases: if it lies inside a straight edge with the same mark, or inside a
+//                       face with the same mark.
+//  4. PlaneAssembler    joins the ends at infinity by the edges of the frame, and traces the
+//                       boundaries of faces. Then it finds the face that contains each connected
+//                       component, and removes points that are not used.
+// Unary topological operators set new marks and remove redundant cells. These operators take O(n)
+// and need no sweep.
 //
 // A Nef2 is an immutable value. Copies share their complex and cost O(1). Several threads may call
 // const members of the same set concurrently. Every operation gives the strong exception guarantee.
 //
 // Cost: binary operations take O((n + k) log n) for n edges and k crossings. Unary operations take
-// O(n). locate() takes O(log^2 n), after an index has been built once per set in O(n log^2 n).
-// Memory is O(n).
+// O(n). locate() takes O(log^2 n). The first call of locate() for a set also builds an index, in
+// O(n log^2 n). Memory is O(n).
 //
-// Errors: Error{NotFinite} for coordinates that are not finite; Error{BadArgument} where stated;
-// ResourceLimit and Cancelled as the Context demands.
+// Errors: all functions throw Error{NotFinite} for coordinates that are not finite, and
+// ResourceLimit and Cancelled as the Context demands. A function throws Error{BadArgument} only if
+// its comment states this.
 //
 // Source: W. Bieri and W. Nef, Elementary set operations with d-dimensional polyhedra, LNCS 333
-// (1988); M. Seel, Implementation of planar Nef polyhedra, MPI-I-2001-1-003 (2001). Here a frame
-// without coordinates replaces Seel's infimaximal frame (docs/design/frame.md).
+// (1988); M. Seel, Implementation of planar Nef polyhedra, MPI-I-2001-1-003 (2001). This library
+// replaces Seel's infimaximal frame by a frame without coordinates (docs/design/frame.md).
 #pragma once
 
 #include <array>
@@ -77,31 +80,37 @@ struct AffineMap2 {
   Rational y0 = 0;  ///< Constant term of y'.
 };
 
-/// The first cell that a ray meets, and the first point of that cell on the ray. If the ray enters
-/// a face through a boundary that does not belong to the set, the face has no first point on the
-/// ray. Then `point` is the point where the ray crosses this boundary.
+/// The first cell that a ray meets and that answers the query, and the first point of this cell on
+/// the ray. If the cell is a face that the ray enters through its boundary, the face has no first
+/// point on the ray, because the boundary is not a part of it. Then `point` is the point where the
+/// ray crosses this boundary.
 struct PlaneHit {
   PlaneLocation location;  ///< The cell that the ray meets.
   RationalPoint2 point;    ///< The point where the ray meets the cell.
 };
 
-/// A polygon with holes. Its boundary consists of rings. No ring repeats a point, but rings may
-/// touch each other at points.
+/// A polygon with holes. Its boundary consists of rings. No ring visits a point twice. Different
+/// rings may touch each other at points.
 struct PolygonWithHoles2 {
   std::vector<RationalPoint2> outer;               ///< The outer ring, counter-clockwise.
   std::vector<std::vector<RationalPoint2>> holes;  ///< The rings of the holes, clockwise.
 };
 
-/// The closure of a set, sorted by dimension; nothing is listed twice.
+/// The closure of a set, as polygons, lines and points. Every part of the closure is listed once,
+/// with the highest possible dimension.
 struct PlaneParts {
   std::vector<PolygonWithHoles2> polygons;  ///< Closures of the bounded marked faces.
-  /// Chains of segments that bound no marked face. A closed chain repeats its first point.
+  /// Chains of segments that are not on the boundary of a marked face. A closed chain repeats its
+  /// first point at its end.
   std::vector<std::vector<RationalPoint2>> lines;
   std::vector<RationalPoint2> points;  ///< Isolated points.
   bool dropped_unbounded = false;      ///< Whether unbounded faces, rays or lines were left out.
-  bool dropped_open = false;  ///< Whether the set was not closed, so that parts were added.
-  /// Whether points inside the closure were added: of a crack or puncture in a face, or of a gap
-  /// between two edges. False if only ends and borders were added, as after every difference.
+  /// Whether the set is not closed. If it is not closed, its closure has additional points.
+  bool dropped_open = false;
+  /// Whether some of the additional points are not on the border of the closure. Such points fill a
+  /// crack or a puncture in a face, or a gap of one point between two edges. The value is false if
+  /// every additional point is an end of an edge or lies on the border of a face. This is usual for
+  /// a difference of closed sets.
   bool filled = false;
 };
 
@@ -114,8 +123,8 @@ struct PlaneCounts {
   friend bool operator==(const PlaneCounts&, const PlaneCounts&) = default;
 };
 
-/// Selects the cells of an operand whose marks an operation uses. A cell that is not accepted
-/// counts as unmarked. An empty function accepts every cell.
+/// Selects cells of an operand. The operation uses the marks of accepted cells, and treats all
+/// other cells as unmarked. An empty function accepts every cell.
 struct PlaneSelector {
   std::function<bool(VertexId)> vertex;  ///< Accepts vertices.
   std::function<bool(EdgeId)> edge;      ///< Accepts edges.
@@ -129,21 +138,21 @@ class Nef2;
 /// Returns the set of the points p for which f(p in a, p in b) is true.
 [[nodiscard]] Nef2 boolean_op(const Nef2& a, const Nef2& b, MarkFunction f,
                               Context& context = unlimited_context());
-/// Returns boolean_op(a, b, f) of the operands in which only accepted cells keep their marks: a
-/// cell that the selector of its operand does not accept counts as unmarked.
+/// Returns boolean_op(a', b', f). Here a' is the set a in which all cells that `select_a` does not
+/// accept are unmarked. The set b' is made in the same way from b and `select_b`.
 [[nodiscard]] Nef2 boolean_op(const Nef2& a, const PlaneSelector& select_a, const Nef2& b,
                               const PlaneSelector& select_b, MarkFunction f,
                               Context& context = unlimited_context());
-/// Returns the union of any number of sets. The union is computed from pairs in a balanced binary
-/// tree. The union of zero sets is empty.
+/// Returns the union of any number of sets. The union is computed by a balanced binary tree of
+/// unions of two sets. The union of zero sets is empty.
 [[nodiscard]] Nef2 union_of(std::span<const Nef2> sets, Context& context = unlimited_context());
 /// Returns the intersection of any number of sets, computed in the same way as union_of(). The
-/// intersection of zero sets is the plane.
+/// intersection of zero sets is the whole plane.
 [[nodiscard]] Nef2 intersection_of(std::span<const Nef2> sets,
                                    Context& context = unlimited_context());
 
-// The operators of Nef's algebra. They are declared here because g++ does not export a friend that
-// is declared only inside its class.
+// The operators of Nef's algebra. These operators are declared outside the class because g++ does
+// not export a friend that is declared only inside its class.
 [[nodiscard]] Nef2 operator+(const Nef2& a, const Nef2& b);  ///< Returns the union.
 [[nodiscard]] Nef2 operator*(const Nef2& a, const Nef2& b);  ///< Returns the intersection.
 [[nodiscard]] Nef2 operator-(const Nef2& a, const Nef2& b);  ///< Returns the difference.
@@ -175,7 +184,7 @@ class Nef2 {
   /// Returns the half-plane to the left of a line. Throws Error{BadArgument} if line.a equals
   /// line.b.
   [[nodiscard]] static Nef2 half_plane(const Line2& line, Boundary boundary);
-  /// Returns the half-plane bounded by the line that contains the point `kept`. Throws
+  /// Returns the half-plane that is bounded by `line` and contains the point `kept`. Throws
   /// Error{BadArgument} if `kept` lies on the line, or if line.a equals line.b.
   [[nodiscard]] static Nef2 half_plane(const Line2& line, const RationalPoint2& kept,
                                        Boundary boundary);
@@ -188,25 +197,27 @@ class Nef2 {
   /// Returns the set that closed chains of points bound. Chain c has the points
   /// corners[chain_begin[c]], ..., corners[chain_begin[c + 1] - 1]. Its last point is joined to its
   /// first point. A face belongs to the set if `rule` accepts its winding number. `boundary`
-  /// decides about the edges and vertices on the chains:
-  ///   Closed  An edge belongs to the set in two cases: if a face beside it does, or if the chains
-  ///           run over it equally often in both directions (a spike). A vertex belongs to the set
-  ///           if an edge or face around it does, or if it is a chain of one point.
+  /// decides which edges and vertices on the chains belong to the set:
+  ///   Closed  An edge belongs to the set in two cases: if a face beside it belongs to the set, or
+  ///           if the chains run over the edge equally often in both directions (a spike). A vertex
+  ///           belongs to the set if an edge or face around it belongs to the set, or if the vertex
+  ///           is a chain of one point.
   ///   Open    Usually no edge on a chain belongs to the set. The exception is an edge that can be
-  ///           crossed without leaving the inside: the rule must accept the winding number after
-  ///           each crossed chain, for every order of the chains that run over the edge. A vertex
-  ///           belongs to the set if all edges and faces around it do.
+  ///           crossed without leaving the inside. To decide this, the chains that run over the
+  ///           edge are crossed one after the other. The rule must accept the winding number after
+  ///           each of these crossings, for every order of the chains. A vertex belongs to the set
+  ///           if all edges and faces around it belong to the set.
   [[nodiscard]] static Nef2 polygons(const PointTable2& points,
                                      std::span<const std::uint32_t> corners,
                                      std::span<const std::uint32_t> chain_begin, WindingRule rule,
                                      Boundary boundary, Context& context = unlimited_context());
   /// Returns the set that one closed chain bounds under WindingRule::NonZero. The direction of the
-  /// chain does not matter. A chain without points gives the empty set.
+  /// chain does not matter. If there are no points, the set is empty.
   [[nodiscard]] static Nef2 polygon(std::span<const Point2> points,
                                     Boundary boundary = Boundary::Closed,
                                     Context& context = unlimited_context());
   /// Returns the set of the points on open chains. Segments join consecutive points of a chain. A
-  /// chain of one point contributes this point. The arrays have the form that polygons() takes.
+  /// chain of one point adds this point to the set. The arrays have the same form as in polygons().
   [[nodiscard]] static Nef2 polylines(const PointTable2& points,
                                       std::span<const std::uint32_t> corners,
                                       std::span<const std::uint32_t> chain_begin,
@@ -219,34 +230,36 @@ class Nef2 {
                                    Context& context = unlimited_context());
   [[nodiscard]] static Nef2 point(const RationalPoint2& point);  ///< Returns the set of one point.
 
-  /// Returns the union of chosen regions of a checked subdivision: the closure of the union if
-  /// `boundary` is Closed, the interior of the closure if it is Open. The flag chosen[r] selects
-  /// report.regions[r]. Throws Error{BadArgument} if the verdict is not Valid, or if `chosen` and
-  /// report.regions have different sizes.
+  /// Returns the union of the chosen regions of a checked subdivision. If `boundary` is Closed, the
+  /// result is the closure of this union. If `boundary` is Open, the result is the interior of the
+  /// closure. The region report.regions[r] is chosen if chosen[r] is not 0. Throws
+  /// Error{BadArgument} if the verdict is not Valid, or if `chosen` and report.regions have
+  /// different sizes.
   [[nodiscard]] static Nef2 subdivision(const MapReport& report,
                                         std::span<const std::uint8_t> chosen, Boundary boundary,
                                         Context& context = unlimited_context());
 
-  /// Returns the set that a complex with its marks represents. The complex need not be minimal; the
-  /// function brings it into minimal form. Requires that audit(complex, AuditForm::Any) finds no
+  /// Returns the set that a complex with its marks represents. The complex need not be minimal,
+  /// because the function makes it minimal. Requires that audit(complex, AuditForm::Any) finds no
   /// flaw.
   [[nodiscard]] static Nef2 from_complex(PlaneComplex complex,
                                          Context& context = unlimited_context());
-  /// Returns the set of a complex that is already in minimal form. This function checks nothing.
-  /// audit() checks whether the complex is sound and minimal.
+  /// Returns the set of a complex. Requires that the complex is sound and minimal. This function
+  /// does not check the requirement; audit() of the result does.
   [[nodiscard]] static Nef2 from_minimal_unchecked(PlaneComplex complex) {
     return Nef2(std::move(complex));
   }
-  /// Returns the set represented by the complex of this set with the given marks. Throws
-  /// Error{BadArgument} if `marks` does not have exactly one mark for each cell. O(n).
+  /// Returns the set that the complex of this set represents after its marks are replaced by
+  /// `marks`. Throws Error{BadArgument} if `marks` does not have exactly one mark for each cell.
+  /// O(n).
   [[nodiscard]] Nef2 with_marks(PlaneMarks marks, Context& context = unlimited_context()) const;
 
   // --- reading ----------------------------------------------------------------------------------
 
   /// Returns the minimal complex: vertices, half-edges and faces, with their geometry and marks.
   [[nodiscard]] const PlaneComplex& complex() const&;
-  /// Returns the complex of an expiring set. The complex is moved out, or copied if other sets
-  /// share it.
+  /// Returns the complex of a temporary or moved set. The complex is moved out of the set. If other
+  /// sets share the complex, it is copied.
   [[nodiscard]] PlaneComplex complex() &&;
   [[nodiscard]] PlaneMarks marks() const;    ///< Returns the marks of all cells.
   [[nodiscard]] PlaneCounts counts() const;  ///< Returns the counts of cells. O(n).
@@ -259,10 +272,11 @@ class Nef2 {
   [[nodiscard]] bool is_bounded() const;  ///< Whether the set lies in some disk. O(n).
   [[nodiscard]] bool is_closed() const;   ///< Whether the set equals its closure. O(n).
   [[nodiscard]] bool is_open() const;     ///< Whether the set equals its interior. O(n).
-  /// Whether every point of this set belongs to `other`. The cost is that of a set difference.
+  /// Whether every point of this set belongs to `other`. This costs as much as the difference of
+  /// the two sets.
   [[nodiscard]] bool is_subset_of(const Nef2& other, Context& context = unlimited_context()) const;
 
-  /// Whether the point belongs to the set. The cost is that of locate().
+  /// Whether the point belongs to the set. This costs as much as locate().
   [[nodiscard]] bool contains(const RationalPoint2& p,
                               Context& context = unlimited_context()) const {
     return locate(p, context).marked;
@@ -282,33 +296,35 @@ class Nef2 {
   [[nodiscard]] bool has_on_boundary(const RationalPoint2& p,
                                      Context& context = unlimited_context()) const;
 
-  /// Returns the first marked cell that the ray from `origin` meets, or nullopt if it meets none.
-  /// The first cell of the ray is the one that contains `origin`. Throws Error{BadArgument} if the
-  /// direction is zero. The first call builds an index. Later calls take O(log n) for each cell on
-  /// the way, plus O(1) for each trapezoid on the way (of the vertical decomposition of the faces).
+  /// Returns the first marked cell that the ray from `origin` meets, or nullopt if the ray meets no
+  /// marked cell. The first cell on the ray is the cell that contains `origin`. Throws
+  /// Error{BadArgument} if the direction is zero. The first call builds an index. For this index,
+  /// vertical lines cut the faces into trapezoids. Later calls take O(log n) for each cell on the
+  /// way, plus O(1) for each trapezoid on the way.
   [[nodiscard]] std::optional<PlaneHit> shoot(const RationalPoint2& origin,
                                               const RationalPoint2& direction,
                                               Context& context = unlimited_context()) const;
-  /// Returns the first vertex or edge that the ray meets, whether marked or not, or nullopt if it
-  /// meets none. If `origin` lies on a vertex or edge, this is the first one. Errors and cost are
-  /// those of shoot().
+  /// Returns the first vertex or edge that the ray meets, marked or not. Returns nullopt if the ray
+  /// meets no vertex and no edge. If `origin` lies on a vertex or edge, the function returns this
+  /// vertex or edge. Errors and cost are the same as for shoot().
   [[nodiscard]] std::optional<PlaneHit> shoot_to_boundary(
       const RationalPoint2& origin, const RationalPoint2& direction,
       Context& context = unlimited_context()) const;
 
-  /// Returns the exact area, or nullopt if it is infinite. Cost: the sum of O(n) rational terms.
+  /// Returns the exact area, or nullopt if the area is infinite. Cost: additions of O(n) rational
+  /// terms.
   [[nodiscard]] std::optional<Rational> area(Context& context = unlimited_context()) const;
-  /// Returns area(). Nef3::measure() returns the volume, so generic code can call measure() for
-  /// sets of the plane and of space.
+  /// Returns area(). Generic code can call measure() for sets of the plane and of space:
+  /// Nef3::measure() returns the volume.
   [[nodiscard]] std::optional<Rational> measure(Context& context = unlimited_context()) const {
     return area(context);
   }
 
-  /// Returns the closure as polygons, lines and points. O(n log n).
+  /// Returns the closure of the set as polygons, lines and points. O(n log n).
   [[nodiscard]] PlaneParts parts(Context& context = unlimited_context()) const;
 
-  /// Checks every invariant from scratch. Returns the first broken invariant and where it is
-  /// broken, or nullopt if all hold. O(n log n).
+  /// Checks every invariant from scratch. Returns the first broken invariant and its location, or
+  /// nullopt if all invariants hold. O(n log n).
   [[nodiscard]] std::optional<DcelFlaw> audit(Context& context = unlimited_context()) const;
 
   // --- operations -------------------------------------------------------------------------------

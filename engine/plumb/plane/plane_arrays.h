@@ -1,15 +1,16 @@
 // Conversions between plain arrays and points or maps of the plane. The arrays contain coordinates
 // x y x y ... and indices of points.
 //
-//   input   points_of(xy) makes a table of points, as Nef2::polygons(points, corners, chain_begin,
-//           ...) and arrange(points, ...) take it.
-//           map_of_cycles(xy, cycle_begin, corners) makes a map for check_map().
-//   output  coordinates_of(points) makes an array of coordinates. The indices of a Map, or of the
-//           shapes of a set (plumb/io/plane_shapes.h), are indices of the points in this array.
+//   input   points_of(xy) makes a table of points. Nef2::polygons(points, corners, chain_begin,
+//           ...) and arrange(points, ...) take such a table. map_of_cycles(xy, cycle_begin,
+//           corners) makes a map for check_map().
+//   output  coordinates_of(points) makes an array of coordinates. The indices in a Map, and in the
+//           shapes of a set (plumb/io/plane_shapes.h), count the points of this array. Point i has
+//           the entries 2 i and 2 i + 1.
 //
-// Every function that takes indices takes them as spans. This includes Dcel::from_cycles(). The
-// data are copied once into the result. The result does not refer to the arrays, so the caller may
-// release them afterwards.
+// All functions of the library that take indices, including Dcel::from_cycles(), take them as
+// spans. Each function copies the data once into its result. The result does not refer to the
+// arrays, so the caller may release the arrays afterwards.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +31,7 @@ PointTable2 points_of(std::span<const double> xy);
 /// Returns the map of these points and cycles. Cycle c consists of corners[cycle_begin[c]], ...,
 /// corners[cycle_begin[c + 1] - 1]. So cycle_begin has one entry more than there are cycles. Throws
 /// Error{BadArgument} if cycle_begin does not ascend from 0 to the number of corners. Throws the
-/// errors of points_of(), too. The corners are not checked here, but by check_map(). O(n).
+/// errors of points_of(), too. This function does not check the corners; check_map() does. O(n).
 Map map_of_cycles(std::span<const double> xy, std::span<const std::uint32_t> cycle_begin,
                   std::span<const std::uint32_t> corners);
 

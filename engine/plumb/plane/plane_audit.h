@@ -10,18 +10,21 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Checks every invariant of a complex from scratch. Returns the first broken invariant and where
-/// it is broken, or nullopt if all hold. The invariants, in the order of the checks:
-///   - The arrays have the right sizes, and the ids of each kind of cell are consecutive.
+/// Checks every invariant of a complex from scratch. Returns the first broken invariant and its
+/// location, or nullopt if all invariants hold. The invariants are checked in the order of this
+/// list:
+///   - The arrays have the right sizes. The ids of the vertices, of the edges and of the faces are
+///     consecutive.
 ///   - The half-edge structure is sound (Dcel::audit, audit_planar) and has no pinches.
-///   - Exactly one ordinary edge ends at each frame vertex.
+///   - Each frame vertex is the end of exactly one ordinary edge.
 ///   - The indices of points are in range, and the line of each edge runs from left to right.
 ///   - The vertices are in lexicographic order, and each vertex lies on the lines of its edges.
 ///   - The edges leave each vertex in counter-clockwise order.
-///   - Edges intersect at vertices only, and each loop lies in the face that lists it. A separate
-///     sweep checks this.
-/// AuditForm::Minimal also checks that no cell can be removed without changing the set. The complex
-/// of a Nef2 has this form. Throws ResourceLimit and Cancelled as the Context demands. O(n log n).
+///   - Edges intersect only at vertices. Each loop lies in the face that lists the loop. A separate
+///     sweep checks these two invariants.
+/// If `form` is AuditForm::Minimal, one more invariant is checked: no cell can be removed without
+/// changing the set. The complex of a Nef2 is minimal in this sense. Throws ResourceLimit and
+/// Cancelled as the Context demands. O(n log n).
 std::optional<DcelFlaw> audit(const PlaneComplex& complex, AuditForm form,
                               Context& context = unlimited_context());
 

@@ -1,31 +1,33 @@
-// A subdivision of the plane with a mark for each cell. It represents a Nef2 or an Arrangement, and
-// may have unbounded edges.
+// A subdivision of the plane with a mark for each cell. A Nef2 and an Arrangement are stored as
+// such a subdivision. The edges of the subdivision may be unbounded.
 //
-// The frame: a subdivision with unbounded edges has a symbolic circle around all bounded cells, the
-// frame. Each end of a ray or line at infinity is a frame vertex. A frame edge joins each two
-// neighbouring frame vertices. One more face lies beyond the frame. A subdivision without unbounded
-// edges has no frame. Cells of the frame have no coordinates (docs/design/frame.md). All other
-// cells are called ordinary. In each numbering, the ordinary cells come before the cells of the
-// frame.
+// The frame: a subdivision with unbounded edges has a frame. The frame is a symbolic circle that
+// surrounds all bounded cells. Its vertices, the frame vertices, are the ends of rays and lines at
+// infinity. Its edges, the frame edges, join neighbouring frame vertices. One more face lies beyond
+// the frame. Cells of the frame have no coordinates (docs/design/frame.md). All other cells are
+// called ordinary. Vertices, edges and faces are numbered separately; in each numbering, the
+// ordinary cells come first. A subdivision without unbounded edges has no frame.
 //
 // Vertices: vertex v lies at points[vertex_point[v]]. Vertices are numbered in lexicographic order
 // of their points.
 //
 // Edges: edge e lies on the line through the input points line[e].a and line[e].b. The left end of
-// an edge is its lexicographically lesser end. Half-edge 2 e runs from the left end to the other
-// end, in the direction from a to b. Edges are numbered in the order in which a sweep meets their
-// left ends:
-//   - Edges that come from the left infinity are first.
-//   - All other edges follow in lexicographic order of their left ends. The left end of a vertical
-//     edge from infinity below precedes all points with the same x.
+// an edge is its lexicographically lesser end. Half-edge 2 e of edge e runs from the left end to
+// the other end, in the direction from a to b. Edges are numbered in the order in which a sweep
+// from left to right meets their left ends:
+//   - Edges that are unbounded to the left come first.
+//   - All other edges follow in lexicographic order of their left ends. If a vertical edge is
+//     unbounded below, its left end precedes all points with the same x.
 //   - Edges with the same left end are ordered from bottom to top.
 //
-// Faces: face 0 reaches down to (-infinity, -infinity). The other faces are numbered in the order
-// of the least half-edge of their boundaries.
+// Faces: face 0 is the lowest face at the left infinity: if x is small enough, and y is small
+// enough for this x, the point (x, y) lies in face 0. The other faces are numbered in ascending
+// order of the least half-edge on their boundaries.
 //
 // Coordinates are implicit. Each vertex is an input point, or the crossing of two lines through
-// input points. This remains true after any number of operations, so chains of operations never
-// make numbers longer. plane_audit.h checks these invariants.
+// input points. This remains true after any number of operations, so the numbers in a complex do
+// not become longer from operation to operation. audit() (plane_audit.h) checks all invariants
+// above.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +45,7 @@ namespace plumb {
 /// A directed line through two different input points.
 struct PlaneLine {
   std::uint32_t a;  ///< Index of an input point on the line.
-  std::uint32_t b;  ///< Index of another input point on the line, lexicographically greater.
+  std::uint32_t b;  ///< Index of a lexicographically greater input point on the line.
   friend bool operator==(const PlaneLine&, const PlaneLine&) = default;
 };
 
@@ -68,8 +70,8 @@ struct PlaneLocation {
 struct PlaneComplex {
   PlanePoints points;  ///< Input points and crossings.
   Dcel dcel;           ///< Incidences of all vertices, edges and faces, including the frame.
-  /// For each ordinary vertex, the index of its point. Index i less than points.inputs.size() is
-  /// input point i. Index points.inputs.size() + k is crossing k.
+  /// For each ordinary vertex, the index of its point. An index i less than points.inputs.size()
+  /// stands for input point i. The index points.inputs.size() + k stands for crossing k.
   std::vector<std::uint32_t> vertex_point;
   /// For each ordinary edge, its line. The indices a and b of a line refer to points.inputs.
   std::vector<PlaneLine> line;
@@ -82,7 +84,7 @@ struct PlaneComplex {
   /// Returns the number of ordinary faces.
   std::size_t face_count() const { return dcel.face_count() - (has_frame() ? 1 : 0); }
 
-  /// Whether the subdivision has a frame. It has one if an edge is unbounded.
+  /// Whether the subdivision has a frame. It has a frame if and only if an edge is unbounded.
   bool has_frame() const { return dcel.edge_count() != line.size(); }
   /// Whether v is a frame vertex, that is, an end of a ray or line at infinity.
   bool is_at_infinity(VertexId v) const { return v.value() >= vertex_count(); }
@@ -94,7 +96,7 @@ struct PlaneComplex {
   bool is_beyond(FaceId f) const { return f.value() >= face_count(); }
 
   /// Returns the next ordinary half-edge after h along the boundary of its face. If h ends at
-  /// infinity, a frame edge follows h; this edge is skipped. O(1).
+  /// infinity, a half-edge of the frame follows h. This half-edge is skipped. O(1).
   HalfedgeId next(HalfedgeId h) const {
     const HalfedgeId n = dcel.next(h);
     return is_frame(n) ? dcel.next(n) : n;

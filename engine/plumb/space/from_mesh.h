@@ -2,32 +2,34 @@
 // neither volumes nor marks.
 //
 // Main flow of complex_of_mesh():
-//  1. ordered_in_space     sorts a mesh of 4,096 or more triangles, unless it is read as a surface,
-//                          so that neighbours are close together in memory
-//  2. merge_equal_points   makes points of equal coordinates one vertex; drops unused points
-//  3. flatten_mesh         gives every face a plane; triangulates faces that are not planar or not
-//                          simple, drops faces without area, and reports each
-//  4. merge_doubled        makes facets with the same boundary one facet, whose jump is the sum of
-//                          theirs
-//  5. trace_borders        cuts directed edges at the vertices on them, and checks that each part
-//                          occurs as often as its reverse; otherwise lists the borders, in input
-//                          order
+//  1. ordered_in_space     sorts a mesh of 4,096 or more triangles so that neighbours are close
+//                          together in memory; does nothing if MeshOptions::surface is set
+//  2. merge_equal_points   makes one vertex of all points with equal coordinates, and drops points
+//                          that no face uses
+//  3. flatten_mesh         gives every face a plane. Faces that are not planar or not simple are
+//                          triangulated; faces without area are dropped. All such faces are listed
+//                          in the report
+//  4. merge_doubled        makes one facet of all facets with the same boundary. Its jump
+//                          (MeshComplex::jump) is the sum of the jumps of these facets
+//  5. trace_borders        cuts directed edges at the vertices that lie on them. Then checks that
+//                          each directed part occurs as often as its reverse. If not, lists the
+//                          borders, in the order of the input
 //  6. link_facets          makes edges, edge uses, their radial order, and stars
 //  7. find_components      finds the connected components and the signs of their volumes
 //  8. find_mesh_crossings  finds where the mesh meets itself outside common vertices and edges
-//  9. CoplanarMerge        joins neighbours in one plane to one facet, if
-//                          MeshOptions::joins_coplanar is set (simplify.h)
+//  9. CoplanarMerge        if MeshOptions::joins_coplanar is set, joins neighbouring facets in the
+//                          same plane into one facet (simplify.h)
 //
 // The caller does the remaining steps:
-//  - arrange() (mesh_arrangement.h) cuts the facets along each other,
+//  - arrange() (mesh_arrangement.h) cuts the facets along the lines in which they meet,
 //  - winding_numbers() computes winding numbers from the jumps,
 //  - a rule turns winding numbers into marks,
 //  - simplification merges coplanar neighbours.
 //
-// The facets of a mesh that crosses itself are not cells of a complex until they are arranged.
+// If a mesh crosses itself, its facets are cells of a valid complex only after arrange().
 //
-// Cost: O(n log n + c) for n corners and c pairs of triangles whose boxes meet. Memory: about 300
-// bytes per triangle. Source: docs/design/meshes.md.
+// Cost: O(n log n + c) for n corners and c pairs of triangles whose bounding boxes meet. Memory:
+// about 300 bytes per triangle. Source: docs/design/meshes.md.
 #pragma once
 
 #include <cstdint>
@@ -48,13 +50,14 @@ namespace plumb {
 
 /// How complex_of_mesh() reads a mesh.
 struct MeshOptions {
-  /// Whether the mesh is read as the set of its facets, and may be open. Vertices and facets then
-  /// keep the order of the input. If this is not set, an open mesh gives no complex, only a report
-  /// with its borders.
+  /// Whether the mesh is read as the set of its facets. In this case the mesh may be open, and
+  /// vertices and facets keep the order of the input. If this option is false, only a report with
+  /// the borders is made from an open mesh, and no complex.
   bool surface = false;
-  /// Whether neighbours in one plane become one facet, as in minimal sets. Edges that continue each
-  /// other then become one edge, and no second plane is made for edges between triangles of one
-  /// plane. Has no effect if `surface` is set or the mesh crosses itself.
+  /// Whether neighbouring facets in the same plane become one facet, as in minimal sets. If so,
+  /// consecutive edges on one line also become one edge, and no second plane is stored for an edge
+  /// between two triangles in the same plane. This option has no effect if `surface` is set or the
+  /// mesh crosses itself.
   bool joins_coplanar = false;
   /// The greatest number of crossing pairs that are listed. The count of pairs is complete.
   std::uint64_t max_listed = 1000;
@@ -64,9 +67,10 @@ struct MeshReport;
 
 /// How Nef3::from_mesh() makes a set from a mesh.
 struct FromMeshOptions {
-  /// The rule that says which winding numbers are inside. If it is empty, the rule is Positive, and
-  /// components of negative volume that no other component contains are flipped first. So a mesh
-  /// whose faces look inwards gives a solid, too.
+  /// The rule that determines which winding numbers are inside. If there is no value, the rule is
+  /// Positive, and some components are flipped first. These are the components of negative volume
+  /// that do not lie inside another component. So a mesh whose faces look inwards also becomes a
+  /// solid.
   std::optional<WindingRule> rule;
   /// Whether the set consists of the facets of the mesh instead of the volumes that they bound. The
   /// mesh may then be open.
@@ -81,25 +85,26 @@ struct FromMeshOptions {
 struct MeshReport {
   using FacePair =
       std::pair<std::uint32_t,
-                std::uint32_t>;  ///< The lesser and the greater face, unless stated otherwise.
+                std::uint32_t>;  ///< Two faces, the lesser index first, unless stated otherwise.
 
   /// Number of used points that have the coordinates of an earlier used point.
   std::uint64_t vertices_merged = 0;
-  std::vector<std::uint32_t> degenerate;  ///< Faces without area; they are left out.
-  std::vector<std::uint32_t> trimmed;     ///< Faces that lost repeated corners or spikes (a b a).
+  std::vector<std::uint32_t>
+      degenerate;                      ///< Faces without area; the complex does not contain them.
+  std::vector<std::uint32_t> trimmed;  ///< Faces that lost repeated corners or spikes (a b a).
   std::vector<std::uint32_t> not_planar;  ///< Faces that are not planar; they were triangulated.
   /// Faces that are not simple polygons. A face whose edges meet only in common vertices was
   /// triangulated. Any other such face was replaced by a fan of triangles with the same winding
   /// numbers.
   std::vector<std::uint32_t> not_simple;
-  /// Pairs (face, earlier face with the same boundary); the two are one facet now.
+  /// Pairs of a face and an earlier face with the same boundary. Both became the same facet.
   std::vector<FacePair> doubled;
-  /// Closed chains of vertices along which faces are missing. Each runs in the direction of the
-  /// missing face that would close the mesh.
+  /// Closed chains of vertices along which faces are missing. Each chain runs in the direction of
+  /// the boundary of a face that would close the mesh there.
   std::vector<std::vector<std::uint32_t>> borders;
   /// Number of pairs of facets that meet outside common vertices and edges.
   std::uint64_t crossing_count = 0;
-  std::vector<FacePair> crossings;  ///< The first crossing pairs, each pair of faces once.
+  std::vector<FacePair> crossings;  ///< The first pairs of faces that cross; each pair occurs once.
   /// The face of least index of each component of negative volume.
   std::vector<std::uint32_t> inside_out;
   /// The face of least index of each component that was flipped.
@@ -111,7 +116,8 @@ struct MeshReport {
   bool crosses_itself() const { return crossing_count > 0; }
 };
 
-/// Thrown if a mesh must be closed but is open. The report says where faces are missing.
+/// The error that is thrown if a mesh must be closed but is open. Its report lists the places where
+/// faces are missing.
 class OpenMesh : public Error {
  public:
   /// Makes the error from the report and the position in a file, if there is one.
@@ -125,42 +131,44 @@ class OpenMesh : public Error {
 
 /// A complex made from a mesh, and the origins of its facets. The complex has no volumes, and all
 /// its marks are 0. It is not minimal in general, even if neighbours were joined. A sheet is a
-/// facet as it was before arrange().
+/// facet before arrange() cuts it: a sheet can consist of several facets afterwards.
 struct MeshComplex {
-  /// The complex. Its facet_origin is the index of an input face, the least one if several became
-  /// one facet.
+  /// The complex. The facet_origin of each facet is the index of the input face that it comes from.
+  /// If several faces became one facet, it is the least of their indices.
   SpaceComplex complex;
-  /// Rise of the winding number from the negative to the positive side of each sheet. The winding
-  /// number behind an input face is greater by 1 than outside, where its corners are seen
-  /// counter-clockwise.
+  /// For each sheet, the winding number on its positive side minus the winding number on its
+  /// negative side. The front of an input face is the side from which its corners appear
+  /// counter-clockwise. The winding number behind the face is 1 more than in front of it.
   std::vector<std::int32_t> jump;
-  /// Component of each sheet. Sheets that share edges are in one component. Components are
-  /// numbered by their least sheet.
+  /// The index of the component of each sheet. Sheets that share an edge are in the same component.
+  /// Components are in the order of their least sheets.
   std::vector<std::uint32_t> component;
   /// For each component, 1 if its volume is negative, else 0.
   std::vector<std::uint8_t> is_inside_out;
   /// The pairs of sheets that meet outside common vertices and edges. Each pair occurs once.
   std::vector<std::pair<FacetId, FacetId>> crossings;
-  /// For each vertex, 1 if find_fans() found a fan (mesh_topology.h). Empty once volumes exist.
+  /// For each vertex, 1 if find_fans() found a fan (mesh_topology.h). The list is empty after the
+  /// volumes have been found.
   std::vector<std::uint8_t> has_fan;
   // arrange() fills the next two fields.
   /// Where each facet starts in `sheet`; facet_count() + 1 entries.
   std::vector<std::uint32_t> sheet_begin;
-  std::vector<std::uint32_t> sheet;  ///< The sheets that each facet lies in, ascending.
+  std::vector<std::uint32_t> sheet;  ///< The sheets that contain each facet, ascending.
   MeshReport report;                 ///< What was found in the mesh.
 
   /// Whether arrange() has cut the facets along each other.
   bool is_arranged() const { return !sheet_begin.empty(); }
-  /// Returns the sheets that a facet lies in. Requires is_arranged().
+  /// Returns the sheets that contain a facet. Requires is_arranged().
   std::span<const std::uint32_t> sheets_of(FacetId f) const {
     return std::span(sheet).subspan(sheet_begin[f.value()],
                                     sheet_begin[f.value() + 1] - sheet_begin[f.value()]);
   }
 };
 
-/// Returns the complex of a mesh and a report. The arrays are not needed afterwards. If the mesh is
-/// open and options.surface is false, only the report is filled. Throws Error{BadIndex} if a corner
-/// names no point, Error{NotFinite} if a coordinate is not finite, and what the context throws.
+/// Returns the complex of a mesh and a report. The arrays of the mesh are not needed afterwards. If
+/// the mesh is open and options.surface is false, only the report is filled. Throws Error{BadIndex}
+/// if a corner is not the index of a point, Error{NotFinite} if a coordinate is not finite, and
+/// what the context throws.
 [[nodiscard]] MeshComplex complex_of_mesh(const MeshView& mesh, const MeshOptions& options = {},
                                           Context& context = unlimited_context());
 

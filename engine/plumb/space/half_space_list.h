@@ -1,4 +1,4 @@
-// A compact list of half-spaces, for intersections of many half-spaces.
+// A compact list of half-spaces, from which the intersection of many half-spaces is computed.
 #pragma once
 
 #include <array>
@@ -14,21 +14,21 @@
 namespace plumb {
 
 /// An append-only list of half-spaces a x + b y + c z + d < 0 (open) or a x + b y + c z + d <= 0
-/// (closed). Each half-space takes four doubles and a byte. Numbers that are not doubles are stored
-/// separately.
+/// (closed). Each half-space takes four doubles and one byte. Coefficients that are not doubles are
+/// stored in an additional list.
 class HalfSpaceList {
  public:
   static constexpr std::size_t kBytes =
-      4 * sizeof(double) + 1;  ///< Size of a half-space of doubles.
+      4 * sizeof(double) + 1;  ///< Bytes for a half-space with four double coefficients.
 
-  /// Reserves memory for `count` half-spaces of doubles.
+  /// Reserves memory for `count` half-spaces with double coefficients.
   void reserve(std::size_t count);
-  /// Appends the next of the numbers a, b, c, d. Throws Error{NotFinite} if `value` is not finite;
-  /// then nothing is appended.
+  /// Appends the next coefficient. The four coefficients of a half-space are appended in the order
+  /// a, b, c, d. If `value` is not finite, throws Error{NotFinite} and appends nothing.
   void add_number(double value);
-  void add_number(Rational value);  ///< Appends the next number, exactly.
-  /// Completes a half-space. Requires that four numbers were appended since the previous
-  /// half-space.
+  void add_number(Rational value);  ///< Appends the next coefficient, exactly.
+  /// Completes a half-space. Requires that exactly four coefficients were appended since the
+  /// previous call of end().
   void end(Boundary boundary);
 
   std::size_t size() const { return is_open_.size(); }  ///< Returns the number of half-spaces.
@@ -38,7 +38,8 @@ class HalfSpaceList {
  private:
   Rational number(std::size_t k) const;
 
-  /// Four for each half-space; 0 stands for a number that is not a double.
+  /// Four numbers for each half-space. A number that is not a double is stored in exact_ and is 0
+  /// here.
   std::vector<double> numbers_;
   std::vector<std::uint8_t> is_open_;
   std::deque<std::pair<std::uint64_t, Rational>>

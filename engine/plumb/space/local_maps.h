@@ -1,13 +1,14 @@
 // The sphere map at a vertex, edge or facet of a complex: the intersection of the complex with a
 // small sphere around a point of that cell.
 //
-//   vertex   its half-edges are points of the map, its corners are arcs, and parts of volumes are
-//            faces
+//   vertex   its half-edges are points of the map, the corners of facets are arcs, and the parts of
+//            volumes around the vertex are faces
 //   edge     its map has two opposite points, joined by one half-circle for each edge use
 //   facet    its map has one loop between two faces
 //
-// A vertex whose map is connected needs no arithmetic. Otherwise cycles are grouped into faces by
-// walks along great circles (docs/design/sphere.md, Nesting).
+// If the map of a vertex is connected, no arithmetic is needed. Otherwise a face of the map can
+// have several boundary cycles. Walks along great circles determine which cycles bound the same
+// face (docs/design/sphere.md, section Nesting).
 #pragma once
 
 #include <vector>
@@ -21,15 +22,16 @@ namespace plumb {
 /// The sphere map of an item (a vertex, edge or facet of a complex), and the cell of the complex
 /// that each cell of the map belongs to.
 struct LocalMap {
-  SphereMap map;  ///< The map, seen from the item outwards.
-  /// The half-edge of each point, which leaves the item. The two points of an edge have its two
-  /// half-edges.
+  SphereMap map;  ///< The map, seen from the centre of the sphere.
+  /// The half-edge of each point of the map. At a vertex, it is the half-edge that leaves the
+  /// vertex in the direction of the point. In the map of an edge, the two points have the two
+  /// half-edges of the edge.
   std::vector<HalfedgeId> halfedge;
-  /// The edge use of each arc. Around a vertex the arc is the corner of the use. Around an edge the
-  /// arc is the half-circle of the use. A loop has no use (invalid).
+  /// The edge use of each arc. In the map of a vertex, the arc is the corner of the use. In the map
+  /// of an edge, the arc is the half-circle of the use. A loop has no use, so its entry is invalid.
   std::vector<UseId> use;
   std::vector<FacetId> facet;  ///< The facet of each arc.
-  /// The volume of each face; invalid while volumes are not labelled.
+  /// The volume of each face; invalid if the volumes of the complex have not been found yet.
   std::vector<VolumeId> volume;
 
   /// Returns the item of the complex that a cell of the map belongs to.
@@ -46,8 +48,8 @@ struct LocalMap {
   }
 };
 
-/// Replaces `out` by the map of an item, and reuses the memory of `out`. Requires that the item is
-/// a vertex, edge or facet.
+/// Stores the map of an item in `out`, and reuses the memory of `out`. Requires that the item is a
+/// vertex, edge or facet.
 void local_map(const SpaceComplex& complex, SpaceItem item, LocalMap& out);
 
 /// Returns the direction of a half-edge.

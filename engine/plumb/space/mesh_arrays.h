@@ -1,17 +1,19 @@
-// Polygon meshes with shared vertices. Mesh files contain such meshes, and sets of space are made
-// from them and converted to them.
+// Polygon meshes with shared vertices. Mesh files contain such meshes. Sets of space are made from
+// such meshes and can be converted to such meshes.
 //
-// A program that keeps its own arrays needs no conversion. The arrays contain coordinates (x y z x
-// y z ...) and, for each face, indices of points, counter-clockwise seen from outside:
+// A program can pass its own arrays without conversion. One array contains the coordinates of all
+// points (x y z x y z ...). Another array contains the corners of each face as indices of points,
+// counter-clockwise seen from outside:
 //
 //   in     mesh_of_triangles(xyz, corners), mesh_of_polygons(xyz, face_begin, corners): a MeshView
 //   out    coordinates_of(mesh), mesh.corners, mesh.face_begin
 //
-// A view is read in place. However, a mesh of 4,096 or more triangles is copied in sorted order;
-// the copy is released early. A set keeps its vertices as points of its own tables, so the arrays
-// may be released once the set is made. The functions of this header check neither that corners are
-// indices of points nor that coordinates are finite. The function that reads the mesh does:
-// complex_of_mesh() throws Error{BadIndex} and Error{NotFinite}.
+// A view is read in place, with one exception: a mesh of 4,096 or more triangles is copied in
+// sorted order, and the copy is released early. A set stores its vertices in tables of its own, so
+// the arrays may be released when the set has been made. The functions of this header do not check
+// that corners are indices of points, and do not check that coordinates are finite. The function
+// complex_of_mesh(), which reads the mesh, checks both, and throws Error{BadIndex} or
+// Error{NotFinite}.
 #pragma once
 
 #include <cstddef>
@@ -62,8 +64,8 @@ struct PolygonMesh {
 };
 
 /// Non-owning view of mesh arrays. The arrays must outlive the view. A PolygonMesh converts to a
-/// view. Requires that face_begin satisfies the conditions of mesh_of_polygons(); functions that
-/// take a view do not check them again.
+/// view. Requires that face_begin satisfies the conditions of mesh_of_polygons(). Functions that
+/// take a view do not check these conditions again.
 struct MeshView {
   std::span<const double>
       coordinates;  ///< The coordinates x y z of each point; rounded if `exact` lists the point.
@@ -76,7 +78,7 @@ struct MeshView {
   MeshView() = default;  ///< Makes a view without points and faces.
   /// Makes a view of the arrays of `mesh`.
   MeshView(const PolygonMesh& mesh);
-  /// Deleted, because the view would outlive a temporary.
+  /// Deleted, because a view of a temporary mesh would outlive the mesh.
   MeshView(const PolygonMesh&& mesh) = delete;
 
   /// Returns the number of points.
@@ -106,7 +108,7 @@ MeshView mesh_of_triangles(std::span<const double> coordinates,
                            std::span<const std::uint32_t> corners);
 
 /// Returns a view of polygons. Face f has the corners corners[face_begin[f]], ...,
-/// corners[face_begin[f + 1] - 1]. The function checks face_begin, in O(faces). Throws
+/// corners[face_begin[f + 1] - 1]. The function checks face_begin in O(F) time for F faces. Throws
 /// Error{BadArgument} unless:
 /// - face_begin ascends from 0 to the number of corners,
 /// - the number of coordinates is a multiple of three,
@@ -115,8 +117,8 @@ MeshView mesh_of_polygons(std::span<const double> coordinates,
                           std::span<const std::uint32_t> face_begin,
                           std::span<const std::uint32_t> corners);
 
-/// Returns the coordinates x y z of all points. Those of points in mesh.exact are rounded to the
-/// nearest doubles. The span is valid as long as mesh.points.
+/// Returns the coordinates x y z of all points. Coordinates of points in mesh.exact are rounded to
+/// the nearest doubles. The span is valid until mesh.points changes or is destroyed.
 std::span<const double> coordinates_of(const PolygonMesh& mesh);
 
 }  // namespace plumb

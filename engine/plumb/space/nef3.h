@@ -1,31 +1,35 @@
-// Nef polyhedra in space: every set that unions, intersections and complements make from open and
-// closed half-spaces. A set is open or closed at each facet, edge and vertex, and may be unbounded.
-// It may have dangling facets and edges, isolated points, and parts that touch along edges or at
-// vertices.
+// Nef polyhedra in space. A Nef polyhedron is a set that can be made from finitely many open and
+// closed half-spaces by unions, intersections and complements. Each facet, edge and vertex of its
+// boundary may or may not belong to the set. The set may be unbounded. It may have dangling facets
+// and edges, isolated points, and parts that touch along edges or at vertices.
 //
 // A set is stored as its unique minimal complex (space_complex.h). The complex consists of
-// vertices, edges, facets and volumes, each with a mark that says whether it belongs to the set.
-// The intersection of the complex with a small sphere around a vertex is a sphere map
-// (sphere_map.h). All operations work on sphere maps.
+// vertices, edges, facets and volumes. Each of these cells has a mark that tells whether its points
+// belong to the set. The intersection of the complex with a small sphere around a vertex is a
+// sphere map (sphere_map.h). All operations work on sphere maps.
 //
 // Main flow of a Boolean (boolean_op.h):
-//  1. contacts  finds where cells of one operand touch cells of the other; exact, filtered by boxes
-//  2. locate    finds the volume of the other operand around each vertex without a contact, by a
-//               flood or one ray
-//  3. overlay   overlays the two sphere maps at each contact, applies the function of marks and
-//               brings the result into minimal form
-//  4. assemble  pairs half-edges along lines, joins corners to cycles, cycles to facets, and shells
-//               to volumes
+//  1. contacts  finds the points where cells of one operand meet cells of the other operand. Only
+//               cells whose boxes meet are tested; the tests are exact
+//  2. locate    finds, for each vertex without a contact, the volume of the other operand that
+//               contains it: by walking along edges from a vertex whose volume is known, or by
+//               shooting one ray
+//  3. overlay   overlays the two sphere maps at each contact, computes the marks of the result from
+//               the marks of both maps, and brings the result into minimal form
+//  4. assemble  pairs half-edges along lines, links corners into cycles, groups cycles into facets,
+//               and groups shells into volumes
 // The unary topology operators (interior(), closure(), ...) change marks and simplify the complex
 // in O(n).
 //
 // A Nef3 is an immutable value. Copies share their complex and cost O(1), and several threads may
 // call const members at the same time. Every operation gives the strong exception guarantee.
-// Booleans add no planes, so numbers never grow, however many operations follow each other.
+// Booleans add no planes, so the lengths of numbers do not grow, even in a long sequence of
+// Booleans.
 //
-// Cost: Booleans of sets of sizes n and m take O((n + m + c) log(n + m + c)) for c pairs of boxes
-// that meet; unary operations take O(n). Errors: Error{NotFinite} and Error{BadArgument} where
-// stated; ResourceLimit and Cancelled as the Context demands. Source: W. Bieri and W. Nef,
+// Cost: a Boolean of two sets of sizes n and m takes O((n + m + c) log(n + m + c)), where c is the
+// number of pairs of boxes of cells that meet. Unary operations take O(n). Errors: functions throw
+// Error{NotFinite} and Error{BadArgument} where their comments say so. Functions with a Context
+// also throw ResourceLimit and Cancelled when the Context demands it. Source: W. Bieri and W. Nef,
 // Elementary set operations with d-dimensional polyhedra, LNCS 333 (1988); P. Hachenberger, L.
 // Kettner, K. Mehlhorn, Computational Geometry 38 (2007) 64-99; docs/design/boolean.md.
 #pragma once
@@ -51,8 +55,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The plane a x + b y + c z + d = 0 with (a, b, c) not zero. A point lies below it if
-/// a x + b y + c z + d < 0.
+/// The plane a x + b y + c z + d = 0 with (a, b, c) not zero. A point lies below the plane if a x +
+/// b y + c z + d < 0.
 struct Plane3 {
   Rational a;  ///< First coordinate of the normal.
   Rational b;  ///< Second coordinate of the normal.
@@ -69,18 +73,19 @@ struct HalfSpace3 {
 /// The affine map x -> matrix * x + offset.
 struct AffineMap3 {
   std::array<std::array<Rational, 3>, 3> matrix;  ///< Rows of the linear part.
-  std::array<Rational, 3> offset;                 ///< The translation, applied last.
+  std::array<Rational, 3> offset;  ///< The translation, which is applied after the linear part.
 };
 
-/// The location of a point: the cell that contains it, and whether it belongs to the set.
+/// The location of a point: the cell that contains the point, and whether the point belongs to the
+/// set.
 struct SpaceLocation {
   SpaceItem item;       ///< The vertex, edge, facet or volume that contains the point.
   bool marked = false;  ///< Whether the point belongs to the set.
 };
 
-/// The first cell that a ray meets, and the first point of that cell on the ray. If the ray runs
-/// inside the cell (a volume, or a facet or edge along the ray), the point is where the ray enters
-/// the cell.
+/// The first cell that a ray meets, and the first point of that cell on the ray. If the ray passes
+/// through a volume, or runs inside a facet or along an edge, the point is the one where the ray
+/// enters this cell.
 struct SpaceHit {
   SpaceLocation location;  ///< The cell, and whether it is marked.
   RationalPoint3 point;    ///< The first point of the cell on the ray.
@@ -105,8 +110,9 @@ struct SpaceCounts {
   friend bool operator==(const SpaceCounts&, const SpaceCounts&) = default;
 };
 
-/// Selects the cells whose marks take part in an operation: the cells that the functions accept.
-/// Other cells count as unmarked. An empty function accepts every cell.
+/// Selects the cells whose marks are used in an operation. A cell is selected if the function for
+/// its kind returns true. Cells that are not selected count as unmarked. An empty function selects
+/// every cell of its kind.
 struct SpaceSelector {
   std::function<bool(VertexId)> vertex;  ///< Accepts vertices.
   std::function<bool(EdgeId)> edge;      ///< Accepts edges.
@@ -114,7 +120,7 @@ struct SpaceSelector {
   std::function<bool(VolumeId)> volume;  ///< Accepts volumes.
 };
 
-/// Which part of space a cut keeps.
+/// The part of space with which a set is combined in a cut by a plane.
 enum class Section : std::uint8_t {
   ClosedHalfSpace,  ///< The points below the plane and on it.
   OpenHalfSpace,    ///< The points below the plane.
@@ -128,30 +134,30 @@ class Nef3;
 /// that are moved in.
 [[nodiscard]] Nef3 boolean_op(Nef3 a, Nef3 b, MarkFunction f,
                               Context& context = unlimited_context());
-/// Returns the same as boolean_op(a, b, f), where only the cells that the selectors accept count as
-/// marked.
+/// Returns boolean_op(a, b, f), with one difference: cells that the selectors do not select count
+/// as unmarked.
 [[nodiscard]] Nef3 boolean_op(const Nef3& a, const SpaceSelector& select_a, const Nef3& b,
                               const SpaceSelector& select_b, MarkFunction f,
                               Context& context = unlimited_context());
 /// Returns the points p for which f(p in a, p in section) holds. Only the cells near the plane cost
-/// work.
+/// time.
 [[nodiscard]] Nef3 boolean_op(const Nef3& a, const Plane3& plane, Section section, MarkFunction f,
                               Context& context = unlimited_context());
 /// Returns the union of any number of sets, computed pairwise in a balanced tree. If there are no
 /// sets, the union is empty.
 [[nodiscard]] Nef3 union_of(std::span<const Nef3> sets, Context& context = unlimited_context());
-/// Returns the intersection of any number of sets, computed as by union_of(). If there are no sets,
-/// the intersection is the whole space.
+/// Returns the intersection of any number of sets, computed pairwise in a balanced tree. If there
+/// are no sets, the intersection is the whole space.
 [[nodiscard]] Nef3 intersection_of(std::span<const Nef3> sets,
                                    Context& context = unlimited_context());
 
-// The operators of Nef's algebra. They are declared here because g++ does not export a friend that
-// is declared in its class only.
+// The operators of Nef's algebra. They are declared here because g++ does not export a friend
+// function that is declared only inside its class.
 [[nodiscard]] Nef3 operator+(const Nef3& a, const Nef3& b);  ///< Returns the union.
 [[nodiscard]] Nef3 operator*(const Nef3& a, const Nef3& b);  ///< Returns the intersection.
 [[nodiscard]] Nef3 operator-(const Nef3& a, const Nef3& b);  ///< Returns the difference.
-/// Returns the symmetric difference: the points of exactly one of the sets. (In the library
-/// Manifold, `^` is the intersection.)
+/// Returns the symmetric difference: the points that belong to exactly one of the two sets. (In the
+/// library Manifold, `^` is the intersection.)
 [[nodiscard]] Nef3 operator^(const Nef3& a, const Nef3& b);
 [[nodiscard]] bool operator==(const Nef3& a, const Nef3& b);  ///< Whether both are the same set.
 
@@ -195,19 +201,21 @@ class Nef3 {
   [[nodiscard]] static std::vector<Nef3> from_meshes(std::span<const PolygonMesh> meshes,
                                                      const FromMeshOptions& options = {},
                                                      Context& context = unlimited_context());
-  /// Returns the volumes that are inside by the rule, with their boundary, for a mesh that
-  /// complex_of_mesh() has read. Throws OpenMesh if the mesh is not closed.
+  /// Makes a set from a mesh that complex_of_mesh() has read. The set consists of the volumes that
+  /// are inside by the rule, together with their boundary. Throws OpenMesh if the mesh is not
+  /// closed.
   [[nodiscard]] static Nef3 from_mesh_complex(MeshComplex mesh, WindingRule rule,
                                               Context& context = unlimited_context());
-  /// Returns the facets with their boundary, for a mesh that complex_of_mesh() has read. The mesh
-  /// may be open.
+  /// Makes a set from a mesh that complex_of_mesh() has read. The set consists of the facets
+  /// together with their boundary. The mesh may be open.
   [[nodiscard]] static Nef3 from_facets(MeshComplex mesh, Context& context = unlimited_context());
 
   /// Returns the boundary of the closure of the interior as triangles in plain arrays, with
   /// coordinates rounded to the nearest doubles. Throws Error{BadArgument} if the set is unbounded.
   [[nodiscard]] TriangleMesh to_mesh(Context& context = unlimited_context()) const;
-  /// Returns the same boundary as polygons or triangles, with the facet that each face comes from.
-  /// The report says what the mesh does not represent of the set.
+  /// Returns the same boundary as a mesh of polygons or triangles. For each face, the result has
+  /// the facet that the face comes from. The report counts the cells of the set that the mesh does
+  /// not represent.
   [[nodiscard]] MeshOfComplex to_polygons(const ToMeshOptions& options = {},
                                           Context& context = unlimited_context()) const;
 
@@ -217,11 +225,12 @@ class Nef3 {
   [[nodiscard]] static Nef3 empty() { return Nef3(); }  ///< Returns the set without points.
   [[nodiscard]] static Nef3 whole();                    ///< Returns the whole space.
 
-  /// Returns the points below a plane, with the plane if `boundary` is Closed. Throws
-  /// Error{BadArgument} if a, b and c are all 0.
+  /// Returns the points below a plane. If `boundary` is Closed, the points of the plane belong to
+  /// the set, too. Throws Error{BadArgument} if a, b and c are all 0.
   [[nodiscard]] static Nef3 half_space(const Plane3& plane, Boundary boundary);
-  /// Returns the side of the plane on which `kept` lies, with the plane if `boundary` is Closed.
-  /// Throws Error{BadArgument} if `kept` lies on the plane, or if a, b and c are all 0.
+  /// Returns the points on the same side of the plane as `kept`. If `boundary` is Closed, the
+  /// points of the plane belong to the set, too. Throws Error{BadArgument} if `kept` lies on the
+  /// plane, or if a, b and c are all 0.
   [[nodiscard]] static Nef3 half_space(const Plane3& plane, const RationalPoint3& kept,
                                        Boundary boundary);
   /// Returns the points of a plane. Throws Error{BadArgument} if a, b and c are all 0.
@@ -240,7 +249,7 @@ class Nef3 {
                                   Context& context = unlimited_context());
   /// Returns the closed segment from a to b. If a equals b, it is one point.
   [[nodiscard]] static Nef3 segment(const RationalPoint3& a, const RationalPoint3& b);
-  /// Returns the union of the closed segments from each point to the next.
+  /// Returns the union of the closed segments from each point to the next point in the list.
   [[nodiscard]] static Nef3 polyline(std::span<const RationalPoint3> points,
                                      Context& context = unlimited_context());
   /// Returns the union of several polylines. Polyline i has the points points[begin[i]], ...,
@@ -258,22 +267,23 @@ class Nef3 {
   /// form. Requires that audit(complex, AuditForm::Any) finds no flaw.
   [[nodiscard]] static Nef3 from_complex(SpaceComplex complex,
                                          Context& context = unlimited_context());
-  /// Returns the set of a complex that is in minimal form already. Nothing is checked here; audit()
-  /// checks the result.
+  /// Returns the set of a complex. Requires that the complex is in minimal form. This function
+  /// checks nothing; audit() of the result checks everything.
   [[nodiscard]] static Nef3 from_minimal_unchecked(SpaceComplex complex) {
     return Nef3(std::move(complex));
   }
-  /// Returns the set that the complex of this set describes with other marks. Marks of the frame
-  /// stay as they are. Throws Error{BadArgument} unless there is one mark for each cell. O(n).
+  /// Replaces the marks of the complex of this set, and returns the set that the complex then
+  /// describes. Marks of cells of the frame do not change. Throws Error{BadArgument} if the number
+  /// of marks is not the number of cells. O(n).
   [[nodiscard]] Nef3 with_marks(const SpaceMarks& marks,
                                 Context& context = unlimited_context()) const;
-  /// Returns this set with other facet_origin ids, one for each facet of complex(). Operations pass
-  /// the ids on. A facet of a result has the least id of the facets that it came from; neighbouring
-  /// facets in one plane become one facet. The operator == does not compare ids. Throws
-  /// Error{BadArgument} unless there is one id for each facet.
+  /// Returns this set with other facet_origin ids, one for each facet of complex(). The results of
+  /// operations keep these ids. If several facets become one facet, for instance neighbours in the
+  /// same plane, the new facet has the least of their ids. The operator == does not compare ids.
+  /// Throws Error{BadArgument} if the number of ids is not the number of facets.
   [[nodiscard]] Nef3 with_origins(std::span<const std::uint32_t> facet_origin) const;
-  /// Returns this set with all bounded volumes of its complex added: the volumes that its boundary
-  /// encloses. O(n).
+  /// Returns the union of this set and all bounded volumes of its complex. These are the volumes
+  /// that the boundary of the set encloses. O(n).
   [[nodiscard]] Nef3 with_bounded_volumes(Context& context = unlimited_context()) const;
 
   // --- reading ----------------------------------------------------------------------------------
@@ -295,11 +305,11 @@ class Nef3 {
   [[nodiscard]] bool is_closed() const;   ///< Whether the set is its own closure. O(n).
   [[nodiscard]] bool is_open() const;     ///< Whether the set is its own interior. O(n).
   /// Whether the boundary is a 2-manifold with the set on one side. This means that there are no
-  /// dangling parts, two facets at every edge, and one cone at every vertex. Marks of the boundary
-  /// do not matter. O(n).
+  /// dangling parts, that every edge has exactly two facets, and that the set forms a single cone
+  /// at every vertex. Whether cells of the boundary belong to the set does not matter. O(n).
   [[nodiscard]] bool is_simple() const;
   /// Whether the set contains the segment between any two of its points. The set may be open,
-  /// unbounded or flat. The empty set is convex. Expected O(n).
+  /// unbounded or flat. The empty set is convex. Takes O(n) expected time.
   [[nodiscard]] bool is_convex() const;
   /// Whether every point of this set belongs to `other`. Costs as much as a difference.
   [[nodiscard]] bool is_subset_of(const Nef3& other, Context& context = unlimited_context()) const;
@@ -332,27 +342,29 @@ class Nef3 {
   [[nodiscard]] bool has_on_boundary(const Point3& p, Context& context = unlimited_context()) const;
 
   /// Returns the first marked cell that the ray from `origin` meets, or nothing if the ray meets no
-  /// marked cell. The cell that contains `origin` counts, too. The point of the hit need not belong
-  /// to the set: an open volume begins beyond that point. Throws Error{BadArgument} if the
-  /// direction is zero. Costs a few calls of locate() for each cell that the ray passes.
+  /// marked cell. If the cell that contains `origin` is marked, it is the result. The point of the
+  /// hit need not belong to the set. For example, if the ray enters an open volume, the point is on
+  /// the boundary of the volume. Throws Error{BadArgument} if the direction is zero. Costs a few
+  /// calls of locate() for each cell that the ray passes.
   [[nodiscard]] std::optional<SpaceHit> shoot(const RationalPoint3& origin,
                                               const RationalPoint3& direction,
                                               Context& context = unlimited_context()) const;
-  /// Returns the first vertex, edge or facet that the ray meets, marked or not. Has the errors and
-  /// the cost of shoot().
+  /// Returns the first vertex, edge or facet that the ray meets, whether or not it is marked.
+  /// Errors and cost are the same as for shoot().
   [[nodiscard]] std::optional<SpaceHit> shoot_to_boundary(
       const RationalPoint3& origin, const RationalPoint3& direction,
       Context& context = unlimited_context()) const;
-  /// Returns the first cell on the ray for which `accepts` returns true. Has the errors and the
-  /// cost of shoot().
+  /// Returns the first cell on the ray for which `accepts` returns true. Errors and cost are the
+  /// same as for shoot().
   [[nodiscard]] std::optional<SpaceHit> shoot_if(const RationalPoint3& origin,
                                                  const RationalPoint3& direction,
                                                  const std::function<bool(SpaceItem)>& accepts,
                                                  Context& context = unlimited_context()) const;
 
-  /// Returns the exact volume, or nothing if it is infinite. O(n) rational terms.
+  /// Returns the exact volume, or nothing if the volume is infinite. Adds O(n) rational terms.
   [[nodiscard]] std::optional<Rational> volume(Context& context = unlimited_context()) const;
-  /// Returns volume(). The name is the same in the plane, for code that serves both dimensions.
+  /// Returns volume(). Nef2 has a function of the same name, so that generic code can handle both
+  /// dimensions.
   [[nodiscard]] std::optional<Rational> measure(Context& context = unlimited_context()) const {
     return volume(context);
   }
@@ -365,9 +377,9 @@ class Nef3 {
 
   /// Returns the points that do not belong to the set. O(n).
   [[nodiscard]] Nef3 complement(Context& context = unlimited_context()) const;
-  /// Returns the set without its boundary. O(n).
+  /// Returns the interior: the set without the points of its boundary. O(n).
   [[nodiscard]] Nef3 interior(Context& context = unlimited_context()) const;
-  /// Returns the set with its boundary. O(n).
+  /// Returns the closure: the union of the set and its boundary. O(n).
   [[nodiscard]] Nef3 closure(Context& context = unlimited_context()) const;
   /// Returns the boundary: the points whose every neighbourhood contains both points of the set and
   /// points outside it. O(n).
@@ -390,7 +402,7 @@ class Nef3 {
   Nef3& operator+=(const Nef3& other) { return *this = *this + other; }
   /// Intersects this set with another one.
   Nef3& operator*=(const Nef3& other) { return *this = *this * other; }
-  /// Removes the points of another set.
+  /// Removes the points of another set from this set.
   Nef3& operator-=(const Nef3& other) { return *this = *this - other; }
   /// Replaces this set by the symmetric difference with another one.
   Nef3& operator^=(const Nef3& other) { return *this = *this ^ other; }

@@ -1,14 +1,14 @@
 // Checks whether rounding the vertices of a mesh to doubles has broken the mesh.
 //
 // Main flow of check_rounding():
-//  1. select_faces  finds the faces with a rounded vertex, and the faces whose boxes meet theirs:
-//                   nothing can go wrong elsewhere
-//  2. judge         lets complex_of_mesh() find what is wrong with these faces in their rounded
-//                   coordinates
-//  3. is_flipped    compares the normals of faces before and after rounding
+//  1. select_faces  selects the faces with a rounded vertex, and the faces whose boxes meet the box
+//                   of such a face. Rounding cannot break other faces
+//  2. judge         calls complex_of_mesh() for these faces with rounded coordinates, and reads the
+//                   defects from its report
+//  3. is_flipped    compares the normal of each face before rounding with its normal after rounding
 //
-// Cost: O(vertices) if the coordinates of all vertices are doubles. Otherwise a tree of O(n) boxes
-// is built, and complex_of_mesh() works on the faces of step 1.
+// Cost: O(V) for V vertices if all their coordinates are doubles. Otherwise the cost is that of
+// building a tree of O(n) boxes, and that of complex_of_mesh() for the faces of step 1.
 #pragma once
 
 #include <cstdint>
@@ -30,19 +30,22 @@ struct RoundingReport {
   std::uint64_t rounded_vertices = 0;
   /// Vertices with a coordinate that rounds to an infinity.
   std::vector<std::uint32_t> beyond_doubles;
-  std::uint64_t vertices_merged = 0;  ///< Number of vertices that coincide with another vertex now.
-  std::vector<std::uint32_t> degenerate;  ///< Faces without area now.
-  std::vector<std::uint32_t> flipped;     ///< Faces whose normal is reversed now.
-  std::vector<std::uint32_t> not_simple;  ///< Faces that cross themselves now.
-  std::vector<FacePair> doubled;          ///< Pairs of faces that coincide now.
-  std::uint64_t crossing_count = 0;  ///< Number of pairs of facets that cross only since rounding.
-  std::vector<FacePair> crossings;   ///< The first such pairs, as faces of the mesh.
-  /// Polygons that are not planar now. This does not harm their neighbours, but a program that
-  /// reads the mesh must triangulate these polygons. Their crossings are computed for their
-  /// constrained Delaunay triangles (complex_of_mesh()).
+  std::uint64_t vertices_merged =
+      0;  ///< Number of vertices that coincide with another vertex after rounding.
+  std::vector<std::uint32_t> degenerate;  ///< Faces that have no area after rounding.
+  std::vector<std::uint32_t> flipped;     ///< Faces whose normal is reversed by rounding.
+  std::vector<std::uint32_t> not_simple;  ///< Faces that cross themselves after rounding.
+  std::vector<FacePair> doubled;          ///< Pairs of faces that coincide after rounding.
+  std::uint64_t crossing_count = 0;       ///< Number of pairs of facets that cross after rounding.
+  std::vector<FacePair> crossings;  ///< The first of these pairs, as indices of faces of the mesh.
+  /// Polygons that are not planar after rounding. Neighbouring faces still fit together, but a
+  /// program that reads the mesh must triangulate these polygons. To find crossings,
+  /// complex_of_mesh() splits each of these polygons into constrained Delaunay triangles, and tests
+  /// these triangles.
   std::vector<std::uint32_t> not_planar;
 
-  /// Whether rounding broke nothing. Polygons that are not planar any more do not count.
+  /// Whether the mesh is intact after rounding. Polygons that are no longer planar do not make the
+  /// mesh unsound.
   bool is_sound() const {
     return beyond_doubles.empty() && vertices_merged == 0 && degenerate.empty() &&
            flipped.empty() && not_simple.empty() && doubled.empty() && crossing_count == 0;
@@ -50,8 +53,8 @@ struct RoundingReport {
 };
 
 /// Returns the effects of rounding on the mesh. At most `max_listed` crossings are listed, but
-/// crossing_count counts all. Requires that faces with their exact coordinates neither cross nor
-/// coincide. Throws what the context throws.
+/// crossing_count counts all. Requires that no two faces of the mesh cross or coincide before
+/// rounding. Throws what the context throws.
 RoundingReport check_rounding(const PolygonMesh& mesh, std::uint64_t max_listed,
                               Context& context = unlimited_context());
 

@@ -2,14 +2,16 @@
 // space_complex.h.
 //
 // Main flow of audit(), in which each step relies on the steps before it:
-//  1. links     sizes, ids, stars, uses, radial cycles, boundary cycles and free cells agree
-//  2. places    planes and vertices are distinct, edges run as their planes say, facets turn
-//               counter-clockwise around edges, sphere maps are drawn without crossings
-//  3. cycles    boundary cycles are simple, the outer cycle is first and counter-clockwise, holes
-//               lie inside it and apart from each other
+//  1. links     sizes of arrays, ids, stars, uses, radial cycles, boundary cycles and free cells
+//               are consistent
+//  2. places    planes are distinct, and so are vertices; edges have the direction that their
+//               planes define; facets around each edge are in counter-clockwise order; arcs of
+//               sphere maps do not cross
+//  3. cycles    boundary cycles are simple; the outer cycle of each facet is first and
+//               counter-clockwise; holes lie inside the outer cycle and outside each other
 //  4. meeting   cells meet only in common vertices and edges
-//  5. marks     volumes are those that find_volumes() finds, the frame is sound, and the complex is
-//               minimal if the AuditForm is Minimal
+//  5. marks     volumes are the same as those that find_volumes() finds; the frame is valid; if the
+//               AuditForm is Minimal, the complex is minimal
 #pragma once
 
 #include <optional>
@@ -27,15 +29,17 @@ struct SpaceFlaw {
   std::string place;      ///< The cells concerned, such as "edge 3, facet 5".
 };
 
-/// Returns the first flaw found, or nothing. Every id is checked before it is used, so the id of a
-/// plane or point that does not exist is a flaw and does no harm. For AuditForm::Minimal, a cell
-/// that could be removed without changing the set is a flaw, too (a Nef3 is minimal). Throws what
-/// the context throws.
+/// Returns the first flaw found, or nothing. Every id is checked before it is used. So the id of a
+/// plane or point that does not exist is reported as a flaw, and is never used. For
+/// AuditForm::Minimal, a cell that could be removed without changing the set is a flaw, too. The
+/// complex of every Nef3 is minimal. Throws what the context throws.
 ///
-/// Cost: O(n log n + pairs of boxes that meet). Two kinds of cells cost more:
-/// - A facet with k vertices, edges or holes inside it, or in the box of its surface, costs O(k)
-///   times the number of cycles in whose boxes these vertices, edges or holes lie.
-/// - A vertex of degree d around which the corners form no fan (mesh_topology.h) costs O(d^2).
+/// Cost: O(n log n + c), where c is the number of pairs of boxes of cells that meet. Two kinds of
+/// cells cost more:
+/// - Consider a facet, and the k vertices, edges and holes that lie inside the facet or in its box.
+///   The facet costs O(k) times the number of cycles in whose boxes these items lie.
+/// - A vertex of degree d costs O(d^2) if the corners around it do not form a fan
+///   (mesh_topology.h).
 ///
 /// Memory: about as much as the complex.
 std::optional<SpaceFlaw> audit(const SpaceComplex& complex, AuditForm form,

@@ -1,37 +1,44 @@
-// A marked subdivision of space. Every set of space is stored in this form: vertices, edges, facets
-// and volumes in flat arrays, each with a mark that says whether it belongs to the set.
+// A marked subdivision of space. Every set of space is stored in this form. The vertices, edges,
+// facets and volumes are stored in flat arrays. Each of these cells has a mark that tells whether
+// its points belong to the set.
 //
 // Notation
-//   edge e       lies on the line of edge_planes[e] = {p, q}. Half-edge 2 e runs along n_p x n_q,
-//                where x is the cross product and n the normal of a plane; half-edge 2 e + 1 runs
-//                the other way
-//   use u        is an edge on the boundary of a facet, an "edge use" (K. Weiler, The radial edge
-//                structure, in: Geometric Modeling for CAD Applications, 1988). It runs along
-//                use_halfedge[u]. The facet is to its left, seen from the positive side of the
-//                (canonical) plane of the facet. The corner of a use is the corner of its facet at
-//                the origin of the use. It sweeps counter-clockwise from use_halfedge[u] to the
-//                reverse of use_halfedge[use_prev[u]]
-//   radial       is the order of the uses of both half-edges of e, counter-clockwise around
-//                half-edge 2 e, which points at the viewer. A use of 2 e is followed by the volume
-//                on the positive side of its facet, and a use of 2 e + 1 by the volume on the
+//   edge e       lies on the line of edge_planes[e] = {p, q}. Half-edge 2 e has the direction of
+//                the cross product of n_p and n_q, the normals of the planes p and q. The other
+//                half-edge, 2 e + 1, has the opposite direction
+//   use u        is an edge use: one occurrence of an edge on the boundary of a facet (K. Weiler,
+//                The radial edge structure, in: Geometric Modeling for CAD Applications, 1988). The
+//                use runs along use_halfedge[u]. Seen from the positive side of the (canonical)
+//                plane of the facet, the facet is to the left of the use. The corner of a use is
+//                the corner of its facet at the origin of the use. The corner sweeps
+//                counter-clockwise from use_halfedge[u] to the reverse of use_halfedge[use_prev[u]]
+//   radial       is the cyclic order of all uses of edge e. The order is counter-clockwise for a
+//                viewer at whom half-edge 2 e points. Between each use and the next one lies a
+//                volume. After a use of half-edge 2 e, this is the volume on the positive side of
+//                the use's facet. After a use of half-edge 2 e + 1, it is the volume on the
 //                negative side
-//   facet f      has a plane, a mark, a volume on its positive [0] and negative [1] side, boundary
-//                cycles (the outer one first, then holes), and vertices inside it
-//   volume 0     reaches to infinity in a bounded set. In an unbounded set it is the volume beyond
-//                the frame
+//   facet f      has a plane, a mark, boundary cycles (the outer cycle first, then the holes), and
+//                vertices inside it. It also has one volume on its positive side [0], and one
+//                volume on its negative side [1]
+//   volume 0     is the volume that reaches to infinity, if the set is bounded. If the set is
+//                unbounded, volume 0 is the volume outside the frame
 //
-// The sphere map of a vertex (local_maps.h) is a view of these arrays. Its points are the
-// half-edges that leave the vertex, its arcs are the corners of uses, and its faces are the sides
-// of facets.
+// The sphere map of a vertex (local_maps.h) is a view of these arrays. The points of the map are
+// the half-edges that leave the vertex. The arcs are the corners of uses at the vertex. The faces
+// are the parts of volumes around the vertex, found from the sides of facets.
 //
 // Free cells:
-// - An edge without uses lies in the volume edge_volume.
-// - A vertex inside a facet has vertex_facet, and `inner` of that facet lists it. The sphere map of
-//   such a vertex has a loop; edges may leave the vertex.
-// - A vertex with neither half-edges nor a facet lies in vertex_volume.
+// - For an edge without uses, edge_volume holds the volume that contains the edge, and edge_use
+//   holds the invalid id.
+// - For a vertex inside a facet, vertex_facet holds the facet, and the facet's list in `inner`
+//   contains the vertex. The sphere map of such a vertex has a loop. Edges outside the facet may
+//   end at the vertex.
+// - For a vertex at which no edge ends and that lies in no facet, vertex_volume holds the volume
+//   that contains the vertex.
 //
-// Frame: an unbounded set is cut by a cube |x|, |y|, |z| <= R with R greater than all numbers.
-// Cells on the cube and beyond it have the mark kBeyond and are never shown to users.
+// Frame: an unbounded set is cut off at the cube |x|, |y|, |z| <= R, where R is greater than all
+// numbers. Cells on the boundary of the cube and outside the cube have the mark kBeyond, and are
+// never shown to users.
 //
 // audit() in space_audit.h checks the invariants. Sources: docs/design/boolean.md, sphere.md and
 // frame.md.
@@ -58,14 +65,16 @@ struct SpaceComplex {
   // One entry for each vertex.
   std::vector<SpacePoint> vertex_point;  ///< The point of each vertex, an id in `tables`.
   std::vector<Mark> vertex_mark;         ///< Whether the vertex belongs to the set.
-  std::vector<VolumeId> vertex_volume;   ///< The volume of an isolated vertex; else invalid.
-  std::vector<FacetId> vertex_facet;     ///< The facet of a vertex inside a facet; else invalid.
+  std::vector<VolumeId>
+      vertex_volume;  ///< The volume around an isolated vertex; invalid for other vertices.
+  std::vector<FacetId>
+      vertex_facet;  ///< The facet that contains the vertex; invalid if there is none.
   /// Where each vertex starts in `star`; vertex_count() + 1 entries.
   std::vector<std::uint32_t> star_begin;
   std::vector<HalfedgeId> star;  ///< The half-edges that leave each vertex.
 
   // One entry for each edge, except `origin`, which has one entry for each half-edge.
-  /// Two planes that meet in the line of the edge.
+  /// Two planes whose intersection is the line of the edge.
   std::vector<std::array<PlaneId, 2>> edge_planes;
   std::vector<Mark> edge_mark;        ///< Whether the edge belongs to the set.
   std::vector<UseId> edge_use;        ///< One use of the edge; invalid if the edge is free.
@@ -73,18 +82,20 @@ struct SpaceComplex {
   std::vector<VertexId> origin;       ///< The vertex at which each half-edge begins.
 
   // One entry for each edge use.
-  std::vector<HalfedgeId> use_halfedge;  ///< The edge, in the direction of the facet's cycle.
-  std::vector<UseId> use_next;           ///< The next use along the cycle.
-  std::vector<UseId> use_prev;           ///< The previous use along the cycle.
-  std::vector<UseId> use_radial;         ///< The next use around the same edge.
-  std::vector<FacetId> use_facet;        ///< The facet that the use bounds.
+  std::vector<HalfedgeId>
+      use_halfedge;  ///< The half-edge of the edge in the direction of the facet's cycle.
+  std::vector<UseId> use_next;     ///< The next use along the cycle.
+  std::vector<UseId> use_prev;     ///< The previous use along the cycle.
+  std::vector<UseId> use_radial;   ///< The next use around the same edge.
+  std::vector<FacetId> use_facet;  ///< The facet that the use bounds.
 
   // One entry for each facet.
   std::vector<PlaneId> facet_plane;  ///< The plane; its normal points to the positive side.
   std::vector<Mark> facet_mark;      ///< Whether the facet belongs to the set.
   /// The volumes on the positive [0] and negative [1] side of the facet.
   std::vector<std::array<VolumeId, 2>> facet_volume;
-  std::vector<std::uint32_t> facet_origin;  ///< The id that the caller gave; operations pass it on.
+  std::vector<std::uint32_t>
+      facet_origin;  ///< The id that the caller gave to the facet; results of operations keep it.
   /// Where each facet starts in `cycle`; facet_count() + 1 entries.
   std::vector<std::uint32_t> cycle_begin;
   std::vector<UseId> cycle;  ///< One use of each cycle of a facet, the outer cycle first.
@@ -109,7 +120,8 @@ struct SpaceComplex {
   static HalfedgeId twin(HalfedgeId h) { return HalfedgeId(h.value() ^ 1U); }
   /// Returns the edge of a half-edge.
   static EdgeId edge_of(HalfedgeId h) { return EdgeId(h.value() >> 1U); }
-  /// Whether the half-edge has an odd id, so that it runs against n_p x n_q.
+  /// Whether the half-edge has an odd id. Its direction is then opposite to the cross product of
+  /// n_p and n_q.
   static bool is_reverse(HalfedgeId h) { return (h.value() & 1U) != 0; }
   /// Returns the vertex at which a half-edge ends.
   VertexId target(HalfedgeId h) const { return origin[h.value() ^ 1U]; }
@@ -130,7 +142,7 @@ struct SpaceComplex {
   }
   /// Returns the vertex at which a use begins.
   VertexId use_origin(UseId u) const { return origin[use_halfedge[u.value()].value()]; }
-  /// Returns the volume that follows the use in radial order.
+  /// Returns the volume between the use and the next use in radial order.
   VolumeId volume_after(UseId u) const {
     return facet_volume[use_facet[u.value()].value()][is_reverse(use_halfedge[u.value()]) ? 1 : 0];
   }
@@ -157,11 +169,11 @@ class SpaceItem {
     return item;
   }
 
-  /// Whether this names an item. All other members except code() require this.
+  /// Whether this names an item. All other members except code() require a valid item.
   constexpr bool is_valid() const { return code_ != ~std::uint32_t{0}; }
   /// Returns the kind of the item.
   constexpr Kind kind() const { return static_cast<Kind>(code_ >> 30U); }
-  /// Returns the index of the item among those of its kind.
+  /// Returns the index of the item among the items of the same kind.
   constexpr std::uint32_t index() const { return code_ & 0x3fffffffU; }
   /// Returns the kind and the index in 32 bits.
   constexpr std::uint32_t code() const { return code_; }

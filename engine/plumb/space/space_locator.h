@@ -1,29 +1,34 @@
 // Point location and ray shooting in a complex.
 //
 // Main flow:
-//  1. build        makes a box tree over facets, free edges and isolated vertices, once
-//  2. on_item      tests the items whose boxes contain the point. It compares the point with the
-//                  plane first, and then, in a projection along an axis (space_ray.h), with
-//                  vertices, edges and interior
-//  3. shoot        finds the intersection of the ray with each candidate: by filters in doubles,
-//                  and by exact arithmetic for ties and close calls. If the ray runs along an
-//                  axis, find_near tests the candidates whose boxes meet a short part of the ray,
-//                  then a longer part, as long as the candidates are few. Otherwise the boxes that
-//                  the ray enters are visited nearest first
-//  4. volume_of    shoots towards -x. The first item that the ray meets determines the volume in
-//                  front of that item: a facet by its side, an edge or vertex by its sphere map
-//  5. locate       for doubles, uses a grid (volume_grid.h, made at the first query). The grid
-//                  knows the volume of every grid cell that is away from the boundary. Near the
-//                  boundary, the locator searches only to the left, up to a point whose volume the
-//                  grid knows
+//  1. build        makes a tree of the bounding boxes of facets, free edges and isolated vertices.
+//                  This is done once
+//  2. on_item      tests the items whose boxes contain the point. The point is first compared with
+//                  the plane of the facet. If it lies on the plane, it is compared with the
+//                  vertices, edges and interior of the facet, in a projection along an axis
+//                  (space_ray.h)
+//  3. shoot        finds the intersection of the ray with each candidate. Intersections are
+//                  computed in doubles first, and exactly if doubles do not decide. If the ray is
+//                  parallel to an axis, find_near tests the candidates whose boxes meet a short
+//                  part of the ray, then those at a longer part, and so on, as long as there are
+//                  few candidates. In all other cases, the boxes that the ray enters are visited in
+//                  order of distance, the nearest first
+//  4. volume_of    shoots towards -x. The volume in front of the first item that the ray meets is
+//                  the result. If the item is a facet, the volume is that of the facet's side. If
+//                  it is an edge or vertex, its sphere map gives the volume
+//  5. locate       for points with double coordinates, uses a grid (volume_grid.h), which is made
+//                  at the first query. For every grid cell that no box of an item meets, the grid
+//                  stores the volume that contains the grid cell. If such a box meets the grid cell
+//                  of the point, the locator searches from the point to the left, but only up to a
+//                  point whose volume is stored in the grid
 //
-// Requires vertices, edges, uses, and facets with their cycles; volume_of and locate also require
-// volumes. Marks serve only to recognize the frame. Several threads may call const members at the
-// same time.
+// All functions require vertices, edges, uses, and facets with their cycles. The functions
+// volume_of and locate require volumes, too. Marks are used only to recognize the frame. Several
+// threads may call const members at the same time.
 //
-// Cost: O(n log n) to build; 76 bytes for each item of the tree, and 16 bytes more for the grid. A
-// query visits O(log n) nodes and a few facets, provided that boxes of facets are small and few of
-// them overlap.
+// Cost: building takes O(n log n) time. The tree needs 76 bytes for each item, and the grid another
+// 16 bytes for each item. If the boxes of facets are small and few of the boxes overlap, a query
+// visits O(log n) nodes and a few facets.
 #pragma once
 
 #include <memory>
@@ -45,15 +50,15 @@ struct SpaceItemHit {
 /// An index over a complex for point location and ray shooting.
 class SpaceLocator {
  public:
-  /// Builds the index. The complex must outlive the locator, and the parts of it that the head of
-  /// this file requires must not change. O(n log n).
+  /// Builds the index. The complex must outlive the locator. The parts of the complex that the head
+  /// of this file requires must not change. O(n log n).
   explicit SpaceLocator(const SpaceComplex& complex);
   ~SpaceLocator();
   SpaceLocator(const SpaceLocator&) = delete;
   SpaceLocator& operator=(const SpaceLocator&) = delete;
 
-  /// Returns the vertex, edge or facet on which the point lies, or an invalid item if it lies in a
-  /// volume. Never returns an item of the frame.
+  /// Returns the vertex, edge or facet on which the point lies, or an invalid item if the point
+  /// lies in a volume. Never returns an item of the frame.
   SpaceItem on_item(const RationalPoint3& p) const;
   SpaceItem on_item(const Point3& p) const;
 
@@ -62,8 +67,8 @@ class SpaceLocator {
   VolumeId volume_of(const RationalPoint3& p) const;
   VolumeId volume_of(const Point3& p) const;
 
-  /// Returns the vertex, edge, facet or volume on which the point lies: on_item(), or else
-  /// volume_of(). Requires volumes.
+  /// Returns the cell that contains the point. This is the result of on_item() if that is valid,
+  /// otherwise the result of volume_of(). Requires volumes.
   SpaceItem locate(const RationalPoint3& p) const;
   SpaceItem locate(const Point3& p) const;
   /// Sets items[i] to locate(points[i]). To use several threads, give each thread a part of the
@@ -71,9 +76,9 @@ class SpaceLocator {
   void locate(std::span<const Point3> points, std::span<SpaceItem> items) const;
 
   /// Returns the first vertex, edge or facet that the ray meets strictly after `origin`, or
-  /// nothing. If the ray starts in an item or runs along it, that item does not count. The ray then
-  /// meets the vertex or edge at which it leaves the item. Items of the frame do not count.
-  /// Requires that `direction` is not zero.
+  /// nothing. An item in which the ray starts or along which it runs does not count. The vertex or
+  /// edge at which the ray leaves such an item counts. Items of the frame do not count. Requires
+  /// that `direction` is not zero.
   std::optional<SpaceItemHit> shoot(const RationalPoint3& origin,
                                     const RationalPoint3& direction) const;
   std::optional<SpaceItemHit> shoot(const Point3& origin, const Point3& direction) const;

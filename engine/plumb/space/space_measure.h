@@ -1,13 +1,14 @@
-// Exact measures of a set of space: volume and centroid of its marked volumes, and the area of
-// their boundary.
+// Measures of a set of space: the exact volume and centroid of the marked volumes, and the rounded
+// area of their boundary.
 //
-// The volume is a sum over the boundary of signed tetrahedra with the origin as apex. Each facet is
-// a sum over its edges, holes included, of signed triangles with one corner of the facet as apex.
-// So nothing is triangulated. For vertices with double coordinates, all terms are fractions whose
-// denominators are powers of two.
+// The volume is computed as a sum of signed volumes of tetrahedra. Each tetrahedron has the origin
+// as apex, and a triangle of the boundary as base. For each edge of a facet, including the edges of
+// holes, there is one signed triangle: its corners are the ends of the edge and one fixed corner of
+// the facet. So no facet has to be triangulated. If the coordinates of all vertices are doubles,
+// the denominators of all terms are powers of two.
 //
-// All functions require volumes and marks, and throw what the context throws. Cost: a few rational
-// terms for each edge of a facet, about 10 us.
+// All functions require that the complex has volumes and marks. They throw what the context throws.
+// Cost: a few rational terms for each edge of a facet, about 10 us.
 #pragma once
 
 #include <optional>
@@ -19,8 +20,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the exact volume of all marked volumes together, or nothing if it is infinite. Cells of
-/// lower dimension do not count, so the result is 0 if there is no marked volume.
+/// Returns the sum of the exact volumes of all marked volumes, or nothing if the sum is infinite.
+/// If there is no marked volume, the result is 0, because facets, edges and vertices do not count.
 std::optional<Rational> marked_volume(const SpaceComplex& complex,
                                       Context& context = unlimited_context());
 
@@ -29,8 +30,8 @@ std::optional<Rational> marked_volume(const SpaceComplex& complex,
 std::optional<RationalPoint3> marked_centroid(const SpaceComplex& complex,
                                               Context& context = unlimited_context());
 
-/// Returns the area of all facets between a marked and an unmarked volume, or nothing if it is
-/// infinite. The relative error is below 2^-50, except for overflow and subnormal results.
+/// Returns the area of all facets between a marked and an unmarked volume, or nothing if the area
+/// is infinite. The relative error is below 2^-50, unless the result overflows or is subnormal.
 std::optional<double> surface_area(const SpaceComplex& complex,
                                    Context& context = unlimited_context());
 

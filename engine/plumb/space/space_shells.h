@@ -1,16 +1,20 @@
 // The shells of a complex: the connected components of the boundaries of its volumes.
 //
-// A shell contains the parts of the boundary that a point moving in one volume can reach along that
-// boundary. The point moves on sides of facets, across edges to the next side, and through vertices
-// around which the volume continues. Free edges and isolated vertices are parts of shells, too. A
-// facet with the same volume on both sides contributes both sides. The boundary of a volume is the
-// union of its shells. A bounded volume has one outer shell, and other shells around the voids in
-// it.
+// Consider a point that moves along the boundary of a volume without leaving the closure of the
+// volume. A shell consists of all parts of the boundary that such a point can reach. The point
+// moves on the sides of facets that face the volume, across edges to the next such side, and across
+// vertices. Free edges and isolated vertices are parts of shells, too. If a facet has the same
+// volume on both sides, both of its sides are parts of shells of that volume. The boundary of a
+// volume is the union of its shells. A bounded volume has one outer shell. In addition, it has one
+// inner shell for each connected part of the boundary that lies inside, such as the boundary of a
+// void.
 //
-// In an unbounded set, all parts that reach to infinity are connected there, by the frame. Cells of
-// the frame and volumes beyond it are not listed.
+// In an unbounded set, all parts of the boundary of one volume that reach to infinity belong to the
+// same shell, because the frame connects them. Cells of the frame and the volume outside the frame
+// are not listed.
 //
-// Cost: O(n alpha(n)). A shell is read as a few spans, or by a visitor with visit().
+// Cost: O(n alpha(n)). The cells of a shell are returned as spans, or are passed to a visitor by
+// visit().
 #pragma once
 
 #include <cstdint>
@@ -36,25 +40,29 @@ class SpaceShells {
   explicit SpaceShells(const SpaceComplex& complex);
 
   /// Returns the number of shells. Shells are ordered by volume, then by their lexicographically
-  /// least vertex. So the outer shell of a bounded volume comes first. A shell without vertices
-  /// (all of it lies at infinity) comes last.
+  /// least vertex. So the outer shell of a bounded volume is the first of its shells. If all
+  /// vertices of a shell belong to the frame, the shell has no listed vertices, and is the last
+  /// shell of its volume.
   std::size_t size() const { return volume_.size(); }
-  /// Returns the shells of a volume, in their order.
+  /// Returns the shells of a volume, in ascending order.
   std::span<const ShellId> shells_of(VolumeId v) const;
   /// Returns the volume that a shell bounds.
   VolumeId volume(ShellId s) const { return volume_[s.value()]; }
 
-  /// Returns the sides of facets that make up the shell, seen as faces of a solid that fills the
-  /// volume. So is_reversed is set if the volume is on the positive side of the facet.
+  /// Returns the sides of facets that make up the shell. The sides are those of a solid that fills
+  /// the volume, seen from outside the solid. So is_reversed is set if the volume is on the
+  /// positive side of the facet.
   std::span<const FacetSide> sides(ShellId s) const { return part(sides_, side_begin_, s); }
-  /// Returns the edges of the facets of the shell and its free edges, each once.
-  std::span<const EdgeId> edges(ShellId s) const { return part(edges_, edge_begin_, s); }
-  /// Returns the vertices of the facets and edges of the shell and its isolated vertices, each
+  /// Returns the edges of the shell: the edges of its facets, and its free edges. Each edge occurs
   /// once.
+  std::span<const EdgeId> edges(ShellId s) const { return part(edges_, edge_begin_, s); }
+  /// Returns the vertices of the shell: the vertices of its facets and edges, and its isolated
+  /// vertices. Each vertex occurs once.
   std::span<const VertexId> vertices(ShellId s) const { return part(vertices_, vertex_begin_, s); }
 
-  /// Calls the visitor once with every FacetSide of a shell, then with every EdgeId, then with
-  /// every VertexId. Types with which the visitor cannot be called are skipped.
+  /// Calls the visitor with every FacetSide of a shell, then with every EdgeId, then with every
+  /// VertexId. If the visitor does not accept one of these types, the cells of this type are
+  /// skipped.
   template <class Visitor>
   void visit(ShellId s, Visitor&& visitor) const {
     visit_all(sides(s), visitor);
@@ -87,10 +95,10 @@ class SpaceShells {
   std::vector<VertexId> vertices_;
 };
 
-/// The solid that a mesh made from a shell bounds.
+/// The solid that is bounded by a mesh made from a shell.
 enum class ShellSolid : std::uint8_t {
-  Volume,  ///< The volume of the shell: faces look out of it.
-  Other,   ///< The solid on the other side of the shell: a void becomes a solid.
+  Volume,  ///< The volume of the shell: faces of the mesh look out of this volume.
+  Other,  ///< The solid on the other side of the shell. For example, the shell around a void gives a solid in the shape of the void.
 };
 
 /// Returns the facets of a shell as a mesh. Throws Error{BadArgument} if one of the facets reaches
@@ -99,7 +107,7 @@ MeshOfComplex mesh_of_shell(const SpaceShells& shells, ShellId s, ShellSolid sol
                             const ToMeshOptions& options = {},
                             Context& context = unlimited_context());
 
-/// Which cells of a shell belong to the set that set_of_shell() makes.
+/// The cells of a shell that belong to the set returned by set_of_shell().
 enum class ShellMarks : std::uint8_t {
   Own,  ///< The cells that belong to the original set.
   All,  ///< All cells: the shell as a closed set.
@@ -107,7 +115,7 @@ enum class ShellMarks : std::uint8_t {
 
 /// Returns the facets, edges and vertices of a shell as a set without volumes.
 /// Nef3::with_bounded_volumes() adds the volumes that such a set encloses. Requires that `shells`
-/// are those of set.complex().
+/// was made from set.complex().
 Nef3 set_of_shell(const Nef3& set, const SpaceShells& shells, ShellId s, ShellMarks marks,
                   Context& context = unlimited_context());
 

@@ -1,18 +1,18 @@
-// Converts a complex with volumes and marks to a polygon mesh: the boundary of the closure of its
-// interior.
+// Converts a complex with volumes and marks to a polygon mesh. The mesh represents the boundary of
+// the closure of the interior of the set.
 //
 // Main flow of mesh_of_complex():
-//  1. boundary_sides   finds the facets between a marked and an unmarked volume, and turns them so
-//                      that the marked volume is behind them
-//  2. mesh_of_sides    joins the corners around each vertex to cones, makes vertices, then polygons
-//                      and triangles
-//  3. ClosureCount     counts marked cells outside the closure of the interior, and unmarked cells
-//                      in it
+//  1. boundary_sides   finds the facets between a marked and an unmarked volume. Each of them is
+//                      seen from the side of the unmarked volume
+//  2. mesh_of_sides    groups the corners around each vertex into cones. Then makes the vertices of
+//                      the mesh, and then its polygons or triangles
+//  3. ClosureCount     counts the marked cells outside the closure of the interior, and the
+//                      unmarked cells inside the closure of the interior
 //
 // The corners of triangles are vertices of the complex, and no vertex lies inside a side of a
 // triangle. So there are no T-junctions.
 //
-// Cost: O(n log n), and about 5 us for each constructed vertex, which is rounded exactly.
+// Cost: O(n log n), and about 5 us to round each constructed vertex correctly.
 #pragma once
 
 #include <cstdint>
@@ -41,18 +41,19 @@ enum class MeshFaces : std::uint8_t {
 /// Options of the conversion to a mesh.
 struct ToMeshOptions {
   MeshFaces faces = MeshFaces::PlanarPolygons;  ///< How facets become faces.
-  /// Whether each cone of the solid at a vertex gets its own vertex of the mesh. These vertices
-  /// have equal coordinates. Edges with more than two faces are then split, too.
+  /// Whether the mesh has a separate vertex for each cone of the solid at a vertex of the set.
+  /// These mesh vertices have equal coordinates. If so, edges with more than two faces are split,
+  /// too.
   bool split_vertices = false;
-  /// Whether mesh.exact is filled, which triples the time of a mesh with many constructed vertices.
-  /// check_rounding() and exact formats need it.
+  /// Whether mesh.exact is filled. check_rounding() and exact file formats need mesh.exact. Filling
+  /// it triples the time for a mesh with many constructed vertices.
   bool keeps_exact = false;
 };
 
-/// A facet seen from one of its sides, which is the outside of a solid.
+/// A facet seen from one of its two sides. This side is the outside of a solid.
 struct FacetSide {
   FacetId facet;     ///< The facet.
-  bool is_reversed;  ///< Whether it is seen from its negative side.
+  bool is_reversed;  ///< Whether the facet is seen from its negative side.
   friend bool operator==(const FacetSide&, const FacetSide&) = default;
 };
 
@@ -68,12 +69,15 @@ struct ItemCounts {
 /// Counts of the cells of a set that its mesh does not represent, and of the edges and vertices
 /// where the mesh is not a manifold.
 struct ToMeshReport {
-  /// Whether a marked volume reaches to infinity. The mesh is then empty. After soup_of_complex():
-  /// whether a facet reaches to infinity. Such facets are left out of the mesh.
+  /// For mesh_of_complex(), whether a marked volume reaches to infinity. If so, the mesh is empty.
+  /// For soup_of_complex(), whether a facet reaches to infinity. The mesh does not contain such
+  /// facets.
   bool is_unbounded = false;
-  ItemCounts dropped;                       ///< Marked cells not in the closure of marked volumes.
-  ItemCounts filled;                        ///< Unmarked cells inside the solid, now part of it.
-  ItemCounts closed;                        ///< Unmarked cells on its boundary, now part of it.
+  ItemCounts
+      dropped;  ///< Marked cells outside the closure of the marked volumes; the mesh omits them.
+  ItemCounts filled;  ///< Unmarked cells inside the solid; the solid of the mesh includes them.
+  ItemCounts
+      closed;  ///< Unmarked cells on the boundary of the solid; the solid of the mesh includes them.
   std::uint64_t non_manifold_edges = 0;     ///< Edges with more than two faces.
   std::uint64_t non_manifold_vertices = 0;  ///< Vertices with more than one cone.
   /// Whether an edge has more than two faces, or a vertex more than one cone.
@@ -82,8 +86,8 @@ struct ToMeshReport {
 
 /// A mesh and the facets that it comes from.
 struct MeshOfComplex {
-  /// The mesh. Its points are correctly rounded. If options.keeps_exact is set, `exact` lists the
-  /// exact coordinates of the points that had to be rounded.
+  /// The mesh. Its points are correctly rounded. If ToMeshOptions::keeps_exact is set, mesh.exact
+  /// lists the exact coordinates of the points that had to be rounded.
   PolygonMesh mesh;
   std::vector<FacetId> facet;  ///< The facet that each face comes from.
   ToMeshReport report;         ///< The cells that the mesh does not represent.
@@ -91,29 +95,32 @@ struct MeshOfComplex {
 
 /// Returns the boundary of the closure of the interior as a mesh. If a marked volume is unbounded,
 /// the mesh is empty and report.is_unbounded is set. Requires volumes and marks. Cells of the frame
-/// and beyond it do not count.
+/// and cells outside the frame do not count.
 MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& options = {},
                               Context& context = unlimited_context());
 
-/// Returns all facets of a set as a mesh, whether or not there is a solid behind them. Facets of
-/// boundary_sides() are seen from outside. Other facets (dangling facets, cuts in a solid) occur
-/// once, seen from their positive side. Facets that reach to infinity are left out, and
-/// report.is_unbounded is set. report.dropped counts marked edges and vertices outside the closure
-/// of the marked volumes; report.dropped.facets is 0. Requires volumes and marks.
+/// Returns all facets of a set as a mesh, whether or not there is a solid behind them. The facets
+/// that boundary_sides() returns are seen from outside the solid. Other facets (dangling facets,
+/// cuts in a solid) occur once, and are seen from their positive side. Facets that reach to
+/// infinity are left out, and report.is_unbounded is set. report.dropped counts marked edges and
+/// vertices outside the closure of the marked volumes; report.dropped.facets is 0. Requires volumes
+/// and marks.
 MeshOfComplex soup_of_complex(const SpaceComplex& complex, const ToMeshOptions& options = {},
                               Context& context = unlimited_context());
 
-/// Whether the facet reaches to infinity, that is, has a vertex on the frame.
+/// Whether the facet reaches to infinity. This is so if and only if the facet has a vertex on the
+/// frame.
 bool is_unbounded(const SpaceComplex& complex, FacetId f);
 
 /// Returns the boundary of the closure of the interior, as sides in ascending order of facets.
 /// Requires volumes and marks. O(facets).
 std::vector<FacetSide> boundary_sides(const SpaceComplex& complex);
 
-/// Returns any sides, for instance those of a shell, as a mesh. Only the counts of non-manifold
-/// edges and vertices are filled in the report. Requires that each side occurs at most once. Also
-/// requires that, around every edge, as many sides have the solid before them as have it after
-/// them.
+/// Returns the given sides, for instance the sides of a shell, as a mesh. In the report, only the
+/// counts of non-manifold edges and vertices are filled. Requires that each side occurs at most
+/// once. Around every edge, in counter-clockwise order, some sides have the solid just before them,
+/// and the other sides have the solid just after them. Requires that there are as many sides of the
+/// first kind as of the second kind.
 MeshOfComplex mesh_of_sides(const SpaceComplex& complex, std::span<const FacetSide> sides,
                             const ToMeshOptions& options = {},
                             Context& context = unlimited_context());

@@ -1,33 +1,37 @@
-// Nef polyhedra on the sphere. These are the sets of directions that can be made from open and
-// closed half-spheres by unions, intersections and complements. Each arc and each point of the
-// boundary may belong to the set or not. A set may have isolated points, slits along great circles,
-// and whole great circles.
+// Nef polyhedra on the sphere. A Nef polyhedron on the sphere is a set of directions that can be
+// made from finitely many open and closed half-spheres by unions, intersections and complements.
+// Each arc and each point of its boundary may belong to the set or not. The set may have isolated
+// points, slits along great circles, and whole great circles.
 //
 // A set is stored as its unique minimal map (sphere_map.h). The map consists of points, arcs and
-// faces. One of the arcs may be a loop, that is, a whole circle without a point. The mark of each
-// cell states whether the cell belongs to the set. Equal sets have equal maps, except for the
-// numbering of the cells. SphereMap::centre_mark is not used.
+// faces. At most one of the arcs is a loop, that is, a whole great circle on which there is no
+// point of the map. The mark of each cell states whether the cell belongs to the set. Equal sets
+// have equal maps, except for the numbering of the cells. The member SphereMap::centre_mark has no
+// meaning for such a map.
 //
 // A direction is given by a vector other than zero. The length of the vector has no meaning, so
 // coordinates never need square roots. A great circle is given by a normal. The positive side of
-// the circle is the open half-sphere that contains the normal. Seen from outside, it lies to the
-// left of a walk along the circle, counter-clockwise about the normal.
+// the circle is the open half-sphere that contains the normal. Walk along the circle
+// counter-clockwise about the normal: seen from outside the sphere, the positive side lies to the
+// left of this walk.
 //
 // Main flow of every Boolean operation:
-//  1. one table   brings the circles of both operands into one table of planes
-//  2. boolean_op  overlays the maps with a SphereOverlay, which finds the intersections of arcs,
-//                 links half-arcs, labels cells, computes their marks, and simplifies the result
-// Unary topological operators set new marks and remove redundant cells. They take O(n).
+//  1. one table   puts the planes of the circles of both operands into one table
+//  2. boolean_op  overlays the maps with a SphereOverlay. The overlay finds the intersections of
+//                 arcs, links half-arcs, labels cells, computes the marks of cells, and removes
+//                 redundant cells.
+// Unary topological operators set new marks and remove redundant cells. These operators take O(n).
 //
 // A NefSphere is an immutable value. Copies share their map and cost O(1). Several threads may call
 // const members of the same set concurrently. Every operation gives the strong exception guarantee.
 //
 // Cost: a binary operation costs as much as SphereOverlay::boolean_op(). A unary operation takes
-// O(n). Each point location or ray shooting takes O(n) and copies the table of planes. For many
-// queries of the same set, use a SphereLocator.
+// O(n). A point location or ray shooting takes O(n), and copies the table of planes. For many
+// queries in the same set, use a SphereLocator.
 //
-// Errors: Error{NotFinite} for coordinates that are not finite; Error{BadArgument} for the zero
-// vector and where stated; ResourceLimit and Cancelled as the Context demands.
+// Errors: all functions throw Error{NotFinite} for coordinates that are not finite,
+// Error{BadArgument} for the zero vector, and ResourceLimit and Cancelled as the Context demands.
+// Further reasons for Error{BadArgument} are stated at the functions.
 //
 // Source: P. Hachenberger, L. Kettner, K. Mehlhorn, Boolean operations on 3D selective Nef
 // complexes, Computational Geometry 38 (2007), section 4; docs/design/sphere.md.
@@ -59,8 +63,9 @@ struct SphereVector {
   /// Constructs the vector with these coordinates.
   SphereVector(Rational a, Rational b, Rational c)
       : x(std::move(a)), y(std::move(b)), z(std::move(c)) {}
-  /// Constructs the vector with exactly these coordinates. Integers up to 2^53 are exact doubles.
-  /// Throws Error{NotFinite} if a coordinate is not finite.
+  /// Constructs the vector with these coordinates. The coordinates are not rounded. (Every integer
+  /// with an absolute value up to 2^53 is a double.) Throws Error{NotFinite} if a coordinate is not
+  /// finite.
   SphereVector(double a, double b, double c);
 
   /// Whether all coordinates are 0. The zero vector is not a direction.
@@ -76,8 +81,8 @@ struct SphereVector {
 /// Whether two vectors have the same direction, whatever their lengths.
 [[nodiscard]] bool is_same_direction(const SphereVector& u, const SphereVector& v);
 
-/// One side of a boundary: an arc that starts at `from`, runs counter-clockwise about `normal`, and
-/// ends where the next side starts.
+/// One side of a boundary. A side is an arc that starts at `from`, runs counter-clockwise about
+/// `normal`, and ends at the `from` of the next side.
 struct SphereSide {
   SphereVector from;    ///< The start of the arc.
   SphereVector normal;  ///< The normal of the circle of the arc. The set lies to the left.
@@ -90,10 +95,10 @@ struct SphereLocation {
   friend bool operator==(const SphereLocation&, const SphereLocation&) = default;
 };
 
-/// The first cell that a walk along a great circle meets, and the first direction of that cell on
-/// the way. If the walk enters a face through a boundary that does not belong to the set, the face
-/// has no first direction on the way. Then `point` is the direction where the walk crosses this
-/// boundary.
+/// The first cell that a walk along a great circle meets and that answers the query, and the first
+/// direction of this cell on the walk. If the cell is a face that the walk enters through its
+/// boundary, the face has no first direction on the walk, because the boundary is not a part of it.
+/// Then `point` is the direction where the walk crosses this boundary.
 struct SphereHit {
   SphereLocation location;  ///< The cell that the walk meets.
   SphereVector point;       ///< The direction where the walk meets the cell.
@@ -116,15 +121,16 @@ struct SphereCounts {
   friend bool operator==(const SphereCounts&, const SphereCounts&) = default;
 };
 
-/// A map of the sphere, together with the table of planes to which its ids of planes refer. The
-/// planes pass through the centre of the sphere.
+/// A map of the sphere, together with a table of planes. The ids of planes in the map refer to this
+/// table. The planes pass through the centre of the sphere.
 struct SphereComplex {
   std::shared_ptr<const PlaneTable> planes;  ///< The planes of the circles; never null.
   SphereMap map;                             ///< Points, arcs, faces, links and marks.
 };
 
-/// Selects the cells of an operand whose marks an operation uses. Each function takes the index of
-/// a cell. A cell that is not accepted counts as unmarked. An empty function accepts every cell.
+/// Selects cells of an operand. The operation uses the marks of accepted cells, and treats all
+/// other cells as unmarked. Each function takes the index of a cell. An empty function accepts
+/// every cell.
 struct SphereSelector {
   std::function<bool(std::uint32_t)> point;  ///< Accepts points.
   std::function<bool(std::uint32_t)> arc;    ///< Accepts arcs.
@@ -144,22 +150,22 @@ class NefSphere;
 /// Returns the set of the directions u for which f(u in a, u in b) is true.
 [[nodiscard]] NefSphere boolean_op(const NefSphere& a, const NefSphere& b, MarkFunction f,
                                    Context& context = unlimited_context());
-/// Returns boolean_op(a, b, f) of the operands in which only accepted cells keep their marks: a
-/// cell that the selector of its operand does not accept counts as unmarked.
+/// Returns boolean_op(a', b', f). Here a' is the set a in which all cells that `select_a` does not
+/// accept are unmarked. The set b' is made in the same way from b and `select_b`.
 [[nodiscard]] NefSphere boolean_op(const NefSphere& a, const SphereSelector& select_a,
                                    const NefSphere& b, const SphereSelector& select_b,
                                    MarkFunction f, Context& context = unlimited_context());
-/// Returns the union of any number of sets. The union is computed from pairs in a balanced binary
-/// tree. The union of zero sets is empty.
+/// Returns the union of any number of sets. The union is computed by a balanced binary tree of
+/// unions of two sets. The union of zero sets is empty.
 [[nodiscard]] NefSphere union_of(std::span<const NefSphere> sets,
                                  Context& context = unlimited_context());
 /// Returns the intersection of any number of sets, computed in the same way as union_of(). The
-/// intersection of zero sets is the sphere.
+/// intersection of zero sets is the whole sphere.
 [[nodiscard]] NefSphere intersection_of(std::span<const NefSphere> sets,
                                         Context& context = unlimited_context());
 
-// The operators of Nef's algebra. They are declared here because g++ does not export a friend that
-// is declared only inside its class.
+// The operators of Nef's algebra. These operators are declared outside the class because g++ does
+// not export a friend that is declared only inside its class.
 [[nodiscard]] NefSphere operator+(const NefSphere& a, const NefSphere& b);  ///< Returns the union.
 /// Returns the intersection.
 [[nodiscard]] NefSphere operator*(const NefSphere& a, const NefSphere& b);
@@ -195,32 +201,33 @@ class NefSphere {
   [[nodiscard]] static NefSphere half_sphere(const SphereVector& normal, Boundary boundary);
   /// Returns the great circle of the directions u with dot(normal, u) = 0.
   [[nodiscard]] static NefSphere circle(const SphereVector& normal);
-  /// Returns the intersection of the half-spheres with these normals. Without normals the result is
-  /// the sphere.
+  /// Returns the intersection of the half-spheres with these normals. If there are no normals, the
+  /// result is the whole sphere.
   [[nodiscard]] static NefSphere convex(std::span<const SphereVector> normals, Boundary boundary,
                                         Context& context = unlimited_context());
 
   /// Returns the region to the left of a closed chain of arcs. Each side runs from its own `from`
-  /// counter-clockwise about its normal to the `from` of the next side, at most once around. A
-  /// single side is a whole circle. A chain without sides gives the empty set. Throws
-  /// Error{BadArgument} if the chain meets itself, or if the `from` of a side does not lie on the
-  /// circles of this side and of the previous side.
+  /// counter-clockwise about its normal to the `from` of the next side, at most once around the
+  /// circle. The side of a chain with one side is a whole circle. A chain without sides gives the
+  /// empty set. Throws Error{BadArgument} if the chain meets itself. The `from` of each side must
+  /// lie both on the circle of this side and on the circle of the previous side. Otherwise,
+  /// Error{BadArgument} is thrown.
   [[nodiscard]] static NefSphere region(std::span<const SphereSide> sides, Boundary boundary);
-  /// Returns the region to the left of a closed chain, which joins consecutive corners by the
-  /// shorter of the two arcs between them. Throws Error{BadArgument} if two consecutive corners are
-  /// the same or opposite direction, and if the chain meets itself.
+  /// Returns the region to the left of a closed chain of arcs. Each arc is the shorter one of the
+  /// two arcs of a great circle between two consecutive corners. Throws Error{BadArgument} if two
+  /// consecutive corners are equal or opposite directions, or if the chain meets itself.
   [[nodiscard]] static NefSphere polygon(std::span<const SphereVector> corners, Boundary boundary);
 
   /// Returns the arc that starts at `from`, runs counter-clockwise about `normal`, and ends at
-  /// `to`. If `from` and `to` are the same direction, the arc is a whole circle. Its ends belong to
-  /// the set if `boundary` is Closed. Throws Error{BadArgument} if `from` or `to` does not lie on
-  /// the circle with this normal.
+  /// `to`. If `from` and `to` are the same direction, the arc is a whole circle. The ends of the
+  /// arc belong to the set if `boundary` is Closed. Throws Error{BadArgument} if `from` or `to`
+  /// does not lie on the circle with this normal.
   [[nodiscard]] static NefSphere arc(const SphereVector& from, const SphereVector& to,
                                      const SphereVector& normal,
                                      Boundary boundary = Boundary::Closed);
-  /// Returns the shorter arc of a great circle between two directions. Its ends belong to the set
-  /// if `boundary` is Closed. Throws Error{BadArgument} if `from` and `to` are the same or opposite
-  /// directions.
+  /// Returns the shorter one of the two arcs of a great circle between two directions. The ends of
+  /// the arc belong to the set if `boundary` is Closed. Throws Error{BadArgument} if `from` and
+  /// `to` are equal or opposite directions.
   [[nodiscard]] static NefSphere arc(const SphereVector& from, const SphereVector& to,
                                      Boundary boundary = Boundary::Closed);
   /// Returns the set of one direction.
@@ -229,17 +236,18 @@ class NefSphere {
   [[nodiscard]] static NefSphere points(std::span<const SphereVector> directions,
                                         Context& context = unlimited_context());
 
-  /// Returns the set that a map with its marks represents. The map need not be minimal; the
-  /// function brings it into minimal form. Only the normals of the planes are used. The mark
-  /// kBeyond counts as unmarked. Throws Error{BadArgument} if audit(planes, map, AuditForm::Any)
-  /// finds a flaw.
+  /// Returns the set that a map with its marks represents. The map need not be minimal, because the
+  /// function makes it minimal. Of each plane, only the normal is used. Cells with the mark kBeyond
+  /// are treated as unmarked. Throws Error{BadArgument} if audit(planes, map, AuditForm::Any) finds
+  /// a flaw.
   [[nodiscard]] static NefSphere from_complex(SphereComplex complex,
                                               Context& context = unlimited_context());
-  /// Returns the set of a map that is already in minimal form, and whose planes pass through the
-  /// centre. This function checks nothing. audit() checks whether the map is sound and minimal.
+  /// Returns the set of a map. Requires that the map is sound and minimal, and that its planes pass
+  /// through the centre. This function does not check the requirements; audit() of the result
+  /// checks whether the map is sound and minimal.
   [[nodiscard]] static NefSphere from_minimal_unchecked(SphereComplex complex);
-  /// Returns the set represented by the map of this set with the given marks. Throws
-  /// Error{BadArgument} if `marks` does not have exactly one mark for each cell. O(n).
+  /// Returns the set that the map of this set represents after its marks are replaced by `marks`.
+  /// Throws Error{BadArgument} if `marks` does not have exactly one mark for each cell. O(n).
   [[nodiscard]] NefSphere with_marks(SphereMarks marks,
                                      Context& context = unlimited_context()) const;
 
@@ -247,8 +255,8 @@ class NefSphere {
 
   /// Returns the minimal map with its planes.
   [[nodiscard]] const SphereComplex& complex() const&;
-  /// Returns the map of an expiring set with its planes. The map is moved out, or copied if other
-  /// sets share it.
+  /// Returns the map of a temporary or moved set, with its planes. The map is moved out of the set.
+  /// If other sets share the map, it is copied.
   [[nodiscard]] SphereComplex complex() &&;
   /// Returns complex().map.
   [[nodiscard]] const SphereMap& map() const { return complex().map; }
@@ -268,11 +276,12 @@ class NefSphere {
   [[nodiscard]] bool is_whole() const;   ///< Whether the set is the sphere. O(1).
   [[nodiscard]] bool is_closed() const;  ///< Whether the set equals its closure. O(n).
   [[nodiscard]] bool is_open() const;    ///< Whether the set equals its interior. O(n).
-  /// Whether every direction of this set belongs to `other`. The cost is that of a set difference.
+  /// Whether every direction of this set belongs to `other`. This costs as much as the difference
+  /// of the two sets.
   [[nodiscard]] bool is_subset_of(const NefSphere& other,
                                   Context& context = unlimited_context()) const;
 
-  /// Whether the direction belongs to the set. The cost is that of locate().
+  /// Whether the direction belongs to the set. This costs as much as locate().
   [[nodiscard]] bool contains(const SphereVector& direction,
                               Context& context = unlimited_context()) const {
     return locate(direction, context).marked;
@@ -281,8 +290,9 @@ class NefSphere {
   /// O(n).
   [[nodiscard]] SphereLocation locate(const SphereVector& direction,
                                       Context& context = unlimited_context()) const;
-  /// Returns the cell that contains each direction, in order. Up to 16 directions share one copy of
-  /// the planes. More directions share one SphereLocator, which takes O(n log n) to build.
+  /// Returns, for each direction, the cell that contains it. For up to 16 directions, the function
+  /// makes one copy of the planes and locates each direction in O(n). For more directions, it
+  /// builds one SphereLocator in O(n log n) and uses it for all directions.
   [[nodiscard]] std::vector<SphereLocation> locate(std::span<const SphereVector> directions,
                                                    Context& context = unlimited_context()) const;
   /// Whether the direction lies on the boundary of the set. Isolated points and slits belong to the
@@ -290,23 +300,23 @@ class NefSphere {
   [[nodiscard]] bool has_on_boundary(const SphereVector& direction,
                                      Context& context = unlimited_context()) const;
 
-  /// Returns the first marked cell on a walk along a great circle, or nullopt if the walk meets
-  /// none. The walk starts at `origin`, takes the shorter way to `towards`, and continues once
-  /// around. The first cell of the walk is the one that contains `origin`. Throws
-  /// Error{BadArgument} if `origin` and `towards` are the same or opposite directions. Cost: O(n),
-  /// plus sorting the cells on the circle.
+  /// Returns the first marked cell on a walk along a great circle, or nullopt if the walk meets no
+  /// marked cell. The walk starts at `origin`, takes the shorter way to `towards`, and continues
+  /// along the circle until it returns to `origin`. The first cell on the walk is the cell that
+  /// contains `origin`. Throws Error{BadArgument} if `origin` and `towards` are equal or opposite
+  /// directions. Cost: O(n), plus sorting the cells on the circle.
   [[nodiscard]] std::optional<SphereHit> shoot(const SphereVector& origin,
                                                const SphereVector& towards,
                                                Context& context = unlimited_context()) const;
-  /// Returns the first point or arc on the walk of shoot(), whether marked or not, or nullopt if
-  /// the walk meets none. If `origin` lies on a point or arc, this is the first one. Errors and
-  /// cost are those of shoot().
+  /// Returns the first point or arc of the map on the walk of shoot(), marked or not. Returns
+  /// nullopt if the walk meets no point and no arc. If `origin` lies on a point or arc, the
+  /// function returns this point or arc. Errors and cost are the same as for shoot().
   [[nodiscard]] std::optional<SphereHit> shoot_to_boundary(
       const SphereVector& origin, const SphereVector& towards,
       Context& context = unlimited_context()) const;
 
-  /// Checks every invariant from scratch. Returns the first broken invariant and where it is
-  /// broken, or nullopt if all hold.
+  /// Checks every invariant from scratch. Returns the first broken invariant and its location, or
+  /// nullopt if all invariants hold.
   [[nodiscard]] std::optional<DcelFlaw> audit(Context& context = unlimited_context()) const;
 
   // --- operations -------------------------------------------------------------------------------

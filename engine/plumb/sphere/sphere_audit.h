@@ -10,20 +10,22 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Checks every invariant of a map from scratch. Returns the first broken invariant and where it is
-/// broken, or nullopt if all hold. The invariants, in the order of the checks:
+/// Checks every invariant of a map from scratch. Returns the first broken invariant and its
+/// location, or nullopt if all invariants hold. The invariants are checked in the order of this
+/// list:
 ///   - The arrays have the right sizes. All ids are in range. Each mark is 0, 1 or kBeyond. A loop
-///     has no end points; any other arc has two.
-///   - Different circles have different normals. The two planes of each direction cross.
-///   - The half-arcs are linked: those that leave a point form one ring around it. All half-arcs of
-///     a boundary cycle name the same face.
-///   - Points lie on the circles of their arcs. The ring around each point turns clockwise, exactly
-///     once around.
+///     has no end points. Any other arc has two end points.
+///   - Different circles have different normals. The two planes of each direction are not parallel.
+///   - The half-arcs are linked: all half-arcs that leave the same point form one ring around this
+///     point. All half-arcs of a boundary cycle have the same face.
+///   - Points lie on the circles of their arcs. The directions of the half-arcs in the ring around
+///     a point turn clockwise, by exactly one full turn.
 ///   - No two points are equal. Arcs intersect at points only. There is at most one loop.
-///   - Each boundary cycle and each isolated point names the face that it bounds. Every face has a
-///     boundary.
-/// AuditForm::Minimal also checks that no cell can be removed without changing the set. The cost is
-/// that of an overlay of the map with itself, which is O(n^2) for small maps.
+///   - The face that is stored for a boundary cycle, or for an isolated point, is the face that the
+///     cycle or point bounds. Every face has a boundary.
+/// If `form` is AuditForm::Minimal, one more invariant is checked: no cell can be removed without
+/// changing the set. The audit costs as much as an overlay of the map with itself. For small maps
+/// this is O(n^2).
 std::optional<DcelFlaw> audit(const PlaneTable& planes, const SphereMap& map, AuditForm form);
 
 }  // namespace plumb

@@ -1,32 +1,37 @@
-// Point location and ray shooting for many queries of one set of the sphere. A ray is a walk along
-// a great circle.
+// Point location and ray shooting for many queries in one set of the sphere. Rays on the sphere are
+// walks along great circles.
 //
 // Main flow of locate():
-//  1. bounds    builds a tree of the bounds of all points and arcs, with doubles as coordinates.
-//               The tree is built only once, by the constructor.
-//  2. on        tests the points and arcs whose bounds contain the direction, by exact arithmetic.
-//               If the direction lies on a point or arc, this point or arc is the result.
-//  3. walk      otherwise walks from the direction along a great circle, one portion after another
-//               (sphere_locator.cpp). Each point or arc whose bounds may intersect the portion is
-//               tested exactly. The result is the face through which the walk reaches the first
-//               point or arc.
-//  4. round     if the great circle meets no point or arc, the whole circle lies in the face of the
-//               direction. Then a second walk starts on this circle and follows the circle of any
-//               arc.
-// shoot() walks along the given circle until it finds a cell that answers the query.
+//  1. bounds    builds a tree of boxes that contain the points and arcs. The coordinates of the
+//               boxes are doubles. The constructor takes this step once, for all queries.
+//  2. on        tests each point or arc whose box contains the direction. The tests use exact
+//               arithmetic. If the direction lies on a point or arc, this point or arc is the
+//               result.
+//  3. walk      otherwise walks from the direction along a great circle. The circle is searched one
+//               portion after another (sphere_locator.cpp). Each point or arc whose box may
+//               intersect the portion is tested exactly. The result is the face in which the walk
+//               runs until it meets the first point or arc.
+//  4. round     if the great circle meets no point or arc, the whole circle lies in the same face
+//               as the direction. Then a second walk is made. It starts on this circle and runs
+//               along the great circle of an arc, so it meets an arc.
+// shoot() walks along the great circle of the query in the same way, until it finds a cell that
+// answers the query.
 //
-// The results are exact and equal those of the functions of NefSphere with the same names. Doubles
-// only select the points and arcs that are tested.
+// The results are exact. The functions of NefSphere with the same names return the same results.
+// Doubles are used only to select the points and arcs that are tested exactly.
 //
-// Cost: building takes O(n log n) time, about 330 bytes for each cell, and a copy of the planes. A
-// query descends the tree to the cells near its path, and tests these cells:
+// Cost: building a locator takes O(n log n) time. A locator needs about 330 bytes for each cell,
+// and a copy of the planes. A query descends the tree to the cells near its walk, and tests these
+// cells:
 //   - If small arcs are spread evenly over the sphere, a query takes O(log n).
-//   - A shot that passes many cells takes time for each of them.
-//   - A point on the path takes time proportional to its degree.
-//   - If doubles cannot distinguish several cells, all of these cells are tested.
+//   - A call of shoot() whose walk passes through many cells takes time for each of these cells.
+//   - A point on the walk takes time proportional to its degree.
+//   - If several cells are so close together that doubles cannot distinguish them, all of these
+//     cells are tested.
 //   - The worst case is O(n).
-// A query adds planes to the locator's copy of the table. When the copy has doubled in size, the
-// original table is copied again. This bounds the memory and takes O(1) amortized for each query.
+// Each query adds planes to the locator's copy of the table of planes. When the copy has reached
+// twice the size of the original table, it is replaced by a new copy of the original table. This
+// bounds the memory, and takes O(1) amortized time for each query.
 #pragma once
 
 #include <cstdint>
@@ -42,8 +47,8 @@ namespace plumb {
 /// its own locator.
 class SphereLocator {
  public:
-  /// Builds a locator in O(n log n). The locator keeps a copy of the set, which takes O(1), and a
-  /// copy of its planes.
+  /// Builds a locator in O(n log n). The locator keeps a copy of the set and a copy of its planes.
+  /// The copy of the set takes O(1), because it shares the map.
   explicit SphereLocator(const NefSphere& set);
   ~SphereLocator();  ///< Releases the index.
   /// Takes over the index of `other`. A moved-from locator may only be destroyed or assigned to.
@@ -58,17 +63,17 @@ class SphereLocator {
   /// Whether the direction belongs to the set. Errors and cost are those of locate().
   bool contains(const SphereVector& direction) { return locate(direction).marked; }
   /// Whether the direction lies on the boundary of the set. Throws as locate() does. This function
-  /// takes only step 2 of locate(), without a walk along a circle.
+  /// makes only step 2 of locate(), and no walk along a great circle.
   bool has_on_boundary(const SphereVector& direction);
 
-  /// Returns the first marked cell on a walk from `origin` along the great circle through
-  /// `towards`, once around, or nullopt if there is none. The result equals that of
-  /// NefSphere::shoot(). Throws Error{BadArgument} if `origin` and `towards` are the same or
-  /// opposite directions.
+  /// Returns the first marked cell on the walk of NefSphere::shoot(), or nullopt if the walk meets
+  /// no marked cell. This walk starts at `origin`, takes the shorter way to `towards`, and
+  /// continues along the great circle until it returns to `origin`. Throws Error{BadArgument} if
+  /// `origin` and `towards` are equal or opposite directions.
   std::optional<SphereHit> shoot(const SphereVector& origin, const SphereVector& towards);
-  /// Returns the first point or arc on the walk of shoot(), whether marked or not, or nullopt if
-  /// there is none. The result equals that of NefSphere::shoot_to_boundary(). Throws as shoot()
-  /// does.
+  /// Returns the first point or arc of the map on the walk of shoot(), marked or not. Returns
+  /// nullopt if the walk meets no point and no arc. The result equals that of
+  /// NefSphere::shoot_to_boundary(). Throws as shoot() does.
   std::optional<SphereHit> shoot_to_boundary(const SphereVector& origin,
                                              const SphereVector& towards);
 

@@ -1,8 +1,9 @@
 // A sphere map describes a marked subdivision of space near one of its points, the centre. Near the
-// centre, every cell of the subdivision is a cone with its apex at the centre. So the cells are
-// determined by their intersections with a small sphere around the centre. These intersections form
-// a subdivision of the sphere by great circles. A sphere map consists of this subdivision, with a
-// mark for each cell, and of one more mark for the centre.
+// centre, every cell of the subdivision is a cone with its apex at the centre. So the intersections
+// of the cells with a small sphere around the centre determine the cells near the centre. These
+// intersections form a subdivision of the sphere by arcs of great circles. A sphere map consists of
+// this subdivision, with a mark for each cell of the subdivision, and of one more mark for the
+// centre.
 //
 //   cell of the map   cell of space that contains it            mark of the cell
 //   point             an edge that leaves the centre            mark of the edge
@@ -12,8 +13,8 @@
 // Circles: a great circle is given by a plane through the centre. Only the normal of the plane is
 // used.
 //
-// Directions: a direction is given as the cross product of two normals. Its length has no meaning,
-// so no square root is needed.
+// Directions: a direction is given as the cross product of the normals of two planes. The length of
+// this product has no meaning, so no square root is needed.
 //
 // Arcs: arc a consists of half-arcs 2 a and 2 a + 1. Half-arc 2 a runs counter-clockwise about the
 // canonical normal of circle[a]. Seen from outside the sphere, the positive side of the plane lies
@@ -21,12 +22,12 @@
 // longer than a half-circle. An arc that starts and ends at the same point is a whole circle.
 //
 // Loops: a loop is a whole circle without a point. The origin of its half-arcs is kNone. Two great
-// circles always cross, so a map has at most one loop, and every other arc then lies strictly on
-// one side of the loop.
+// circles always cross, so a map has at most one loop. If a map has a loop, no other arc meets it:
+// every arc except the loop lies strictly on one side of the loop.
 //
 // Invariants: sphere_audit.h lists the invariants of a map, and audit() checks them. All planes of
-// a map come from one PlaneTable. They pass through the centre, so different planes have different
-// normals. Source: docs/design/sphere.md.
+// a map belong to one PlaneTable. All these planes pass through the centre, so different planes
+// have different normals. Source: docs/design/sphere.md.
 #pragma once
 
 #include <array>
@@ -80,7 +81,8 @@ class SphereCell {
 };
 
 /// A marked subdivision of the sphere, in flat arrays. The head of this file explains the terms. A
-/// mark is 0, 1 or kBeyond (marks.h). The index kNone stands for no point, no half-arc or no face.
+/// mark is 0, 1 or kBeyond (marks.h). The index kNone means that there is no point, no half-arc or
+/// no face.
 struct SphereMap {
   // For each point:
   std::vector<SphereDirection> direction;  ///< The direction of the point. No two are equal.
@@ -114,21 +116,22 @@ struct SphereMap {
   std::uint32_t target(std::uint32_t half_arc) const { return origin[twin(half_arc)]; }
   /// Whether an arc is a loop, that is, a whole circle without a point.
   bool is_loop(std::uint32_t arc) const { return origin[2 * std::size_t{arc}] == kNone; }
-  /// Returns the next half-arc that leaves the same point. Seen from outside the sphere, the order
-  /// of the half-arcs around the point is clockwise.
+  /// Returns the half-arc that follows `half_arc` in the ring of half-arcs that leave the same
+  /// point. Seen from outside the sphere, this ring is in clockwise order.
   std::uint32_t clockwise(std::uint32_t half_arc) const { return next[twin(half_arc)]; }
 
   /// Empties all arrays but keeps their memory.
   void clear();
 };
 
-/// The kind of the cell of space that contains the centre of a minimal map. Near the centre, the
-/// set is invariant under translations along this cell. The shape of the map decides the kind.
+/// The kind of the cell of space that contains the centre of a minimal map. If the cell is not a
+/// vertex, the set near the centre is invariant under small translations along the cell. The kind
+/// follows from the shape of the map.
 enum class PyramidKind : std::uint8_t {
   Volume,  ///< The map consists of one face, which has the mark of the centre.
   Facet,   ///< The map has one loop, which has the mark of the centre, and no other arc or point.
-  /// The map has exactly two points. They are opposite and have the mark of the centre. Each is
-  /// isolated, or half-circles join them.
+  /// The map has exactly two points. The two points are opposite directions, and both have the mark
+  /// of the centre. Either both points are isolated, or each arc is a half-circle that joins them.
   Edge,
   Vertex,  ///< The map has any other shape.
 };

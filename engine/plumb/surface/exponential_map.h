@@ -1,29 +1,34 @@
-// The exponential map of a mesh: it maps offsets to the ends of straight lines that start at one
-// point of the mesh. It places plane drawings on surfaces.
+// The exponential map of a mesh at a point of the mesh, the centre. The map sends an offset to the
+// end of a straight line on the mesh that starts at the centre. With this map, plane drawings are
+// placed on surfaces.
 //
-// An offset (x, y) is mapped to the end of the straight line that leaves the centre in the
-// direction of (x, y) and is as long as (x, y). The axes are laid out in a face at the centre,
-// which the caller names. The x axis has the direction of the side from the first to the second
-// corner of that face, in the corner order of the input (SurfaceMesh::is_flipped()), turned
-// counter-clockwise by an angle. The y axis is a quarter turn further counter-clockwise. Where the
-// surroundings of the centre are flat, the map is a similarity.
+// An offset (x, y) is a vector in a plane. Its line leaves the centre in the direction of this
+// vector, and has the length of this vector. The caller names a face that contains the centre; the
+// axes lie in the plane of this face. To get the x axis, take the direction from the first to the
+// second corner of the face, in the corner order of the input (SurfaceMesh::is_flipped()). Then
+// turn this direction counter-clockwise by a given angle. The y axis is a quarter turn further
+// counter-clockwise. Where the surroundings of the centre are flat, the map is a similarity.
 //
-// A centre may be a vertex inside the mesh whose full angle is not a whole turn. Then all
-// directions are spread evenly over the full angle, starting at the side of the named face that
-// leaves the vertex. At a vertex of the border the directions are not spread, and some of them lead
-// off the mesh.
+// A centre may be a vertex inside the mesh whose full angle is not a whole turn. In this case,
+// angles between directions are multiplied by the full angle divided by a whole turn, so that all
+// directions are spread evenly around the vertex. The direction of the half-edge of the named face
+// that leaves the vertex does not change. At a vertex of the border, directions are not spread, and
+// some of the lines leave the mesh.
 //
 // Main flow of ExponentialMap::add:
-//  1. aim     chooses a face at the centre and lays it out in the plane, with the line
-//  2. cross   crosses side after side, and lays out each next face beside the last; the third
-//             corner decides which side comes next. A line along a side passes through either face
-//             beside it, depending on rounding
-//  3. pass    continues the line behind a vertex within 2^-40 of its direction. If the full angle
-//             of an inner vertex is not a whole turn, the angles on both sides of the line are
-//             equal there, so that it is a straightest geodesic. At a vertex of the border, the
+//  1. aim     chooses the face at the centre into which the line leads, and lays this face and the
+//             line out in the plane
+//  2. cross   follows the line across side after side, and lays out each new face beside the face
+//             before it. The third corner of the new face decides which side the line crosses next.
+//             If the line runs along a side, rounding decides which of the two faces at this side
+//             the line passes through
+//  3. pass    if a vertex lies within 2^-40 of the direction of the line, continues the line behind
+//             this vertex. If the full angle of an inner vertex is not a whole turn, the line is
+//             continued so that the angles on both of its sides are equal. Then the line is a
+//             straightest geodesic. At a vertex of the border, the line is continued so that the
 //             angle on one side is half a turn
-//  4. land    computes the weights in the last face; weights below 2^-40 become zero, so that the
-//             point lies on an edge or a vertex
+//  4. land    computes the weights of the end of the line in the last face. Weights below 2^-40 are
+//             replaced by zero; then the point lies on an edge or a vertex
 //
 // Steps 1 to 4 are computed in doubles. The resulting point is stored exactly and does not change
 // later. Source: K. Polthier and M. Schmies, Straightest geodesics on polyhedral surfaces,
@@ -47,17 +52,17 @@ namespace plumb {
 /// point of the mesh.
 class ExponentialMap {
  public:
-  /// Makes the map around `centre`, which is a row of `points`. The x axis is turned by `angle`
-  /// degrees against the first side of `face`. Requires that the centre lies in `face` and that
-  /// `angle` is finite. The mesh must outlive the map. O(n).
+  /// Makes the map around `centre`, which is a row of `points`. The x axis is the direction of the
+  /// first side of `face`, turned counter-clockwise by `angle` degrees. Requires that the centre
+  /// lies in `face` and that `angle` is finite. The mesh must outlive the map. O(n).
   ExponentialMap(const SurfacePointTable& points, SurfacePointId centre, FaceId face, double angle);
 
   /// Appends the point at an offset to `points` and returns its row. Returns no value if the line
   /// leaves the mesh at its border. The offset is in units of the mesh. Requires that the offset is
-  /// finite and that `points` is a table over the same mesh. Costs O(faces crossed + degrees of the
-  /// vertices passed), and O(log degree) more if the centre is a vertex. Throws
-  /// Error{ResourceLimit} if the line crosses more faces than it would in several rounds over the
-  /// whole mesh, and what the context throws.
+  /// finite and that `points` is a table over the same mesh. The cost is linear in the number of
+  /// faces crossed plus the degrees of the vertices passed. If the centre is a vertex, O(log
+  /// degree) is added. Throws Error{ResourceLimit} if the number of faces crossed exceeds a limit
+  /// of several times the number of faces of the mesh. Throws what the context throws.
   std::optional<SurfacePointId> add(Point2 offset, SurfacePointTable& points,
                                     Context& context = unlimited_context()) const;
 
@@ -66,7 +71,8 @@ class ExponentialMap {
   /// The corners around a vertex, counter-clockwise.
   struct Fan {
     std::vector<HalfedgeId> halfedges;  ///< The half-edges that leave the vertex.
-    /// The angle from the first half-edge to each, then the full angle.
+    /// For each half-edge, the angle from the first half-edge to this half-edge. The last entry is
+    /// the full angle.
     std::vector<double> angles = {0};
     bool is_at_border = false;  ///< Whether the vertex lies at the border.
 

@@ -1,31 +1,37 @@
 // Exact Boolean operations between polygons drawn on a triangle mesh.
 //
-// A shape is a sum of closed polygons: an integer 1-cycle. The label of a shape is an integer
-// function on cells. It is greater by one to the left of a polygon of the shape than to its right.
-// The label exists if and only if the shape is zero in the homology of the surface relative to its
-// border. Otherwise a cycle of cells proves that there is no label.
+// A shape is a sum of closed polygons: an integer 1-cycle. A cell is a connected component of the
+// surface after the polygons are removed. The label of a shape is a function that assigns an
+// integer to each cell. Just to the left of a polygon of the shape, the label is greater by 1 than
+// just to the right of the polygon. The label exists if and only if the shape is zero in the
+// homology of the surface relative to the border of the surface. If there is no label, a cycle of
+// cells proves this.
 //
 // Main flow of SurfaceDivision:
-//  1. slice       intersects the polygons in every face they touch (surface_arrangement.h): nodes,
-//                 arcs with the signed multiplicities of polygons, pieces of faces
-//  2. cells       joins pieces and faces with no arc between them, and builds the graph of cells
-//                 (surface_cells.h)
-//  3. labels      computes labels of polygons and shapes, as potentials on that graph
+//  1. slice       computes the intersections of the polygons in every face that they touch
+//                 (surface_arrangement.h). The result consists of nodes, arcs, and pieces of faces.
+//                 Each arc has a signed multiplicity for each polygon along the arc
+//  2. cells       joins neighbouring pieces and faces into cells if no arc separates them, and
+//                 builds the graph of cells (surface_cells.h)
+//  3. labels      computes the labels of polygons and shapes, as potentials on the graph of cells
 //                 (surface_labels.h)
 // Main flow of a Boolean:
-//  4. select      selects the cells whose labels satisfy an expression over shapes
-//  5. borders     traces the borders of the selected cells, as polygons again (surface_cells.h)
+//  4. select      selects the cells whose labels satisfy a Boolean expression over shapes
+//  5. borders     traces the borders of the selected cells (surface_cells.h). The borders are
+//                 polygons, too
 //
-// Nothing is snapped: two points are the same point only if their rational coordinates are equal.
+// Points are not moved: two points are the same point only if their rational coordinates are equal.
 // Degenerate positions need no special treatment. Control points may lie on edges and vertices, and
-// segments along edges. Polygons may touch, overlap, coincide or run back the way they came.
+// segments may run along edges. Polygons may touch, overlap or coincide. A polygon may also turn
+// round and run back along itself.
 //
 // Cost of a division is the sum of:
 // - O(n) for n faces,
 // - O((s + k) log(s + k)) for s segments and k crossings,
 // - the number of pairs of segments of one face whose boxes meet,
-// - the number of pieces of edges times the number of polygons that run along them,
-// - for labels, O(sum of their lengths and of the multiplicities between cells).
+// - for each piece of a mesh edge, the number of polygons that run along this piece,
+// - for labels, the number of their entries plus the number of multiplicities of arcs between
+//   cells.
 //
 // Errors:
 // - Error{BadArgument} and Error{BadIndex} for an invalid scene,
@@ -50,28 +56,29 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// A known value of a label: its value in the cell at the first corner of a face. It fixes the
-/// label in that component of the mesh.
+/// A known value of a label, in the cell at the first corner of a face. This value determines the
+/// label in the whole component of the mesh that contains the face.
 struct SurfaceLevel {
   std::uint32_t shape;  ///< The index of the shape.
   FaceId face;          ///< A face of the mesh.
   std::int32_t label;   ///< The value of the shape's label at the face's first corner.
 };
 
-/// Polygons on a mesh, and the shapes that they make. Labels are unique up to a constant for each
-/// component of the mesh. If neither `levels` nor `outside` fixes this constant, the least
-/// integer label of the cells at the mesh border is zero. In a component without border, the least
-/// integer label of all cells is zero.
+/// Polygons on a mesh, and the shapes that are sums of them. In each component of the mesh, the
+/// label of a shape is unique up to a constant. If neither `levels` nor `outside` determines the
+/// constant, it is chosen as follows. In a component with border, the least integer label of the
+/// cells at the border is zero. In a component without border, the least integer label of all cells
+/// is zero.
 struct SurfaceScene {
   std::shared_ptr<const SurfaceMesh> mesh;  ///< The mesh; several scenes may share it.
   SurfacePolygons polygons;                 ///< Polygons over that mesh.
-  /// The indices of the polygons that add up to each shape. If there is no value, each polygon is
-  /// one shape.
+  /// For each shape, the indices of the polygons whose sum is the shape. If there is no value, each
+  /// polygon is a shape.
   std::optional<std::vector<std::vector<std::uint32_t>>> shapes;
-  FaceId outside;  ///< A face: labels are zero in the cell at its first corner. May be invalid.
-  /// Known labels, which take precedence over `outside`. There is at most one level for each pair
-  /// of a shape and a component of the mesh. If a shape has labels modulo 2 only, its levels count
-  /// modulo 2.
+  FaceId outside;  ///< A face, or invalid. Labels are zero in the cell at its first corner.
+  /// Known labels, which take precedence over `outside`. For each shape, there may be at most one
+  /// level in each component of the mesh. If a shape has no integer label but a label modulo 2, its
+  /// levels are read modulo 2.
   std::vector<SurfaceLevel> levels = {};
 };
 
@@ -88,9 +95,10 @@ struct SurfaceCounts {
 struct Separation {
   bool over_z = true;  ///< Whether an integer label exists.
   bool mod_2 = true;   ///< Whether a label modulo 2 exists.
-  /// A certificate if over_z is false, else empty. It is a cycle of cells: each cell is adjacent to
-  /// the cell before it, and the last to the first. Once around the cycle, the label would change
-  /// by a number that is not zero. If mod_2 is false, the number is odd.
+  /// If over_z is false, a cycle of cells that proves this; otherwise empty. Each cell of the cycle
+  /// is adjacent to the next cell, and the last cell is adjacent to the first. The changes of the
+  /// label from each cell to the next would have a sum other than zero. If mod_2 is false, this sum
+  /// is odd.
   std::vector<CellId> cycle;
 };
 
@@ -98,16 +106,17 @@ struct Separation {
 struct SurfaceRegion {
   std::vector<std::uint8_t> is_selected;  ///< For each cell, 1 if it is selected, else 0.
   std::vector<std::uint32_t>
-      generators;         ///< The polygons of the shapes in the expression, ascending.
+      generators;         ///< The polygons of all shapes in the expression, ascending.
   std::size_t cells = 0;  ///< The number of selected cells.
-  double area = 0;  ///< The area of the selected cells; the largest double if the area exceeds it.
+  double area =
+      0;  ///< The area of the selected cells; if it exceeds the largest double, the largest double.
 };
 
 /// The result of a Boolean. result_scene() converts it to a scene, for further Booleans.
 struct SurfaceResult {
   SurfaceRegion region;  ///< The selected cells.
-  /// The borders: one polygon for each loop, with the region to its left. Loops of mesh border
-  /// alone are left out.
+  /// The borders of the region. There is one polygon for each loop, with the region to its left.
+  /// Loops that run only along the border of the mesh are omitted.
   SurfacePolygons borders;
 };
 
@@ -132,25 +141,24 @@ class SurfaceDivision {
   std::size_t cell_count() const;   ///< Returns the number of cells.
   std::size_t shape_count() const;  ///< Returns the number of shapes.
 
-  /// Returns whether the polygon has a label as a shape of its own.
+  /// Returns whether the shape that consists of only this polygon has a label.
   const Separation& polygon_separation(std::uint32_t polygon) const;
   /// Returns whether this shape has a label.
   const Separation& shape_separation(std::uint32_t shape) const;
-  /// Returns the labels of the cell as pairs (shape, value), ascending, without zeros. The values
-  /// of a shape that separates modulo 2 only are 0 and 1. A shape that does not separate has no
-  /// entries.
+  /// Returns the labels of the cell as pairs (shape, value), ascending, without zeros. If a shape
+  /// has only a label modulo 2, its values are 0 and 1. A shape without a label has no entries.
   std::span<const SignedEntry> labels(CellId c) const;
-  double area(CellId c) const;  ///< Returns the area of the cell, rounded.
+  double area(CellId c) const;  ///< Returns the rounded area of the cell.
 
   /// Returns nodes, arcs and pieces, for pictures and audits.
   const SurfaceArrangement& arrangement() const;
   const SurfaceCells& cells() const;  ///< Returns the cells and their graph.
 
-  /// Returns the cells whose labels satisfy the expression. Names in the expression stand for
-  /// shapes by index: A, B, C, ... or s0, s1, .... A shape is true in a cell if `rule` says that
-  /// its label is inside. Throws Error{BadArgument} for any other name, and for a shape that does
-  /// not separate the surface. For the rule EvenOdd it is enough that the shape separates modulo 2.
-  /// Throws what the context throws. O(cells + length of labels).
+  /// Returns the cells whose labels satisfy the expression. The names of shapes in the expression
+  /// are A, B, C, ... or s0, s1, ..., in the order of their indices. The value of a shape in a cell
+  /// is true if, by `rule`, the label of the cell is inside. Throws Error{BadArgument} for any
+  /// other name, and for a shape without an integer label. For the rule EvenOdd, a label modulo 2
+  /// is sufficient. Throws what the context throws. O(cells + length of labels).
   SurfaceRegion select(const SetExpression& expression, WindingRule rule,
                        Context& context = unlimited_context()) const;
   /// Returns the borders of a region as polygons with the region to their left.
@@ -167,13 +175,14 @@ class SurfaceDivision {
 
 // Results of Booleans, converted to scenes.
 
-/// Returns the borders of a result as a scene with one shape. The label of that shape is 1 in
-/// selected cells and 0 in others, so the shape is the same set under every rule. Borders alone fix
-/// a label only up to a constant for each component of the mesh. The usual constant (SurfaceScene)
-/// is wrong in a component if all its cells, or all its cells at the border, are selected. For such
-/// components the scene stores the constant. The first such component is fixed by `outside`, or by
-/// a level if none of its faces has its first corner outside. The other such components are fixed
-/// by `levels`. O(mesh).
+/// Returns the borders of a result as a scene with one shape. The label of this shape is 1 in
+/// selected cells and 0 in all other cells. So the shape describes the same set under every rule.
+/// The borders determine the label only up to a constant for each component of the mesh. The
+/// default constant (SurfaceScene) is wrong for a component if all its cells are selected, or if
+/// all its cells at the border are selected. For each such component the scene stores what
+/// determines the constant: for the first such component a face in `outside`, for all others an
+/// entry of `levels`. If no face of the first such component has its first corner outside the
+/// region, this component has an entry of `levels`, too. O(mesh).
 SurfaceScene result_scene(const SurfaceDivision& division, const SurfaceResult& result);
 
 }  // namespace plumb

@@ -1,10 +1,11 @@
-// Conversions between surfaces and plain arrays, in the form of plumb/space/mesh_arrays.h.
+// Conversions between surfaces and plain arrays. The arrays are passed as the views of
+// plumb/space/mesh_arrays.h.
 //
 //   in     surface_of(mesh_of_triangles(xyz, corners)): a SurfaceMesh
 //   out    view_of(mesh), view_of(triangulation): spans of coordinates and of corners
 //
-// Input is copied once, into the arrays of the surface; output is read in place. The same views
-// make sets of space: Nef3::from_mesh(view_of(surface), {.rule = rule}, context).
+// Input is copied once, into the arrays of the surface. Output is read in place. Sets of space are
+// made from the same views: Nef3::from_mesh(view_of(surface), {.rule = rule}, context).
 #pragma once
 
 #include "plumb/space/mesh_arrays.h"
@@ -14,9 +15,10 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the triangles of `mesh` as a surface; the arrays are not needed afterwards. Vertices and
-/// faces keep their indices, but some faces are flipped (SurfaceMesh::is_flipped()). Exact
-/// coordinates in MeshView::exact are rounded to the nearest doubles. Throws:
+/// Returns the triangles of `mesh` as a surface. The arrays of `mesh` are not needed afterwards.
+/// Vertices and faces keep their indices. In flipped faces, the last two corners are exchanged
+/// (SurfaceMesh::is_flipped()). Exact coordinates in MeshView::exact are rounded to the nearest
+/// doubles. Throws:
 /// - Error{BadArgument} if a face is not a triangle,
 /// - Error{NotFinite} with the index of the vertex, if a coordinate is not finite,
 /// - what the constructor of SurfaceMesh throws.
@@ -25,7 +27,7 @@ namespace plumb {
 SurfaceMesh surface_of(const MeshView& mesh);
 
 /// Returns a view of the vertices and faces of a surface, with the same indices. The surface must
-/// outlive the view and must not be moved from.
+/// outlive the view. It must not be moved from while the view is used.
 MeshView view_of(const SurfaceMesh& mesh);
 
 /// Returns a view of the points and triangles of a triangulation, with the same indices. The arrays

@@ -1,15 +1,18 @@
-// Audit of a divided surface: checks every invariant that its headers promise, from scratch.
+// Audit of a divided surface. The audit checks, from scratch, every invariant that is stated in the
+// headers of surfaces.
 //
 // Main flow of audit(); each step relies on the steps before it:
-//  1. links     half-edges, twins, pieces and loops are consistent; sides run along the sides of
-//               their faces
-//  2. faces     each touched face has as many pieces as Euler's formula says, and the shares of its
-//               pieces add up to its area
+//  1. links     half-edges, twins, pieces and loops are consistent; the boundary half-edges of each
+//               touched face run along the sides of the face
+//  2. faces     the number of pieces of each touched face agrees with Euler's formula; the areas of
+//               the pieces add up to the area of the face
 //  3. flow      polygons are cycles: at every node, each polygon arrives as often as it leaves
-//  4. places    crossings lie on both their segments, inside their face, and are distinct
-//  5. cells     cells differ across arcs only; the graph contains each pair of neighbours
-//  6. labels    labels jump across arcs by the multiplicities; certificates are cycles around which
-//               these multiplicities do not add up to zero
+//  4. places    each crossing lies on its two segments and inside its face; crossings are distinct
+//  5. cells     neighbouring pieces with different cells are separated by an arc; the graph of
+//               cells contains each pair of neighbouring cells
+//  6. labels    from one side of an arc to the other, labels change by the multiplicities of the
+//               arc; each certificate is a cycle around which these multiplicities do not add up to
+//               zero
 #pragma once
 
 #include <optional>
@@ -21,7 +24,8 @@
 namespace plumb {
 
 /// Returns the first broken invariant and the cells concerned, or no value if all invariants hold.
-/// Costs O(mesh + arrangement + labels), and rational arithmetic for each crossing.
+/// The cost is linear in the sizes of the mesh, the arrangement and the labels. In addition, each
+/// crossing needs rational arithmetic.
 std::optional<std::string> audit(const SurfaceDivision& division);
 
 }  // namespace plumb

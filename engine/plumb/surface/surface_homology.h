@@ -1,27 +1,34 @@
 // The homology of a surface, and the loops that must be added to a polygon so that it separates the
 // surface.
 //
-// Each border counts as closed by a disk. So a cycle that bounds only with the help of the border
-// separates the surface, too.
+// Homology is computed as if each boundary loop of the mesh were closed by a disk. So a cycle that,
+// together with parts of the border, bounds a region separates the surface, too.
 //
 // Main flow of the constructor (tree and cotree; D. Eppstein, Dynamic generators of topologically
 // embedded graphs, SODA 2003):
-//  1. tree       spans the vertices, breadth first
-//  2. cotree     spans the faces and the disks, over edges that are not in the tree
-//  3. generators are the 2 g edges that are in neither tree, for genus g; each closes a loop with
-//                the tree
-//  4. dual loops cross one of these edges each, and return through the cotree
+//  1. tree       grows a spanning tree of the vertices, breadth first
+//  2. cotree     grows a spanning tree of the faces and disks; its links cross mesh edges that are
+//                not in the first tree
+//  3. generators are made from the edges that are in neither tree. For genus g there are 2 g such
+//                edges. Each of these edges closes one loop with edges of the first tree; this loop
+//                is its generator
+//  4. dual loops are made from the same edges. Each dual loop crosses one of these edges, and
+//                returns through the cotree
 //
-// The class of a polygon has one coefficient for each generator. The polygon is pushed onto edges,
-// point by point. The coefficient is the signed number of times that the pushed polygon crosses the
-// dual loop of the generator. This is correct for the following reason. Dual loops cross edges of
-// the cotree, and one generator each. Adding faces to the polygon would clear it from all edges of
-// the cotree, without a change of its crossings with dual loops. Each generator would then remain
-// as often as its dual loop is crossed.
+// The class of a polygon has one coefficient for each generator. To compute the class, the polygon
+// is first replaced by a homologous polygon that runs along edges of the mesh. The coefficient of a
+// generator is the signed number of times that this polygon crosses the dual loop of the generator.
+// This is correct for the following reason. Adding boundaries of faces to the polygon changes
+// neither its class nor its signed crossings with dual loops. By such additions, all edges that the
+// cotree crosses can be removed from the polygon. The remaining polygon runs along edges of the
+// tree and along edges of generators. Each dual loop crosses exactly one of these edges, that of
+// its generator. So the polygon contains each generator as often as it crosses the dual loop of the
+// generator.
 //
-// Cost: the constructor takes O(mesh + length of the dual loops); breadth first search keeps these
-// loops short. A class takes O(length of the polygon * dual loops across its edges + 2 g), and a
-// loop O(its length). Errors: ResourceLimit and Cancelled as the Context demands. Proofs:
+// Cost: the constructor takes O(n + total length of the dual loops) for a mesh of n faces.
+// Breadth-first search keeps dual loops short. A class takes O(2 g) time plus, for each edge of the
+// polygon, the number of dual loops that cross this edge. Appending a loop takes time linear in the
+// length of the loop. Errors: ResourceLimit and Cancelled when the Context demands it. Proofs:
 // docs/design/surface.md.
 #pragma once
 
@@ -46,24 +53,27 @@ class SurfaceHomology {
 
   /// Returns the number of generators: twice the sum of the genera of all components.
   std::size_t generator_count() const { return generators_.size(); }
-  /// Returns the vertices of generator i, a closed loop of edges, in order and each once.
+  /// Returns the vertices of generator i, which is a closed loop of edges. The vertices are in the
+  /// order of the loop, and each occurs once.
   std::vector<VertexId> generator(std::size_t i) const;
 
-  /// Returns the coefficients of the generators whose sum is homologous to the polygon. The polygon
-  /// separates the surface if and only if all coefficients are zero. Requires valid polygons
-  /// (require_valid()). Throws what the context throws.
+  /// Returns one coefficient for each generator. The sum of the generators with these coefficients
+  /// is homologous to the polygon. The polygon separates the surface if and only if all
+  /// coefficients are zero. Requires valid polygons (require_valid()). Throws what the context
+  /// throws.
   std::vector<std::int64_t> class_of(const SurfacePolygons& polygons, std::size_t polygon,
                                      Context& context = unlimited_context()) const;
-  /// Returns the class of a sum of polygons. A polygon that occurs in `sum` several times adds its
-  /// class that many times, but the class is computed only once.
+  /// Returns the class of a sum of polygons. If `sum` contains an index several times, the class of
+  /// this polygon is added that many times, but is computed only once.
   std::vector<std::int64_t> class_of(const SurfacePolygons& polygons,
                                      std::span<const std::uint32_t> sum,
                                      Context& context = unlimited_context()) const;
 
   /// Appends generator i, or its reverse, to `polygons`.
   void add_generator(std::size_t i, bool is_reversed, SurfacePolygons& polygons) const;
-  /// Appends the loops that must be added to a shape, a sum of polygons, so that it separates the
-  /// surface. Returns the indices of the new polygons. Throws what the context throws.
+  /// Appends loops to `polygons` so that the sum of a shape and these loops separates the surface.
+  /// The shape is given by the indices of its polygons. Returns the indices of the new polygons.
+  /// Throws what the context throws.
   std::vector<std::uint32_t> add_repair(std::span<const std::uint32_t> shape,
                                         SurfacePolygons& polygons,
                                         Context& context = unlimited_context()) const;

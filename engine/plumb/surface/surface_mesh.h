@@ -13,23 +13,25 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-using NodeId = StrongId<struct SurfaceNodeTag>;  ///< A point where arcs and sides of faces end.
-using ArcId = StrongId<struct SurfaceArcTag>;    ///< A part of polygons between two nodes.
+using NodeId =
+    StrongId<struct SurfaceNodeTag>;  ///< A point at which arcs or parts of sides of faces end.
+using ArcId =
+    StrongId<struct SurfaceArcTag>;  ///< A part of one or more polygons between two nodes.
 /// A part of one face, bounded by arcs and sides of the face.
 using PieceId = StrongId<struct SurfacePieceTag>;
-/// A connected part of the surface: pieces and whole faces that no polygon separates from each
-/// other.
+/// A connected component of the surface after the arcs are removed. A cell consists of pieces and
+/// of whole faces.
 using CellId = StrongId<struct SurfaceCellTag>;
 
-/// An integer that belongs to a polygon or a shape. A list of entries is a sparse vector: ids are
-/// ascending and no value is zero.
+/// An integer that belongs to a polygon or a shape. A list of entries represents a sparse vector:
+/// the ids in the list are ascending, and no value is zero.
 struct SignedEntry {
   std::uint32_t id;    ///< The index of the polygon or shape.
   std::int32_t value;  ///< The integer. It is not zero in a list.
   friend auto operator<=>(const SignedEntry&, const SignedEntry&) = default;
 };
 
-/// Returns `sum` as the value of an entry. Its negative can be the value of an entry, too. Throws
+/// Returns `sum` as the value of an entry. The negative of the result is a valid value, too. Throws
 /// Error{NumberOutOfRange} if the absolute value of `sum` is 2^31 or more.
 inline std::int32_t entry_value(std::int64_t sum) {
   constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
@@ -40,37 +42,41 @@ inline std::int32_t entry_value(std::int64_t sum) {
   return static_cast<std::int32_t>(sum);
 }
 
-// A triangle mesh as a surface. For each side of a triangle it stores the adjacent triangle.
+// A triangle mesh as a surface. For each side of a triangle, the mesh stores the adjacent triangle.
 //
-// Half-edge 3 f + i runs from corner i of face f to corner i + 1, with the face to its left. Its
-// twin is the half-edge of the same edge in the adjacent face. A half-edge at the border has no
-// twin. Coordinates are not read, so triangles of area zero, meshes that intersect themselves and
-// coincident vertices are allowed.
+// Half-edge 3 f + i runs from corner i of face f to corner i + 1, with the face to its left. The
+// twin of a half-edge is the half-edge of the same edge in the adjacent face. A half-edge at the
+// border has no twin. Coordinates are not read. So triangles may have area zero, the mesh may
+// intersect itself, and several vertices may have the same coordinates.
 //
 // Main flow of the constructor:
-//  1. check     checks that ids exist and that each face has three different corners
-//  2. pair      pairs the half-edges of each edge by counting sort; at most two share an edge
-//  3. orient    flips faces, by a flood, until twins run in opposite directions
+//  1. check     checks that corners are indices of points, and that each face has three different
+//               corners
+//  2. pair      pairs the half-edges of each edge by counting sort, and checks that no edge has
+//               more than two
+//  3. orient    visits faces from neighbour to neighbour, and flips them so that twins run in
+//               opposite directions
 //  4. fans      checks that the faces around each vertex are one fan or one closed ring
 //
 // Cost: O(n). Memory: 60 bytes for each face. Design: docs/design/surface.md.
 
-/// The indices of its three corners among the points.
+/// A triangle, given by the point indices of its three corners.
 using SurfaceTriangle = std::array<std::uint32_t, 3>;
 
-/// An oriented triangle mesh that is a 2-manifold, closed or with border. It may have any number of
-/// components of any genus. The mesh is immutable.
+/// An oriented triangle mesh that is a 2-manifold, closed or with border. The mesh may have any
+/// number of components, and each component may have any genus. The mesh is immutable.
 class SurfaceMesh {
  public:
   /// Makes an empty mesh.
   SurfaceMesh() = default;
-  /// Makes the mesh of the triangles. All faces of a component are oriented like its first face.
-  /// The last two corners of a face that has to be flipped are exchanged; is_flipped() reports such
-  /// faces. O(n). Throws:
+  /// Makes the mesh of the given triangles. All faces of a component are oriented consistently with
+  /// the first face of the component. If a face has to be flipped for this, its last two corners
+  /// are exchanged, and is_flipped() returns true for the face. O(n). Throws:
   /// - Error{BadIndex} if a corner is not the index of a point,
   /// - Error{DegenerateFace} if a face has a repeated corner,
-  /// - Error{BadShape} with up to ten places if the triangles are not an orientable manifold,
-  /// - Error{ResourceLimit} if there are more faces or points than ids.
+  /// - Error{BadShape} if the triangles are not an orientable manifold; the error lists up to ten
+  ///   places where this is so,
+  /// - Error{ResourceLimit} if there are more faces or points than ids can number.
   SurfaceMesh(std::vector<Point3> points, std::vector<SurfaceTriangle> triangles);
 
   std::size_t vertex_count() const { return points_.size(); }  ///< Returns the number of points.
@@ -86,10 +92,12 @@ class SurfaceMesh {
   const SurfaceTriangle& corners(FaceId f) const { return corners_[f.value()]; }
   /// Returns corner i of the face. Requires that i < 3.
   VertexId corner(FaceId f, std::size_t i) const { return VertexId(corners_[f.value()][i]); }
-  /// Whether the face was flipped. The second corner of the input is then the third corner here,
-  /// and has its weight.
+  /// Whether the face was flipped. If so, its second corner in the input is its third corner here,
+  /// and its third corner in the input is its second corner here. The weights of the corners are
+  /// exchanged in the same way.
   bool is_flipped(FaceId f) const { return is_flipped_[f.value()] != 0; }
-  /// Returns the index of the face's component. Components are in the order of their lowest faces.
+  /// Returns the index of the face's component. Components are in the order of the lowest face
+  /// index in each component.
   std::uint32_t component(FaceId f) const { return component_[f.value()]; }
 
   /// Returns side 0, 1 or 2 of the face. It runs from the corner with the same index to the next
@@ -99,7 +107,7 @@ class SurfaceMesh {
   }
   /// Returns the face to the left of the half-edge.
   static FaceId face(HalfedgeId h) { return FaceId(h.value() / 3); }
-  /// Returns which side of its face the half-edge is: 0, 1 or 2.
+  /// Returns the index (0, 1 or 2) of the half-edge among the sides of its face.
   static std::size_t side(HalfedgeId h) { return h.value() % 3; }
   /// Returns the next side of the face.
   static HalfedgeId next(HalfedgeId h) {
@@ -117,15 +125,15 @@ class SurfaceMesh {
   bool is_border(HalfedgeId h) const { return !twin(h).is_valid(); }
   /// Returns the edge of the half-edge.
   EdgeId edge(HalfedgeId h) const { return edge_[h.value()]; }
-  /// Returns the half-edge of the edge that lies in the lower face.
+  /// Returns one half-edge of the edge: the one in the face with the lower index.
   HalfedgeId halfedge(EdgeId e) const { return edge_halfedge_[e.value()]; }
-  /// Whether the half-edge runs from the lower vertex of its edge to the higher one.
+  /// Whether the half-edge starts at the vertex of its edge with the lower index.
   bool is_upward(HalfedgeId h) const { return origin(h) < target(h); }
   VertexId lower(EdgeId e) const;  ///< Returns the end with the lower index.
   VertexId upper(EdgeId e) const;  ///< Returns the end with the higher index.
-  /// Returns a half-edge that starts in v; invalid if v has no face. If v lies at the border, it is
-  /// the first half-edge counter-clockwise around v: repeated steps from h to twin(prev(h)) visit
-  /// all half-edges that start in v.
+  /// Returns a half-edge that starts in v, or an invalid id if v has no face. If v lies at the
+  /// border, the result is the first half-edge in counter-clockwise order around v. So in every
+  /// case, repeated steps from h to twin(prev(h)) visit all half-edges that start in v.
   HalfedgeId halfedge(VertexId v) const { return vertex_halfedge_[v.value()]; }
 
  private:

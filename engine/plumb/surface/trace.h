@@ -1,26 +1,29 @@
-// Traces geodesics between points of a mesh: locally shortest paths.
+// Traces geodesics between points of a mesh. A geodesic is a locally shortest path.
 //
 // Notation: a strip is a sequence of faces in which each face shares a side with the next one.
 // These sides are the doors of the strip (face_strip.h). A bend is a vertex at which the shortest
 // path in a strip turns.
 //
 // Main flow of Tracer::trace:
-//  1. order      starts at the lower point, and reverses the path at the end if necessary
-//  2. find       finds a strip over the dual graph whose length, measured by the centroids of its
-//                faces, is short (face_strip.h)
-//  3. tighten    lays the strip out in the plane, and finds the shortest path in it by a funnel
-//                (unfolded_strip.h)
-//  4. flip       leads the strip around the other side of each bend, if the angle on that side is
-//                less than half a turn; repeats steps 3 and 4 until there are no such bends or the
-//                path does not become shorter
-//  5. read off   appends the points of the path. These are the vertices where the path bends, the
-//                vertices that it would pass within 2^-40 of a side's length, and a parameter t for
-//                each other side that is crossed. The parameter is exact where the faces between
-//                two such vertices are coplanar; otherwise it is a double (unfolded_strip.h)
+//  1. order      puts the two end points in a fixed order, so that trace(a, b) and trace(b, a) find
+//                the same path. If they were exchanged, the path is reversed at the end
+//  2. find       finds a short strip by a search in the dual graph of the mesh (face_strip.h). The
+//                length of a strip is measured between the centroids of its faces
+//  3. tighten    lays the strip out in the plane, and finds the shortest path in the strip by the
+//                funnel algorithm (unfolded_strip.h)
+//  4. flip       looks at each bend. If the angle on the other side of the vertex is less than half
+//                a turn, changes the strip so that it passes the vertex on this other side. Repeats
+//                steps 3 and 4 until there are no such bends, or the path does not become shorter
+//  5. read off   appends the points of the path. These are the vertices where the path bends, and
+//                the vertices that are within 2^-40 of a side's length from the path. For each
+//                other side that the path crosses, the crossing point is appended, given by its
+//                parameter t on the side. If the faces between two such vertices are coplanar, t is
+//                exact; otherwise t is a double (unfolded_strip.h)
 //
-// Steps 1 to 4 are computed in doubles, which only choose a path. From step 5 on the chosen path is
-// exact, and it is never traced again. If several paths are locally shortest, any of them may be
-// chosen, but always the same path. Design: docs/design/surface.md.
+// Steps 1 to 4 are computed in doubles. Rounding can only affect the choice of the path. From step
+// 5 on, the chosen path is represented exactly, and is never traced again. If several paths are
+// locally shortest, any of them may be chosen. The same input always gives the same path. Design:
+// docs/design/surface.md.
 #pragma once
 
 #include <cstddef>
@@ -41,15 +44,16 @@ class Tracer {
  public:
   /// Makes a tracer for the mesh. The mesh must outlive the tracer. O(n).
   explicit Tracer(const SurfaceMesh& mesh);
-  /// A moved-from tracer may only be destroyed. Tracers are not copied, because finder_ refers to
-  /// positions_.
+  /// A moved-from tracer may only be destroyed. There is no copy constructor, because finder_
+  /// refers to positions_.
   Tracer(Tracer&&) = default;
 
-  /// Returns a path from a to b, which are rows of `points`, and appends the points between them to
-  /// `points`. Returns no value if a and b lie on different components. Requires that `points` is a
-  /// table over the same mesh. trace(b, a) is the same path reversed. Two points in one face are
-  /// joined by a segment. Costs as much as finding the strip (StripFinder), plus the length of the
-  /// strip for each round of flips. Throws what the context throws.
+  /// Returns a path from a to b, and appends the inner points of the path to `points`. Both a and b
+  /// are rows of `points`. Returns no value if a and b lie on different components. Requires that
+  /// `points` is a table over the same mesh. trace(b, a) is the same path reversed. Two points in
+  /// the same face are joined by a segment. The cost is that of finding the strip (StripFinder),
+  /// plus the length of the strip for each repetition of steps 3 and 4. Throws what the context
+  /// throws.
   std::optional<SurfacePath> trace(SurfacePointTable& points, SurfacePointId a, SurfacePointId b,
                                    Context& context = unlimited_context());
 
@@ -66,18 +70,19 @@ class Tracer {
   StripFinder finder_;
 };
 
-/// Appends the closed polygon through control points, which are rows of `polygons.points`, joined
-/// by traced paths. Returns no value on success. On failure, appends no polygon and returns the
-/// index of the first control point from which no path leads to the next one. For each control
-/// point, `named` has a face that contains it. If this face contains the next control point, too,
-/// the two points are joined by a segment in this face. (The choice among common faces matters only
-/// in a component of two triangles that share all edges.) Throws what the context throws.
+/// Appends the closed polygon through the control points in `control`, which are rows of
+/// `polygons.points`. Consecutive control points are joined by traced paths. Returns no value on
+/// success. On failure, appends no polygon, and returns the index of the first control point from
+/// which no path leads to the next control point. For each control point, `named` contains a face
+/// in which the control point lies. If the next control point lies in this face, too, the two
+/// points are joined by a segment in this face. It matters which common face is named only in one
+/// case: in a component of two triangles that share all edges. Throws what the context throws.
 std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
                                               std::span<const SurfacePointId> control,
                                               std::span<const FaceId> named,
                                               SurfacePolygons& polygons,
                                               Context& context = unlimited_context());
-/// Does the same without named faces.
+/// Appends a polygon in the same way, but without named faces.
 std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
                                               std::span<const SurfacePointId> control,
                                               SurfacePolygons& polygons,

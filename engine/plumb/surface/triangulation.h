@@ -1,13 +1,14 @@
-// A divided surface as triangles, for pictures and files.
+// The triangulation of a divided surface, for pictures and files.
 //
 // Main flow of triangulate_surface():
-//  1. cut       triangulates each piece of a touched face between its nodes
+//  1. cut       triangulates each piece of a touched face; the corners of triangles are nodes
 //               (plumb/space/planar/triangulate.h)
-//  2. flip      flips edges inside pieces until they are Delaunay by distances in the face
-//               (triangulation.cpp). Arcs and sides of faces are constraints, so the result is the
-//               constrained Delaunay triangulation of each face. A node on a side is a corner of
-//               triangles in both adjacent faces
-//  3. sew       links triangles within pieces, across half-edges, and with the untouched faces
+//  2. flip      flips edges inside pieces until they are Delaunay, as measured by distances in the
+//               face (triangulation.cpp). Arcs and sides of faces are never flipped. So the result
+//               is the constrained Delaunay triangulation of each face. A node on a side is a
+//               corner of triangles in both adjacent faces
+//  3. sew       finds the neighbours of triangles: within a piece, across half-edges, and in
+//               untouched faces
 // Cost: usually O(mesh + k log k) for k half-edges.
 #pragma once
 
@@ -22,23 +23,24 @@ namespace plumb {
 
 /// A divided surface in triangles. Side 3 t + i runs from corner i of triangle t to corner i + 1.
 struct SurfaceTriangulation {
-  /// Rounded positions: first of the vertices of the mesh, then of the nodes.
+  /// Rounded positions: first the positions of the vertices of the mesh, then the positions of the
+  /// nodes.
   std::vector<Point3> points;
   std::vector<NodeId> node;  ///< The node at each point; invalid if no node lies there.
   std::vector<SurfaceTriangle> triangles;  ///< The indices of each triangle's corners in points.
   std::vector<CellId> cell;                ///< The cell that contains each triangle.
   std::vector<FaceId> face;                ///< The face of the mesh that contains each triangle.
-  /// For each side, the coinciding side of the adjacent triangle; kNone at the border.
+  /// For each side, the same side in the adjacent triangle; kNone at the border.
   std::vector<std::uint32_t> across;
   std::vector<ArcId> arc;  ///< The arc along each side; invalid if no arc runs there.
 };
 
-/// Returns the surface in triangles. Each triangle lies in one cell. Throws what the context
-/// throws. O(n log n).
+/// Returns the triangulation of the surface. Each triangle lies in one cell. Throws what the
+/// context throws. O(n log n).
 SurfaceTriangulation triangulate_surface(const SurfaceDivision& division,
                                          Context& context = unlimited_context());
 
-/// Returns the position of a node in space, rounded.
+/// Returns the rounded position of a node in space.
 Point3 node_position(const SurfaceDivision& division, NodeId node);
 
 }  // namespace plumb

@@ -1,6 +1,6 @@
-// Conversions between the exact numbers of plumb and those of Boost.Multiprecision, for programs
-// that use both libraries. This header includes 200000 lines of Boost's headers. No other file of
-// plumb includes it.
+// Conversions between the exact numbers of plumb and the exact numbers of Boost.Multiprecision.
+// They are meant for programs that use both libraries. This header includes 200000 lines of Boost's
+// headers. No other file of plumb includes it.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -15,7 +15,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Converts x to `Number`, which is one of Boost's types mpz_int and cpp_int.
+/// Converts x to `Number`, which is Boost's mpz_int or cpp_int.
 template <class Number>
 requires std::same_as<Number, boost::multiprecision::mpz_int> ||
     std::same_as<Number, boost::multiprecision::cpp_int>
@@ -32,7 +32,7 @@ requires std::same_as<Number, boost::multiprecision::mpz_int> ||
   return result;
 }
 
-/// Converts x to `Number`, which is one of Boost's types mpq_rational and cpp_rational.
+/// Converts x to `Number`, which is Boost's mpq_rational or cpp_rational.
 template <class Number>
 requires std::same_as<Number, boost::multiprecision::mpq_rational> ||
     std::same_as<Number, boost::multiprecision::cpp_rational>
@@ -47,12 +47,12 @@ requires std::same_as<Number, boost::multiprecision::mpq_rational> ||
   }
 }
 
-/// Converts an integer of Boost's to plumb's type.
+/// Converts an integer of Boost to an Integer of plumb.
 inline Integer from_boost(const boost::multiprecision::mpz_int& x) {
   return Integer(x.backend().data());
 }
 
-/// Converts an integer of Boost's to plumb's type.
+/// Converts an integer of Boost to an Integer of plumb.
 inline Integer from_boost(const boost::multiprecision::cpp_int& x) {
   std::vector<unsigned char> bytes;
   export_bits(boost::multiprecision::cpp_int(abs(x)), std::back_inserter(bytes), 8);
@@ -61,12 +61,12 @@ inline Integer from_boost(const boost::multiprecision::cpp_int& x) {
   return x < 0 ? -result : result;
 }
 
-/// Converts a fraction of Boost's to plumb's type.
+/// Converts a fraction of Boost to a Rational of plumb.
 inline Rational from_boost(const boost::multiprecision::mpq_rational& x) {
   return Rational(x.backend().data());
 }
 
-/// Converts a fraction of Boost's to plumb's type.
+/// Converts a fraction of Boost to a Rational of plumb.
 inline Rational from_boost(const boost::multiprecision::cpp_rational& x) {
   using boost::multiprecision::cpp_int;
   return Rational(from_boost(cpp_int(numerator(x))), from_boost(cpp_int(denominator(x))));

@@ -1,5 +1,6 @@
-// Check of the floating-point environment. The error bounds of the filters assume a certain
-// environment. input_filters.h checks these assumptions at compile time, self_test() at run time.
+// Check of the floating-point environment. The error bounds of the filters rest on assumptions
+// about this environment. input_filters.h checks these assumptions at compile time, and self_test()
+// checks them at run time.
 #pragma once
 
 #include <string>

@@ -15,7 +15,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The reason for an Error. No other reasons exist. The numbers form three ranges:
+/// The reason for an Error. Every Error has one of these codes. The codes form three ranges of
+/// numbers:
 ///   - 1xx: input text and files;
 ///   - 2xx: resources and cancellation;
 ///   - 3xx: geometry that a caller passes.
@@ -49,13 +50,14 @@ struct TextPlace {
 /// of the forms "FILE:LINE:COLUMN: message", "FILE: message" and "message".
 class Error : public std::runtime_error {
  public:
-  /// Composes the text of what() from the message and the place.
+  /// Constructs an error. The text of what() is composed of the place and the message.
   Error(ErrorCode code, std::string message, TextPlace place = {});
 
   ErrorCode code() const { return code_; }  ///< Returns the reason, for decisions of a program.
-  /// Returns the message for people, without the place.
+  /// Returns the message for people, without the position in the text input.
   const std::string& message() const { return message_; }
-  /// Returns the place; it is empty if the error does not concern a text.
+  /// Returns the position in the text input. It is empty if the error does not concern a text
+  /// input.
   const TextPlace& place() const { return place_; }
 
  private:
@@ -65,20 +67,21 @@ class Error : public std::runtime_error {
 };
 
 /// Thrown if plumb finds that one of its own invariants does not hold. This is always a bug in
-/// plumb, even for bad input. what() names the condition and its place in the source code. Objects
+/// plumb, even for bad input. what() names the condition, its source file and its line. Objects
 /// that took part in the failed operation may only be destroyed or assigned to.
 class BrokenInvariant : public std::logic_error {
  public:
   using std::logic_error::logic_error;
 };
 
-/// A function that is called before BrokenInvariant is thrown. It receives the condition that does
-/// not hold and the place of the condition in the source code. A handler may log, throw an
-/// exception of its own, or end the process.
+/// A function that is called before BrokenInvariant is thrown. It receives the text of the
+/// condition that does not hold, and the source file and the line of this condition. A handler may
+/// log, throw an exception of its own, or end the process.
 using InvariantHandler = void (*)(const char* condition, const char* file, int line);
 
-/// Installs a handler for all threads and returns the previous handler. A null pointer, which is
-/// the initial value, means that BrokenInvariant is thrown without a call of a handler.
+/// Installs a handler for all threads and returns the previous handler. If the handler is a null
+/// pointer, BrokenInvariant is thrown without a call of a handler. The initial handler is a null
+/// pointer.
 InvariantHandler set_invariant_handler(InvariantHandler handler) noexcept;
 
 namespace detail {

@@ -1,14 +1,14 @@
 // Predicates on points with double coordinates.
 //
-// A predicate returns the exact sign of a determinant of its points' coordinates. The sign is exact
-// for all finite doubles, including subnormals, +-DBL_MAX and any spread of exponents. It is exact
-// in every rounding mode, and with flush-to-zero and denormals-are-zero on or off. Every function
-// requires finite coordinates and does not check them. The only exception that a function may throw
-// is std::bad_alloc, from the stage that uses GMP. Several threads may call all functions at the
-// same time.
+// A predicate returns the exact sign of a determinant that is computed from the coordinates of its
+// points. The sign is exact for all finite doubles, including subnormals, +-DBL_MAX and any spread
+// of exponents. It is exact in every rounding mode. It is exact whether flush-to-zero and
+// denormals-are-zero are on or off. Every function requires finite coordinates and does not check
+// them. A function can throw only one exception, std::bad_alloc, and only in the stage that uses
+// GMP. Several threads may call all functions at the same time.
 //
-// Main flow of every predicate: it runs the stages in turn until a stage decides. Tests and
-// benchmarks can also call each stage on its own, in namespace rung.
+// Main flow of every predicate: the predicate runs the following stages in turn until a stage
+// decides. Tests and benchmarks can also call each stage on its own, in namespace rung.
 //  1. Filter  X_filter  (input_filters.h)  evaluates in doubles; returns a sign or Unsure
 //  2. Small   X_small   (determinants.h)   evaluates in doubles again, exactly if the coordinates
 //                       are small integers; returns a sign or Unsure
@@ -51,8 +51,8 @@ inline constexpr int kExactBits = 125;
 FilteredSign orient2d_exact(const Point2& a, const Point2& b, const Point2& c);
 FilteredSign cross_sign_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 FilteredSign orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
-/// Does the same for points on a common grid that the caller knows. It takes a third of the time if
-/// the grid integers have at most 61 bits.
+/// Does the same for points on one common grid, which the caller passes as `grid`. If the grid
+/// integers have at most 61 bits, this function takes a third of the time of the function above.
 FilteredSign orient3d_exact(const Grid& grid, const Point3& a, const Point3& b, const Point3& c,
                             const Point3& d);
 FilteredSign incircle_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
@@ -90,7 +90,8 @@ inline Sign orient2d(const Point2& a, const Point2& b, const Point2& c) {
 
 /// Returns the sign of the cross product (b - a) x (d - c). It is Positive if the vector from c to
 /// d points to the left of the vector from a to b. It is Zero if the vectors are parallel or one of
-/// them is zero. Swapping a and b, c and d, or the two pairs flips the sign.
+/// them is zero. The sign flips if a and b are swapped, if c and d are swapped, or if the pair a, b
+/// is swapped with the pair c, d.
 inline Sign cross_sign(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const FilteredSign s = rung::cross_sign_filter(a, b, c, d);
   if (!is_decided(s)) [[unlikely]]
@@ -99,8 +100,8 @@ inline Sign cross_sign(const Point2& a, const Point2& b, const Point2& c, const 
 }
 
 /// Returns the orientation of four points, which is the sign of det [a-d; b-d; c-d]. It is Positive
-/// if d lies below the plane of a, b, c. "Below" is the side from which a, b, c appear clockwise.
-/// It is Zero if the points are coplanar. Swapping two points flips the sign.
+/// if d lies below the plane of a, b, c. "Below" means on the side from which a, b, c appear
+/// clockwise. It is Zero if the points are coplanar. Swapping two points flips the sign.
 inline Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   const FilteredSign s = rung::orient3d_filter(a, b, c, d);
   if (!is_decided(s)) [[unlikely]]

@@ -1,5 +1,5 @@
 // Predicates on planes of space, and on lines that are each given by two planes. No line is stored.
-// Every result is exact, also for planes of the frame (docs/design/frame.md).
+// Every result is exact, including the results for planes of the frame (docs/design/frame.md).
 //
 // Two pairs of planes can define the same line with opposite directions. turn_about_line compares
 // the two directions.
@@ -21,20 +21,21 @@ namespace plumb {
 ///   - GMP integers.
 bool holds_line(const PlaneTable& planes, PlaneId plane, PlaneId p, PlaneId q);
 
-/// Whether the common line of p and q equals that of r and s. Requires that neither pair is
-/// parallel. Cost: at most two calls of holds_line.
+/// Whether the common line of p and q equals the common line of r and s. Requires that p and q are
+/// not parallel and that r and s are not parallel. Cost: at most two calls of holds_line.
 bool is_same_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s);
 
-/// Returns the fingerprint of the line's Plücker coordinates (n_p x n_q, d_p n_q - d_q n_p). Equal
-/// lines have equal fingerprints, whatever planes define them and in whatever order. Different
-/// fingerprints prove that the lines differ. Equal fingerprints prove nothing: is_same_line must
-/// confirm that the lines are equal. Requires that p and q are not parallel. Cost: about 250 ns,
-/// mostly one modular inversion, and about 100 ns more for each plane with stored exact
-/// coefficients, such as a wall.
+/// Returns the fingerprint of the line's Plücker coordinates (n_p x n_q, d_p n_q - d_q n_p). The
+/// fingerprint of a line does not depend on the planes that define it, nor on their order.
+/// Different fingerprints prove that the lines differ. Lines with equal fingerprints may differ, so
+/// is_same_line must confirm that they are equal. Requires that p and q are not parallel. Cost:
+/// about 250 ns, mostly one modular inversion, and about 100 ns more for each plane with stored
+/// exact coefficients, such as a wall.
 Fingerprint line_fingerprint(const PlaneTable& planes, PlaneId p, PlaneId q);
 
-// Predicates on planes. Each of them is the sign of one or more determinants of the canonical rows
-// (n, d), where n is the normal vector and d the offset of a plane:
+// Predicates on planes. The canonical row of a plane is (n, d), where n is its normal vector and d
+// its offset. The result of each predicate is the sign of a determinant of canonical rows, or a
+// product of such signs. The determinants are:
 //
 //   minor(p, q, i)      component i of n_p x n_q, the direction of the line of p and q
 //   det3(p, q, r)       determinant of the three normals
@@ -54,8 +55,8 @@ Fingerprint line_fingerprint(const PlaneTable& planes, PlaneId p, PlaneId q);
 /// degree in input coordinates is 4.
 Sign minor_sign(const PlaneTable& planes, PlaneId p, PlaneId q, std::size_t axis);
 
-/// Returns the sign of det3(p, q, r). It is Zero if the normals are linearly dependent, so that the
-/// planes have a common direction. The sign has two more meanings:
+/// Returns the sign of det3(p, q, r). The sign is Zero if the normals are linearly dependent. In
+/// this case there is a direction parallel to all three planes. The sign has two more meanings:
 ///   - It is the side of the great circle of r on which the point n_p x n_q of the sphere lies.
 ///   - For normals n, m1 and m2, (n x m1) x (n x m2) = n det3(n, m1, m2). Therefore a Positive
 ///     det3_sign(n, m1, m2) means that the direction n x m2 is counter-clockwise of n x m1, seen
@@ -64,11 +65,11 @@ Sign minor_sign(const PlaneTable& planes, PlaneId p, PlaneId q, std::size_t axis
 /// input coordinates is 6.
 Sign det3_sign(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r);
 
-/// Returns the sign of det4(p, q, r, s). It is Zero if the rows are linearly dependent, so that the
-/// planes have a common point, or at least a common direction (a point at infinity). Let X be the
-/// common point of p, q and r. The side of s on which X lies is
-/// det4_sign(p, q, r, s) * det3_sign(p, q, r). Swapping two planes flips the sign; the result is
-/// Zero if two planes are equal. The degree in input coordinates is 9.
+/// Returns the sign of det4(p, q, r, s). The sign is Zero if the rows are linearly dependent. In
+/// this case the four planes have a common point, or there is a direction parallel to all of them
+/// (a common point at infinity). Let X be the common point of p, q and r. The side of s on which X
+/// lies is det4_sign(p, q, r, s) * det3_sign(p, q, r). Swapping two planes flips the sign; the
+/// result is Zero if two planes are equal. The degree in input coordinates is 9.
 Sign det4_sign(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s);
 
 /// Returns the order of two points on the line of p and q, in the direction n_p x n_q. Let X be the
@@ -79,10 +80,10 @@ Sign order_along_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r,
 
 /// Returns the turn from n_m1 to n_m2 about the line of p and q. It is the sign of the number t
 /// with n_m1 x n_m2 = t (n_p x n_q). Requires that p and q are not parallel and that all four
-/// planes are parallel to the same line. The degree in input coordinates is 4. For two facets
-/// around an edge, Zero means that their half-planes have equal or opposite directions. If the
-/// pairs (p, q) and (m1, m2) define the same line, Positive means that they give it the same
-/// direction.
+/// planes are parallel to the same line. The degree in input coordinates is 4. If m1 and m2 are the
+/// planes of two facets at an edge, Zero means that the facets lie in equal or in opposite
+/// half-planes of the edge. If the pairs (p, q) and (m1, m2) define the same line, Positive means
+/// that the directions n_p x n_q and n_m1 x n_m2 are the same.
 Sign turn_about_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId m1, PlaneId m2);
 
 /// The stages, which tests and benchmarks can call on their own. W is exact3::Narrow, Medium or

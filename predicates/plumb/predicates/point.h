@@ -5,14 +5,14 @@
 namespace plumb {
 
 /// A point of the plane. Every predicate requires finite coordinates. The readers and the public
-/// constructors of the engine reject all other values.
+/// constructors of the engine reject infinities and NaNs.
 struct Point2 {
   double x = 0;  ///< Finite coordinate.
   double y = 0;  ///< Finite coordinate.
   friend bool operator==(const Point2&, const Point2&) = default;
 };
 
-/// A point of space. The same requirement of finite coordinates applies.
+/// A point of space. Every predicate requires finite coordinates, as for Point2.
 struct Point3 {
   double x = 0;  ///< Finite coordinate.
   double y = 0;  ///< Finite coordinate.

@@ -21,14 +21,15 @@ namespace plumb {
 
 /// Returns the side of the canonical plane on which x lies, which is the sign of n.x + d. It is
 /// Positive on the side from which three input points that define the plane appear
-/// counter-clockwise. The caller can list in `incident` further planes that are known to contain x,
-/// such as the planes of the facets around a vertex. The result is Zero without arithmetic if
-/// `plane` is one of the planes that define x, one of `incident`, or a wall of two of these planes.
-/// The degree in input coordinates is 9, and 3 if x is an input point.
+/// counter-clockwise. In `incident`, the caller can list further planes that are known to contain
+/// x. At a vertex, these are for example the planes of its facets. The result is Zero without
+/// arithmetic if `plane` is one of the planes that define x, one of `incident`, or a wall of two of
+/// these planes. The degree in input coordinates is 9, and 3 if x is an input point.
 ///
 /// The defining planes are compared with `plane` before the filter runs. The other identities are
-/// tested only after the filter has returned Unsure. It returns Unsure for every plane through x,
-/// so that no identity is missed, and it reads fewer cache lines than those tests.
+/// tested only after the filter has returned Unsure. This order misses no identity, because the
+/// filter returns Unsure for every plane through x. The order saves time, because the filter reads
+/// fewer cache lines than the tests of the identities.
 Sign side(const Point3Table& points, SpacePoint x, PlaneId plane,
           std::span<const PlaneId> incident = {});
 
@@ -41,23 +42,24 @@ bool is_known_on(const Point3Table& points, SpacePoint x, PlaneId plane,
 /// most 13.
 Sign compare_axis(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis);
 
-/// Compares two points lexicographically (x, then y, then z). compare_xyz(x, y) is the negative of
-/// compare_xyz(y, x), and it is Zero if and only if equal(x, y).
+/// Compares two points lexicographically (x, then y, then z). Swapping x and y flips the sign. The
+/// result is Zero if and only if equal(x, y).
 Sign compare_xyz(const Point3Table& points, SpacePoint x, SpacePoint y);
 
-/// Whether x and y are the same point. The boxes of most different points are disjoint; the
-/// fingerprints distinguish the rest. If the fingerprints are equal, an exact test confirms that
-/// the three planes of one point contain the other point.
+/// Whether x and y are the same point. Most pairs of different points are distinguished by their
+/// boxes, which are disjoint. If the boxes intersect, the fingerprints are compared. If the
+/// fingerprints are equal, an exact test confirms that the three planes of one point contain the
+/// other point.
 bool equal(const Point3Table& points, SpacePoint x, SpacePoint y);
 
 /// Returns the sign of y - x in the direction n_p x n_q: Positive if y comes after x. The result is
 /// Zero if p and q are parallel. Requires that x and y lie on the line of p and q. If the boxes do
 /// not decide, the function chooses a plane that defines y and crosses the line, and computes on
-/// which side of that plane x lies. That predicate has degree 9.
+/// which side of that plane x lies. The degree in input coordinates is 9.
 Sign order_along_line(const Point3Table& points, PlaneId p, PlaneId q, SpacePoint x, SpacePoint y);
 
-/// Returns the fingerprint of a point. Equal points have equal fingerprints, however they are
-/// defined. Cost: about 250 ns, mostly one modular inversion.
+/// Returns the fingerprint of a point. Equal points have equal fingerprints, even if their
+/// definitions differ. Cost: about 250 ns, mostly one modular inversion.
 Fingerprint fingerprint(const Point3Table& points, SpacePoint x);
 
 /// Returns the fingerprints of many points: result[i] = fingerprint(points, x[i]). 256 points share
@@ -86,10 +88,10 @@ FramedPoint3 exact_parts(const Point3Table& points, SpacePoint x);
 namespace rung {
 
 /// Evaluates n.x + d at the midpoint of the box. Returns the sign of the value if its magnitude
-/// exceeds the error bound, otherwise Unsure. For an input point the error is at most
-/// normal_error * |x|_1 + offset_error, rounding included (see PlaneRow). For a box, the error
-/// grows by at most 3 * radius, since each |n[i]| <= 1. The bound adds 4 * radius, which also
-/// covers the rounding of the bound itself.
+/// exceeds the error bound, otherwise Unsure. For an input point x, the error, including rounding
+/// errors, is at most normal_error * |x|_1 + offset_error (see PlaneRow). Here |x|_1 is the sum of
+/// the magnitudes of the coordinates. For a box, the error grows by at most 3 * radius, since each
+/// |n[i]| <= 1. The bound adds 4 * radius, which also covers the rounding of the bound itself.
 inline FilteredSign side_filter(const PointBox& x, const PlaneRow& plane) {
   const auto& m = x.mid;
   const double value = plane.n[0] * m[0] + plane.n[1] * m[1] + plane.n[2] * m[2] + plane.d;
@@ -104,14 +106,14 @@ inline FilteredSign side_filter(const PointBox& x, const PlaneRow& plane) {
 /// Returns the sign of x - y along `axis` if the boxes are disjoint along it, otherwise Unsure.
 FilteredSign compare_axis_filter(const PointBox& x, const PointBox& y, std::size_t axis);
 
-/// Filters for points that depend on the frame. They return Unsure if no argument point depends on
-/// the frame. They evaluate the factors of R, that is the directions of the points
+/// Filters for points that depend on the frame. They return Unsure if none of the given points
+/// depends on the frame. They compute with the factors of R, which are the directions of the points
 /// (filter_stages.h). If the factors of R of both points are zero along `axis`,
 /// far_compare_axis_filter compares the parts without R.
 FilteredSign far_side_filter(const Point3Table& points, SpacePoint x, PlaneId plane);
 FilteredSign far_compare_axis_filter(const Point3Table& points, SpacePoint x, SpacePoint y,
                                      std::size_t axis);
-/// Filter for the part without R. Requires that the factor of R is zero.
+/// Filter for c0, where n.x + d = c0 + c1 R. Requires that c1 is zero.
 FilteredSign near_side_filter(const Point3Table& points, SpacePoint x, PlaneId plane);
 
 template <class W>

@@ -1,12 +1,13 @@
-// The table in which the engine stores points of the plane. It consists of flat arrays of doubles,
-// and of an exact side table for the few points that doubles cannot represent (integers beyond
-// 2^53, fractions). The predicates take the indices of points. Crossing2 represents the
-// intersection of two lines through such points without computing its coordinates exactly.
+// The table in which the engine stores points of the plane. The table consists of flat arrays of
+// doubles and of a second, exact table. The exact table stores the few points that doubles cannot
+// represent, such as points with fractions or with integers beyond 2^53. The predicates take the
+// indices of points. Crossing2 represents the intersection of two lines through such points without
+// computing its coordinates exactly.
 //
 // Main flow of every predicate (each stage can be called on its own, in namespace rung):
 //  1. Filter   decides from the cached doubles, or returns Unsure
 //  2. Exact    computes in fixed-width integers; returns Unsure for points that are not doubles and
-//              for exponents that are spread too far
+//              for coordinates whose exponents differ too much
 //  3. Big      computes in GMP integers and always decides
 // docs/design/numbers.md proves the error bounds.
 #pragma once
@@ -27,7 +28,7 @@
 namespace plumb {
 
 /// Read-only view of an exact point (X / W, Y / W) as three integers X, Y and W > 0. The view is
-/// valid until the table grows. Its integers must not be cleared with mpz_clear.
+/// valid until its table grows. The integers of the view must not be cleared with mpz_clear.
 struct HomogeneousView2 {
   mpz_t x;  ///< The integer X.
   mpz_t y;  ///< The integer Y.
@@ -35,23 +36,24 @@ struct HomogeneousView2 {
 };
 
 /// Append-only table of exact points. approx(i) is the nearest point with double coordinates (ties
-/// to even). It equals point i if is_double(i). The integers of all other points are stored in one
-/// shared pool of limbs, so that no point has an allocation of its own. A table stores at most
-/// 2^32 - 2 points.
+/// to even). If is_double(i), approx(i) equals point i. The integers of all other points are stored
+/// in one shared pool of limbs, so that no point has an allocation of its own. A table stores at
+/// most 2^32 - 2 points.
 class PointTable2 {
  public:
   /// Reserves memory for `points` points, including those that are in the table already.
   void reserve(std::size_t points);
   /// Appends a point. Requires finite coordinates. Negative zero is stored as zero.
   void push_back(Point2 p);
-  /// Appends a point. It is stored as doubles if doubles represent both coordinates exactly.
-  /// Coordinates that round to an infinity are allowed; approx() returns +-DBL_MAX for them.
+  /// Appends a point. If doubles represent both coordinates exactly, the point is stored as
+  /// doubles. Coordinates that round to an infinity are allowed; approx() returns +-DBL_MAX for
+  /// them.
   void push_back(const Rational& x, const Rational& y);
-  /// Appends all points of `other` in their order. Requires a table other than this one. Cost:
+  /// Appends all points of `other` in their order. Requires that `other` is not this table. Cost:
   /// O(size of other).
   void append(const PointTable2& other);
-  /// Returns a table of the points whose entry in `keep` is not 0, in the same order. Requires one
-  /// entry per point. Cost: O(n).
+  /// Returns a table of the points whose entry in `keep` is not 0. The order of the points is kept.
+  /// Requires one entry per point. Cost: O(n).
   PointTable2 subset(std::span<const std::uint8_t> keep) const;
 
   std::size_t size() const { return points_.size(); }  ///< Returns the number of points.
@@ -113,8 +115,8 @@ struct Crossing2 {
 };
 
 /// Returns the intersection of the lines ab and cd. Requires that the lines are not parallel. The
-/// function uses no exact arithmetic; it sets the radius to +inf if doubles give no bound. Cost:
-/// about 20 ns.
+/// function uses no exact arithmetic. If doubles give no bound for the error, it sets the radius to
+/// +inf. Cost: about 20 ns.
 Crossing2 make_crossing(const PointTable2& points, std::uint32_t a, std::uint32_t b,
                         std::uint32_t c, std::uint32_t d);
 
@@ -123,9 +125,9 @@ Crossing2 make_crossing(const PointTable2& points, std::uint32_t a, std::uint32_
 Sign compare_xy(const PointTable2& points, const Crossing2& p, std::uint32_t i);
 Sign compare_xy(const PointTable2& points, const Crossing2& p, const Crossing2& q);
 
-/// Returns the side of the directed line from i to j on which the crossing lies: Positive if it
-/// lies to the left. If i and j are the indices of a line that defines the crossing, the result is
-/// Zero without arithmetic. Requires that points i and j differ.
+/// Returns the side of the directed line from i to j on which the crossing lies: Positive if the
+/// crossing lies to the left. If i and j are the two points of a line that defines the crossing,
+/// the result is Zero without arithmetic. Requires that points i and j differ.
 Sign orient2d(const PointTable2& points, std::uint32_t i, std::uint32_t j, const Crossing2& p);
 
 /// Returns the exact coordinates of a crossing, for output.
@@ -182,8 +184,8 @@ inline FilteredSign compare_apart(double p, double q, double radius) {
 
 }  // namespace detail
 
-/// Rounding to nearest, clamping and flushing are monotone. Therefore approximations that compare
-/// as strictly ordered prove that the exact points have the same order.
+/// Rounding to nearest, clamping and flushing are monotone. Therefore, if one approximation is
+/// strictly less than the other, the exact points have the same order.
 inline FilteredSign rung::compare_xy_filter(const PointTable2& points, std::uint32_t i,
                                             std::uint32_t j) {
   const Point2 p = points.approx(i);
@@ -210,9 +212,9 @@ inline Sign cross_sign(const PointTable2& points, std::uint32_t a, std::uint32_t
   return cross_sign(points.approx(a), points.approx(b), points.approx(c), points.approx(d));
 }
 
-/// Compares only the x-coordinates. If the coordinate of point i is not a double, it differs from
-/// its approximation by at most 2^-53 of its magnitude. The only exception is a clamped coordinate,
-/// which is so large that no box with a finite radius reaches it.
+/// Compares only the x-coordinates. If the x-coordinate of point i is not a double, its
+/// approximation has an error of at most 2^-53 of its magnitude. The only exception is a clamped
+/// coordinate. A clamped coordinate is so large that no box with a finite radius reaches it.
 inline FilteredSign rung::compare_xy_filter(const PointTable2& points, const Crossing2& p,
                                             std::uint32_t i) {
   const double x = points.approx(i).x;

@@ -1,10 +1,10 @@
 // Exact integers (Integer) and fractions (Rational). Fractions are the exact coordinates in the
 // interface of plumb. The two classes wrap GMP's mpz_t and mpq_t with value semantics.
 //
-// The number 0 needs no allocated memory, and neither does the denominator of a fraction that is an
-// integer. Moving never allocates. Operators reuse the memory of temporaries. Every operator also
-// accepts built-in integers of any width. The operators of fractions also accept doubles and
-// floats, whose exact values they use.
+// No memory is allocated for the number 0. No memory is allocated for the denominator of a fraction
+// that is an integer. Moving never allocates. Operators reuse the memory of temporaries. Every
+// operator also accepts built-in integers of any width. The operators of fractions also accept
+// doubles and floats and use their exact values.
 #pragma once
 
 #include <gmp.h>
@@ -32,8 +32,9 @@ class Rational;
 
 namespace detail {
 
-/// The limb to which a number without allocated memory points. It is the value of a denominator of
-/// 1. For the number 0, which has no limbs, its value does not matter.
+/// The limb to which every number without allocated memory points. Such a number is 0 or a
+/// denominator of 1. A denominator of 1 has this limb as its only limb, so the value of the limb is
+/// 1. The number 0 has no limbs and never reads this limb.
 inline constexpr mp_limb_t kSharedLimb = 1;
 
 inline mp_ptr shared_limb() { return const_cast<mp_ptr>(&kSharedLimb); }
@@ -51,15 +52,16 @@ concept IntegerTerm = std::same_as<T, Integer> || BuiltInInteger<T>;
 template <class T>
 concept RationalTerm = std::same_as<T, Rational> || IntegerTerm<T> || BuiltInFloat<T>;
 
-/// Whether A and B, possibly references, are operands of an integer operator: at least one is an
-/// Integer, and the other is an Integer or a built-in integer.
+/// Whether the operators of integers accept operands of the types A and B, which may be references.
+/// At least one of the types must be Integer, and the other must be Integer or a built-in integer
+/// type.
 template <class A, class B>
 concept IntegerTerms = IntegerTerm<std::remove_cvref_t<A>> && IntegerTerm<std::remove_cvref_t<B>> &&
     (std::same_as<std::remove_cvref_t<A>, Integer> ||
      std::same_as<std::remove_cvref_t<B>, Integer>);
 
-/// Whether A and B, possibly references, are operands of an operator of fractions: at least one is
-/// a Rational, and the other is any RationalTerm.
+/// Whether the operators of fractions accept operands of the types A and B, which may be
+/// references. At least one of the types must be Rational, and the other must be a RationalTerm.
 template <class A, class B>
 concept RationalTerms = RationalTerm<std::remove_cvref_t<A>> &&
     RationalTerm<std::remove_cvref_t<B>> &&(std::same_as<std::remove_cvref_t<A>, Rational> ||
@@ -106,7 +108,8 @@ class WholeOperand {
   mpq_t value_;
 };
 
-// `result` may be the same object as an operand. Its denominator may point to the shared limb.
+// `result` may be the same object as an operand. The denominator of `result` may point to the
+// shared limb.
 void add(mpq_ptr result, mpq_srcptr a, mpq_srcptr b);
 void subtract(mpq_ptr result, mpq_srcptr a, mpq_srcptr b);
 void multiply(mpq_ptr result, mpq_srcptr a, mpq_srcptr b);
@@ -115,8 +118,8 @@ void set(mpq_ptr result, mpq_srcptr value);
 
 /// Sets `magnitude` to |value| and returns true, or returns false if |value| has more than 64 bits.
 bool magnitude_fits(mpz_srcptr value, std::uint64_t& magnitude);
-/// Returns the nearest double, ties to even; an infinity if the value is beyond the range of
-/// double.
+/// Returns the nearest double, ties to even. Returns an infinity if the value is beyond the range
+/// of double.
 double nearest(mpq_srcptr value);
 
 std::size_t hash_of(mpz_srcptr value);
@@ -126,7 +129,8 @@ std::size_t hash_of(mpq_srcptr value);
 [[noreturn]] void throw_negative_shift();
 [[noreturn]] void throw_out_of_range();
 
-/// Returns `count` as GMP's type of bit counts. Throws Error if `count` is negative or too large.
+/// Converts `count` to the type that GMP uses for bit counts. Throws Error if `count` is negative
+/// or too large.
 template <BuiltInInteger T>
 mp_bitcnt_t bit_count(T count) {
   if (count < 0) throw_negative_shift();
@@ -150,7 +154,8 @@ class Integer {
   Integer(T value) {
     value == 0 ? reset() : mpz_init_set(value_, detail::BuiltInOperand(value).mpz());
   }
-  /// Constructs `value` truncated towards 0. Throws Error (NotFinite) if it is NaN or infinite.
+  /// Constructs the integer part of `value`, truncated towards 0. Throws Error (NotFinite) if
+  /// `value` is NaN or infinite.
   explicit Integer(double value);
   /// Parses decimal digits with an optional sign before them. Throws Error (Syntax) if `text` has
   /// any other form.
@@ -334,8 +339,8 @@ class Integer {
     if (b == 0) detail::throw_division_by_zero();
     return into<A, B>(a, b, [](auto... x) { mpz_tdiv_q(x...); });
   }
-  /// Returns the remainder, which is 0 or has the sign of `a`. Throws Error (BadArgument) if `b` is
-  /// 0.
+  /// Returns the remainder of a / b. The remainder is 0 or has the sign of `a`. Throws Error
+  /// (BadArgument) if `b` is 0.
   template <class A, class B>
   requires detail::IntegerTerms<A, B>
   friend Integer operator%(A&& a, B&& b) {
@@ -415,7 +420,7 @@ class Integer {
     if (b.is_zero()) detail::throw_division_by_zero();
     mpz_tdiv_qr(quotient.value_, remainder.value_, a.value_, b.value_);
   }
-  /// Returns the index of the highest bit that is 1; the lowest bit of a number has index 0. Throws
+  /// Returns the index of the highest bit that is 1. The lowest bit of a number has index 0. Throws
   /// Error (BadArgument) if x <= 0.
   friend std::size_t msb(const Integer& x) {
     x.require_positive();
@@ -473,13 +478,16 @@ class Rational {
   /// Constructs the rational equal to the integer `value`.
   template <detail::BuiltInInteger T>
   Rational(T value) : Rational(Integer(value)) {}
-  /// Constructs the exact value of `value`. Throws Error (NotFinite) if it is NaN or infinite.
+  /// Constructs the rational equal to `value`. Throws Error (NotFinite) if `value` is NaN or
+  /// infinite.
   Rational(double value);
-  /// Constructs the exact value of `value`. Throws Error (NotFinite) if it is NaN or infinite.
+  /// Constructs the rational equal to `value`. Throws Error (NotFinite) if `value` is NaN or
+  /// infinite.
   Rational(float value) : Rational(static_cast<double>(value)) {}
   /// Constructs the rational equal to the integer `value`.
   Rational(const Integer& value) : Rational(Integer(value)) {}
-  /// Constructs the rational equal to the integer `value` and takes over the memory of `value`.
+  /// Constructs the rational equal to the integer `value`. The numerator takes over the memory of
+  /// `value`.
   Rational(Integer&& value) noexcept {
     reset();
     std::swap(*mpq_numref(value_), *value.mpz());
@@ -489,7 +497,8 @@ class Rational {
   /// Parses "p" or "p/q" in decimal digits. p may have a sign, but q must not. Throws Error
   /// (Syntax) if `text` has any other form, and Error (BadArgument) if q is 0.
   explicit Rational(std::string_view text);
-  /// Copies a GMP fraction. Requires that it is in lowest terms with a positive denominator.
+  /// Copies a GMP fraction. Requires that the fraction is in lowest terms and has a positive
+  /// denominator.
   explicit Rational(mpq_srcptr value) : Rational() { detail::set(value_, value); }
   /// Copies the value.
   Rational(const Rational& other) : Rational(other.mpq()) {}
@@ -514,8 +523,8 @@ class Rational {
 
   /// Returns a pointer to the GMP number, for reading.
   mpq_srcptr mpq() const noexcept { return value_; }
-  /// Returns a pointer to the GMP number, for reading and writing. After writing, the number must
-  /// be in lowest terms with a positive denominator before this object is used again.
+  /// Returns a pointer to the GMP number, for reading and writing. After a write and before the
+  /// next use of this object, the number must be in lowest terms with a positive denominator.
   mpq_ptr mpq() {
     if (mpq_denref(value_)->_mp_alloc == 0) mpz_init_set_ui(mpq_denref(value_), 1);
     return value_;
@@ -554,7 +563,8 @@ class Rational {
     return convert_to<T>();
   }
 
-  /// Adds `other`. Like all operators, it throws Error (NotFinite) if `other` is NaN or infinite.
+  /// Adds `other`. Like all operators of fractions, this operator throws Error (NotFinite) if
+  /// `other` is NaN or infinite.
   template <detail::RationalTerm T>
   Rational& operator+=(const T& other) {
     detail::add(value_, value_, operand(other).mpq());

@@ -1,7 +1,7 @@
-// Predicates on points with rational coordinates. They bring all coordinates to a common
-// denominator and evaluate in integers, so every result is exact. They have no filter and are
-// therefore slow: they are meant for file readers, tests and output, not for inner loops. The sign
-// conventions are those of input_predicates.h.
+// Predicates on points with rational coordinates. These predicates convert all coordinates to a
+// common denominator and compute with integers, so every result is exact. They have no filter and
+// are therefore slow. They are meant for file readers, tests and output, not for inner loops. The
+// sign conventions are those of input_predicates.h.
 #pragma once
 
 #include "plumb/predicates/rational.h"

@@ -4,8 +4,9 @@
 // MPFR computes the doubles, with the exponent range of double and mpfr_subnormalize. The doubles
 // are assembled from their bits, so that the caller's rounding mode and flush-to-zero setting have
 // no influence. (mpq_get_d truncates, so it returns the wrong double half the time. Casting a
-// 53-bit MPFR number to double rounds subnormals twice.) Decimal text is computed by one exact
-// integer division, because a decimal tie, such as 3/20 rounded to one digit, is not a binary tie.
+// 53-bit MPFR number to double rounds subnormals twice.) Decimal text is computed from the exact
+// number by one integer division. It cannot be computed from a double, because a decimal tie, such
+// as 3/20 rounded to one digit, is not a binary tie.
 #pragma once
 
 #include <string>
@@ -32,16 +33,17 @@ struct RoundedDouble {
 /// Returns `value` rounded to a double. Let r(q, mode) be q rounded in the given mode. Then
 ///   - r(-q, Nearest) = -r(q, Nearest);
 ///   - r(-q, Down) = -r(q, Up);
-///   - r(q, Down) <= q <= r(q, Up), where r(q, Down) and r(q, Up) are equal or adjacent doubles.
+///   - r(q, Down) <= q <= r(q, Up);
+///   - r(q, Down) and r(q, Up) are equal or adjacent doubles.
 /// Cost: one division of the numerator by the denominator to 53 bits.
 RoundedDouble round_to_double(const Rational& value, Rounding rounding = Rounding::Nearest);
 
 /// Returns round_to_double(value).value, for pictures, reports and approximate copies.
 double nearest_double(const Rational& value);
 
-/// Returns `value` if it is finite, and otherwise the largest finite double of the same sign.
-/// Tables of points store this result for coordinates beyond the range of double, so that the
-/// comparison of approximations stays monotone.
+/// Returns `value` if it is finite, and otherwise the largest finite double of the same sign. For
+/// coordinates beyond the range of double, tables of points store this result. With it,
+/// approximations have the same order as the exact coordinates, or are equal.
 double clamped_to_finite(double value);
 
 /// Returns the exact value of a double. The result is also exact with flush-to-zero or
@@ -49,15 +51,16 @@ double clamped_to_finite(double value);
 Rational exact_rational(double value);
 
 /// Returns `value` rounded to `digits` significant decimal digits, to nearest with ties to even.
-/// The text has no trailing zeros; examples are "0", "-12.5", "0.00025" and "1.5e+30". It has an
-/// exponent if the rounded magnitude is at least 10^digits, or if the first nonzero digit is more
-/// than five places right of the decimal point. Requires digits >= 1. Cost: about one product and
-/// one division of numbers that are `digits` digits longer than the operands.
+/// The text has no trailing zeros; examples are "0", "-12.5", "0.00025" and "1.5e+30". The text has
+/// an exponent in two cases: the rounded magnitude is at least 10^digits, or the first nonzero
+/// digit is more than five places right of the decimal point. Requires digits >= 1. Cost: about one
+/// product and one division of numbers that are `digits` digits longer than the operands.
 std::string decimal_text(const Rational& value, int digits);
 
 /// Returns "p/q" in lowest terms, or "p" for an integer.
 std::string exact_text(const Rational& value);
-/// Returns the decimal digits of an integer, after "-" if it is negative.
+/// Returns the decimal digits of an integer. If the integer is negative, "-" comes before the
+/// digits.
 std::string exact_text(const Integer& value);
 
 }  // namespace plumb

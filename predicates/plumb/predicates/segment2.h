@@ -2,9 +2,9 @@
 // the way in which two segments intersect, and the position of a segment relative to a line. The
 // coordinates are doubles or exact rationals.
 //
-// A segment is closed and has two different ends; its interior is the segment without its ends.
-// Every result is exact. All results follow from orient2d and compare_xy, so that the same
-// implementation serves points with double and with rational coordinates.
+// A segment contains its two ends, which are different points. The interior of a segment is the
+// segment without its ends. Every result is exact. All results follow from orient2d and compare_xy,
+// so that the same implementation serves points with double and with rational coordinates.
 #pragma once
 
 #include <cstdint>
@@ -62,13 +62,14 @@ enum class SegmentRelation : std::uint8_t {
   Equal,          ///< The two segments are the same point set.
 };
 
-/// Returns the way in which s and t intersect. relation(s, t) equals mirrored(relation(t, s)).
-/// Reversing s or t does not change the result. Cost: two calls of orient2d if t lies strictly on
-/// one side of the line of s or on that line, otherwise four calls.
+/// Returns the way in which s and t intersect. Exchanging the two segments mirrors the result:
+/// relation(s, t) equals mirrored(relation(t, s)). Reversing s or t does not change the result.
+/// Cost: two calls of orient2d if both ends of t lie strictly on the same side of the line through
+/// s, or if both ends of t lie on this line. Otherwise the cost is four calls.
 template <class Point>
 SegmentRelation relation(const BasicSegment2<Point>& s, const BasicSegment2<Point>& t);
 
-/// Returns the relation of the same two segments in exchanged order.
+/// Returns the relation of the same two segments after they are exchanged.
 constexpr SegmentRelation mirrored(SegmentRelation r) {
   switch (r) {
     case SegmentRelation::Touches:
@@ -105,7 +106,8 @@ enum class LineRelation : std::uint8_t {
 template <class Point>
 LineRelation relation_to_line(const BasicSegment2<Point>& line, const BasicSegment2<Point>& s);
 
-/// Returns the intersection of the lines of s and t. Requires that the lines are not parallel.
+/// Returns the intersection of the line through s and the line through t. Requires that the lines
+/// are not parallel.
 template <class Point>
 RationalPoint2 crossing_point(const BasicSegment2<Point>& s, const BasicSegment2<Point>& t);
 

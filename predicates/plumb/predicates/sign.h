@@ -6,8 +6,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The sign of an exact quantity, or the result of a three-way comparison, where Negative means
-/// less.
+/// The sign of an exact quantity, or the result of a three-way comparison. In a comparison of a
+/// with b, Negative means that a is less than b.
 enum class Sign : std::int8_t { Negative = -1, Zero = 0, Positive = 1 };
 
 /// The result of a filter stage: one of the three signs, or Unsure if the stage cannot decide.

@@ -13,9 +13,9 @@ namespace plumb {
 /// The value that means "no index" in arrays of 32-bit indices.
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// A 32-bit index of an object of one kind, such as a vertex. `Tag` is any type, possibly
-/// incomplete, that names the kind. A default-constructed id is invalid. Ids are ordered by value;
-/// the invalid id is the greatest.
+/// A 32-bit index of an object of one kind, such as a vertex. The type `Tag` names the kind. It may
+/// be any type, even an incomplete type. A default-constructed id is invalid. Ids are ordered by
+/// value, and the invalid id is the greatest id.
 template <class Tag>
 class StrongId {
  public:
@@ -24,7 +24,7 @@ class StrongId {
   static constexpr Value kInvalid = std::numeric_limits<Value>::max();
 
   constexpr StrongId() = default;
-  /// Constructs the id with the index `value`. Requires value <= kInvalid; a larger value is
+  /// Constructs the id with the index `value`. Requires value <= kInvalid. A larger value is
   /// truncated to 32 bits.
   constexpr explicit StrongId(std::size_t value) : value_(static_cast<Value>(value)) {}
 

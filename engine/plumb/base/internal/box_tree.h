@@ -1,19 +1,22 @@
-// Boxes of doubles in space and a tree over them, which finds the boxes that meet a box, a ray, or
-// the boxes of another tree.
+// Boxes of doubles in space, and a tree over such boxes. The tree finds the boxes that meet a given
+// box, a given ray, or the boxes of another tree.
 //
-// Answers are about the boxes alone. For exact answers a caller gives boxes that surely contain
-// what they stand for, and tests exactly what is found.
+// The answers concern the boxes alone. A caller that needs exact answers about objects passes boxes
+// that certainly contain the objects. It then applies an exact test to the objects whose boxes are
+// found.
 //
 // Main flow of building:
-//  1. codes      the code of a box is the cell of its middle on a grid of 2^21 cells for each axis,
-//                with the bits of the axes interleaved
-//  2. sort       a radix sort by code makes neighbours in the order neighbours in space. Runs of
-//                one code are sorted again on a finer grid of their own.
-//  3. nodes      four consecutive boxes make a leaf, two consecutive nodes the node above them
+//  1. codes      the code of a box is the grid cell of its centre. The grid has 2^21 cells along
+//                each axis. The code interleaves the bits of the three indices of the cell.
+//  2. sort       a radix sort by code. Boxes that are neighbours in this order are near each other
+//                in space. Boxes with equal codes are sorted again on a finer grid of their own.
+//  3. nodes      four consecutive boxes form a leaf. Two consecutive nodes of a level are the
+//                children of one node of the next level.
 //
-// The tree is full, so a node is its level and its place there, and nothing is linked. Building
-// takes O(n) for each 2^21-fold step of scale in the places of the boxes, which is nearly always
-// one, and about 60 ns a box. The tree takes 76 bytes a box.
+// Every node above the leaves has exactly two children. Therefore a node is given by its level and
+// its index in the level, and no links are stored. Building takes O(n) time for each grid on which
+// boxes are sorted. Each finer grid divides lengths by 2^21 again, so one grid nearly always
+// suffices. Building then takes about 60 ns per box. The tree takes 76 bytes per box.
 #pragma once
 
 #include <algorithm>
@@ -28,47 +31,49 @@
 
 namespace plumb {
 
-/// The closed box low <= x <= high. Bounds may be infinite. A default-constructed one is empty.
+/// The closed box low <= x <= high. Bounds may be infinite. A default-constructed box is empty.
 struct Box3 {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   std::array<double, 3> low = {kInfinity, kInfinity, kInfinity};      ///< The least coordinates.
-  std::array<double, 3> high = {-kInfinity, -kInfinity, -kInfinity};  ///< The greatest ones.
+  std::array<double, 3> high = {-kInfinity, -kInfinity, -kInfinity};  ///< The greatest coordinates.
 
-  /// Whether the boxes have a common point. Requires that neither is empty.
+  /// Whether the boxes have a common point. Requires that neither box is empty.
   bool meets(const Box3& b) const {
     return low[0] <= b.high[0] && b.low[0] <= high[0] && low[1] <= b.high[1] &&
            b.low[1] <= high[1] && low[2] <= b.high[2] && b.low[2] <= high[2];
   }
-  /// Grows to the least box that contains both.
+  /// Extends this box to the least box that contains both this box and b.
   void add(const Box3& b) {
     for (std::size_t i = 0; i < 3; ++i) {
       low[i] = b.low[i] < low[i] ? b.low[i] : low[i];
       high[i] = b.high[i] > high[i] ? b.high[i] : high[i];
     }
   }
-  /// Returns the sum of the three sides.
+  /// Returns the sum of the lengths of the three sides.
   double extent() const { return (high[0] - low[0]) + (high[1] - low[1]) + (high[2] - low[2]); }
   friend bool operator==(const Box3&, const Box3&) = default;
 };
 
-/// The rays o + t d, t >= 0, of all points o of one box and all vectors d of another. The
-/// direction's bounds are finite; it may be one vector, such as an axis.
+/// The rays o + t d with t >= 0, for all points o of the box `origin` and all vectors d of the box
+/// `direction`. The bounds of `direction` are finite. `direction` may consist of a single vector,
+/// such as the vector of an axis.
 struct BoxRay {
   Box3 origin;     ///< The points o.
   Box3 direction;  ///< The vectors d.
 };
 
-/// Whether a ray may meet the box at some t <= limit. If so, sets `entry` to a lower bound of every
-/// such t.
+/// Whether one of the rays may meet the box at some t <= limit. If so, sets `entry` to a lower
+/// bound of all such t.
 bool can_enter(const BoxRay& ray, const Box3& box, double limit, double& entry);
 
-/// A tree over boxes. Const members may be called from several threads at once.
+/// A tree over boxes. Several threads may call const members at the same time.
 class BoxTree {
  public:
   BoxTree() = default;
-  /// Builds the tree over boxes[0], boxes[1], ... Requires at most 2^32 - 4 boxes, none of them
-  /// empty, and no NaNs. The order in which queries visit boxes depends on nothing but the boxes.
+  /// Builds the tree over boxes[0], boxes[1], ... Requires at most 2^32 - 4 boxes. Also requires
+  /// that no box is empty and that no coordinate is a NaN. The order in which queries visit boxes
+  /// depends only on the boxes.
   explicit BoxTree(std::span<const Box3> boxes);
 
   std::size_t size() const { return order_.size(); }
@@ -76,30 +81,33 @@ class BoxTree {
   /// Returns the least box that contains all boxes.
   Box3 bounds() const { return is_empty() ? Box3{} : node({top(), 0}); }
 
-  /// Calls visit(i) for every box i that meets `query`, which must not be empty. If visit returns
-  /// bool, the first false ends the query.
+  /// Calls visit(i) for every box i that meets `query`. Requires that `query` is not empty. `visit`
+  /// may return a bool. In this case the query ends when `visit` first returns false.
   template <class Visit>
   void for_each_meeting(const Box3& query, Visit&& visit) const;
 
-  /// Calls visit(i, j) for every box i of `a` and j of `b` that meet.
+  /// Calls visit(i, j) for every box i of `a` and every box j of `b` that have a common point.
   template <class Visit>
   static void for_each_pair(const BoxTree& a, const BoxTree& b, Visit&& visit);
 
-  /// Calls visit(i, j) for every two different boxes that meet, once for each pair, in some order.
+  /// Calls visit(i, j) once for each pair of different boxes that have a common point. The order of
+  /// the pairs, and of i and j in a pair, is not specified.
   template <class Visit>
   void for_each_pair_inside(Visit&& visit) const;
 
-  /// Part of the pairs of boxes of two trees.
+  /// A part of the pairs of boxes of two trees.
   class Part;
-  /// Returns the work of for_each_pair() in about so many parts, which depend on the boxes and the
-  /// number alone.
+  /// Divides the work of for_each_pair() into about `about` parts. The parts depend only on the
+  /// boxes and on `about`.
   static std::vector<Part> parts(const BoxTree& a, const BoxTree& b, std::size_t about);
   template <class Visit>
   static void for_each_pair(const BoxTree& a, const BoxTree& b, const Part& part, Visit&& visit);
 
-  /// Calls limit = visit(i, entry) for each box that the ray may enter at some t <= limit, starting
-  /// with the given limit. `entry` bounds t from below. Nearer nodes come first, so that a falling
-  /// limit spares the rest; the boxes themselves do not come in an exact order.
+  /// Calls limit = visit(i, entry) for each box i that the ray may enter at some t <= limit.
+  /// `entry` is a lower bound of this t. The first limit is the argument `limit`, and each call of
+  /// `visit` returns the next limit. Nearer nodes are visited before farther nodes, so that a
+  /// smaller limit excludes more of the remaining nodes. The boxes themselves are not visited in an
+  /// exact order.
   template <class Visit>
   void for_each_along(const BoxRay& ray, double limit, Visit&& visit) const;
 
@@ -116,7 +124,8 @@ class BoxTree {
   static bool opens_first(const BoxTree& a, Node m, const BoxTree& b, Node n) {
     return n.level == 0 || (m.level > 0 && a.node(m).extent() >= b.node(n).extent());
   }
-  /// Nodes still to be visited, in reverse order. Going down leaves at most one for each level.
+  /// The nodes that are still to be visited, in reverse order. A descent leaves at most one node
+  /// for each level on the stack.
   template <class Item>
   struct Stack {
     std::array<Item, 2 * kMostLevels> items;
@@ -140,7 +149,7 @@ class BoxTree {
   template <class Visit>
   static void meet_leaves(const BoxTree& a, Node m, const BoxTree& b, Node n, Visit& visit);
 
-  std::vector<std::uint32_t> order_;      // The numbers of the boxes, neighbours together.
+  std::vector<std::uint32_t> order_;      // The indices of the boxes in sorted order.
   std::vector<Box3> boxes_;               // In that order; filled up with boxes that meet nothing.
   std::vector<Box3> nodes_;               // Level by level, each filled up to an even number.
   std::vector<std::size_t> level_begin_;  // Where each level begins in nodes_.
@@ -190,8 +199,8 @@ void BoxTree::for_each_pair(const BoxTree& a, const BoxTree& b, Visit&& visit) {
   if (a.node(m).meets(b.node(n))) descend(a, m, b, n, visit);
 }
 
-// The larger node is opened first, so that a small dense tree inside a leaf of the other is not
-// opened for nothing.
+// Of the two nodes, the larger one is replaced by its children first. Otherwise, if a small dense
+// tree lies inside a leaf of the other tree, the nodes of the small tree would be visited in vain.
 template <class Visit>
 void BoxTree::descend(const BoxTree& a, Node m, const BoxTree& b, Node n, Visit& visit) {
   if (m.level == 0 && n.level == 0) return meet_leaves(a, m, b, n, visit);

@@ -1,4 +1,4 @@
-// Directions given in degrees.
+// Conversion of an angle in degrees to a unit vector.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns (cos, sin) of an angle. The result is exact for multiples of 90 degrees. Requires a
-/// finite angle.
+/// Returns the vector (cos a, sin a), where a is the given angle. The result is exact for multiples
+/// of 90 degrees. Requires a finite angle.
 inline Point2 unit_vector(double degrees) {
   constexpr double kQuarter = 90;
   const double rest = std::remainder(degrees, 4 * kQuarter);  // This is exact.

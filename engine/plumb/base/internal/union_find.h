@@ -8,8 +8,8 @@
 
 namespace plumb {
 
-/// Union-find with path halving. The root of a class is its least number, so roots do not depend on
-/// the order of unions. Operations take amortized O(log n).
+/// Union-find with path halving. The root of a class is its least element, so roots do not depend
+/// on the order of the unions. Each operation takes amortized O(log n) time.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t size) : parent_(size) {
@@ -25,7 +25,7 @@ class UnionFind {
       i = beyond;
     }
   }
-  /// Unites the classes of i and j. Returns false if they were one class already.
+  /// Unites the classes of i and j. Returns false if i and j were already in the same class.
   bool unite(std::uint32_t i, std::uint32_t j) {
     i = root(i);
     j = root(j);

@@ -1,10 +1,10 @@
-// Cursors over input. TextCursor reads the lines and tokens of a text, and gives the position of
-// every error. BinaryInput reads the binary part of a file.
+// Cursors over input. TextCursor reads the lines and tokens of a text. BinaryInput reads the binary
+// part of a file. Errors that a cursor throws have their position in the input.
 //
-// Rules of texts:
+// Rules for texts:
 //   - Lines end with LF or CRLF. Blanks are spaces and tabs.
-//   - Blank lines are skipped. Lines whose first character after blanks is '#' are comments and are
-//     skipped, too.
+//   - Blank lines are skipped. A line is a comment if its first character other than a blank is
+//     '#'. Comments are skipped, too.
 //   - Comments must be UTF-8 without control characters.
 //   - A byte order mark at the start is skipped.
 //   - Columns are counted in bytes, starting at 1.
@@ -26,8 +26,8 @@ namespace plumb {
 /// Reads the lines and tokens of a text.
 class TextCursor {
  public:
-  /// Starts before the first line of `text`. Requires that `text` outlives the cursor. `name` is
-  /// the name of the file in messages.
+  /// Starts before the first line of `text`. Requires that the bytes of `text` outlive the cursor.
+  /// `name` is the name of the file in messages.
   TextCursor(std::string_view text, std::string name);
 
   /// Moves to the first token of the next line that has a token. Returns false at the end of the
@@ -40,8 +40,8 @@ class TextCursor {
     return p_ == end_ || *p_ == '\n' || (*p_ == '\r' && skip_carriage_return());
   }
 
-  /// Does the same as at_line_end(), for formats in which a comment may end a line. The comment is
-  /// skipped.
+  /// Skips blanks, and a comment that follows them on the same line. Returns true if the current
+  /// line has no more tokens. This function is for formats in which a comment may end a line.
   bool at_line_end_or_comment() {
     if (at_line_end()) return true;
     if (*p_ != '#') return false;
@@ -49,22 +49,23 @@ class TextCursor {
     return true;
   }
 
-  /// Returns the next token, which ends before a blank or the end of the line. Requires
-  /// !at_line_end().
+  /// Returns the next token. The token ends before the next blank or at the end of the line.
+  /// Requires !at_line_end().
   std::string_view token();
 
   /// Returns the next token in formats with punctuation. Each character in `marks` is a token of
-  /// its own. Any other token ends before such a character, a blank or the end of the line.
-  /// Requires !at_line_end().
+  /// its own. Any other token ends before the next character in `marks`, before the next blank, or
+  /// at the end of the line. Requires !at_line_end().
   std::string_view word(std::string_view marks);
 
-  /// Moves to `where` and counts the line breaks on the way. Requires that `where` is not before
-  /// the current position. This function serves texts that another parser reads.
+  /// Moves to `where` and counts the line breaks on the way. Requires that `where` is at or after
+  /// the current position. Parsers that do not read tokens of lines use this function to give their
+  /// errors a position.
   void move_to(const char* where);
 
   /// Reads a token of 1 to 9 digits into `value` and returns true. If the next token has any other
-  /// form, returns false and does not move; the caller must then use token(). Readers call this
-  /// function often. Requires !at_line_end().
+  /// form, returns false and does not move. The caller must then read the token with token(). This
+  /// function is inline because readers call it very often. Requires !at_line_end().
   bool short_number(std::uint32_t& value) {
     const char* q = p_;
     std::uint32_t v = 0;
@@ -87,13 +88,13 @@ class TextCursor {
   std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - p_); }
   std::size_t bytes_read() const { return static_cast<std::size_t>(p_ - begin_); }
 
-  /// Throws Error{code} with the position `where`, a pointer into the current line. The default of
-  /// `where` is the current position.
+  /// Throws Error{code} with the position `where`. Requires that `where` is a pointer into the
+  /// current line, or null. If `where` is null, the error has the current position.
   [[noreturn]] void fail(ErrorCode code, std::string message, const char* where = nullptr) const;
 
   /// Throws the error for an unexpected `token` of the current line. If a byte of the token is not
-  /// text, this is Error{NotText} at the first such byte. Otherwise it is Error{Syntax} with the
-  /// message "expected WHAT, found 'TOKEN'".
+  /// text, the error is Error{NotText} at the first such byte. Otherwise the error is Error{Syntax}
+  /// with the message "expected WHAT, found 'TOKEN'".
   [[noreturn]] void fail_token(std::string_view token, std::string_view what) const;
 
   static constexpr bool ends_token(char c) {
@@ -126,8 +127,8 @@ inline bool take_prefix(std::string_view& text, std::string_view prefix) {
 /// characters except tabs.
 std::size_t text_prefix(std::string_view text);
 
-/// Returns `token` in quotes, for a message. The token is cut before its first control character,
-/// and to at most 32 bytes at a character boundary.
+/// Returns `token` in quotes, for a message. The quoted text ends before the first control
+/// character of the token. It has at most 32 bytes, and is cut only between characters.
 std::string quoted(std::string_view token);
 
 // The cursor over the binary part of a file.
@@ -164,7 +165,7 @@ class BinaryInput {
     return std::bit_cast<Number>(raw);
   }
 
-  /// Throws "FILE: at byte N: message", with N counted from 0.
+  /// Throws Error{code} with the text "FILE: at byte N: message". N is counted from 0.
   [[noreturn]] void fail(ErrorCode code, const std::string& message, std::size_t at) const {
     throw Error(code, "at byte " + std::to_string(at) + ": " + message, {name_});
   }
@@ -179,10 +180,10 @@ class BinaryInput {
   std::string name_;
 };
 
-// Every error of a reader has a position. The following functions add one to errors about limits
+// Every error of a reader has a position. The following code adds a position to errors about limits
 // that were thrown without a position.
 
-/// The position of errors that concern a whole file.
+/// Throws errors that concern a whole file. Their position is the name of the file.
 struct WholeFile {
   const std::string& name;
   [[noreturn]] void fail(ErrorCode code, const std::string& message) const {
@@ -190,8 +191,9 @@ struct WholeFile {
   }
 };
 
-/// Returns `read()`. If `read()` throws Error{ResourceLimit} without a position, throws this error
-/// with the position of `in`. `in` is a TextCursor, a BinaryInput or a WholeFile.
+/// Returns `read()`. If `read()` throws Error{ResourceLimit} without a position, this function
+/// throws the same error with the current position of `in`. The type of `in` is TextCursor,
+/// BinaryInput or WholeFile.
 template <class Input, class Read>
 auto with_place(const Input& in, Read read) {
   try {

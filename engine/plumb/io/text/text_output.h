@@ -18,21 +18,23 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns a text from which the rules of record_reader.h read exactly `value`. An integer with an
-/// absolute value less than 2^63 is written as an integer. Any other value is written as the
-/// shortest decimal. Requires that `value` is finite.
+/// Returns a text for `value`. A reader that follows the rules of record_reader.h reads exactly
+/// `value` from this text. An integer with an absolute value less than 2^63 is written as an
+/// integer. Any other value is written as the shortest decimal that is read as `value`. Requires
+/// that `value` is finite.
 std::string format_double(double value);
 
 /// Returns the text "p/q" of a rational, or "p" if the denominator q is 1.
 std::string format_exact(const Rational& value);
 
-/// A buffer for text that is written to a stream. The buffer is written when it is full, and by
-/// flush(). The caller must call flush() at the end, because the destructor discards the rest of
-/// the buffer: the destructor may run after writing has failed.
+/// A buffer for text that is written to a stream. The contents of the buffer are written to the
+/// stream when the buffer is full and when flush() is called. The caller must call flush() at the
+/// end: the destructor discards the contents of the buffer, because it may run after writing has
+/// failed.
 class TextOutput {
  public:
   explicit TextOutput(std::ostream& out);
-  /// Calls Context::checkpoint() for each block that is written.
+  /// Makes a buffer that also calls Context::checkpoint() for each block that it writes.
   TextOutput(std::ostream& out, Context& context) : TextOutput(out) { context_ = &context; }
 
   TextOutput& operator<<(char c) {
@@ -65,8 +67,8 @@ class TextOutput {
   std::size_t used_ = 0;
 };
 
-/// Writes the coordinates of point i as "x y". A coordinate that is a double is written as
-/// format_double() writes it. Any other coordinate is written exactly.
+/// Writes the coordinates of point i as "x y". A coordinate that is a double is written by
+/// format_double(). Any other coordinate is written by format_exact().
 void write_point(TextOutput& out, const PointTable2& points, std::uint32_t i);
 
 /// Writes a number of fixed size as little-endian bytes.

@@ -2,8 +2,9 @@
 // the borders of the area that the cycles cover.
 //
 // Edge e has the half-edges 2 e and 2 e + 1. Half-edge 2 e runs from ends[e].from to ends[e].to,
-// and half-edge 2 e + 1 runs in the opposite direction. Every edge has both half-edges, even if no
-// cycle lists one of them. The cycle of a half-edge that is not listed is kNoCycle.
+// and half-edge 2 e + 1 runs in the opposite direction. Every edge has both half-edges, even if
+// cycles list only one of the two. If no cycle lists a half-edge, the cycle of this half-edge is
+// kNoCycle.
 #pragma once
 
 #include <cstdint>
@@ -27,9 +28,10 @@ struct MapEdges {
     std::uint32_t cycle;     ///< The cycle that lists the half-edge again.
   };
 
-  std::vector<SweepSegment> ends;       ///< The end vertices of each edge. The index from is less.
+  std::vector<SweepSegment> ends;       ///< The end vertices of each edge; `from` < `to`.
   std::vector<std::uint32_t> cycle_of;  ///< For each half-edge, the first cycle that lists it.
-  /// The extra occurrences, sorted by half-edge, and for each half-edge in the order of the input.
+  /// The extra occurrences, sorted by half-edge. The occurrences of the same half-edge are in the
+  /// order of the input.
   std::vector<ExtraUse> extra_uses;
   std::vector<std::uint32_t> at_corner;  ///< The half-edge that starts at each listed corner.
 
@@ -43,7 +45,8 @@ struct MapEdges {
   bool is_open(std::uint32_t h) const {
     return cycle_of[h] != kNoCycle && cycle_of[h ^ 1U] == kNoCycle;
   }
-  /// Returns all cycles that list half-edge h. A cycle that lists h several times occurs as often.
+  /// Returns all cycles that list half-edge h. A cycle that lists h several times occurs the same
+  /// number of times in the result.
   std::vector<std::uint32_t> uses(std::uint32_t h) const;
   /// Returns a cycle that lists edge e in both directions, or kNoCycle if there is none.
   std::uint32_t cycle_on_both_sides(std::uint32_t e) const;
@@ -53,8 +56,9 @@ struct MapEdges {
 };
 
 /// Returns the edges of a map. The function sorts the directed edges into buckets by the lesser of
-/// their two vertex ids, and pairs those of the same undirected edge. Cost: O(n), plus sorting the
-/// edges in each bucket. The order of `ends` depends only on the set of edges.
+/// their two vertex ids. In each bucket, it finds the directed edges of the same undirected edge.
+/// Cost: O(n), plus sorting the edges in each bucket. The order of MapEdges::ends depends only on
+/// the set of undirected edges.
 MapEdges match_twins(const Map& map);
 
 /// The connected components of the edge graph.
@@ -68,26 +72,26 @@ struct MapComponents {
 /// the inverse Ackermann function.
 MapComponents connect(const Map& map, const MapEdges& edges);
 
-// The borders of the area that the listed cycles cover. They are chains of half-edges that no cycle
-// lists.
+// The borders of the area that the listed cycles cover. Each border is a chain of half-edges that
+// no cycle lists.
 
 /// A closed chain of half-edges that are not listed, but whose twins are listed. The chain runs in
-/// the direction of the missing cycle: if a cycle with these half-edges were listed, the border
-/// would be closed.
+/// the direction of the missing cycle: if the map listed the chain as a cycle, all half-edges of
+/// the chain would be listed, and the border would disappear.
 struct OpenChain {
   std::vector<std::uint32_t> halfedges;  ///< The half-edges in order.
-  /// The sign of the area. A clockwise chain is Negative: it is the missing outer boundary of a
-  /// part of the map. A counter-clockwise chain is Positive: it bounds a gap, that is, a missing
-  /// face. A slit without area is Zero.
+  /// The sign of the area that the chain encloses. Negative for a clockwise chain, which is the
+  /// missing outer boundary of a part of the map. Positive for a counter-clockwise chain, which
+  /// bounds a gap, that is, a missing face. Zero for a slit, which encloses no area.
   Sign area;
 };
 
 /// Returns all chains, in the order of their least half-edges. At a vertex where several borders
-/// meet, each border continues along the same faces. Requires that no half-edge is listed twice;
-/// then every chain closes. O(n).
+/// meet, each border continues along the faces at which it arrived. Requires that no half-edge is
+/// listed twice. This requirement ensures that every chain closes. O(n).
 std::vector<OpenChain> trace_open_chains(const Map& map, const MapEdges& edges);
 
-/// Returns the vertices of a chain in order. A map can list them as a cycle.
+/// Returns the vertices of a chain in order, in the form of a cycle of a map.
 std::vector<std::uint32_t> cycle_of_chain(const MapEdges& edges, const OpenChain& chain);
 
 }  // namespace plumb

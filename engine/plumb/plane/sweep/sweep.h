@@ -1,56 +1,60 @@
-// The exact plane sweep, which finds where curves of the plane meet.
+// The exact plane sweep. It finds all points where curves of the plane meet.
 //
 // The sweep visits every point where curves start, end, cross, touch or overlap. Each such point is
 // an event. The events are visited in lexicographic order of (x, y). For each event, the sweep
-// reports the curves through the point and their order, and the nearest curve below the point. All
-// decisions are predicates on input points and on implicit crossings. No coordinate is ever
-// rounded, so no degeneracy needs special treatment.
+// reports the curves through the point and their order from bottom to top. It also reports the
+// nearest curve below the point. All decisions are exact predicates on input points and on
+// crossings, which are stored without coordinates. No coordinate is ever rounded, so the input may
+// have any degeneracies.
 //
 // Curves: a curve is a segment, a ray or a line. Its left end is the lexicographically lesser end,
-// and its right end is the greater one. A curve runs from left to right, and a vertical curve runs
-// upward.
+// and its right end is the lexicographically greater end. A curve runs from left to right, and a
+// vertical curve runs upward.
 //
 // Bundles: a bundle is a maximal set of curves that lie on the same line and overlap next to an
-// event. An incoming bundle overlaps just left of the event, an outgoing bundle just right of it.
+// event. The curves of an incoming bundle overlap just left of the event. The curves of an outgoing
+// bundle overlap just right of the event.
 //
 // Status: the status is the list of the bundles that the sweep line meets, from bottom to top.
 //
-// Infinity: ends at infinity need no coordinates:
-//   - Curves from the left infinity are in the status at the start. Among these, a steeper curve is
-//     below a less steep one.
+// Infinity: ends of curves at infinity have no coordinates. The sweep treats them as follows:
+//   - Curves from the left infinity are in the status at the start. Of two such curves with
+//     different slopes, the curve with the greater slope is below the other.
 //   - A vertical curve from infinity below starts in an event before all points with the same x. A
 //     vertical curve to infinity above ends in an event after all points with the same x.
-//   - Two curves to the right infinity cross before they reach it if and only if the lower curve is
-//     steeper.
+//   - Two curves to the right infinity cross before they reach infinity if and only if the lower
+//     curve has the greater slope.
 //
 // Main flow of sweep():
-//  1. rank_points         sorts the end points once; equal points get equal ranks
-//  2. collect_starts      groups the curves by their left ends, and sets curves of zero length
-//                         aside
+//  1. rank_points         sorts the end points once, and gives each point a rank. Equal points get
+//                         equal ranks.
+//  2. collect_starts      groups the curves by their left ends, and stores curves of length zero
+//                         separately
 //     start_unbounded     fills the status with the curves from the left infinity, in one event
-//  3. advance             takes the next end point or pending crossing, and all end points and
-//                         crossings that are equal to it
-//  4. take_enders         at a plain event, finds the curves that end there, which are neighbours
-//  in
-//                         the status. An event is plain if it has one end point, no curve passes
-//                         through it, and no curves overlap.
-//  5. take_all_through    at any other event, walks up and down the status while bundles contain
-//                         the point
+//  3. advance             takes the next point, which is an end point or a pending crossing, and
+//                         all end points and crossings that are equal to this point
+//  4. take_enders         at a plain event, finds the curves that end at the event. These curves
+//                         are neighbours in the status. An event is plain if it has one end point,
+//                         no curve passes through it, and no curves overlap.
+//  5. take_all_through    at any other event, walks up and down in the status from the point as
+//                         long as the bundles contain the point
 //     group_ends          groups the curves that end at the event by bundle
-//  6. order_starters      sorts the curves that start at the event by direction. Curves of the same
-//                         direction form a bundle, or join a bundle that continues.
+//  6. order_starters      sorts the curves that start at the event by direction. Curves with the
+//                         same direction form a bundle. If an incoming bundle continues in this
+//                         direction, they join it.
 //  7. replace_in_status   replaces the incoming bundles by the outgoing bundles
-//  8. test_neighbours     tests two bundles that became neighbours. If they cross, the crossing is
-//                         put into the queue. If they touch in an end point, the event of this
-//                         point is marked as not plain.
+//  8. test_neighbours     tests every pair of bundles that became neighbours in the status. If the
+//                         two bundles cross, their crossing becomes pending. If they touch in an
+//                         end point, the event of this point is marked as not plain.
 //  9. on_event            passes the finished event to the visitor
-// 10. end_unbounded       ends all bundles that remain in the status at the right infinity, in one
-//                         event
+// 10. end_unbounded       ends all bundles that remain in the status. This is one event, at the
+//                         right infinity.
 //
-// Invariants: step 8 has tested all bundles that are neighbours in the status. So an event is plain
-// if it is not marked and has no crossing. A plain event needs no arithmetic besides its own steps.
-// A bundle is represented by the curve that ends last among its curves. So the bundle ends when
-// this curve ends, and an event does not visit the other curves of a bundle that passes through.
+// Invariants: step 8 has tested all pairs of bundles that are neighbours in the status. So an event
+// is plain if it is not marked as not plain, and if no crossing is pending at its point. No
+// arithmetic is needed to decide whether an event is plain. In the status, a bundle is represented
+// by the curve of the bundle that ends last. So the bundle ends when this curve ends. If a bundle
+// passes through an event, the event does not visit the other curves of the bundle.
 // docs/design/sweep.md has the proofs.
 //
 // Cost: expected O((n + k) log n) time, where n is the number of curves and k the number of
@@ -74,17 +78,19 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// A segment, given by the indices of its end points in any order. The two indices are different.
-/// The points may have equal coordinates; then the segment has length zero.
+/// A segment, given by the indices of its two end points in any order. The indices are different,
+/// but the two points may have equal coordinates. Then the segment has length zero.
 struct SweepSegment {
   std::uint32_t from;  ///< Index of one end point.
   std::uint32_t to;    ///< Index of the other end point.
 };
 
-/// A segment, ray or line. It is the part from `from` to `to` of the line that runs from point a to
-/// point b. `from` and `to` are points on this line, input points or crossings, in the direction of
-/// the line. Each of them may also be kUnbounded. The input points a and b have different
-/// coordinates, except in a segment of length zero, where `from` and `to` are equal points.
+/// A segment, ray or line. A curve is a part of the directed line through the input points a and b.
+/// The part starts at the point `from` and ends at the point `to`. Both points lie on the line, and
+/// `from` comes first in the direction from a to b. Each of the two is an input point or a
+/// crossing. If the curve is unbounded at an end, this end is kUnbounded. The points a and b have
+/// different coordinates. A segment of length zero is an exception: its a and b may be equal, and
+/// its `from` and `to` are equal points.
 struct SweepCurve {
   static constexpr std::uint32_t kUnbounded = std::numeric_limits<std::uint32_t>::max();
 
@@ -103,14 +109,15 @@ enum class SweepPlace : std::uint8_t {
   RightInfinity,  ///< All curves to the right infinity end, as incoming bundles.
 };
 
-/// An event: the curves that start, end or pass at a point or at infinity. The spans are valid only
-/// during the call of on_event(). A bundle is represented by one of its curves: of the curves that
-/// the bundle had when it last left an event, the one that ends last.
+/// An event at a point or at infinity (SweepPlace), with the curves that start, end or pass there.
+/// The spans are valid only during the call of on_event(). Each bundle is represented by one of its
+/// curves. This curve is chosen anew at each event from which the bundle continues to the right. It
+/// is the curve of the bundle that ends last.
 struct SweepEvent {
   static constexpr std::uint32_t kNew = std::numeric_limits<std::uint32_t>::max();
 
   SweepPlace place = SweepPlace::Point;  ///< The kind of the event.
-  /// End points and stops at the event. A crossing without an end point or stop has none.
+  /// The end points and stops at the event. Empty if the event is only a crossing.
   std::span<const std::uint32_t> points;
   const Crossing2* crossing = nullptr;  ///< Set if `place` is Point and `points` is empty.
   std::span<const SegmentId> incoming;  ///< Bundles just left of the event, bottom to top.
@@ -120,15 +127,17 @@ struct SweepEvent {
   std::span<const SegmentId> starts;       ///< Curves that start at the event, grouped by bundle.
   std::span<const SegmentId> zero_length;  ///< Segments of length zero at the event.
   SegmentId below;                         ///< The nearest bundle below the event, if any.
-  /// Whether the event has one point, no curves overlap, and every curve at the event starts or
-  /// ends at this point.
+  /// Whether the event is plain. It is plain if it has one point, no curves overlap, and every
+  /// curve at the event starts or ends at this point.
   bool plain = false;
 
-  // Set for events that are not plain. The functions below read them.
-  std::span<const std::uint32_t> arrived_as;  ///< Results of came_from() for outgoing bundles.
-  std::span<const std::uint32_t> ends_end;    ///< Ends of the parts of `ends` in incoming bundles.
-  std::span<const std::uint32_t>
-      starts_end;  ///< Ends of the parts of `starts` in outgoing bundles.
+  // These members are set only for events that are not plain. The functions below read these
+  // members.
+  std::span<const std::uint32_t> arrived_as;  ///< The result of came_from() per outgoing bundle.
+  /// For each incoming bundle, the index in `ends` after the last curve that ends in it.
+  std::span<const std::uint32_t> ends_end;
+  /// For each outgoing bundle, the index in `starts` after the last curve that starts in it.
+  std::span<const std::uint32_t> starts_end;
 
   /// Returns the index of the incoming bundle that continues in outgoing bundle `out`, or kNew if
   /// all curves of the outgoing bundle start at the event.
@@ -141,7 +150,8 @@ struct SweepEvent {
   std::span<const SegmentId> starting_in(std::size_t out) const {
     return plain ? outgoing.subspan(out, 1) : part(starts, starts_end, out);
   }
-  /// Whether every curve at the event starts or ends there, and no two curves share a bundle.
+  /// Whether every curve at the event starts or ends at the event, and no two of these curves
+  /// belong to the same bundle.
   bool has_ends_only() const;
 
  private:
@@ -161,16 +171,18 @@ class SweepVisitor {
   virtual ~SweepVisitor() = default;
   /// Called once before the first event. `curves` stays valid during the sweep.
   virtual void on_start(const SweepCurves& curves) { static_cast<void>(curves); }
-  /// Called once for every event, in lexicographic order. The result false stops the sweep.
+  /// Called once for every event, in lexicographic order. If the function returns false, the sweep
+  /// stops.
   virtual bool on_event(const SweepEvent& event) = 0;
 };
 
-/// Sweeps all segments. Throws only exceptions of the visitor or the context.
+/// Sweeps over all segments. Throws only exceptions of the visitor or the context.
 void sweep(const PointTable2& points, std::span<const SweepSegment> segments, SweepVisitor& visitor,
            Context& context);
 
-/// Sweeps all curves. Each of the points `stops` is an event, even if no curve starts or ends
-/// there. Throws only exceptions of the visitor or the context.
+/// Sweeps over all curves. `stops` contains indices of points. Each of these points is an event,
+/// even if no curve starts or ends at the point. Throws only exceptions of the visitor or the
+/// context.
 void sweep(const PlanePointsView& points, std::span<const SweepCurve> curves,
            std::span<const std::uint32_t> stops, SweepVisitor& visitor, Context& context);
 

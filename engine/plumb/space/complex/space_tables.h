@@ -1,13 +1,14 @@
 // The planes and points that complexes in space refer to.
 //
-// Planes 0, 1, 2 are x = 0, y = 0, z = 0 in every table, so that the directions of the axes are
-// pairs of planes like any other direction.
+// In every table, planes 0, 1 and 2 are x = 0, y = 0 and z = 0. A direction is given by a pair of
+// planes. With these three planes, the directions of the axes can be given in the same way.
 //
-// An operation on two sets brings their tables together. It makes a copy() of the larger table,
-// merges the other table into the copy by merge(), and reads the other set through the TableMap.
-// compacted() drops the planes and points that the result does not use. Equal planes have one id in
-// a table. Equal points may have several ids, whether they are input or constructed; equal()
-// compares them.
+// An operation on two sets first makes a common table. The operation copies the larger table by
+// copy(), and adds the entries of the smaller table to the copy by merge(). The TableMap that
+// merge() returns has the new ids for the set with the smaller table. Finally compacted() drops the
+// planes and points that the result does not use. In a table, equal planes always have the same id.
+// Equal points may have different ids. This holds for input points and for constructed points. The
+// function equal() compares points by their coordinates.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +23,7 @@
 namespace plumb {
 
 /// The planes and points of complexes. There is no copy constructor, so that no copy is made by
-/// accident; copy() makes one.
+/// accident. The function copy() makes a copy.
 struct SpaceTables {
   SpaceTables();  ///< Makes tables with planes 0, 1, 2 and no points.
   /// Makes tables with these planes and a copy of the points. Requires that the points refer to
@@ -31,7 +32,7 @@ struct SpaceTables {
   SpaceTables(const SpaceTables&) = delete;
   SpaceTables& operator=(const SpaceTables&) = delete;
 
-  PlaneTable planes;   ///< The planes, with the input points.
+  PlaneTable planes;   ///< The planes, and the input points.
   Point3Table points;  ///< Constructed points, which refer to `planes`.
 };
 
@@ -39,10 +40,12 @@ inline constexpr PlaneId kPlaneX{0};  ///< The plane x = 0.
 inline constexpr PlaneId kPlaneY{1};  ///< The plane y = 0.
 inline constexpr PlaneId kPlaneZ{2};  ///< The plane z = 0.
 
-/// Returns the same planes and points under the same ids. Costs as much as copying the arrays.
+/// Returns a copy of the tables. Planes and points have the same ids in the copy. Costs as much as
+/// copying the arrays.
 std::shared_ptr<SpaceTables> copy(const SpaceTables& tables);
 
-/// Maps the ids of a table to those in the table into which it was merged.
+/// The result of merging a table into another table: maps each id in the merged table to the new id
+/// in the other table.
 struct TableMap {
   std::vector<PlaneId> plane;      ///< The new id of each plane.
   std::uint32_t input_offset = 0;  ///< The number that is added to ids of input points.
@@ -57,14 +60,14 @@ struct TableMap {
   }
 };
 
-/// Adds the planes and points of `other` to `into`, and returns their new ids. Requires that the
-/// two are different tables. A plane has the same canonical orientation in both tables, so signs
-/// with respect to planes do not change. Costs a hash look-up for each plane, and a copy of the
-/// points.
+/// Adds the planes and points of `other` to `into`, and returns their new ids. Requires that `into`
+/// and `other` are different objects. A plane has the same canonical orientation in both tables, so
+/// signs with respect to planes do not change. Costs one hash look-up for each plane, and copies
+/// each point.
 TableMap merge(SpaceTables& into, const SpaceTables& other);
 
-/// Tables with only the planes and points that are needed, and the new ids. The new id of a dropped
-/// plane or point is invalid.
+/// The result of compacted(): tables that contain only the needed planes and points, and the new
+/// ids. The new id of a dropped plane or point is invalid.
 struct CompactedTables {
   std::shared_ptr<SpaceTables> tables;  ///< The new tables.
   std::vector<PlaneId> plane;           ///< The new id of each plane.
@@ -82,17 +85,18 @@ struct CompactedTables {
 /// Returns tables with:
 /// - the given planes and points,
 /// - the planes that define these points,
-/// - the input points that define all of these,
+/// - the input points that define these planes and points,
 /// - planes 0 to 2.
 ///
-/// Ids keep their order. A wall whose parents are dropped remains the same plane, but is_wall_of()
-/// does not recognize it any more as a wall of its parents. O(size of the tables).
+/// The new ids have the same order as the old ids. If the planes that define a wall are dropped,
+/// the wall remains the same plane. However, is_wall_of() no longer recognizes it as a wall of
+/// these planes. O(size of the tables).
 CompactedTables compacted(const SpaceTables& tables, std::span<const PlaneId> planes,
                           std::span<const SpacePoint> points);
 
-/// Adds a point with any exact coordinates and returns it. The new point is an input point if all
-/// three coordinates are doubles. Otherwise it is the common point of three planes parallel to the
-/// coordinate planes.
+/// Adds a point with arbitrary exact coordinates, and returns the point. If all three coordinates
+/// are doubles, the new point is an input point. Otherwise it is a constructed point: the common
+/// point of three planes that are parallel to the coordinate planes.
 SpacePoint add_point(SpaceTables& tables, const RationalPoint3& at);
 
 }  // namespace plumb

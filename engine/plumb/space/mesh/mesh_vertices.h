@@ -1,5 +1,6 @@
-// The vertices of a mesh. The first part makes points of equal coordinates one vertex. The second
-// part orders a mesh of triangles so that neighbours in space are neighbours in memory.
+// The vertices of a mesh. The first part of this header makes one vertex of all points with equal
+// coordinates. The second part sorts a mesh of triangles so that neighbours in space are close
+// together in memory.
 #pragma once
 
 #include <cstdint>
@@ -11,53 +12,58 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The vertices of a mesh, in the order of their points of least index.
+/// The vertices of a mesh. Each vertex is a set of points with equal coordinates. Vertices are in
+/// the order of the least point index in each set.
 struct MeshVertices {
   std::vector<std::uint32_t> of_point;  ///< The vertex of each point; kNone if no face uses it.
-  std::vector<std::uint32_t> input;     ///< The point of least index of each vertex, ascending.
+  std::vector<std::uint32_t> input;     ///< The least point index of each vertex, ascending.
   std::vector<SpacePoint> point;        ///< The point of each vertex in the tables.
-  std::uint64_t merged = 0;             ///< The number of used points merged into an earlier point.
+  std::uint64_t merged =
+      0;  ///< The number of used points that have the coordinates of an earlier used point.
 };
 
-/// Returns the vertices of a mesh and adds their points to the tables. -0 equals 0. Throws
-/// Error{BadIndex} if a corner is not the index of a point, and Error{NotFinite} if a coordinate is
-/// not finite. O(n) expected.
+/// Returns the vertices of a mesh and adds their points to the tables. The coordinates -0 and 0
+/// count as equal. Throws Error{BadIndex} if a corner is not the index of a point, and
+/// Error{NotFinite} if a coordinate is not finite. O(n) expected.
 MeshVertices merge_equal_points(const MeshView& mesh, SpaceTables& tables);
 
 // Order in space.
 //
 // Files list points and faces in any order. All later steps follow links from facets to edges,
-// vertices and planes. They wait for memory if linked cells are far apart in memory: a union of two
-// scans took up to 1.7 times as long in the order of their files.
+// vertices and planes. These steps are slow if linked cells are far apart in memory. For example,
+// the union of two scanned meshes took up to 1.7 times as long if their points and faces were in
+// the order of the files.
 //
-// Each point is sorted by its cell on a grid around all points, with 2^10 cells along each axis.
-// Grid cells are in Morton order (G. Morton, A computer oriented geodetic data base and a new
-// technique in file sequencing, IBM, 1966). Each face is sorted by the least grid cell of its
-// corners. So points of equal coordinates have the same grid cell, and so have faces over the same
-// points. Points or faces with the same grid cell keep their order.
+// A grid with 2^10 cells along each axis covers all points. Points are sorted by the grid cell that
+// contains them. Grid cells are in Morton order (G. Morton, A computer oriented geodetic data base
+// and a new technique in file sequencing, IBM, 1966). Faces are sorted by the least grid cell of
+// their corners. Points with equal coordinates are in the same grid cell, and faces with the same
+// corners have the same least grid cell. Points of the same grid cell keep their order, and so do
+// faces with the same least grid cell.
 
-/// A mesh of triangles in another order.
+/// A mesh of triangles after sorting.
 struct OrderedMesh {
   std::vector<double> coordinates;     ///< Three coordinates for each point.
   std::vector<std::uint32_t> corners;  ///< Three point indices for each triangle.
-  std::vector<std::uint32_t> face;     ///< The index of each face in the original mesh.
+  std::vector<std::uint32_t> face;     ///< The index that each triangle has in the original mesh.
 
   /// Returns a view of the mesh. The view is valid as long as this object.
   MeshView view() const { return mesh_of_triangles(coordinates, corners); }
-  /// Whether the mesh was not ordered: there are no faces here.
+  /// Whether this object is empty. ordered_in_space() then kept the order of the original mesh.
   bool is_empty() const { return face.empty(); }
 };
 
-/// Returns the points and faces of a mesh, sorted by their grid cells. Returns an empty mesh if the
-/// order must be kept, which is so if there are:
+/// Returns the points and faces of a mesh, sorted by their grid cells. Returns an empty object if
+/// the order must be kept. This is the case if the mesh has:
 /// - no faces,
 /// - faces other than triangles,
 /// - points whose coordinates are not doubles, not finite or too far apart,
 /// - corners that are not indices of points.
 ///
-/// Meshes of other polygons keep their order for the following reason. A polygon that is not flat
-/// is triangulated, and its triangles and the report about them depend on the indices of its
-/// points. O(n): 30 to 40 ns for each triangle of a mesh of 60,000 to 300,000 triangles.
+/// Meshes with faces other than triangles keep their order for the following reason. A polygon that
+/// is not planar is triangulated. The choice of its triangles, and the report about them, depend on
+/// the indices of the polygon's points. Cost: O(n); 30 to 40 ns for each triangle of a mesh of
+/// 60,000 to 300,000 triangles.
 OrderedMesh ordered_in_space(const MeshView& mesh);
 
 }  // namespace plumb

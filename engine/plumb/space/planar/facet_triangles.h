@@ -1,6 +1,6 @@
-// Polygons in a view (FlatView). The first part finds out whether they are simple, in which
-// direction they run, and which region they bound. The second part cuts the facets of a complex
-// into triangles.
+// Polygons in a view (FlatView). The first part of this header tests whether polygons are simple,
+// and computes their orientation and the region that they bound. The second part cuts the facets of
+// a complex into triangles.
 #pragma once
 
 #include <array>
@@ -19,14 +19,15 @@ namespace plumb {
 /// How a polygon meets itself.
 enum class PolygonShape : std::uint8_t {
   Simple,  ///< The polygon does not meet itself.
-  /// It meets itself in common corners only, or along an edge that it runs forth and back.
+  /// The polygon meets itself only in common corners, or along edges that it contains in both
+  /// directions.
   Touching,
-  Crossing,  ///< Its edges cross or overlap, or pass through a corner.
+  Crossing,  ///< Two edges cross or overlap, or an edge passes through a corner.
 };
 
-/// Returns the shape of a polygon, given by indices of points. Requires that all points are
-/// different and no corner is followed by the same corner. O(n) for a convex polygon, else
-/// O(n log n). Throws what the context throws.
+/// Returns the shape of a polygon. The polygon is given by indices of points. Requires that all
+/// points of `points` are different, and that no two consecutive corners of the polygon are the
+/// same point. O(n) for a convex polygon, otherwise O(n log n). Throws what the context throws.
 PolygonShape shape_of(const FlatPoints& points, std::span<const std::uint32_t> polygon,
                       Context& context);
 
@@ -37,25 +38,26 @@ Sign orientation_of(const FlatPoints& points, std::span<const std::uint32_t> pol
 /// Removes pairs of an edge and its reverse, and sorts the remaining edges. O(n log n).
 void cancel_reverses(std::vector<IndexEdge>& edges);
 
-/// Returns the directed edges of a polygon, without edges that it runs forth and back.
+/// Returns the directed edges of a polygon, without pairs of an edge and its reverse.
 std::vector<IndexEdge> boundary_of(std::span<const std::uint32_t> polygon);
 
 // Facets cut into triangles between vertices of the complex.
 
-/// Cuts facets into triangles. An object keeps its working memory from facet to facet, so each
-/// thread needs its own object.
+/// Cuts facets into triangles. An object reuses its working memory for the next facet. So each
+/// thread needs a separate object.
 class FacetTriangles {
  public:
   /// Keeps a reference to the complex, which must outlive the object.
   explicit FacetTriangles(const SpaceComplex& complex)
       : complex_(complex), flat_(complex.points()) {}
-  /// Makes for_each() use the nearest doubles of vertices (rounded_point3.h) in its filters. They
-  /// decide more predicates than the boxes of vertices do. `nearest` has one entry for each vertex.
+  /// Makes for_each() use the given nearest doubles of vertices (rounded_point3.h) in its filters.
+  /// With nearest doubles, filters decide more predicates than with boxes of vertices. `nearest`
+  /// has one entry for each vertex of the complex.
   void use_nearest(std::span<const RoundedPoint3> nearest) { nearest_ = nearest; }
 
   /// Calls visit(a, b, c) with the vertices of each triangle, counter-clockwise seen from the
-  /// positive side of the facet's plane. Vertices inside the facet are corners, too. No vertex lies
-  /// inside a triangle or inside one of its edges. O(n log n).
+  /// positive side of the facet's plane. Vertices inside the facet become corners of triangles,
+  /// too. So no vertex lies inside a triangle or inside an edge of a triangle. O(n log n).
   template <class Visit>
   void for_each(FacetId f, const Visit& visit) {
     const UseId a = complex_.cycles_of(f)[0];

@@ -1,6 +1,7 @@
-// Geometry of points in a plane. This header has three parts: an interface to points by index, with
-// exact predicates, however the points are stored; triangulation of regions; and the sweep that
-// triangulation and nesting have in common.
+// Geometry of points in a plane. This header has three parts. The first part is an interface to
+// points that are given by indices, with exact predicates; it does not depend on how the points are
+// stored. The second part triangulates regions. The third part is a sweep that is used for
+// triangulation and for the nesting of cycles.
 #pragma once
 
 #include <array>
@@ -20,13 +21,14 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// A list of points of a plane with exact predicates by index.
+/// A list of points of a plane, with exact predicates. The arguments of predicates are indices of
+/// points.
 class PlanarPoints {
  public:
   virtual std::uint32_t size() const = 0;  ///< Returns the number of points.
   /// Returns the direction of the turn i, j, k: Positive is left.
   virtual Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const = 0;
-  /// Returns the lexicographic order of i and j, x first.
+  /// Returns the order of the points i and j by x; if their x are equal, by y.
   virtual Sign compare(std::uint32_t i, std::uint32_t j) const = 0;
   /// Returns Positive if l lies inside the circle through i, j, k. Requires that i, j, k run
   /// counter-clockwise.
@@ -37,17 +39,18 @@ class PlanarPoints {
   ~PlanarPoints() = default;
 };
 
-// Points of space seen along a coordinate axis, as points of the plane. All predicates on points
-// that lie in one plane of space are evaluated in such a view.
+// Points of space, projected along a coordinate axis to points of the plane. Such a projection is
+// called a view. If points of space lie in a common plane, all predicates of these points are
+// evaluated in a view.
 
 /// The axis along which a view looks, and the side from which it looks.
 struct FlatView {
-  std::size_t axis = 2;      ///< The coordinate of space that the view leaves out.
+  std::size_t axis = 2;      ///< The index of the coordinate that the projection drops.
   bool is_mirrored = false;  ///< Whether the view looks from the negative side of the axis.
 
-  /// Returns the view onto the positive side of the (canonical) plane, along the axis nearest to
-  /// the normal of the plane. Orientations of points of the plane have the same signs in this view
-  /// as seen from the positive side.
+  /// Returns the view onto the positive side of the (canonical) plane, along the axis that is
+  /// nearest to the normal of the plane. For points of the plane, orientations in this view have
+  /// the same signs as orientations seen from the positive side of the plane.
   static FlatView of_plane(const PlaneTable& planes, PlaneId plane);
   /// Returns the index of the coordinate of space that the view shows as x (i = 0) or y (i = 1).
   std::size_t coordinate(std::size_t i) const {
@@ -56,14 +59,14 @@ struct FlatView {
   }
 };
 
-/// A list of points in a view, with exact predicates by index. A predicate has these stages:
-/// - a filter in doubles, from the boxes of the points or from their nearest doubles if these are
-///   given,
-/// - for input points, the stages of orient2d(); for other points, integers; for circles,
-///   rationals.
+/// A list of points in a view, with exact predicates. A predicate is evaluated in stages:
+/// - a filter in doubles, which uses the nearest doubles of the points if they are given, and the
+///   boxes of the points otherwise,
+/// - exact arithmetic: the stages of orient2d() for input points, integers for other points, and
+///   rationals for circles.
 ///
-/// An object must not be used by several threads at the same time, because it stores exact
-/// coordinates when they are first needed.
+/// An object must not be used by several threads at the same time, because even const functions
+/// store exact coordinates when these are first needed.
 class FlatPoints final : public PlanarPoints {
  public:
   /// Makes an empty list of points of the table `points`. Keeps a reference to the table.
@@ -71,14 +74,14 @@ class FlatPoints final : public PlanarPoints {
 
   void reset(FlatView view);     ///< Empties the list and sets the view.
   void push_back(SpacePoint p);  ///< Appends a point.
-  /// Appends a point with its nearest doubles. These are more precise than the box of the point, so
-  /// filters decide more predicates. Requires nearest == rounded(points, p).
+  /// Appends a point with its nearest doubles. The nearest doubles are more precise than the box of
+  /// the point. So filters decide more predicates. Requires nearest == rounded(points, p).
   void push_back(SpacePoint p, const RoundedPoint3& nearest);
   std::uint32_t size() const override { return static_cast<std::uint32_t>(at_.size()); }
   Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const override;
   Sign compare(std::uint32_t i, std::uint32_t j) const override;
   Sign incircle(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) const override;
-  /// Returns the side of a plane of space on which point i lies. The point may be a point of the
+  /// Returns the side of a plane of space on which point i lies. Point i may be a point of the
   /// frame.
   Sign side(std::uint32_t i, PlaneId plane) const {
     return plumb::side(points_, at_[i].point, plane);
@@ -110,53 +113,54 @@ class FlatPoints final : public PlanarPoints {
   mutable std::vector<std::optional<RationalPoint2>> exact_;
 };
 
-// Regions of a plane cut into triangles between their own points.
+// Triangulation of regions of a plane. The corners of triangles are given points; no points are
+// constructed.
 //
-// triangulate() sweeps over the points in lexicographic order and triangulates the region behind
-// the sweep line (S. Hertel, K. Mehlhorn, Fast triangulation of simple polygons, Fundamentals of
-// Computation Theory, 1983; extended to regions whose boundaries touch in points). Consider the
-// part of the region between two neighbouring edges on the sweep line. It has a chain of points:
-// the points behind the line that no triangle has closed off. Each inner corner of a chain is
-// reflex or flat.
+// triangulate() sweeps over the points in lexicographic order, and triangulates the region behind
+// the sweep line. Source: S. Hertel, K. Mehlhorn, Fast triangulation of simple polygons,
+// Fundamentals of Computation Theory, 1983. The algorithm is extended to regions whose boundaries
+// touch in points. Consider two neighbouring edges on the sweep line with the region between them.
+// For these edges, a chain of points is stored: the points behind the sweep line at which triangles
+// are still missing. Each inner corner of a chain is reflex or flat.
 
 using IndexEdge = std::array<std::uint32_t, 2>;      ///< Two points, in a direction.
 using IndexTriangle = std::array<std::uint32_t, 3>;  ///< Three points, counter-clockwise.
 
-/// Appends triangles that together cover the region to the left of the edges. Their corners are
-/// points of `points`, and each point inside the region is a corner. Requires that all points are
-/// different, and that edges meet each other and points in their ends only. An edge that occurs in
-/// both directions is a slit. Returns false, and appends nothing, if the edges have no region to
-/// their left, because some part of the plane would be covered twice or a negative number of times.
-/// O(n log n).
+/// Appends triangles that together cover the region to the left of the edges. Corners of triangles
+/// are points of `points`, and each point inside the region is a corner. Requires that all points
+/// are different, that edges meet each other only at common ends, and that no point lies inside an
+/// edge. An edge that occurs in both directions is a slit. Returns false, and appends nothing, if
+/// the edges do not bound a region to their left. This is the case if the edges wind around some
+/// part of the plane more than once or a negative number of times. O(n log n).
 bool triangulate(const PlanarPoints& points, std::span<const IndexEdge> edges,
                  std::vector<IndexTriangle>& triangles);
 
-/// Flips sides of triangles until every side that is not in `edges` is locally Delaunay. If four
-/// points lie on a circle, the diagonal is the one that ends in the point of lowest index, so the
-/// result is unique. O(n^2) flips at worst, and usually O(n).
+/// Flips sides of triangles until every side that is not in `edges` is locally Delaunay. If the
+/// four corners of two adjacent triangles lie on a circle, the diagonal that ends at the point of
+/// lowest index is used. So the result is unique. Makes O(n^2) flips at worst, and usually O(n).
 void make_delaunay(const PlanarPoints& points, std::span<const IndexEdge> edges,
                    std::span<IndexTriangle> triangles);
 
-// The sweep over a region of the plane that triangulate() and nest_cycles() have in common. It
-// visits points in lexicographic order, and keeps the edges that meet the sweep line from bottom to
-// top.
+// The sweep over a region of the plane that triangulate() and nest_cycles() have in common. The
+// sweep visits points in lexicographic order. It maintains the list of the edges that meet the
+// sweep line, sorted from bottom to top.
 
-/// A sweep over the region to the left of directed edges. Requires that edges meet each other and
-/// points in their ends only, as triangulate() does. An edge that occurs in both directions is a
-/// slit, or separates two parts of the region.
+/// A sweep over the region to the left of directed edges. Has the same requirements as
+/// triangulate(). An edge that occurs in both directions is a slit, or separates two parts of the
+/// region.
 class RegionSweep {
  protected:
-  /// An edge from its lesser end to its greater one, in ranks of the sweep order.
+  /// An edge. Its ends are given by their ranks in the order of the sweep.
   struct SweepEdge {
     std::uint32_t left;   ///< The rank of its lesser end.
     std::uint32_t right;  ///< The rank of its greater end.
     bool is_lower;        ///< Whether the region is above the edge.
   };
-  /// A point, given by its rank, whose position among the edges is looked up.
+  /// A point whose position among the edges of the status is looked up.
   struct Probe {
     std::uint32_t rank;
   };
-  /// The order of edges on the sweep line, and of an edge and a point.
+  /// The order from bottom to top: of two edges on the sweep line, or of an edge and a point.
   struct Below {
     using is_transparent = void;
     const RegionSweep* sweep;
@@ -168,7 +172,8 @@ class RegionSweep {
   using Status = std::set<std::uint32_t, Below>;
   using Place = Status::iterator;
 
-  /// Sorts the points; start() must follow. Checks the limits of the context, if there is one.
+  /// Sorts the points. Requires that start() is called next. If `context` is not null, its limits
+  /// are checked during the sweep.
   RegionSweep(const PlanarPoints& points, std::span<const IndexEdge> edges,
               Context* context = nullptr);
   RegionSweep(const RegionSweep&) = delete;
@@ -179,8 +184,9 @@ class RegionSweep {
   /// top.
   void start();
 
-  /// Returns the direction of the turn from the left end of an edge over its right end to a point.
-  /// A derived class that knows the lines of edges can use these lines instead.
+  /// Returns the direction of the turn that is made by the left end of an edge, its right end, and
+  /// a point. A derived class may override this function to compute the turn from the line of the
+  /// edge.
   virtual Sign turn(std::uint32_t edge, std::uint32_t rank) const {
     return orient(edges_[edge].left, edges_[edge].right, rank);
   }
@@ -189,15 +195,16 @@ class RegionSweep {
     return points_.orient(order_[i], order_[j], order_[k]);
   }
 
-  /// Returns the range of the edges in the status that end in v. If no edge ends in v, the range is
-  /// empty, and lies at the position of v between the edges.
+  /// Returns the range of the edges in the status that end in the point of rank v. If no edge ends
+  /// there, the range is empty, and its position is that of the point among the edges.
   std::pair<Place, Place> edges_ending(std::uint32_t v);
   /// Returns the edge just below a position in the status, or kNone.
   std::uint32_t edge_below(Place at) const {
     return at == status_.begin() ? kNone : *std::prev(at);
   }
-  /// Calls visit(edge) for each edge that leaves v to the right, from bottom to top, and inserts it
-  /// into the status. Stops and returns false as soon as visit() returns false.
+  /// Calls visit(edge) for each edge whose left end is the point of rank v, from bottom to top, and
+  /// then inserts the edge into the status. Stops and returns false as soon as visit() returns
+  /// false.
   template <class Visit>
   bool insert_leaving(std::uint32_t v, const Visit& visit) {
     for (; next_start_ < starts_.size() && edges_[starts_[next_start_]].left == v; ++next_start_) {

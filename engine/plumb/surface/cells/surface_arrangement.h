@@ -1,20 +1,23 @@
-// The subdivision into which polygons cut a surface, face by face.
+// The subdivision of a surface by polygons. Each face is subdivided separately.
 //
-// A face is touched if a node lies in it or on its boundary. Each touched face is a planar
-// subdivision with half-edges. The first half-edges of a face run along its own boundary. They are
-// split at nodes; their outside belongs to another face. The half-edges of arcs inside the face
-// follow, in pairs. Other faces are not divided.
+// A face is touched if a node lies in it or on its boundary. Each touched face is stored as a
+// planar subdivision with half-edges. The first half-edges of a touched face run along the boundary
+// of the face. They end at nodes. Their twins belong to adjacent faces. The half-edges of arcs
+// inside the face follow, in pairs of twins. Faces that are not touched are not divided.
 //
 // Main flow of slice():
-//  1. nodes      makes equal points one node, by sorting along each edge and in each face
-//                (make_nodes())
-//  2. runs       adds up segments along mesh edges, on each piece of such an edge
-//  3. segments   adds up the other segments by face and ends; drops sums that are zero
-//  4. faces      arranges each touched face on its own (face_arrangement.h)
+//  1. nodes      makes one node of all equal points, by sorting the points on each edge and in each
+//                face (make_nodes())
+//  2. runs       for each part of a mesh edge between two nodes, adds up the multiplicities of the
+//                segments that run along this part
+//  3. segments   adds up the multiplicities of other segments with the same face and the same ends;
+//                drops sums that are zero
+//  4. faces      computes the arrangement of the segments in each touched face (face_arrangement.h)
 //  5. sew        finds the twins of half-edges along mesh edges
 //
-// Multiplicities are those of chains: the multiplicity of a polygon is zero where it runs back the
-// way it came. Theory: docs/design/surface.md, section Slicing.
+// The multiplicity of a polygon along an arc is its coefficient in a chain, as in homology. It is
+// the number of times that the polygon runs in the direction of the arc, minus the number of times
+// that it runs in the opposite direction. Theory: docs/design/surface.md, section Slicing.
 #pragma once
 
 #include <array>
@@ -30,17 +33,17 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The point where two segments between input nodes meet inside a face. Its exact coordinates are
-/// not stored; the segments define them.
+/// The point where two segments between input nodes meet inside a face. The exact coordinates of
+/// this point are not stored. They are computed from the ends of the segments.
 struct SurfaceCrossing {
   FaceId face;
   std::array<NodeId, 4> ends;  ///< The ends of the first segment, then the ends of the second.
-  Point2 approx;               ///< (u, v), rounded.
-  double radius;               ///< Bound on the errors of u and v; may be infinite.
+  Point2 approx;               ///< The rounded parameters (u, v).
+  double radius;               ///< A bound on the errors of the rounded u and v; may be infinite.
 };
 
-/// A list of bundles. A bundle is a sparse vector over polygons: the multiplicities of polygons
-/// that run together. Equal bundles may occur more than once.
+/// A list of bundles. A bundle is a sparse vector with one entry for each polygon along an arc: the
+/// multiplicity of the polygon. The list may contain equal bundles.
 class SurfaceBundles {
  public:
   std::size_t size() const { return begin_.size() - 1; }
@@ -56,13 +59,13 @@ class SurfaceBundles {
   std::vector<SignedEntry> entries_;
 };
 
-/// The subdivision in flat arrays. The half-edges of a touched face are consecutive, and so are its
-/// pieces.
+/// The subdivision in flat arrays. The half-edges of each touched face have consecutive ids, and so
+/// have its pieces.
 struct SurfaceArrangement {
   std::size_t segments = 0;  ///< Number of segments of the input, without those of length zero.
 
-  // The nodes are, in this order: input points, corners of touched faces that no polygon runs
-  // through, crossings.
+  // The nodes are, in this order: input points, corners of touched faces that are not input points,
+  // crossings.
   std::vector<SurfacePointId> node_point;  ///< The input points, which are the first nodes.
   std::vector<VertexId> corner_vertex;     ///< The corners, which are the next nodes.
   std::vector<SurfaceCrossing> crossings;  ///< The crossings, which are the last nodes.
@@ -77,16 +80,18 @@ struct SurfaceArrangement {
   std::vector<PieceId> piece_begin;  ///< First piece of each slot, and one past the last.
 
   std::vector<NodeId> origin;  ///< Origin of each half-edge.
-  /// Twin of each half-edge; invalid at the mesh border and beside faces that are not touched.
+  /// Twin of each half-edge. It is invalid at the mesh border, and where the adjacent face is not
+  /// touched.
   std::vector<HalfedgeId> twin;
   std::vector<HalfedgeId> next;  ///< Next half-edge around the piece of each half-edge.
   std::vector<PieceId> piece;    ///< Piece to the left of each half-edge.
   std::vector<ArcId> arc;        ///< Arc of each half-edge; invalid if no polygon runs there.
 
   std::vector<std::uint32_t> piece_slot;
-  std::vector<double> piece_share;        ///< The share of each piece in the area of its face.
+  std::vector<double> piece_share;  ///< The area of each piece divided by the area of its face.
   std::vector<std::uint32_t> loop_begin;  ///< First loop of each piece, and one past the last.
-  std::vector<HalfedgeId> loop;  ///< A half-edge of each boundary cycle, the outer one first.
+  std::vector<HalfedgeId>
+      loop;  ///< One half-edge of each boundary cycle of a piece, that of the outer cycle first.
 
   std::vector<HalfedgeId> arc_halfedge;  ///< The half-edge that runs in the direction of each arc.
   std::vector<std::uint32_t> arc_bundle;
@@ -116,14 +121,14 @@ struct SurfaceArrangement {
   std::uint32_t arcs_begin(std::uint32_t slot) const { return side_begin[4 * slot + 3]; }
 };
 
-/// Returns the subdivision by the polygons. Requires that require_valid(polygons) does not throw.
-/// Throws what the context throws.
+/// Returns the subdivision of the surface by the polygons. Requires that require_valid(polygons)
+/// does not throw. Throws what the context throws.
 SurfaceArrangement slice(const SurfacePolygons& polygons, Context& context);
 
 inline constexpr std::uint8_t kCrossingEnds = 3;
-/// Returns the number of ends of arcs at each node, but at most kCrossingEnds. A closed arc has two
-/// ends at its node. A node with kCrossingEnds ends is a crossing. Only arcs for which
-/// `counts(arc)` holds are counted.
+/// Returns the number of ends of arcs at each node. Numbers greater than kCrossingEnds are replaced
+/// by kCrossingEnds. A closed arc has two ends at its node. If the number is kCrossingEnds, the
+/// node counts as a crossing. Only arcs for which `counts(arc)` returns true are counted.
 template <class Counts>
 std::vector<std::uint8_t> arc_ends(const SurfaceArrangement& a, const Counts& counts) {
   std::vector<std::uint8_t> ends(a.node_count());
@@ -140,28 +145,29 @@ inline std::vector<std::uint8_t> arc_ends(const SurfaceArrangement& a) {
   return arc_ends(a, [](ArcId) { return true; });
 }
 
-/// Returns the exact (u, v) of a crossing.
+/// Returns the exact parameters (u, v) of a crossing in its face.
 RationalPoint2 exact_crossing(const SurfaceArrangement& arrangement,
                               const SurfacePointTable& points, const SurfaceCrossing& crossing);
 
-/// Returns the exact (u, v) of any node. Requires that the node lies in the face.
+/// Returns the exact parameters (u, v) of any node in the face f. Requires that the node lies in
+/// this face.
 RationalPoint2 exact_node(const SurfaceArrangement& arrangement, const SurfacePointTable& points,
                           NodeId node, FaceId f);
 
-/// Appends the point of a node to a table over the same mesh, and returns its row.
+/// Appends the point of a node to a table over the same mesh, and returns the row of the point.
 SurfacePointId add_node_point(const SurfaceArrangement& arrangement,
                               const SurfacePointTable& points, NodeId node, SurfacePointTable& to);
 
 // The distinct points of polygons, and their order along edges.
 
-/// Nodes of input points. The nodes on edges come first, by edge and t. Then come the vertices,
-/// then the points in faces.
+/// Nodes of input points. The nodes on edges come first, sorted by edge and then by t. Then come
+/// the nodes at vertices, then the nodes in faces.
 struct SurfaceNodes {
   std::vector<SurfacePointId> point;  ///< Point of each node.
   std::vector<NodeId> of_entry;       ///< Node of each entry of the polygons.
   std::vector<EdgeId> edges;          ///< Edges with nodes inside, ascending.
-  /// First node of each edge of `edges`, and one past the last node. The nodes of an edge are in
-  /// ascending order of t.
+  /// First node of each entry of `edges`. A final entry is one past the last node on edges. The
+  /// nodes of an edge are in ascending order of t.
   std::vector<std::uint32_t> edge_begin;
   std::vector<std::uint32_t> slot_of_edge;  ///< Index of each mesh edge in `edges`, or kNone.
   std::uint32_t vertices_begin = 0;

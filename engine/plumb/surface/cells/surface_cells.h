@@ -1,12 +1,12 @@
-// The cells into which polygons cut a surface, the graph of cells that are neighbours across arcs,
-// and the borders of selected cells.
+// The cells into which polygons cut a surface, the graph of cells, and the borders of selected
+// cells. In the graph, two cells are joined if they are neighbours across an arc.
 //
 // Main flow of make_cells():
-//  1. join      joins pieces across half-edges without arc, and faces across mesh edges
-//               (union-find)
-//  2. number    numbers cells in the order of their first face
+//  1. join      joins pieces that are adjacent at a half-edge without an arc, and untouched faces
+//               that are adjacent at a mesh edge (union-find)
+//  2. number    numbers cells in the order of the first face in each cell
 //  3. measure   computes areas, and finds the cells at the mesh border
-//  4. graph     lists the arcs between cells; equal arcs are listed once
+//  4. graph     makes an edge of the graph for each arc between cells; equal edges are listed once
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// An edge of the graph of cells. From cell `from` to cell `to`, labels change by `sign` times the
-/// bundle (SurfaceBundles). from <= to.
+/// An edge of the graph of cells. The labels in cell `to` minus the labels in cell `from` are
+/// `sign` times the bundle with index `bundle` (SurfaceBundles). Always from <= to.
 struct CellEdge {
   CellId from;
   CellId to;
@@ -31,8 +31,10 @@ struct CellEdge {
 /// The cells and their graph.
 struct SurfaceCells {
   std::vector<CellId> of_piece;
-  std::vector<CellId> of_face;  ///< Cell of each face that is not touched.
-  std::vector<double> area;  ///< The area of each cell; the largest double if the area exceeds it.
+  std::vector<CellId>
+      of_face;  ///< The cell that contains each face; valid only for faces that are not touched.
+  std::vector<double>
+      area;  ///< The area of each cell; if it exceeds the largest double, the largest double.
   std::vector<std::uint32_t> component;  ///< The component of the mesh that contains each cell.
   std::vector<std::uint8_t> is_at_border;
   std::vector<CellEdge> edges;  ///< Distinct edges, sorted by (from, to).
@@ -40,7 +42,8 @@ struct SurfaceCells {
   std::size_t size() const { return area.size(); }
 };
 
-/// Returns the cells of a subdivision. Cost: nearly O(mesh + arrangement).
+/// Returns the cells of a subdivision. The cost is nearly linear in the sizes of the mesh and the
+/// arrangement.
 SurfaceCells make_cells(const SurfaceMesh& mesh, const SurfaceArrangement& arrangement,
                         Context& context);
 
@@ -50,22 +53,24 @@ CellId cell_at_corner(const SurfaceArrangement& arrangement, const SurfaceCells&
 // The border of selected cells as closed polygons.
 //
 // Main flow of trace_borders():
-//  1. start     begins at each half-edge of an arc that has a selected cell to its left and an
-//               unselected cell to its right, unless a loop has used this half-edge
-//  2. follow    follows the border with the selected cells to its left. At a point where several
-//               borders meet, it turns about the point within the selected cells to the next
-//               border; half-edges are in exact angular order. It follows the mesh border where the
-//               selected cells end there
-//  3. name      chooses the corners: control points of generators, and points where two strands of
-//               generators meet. Crossings with other polygons are left out, because the border
-//               runs straight through them
+//  1. start     begins a loop at each half-edge of an arc that has a selected cell to its left and
+//               an unselected cell to its right. Half-edges that an earlier loop contains are
+//               skipped
+//  2. follow    follows the border of the selected cells, which are to the left. Where several
+//               borders meet in a point, the loop continues with the next border around the point
+//               that can be reached through selected cells. The angular order of half-edges around
+//               the point is exact. Where selected cells end at the mesh border, the loop follows
+//               the mesh border
+//  3. name      chooses the corners of the loop. These are control points of generators, and points
+//               where different parts of generators meet. Crossings with other polygons are not
+//               corners, because the border runs straight through them
 //
 // Cost: O(half-edges of the arrangement + half-edges of the mesh border that are followed).
 
 /// Returns the border of the selected cells as polygons. `is_selected` has one entry for each cell.
-/// `generators` lists polygons in ascending order; their control points become control points of
-/// the border. Loops that consist of mesh border alone are left out. Throws what the context
-/// throws.
+/// `generators` lists polygons in ascending order. If a control point of one of these polygons lies
+/// on the border, it becomes a control point of the border. Loops that run only along the mesh
+/// border are omitted. Throws what the context throws.
 SurfacePolygons trace_borders(const SurfacePolygons& polygons,
                               const SurfaceArrangement& arrangement, const SurfaceCells& cells,
                               std::span<const std::uint8_t> is_selected,

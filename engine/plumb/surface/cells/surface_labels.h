@@ -1,18 +1,21 @@
-// Labels of cells. The label of a shape is an integer function on cells. From one side of an arc to
-// the other, it changes by the multiplicity of the shape along the arc.
+// Labels of cells. The label of a shape is a function that assigns an integer to each cell. The
+// label on the left side of an arc minus the label on its right side is the multiplicity of the
+// shape along the arc.
 //
 // Main flow of label_cells():
-//  1. tree       grows a tree of cells in each component of the mesh. The root is the cell where
-//                labels must be zero, if it is known. Otherwise it is the largest cell at the mesh
-//                border, or the largest cell if there is no border
-//  2. potential  computes labels along the tree, zero at its root; sparse
-//  3. check      checks the edges of the graph that are not in the tree. A shape that fails has no
-//                label, and a cycle proves it
-//  4. shift      shifts the labels of each shape in each component to its zero, or to the level
-//                that is given
+//  1. tree       grows a tree of cells in each component of the mesh. If the cell where labels must
+//                be zero is known, it is the root. Otherwise the root is the largest cell at the
+//                mesh border. In a component without border, it is the largest cell
+//  2. potential  computes labels along the tree, starting with zero at the root. Labels are stored
+//                as sparse vectors
+//  3. check      checks, for each edge of the graph that is not in the tree, that the labels at its
+//                ends differ by the jump of the edge. If this does not hold for a shape, the shape
+//                has no label. The edge and the tree then contain a cycle that proves this
+//  4. shift      adds a constant to the labels of each shape in each component, so that the labels
+//                satisfy the rules of SurfaceScene or agree with the given level
 //
-// Cost: O(edges + sum of the lengths of labels and jumps). Proof: docs/design/surface.md, section
-// Labels.
+// Cost: O(E + L) for E edges of the graph, where L is the number of entries of all labels and
+// jumps. Proof: docs/design/surface.md, section Labels.
 #pragma once
 
 #include <cstdint>
@@ -27,12 +30,13 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The changes of labels along the edges of the graph of cells. Each edge has a sparse vector over
-/// shapes: label in cell `to` minus label in cell `from`.
+/// The changes of labels along the edges of the graph of cells. Each edge has a sparse vector with
+/// one entry for each shape: the label in cell `to` minus the label in cell `from`.
 struct CellJumps {
   explicit CellJumps(Context& context) : memory(std::make_unique<MemoryCharge>(context)) {}
 
-  /// The charge for the memory of the lists; it is released together with them.
+  /// The charge for the memory of the two lists below. The charge is released when the lists are
+  /// destroyed.
   std::unique_ptr<MemoryCharge> memory;
   std::vector<std::uint32_t> begin = {0};
   std::vector<SignedEntry> entries;
@@ -41,7 +45,7 @@ struct CellJumps {
   }
 };
 
-/// Returns the jumps of polygons, each as a shape of its own. Throws what the context throws.
+/// Returns the jumps of polygons. Each polygon counts as a shape. Throws what the context throws.
 CellJumps jumps_of_polygons(const SurfaceArrangement& arrangement, const SurfaceCells& cells,
                             Context& context);
 /// Returns the jumps of shapes that are sums of polygons. Throws what the context throws.
@@ -55,20 +59,21 @@ struct CellLevel {
   std::int32_t label;
 };
 
-/// Sparse labels of all cells, and whether each shape separates the surface.
+/// The labels of all cells as sparse vectors, and for each shape whether it has a label.
 struct CellLabels {
   std::vector<Separation> separation;  ///< Whether the label of each shape exists.
-  std::vector<std::uint32_t> begin;    ///< First entry of each cell, and one past the last.
+  std::vector<std::uint32_t>
+      begin;  ///< First entry of each cell; a final value is one past the last entry.
   std::vector<SignedEntry> entries;
   std::span<const SignedEntry> operator[](CellId c) const {
     return std::span(entries).subspan(begin[c.value()], begin[c.value() + 1] - begin[c.value()]);
   }
 };
 
-/// Returns the labels. For each shape without labels, returns a cycle that proves it. `outside` is
-/// the cell of its component where labels are zero; it may be invalid. `levels` take precedence
-/// over `outside`. There is at most one level for each pair of a shape and a component. Throws what
-/// the context throws.
+/// Returns the labels. For each shape without a label, the result has a cycle that proves this. In
+/// the component of the cell `outside`, labels are zero in this cell; `outside` may be invalid.
+/// `levels` take precedence over `outside`. There is at most one level for each pair of a shape and
+/// a component. Throws what the context throws.
 CellLabels label_cells(const SurfaceCells& cells, const CellJumps& jumps, std::size_t shapes,
                        CellId outside, std::span<const CellLevel> levels, Context& context);
 

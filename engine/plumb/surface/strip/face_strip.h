@@ -1,6 +1,7 @@
-// Strips of triangles of a mesh, for paths that are found in doubles. The first part lays out faces
-// in the plane, each beside the face before it. The second part finds strips between two points
-// (trace.h, exponential_map.h).
+// Strips of triangles of a mesh, for finding paths in doubles (trace.h, exponential_map.h). A strip
+// is a sequence of faces in which each face shares a side with the next face; this side is a door
+// of the strip. The first part of this header lays out the faces of a strip in the plane, each face
+// beside the face before it. The second part finds strips between two points.
 #pragma once
 
 #include <array>
@@ -30,23 +31,25 @@ struct ScaledPositions {
 /// most 1.
 ScaledPositions scaled_positions(const SurfaceMesh& mesh);
 
-/// The corners of a face in the plane, in the order of the mesh, counter-clockwise.
+/// The corners of a face that is laid out in the plane. They are in the corner order of the mesh,
+/// which is counter-clockwise in the plane.
 using FaceCorners = std::array<Point2, 3>;
 
-/// Returns the face laid out with corner `first` at the origin and the next corner to the right of
-/// it.
+/// Lays a face out in the plane. Corner `first` is at the origin, and the next corner is on the
+/// positive x axis.
 FaceCorners laid_out(const SurfaceMesh& mesh, std::span<const Point3> positions, FaceId f,
                      std::size_t first);
-/// Lays out the face on the other side of a door, beside the face that the door leads out of.
-/// `corners` are the corners of that face. Requires that there is a face on the other side.
+/// Lays out a face beside a face that is laid out already. `corners` are the corners of the face
+/// that is laid out already, and `door` is a half-edge of this face. The result is the layout of
+/// the face on the other side of the door. Requires that there is a face on the other side.
 FaceCorners laid_out_across(const SurfaceMesh& mesh, std::span<const Point3> positions,
                             const FaceCorners& corners, HalfedgeId door);
 
-/// Returns the angle, from 0 to pi, of the face of h at the origin of h.
+/// Returns the angle of the face of h at the origin of h. The angle is between 0 and pi.
 double corner_angle(const SurfaceMesh& mesh, std::span<const Point3> positions, HalfedgeId h);
 
-/// Returns the weights of the three corners of a face in a point of that face, computed from the
-/// approximate parameters of the point.
+/// Returns the weights of a point with respect to the three corners of a face. The point must lie
+/// in the face. The weights are computed from the approximate parameters of the point.
 std::array<double, 3> weights_in(const SurfacePointTable& table, SurfacePointId p, FaceId f);
 
 /// Vectors of doubles for layouts in the plane.
@@ -64,12 +67,13 @@ inline Point2 combined(const FaceCorners& p, const std::array<double, 3>& w) {
 
 }  // namespace layout
 
-// Strips of faces between two points of a mesh, for tracing (trace.h). A strip is found over the
-// dual graph, led to the other side of a vertex, and shortened. Doubles choose among strips. A
-// rounding error can change the choice, but the result is always a strip.
+// Strips of faces between two points of a mesh, for tracing (trace.h). A strip is found by a search
+// in the dual graph of the mesh. Where the strip can pass a vertex on the other side and become
+// shorter, it is rerouted. After that, detours are removed. All lengths are computed in doubles. A
+// rounding error can change which strip is chosen, but the result is always a valid strip.
 
-/// A sequence of faces in which each face shares a side with the next one. `doors` are the shared
-/// sides, as half-edges of the faces that they lead out of.
+/// A sequence of faces in which each face shares a side with the next one. `doors` lists the shared
+/// sides. Each door is given as the half-edge in the first of the two faces that share the side.
 struct FaceStrip {
   FaceId first;
   std::vector<HalfedgeId> doors;
@@ -85,26 +89,29 @@ struct StripEnd {
   bool lies_in(FaceId f) const { return table->is_in(point, f); }
 };
 
-/// Returns the faces that contain a point. The faces around a vertex are in order around it. An
-/// isolated vertex has no faces.
+/// Returns the faces that contain a point. If the point is a vertex, the faces are in their cyclic
+/// order around the vertex. An isolated vertex has no faces.
 std::vector<FaceId> faces_at(const SurfacePointTable& points, SurfacePointId p);
 
-/// Finds and shortens strips, and keeps the working memory for many strips on one mesh. Costs
-/// O(faces) once, then O(faces visited) for each strip.
+/// Finds and shortens strips. An object reuses its working memory for many strips on one mesh. The
+/// constructor takes time linear in the number of faces of the mesh. Each strip takes time linear
+/// in the number of faces visited.
 class StripFinder {
  public:
   /// `positions` are the positions of the vertices, scaled so that no product of two coordinates
   /// overflows.
   StripFinder(const SurfaceMesh& mesh, std::span<const Point3> positions);
 
-  /// Returns a strip whose length, measured by the centroids of its faces, is short (A* search).
-  /// Returns no value if no strip leads from one end to the other. Ties go to the lower face, so
-  /// the answer does not depend on the platform's heap.
+  /// Returns a short strip from one end to the other, found by an A* search. The length of a strip
+  /// is measured between the centroids of its faces. Returns no value if no strip leads from one
+  /// end to the other. If two faces have the same bound, the face with the lower index is visited
+  /// first. So the result does not depend on the platform's heap.
   std::optional<FaceStrip> find(const StripEnd& from, const StripEnd& to, Context& context);
 
-  /// Keeps the part of the strip from the last face that contains its start to the next face that
-  /// contains its end. Within this part, removes every detour from a face back to the same face.
-  /// The shortest path in the strip does not become longer.
+  /// Shortens a strip from `from` to `to`. The new strip begins at the last face of the strip that
+  /// contains `from`. It ends at the first face after this that contains `to`. If the strip visits
+  /// a face several times between these two faces, the detour between the visits is removed. The
+  /// shortest path in the strip does not become longer.
   void shorten(FaceStrip& strip, const StripEnd& from, const StripEnd& to);
 
  private:
@@ -136,9 +143,10 @@ class StripFinder {
   Point3 goal_;
 };
 
-/// Returns the half-edges that a way around a vertex crosses, clockwise or counter-clockwise. The
-/// half-edge `from` leaves the vertex, and the way leads from the face of `from` to the face `to`
-/// at the same vertex. Returns no value if the border is in the way.
+/// Returns the half-edges that are crossed on a way around a vertex. The vertex is the origin of
+/// the half-edge `from`. The way starts in the face of `from` and ends in the face `to`, which is
+/// also at the vertex. The way is clockwise if `clockwise` is true, otherwise counter-clockwise.
+/// Returns no value if the way would cross the border of the mesh.
 std::optional<std::vector<HalfedgeId>> doors_around(const SurfaceMesh& mesh, HalfedgeId from,
                                                     FaceId to, bool clockwise);
 

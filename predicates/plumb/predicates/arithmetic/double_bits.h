@@ -1,6 +1,7 @@
-// Doubles as integers times a power of two, and the order of doubles. All functions use integer
-// operations only. Therefore they are right in every rounding mode, and also under flush-to-zero
-// (FTZ) and denormals-are-zero (DAZ), where even `a < b` on doubles can be wrong.
+// Functions that split a double into an integer and a power of two, and functions that compare
+// doubles. All functions use integer operations only. Therefore their results are right in every
+// rounding mode, and also under flush-to-zero (FTZ) and denormals-are-zero (DAZ). Under DAZ, even
+// the result of `a < b` for two doubles can be wrong.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +19,8 @@ namespace plumb {
 
 static_assert(std::numeric_limits<double>::is_iec559 && sizeof(double) == 8);
 
-/// A double as mantissa * 2^exponent with |mantissa| < 2^53. The mantissa is odd, except that the
-/// double 0 has mantissa 0 and exponent 0.
+/// A double as mantissa * 2^exponent with |mantissa| < 2^53. The double 0 has mantissa 0 and
+/// exponent 0. All other doubles have an odd mantissa.
 struct Decomposed {
   std::int64_t mantissa = 0;
   int exponent = 0;
@@ -62,18 +63,18 @@ constexpr Decomposed decompose(double value) {
           r.biased - detail::kExponentBias + zeros};
 }
 
-/// Returns a key that has the order of the real numbers: ordered_key(a) < ordered_key(b) if and
-/// only if a < b, and the keys are equal if and only if a = b. Both zeros have the same key.
-/// Negative infinity has the least key, positive infinity the greatest. Requires that the value is
-/// not a NaN.
+/// Returns a key by which doubles can be compared. The keys are ordered like the doubles:
+/// ordered_key(a) < ordered_key(b) if and only if a < b, and the keys are equal if and only if a =
+/// b. Both zeros have the same key. Negative infinity has the least key, positive infinity the
+/// greatest. Requires that the value is not a NaN.
 constexpr std::uint64_t ordered_key(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   return (bits & detail::kSignBit) != 0 ? detail::kSignBit - (bits & ~detail::kSignBit)
                                         : detail::kSignBit + bits;
 }
 
-/// Returns the order of a and b: Negative if a < b. The result is right under DAZ, too, where
-/// `a < b` can be wrong.
+/// Returns the order of a and b: Negative if a < b. The result is right even under DAZ. Under DAZ,
+/// the result of `a < b` can be wrong.
 constexpr Sign compare(double a, double b) {
   const std::uint64_t p = ordered_key(a);
   const std::uint64_t q = ordered_key(b);
@@ -93,8 +94,8 @@ constexpr bool is_finite(double value) {
 }
 
 /// The common grid of a set of doubles: each double of the set is n * 2^low() for an integer n with
-/// |n| < 2^bits(). Zeros are on every grid. The grid of a set without nonzero doubles is empty and
-/// has bits() = 0.
+/// |n| < 2^bits(). The number 0 is on every grid. If the set contains no nonzero doubles, its grid
+/// is empty and has bits() = 0.
 class Grid {
  public:
   constexpr Grid() = default;
@@ -102,8 +103,8 @@ class Grid {
     for (const double v : values) add(v);
   }
 
-  /// Adds a value. The code has no branches, because it takes most of the time of a stage of fixed
-  /// width.
+  /// Extends this grid so that it also contains `value`. The code has no branches, because a stage
+  /// of fixed width spends most of its time here.
   constexpr void add(double value) {
     const detail::RawDouble r = detail::raw(value);
     const int unit = r.biased + std::countr_zero(r.magnitude);
@@ -112,7 +113,7 @@ class Grid {
     high_ = std::max(high_, r.biased + static_cast<int>(std::bit_width(r.magnitude)));
   }
 
-  /// Adds all values of another grid.
+  /// Extends this grid so that it also covers all values of `other`.
   constexpr void add(const Grid& other) {
     low_ = std::min(low_, other.low_);
     high_ = std::max(high_, other.high_);
@@ -128,10 +129,10 @@ class Grid {
   /// Returns value / 2^low(). Requires that the value is on the grid and bits() <= 63.
   constexpr std::int64_t to_int64(double value) const {
     const detail::RawDouble r = detail::raw(value);
-    // magnitude < 2^53, so it can be shifted left by 10 bits first. The shift to the right is then
-    // never negative, because biased - low_ > 10 would make bits() > 63. It is at most 62, because
-    // there are at most 52 trailing zeros. For a zero any shift is right. (The shift is computed in
-    // unsigned integers because low_ is kNone on an empty grid.)
+    // magnitude < 2^53, so the magnitude can be shifted left by 10 bits first. The following shift
+    // to the right is never negative, because biased - low_ > 10 would make bits() > 63. This shift
+    // is at most 62, because there are at most 52 trailing zeros. For the value 0, every shift is
+    // right. (The shift is computed in unsigned integers because low_ is kNone on an empty grid.)
     const unsigned up = static_cast<unsigned>(r.biased) - static_cast<unsigned>(low_);
     const unsigned down = (10U - up) & 63U;
     return detail::with_sign((r.magnitude << 10) >> down, r.negative);

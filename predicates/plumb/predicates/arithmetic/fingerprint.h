@@ -1,5 +1,5 @@
-// Fingerprints of homogeneous rows. Equal objects have equal fingerprints, which are 64-bit words,
-// even if their rows have different scales.
+// Fingerprints of homogeneous rows. A fingerprint is a 64-bit word. Equal objects have equal
+// fingerprints, even if their rows differ by a factor.
 //
 // A row of exact coefficients (a plane a b c d, a point x y z w) represents the same object as
 // every multiple of the row. The row is reduced modulo the prime q = 2^61 - 1 and divided by its
@@ -7,14 +7,14 @@
 //
 //   different fingerprints  prove that the objects differ;
 //   equal fingerprints      mean that the objects are very likely equal. An exact comparison must
-//                           confirm it, because different numbers, such as 1 and 2^61, have the
-//                           same residue.
+//                           confirm the equality, because different numbers, such as 1 and 2^61,
+//                           can have the same residue.
 //
 // If the common factor of a row is a multiple of q, all residues of the row are 0. Such a row is
 // first divided by its gcd; the result has a nonzero residue.
 //
-// Cost: a product in F_q takes about 2 ns. An inversion takes 150 ns alone, and as long as 3
-// products in a batch. A gcd of the same row would take 700 ns.
+// Cost: a product in F_q takes about 2 ns. A single inversion takes 150 ns. In a batch, each
+// inversion takes as long as 3 products. A gcd of the same row would take 700 ns.
 #pragma once
 
 #include <array>
@@ -39,9 +39,9 @@ class Residue {
   static constexpr Residue of(std::uint64_t value) {
     return reduced((value & kModulus) + (value >> kBits));
   }
-  /// Returns the residue of a finite double m * 2^e, exactly, for any e. Since 2^61 = 1 in F_q, the
-  /// factor 2^e rotates the 61-bit word of m. The result is right under FTZ and DAZ, because the
-  /// function uses bit operations only.
+  /// Returns the exact residue of a finite double m * 2^e. The exponent e may have any value. Since
+  /// 2^61 = 1 in F_q, the factor 2^e rotates the 61-bit word of m. The result is right under FTZ
+  /// and DAZ, because the function uses bit operations only.
   static constexpr Residue of(double value);
   static Residue of(const Integer& value);
   /// Returns 2^exponent, for any exponent.
@@ -51,7 +51,7 @@ class Residue {
 
   constexpr std::uint64_t value() const { return value_; }
   constexpr bool is_zero() const { return value_ == 0; }
-  /// Returns the inverse. The result for zero is zero.
+  /// Returns the inverse. The inverse of zero is defined as zero.
   Residue inverse() const;
 
   friend constexpr Residue operator+(Residue a, Residue b) { return reduced(a.value_ + b.value_); }
@@ -60,7 +60,8 @@ class Residue {
   }
   friend constexpr Residue operator-(Residue a) { return reduced(kModulus - a.value_); }
   friend constexpr Residue operator*(Residue a, Residue b);
-  // These return a b - c d and a b + c d + e f. Each of them reduces modulo q only once.
+  // The following two functions return a b - c d and a b + c d + e f. Each function reduces modulo
+  // q only once.
   friend constexpr Residue cross_product(Residue a, Residue b, Residue c, Residue d);
   friend constexpr Residue sum_of_products(Residue a, Residue b, Residue c, Residue d, Residue e,
                                            Residue f);
@@ -152,7 +153,8 @@ constexpr Residue sum_of_products(Residue a, Residue b, Residue c, Residue d, Re
 /// many elements as `values`. Cost: one inversion in all, and three products for each element.
 void invert_all(std::span<Residue> values, std::span<Residue> scratch);
 
-/// A word that distinguishes objects. Its low 61 bits are uniform enough for a hash.
+/// A word that distinguishes objects. The low 61 bits of a fingerprint are uniform enough for use
+/// as a hash.
 using Fingerprint = std::uint64_t;
 
 /// A homogeneous row modulo q.

@@ -1,4 +1,5 @@
-// Signed integers with a fixed number of 64-bit limbs. The stages of fixed width compute with them.
+// Signed integers with a fixed number of 64-bit limbs. The stages of fixed width compute with these
+// integers.
 //
 // Fixed<L> represents the integers of [-2^(64L-1), 2^(64L-1)) in two's complement. No operation
 // checks for overflow. Every caller has a proof that its results fit (docs/design/numbers.md).

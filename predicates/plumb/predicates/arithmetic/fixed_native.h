@@ -1,8 +1,7 @@
 // Fixed<L> on 64-bit words with 128-bit products. fixed.h describes the interface.
 //
 // The carry chains use the compiler's built-in functions that implement _addcarry_u64 and
-// _subborrow_u64, because the header that declares _addcarry_u64 and _subborrow_u64 takes 45,000
-// lines.
+// _subborrow_u64, because the header that declares these two functions has 45,000 lines.
 //
 // Notes on speed (g++ 12, clang 14): _addcarry_u64 in an unrolled loop becomes a clean add/adc
 // chain; the same chain written with __int128 costs four to five times the instructions under

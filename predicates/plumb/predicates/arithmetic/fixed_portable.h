@@ -10,8 +10,8 @@
 
 #include "plumb/predicates/sign.h"
 
-// g++ 12 sees reads past the end in cpp_int's copy between two sizes, which is bounded by the
-// smaller.
+// g++ 12 warns of reads past the end in the copy between cpp_ints of two sizes. The warning is
+// wrong, because the smaller size bounds the copy.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Warray-bounds"
@@ -27,9 +27,9 @@ class Fixed {
 
  public:
   static constexpr int kLimbs = L;
-  /// The number of bits of a magnitude, without the sign. It is one more than the interface needs,
-  /// and at least 128, because narrower cpp_ints are machine words, which behave differently on
-  /// overflow.
+  /// The number of bits of a magnitude, without the sign. This is one bit more than the interface
+  /// needs. The number is at least 128, because narrower cpp_ints are machine words, which behave
+  /// differently on overflow.
   static constexpr unsigned kBits = L == 1 ? 128 : 64 * L;
   using Number = boost::multiprecision::number<
       boost::multiprecision::cpp_int_backend<kBits, kBits, boost::multiprecision::signed_magnitude,
@@ -42,7 +42,7 @@ class Fixed {
 
   static Fixed from_limbs(const std::uint64_t* limbs) {
     const bool negative = static_cast<std::int64_t>(limbs[L - 1]) < 0;
-    Number magnitude = 0;  // If x < 0, that of -1 - x, whose limbs are the complements of x's.
+    Number magnitude = 0;  // The magnitude of x, or of -1 - x (the complement of x) if x < 0.
     for (int i = L; i-- > 0;) magnitude = (magnitude << 64) | (negative ? ~limbs[i] : limbs[i]);
     return Fixed(negative ? Number(-1 - magnitude) : magnitude);
   }

@@ -10,8 +10,9 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Adds terms in a balanced tree. The sum of n fractions without a common denominator is n times as
-/// long as a single fraction. Therefore adding the fractions one by one would take O(n^2) time.
+/// Adds terms in a balanced tree. If n fractions have no common denominator, their sum has about n
+/// times as many digits as a single fraction. Therefore adding the fractions one by one would take
+/// O(n^2) time.
 class RationalSum {
  public:
   /// Adds a term.
@@ -26,11 +27,12 @@ class RationalSum {
 
 /// Returns the sum of fractions whose denominators have only small common factors, such as the
 /// coordinates of crossings of many lines. For such fractions, RationalSum would spend most of its
-/// time on greatest common divisors of long numbers, and GMP cannot be interrupted in a gcd. This
-/// function first splits off the factors that a denominator shares with any other denominator. Sums
-/// of the remaining fractions are in lowest terms without a gcd. The function calls `watch` between
-/// long operations. Cost: O(M(n) log n) for n digits, where M(n) is the cost of a product, unless
-/// the denominators share long factors.
+/// time on greatest common divisors (gcd) of long numbers. In addition, GMP cannot be interrupted
+/// during a gcd. This function first splits off the factors that a denominator shares with any
+/// other denominator. The sums of the remaining fractions are in lowest terms, so no gcd is needed
+/// for them. The function calls `watch` between long operations. Let n be the number of digits of
+/// all terms, and M(n) the cost of a product of n digits. Cost: O(M(n) log n), unless the
+/// denominators share long factors.
 ///
 /// Shared factors are found by trees of products and remainders. Source: D. J. Bernstein, How to
 /// find smooth parts of integers (2004).

@@ -1,5 +1,5 @@
-// Conversions of exact integers: to a double times a power of two, for approximations of exact
-// expressions, and to and from arrays of limbs.
+// Conversions of exact integers. An integer can be approximated by a double times a power of two.
+// It can also be converted to an array of limbs and back.
 #pragma once
 
 #include <bit>
@@ -15,8 +15,8 @@
 namespace plumb {
 
 /// The approximation mantissa * 2^exponent of an integer, with 1/2 <= |mantissa| < 1. The mantissa
-/// is truncated, so that the relative error is less than 2^-51 in any rounding mode. Zero is {0,
-/// 0}.
+/// is truncated, so that the relative error is less than 2^-51 in any rounding mode. The
+/// approximation of zero is {0, 0}.
 struct Scaled {
   double mantissa = 0;
   int exponent = 0;
@@ -27,7 +27,7 @@ constexpr double power_of_two(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
-/// Returns the approximation of x by its leading bits. The bits are found by integer operations.
+/// Returns the approximation of x. Integer operations extract the leading bits of x.
 template <int L>
 Scaled scaled(const Fixed<L>& x) {
   const bool negative = x.is_negative();

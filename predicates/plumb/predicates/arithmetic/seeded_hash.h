@@ -1,16 +1,17 @@
 // Hash functions for tables of data from files, and a hash set of ids.
 //
 // If the hash function were known, an attacker could write a file of points that all have the same
-// hash. A table of these points would take quadratic time. A table that grows where keys crowd
-// would even take all memory. Therefore each process chooses a random hash function. No result of
-// plumb may depend on the hash function: tables are searched and never iterated.
+// hash. A table of these points would take quadratic time. If the table grew whenever too many keys
+// collide, it would even use up all memory. Therefore each process chooses a random hash function.
+// No result of plumb may depend on the hash function: tables are searched and never iterated.
 //
-// Any two different keys have the same hash with a probability of 2^-32. The hash is the upper half
-// of a sum of products of 32-bit words of the key with random 64-bit words. A fixed permutation is
-// applied to this sum, so that consecutive keys do not have consecutive hashes.
+// Any two different keys have the same hash with a probability of 2^-32. Each 32-bit word of a key
+// is multiplied by a random 64-bit word, and the products are added. A fixed permutation of the
+// 32-bit words maps the upper half of this sum to the hash, so that consecutive keys do not have
+// consecutive hashes.
 //
 // Sources: D. Lemire, O. Kaser, Strongly universal string hashing is fast, The Computer Journal 57
-// (2014); the permutation is that of MurmurHash3 (A. Appleby).
+// (2014); the permutation is taken from MurmurHash3 (A. Appleby).
 #pragma once
 
 #include <array>
@@ -22,22 +23,22 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns 32-bit hashes. All bits of a hash are equally good.
+/// A function object that returns 32-bit hashes of keys. All bits of a hash are equally random.
 struct SeededHash {
   std::size_t operator()(std::uint64_t key) const;
   std::size_t operator()(const std::array<std::uint64_t, 3>& key) const;
 };
 
-/// A hash set of ids, for tables in which equal objects have the same id. The set does not store
-/// the objects themselves.
+/// A hash set of ids. A table uses it to give equal objects the same id. The set does not store the
+/// objects themselves.
 ///
-/// It uses open addressing with 8 bytes per entry, and at most two of three entries are occupied.
-/// Unlike a hash set of the standard library, it finds or adds an id in one search. It can also
-/// prefetch entries, because searches in large tables are limited by the latency of memory. Ids are
-/// never removed.
+/// The set uses open addressing with 8 bytes per entry, and at most two of three entries are
+/// occupied. Unlike a hash set of the standard library, the set finds or adds an id in one search.
+/// It also offers a function that prefetches entries, because searches in large tables are limited
+/// by the latency of memory. Ids are never removed.
 class IdIndex {
  public:
-  /// Reserves memory for `ids` ids, including those in the set already.
+  /// Reserves memory for `ids` ids, including those that are already in the set.
   void reserve(std::size_t ids) {
     const std::size_t entries = std::bit_ceil(ids + ids / 2 + 1);
     if (entries > entries_.size()) rehash(entries);
@@ -49,8 +50,8 @@ class IdIndex {
   }
 
   /// Returns the id with this hash for which is_same(id) is true. If there is no such id, adds and
-  /// returns `next`. Requires next < 2^32 - 1. Also requires that equal objects have equal hashes
-  /// and that all bits of a hash are good (SeededHash).
+  /// returns `next`. Requires next < 2^32 - 1. Also requires that equal objects have equal hashes,
+  /// and that all bits of a hash are equally random, as in SeededHash.
   template <class IsSame>
   std::uint32_t find_or_add(std::uint32_t hash, std::uint32_t next, IsSame is_same) {
     if (3 * (count_ + 1) > 2 * entries_.size()) rehash(std::bit_ceil(2 * count_ + 2));
@@ -83,7 +84,7 @@ class IdIndex {
     }
   }
 
-  std::vector<Entry> entries_;  // Their number is 0 or a power of two.
+  std::vector<Entry> entries_;  // The number of entries is 0 or a power of two.
   std::size_t count_ = 0;
 };
 

@@ -1,6 +1,6 @@
 // The filters of the predicates on points with double coordinates. Each filter consists of one
 // expression, one semi-static error bound and one range test. The filters are inline, because they
-// decide most calls. docs/design/numbers.md (Filters of input points) contains the same proof.
+// decide most calls. The proof below is also in docs/design/numbers.md (Filters of input points).
 //
 // Notation
 //   eps     2^-52. In *every* rounding mode, |fl(x) - x| <= eps |x| and |fl(x) - x| <= eps |fl(x)|,
@@ -16,29 +16,31 @@
 //
 //     |det'| > C P' + F
 //
-// where P' is the computed permanent (the determinant with every term in absolute value), C P'
-// bounds the rounding errors, and F bounds the errors by underflow.
+// Here P' is the computed permanent: the sum of the absolute values of the terms of the
+// determinant. C P' bounds the rounding errors, and F bounds the errors by underflow.
 //
-// C. Follow one term of the determinant through the expression. A difference has the relative error
-// eps. A product has the errors of its factors and eps. A sum has the larger error of its parts and
-// eps. The error of the last sum is eps |det'|. The error of the term relative to the computed
-// permanent is k eps to first order; k is given with each constant. The remaining errors are of
-// second order. There are fewer than 32 operations, and k <= 16. Therefore the products of factors
-// (1 +- eps) in k, in the computed P', in C P' + F and in the last sum together change k by less
-// than 2000 eps. C is at least k + 1 (in units of eps), which leaves far more room than that. A
-// fused multiply-add omits one of the roundings counted, so contraction does no harm.
+// C. Follow one term of the determinant through the expression. The relative error of a difference
+// is eps. The relative error of a product is the sum of the errors of its factors, plus eps. The
+// relative error of a sum is the larger error of its two parts, plus eps. The error of the last sum
+// is eps |det'|. The error of the term relative to the computed permanent is k eps to first order;
+// k is given with each constant. The remaining errors are of second order. There are fewer than 32
+// operations, and k <= 16. Therefore the products of factors (1 +- eps) in k, in the computed P',
+// in C P' + F and in the last sum together change k by less than 2000 eps. C is at least k + 1 (in
+// units of eps), and the additional 1 is far more than 2000 eps. A fused multiply-add omits one of
+// the counted roundings, so contraction does no harm.
 //
 // F. Let the determinant be a sum of T products of n differences. An error of Delta in a difference
 // is multiplied by the other n - 1 differences, which is a factor of at most M^(n-1). Together
 // these errors are at most T n Delta M^(n-1). A flush of an intermediate result of degree j >= 2 is
-// multiplied by at most 3 M^(n-2), where the factor 3 is that of a lift. All these flushes together
-// are smaller than the bound by a factor of 2^100. Twice the bound covers them and the rounding:
+// multiplied by at most 3 M^(n-2). The factor 3 comes from the lift of a point, a sum of up to
+// three squares. All these flushes together are smaller than the bound T n Delta M^(n-1) by a
+// factor of 2^100. Twice this bound covers the flushes and the rounding:
 //
 //     F >= 2 T n 2^-1020 M^(n-1)
 //
 // Flushes in P' are multiplied by C and are negligible compared with F. The exponent m is chosen so
-// that the filter decides for about the same range of exponents below 1 and above 1: points of size
-// 2^-m have a det' of about F.
+// that the filter decides for about the same range of exponents below 1 as above 1. For points of
+// size 2^-m, det' is about F.
 #pragma once
 
 #include <algorithm>
@@ -104,9 +106,9 @@ struct Evaluation {
   bool in_gate;
 };
 
-/// Returns the sign of the determinant if its magnitude exceeds the bound, otherwise Unsure. A NaN,
-/// which arises from infinities beyond the gate, also gives Unsure. A determinant above the bound
-/// is a normal number, so its sign bit is right.
+/// Returns the sign of the determinant if its magnitude exceeds the bound, otherwise Unsure. If the
+/// gate is exceeded, infinities and then a NaN can arise. The result for a NaN is Unsure. A
+/// determinant above the bound is a normal number, so its sign bit is right.
 inline FilteredSign certify(const Evaluation& e, double error, double floor) {
   if (e.in_gate && std::abs(e.det) > error * e.permanent + floor) [[likely]] {
     return static_cast<FilteredSign>((std::bit_cast<std::int64_t>(e.det) >> 63) | 1);
@@ -114,8 +116,8 @@ inline FilteredSign certify(const Evaluation& e, double error, double floor) {
   return FilteredSign::Unsure;
 }
 
-/// Two doubles in one register, on every target of g++ and clang; this saves a quarter of the time
-/// of orient2d.
+/// Two doubles in one register. g++ and clang support this type on every target. It saves a quarter
+/// of the time of orient2d.
 typedef double Pair __attribute__((vector_size(16)));
 typedef std::int64_t PairBits __attribute__((vector_size(16)));
 
@@ -127,7 +129,7 @@ inline Pair abs(Pair v) {
 inline Pair difference(const Point2& p, const Point2& q) { return Pair{p.x, p.y} - Pair{q.x, q.y}; }
 
 /// Evaluates u[0] v[1] - u[1] v[0] for differences u and v of inputs. The gate is tested on the sum
-/// of the magnitudes of the four differences, which bounds each of them.
+/// of the magnitudes of the four differences. This sum is at least as large as each magnitude.
 inline Evaluation cross(Pair u, Pair v) {
   const Pair products = u * Pair{v[1], v[0]};
   const Pair sizes = abs(products);

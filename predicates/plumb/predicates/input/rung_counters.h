@@ -1,5 +1,6 @@
-// Counters of the stages that decided, for each predicate and each thread. They exist only if
-// PLUMB_COUNT_RUNGS is defined. Otherwise count_rung() does nothing and the counts stay zero.
+// For each predicate, counters of the calls that each stage decided. Each thread has its own
+// counters. The counters exist only if PLUMB_COUNT_RUNGS is defined. Otherwise count_rung() does
+// nothing and the counts stay zero.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
-// The signed area of polygons, and the points of an arrangement. Input points and crossings share
-// one range of indices. The predicates are the order and the orientation of these points.
+// The signed area of polygons, and the points of an arrangement with their predicates. The points
+// are input points and crossings, which share one range of indices. The predicates compute the
+// order and the orientation of these points.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +14,9 @@ namespace plumb {
 
 /// Returns the sign of the signed area of the closed polygon through the given points. The polygon
 /// need not be simple. The sign is Positive if the counter-clockwise area exceeds the clockwise
-/// area, and Zero for a symmetric bow-tie, for example. Reversal of the list flips the sign; a
-/// rotation of the list keeps it. Cost: O(n) operations on doubles if the filter decides, otherwise
-/// O(n) exact terms.
+/// area. It is Zero if both areas are equal, as for a symmetric bow-tie. Reversing the list of
+/// points flips the sign. Rotating the list keeps the sign. Cost: O(n) operations on doubles if the
+/// filter decides, otherwise O(n) exact terms.
 Sign polygon_area_sign(const PointTable2& points, std::span<const std::uint32_t> polygon);
 
 /// Returns twice the signed area, exactly. Requires a polygon that is not empty.
@@ -33,8 +34,8 @@ struct PlanePoints {
   std::size_t size() const { return inputs.size() + crossings.size(); }
 };
 
-/// A read-only view of PlanePoints, or of a table without crossings. It is valid as long as the
-/// PlanePoints or the table is unchanged.
+/// A read-only view of PlanePoints, or of a PointTable2 (without crossings). The view is valid
+/// until the viewed object changes.
 class PlanePointsView {
  public:
   PlanePointsView(const PointTable2& inputs) : inputs_(&inputs) {}
@@ -63,7 +64,7 @@ Sign compare_x(const PlanePointsView& points, std::uint32_t i, std::uint32_t j);
 Sign compare_x(const PlanePointsView& points, const Crossing2& p, std::uint32_t i);
 
 /// Returns the side of the directed line from input point a to input point b on which point i lies:
-/// Positive if it lies to the left. Point i may be an input point or a crossing.
+/// Positive if point i lies to the left. Point i may be an input point or a crossing.
 inline Sign orient2d(const PlanePointsView& points, std::uint32_t a, std::uint32_t b,
                      std::uint32_t i) {
   return points.is_input(i) ? orient2d(points.inputs(), a, b, i)
@@ -73,8 +74,8 @@ inline Sign orient2d(const PlanePointsView& points, std::uint32_t a, std::uint32
 /// Returns the exact coordinates of an input point or a crossing.
 RationalPoint2 exact(const PlanePointsView& points, std::uint32_t i);
 
-/// Returns approximate coordinates: the nearest doubles of an input point, or the stored
-/// approximation of a crossing, which is not correctly rounded.
+/// Returns approximate coordinates. For an input point, these are the nearest doubles. For a
+/// crossing, they are the stored approximation, which is not correctly rounded.
 inline Point2 approx(const PlanePointsView& points, std::uint32_t i) {
   if (points.is_input(i)) return points.inputs().approx(i);
   return {points.crossing(i).x, points.crossing(i).y};

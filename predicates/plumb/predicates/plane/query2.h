@@ -1,5 +1,5 @@
-// The points and rays of queries, which are in no table, and the predicates on a query and the
-// points of a table.
+// Points and rays of queries in the plane, which are not in a table. The predicates compare a query
+// with the points of a table.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,15 @@ namespace plumb {
 /// A point of a query.
 class QueryPoint2 {
  public:
-  /// Makes a point of doubles. Requires finite coordinates.
+  /// Constructs a query point with double coordinates. Requires finite coordinates.
   explicit QueryPoint2(Point2 p);
-  /// Makes a rational point.
+  /// Constructs a query point with rational coordinates.
   explicit QueryPoint2(const RationalPoint2& p);
 
   /// Whether both coordinates are doubles.
   bool is_double() const { return is_double_; }
-  /// Returns the nearest doubles, clamped as in PointTable2; the point itself if is_double().
+  /// Returns the point rounded to the nearest doubles. If is_double(), the result is the point
+  /// itself. Coordinates beyond the range of double are clamped as in PointTable2.
   Point2 approx() const { return approx_; }
   const RationalPoint2& exact() const { return exact_; }
 
@@ -32,28 +33,30 @@ class QueryPoint2 {
   bool is_double_;
 };
 
-/// Returns the lexicographic order of point i and the query point.
+/// Compares point i with the query point lexicographically: Negative if point i is less.
 Sign compare_xy(const PlanePointsView& points, std::uint32_t i, const QueryPoint2& q);
-/// Returns the order of point i and the query point by x alone.
+/// Compares point i with the query point by x alone.
 Sign compare_x(const PlanePointsView& points, std::uint32_t i, const QueryPoint2& q);
 
 /// Returns the side of the directed line from input point a to input point b on which the query
-/// point lies: Positive if it lies to the left. If the coordinates of all three points are doubles,
-/// this is orient2d of three points. Otherwise exact rationals decide.
+/// point lies: Positive if the query point lies to the left. If the coordinates of all three points
+/// are doubles, the function calls orient2d for three points. Otherwise it computes with exact
+/// rationals.
 Sign orient2d(const PlanePointsView& points, std::uint32_t a, std::uint32_t b,
               const QueryPoint2& q);
 
-/// A ray of a query. The direction of its line is to the right, or upward if the line is vertical,
-/// even if the ray has the opposite direction. "Above" means left of that line.
+/// A ray of a query. "The ray's line" is the line through the ray, directed to the right. If the
+/// line is vertical, it is directed upward. The ray itself may have the opposite direction. "Above"
+/// means to the left of the directed line.
 class QueryRay2 {
  public:
   /// Requires a direction that is not zero.
   QueryRay2(const RationalPoint2& origin, const RationalPoint2& direction);
 
   const QueryPoint2& origin() const { return origin_; }
-  /// Returns the direction of the line, to the right or upward.
+  /// Returns the direction of the ray's line, which is to the right or upward.
   const QueryPoint2& direction() const { return direction_; }
-  /// Whether the ray runs along direction() and not against it.
+  /// Whether the ray has the direction of its line. If not, it has the opposite direction.
   bool goes_right() const { return goes_right_; }
   bool is_vertical() const { return direction_.exact().x == 0; }
 
@@ -66,20 +69,22 @@ class QueryRay2 {
 /// Returns the side of the ray's line on which point i lies; Positive is above.
 Sign side(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t i);
 
-/// Returns the turn from the directed line through a and b to the ray's line. It is Positive if the
-/// ray's line is steeper. Requires that the direction from a to b is to the right or upward.
+/// Returns the turn from the line through a and b, directed from a to b, to the ray's line. The
+/// turn is Positive if the ray's line is steeper. Requires that the direction from a to b is to the
+/// right or upward.
 Sign turn(const PlanePointsView& points, std::uint32_t a, std::uint32_t b, const QueryRay2& ray);
 
 /// Compares a crossing with point i lexicographically: Negative if the crossing is less. The
-/// crossing is that of the ray's line and the line through a and b. Requires that the two lines are
-/// not parallel.
+/// crossing is the common point of the ray's line and the line through a and b. Requires that the
+/// two lines are not parallel.
 Sign compare_crossing_xy(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t a,
                          std::uint32_t b, std::uint32_t i);
 /// Compares the crossing with point i by x alone.
 Sign compare_crossing_x(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t a,
                         std::uint32_t b, std::uint32_t i);
 
-/// Returns the exact crossing of the ray's line and the line through a and b.
+/// Returns the exact common point of the ray's line and the line through a and b. Requires that the
+/// two lines are not parallel.
 RationalPoint2 crossing(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t a,
                         std::uint32_t b);
 

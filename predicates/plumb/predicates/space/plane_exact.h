@@ -1,17 +1,19 @@
-// Exact coefficients of planes, in integers of fixed width and in GMP integers, and their
-// determinants. The result of every predicate on planes is the sign of such a determinant.
+// Exact coefficients of planes, and determinants of these coefficients. Both are computed in
+// integers of fixed width or in GMP integers. The result of every predicate on planes is the sign
+// of such a determinant.
 //
-// Notation: the plane is n.x + d 2^scale = 0 with integers n, d, up to a positive factor. For the
-// plane through input points p, q, r on the grid of unit 2^g (p = P 2^g, ...) that is
-// n = (Q - P) x (R - P), d = -n.P, scale = g.
+// Notation: a plane is written as n.x + d 2^scale = 0. Here n is a vector of three integers, and d
+// is an integer. A common positive factor of n and d does not matter. Let p, q, r be input points
+// on the grid of unit 2^g: p = P 2^g with an integer vector P, and in the same way Q and R for q
+// and r. The plane through p, q, r has n = (Q - P) x (R - P), d = -n.P and scale = g.
 //
-// Bits (docs/design/numbers.md, Planes). With |P| < 2^b: |Q - P| < 2^(b+1), |n| < 2^(2b+3),
-// |d| <= 3 |n| |P| < 2^(3b+5). A width W has C limbs for coordinates, N for normals, D for offsets.
-// Loading guarantees
+// Bits (docs/design/numbers.md, Planes). If |P| < 2^b for all three points, then |Q - P| < 2^(b+1),
+// |n| < 2^(2b+3), |d| <= 3 |n| |P| < 2^(3b+5). A width W has C limbs for each coordinate, N limbs
+// for each component of a normal, and D limbs for each offset. Loading guarantees the bound
 //
 //   (L)  |n| <= 2^(64N-3)  and  |d| <= 2^(64D-2)
 //
-// and then nothing below overflows (M = 64N, O = 64D):
+// With this bound, no computation below overflows. In the table, M = 64N and O = 64D:
 //   minor  n x m                       2 2^(2M-6)                    = 2^(2M-5)  < 2^(2M-1)
 //   det3   (n x m).k                   3 2^(2M-5) 2^(M-3)            < 2^(3M-6)  < 2^(3M-1)
 //   x      sum of 3 d (n x m)          3 2^(O-2) 2^(2M-5)            < 2^(O+2M-5) < 2^(O+2M-1)
@@ -20,15 +22,17 @@
 // Limits on b from 2b+3 <= 64N-3 and 3b+5 <= 64D-2:  N,D = 1,2: 29;  2,3: 61;  4,6: 125.
 //
 // Parts (docs/design/frame.md, Lemma 2). The offset of a plane of the frame (plane_table.h) is d R,
-// and its stored offset is d. A form here is linear in the column of offsets, or does not read it:
+// and the stored offset is d. Each of the following forms is linear in the column of offsets, or
+// does not read that column:
 //   det4                  one offset in each of its terms
 //   common point          x = P0 + P1 R, as each component is a sum of d (n x m); w has no offset
 //   side of x on s        n.(P0 + P1 R) + (d0 + d1 R) w
 //   x / w against y / v   (P0 + P1 R) v - (Q0 + Q1 R) w, times the signs of w and v
-// So the form is c0 + c1 R. c1, the Infinite part, is the form of the planes with the ordinary
-// offsets set to 0. c0, the Finite part, is the form with the offsets of the frame set to 0. As R
-// is larger than every number, the form has the sign of c1, or the sign of c0 if c1 = 0. For
-// ordinary planes c1 is 0 and is not computed.
+// So every form has a value c0 + c1 R. The Infinite part c1 is the form of the stored coefficients
+// after the ordinary offsets are set to 0. The Finite part c0 is the form of the stored
+// coefficients after the offsets of the frame are set to 0. R is larger than every number.
+// Therefore the form has the sign of c1 if c1 is not 0, and otherwise the sign of c0. If none of
+// the planes belongs to the frame, c1 is 0 and is not computed.
 #pragma once
 
 #include <array>
@@ -42,7 +46,8 @@
 #pragma GCC visibility push(default)
 namespace plumb::exact3 {
 
-/// The widths of the exact stages, in whole numbers of limbs.
+/// The widths of the exact stages. kCoordinate, kNormal and kOffset are the numbers of limbs C, N
+/// and D. kMaxBits is the limit on b.
 struct Narrow {
   static constexpr int kCoordinate = 1, kNormal = 1, kOffset = 2, kMaxBits = 29, kIndex = 0;
 };
@@ -71,8 +76,8 @@ using Det4 = Fixed<W::kOffset + 3 * W::kNormal>;
 template <class Number>
 using Vector = std::array<Number, 3>;
 
-/// The scale of a plane through the origin. Any scale would be right. The largest scale never
-/// lowers the minimum of several scales.
+/// The scale of a plane through the origin. The offset of such a plane is 0, so every scale is
+/// right. The constant is the largest integer, so it never lowers the minimum of several scales.
 inline constexpr int kAnyScale = INT_MAX;
 
 /// The plane n.x + d 2^scale = 0 in integers of the width W.
@@ -92,10 +97,10 @@ struct BigPlane {
 
 /// A plane whose exact coefficients are not computed yet; load() computes them.
 struct Operand {
-  const PlaneTable* table;  ///< Its table.
-  PlaneSource source;       ///< Its source.
-  Grid grid;                ///< The grid of its input points.
-  int width;  ///< The least width that holds it: 0 Narrow, 1 Medium, 2 Wide, 3 any length.
+  const PlaneTable* table;  ///< The table that contains the plane.
+  PlaneSource source;       ///< The definition of the plane.
+  Grid grid;                ///< The grid of the input points that define the plane.
+  int width;  ///< The least sufficient width: 0 Narrow, 1 Medium, 2 Wide, 3 any length.
 };
 
 /// Returns the operand of a plane.
@@ -104,14 +109,17 @@ inline Operand operand(const PlaneTable& table, PlaneId plane) {
   return operand(table, table.source(plane));
 }
 
-/// Returns the side of a plane through input points on which an input point lies. It is computed by
-/// orient3d from the four points. Returns Unsure if the points have too many bits for fixed widths.
+/// Returns the side of `plane` on which the input point x lies. Requires that `plane` is defined by
+/// three input points. The side is computed by orient3d from these three points and x. Returns
+/// Unsure if the points have too many bits for fixed widths.
 FilteredSign side_by_corners(const PlaneTable& table, InputPointId x, const PlaneSource& plane);
 
 /// The parts of a number c0 + c1 R: Finite is c0, Infinite is c1.
 enum class Part { Finite, Infinite };
 
-/// Sets the offset to 0 if it does not belong to the part.
+/// Reduces `plane` to the given part. The offset of a plane of the frame belongs to the Infinite
+/// part, and every other offset to the Finite part. If the offset does not belong to `part`, the
+/// function sets it to 0.
 template <class Plane>
 void take_part(const Operand& operand, Part part, Plane& plane) {
   if (operand.source.is_frame() == (part == Part::Infinite)) return;
@@ -130,8 +138,9 @@ FilteredSign by_parts(bool has_frame, const Question& question) {
   return question(Part::Finite);
 }
 
-/// Returns the exact coefficients. The offset of a plane of the frame is returned as its factor of
-/// R. Loading a plane in two widths gives the same numbers. Requires operand.width <= W::kIndex.
+/// Returns the exact coefficients. For a plane of the frame, whose offset is d R, the returned
+/// offset is d. Loading a plane in different widths gives the same numbers. Requires operand.width
+/// <= W::kIndex.
 template <class W>
 FixedPlane<W> load(const Operand& operand);
 /// Returns the exact coefficients in integers of any length.
@@ -215,8 +224,8 @@ constexpr int offset_bits(const FixedPlane<W>&) {
 }
 inline int offset_bits(const BigPlane&) { return INT_MAX; }
 
-/// Converts all planes to the least of their scales. Returns false if an offset then violates the
-/// bound (L).
+/// Converts all planes to a common scale, which is the least of their scales. Returns false if an
+/// offset then violates the bound (L).
 template <class Plane, std::size_t K>
 bool align(std::array<Plane, K>& planes) {
   int scale = kAnyScale;
@@ -263,16 +272,18 @@ Sign minor_sign(const Plane& p, const Plane& q, std::size_t axis) {
   return sign_of(cross_component<typename Types<Plane>::Minor>(p.n, q.n, axis));
 }
 
-/// The determinants det4 of four rows and det3 of the first three normals.
+/// Two determinants for four planes: det4 is the determinant of their rows (n, d), and det3 the
+/// determinant of the normals of the first three planes.
 template <class Plane>
 struct Determinants {
   typename Types<Plane>::Det4 det4;
   typename Types<Plane>::Det3 det3;
 };
 
-/// Returns both determinants, expanded by the column of offsets. The four det3 share two cross
-/// products, which takes a sixth fewer products of words than the common point and its value would.
-/// Requires aligned planes.
+/// Returns both determinants. det4 is expanded along the column of offsets into four determinants
+/// of three normals each, which share two cross products. This takes a sixth fewer products of
+/// words than the other method, which computes the common point of p, q, r and its value in the
+/// equation of s. Requires aligned planes.
 template <class Plane>
 Determinants<Plane> expand(const Plane& p, const Plane& q, const Plane& r, const Plane& s) {
   using T = Types<Plane>;
@@ -285,7 +296,8 @@ Determinants<Plane> expand(const Plane& p, const Plane& q, const Plane& r, const
   return {sum, pqr};
 }
 
-/// Returns expand(), compiled in plane_exact.cpp with every product inlined where that is faster.
+/// Returns expand(p, q, r, s). The function is compiled in plane_exact.cpp, where every product is
+/// inlined if this is faster.
 template <class Plane>
 Determinants<Plane> determinants(const Plane& p, const Plane& q, const Plane& r, const Plane& s);
 template <>
@@ -301,8 +313,9 @@ template <>
 Determinants<BigPlane> determinants(const BigPlane&, const BigPlane&, const BigPlane&,
                                     const BigPlane&);
 
-/// The point x 2^scale / w. For the common point of three planes n_i.x + d_i = 0, Cramer's rule
-/// gives x = d_p (q x r) + d_q (r x p) + d_r (p x q) and w = -det3.
+/// The point x 2^scale / w. Let p, q, r be planes with the normals n_p, n_q, n_r and the offsets
+/// d_p, d_q, d_r. For their common point, Cramer's rule gives x = d_p (n_q x n_r) + d_q (n_r x n_p)
+/// + d_r (n_p x n_q) and w = -det3.
 template <class Numerator_, class Det3_>
 struct Homogeneous {
   Vector<Numerator_> x;
@@ -313,8 +326,8 @@ struct Homogeneous {
 template <class Plane>
 using PointOf = Homogeneous<typename Types<Plane>::Numerator, typename Types<Plane>::Det3>;
 
-/// Returns the common point of three planes; w is 0 if there is none or more than one. Requires
-/// aligned planes.
+/// Returns the common point of three planes. If the planes have no common point or more than one, w
+/// is 0. Requires aligned planes.
 template <class Plane>
 PointOf<Plane> common_point(const Plane& p, const Plane& q, const Plane& r) {
   using T = Types<Plane>;
@@ -334,8 +347,8 @@ PointOf<Plane> common_point(const Plane& p, const Plane& q, const Plane& r) {
   return point;
 }
 
-/// Returns the sign of n.x + d w. The side of the point on the plane is this times the sign of w.
-/// Requires that the point and the plane have the same scale.
+/// Returns the sign of n.x + d w. The side of the plane on which the point lies is this sign times
+/// the sign of w. Requires that the point and the plane have the same scale.
 template <class Plane>
 Sign value_sign(const PointOf<Plane>& point, const Plane& plane) {
   using T = Types<Plane>;

@@ -1,22 +1,24 @@
 // The planes of space, each stored once: equal planes have equal ids.
 //
-// A plane is the set n.x + d = 0 with its two sides. The table keeps, for every plane,
+// A plane is the set of all points x with n.x + d = 0. It has a positive and a negative side. The
+// table stores for every plane:
 //
-//   row          normal and offset in doubles with error bounds, which filters read
+//   row          the normal and the offset in doubles, with error bounds; filters read the row
 //   fingerprint  a hash of the exact homogeneous row (n, d), by which interning finds equal planes
-//   source       three input points, or a slot of exact limbs, which the exact stages read
+//   source       three input points, or a slot of exact limbs; the exact stages read the source
 //
 // A plane takes 60 bytes, and 12 to 24 more bytes in the index. A plane through three input points
 // needs no allocation of its own. The exact coefficients of such a plane are never stored, because
 // computing them again costs less than fetching them.
 //
 // In the canonical orientation of a plane, the first nonzero coefficient among (a, b, c) is
-// positive. A plane has one id for both orientations, which differ in one bit (OrientedPlane). Ids
-// number the planes in the order of their first appearance.
+// positive. Both orientations of a plane have the same id. An OrientedPlane consists of the id and
+// one more bit, which states the orientation. Ids number the planes in the order of their first
+// appearance.
 //
 // The frame consists of the six planes x = -R, x = R, y = -R, ... of a cube. Its half-width R is
-// larger than every number. Sets that reach to infinity need it (docs/design/frame.md). The normals
-// of these planes are ordinary; their offsets are +R and -R. R occurs only in offsets, and no two
+// larger than every number. Unbounded sets need the frame (docs/design/frame.md). The normals of
+// the six planes are ordinary, and their offsets are +R or -R. R occurs only in offsets, and no two
 // offsets are ever multiplied. Therefore every determinant has the form c0 + c1 R. It has the sign
 // of c1 if c1 is not zero, and otherwise the sign of c0. Every predicate on planes and points
 // accepts planes of the frame. No other plane equals a plane of the frame.
@@ -27,8 +29,8 @@
 // (filter_stages.h). The exact stages compute the two parts separately, too (Part in
 // plane_exact.h).
 //
-// Several threads may call const members at the same time. A thread that interns a plane needs
-// exclusive access.
+// Several threads may call const members at the same time. A thread that interns a plane or adds
+// points needs exclusive access to the table.
 #pragma once
 
 #include <array>
@@ -53,8 +55,8 @@ using PlaneId = StrongId<struct PlaneTag>;
 /// An input point of space, by its index in the table.
 using InputPointId = StrongId<struct InputPointTag>;
 
-/// A plane with a direction of its normal, in 32 bits. A default-constructed OrientedPlane is not
-/// valid.
+/// A plane together with one of the two directions of its normal, in 32 bits. A default-constructed
+/// OrientedPlane is not valid.
 class OrientedPlane {
  public:
   constexpr OrientedPlane() = default;
@@ -64,10 +66,10 @@ class OrientedPlane {
   constexpr bool is_valid() const { return code_ != kInvalid; }
   /// Requires is_valid().
   constexpr PlaneId plane() const { return PlaneId(code_ >> 1); }
-  /// Whether the normal is opposite to the canonical one.
+  /// Whether the normal is opposite to the canonical normal.
   constexpr bool is_opposite() const { return (code_ & 1) != 0; }
-  /// Returns the factor that converts sides: the side of a point relative to the oriented plane is
-  /// orientation() times its side relative to plane().
+  /// Returns a factor for sides of points. The side of the oriented plane on which a point lies is
+  /// orientation() times the side of plane() on which the point lies.
   constexpr Sign orientation() const { return is_opposite() ? Sign::Negative : Sign::Positive; }
   /// Returns the same plane with the other direction.
   constexpr OrientedPlane opposite() const { return {plane(), !is_opposite()}; }
@@ -78,27 +80,29 @@ class OrientedPlane {
   std::uint32_t code_ = kInvalid;
 };
 
-/// The canonical plane, scaled by a power of two so that 1/2 <= max |n[i]| <= 1, in doubles:
-/// |n[i] - exact| <= normal_error / 2 and |d - exact| <= offset_error / 2. The other halves of the
-/// errors cover the roundings of the computations with the row (plane_signs.cpp). If offset_error
-/// is infinite, no filter that reads the offset decides. If the offset of the plane is a multiple
-/// of R, d is the sign of the factor of R and offset_error is infinite.
+/// The coefficients of a plane in its canonical orientation, in doubles. They are scaled by a power
+/// of two so that 1/2 <= max |n[i]| <= 1. The errors are bounded: |n[i] - exact| <= normal_error /
+/// 2 and |d - exact| <= offset_error / 2. The other halves of normal_error and offset_error cover
+/// the rounding errors of the computations with the row (plane_signs.cpp). If offset_error is
+/// infinite, no filter that reads the offset decides. If the offset of the plane is a multiple of
+/// R, d is the sign of the factor of R and offset_error is infinite.
 struct PlaneRow {
   std::array<double, 3> n;  ///< The normal.
   double d;                 ///< The offset.
-  float normal_error;       ///< Twice the error of a component of the normal, at least 2^-48.
-  float offset_error;       ///< Twice the error of the offset, at least 2^-126.
+  float normal_error;       ///< Twice the error bound of each component of n, at least 2^-48.
+  float offset_error;       ///< Twice the error bound of the offset, at least 2^-126.
 };
 
 /// The residue that replaces R in fingerprints. Equal objects have equal fingerprints for every
 /// choice of this residue.
 inline constexpr Residue kFrameResidue = Residue::of(std::uint64_t{0x13198a2e03707344});
 
-/// The definition of a plane: three input points, or stored coefficients, or a plane of the frame.
+/// The definition of a plane by three input points, by stored coefficients, or as a plane of the
+/// frame.
 struct PlaneSource {
   static constexpr std::uint32_t kExplicit = ~std::uint32_t{0};
   /// One of the following codes:
-  ///   - three input points, counter-clockwise seen from the positive side;
+  ///   - the ids of three input points, which appear counter-clockwise from the positive side;
   ///   - {kExplicit, slot, 0}: a plane whose coefficients are stored in a slot;
   ///   - {kExplicit, slot, 1 + i} with i < 6: plane i of the frame;
   ///   - {kExplicit, slot, 7}: any other plane n.x + d R = 0; the slot stores d.
@@ -107,8 +111,9 @@ struct PlaneSource {
   bool is_explicit() const { return code[0] == kExplicit; }
   /// Whether the offset is a multiple of R.
   bool is_frame() const { return is_explicit() && code[2] != 0; }
-  /// Returns the i of `code`. For the six planes of the cube i / 2 is the axis, and i is odd for
-  /// the plane at +R. Requires is_frame().
+  /// Returns the index i = code[2] - 1. For the six planes of the frame, i < 6, and i / 2 is the
+  /// axis to which the plane is orthogonal. The index is odd for a plane at +R and even for a plane
+  /// at -R. For any other plane n.x + d R = 0, i = 6. Requires is_frame().
   std::size_t frame_index() const { return code[2] - 1; }
   /// Whether p is one of the three input points that define the plane.
   bool has_point(InputPointId p) const {
@@ -116,20 +121,21 @@ struct PlaneSource {
   }
 };
 
-/// The exact coefficients of n.x + d 2^scale = 0 in the limb pool: the 4 integers a, b, c, d in
-/// two's complement.
+/// The exact coefficients of a plane n.x + d 2^scale = 0 with n = (a, b, c). The limb pool of the
+/// table contains the four integers a, b, c, d in two's complement.
 struct PlaneSlot {
   std::size_t first;               ///< Index of the first limb.
   std::uint32_t limbs;             ///< Number of limbs of each of the four integers.
-  std::int32_t scale;              ///< Exponent of the unit of the offset.
+  std::int32_t scale;              ///< The unit of the offset is 2^scale.
   std::int32_t normal_bits;        ///< |a|, |b|, |c| < 2^normal_bits.
   std::int32_t offset_bits;        ///< |d| < 2^offset_bits.
-  std::array<PlaneId, 2> parents;  ///< The planes of a wall's pencil; not valid for other planes.
+  std::array<PlaneId, 2> parents;  ///< The parents of a wall; invalid for other planes.
 };
 
-/// A wall: a plane through the common line of two planes (a plane of their pencil). Its row is
-/// c_second * first - c_first * second, where `first` and `second` stand for the rows
-/// PlaneTable::coefficients of the two planes. The multipliers are exact.
+/// A wall of two planes, that is, a plane through their common line. The pencil of two planes
+/// consists of all such planes. Its row is c_second * first - c_first * second, where `first` and
+/// `second` stand for the rows PlaneTable::coefficients of the two planes. The multipliers are
+/// exact.
 struct Pencil {
   PlaneId first;     ///< One plane of the pencil.
   PlaneId second;    ///< The other plane of the pencil.
@@ -143,13 +149,13 @@ class PlaneTable {
  public:
   PlaneTable();
   ~PlaneTable();
-  /// Copies a table, with the same ids. It only copies arrays.
+  /// Copies a table and keeps all ids. The constructor only copies arrays.
   explicit PlaneTable(const PlaneTable& other);
   /// Copies a part of the planes and input points of `other`. The maps contain the new id of each
   /// plane and point that is kept, and invalid ids for the rest. A wall whose parents are not both
   /// kept has no parents in the copy. Requires:
   ///   - each map has one entry for each plane (or point);
-  ///   - the valid entries are 0, 1, 2, ... in order;
+  ///   - the valid entries of each map are 0, 1, 2, ... in this order;
   ///   - the input points that define a kept plane are kept, too.
   PlaneTable(const PlaneTable& other, std::span<const PlaneId> plane_map,
              std::span<const InputPointId> point_map);
@@ -160,9 +166,9 @@ class PlaneTable {
   void reserve(std::size_t planes);
 
   // --- input points ---------------------------------------------------------------------------
-  /// Adds points and returns the id of the first point. The other points have the ids after it.
-  /// Equal points may be added twice and have two ids. Requires finite coordinates, and at most
-  /// 2^31 - 1 points in all.
+  /// Adds points and returns the id of the first point. The ids of the other points follow in the
+  /// order of `points`. If equal points are added, each of them gets its own id. Requires finite
+  /// coordinates, and at most 2^31 - 1 points in all.
   InputPointId add_points(std::span<const Point3> points);
   /// Adds one point and returns its id.
   InputPointId add_point(const Point3& p) { return add_points({&p, 1}); }
@@ -181,28 +187,31 @@ class PlaneTable {
   /// appear counter-clockwise. Cost: about 250 ns, mostly one modular inversion. For many planes,
   /// intern_triangles() is faster.
   OrientedPlane intern(InputPointId p, InputPointId q, InputPointId r);
-  /// Returns a x + b y + c z + d = 0 with its positive side. The doubles are taken exactly.
-  /// Requires that they are finite.
+  /// Returns the plane a x + b y + c z + d = 0. Its positive side consists of the points at which
+  /// the left side of this equation is positive. The exact values of the doubles are used. Requires
+  /// finite doubles.
   OrientedPlane intern(double a, double b, double c, double d);
-  /// Returns the plane with rational coefficients.
+  /// Returns the plane a x + b y + c z + d = 0 with rational coefficients.
   OrientedPlane intern(const Rational& a, const Rational& b, const Rational& c, const Rational& d);
-  /// Returns a plane of a pencil. If it is new, the table keeps the two planes as its parents().
-  /// The wall of two planes of the frame, or of one of them and a plane through the origin, is a
-  /// far plane n.x + d R = 0 (PlaneSource) and has no parents.
+  /// Returns the plane of a wall. If the plane is new, the table stores the two planes of the
+  /// pencil as its parents(). There are two cases in which the wall is a far plane n.x + d R = 0
+  /// (PlaneSource), which has no parents:
+  ///   - both planes of the pencil belong to the frame;
+  ///   - one plane belongs to the frame, and the other plane contains the origin.
   OrientedPlane intern(const Pencil& wall);
-  /// Returns the planes x = -R, x = R, y = -R, y = R, z = -R, z = R. The cube is on the positive
-  /// side of those at -R and on the negative side of those at R.
+  /// Returns the planes x = -R, x = R, y = -R, y = R, z = -R, z = R. The cube lies on the positive
+  /// side of the planes at -R and on the negative side of the planes at R.
   std::array<PlaneId, 6> intern_frame();
-  /// Sets result[i] to intern() of triangle i, with one inversion for many. Cost: about 90 ns a
-  /// triangle in cache, 200 ns in a mesh of 2*10^5 triangles. Requires result.size() ==
-  /// triangles.size().
+  /// Sets result[i] to intern() of the corners of triangle i. Many triangles share one modular
+  /// inversion. Cost: about 90 ns per triangle if the data are in the cache, and about 200 ns per
+  /// triangle in a mesh of 2*10^5 triangles. Requires result.size() == triangles.size().
   void intern_triangles(std::span<const std::array<InputPointId, 3>> triangles,
                         std::span<OrientedPlane> result);
   /// Adds the points and planes of another table. result[i] is the id in this table of plane i of
-  /// `other`. The points of `other` come after those of this table, in their order. The merge is a
-  /// hash join: the only computation is the confirmation that planes are equal. A plane has the
-  /// same canonical orientation in both tables, so signs stay valid. Requires a table other than
-  /// this one.
+  /// `other`. The points of `other` are appended to the points of this table in the same order.
+  /// Planes are found by their fingerprints, as in a hash join. The only exact computation confirms
+  /// that two planes with the same fingerprint are equal. A plane has the same canonical
+  /// orientation in both tables, so signs stay valid. Requires a table other than this one.
   std::vector<PlaneId> merge(const PlaneTable& other);
 
   // --- reading --------------------------------------------------------------------------------
@@ -216,15 +225,18 @@ class PlaneTable {
   /// Returns the result of intern_frame(), or invalid ids if it has not been called.
   const std::array<PlaneId, 6>& frame() const { return frame_; }
 
-  /// Whether both parents of `wall` are among the given planes. If so, `wall` contains the common
-  /// points of the planes.
+  /// Whether both parents of `wall` are among the given planes. If so, `wall` contains every common
+  /// point of these planes.
   bool is_wall_of(PlaneId wall, std::span<const PlaneId> planes) const;
-  /// Returns the parents of a plane that was first interned as a wall; nothing for other planes.
+  /// Returns the parents of a plane that was first interned as a wall, and no value for other
+  /// planes.
   std::optional<std::array<PlaneId, 2>> parents(PlaneId wall) const;
-  /// Returns exact coefficients (a, b, c, d) of the canonical plane, up to a positive factor. The
-  /// factor is the same in every call. The offset of a plane of the frame is d R.
+  /// Returns exact coefficients (a, b, c, d) of the plane in its canonical orientation, up to a
+  /// positive factor. The factor is the same in every call. For a plane of the frame, whose offset
+  /// is a multiple of R, the returned d is the factor of R.
   IntegerRow coefficients(PlaneId p) const;
-  /// Returns the coefficients divided by their gcd. Meant for output, because the gcd is expensive.
+  /// Returns the coefficients divided by their gcd. The function is meant for output, because the
+  /// gcd is expensive.
   IntegerRow primitive(PlaneId p) const;
 
  private:
@@ -257,14 +269,15 @@ class PlaneTable {
 };
 
 /// Returns the wall of two planes that is parallel to `direction`. The wall is a plane through
-/// their common line. (For two planes without a common line, the result is one of the two, or no
-/// plane.) Requires finite doubles. The multipliers are n1.u and n2.u for the direction u. Let u be
-/// an axis and let the planes pass through points of b bits. Then the multipliers and normals have
-/// at most 2 b + 3 bits (docs/design/numbers.md). The normal of the wall is a difference of two
-/// products, so it has at most 4 b + 7 bits.
+/// their common line. (For two planes without a common line, the result is one of these two planes,
+/// or no plane.) Requires finite doubles. The multipliers are n1.u and n2.u, where n1 and n2 are
+/// the normals of the two planes and u is the direction. If u is a coordinate axis and the planes
+/// pass through input points of b bits, the multipliers and normals have at most 2 b + 3 bits
+/// (docs/design/numbers.md). The normal of the wall is a difference of two products, so it has at
+/// most 4 b + 7 bits.
 Pencil wall_along(const PlaneTable& planes, PlaneId first, PlaneId second, const Point3& direction);
-/// Returns the wall of two planes that contains the point x. In all other respects it is like
-/// wall_along().
+/// Returns the wall of two planes that contains the point x. Otherwise the function does the same
+/// as wall_along().
 Pencil wall_through(const PlaneTable& planes, PlaneId first, PlaneId second, const Point3& x);
 
 }  // namespace plumb

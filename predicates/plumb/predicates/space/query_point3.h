@@ -1,5 +1,5 @@
-// The points of queries in space, which need not be in a table, and the predicates on a query point
-// and the planes and points of a table.
+// Points of queries in space. A query point may be in a table, but need not be. The predicates
+// compare a query point with the planes and the points of a table.
 #pragma once
 
 #include <cstddef>
@@ -14,15 +14,16 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// A point of a query. Only one thread may use it, because its exact coordinates are computed when
-/// they are first needed.
+/// A point of a query. Only one thread may use a query point, because its exact coordinates are
+/// computed when they are first needed.
 class QueryPoint3 {
  public:
-  /// Makes a point of doubles. Requires finite coordinates.
+  /// Constructs a query point with double coordinates. Requires finite coordinates.
   explicit QueryPoint3(const Point3& p) : box_{{p.x, p.y, p.z}, 0} {}
-  /// Makes a rational point.
+  /// Constructs a query point with rational coordinates.
   explicit QueryPoint3(const RationalPoint3& p);
-  /// Makes a point of a table, which must stay as it is while the query is used.
+  /// Constructs the query point that equals the point p of the table `points`. The table must
+  /// neither change nor move while the query point is used.
   QueryPoint3(const Point3Table& points, SpacePoint p)
       : box_(points.box(p)), points_(&points), source_(p) {}
 
@@ -37,7 +38,7 @@ class QueryPoint3 {
   Point3 point() const { return {box_.mid[0], box_.mid[1], box_.mid[2]}; }
   /// Returns the exact coordinates. Requires a point that does not depend on the frame.
   const RationalPoint3& exact() const { return parts().finite; }
-  /// Returns both parts of the exact coordinates.
+  /// Returns the exact coordinates as a finite part and a factor of R (FramedPoint3).
   const FramedPoint3& parts() const;
 
  private:
@@ -47,17 +48,20 @@ class QueryPoint3 {
   mutable std::optional<FramedPoint3> parts_;
 };
 
-// If the query point is a point of the table, the predicates on points of the table decide. If its
-// coordinates are doubles and the plane passes through input points, the predicates on doubles
-// decide. In all other cases a filter decides, or, if it cannot, rational numbers.
+// If the query point comes from the table, the functions below call the predicates on points of the
+// table. If the query point has double coordinates and the plane is defined by input points, they
+// call the predicates on doubles. In all other cases they first try a filter. If the filter cannot
+// decide, they compute with rational numbers.
 
-/// Returns the side of the canonical plane on which the point lies, as side() in point3_signs.h.
+/// Returns the side of `plane`, in its canonical orientation, on which the query point lies. The
+/// signs have the same meaning as those of side() in point3_signs.h.
 Sign side(const Point3Table& points, const QueryPoint3& q, PlaneId plane);
 
-/// Returns the order of a point of the table and the query along axis 0, 1 or 2: the sign of x - q.
+/// Compares a coordinate of the point x of the table with the same coordinate of the query point q.
+/// Returns the sign of x - q along axis 0, 1 or 2.
 Sign compare_axis(const Point3Table& points, SpacePoint x, const QueryPoint3& q, std::size_t axis);
 
-/// Returns coordinate 0, 1 or 2.
+/// Returns the coordinate of p along axis 0, 1 or 2.
 inline const Rational& coordinate(const RationalPoint3& p, std::size_t axis) {
   return axis == 0 ? p.x : (axis == 1 ? p.y : p.z);
 }

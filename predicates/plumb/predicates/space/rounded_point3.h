@@ -18,18 +18,19 @@ struct RoundedPoint3 {
 /// The stages of rounded(), which tests and benchmarks can call on their own.
 namespace rung {
 
-/// Rounds the common point of three planes, or of a line and a plane, that pass through input
-/// points. The precision is some 100 bits. Cost: about 0.5 us. Returns no value in the following
-/// cases:
+/// Rounds the common point of three planes, or of a line and a plane, if the planes and the line
+/// are defined by input points. The function computes with some 100 bits. Cost: about 0.5 us.
+/// Returns no value in the following cases:
 ///   - the point has another definition;
 ///   - the arithmetic does not round to nearest;
-///   - a coordinate is equal or very near to a double or to the middle of two doubles, and neither
-///     a plane orthogonal to its axis nor the line states that coordinate.
+///   - a coordinate is equal or very near to a double or to the middle of two adjacent doubles,
+///     unless a plane or line of the definition is orthogonal to the axis of that coordinate.
 std::optional<RoundedPoint3> rounded_filter(const Point3Table& points, SpacePoint x);
-/// Rounds by the leading bits of exact coordinates in fixed widths. It also decides if the planes
-/// are nearly parallel. Returns no value in the last two cases of rounded_filter(), and if the
-/// point has too many bits for fixed widths. Requires a constructed point that does not depend on
-/// the frame. Cost: about 0.5 us.
+/// Computes exact coordinates in integers of fixed width and rounds by their leading bits. Unlike
+/// rounded_filter(), this function also rounds points whose planes are nearly parallel. Returns no
+/// value in the last two cases of rounded_filter(). Returns no value either if the point has too
+/// many bits for fixed widths. Requires a constructed point that does not depend on the frame.
+/// Cost: about 0.5 us.
 std::optional<RoundedPoint3> rounded_fixed(const Point3Table& points, SpacePoint x);
 /// Rounds by three divisions of exact integers. Requires a constructed point that does not depend
 /// on the frame. Cost: about 1.5 us, a third of exact(), as no gcd is computed.
