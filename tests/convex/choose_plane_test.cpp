@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "convex/cut_scene.h"
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
@@ -21,19 +22,8 @@ namespace plumb::choose_plane_test {
 Nef3 box(Point3 low, Point3 high) { return testing::solid(testing::box_mesh(low, high)); }
 
 /// A surface, all its faces, and one half of each reflex edge.
-struct Scene {
-  CutSurface surface;
-  std::vector<FaceId> faces;
-  std::vector<HalfedgeId> reflex;
-
-  explicit Scene(const Nef3& set) : surface(*cut_surface_of(set.complex())) {
-    surface.tables = copy(*surface.tables);
-    for (std::size_t f = 0; f < surface.faces.size(); ++f) faces.emplace_back(f);
-    for (std::size_t h = 0; h < surface.halves.size(); ++h) {
-      const CutSurface::Half& half = surface.halves[h];
-      if (half.is_reflex && HalfedgeId(h) < half.twin) reflex.emplace_back(h);
-    }
-  }
+struct Scene : testing::CutScene {
+  using CutScene::CutScene;
   std::array<Sign, 2> sides(HalfedgeId h, PlaneId p) const {
     const auto at = [&](VertexId v) { return side(surface.points(), surface.point[v.value()], p); };
     return {at(surface.half(h).origin), at(surface.target(h))};

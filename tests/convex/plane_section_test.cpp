@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "convex/cut_scene.h"
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
@@ -28,19 +29,8 @@ Vector cross(const Vector& a, const Vector& b) {
 }
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-struct Scene {
-  CutSurface surface;
-  std::vector<FaceId> faces;
-  std::vector<HalfedgeId> reflex;
-
-  explicit Scene(const Nef3& set) : surface(*cut_surface_of(set.complex())) {
-    surface.tables = copy(*surface.tables);
-    for (std::size_t f = 0; f < surface.faces.size(); ++f) faces.emplace_back(f);
-    for (std::size_t h = 0; h < surface.halves.size(); ++h) {
-      const CutSurface::Half& half = surface.halves[h];
-      if (half.is_reflex && HalfedgeId(h) < half.twin) reflex.emplace_back(h);
-    }
-  }
+struct Scene : testing::CutScene {
+  using CutScene::CutScene;
   Vector at(VertexId v) const {
     const RationalPoint3 p = exact(surface.points(), surface.point[v.value()]);
     return {p.x, p.y, p.z};

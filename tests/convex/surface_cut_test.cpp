@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "convex/cut_scene.h"
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
@@ -20,20 +21,7 @@ namespace plumb::surface_cut_test {
 
 Nef3 box(Point3 low, Point3 high) { return testing::solid(testing::box_mesh(low, high)); }
 
-struct Scene {
-  CutSurface surface;
-  std::vector<FaceId> faces;
-  std::vector<HalfedgeId> reflex;
-
-  explicit Scene(const Nef3& set) : surface(*cut_surface_of(set.complex())) {
-    surface.tables = copy(*surface.tables);
-    for (std::size_t f = 0; f < surface.faces.size(); ++f) faces.emplace_back(f);
-    for (std::size_t h = 0; h < surface.halves.size(); ++h) {
-      const CutSurface::Half& half = surface.halves[h];
-      if (half.is_reflex && HalfedgeId(h) < half.twin) reflex.emplace_back(h);
-    }
-  }
-};
+using Scene = testing::CutScene;
 
 /// Of all faces of the pieces: cycles of their own halves, pairs of twins between the same ends
 /// within one piece, and reflex edges that are told so.
