@@ -39,10 +39,16 @@ function(plumb_compile_options target)
   plumb_sanitize(${target})
 endfunction()
 
-# plumb_outline_checks(TARGET): what takes longer to compile than to run calls functions for what AddressSanitizer checks, the same
-# checks: a fifth less for the compiler.
-function(plumb_outline_checks target)
-  if(PLUMB_SANITIZE MATCHES address AND CMAKE_CXX_COMPILER_ID MATCHES Clang)
+# plumb_compile_briefly(TARGET LEVEL [SANITIZED_LEVEL]): what takes longer to compile than to run is optimised by LEVEL, or by
+# SANITIZED_LEVEL in the check under sanitizers. There it calls functions for what AddressSanitizer checks: the same checks in less
+# time of the compiler. A test is not compiled with -O0, because the linker may choose its copies of inline functions for the
+# libraries, too.
+function(plumb_compile_briefly target level)
+  if(ARGN AND PLUMB_SANITIZE AND NOT PLUMB_LIBFUZZER)
+    set(level ${ARGN})
+  endif()
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)
+  if(PLUMB_SANITIZE MATCHES address AND NOT PLUMB_LIBFUZZER AND CMAKE_CXX_COMPILER_ID MATCHES Clang)
     target_compile_options(${target} PRIVATE -fsanitize-address-outline-instrumentation)
   endif()
 endfunction()
@@ -111,6 +117,14 @@ function(plumb_compile_folders target)
   endforeach()
 endfunction()
 
+# plumb_compile_together(TARGET): with PLUMB_PRECOMPILE, eight sources become one translation unit, because headers take most of the
+# time of the compiler. Names without linkage must differ within the target, or stand in a namespace of their file.
+function(plumb_compile_together target)
+  if(PLUMB_PRECOMPILE)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()
+
 # plumb_exports(TARGET): a shared library shows what has default visibility, and of that only what is plumb's
 # (plumb.exports).
 function(plumb_exports target)
@@ -136,11 +150,16 @@ function(plumb_inside target name)
   target_link_libraries(${target}_inside INTERFACE ${ARGN} PlumbGMP::gmp PlumbGMP::mpfr Threads::Threads)
 endfunction()
 
-# plumb_library(TARGET EXPORT_NAME): what all libraries have in common. Hidden is what no header listed in public-headers.txt
-# declares.
+# plumb_library(TARGET EXPORT_NAME [BRIEF]): what all libraries have in common. Hidden is what no header listed in
+# public-headers.txt declares. BRIEF: the check under sanitizers does not optimise it.
 function(plumb_library target name)
   plumb_compile_options(${target})
-  plumb_precompile(${target} library)
+  if(ARGN AND PLUMB_SANITIZE AND NOT PLUMB_LIBFUZZER)
+    plumb_compile_briefly(${target} -O0)
+    plumb_precompile(${target} brief_library)
+  else()
+    plumb_precompile(${target} library)
+  endif()
   set_target_properties(${target} PROPERTIES
     EXPORT_NAME ${name}
     VERSION ${PROJECT_VERSION}
@@ -175,40 +194,65 @@ function(plumb_random_cases)
     ENVIRONMENT "RC_PARAMS=${parameters};PLUMB_TEST_SHARE=${PLUMB_TEST_SHARE}")
 endfunction()
 
-# plumb_test(NAME SOURCE... [THREADS] [LIBRARIES ...]): a GoogleTest program, one ctest per program; THREADS: it runs
-# some, and the thread sanitizer looks (label threads, target threads_tests). Compiling it takes
-# longer than running it, so that little is spent on optimising it, and nothing where sanitizers slow both; the libraries it
-# tests are what they are.
-function(plumb_test name)
-  cmake_parse_arguments(ARG "THREADS" "" "LIBRARIES" ${ARGN})
+# plumb_test_options(TARGET): how tests are compiled, and what only they use. The libraries that they test are optimised as usual.
+function(plumb_test_options target)
+  plumb_compile_options(${target})
+  plumb_compile_briefly(${target} -O1)
+  target_compile_options(${target} PRIVATE -Wno-unused-result)  # Tests call functions for what they throw.
+  plumb_precompile(${target} test <gtest/gtest.h> <boost/multiprecision/cpp_int.hpp>)
+  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/tests)
+endfunction()
+
+# plumb_test_program(NAME SOURCE... LIBRARIES ...): a program of GoogleTest.
+function(plumb_test_program name)
+  cmake_parse_arguments(ARG "" "" "LIBRARIES" ${ARGN})
   add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
-  plumb_compile_options(${name})
-  # Tests call functions for what they throw.
-  set(level -O1)
-  if(PLUMB_SANITIZE)
-    set(level -O0)
+  plumb_test_options(${name})
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest)
+endfunction()
+
+# plumb_add_test(TEST PROGRAM [ARGUMENT...]): a ctest at the root of the project, with the share of random cases.
+function(plumb_add_test test program)
+  add_test(NAME ${test} COMMAND ${program} ${ARGN} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  plumb_random_cases(${test})
+endfunction()
+
+# plumb_run_threads(TEST PROGRAM): the test runs threads. The thread sanitizer looks at it (label threads, target threads_tests).
+function(plumb_run_threads test program)
+  set_tests_properties(${test} PROPERTIES LABELS threads)
+  if(NOT TARGET threads_tests)
+    add_custom_target(threads_tests)
   endif()
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:${level}> -Wno-unused-result)
-  plumb_outline_checks(${name})
-  plumb_precompile(${name} test <gtest/gtest.h> <boost/multiprecision/cpp_int.hpp>)
-  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest GTest::gtest_main)
-  add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-  plumb_random_cases(${name})
+  add_dependencies(threads_tests ${program})
+endfunction()
+
+# plumb_test(NAME SOURCE... [THREADS] [LIBRARIES ...]): a program of GoogleTest that is one ctest.
+function(plumb_test name)
+  cmake_parse_arguments(ARG "THREADS" "" "" ${ARGN})
+  plumb_test_program(${name} ${ARG_UNPARSED_ARGUMENTS})
+  target_link_libraries(${name} PRIVATE GTest::gtest_main)
+  plumb_add_test(${name} ${name})
   if(ARG_THREADS)
-    set_tests_properties(${name} PROPERTIES LABELS threads)
-    if(NOT TARGET threads_tests)
-      add_custom_target(threads_tests)
-    endif()
-    add_dependencies(threads_tests ${name})
+    plumb_run_threads(${name} ${name})
   endif()
 endfunction()
 
-# plumb_unit_tests(NAME SOURCE... LIBRARIES ...): one program of several small test files, which with PLUMB_PRECOMPILE are one
-# translation unit: each file has a namespace of its own.
-function(plumb_unit_tests name)
-  plumb_test(${name} ${ARGN})
-  if(PLUMB_PRECOMPILE)
-    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+# plumb_tests(NAME TEST... [THREADS TEST...] [SUPPORT SOURCE...] LIBRARIES ...): one program of several test files. Each TEST is a
+# ctest of that name, which runs the tests of TEST.cpp (tests/main.cpp). Several files are one translation unit: each has a
+# namespace of its own.
+function(plumb_tests name)
+  cmake_parse_arguments(ARG "" "" "THREADS;SUPPORT;LIBRARIES" ${ARGN})
+  set(tests ${ARG_UNPARSED_ARGUMENTS} ${ARG_THREADS})
+  list(TRANSFORM tests APPEND .cpp OUTPUT_VARIABLE sources)
+  plumb_test_program(${name} ${sources} ${ARG_SUPPORT} LIBRARIES ${ARG_LIBRARIES} plumb_test_main)
+  if(ARG_SUPPORT)
+    set_source_files_properties(${ARG_SUPPORT} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
+  foreach(test ${tests})
+    plumb_add_test(${test} ${name} ${test})
+  endforeach()
+  foreach(test ${ARG_THREADS})
+    plumb_run_threads(${test} ${name})
+  endforeach()
+  plumb_compile_together(${name})
 endfunction()

@@ -28,7 +28,8 @@ SurfaceMesh cube() {
 void add_triangle(plumb::SurfacePolygons& polygons, plumb::FaceId face,
                   const std::array<std::array<double, 2>, 3>& corners) {
   for (const auto& [u, v] : corners) {
-    polygons.add_segment(polygons.points.add_in_face(face, u, v), face, true);
+    polygons.add_segment(polygons.points.add_in_face(face, u, v), face,
+                         plumb::SegmentStart::ControlPoint);
   }
   polygons.close();
 }

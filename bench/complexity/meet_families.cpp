@@ -64,7 +64,7 @@ Work meeting(const Position& position, std::size_t depth) {
   }
   return measured_in_turn(facets, std::move(pairs), [](const Operands& pair) {
     Context context;
-    return meet(pair.a, pair.b, *pair.tables, context);
+    return find_contacts(pair.a, pair.b, *pair.tables, context);
   });
 }
 

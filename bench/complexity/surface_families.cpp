@@ -104,7 +104,8 @@ class TorusScene {
       const Place m{a.x + middle * (b.x - a.x), a.y + middle * (b.y - a.y)};
       const auto x = static_cast<long>(std::floor(m.x)), y = static_cast<long>(std::floor(m.y));
       const FaceId f = face(x, y, is_upper(m));
-      polygons_.add_segment(point, f, is_control);
+      polygons_.add_segment(point, f,
+                            is_control ? SegmentStart::ControlPoint : SegmentStart::PathPoint);
       is_control = false;
       last = s.at;
       if (s.line == 3) break;

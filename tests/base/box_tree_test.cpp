@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace plumb {
+namespace plumb::box_tree_test {
 namespace {
 
 using Random = std::mt19937_64;
@@ -239,4 +239,4 @@ TEST(BoxTree, ALimitEndsTheRay) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::box_tree_test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace plumb {
+namespace plumb::error_test {
 namespace {
 
 void break_invariant(int sides) { PLUMB_CHECK(sides == 3); }
@@ -60,4 +60,4 @@ TEST(BrokenInvariant, IsThrownAfterAHandlerThatReturns) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::error_test

@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-namespace plumb {
+namespace plumb::keep_freed_memory_test {
 namespace {
 
 #if !defined(__GLIBC__) || defined(__SANITIZE_ADDRESS__)
@@ -70,4 +70,4 @@ TEST(KeepFreedMemory, ASecondBlockTakesThePagesOfTheFirst) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::keep_freed_memory_test

@@ -9,7 +9,7 @@
 
 #include "plumb/plumb.h"
 
-namespace plumb {
+namespace plumb::nef_set_test {
 namespace {
 
 static_assert(NefSet<Nef2> && NefSet<NefSphere> && NefSet<Nef3>);
@@ -128,4 +128,4 @@ TYPED_TEST(NefSetGrammar, StopsWhenTheContextSaysSo) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::nef_set_test

@@ -16,7 +16,7 @@
 
 #include "plumb/predicates/error.h"
 
-namespace plumb {
+namespace plumb::parallel_test {
 namespace {
 
 Context with_threads(unsigned threads, Limits limits = {}) {
@@ -134,4 +134,4 @@ TEST(Progress, IsNotToldTooOften) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::parallel_test

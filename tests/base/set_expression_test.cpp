@@ -11,7 +11,7 @@
 
 #include "plumb/predicates/error.h"
 
-namespace plumb {
+namespace plumb::set_expression_test {
 namespace {
 
 constexpr std::string_view kBinary = "*+-^";
@@ -135,4 +135,4 @@ TEST(SetExpression, SaysWhereItIsWrong) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::set_expression_test

@@ -12,7 +12,7 @@
 #include "refusal.h"
 #include "run_program.h"
 
-namespace plumb::testing {
+namespace plumb::testing::convex_command_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -421,4 +421,4 @@ TEST(ConvexProgram, minkowski_adds_two_solids) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::convex_command_test

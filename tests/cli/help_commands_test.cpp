@@ -13,7 +13,7 @@
 #include "json_schema.h"
 #include "run_program.h"
 
-namespace plumb::testing {
+namespace plumb::testing::help_commands_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -335,4 +335,4 @@ TEST(Manual, names_every_command_and_has_no_warnings) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::help_commands_test

@@ -15,7 +15,7 @@
 #include "refusal.h"
 #include "run_program.h"
 
-namespace plumb::testing {
+namespace plumb::testing::map_commands_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -182,4 +182,4 @@ TEST(MapOverlayProgram, completes_outer_boundaries_on_request) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::map_commands_test

@@ -12,7 +12,7 @@
 #include "refusal.h"
 #include "run_program.h"
 
-namespace plumb::testing {
+namespace plumb::testing::plane_command_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -355,4 +355,4 @@ TEST(AuditProgram, judges_what_is_in_a_file) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::plane_command_test

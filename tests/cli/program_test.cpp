@@ -17,7 +17,7 @@
 #include "refusal.h"
 #include "run_program.h"
 
-namespace plumb::testing {
+namespace plumb::testing::program_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -525,4 +525,4 @@ TEST(SelfTest, answers_in_text_and_json) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::program_test

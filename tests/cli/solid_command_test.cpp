@@ -11,7 +11,7 @@
 #include "refusal.h"
 #include "run_program.h"
 
-namespace plumb::testing {
+namespace plumb::testing::solid_command_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -362,4 +362,4 @@ TEST_F(SolidProgram, wrong_usage_is_refused) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::solid_command_test

@@ -16,7 +16,7 @@
 #include "refusal.h"
 #include "run_program.h"
 
-namespace plumb::testing {
+namespace plumb::testing::surface_command_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -453,4 +453,4 @@ TEST_F(SurfaceProgram, refuses_what_cannot_be) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::surface_command_test

@@ -10,7 +10,7 @@
 #include "refusal.h"
 #include "run_program.h"
 
-namespace plumb::testing {
+namespace plumb::testing::view_command_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -221,4 +221,4 @@ TEST_F(ViewProgram, draws_several_solids_moved_apart) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::view_command_test

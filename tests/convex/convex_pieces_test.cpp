@@ -20,7 +20,7 @@
 #include "plumb/io/mesh_io.h"
 #include "plumb/predicates/error.h"
 
-namespace plumb::testing {
+namespace plumb::testing::convex_pieces_test {
 namespace {
 
 constexpr DecomposeOptions kCuts{DecomposeMethod::Cuts, false};
@@ -332,4 +332,4 @@ TEST(Decompose, CanBeStopped) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::convex_pieces_test

@@ -17,7 +17,7 @@
 #include "plumb/predicates/input_predicates.h"
 #include "plumb/space/from_mesh.h"
 
-namespace plumb::testing {
+namespace plumb::testing::convexity_test {
 namespace {
 
 /// Two pyramids over a ring of points around the z axis, which runs around `turns` times.
@@ -287,4 +287,4 @@ TEST(ConvexityEvidence, OfSetsHasAnAnswerForEveryKind) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::convexity_test

@@ -22,7 +22,7 @@
 #include "plumb/space/complex/space_tables.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::cut_surface_test {
 namespace {
 
 // ---------------------------------------------------------------- the oracle
@@ -279,4 +279,4 @@ TEST(FixedPlanes, PassTipsOfPits) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::cut_surface_test

@@ -13,7 +13,7 @@
 #include "plumb/convex/decompose.h"
 #include "plumb/predicates/error.h"
 
-namespace plumb::testing {
+namespace plumb::testing::decompose_property_test {
 namespace {
 
 constexpr std::array kMethods{DecomposeMethod::Cuts, DecomposeMethod::Walls, DecomposeMethod::Best};
@@ -225,4 +225,4 @@ TEST(Pieces, OfCoplanarNotchesAreFound) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::decompose_property_test

@@ -18,7 +18,7 @@
 #include "plumb/space/space_measure.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::minkowski_test {
 namespace {
 
 Nef3 sum(const Nef3& a, const Nef3& b) {
@@ -315,4 +315,4 @@ TEST(Erosion, UndoesASumOfConvexSets) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::minkowski_test

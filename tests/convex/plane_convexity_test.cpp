@@ -12,7 +12,7 @@
 #include "plumb/predicates/error.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::plane_convexity_test {
 namespace {
 
 using Points = std::vector<Point2>;
@@ -224,4 +224,4 @@ TEST(PlaneConvexity, LooksAtTheContext) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::plane_convexity_test

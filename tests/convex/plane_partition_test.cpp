@@ -18,7 +18,7 @@
 #include "plumb/predicates/segment2.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::plane_partition_test {
 namespace {
 
 using Points = std::vector<Point2>;
@@ -371,4 +371,4 @@ TEST(PlanePartition, OfRandomExpressions) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::plane_partition_test

@@ -63,7 +63,8 @@ std::size_t wall_count(const SpaceComplex& c) {
 
 /// Walls become cells of the set.
 void mark_walls(SpaceComplex& c) {
-  for (auto* marks : {&c.vertex_mark, &c.edge_mark, &c.facet_mark}) {
+  for (std::vector<Mark>* marks :
+       std::initializer_list<std::vector<Mark>*>{&c.vertex_mark, &c.edge_mark, &c.facet_mark}) {
     std::replace(marks->begin(), marks->end(), kBeyond, Mark{1});
   }
 }

@@ -21,7 +21,7 @@
 #include "plumb/space/space_audit.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::walls_test {
 namespace {
 
 Nef3 box(Point3 low, Point3 high) { return solid(box_mesh(low, high)); }
@@ -357,4 +357,4 @@ TEST(Walls, AreToldFromFacetsWithoutIds) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::walls_test

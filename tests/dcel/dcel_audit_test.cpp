@@ -72,7 +72,7 @@ class DcelSurgeon {
   static std::size_t faces(const Dcel& d) { return d.faces_.size(); }
 };
 
-namespace test {
+namespace test::dcel_audit_test {
 namespace {
 
 std::string broken(const Dcel& d) {
@@ -212,5 +212,5 @@ TEST(DcelAudit, PlanarAuditTellsATorusAndAWrongNesting) {
 }
 
 }  // namespace
-}  // namespace test
+}  // namespace test::dcel_audit_test
 }  // namespace plumb

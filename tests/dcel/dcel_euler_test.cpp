@@ -8,7 +8,7 @@
 #include "fixtures.h"
 #include "generate/test_share.h"
 #include "plumb/predicates/error.h"
-namespace plumb::test {
+namespace plumb::test::dcel_euler_test {
 namespace {
 /// Picks present elements of a structure by random numbers.
 class Picker {
@@ -316,4 +316,4 @@ TEST(DcelEulerDeathTest, RefusesBrokenPreconditions) {
   EXPECT_THROW(p.split_edge(HalfedgeId(0)), BrokenInvariant);
 }
 }  // namespace
-}  // namespace plumb::test
+}  // namespace plumb::test::dcel_euler_test

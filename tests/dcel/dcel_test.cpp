@@ -6,7 +6,7 @@
 
 #include "fixtures.h"
 #include "plumb/predicates/error.h"
-namespace plumb::test {
+namespace plumb::test::dcel_test {
 namespace {
 std::string told(const std::optional<DcelFlaw>& flaw) {
   return flaw ? flaw->invariant + " at " + flaw->place : "";
@@ -124,4 +124,4 @@ TEST(DcelBuildDeathTest, RefusesTwinsThatAreNone) {
   EXPECT_THROW(build(crossed), BrokenInvariant);
 }
 }  // namespace
-}  // namespace plumb::test
+}  // namespace plumb::test::dcel_test

@@ -12,13 +12,13 @@ namespace {
 
 int sign(const BigRational& x) { return x.sign(); }
 
-BigRational coordinate(const ExactPoint3& p, std::size_t i) {
+BigRational coordinate_of(const ExactPoint3& p, std::size_t i) {
   return i == 0 ? p.x : i == 1 ? p.y : p.z;
 }
 
-class Builder {
+class DraftBuilder {
  public:
-  Builder(const ComplexDraft& draft, std::shared_ptr<SpaceTables> tables, Dice& dice)
+  DraftBuilder(const ComplexDraft& draft, std::shared_ptr<SpaceTables> tables, Dice& dice)
       : draft_(draft), tables_(std::move(tables)), dice_(dice), planes_at_(draft.points.size()) {
     result_.tables = tables_;
   }
@@ -122,9 +122,9 @@ class Builder {
 
   bool runs_against(const std::array<PlaneId, 2>& planes, const ExactPoint3& d) const {
     std::size_t axis = 0;
-    while (sign(coordinate(d, axis)) == 0) ++axis;
+    while (sign(coordinate_of(d, axis)) == 0) ++axis;
     return static_cast<int>(minor_sign(tables_->planes, planes[0], planes[1], axis)) !=
-           sign(coordinate(d, axis));
+           sign(coordinate_of(d, axis));
   }
 
   /// Of two facets; what is missing is parallel to an axis.
@@ -229,7 +229,7 @@ void ComplexDraft::add(const ComplexDraft& other) {
 
 SpaceComplex build_complex(const ComplexDraft& draft, std::shared_ptr<SpaceTables> tables,
                            Dice& dice) {
-  return Builder(draft, std::move(tables), dice).run();
+  return DraftBuilder(draft, std::move(tables), dice).run();
 }
 
 ComplexDraft tetrahedron_draft(const std::array<ExactPoint3, 4>& corners) {

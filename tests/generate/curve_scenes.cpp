@@ -5,13 +5,13 @@
 namespace plumb::testing {
 namespace {
 
-BigRational cross(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
-                  const ExactPoint& d) {
+BigRational cross_of_segments(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                              const ExactPoint& d) {
   return (b.x - a.x) * (d.y - c.y) - (b.y - a.y) * (d.x - c.x);
 }
 
 bool lies_on_line(const ExactPoint& p, const TestCurve& curve) {
-  return cross(curve.a, curve.b, curve.a, p) == 0;
+  return cross_of_segments(curve.a, curve.b, curve.a, p) == 0;
 }
 
 // Does q come after p on the curve's line?
@@ -155,9 +155,9 @@ bool TestCurve::contains(const ExactPoint& p) const {
 }
 
 std::optional<ExactPoint> crossing_of(const TestCurve& s, const TestCurve& t) {
-  const BigRational w = cross(s.a, s.b, t.a, t.b);
+  const BigRational w = cross_of_segments(s.a, s.b, t.a, t.b);
   if (w == 0) return std::nullopt;
-  const BigRational u = cross(s.a, t.a, t.a, t.b) / w;
+  const BigRational u = cross_of_segments(s.a, t.a, t.a, t.b) / w;
   return ExactPoint{s.a.x + u * (s.b.x - s.a.x), s.a.y + u * (s.b.y - s.a.y)};
 }
 

@@ -23,9 +23,9 @@ RationalPoint3 area_normal(const SpaceScene& scene, const std::vector<std::uint3
   return sum;
 }
 
-class Builder {
+class SceneBuilder {
  public:
-  explicit Builder(const SpaceScene& scene)
+  explicit SceneBuilder(const SpaceScene& scene)
       : scene_(scene), tables_(std::make_shared<SpaceTables>()) {}
 
   SpaceComplex run() {
@@ -238,7 +238,7 @@ void SpaceScene::add_free_edge(const RationalPoint3& a, const RationalPoint3& b)
   free_edges.emplace_back(i, add_point(b));
 }
 
-SpaceComplex complex_without_volumes(const SpaceScene& scene) { return Builder(scene).run(); }
+SpaceComplex complex_without_volumes(const SpaceScene& scene) { return SceneBuilder(scene).run(); }
 
 SpaceComplex complex_of(const SpaceScene& scene) {
   SpaceComplex complex = complex_without_volumes(scene);

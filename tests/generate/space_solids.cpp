@@ -5,7 +5,7 @@
 namespace plumb::testing {
 namespace {
 
-using Face = std::vector<std::size_t>;
+using Polygon = std::vector<std::size_t>;
 
 // Corner i has the upper coordinate along axis k exactly when bit k of i is set.
 constexpr std::array<std::array<std::size_t, 4>, 6> kBoxFaces = {
@@ -58,8 +58,8 @@ MeshLeaf prism(const Chain3& polygon, std::size_t axis, const BigRational& low,
       mesh.points.push_back(p);
     }
   }
-  Face bottom;
-  Face top;
+  Polygon bottom;
+  Polygon top;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t next = (i + 1) % n;
     bottom.insert(bottom.begin(), i);
@@ -72,14 +72,14 @@ MeshLeaf prism(const Chain3& polygon, std::size_t axis, const BigRational& low,
 }
 
 MeshLeaf inside_out(MeshLeaf mesh) {
-  for (Face& face : mesh.faces) std::reverse(face.begin(), face.end());
+  for (Polygon& face : mesh.faces) std::reverse(face.begin(), face.end());
   return mesh;
 }
 
 MeshLeaf together(MeshLeaf first, const MeshLeaf& second) {
   const std::size_t shift = first.points.size();
   first.points.insert(first.points.end(), second.points.begin(), second.points.end());
-  for (Face face : second.faces) {
+  for (Polygon face : second.faces) {
     for (std::size_t& v : face) v += shift;
     first.faces.push_back(std::move(face));
   }

@@ -77,7 +77,7 @@ struct Plan {
   SphereValues values = SphereValues::Plain;
 };
 
-CellVector undirected(CellVector n) {
+CellVector undirected_normal(CellVector n) {
   n = reduced(n);
   const CellVector minus{-n[0], -n[1], -n[2]};
   return std::max(n, minus);
@@ -93,7 +93,7 @@ Plan plan_of(std::span<const std::uint8_t> program, std::size_t max_circles) {
       const SphereLeaf leaf = leaf_of(plan.values, r);
       if (!leaf.is_valid()) continue;
       std::set<CellVector> more = circles;
-      for (const CellVector& n : leaf.normals()) more.insert(undirected(n));
+      for (const CellVector& n : leaf.normals()) more.insert(undirected_normal(n));
       if (more.size() > max_circles) break;
       circles = std::move(more);
     }

@@ -81,7 +81,9 @@ std::string raw_difference(std::span<const Record> records) {
         r[0] % 3 == 0   ? table.add_vertex(VertexId(r[1] % (vertices + 1)))
         : r[0] % 3 == 1 ? table.add_on_edge(EdgeId(r[1] % 16U), r[2] / 16 / 8.0)
                         : table.add_in_face(FaceId(r[1] % 8U), r[1] / 32 / 7.0, r[2] / 32 / 7.0);
-    scene.polygons.add_segment(p, FaceId(r[2] % 16U), r[0] % 2 == 0);
+    scene.polygons.add_segment(
+        p, FaceId(r[2] % 16U),
+        r[0] % 2 == 0 ? SegmentStart::ControlPoint : SegmentStart::PathPoint);
   }
   scene.polygons.close();
   Context context;

@@ -200,7 +200,8 @@ FaceId SurfaceDrawing::common_face(SurfacePointId p, SurfacePointId q) const {
 void SurfaceDrawing::add_polygon(std::span<const SurfacePointId> corners) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const SurfacePointId next = corners[(i + 1) % corners.size()];
-    scene.polygons.add_segment(corners[i], common_face(corners[i], next), true);
+    scene.polygons.add_segment(corners[i], common_face(corners[i], next),
+                               SegmentStart::ControlPoint);
   }
   scene.polygons.close();
 }

@@ -20,7 +20,7 @@
 
 #include "plumb/predicates/error.h"
 
-namespace plumb {
+namespace plumb::files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -286,4 +286,4 @@ TEST_F(OutputFileTest, leaves_no_empty_directory_that_it_made) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::files_test

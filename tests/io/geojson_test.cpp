@@ -11,7 +11,7 @@
 #include "hostile_shapes.h"
 #include "plumb/io/plane/geojson.h"
 
-namespace plumb {
+namespace plumb::geojson_test {
 namespace {
 
 PlaneShapes read(const std::string& text, bool exact_decimals = false, Limits limits = {}) {
@@ -120,4 +120,4 @@ TEST(GeoJsonReader, keeps_to_its_limits) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::geojson_test

@@ -23,7 +23,7 @@
 #include "plumb/picture/scene_glb.h"
 #include "plumb/picture/svg/svg_text.h"
 
-namespace plumb {
+namespace plumb::gltf_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -549,4 +549,4 @@ TEST(GltfReader, is_told_by_extension_and_by_its_first_bytes) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::gltf_test

@@ -8,7 +8,7 @@
 
 #include "expect_refusals.h"
 
-namespace plumb {
+namespace plumb::half_space_reader_test {
 namespace {
 
 HalfSpaceList read(const std::string& text, bool exact = false, Limits limits = {}) {
@@ -82,4 +82,4 @@ TEST(HalfSpaceReader, TellsLimitsWithTheirPlace) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::half_space_reader_test

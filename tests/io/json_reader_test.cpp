@@ -9,7 +9,7 @@
 #include "plumb/predicates/error.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb {
+namespace plumb::json_reader_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -158,4 +158,4 @@ TEST(JsonValues, ChargesWhatItTakes) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::json_reader_test

@@ -19,7 +19,7 @@
 #include "plumb/io/text/text_output.h"
 #include "plumb/predicates/error.h"
 
-namespace plumb {
+namespace plumb::map_io_test {
 namespace {
 
 Map read(const std::string& text, bool exact_decimals = false, Limits limits = {}) {
@@ -283,4 +283,4 @@ TEST(FormatDouble, reads_back_and_is_short) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::map_io_test

@@ -15,7 +15,7 @@
 #include "plumb/io/map_io.h"
 #include "plumb/plane/map_check.h"
 
-namespace plumb {
+namespace plumb::map_report_io_test {
 namespace {
 
 MapReport report_on(const std::string& text, const MapCheckOptions& options = {}) {
@@ -230,4 +230,4 @@ TEST(MapReportGeoJson, is_a_feature_per_defect) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::map_report_io_test

@@ -12,7 +12,7 @@
 #include "plumb/io/mesh/mesh_formats.h"
 #include "plumb/predicates/error.h"
 
-namespace plumb {
+namespace plumb::mesh_io_test {
 namespace {
 
 using testing::is_same;
@@ -136,4 +136,4 @@ TEST(SolidIo, gives_back_the_memory_of_the_bytes) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::mesh_io_test

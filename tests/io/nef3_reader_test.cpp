@@ -16,7 +16,7 @@
 #include "plumb/space/from_mesh.h"
 #include "plumb/space/query/volumes.h"
 
-namespace plumb {
+namespace plumb::nef3_reader_test {
 namespace {
 
 using testing::changed;
@@ -289,4 +289,4 @@ TEST(Nef3, keeps_to_its_limits) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::nef3_reader_test

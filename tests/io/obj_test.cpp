@@ -11,7 +11,7 @@
 #include "mesh_checks.h"
 #include "plumb/io/mesh/obj.h"
 
-namespace plumb {
+namespace plumb::obj_test {
 namespace {
 
 using testing::changed;
@@ -116,4 +116,4 @@ TEST(ObjWriter, writes_what_reads_back_as_the_same) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::obj_test

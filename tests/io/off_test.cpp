@@ -14,7 +14,7 @@
 #include "mesh_checks.h"
 #include "plumb/io/mesh/off.h"
 
-namespace plumb {
+namespace plumb::off_test {
 namespace {
 
 using testing::changed;
@@ -167,4 +167,4 @@ TEST(OffWriter, writes_what_reads_back_as_the_same) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::off_test

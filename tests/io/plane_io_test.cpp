@@ -14,7 +14,7 @@
 #include "plumb/io/plane/nef2_format.h"
 #include "plumb/io/plane/wkt.h"
 
-namespace plumb {
+namespace plumb::plane_io_test {
 namespace {
 
 using testing::Dice;
@@ -315,6 +315,8 @@ TEST(PlaneFormat, is_told_by_the_extension_or_the_text) {
   EXPECT_EQ(guess_plane_format("\xEF\xBB\xBFplumb-nef2 1"), PlaneFormat::Nef2);
   EXPECT_EQ(guess_plane_format("# x\nPOINT EMPTY"), PlaneFormat::Wkt);
   EXPECT_EQ(guess_plane_format(""), PlaneFormat::Wkt);
+  EXPECT_EQ(plane_format_of("a.json", "POINT EMPTY"), PlaneFormat::GeoJson);
+  EXPECT_EQ(plane_format_of("a.txt", "{}"), PlaneFormat::GeoJson);
 }
 
 TEST(ReadPlaneSetFile, gives_back_the_memory_of_the_text) {
@@ -328,4 +330,4 @@ TEST(ReadPlaneSetFile, gives_back_the_memory_of_the_text) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::plane_io_test

@@ -18,7 +18,7 @@
 #include "mesh_checks.h"
 #include "plumb/io/mesh/ply.h"
 
-namespace plumb {
+namespace plumb::ply_test {
 namespace {
 
 using testing::changed;
@@ -216,4 +216,4 @@ TEST(PlyWriter, writes_what_reads_back_as_the_same) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::ply_test

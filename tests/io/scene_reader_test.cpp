@@ -15,7 +15,7 @@
 #include "plumb/io/surface/scene_parser.h"
 #include "plumb/predicates/error.h"
 
-namespace plumb::testing {
+namespace plumb::testing::scene_reader_test {
 namespace {
 
 const ReadOptions kOptions{"some.file", false};
@@ -359,4 +359,4 @@ TEST(scene_reader, memory_is_limited) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::scene_reader_test

@@ -13,7 +13,7 @@
 #include "plumb/io/mesh_io.h"
 #include "plumb/predicates/error.h"
 
-namespace plumb::testing {
+namespace plumb::testing::solid_io_test {
 namespace {
 
 /// A file that is gone with the object.
@@ -96,4 +96,4 @@ TEST(SolidSets, OpenMeshesAreRefusedOrSurfaces) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::solid_io_test

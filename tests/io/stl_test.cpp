@@ -18,7 +18,7 @@
 #include "plumb/io/mesh/mesh_formats.h"
 #include "plumb/io/mesh/stl.h"
 
-namespace plumb {
+namespace plumb::stl_test {
 namespace {
 
 using testing::changed;
@@ -210,4 +210,4 @@ TEST(StlWriter, holds_triangles_only) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::stl_test

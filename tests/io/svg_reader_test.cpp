@@ -22,7 +22,7 @@
 #include "plumb/predicates/error.h"
 #include "plumb/surface/surface_audit.h"
 
-namespace plumb::testing {
+namespace plumb::testing::svg_reader_test {
 namespace {
 
 const ReadOptions kOptions{"some.file", false};
@@ -627,4 +627,4 @@ TEST_F(DrawingScene, ZeroIsFarAwayUnlessTheSceneSaysMore) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::svg_reader_test

@@ -11,7 +11,7 @@
 #include "hostile_shapes.h"
 #include "plumb/io/plane/wkt.h"
 
-namespace plumb {
+namespace plumb::wkt_test {
 namespace {
 
 PlaneShapes read(const std::string& text, bool exact_decimals = false, Limits limits = {}) {
@@ -119,4 +119,4 @@ TEST(WktWriter, writes_doubles_that_read_back) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::wkt_test

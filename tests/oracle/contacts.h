@@ -1,5 +1,5 @@
 // The contacts of two complexes by trying every pair of items in rational coordinates: the twin of
-// meet().
+// find_contacts().
 #pragma once
 
 #include <vector>

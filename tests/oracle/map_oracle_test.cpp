@@ -7,7 +7,7 @@
 #include "plumb/testing/map_families.h"
 #include "plumb/testing/small_maps.h"
 
-namespace plumb::testing {
+namespace plumb::testing::map_oracle_test {
 namespace {
 
 class TruthTable : public ::testing::TestWithParam<SmallMap> {};
@@ -64,4 +64,4 @@ TEST(Oracle, RegionsOfIslandsInIslands) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::map_oracle_test

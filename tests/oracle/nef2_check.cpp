@@ -240,7 +240,8 @@ class Checker {
     expect(engine_.with_marks(complex.marks) == engine_, "with_marks of its own marks");
     expect(Nef2::from_complex(complex) == engine_, "from_complex of its own complex");
     PlaneMarks flipped = complex.marks;
-    for (auto* marks : {&flipped.vertex, &flipped.edge, &flipped.face}) {
+    for (std::vector<std::uint8_t>* marks : std::initializer_list<std::vector<std::uint8_t>*>{
+             &flipped.vertex, &flipped.edge, &flipped.face}) {
       for (std::uint8_t& mark : *marks) mark = mark == 0 ? 1 : 0;
     }
     expect(engine_.with_marks(flipped) == !engine_, "with_marks of flipped marks");

@@ -9,7 +9,7 @@
 namespace plumb::testing {
 namespace {
 
-std::size_t count(const std::vector<std::uint8_t>& marks) {
+std::size_t count_marked(const std::vector<std::uint8_t>& marks) {
   return static_cast<std::size_t>(std::ranges::count(marks, 1));
 }
 
@@ -29,17 +29,17 @@ Nef2 kernel(const Nef2& piece) {
 /// Of one dimension and, without its boundary, convex.
 bool is_one_cell(const Nef2& piece) {
   const PlaneComplex& c = piece.complex();
-  if (count(c.marks.face) > 0) {
+  if (count_marked(c.marks.face) > 0) {
     return piece.interior() == kernel(piece) && piece.is_subset_of(piece.regularization());
   }
-  if (count(c.marks.edge) > 0) return c.edge_count() == 1 && c.vertex_count() <= 2;
-  return c.vertex_count() == 1 && count(c.marks.vertex) == 1;
+  if (count_marked(c.marks.edge) > 0) return c.edge_count() == 1 && c.vertex_count() <= 2;
+  return c.vertex_count() == 1 && count_marked(c.marks.vertex) == 1;
 }
 
 Nef2 without_boundary(const Nef2& closed_piece) {
   PlaneMarks marks = closed_piece.complex().marks;
-  if (count(marks.face) > 0) return closed_piece.interior();
-  if (count(marks.edge) > 0) marks.vertex.assign(marks.vertex.size(), 0);
+  if (count_marked(marks.face) > 0) return closed_piece.interior();
+  if (count_marked(marks.edge) > 0) marks.vertex.assign(marks.vertex.size(), 0);
   return closed_piece.with_marks(marks);
 }
 

@@ -46,7 +46,7 @@ bool is_supported(const SpaceComplex& c) {
   return true;
 }
 
-std::size_t count(const std::vector<Mark>& marks) {
+std::size_t count_marked(const std::vector<Mark>& marks) {
   return static_cast<std::size_t>(std::count(marks.begin(), marks.end(), Mark{1}));
 }
 
@@ -54,18 +54,20 @@ std::size_t count(const std::vector<Mark>& marks) {
 bool is_one_cell(const Nef3& piece) {
   const SpaceComplex& c = piece.complex();
   Context context;
-  if (count(c.volume_mark) > 0) {
-    if (count(c.volume_mark) > 1 || !piece.interior().is_convex()) return false;
+  if (count_marked(c.volume_mark) > 0) {
+    if (count_marked(c.volume_mark) > 1 || !piece.interior().is_convex()) return false;
     return piece.is_subset_of(piece.regularization()) && is_supported(c);
   }
-  if (count(c.facet_mark) > 0) {
+  if (count_marked(c.facet_mark) > 0) {
     const SpaceMarks open{std::vector<Mark>(c.vertex_count(), 0),
                           std::vector<Mark>(c.edge_count(), 0), c.facet_mark, c.volume_mark};
     const Nef3 inside = piece.with_marks(open, context);
-    return count(c.facet_mark) == 1 && inside.is_convex() && piece.is_subset_of(inside.closure());
+    return count_marked(c.facet_mark) == 1 && inside.is_convex() &&
+           piece.is_subset_of(inside.closure());
   }
-  if (count(c.edge_mark) > 0) return count(c.edge_mark) == 1 && piece.closure().is_convex();
-  return count(c.vertex_mark) == 1;
+  if (count_marked(c.edge_mark) > 0)
+    return count_marked(c.edge_mark) == 1 && piece.closure().is_convex();
+  return count_marked(c.vertex_mark) == 1;
 }
 
 std::string name(const std::string& what, std::size_t piece) {

@@ -7,7 +7,7 @@
 namespace plumb::testing {
 namespace {
 
-constexpr std::size_t kNone = PlaneGraph::kNone;
+constexpr std::size_t kAbsent = PlaneGraph::kNone;
 
 struct EdgeKey {
   std::size_t from, to;
@@ -74,7 +74,7 @@ class Matcher {
   }
 
   std::size_t end_of(VertexId v) const {
-    return complex_.is_at_infinity(v) ? kNone : static_cast<std::size_t>(v.value());
+    return complex_.is_at_infinity(v) ? kAbsent : static_cast<std::size_t>(v.value());
   }
 
   EdgeKey key_of(EdgeId e) const {
@@ -114,7 +114,7 @@ class Matcher {
   void match_isolated() {
     for (std::size_t v = 0; v < graph_.vertices.size(); ++v) {
       const std::string name = "vertex " + std::to_string(v);
-      const bool isolated = graph_.vertices[v].face != kNone;
+      const bool isolated = graph_.vertices[v].face != kAbsent;
       expect_equal(complex_.dcel.is_isolated(VertexId(v)), isolated, name + " isolated");
       if (!isolated) continue;
       const LoopId loop = complex_.dcel.isolated_loop(VertexId(v));
@@ -143,13 +143,13 @@ class Matcher {
   // infinity are not compared with anything.
   int order(const PlaneGraph::Edge& e, const PlaneGraph::Edge& f) const {
     if (e.from != f.from) {
-      if ((e.from == kNone && e.line.b == 0) || (f.from == kNone && f.line.b == 0)) return 0;
-      if (e.from == kNone || f.from == kNone) return e.from == kNone ? -1 : +1;
+      if ((e.from == kAbsent && e.line.b == 0) || (f.from == kAbsent && f.line.b == 0)) return 0;
+      if (e.from == kAbsent || f.from == kAbsent) return e.from == kAbsent ? -1 : +1;
       return e.from < f.from ? -1 : +1;
     }
     // Slopes: -a / b with b >= 0.
     const BigInt turn = e.line.b * f.line.a - f.line.b * e.line.a;  // slope of e - slope of f
-    if (e.from != kNone) return turn.sign();
+    if (e.from != kAbsent) return turn.sign();
     if (e.line.b == 0 || f.line.b == 0) return 0;
     if (turn != 0) return -turn.sign();
     return BigInt(f.line.c * e.line.b - e.line.c * f.line.b).sign();

@@ -4,7 +4,7 @@
 #include "oracle/plane_graph.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::plane_oracle_test {
 namespace {
 
 CellLine line(int a, int b, int c) { return {a, b, c}; }
@@ -160,4 +160,4 @@ TEST(PlaneGraph, ArrangementsObeyEuler) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::plane_oracle_test

@@ -8,21 +8,21 @@
 namespace plumb::testing {
 namespace {
 
-constexpr std::size_t kNone = SpaceGraph::kNone;
+constexpr std::size_t kAbsent = SpaceGraph::kNone;
 
-struct EdgeKey {
+struct SpaceEdgeKey {
   CellLine3 line;
   std::size_t from, to;
-  friend bool operator<(const EdgeKey& s, const EdgeKey& t) {
+  friend bool operator<(const SpaceEdgeKey& s, const SpaceEdgeKey& t) {
     if (s.from != t.from || s.to != t.to) return std::tie(s.from, s.to) < std::tie(t.from, t.to);
     return s.line < t.line;
   }
 };
 
 // Throws the first difference, as text.
-class Matcher {
+class SpaceMatcher {
  public:
-  Matcher(const SpaceComplex& complex, const SpaceGraph& graph, const SpaceCells& cells)
+  SpaceMatcher(const SpaceComplex& complex, const SpaceGraph& graph, const SpaceCells& cells)
       : complex_(complex), graph_(graph), cells_(cells) {
     match_.vertex.resize(graph.vertices.size());
     match_.edge.resize(graph.edges.size());
@@ -75,7 +75,7 @@ class Matcher {
     for (std::size_t v = 0; v < graph_.vertices.size(); ++v) {
       by_point.emplace(graph_.vertices[v].point, v);
     }
-    vertex_twin_.assign(complex_.vertex_count(), kNone);
+    vertex_twin_.assign(complex_.vertex_count(), kAbsent);
     for (std::size_t i = 0; i < complex_.vertex_count(); ++i) {
       if (complex_.vertex_mark[i] == kBeyond) continue;
       const ExactPoint3 p = exact_of(exact(complex_.points(), complex_.vertex_point[i]));
@@ -102,11 +102,12 @@ class Matcher {
   }
 
   void match_edges() {
-    std::map<EdgeKey, std::size_t> by_key;
+    std::map<SpaceEdgeKey, std::size_t> by_key;
     for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
-      by_key.emplace(EdgeKey{graph_.edges[e].line, graph_.edges[e].from, graph_.edges[e].to}, e);
+      by_key.emplace(SpaceEdgeKey{graph_.edges[e].line, graph_.edges[e].from, graph_.edges[e].to},
+                     e);
     }
-    edge_twin_.assign(complex_.edge_count(), kNone);
+    edge_twin_.assign(complex_.edge_count(), kAbsent);
     for (std::size_t i = 0; i < complex_.edge_count(); ++i) {
       if (complex_.edge_mark[i] == kBeyond) continue;
       const std::string name = "edge " + std::to_string(i);
@@ -120,7 +121,7 @@ class Matcher {
     }
   }
 
-  EdgeKey key_of(EdgeId e) const {
+  SpaceEdgeKey key_of(EdgeId e) const {
     const CellLine3 directed = line(e);
     std::size_t from = vertex_twin_[complex_.origin[2 * e.value()].value()];
     std::size_t to = vertex_twin_[complex_.origin[2 * e.value() + 1].value()];
@@ -137,7 +138,7 @@ class Matcher {
       const UseId u(i);
       const std::size_t e = edge_twin_[SpaceComplex::edge_of(complex_.use_halfedge[i]).value()];
       const FacetId f = complex_.use_facet[i];
-      if (e == kNone || complex_.facet_mark[f.value()] == kBeyond) continue;
+      if (e == kAbsent || complex_.facet_mark[f.value()] == kBeyond) continue;
       match_facet(facet_beside(u, graph_.edges[e].cell), f, "left of use " + std::to_string(i));
       ++uses[e];
     }
@@ -233,7 +234,7 @@ class Matcher {
   void match_place(std::size_t e) {
     const std::size_t i = match_.edge[e].value();
     const std::string name = "edge " + std::to_string(i);
-    const bool is_free = graph_.edges[e].volume != kNone;
+    const bool is_free = graph_.edges[e].volume != kAbsent;
     expect_equal(!complex_.edge_use[i].is_valid(), is_free, name + " is free");
     if (is_free) match_volume(graph_.edges[e].volume, complex_.edge_volume[i], "around " + name);
   }
@@ -242,9 +243,9 @@ class Matcher {
     const std::size_t i = match_.vertex[v].value();
     const std::string name = "vertex " + std::to_string(i);
     const FacetId facet = complex_.vertex_facet[i];
-    expect_equal(facet.is_valid(), vertex.facet != kNone, name + " lies inside a facet");
+    expect_equal(facet.is_valid(), vertex.facet != kAbsent, name + " lies inside a facet");
     if (facet.is_valid()) match_facet(vertex.facet, facet, "around " + name);
-    if (vertex.volume != kNone) {
+    if (vertex.volume != kAbsent) {
       match_volume(vertex.volume, complex_.vertex_volume[i], "around " + name);
     }
   }
@@ -259,7 +260,7 @@ class Matcher {
   const SpaceComplex& complex_;
   const SpaceGraph& graph_;
   const SpaceCells& cells_;
-  std::vector<std::size_t> vertex_twin_;  // per vertex of the engine; kNone: of the frame
+  std::vector<std::size_t> vertex_twin_;  // per vertex of the engine; kAbsent: of the frame
   std::vector<std::size_t> edge_twin_;
   SpaceMatch match_;
 };
@@ -267,7 +268,7 @@ class Matcher {
 }  // namespace
 
 SpaceMatch match(const SpaceComplex& complex, const SpaceGraph& graph, const SpaceCells& cells) {
-  return Matcher(complex, graph, cells).run();
+  return SpaceMatcher(complex, graph, cells).run();
 }
 
 }  // namespace plumb::testing

@@ -7,7 +7,7 @@
 #include "generate/space_solids.h"
 #include "oracle/space_graph.h"
 
-namespace plumb::testing {
+namespace plumb::testing::space_set_test {
 namespace {
 
 CellPlane plane(int a, int b, int c, int d) { return plane_of(a, b, c, d); }
@@ -358,4 +358,4 @@ TEST(SpacePrograms, OfAnyBytesAreSets) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::space_set_test

@@ -10,7 +10,7 @@ const CellVector kZero{0, 0, 0};
 
 int side(const CellVector& n, const CellVector& u) { return dot(n, u).sign(); }
 
-CellVector opposite(const CellVector& v) { return {-v[0], -v[1], -v[2]}; }
+CellVector minus(const CellVector& v) { return {-v[0], -v[1], -v[2]}; }
 
 bool is_same(const CellVector& u, const CellVector& v) {
   return cross(u, v) == kZero && dot(u, v) > 0;
@@ -112,7 +112,7 @@ bool SphereLeaf::contains(const CellVector& u) const {
     case Triangle: {
       std::vector<CellVector> n{cross(c[0], c[1]), cross(c[1], c[2]), cross(c[2], c[0])};
       if (side(n[0], c[2]) > 0) return is_in_all(n, u, closed);
-      for (CellVector& m : n) m = opposite(m);
+      for (CellVector& m : n) m = minus(m);
       return !is_in_all(n, u, !closed);
     }
     case Lune:  // left turns at its ends or right ones, as the sides are listed

@@ -9,7 +9,7 @@
 #include "plumb/picture/svg/sheet.h"
 #include "svg_checks.h"
 
-namespace plumb {
+namespace plumb::map_svg_test {
 namespace {
 
 using namespace testing;
@@ -234,4 +234,4 @@ TEST(MapSvg, ManyFacesStayBoundedAndSaySo) {
 TEST(MapSvg, SameInputSameBytes) { EXPECT_EQ(drawn(with_defects(300)), drawn(with_defects(300))); }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::map_svg_test

@@ -11,7 +11,7 @@
 #include "plumb/picture/plane/plane_view.h"
 #include "svg_checks.h"
 
-namespace plumb {
+namespace plumb::nef2_svg_test {
 namespace {
 
 using namespace testing;
@@ -282,4 +282,4 @@ TEST(PlaneWindow, HoldsEveryVertexAndLine) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::nef2_svg_test

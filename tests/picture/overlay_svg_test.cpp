@@ -11,7 +11,7 @@
 #include "plumb/picture/svg/sheet.h"
 #include "svg_checks.h"
 
-namespace plumb {
+namespace plumb::overlay_svg_test {
 namespace {
 
 using namespace testing;
@@ -151,4 +151,4 @@ TEST(CellLabel, LiesInsideThePolygon) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::overlay_svg_test

@@ -12,7 +12,7 @@
 #include "plumb/picture/svg/svg_text.h"
 #include "svg_checks.h"
 
-namespace plumb {
+namespace plumb::plane_view_test {
 namespace {
 
 TEST(SvgText, EscapesWhatXmlForbids) {
@@ -162,4 +162,4 @@ TEST(Marks, GroupLabels) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::plane_view_test

@@ -19,7 +19,7 @@
 #include "plumb/space/space_measure.h"
 #include "svg_checks.h"
 
-namespace plumb {
+namespace plumb::space_scene_test {
 namespace {
 
 using testing::expect_sound;
@@ -302,4 +302,4 @@ TEST(PiecesScene, refuses_to_move_pieces_beyond_doubles) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::space_scene_test

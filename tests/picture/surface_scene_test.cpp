@@ -17,7 +17,7 @@
 #include "plumb/surface/cells/surface_cells.h"
 #include "plumb/surface/trace.h"
 
-namespace plumb::testing {
+namespace plumb::testing::surface_scene_test {
 namespace {
 
 constexpr std::uint32_t kGrid = 8;
@@ -88,7 +88,8 @@ TEST(SurfaceScene, control_points_of_what_cancels) {
   SurfaceScene scene{mesh, SurfacePolygons(*mesh), {}, {}};
   const FaceId f(10);
   for (const double v : {.25, .5}) {
-    scene.polygons.add_segment(scene.polygons.points.add_in_face(f, .25, v), f, true);
+    scene.polygons.add_segment(scene.polygons.points.add_in_face(f, .25, v), f,
+                               SegmentStart::ControlPoint);
   }
   scene.polygons.close();
   const Point3 last = scene.polygons.points.position(scene.polygons.point[1]);
@@ -195,4 +196,4 @@ TEST(SurfacePicture, writes_on_visible_cells) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::surface_scene_test

@@ -13,7 +13,7 @@
 #include "generate/test_share.h"
 #include "oracle/arrangement_check.h"
 
-namespace plumb::testing {
+namespace plumb::testing::arrangement_test {
 namespace {
 
 Arrangement arranged(const EngineScene& scene) {
@@ -268,4 +268,4 @@ TEST_P(Arrangements, AreThoseOfCurvesClippedToALargeBox) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::arrangement_test

@@ -8,7 +8,7 @@
 
 namespace plumb::testing {
 
-inline Nef2 set_of(const std::string& wkt) {
+inline Nef2 set_of_wkt(const std::string& wkt) {
   Context context;
   return read_plane_set(wkt, PlaneFormat::Wkt, {"case"}, context);
 }

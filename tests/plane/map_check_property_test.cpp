@@ -11,7 +11,7 @@
 #include "plumb/testing/garbage_maps.h"
 #include "plumb/testing/map_families.h"
 
-namespace plumb::testing {
+namespace plumb::testing::map_check_property_test {
 namespace {
 
 std::uint64_t any_seed() { return *rc::gen::arbitrary<std::uint64_t>(); }
@@ -145,4 +145,4 @@ INSTANTIATE_TEST_SUITE_P(MapCheck, AgreesWithTheTwin, ::testing::ValuesIn(kOuter
                          name_of_rule);
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::map_check_property_test

@@ -6,7 +6,7 @@
 #include "plumb/testing/map_defects.h"
 #include "plumb/testing/map_families.h"
 
-namespace plumb::testing {
+namespace plumb::testing::map_check_scale_test {
 namespace {
 
 TEST(MapCheckScale, NestedRings) {
@@ -94,4 +94,4 @@ TEST(MapCheckScale, CoordinatesBeyondDoubles) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::map_check_scale_test

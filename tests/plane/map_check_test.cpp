@@ -13,7 +13,7 @@
 #include "plumb/testing/map_families.h"
 #include "plumb/testing/small_maps.h"
 
-namespace plumb::testing {
+namespace plumb::testing::map_check_test {
 namespace {
 
 int mixed_or_none(const MapReport& report) {
@@ -305,4 +305,4 @@ TEST(ToDcel, FacesAreRegions) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::map_check_test

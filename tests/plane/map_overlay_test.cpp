@@ -15,7 +15,7 @@
 #include "plumb/testing/map_families.h"
 #include "plumb/testing/small_maps.h"
 
-namespace plumb::testing {
+namespace plumb::testing::map_overlay_test {
 namespace {
 
 MapOverlay overlaid(const MapReport& first, const MapReport& second) {
@@ -125,4 +125,4 @@ TEST(MapOverlay, RefusesAMapThatIsNone) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::map_overlay_test

@@ -10,7 +10,7 @@
 #include "oracle/set_laws.h"
 #include "plumb/plane/complex/plane_records.h"
 
-namespace plumb::testing {
+namespace plumb::testing::nef2_property_test {
 namespace {
 
 constexpr std::size_t kMaxLines = 16;
@@ -196,7 +196,8 @@ TEST_P(RandomSets, TakeAnyMarks) {
     const GraphMatch found = match(engine.complex(), graph, cells);
     ASSERT_EQ(found.difference, "");
     PlaneMarks marks = engine.complex().marks;
-    for (auto* some : {&marks.vertex, &marks.edge, &marks.face}) {
+    for (std::vector<std::uint8_t>* some : std::initializer_list<std::vector<std::uint8_t>*>{
+             &marks.vertex, &marks.edge, &marks.face}) {
       for (std::uint8_t& mark : *some) mark = static_cast<std::uint8_t>(dice.below(2));
     }
     CellMarks expected(cells.size());
@@ -245,4 +246,4 @@ TEST(Nef2, OfAnyProgramsObeyTheLaws) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::nef2_property_test

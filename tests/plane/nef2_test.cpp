@@ -10,7 +10,7 @@
 #include "oracle/nef2_check.h"
 #include "plumb/predicates/error.h"
 
-namespace plumb::testing {
+namespace plumb::testing::nef2_test {
 namespace {
 
 Line2 line(int ax, int ay, int bx, int by) {
@@ -394,4 +394,4 @@ TEST(Nef2, AreEqualWhereNothingIsBetween) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::nef2_test

@@ -6,7 +6,7 @@
 
 #include "overlay_pairs.h"
 
-namespace plumb::testing {
+namespace plumb::testing::overlay_cases_test {
 namespace {
 
 Pieces pieces_of(const Nef2& set) {
@@ -44,8 +44,8 @@ std::string transposed(const std::string& m) {
 TEST(OverlayCases, have_the_areas_and_parts_argued_by_hand) {
   for (const Pair& pair : kPairs) {
     SCOPED_TRACE(pair.name);
-    const Nef2 a = set_of(pair.a);
-    const Nef2 b = set_of(pair.b);
+    const Nef2 a = set_of_wkt(pair.a);
+    const Nef2 b = set_of_wkt(pair.b);
     const Rational area_a(pair.area_a);
     const Rational area_b(pair.area_b);
     const Rational both(pair.area_both);
@@ -66,12 +66,12 @@ TEST(OverlayCases, have_the_nine_intersections_argued_by_hand) {
   for (const Pair& pair : kPairs) {
     if (pair.matrix == nullptr) continue;
     SCOPED_TRACE(pair.name);
-    const Nef2 a = set_of(pair.a);
-    const Nef2 b = set_of(pair.b);
+    const Nef2 a = set_of_wkt(pair.a);
+    const Nef2 b = set_of_wkt(pair.b);
     EXPECT_EQ(nine_intersections(a, b), pair.matrix);
     EXPECT_EQ(nine_intersections(b, a), transposed(pair.matrix));
   }
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::overlay_cases_test

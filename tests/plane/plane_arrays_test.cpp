@@ -13,7 +13,7 @@
 #include "plumb/plane/nef2.h"
 #include "plumb/predicates/error.h"
 
-namespace plumb::testing {
+namespace plumb::testing::plane_arrays_test {
 namespace {
 
 using Doubles = std::vector<double>;
@@ -89,4 +89,4 @@ TEST(PlaneArrays, refuse_what_does_not_agree) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::plane_arrays_test

@@ -10,7 +10,7 @@
 #include "plumb/plane/plane_measure.h"
 #include "plumb/predicates/error.h"
 
-namespace plumb {
+namespace plumb::plane_limits_test {
 namespace {
 
 struct Scene {
@@ -88,4 +88,4 @@ TEST(PlaneLimits, AuditsAndAreasKeepToThem) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::plane_limits_test

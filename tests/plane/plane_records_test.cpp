@@ -7,7 +7,7 @@
 #include "plumb/plane/plane_audit.h"
 #include "plumb/predicates/error.h"
 
-namespace plumb::testing {
+namespace plumb::testing::plane_records_test {
 namespace {
 
 PlaneRecords any_records(Dice& dice, ProgramValues values) {
@@ -170,4 +170,4 @@ TEST(PlaneRecords, DamagedOnesAreRefusedOrRight) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::plane_records_test

@@ -29,7 +29,8 @@ inline PlaneComplex random_complex(Dice& dice, std::size_t odds = 2) {
   }
   const std::vector<std::uint32_t> isolated{dice.below(n), dice.below(n)};
   PlaneComplex complex = arrange(points, curves, isolated).complex;
-  for (auto* marks : {&complex.marks.vertex, &complex.marks.edge, &complex.marks.face}) {
+  for (std::vector<std::uint8_t>* marks : std::initializer_list<std::vector<std::uint8_t>*>{
+           &complex.marks.vertex, &complex.marks.edge, &complex.marks.face}) {
     for (std::uint8_t& mark : *marks) mark = dice.below(odds) == 0 ? 1 : 0;
   }
   return complex;

@@ -12,7 +12,7 @@
 #include "plumb/plane/nef2.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::ray_walk_test {
 namespace {
 
 std::string to_text(const RationalPoint2& p) { return "(" + p.x.str() + ", " + p.y.str() + ")"; }
@@ -189,4 +189,4 @@ TEST(Rays, FromSeveralThreadsAtOnce) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::ray_walk_test

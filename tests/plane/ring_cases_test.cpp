@@ -7,7 +7,7 @@
 
 #include "case_sets.h"
 
-namespace plumb::testing {
+namespace plumb::testing::ring_cases_test {
 namespace {
 
 struct Ring {
@@ -97,7 +97,7 @@ const std::vector<Ring> kRings{
 TEST(RingCases, have_the_areas_and_parts_argued_by_hand) {
   for (const Ring& ring : kRings) {
     SCOPED_TRACE(ring.name);
-    const Nef2 set = set_of(ring.wkt);
+    const Nef2 set = set_of_wkt(ring.wkt);
     EXPECT_FALSE(set.audit());
     EXPECT_TRUE(set.is_closed() && set.is_bounded());
     EXPECT_EQ(set.area(), Rational(ring.area));
@@ -129,10 +129,10 @@ TEST(RingCases, of_one_meaning_are_one_set) {
   };
   for (const auto& texts : same) {
     for (const char* const text : texts) {
-      EXPECT_TRUE(set_of(text) == set_of(texts.front())) << text;
+      EXPECT_TRUE(set_of_wkt(text) == set_of_wkt(texts.front())) << text;
     }
   }
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::ring_cases_test

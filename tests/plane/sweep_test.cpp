@@ -14,7 +14,7 @@
 #include "generate/test_share.h"
 #include "plumb/plane/sweep/sweep_curves.h"
 
-namespace plumb {
+namespace plumb::sweep_test {
 namespace {
 
 using Q = boost::multiprecision::cpp_rational;
@@ -267,4 +267,4 @@ TEST(Sweep, HonoursAStopRequest) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::sweep_test

@@ -11,7 +11,7 @@
 #include "generate/test_share.h"
 #include "plumb/plane/sweep/sweep_curves.h"
 
-namespace plumb::testing {
+namespace plumb::testing::sweep_unbounded_test {
 namespace {
 
 // Where an event is, in the order of events.
@@ -268,4 +268,4 @@ TEST_P(SweepUnbounded, MatchesBruteForce) {
 INSTANTIATE_TEST_SUITE_P(Scenes, SweepUnbounded, ::testing::ValuesIn(kSceneKinds), name_of_kind);
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::sweep_unbounded_test

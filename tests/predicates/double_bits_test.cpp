@@ -10,7 +10,7 @@
 
 #include "plumb/predicates/rational.h"
 
-namespace plumb {
+namespace plumb::double_bits_test {
 namespace {
 
 double random_finite(std::mt19937_64& rng) {
@@ -131,4 +131,4 @@ TEST(Grid, MeasuresBits) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::double_bits_test

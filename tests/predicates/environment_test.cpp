@@ -8,7 +8,7 @@
 
 #include "float_environment.h"
 
-namespace plumb::test {
+namespace plumb::test::environment_test {
 namespace {
 
 bool mentions(const SelfTestReport& r, const std::string& words) {
@@ -31,4 +31,4 @@ TEST(SelfTest, PassesAndNotesTheEnvironment) {
 }
 
 }  // namespace
-}  // namespace plumb::test
+}  // namespace plumb::test::environment_test

@@ -9,7 +9,7 @@
 
 #include "space_oracle.h"
 
-namespace plumb {
+namespace plumb::fingerprint_test {
 namespace {
 
 using oracle::Int;
@@ -127,4 +127,4 @@ TEST(Fingerprint, PrimitiveKeepsTheSign) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::fingerprint_test

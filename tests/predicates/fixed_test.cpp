@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace plumb {
+namespace plumb::fixed_test {
 namespace {
 
 using Big = boost::multiprecision::cpp_int;
@@ -142,4 +142,4 @@ TEST(Fixed, HoldsTheExtremes) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::fixed_test

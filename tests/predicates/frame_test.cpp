@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "fixed_rungs.h"
+#include "generate/space_cases.h"
 #include "generate/test_share.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/space/point3_table.h"
-#include "space_cases.h"
 #include "space_oracle.h"
 
-namespace plumb {
+namespace plumb::frame_test {
 namespace {
 
 using cases::integer;
@@ -392,4 +392,4 @@ INSTANTIATE_TEST_SUITE_P(Families, Frame, ::testing::Range(std::size_t{0}, kNumb
                          [](const auto& i) { return std::string(kNumbers[i.param].name); });
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::frame_test

@@ -8,7 +8,7 @@
 
 #include "plumb/predicates/arithmetic/seeded_hash.h"
 
-namespace plumb {
+namespace plumb::id_index_test {
 namespace {
 
 /// Numbers keys in the order in which they first come, by the index and by a map.
@@ -89,4 +89,4 @@ TEST(IdIndex, GrowsWithoutLoss) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::id_index_test

@@ -16,7 +16,7 @@
 #include "predicate_cases.h"
 #include "predicate_oracle.h"
 
-namespace plumb::test {
+namespace plumb::test::input_predicates_test {
 namespace {
 
 std::uint64_t total_cases() { return plumb::testing::case_count(60000); }
@@ -139,4 +139,4 @@ TEST(InputPredicates, CrossSignIsRight) {
 }
 
 }  // namespace
-}  // namespace plumb::test
+}  // namespace plumb::test::input_predicates_test

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "fixed_rungs.h"
+#include "generate/space_cases.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/space/point3_table.h"
-#include "space_cases.h"
 #include "space_oracle.h"
 
-namespace plumb {
+namespace plumb::plane_exact_test {
 namespace {
 
 using cases::integer;
@@ -295,4 +295,4 @@ TEST(PlaneWidths, NoWrongAnswerWhereScalesBreak) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::plane_exact_test

@@ -15,7 +15,7 @@
 #include "plumb/predicates/rational_predicates.h"
 #include "plumb/predicates/segment2.h"
 
-namespace plumb {
+namespace plumb::plane_points_test {
 namespace {
 
 /// The eight points of a case and the crossings of its lines.
@@ -117,9 +117,9 @@ void check_ray(const PlanePoints& points, const std::vector<RationalPoint2>& tru
   }
 }
 
-class Families : public ::testing::TestWithParam<PlaneFamily> {};
+class PlanePointFamilies : public ::testing::TestWithParam<PlaneFamily> {};
 
-TEST_P(Families, OrderAndSidesAreThoseOfTheRationals) {
+TEST_P(PlanePointFamilies, OrderAndSidesAreThoseOfTheRationals) {
   TestRandom random(20261121);
   const std::uint64_t rounds = testing::case_count(10);
   for (std::uint64_t round = 0; round < rounds; ++round) {
@@ -139,7 +139,7 @@ TEST_P(Families, OrderAndSidesAreThoseOfTheRationals) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Plane, Families, ::testing::ValuesIn(plane_families()));
+INSTANTIATE_TEST_SUITE_P(Plane, PlanePointFamilies, ::testing::ValuesIn(plane_families()));
 
 TEST(PlanePoints, CrossingsAreNumberedAfterInputs) {
   PlanePoints points;
@@ -243,4 +243,4 @@ TEST(RationalSum, OfFractionsIsTheSameInLowestTerms) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::plane_points_test

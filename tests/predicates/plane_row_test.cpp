@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "float_environment.h"
+#include "generate/space_cases.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/predicates/space/plane_table.h"
-#include "space_cases.h"
 #include "space_oracle.h"
 
-namespace plumb {
+namespace plumb::plane_row_test {
 namespace {
 
 using cases::integer;
@@ -230,4 +230,4 @@ TEST(RoundedUp, IsNoLessAndHardlyMore) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::plane_row_test

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "float_environment.h"
+#include "generate/space_cases.h"
 #include "generate/test_share.h"
-#include "space_cases.h"
 #include "space_oracle.h"
 
-namespace plumb {
+namespace plumb::plane_signs_test {
 namespace {
 
 using oracle::Int;
@@ -205,4 +205,4 @@ TEST(LineSigns, CollisionsModuloQAreTold) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::plane_signs_test

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "float_environment.h"
+#include "generate/space_cases.h"
 #include "generate/test_share.h"
-#include "space_cases.h"
 #include "space_oracle.h"
 
-namespace plumb {
+namespace plumb::plane_table_test {
 namespace {
 
 using oracle::Int;
@@ -458,4 +458,4 @@ TEST(PlaneTable, CopiesOfAPartHoldThatPart) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::plane_table_test

@@ -16,15 +16,15 @@
 
 #include "fixed_rungs.h"
 #include "float_environment.h"
+#include "generate/space_cases.h"
 #include "generate/test_share.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/predicates/space/point3_table.h"
 #include "plumb/predicates/space/rounded_point3.h"
-#include "space_cases.h"
 #include "space_oracle.h"
 
-namespace plumb {
+namespace plumb::point3_signs_test {
 namespace {
 
 using fixed_rungs::Fixed3;
@@ -425,4 +425,4 @@ TEST(Point3Signs, EqualPointsOfAllKinds) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::point3_signs_test

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "float_environment.h"
+#include "generate/space_cases.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rounding.h"
-#include "space_cases.h"
 
 namespace plumb::point3_table_test {
 

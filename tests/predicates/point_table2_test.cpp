@@ -18,7 +18,7 @@
 #include "plane_oracle.h"
 #include "plumb/predicates/rounding.h"
 
-namespace plumb {
+namespace plumb::point_table2_test {
 namespace {
 
 /// What the predicates below must answer for one set of eight points.
@@ -161,9 +161,9 @@ void check_case(const EightPoints& points, bool in_all_modes, Score& score) {
   if (in_all_modes) check_exact_points(t, points, answers, score);
 }
 
-class Families : public ::testing::TestWithParam<PlaneFamily> {};
+class PointTable2Families : public ::testing::TestWithParam<PlaneFamily> {};
 
-TEST_P(Families, NoWrongAnswerOnAnyRung) {
+TEST_P(PointTable2Families, NoWrongAnswerOnAnyRung) {
   const std::uint64_t wanted = testing::case_count(600000) / plane_families().size();
   TestRandom random(20250101);
   Score score;
@@ -175,7 +175,7 @@ TEST_P(Families, NoWrongAnswerOnAnyRung) {
               score.asked, score.wrong, score.by_filter, score.by_exact);
 }
 
-INSTANTIATE_TEST_SUITE_P(Plane, Families, ::testing::ValuesIn(plane_families()));
+INSTANTIATE_TEST_SUITE_P(Plane, PointTable2Families, ::testing::ValuesIn(plane_families()));
 
 /// A rung that never answers would pass the test above.
 TEST(Rungs, AnswerWhereTheyShould) {
@@ -366,4 +366,4 @@ TEST(Laws, LinesThroughAPointCrossThere) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::point_table2_test

@@ -10,7 +10,7 @@
 
 #include "plumb/predicates/plane/plane_points.h"
 
-namespace plumb {
+namespace plumb::polygon_test {
 namespace {
 
 std::vector<std::uint32_t> all_of(const PointTable2& points) {
@@ -119,4 +119,4 @@ TEST(PolygonArea, OfAFewCornersOrASymmetricBowTieIsNothing) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::polygon_test

@@ -7,7 +7,7 @@
 #include "plumb/predicates/arithmetic/double_bits.h"
 #include "plumb/predicates/input_predicates.h"
 
-namespace plumb::test {
+namespace plumb::test::predicate_properties_test {
 namespace {
 
 /// rc::check prints its seed and a shrunk counterexample.
@@ -148,4 +148,4 @@ TEST(PredicateProperties, SignsObeyGrassmannPluecker) {
 }
 
 }  // namespace
-}  // namespace plumb::test
+}  // namespace plumb::test::predicate_properties_test

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "float_environment.h"
+#include "generate/space_cases.h"
 #include "plumb/predicates/rounding.h"
-#include "space_cases.h"
 
-namespace plumb {
+namespace plumb::query_point3_test {
 namespace {
 
 using cases::integer;
@@ -160,4 +160,4 @@ TEST(QueryPoint3, OfATableIsThatPoint) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::query_point3_test

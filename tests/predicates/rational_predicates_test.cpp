@@ -7,7 +7,7 @@
 #include "predicate_cases.h"
 #include "predicate_oracle.h"
 
-namespace plumb::test {
+namespace plumb::test::rational_predicates_test {
 namespace {
 
 RationalPoint2 rational(const std::array<double, 2>& p) { return {Rational(p[0]), Rational(p[1])}; }
@@ -71,4 +71,4 @@ TEST(RationalPredicates, KnowTheUnitCircleAndSphere) {
 }
 
 }  // namespace
-}  // namespace plumb::test
+}  // namespace plumb::test::rational_predicates_test

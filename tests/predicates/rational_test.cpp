@@ -18,7 +18,7 @@
 #include "plumb/predicates/boost_rational.h"
 #include "plumb/predicates/error.h"
 
-namespace plumb {
+namespace plumb::rational_test {
 namespace {
 
 using BigInt = boost::multiprecision::cpp_int;
@@ -460,4 +460,4 @@ TEST(Rational, LetsGmpChangeIt) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::rational_test

@@ -19,7 +19,7 @@
 #include "plumb/predicates/space/point3_exact.h"
 #include "plumb/predicates/space/point3_table.h"
 
-namespace plumb {
+namespace plumb::rounded_point3_test {
 namespace {
 
 /// What the filter tells is what exact numbers say; of points in general position it tells nearly
@@ -314,4 +314,4 @@ TEST(RoundedPoint3, IsExactOnlyIfAllCoordinatesAre) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::rounded_point3_test

@@ -16,7 +16,7 @@
 #include "generate/test_share.h"
 #include "plane_families.h"
 
-namespace plumb {
+namespace plumb::rounding_test {
 namespace {
 
 Rational power(int exponent) {
@@ -239,4 +239,4 @@ TEST(Rounding, LongNumbers) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::rounding_test

@@ -16,7 +16,7 @@
 #include "plumb/predicates/rational_predicates.h"
 #include "plumb/predicates/space/query_point3.h"
 
-namespace plumb {
+namespace plumb::rung_counters_test {
 namespace {
 
 #ifdef PLUMB_COUNT_RUNGS
@@ -227,4 +227,4 @@ TEST(RungCounters, HaveNames) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::rung_counters_test

@@ -17,7 +17,7 @@
 #include "plumb/predicates/space/point3_table.h"
 #include "predicate_oracle.h"
 
-namespace plumb::test {
+namespace plumb::test::rung_reach_test {
 namespace {
 
 /// Points near given ones, times 2^scale.
@@ -260,4 +260,4 @@ TEST(Rungs, ExactDecidesCrossingsThatFit) {
 }
 
 }  // namespace
-}  // namespace plumb::test
+}  // namespace plumb::test::rung_reach_test

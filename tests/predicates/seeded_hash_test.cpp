@@ -10,7 +10,7 @@
 #include <string>
 #include <unordered_set>
 
-namespace plumb {
+namespace plumb::seeded_hash_test {
 namespace {
 
 using Key = std::array<std::uint64_t, 3>;
@@ -83,4 +83,4 @@ TEST(SeededHash, IsTheSameEachTime) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::seeded_hash_test

@@ -13,7 +13,7 @@
 #include "plane_oracle.h"
 #include "plumb/predicates/rounding.h"
 
-namespace plumb {
+namespace plumb::segment2_test {
 namespace {
 
 // ---------------------------------------------------------------- brute force
@@ -134,9 +134,9 @@ void check_case(const EightPoints& points, Score& score, testing_environment::Se
   if (doubles) check_segments(oracle, *doubles, score);
 }
 
-class Families : public ::testing::TestWithParam<PlaneFamily> {};
+class Segment2Families : public ::testing::TestWithParam<PlaneFamily> {};
 
-TEST_P(Families, NoWrongAnswer) {
+TEST_P(Segment2Families, NoWrongAnswer) {
   const std::uint64_t wanted = testing::case_count(200000) / plane_families().size();
   const auto modes = testing_environment::kSettings;
   TestRandom random(20250102);
@@ -149,7 +149,7 @@ TEST_P(Families, NoWrongAnswer) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Plane, Families, ::testing::ValuesIn(plane_families()));
+INSTANTIATE_TEST_SUITE_P(Plane, Segment2Families, ::testing::ValuesIn(plane_families()));
 
 TEST(Segment2, EveryRelationOccurs) {
   TestRandom random(1);
@@ -212,4 +212,4 @@ TEST(Laws, OrderAlongFollowsTheParameter) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::segment2_test

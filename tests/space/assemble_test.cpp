@@ -27,7 +27,8 @@ using testing::operator*;
 /// A complex with random marks.
 SpaceComplex marked(const SpaceScene& scene, Dice& dice) {
   SpaceComplex c = testing::complex_of(scene);
-  for (auto* marks : {&c.vertex_mark, &c.edge_mark, &c.facet_mark, &c.volume_mark}) {
+  for (auto* marks : std::initializer_list<std::vector<Mark>*>{&c.vertex_mark, &c.edge_mark,
+                                                               &c.facet_mark, &c.volume_mark}) {
     for (Mark& m : *marks) m = static_cast<Mark>(dice.below(2));
   }
   return c;
@@ -147,7 +148,7 @@ SpaceScene difficult_scene() {
 TEST(Assemble, NothingIsOneVolume) {
   const auto tables = std::make_shared<SpaceTables>();
   Context context;
-  const SpaceComplex c = join(SpaceDraft(tables), context);
+  const SpaceComplex c = assemble(SpaceDraft(tables), context);
   EXPECT_EQ(c.volume_mark, std::vector<Mark>{0});
   EXPECT_EQ(c.vertex_count() + c.edge_count() + c.facet_count(), 0U);
   EXPECT_FALSE(audit(c, AuditForm::Minimal));
@@ -164,7 +165,7 @@ TEST(Assemble, JoinsWhatWasTakenApart) {
     // From the last vertex to the first, so that no number is kept by chance.
     for (std::size_t v = c.vertex_count(); v-- > 0;) pieces.add(VertexId(v));
     pieces.face_ends();
-    expect_same(c, join(std::move(pieces.draft), context));
+    expect_same(c, assemble(std::move(pieces.draft), context));
   }
 }
 
@@ -185,7 +186,7 @@ TEST(Assemble, PlacesInsideEdgesAreSpliced) {
     }
     pieces.face(open, pieces.point_of[2 * e + 1]);
   }
-  expect_same(c, join(std::move(pieces.draft), context));
+  expect_same(c, assemble(std::move(pieces.draft), context));
 }
 
 TEST(Assemble, DraftsAreAppendedAndCutBack) {
@@ -210,7 +211,7 @@ TEST(Assemble, DraftsAreAppendedAndCutBack) {
     first.draft.resize(cut, end.point, end.arc, end.face);
     first.draft.reserve_more(c.vertex_count(), 1, 2, 3);
     first.draft.append(second.draft);
-    expect_same(c, join(std::move(first.draft), context));
+    expect_same(c, assemble(std::move(first.draft), context));
   }
 }
 

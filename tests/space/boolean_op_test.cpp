@@ -28,7 +28,8 @@ using testing::SpaceScene;
 /// The bounded volumes are full; the other marks are 1, or random, in minimal form.
 SpaceComplex full(const SpaceScene& scene, Dice* dice = nullptr) {
   SpaceComplex c = testing::complex_of(scene);
-  for (auto* marks : {&c.vertex_mark, &c.edge_mark, &c.facet_mark, &c.volume_mark}) {
+  for (auto* marks : std::initializer_list<std::vector<Mark>*>{&c.vertex_mark, &c.edge_mark,
+                                                               &c.facet_mark, &c.volume_mark}) {
     for (Mark& m : *marks) m = dice == nullptr || dice->below(3) != 0 ? 1 : 0;
   }
   c.volume_mark[0] = 0;
@@ -130,7 +131,8 @@ TEST(BooleanOp, TablesOfMarksAreCombinedOnGivenTables) {
   Context context;
   Dice dice(9);
   SpaceComplex a = box({0, 0, 0}, {2, 2, 2}), b = box({1, 0, 1}, {3, 2, 2});
-  for (auto* marks : {&b.vertex_mark, &b.edge_mark, &b.facet_mark}) {
+  for (auto* marks :
+       std::initializer_list<std::vector<Mark>*>{&b.vertex_mark, &b.edge_mark, &b.facet_mark}) {
     marks->assign(marks->size(), 0);  // open, so that what lies in facets of both differs
   }
   const auto tables = unite_tables(a, b);
@@ -139,7 +141,7 @@ TEST(BooleanOp, TablesOfMarksAreCombinedOnGivenTables) {
     asked.push_back({of_a, of_b});
     return 77U;
   };
-  const SpaceComplex c = combine_on(tables, a, b, MarkTable::unequal(), origin, context);
+  const SpaceComplex c = boolean_op_on(tables, a, b, MarkTable::unequal(), origin, context);
   EXPECT_EQ(c.tables, tables);
   expect_minimal(c);
   EXPECT_FALSE(asked.empty());
@@ -170,7 +172,7 @@ TEST(BooleanOp, HalfSpacesAndPlanesCut) {
     const OrientedPlane plane = tables->planes.intern(sign * x, sign * y, sign, sign * d);
     const PlaneSet h = sets[seed % sets.size()];
     const MarkFunction f = seed % 3 == 0 ? kIntersection : kDifference;
-    const SpaceComplex c = combine_with_plane(a, plane, h, f, tables, context);
+    const SpaceComplex c = boolean_op_with_plane(a, plane, h, f, tables, context);
     expect_minimal(c);
     const Marks of_a(a), of_c(c);
     for (const RationalPoint3& p : samples({&a, &c}, dice)) {

@@ -23,7 +23,7 @@
 #include "plumb/space/space_audit.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::canonical_test {
 namespace {
 
 std::string text_of(const Nef3& set) {
@@ -276,4 +276,4 @@ TEST(Canonical, CanBeStoppedAndLimited) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::canonical_test

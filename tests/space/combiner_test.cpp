@@ -30,7 +30,9 @@ SpaceComplex marked_box(const RationalPoint3& low, const RationalPoint3& high) {
   SpaceScene scene;
   testing::add_box(scene, low, high);
   SpaceComplex c = testing::complex_of(scene);
-  for (auto* marks : {&c.vertex_mark, &c.edge_mark, &c.facet_mark}) marks->assign(marks->size(), 1);
+  for (auto* marks :
+       std::initializer_list<std::vector<Mark>*>{&c.vertex_mark, &c.edge_mark, &c.facet_mark})
+    marks->assign(marks->size(), 1);
   c.volume_mark = {0, 1};
   return c;
 }
@@ -47,7 +49,8 @@ SpaceComplex random_operand(Dice& dice) {
   scene.add_free_edge({number(0, 6), -2, 0}, {number(0, 6), -3, 3});
   scene.add_point({number(0, 6), -5, 1});
   SpaceComplex c = testing::complex_of(scene);
-  for (auto* marks : {&c.vertex_mark, &c.edge_mark, &c.facet_mark}) {
+  for (auto* marks :
+       std::initializer_list<std::vector<Mark>*>{&c.vertex_mark, &c.edge_mark, &c.facet_mark}) {
     for (Mark& m : *marks) m = static_cast<Mark>(dice.below(4) == 0 ? 0 : 1);
   }
   for (std::size_t v = 1; v < c.volume_count(); ++v) c.volume_mark[v] = dice.below(3) == 0 ? 0 : 1;
@@ -60,7 +63,7 @@ struct Operands {
       : a(std::move(first)),
         b(std::move(second)),
         tables(unite_tables(a, b)),
-        contacts(meet(a, b, *tables, context)),
+        contacts(find_contacts(a, b, *tables, context)),
         touched{TouchedComplex(a, contacts, 0), TouchedComplex(b, contacts, 1)},
         labels{label_vertices(touched[0], b, contacts, 0, *tables, context),
                label_vertices(touched[1], a, contacts, 1, *tables, context)} {}
@@ -68,8 +71,8 @@ struct Operands {
   Combiner combiner(const MarkTable& f, const CommonOrigin& origin) const {
     return {{&a, &b}, tables, contacts, f, origin};
   }
-  SpaceComplex joined(CombinedDraft draft) {
-    SpaceComplex result = join(std::move(draft.vertices), context);
+  SpaceComplex assembled(CombinedDraft draft) {
+    SpaceComplex result = assemble(std::move(draft.vertices), context);
     if (result.vertex_count() == 0) result.volume_mark[0] = draft.outside;
     return result;
   }
@@ -77,7 +80,7 @@ struct Operands {
     Combiner one = combiner(f, origin);
     one.overlay_contacts(context);
     for (const std::size_t i : {0U, 1U}) one.keep_vertices(i, touched[i], labels[i], context);
-    return joined(one.finish());
+    return assembled(one.finish());
   }
 
   Context context;
@@ -186,7 +189,7 @@ TEST(Combiner, PartsMakeTheWhole) {
     }
     Combiner all = o.combiner(f, kLesser);
     all.append(parts);
-    const SpaceComplex joined = o.joined(all.finish());
+    const SpaceComplex joined = o.assembled(all.finish());
     EXPECT_FALSE(audit(joined, AuditForm::Minimal));
     EXPECT_TRUE(Nef3::from_complex(joined) == Nef3::from_complex(o.whole(f)));
   }

@@ -204,7 +204,7 @@ bool holds(const Box3& box, const Box3& part) {
 /// A leaf without a surface has a box because of what belongs to it; a vertex, an edge belongs to
 /// one leaf, whose box holds it.
 void expect_owned(const SpaceComplex& c) {
-  const MeetLeaves leaves(c, box_of(c));
+  const ContactLeaves leaves(c, box_of(c));
   LeafCache cache(leaves);
   std::vector<int> vertices(c.vertex_count(), 0), edges(c.edge_count(), 0);
   for (std::size_t i = 0; i < leaves.boxes().size(); ++i) {
@@ -276,13 +276,14 @@ TEST(ContactLeaves, AreFewWithinReach) {
   const Nef3 prism = testing::solid(sides_then_caps(12));
   const SpaceComplex& c = prism.complex();
   expect_owned(c);
-  EXPECT_EQ(MeetLeaves(c, box_of(c)).boxes().size(), 14U);  // corners of caps belong to sides
-  EXPECT_TRUE(MeetLeaves(c, box_of(c)).large_facets().empty());
-  EXPECT_EQ(MeetLeaves(c, Box3{{-9, -99, 5}, {99, 99, 9}}).boxes().size(), 13U);  // not the bottom
-  EXPECT_TRUE(MeetLeaves(c, Box3{{-9, -99, 6}, {99, 99, 9}}).boxes().empty());
+  EXPECT_EQ(ContactLeaves(c, box_of(c)).boxes().size(), 14U);  // corners of caps belong to sides
+  EXPECT_TRUE(ContactLeaves(c, box_of(c)).large_facets().empty());
+  EXPECT_EQ(ContactLeaves(c, Box3{{-9, -99, 5}, {99, 99, 9}}).boxes().size(),
+            13U);  // not the bottom
+  EXPECT_TRUE(ContactLeaves(c, Box3{{-9, -99, 6}, {99, 99, 9}}).boxes().empty());
   const SpaceComplex flat = comb(3, kLays[0]), large = comb(9, kLays[0]);
-  EXPECT_TRUE(MeetLeaves(flat, box_of(flat)).large_facets().empty()) << "25 corners";
-  EXPECT_EQ(MeetLeaves(large, box_of(large)).large_facets().size(), 1U);
+  EXPECT_TRUE(ContactLeaves(flat, box_of(flat)).large_facets().empty()) << "25 corners";
+  EXPECT_EQ(ContactLeaves(large, box_of(large)).large_facets().size(), 1U);
 }
 
 }  // namespace

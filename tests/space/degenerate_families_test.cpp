@@ -17,7 +17,7 @@
 #include "plumb/space/space_audit.h"
 #include "plumb/space/space_measure.h"
 
-namespace plumb::testing {
+namespace plumb::testing::degenerate_families_test {
 namespace {
 
 /// Whatever way its faces turn.
@@ -467,4 +467,4 @@ TEST(DegenerateFamilies, FarAndNearNumbersTogether) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::degenerate_families_test

@@ -20,7 +20,7 @@
 #include "plumb/surface/exponential_map.h"
 #include "plumb/surface/surface.h"
 
-namespace plumb::testing {
+namespace plumb::testing::embedding_test {
 namespace {
 
 using Doubles = std::vector<double>;
@@ -237,4 +237,4 @@ TEST(Threads, may_share_a_mesh_as_a_surface) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::embedding_test

@@ -19,7 +19,7 @@
 #include "plumb/space/space_measure.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::facet_site_test {
 namespace {
 
 Nef3 box(Point3 low, Point3 high) { return solid(box_mesh(low, high)); }
@@ -199,4 +199,4 @@ TEST(LargeFacets, StarsOverStars) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::facet_site_test

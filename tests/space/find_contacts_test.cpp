@@ -12,7 +12,7 @@
 #include "oracle/contacts.h"
 #include "plumb/predicates/point3_signs.h"
 
-namespace plumb {
+namespace plumb::find_contacts_test {
 namespace {
 
 using testing::BigRational;
@@ -40,7 +40,7 @@ void check(const Scene& scene, Dice& dice, Census& census) {
   const SpaceComplex a = build_complex(scene.a, tables, dice);
   const SpaceComplex b = build_complex(scene.b, tables, dice);
   Context context;
-  const std::vector<Contact> contacts = meet(a, b, *tables, context);
+  const std::vector<Contact> contacts = find_contacts(a, b, *tables, context);
   const std::vector<ExpectedContact> expected = contacts_by_force(scene.a, a, scene.b, b);
   std::vector<std::string> found_names, expected_names;
   for (const Contact& c : contacts) found_names.push_back(name_of(c.a, c.b));
@@ -77,7 +77,7 @@ ComplexDraft random_box(Dice& dice, int size) {
   return testing::box_draft(low, low + ExactPoint3{1, 1, 1} + random_point(dice, 2));
 }
 
-/// Not convex; more corners than a leaf of meet() takes.
+/// Not convex; more corners than a leaf of find_contacts() takes.
 ComplexDraft random_prism(Dice& dice, int) {
   const std::vector<std::vector<std::array<int, 2>>> kPolygons = {
       {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}},
@@ -243,7 +243,7 @@ std::size_t contact_count(const ComplexDraft& a, const ComplexDraft& b) {
   Dice dice(1);
   const SpaceComplex x = build_complex(a, tables, dice), y = build_complex(b, tables, dice);
   Context context;
-  return meet(x, y, *tables, context).size();
+  return find_contacts(x, y, *tables, context).size();
 }
 
 TEST(Meet, ApartOrEmptyHasNone) {
@@ -276,8 +276,8 @@ TEST(Meet, StopsWhenAsked) {
   std::stop_source source;
   source.request_stop();
   Context context({}, source.get_token());
-  EXPECT_ANY_THROW(meet(x, x, *tables, context));
+  EXPECT_ANY_THROW(find_contacts(x, x, *tables, context));
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::find_contacts_test

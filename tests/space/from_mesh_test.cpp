@@ -12,7 +12,7 @@
 #include "plumb/space/mesh/mesh_vertices.h"
 #include "space/complex_links.h"
 
-namespace plumb::testing {
+namespace plumb::testing::from_mesh_test {
 namespace {
 
 using FacePair = MeshReport::FacePair;
@@ -291,4 +291,4 @@ TEST(FromMesh, FarAndTinyCoordinates) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::from_mesh_test

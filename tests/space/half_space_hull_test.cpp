@@ -21,7 +21,7 @@
 #include "plumb/space/space_audit.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb {
+namespace plumb::half_space_hull_test {
 namespace {
 
 using testing::Dice;
@@ -275,4 +275,4 @@ TEST(EightHalfSpaces, CostLittleMoreThanInABox) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::half_space_hull_test

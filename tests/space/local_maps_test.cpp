@@ -31,8 +31,9 @@ class MapCheck {
   MapCheck(const SpaceScene& scene, Dice& dice)
       : dice_(dice), complex_(testing::complex_of(scene)), tables_(copy(*complex_.tables)) {
     complex_.tables = tables_;
-    for (auto* marks : {&complex_.vertex_mark, &complex_.edge_mark, &complex_.facet_mark,
-                        &complex_.volume_mark}) {
+    for (std::vector<Mark>* marks :
+         std::initializer_list<std::vector<Mark>*>{&complex_.vertex_mark, &complex_.edge_mark,
+                                                   &complex_.facet_mark, &complex_.volume_mark}) {
       for (Mark& m : *marks) m = static_cast<Mark>(dice.below(2));
     }
     planes_ = complex_.facet_plane;

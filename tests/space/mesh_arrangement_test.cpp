@@ -15,7 +15,7 @@
 #include "plumb/space/space_measure.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::mesh_arrangement_test {
 namespace {
 
 constexpr MeshRule kRules[] = {MeshRule::Positive, MeshRule::NonZero, MeshRule::Odd};
@@ -447,4 +447,4 @@ TEST(MeshArrangement, FacetsOfFractions) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::mesh_arrangement_test

@@ -13,7 +13,7 @@
 #include "plumb/space/nef3.h"
 #include "plumb/space/to_mesh.h"
 
-namespace plumb::testing {
+namespace plumb::testing::mesh_arrays_test {
 namespace {
 
 using Doubles = std::vector<double>;
@@ -192,4 +192,4 @@ TEST(MeshArrays, refuse_sizes_that_do_not_agree) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::mesh_arrays_test

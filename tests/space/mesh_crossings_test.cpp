@@ -17,7 +17,7 @@
 #include "plumb/space/from_mesh.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::mesh_crossings_test {
 namespace {
 
 using FacetPair = std::pair<FacetId, FacetId>;
@@ -474,4 +474,4 @@ TEST(MeshCrossings, ListsAreCutCountsAreNot) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::mesh_crossings_test

@@ -15,7 +15,7 @@
 #include "plumb/space/from_mesh.h"
 #include "plumb/space/nef3.h"
 
-namespace plumb::testing {
+namespace plumb::testing::mesh_vertices_test {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
@@ -217,4 +217,4 @@ TEST(MeshOrder, TakesAnyExtent) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::mesh_vertices_test

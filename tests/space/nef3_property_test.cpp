@@ -8,7 +8,7 @@
 #include "oracle/program_property.h"
 #include "oracle/set_laws.h"
 
-namespace plumb::testing {
+namespace plumb::testing::nef3_property_test {
 namespace {
 
 constexpr std::size_t kMaxPlanes = 9;
@@ -98,4 +98,4 @@ TEST(Nef3, OfAnyProgramsObeyTheLaws) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::nef3_property_test

@@ -10,7 +10,7 @@
 #include "plumb/predicates/error.h"
 #include "plumb/space/space_audit.h"
 
-namespace plumb::testing {
+namespace plumb::testing::nef3_queries_test {
 namespace {
 
 using Range = std::array<int, 2>;
@@ -222,4 +222,4 @@ TEST(SelectiveBooleans, CountOthersAsUnmarked) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::nef3_queries_test

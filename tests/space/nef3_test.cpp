@@ -12,7 +12,7 @@
 #include "plumb/space/boolean/frame.h"
 #include "plumb/space/space_audit.h"
 
-namespace plumb {
+namespace plumb::nef3_test {
 namespace {
 
 using testing::solid;
@@ -476,4 +476,4 @@ TEST(Nef3, GiantAndTinyTogether) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::nef3_test

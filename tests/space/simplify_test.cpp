@@ -21,7 +21,7 @@
 #include "plumb/testing/dice.h"
 #include "space/complex_links.h"
 
-namespace plumb::testing {
+namespace plumb::testing::simplify_test {
 namespace {
 
 /// Closed meshes as solids, others as surfaces; facets and edges as they are in the mesh.
@@ -249,4 +249,4 @@ TEST(CoplanarMerge, NamesFacetsByTheirCorners) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::simplify_test

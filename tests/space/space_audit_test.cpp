@@ -15,7 +15,7 @@
 #include "plumb/space/boolean/frame.h"
 #include "plumb/space/from_mesh.h"
 
-namespace plumb::testing {
+namespace plumb::testing::space_audit_test {
 namespace {
 
 // ---------------------------------------------------------------- complexes to damage
@@ -656,4 +656,4 @@ TEST(SpaceAudit, KeepsToItsLimits) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::space_audit_test

@@ -18,7 +18,7 @@
 #include "plumb/space/nef3.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::space_convexity_test {
 namespace {
 
 /// A set of the engine and the expression it was made by.
@@ -395,4 +395,4 @@ TEST(Convexity, RandomSetsAgainstSegments) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::space_convexity_test

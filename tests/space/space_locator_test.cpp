@@ -28,7 +28,7 @@ static std::ostream& operator<<(std::ostream& out, const RationalPoint3& p) {
   return out << p.x << ' ' << p.y << ' ' << p.z;
 }
 
-namespace testing {
+namespace testing::space_locator_test {
 namespace {
 
 bool is_zero(const RationalPoint3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
@@ -446,5 +446,5 @@ TEST(SpaceLocator, EmptyComplex) {
 }
 
 }  // namespace
-}  // namespace testing
+}  // namespace testing::space_locator_test
 }  // namespace plumb

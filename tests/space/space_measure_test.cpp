@@ -14,7 +14,7 @@
 #include "plumb/space/space_locator.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::space_measure_test {
 namespace {
 
 RationalPoint3 at(int x, int y, int z) { return rational_point(x, y, z); }
@@ -202,4 +202,4 @@ TEST(SpaceMeasure, KeepsToLimits) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::space_measure_test

@@ -83,7 +83,7 @@ TEST(SpaceRay, MeetsTrianglesAsExactly) {
       if (dot(cross(p[1] - p[0], p[2] - p[0]), d) == 0) continue;
       const std::optional<Met> expected = meet(p, o, d);
       std::vector<SpaceRayHit> hits;
-      ray.meet(FacetId(f), hits);
+      ray.add_hits(FacetId(f), hits);
       ASSERT_EQ(hits.size(), expected ? 1U : 0U) << round;
       if (!expected) continue;
       EXPECT_FALSE(ray.passes_by(FacetId(f)));
@@ -108,7 +108,7 @@ TEST(SpaceRay, MeetsTheBoundaryOfWhatItRunsAlong) {
   const auto hits_from = [&](const RationalPoint3& o) {
     const QueryPoint3 origin(o);
     std::vector<SpaceRayHit> hits;
-    SpaceRay(c, origin, 0, false).meet(FacetId(0), hits);
+    SpaceRay(c, origin, 0, false).add_hits(FacetId(0), hits);
     return hits.size();
   };
   EXPECT_EQ(hits_from(rational_point(9, 1, 0)), 2U);

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "generate/space_cases.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
-#include "space_cases.h"
 
-namespace plumb {
+namespace plumb::space_tables_test {
 namespace {
 
 /// Tables with the planes and points that questions are asked about.
@@ -270,4 +270,4 @@ TEST(SpaceTables, AddsPointsWithAnyExactCoordinates) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::space_tables_test

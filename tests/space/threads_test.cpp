@@ -20,7 +20,7 @@
 #include "plumb/space/to_mesh.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::threads_test {
 namespace {
 
 constexpr unsigned kMostThreads = 4;
@@ -146,4 +146,4 @@ TEST(Threads, ObeyLimitsAndStops) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::threads_test

@@ -13,7 +13,7 @@
 #include "plumb/space/rounded_mesh.h"
 #include "space/complex_links.h"
 
-namespace plumb::testing {
+namespace plumb::testing::to_mesh_test {
 namespace {
 
 MeshComplex complex_of(const PolygonMesh& mesh) {
@@ -288,4 +288,4 @@ TEST(ToMesh, CoordinatesAreRoundedTheSameWithoutExactOnes) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::to_mesh_test

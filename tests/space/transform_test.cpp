@@ -9,7 +9,7 @@
 #include "plumb/space/boolean/frame.h"
 #include "plumb/space/space_audit.h"
 
-namespace plumb::testing {
+namespace plumb::testing::transform_test {
 namespace {
 
 // ---------------------------------------------------------------- maps
@@ -183,7 +183,7 @@ TEST(MappedSets, HoldTheMappedPoints) {
     const SpaceCells cells = cells_of(*set);
     const CellMarks marks = marks_of(*set, cells);
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      EXPECT_EQ(image.contains(to_rational(testing::image(map, cells[c].point))), marks[c]);
+      EXPECT_EQ(image.contains(to_rational(transform_test::image(map, cells[c].point))), marks[c]);
     }
   }
 }
@@ -239,4 +239,4 @@ TEST(MappedSets, KeepNoPlaneOfABox) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::transform_test

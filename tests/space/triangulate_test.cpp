@@ -14,7 +14,7 @@
 #include "plumb/space/complex/space_tables.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::triangulate_test {
 namespace {
 
 struct Region {
@@ -282,4 +282,4 @@ TEST(FlatPoints, TurnAndComeAsRationalsSay) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::triangulate_test

@@ -54,7 +54,7 @@ struct Meeting {
       : a(random_operand(dice)),
         b(random_operand(dice)),
         tables(unite_tables(a, b)),
-        contacts(meet(a, b, *tables, context)) {}
+        contacts(find_contacts(a, b, *tables, context)) {}
 
   Context context;
   SpaceComplex a;
@@ -147,7 +147,8 @@ SpaceComplex solid_complex(const PolygonMesh& mesh) {
   label_volumes(c, context);
   const std::vector<std::int32_t> winding = winding_numbers(c, made.jump);
   for (std::size_t v = 0; v < winding.size(); ++v) c.volume_mark[v] = winding[v] > 0 ? 1 : 0;
-  for (auto* marks : {&c.vertex_mark, &c.edge_mark, &c.facet_mark}) {
+  for (auto* marks :
+       std::initializer_list<std::vector<Mark>*>{&c.vertex_mark, &c.edge_mark, &c.facet_mark}) {
     marks->assign(marks->size(), 1);
   }
   return std::move(c);
@@ -234,7 +235,7 @@ TEST(VertexCarrier, SimplifiedVerticesMakeAMinimalComplex) {
   }
   carrier.face_ends();
   EXPECT_EQ(draft.vertex_count(), 8U + 12U * 2U);
-  const SpaceComplex joined = join(std::move(draft), context);
+  const SpaceComplex joined = assemble(std::move(draft), context);
   EXPECT_FALSE(audit(joined, AuditForm::Minimal));
   EXPECT_EQ(joined.vertex_count(), 8U);
   EXPECT_EQ(joined.edge_count(), 12U);

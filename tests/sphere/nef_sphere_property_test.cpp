@@ -6,7 +6,7 @@
 #include "oracle/set_laws.h"
 #include "plumb/sphere/sphere_locator.h"
 
-namespace plumb::testing {
+namespace plumb::testing::nef_sphere_property_test {
 namespace {
 
 class RandomSpheres : public ::testing::TestWithParam<int> {
@@ -170,4 +170,4 @@ TEST(NefSpherePrograms, OfAnyBytesAreThoseOfTheTwin) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::nef_sphere_property_test

@@ -12,7 +12,7 @@
 #include "plumb/predicates/error.h"
 #include "plumb/sphere/overlay/sphere_overlay.h"
 
-namespace plumb::testing {
+namespace plumb::testing::nef_sphere_test {
 namespace {
 
 const SphereVector kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
@@ -256,4 +256,4 @@ TEST(NefSphere, OfAnyProgramIsTheTwins) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::nef_sphere_test

@@ -15,7 +15,7 @@
 #include "plumb/predicates/error.h"
 #include "plumb/sphere/nef_sphere.h"
 
-namespace plumb::testing {
+namespace plumb::testing::sphere_locator_test {
 namespace {
 
 const SphereVector kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
@@ -124,4 +124,4 @@ TEST(SphereLocator, AsksFewOfManyThings) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::sphere_locator_test

@@ -9,7 +9,7 @@
 #include "oracle/sphere_check.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::sphere_overlay_test {
 namespace {
 
 MarkFunction function_of(unsigned bits) {
@@ -199,4 +199,4 @@ TEST(SphereOverlay, OfLunesAndACircleIsTheTwins) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::sphere_overlay_test

@@ -18,7 +18,7 @@
 #include "plumb/surface/trace.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::exponential_map_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -384,4 +384,4 @@ TEST(ExponentialMap, DegenerateMeshes) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::exponential_map_test

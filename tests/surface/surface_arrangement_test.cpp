@@ -12,7 +12,7 @@
 #include "divided.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::surface_arrangement_test {
 namespace {
 
 // ---------------------------------------------------------------- laws
@@ -269,4 +269,4 @@ TEST(SurfaceDivision, CellsOfASphereFollowFromCrossings) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::surface_arrangement_test

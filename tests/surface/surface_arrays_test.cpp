@@ -12,7 +12,7 @@
 #include "plumb/predicates/error.h"
 #include "plumb/space/nef3.h"
 
-namespace plumb::testing {
+namespace plumb::testing::surface_arrays_test {
 namespace {
 
 using Doubles = std::vector<double>;
@@ -91,7 +91,8 @@ TEST(SurfaceArrays, of_a_divided_surface_bound_the_same_solid) {
       std::make_shared<const SurfaceMesh>(surface_of(mesh_of_triangles(kCorners, kTriangles)));
   SurfacePolygons polygons(*mesh);
   for (const auto& [u, v] : {std::pair(.25, .25), std::pair(.5, .25), std::pair(.25, .5)}) {
-    polygons.add_segment(polygons.points.add_in_face(FaceId(0), u, v), FaceId(0), true);
+    polygons.add_segment(polygons.points.add_in_face(FaceId(0), u, v), FaceId(0),
+                         SegmentStart::ControlPoint);
   }
   polygons.close();
   const SurfaceDivision division({mesh, polygons, {}, FaceId(1)}, context);
@@ -117,4 +118,4 @@ TEST(SurfaceArrays, refuse_what_is_no_surface) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::surface_arrays_test

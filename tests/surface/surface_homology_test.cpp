@@ -152,7 +152,7 @@ TEST(SurfaceHomology, BoundariesOfFacesAreZero) {
     for (std::uint32_t f = 0; f < mesh->face_count(); ++f) {
       for (std::size_t i = 0; i < 3; ++i) {
         polygons.add_segment(polygons.points.add_vertex(mesh->corner(FaceId(f), i)), FaceId(f),
-                             true);
+                             SegmentStart::ControlPoint);
       }
       polygons.close();
       EXPECT_EQ(h.class_of(polygons, f), zero) << f;
@@ -183,7 +183,7 @@ TEST(SurfaceHomology, HolesAddNoGenerators) {
     }
     EXPECT_TRUE(open.is_border(HalfedgeId(side)));
     polygons.add_segment(polygons.points.add_vertex(VertexId(hole[i])),
-                         SurfaceMesh::face(HalfedgeId(side)), true);
+                         SurfaceMesh::face(HalfedgeId(side)), SegmentStart::ControlPoint);
   }
   polygons.close();
   require_valid(polygons);

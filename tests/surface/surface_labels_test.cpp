@@ -21,7 +21,7 @@
 #include "plumb/surface/surface.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::surface_labels_test {
 namespace {
 
 constexpr WindingRule kRules[] = {WindingRule::EvenOdd, WindingRule::NonZero,
@@ -45,7 +45,8 @@ SurfaceScene both(const SurfaceScene& scene, const SurfaceScene& result) {
     for (std::uint32_t i = result.polygons.begin[p]; i < result.polygons.begin[p + 1]; ++i) {
       const FaceId f = result.polygons.face[i];
       const RationalPoint2 at = result.polygons.points.exact_in(result.polygons.point[i], f);
-      sum.polygons.add_segment(sum.polygons.points.add_in_face(f, at.x, at.y), f, true);
+      sum.polygons.add_segment(sum.polygons.points.add_in_face(f, at.x, at.y), f,
+                               SegmentStart::ControlPoint);
     }
     sum.polygons.close();
   }
@@ -329,4 +330,4 @@ TEST(SurfaceDivision, JumpsAreChargedWhileTheyLive) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::surface_labels_test

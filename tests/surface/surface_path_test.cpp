@@ -148,7 +148,7 @@ TEST(SurfacePath, PolygonsNameTheSegmentThatLeavesItsFace) {
   leg.faces = {FaceId(0), FaceId(0)};
   polygons.close();  // one without segments
   polygons.add_leg(leg);
-  polygons.add_segment(leg.points[2], FaceId(0), true);
+  polygons.add_segment(leg.points[2], FaceId(0), SegmentStart::ControlPoint);
   polygons.close();
   require_valid(polygons);
   EXPECT_EQ(polygons.size(), 2U);

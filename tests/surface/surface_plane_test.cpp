@@ -12,7 +12,7 @@
 #include "oracle/surface_oracle.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::surface_plane_test {
 namespace {
 
 std::string to_text(const FlatScene& scene) {
@@ -120,4 +120,4 @@ TEST(OnPlaneAnything, RawScenes) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::surface_plane_test

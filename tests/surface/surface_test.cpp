@@ -8,7 +8,7 @@
 #include "divided.h"
 #include "plumb/predicates/error.h"
 
-namespace plumb::testing {
+namespace plumb::testing::surface_test {
 namespace {
 
 struct Answer {
@@ -486,4 +486,4 @@ TEST(SurfaceDivision, RefusesWhatIsNoScene) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::surface_test

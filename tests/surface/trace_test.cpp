@@ -14,7 +14,7 @@
 #include "generate/surface_meshes.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::trace_test {
 namespace {
 
 /// A mesh with points on it, and the paths between them.
@@ -390,4 +390,4 @@ TEST(trace, meshes_without_proportions) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::trace_test

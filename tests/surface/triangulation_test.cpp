@@ -14,7 +14,7 @@
 #include "plumb/surface/surface_audit.h"
 #include "plumb/testing/dice.h"
 
-namespace plumb::testing {
+namespace plumb::testing::triangulation_test {
 namespace {
 
 // ---------------------------------------------------------------- triangles
@@ -132,4 +132,4 @@ TEST(SurfaceTriangulation, WithIslandsAndHoles) {
 }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::triangulation_test

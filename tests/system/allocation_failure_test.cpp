@@ -14,7 +14,7 @@
 #include "generate/counted_memory.h"
 #include "system/public_operations.h"
 
-namespace plumb::testing {
+namespace plumb::testing::allocation_failure_test {
 namespace {
 
 std::uint64_t run(const PublicOperation& operation) {
@@ -76,4 +76,4 @@ TEST(AllocationFailure, Readers) { expect_survival(reader_operations()); }
 TEST(AllocationFailure, Pictures) { expect_survival(picture_operations()); }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::allocation_failure_test

@@ -11,7 +11,7 @@
 #include "plumb/predicates/error.h"
 #include "system/public_operations.h"
 
-namespace plumb::testing {
+namespace plumb::testing::cancellation_test {
 namespace {
 
 std::uint64_t run(const PublicOperation& operation) {
@@ -69,4 +69,4 @@ TEST(Cancellation, Surface) { expect_cancelled(surface_operations()); }
 TEST(Cancellation, Readers) { expect_cancelled(reader_operations()); }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::cancellation_test

@@ -24,7 +24,7 @@
 #include "plumb/io/svg_reader.h"
 #include "plumb/predicates/error.h"
 
-namespace plumb::testing {
+namespace plumb::testing::hostile_files_test {
 namespace {
 
 constexpr std::size_t kMassBytes = 1'000'000;
@@ -368,7 +368,7 @@ TEST(HostileFiles, FlatFormats) { expect_bounded(flat_formats()); }
 TEST(HostileFiles, SpaceFormats) { expect_bounded(space_formats()); }
 
 }  // namespace
-}  // namespace plumb::testing
+}  // namespace plumb::testing::hostile_files_test
 
 int main(int argc, char** argv) {
   plumb::testing::count_numbers();

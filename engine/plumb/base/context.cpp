@@ -18,10 +18,10 @@ Context::Context(Limits limits, std::stop_token stop, ProgressCallback progress,
       start_(Clock::now()),
       last_report_(start_) {}
 
-Context::Context(const Context& of, std::stop_token stop, unsigned threads, bool reports)
+Context::Context(const Context& of, std::stop_token stop, unsigned threads, JobProgress progress)
     : limits_(of.limits_),
       stops_(of.stops_),
-      progress_(reports ? of.progress_ : ProgressCallback()),
+      progress_(progress == JobProgress::Reported ? of.progress_ : ProgressCallback()),
       threads_(std::max(1U, threads)),
       charged_bytes_(of.charged_bytes_),
       start_(of.start_),

@@ -29,6 +29,9 @@ struct Limits {
 using ProgressCallback =
     std::function<void(std::string_view phase, std::uint64_t done, std::uint64_t total)>;
 
+/// Whether a job within an operation reports the progress of the operation.
+enum class JobProgress : std::uint8_t { Silent, Reported };
+
 /// The state that a long operation shares with its caller. The caller passes it by reference. A
 /// Context is not thread-safe. Each operation needs a Context of its own. Each parallel job within
 /// an operation (parallel.h) also needs a Context of its own.
@@ -41,8 +44,8 @@ class Context {
                    unsigned threads = 1);
   /// Constructs the context of a job within an operation whose context is `of`. The job shares the
   /// limits, the start time and the charged memory of `of`. The job stops if a stop is requested
-  /// through `of` or through `stop`. The job reports progress only if `reports` is true.
-  Context(const Context& of, std::stop_token stop, unsigned threads, bool reports);
+  /// through `of` or through `stop`.
+  Context(const Context& of, std::stop_token stop, unsigned threads, JobProgress progress);
 
   const Limits& limits() const { return limits_; }  ///< Returns the limits.
   unsigned threads() const { return threads_; }     ///< Returns the number of threads, at least 1.

@@ -74,7 +74,7 @@ void VertexTree::build(std::size_t begin, std::size_t end, std::size_t node) {
   if (boxes_.size() <= node) boxes_.resize(node + 1);
   Box3 box;
   for (std::size_t i = begin; i < end; ++i) {
-    const PointBox at = c_.points().box(c_.vertex_point[vertices_[i].value()]);
+    const PointBox at = c_.points().box(c_.vertex_point[vertices_[i]]);
     for (std::size_t k = 0; k < 3; ++k) {
       box.low[k] = std::min(box.low[k], at.mid[k] - at.radius);
       box.high[k] = std::max(box.high[k], at.mid[k] + at.radius);
@@ -87,7 +87,7 @@ void VertexTree::build(std::size_t begin, std::size_t end, std::size_t node) {
     if (box.high[k] - box.low[k] > box.high[axis] - box.low[axis]) axis = k;
   }
   const std::size_t middle = middle_of(begin, end);
-  const auto at = [&](VertexId v) { return c_.points().box(c_.vertex_point[v.value()]).mid[axis]; };
+  const auto at = [&](VertexId v) { return c_.points().box(c_.vertex_point[v]).mid[axis]; };
   const auto from = vertices_.begin();
   std::nth_element(from + static_cast<std::ptrdiff_t>(begin),
                    from + static_cast<std::ptrdiff_t>(middle),
@@ -125,7 +125,7 @@ VertexId VertexTree::find(PlaneId plane, Sign side, std::size_t begin, std::size
     return v.is_valid() ? v : find(plane, side, middle, end, 2 * node + 2);
   }
   for (std::size_t i = begin; i < end; ++i) {
-    const SpacePoint x = c_.vertex_point[vertices_[i].value()];
+    const SpacePoint x = c_.vertex_point[vertices_[i]];
     if (plumb::side(c_.points(), x, plane) == side) return vertices_[i];
   }
   return {};
@@ -343,7 +343,7 @@ std::vector<EdgeId> wide_edges(const SpaceComplex& c, IsInside&& is_inside_after
     bool is_wide = false;
     UseId u = first;
     do {
-      const UseId next = c.use_radial[u.value()];
+      const UseId next = c.use_radial[u];
       is_wide = is_inside_after(u) && test.is_reflex({EdgeId(e), {}, u, next});
       u = next;
     } while (u != first && !is_wide);
@@ -359,9 +359,9 @@ std::vector<EdgeId> wide_edges(const SpaceComplex& c, IsInside&& is_inside_after
 template <class Outer>
 std::vector<FailingFace> failing_facets(const SpaceComplex& c, Outer&& outer, Context& context) {
   std::vector<VertexId> ends;  // Ends of edges that do not belong to the frame.
-  std::vector<std::uint8_t> is_end(c.vertex_count(), 0);
+  IdVector<VertexId, std::uint8_t> is_end(c.vertex_count(), 0);
   for (std::size_t h = 0; h < c.origin.size(); ++h) {
-    if (c.edge_mark[h / 2] != kBeyond) is_end[c.origin[h].value()] = 1;
+    if (c.edge_mark[h / 2] != kBeyond) is_end[c.origin[h]] = 1;
   }
   for (std::size_t v = 0; v < c.vertex_count(); ++v) {
     if (is_end[v] != 0) ends.push_back(VertexId(v));
@@ -421,8 +421,8 @@ ConvexityEvidence convexity_of_mesh(const MeshView& mesh, Context& context) {
   };
   if (is_plain(m)) {
     const auto is_inside_after = [&](UseId u) {
-      const bool is_negative_side = SpaceComplex::is_reverse(c.use_halfedge[u.value()]);
-      return (turned(c.use_facet[u.value()]) == Sign::Negative) == is_negative_side;
+      const bool is_negative_side = SpaceComplex::is_reverse(c.use_halfedge[u]);
+      return (turned(c.use_facet[u]) == Sign::Negative) == is_negative_side;
     };
     evidence.reflex_edges = wide_edges(c, is_inside_after).size();
   }
@@ -434,10 +434,10 @@ ConvexityEvidence convexity_of_mesh(const MeshView& mesh, Context& context) {
 
 std::vector<EdgeId> reflex_edges(const SpaceComplex& c) {
   std::vector<EdgeId> edges =
-      wide_edges(c, [&](UseId u) { return c.volume_mark[c.volume_after(u).value()] == 1; });
+      wide_edges(c, [&](UseId u) { return c.volume_mark[c.volume_after(u)] == 1; });
   for (std::size_t e = 0; e < c.edge_count(); ++e) {
     const bool is_free = !c.edge_use[e].is_valid() && c.edge_mark[e] != kBeyond;
-    if (is_free && c.volume_mark[c.edge_volume[e].value()] == 1) edges.push_back(EdgeId(e));
+    if (is_free && c.volume_mark[c.edge_volume[e]] == 1) edges.push_back(EdgeId(e));
   }
   std::sort(edges.begin(), edges.end());
   return edges;
@@ -452,10 +452,9 @@ ConvexityEvidence convexity_of_set(const Nef3& set, Context& context) {
   evidence.faces = failing_facets(
       c,
       [&](FacetId f) {
-        const auto& [above, below] = c.facet_volume[f.value()];
-        return c.volume_mark[above.value()] == 1 && c.volume_mark[below.value()] != 1
-                   ? Sign::Negative
-                   : Sign::Positive;
+        const auto& [above, below] = c.facet_volume[f];
+        return c.volume_mark[above] == 1 && c.volume_mark[below] != 1 ? Sign::Negative
+                                                                      : Sign::Positive;
       },
       context);
   return evidence;

@@ -88,7 +88,7 @@ ConvexPieces decompose(const Nef3& set, const DecomposeOptions& options = {},
 
 /// Whether the facet lies on a cut and in no facet of the set. O(1).
 inline bool is_wall(const SpaceComplex& piece, FacetId f) {
-  return piece.facet_origin[f.value()] == kWallOrigin;
+  return piece.facet_origin[f] == kWallOrigin;
 }
 
 }  // namespace plumb

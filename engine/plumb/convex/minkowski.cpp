@@ -187,9 +187,9 @@ class OpenParts {
     for (const UseId cycle : c_.cycles_of(f)) {
       UseId u = cycle;
       do {
-        const UseId other = c_.use_radial[u.value()];
-        if (other != u && c_.use_facet[other.value()] == f) return true;
-        u = c_.use_next[u.value()];
+        const UseId other = c_.use_radial[u];
+        if (other != u && c_.use_facet[other] == f) return true;
+        u = c_.use_next[u];
       } while (u != cycle);
     }
     return false;
@@ -208,7 +208,7 @@ class OpenParts {
   void add(const std::vector<RationalPoint3>& points, bool is_maximal) {
     parts_.push_back({convex_body_of(points), false, is_maximal});
   }
-  RationalPoint3 point(VertexId v) const { return exact(c_.points(), c_.vertex_point[v.value()]); }
+  RationalPoint3 point(VertexId v) const { return exact(c_.points(), c_.vertex_point[v]); }
 
   const Nef3& piece_;
   const SpaceComplex& c_;
@@ -315,7 +315,7 @@ Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context) {
   memory.add(memory_of(parts_a) + memory_of(parts_b), kMemoryName);
   const SumMarks marks = is_closed ? SumMarks::Closed : SumMarks::Open;
   // Reports one phase, not one for each pair.
-  Context quiet(context, {}, context.threads(), false);
+  Context quiet(context, {}, context.threads(), JobProgress::Silent);
   std::size_t pairs = 0;
   for (const ConvexPart& p : parts_a) {
     for (const ConvexPart& q : parts_b) {

@@ -113,17 +113,17 @@ bool are_sides_convex(const PlaneRegion& region) {
   };
   HalfedgeId h = first;
   do {
-    const std::uint8_t at_start = region.vertex_mark[region.start(h).value()];
+    const std::uint8_t at_start = region.vertex_mark[region.start(h)];
     if (!pass(at_start)) return false;
     if (is_side_end(region, h)) {
       runs = at_start != 0 ? 1 : 0;
       was_marked = at_start != 0;
     }
     const bool is_frame = region.is_on_frame(h);
-    if (!is_frame && !pass(region.edge_mark[edge_of(h).value()])) return false;
+    if (!is_frame && !pass(region.edge_mark[edge_of(h)])) return false;
     h = region.after(h);
   } while (h != first);
-  return pass(region.vertex_mark[region.start(first).value()]);
+  return pass(region.vertex_mark[region.start(first)]);
 }
 
 class PlaneConvexityTest {

@@ -12,8 +12,8 @@
 //             of each side must be consecutive
 //  3. none    examines a set without a marked face. Two marked edges on different lines span a
 //             triangle that is not in S. Two marked edges on the same line would be one edge if S
-//             were convex. So S is convex only if it is empty, one point, or one edge together with
-//             none, one or both of its ends
+//             were convex. So S is convex only if it is empty, a point, or an edge with or without
+//             each of its two ends
 //
 // The convexity test in space uses the same argument in each plane. The evidence consists of the
 // reflex corners and the number of connected components. Cost: O(n). Proof: docs/design/walls.md.

@@ -139,9 +139,9 @@ class PlanePartition {
       SweepCurve side{SweepCurve::kUnbounded, SweepCurve::kUnbounded, c_.line[i].a, c_.line[i].b};
       const auto set_end = [&](std::uint32_t& end, VertexId v) {
         if (c_.is_at_infinity(v)) return;
-        end = c_.vertex_point[v.value()];
+        end = c_.vertex_point[v];
         const bool is_free = c_.mark(v) && !regions_.owner(v).is_valid();
-        if (is_free && std::exchange(is_taken_[v.value()], 1) == 0) maker.add_point(end);
+        if (is_free && std::exchange(is_taken_[v], 1) == 0) maker.add_point(end);
       };
       set_end(side.from, c_.dcel.origin(h));
       set_end(side.to, c_.dcel.target(h));
@@ -165,7 +165,7 @@ class PlanePartition {
   MemoryCharge memory_;
   RegionMaker regions_;
   PlanePieces result_;
-  std::vector<std::uint8_t> is_taken_;
+  IdVector<VertexId, std::uint8_t> is_taken_;
 };
 
 }  // namespace

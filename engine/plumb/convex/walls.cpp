@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <utility>
 #include <vector>
@@ -107,7 +108,7 @@ class DirectionChoice {
   Counts edge_directions() const {
     Counts counts;
     for (const EdgeId e : edges_) {
-      const auto& [p, q] = c_.edge_planes[e.value()];
+      const auto& [p, q] = c_.edge_planes[e];
       const IntegerRow m = c_.planes().coefficients(p), n = c_.planes().coefficients(q);
       VerticalDirection d{m[1] * n[2] - m[2] * n[1], m[2] * n[0] - m[0] * n[2],
                           m[0] * n[1] - m[1] * n[0]};
@@ -119,7 +120,7 @@ class DirectionChoice {
   Counts normals() const {
     Counts counts;
     for (const EdgeId e : edges_) {
-      for (const PlaneId p : c_.edge_planes[e.value()]) {
+      for (const PlaneId p : c_.edge_planes[e]) {
         const IntegerRow n = c_.planes().coefficients(p);
         VerticalDirection d{n[0], n[1], n[2]};
         if (normalise(d)) ++counts[d];
@@ -161,7 +162,7 @@ class DirectionChoice {
     };
     const Vector2 slopes{slope(0), slope(1)};
     const auto shadow = [&](VertexId v) {
-      const auto at = c_.points().box(c_.vertex_point[v.value()]).mid;
+      const auto at = c_.points().box(c_.vertex_point[v]).mid;
       return Vector2{at[(axis + 1) % 3] - slopes[0] * at[axis],
                      at[(axis + 2) % 3] - slopes[1] * at[axis]};
     };
@@ -187,7 +188,7 @@ class DirectionChoice {
       const IntegerRow n = c_.planes().coefficients(p);
       return n[0] * up[0] + n[1] * up[1] + n[2] * up[2] == 0;
     };
-    return holds(c_.edge_planes[e.value()][0]) && holds(c_.edge_planes[e.value()][1]);
+    return holds(c_.edge_planes[e][0]) && holds(c_.edge_planes[e][1]);
   }
 
   static double turn(const Vector2& a, const Vector2& b, const Vector2& c) {
@@ -217,7 +218,7 @@ constexpr int kMaxWallRounds = 64;
 /// removed from one. The complex need not be minimal.
 bool has_reflex_items(const SpaceComplex& complex) {
   for (const VolumeId around : complex.vertex_volume) {
-    if (around.is_valid() && complex.volume_mark[around.value()] == 1) return true;
+    if (around.is_valid() && complex.volume_mark[around] == 1) return true;
   }
   const SectorTest test(complex);
   std::vector<Sector> sectors;
@@ -245,7 +246,8 @@ SpaceComplex after(Step step, SpaceComplex complex, const VerticalDirection& up,
 
 /// Gives walls, which carry kBeyond as a mark of their own until now, the mark 1.
 void mark_walls(SpaceComplex& complex) {
-  for (auto* marks : {&complex.vertex_mark, &complex.edge_mark, &complex.facet_mark}) {
+  for (std::vector<Mark>* marks : std::initializer_list<std::vector<Mark>*>{
+           &complex.vertex_mark, &complex.edge_mark, &complex.facet_mark}) {
     std::replace(marks->begin(), marks->end(), kBeyond, Mark{1});
   }
 }

@@ -127,8 +127,8 @@ void Dcel::link_halfedges(std::span<const VertexId> origin, std::span<const Half
     halfedges_[i].origin = origin[i];
     halfedges_[i].next = next[i];
     halfedges_[i].loop = LoopId(loop_of[i]);
-    halfedges_[next[i].value()].prev = HalfedgeId(i);
-    if (auto& leaving = vertices_[origin[i].value()]; !leaving.is_valid()) {
+    halfedges_[next[i]].prev = HalfedgeId(i);
+    if (auto& leaving = vertices_[origin[i]]; !leaving.is_valid()) {
       leaving = HalfedgeId(i);
       ++counts_.vertices;
     }
@@ -137,8 +137,8 @@ void Dcel::link_halfedges(std::span<const VertexId> origin, std::span<const Half
 
 void Dcel::place_isolated(std::span<const IsolatedVertex> isolated) {
   for (const auto& [v, f] : isolated) {
-    PLUMB_CHECK(v.value() < vertices_.size() && !vertices_[v.value()].is_valid());
-    vertices_[v.value()] = new_loop(v, f);
+    PLUMB_CHECK(v.value() < vertices_.size() && !vertices_[v].is_valid());
+    vertices_[v] = new_loop(v, f);
     ++counts_.vertices;
   }
 }
@@ -152,7 +152,7 @@ void Dcel::fill_cycle(LoopId l, std::span<const std::uint32_t> vertices,
     const HalfedgeId h = halfedges[i];
     const HalfedgeId next = halfedges[i + 1 < vertices.size() ? i + 1 : 0];
     PLUMB_CHECK(vertices[i] < vertices_.size());
-    halfedges_[h.value()] = {VertexId(vertices[i]), next, prev, l};
+    halfedges_[h] = {VertexId(vertices[i]), next, prev, l};
     prev = h;
     if (auto& first = vertices_[vertices[i]]; !first.is_valid()) {
       first = h;
@@ -189,8 +189,8 @@ DcelCompaction Dcel::compact() {
   DcelCompaction to{
       renumber<VertexId>(vertex_slots(), contains), renumber<EdgeId>(edge_slots(), contains),
       renumber<LoopId>(loop_slots(), contains), renumber<FaceId>(face_slots(), contains)};
-  const auto vertex = [&to](VertexId v) { return v.is_valid() ? to.vertex[v.value()] : v; };
-  const auto loop = [&to](LoopId l) { return l.is_valid() ? to.loop[l.value()] : l; };
+  const auto vertex = [&to](VertexId v) { return v.is_valid() ? to.vertex[v] : v; };
+  const auto loop = [&to](LoopId l) { return l.is_valid() ? to.loop[l] : l; };
   const auto halfedge = [&to](HalfedgeId h) { return h.is_valid() ? to.halfedge(h) : h; };
 
   std::vector<EdgeId> edge_of_slot(halfedge_slots());
@@ -214,7 +214,7 @@ DcelCompaction Dcel::compact() {
       l.first = halfedge(l.first.halfedge());
     else
       l.first = vertex(l.first.other());
-    l = {l.first, to.face[l.face.value()], loop(l.next), loop(l.prev)};
+    l = {l.first, to.face[l.face], loop(l.next), loop(l.prev)};
   }
   for (LoopId& l : faces_) l = loop(l);
   return to;
@@ -233,7 +233,7 @@ FaceId Dcel::add_face() {
 
 void Dcel::remove_face(FaceId f) {
   PLUMB_CHECK(contains(f) && !first_loop(f).is_valid());
-  faces_[f.value()] = kRemoved;
+  faces_[f] = kRemoved;
   --counts_.faces;
 }
 
@@ -248,7 +248,7 @@ VertexId Dcel::add_vertex(FaceId f) {
 void Dcel::remove_vertex(VertexId v) {
   PLUMB_CHECK(contains(v) && is_isolated(v));
   drop_loop(isolated_loop(v));
-  vertices_[v.value()] = {};
+  vertices_[v] = {};
   --counts_.vertices;
 }
 
@@ -262,28 +262,28 @@ LoopId Dcel::new_loop(Corner first, FaceId f) {
 
 void Dcel::drop_loop(LoopId l) {
   leave_face(l);
-  loops_[l.value()] = {};
+  loops_[l] = {};
   --counts_.loops;
 }
 
 /// Appends l to the ring of f's loops.
 void Dcel::enter_face(LoopId l, FaceId f) {
-  Loop& loop = loops_[l.value()];
+  Loop& loop = loops_[l];
   loop.face = f;
-  LoopId& first = faces_[f.value()];
+  LoopId& first = faces_[f];
   if (!first.is_valid()) first = loop.next = loop.prev = l;
   loop.next = first;
-  loop.prev = std::exchange(loops_[first.value()].prev, l);
-  loops_[loop.prev.value()].next = l;
+  loop.prev = std::exchange(loops_[first].prev, l);
+  loops_[loop.prev].next = l;
 }
 
 /// Takes l out of the ring of its face's loops.
 void Dcel::leave_face(LoopId l) {
-  const Loop loop = loops_[l.value()];
-  LoopId& first = faces_[loop.face.value()];
+  const Loop loop = loops_[l];
+  LoopId& first = faces_[loop.face];
   if (first == l) first = loop.next == l ? LoopId() : loop.next;
-  loops_[loop.prev.value()].next = loop.next;
-  loops_[loop.next.value()].prev = loop.prev;
+  loops_[loop.prev].next = loop.next;
+  loops_[loop.next].prev = loop.prev;
 }
 
 /// Only loops are moved, each in constant time; half-edges know their faces through their loops.
@@ -344,7 +344,7 @@ void Dcel::attach_self_loop(HalfedgeId h, Corner at) {
 
 /// Labels the half-edges from `from` up to, without, `stop`.
 void Dcel::relabel(HalfedgeId from, HalfedgeId stop, LoopId l) {
-  for (HalfedgeId h = from; h != stop; h = next(h)) halfedges_[h.value()].loop = l;
+  for (HalfedgeId h = from; h != stop; h = next(h)) halfedges_[h].loop = l;
 }
 
 /// An edge between two corners of one loop splits that loop: the part from h on becomes a new one.
@@ -360,18 +360,18 @@ HalfedgeId Dcel::add_edge(Corner a, Corner b) {
     attach(h, a);
     attach(t, b);
   }
-  if (!a.is_halfedge()) vertices_[a.other().value()] = h;
-  if (!b.is_halfedge()) vertices_[b.other().value()] = b == a ? h : t;
+  if (!a.is_halfedge()) vertices_[a.other()] = h;
+  if (!b.is_halfedge()) vertices_[b.other()] = b == a ? h : t;
   if (la == lb) {
     const LoopId l = new_loop(h, face(la));
-    halfedges_[h.value()].loop = l;
+    halfedges_[h].loop = l;
     relabel(next(h), h, l);
   } else {
     drop_loop(lb);
     relabel(h, t, la);
   }
-  halfedges_[t.value()].loop = la;
-  loops_[la.value()].first = t;
+  halfedges_[t].loop = la;
+  loops_[la].first = t;
   return h;
 }
 
@@ -393,10 +393,10 @@ void Dcel::detach(HalfedgeId h) {
 /// left.
 void Dcel::settle(VertexId v, HalfedgeId leaving, LoopId l) {
   if (leaving.is_valid()) {
-    vertices_[v.value()] = leaving;
+    vertices_[v] = leaving;
   } else {
-    vertices_[v.value()] = l;
-    loops_[l.value()].first = v;
+    vertices_[v] = l;
+    loops_[l].first = v;
   }
 }
 
@@ -413,17 +413,17 @@ void Dcel::remove_edge(HalfedgeId h) {
     relabel(next(h), h, la);
     drop_loop(loop(h));
     // If neither is left, settle() makes the loop that of an isolated vertex.
-    loops_[la.value()].first = on_h != h ? on_h : on_t;
+    loops_[la].first = on_h != h ? on_h : on_t;
   } else {
     lb = new_loop(on_h, face(la));
     relabel(on_h, t, lb);
-    loops_[la.value()].first = on_t;
+    loops_[la].first = on_t;
   }
   detach(h);
   detach(t);
   settle(a, at_a, la);
   settle(b, at_b, lb);
-  halfedges_[h.value()] = halfedges_[t.value()] = {};
+  halfedges_[h] = halfedges_[t] = {};
   --counts_.edges;
 }
 
@@ -438,8 +438,8 @@ HalfedgeId Dcel::split_edge(HalfedgeId h) {
   const HalfedgeId n = new_edge(w, v), m = twin(n);
   vertices_.emplace_back(n);
   ++counts_.vertices;
-  halfedges_[n.value()].loop = loop(h);
-  halfedges_[m.value()].loop = loop(t);
+  halfedges_[n].loop = loop(h);
+  halfedges_[m].loop = loop(t);
   if (next(h) == t) {
     link(n, m);
   } else {
@@ -448,8 +448,8 @@ HalfedgeId Dcel::split_edge(HalfedgeId h) {
   }
   link(h, n);
   link(m, t);
-  halfedges_[t.value()].origin = w;
-  if (halfedge(v) == t) vertices_[v.value()] = m;
+  halfedges_[t].origin = w;
+  if (halfedge(v) == t) vertices_[v] = m;
   return n;
 }
 
@@ -466,12 +466,12 @@ void Dcel::join_edge(HalfedgeId n) {
     link(h, next(n));
     link(prev(m), t);
   }
-  halfedges_[t.value()].origin = v;
-  if (halfedge(v) == m) vertices_[v.value()] = t;
-  if (first(loop(n)) == Corner(n)) loops_[loop(n).value()].first = h;
-  if (first(loop(m)) == Corner(m)) loops_[loop(m).value()].first = t;
-  halfedges_[n.value()] = halfedges_[m.value()] = {};
-  vertices_[w.value()] = {};
+  halfedges_[t].origin = v;
+  if (halfedge(v) == m) vertices_[v] = t;
+  if (first(loop(n)) == Corner(n)) loops_[loop(n)].first = h;
+  if (first(loop(m)) == Corner(m)) loops_[loop(m)].first = t;
+  halfedges_[n] = halfedges_[m] = {};
+  vertices_[w] = {};
   --counts_.edges;
   --counts_.vertices;
 }

@@ -149,15 +149,15 @@ class Ring {
 /// The new ids after compact(). Each array is indexed by old ids and contains new ids. The entry of
 /// a removed cell is the invalid id. The order of the cells is kept.
 struct DcelCompaction {
-  std::vector<VertexId> vertex;  ///< New id of each old vertex.
-  std::vector<EdgeId> edge;      ///< New id of each old edge.
-  std::vector<LoopId> loop;      ///< New id of each old loop.
-  std::vector<FaceId> face;      ///< New id of each old face.
+  IdVector<VertexId, VertexId> vertex;  ///< New id of each old vertex.
+  IdVector<EdgeId, EdgeId> edge;        ///< New id of each old edge.
+  IdVector<LoopId, LoopId> loop;        ///< New id of each old loop.
+  IdVector<FaceId, FaceId> face;        ///< New id of each old face.
 
   /// Returns the new id of the half-edge `old`, or an invalid id if its edge was removed. The new
   /// half-edge has the same direction.
   HalfedgeId halfedge(HalfedgeId old) const {
-    const EdgeId e = edge[edge_of(old).value()];
+    const EdgeId e = edge[edge_of(old)];
     return e.is_valid() ? HalfedgeId(first_half(e).value() | (old.value() & 1U)) : HalfedgeId();
   }
 };
@@ -240,30 +240,30 @@ class Dcel {
   // --- reading -------------------------------------------------------------------------------
 
   /// Returns the vertex where a half-edge begins.
-  VertexId origin(HalfedgeId h) const { return halfedges_[h.value()].origin; }
+  VertexId origin(HalfedgeId h) const { return halfedges_[h].origin; }
   VertexId target(HalfedgeId h) const {
     return origin(twin(h));
   }  ///< Returns the vertex where a half-edge ends.
   /// Returns the next half-edge along the face to its left.
-  HalfedgeId next(HalfedgeId h) const { return halfedges_[h.value()].next; }
+  HalfedgeId next(HalfedgeId h) const { return halfedges_[h].next; }
   /// Returns the previous half-edge along the face to its left.
-  HalfedgeId prev(HalfedgeId h) const { return halfedges_[h.value()].prev; }
+  HalfedgeId prev(HalfedgeId h) const { return halfedges_[h].prev; }
   /// Returns the loop that contains a half-edge.
-  LoopId loop(HalfedgeId h) const { return halfedges_[h.value()].loop; }
-  FaceId face(LoopId l) const { return loops_[l.value()].face; }  ///< Returns the face of a loop.
-  FaceId face(HalfedgeId h) const { return face(loop(h)); }       ///< Returns the face to the left.
+  LoopId loop(HalfedgeId h) const { return halfedges_[h].loop; }
+  FaceId face(LoopId l) const { return loops_[l].face; }     ///< Returns the face of a loop.
+  FaceId face(HalfedgeId h) const { return face(loop(h)); }  ///< Returns the face to the left.
 
   /// Returns a half-edge that leaves v, or an invalid id if v is isolated.
-  HalfedgeId halfedge(VertexId v) const { return vertices_[v.value()].halfedge(); }
+  HalfedgeId halfedge(VertexId v) const { return vertices_[v].halfedge(); }
   /// Whether v is an isolated vertex.
-  bool is_isolated(VertexId v) const { return vertices_[v.value()].is_other(); }
+  bool is_isolated(VertexId v) const { return vertices_[v].is_other(); }
   /// Returns the loop of an isolated vertex, or an invalid id for other vertices.
-  LoopId isolated_loop(VertexId v) const { return vertices_[v.value()].other(); }
+  LoopId isolated_loop(VertexId v) const { return vertices_[v].other(); }
   /// Returns the beginning of a loop: a half-edge or an isolated vertex.
-  Corner first(LoopId l) const { return loops_[l.value()].first; }
+  Corner first(LoopId l) const { return loops_[l].first; }
   /// Returns the first loop of f, or an invalid id if f has no loop.
   LoopId first_loop(FaceId f) const {
-    const LoopId l = faces_[f.value()];
+    const LoopId l = faces_[f];
     return l == kRemoved ? LoopId() : l;
   }
   /// Returns the vertex of a corner.
@@ -287,7 +287,7 @@ class Dcel {
   /// Returns the range of the loops of a face.
   auto loops_of(FaceId f) const { return ring<&Dcel::next_loop>(first_loop(f)); }
   /// Returns the next loop in the ring of its face.
-  LoopId next_loop(LoopId l) const { return loops_[l.value()].next; }
+  LoopId next_loop(LoopId l) const { return loops_[l].next; }
 
   std::size_t vertex_count() const {
     return counts_.vertices;
@@ -315,22 +315,18 @@ class Dcel {
 
   /// Whether vertex v is present: its id is in range, and the vertex was not removed.
   bool contains(VertexId v) const {
-    return v.value() < vertices_.size() && vertices_[v.value()].is_valid();
+    return v.value() < vertices_.size() && vertices_[v].is_valid();
   }
   /// Whether half-edge h is present: its id is in range, and the half-edge was not removed.
   bool contains(HalfedgeId h) const {
-    return h.value() < halfedges_.size() && halfedges_[h.value()].origin.is_valid();
+    return h.value() < halfedges_.size() && halfedges_[h].origin.is_valid();
   }
   /// Whether edge e is present: its id is in range, and the edge was not removed.
   bool contains(EdgeId e) const { return e.is_valid() && contains(first_half(e)); }
   /// Whether loop l is present: its id is in range, and the loop was not removed.
-  bool contains(LoopId l) const {
-    return l.value() < loops_.size() && loops_[l.value()].first.is_valid();
-  }
+  bool contains(LoopId l) const { return l.value() < loops_.size() && loops_[l].first.is_valid(); }
   /// Whether face f is present: its id is in range, and the face was not removed.
-  bool contains(FaceId f) const {
-    return f.value() < faces_.size() && faces_[f.value()] != kRemoved;
-  }
+  bool contains(FaceId f) const { return f.value() < faces_.size() && faces_[f] != kRemoved; }
 
   /// Whether the half-edges of some vertex form several rings.
   bool has_pinches() const { return has_pinches_; }
@@ -454,8 +450,8 @@ class Dcel {
   void enter_face(LoopId l, FaceId f);
   void leave_face(LoopId l);
   void link(HalfedgeId a, HalfedgeId b) {
-    halfedges_[a.value()].next = b;
-    halfedges_[b.value()].prev = a;
+    halfedges_[a].next = b;
+    halfedges_[b].prev = a;
   }
   bool is_corner(Corner c) const;
   void attach(HalfedgeId h, Corner at);
@@ -465,10 +461,11 @@ class Dcel {
   void settle(VertexId v, HalfedgeId leaving, LoopId l);
   HalfedgeId other_leaving(HalfedgeId h) const;
 
-  std::vector<Halfedge> halfedges_;
-  std::vector<HalfedgeOr<LoopId>> vertices_;  ///< Invalid if removed.
-  std::vector<Loop> loops_;
-  std::vector<LoopId> faces_;  ///< The first loop, invalid if there is none; kRemoved if removed.
+  IdVector<HalfedgeId, Halfedge> halfedges_;
+  IdVector<VertexId, HalfedgeOr<LoopId>> vertices_;  ///< Invalid if removed.
+  IdVector<LoopId, Loop> loops_;
+  IdVector<FaceId, LoopId>
+      faces_;  ///< The first loop, invalid if there is none; kRemoved if removed.
   Counts counts_;
   bool has_pinches_ = false;
 };

@@ -64,7 +64,7 @@ class DcelAudit {
     return true;
   }
   bool edge(HalfedgeId h) {
-    const Dcel::Halfedge& r = d_.halfedges_[h.value()];
+    const Dcel::Halfedge& r = d_.halfedges_[h];
     if (!d_.contains(h)) {
       return require(!d_.contains(twin(h)), "both half-edges of an edge are present, or none", h) &&
              require(!r.next.is_valid() && !r.prev.is_valid() && !r.loop.is_valid(),
@@ -96,7 +96,7 @@ class DcelAudit {
     return true;
   }
   bool loop(LoopId l) {
-    const Dcel::Loop& r = d_.loops_[l.value()];
+    const Dcel::Loop& r = d_.loops_[l];
     if (!d_.contains(l)) {
       return require(!r.face.is_valid() && !r.next.is_valid() && !r.prev.is_valid(),
                      "a removed loop has no links", l);
@@ -162,8 +162,8 @@ class DcelAudit {
 
   bool face_rings() {
     const auto linked = [this](LoopId l) {
-      const Dcel::Loop& r = d_.loops_[l.value()];
-      return require(d_.loops_[r.next.value()].prev == l, "the loops of a face form a ring", l) &&
+      const Dcel::Loop& r = d_.loops_[l];
+      return require(d_.loops_[r.next].prev == l, "the loops of a face form a ring", l) &&
              require(d_.face(r.next) == r.face, "the loops of a ring belong to one face", l);
     };
     if (!all<LoopId>(d_.loop_slots(), linked)) return false;
@@ -228,12 +228,12 @@ class Components {
 
  private:
   void add_rings(std::vector<std::int64_t>& sum) {
-    std::vector<bool> seen(d_.halfedge_slots());
+    IdVector<HalfedgeId, bool> seen(d_.halfedge_slots());
     for (std::size_t i = 0; i < seen.size(); ++i) {
       HalfedgeId h(i);
       if (!d_.contains(h) || seen[i]) continue;
       ++sum[of(h)];
-      for (; !seen[h.value()]; h = d_.turn_right(h)) seen[h.value()] = true;
+      for (; !seen[h]; h = d_.turn_right(h)) seen[h] = true;
     }
   }
 

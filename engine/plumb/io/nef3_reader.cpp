@@ -339,11 +339,11 @@ void Nef3Reader::read_facet(std::uint32_t f) {
 void Nef3Reader::read_inner(FacetId f) {
   const char* const start = next_token();
   const VertexId v(read_index(vertices_, "vertex"));
-  if (c_.vertex_facet[v.value()].is_valid()) {
+  if (c_.vertex_facet[v].is_valid()) {
     fail(ErrorCode::BadShape, "vertex " + std::to_string(v.value() + 1) + " is in two facets",
          start);
   }
-  c_.vertex_facet[v.value()] = f;
+  c_.vertex_facet[v] = f;
   c_.inner.push_back(v);
 }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <ostream>
 #include <string_view>
 #include <vector>
@@ -70,9 +71,9 @@ class Nef3Writer {
   static std::uint64_t number(Id id) {
     return id.is_valid() ? std::uint64_t{id.value()} + 1 : 0;
   }
-  std::uint64_t number(PlaneId p) const { return plane_[p.value()]; }
+  std::uint64_t number(PlaneId p) const { return plane_[p]; }
   std::uint64_t number(SpacePoint p) const {
-    return p.is_input() ? input_[p.input().value()] : constructed_[p.index()];
+    return p.is_input() ? input_[p.input()] : constructed_[p.index()];
   }
 
   template <class... Rest>
@@ -94,8 +95,8 @@ class Nef3Writer {
   const SpaceComplex& complex_;
   // At first whether a thing is used; then its number in the file, from 1, in the order of
   // `planes_`.
-  std::vector<std::uint32_t> plane_;
-  std::vector<std::uint32_t> input_;
+  IdVector<PlaneId, std::uint32_t> plane_;
+  IdVector<InputPointId, std::uint32_t> input_;
   std::vector<std::uint32_t> constructed_;
   std::vector<PlaneId> planes_;
   std::uint32_t point_count_ = 0;
@@ -104,42 +105,42 @@ class Nef3Writer {
 /// Marks a point and the planes and input points that define it.
 void Nef3Writer::mark_point(SpacePoint p) {
   if (p.is_input()) {
-    input_[p.input().value()] = kUsed;
+    input_[p.input()] = kUsed;
     return;
   }
   constructed_[p.index()] = kUsed;
   const PointSource& source = complex_.points().source(p);
-  for (std::size_t i = 0; i < source.plane_count(); ++i) plane_[source.plane(i).value()] = kUsed;
-  for (std::size_t i = 0; source.is_line() && i < 2; ++i) input_[source.end(i).value()] = kUsed;
+  for (std::size_t i = 0; i < source.plane_count(); ++i) plane_[source.plane(i)] = kUsed;
+  for (std::size_t i = 0; source.is_line() && i < 2; ++i) input_[source.end(i)] = kUsed;
 }
 
 void Nef3Writer::mark_used() {
   for (const SpacePoint p : complex_.vertex_point) mark_point(p);
   for (const auto& planes : complex_.edge_planes) {
-    for (const PlaneId p : planes) plane_[p.value()] = kUsed;
+    for (const PlaneId p : planes) plane_[p] = kUsed;
   }
-  for (const PlaneId p : complex_.facet_plane) plane_[p.value()] = kUsed;
+  for (const PlaneId p : complex_.facet_plane) plane_[p] = kUsed;
 }
 
 /// Numbers the axis planes, the frame (all of it or nothing), and the others.
 void Nef3Writer::number_planes() {
   planes_ = {kPlaneX, kPlaneY, kPlaneZ};
   const auto& frame = complex_.planes().frame();
-  const bool has_frame = std::any_of(frame.begin(), frame.end(), [&](PlaneId p) {
-    return p.is_valid() && plane_[p.value()] == kUsed;
-  });
+  const bool has_frame = std::any_of(frame.begin(), frame.end(),
+                                     [&](PlaneId p) { return p.is_valid() && plane_[p] == kUsed; });
   if (has_frame) planes_.insert(planes_.end(), frame.begin(), frame.end());
   for (std::uint32_t p = kPlaneZ.value() + 1; p < plane_.size(); ++p) {
     const PlaneId plane(p);
     if (plane_[p] == kUsed && !complex_.planes().is_frame(plane)) planes_.push_back(plane);
   }
   for (std::uint32_t i = 0; i < planes_.size(); ++i) {
-    if (planes_[i].is_valid()) plane_[planes_[i].value()] = i + 1;
+    if (planes_[i].is_valid()) plane_[planes_[i]] = i + 1;
   }
 }
 
 void Nef3Writer::number_points() {
-  for (std::vector<std::uint32_t>* points : {&input_, &constructed_}) {
+  for (std::vector<std::uint32_t>* points :
+       std::initializer_list<std::vector<std::uint32_t>*>{&input_, &constructed_}) {
     for (std::uint32_t& point : *points) {
       if (point == kUsed) point = ++point_count_;
     }
@@ -182,7 +183,7 @@ void Nef3Writer::write_points() {
 void Nef3Writer::write_source(const PointSource& s) {
   if (s.is_line()) {
     out_ << "l ";
-    write_line(input_[s.end(0).value()], input_[s.end(1).value()], number(s.plane(0)));
+    write_line(input_[s.end(0)], input_[s.end(1)], number(s.plane(0)));
   } else {
     out_ << "t ";
     write_line(number(s.plane(0)), number(s.plane(1)), number(s.plane(2)));

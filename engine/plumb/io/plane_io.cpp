@@ -88,7 +88,7 @@ class RingSides : private SweepVisitor {
   std::vector<SweepSegment> segments_;
   std::vector<Edge> edges_;  ///< Edge of each of segments_.
   /// Whether the polygon lies above each of segments_ met so far.
-  std::vector<char> inside_above_;
+  IdVector<SegmentId, char> inside_above_;
   bool crossed_ = false;
 };
 
@@ -117,10 +117,10 @@ bool RingSides::on_event(const SweepEvent& event) {
     crossed_ = true;
     return false;
   }
-  bool inside = event.below.is_valid() && inside_above_[event.below.value()] != 0;
+  bool inside = event.below.is_valid() && inside_above_[event.below] != 0;
   for (const SegmentId edge : event.outgoing) {
     inside = !inside;
-    inside_above_[edge.value()] = inside ? 1 : 0;
+    inside_above_[edge] = inside ? 1 : 0;
   }
   return true;
 }
@@ -289,6 +289,11 @@ PlaneFormat guess_plane_format(std::string_view text) {
   return text.starts_with("plumb-") ? PlaneFormat::Nef2 : PlaneFormat::Wkt;
 }
 
+PlaneFormat plane_format_of(const std::string& path, std::string_view text) {
+  const std::optional<PlaneFormat> named = plane_format_of(path);
+  return named ? *named : guess_plane_format(text);
+}
+
 Nef2 read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions& options,
                     Context& context) {
   switch (format) {
@@ -305,8 +310,7 @@ Nef2 read_plane_set_file(const std::string& path, std::optional<PlaneFormat> for
                          ReadOptions options, Context& context) {
   options.name = input_name(path);
   const std::string text = read_input(path, context);
-  if (!format) format = plane_format_of(path);
-  if (!format) format = guess_plane_format(text);
+  if (!format) format = plane_format_of(path, text);
   Nef2 set = read_plane_set(text, *format, options, context);
   context.release_memory(text.size());
   return set;

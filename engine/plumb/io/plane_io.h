@@ -93,6 +93,10 @@ std::optional<PlaneFormat> plane_format_of(const std::string& path);
 /// text that begins with "plumb-" is .nef2. Any other text is WKT.
 PlaneFormat guess_plane_format(std::string_view text);
 
+/// Returns the format that the extension of `path` names. If it names none, returns the format that
+/// the text seems to have.
+PlaneFormat plane_format_of(const std::string& path, std::string_view text);
+
 /// Returns the set that `text` describes in the given format. Throws the errors that the header of
 /// the reader of this format states (wkt.h, geojson.h, nef2_format.h).
 Nef2 read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions& options = {},

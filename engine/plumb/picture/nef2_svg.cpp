@@ -239,9 +239,9 @@ class SetSheet {
   Sheet sheet_{{.width = kWidth}};
   Rectangle frame_{};
   std::optional<View> view_;
-  std::vector<Point2> at_;               ///< Place of each vertex in the picture.
-  std::vector<std::uint8_t> on_border_;  ///< PlaneWindow::borders() of each vertex.
-  std::vector<std::uint8_t> kind_;       ///< EdgeKind of each edge.
+  IdVector<VertexId, Point2> at_;               ///< Place of each vertex in the picture.
+  IdVector<VertexId, std::uint8_t> on_border_;  ///< PlaneWindow::borders() of each vertex.
+  std::vector<std::uint8_t> kind_;              ///< EdgeKind of each edge.
   std::size_t left_out_ = 0;
   bool has_faces_ = false, has_solid_ = false, has_dashed_ = false;
   bool has_dots_ = false, has_hollow_ = false, has_cuts_ = false;
@@ -267,7 +267,7 @@ void SetSheet::classify_edges() {
   for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
     const HalfedgeId h = first_half(EdgeId(e));
     const unsigned borders =
-        on_border_[complex_.dcel.origin(h).value()] & on_border_[complex_.dcel.target(h).value()];
+        on_border_[complex_.dcel.origin(h)] & on_border_[complex_.dcel.target(h)];
     kind_.push_back(borders != 0 ? kNotDrawn : complex_.mark(EdgeId(e)) ? kSolid : kDashed);
   }
 }
@@ -401,7 +401,7 @@ void SetSheet::write_dots() {
   for (const VertexId v : vertices) {
     const bool is_solid = complex_.mark(v);
     (is_solid ? has_dots_ : has_hollow_) = true;
-    const Point2 p = at_[v.value()];
+    const Point2 p = at_[v];
     sheet_.body() << "<circle class=\"" << (is_solid ? "dot" : "hollow") << "\" cx=\""
                   << svg_number(p.x) << "\" cy=\"" << svg_number(p.y) << "\" r=\""
                   << svg_number(radius) << "\"/>\n";

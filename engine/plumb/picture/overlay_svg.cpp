@@ -197,8 +197,8 @@ class OverlaySheet {
   PlaneWindow window_;
   Sheet sheet_{{.width = kWidth, .text_scale = kTextScale}};
   Rectangle frame_{};
-  std::vector<Point2> at_;   ///< Place of each vertex in the picture.
-  std::vector<Cell> cells_;  ///< Cells large enough to be seen, the largest first.
+  IdVector<VertexId, Point2> at_;  ///< Place of each vertex in the picture.
+  std::vector<Cell> cells_;        ///< Cells large enough to be seen, the largest first.
   bool has_hatch_ = false, has_tiny_ = false, has_labels_ = false;
   bool has_border_[4] = {};
 };
@@ -219,8 +219,8 @@ Rectangle OverlaySheet::choose_window() const {
   std::vector<Rectangle> boxes;
   for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
     const HalfedgeId h = first_half(EdgeId(e));
-    boxes.push_back(Rectangle::around(at_[complex_.dcel.origin(h).value()], 0, 0));
-    boxes.back().include(at_[complex_.dcel.target(h).value()]);
+    boxes.push_back(Rectangle::around(at_[complex_.dcel.origin(h)], 0, 0));
+    boxes.back().include(at_[complex_.dcel.target(h)]);
   }
   for (bool grows = true; grows;) {
     const Rectangle before = shown;
@@ -305,7 +305,7 @@ void OverlaySheet::write_hatch(const PathData& path) {
 }
 
 void OverlaySheet::write_cells() {
-  const std::vector<OverlayColour> colours = colour_cells(overlay_);
+  const IdVector<FaceId, OverlayColour> colours = colour_cells(overlay_);
   PathData hatched;
   std::size_t points = 0, left_out = 0;
   sheet_.body() << "<g class=\"cells\" transform=\"scale(.1)\">\n";
@@ -315,7 +315,7 @@ void OverlaySheet::write_cells() {
       ++left_out;
       continue;
     }
-    write_cell(cell, colours[cell.face.value()], cells_.size() <= kMaxTitles);
+    write_cell(cell, colours[cell.face], cells_.size() <= kMaxTitles);
     if (!is_in_one(origin(cell.face))) continue;
     for (const auto& ring : cell.rings) append_ring(ring, hatched);
   }
@@ -399,7 +399,7 @@ void OverlaySheet::write_legend() {
 
 }  // namespace
 
-std::vector<OverlayColour> colour_cells(const MapOverlay& overlay) {
+IdVector<FaceId, OverlayColour> colour_cells(const MapOverlay& overlay) {
   const std::vector<std::uint8_t> tints = colour_first_regions(overlay);
   const Pairs pairs = pairs_of(overlay);
   Pairs neighbours;
@@ -409,7 +409,7 @@ std::vector<OverlayColour> colour_cells(const MapOverlay& overlay) {
     }
   });
   const std::vector<std::uint8_t> shades = coloured(pairs.size(), std::move(neighbours), kShades);
-  std::vector<OverlayColour> colours;
+  IdVector<FaceId, OverlayColour> colours;
   for (const MapOverlay::Origin& o : overlay.origin) {
     const std::uint8_t tint = o.first == 0 ? kTints : tints[o.first];
     colours.push_back({tint, shades[index_of(pairs, o)]});

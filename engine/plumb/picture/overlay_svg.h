@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "plumb/base/ids.h"
 #include "plumb/plane/map_overlay.h"
 
 #pragma GCC visibility push(default)
@@ -42,7 +43,7 @@ struct OverlayColour {
 inline constexpr std::size_t kShades = 4;  ///< Number of shades of each tint.
 
 /// Returns the colour of each face of the complex. Cost: O(n log n).
-std::vector<OverlayColour> colour_cells(const MapOverlay& overlay);
+IdVector<FaceId, OverlayColour> colour_cells(const MapOverlay& overlay);
 
 }  // namespace plumb
 #pragma GCC visibility pop

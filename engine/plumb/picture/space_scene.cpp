@@ -55,7 +55,7 @@ class WindowFinder {
     }
     for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
       const HalfedgeId h(static_cast<std::uint32_t>(2 * e));
-      if (!is_far(complex_.origin[h.value()]) || !is_far(complex_.target(h))) continue;
+      if (!is_far(complex_.origin[h]) || !is_far(complex_.target(h))) continue;
       const auto& [p, q] = complex_.edge_planes[e];
       if (!complex_.planes().is_frame(p) && !complex_.planes().is_frame(q)) include_line(p, q);
     }
@@ -66,7 +66,7 @@ class WindowFinder {
 
  private:
   bool is_far(VertexId v) const {
-    return complex_.points().depends_on_frame(complex_.vertex_point[v.value()]);
+    return complex_.points().depends_on_frame(complex_.vertex_point[v]);
   }
   Point3 place(SpacePoint p) const {
     const PointBox box = complex_.points().box(p);
@@ -93,10 +93,10 @@ class WindowFinder {
       UseId u = first;
       do {
         if (!is_far(complex_.use_origin(u))) return;
-        u = complex_.use_next[u.value()];
+        u = complex_.use_next[u];
       } while (u != first);
     }
-    const PlaneId plane = complex_.facet_plane[f.value()];
+    const PlaneId plane = complex_.facet_plane[f];
     const Point3 n = normal_of(complex_, plane);
     const double d = -offset(plane);
     include({n.x * d, n.y * d, n.z * d});
@@ -168,25 +168,25 @@ class SceneMaker {
       UseId u = first;
       do {
         sides &= sides_at(complex_.use_origin(u));
-        u = complex_.use_next[u.value()];
+        u = complex_.use_next[u];
       } while (sides != 0 && u != first);
     }
     return sides != 0;
   }
 
-  bool is_marked(VolumeId v) const { return complex_.volume_mark[v.value()] == 1; }
+  bool is_marked(VolumeId v) const { return complex_.volume_mark[v] == 1; }
 
   /// Adds a facet. Normals point away from the marked volume.
   void add_facet(FacetId f) {
     if (f.value() % 4096 == 0) context_.checkpoint("facets", f.value(), complex_.facet_count());
-    const auto& [above, below] = complex_.facet_volume[f.value()];
+    const auto& [above, below] = complex_.facet_volume[f];
     const bool is_reversed = is_marked(above) && !is_marked(below);
     const bool is_solid = is_marked(above) || is_marked(below);
-    const Paint paint = is_on_box(f)                          ? Paint::Cut
-                        : complex_.facet_mark[f.value()] != 1 ? Paint::OpenFacet
-                        : is_solid                            ? Paint::ClosedFacet
-                                                              : Paint::Sheet;
-    const Point3 n = normal_of(complex_, complex_.facet_plane[f.value()]);
+    const Paint paint = is_on_box(f)                  ? Paint::Cut
+                        : complex_.facet_mark[f] != 1 ? Paint::OpenFacet
+                        : is_solid                    ? Paint::ClosedFacet
+                                                      : Paint::Sheet;
+    const Point3 n = normal_of(complex_, complex_.facet_plane[f]);
     const double sign = is_reversed ? -1 : 1;
     const auto patch = static_cast<std::uint32_t>(scene_.patches.size());
     scene_.patches.push_back({{sign * n.x, sign * n.y, sign * n.z}, paint});
@@ -198,19 +198,18 @@ class SceneMaker {
 
   void add_edge(EdgeId e) {
     const HalfedgeId h(2 * e.value());
-    const VertexId a = complex_.origin[h.value()], b = complex_.target(h);
+    const VertexId a = complex_.origin[h], b = complex_.target(h);
     if ((sides_at(a) & sides_at(b)) != 0) return;
     Scene::Line line{{a.value(), b.value()}, Paint::Edge, {Scene::kNoPatch, Scene::kNoPatch}};
-    const UseId use = complex_.edge_use[e.value()];
-    if (complex_.edge_mark[e.value()] != 1) {
+    const UseId use = complex_.edge_use[e];
+    if (complex_.edge_mark[e] != 1) {
       line.paint = Paint::OpenEdge;
     } else if (!use.is_valid()) {
       line.paint = Paint::FreeEdge;
     }
     if (use.is_valid()) {
-      const UseId next = complex_.use_radial[use.value()];
-      line.patches = {complex_.use_facet[use.value()].value(),
-                      complex_.use_facet[next.value()].value()};
+      const UseId next = complex_.use_radial[use];
+      line.patches = {complex_.use_facet[use].value(), complex_.use_facet[next].value()};
     }
     scene_.lines.push_back(line);
   }
@@ -218,10 +217,10 @@ class SceneMaker {
   /// Adds a dot for a point that says more than the edges there.
   void add_dot(VertexId v) {
     if (sides_at(v) != 0) return;
-    const bool is_point = complex_.vertex_mark[v.value()] == 1;
+    const bool is_point = complex_.vertex_mark[v] == 1;
     const auto star = complex_.star_of(v);
     const auto is_unlike = [&](HalfedgeId h) {
-      return (complex_.edge_mark[SpaceComplex::edge_of(h).value()] == 1) != is_point;
+      return (complex_.edge_mark[SpaceComplex::edge_of(h)] == 1) != is_point;
     };
     const bool says_more = star.empty() || (is_point ? std::ranges::all_of(star, is_unlike)
                                                      : std::ranges::any_of(star, is_unlike));

@@ -77,7 +77,7 @@ class SurfaceSceneMaker {
     for (const Point3& p : in_.points) scene_.points.push_back(frame_.at(p));
     point_of_node_.assign(arrangement_.node_count(), kNoPoint);
     for (std::uint32_t p = 0; p < in_.points.size(); ++p) {
-      if (in_.node[p].is_valid()) point_of_node_[in_.node[p].value()] = p;
+      if (in_.node[p].is_valid()) point_of_node_[in_.node[p]] = p;
     }
   }
 
@@ -185,7 +185,7 @@ class SurfaceSceneMaker {
   }
   /// Returns the point of a node. Triangles have no corner where polygons cancel.
   std::uint32_t point_of(NodeId n) {
-    std::uint32_t& point = point_of_node_[n.value()];
+    std::uint32_t& point = point_of_node_[n];
     if (point == kNoPoint) point = add_point(node_position(division_, n));
     return point;
   }
@@ -219,7 +219,7 @@ class SurfaceSceneMaker {
   const SurfaceResult* result_;
   SceneFrame frame_;
   Scene scene_;
-  std::vector<std::uint32_t> point_of_node_;
+  IdVector<NodeId, std::uint32_t> point_of_node_;
 };
 
 }  // namespace

@@ -381,7 +381,7 @@ class PartCollector {
 
   RationalPoint2 point(VertexId v) {
     watch();
-    return exact(c_.points, c_.vertex_point[v.value()]);
+    return exact(c_.points, c_.vertex_point[v]);
   }
 
   void add_face(FaceId f) {
@@ -406,7 +406,7 @@ class PartCollector {
   /// Whether an edge is marked, bounded, not yet in a chain, and not the border of a marked face.
   bool is_line(EdgeId e) {
     const HalfedgeId h = first_half(e);
-    if (is_used_[e.value()] != 0 || !c_.mark(e) || c_.mark(c_.dcel.face(h)) ||
+    if (is_used_[e] != 0 || !c_.mark(e) || c_.mark(c_.dcel.face(h)) ||
         c_.mark(c_.dcel.face(twin(h)))) {
       return false;
     }
@@ -430,14 +430,14 @@ class PartCollector {
     for (const HalfedgeId h : {first_half(e), twin(first_half(e))}) {
       const HalfedgeId before = going_on(twin(h));
       const bool starts_here = !before.is_valid() || !is_line(edge_of(before));
-      if (starts_here && is_used_[e.value()] == 0) add_chain(h);
+      if (starts_here && is_used_[e] == 0) add_chain(h);
     }
   }
 
   void add_chain(HalfedgeId h) {
     std::vector<RationalPoint2> chain = {point(c_.dcel.origin(h))};
     while (h.is_valid() && is_line(edge_of(h))) {
-      is_used_[edge_of(h).value()] = 1;
+      is_used_[edge_of(h)] = 1;
       chain.push_back(point(c_.dcel.target(h)));
       h = going_on(h);
     }
@@ -447,7 +447,7 @@ class PartCollector {
   const PlaneComplex& c_;
   Context& context_;
   std::size_t steps_ = 0;
-  std::vector<std::uint8_t> is_used_;
+  IdVector<EdgeId, std::uint8_t> is_used_;
   PlaneParts parts_;
 };
 
@@ -465,7 +465,7 @@ bool gains_inside(const PlaneComplex& complex, const PlaneComplex& closed) {
   if (gains(inner.edge, complex.marks.edge) || gains(inner.vertex, complex.marks.vertex)) {
     return true;
   }
-  std::vector<std::uint8_t> has_chain(complex.vertex_count(), 0);
+  IdVector<VertexId, std::uint8_t> has_chain(complex.vertex_count(), 0);
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
     const HalfedgeId h = first_half(EdgeId(e));
     if (!complex.mark(EdgeId(e)) || complex.mark(complex.dcel.face(h)) ||
@@ -474,8 +474,8 @@ bool gains_inside(const PlaneComplex& complex, const PlaneComplex& closed) {
     }
     for (const VertexId v : {complex.dcel.origin(h), complex.dcel.target(h)}) {
       if (complex.is_at_infinity(v) || complex.mark(v)) continue;
-      if (has_chain[v.value()] != 0) return true;
-      has_chain[v.value()] = 1;
+      if (has_chain[v] != 0) return true;
+      has_chain[v] = 1;
     }
   }
   return false;

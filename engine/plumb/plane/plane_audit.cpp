@@ -104,7 +104,7 @@ class PlaneAudit {
 
   bool is_in_order(VertexId v) {
     return v.value() == 0 || require(compare_xy(c_.points, c_.vertex_point[v.value() - 1U],
-                                                c_.vertex_point[v.value()]) == Sign::Negative,
+                                                c_.vertex_point[v]) == Sign::Negative,
                                      "vertices are in lexicographic order", name(v));
   }
 
@@ -115,8 +115,8 @@ class PlaneAudit {
     if (c_.dcel.is_isolated(v)) return true;
     std::size_t descents = 0;
     for (const HalfedgeId h : c_.dcel.around(v)) {
-      const PlaneLine& l = c_.line[edge_of(h).value()];
-      if (!require(orient2d(c_.points, l.a, l.b, c_.vertex_point[v.value()]) == Sign::Zero,
+      const PlaneLine& l = c_.line[edge_of(h)];
+      if (!require(orient2d(c_.points, l.a, l.b, c_.vertex_point[v]) == Sign::Zero,
                    "a vertex lies on the lines of its edges", name(v))) {
         return false;
       }
@@ -127,8 +127,8 @@ class PlaneAudit {
   bool is_before(HalfedgeId h, HalfedgeId g) const {
     const auto goes_left = [](HalfedgeId k) { return (k.value() & 1U) != 0; };
     if (goes_left(h) != goes_left(g)) return goes_left(g);
-    const PlaneLine& k = c_.line[edge_of(h).value()];
-    const PlaneLine& l = c_.line[edge_of(g).value()];
+    const PlaneLine& k = c_.line[edge_of(h)];
+    const PlaneLine& l = c_.line[edge_of(g)];
     return cross_sign(c_.points.inputs, k.a, k.b, l.a, l.b) == Sign::Positive;
   }
 

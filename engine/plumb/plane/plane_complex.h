@@ -51,9 +51,9 @@ struct PlaneLine {
 
 /// One mark for each ordinary vertex, edge and face: 1 if the cell belongs to the set, 0 if not.
 struct PlaneMarks {
-  std::vector<std::uint8_t> vertex;  ///< One mark for each ordinary vertex.
-  std::vector<std::uint8_t> edge;    ///< One mark for each ordinary edge.
-  std::vector<std::uint8_t> face;    ///< One mark for each ordinary face.
+  IdVector<VertexId, std::uint8_t> vertex;  ///< One mark for each ordinary vertex.
+  IdVector<EdgeId, std::uint8_t> edge;      ///< One mark for each ordinary edge.
+  IdVector<FaceId, std::uint8_t> face;      ///< One mark for each ordinary face.
   friend bool operator==(const PlaneMarks&, const PlaneMarks&) = default;
 };
 
@@ -72,9 +72,9 @@ struct PlaneComplex {
   Dcel dcel;           ///< Incidences of all vertices, edges and faces, including the frame.
   /// For each ordinary vertex, the index of its point. An index i less than points.inputs.size()
   /// stands for input point i. The index points.inputs.size() + k stands for crossing k.
-  std::vector<std::uint32_t> vertex_point;
+  IdVector<VertexId, std::uint32_t> vertex_point;
   /// For each ordinary edge, its line. The indices a and b of a line refer to points.inputs.
-  std::vector<PlaneLine> line;
+  IdVector<EdgeId, PlaneLine> line;
   PlaneMarks marks;  ///< The marks of all ordinary cells.
 
   /// Returns the number of ordinary vertices.
@@ -102,11 +102,11 @@ struct PlaneComplex {
     return is_frame(n) ? dcel.next(n) : n;
   }
   /// Whether an ordinary vertex belongs to the set.
-  bool mark(VertexId v) const { return marks.vertex[v.value()] != 0; }
+  bool mark(VertexId v) const { return marks.vertex[v] != 0; }
   /// Whether an ordinary edge belongs to the set.
-  bool mark(EdgeId e) const { return marks.edge[e.value()] != 0; }
+  bool mark(EdgeId e) const { return marks.edge[e] != 0; }
   /// Whether an ordinary face belongs to the set.
-  bool mark(FaceId f) const { return marks.face[f.value()] != 0; }
+  bool mark(FaceId f) const { return marks.face[f] != 0; }
 };
 
 /// Whether face f is unbounded. A face is unbounded if it is face 0 or if its boundary contains a

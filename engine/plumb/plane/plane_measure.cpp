@@ -20,7 +20,7 @@ namespace plumb {
 namespace {
 
 RationalPoint2 point(const PlaneComplex& c, VertexId v) {
-  return exact(c.points, c.vertex_point[v.value()]);
+  return exact(c.points, c.vertex_point[v]);
 }
 
 /// Returns twice the signed area of the triangle of the origin and a half-edge.
@@ -65,14 +65,14 @@ class VertexAreas {
   }
 
   void add(HalfedgeId h) {
-    const PlaneLine line = c_.line[edge_of(h).value()];
+    const PlaneLine line = c_.line[edge_of(h)];
     const RationalPoint2 a = c_.points.inputs.exact(line.a), b = c_.points.inputs.exact(line.b);
     const Rational moment = a.x * b.y - a.y * b.x;
     const auto add_part = [&](VertexId v, int sign) {
-      const std::uint32_t at = c_.vertex_point[v.value()];
+      const std::uint32_t at = c_.vertex_point[v];
       if (at == line.b) at_ends_.add(sign * moment);
       if (at == line.a || at == line.b) return;
-      twice_[v.value()] += sign * place_between(a, b, point(c_, v)) * moment;
+      twice_[v] += sign * place_between(a, b, point(c_, v)) * moment;
     };
     add_part(c_.dcel.origin(h), -1);
     add_part(c_.dcel.target(h), 1);
@@ -81,7 +81,7 @@ class VertexAreas {
   const PlaneComplex& c_;
   Context& context_;
   MemoryCharge charge_;
-  std::vector<Rational> twice_;  // The term of each vertex, without ends of lines.
+  IdVector<VertexId, Rational> twice_;  // The term of each vertex, without ends of lines.
   RationalSum at_ends_;
 };
 
@@ -172,7 +172,7 @@ bool is_counter_clockwise(const PlaneComplex& c, const std::vector<VertexId>& ri
   const VertexId after = least + 1 == ring.end() ? ring.front() : *(least + 1);
   const auto edge_line = [&](VertexId to) {
     for (const HalfedgeId h : c.dcel.around(*least)) {
-      if (c.dcel.target(h) == to) return c.line[edge_of(h).value()];
+      if (c.dcel.target(h) == to) return c.line[edge_of(h)];
     }
     return PlaneLine{};
   };

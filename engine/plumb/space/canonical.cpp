@@ -98,7 +98,7 @@ class Naming {
 /// Returns the new id of a facet's plane. Planes of the frame are in the new table already, in the
 /// same order.
 PlaneId Naming::plane_of(FacetId f) {
-  const PlaneId old = c_.facet_plane[f.value()];
+  const PlaneId old = c_.facet_plane[f];
   PlaneId& plane = plane_[old.value()];
   if (plane.is_valid()) return plane;
   if (c_.planes().is_frame(old)) {
@@ -120,12 +120,12 @@ void Naming::name_facets(SpaceComplex& out) {
 
 /// Appends the planes of the facets around an edge.
 void Naming::add_facet_planes(EdgeId e, std::vector<PlaneId>& found) {
-  const UseId first = c_.edge_use[e.value()];
+  const UseId first = c_.edge_use[e];
   if (!first.is_valid()) return;
   UseId u = first;
   do {
-    found.push_back(plane_of(c_.use_facet[u.value()]));
-    u = c_.use_radial[u.value()];
+    found.push_back(plane_of(c_.use_facet[u]));
+    u = c_.use_radial[u];
   } while (u != first);
 }
 
@@ -133,7 +133,7 @@ void Naming::add_facet_planes(EdgeId e, std::vector<PlaneId>& found) {
 /// edge; nothing if the edge runs along the axis. Edges on the frame never need it, as they have
 /// two facets in different planes.
 std::optional<IntegerRow> Naming::plane_along(EdgeId e, std::size_t axis) const {
-  const auto& [p, q] = c_.edge_planes[e.value()];
+  const auto& [p, q] = c_.edge_planes[e];
   PLUMB_CHECK(!c_.planes().is_frame(p) && !c_.planes().is_frame(q));
   const IntegerRow first = c_.planes().coefficients(p), second = c_.planes().coefficients(q);
   if (first[axis] == 0 && second[axis] == 0) return {};
@@ -178,8 +178,8 @@ void Naming::direct_edges(SpaceComplex& out) {
     VertexId from = order_.vertices(c_.origin[h]), to = order_.vertices(c_.origin[h + 1]);
     if (to < from) std::swap(from, to);
     auto& [p, q] = out.edge_planes[e];
-    const Sign along = order_along_line(tables_->points, p, q, out.vertex_point[from.value()],
-                                        out.vertex_point[to.value()]);
+    const Sign along =
+        order_along_line(tables_->points, p, q, out.vertex_point[from], out.vertex_point[to]);
     if (along == Sign::Negative) std::swap(p, q);
   }
 }
@@ -222,10 +222,10 @@ std::array<PlaneId, 3> Naming::planes_at(const SpaceComplex& out, VertexId v) {
   for (const HalfedgeId h : c_.star_of(v)) {
     const EdgeId e = SpaceComplex::edge_of(h);
     add_facet_planes(e, found_);
-    const auto& [p, q] = out.edge_planes[order_.edges(e).value()];
+    const auto& [p, q] = out.edge_planes[order_.edges(e)];
     found_.insert(found_.end(), {p, q});
   }
-  if (c_.vertex_facet[v.value()].is_valid()) found_.push_back(plane_of(c_.vertex_facet[v.value()]));
+  if (c_.vertex_facet[v].is_valid()) found_.push_back(plane_of(c_.vertex_facet[v]));
   sort_unique(found_);
   chosen_.clear();
   for (std::size_t i = 0; i < found_.size() && chosen_.size() < 3; ++i) {
@@ -234,7 +234,7 @@ std::array<PlaneId, 3> Naming::planes_at(const SpaceComplex& out, VertexId v) {
   // With fewer than three independent planes, as at isolated vertices and ends of free edges in
   // special position, planes across axes complete the point.
   if (chosen_.size() < 3) {
-    const RationalPoint3 at = exact(c_.points(), c_.vertex_point[v.value()]);
+    const RationalPoint3 at = exact(c_.points(), c_.vertex_point[v]);
     for (std::size_t i = 0; i < 3 && chosen_.size() < 3; ++i) {
       if (!is_independent(kAcross[i])) continue;
       std::array<Rational, 3> normal{0, 0, 0};
@@ -253,7 +253,7 @@ void Naming::name_points(SpaceComplex& out) {
   out.vertex_point.reserve(vertices.size());
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (v % 1024 == 0) context_.checkpoint("names of points", v, vertices.size());
-    if (const auto at = as_doubles(c_.vertex_point[vertices[v].value()])) {
+    if (const auto at = as_doubles(c_.vertex_point[vertices[v]])) {
       out.vertex_point.emplace_back(planes().add_point(*at));
       continue;
     }
@@ -343,10 +343,10 @@ class Writing {
     for (std::size_t u = 0; u < c_.use_count(); ++u) {
       const EdgeId e = SpaceComplex::edge_of(c_.use_halfedge[u]);
       UseId from = o_.uses(UseId(u)), to = o_.uses(c_.use_radial[u]);
-      UseId& first = out.edge_use[o_.edges(e).value()];
+      UseId& first = out.edge_use[o_.edges(e)];
       first = std::min(first, from);  // An invalid id is the largest.
       if (o_.is_turned(c_, e)) std::swap(from, to);
-      out.use_radial[from.value()] = to;
+      out.use_radial[from] = to;
     }
   }
 

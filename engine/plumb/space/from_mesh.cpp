@@ -84,8 +84,7 @@ void describe_crossings(const MeshOptions& options, MeshComplex& result, MemoryC
              "crossings of the mesh");
   pairs.reserve(result.crossings.size());
   for (const auto& [f, g] : result.crossings) {
-    pairs.push_back(
-        std::minmax({complex.facet_origin[f.value()], complex.facet_origin[g.value()]}));
+    pairs.push_back(std::minmax({complex.facet_origin[f], complex.facet_origin[g]}));
   }
   result.report.crossing_count = pairs.size();
   std::sort(pairs.begin(), pairs.end());

@@ -47,8 +47,8 @@ void add_point(const SpaceComplex& complex, HalfedgeId h, LocalMap& out) {
 void add_arc(const SpaceComplex& complex, FacetId f, UseId use, LocalMap& out) {
   out.use.push_back(use);
   out.facet.push_back(f);
-  out.map.circle.push_back(complex.facet_plane[f.value()]);
-  out.map.arc_mark.push_back(complex.facet_mark[f.value()]);
+  out.map.circle.push_back(complex.facet_plane[f]);
+  out.map.arc_mark.push_back(complex.facet_mark[f]);
   for (int side = 0; side < 2; ++side) {  // Much less expensive than insert().
     out.map.origin.push_back(kNone);
     out.map.next.push_back(static_cast<std::uint32_t>(out.map.next.size()));
@@ -64,7 +64,7 @@ void add_loop(const SpaceComplex& complex, FacetId f, LocalMap& out) {
 std::uint32_t add_face(const SpaceComplex& complex, VolumeId volume, LocalMap& out) {
   const bool known = volume.is_valid() && volume.value() < complex.volume_count();
   out.volume.push_back(volume);
-  out.map.face_mark.push_back(known ? complex.volume_mark[volume.value()] : 0);
+  out.map.face_mark.push_back(known ? complex.volume_mark[volume] : 0);
   return static_cast<std::uint32_t>(out.volume.size() - 1);
 }
 
@@ -72,7 +72,7 @@ std::uint32_t add_face(const SpaceComplex& complex, VolumeId volume, LocalMap& o
 VolumeId volume_left_of(const SpaceComplex& complex, const LocalMap& local, std::uint32_t half) {
   const FacetId f = local.facet[half / 2];
   if (complex.facet_volume.empty()) return VolumeId();
-  return complex.facet_volume[f.value()][half & 1U];
+  return complex.facet_volume[f][half & 1U];
 }
 
 /// Links half-arcs that leave one point, each the clockwise neighbour of the one after it.
@@ -90,7 +90,7 @@ void map_facet(const SpaceComplex& complex, FacetId f, LocalMap& out) {
   for (std::uint32_t side = 0; side < 2; ++side) {
     out.map.face[side] = add_face(complex, volume_left_of(complex, out, side), out);
   }
-  out.map.centre_mark = complex.facet_mark[f.value()];
+  out.map.centre_mark = complex.facet_mark[f];
 }
 
 /// Returns the volume around a free edge; invalid if volumes are not labelled.
@@ -105,8 +105,8 @@ void map_edge(const SpaceComplex& complex, EdgeId e, LocalMap& out) {
   const HalfedgeId forward(2 * e.value()), backward(2 * e.value() + 1);
   add_point(complex, forward, out);
   add_point(complex, backward, out);
-  map.centre_mark = complex.edge_mark[e.value()];
-  const UseId first = complex.edge_use[e.value()];
+  map.centre_mark = complex.edge_mark[e];
+  const UseId first = complex.edge_use[e];
   if (!first.is_valid()) {
     const VolumeId around = volume_of_free_edge(complex, forward);
     map.point_face[0] = map.point_face[1] = add_face(complex, around, out);
@@ -117,13 +117,13 @@ void map_edge(const SpaceComplex& complex, EdgeId e, LocalMap& out) {
   std::vector<std::uint32_t> ring, reversed;
   UseId u = first;
   do {
-    const bool is_reverse = SpaceComplex::is_reverse(complex.use_halfedge[u.value()]);
+    const bool is_reverse = SpaceComplex::is_reverse(complex.use_halfedge[u]);
     const auto half = static_cast<std::uint32_t>(2 * out.use.size());
-    add_arc(complex, complex.use_facet[u.value()], u, out);
+    add_arc(complex, complex.use_facet[u], u, out);
     map.origin[half] = is_reverse ? 1 : 0;
     map.origin[half + 1] = is_reverse ? 0 : 1;
     ring.push_back(is_reverse ? half + 1 : half);
-    u = complex.use_radial[u.value()];
+    u = complex.use_radial[u];
   } while (u != first);
   for (const std::uint32_t half : ring) reversed.push_back(SphereMap::twin(half));
   std::reverse(reversed.begin(), reversed.end());
@@ -175,7 +175,7 @@ void for_each_use(const SpaceComplex& complex, HalfedgeId h, Visit visit) {
   UseId u = first;
   do {
     visit(u);
-    u = complex.use_radial[u.value()];
+    u = complex.use_radial[u];
   } while (u != first);
 }
 
@@ -185,8 +185,8 @@ void link_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
   for (const HalfedgeId h : complex.star_of(v)) add_point(complex, h, out);
   for (const HalfedgeId h : complex.star_of(v)) {
     for_each_use(complex, h, [&](UseId u) {
-      if (complex.use_halfedge[u.value()] == h) {
-        add_arc(complex, complex.use_facet[u.value()], u, out);
+      if (complex.use_halfedge[u] == h) {
+        add_arc(complex, complex.use_facet[u], u, out);
       }
     });
   }
@@ -203,9 +203,8 @@ void link_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
       map.next[SphereMap::twin(after)] = half;
     };
     for_each_use(complex, h, [&](UseId u) {
-      const bool leaves = complex.use_halfedge[u.value()] == h;
-      const std::uint32_t half =
-          leaves ? 2 * arc_of(u) : 2 * arc_of(complex.use_next[u.value()]) + 1;
+      const bool leaves = complex.use_halfedge[u] == h;
+      const std::uint32_t half = leaves ? 2 * arc_of(u) : 2 * arc_of(complex.use_next[u]) + 1;
       map.origin[half] = i;
       if (first == kNone) {
         first = half;
@@ -218,7 +217,7 @@ void link_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
     link(last, first);
     map.first_out[i] = is_reverse ? last : first;
   }
-  const FacetId inside = complex.vertex_facet[v.value()];
+  const FacetId inside = complex.vertex_facet[v];
   if (inside.is_valid()) add_loop(complex, inside, out);
 }
 
@@ -284,11 +283,10 @@ class FaceNumbers {
 
 void map_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
   SphereMap& map = out.map;
-  map.centre_mark = complex.vertex_mark[v.value()];
+  map.centre_mark = complex.vertex_mark[v];
   link_vertex(complex, v, out);
   if (map.point_count() == 0 && map.arc_count() == 0) {
-    add_face(complex, complex.vertex_volume.empty() ? VolumeId() : complex.vertex_volume[v.value()],
-             out);
+    add_face(complex, complex.vertex_volume.empty() ? VolumeId() : complex.vertex_volume[v], out);
     return;
   }
   const std::uint32_t orbits = add_orbits(complex, out);
@@ -296,7 +294,7 @@ void map_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
   // By Euler's formula V - E + F is 2 for a component with points and arcs, and each component has
   // orbits of its own: so the sum is 2 exactly if there is one component.
   const bool has_lone_parts =
-      complex.vertex_facet[v.value()].is_valid() ||
+      complex.vertex_facet[v].is_valid() ||
       std::find(map.first_out.begin(), map.first_out.end(), kNone) != map.first_out.end();
   if (!has_lone_parts && points + orbits == map.arc_count() + 2) return;  // connected
   // Orbits are regrouped: a class of cycles that bound one face gets one number.

@@ -201,10 +201,10 @@ bool Nef3::is_bounded() const {
   for (std::size_t u = 0; u < c.use_count(); ++u) {
     // A marked facet or edge that reaches the frame is unbounded, too.
     const bool is_framed = c.edge_mark[c.use_halfedge[u].value() / 2] == kBeyond;
-    if (is_framed && c.facet_mark[c.use_facet[u].value()] == 1) return false;
+    if (is_framed && c.facet_mark[c.use_facet[u]] == 1) return false;
   }
   for (std::size_t h = 0; h < c.origin.size(); ++h) {
-    if (c.edge_mark[h / 2] == 1 && c.vertex_mark[c.origin[h].value()] == kBeyond) return false;
+    if (c.edge_mark[h / 2] == 1 && c.vertex_mark[c.origin[h]] == kBeyond) return false;
   }
   return true;
 }
@@ -233,14 +233,14 @@ namespace {
 bool has_two_facets(const SpaceComplex& c, HalfedgeId h) {
   const UseId first = c.edge_use[h.value() / 2];
   if (!first.is_valid()) return false;
-  const UseId second = c.use_radial[first.value()];
-  return second != first && c.use_radial[second.value()] == first;
+  const UseId second = c.use_radial[first];
+  return second != first && c.use_radial[second] == first;
 }
 
 /// Whether the corners around a vertex make one cycle: as many arcs as points, so two faces.
 /// Requires edges of two uses.
 bool is_on_one_cone(const SpaceComplex& c, VertexId v, LocalMap& local) {
-  if (c.vertex_facet[v.value()].is_valid() || c.star_of(v).empty()) return false;
+  if (c.vertex_facet[v].is_valid() || c.star_of(v).empty()) return false;
   local_map(c, v, local);
   return local.map.face_count() == 2;
 }
@@ -252,7 +252,7 @@ bool Nef3::is_simple() const {
   const SpaceComplex& c = complex();
   for (std::size_t f = 0; f < c.facet_count(); ++f) {
     const auto& [above, below] = c.facet_volume[f];
-    if (c.volume_mark[above.value()] == c.volume_mark[below.value()]) return false;
+    if (c.volume_mark[above] == c.volume_mark[below]) return false;
   }
   for (std::size_t e = 0; e < c.edge_count(); ++e) {
     if (c.edge_mark[e] != kBeyond && !has_two_facets(c, HalfedgeId(2 * e))) return false;
@@ -297,7 +297,8 @@ MeshOfComplex Nef3::to_polygons(const ToMeshOptions& options, Context& context) 
 Nef3 Nef3::complement(Context& context) const {
   context.checkpoint("complement", 0, 0);
   SpaceComplex c = complex();
-  for (auto* marks : {&c.vertex_mark, &c.edge_mark, &c.facet_mark, &c.volume_mark}) {
+  for (std::vector<Mark>* marks : std::initializer_list<std::vector<Mark>*>{
+           &c.vertex_mark, &c.edge_mark, &c.facet_mark, &c.volume_mark}) {
     for (Mark& m : *marks) m = m == kBeyond ? m : static_cast<Mark>(1 - m);
   }
   return Nef3(std::move(c));
@@ -410,7 +411,7 @@ Nef3 boolean_op(const Nef3& a, const Plane3& plane, Section section, MarkFunctio
   const PlaneSet h = section == Section::PlaneOnly         ? PlaneSet::Plane
                      : section == Section::ClosedHalfSpace ? PlaneSet::ClosedBelow
                                                            : PlaneSet::OpenBelow;
-  SpaceComplex result = combine_with_plane(std::move(first), p, h, f, tables, context);
+  SpaceComplex result = boolean_op_with_plane(std::move(first), p, h, f, tables, context);
   return Nef3::from_minimal_unchecked(
       with_tidy_tables(without_idle_frame(std::move(result), context)));
 }

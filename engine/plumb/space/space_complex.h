@@ -63,47 +63,47 @@ struct SpaceComplex {
   std::shared_ptr<const SpaceTables> tables;  ///< Planes and points, shared by copies.
 
   // One entry for each vertex.
-  std::vector<SpacePoint> vertex_point;  ///< The point of each vertex, an id in `tables`.
-  std::vector<Mark> vertex_mark;         ///< Whether the vertex belongs to the set.
-  std::vector<VolumeId>
+  IdVector<VertexId, SpacePoint> vertex_point;  ///< The point of each vertex, an id in `tables`.
+  IdVector<VertexId, Mark> vertex_mark;         ///< Whether the vertex belongs to the set.
+  IdVector<VertexId, VolumeId>
       vertex_volume;  ///< The volume around an isolated vertex; invalid for other vertices.
-  std::vector<FacetId>
+  IdVector<VertexId, FacetId>
       vertex_facet;  ///< The facet that contains the vertex; invalid if there is none.
   /// Where each vertex starts in `star`; vertex_count() + 1 entries.
-  std::vector<std::uint32_t> star_begin;
+  IdVector<VertexId, std::uint32_t> star_begin;
   std::vector<HalfedgeId> star;  ///< The half-edges that leave each vertex.
 
   // One entry for each edge, except `origin`, which has one entry for each half-edge.
   /// Two planes whose intersection is the line of the edge.
-  std::vector<std::array<PlaneId, 2>> edge_planes;
-  std::vector<Mark> edge_mark;        ///< Whether the edge belongs to the set.
-  std::vector<UseId> edge_use;        ///< One use of the edge; invalid if the edge is free.
-  std::vector<VolumeId> edge_volume;  ///< The volume of a free edge.
-  std::vector<VertexId> origin;       ///< The vertex at which each half-edge begins.
+  IdVector<EdgeId, std::array<PlaneId, 2>> edge_planes;
+  IdVector<EdgeId, Mark> edge_mark;        ///< Whether the edge belongs to the set.
+  IdVector<EdgeId, UseId> edge_use;        ///< One use of the edge; invalid if the edge is free.
+  IdVector<EdgeId, VolumeId> edge_volume;  ///< The volume of a free edge.
+  IdVector<HalfedgeId, VertexId> origin;   ///< The vertex at which each half-edge begins.
 
   // One entry for each edge use.
-  std::vector<HalfedgeId>
+  IdVector<UseId, HalfedgeId>
       use_halfedge;  ///< The half-edge of the edge in the direction of the facet's cycle.
-  std::vector<UseId> use_next;     ///< The next use along the cycle.
-  std::vector<UseId> use_prev;     ///< The previous use along the cycle.
-  std::vector<UseId> use_radial;   ///< The next use around the same edge.
-  std::vector<FacetId> use_facet;  ///< The facet that the use bounds.
+  IdVector<UseId, UseId> use_next;     ///< The next use along the cycle.
+  IdVector<UseId, UseId> use_prev;     ///< The previous use along the cycle.
+  IdVector<UseId, UseId> use_radial;   ///< The next use around the same edge.
+  IdVector<UseId, FacetId> use_facet;  ///< The facet that the use bounds.
 
   // One entry for each facet.
-  std::vector<PlaneId> facet_plane;  ///< The plane; its normal points to the positive side.
-  std::vector<Mark> facet_mark;      ///< Whether the facet belongs to the set.
+  IdVector<FacetId, PlaneId> facet_plane;  ///< The plane; its normal points to the positive side.
+  IdVector<FacetId, Mark> facet_mark;      ///< Whether the facet belongs to the set.
   /// The volumes on the positive [0] and negative [1] side of the facet.
-  std::vector<std::array<VolumeId, 2>> facet_volume;
-  std::vector<std::uint32_t>
+  IdVector<FacetId, std::array<VolumeId, 2>> facet_volume;
+  IdVector<FacetId, std::uint32_t>
       facet_origin;  ///< The id that the caller gave to the facet; results of operations keep it.
   /// Where each facet starts in `cycle`; facet_count() + 1 entries.
-  std::vector<std::uint32_t> cycle_begin;
+  IdVector<FacetId, std::uint32_t> cycle_begin;
   std::vector<UseId> cycle;  ///< One use of each cycle of a facet, the outer cycle first.
   /// Where each facet starts in `inner`; facet_count() + 1 entries.
-  std::vector<std::uint32_t> inner_begin;
+  IdVector<FacetId, std::uint32_t> inner_begin;
   std::vector<VertexId> inner;  ///< The vertices inside each facet.
 
-  std::vector<Mark> volume_mark;  ///< Whether each volume belongs to the set.
+  IdVector<VolumeId, Mark> volume_mark;  ///< Whether each volume belongs to the set.
 
   // The counts of cells include the cells of the frame.
 
@@ -127,24 +127,21 @@ struct SpaceComplex {
   VertexId target(HalfedgeId h) const { return origin[h.value() ^ 1U]; }
   /// Returns the half-edges that leave a vertex.
   std::span<const HalfedgeId> star_of(VertexId v) const {
-    return std::span(star).subspan(star_begin[v.value()],
-                                   star_begin[v.value() + 1] - star_begin[v.value()]);
+    return std::span(star).subspan(star_begin[v], star_begin[v.value() + 1] - star_begin[v]);
   }
   /// Returns one use of each cycle of a facet, the outer cycle first.
   std::span<const UseId> cycles_of(FacetId f) const {
-    return std::span(cycle).subspan(cycle_begin[f.value()],
-                                    cycle_begin[f.value() + 1] - cycle_begin[f.value()]);
+    return std::span(cycle).subspan(cycle_begin[f], cycle_begin[f.value() + 1] - cycle_begin[f]);
   }
   /// Returns the vertices inside a facet.
   std::span<const VertexId> inner_of(FacetId f) const {
-    return std::span(inner).subspan(inner_begin[f.value()],
-                                    inner_begin[f.value() + 1] - inner_begin[f.value()]);
+    return std::span(inner).subspan(inner_begin[f], inner_begin[f.value() + 1] - inner_begin[f]);
   }
   /// Returns the vertex at which a use begins.
-  VertexId use_origin(UseId u) const { return origin[use_halfedge[u.value()].value()]; }
+  VertexId use_origin(UseId u) const { return origin[use_halfedge[u]]; }
   /// Returns the volume between the use and the next use in radial order.
   VolumeId volume_after(UseId u) const {
-    return facet_volume[use_facet[u.value()].value()][is_reverse(use_halfedge[u.value()]) ? 1 : 0];
+    return facet_volume[use_facet[u]][is_reverse(use_halfedge[u]) ? 1 : 0];
   }
   const PlaneTable& planes() const { return tables->planes; }   ///< Returns the planes.
   const Point3Table& points() const { return tables->points; }  ///< Returns the points.

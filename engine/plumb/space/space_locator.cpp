@@ -78,7 +78,7 @@ struct SpaceLocator::Tree {
   BoxRay box_ray(const SpaceRay& ray) const;
   Box3 piece(const SpaceRay& ray, double length) const;
   bool find_near(const SpaceRay& ray, std::optional<SpaceRayHit>& hit) const;
-  void meet(SpaceItem item, const SpaceRay& ray, std::vector<SpaceRayHit>& hits) const;
+  void add_hits(SpaceItem item, const SpaceRay& ray, std::vector<SpaceRayHit>& hits) const;
   SpaceItem on(FacetId f, const QueryPoint3& p) const;
   SpaceItem on(EdgeId e, const QueryPoint3& p) const;
   bool is_at(VertexId v, const QueryPoint3& p) const;
@@ -153,7 +153,7 @@ void SpaceLocator::Tree::choose_frame() {
 
 /// Whether a vertex is at p.
 bool SpaceLocator::Tree::is_at(VertexId v, const QueryPoint3& p) const {
-  const SpacePoint x = complex_.vertex_point[v.value()];
+  const SpacePoint x = complex_.vertex_point[v];
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (compare_axis(complex_.points(), x, p, axis) != Sign::Zero) return false;
   }
@@ -163,7 +163,7 @@ bool SpaceLocator::Tree::is_at(VertexId v, const QueryPoint3& p) const {
 /// Returns the edge or the end of it on which p lies, or an invalid item. If p lies on both planes
 /// it lies on the edge's line; there it is an end, or strictly between the ends along some axis.
 SpaceItem SpaceLocator::Tree::on(EdgeId e, const QueryPoint3& p) const {
-  for (const PlaneId plane : complex_.edge_planes[e.value()]) {
+  for (const PlaneId plane : complex_.edge_planes[e]) {
     if (side(complex_.points(), p, plane) != Sign::Zero) return {};
   }
   const HalfedgeId h(2 * std::size_t{e.value()});
@@ -172,7 +172,7 @@ SpaceItem SpaceLocator::Tree::on(EdgeId e, const QueryPoint3& p) const {
   if (is_at(b, p)) return b;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto order = [&](VertexId v) {
-      return compare_axis(complex_.points(), complex_.vertex_point[v.value()], p, axis);
+      return compare_axis(complex_.points(), complex_.vertex_point[v], p, axis);
     };
     if (order(a) * order(b) == Sign::Negative) return e;
   }
@@ -183,14 +183,14 @@ SpaceItem SpaceLocator::Tree::on(EdgeId e, const QueryPoint3& p) const {
 /// along which the normal is largest surely crosses the plane, so its shadows distinguish the
 /// points of the plane.
 SpaceItem SpaceLocator::Tree::on(FacetId f, const QueryPoint3& p) const {
-  const PlaneId plane = complex_.facet_plane[f.value()];
+  const PlaneId plane = complex_.facet_plane[f];
   if (side(complex_.points(), p, plane) != Sign::Zero) return {};
   const auto& n = complex_.planes().row(plane).n;
   const auto is_less = [](double x, double y) { return std::fabs(x) < std::fabs(y); };
   const auto axis =
       static_cast<std::size_t>(std::max_element(n.begin(), n.end(), is_less) - n.begin());
   std::vector<SpaceRayHit> hits;
-  SpaceRay(complex_, p, axis, false).meet(f, hits);
+  SpaceRay(complex_, p, axis, false).add_hits(f, hits);
   return hits.empty() ? SpaceItem() : hits[0].item;
 }
 
@@ -224,14 +224,14 @@ BoxRay SpaceLocator::Tree::box_ray(const SpaceRay& ray) const {
   return {frame_.turned(box_of(ray.origin().box())), frame_.turned(direction)};
 }
 
-void SpaceLocator::Tree::meet(SpaceItem item, const SpaceRay& ray,
-                              std::vector<SpaceRayHit>& hits) const {
+void SpaceLocator::Tree::add_hits(SpaceItem item, const SpaceRay& ray,
+                                  std::vector<SpaceRayHit>& hits) const {
   if (item.kind() == SpaceItem::Kind::Facet) {
-    ray.meet(item.facet(), hits);
+    ray.add_hits(item.facet(), hits);
   } else if (item.kind() == SpaceItem::Kind::Edge) {
-    ray.meet(item.edge(), hits);
+    ray.add_hits(item.edge(), hits);
   } else {
-    ray.meet(item.vertex(), hits);
+    ray.add_hits(item.vertex(), hits);
   }
 }
 
@@ -291,7 +291,7 @@ bool SpaceLocator::Tree::find_near(const SpaceRay& ray, std::optional<SpaceRayHi
     int left = kMostBoxes;
     boxes_tree_.for_each_meeting(box, [&](std::uint32_t item) {
       hits.clear();
-      meet(items_[item], ray, hits);
+      add_hits(items_[item], ray, hits);
       nearest.look_at(hits);
       return --left > 0;
     });
@@ -312,7 +312,7 @@ std::optional<SpaceRayHit> SpaceLocator::Tree::first_hit(const SpaceRay& ray) co
   std::vector<SpaceRayHit> hits;
   boxes_tree_.for_each_along(box_ray(ray), Box3::kInfinity, [&](std::uint32_t i, double) {
     hits.clear();
-    meet(items_[i], ray, hits);
+    add_hits(items_[i], ray, hits);
     nearest.look_at(hits);
     return nearest.limit();
   });
@@ -371,7 +371,7 @@ bool SpaceLocator::Tree::locate_between(const QueryPoint3& p, const VolumeGrid::
     found = on(items_[i], p);
     if (found.is_valid()) return false;
     hits.clear();
-    meet(items_[i], ray, hits);
+    add_hits(items_[i], ray, hits);
     nearest.look_at(hits);
     return true;
   });

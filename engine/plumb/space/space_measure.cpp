@@ -30,7 +30,7 @@ namespace {
 constexpr std::uint64_t kBytesPerVertex = 10;
 
 /// Whether a volume belongs to the set.
-bool is_marked(const SpaceComplex& c, VolumeId v) { return c.volume_mark[v.value()] == 1; }
+bool is_marked(const SpaceComplex& c, VolumeId v) { return c.volume_mark[v] == 1; }
 
 /// Returns 1 if the marked volume is on the negative side of a facet, so that the normal points out
 /// of it; -1 if it is on the positive side; 0 if both sides are marked or none is.
@@ -45,8 +45,8 @@ bool is_at_frame(const SpaceComplex& c, FacetId f) {
     UseId u = first;
     do {
       const VertexId v = c.use_origin(u);
-      if (c.points().depends_on_frame(c.vertex_point[v.value()])) return true;
-      u = c.use_next[u.value()];
+      if (c.points().depends_on_frame(c.vertex_point[v])) return true;
+      u = c.use_next[u];
     } while (u != first);
   }
   return false;
@@ -81,9 +81,7 @@ class Steps {
 /// Together, with signs, they are the facet, counter-clockwise.
 template <class Visit>
 void for_each_triangle(const SpaceComplex& c, FacetId f, Steps& step, Visit visit) {
-  const auto at = [&](UseId u) {
-    return exact(c.points(), c.vertex_point[c.use_origin(u).value()]);
-  };
+  const auto at = [&](UseId u) { return exact(c.points(), c.vertex_point[c.use_origin(u)]); };
   const RationalPoint3 p = at(c.cycles_of(f)[0]);
   for (const UseId first : c.cycles_of(f)) {
     const RationalPoint3 start = at(first);
@@ -91,7 +89,7 @@ void for_each_triangle(const SpaceComplex& c, FacetId f, Steps& step, Visit visi
     UseId u = first;
     do {
       step();
-      const UseId next = c.use_next[u.value()];
+      const UseId next = c.use_next[u];
       RationalPoint3 b = next == first ? start : at(next);
       if (a != p && b != p) visit(p, a, b);
       a = std::move(b);

@@ -48,21 +48,21 @@ class ShellLister {
 
  private:
   void list_sides(FacetId f) {
-    if (complex_.facet_mark[f.value()] == kBeyond) return;
+    if (complex_.facet_mark[f] == kBeyond) return;
     for (const bool is_negative : {false, true}) {
       const std::uint32_t shell = nodes_.root(ShellNodes::facet_node(f, is_negative));
       sides_.push_back({shell, {f, !is_negative}});
-      shells_.push_back({shell, complex_.facet_volume[f.value()][is_negative ? 1 : 0]});
+      shells_.push_back({shell, complex_.facet_volume[f][is_negative ? 1 : 0]});
       for (const VertexId v : complex_.inner_of(f)) vertices_.push_back({shell, v});
     }
   }
 
   void list_edge(EdgeId e) {
-    if (complex_.edge_mark[e.value()] == kBeyond) return;
+    if (complex_.edge_mark[e] == kBeyond) return;
     if (const std::uint32_t node = nodes_.free_node(e); node != kNone) {
       const std::uint32_t shell = nodes_.root(node);
       edges_.push_back({shell, e});
-      shells_.push_back({shell, complex_.edge_volume[e.value()]});
+      shells_.push_back({shell, complex_.edge_volume[e]});
       for (const std::uint32_t h : {2 * e.value(), 2 * e.value() + 1}) {
         list(complex_.origin[h], shell);
       }
@@ -71,23 +71,23 @@ class ShellLister {
 
   /// Lists the edge and the origin of a use on both shells beside it.
   void list_corner(UseId u) {
-    const EdgeId e = SpaceComplex::edge_of(complex_.use_halfedge[u.value()]);
+    const EdgeId e = SpaceComplex::edge_of(complex_.use_halfedge[u]);
     for (const std::uint32_t node : {nodes_.node_after(u), nodes_.node_before(u)}) {
       const std::uint32_t shell = nodes_.root(node);
-      if (complex_.edge_mark[e.value()] != kBeyond) edges_.push_back({shell, e});
+      if (complex_.edge_mark[e] != kBeyond) edges_.push_back({shell, e});
       list(complex_.use_origin(u), shell);
     }
   }
 
   void list_vertex(VertexId v) {
-    if (!complex_.vertex_volume[v.value()].is_valid()) return;
+    if (!complex_.vertex_volume[v].is_valid()) return;
     const std::uint32_t shell = nodes_.root(nodes_.vertex_node(v));
     vertices_.push_back({shell, v});
-    shells_.push_back({shell, complex_.vertex_volume[v.value()]});
+    shells_.push_back({shell, complex_.vertex_volume[v]});
   }
 
   void list(VertexId v, std::uint32_t shell) {
-    if (complex_.vertex_mark[v.value()] != kBeyond) vertices_.push_back({shell, v});
+    if (complex_.vertex_mark[v] != kBeyond) vertices_.push_back({shell, v});
   }
 
   /// Returns the least vertex of each shell, by its root; invalid if it has none.
@@ -114,8 +114,7 @@ class ShellLister {
   }
 
   Sign compare(VertexId v, VertexId w) const {
-    return compare_xyz(complex_.points(), complex_.vertex_point[v.value()],
-                       complex_.vertex_point[w.value()]);
+    return compare_xyz(complex_.points(), complex_.vertex_point[v], complex_.vertex_point[w]);
   }
 
   /// Sorts and drops repetitions.

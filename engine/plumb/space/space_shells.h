@@ -97,8 +97,11 @@ class SpaceShells {
 
 /// The solid that is bounded by a mesh made from a shell.
 enum class ShellSolid : std::uint8_t {
-  Volume,  ///< The volume of the shell: faces of the mesh look out of this volume.
-  Other,  ///< The solid on the other side of the shell. For example, the shell around a void gives a solid in the shape of the void.
+  /// The volume of the shell: faces of the mesh look out of this volume.
+  Volume,
+  /// The solid on the other side of the shell. For example, the shell around a void gives a solid
+  /// in the shape of the void.
+  Other,
 };
 
 /// Returns the facets of a shell as a mesh. Throws Error{BadArgument} if one of the facets reaches

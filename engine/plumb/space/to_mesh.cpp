@@ -35,7 +35,7 @@ void for_uses(const SpaceComplex& complex, FacetId f, const Visit& visit) {
     UseId u = first;
     do {
       visit(u);
-      u = complex.use_next[u.value()];
+      u = complex.use_next[u];
     } while (u != first);
   }
 }
@@ -80,17 +80,17 @@ class Cones {
   /// 2e comes the positive side of its facet; the solid is behind what is shown.
   void join_around(EdgeId e) {
     ring_.clear();
-    const UseId first = complex_.edge_use[e.value()];
+    const UseId first = complex_.edge_use[e];
     if (!first.is_valid()) return;
     UseId u = first;
     do {
-      const auto& shown = shown_[complex_.use_facet[u.value()].value()];
-      const bool is_reverse = SpaceComplex::is_reverse(complex_.use_halfedge[u.value()]);
+      const auto& shown = shown_[complex_.use_facet[u].value()];
+      const bool is_reverse = SpaceComplex::is_reverse(complex_.use_halfedge[u]);
       // The sides of the facet behind which the solid lies before and after it.
       const bool before = is_reverse, after = !is_reverse;
       if (shown[before ? 1 : 0] != 0) ring_.push_back({u, before, false});
       if (shown[after ? 1 : 0] != 0) ring_.push_back({u, after, true});
-      u = complex_.use_radial[u.value()];
+      u = complex_.use_radial[u];
     } while (u != first);
     // Shown sides alternate between those before and those behind a part of the solid.
     if (ring_.size() > 2) ++crowded_edges_;
@@ -102,9 +102,8 @@ class Cones {
   /// Joins the corners of two sides at both ends of an edge.
   void join_ends(const Entry& a, const Entry& b) {
     // Two sides that run the same way along the edge have their corners at the same ends.
-    const bool is_same_way =
-        complex_.use_halfedge[a.use.value()] == complex_.use_halfedge[b.use.value()];
-    const UseId a_end = complex_.use_next[a.use.value()], b_end = complex_.use_next[b.use.value()];
+    const bool is_same_way = complex_.use_halfedge[a.use] == complex_.use_halfedge[b.use];
+    const UseId a_end = complex_.use_next[a.use], b_end = complex_.use_next[b.use];
     join(corner(a.use, a.side), corner(is_same_way ? b.use : b_end, b.side));
     join(corner(a_end, a.side), corner(is_same_way ? b_end : b.use, b.side));
   }
@@ -116,115 +115,138 @@ class Cones {
   std::uint32_t crowded_edges_ = 0;
 };
 
+// ---------------------------------------------------------------- vertices
+
+using Shown = IdVector<FacetId, std::array<std::uint8_t, 2>>;
+
+/// Returns for each facet which of its sides are shown.
+Shown shown_sides(const SpaceComplex& complex, std::span<const FacetSide> sides) {
+  Shown shown(complex.facet_count());
+  for (const FacetSide& s : sides) shown[s.facet][s.is_reversed ? 1 : 0] = 1;
+  return shown;
+}
+
+/// Calls visit(vertex, corner) for all corners of a side.
+template <class Visit>
+void for_corners(const SpaceComplex& complex, const Cones& cones, const FacetSide& s,
+                 const Visit& visit) {
+  for_uses(complex, s.facet,
+           [&](UseId u) { visit(complex.use_origin(u), Cones::corner(u, s.is_reversed)); });
+  const std::uint32_t begin = complex.inner_begin[s.facet];
+  const auto inner = complex.inner_of(s.facet);
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    visit(inner[i], cones.corner_of_inner(begin + i, s.is_reversed));
+  }
+}
+
+/// A corner of a side: its vertex, and a number that depends on the step.
+using NumberedCorner = std::pair<VertexId, std::uint32_t>;
+
+/// Joins the cones of each side's corners at one vertex.
+void keep_corners_together(const SpaceComplex& complex, std::span<const FacetSide> sides,
+                           Cones& cones) {
+  std::vector<NumberedCorner> corners;
+  for (const FacetSide& s : sides) {
+    corners.clear();
+    for_corners(complex, cones, s, [&](VertexId v, std::uint32_t corner) {
+      corners.emplace_back(v, cones.root(corner));
+    });
+    if (corners.size() == 3) continue;
+    std::sort(corners.begin(), corners.end());
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      if (corners[i].first == corners[i - 1].first) {
+        cones.join(corners[i].second, corners[i - 1].second);
+      }
+    }
+  }
+}
+
+/// The vertices of the mesh.
+struct MeshNumbers {
+  /// The vertex of the mesh of each cone if vertices are split, else of each vertex of the complex.
+  std::vector<std::uint32_t> number;
+  std::vector<VertexId> vertex;    ///< The vertex of the complex of each vertex of the mesh.
+  std::uint64_t non_manifold = 0;  ///< The number of vertices with several cones.
+};
+
+/// Makes a vertex for each cone, or for all cones of a vertex of the complex, in the order of the
+/// complex.
+MeshNumbers number_vertices(const SpaceComplex& complex, std::span<const FacetSide> sides,
+                            bool split_vertices, Cones& cones) {
+  if (split_vertices) keep_corners_together(complex, sides, cones);
+  std::vector<std::uint32_t> first(complex.vertex_count(), kNone);
+  // Most vertices have one cone, kept in `first`; further ones go to a list that stays short.
+  std::vector<NumberedCorner> others;
+  for (const FacetSide& s : sides) {
+    for_corners(complex, cones, s, [&](VertexId v, std::uint32_t corner) {
+      const std::uint32_t cone = cones.root(corner);
+      std::uint32_t& known = first[v.value()];
+      if (known == kNone) known = cone;
+      if (known != cone) others.emplace_back(v, cone);
+    });
+  }
+  std::sort(others.begin(), others.end());
+  others.erase(std::unique(others.begin(), others.end()), others.end());
+  MeshNumbers result;
+  result.number.resize(split_vertices ? cones.size() : first.size(), kNone);
+  const auto add = [&](VertexId v, std::uint32_t cone) {
+    result.number[split_vertices ? cone : v.value()] =
+        static_cast<std::uint32_t>(result.vertex.size());
+    result.vertex.push_back(v);
+  };
+  auto other = others.begin();
+  for (std::uint32_t i = 0; i < first.size(); ++i) {
+    if (first[i] == kNone) continue;
+    const VertexId v(i);
+    add(v, first[i]);
+    if (other != others.end() && other->first == v) ++result.non_manifold;
+    for (; other != others.end() && other->first == v; ++other) {
+      if (split_vertices) add(v, other->second);
+    }
+  }
+  return result;
+}
+
+/// Adds the points of the vertices to the mesh, and returns the nearest doubles of each vertex of
+/// the complex that has a number. Copies of one vertex follow each other, so each is rounded once.
+IdVector<VertexId, RoundedPoint3> add_points(const SpaceComplex& complex,
+                                             std::span<const VertexId> vertices, bool keeps_exact,
+                                             PolygonMesh& mesh) {
+  IdVector<VertexId, RoundedPoint3> result(complex.vertex_count());
+  mesh.points.reserve(vertices.size());
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+    const SpacePoint p = complex.vertex_point[vertices[i]];
+    RoundedPoint3& nearest = result[vertices[i]];
+    const bool is_first = i == 0 || vertices[i] != vertices[i - 1];
+    if (is_first) nearest = rounded(complex.points(), p);
+    mesh.points.push_back(nearest.at);
+    if (keeps_exact && !nearest.is_exact) mesh.exact.emplace_back(i, exact(complex.points(), p));
+  }
+  return result;
+}
+
 // ---------------------------------------------------------------- faces
 
-/// Makes a mesh of sides of facets.
-class MeshMaker {
+/// Adds the faces of one side after the other to a mesh. It is a class because all sides share the
+/// buffers of the side being looked at.
+class FaceWriter {
  public:
-  MeshMaker(const SpaceComplex& complex, std::span<const FacetSide> sides,
-            const ToMeshOptions& options, Context& context)
+  FaceWriter(const SpaceComplex& complex, const ToMeshOptions& options, const MeshNumbers& numbers,
+             Cones& cones, std::span<const RoundedPoint3> nearest, MeshOfComplex& out)
       : complex_(complex),
-        sides_(sides),
         options_(options),
-        context_(context),
-        shown_(shown_sides(complex, sides)),
-        cones_(complex, shown_),
-        cutter_(complex) {}
-
-  MeshOfComplex run() {
-    number_vertices();
-    add_points();
-    cutter_.use_nearest(nearest_);
-    out_.mesh.face_begin.reserve(sides_.size() + 1);
-    out_.mesh.corners.reserve(3 * sides_.size());
-    out_.facet.reserve(sides_.size());
-    for (std::size_t i = 0; i < sides_.size(); ++i) {
-      if (i % 4096 == 0) context_.checkpoint("faces of the mesh", i, sides_.size());
-      add_faces(sides_[i]);
-    }
-    out_.report.non_manifold_edges = cones_.crowded_edges();
-    return std::move(out_);
-  }
-
- private:
-  using Shown = std::vector<std::array<std::uint8_t, 2>>;
-
-  /// Returns for each facet which of its sides are shown.
-  static Shown shown_sides(const SpaceComplex& complex, std::span<const FacetSide> sides) {
-    Shown shown(complex.facet_count());
-    for (const FacetSide& s : sides) shown[s.facet.value()][s.is_reversed ? 1 : 0] = 1;
-    return shown;
-  }
-
-  /// Calls visit(vertex, corner) for all corners of a side.
-  template <class Visit>
-  void for_corners(const FacetSide& s, const Visit& visit) {
-    for_uses(complex_, s.facet,
-             [&](UseId u) { visit(complex_.use_origin(u), Cones::corner(u, s.is_reversed)); });
-    const std::uint32_t begin = complex_.inner_begin[s.facet.value()];
-    const auto inner = complex_.inner_of(s.facet);
-    for (std::size_t i = 0; i < inner.size(); ++i) {
-      visit(inner[i], cones_.corner_of_inner(begin + i, s.is_reversed));
-    }
-  }
-
-  /// Makes a vertex for each cone, or for all cones of a vertex of the complex, in the order of the
-  /// complex.
-  void number_vertices() {
-    if (options_.split_vertices) {
-      for (const FacetSide& s : sides_) keep_corners_together(s);
-    }
-    std::vector<std::uint32_t> first(complex_.vertex_count(), kNone);
-    // Most vertices have one cone, kept in `first`; further ones go to a list that stays short.
-    std::vector<std::pair<VertexId, std::uint32_t>> others;
-    for (const FacetSide& s : sides_) {
-      for_corners(s, [&](VertexId v, std::uint32_t corner) {
-        const std::uint32_t cone = cones_.root(corner);
-        std::uint32_t& known = first[v.value()];
-        if (known == kNone) known = cone;
-        if (known != cone) others.emplace_back(v, cone);
-      });
-    }
-    std::sort(others.begin(), others.end());
-    others.erase(std::unique(others.begin(), others.end()), others.end());
-    number_.resize(options_.split_vertices ? cones_.size() : first.size(), kNone);
-    auto other = others.begin();
-    for (std::uint32_t v = 0; v < first.size(); ++v) {
-      if (first[v] == kNone) continue;
-      add_vertex(VertexId(v), first[v]);
-      if (other != others.end() && other->first == VertexId(v)) ++out_.report.non_manifold_vertices;
-      for (; other != others.end() && other->first == VertexId(v); ++other) {
-        if (options_.split_vertices) add_vertex(VertexId(v), other->second);
-      }
-    }
-  }
-  void add_vertex(VertexId v, std::uint32_t cone) {
-    number_[options_.split_vertices ? cone : v.value()] =
-        static_cast<std::uint32_t>(vertex_.size());
-    vertex_.push_back(v);
-  }
-  /// Returns the vertex of the mesh at a corner.
-  std::uint32_t number(VertexId v, std::uint32_t corner) {
-    return number_[options_.split_vertices ? cones_.root(corner) : v.value()];
-  }
-
-  /// Joins the cones of a side's corners at one vertex.
-  void keep_corners_together(const FacetSide& s) {
-    corners_.clear();
-    for_corners(s, [&](VertexId v, std::uint32_t c) { corners_.emplace_back(v, cones_.root(c)); });
-    if (corners_.size() == 3) return;
-    std::sort(corners_.begin(), corners_.end());
-    for (std::size_t i = 1; i < corners_.size(); ++i) {
-      if (corners_[i].first == corners_[i - 1].first) {
-        cones_.join(corners_[i].second, corners_[i - 1].second);
-      }
-    }
+        numbers_(numbers),
+        cones_(cones),
+        cutter_(complex),
+        out_(out) {
+    cutter_.use_nearest(nearest);
   }
 
   /// Adds the face or faces of a side.
   void add_faces(const FacetSide& s) {
     corners_.clear();
-    for_corners(s, [&](VertexId v, std::uint32_t c) { corners_.emplace_back(v, number(v, c)); });
+    for_corners(complex_, cones_, s,
+                [&](VertexId v, std::uint32_t c) { corners_.emplace_back(v, number(v, c)); });
     // Corners come in the order of the cycle, counter-clockwise from the positive side.
     if (corners_.size() == 3 || can_be_polygon(s.facet)) {
       face_.clear();
@@ -238,6 +260,12 @@ class MeshMaker {
       add_face(s);
     });
   }
+
+ private:
+  /// Returns the vertex of the mesh at a corner.
+  std::uint32_t number(VertexId v, std::uint32_t corner) {
+    return numbers_.number[options_.split_vertices ? cones_.root(corner) : v.value()];
+  }
   std::uint32_t number_at(VertexId v) const {
     return std::ranges::lower_bound(corners_, v, {}, [](const auto& c) { return c.first; })->second;
   }
@@ -249,10 +277,10 @@ class MeshMaker {
     seen_.resize(complex_.vertex_count(), 0);
     ++polygons_;
     for (const auto& [v, number] : corners_) {
-      const bool is_double = complex_.vertex_point[v.value()].is_input();
+      const bool is_double = complex_.vertex_point[v].is_input();
       if (!is_double && options_.faces == MeshFaces::PlanarPolygons) return false;
-      if (seen_[v.value()] == polygons_) return false;
-      seen_[v.value()] = polygons_;
+      if (seen_[v] == polygons_) return false;
+      seen_[v] = polygons_;
     }
     return true;
   }
@@ -263,36 +291,15 @@ class MeshMaker {
     out_.facet.push_back(s.facet);
   }
 
-  void add_points() {
-    out_.mesh.points.reserve(vertex_.size());
-    nearest_.resize(complex_.vertex_count());
-    for (std::uint32_t i = 0; i < vertex_.size(); ++i) {
-      const SpacePoint p = complex_.vertex_point[vertex_[i].value()];
-      RoundedPoint3& nearest = nearest_[vertex_[i].value()];
-      const bool is_first = i == 0 || vertex_[i] != vertex_[i - 1];
-      if (is_first) nearest = rounded(complex_.points(), p);
-      out_.mesh.points.push_back(nearest.at);
-      if (options_.keeps_exact && !nearest.is_exact) {
-        out_.mesh.exact.emplace_back(i, exact(complex_.points(), p));
-      }
-    }
-  }
-
   const SpaceComplex& complex_;
-  std::span<const FacetSide> sides_;
   const ToMeshOptions& options_;
-  Context& context_;
-  Shown shown_;
-  Cones cones_;
+  const MeshNumbers& numbers_;
+  Cones& cones_;
   FacetTriangles cutter_;
-  MeshOfComplex out_;
-  // The vertex of the mesh of each cone if vertices are split, else of each vertex.
-  std::vector<std::uint32_t> number_;
-  std::vector<VertexId> vertex_;        // The vertex of the complex of each vertex of the mesh.
-  std::vector<RoundedPoint3> nearest_;  // One entry for each vertex of the complex with a number.
-  std::vector<std::pair<VertexId, std::uint32_t>> corners_;  // Those of the side being written.
+  MeshOfComplex& out_;
+  std::vector<NumberedCorner> corners_;  // The corners of the side, with vertices of the mesh.
   std::vector<std::uint32_t> face_;
-  std::vector<std::uint32_t> seen_;  // The last polygon at each vertex, counted by polygons_.
+  IdVector<VertexId, std::uint32_t> seen_;  // The last polygon at each vertex, by polygons_.
   std::uint32_t polygons_ = 0;
 };
 
@@ -335,18 +342,18 @@ class ClosureCount {
 
   void add(VolumeId v, Around& around) const {
     if (!v.is_valid()) return;
-    (complex_.volume_mark[v.value()] == 1 ? around.marked : around.unmarked) = true;
+    (complex_.volume_mark[v] == 1 ? around.marked : around.unmarked) = true;
   }
   void add(FacetId f, Around& around) const {
-    for (const VolumeId v : complex_.facet_volume[f.value()]) add(v, around);
+    for (const VolumeId v : complex_.facet_volume[f]) add(v, around);
   }
   void add(EdgeId e, Around& around) const {
-    const UseId first = complex_.edge_use[e.value()];
-    if (!first.is_valid()) return add(complex_.edge_volume[e.value()], around);
+    const UseId first = complex_.edge_use[e];
+    if (!first.is_valid()) return add(complex_.edge_volume[e], around);
     UseId u = first;
     do {
       add(complex_.volume_after(u), around);
-      u = complex_.use_radial[u.value()];
+      u = complex_.use_radial[u];
     } while (u != first);
   }
 
@@ -362,8 +369,8 @@ class ClosureCount {
   }
   Around around(VertexId v) const {
     Around result;
-    add(complex_.vertex_volume[v.value()], result);
-    const FacetId f = complex_.vertex_facet[v.value()];
+    add(complex_.vertex_volume[v], result);
+    const FacetId f = complex_.vertex_facet[v];
     if (f.is_valid()) add(f, result);
     for (const HalfedgeId h : complex_.star_of(v)) add(SpaceComplex::edge_of(h), result);
     return result;
@@ -379,7 +386,7 @@ bool is_unbounded(const SpaceComplex& complex) {
   for (std::size_t f = 0; f < complex.facet_count(); ++f) {
     if (complex.facet_mark[f] != kBeyond) continue;
     for (const VolumeId v : complex.facet_volume[f]) {
-      if (v.is_valid() && complex.volume_mark[v.value()] == 1) return true;
+      if (v.is_valid() && complex.volume_mark[v] == 1) return true;
     }
   }
   return false;
@@ -391,8 +398,8 @@ bool is_unbounded(const SpaceComplex& complex) {
 std::vector<FacetSide> boundary_sides(const SpaceComplex& complex) {
   std::vector<FacetSide> sides;
   for (std::size_t f = 0; f < complex.facet_count(); ++f) {
-    const Mark above = complex.volume_mark[complex.facet_volume[f][0].value()];
-    const Mark below = complex.volume_mark[complex.facet_volume[f][1].value()];
+    const Mark above = complex.volume_mark[complex.facet_volume[f][0]];
+    const Mark below = complex.volume_mark[complex.facet_volume[f][1]];
     if ((above == 1) != (below == 1)) sides.push_back({FacetId(f), above == 1});
   }
   return sides;
@@ -403,7 +410,23 @@ MeshOfComplex mesh_of_sides(const SpaceComplex& complex, std::span<const FacetSi
   MemoryCharge memory(context);
   memory.add(kBytesPerUse * complex.use_count() + sizeof(RoundedPoint3) * complex.vertex_count(),
              "a mesh");
-  return MeshMaker(complex, sides, options, context).run();
+  MeshOfComplex out;
+  const Shown shown = shown_sides(complex, sides);
+  Cones cones(complex, shown);
+  const MeshNumbers numbers = number_vertices(complex, sides, options.split_vertices, cones);
+  const IdVector<VertexId, RoundedPoint3> nearest =
+      add_points(complex, numbers.vertex, options.keeps_exact, out.mesh);
+  out.mesh.face_begin.reserve(sides.size() + 1);
+  out.mesh.corners.reserve(3 * sides.size());
+  out.facet.reserve(sides.size());
+  FaceWriter writer(complex, options, numbers, cones, nearest, out);
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (i % 4096 == 0) context.checkpoint("faces of the mesh", i, sides.size());
+    writer.add_faces(sides[i]);
+  }
+  out.report.non_manifold_edges = cones.crowded_edges();
+  out.report.non_manifold_vertices = numbers.non_manifold;
+  return out;
 }
 
 MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& options,
@@ -420,9 +443,8 @@ MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& 
 
 bool is_unbounded(const SpaceComplex& complex, FacetId f) {
   bool is_far = false;
-  for_uses(complex, f, [&](UseId u) {
-    is_far |= complex.vertex_mark[complex.use_origin(u).value()] == kBeyond;
-  });
+  for_uses(complex, f,
+           [&](UseId u) { is_far |= complex.vertex_mark[complex.use_origin(u)] == kBeyond; });
   return is_far;
 }
 
@@ -438,8 +460,8 @@ MeshOfComplex soup_of_complex(const SpaceComplex& complex, const ToMeshOptions& 
       has_far = true;
       continue;
     }
-    const Mark above = complex.volume_mark[complex.facet_volume[f][0].value()];
-    const Mark below = complex.volume_mark[complex.facet_volume[f][1].value()];
+    const Mark above = complex.volume_mark[complex.facet_volume[f][0]];
+    const Mark below = complex.volume_mark[complex.facet_volume[f][1]];
     sides.push_back({FacetId(f), above == 1 && below != 1});
   }
   MeshOfComplex result = mesh_of_sides(complex, sides, options, context);

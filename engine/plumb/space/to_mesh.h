@@ -76,8 +76,8 @@ struct ToMeshReport {
   ItemCounts
       dropped;  ///< Marked cells outside the closure of the marked volumes; the mesh omits them.
   ItemCounts filled;  ///< Unmarked cells inside the solid; the solid of the mesh includes them.
-  ItemCounts
-      closed;  ///< Unmarked cells on the boundary of the solid; the solid of the mesh includes them.
+  /// Unmarked cells on the boundary of the solid; the solid of the mesh includes them.
+  ItemCounts closed;
   std::uint64_t non_manifold_edges = 0;     ///< Edges with more than two faces.
   std::uint64_t non_manifold_vertices = 0;  ///< Vertices with more than one cone.
   /// Whether an edge has more than two faces, or a vertex more than one cone.

@@ -211,7 +211,7 @@ const Separation& SurfaceDivision::shape_separation(std::uint32_t shape) const {
   return state_->labels().separation[shape];
 }
 std::span<const SignedEntry> SurfaceDivision::labels(CellId c) const { return state_->labels()[c]; }
-double SurfaceDivision::area(CellId c) const { return state_->cells.area[c.value()]; }
+double SurfaceDivision::area(CellId c) const { return state_->cells.area[c]; }
 
 /// Evaluates the expression in each cell. Labels are sparse: only the shapes listed in a cell are
 /// set, and reset afterwards.

@@ -55,23 +55,20 @@ class SurfaceAudit {
     if (a_.twin.size() != n || a_.next.size() != n || a_.piece.size() != n || a_.arc.size() != n) {
       return "sizes of half-edge arrays";
     }
-    std::vector<std::uint8_t> is_next(n);
+    IdVector<HalfedgeId, std::uint8_t> is_next(n);
     for (std::size_t i = 0; i < n; ++i) {
       const HalfedgeId next = a_.next[i], twin = a_.twin[i];
-      if (next.value() >= n || is_next[next.value()]++ != 0)
+      if (next.value() >= n || is_next[next]++ != 0)
         return "next is no permutation" + at("half-edge", i);
-      if (a_.piece[next.value()] != a_.piece[i])
-        return "next leaves the piece" + at("half-edge", i);
+      if (a_.piece[next] != a_.piece[i]) return "next leaves the piece" + at("half-edge", i);
       if (a_.origin[i].value() >= a_.node_count()) return "no such node" + at("half-edge", i);
       if (!twin.is_valid()) continue;
-      if (twin.value() >= n || a_.twin[twin.value()].value() != i)
-        return "twin" + at("half-edge", i);
-      if (a_.origin[twin.value()] != a_.target(HalfedgeId(i)))
-        return "twin's origin" + at("half-edge", i);
-      if (a_.arc[twin.value()] != a_.arc[i]) return "twin's arc" + at("half-edge", i);
+      if (twin.value() >= n || a_.twin[twin].value() != i) return "twin" + at("half-edge", i);
+      if (a_.origin[twin] != a_.target(HalfedgeId(i))) return "twin's origin" + at("half-edge", i);
+      if (a_.arc[twin] != a_.arc[i]) return "twin's arc" + at("half-edge", i);
     }
     for (std::size_t i = 0; i < a_.arc_count(); ++i) {
-      if (a_.arc[a_.arc_halfedge[i].value()].value() != i) return "half-edge of arc" + at("arc", i);
+      if (a_.arc[a_.arc_halfedge[i]].value() != i) return "half-edge of arc" + at("arc", i);
       if (a_.multiplicities(ArcId(i)).empty()) return "no polygon" + at("arc", i);
     }
     return std::nullopt;
@@ -138,7 +135,7 @@ class SurfaceAudit {
       for (const SignedEntry& e : a_.multiplicities(ArcId(i))) {
         if (e.value == 0 || e.id >= d_.scene().polygons.size())
           return "multiplicity" + at("arc", i);
-        balance[{a_.origin[h.value()], e.id}] -= e.value;
+        balance[{a_.origin[h], e.id}] -= e.value;
         balance[{a_.target(h), e.id}] += e.value;
       }
     }
@@ -158,8 +155,8 @@ class SurfaceAudit {
       in_face[c.face].push_back(p);
     }
     // Points of polygons that cancel may lie anywhere.
-    std::vector<std::uint8_t> is_used(a_.node_count());
-    for (const NodeId n : a_.origin) is_used[n.value()] = 1;
+    IdVector<NodeId, std::uint8_t> is_used(a_.node_count());
+    for (const NodeId n : a_.origin) is_used[n] = 1;
     for (std::size_t n = 0; n < a_.node_point.size(); ++n) {
       const SurfacePointTable& points = d_.scene().polygons.points;
       if (is_used[n] == 0 || points.place(a_.node_point[n]) != SurfacePlace::Face) continue;
@@ -179,7 +176,7 @@ class SurfaceAudit {
 
   // ---------------------------------------------------------------- 5. cells
 
-  CellId cell(HalfedgeId h) const { return cells_.of_piece[a_.piece[h.value()].value()]; }
+  CellId cell(HalfedgeId h) const { return cells_.of_piece[a_.piece[h]]; }
 
   Flaw cells() const {
     std::vector<std::pair<CellId, CellId>> pairs;
@@ -210,7 +207,7 @@ class SurfaceAudit {
 
   Flaw labels() const {
     for (std::size_t i = 0; i < a_.arc_count(); ++i) {
-      const HalfedgeId h = a_.arc_halfedge[i], t = a_.twin[h.value()];
+      const HalfedgeId h = a_.arc_halfedge[i], t = a_.twin[h];
       if (!t.is_valid()) continue;
       Sparse jump = jump_of(ArcId(i));
       for (const SignedEntry& e : d_.labels(cell(h))) jump[e.id] -= e.value;

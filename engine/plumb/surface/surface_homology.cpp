@@ -50,7 +50,7 @@ VertexId SurfaceHomology::across(EdgeId e, VertexId v) const {
 /// starts at its first half-edge and ends with the edge that arrives along the border.
 void SurfaceHomology::grow_tree() {
   parent_.assign(mesh_.vertex_count(), EdgeId{});
-  std::vector<std::uint8_t> is_seen(mesh_.vertex_count());
+  IdVector<VertexId, std::uint8_t> is_seen(mesh_.vertex_count());
   std::vector<VertexId> queue;
   for (std::uint32_t root = 0; root < mesh_.vertex_count(); ++root) {
     if (is_seen[root] != 0) continue;
@@ -59,10 +59,10 @@ void SurfaceHomology::grow_tree() {
     queue.emplace_back(root);
     const auto reach = [&](HalfedgeId h, VertexId from) {
       const VertexId to = across(mesh_.edge(h), from);
-      if (is_seen[to.value()] != 0) return;
-      is_seen[to.value()] = 1;
-      is_in_tree_[mesh_.edge(h).value()] = kTree;
-      parent_[to.value()] = mesh_.edge(h);
+      if (is_seen[to] != 0) return;
+      is_seen[to] = 1;
+      is_in_tree_[mesh_.edge(h)] = kTree;
+      parent_[to] = mesh_.edge(h);
       queue.push_back(to);
     };
     for (; at < queue.size(); ++at) {
@@ -87,8 +87,8 @@ void SurfaceHomology::find_disks() {
   for (std::uint32_t i = 0; i < n; ++i) {
     if (!mesh_.is_border(HalfedgeId(i)) || disk_of_[i] != kNone) continue;
     const auto disk = static_cast<std::uint32_t>(disk_begin_.size() - 1);
-    for (HalfedgeId h(i); disk_of_[h.value()] == kNone;) {
-      disk_of_[h.value()] = disk;
+    for (HalfedgeId h(i); disk_of_[h] == kNone;) {
+      disk_of_[h] = disk;
       disk_halfedges_.push_back(h);
       h = SurfaceMesh::next(h);
       while (!mesh_.is_border(h)) h = SurfaceMesh::next(mesh_.twin(h));
@@ -103,7 +103,7 @@ void SurfaceHomology::grow_cotree() {
   const auto faces = static_cast<std::uint32_t>(mesh_.face_count());
   std::vector<std::uint8_t> is_seen(faces + disk_begin_.size() - 1);
   const auto reach = [&](std::uint32_t node, HalfedgeId over) {
-    std::uint8_t& use = is_in_tree_[mesh_.edge(over).value()];
+    std::uint8_t& use = is_in_tree_[mesh_.edge(over)];
     if (is_seen[node] != 0 || use == kTree) return;
     is_seen[node] = 1;
     use = kCotree;
@@ -126,7 +126,7 @@ void SurfaceHomology::grow_cotree() {
       for (std::size_t side = 0; side < 3; ++side) {
         const HalfedgeId h = SurfaceMesh::halfedge(FaceId(node), side);
         const HalfedgeId t = mesh_.twin(h);
-        reach(t.is_valid() ? SurfaceMesh::face(t).value() : faces + disk_of_[h.value()], h);
+        reach(t.is_valid() ? SurfaceMesh::face(t).value() : faces + disk_of_[h], h);
       }
     }
   }
@@ -138,7 +138,7 @@ void SurfaceHomology::grow_cotree() {
 std::uint32_t SurfaceHomology::node_behind(HalfedgeId h) const {
   const HalfedgeId t = mesh_.twin(h);
   if (t.is_valid()) return SurfaceMesh::face(t).value();
-  return static_cast<std::uint32_t>(mesh_.face_count()) + disk_of_[h.value()];
+  return static_cast<std::uint32_t>(mesh_.face_count()) + disk_of_[h];
 }
 
 /// Computes for each edge which dual loops cross it. A loop crosses an edge in the positive sense
@@ -188,17 +188,17 @@ void SurfaceHomology::cross_dual_loops(Context& context) {
   crossed_begin_.assign(mesh_.edge_count() + 1, 0);
   for (const Crossing& c : crossings) ++crossed_begin_[c.edge.value() + 1];
   for (std::size_t e = 0; e < mesh_.edge_count(); ++e) crossed_begin_[e + 1] += crossed_begin_[e];
-  std::vector<std::uint32_t> at(crossed_begin_.begin(), crossed_begin_.end() - 1);
+  IdVector<EdgeId, std::uint32_t> at(crossed_begin_.begin(), crossed_begin_.end() - 1);
   crossed_.resize(crossings.size());
-  for (const Crossing& c : crossings) crossed_[at[c.edge.value()]++] = c.entry;
+  for (const Crossing& c : crossings) crossed_[at[c.edge]++] = c.entry;
 }
 
 // ---------------------------------------------------------------- generators
 
 std::vector<VertexId> SurfaceHomology::to_root(VertexId v) const {
   std::vector<VertexId> path = {v};
-  while (parent_[v.value()].is_valid()) {
-    v = across(parent_[v.value()], v);
+  while (parent_[v].is_valid()) {
+    v = across(parent_[v], v);
     path.push_back(v);
   }
   return path;
@@ -227,7 +227,8 @@ void SurfaceHomology::add_generator(std::size_t i, bool is_reversed,
     while (mesh_.target(h) != to && mesh_.origin(SurfaceMesh::prev(h)) != to) {
       h = mesh_.twin(SurfaceMesh::prev(h));
     }
-    polygons.add_segment(polygons.points.add_vertex(from), SurfaceMesh::face(h), true);
+    polygons.add_segment(polygons.points.add_vertex(from), SurfaceMesh::face(h),
+                         SegmentStart::ControlPoint);
   }
   polygons.close();
 }
@@ -289,10 +290,10 @@ void SurfaceHomology::count(const SurfacePolygons& polygons, std::size_t polygon
     while (!joins(SurfaceMesh::halfedge(polygons.face[i], side))) ++side;
     const EdgeId e = mesh_.edge(SurfaceMesh::halfedge(polygons.face[i], side));
     const std::int64_t by = from < to ? multiplicity : -multiplicity;
-    for (std::uint32_t k = crossed_begin_[e.value()]; k < crossed_begin_[e.value() + 1]; ++k) {
+    for (std::uint32_t k = crossed_begin_[e]; k < crossed_begin_[e.value() + 1]; ++k) {
       times[crossed_[k].id] += by * crossed_[k].value;
     }
-    steps += crossed_begin_[e.value() + 1] - crossed_begin_[e.value()];
+    steps += crossed_begin_[e.value() + 1] - crossed_begin_[e];
   }
 }
 

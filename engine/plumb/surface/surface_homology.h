@@ -98,15 +98,15 @@ class SurfaceHomology {
              std::vector<std::int64_t>& times, Context& context) const;
 
   const SurfaceMesh& mesh_;
-  std::vector<EdgeId> parent_;             // The edge to the parent of each vertex.
-  std::vector<std::uint8_t> is_in_tree_;   // For each edge: 1 tree, 2 cotree.
-  std::vector<std::uint32_t> disk_of_;     // For each half-edge at the border.
+  IdVector<VertexId, EdgeId> parent_;            // The edge to the parent of each vertex.
+  IdVector<EdgeId, std::uint8_t> is_in_tree_;    // For each edge: 1 tree, 2 cotree.
+  IdVector<HalfedgeId, std::uint32_t> disk_of_;  // For each half-edge at the border.
   std::vector<std::uint32_t> disk_begin_;  // For each disk and one more, into disk_halfedges_.
   std::vector<HalfedgeId> disk_halfedges_;
   std::vector<Step> cotree_;  // Faces, then disks by number; parents first.
   std::vector<EdgeId> generators_;
   // For each edge, the dual loops across it, as (generator, +1 or -1).
-  std::vector<std::uint32_t> crossed_begin_;
+  IdVector<EdgeId, std::uint32_t> crossed_begin_;
   std::vector<SignedEntry> crossed_;
 };
 

@@ -115,8 +115,8 @@ void SurfaceMesh::pair_halfedges() {
   for (std::size_t i = 0, j = 0; i < sorted.size(); i = j) {
     while (j < sorted.size() && ends(sorted[j]) == ends(sorted[i])) ++j;
     if (j == i + 2) {
-      twin_[sorted[i].value()] = sorted[i + 1];
-      twin_[sorted[i + 1].value()] = sorted[i];
+      twin_[sorted[i]] = sorted[i + 1];
+      twin_[sorted[i + 1]] = sorted[i];
     } else if (j > i + 2) {
       std::string faces;
       for (std::size_t k = i; k < j; ++k) faces += " " + std::to_string(face(sorted[k]).value());
@@ -148,8 +148,7 @@ void SurfaceMesh::orient_faces() {
         if (!g.is_valid()) continue;
         const std::uint32_t across = face(g).value();
         const bool agrees = origin(h) == target(g);
-        const auto wanted =
-            static_cast<std::uint8_t>(agrees == (is_flipped_[f.value()] != 0) ? 1 : 0);
+        const auto wanted = static_cast<std::uint8_t>(agrees == (is_flipped_[f] != 0) ? 1 : 0);
         if (component_[across] == kUnseen) {
           component_[across] = id;
           is_flipped_[across] = wanted;
@@ -163,7 +162,7 @@ void SurfaceMesh::orient_faces() {
   }
   places.throw_if_any("not orientable");
   const auto moved = [&](HalfedgeId h) {
-    if (!h.is_valid() || is_flipped_[face(h).value()] == 0) return h;
+    if (!h.is_valid() || is_flipped_[face(h)] == 0) return h;
     return halfedge(face(h), 2 - side(h));
   };
   for (HalfedgeId& h : twin_) h = moved(h);

@@ -87,18 +87,18 @@ class SurfaceMesh {
   std::size_t component_count() const { return component_count_; }
 
   /// Returns the coordinates of the vertex.
-  const Point3& point(VertexId v) const { return points_[v.value()]; }
+  const Point3& point(VertexId v) const { return points_[v]; }
   /// Returns the indices of the face's three vertices.
-  const SurfaceTriangle& corners(FaceId f) const { return corners_[f.value()]; }
+  const SurfaceTriangle& corners(FaceId f) const { return corners_[f]; }
   /// Returns corner i of the face. Requires that i < 3.
-  VertexId corner(FaceId f, std::size_t i) const { return VertexId(corners_[f.value()][i]); }
+  VertexId corner(FaceId f, std::size_t i) const { return VertexId(corners_[f][i]); }
   /// Whether the face was flipped. If so, its second corner in the input is its third corner here,
   /// and its third corner in the input is its second corner here. The weights of the corners are
   /// exchanged in the same way.
-  bool is_flipped(FaceId f) const { return is_flipped_[f.value()] != 0; }
+  bool is_flipped(FaceId f) const { return is_flipped_[f] != 0; }
   /// Returns the index of the face's component. Components are in the order of the lowest face
   /// index in each component.
-  std::uint32_t component(FaceId f) const { return component_[f.value()]; }
+  std::uint32_t component(FaceId f) const { return component_[f]; }
 
   /// Returns side 0, 1 or 2 of the face. It runs from the corner with the same index to the next
   /// corner.
@@ -120,13 +120,13 @@ class SurfaceMesh {
   /// Returns the vertex where the half-edge ends.
   VertexId target(HalfedgeId h) const { return origin(next(h)); }
   /// Returns the half-edge of the same edge in the adjacent face. It is invalid at the border.
-  HalfedgeId twin(HalfedgeId h) const { return twin_[h.value()]; }
+  HalfedgeId twin(HalfedgeId h) const { return twin_[h]; }
   /// Whether the half-edge lies at the border: no face lies to its right.
   bool is_border(HalfedgeId h) const { return !twin(h).is_valid(); }
   /// Returns the edge of the half-edge.
-  EdgeId edge(HalfedgeId h) const { return edge_[h.value()]; }
+  EdgeId edge(HalfedgeId h) const { return edge_[h]; }
   /// Returns one half-edge of the edge: the one in the face with the lower index.
-  HalfedgeId halfedge(EdgeId e) const { return edge_halfedge_[e.value()]; }
+  HalfedgeId halfedge(EdgeId e) const { return edge_halfedge_[e]; }
   /// Whether the half-edge starts at the vertex of its edge with the lower index.
   bool is_upward(HalfedgeId h) const { return origin(h) < target(h); }
   VertexId lower(EdgeId e) const;  ///< Returns the end with the lower index.
@@ -134,7 +134,7 @@ class SurfaceMesh {
   /// Returns a half-edge that starts in v, or an invalid id if v has no face. If v lies at the
   /// border, the result is the first half-edge in counter-clockwise order around v. So in every
   /// case, repeated steps from h to twin(prev(h)) visit all half-edges that start in v.
-  HalfedgeId halfedge(VertexId v) const { return vertex_halfedge_[v.value()]; }
+  HalfedgeId halfedge(VertexId v) const { return vertex_halfedge_[v]; }
 
  private:
   void check_corners() const;
@@ -143,15 +143,15 @@ class SurfaceMesh {
   void number_edges();
   void find_fans();
 
-  std::vector<Point3> points_;
-  std::vector<SurfaceTriangle> corners_;
-  std::vector<std::uint8_t> is_flipped_;
-  std::vector<std::uint32_t> component_;
+  IdVector<VertexId, Point3> points_;
+  IdVector<FaceId, SurfaceTriangle> corners_;
+  IdVector<FaceId, std::uint8_t> is_flipped_;
+  IdVector<FaceId, std::uint32_t> component_;
   std::size_t component_count_ = 0;
-  std::vector<HalfedgeId> twin_;
-  std::vector<EdgeId> edge_;
-  std::vector<HalfedgeId> edge_halfedge_;
-  std::vector<HalfedgeId> vertex_halfedge_;
+  IdVector<HalfedgeId, HalfedgeId> twin_;
+  IdVector<HalfedgeId, EdgeId> edge_;
+  IdVector<EdgeId, HalfedgeId> edge_halfedge_;
+  IdVector<VertexId, HalfedgeId> vertex_halfedge_;
 };
 
 }  // namespace plumb

@@ -107,8 +107,7 @@ SurfacePointId SurfacePointTable::add_in_face(FaceId f, const Rational& u, const
 }
 
 bool SurfacePointTable::is_same(SurfacePointId p, SurfacePointId q) const {
-  return item_[p.value()] == item_[q.value()] &&
-         compare_xy(parameters_, p.value(), q.value()) == Sign::Zero;
+  return item_[p] == item_[q] && compare_xy(parameters_, p.value(), q.value()) == Sign::Zero;
 }
 
 HalfedgeId SurfacePointTable::side_in(SurfacePointId p, FaceId f) const {
@@ -210,15 +209,16 @@ Point3 SurfacePointTable::position(SurfacePointId p) const {
              at.x, mesh_->point(mesh_->corner(f, 2)), at.y);
 }
 
-void SurfacePolygons::add_segment(SurfacePointId from, FaceId in, bool from_is_control) {
+void SurfacePolygons::add_segment(SurfacePointId from, FaceId in, SegmentStart start) {
   point.push_back(from);
   face.push_back(in);
-  is_control.push_back(from_is_control ? 1 : 0);
+  is_control.push_back(start == SegmentStart::ControlPoint ? 1 : 0);
 }
 
 void SurfacePolygons::add_leg(const SurfacePath& leg) {
   for (std::size_t i = 0; i < leg.faces.size(); ++i) {
-    add_segment(leg.points[i], leg.faces[i], i == 0);
+    add_segment(leg.points[i], leg.faces[i],
+                i == 0 ? SegmentStart::ControlPoint : SegmentStart::PathPoint);
   }
 }
 

@@ -50,9 +50,7 @@ class SurfacePointTable {
 
   std::size_t size() const { return item_.size(); }  ///< Returns the number of rows.
   /// Returns whether the point is stored on a vertex, on an edge or in a face.
-  SurfacePlace place(SurfacePointId p) const {
-    return static_cast<SurfacePlace>(item_[p.value()] >> 30U);
-  }
+  SurfacePlace place(SurfacePointId p) const { return static_cast<SurfacePlace>(item_[p] >> 30U); }
   /// Returns the vertex on which the point is stored. Requires that place(p) is Vertex.
   VertexId vertex(SurfacePointId p) const { return VertexId(index(p)); }
   /// Returns the edge that contains the point. Requires that place(p) is Edge.
@@ -86,7 +84,7 @@ class SurfacePointTable {
   const SurfaceMesh& mesh() const { return *mesh_; }  ///< Returns the mesh of the points.
 
  private:
-  std::uint32_t index(SurfacePointId p) const { return item_[p.value()] & 0x3fffffffU; }
+  std::uint32_t index(SurfacePointId p) const { return item_[p] & 0x3fffffffU; }
   SurfacePointId add(SurfacePlace place, std::uint32_t index);
   SurfacePointId add_on_side(FaceId f, std::size_t side, const Rational& weight);
   /// Returns the side of the face on which a point of an edge lies; invalid if there is none.
@@ -94,7 +92,7 @@ class SurfacePointTable {
 
   const SurfaceMesh* mesh_;
   // The SurfacePlace in the top two bits, the index of the cell below.
-  std::vector<std::uint32_t> item_;
+  IdVector<SurfacePointId, std::uint32_t> item_;
   PointTable2 parameters_;
 };
 
@@ -108,6 +106,10 @@ struct SurfacePath {
   std::vector<FaceId> faces;  ///< The face of each segment. There is one face fewer than points.
 };
 
+/// The kind of the point at which a segment of a polygon starts: a control point, which was given,
+/// or a point where a traced path crosses an edge.
+enum class SegmentStart : std::uint8_t { ControlPoint, PathPoint };
+
 /// Closed polygons over one table of points, in flat arrays. Polygon p has the entries begin[p] to
 /// begin[p + 1] - 1. Segment i of the polygon runs in face[i] from point[i] to the next point. The
 /// last segment ends at the first point. Consecutive points may be equal. If a polygon runs around
@@ -120,8 +122,9 @@ struct SurfacePolygons {
   std::vector<std::uint32_t> begin = {0};  ///< The first entry of each polygon; size() + 1 values.
   std::vector<SurfacePointId> point;       ///< The point at each entry.
   std::vector<FaceId> face;                ///< The face of the segment that starts at each entry.
-  std::vector<std::uint8_t>
-      is_control;  ///< For each entry, 1 if the point was given (a control point), 0 if a traced path crosses an edge there.
+  /// For each entry, 1 if the point was given (a control point), 0 if a traced path crosses an edge
+  /// there.
+  std::vector<std::uint8_t> is_control;
 
   std::size_t size() const { return begin.size() - 1; }  ///< Returns the number of polygons.
   /// Returns the entry after i in polygon p, cyclically.
@@ -133,9 +136,9 @@ struct SurfacePolygons {
     return std::span(point).subspan(begin[p], begin[p + 1] - begin[p]);
   }
 
-  /// Appends a segment to the polygon under construction. The segment starts at `from` and runs in
-  /// the face `in`.
-  void add_segment(SurfacePointId from, FaceId in, bool from_is_control);
+  /// Appends a segment to the polygon under construction. The segment starts at `from`, which is a
+  /// point of the kind `start`, and runs in the face `in`.
+  void add_segment(SurfacePointId from, FaceId in, SegmentStart start);
   /// Appends all segments of a path between two control points to the polygon under construction.
   void add_leg(const SurfacePath& leg);
   /// Ends the polygon under construction. The last segment of the polygon ends at its first point.

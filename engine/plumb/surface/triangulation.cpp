@@ -258,7 +258,7 @@ class SurfaceTriangulator {
     }
     point_of_node_.assign(a_.node_count(), kNone);
     for (const NodeId n : a_.origin) {
-      std::uint32_t& point = point_of_node_[n.value()];
+      std::uint32_t& point = point_of_node_[n];
       if (point != kNone) continue;
       const VertexId v = vertex_of(n);
       point = v.is_valid() ? v.value() : static_cast<std::uint32_t>(out_.points.size());
@@ -288,7 +288,7 @@ class SurfaceTriangulator {
     return first;
   }
   void add_whole(FaceId f) {
-    const std::uint32_t first = add_triangle(mesh_.corners(f), f, cells_.of_face[f.value()]);
+    const std::uint32_t first = add_triangle(mesh_.corners(f), f, cells_.of_face[f]);
     for (std::uint32_t i = 0; i < 3; ++i) side_of_mesh_[3 * f.value() + i] = first + i;
   }
 
@@ -310,7 +310,7 @@ class SurfaceTriangulator {
     for (const IndexTriangle& t : local_) {
       SurfaceTriangle named;
       for (std::size_t i = 0; i < 3; ++i) named[i] = point_of_node_[nodes_[t[i]].value()];
-      const std::uint32_t first = add_triangle(named, f, cells_.of_piece[p.value()]);
+      const std::uint32_t first = add_triangle(named, f, cells_.of_piece[p]);
       for (std::uint32_t i = 0; i < 3; ++i) {
         sides_.push_back({{t[i], t[(i + 1) % 3]}, first + i});
       }
@@ -324,12 +324,12 @@ class SurfaceTriangulator {
   void gather(PieceId p) {
     halfedges_.clear();
     nodes_.clear();
-    for (std::uint32_t l = a_.loop_begin[p.value()]; l < a_.loop_begin[p.value() + 1]; ++l) {
+    for (std::uint32_t l = a_.loop_begin[p]; l < a_.loop_begin[p.value() + 1]; ++l) {
       HalfedgeId h = a_.loop[l];
       do {
         halfedges_.push_back(h);
-        nodes_.push_back(a_.origin[h.value()]);
-        h = a_.next[h.value()];
+        nodes_.push_back(a_.origin[h]);
+        h = a_.next[h];
       } while (h != a_.loop[l]);
     }
     std::sort(nodes_.begin(), nodes_.end());
@@ -340,7 +340,7 @@ class SurfaceTriangulator {
     };
     edges_.clear();
     for (const HalfedgeId h : halfedges_) {
-      edges_.push_back({local(a_.origin[h.value()]), local(a_.target(h))});
+      edges_.push_back({local(a_.origin[h]), local(a_.target(h))});
     }
   }
 
@@ -365,7 +365,7 @@ class SurfaceTriangulator {
       const std::uint32_t side = side_between(edges_[i][0], edges_[i][1]);
       side_of_halfedge_[halfedges_[i].value()] = side;
       out_.across[side] = kNone;
-      out_.arc[side] = a_.arc[halfedges_[i].value()];
+      out_.arc[side] = a_.arc[halfedges_[i]];
     }
   }
 
@@ -376,14 +376,14 @@ class SurfaceTriangulator {
   void sew() {
     for (std::uint32_t h = 0; h < a_.halfedge_count(); ++h) {
       const HalfedgeId t = a_.twin[h];
-      if (t.is_valid()) out_.across[side_of_halfedge_[h]] = side_of_halfedge_[t.value()];
+      if (t.is_valid()) out_.across[side_of_halfedge_[h]] = side_of_halfedge_[t];
     }
     for (std::uint32_t h = 0; h < 3 * mesh_.face_count(); ++h) {
       const HalfedgeId t = mesh_.twin(HalfedgeId(h));
       if (side_of_mesh_[h] == kNone || !t.is_valid()) continue;
-      std::uint32_t other = side_of_mesh_[t.value()];
+      std::uint32_t other = side_of_mesh_[t];
       if (other == kNone) {
-        const std::uint32_t slot = a_.slot_of_face[SurfaceMesh::face(t).value()];
+        const std::uint32_t slot = a_.slot_of_face[SurfaceMesh::face(t)];
         other = side_of_halfedge_[a_.side_begin[4 * slot + SurfaceMesh::side(t)]];
         out_.across[other] = side_of_mesh_[h];
       }
@@ -396,9 +396,9 @@ class SurfaceTriangulator {
   const SurfaceArrangement& a_;
   const SurfaceCells& cells_;
   PiecePoints points_;
-  std::vector<std::uint32_t> point_of_node_;
-  std::vector<std::uint32_t> side_of_halfedge_;
-  std::vector<std::uint32_t> side_of_mesh_;  // Sides of whole faces.
+  IdVector<NodeId, std::uint32_t> point_of_node_;
+  IdVector<HalfedgeId, std::uint32_t> side_of_halfedge_;
+  IdVector<HalfedgeId, std::uint32_t> side_of_mesh_;  // Sides of whole faces.
   // Scratch of one piece.
   std::vector<HalfedgeId> halfedges_;
   std::vector<NodeId> nodes_;

@@ -1,12 +1,12 @@
 // Correctly rounded conversions of exact numbers to doubles and to text. No other code turns a
 // rational number into a double.
 //
-// MPFR computes the doubles, with the exponent range of double and mpfr_subnormalize. The doubles
-// are assembled from their bits, so that the caller's rounding mode and flush-to-zero setting have
-// no influence. (mpq_get_d truncates, so it returns the wrong double half the time. Casting a
-// 53-bit MPFR number to double rounds subnormals twice.) Decimal text is computed from the exact
-// number by one integer division. It cannot be computed from a double, because a decimal tie, such
-// as 3/20 rounded to one digit, is not a binary tie.
+// MPFR computes the doubles. Its exponent range is set to the range of double, and each result is
+// passed to mpfr_subnormalize. The doubles are assembled from their bits, so that the caller's
+// rounding mode and flush-to-zero setting have no influence. (mpq_get_d truncates, so it returns
+// the wrong double half the time. Casting a 53-bit MPFR number to double rounds subnormals twice.)
+// Decimal text is computed from the exact number by one integer division. It cannot be computed
+// from a double, because a decimal tie, such as 3/20 rounded to one digit, is not a binary tie.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// 32-bit ids. Each kind of id has its own type, so that ids of different kinds cannot be confused.
+// 32-bit ids, and vectors that they index. Each kind of id has its own type, so that ids of
+// different kinds cannot be confused.
 #pragma once
 
 #include <compare>
@@ -6,6 +7,8 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #pragma GCC visibility push(default)
 namespace plumb {
@@ -34,6 +37,24 @@ class StrongId {
 
  private:
   Value value_ = kInvalid;
+};
+
+/// A std::vector that ids index: element `id` belongs to the object with the index id.value().
+/// Integers index it, too. An id of another kind does not compile. The class adds no data, so a
+/// vector may be moved in and out.
+template <class Id, class T>
+class IdVector : public std::vector<T> {
+ public:
+  using std::vector<T>::vector;
+  using std::vector<T>::operator[];
+  using std::vector<T>::operator=;
+  IdVector() = default;
+  /// Takes the elements of a vector.
+  IdVector(std::vector<T> elements) : std::vector<T>(std::move(elements)) {}
+
+  /// Returns the element of `id`. Requires id.value() < size().
+  typename std::vector<T>::reference operator[](Id id) { return (*this)[id.value()]; }
+  typename std::vector<T>::const_reference operator[](Id id) const { return (*this)[id.value()]; }
 };
 
 }  // namespace plumb

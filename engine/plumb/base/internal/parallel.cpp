@@ -40,7 +40,8 @@ class Jobs {
     for (std::size_t i = next_++; i < stop_.size(); i = next_++) {
       if (stop_[i].stop_requested()) continue;
       try {
-        Context own(context_, stop_[i].get_token(), share_, is_caller);
+        Context own(context_, stop_[i].get_token(), share_,
+                    is_caller ? JobProgress::Reported : JobProgress::Silent);
         job_(i, own);
       } catch (...) {
         error_[i] = std::current_exception();

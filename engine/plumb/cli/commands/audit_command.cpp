@@ -78,7 +78,7 @@ Flaw audit_text(const std::string& path, const std::string& text, const ReadOpti
     return is_nef_file(path, text) ? audit_nef3(text, options, context)
                                    : audit_mesh(path, text, options, context);
   }
-  const PlaneFormat format = plane_format_of(path).value_or(guess_plane_format(text));
+  const PlaneFormat format = plane_format_of(path, text);
   if (format == PlaneFormat::Nef2) return audit_nef2(text, options, context);
   return audit(read_plane_set(text, format, options, context).complex(), AuditForm::Minimal,
                context);

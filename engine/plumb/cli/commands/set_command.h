@@ -1,25 +1,9 @@
-// What `plumb plane ...` and `plumb solid ...` have in common. A kind of sets is a class with these
-// members:
-//
-//   Set                  Nef2 or Nef3
-//   Input                declare(app), and load(file, options, context), which returns the set and
-//                        the notes of a file and may be called from several threads at once
-//   kHelp, kAxes         the first operand in the help; the names of the coordinates
-//   formats()            what can be written (outputs.h)
-//   reading(), combining(), measuring(), locating(), writing(output)
-//                        stages of progress (progress.h): a file is read, an operation, facts(),
-//                        locate(), and ready() with the file written
-//   ready(set, output, context)
-//                        the set as a file of the output's format
-//   canonical(set, context)
-//                        if files show how a set was made: the same set in a form that does not
-//                        (--canonical)
-//   facts(set, context)  what is known of the set: json(), write(out)
-//   locate(set, coordinates)
-//                        what the point lies on, and whether it belongs to the set
+// What `plumb plane ...` and `plumb solid ...` have in common: the commands on sets, as templates
+// over the kind of sets (concept SetKind).
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <memory>
 #include <string>
 #include <utility>
@@ -36,6 +20,44 @@
 
 namespace plumb::cli {
 
+/// The options of a command that reads sets. load() returns a set with the notes of its file;
+/// several threads may call it at once.
+template <class Input>
+concept SetInput = std::default_initializable<Input> &&
+    requires(Input options, const Input& input, CLI::App& app, const std::string& file,
+             const CommonOptions& common, Context& context) {
+  options.declare(app);
+  input.load(file, common, context).set;
+  input.load(file, common, context).notes;
+};
+
+/// A kind of sets: Nef2 or Nef3, and what the commands need to know of it. A kind whose files show
+/// how a set was made has, besides, `canonical(set, context)`: the same set in a form that does not
+/// (--canonical).
+template <class Kind>
+concept SetKind = SetInput<typename Kind::Input> &&
+    requires(const typename Kind::Set& set, const SetOutput& output, Context& context,
+             const std::array<Rational, Kind::kAxes.size()>& point) {
+  // The first operand in the help, and the names of the coordinates.
+  { Kind::kHelp } -> std::convertible_to<const char*>;
+  { Kind::kAxes[0] } -> std::convertible_to<const char*>;
+  // The table of formats that can be written (outputs.h).
+  Kind::formats();
+  // The stages of progress (progress.h): a file is read; an operation; facts(); locate(); ready()
+  // with the file written.
+  { Kind::reading() } -> std::same_as<ProgressStage>;
+  { Kind::combining() } -> std::same_as<ProgressStage>;
+  { Kind::measuring() } -> std::same_as<ProgressStage>;
+  { Kind::locating() } -> std::same_as<ProgressStage>;
+  { Kind::writing(output) } -> std::same_as<ProgressStages>;
+  // The set as a file of the output's format.
+  { Kind::ready(set, output, context) } -> std::same_as<ReadyFile>;
+  // What is known of the set.
+  Kind::facts(set, context).json();
+  // What the point lies on, and whether it belongs to the set.
+  { Kind::locate(set, point) } -> std::same_as<std::pair<const char*, bool>>;
+};
+
 inline void require_one_stdin(const std::string& a, const std::string& b) {
   if (a == "-" && b == "-") {
     throw Error(ErrorCode::Usage, "only one of the sets can come from standard input");
@@ -44,7 +66,7 @@ inline void require_one_stdin(const std::string& a, const std::string& b) {
 
 /// Returns the sets of some files, read in parallel if there are threads for that. Notes come in
 /// the order of the files.
-template <class Input>
+template <SetInput Input>
 auto read_sets(const Input& input, const std::vector<std::string>& files, Session& session) {
   using Read = decltype(input.load(files[0], session.options(), session.context()));
   std::vector<Read> reads(files.size());
@@ -62,14 +84,14 @@ auto read_sets(const Input& input, const std::vector<std::string>& files, Sessio
 }
 
 /// Returns the stages of some sets read and combined.
-template <class Kind>
+template <SetKind Kind>
 ProgressStages stages_of_sets(std::size_t operands, std::size_t operations) {
   ProgressStages stages(operands, Kind::reading());
   stages.insert(stages.end(), operations, Kind::combining());
   return stages;
 }
 
-template <class Kind>
+template <SetKind Kind>
 void declare_first(CLI::App& app, std::string& a) {
   app.add_option("A", a, Kind::kHelp)->required()->type_name("");
 }
@@ -79,7 +101,7 @@ inline void declare_second(CLI::App& app, std::string& b) {
 }
 
 /// A command whose answer is a set.
-template <class Kind>
+template <SetKind Kind>
 class SetOperation : public CommandBody {
  public:
   using Set = typename Kind::Set;
@@ -156,7 +178,7 @@ class SetOperation : public CommandBody {
 };
 
 /// A command that combines two sets by a function of marks.
-template <class Kind>
+template <SetKind Kind>
 class BinaryOperation : public SetOperation<Kind> {
  public:
   explicit BinaryOperation(MarkFunction function) : function_(function) {}
@@ -180,7 +202,7 @@ class BinaryOperation : public SetOperation<Kind> {
 };
 
 /// A command that applies a member function to a set.
-template <class Kind>
+template <SetKind Kind>
 class UnaryOperation : public SetOperation<Kind> {
  public:
   using Function = typename Kind::Set (Kind::Set::*)(Context&) const;
@@ -199,7 +221,7 @@ class UnaryOperation : public SetOperation<Kind> {
 };
 
 /// A command that prints the facts of a set.
-template <class Kind>
+template <SetKind Kind>
 class SetInfo : public CommandBody {
  public:
   void declare(CLI::App& app) override {
@@ -226,7 +248,7 @@ class SetInfo : public CommandBody {
 };
 
 /// A command that locates a point.
-template <class Kind>
+template <SetKind Kind>
 class SetLocate : public CommandBody {
  public:
   void declare(CLI::App& app) override {

@@ -202,7 +202,7 @@ Nef3 SolidInput::read(const std::string& file, const std::string& bytes, Session
 Nef2 SolidInput::read_plane(const std::string& file, const std::string& bytes,
                             Session& session) const {
   if (!is_plain()) throw Error(ErrorCode::Usage, "--rule and --surface are for meshes");
-  const PlaneFormat format = plane_format_of(file).value_or(guess_plane_format(bytes));
+  const PlaneFormat format = plane_format_of(file, bytes);
   const ReadOptions options{input_name(file), session.options().exact_decimals};
   return read_plane_set(bytes, format, options, session.context());
 }

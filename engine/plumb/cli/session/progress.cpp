@@ -156,9 +156,9 @@ ProgressStage combining_solids() {
   return {"combine",
           {{"", .9},
            {"box trees", .4},
-           {"meet", .3},
+           {"contacts", .3},
            {"vertices that stay", .6},
-           {"join", .4},
+           {"assemble", .4},
            {"volumes", .1}}};
 }
 ProgressStage intersecting_half_spaces() {

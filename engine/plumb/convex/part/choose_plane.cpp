@@ -58,13 +58,13 @@ PlaneId intern_pencil(PlaneTable& planes, PlaneId p, PlaneId q, std::array<int, 
 
 /// Returns the index of the vertex in ends_, added if it is new in this gathering.
 std::uint32_t CutChooser::end_of(VertexId v) {
-  if (end_stamp_[v.value()] != stamp_) {
-    end_stamp_[v.value()] = stamp_;
-    end_index_[v.value()] = static_cast<std::uint32_t>(ends_.size());
-    ends_.push_back(s_.points().box(s_.point[v.value()]).mid);
+  if (end_stamp_[v] != stamp_) {
+    end_stamp_[v] = stamp_;
+    end_index_[v] = static_cast<std::uint32_t>(ends_.size());
+    ends_.push_back(s_.points().box(s_.point[v]).mid);
     end_vertex_.push_back(v);
   }
-  return end_index_[v.value()];
+  return end_index_[v];
 }
 
 void CutChooser::gather(std::span<const FaceId> faces, std::span<const HalfedgeId> reflex) {
@@ -92,15 +92,14 @@ void CutChooser::gather(std::span<const FaceId> faces, std::span<const HalfedgeI
     for (const FaceId f : faces) {
       s_.for_each_half(f, [this](HalfedgeId h) {
         const VertexId v = s_.half(h).origin;
-        if (end_stamp_[v.value()] == stamp_) return;
-        end_stamp_[v.value()] = stamp_;
+        if (end_stamp_[v] == stamp_) return;
+        end_stamp_[v] = stamp_;
         targets_.push_back(v);
       });
     }
   }
-  const auto constructed =
-      std::stable_partition(targets_.begin(), targets_.end(),
-                            [this](VertexId v) { return s_.point[v.value()].is_input(); });
+  const auto constructed = std::stable_partition(
+      targets_.begin(), targets_.end(), [this](VertexId v) { return s_.point[v].is_input(); });
   input_targets_ = static_cast<std::size_t>(constructed - targets_.begin());
   double size = 0;
   for (const Vector& p : ends_) {
@@ -170,7 +169,7 @@ void CutChooser::propose_points(const Edge& edge, std::size_t budget) {
 /// are on one side of the plane, and it enters the solid on both sides of the edge: two sheets.
 void CutChooser::propose_point(const Edge& edge, VertexId target, bool by_factors) {
   const Vector a = ends_[edge.a], along = ends_[edge.b] - a, w = cross(edge.n1, edge.n2);
-  const SpacePoint point = s_.point[target.value()];
+  const SpacePoint point = s_.point[target];
   const Vector at = s_.points().box(point).mid;
   Vector m = cross(along, at - a);
   const double length = std::sqrt(dot(m, m));
@@ -191,7 +190,7 @@ void CutChooser::propose_point(const Edge& edge, VertexId target, bool by_factor
 
 const CutChooser::Row& CutChooser::primitive(PlaneId p) {
   if (p.value() >= primitive_.size()) primitive_.resize(s_.planes().size());
-  Row& row = primitive_[p.value()];
+  Row& row = primitive_[p];
   if (row == Row{}) {
     const IntegerRow exact = s_.planes().primitive(p);
     for (std::size_t i = 0; i < 4; ++i) row[i] = nearest_double(Rational(exact[i]));
@@ -286,9 +285,7 @@ void FixedPlanes::find_tips(std::span<const HalfedgeId> reflex) {
   spokes_ = std::move(shared);
 }
 
-Sign FixedPlanes::side_of(VertexId v, PlaneId p) const {
-  return side(s_.points(), s_.point[v.value()], p);
-}
+Sign FixedPlanes::side_of(VertexId v, PlaneId p) const { return side(s_.points(), s_.point[v], p); }
 
 /// Whether all edges of some tip in p lead to one side of p. Tips on the line are not tested.
 bool FixedPlanes::may_touch(PlaneId p, std::array<PlaneId, 2> line) const {

@@ -86,12 +86,12 @@ class CutChooser {
   std::vector<VertexId> end_vertex_;
   std::vector<std::array<double, 3>> ends_;
   std::vector<signed char> signs_;
-  std::vector<std::uint32_t> end_stamp_, end_index_;  // Per vertex.
+  IdVector<VertexId, std::uint32_t> end_stamp_, end_index_;
   std::uint32_t stamp_ = 0;
   // Vertices that planes may go through; those of the input come first.
   std::vector<VertexId> targets_;
   std::size_t input_targets_ = 0;
-  std::vector<Row> primitive_;  // Rounded primitive rows, filled on demand; one for each plane.
+  IdVector<PlaneId, Row> primitive_;  // Rounded primitive rows, filled on demand.
   std::vector<CutCandidate> best_;
   double tolerance_ = 0;
 };
@@ -117,7 +117,7 @@ class FixedPlanes {
   FixedPlanes(CutSurface& surface, std::span<const HalfedgeId> reflex, Context& context);
 
   /// Returns the plane of a reflex edge of the solid.
-  PlaneId plane(EdgeId e) const { return plane_[e.value()]; }
+  PlaneId plane(EdgeId e) const { return plane_[e]; }
 
  private:
   void find_tips(std::span<const HalfedgeId> reflex);
@@ -128,7 +128,7 @@ class FixedPlanes {
 
   CutSurface& s_;
   std::vector<std::array<VertexId, 2>> spokes_;  // Edges as (tip, other end), sorted by tips.
-  std::vector<PlaneId> plane_;                   // Per edge.
+  IdVector<EdgeId, PlaneId> plane_;
 };
 
 }  // namespace plumb

@@ -199,15 +199,15 @@ class DividingPlane {
   void gather_in_space() {
     for (const EdgeId e : reflex_edges(c_)) {
       edges_.push_back(e);
-      const UseId first = c_.edge_use[e.value()];
+      const UseId first = c_.edge_use[e];
       if (!first.is_valid()) {
-        for (const PlaneId p : c_.edge_planes[e.value()]) take(p);
+        for (const PlaneId p : c_.edge_planes[e]) take(p);
         continue;
       }
       UseId u = first;
       do {
-        take(c_.facet_plane[c_.use_facet[u.value()].value()]);
-        u = c_.use_radial[u.value()];
+        take(c_.facet_plane[c_.use_facet[u]]);
+        u = c_.use_radial[u];
       } while (u != first);
     }
   }
@@ -216,18 +216,18 @@ class DividingPlane {
   /// the facet.
   void gather_in_plane() {
     const FacetId f = marked_facet();
-    flat_ = c_.facet_plane[f.value()];
+    flat_ = c_.facet_plane[f];
     for (const UseId cycle : c_.cycles_of(f)) {
       UseId u = cycle;
       do {
-        const UseId before = c_.use_prev[u.value()];
-        const EdgeId e = SpaceComplex::edge_of(c_.use_halfedge[u.value()]);
-        const bool is_slit = e == SpaceComplex::edge_of(c_.use_halfedge[before.value()]);
-        if (c_.vertex_mark[c_.use_origin(u).value()] != kBeyond &&
+        const UseId before = c_.use_prev[u];
+        const EdgeId e = SpaceComplex::edge_of(c_.use_halfedge[u]);
+        const bool is_slit = e == SpaceComplex::edge_of(c_.use_halfedge[before]);
+        if (c_.vertex_mark[c_.use_origin(u)] != kBeyond &&
             (is_slit || corner_sign(c_, u) == Sign::Negative)) {
-          for (const PlaneId p : c_.edge_planes[e.value()]) take(p);
+          for (const PlaneId p : c_.edge_planes[e]) take(p);
         }
-        u = c_.use_next[u.value()];
+        u = c_.use_next[u];
       } while (u != cycle);
     }
   }
@@ -274,7 +274,7 @@ class DividingPlane {
     return best;
   }
   Sign side_of_end(std::size_t h, PlaneId p) const {
-    return side(c_.points(), c_.vertex_point[c_.origin[h].value()], p);
+    return side(c_.points(), c_.vertex_point[c_.origin[h]], p);
   }
 
   const SpaceComplex& c_;
@@ -293,10 +293,9 @@ std::optional<Plane3> plane_through_lone_vertex(const SetPart& part) {
     if (!c.vertex_point[v].is_input()) continue;
     const Point3& at = c.points().planes().point(c.vertex_point[v].input());
     const FacetId f = c.vertex_facet[v];
-    const bool is_flat =
-        part.dimension == 2 && f.is_valid() &&
-        minor_sign(c.planes(), c.facet_plane[f.value()], kPlaneX, 1) == Sign::Zero &&
-        minor_sign(c.planes(), c.facet_plane[f.value()], kPlaneX, 2) == Sign::Zero;
+    const bool is_flat = part.dimension == 2 && f.is_valid() &&
+                         minor_sign(c.planes(), c.facet_plane[f], kPlaneX, 1) == Sign::Zero &&
+                         minor_sign(c.planes(), c.facet_plane[f], kPlaneX, 2) == Sign::Zero;
     if (is_flat) return Plane3{0, 1, 0, -Rational(at.y)};
     return Plane3{1, 0, 0, -Rational(at.x)};
   }

@@ -87,15 +87,13 @@ class SurfaceReader {
     return true;
   }
 
-  bool is_outward(FacetId f) const { return c_.facet_volume[f.value()][1] == body_; }
+  bool is_outward(FacetId f) const { return c_.facet_volume[f][1] == body_; }
 
   void add_face(FacetId f) {
     const bool is_positive = is_outward(f);
     const FaceId id(surface_.faces.size());
-    CutSurface::Face face{OrientedPlane(c_.facet_plane[f.value()], !is_positive),
-                          {},
-                          c_.facet_origin[f.value()],
-                          c_.facet_mark[f.value()]};
+    CutSurface::Face face{
+        OrientedPlane(c_.facet_plane[f], !is_positive), {}, c_.facet_origin[f], c_.facet_mark[f]};
     HalfedgeId* link = &face.cycle;
     for (const UseId cycle : c_.cycles_of(f)) {
       *link = HalfedgeId(cycle.value());
@@ -103,7 +101,7 @@ class SurfaceReader {
       UseId u = cycle;
       do {
         add_half(u, id, is_positive);
-        u = c_.use_next[u.value()];
+        u = c_.use_next[u];
       } while (u != cycle);
     }
     surface_.faces.push_back(face);
@@ -113,30 +111,30 @@ class SurfaceReader {
   /// is the other end.
   void add_half(UseId u, FaceId face, bool is_positive) {
     CutSurface::Half& h = surface_.halves[u.value()];
-    const HalfedgeId run = c_.use_halfedge[u.value()];
+    const HalfedgeId run = c_.use_halfedge[u];
     const HalfedgeId seen = is_positive ? run : SpaceComplex::twin(run);
-    const UseId next = is_positive ? c_.use_next[u.value()] : c_.use_prev[u.value()];
-    const UseId prev = is_positive ? c_.use_prev[u.value()] : c_.use_next[u.value()];
+    const UseId next = is_positive ? c_.use_next[u] : c_.use_prev[u];
+    const UseId prev = is_positive ? c_.use_prev[u] : c_.use_next[u];
     const std::size_t e = run.value() / 2;
-    h.origin = c_.origin[seen.value()];
+    h.origin = c_.origin[seen];
     h.next = HalfedgeId(next.value());
     h.prev = HalfedgeId(prev.value());
     h.face = face;
     h.edge = EdgeId(e);
-    name_line(h, c_.facet_plane[c_.use_facet[u.value()].value()], EdgeId(e),
+    name_line(h, c_.facet_plane[c_.use_facet[u]], EdgeId(e),
               SpaceComplex::is_reverse(seen) ? Sign::Negative : Sign::Positive);
   }
 
   // Names the line by the face's own plane and a second one. If the complex names the edge by two
   // other planes p and q, `other` is q and the sign compares the directions n x q and p x q.
   void name_line(CutSurface::Half& h, PlaneId plane, EdgeId e, Sign runs) {
-    const auto& [p, q] = c_.edge_planes[e.value()];
+    const auto& [p, q] = c_.edge_planes[e];
     h.other = plane == p ? q : p;
     h.along = plane == p ? runs
                          : runs * (plane == q ? Sign::Negative
                                               : same_direction(c_.planes(), plane, p, p, q));
-    const SpacePoint a = c_.vertex_point[c_.origin[2 * e.value()].value()];
-    const SpacePoint b = c_.vertex_point[c_.origin[2 * e.value() + 1].value()];
+    const SpacePoint a = c_.vertex_point[c_.origin[2 * e.value()]];
+    const SpacePoint b = c_.vertex_point[c_.origin[2 * e.value() + 1]];
     if (a.is_input() && b.is_input()) h.line = {a.input(), b.input()};
   }
 
@@ -144,34 +142,35 @@ class SurfaceReader {
   /// mark.
   void pair(UseId u) {
     if (c_.volume_after(u) != body_) return;
-    const UseId v = c_.use_radial[u.value()];
-    const EdgeId e = SpaceComplex::edge_of(c_.use_halfedge[u.value()]);
-    const bool is_first = std::exchange(is_paired_[e.value()], 1) == 0;
+    const UseId v = c_.use_radial[u];
+    const EdgeId e = SpaceComplex::edge_of(c_.use_halfedge[u]);
+    const bool is_first = std::exchange(is_paired_[e], 1) == 0;
     CutSurface::Half& a = surface_.halves[u.value()];
     CutSurface::Half& b = surface_.halves[v.value()];
     a.twin = HalfedgeId(v.value());
     b.twin = HalfedgeId(u.value());
-    a.mark = b.mark = is_first ? c_.edge_mark[e.value()] : Mark{0};
+    a.mark = b.mark = is_first ? c_.edge_mark[e] : Mark{0};
   }
 
   /// Gives the mark of a vertex to the first ring around it.
   void give_vertices() {
-    std::vector<std::uint8_t> is_given(c_.vertex_count(), 0), is_seen(c_.use_count(), 0);
+    IdVector<VertexId, std::uint8_t> is_given(c_.vertex_count(), 0);
+    IdVector<HalfedgeId, std::uint8_t> is_seen(c_.use_count(), 0);
     for (std::size_t u = 0; u < c_.use_count(); ++u) {
       if (is_seen[u] != 0) continue;
       const VertexId v = surface_.halves[u].origin;
-      const bool is_first = std::exchange(is_given[v.value()], 1) == 0;
+      const bool is_first = std::exchange(is_given[v], 1) == 0;
       HalfedgeId h(u);
       do {
-        is_seen[h.value()] = 1;
-        surface_.half(h).origin_mark = is_first ? c_.vertex_mark[v.value()] : Mark{0};
+        is_seen[h] = 1;
+        surface_.half(h).origin_mark = is_first ? c_.vertex_mark[v] : Mark{0};
         h = surface_.half(surface_.half(h).prev).twin;
       } while (h != HalfedgeId(u));
     }
   }
 
   bool is_connected() const {
-    std::vector<std::uint8_t> is_seen(surface_.faces.size(), 0);
+    IdVector<FaceId, std::uint8_t> is_seen(surface_.faces.size(), 0);
     std::vector<FaceId> left{FaceId(0)};
     is_seen[0] = 1;
     std::size_t count = 0;
@@ -181,7 +180,7 @@ class SurfaceReader {
       ++count;
       surface_.for_each_half(f, [&](HalfedgeId h) {
         const FaceId g = surface_.half(surface_.half(h).twin).face;
-        if (std::exchange(is_seen[g.value()], 1) == 0) left.push_back(g);
+        if (std::exchange(is_seen[g], 1) == 0) left.push_back(g);
       });
     }
     return count == surface_.faces.size();
@@ -190,7 +189,7 @@ class SurfaceReader {
   const SpaceComplex& c_;
   VolumeId body_;
   CutSurface surface_;
-  std::vector<std::uint8_t> is_paired_ = std::vector<std::uint8_t>(c_.edge_count(), 0);
+  IdVector<EdgeId, std::uint8_t> is_paired_ = IdVector<EdgeId, std::uint8_t>(c_.edge_count(), 0);
 };
 
 }  // namespace
@@ -235,19 +234,19 @@ class PieceWriter {
     s_.vertex_number.resize(s_.point.size());
     for (const FaceId f : faces_) {
       s_.for_each_half(f, [this](HalfedgeId h) {
-        s_.half_number[h.value()] = static_cast<std::uint32_t>(halves_.size());
+        s_.half_number[h] = static_cast<std::uint32_t>(halves_.size());
         halves_.push_back(h);
         const VertexId v = s_.half(h).origin;
         // A number that may be of another piece.
-        const std::uint32_t known = s_.vertex_number[v.value()];
+        const std::uint32_t known = s_.vertex_number[v];
         if (known < vertices_.size() && vertices_[known] == v) return;
-        s_.vertex_number[v.value()] = static_cast<std::uint32_t>(vertices_.size());
+        s_.vertex_number[v] = static_cast<std::uint32_t>(vertices_.size());
         vertices_.push_back(v);
       });
     }
   }
-  std::size_t place(HalfedgeId h) const { return s_.half_number[h.value()]; }
-  std::size_t place(VertexId v) const { return s_.vertex_number[v.value()]; }
+  std::size_t place(HalfedgeId h) const { return s_.half_number[h]; }
+  std::size_t place(VertexId v) const { return s_.vertex_number[v]; }
   UseId use_of(HalfedgeId h) const { return UseId(place(h)); }
 
   void write_vertices() {
@@ -255,7 +254,7 @@ class PieceWriter {
     c_.vertex_mark.assign(n, marked(0));
     c_.vertex_volume.resize(n);
     c_.vertex_facet.resize(n);
-    for (const VertexId v : vertices_) c_.vertex_point.push_back(s_.point[v.value()]);
+    for (const VertexId v : vertices_) c_.vertex_point.push_back(s_.point[v]);
   }
 
   /// Each pair of twins becomes one edge, whose half-edge 2e runs along the cross product of the
@@ -281,7 +280,7 @@ class PieceWriter {
   /// Sets the half-edge of a use. `run` runs along h as seen from outside.
   void set_use(HalfedgeId h, HalfedgeId run) {
     const bool is_seen_from_behind = s_.plane_of(h).is_opposite();
-    c_.use_halfedge[use_of(h).value()] = is_seen_from_behind ? SpaceComplex::twin(run) : run;
+    c_.use_halfedge[use_of(h)] = is_seen_from_behind ? SpaceComplex::twin(run) : run;
   }
 
   void write_uses() {
@@ -322,7 +321,7 @@ class PieceWriter {
       c_.facet_origin.push_back(face.origin);
       for (const HalfedgeId h : cycles_of(face)) c_.cycle.push_back(use_of(h));
       c_.cycle_begin.push_back(static_cast<std::uint32_t>(c_.cycle.size()));
-      s_.for_each_half(f, [&](HalfedgeId h) { c_.use_facet[use_of(h).value()] = id; });
+      s_.for_each_half(f, [&](HalfedgeId h) { c_.use_facet[use_of(h)] = id; });
     }
     c_.inner_begin.assign(faces_.size() + 1, 0);
   }
@@ -334,9 +333,9 @@ class PieceWriter {
       c_.star_begin[v + 1] += c_.star_begin[v];
     }
     c_.star.resize(c_.origin.size());
-    std::vector<std::uint32_t> at(c_.star_begin.begin(), c_.star_begin.end() - 1);
+    IdVector<VertexId, std::uint32_t> at(c_.star_begin.begin(), c_.star_begin.end() - 1);
     for (std::size_t h = 0; h < c_.origin.size(); ++h) {
-      c_.star[at[c_.origin[h].value()]++] = HalfedgeId(h);
+      c_.star[at[c_.origin[h]]++] = HalfedgeId(h);
     }
   }
 

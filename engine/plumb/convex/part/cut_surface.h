@@ -62,16 +62,17 @@ struct CutSurface {
   };
 
   std::shared_ptr<SpaceTables> tables;
-  std::vector<SpacePoint> point;  ///< Position of each vertex.
-  std::vector<Half> halves;
-  std::vector<Face> faces;
+  IdVector<VertexId, SpacePoint> point;  ///< Position of each vertex.
+  IdVector<HalfedgeId, Half> halves;
+  IdVector<FaceId, Face> faces;
   /// Scratch of set_of_piece(): numbers within the piece at hand.
-  std::vector<std::uint32_t> half_number, vertex_number;
+  IdVector<HalfedgeId, std::uint32_t> half_number;
+  IdVector<VertexId, std::uint32_t> vertex_number;
 
-  Half& half(HalfedgeId h) { return halves[h.value()]; }
-  const Half& half(HalfedgeId h) const { return halves[h.value()]; }
-  Face& face(FaceId f) { return faces[f.value()]; }
-  const Face& face(FaceId f) const { return faces[f.value()]; }
+  Half& half(HalfedgeId h) { return halves[h]; }
+  const Half& half(HalfedgeId h) const { return halves[h]; }
+  Face& face(FaceId f) { return faces[f]; }
+  const Face& face(FaceId f) const { return faces[f]; }
   OrientedPlane plane_of(HalfedgeId h) const { return face(half(h).face).plane; }
   VertexId target(HalfedgeId h) const { return half(half(h).next).origin; }
   const PlaneTable& planes() const { return tables->planes; }

@@ -60,9 +60,9 @@ class SetMerger {
     for (const UseId first : c.cycles_of(f)) {
       UseId u = first;
       do {
-        const SpacePoint p = c.vertex_point[c.use_origin(u).value()];
+        const SpacePoint p = c.vertex_point[c.use_origin(u)];
         sum += static_cast<Key>(std::hash<Fingerprint>{}(fingerprint(c.points(), p)));
-        u = c.use_next[u.value()];
+        u = c.use_next[u];
       } while (u != first);
     }
     return sum;
@@ -109,7 +109,7 @@ class SetMerger {
     if (c.tables != other.tables) return 0;
     int count = 0;
     for (std::size_t f = 0; f < c.facet_count() && count < 2; ++f) {
-      const bool is_above = c.volume_mark[c.facet_volume[f][0].value()] == 1;
+      const bool is_above = c.volume_mark[c.facet_volume[f][0]] == 1;
       const Sign before = is_above ? Sign::Negative : Sign::Positive;
       const auto is_before = [&](SpacePoint p) {
         return side(c.points(), p, c.facet_plane[f]) == before;
@@ -172,7 +172,7 @@ class Merger {
     std::iota(merged_.begin(), merged_.end(), std::size_t{0});
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
       for (const FaceId f : pieces_[p]) {
-        piece_of_[f.value()] = p;
+        piece_of_[f] = p;
         const CutSurface::Face& face = s_.face(f);
         if (face.origin != kWallOrigin) continue;
         if (s_.half(face.cycle).next_cycle.is_valid()) continue;
@@ -193,8 +193,8 @@ class Merger {
     });
     return {s_.face(f).plane.plane().value(), sum};
   }
-  SpacePoint point_of(HalfedgeId h) const { return s_.point[s_.half(h).origin.value()]; }
-  bool is_gone(FaceId f) const { return is_gone_[f.value()] != 0; }
+  SpacePoint point_of(HalfedgeId h) const { return s_.point[s_.half(h).origin]; }
+  bool is_gone(FaceId f) const { return is_gone_[f] != 0; }
 
   std::size_t find(std::size_t p) {
     while (p != merged_[p]) p = merged_[p] = merged_[merged_[p]];
@@ -205,7 +205,7 @@ class Merger {
   /// polygons differ, or belong to one piece already.
   bool match(FaceId low, FaceId high) {
     rim_.clear();
-    if (find(piece_of_[low.value()]) == find(piece_of_[high.value()])) return false;
+    if (find(piece_of_[low]) == find(piece_of_[high])) return false;
     const HalfedgeId first = s_.face(low).cycle;
     HalfedgeId k = s_.face(high).cycle;
     const HalfedgeId last = k;
@@ -245,8 +245,8 @@ class Merger {
       s_.half(a).mark = s_.half(b).mark = s_.half(a).mark | s_.half(b).mark;
       s_.half(a).is_reflex = s_.half(b).is_reflex = false;
     }
-    is_gone_[low.value()] = is_gone_[high.value()] = 1;
-    const std::size_t p = find(piece_of_[low.value()]), q = find(piece_of_[high.value()]);
+    is_gone_[low] = is_gone_[high] = 1;
+    const std::size_t p = find(piece_of_[low]), q = find(piece_of_[high]);
     const std::size_t into = std::min(p, q), from = std::max(p, q);
     merged_[from] = into;
     auto& target = pieces_[into];
@@ -278,8 +278,8 @@ class Merger {
   Context& context_;
   std::vector<FaceId> low_;
   std::multimap<Key, FaceId> high_;
-  std::vector<std::uint8_t> is_gone_;
-  std::vector<std::size_t> piece_of_;
+  IdVector<FaceId, std::uint8_t> is_gone_;
+  IdVector<FaceId, std::size_t> piece_of_;
   std::vector<std::size_t> merged_;  // The piece into which each piece was merged.
   std::vector<std::pair<HalfedgeId, HalfedgeId>> rim_;
 };

@@ -46,9 +46,9 @@ void PlaneSection::find_sides() {
   vertex_stamp_.resize(s_.point.size(), 0);
   zeros_.clear();
   const auto set = [this](VertexId v, Sign sign) {
-    if (sign == Sign::Zero && vertex_stamp_[v.value()] != stamp_) zeros_.push_back(v);
-    side_[v.value()] = sign;
-    vertex_stamp_[v.value()] = stamp_;
+    if (sign == Sign::Zero && vertex_stamp_[v] != stamp_) zeros_.push_back(v);
+    side_[v] = sign;
+    vertex_stamp_[v] = stamp_;
   };
   // All corners of faces in T are on T; this spares their exact signs.
   for (const FaceId f : faces_) {
@@ -58,8 +58,8 @@ void PlaneSection::find_sides() {
   for (const FaceId f : faces_) {
     s_.for_each_half(f, [&](HalfedgeId h) {
       const VertexId v = s_.half(h).origin;
-      if (vertex_stamp_[v.value()] == stamp_) return;
-      set(v, side(s_.points(), s_.point[v.value()], plane_));
+      if (vertex_stamp_[v] == stamp_) return;
+      set(v, side(s_.points(), s_.point[v], plane_));
     });
   }
 }
@@ -137,8 +137,8 @@ void PlaneSection::pair_events(FaceId f, std::size_t first) {
   if (events_.size() - first > 2) {
     std::sort(begin, events_.end(), [&](const Event& a, const Event& b) {
       if (a.vertex != b.vertex) {
-        const Sign sign = order_along_line(s_.points(), n.plane(), plane_,
-                                           s_.point[a.vertex.value()], s_.point[b.vertex.value()]) *
+        const Sign sign = order_along_line(s_.points(), n.plane(), plane_, s_.point[a.vertex],
+                                           s_.point[b.vertex]) *
                           n.orientation();
         if (sign != Sign::Zero) return sign == Sign::Positive;
       }
@@ -176,16 +176,16 @@ void PlaneSection::pair_events(FaceId f, std::size_t first) {
 /// Returns the vertex where the edge of h crosses T, made once for both halves.
 VertexId PlaneSection::crossing(HalfedgeId h) {
   const HalfedgeId key = std::min(h, s_.half(h).twin);
-  if (half_stamp_[key.value()] != stamp_) {
-    half_stamp_[key.value()] = stamp_;
+  if (half_stamp_[key] != stamp_) {
+    half_stamp_[key] = stamp_;
     const CutSurface::Half& half = s_.half(key);
     Point3Table& points = s_.tables->points;
     const bool has_line = half.line[0].is_valid();
-    crossing_[key.value()] = VertexId(s_.point.size());
+    crossing_[key] = VertexId(s_.point.size());
     s_.point.push_back(has_line ? points.add(half.line[0], half.line[1], plane_)
                                 : points.add(s_.plane_of(key).plane(), half.other, plane_));
   }
-  return crossing_[key.value()];
+  return crossing_[key];
 }
 
 Sign PlaneSection::lean(HalfedgeId h) const {

@@ -37,7 +37,7 @@ std::vector<RingSide> ring_of(const CutSurface& surface, HalfedgeId first) {
 }
 
 bool is_hole(const CutSurface& surface, OrientedPlane plane, std::span<const RingSide> ring) {
-  const auto point = [&](VertexId v) { return surface.point[v.value()]; };
+  const auto point = [&](VertexId v) { return surface.point[v]; };
   VertexId least = ring[0].from;
   for (const RingSide& side : ring) {
     if (side.from != least &&
@@ -73,12 +73,12 @@ RingPlace place_in(const CutSurface& surface, PlaneId plane, std::span<const Rin
                    VertexId v) {
   const Point3Table& points = surface.points();
   const std::size_t axis = level_axis(surface.planes().row(plane));
-  const SpacePoint x = surface.point[v.value()];
+  const SpacePoint x = surface.point[v];
   int winding = 0;
   for (const RingSide& side : ring) {
     if (side.from == v || side.to == v) return RingPlace::On;
-    const Sign a = compare_axis(points, surface.point[side.from.value()], x, axis);
-    const Sign b = compare_axis(points, surface.point[side.to.value()], x, axis);
+    const Sign a = compare_axis(points, surface.point[side.from], x, axis);
+    const Sign b = compare_axis(points, surface.point[side.to], x, axis);
     if (a == b && a != Sign::Zero) continue;
     const Sign left = plumb::side(points, x, side.other) * side.along * Sign::Negative;
     if (left == Sign::Zero && (a != b || a == Sign::Zero)) {
@@ -87,8 +87,8 @@ RingPlace place_in(const CutSurface& surface, PlaneId plane, std::span<const Rin
       if (a != Sign::Zero || b != Sign::Zero) return RingPlace::On;
       const std::size_t second = (axis + 1) % 3, third = (axis + 2) % 3;
       for (const std::size_t k : {second, third}) {
-        const Sign c = compare_axis(points, surface.point[side.from.value()], x, k);
-        const Sign d = compare_axis(points, surface.point[side.to.value()], x, k);
+        const Sign c = compare_axis(points, surface.point[side.from], x, k);
+        const Sign d = compare_axis(points, surface.point[side.to], x, k);
         if (c != d) return RingPlace::On;
       }
       continue;
@@ -480,13 +480,13 @@ CutPieces PlaneCut::flood(std::span<const FaceId> faces) {
   CutPieces pieces;
   std::vector<FaceId> left;
   const auto reach = [&](FaceId f) {
-    if (face_stamp_[f.value()] == stamp_) return;
-    face_stamp_[f.value()] = stamp_;
+    if (face_stamp_[f] == stamp_) return;
+    face_stamp_[f] = stamp_;
     left.push_back(f);
     pieces.back().push_back(f);
   };
   const auto gather = [&](FaceId first) {
-    if (face_stamp_[first.value()] == stamp_) return;
+    if (face_stamp_[first] == stamp_) return;
     pieces.emplace_back();
     reach(first);
     while (!left.empty()) {

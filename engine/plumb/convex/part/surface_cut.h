@@ -126,7 +126,7 @@ class PlaneSection {
   bool is_punctured();
   std::vector<RingSide> ring_of(std::uint32_t first) const;
 
-  Sign side_of(VertexId v) const { return side_[v.value()]; }
+  Sign side_of(VertexId v) const { return side_[v]; }
 
   CutSurface& s_;
   PlaneId plane_;
@@ -135,11 +135,12 @@ class PlaneSection {
   std::vector<Segment> segments_;
   std::vector<std::uint32_t> first_of_cycle_;
   std::vector<std::uint8_t> is_selected_;  // Per cycle.
-  std::vector<Sign> side_;                 // Per vertex, valid if stamped.
-  std::vector<std::uint32_t> vertex_stamp_, half_stamp_;
-  std::vector<VertexId> crossing_;       // Per half-edge, valid if stamped.
-  std::vector<VertexId> zeros_;          // Vertices in T.
-  std::vector<std::uint32_t> outgoing_;  // Segments, sorted by the vertex that they leave.
+  IdVector<VertexId, Sign> side_;          // Valid if stamped.
+  IdVector<VertexId, std::uint32_t> vertex_stamp_;
+  IdVector<HalfedgeId, std::uint32_t> half_stamp_;
+  IdVector<HalfedgeId, VertexId> crossing_;  // Valid if stamped.
+  std::vector<VertexId> zeros_;              // Vertices in T.
+  std::vector<std::uint32_t> outgoing_;      // Segments, sorted by the vertex that they leave.
   VertexId puncture_;
   std::uint32_t stamp_ = 0;
 };
@@ -189,7 +190,7 @@ class PlaneCut {
   std::vector<FaceId> new_faces_;
   std::vector<HalfedgeId> wall_low_, wall_high_;  // Half-edges of the walls, per segment.
   std::vector<VertexId> given_;
-  std::vector<std::uint32_t> face_stamp_;
+  IdVector<FaceId, std::uint32_t> face_stamp_;
   std::uint32_t stamp_ = 0;
 };
 

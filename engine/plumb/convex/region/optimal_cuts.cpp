@@ -120,8 +120,8 @@ void triangulate(PlaneRegion& region, Context& context) {
       halves_of_sides(region, std::move(sides), 3 * triangles.size(), context);
   for (std::size_t s = 0; s < half.size(); ++s) {
     const HalfedgeId following = half[s % 3 == 2 ? s - 2 : s + 1];
-    region.next[half[s].value()] = following;
-    region.prev[following.value()] = half[s];
+    region.next[half[s]] = following;
+    region.prev[following] = half[s];
   }
 }
 
@@ -161,17 +161,17 @@ class CornerSight {
     VertexId right, left;
   };
 
-  bool is_boundary(HalfedgeId h) const { return r_.is_cut[edge_of(h).value()] == 0; }
+  bool is_boundary(HalfedgeId h) const { return r_.is_cut[edge_of(h)] == 0; }
 
   /// Numbers all half-edges that leave a corner by that corner.
   void number_corners() {
     corner_.assign(r_.halfedge_count(), 0);
     for (std::uint32_t i = 0; i < corners_.size(); ++i) {
       HalfedgeId h = corners_[i];
-      corner_[h.value()] = i;
+      corner_[h] = i;
       while (!is_boundary(r_.before(h))) {
         h = twin(r_.before(h));
-        corner_[h.value()] = i;
+        corner_[h] = i;
       }
     }
   }
@@ -214,14 +214,14 @@ class CornerSight {
     return orient2d(r_.points.inputs, eye_, r_.point(a), r_.point(b));
   }
   void see(HalfedgeId leaving) {
-    const std::uint32_t to = corner_[leaving.value()];
+    const std::uint32_t to = corner_[leaving];
     seen_[std::max(from_, to)].push_back(std::min(from_, to));
   }
 
   PlaneRegion r_;
   Context& context_;
   std::vector<HalfedgeId> corners_;
-  std::vector<std::uint32_t> corner_;  // Number of the corner that each half-edge leaves.
+  IdVector<HalfedgeId, std::uint32_t> corner_;  // Number of the corner that each half-edge leaves.
   std::vector<std::vector<std::uint32_t>> seen_;
   std::vector<Window> windows_;
   std::uint32_t from_ = 0;

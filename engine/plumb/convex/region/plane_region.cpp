@@ -81,12 +81,12 @@ Heading PlaneRegion::from_to(VertexId a, VertexId b) const {
 }
 
 std::size_t PlaneRegion::count_loops() const {
-  std::vector<std::uint8_t> is_seen(halfedge_count(), 0);
+  IdVector<HalfedgeId, std::uint8_t> is_seen(halfedge_count(), 0);
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < halfedge_count(); ++i) {
     if (is_seen[i] != 0 || !is_inside(HalfedgeId(i))) continue;
     ++count;
-    for (HalfedgeId h(i); is_seen[h.value()] == 0; h = after(h)) is_seen[h.value()] = 1;
+    for (HalfedgeId h(i); is_seen[h] == 0; h = after(h)) is_seen[h] = 1;
   }
   return count;
 }
@@ -140,16 +140,16 @@ HalfedgeId PlaneRegion::split_edge(HalfedgeId h, VertexId at) {
   const EdgeId old = edge_of(h);
   const VertexId to = target(h);
   const HalfedgeId on = new_edge(at, to, heading(h)), back = twin(h);
-  edge_mark.back() = edge_mark[old.value()];
-  is_cut.back() = is_cut[old.value()];
-  is_frame.back() = is_frame[old.value()];
+  edge_mark.back() = edge_mark[old];
+  is_cut.back() = is_cut[old];
+  is_frame.back() = is_frame[old];
   // If both sides are inside, the far end comes first: there one half-edge may follow the other.
   if (is_inside(back)) {
     const HalfedgeId arriving = before(back);
     link(arriving, twin(on));
     link(twin(on), back);
   }
-  origin[back.value()] = at;
+  origin[back] = at;
   const HalfedgeId following = after(h);
   link(h, on);
   link(on, following);
@@ -163,7 +163,7 @@ void PlaneRegion::remove_edge(HalfedgeId h) {
   const HalfedgeId before_h = before(h), before_back = before(back);
   link(before_h, after_back);
   link(before_back, after_h);
-  next[h.value()] = next[back.value()] = prev[h.value()] = prev[back.value()] = HalfedgeId();
+  next[h] = next[back] = prev[h] = prev[back] = HalfedgeId();
 }
 
 // ---------------------------------------------------------------- making
@@ -218,8 +218,8 @@ void RegionMaker::add_loop(LoopId l) {
   };
   for (const HalfedgeId h : c_.dcel.along(l)) {
     const HalfedgeId here = local(h), following = local(c_.dcel.next(h));
-    region_.next[here.value()] = following;
-    region_.prev[following.value()] = here;
+    region_.next[here] = following;
+    region_.prev[following] = here;
   }
   region_.loops.push_back(local(first.halfedge()));
 }
@@ -230,29 +230,29 @@ void RegionMaker::add_frame() {
   const HalfedgeId h = region_.new_edge(v, v, {{0, 0}, false});
   region_.is_cut.back() = 0;
   region_.is_frame.back() = 1;
-  region_.next[h.value()] = region_.prev[h.value()] = h;
+  region_.next[h] = region_.prev[h] = h;
   region_.loops.push_back(h);
 }
 
 VertexId RegionMaker::vertex(VertexId v) {
-  VertexId& local = vertex_[v.value()];
+  VertexId& local = vertex_[v];
   if (local.is_valid()) return local;
   vertices_.push_back(v);
   if (c_.is_at_infinity(v)) {
     local = region_.add_vertex(PlaneRegion::kAtInfinity, false);
   } else {
-    const std::uint32_t at = input(c_.vertex_point[v.value()]);
+    const std::uint32_t at = input(c_.vertex_point[v]);
     local = region_.add_vertex(at, c_.mark(v) && owner(v) == face_);
   }
   return local;
 }
 
 EdgeId RegionMaker::edge(EdgeId e) {
-  EdgeId& local = edge_[e.value()];
+  EdgeId& local = edge_[e];
   if (local.is_valid()) return local;
   edges_.push_back(e);
   const bool is_frame = c_.is_frame(e);
-  const PlaneLine along = is_frame ? PlaneLine{0, 0} : line(c_.line[e.value()]);
+  const PlaneLine along = is_frame ? PlaneLine{0, 0} : line(c_.line[e]);
   const VertexId from = vertex(c_.dcel.origin(first_half(e)));
   const VertexId to = vertex(c_.dcel.target(first_half(e)));
   local = edge_of(region_.new_edge(from, to, {along, false}));
@@ -281,8 +281,8 @@ std::uint32_t RegionMaker::input(std::uint32_t point) {
 }
 
 void RegionMaker::forget() {
-  for (const VertexId v : vertices_) vertex_[v.value()] = VertexId();
-  for (const EdgeId e : edges_) edge_[e.value()] = EdgeId();
+  for (const VertexId v : vertices_) vertex_[v] = VertexId();
+  for (const EdgeId e : edges_) edge_[e] = EdgeId();
   for (const std::uint32_t p : inputs_) input_[p] = kNone;
   vertices_.clear();
   edges_.clear();

@@ -35,14 +35,16 @@ struct PlaneRegion {
   static constexpr std::uint32_t kAtInfinity = ~std::uint32_t{0};
 
   PlanePoints points;
-  std::vector<std::uint32_t> vertex_point;  ///< Dense index of each vertex's point, or kAtInfinity.
+  /// Dense index of each vertex's point, or kAtInfinity.
+  IdVector<VertexId, std::uint32_t> vertex_point;
   /// Whether each vertex belongs to the set and to this region.
-  std::vector<std::uint8_t> vertex_mark;
-  std::vector<VertexId> origin;  ///< Origin of each half-edge; 2e runs along the line of e.
+  IdVector<VertexId, std::uint8_t> vertex_mark;
+  /// Origin of each half-edge; 2e runs along the line of e.
+  IdVector<HalfedgeId, VertexId> origin;
   /// Neighbours around a loop; invalid for half-edges outside.
-  std::vector<HalfedgeId> next, prev;
-  std::vector<PlaneLine> line;                            ///< Line of each edge.
-  std::vector<std::uint8_t> edge_mark, is_cut, is_frame;  ///< Flags of each edge.
+  IdVector<HalfedgeId, HalfedgeId> next, prev;
+  IdVector<EdgeId, PlaneLine> line;                            ///< Line of each edge.
+  IdVector<EdgeId, std::uint8_t> edge_mark, is_cut, is_frame;  ///< Flags of each edge.
   std::vector<Corner> loops;  ///< A corner of each loop, as the face was before cuts.
   /// First of the input points that lie to the right of isolated vertices, in the order of loops.
   std::uint32_t first_level_point = 0;
@@ -51,18 +53,18 @@ struct PlaneRegion {
 
   std::size_t vertex_count() const { return vertex_point.size(); }
   std::size_t halfedge_count() const { return origin.size(); }
-  std::uint32_t point(VertexId v) const { return vertex_point[v.value()]; }
+  std::uint32_t point(VertexId v) const { return vertex_point[v]; }
   bool is_at_infinity(VertexId v) const { return point(v) == kAtInfinity; }
-  VertexId start(HalfedgeId h) const { return origin[h.value()]; }
+  VertexId start(HalfedgeId h) const { return origin[h]; }
   VertexId target(HalfedgeId h) const { return start(twin(h)); }
-  HalfedgeId after(HalfedgeId h) const { return next[h.value()]; }
-  HalfedgeId before(HalfedgeId h) const { return prev[h.value()]; }
+  HalfedgeId after(HalfedgeId h) const { return next[h]; }
+  HalfedgeId before(HalfedgeId h) const { return prev[h]; }
   bool is_inside(HalfedgeId h) const { return after(h).is_valid(); }
-  bool is_on_frame(HalfedgeId h) const { return is_frame[edge_of(h).value()] != 0; }
+  bool is_on_frame(HalfedgeId h) const { return is_frame[edge_of(h)] != 0; }
   /// Whether no vertex is at infinity.
   bool is_bounded() const;
 
-  Heading heading(HalfedgeId h) const { return {line[edge_of(h).value()], (h.value() & 1U) != 0}; }
+  Heading heading(HalfedgeId h) const { return {line[edge_of(h)], (h.value() & 1U) != 0}; }
   /// Returns Positive if the second heading leads left of the first.
   Sign cross(Heading x, Heading y) const;
   /// Whether two headings with cross() Zero lead the same way.
@@ -100,8 +102,8 @@ struct PlaneRegion {
 
  private:
   void link(HalfedgeId a, HalfedgeId b) {
-    next[a.value()] = b;
-    prev[b.value()] = a;
+    next[a] = b;
+    prev[b] = a;
   }
 };
 
@@ -114,7 +116,7 @@ class RegionMaker {
   PlaneRegion region(FaceId face);
   /// Returns the marked face that a vertex goes to, the least one at it; an invalid id if there is
   /// none.
-  FaceId owner(VertexId v) const { return owner_[v.value()]; }
+  FaceId owner(VertexId v) const { return owner_[v]; }
 
  private:
   VertexId vertex(VertexId v);
@@ -126,12 +128,12 @@ class RegionMaker {
   void forget();
 
   const PlaneComplex& c_;
-  std::vector<FaceId> owner_;
+  IdVector<VertexId, FaceId> owner_;
   PlaneRegion region_;
   FaceId face_;
   // Numbers in the region at hand, and what has one; reset by forget().
-  std::vector<VertexId> vertex_;
-  std::vector<EdgeId> edge_;
+  IdVector<VertexId, VertexId> vertex_;
+  IdVector<EdgeId, EdgeId> edge_;
   std::vector<std::uint32_t> input_;
   std::vector<VertexId> vertices_;
   std::vector<EdgeId> edges_;

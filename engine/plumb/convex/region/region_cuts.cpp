@@ -156,8 +156,8 @@ void add_pieces(const PlaneRegion& region, std::vector<Nef2>& pieces, Context& c
                  region.vertex_count(),
              "convex pieces");
   PieceMaker maker(region.points);
-  std::vector<std::uint8_t> is_done(region.halfedge_count(), 0);
-  std::vector<std::uint8_t> is_free = region.vertex_mark;
+  IdVector<HalfedgeId, std::uint8_t> is_done(region.halfedge_count(), 0);
+  IdVector<VertexId, std::uint8_t> is_free = region.vertex_mark;
   const auto end = [&region](VertexId v) {
     return region.is_at_infinity(v) ? SweepCurve::kUnbounded : region.point(v);
   };
@@ -165,19 +165,19 @@ void add_pieces(const PlaneRegion& region, std::vector<Nef2>& pieces, Context& c
     if (region.is_on_frame(h)) return;
     const EdgeId e = edge_of(h);
     const HalfedgeId along = first_half(e);
-    const PlaneLine& line = region.line[e.value()];
-    const bool is_mine = region.is_cut[e.value()] == 0 || h == along;
+    const PlaneLine& line = region.line[e];
+    const bool is_mine = region.is_cut[e] == 0 || h == along;
     maker.add_side({end(region.start(along)), end(region.target(along)), line.a, line.b},
                    h == along ? Sign::Positive : Sign::Negative,
-                   is_mine && region.edge_mark[e.value()] != 0);
+                   is_mine && region.edge_mark[e] != 0);
     const VertexId v = region.start(h);
-    if (std::exchange(is_free[v.value()], 0) != 0) maker.add_point(region.point(v));
+    if (std::exchange(is_free[v], 0) != 0) maker.add_point(region.point(v));
   };
   for (std::uint32_t i = 0; i < region.halfedge_count(); ++i) {
     if (is_done[i] != 0 || !region.is_inside(HalfedgeId(i))) continue;
     context.checkpoint("convex pieces", i, region.halfedge_count());
-    for (HalfedgeId h(i); is_done[h.value()] == 0; h = region.after(h)) {
-      is_done[h.value()] = 1;
+    for (HalfedgeId h(i); is_done[h] == 0; h = region.after(h)) {
+      is_done[h] = 1;
       add(h);
     }
     pieces.push_back(maker.build(context));
@@ -319,7 +319,7 @@ class SideCutter {
     if (hit.is_corner()) return hit.at;
     const EdgeId e = edge_of(hit.at.halfedge());
     r_.points.crossings.push_back(hit.crossing);
-    const bool mark = r_.edge_mark[e.value()] != 0;
+    const bool mark = r_.edge_mark[e] != 0;
     const auto point = static_cast<std::uint32_t>(r_.points.size() - 1);
     return r_.split_edge(hit.at.halfedge(), r_.add_vertex(point, mark));
   }

@@ -36,7 +36,7 @@ class PieceMaker {
   std::vector<std::uint32_t> local_;  // Local number of each point, or kNone.
   std::vector<std::uint32_t> inputs_;
   std::vector<SweepCurve> sides_;
-  std::vector<std::int8_t> jumps_;
+  IdVector<SegmentId, std::int8_t> jumps_;
   std::vector<std::uint8_t> marks_;
   std::vector<std::uint32_t> marked_;
 };

@@ -76,7 +76,7 @@ class BodyReader {
   /// Whether the outer side of the facet is the positive side of its plane. For a polygon this is
   /// the front.
   bool is_outer_side_positive(FacetId f) const {
-    return c_.volume_mark[c_.facet_volume[f.value()][0].value()] == 0;
+    return c_.volume_mark[c_.facet_volume[f][0]] == 0;
   }
 
   void add_facet(FacetId f) {
@@ -84,13 +84,13 @@ class BodyReader {
     UseId u = first;
     do {
       out_.corner.push_back(c_.use_origin(u).value());
-      u = c_.use_next[u.value()];
+      u = c_.use_next[u];
     } while (u != first);
     if (!is_outer_side_positive(f)) {
       std::reverse(out_.corner.begin() + out_.facet_begin.back(), out_.corner.end());
     }
     out_.facet_begin.push_back(static_cast<std::uint32_t>(out_.corner.size()));
-    add_normal(c_.facet_plane[f.value()], is_outer_side_positive(f) ? 1 : -1);
+    add_normal(c_.facet_plane[f], is_outer_side_positive(f) ? 1 : -1);
   }
 
   void add_normal(PlaneId plane, int sign) {
@@ -128,18 +128,18 @@ class BodyReader {
     ConvexBody::Edge edge{{c_.origin[2 * e].value(), c_.origin[2 * e + 1].value()}, {kNone, kNone}};
     const UseId any = c_.edge_use[e];
     if (any.is_valid()) {
-      const UseId other = c_.use_radial[any.value()];
+      const UseId other = c_.use_radial[any];
       const bool is_left = runs_forward(any);
-      edge.side[is_left ? 0 : 1] = c_.use_facet[any.value()].value();
-      edge.side[is_left ? 1 : 0] = is_flat ? 1 : c_.use_facet[other.value()].value();
+      edge.side[is_left ? 0 : 1] = c_.use_facet[any].value();
+      edge.side[is_left ? 1 : 0] = is_flat ? 1 : c_.use_facet[other].value();
     }
     out_.edge.push_back(edge);
   }
 
   /// Whether the facet lies, seen from outside, to the left of half-edge 2e.
   bool runs_forward(UseId u) const {
-    const bool is_forward = !SpaceComplex::is_reverse(c_.use_halfedge[u.value()]);
-    return is_forward == is_outer_side_positive(c_.use_facet[u.value()]);
+    const bool is_forward = !SpaceComplex::is_reverse(c_.use_halfedge[u]);
+    return is_forward == is_outer_side_positive(c_.use_facet[u]);
   }
 
   const SpaceComplex& c_;

@@ -29,7 +29,7 @@ class VolumeSum {
   /// Adds the sides of a complex; `sign` is -1 to subtract them.
   void add(const SpaceComplex& c, int sign) {
     context_.checkpoint("volumes", 0, 1);
-    const auto is_marked = [&c](VolumeId v) { return c.volume_mark[v.value()] == 1 ? 1 : 0; };
+    const auto is_marked = [&c](VolumeId v) { return c.volume_mark[v] == 1 ? 1 : 0; };
     for (std::uint32_t f = 0; f < c.facet_count(); ++f) {
       const auto& [above, below] = c.facet_volume[f];
       const int outward = is_marked(below) - is_marked(above);
@@ -37,7 +37,7 @@ class VolumeSum {
       for (const UseId first : c.cycles_of(FacetId(f))) {
         UseId u = first;
         do {
-          const UseId next = c.use_next[u.value()];
+          const UseId next = c.use_next[u];
           add_side(c, c.facet_plane[f], c.use_origin(u), c.use_origin(next), sign * outward);
           u = next;
         } while (u != first);
@@ -62,7 +62,7 @@ class VolumeSum {
 
  private:
   void add_side(const SpaceComplex& c, PlaneId plane, VertexId a, VertexId b, int times) {
-    const SpacePoint p = c.vertex_point[a.value()], q = c.vertex_point[b.value()];
+    const SpacePoint p = c.vertex_point[a], q = c.vertex_point[b];
     if (p < q) {
       sides_.push_back({c.tables.get(), plane, p, q, times});
     } else {

@@ -47,8 +47,8 @@ class Owners {
   }
 
   /// Returns the mark of a cell in the part of the owner: 1 if the owner has it.
-  Mark mark_for(SpaceItem owner, EdgeId e) const { return edge_[e.value()] == owner ? 1 : 0; }
-  Mark mark_for(SpaceItem owner, VertexId v) const { return vertex_[v.value()] == owner ? 1 : 0; }
+  Mark mark_for(SpaceItem owner, EdgeId e) const { return edge_[e] == owner ? 1 : 0; }
+  Mark mark_for(SpaceItem owner, VertexId v) const { return vertex_[v] == owner ? 1 : 0; }
 
   /// Returns the marks of the part that an owner makes up.
   SpaceMarks marks_of(SpaceItem owner) const {
@@ -77,47 +77,49 @@ class Owners {
   };
 
   void take_volume(Best& best, VolumeId v) const {
-    if (v.is_valid() && c_.volume_mark[v.value()] == 1) best.take(v);
+    if (v.is_valid() && c_.volume_mark[v] == 1) best.take(v);
   }
   void take_facet(Best& best, FacetId f) const {
-    for (const VolumeId v : c_.facet_volume[f.value()]) take_volume(best, v);
-    if (c_.facet_mark[f.value()] == 1) best.take(f);
+    for (const VolumeId v : c_.facet_volume[f]) take_volume(best, v);
+    if (c_.facet_mark[f] == 1) best.take(f);
   }
   /// An edge is beside its volume if it is free, else beside the facets around it and the volumes
   /// beside these.
   void take_edge(Best& best, EdgeId e) const {
-    const UseId first = c_.edge_use[e.value()];
-    if (c_.edge_mark[e.value()] == 1) best.take(e);
-    if (!first.is_valid()) return take_volume(best, c_.edge_volume[e.value()]);
+    const UseId first = c_.edge_use[e];
+    if (c_.edge_mark[e] == 1) best.take(e);
+    if (!first.is_valid()) return take_volume(best, c_.edge_volume[e]);
     UseId u = first;
     do {
-      take_facet(best, c_.use_facet[u.value()]);
-      u = c_.use_radial[u.value()];
+      take_facet(best, c_.use_facet[u]);
+      u = c_.use_radial[u];
     } while (u != first);
   }
 
   SpaceItem owner_of(FacetId f) const {
     Best best;
-    if (c_.facet_mark[f.value()] == 1) take_facet(best, f);
+    if (c_.facet_mark[f] == 1) take_facet(best, f);
     return best.item;
   }
   SpaceItem owner_of(EdgeId e) const {
     Best best;
-    if (c_.edge_mark[e.value()] == 1) take_edge(best, e);
+    if (c_.edge_mark[e] == 1) take_edge(best, e);
     return best.item;
   }
   SpaceItem owner_of(VertexId v) const {
     Best best;
-    if (c_.vertex_mark[v.value()] != 1) return best.item;
+    if (c_.vertex_mark[v] != 1) return best.item;
     best.take(v);
     for (const HalfedgeId h : c_.star_of(v)) take_edge(best, SpaceComplex::edge_of(h));
-    if (c_.vertex_facet[v.value()].is_valid()) take_facet(best, c_.vertex_facet[v.value()]);
-    take_volume(best, c_.vertex_volume[v.value()]);
+    if (c_.vertex_facet[v].is_valid()) take_facet(best, c_.vertex_facet[v]);
+    take_volume(best, c_.vertex_volume[v]);
     return best.item;
   }
 
   const SpaceComplex& c_;
-  std::vector<SpaceItem> facet_, edge_, vertex_;
+  IdVector<FacetId, SpaceItem> facet_;
+  IdVector<EdgeId, SpaceItem> edge_;
+  IdVector<VertexId, SpaceItem> vertex_;
 };
 
 /// Copies single facets, edges and points of a bounded set's complex to complexes of their own.
@@ -148,7 +150,7 @@ class ThinParts {
     if (owner.kind() == SpaceItem::Kind::Vertex) add_vertex(owner.vertex());
     link_uses();
     write_stars();
-    for (const VertexId v : out_.inner) out_.vertex_facet[v.value()] = FacetId(0);
+    for (const VertexId v : out_.inner) out_.vertex_facet[v] = FacetId(0);
     for (std::size_t v = 0; v < vertices_.size() && uses_.empty() && edges_.empty(); ++v) {
       out_.vertex_volume[v] = VolumeId(0);
     }
@@ -159,8 +161,8 @@ class ThinParts {
   /// Returns the number of a cell in a list, and whether it was appended to it now.
   template <class Id>
   static std::pair<std::uint32_t, bool> numbered(Id id, std::vector<Id>& list,
-                                                 std::vector<std::uint32_t>& number) {
-    std::uint32_t& n = number[id.value()];
+                                                 IdVector<Id, std::uint32_t>& number) {
+    std::uint32_t& n = number[id];
     if (n < list.size() && list[n] == id) return {n, false};
     n = static_cast<std::uint32_t>(list.size());
     list.push_back(id);
@@ -170,7 +172,7 @@ class ThinParts {
   VertexId add_vertex(VertexId v) {
     const auto [n, is_new] = numbered(v, vertices_, vertex_number_);
     if (is_new) {
-      out_.vertex_point.push_back(c_.vertex_point[v.value()]);
+      out_.vertex_point.push_back(c_.vertex_point[v]);
       out_.vertex_mark.push_back(owners_.mark_for(owner_, v));
       out_.vertex_volume.emplace_back();
       out_.vertex_facet.emplace_back();
@@ -181,7 +183,7 @@ class ThinParts {
   EdgeId add_edge(EdgeId e) {
     const auto [n, is_new] = numbered(e, edges_, edge_number_);
     if (is_new) {
-      out_.edge_planes.push_back(c_.edge_planes[e.value()]);
+      out_.edge_planes.push_back(c_.edge_planes[e]);
       out_.edge_mark.push_back(owners_.mark_for(owner_, e));
       out_.edge_use.emplace_back();
       out_.edge_volume.push_back(uses_.empty() ? VolumeId(0) : VolumeId());
@@ -194,20 +196,20 @@ class ThinParts {
   }
 
   void add_facet(FacetId f) {
-    out_.facet_plane.push_back(c_.facet_plane[f.value()]);
+    out_.facet_plane.push_back(c_.facet_plane[f]);
     out_.facet_mark.push_back(1);
     out_.facet_volume.push_back({VolumeId(0), VolumeId(0)});
-    out_.facet_origin.push_back(c_.facet_origin[f.value()]);
+    out_.facet_origin.push_back(c_.facet_origin[f]);
     for (const UseId first : c_.cycles_of(f)) {
       out_.cycle.push_back(UseId(uses_.size()));
       UseId u = first;
       do {
         numbered(u, uses_, use_number_);
-        const HalfedgeId h = c_.use_halfedge[u.value()];
+        const HalfedgeId h = c_.use_halfedge[u];
         const EdgeId e = add_edge(SpaceComplex::edge_of(h));
         out_.use_halfedge.push_back(HalfedgeId(2 * e.value() + (h.value() & 1U)));
         out_.use_facet.push_back(FacetId(0));
-        u = c_.use_next[u.value()];
+        u = c_.use_next[u];
       } while (u != first);
     }
     for (const VertexId v : c_.inner_of(f)) out_.inner.push_back(add_vertex(v));
@@ -218,12 +220,12 @@ class ThinParts {
   /// Links the edge uses around each edge. The facet is met there once, or twice at a slit.
   void link_uses() {
     for (std::uint32_t i = 0; i < uses_.size(); ++i) {
-      const auto number = [&](UseId u) { return UseId(use_number_[u.value()]); };
-      out_.use_next.push_back(number(c_.use_next[uses_[i].value()]));
-      out_.use_prev.push_back(number(c_.use_prev[uses_[i].value()]));
-      UseId& known = out_.edge_use[SpaceComplex::edge_of(out_.use_halfedge[i]).value()];
+      const auto number = [&](UseId u) { return UseId(use_number_[u]); };
+      out_.use_next.push_back(number(c_.use_next[uses_[i]]));
+      out_.use_prev.push_back(number(c_.use_prev[uses_[i]]));
+      UseId& known = out_.edge_use[SpaceComplex::edge_of(out_.use_halfedge[i])];
       out_.use_radial.push_back(known.is_valid() ? known : UseId(i));
-      if (known.is_valid()) out_.use_radial[known.value()] = UseId(i);
+      if (known.is_valid()) out_.use_radial[known] = UseId(i);
       known = UseId(i);
     }
   }
@@ -234,16 +236,18 @@ class ThinParts {
     for (std::size_t v = 0; v < vertices_.size(); ++v) {
       out_.star_begin[v + 1] += out_.star_begin[v];
     }
-    std::vector<std::uint32_t> at(out_.star_begin.begin(), out_.star_begin.end() - 1);
+    IdVector<VertexId, std::uint32_t> at(out_.star_begin.begin(), out_.star_begin.end() - 1);
     out_.star.resize(out_.origin.size());
     for (std::size_t h = 0; h < out_.origin.size(); ++h) {
-      out_.star[at[out_.origin[h].value()]++] = HalfedgeId(h);
+      out_.star[at[out_.origin[h]]++] = HalfedgeId(h);
     }
   }
 
   const SpaceComplex& c_;
   const Owners& owners_;
-  std::vector<std::uint32_t> vertex_number_, edge_number_, use_number_;
+  IdVector<VertexId, std::uint32_t> vertex_number_;
+  IdVector<EdgeId, std::uint32_t> edge_number_;
+  IdVector<UseId, std::uint32_t> use_number_;
   SpaceItem owner_;
   SpaceComplex out_;
   std::vector<VertexId> vertices_;

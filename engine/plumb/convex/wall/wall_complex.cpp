@@ -78,14 +78,14 @@ class ConflictSearch {
     UseId u = first;
     do {
       visit(c_.use_origin(u));
-      u = c_.use_next[u.value()];
+      u = c_.use_next[u];
     } while (u != first);
   }
 
   Place place(FacetId f, PlaneId plane) const {
     Place result;
     for_each_corner(f, [&](VertexId v) {
-      const Sign s = side(c_.points(), c_.vertex_point[v.value()], plane);
+      const Sign s = side(c_.points(), c_.vertex_point[v], plane);
       if (s == Sign::Positive) result.is_before = true;
       if (s == Sign::Negative) result.is_behind = true;
       if (s == Sign::Zero) result.on.push_back(v);
@@ -97,7 +97,7 @@ class ConflictSearch {
   /// Facets of one plane may overlap. Others meet on one vertical line at most; they conflict if
   /// one crosses the plane of the other, or if they touch in different vertices.
   bool may_conflict(FacetId f, FacetId g) const {
-    const PlaneId p = c_.facet_plane[f.value()], q = c_.facet_plane[g.value()];
+    const PlaneId p = c_.facet_plane[f], q = c_.facet_plane[g];
     if (p == q) return true;
     const Place x = place(f, q);
     if (!x.crosses() && x.on.empty()) return false;
@@ -236,7 +236,7 @@ class VolumeSplitter {
         carrier.add_simplified(vertices_[i].second, local_);
       }
       carrier.face_ends();
-      sets.push_back(Nef3::from_minimal_unchecked(join(std::move(draft), context)));
+      sets.push_back(Nef3::from_minimal_unchecked(assemble(std::move(draft), context)));
       memory.add(bytes_beside_tables(sets.back()), "convex pieces");
     }
     return sets;
@@ -267,18 +267,18 @@ class VolumeSplitter {
     for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
       for (const VolumeId volume : c_.facet_volume[f]) {
         claim(facet_owner_[f], volume);
-        for (const VertexId v : c_.inner_of(FacetId(f))) claim(vertex_owner_[v.value()], volume);
+        for (const VertexId v : c_.inner_of(FacetId(f))) claim(vertex_owner_[v], volume);
       }
     }
     for (std::uint32_t u = 0; u < c_.use_count(); ++u) {
-      const VolumeId volume = facet_owner_[c_.use_facet[u].value()];
+      const VolumeId volume = facet_owner_[c_.use_facet[u]];
       claim(edge_owner_[c_.use_halfedge[u].value() / 2], volume);
-      claim(vertex_owner_[c_.use_origin(UseId(u)).value()], volume);
+      claim(vertex_owner_[c_.use_origin(UseId(u))], volume);
     }
     for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
       if (c_.edge_use[e].is_valid()) continue;
       for (std::uint32_t h = 2 * e; h < 2 * e + 2; ++h) {
-        claim(vertex_owner_[c_.origin[h].value()], c_.edge_volume[e]);
+        claim(vertex_owner_[c_.origin[h]], c_.edge_volume[e]);
       }
       claim(edge_owner_[e], c_.edge_volume[e]);
     }
@@ -287,14 +287,14 @@ class VolumeSplitter {
     }
   }
   void claim(VolumeId& owner, VolumeId volume) const {
-    if (!volume.is_valid() || c_.volume_mark[volume.value()] != 1) return;
+    if (!volume.is_valid() || c_.volume_mark[volume] != 1) return;
     if (!owner.is_valid() || volume < owner) owner = volume;
   }
 
   /// Collects the vertices around each marked volume.
   void find_vertices() {
     const auto add = [this](VolumeId volume, VertexId v) {
-      if (c_.volume_mark[volume.value()] == 1) vertices_.emplace_back(volume, v);
+      if (c_.volume_mark[volume] == 1) vertices_.emplace_back(volume, v);
     };
     for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
       for (const VolumeId volume : c_.facet_volume[f]) {
@@ -302,7 +302,7 @@ class VolumeSplitter {
       }
     }
     for (std::uint32_t u = 0; u < c_.use_count(); ++u) {
-      for (const VolumeId volume : c_.facet_volume[c_.use_facet[u].value()]) {
+      for (const VolumeId volume : c_.facet_volume[c_.use_facet[u]]) {
         add(volume, c_.use_origin(UseId(u)));
       }
     }
@@ -324,12 +324,12 @@ class VolumeSplitter {
     const auto keep = [volume](VolumeId owner, Mark& m) {
       if (owner != volume) m = 0;
     };
-    keep(vertex_owner_[v.value()], map.centre_mark);
+    keep(vertex_owner_[v], map.centre_mark);
     for (std::size_t i = 0; i < map.point_count(); ++i) {
       keep(edge_owner_[local_.halfedge[i].value() / 2], map.point_mark[i]);
     }
     for (std::size_t i = 0; i < map.arc_count(); ++i) {
-      keep(facet_owner_[local_.facet[i].value()], map.arc_mark[i]);
+      keep(facet_owner_[local_.facet[i]], map.arc_mark[i]);
     }
     for (std::size_t i = 0; i < map.face_count(); ++i) {
       map.face_mark[i] = local_.volume[i] == volume ? 1 : 0;
@@ -339,7 +339,9 @@ class VolumeSplitter {
   const SpaceComplex& c_;
   SphereOverlay overlay_;
   LocalMap local_;
-  std::vector<VolumeId> vertex_owner_, edge_owner_, facet_owner_;
+  IdVector<VertexId, VolumeId> vertex_owner_;
+  IdVector<EdgeId, VolumeId> edge_owner_;
+  IdVector<FacetId, VolumeId> facet_owner_;
   std::vector<std::pair<VolumeId, VertexId>> vertices_;
 };
 
@@ -365,7 +367,7 @@ SpaceComplex with_walls(SpaceComplex complex, const std::shared_ptr<SpaceTables>
       cutters.tables == tables ? tables : unite_tables(complex, cutters);
   memory.add(memory_bytes(complex) + array_bytes(cutters), "a set and its walls");
   const auto common_origin = [](std::uint32_t of_set, std::uint32_t) { return of_set; };
-  return combine_on(common, complex, cutters, MarkTable::walled(), common_origin, context);
+  return boolean_op_on(common, complex, cutters, MarkTable::walled(), common_origin, context);
 }
 
 std::vector<Nef3> volumes_as_sets(const SpaceComplex& complex, Context& context) {

@@ -43,7 +43,7 @@ Vertical::Vertical(const std::array<Integer, 3>& direction, SpaceTables& tables)
 /// The sign of the scalar product of normal and direction, computed once for each plane.
 Sign Vertical::rise(PlaneId p) {
   if (p.value() >= rise_.size()) rise_.resize(tables_.planes.size(), FilteredSign::Unsure);
-  FilteredSign& known = rise_[p.value()];
+  FilteredSign& known = rise_[p];
   if (!is_decided(known)) {
     known = filtered(sign_of(dot(tables_.planes.coefficients(p), direction_)));
   }
@@ -84,24 +84,24 @@ double Vertical::slope(std::size_t axis) const {
 
 void sectors_of(const SpaceComplex& complex, EdgeId e, std::vector<Sector>& sectors) {
   sectors.clear();
-  const UseId any = complex.edge_use[e.value()];
+  const UseId any = complex.edge_use[e];
   if (!any.is_valid()) {
-    const VolumeId around = complex.edge_volume[e.value()];
-    if (complex.volume_mark[around.value()] == 1) sectors.push_back({e, around, {}, {}});
+    const VolumeId around = complex.edge_volume[e];
+    if (complex.volume_mark[around] == 1) sectors.push_back({e, around, {}, {}});
     return;
   }
   UseId u = any;
   do {
-    const UseId next = complex.use_radial[u.value()];
+    const UseId next = complex.use_radial[u];
     const VolumeId between = complex.volume_after(u);
-    if (complex.volume_mark[between.value()] == 1) sectors.push_back({e, between, u, next});
+    if (complex.volume_mark[between] == 1) sectors.push_back({e, between, u, next});
     u = next;
   } while (u != any);
 }
 
 Sign SectorTest::sine(EdgeId e, HalfPlane from, HalfPlane to) const {
   if (from.plane == to.plane) return Sign::Zero;
-  const auto& [p, q] = c_.edge_planes[e.value()];
+  const auto& [p, q] = c_.edge_planes[e];
   return turn_about_line(c_.planes(), p, q, from.plane, to.plane) * from.sense * to.sense;
 }
 
@@ -137,10 +137,10 @@ bool SectorTest::is_resolved_by(const Sector& s, HalfPlane h) const {
 
 void WallSection::note(EdgeId e) {
   for (std::uint32_t h = 2 * e.value(); h < 2 * e.value() + 2; ++h) {
-    const SpacePoint x = c_.vertex_point[c_.origin[h].value()];
+    const SpacePoint x = c_.vertex_point[c_.origin[h]];
     if (side(tables_.points, x, wall_) != Sign::Zero) return;
   }
-  if (!vertical_.is_vertical(c_.edge_planes[e.value()])) edges_.push_back(e);
+  if (!vertical_.is_vertical(c_.edge_planes[e])) edges_.push_back(e);
 }
 
 void WallSection::add_edges() {
@@ -152,12 +152,12 @@ void WallSection::add_edges() {
 /// A facet in a vertical plane other than W leaves nothing but vertical pieces. A facet in W itself
 /// contributes its edges only.
 void WallSection::add(FacetId f) {
-  const PlaneId plane = c_.facet_plane[f.value()];
+  const PlaneId plane = c_.facet_plane[f];
   const bool is_upright = vertical_.rise(plane) == Sign::Zero;
   if (is_upright && plane != wall_) return;
   gather(f);
   for (const EdgeId e : sides_) {
-    if (!vertical_.is_vertical(c_.edge_planes[e.value()])) edges_.push_back(e);
+    if (!vertical_.is_vertical(c_.edge_planes[e])) edges_.push_back(e);
   }
   if (plane == wall_ || cuts_.size() < 2) return;
   order(plane);
@@ -177,7 +177,7 @@ void WallSection::gather(FacetId f) {
   sides_.clear();
   for (const UseId cycle : c_.cycles_of(f)) gather(cycle);
   for (const VertexId v : c_.inner_of(f)) {
-    const SpacePoint x = c_.vertex_point[v.value()];
+    const SpacePoint x = c_.vertex_point[v];
     if (side(tables_.points, x, wall_) == Sign::Zero) cuts_.push_back({x, v, 0});
   }
 }
@@ -187,21 +187,21 @@ void WallSection::gather(FacetId f) {
 /// two or none.
 void WallSection::gather(UseId cycle) {
   const auto side_of = [&](UseId u) {
-    return side(tables_.points, c_.vertex_point[c_.use_origin(u).value()], wall_);
+    return side(tables_.points, c_.vertex_point[c_.use_origin(u)], wall_);
   };
   UseId u = cycle;
-  Sign before = side_of(c_.use_prev[u.value()]), at = side_of(u);
+  Sign before = side_of(c_.use_prev[u]), at = side_of(u);
   do {
-    const UseId next = c_.use_next[u.value()];
+    const UseId next = c_.use_next[u];
     const Sign after = side_of(next);
-    const EdgeId e = SpaceComplex::edge_of(c_.use_halfedge[u.value()]);
+    const EdgeId e = SpaceComplex::edge_of(c_.use_halfedge[u]);
     if (at == Sign::Zero) {
       const VertexId v = c_.use_origin(u);
       const int crossings = (before == Sign::Negative ? 1 : 0) + (after == Sign::Negative ? 1 : 0);
-      cuts_.push_back({c_.vertex_point[v.value()], v, crossings});
+      cuts_.push_back({c_.vertex_point[v], v, crossings});
       if (after == Sign::Zero) sides_.push_back(e);
     } else if (at * after == Sign::Negative) {
-      const auto& [p, q] = c_.edge_planes[e.value()];
+      const auto& [p, q] = c_.edge_planes[e];
       cuts_.push_back({tables_.points.add(p, q, wall_), e, 1});
     }
     before = at;
@@ -241,7 +241,7 @@ Station WallSection::station(const Cut& cut) {
 /// Looks for a vertical plane through the vertex that is already there: that of a vertical edge, or
 /// the wall of another edge. Only a vertex without such an edge needs a new plane.
 Station WallSection::station(VertexId v) {
-  const SpacePoint x = c_.vertex_point[v.value()];
+  const SpacePoint x = c_.vertex_point[v];
   for (const HalfedgeId h : c_.star_of(v)) {
     const auto& planes = c_.edge_planes[h.value() / 2];
     if (vertical_.is_vertical(planes)) return {x, planes[planes[0] == wall_ ? 1 : 0]};
@@ -252,7 +252,7 @@ Station WallSection::station(VertexId v) {
 }
 
 Obstacle WallSection::obstacle(EdgeId e) {
-  const auto& planes = c_.edge_planes[e.value()];
+  const auto& planes = c_.edge_planes[e];
   const PlaneId plane = planes[vertical_.rise(planes[0]) == Sign::Zero ? 1 : 0];
   VertexId v = c_.origin[2 * e.value()], w = c_.origin[2 * e.value() + 1];
   Station from = station(v), to = station(w);

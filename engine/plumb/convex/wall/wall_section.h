@@ -55,7 +55,7 @@ class Vertical {
   std::array<Integer, 3> direction_;
   SpaceTables& tables_;
   std::size_t axis_ = 0;
-  std::vector<FilteredSign> rise_;  // Sign for each plane; Unsure until it is asked for.
+  IdVector<PlaneId, FilteredSign> rise_;  // Sign for each plane; Unsure until it is asked for.
 };
 
 // Half-planes that end at an edge, in their circular order, and which of them lie inside the sector
@@ -96,8 +96,8 @@ class SectorTest {
 
   /// Returns the half-plane of an edge use.
   HalfPlane of_use(UseId u) const {
-    return {c_.facet_plane[c_.use_facet[u.value()].value()],
-            SpaceComplex::is_reverse(c_.use_halfedge[u.value()]) ? Sign::Negative : Sign::Positive};
+    return {c_.facet_plane[c_.use_facet[u]],
+            SpaceComplex::is_reverse(c_.use_halfedge[u]) ? Sign::Negative : Sign::Positive};
   }
 
  private:

@@ -42,7 +42,7 @@ class Shadows {
   }
 
   Box3 of(VertexId v) const {
-    const PointBox at = c_.points().box(c_.vertex_point[v.value()]);
+    const PointBox at = c_.points().box(c_.vertex_point[v]);
     const auto coordinate = [&](std::size_t i) { return Ball::about(at.mid[i], at.radius); };
     Box3 box;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -62,7 +62,7 @@ class Shadows {
     UseId u = first;
     do {
       box.add(of(c_.use_origin(u)));
-      u = c_.use_next[u.value()];
+      u = c_.use_next[u];
     } while (u != first);
     return box;
   }
@@ -187,7 +187,7 @@ class SightWalls {
     }
     for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
       const VolumeId around = c_.vertex_volume[v];
-      if (around.is_valid() && c_.volume_mark[around.value()] == 1) cut_across(VertexId(v));
+      if (around.is_valid() && c_.volume_mark[around] == 1) cut_across(VertexId(v));
     }
     return std::move(walls_);
   }
@@ -212,11 +212,11 @@ class SightWalls {
         std::any_of(sectors_.begin(), sectors_.end(),
                     [this](const Sector& s) { return sector_test_.is_reflex(s); });
     if (!is_any_reflex) return;
-    if (vertical_.is_vertical(c_.edge_planes[e.value()])) {
-      if (!c_.edge_use[e.value()].is_valid()) cut_across(c_.origin[2 * e.value()]);
+    if (vertical_.is_vertical(c_.edge_planes[e])) {
+      if (!c_.edge_use[e].is_valid()) cut_across(c_.origin[2 * e.value()]);
       return;
     }
-    const OrientedPlane wall = vertical_.through(c_.edge_planes[e.value()]);
+    const OrientedPlane wall = vertical_.through(c_.edge_planes[e]);
     // With wall = k (c_q n_p - c_p n_q), up.(n_W x d) = -k |...|^2, so the upper half-plane has the
     // opposite orientation (wall_section.h).
     const HalfPlane up{wall.plane(), -wall.orientation()};
@@ -257,7 +257,7 @@ class SightWalls {
   /// Cuts through the whole set at a point, or at a vertical line, that was removed from a volume
   /// and has no edge to look from.
   void cut_across(VertexId v) {
-    const PlaneId wall = vertical_.through(c_.vertex_point[v.value()], PlaneId());
+    const PlaneId wall = vertical_.through(c_.vertex_point[v], PlaneId());
     const PlaneId level = vertical_.level();
     // The axis `across` is one whose coordinate grows or falls along the level lines of the wall.
     std::size_t across = (vertical_.axis() + 1) % 3;

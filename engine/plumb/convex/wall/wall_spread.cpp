@@ -47,7 +47,7 @@ class Cell {
     if (!line.is_topmost || is_resolved(sector, line)) return;
     if (!sector.first.is_valid()) {
       // A line has been removed from the cell: walls run to both sides of it.
-      const PlaneId plane = c_.edge_planes[sector.edge.value()][0];
+      const PlaneId plane = c_.edge_planes[sector.edge][0];
       run(plane, line, Sign::Positive, walls);
       run(plane, line, Sign::Negative, walls);
       return;
@@ -71,7 +71,7 @@ class Cell {
 
   /// Returns Positive if half-edge 2e runs up.
   Sign climb(EdgeId e) const {
-    const auto& [p, q] = c_.edge_planes[e.value()];
+    const auto& [p, q] = c_.edge_planes[e];
     return det3_sign(tables_.planes, p, q, vertical_.level());
   }
 
@@ -81,7 +81,7 @@ class Cell {
     Line line{c_.target(HalfedgeId(h)), c_.origin[h], true};
     line.is_topmost = !reflex_beyond(HalfedgeId(h ^ 1U)).is_valid();
     for (HalfedgeId down(h); down.is_valid(); down = reflex_beyond(down)) {
-      line.bottom = c_.origin[down.value()];
+      line.bottom = c_.origin[down];
     }
     return line;
   }
@@ -89,9 +89,9 @@ class Cell {
   /// Returns the half-edge that ends where this one begins and runs the same way, if the cell is
   /// reflex there, too; else an invalid id.
   HalfedgeId reflex_beyond(HalfedgeId h) {
-    for (const HalfedgeId out : c_.star_of(c_.origin[h.value()])) {
+    for (const HalfedgeId out : c_.star_of(c_.origin[h])) {
       const EdgeId e = SpaceComplex::edge_of(out);
-      if (out == h || !vertical_.is_vertical(c_.edge_planes[e.value()])) continue;
+      if (out == h || !vertical_.is_vertical(c_.edge_planes[e])) continue;
       sectors_of(c_, e, sectors_);
       for (const Sector& s : sectors_) {
         if (s.volume == volume_ && sector_test_.is_reflex(s)) return SpaceComplex::twin(out);
@@ -102,7 +102,7 @@ class Cell {
 
   // Whether an earlier wall of the cell ended at this line and left two angles that are not reflex.
   bool is_resolved(const Sector& sector, const Line& line) const {
-    const SpacePoint x = c_.vertex_point[line.top.value()];
+    const SpacePoint x = c_.vertex_point[line.top];
     return std::any_of(traces_.begin(), traces_.end(), [&](const Trace& t) {
       if (side(tables_.points, x, t.plane) != Sign::Zero) return false;
       if (side(tables_.points, x, t.to.cross) != Sign::Zero) return false;
@@ -212,7 +212,7 @@ class Cell {
       return c_.facet_volume[o.owner.index()][is_positive_side ? 0 : 1] == volume_;
     }
     const EdgeId e = o.owner.edge();
-    const OrientedPlane wall = vertical_.through(c_.edge_planes[e.value()]);
+    const OrientedPlane wall = vertical_.through(c_.edge_planes[e]);
     const HalfPlane half{section.wall(), looks_up ? -wall.orientation() : wall.orientation()};
     sectors_of(c_, e, sectors_);
     return std::any_of(sectors_.begin(), sectors_.end(), [&](const Sector& s) {
@@ -225,7 +225,7 @@ class Cell {
   bool has_upright_edge(VertexId v, Side side) {
     for (const HalfedgeId h : c_.star_of(v)) {
       const EdgeId e = SpaceComplex::edge_of(h);
-      if (!vertical_.is_vertical(c_.edge_planes[e.value()])) continue;
+      if (!vertical_.is_vertical(c_.edge_planes[e])) continue;
       const bool runs_up = (climb(e) == Sign::Positive) != SpaceComplex::is_reverse(h);
       if (runs_up != (side == Side::Floor)) continue;
       sectors_of(c_, e, sectors_);

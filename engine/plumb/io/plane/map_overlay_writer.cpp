@@ -68,7 +68,7 @@ void write_ring(TextOutput& out, const PlaneComplex& complex, const std::vector<
   out << '[';
   for (std::size_t i = 0; i <= ring.size(); ++i) {
     const VertexId v = ring[i < ring.size() ? i : 0];
-    const Point2 p = approx(complex.points, complex.vertex_point[v.value()]);
+    const Point2 p = approx(complex.points, complex.vertex_point[v]);
     out << (i == 0 ? "[" : ",[") << p.x << ',' << p.y << ']';
   }
   out << ']';

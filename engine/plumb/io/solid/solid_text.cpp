@@ -140,7 +140,7 @@ class LinkCheck {
   }
 
   const SpaceComplex& c_;
-  std::vector<std::uint8_t> visited_;  // Per use.
+  IdVector<UseId, std::uint8_t> visited_;
   std::string flaw_;
 };
 
@@ -152,7 +152,7 @@ void LinkCheck::check_edges() {
     require(use.is_valid() != c_.edge_volume[e].is_valid(), "edge", e,
             "is free in a volume or has uses, one of the two");
     if (!use.is_valid()) continue;
-    const HalfedgeId h = c_.use_halfedge[use.value()];
+    const HalfedgeId h = c_.use_halfedge[use];
     require(SpaceComplex::edge_of(h) == EdgeId(e), "edge", e, "names a use of another edge");
   }
 }
@@ -168,36 +168,34 @@ void LinkCheck::check_vertices() {
 /// Checks the uses. The reader made `use_prev` as the inverse of `use_next`, which is a permutation
 /// if `use_prev` is complete.
 void LinkCheck::check_uses() {
-  std::vector<std::uint8_t> is_radial(c_.use_count(), 0);
+  IdVector<UseId, std::uint8_t> is_radial(c_.use_count(), 0);
   for (std::uint32_t u = 0; u < c_.use_count(); ++u) {
     const UseId next = c_.use_next[u];
     const UseId radial = c_.use_radial[u];
     require(c_.use_prev[u].is_valid(), "use", u, "is the next of none");
     require(c_.target(c_.use_halfedge[u]) == c_.use_origin(next), "use", u,
             "does not end where the next begins");
-    require(c_.use_facet[u] == c_.use_facet[next.value()], "use", u,
-            "is in another facet than the next");
-    const HalfedgeId h = c_.use_halfedge[radial.value()];
+    require(c_.use_facet[u] == c_.use_facet[next], "use", u, "is in another facet than the next");
+    const HalfedgeId h = c_.use_halfedge[radial];
     require(SpaceComplex::edge_of(h) == SpaceComplex::edge_of(c_.use_halfedge[u]), "use", u,
             "is of another edge than the next around it");
-    require(c_.edge_use[SpaceComplex::edge_of(h).value()].is_valid(), "use", u,
+    require(c_.edge_use[SpaceComplex::edge_of(h)].is_valid(), "use", u,
             "is of an edge that has none");
-    require(is_radial[radial.value()] == 0, "use", radial.value(),
-            "follows two uses around its edge");
-    is_radial[radial.value()] = 1;
+    require(is_radial[radial] == 0, "use", radial.value(), "follows two uses around its edge");
+    is_radial[radial] = 1;
   }
 }
 
 /// Checks the cycles around edges. Requires a permutation: then walking on leads back.
 void LinkCheck::check_radial_cycles() {
-  std::vector<std::uint32_t> at_edge(c_.edge_count(), 0);
-  for (const HalfedgeId h : c_.use_halfedge) ++at_edge[SpaceComplex::edge_of(h).value()];
+  IdVector<EdgeId, std::uint32_t> at_edge(c_.edge_count(), 0);
+  for (const HalfedgeId h : c_.use_halfedge) ++at_edge[SpaceComplex::edge_of(h)];
   for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
     const UseId first = c_.edge_use[e];
     std::uint32_t around = 0;
     UseId use = first;
     while (first.is_valid() && (around == 0 || use != first)) {
-      use = c_.use_radial[use.value()];
+      use = c_.use_radial[use];
       ++around;
     }
     require(around == at_edge[e], "edge", e, "has uses that are not around it");
@@ -220,9 +218,9 @@ void LinkCheck::check_facet_cycles() {
 }
 
 bool LinkCheck::visit_cycle(UseId first, FacetId facet) {
-  if (visited_[first.value()] != 0 || c_.use_facet[first.value()] != facet) return false;
-  for (UseId use = first; visited_[use.value()] == 0; use = c_.use_next[use.value()]) {
-    visited_[use.value()] = 1;
+  if (visited_[first] != 0 || c_.use_facet[first] != facet) return false;
+  for (UseId use = first; visited_[use] == 0; use = c_.use_next[use]) {
+    visited_[use] = 1;
   }
   return true;
 }

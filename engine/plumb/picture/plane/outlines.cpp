@@ -89,20 +89,20 @@ class ChainWalker {
       is_left_[e] = true;
       ++left_;
       const HalfedgeId h = first_half(EdgeId(e));
-      ++degree_[complex.dcel.origin(h).value()];
-      ++degree_[complex.dcel.target(h).value()];
+      ++degree_[complex.dcel.origin(h)];
+      ++degree_[complex.dcel.target(h)];
     }
   }
 
   std::size_t left() const { return left_; }
-  bool is_left(EdgeId e) const { return is_left_[e.value()]; }
-  bool begins_chain(HalfedgeId h) const { return degree_[complex_.dcel.origin(h).value()] != 2; }
+  bool is_left(EdgeId e) const { return is_left_[e]; }
+  bool begins_chain(HalfedgeId h) const { return degree_[complex_.dcel.origin(h)] != 2; }
 
   /// Appends the chain that begins with h; a closed one once around.
   void append(HalfedgeId h, std::span<const Point2> at, PathData& path) {
     path.move_to(at[complex_.dcel.origin(h).value()]);
     while (h.is_valid()) {
-      is_left_[edge_of(h).value()] = false;
+      is_left_[edge_of(h)] = false;
       --left_;
       path.line_to(at[complex_.dcel.target(h).value()]);
       h = following(h);
@@ -112,7 +112,7 @@ class ChainWalker {
  private:
   HalfedgeId following(HalfedgeId h) const {
     const VertexId v = complex_.dcel.target(h);
-    if (degree_[v.value()] != 2) return {};
+    if (degree_[v] != 2) return {};
     for (const HalfedgeId g : complex_.dcel.around(v)) {
       if (!complex_.is_frame(g) && is_left(edge_of(g))) return g;
     }
@@ -120,8 +120,8 @@ class ChainWalker {
   }
 
   const PlaneComplex& complex_;
-  std::vector<std::uint32_t> degree_;  ///< Edges of the kind at each vertex.
-  std::vector<bool> is_left_;
+  IdVector<VertexId, std::uint32_t> degree_;  ///< Edges of the kind at each vertex.
+  IdVector<EdgeId, bool> is_left_;
   std::size_t left_ = 0;
 };
 

@@ -58,7 +58,9 @@ struct MapEdges {
 /// Returns the edges of a map. The function sorts the directed edges into buckets by the lesser of
 /// their two vertex ids. In each bucket, it finds the directed edges of the same undirected edge.
 /// Cost: O(n), plus sorting the edges in each bucket. The order of MapEdges::ends depends only on
-/// the set of undirected edges.
+/// the set of undirected edges. A MapReport does not keep the edges: to_dcel() and the writer of
+/// half-edges call this function again, a small part of the time of the check, and no report has to
+/// hold 12 bytes for each corner.
 MapEdges match_twins(const Map& map);
 
 /// The connected components of the edge graph.

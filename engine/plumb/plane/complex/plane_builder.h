@@ -5,26 +5,7 @@
 // Notation: a label says what a face of the arrangement is (for a Boolean, the faces of both
 // operands that it is part of; for polygons, a winding number). The value of a bundle says what its
 // curves are together; an event reports which curves join and leave, so it costs what changes. The
-// rule defines what both mean:
-//
-//   struct Rule {
-//     using Label = ...;                      // small values
-//     using Value = ...;                      // Value() for no curve
-//     static constexpr bool kKeepsAll;        // whether every piece and point is kept
-//     static constexpr bool kKeepsLabels;     // whether build() returns the labels of faces
-//     Label bottom();                         // the label of face 0
-//     void begin_change();                    // joins and leaves up to the next call change one
-//                                             // value
-//     void join(Value&, SegmentId);           // a curve starts in a bundle
-//     void leave(Value&, SegmentId);          // a curve ends in it
-//     Label above(Label below, Value);        // across a bundle, upward (leftward if vertical)
-//     Label below(Label above, Value);        // and back
-//     bool face_mark(Label);
-//     bool edge_mark(Label below, Label above, Value);
-//     bool vertex_mark(const PlaneSurroundings<Rule>&);
-//     void start(const SweepCurves&);         // before the first event
-//     void keep_edge(Value);                  // the next edge begins with a piece of this value
-//   };
+// rule (concept PlaneRule) defines what both mean.
 //
 // Main flow of on_event():
 //  1. face_below        reads the label and support of the face just below (right of) the event
@@ -49,6 +30,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -69,6 +51,38 @@ struct SweepInput {
   std::vector<std::uint32_t> stops;  ///< Points that are events whether curves end there or not.
 };
 
+template <class Rule>
+struct PlaneSurroundings;
+
+/// A rule: the meaning of labels and values. A default-constructed Value is the value of no curve.
+template <class Rule>
+concept PlaneRule = std::semiregular<typename Rule::Label> &&
+    std::semiregular<typename Rule::Value> &&
+    requires(Rule rule, typename Rule::Label label, typename Rule::Value value, SegmentId curve,
+             const SweepCurves& curves, const PlaneSurroundings<Rule>& place) {
+  // Whether every piece and point is kept, and whether build() returns the labels of faces.
+  requires std::same_as<decltype(Rule::kKeepsAll), const bool>;
+  requires std::same_as<decltype(Rule::kKeepsLabels), const bool>;
+  // Called before the first event.
+  rule.start(curves);
+  // The label of face 0.
+  { rule.bottom() } -> std::convertible_to<typename Rule::Label>;
+  // The calls of join() and leave() up to the next call of begin_change() change one value: a
+  // curve starts in a bundle, or ends in it.
+  rule.begin_change();
+  rule.join(value, curve);
+  rule.leave(value, curve);
+  // The label across a bundle, upward (leftward if the bundle is vertical), and back.
+  { rule.above(label, value) } -> std::convertible_to<typename Rule::Label>;
+  { rule.below(label, value) } -> std::convertible_to<typename Rule::Label>;
+  // The marks. An edge has a label below it and one above it.
+  { rule.face_mark(label) } -> std::convertible_to<bool>;
+  { rule.edge_mark(label, label, value) } -> std::convertible_to<bool>;
+  { rule.vertex_mark(place) } -> std::convertible_to<bool>;
+  // The next edge begins with a piece of this value.
+  rule.keep_edge(value);
+};
+
 /// What a rule may ask about the place of a vertex.
 template <class Rule>
 struct PlaneSurroundings {
@@ -80,7 +94,7 @@ struct PlaneSurroundings {
 };
 
 /// The visitor of a sweep that builds the complex. See the head of this file.
-template <class Rule>
+template <PlaneRule Rule>
 class PlaneBuilder final : public SweepVisitor {
  public:
   using Label = typename Rule::Label;
@@ -135,7 +149,7 @@ class PlaneBuilder final : public SweepVisitor {
 
   void point_event(const SweepEvent& event);
   const State& face_below(const SweepEvent& event) const {
-    return event.below.is_valid() ? states_[event.below.value()] : bottom_;
+    return event.below.is_valid() ? states_[event.below] : bottom_;
   }
   void collect_incoming(const SweepEvent& event);
   void label_outgoing(const SweepEvent& event, const State& below);
@@ -167,11 +181,11 @@ class PlaneBuilder final : public SweepVisitor {
   MemoryCharge memory_;
   const SweepCurves* curves_ = nullptr;
   PlaneDraft draft_;
-  std::vector<Label> labels_;  // The label of the face to the left of each half-edge.
+  IdVector<HalfedgeId, Label> labels_;  // The label of the face to the left of each half-edge.
   std::vector<Crossing2> new_crossings_;
-  std::vector<State> states_;  // The state of the bundle that each curve names.
-  State bottom_;               // The face below everything.
-  Label first_bottom_;         // The label of face 0.
+  IdVector<SegmentId, State> states_;  // The state of the bundle that each curve names.
+  State bottom_;                       // The face below everything.
+  Label first_bottom_;                 // The label of face 0.
   std::vector<Opening> openings_;
   std::vector<HalfedgeId> left_ends_, right_ends_, up_ends_, down_ends_;  // In sweep order.
 
@@ -191,7 +205,7 @@ class PlaneBuilder final : public SweepVisitor {
 
 // ---------------------------------------------------------------- events
 
-template <class Rule>
+template <PlaneRule Rule>
 bool PlaneBuilder<Rule>::on_event(const SweepEvent& event) {
   switch (event.place) {
     case SweepPlace::LeftInfinity: {
@@ -215,7 +229,7 @@ bool PlaneBuilder<Rule>::on_event(const SweepEvent& event) {
   return true;
 }
 
-template <class Rule>
+template <PlaneRule Rule>
 void PlaneBuilder<Rule>::point_event(const SweepEvent& event) {
   const State below = face_below(event);
   any_marked_ = all_marked_ = below.mark_above;
@@ -224,12 +238,12 @@ void PlaneBuilder<Rule>::point_event(const SweepEvent& event) {
   place_vertex(event, below);
 }
 
-template <class Rule>
+template <PlaneRule Rule>
 void PlaneBuilder<Rule>::collect_incoming(const SweepEvent& event) {
   kept_in_.clear();
   values_in_.clear();
   for (const SegmentId bundle : event.incoming) {
-    const State& state = states_[bundle.value()];
+    const State& state = states_[bundle];
     if (state.edge.is_valid()) kept_in_.push_back({state.edge, bundle});
     if (!event.plain) values_in_.push_back(state.value);
     any_marked_ = any_marked_ || state.mark || state.mark_above;
@@ -237,7 +251,7 @@ void PlaneBuilder<Rule>::collect_incoming(const SweepEvent& event) {
   }
 }
 
-template <class Rule>
+template <PlaneRule Rule>
 typename PlaneBuilder<Rule>::Value PlaneBuilder<Rule>::value_of(const SweepEvent& event,
                                                                 std::size_t out) {
   Value value{};
@@ -250,7 +264,7 @@ typename PlaneBuilder<Rule>::Value PlaneBuilder<Rule>::value_of(const SweepEvent
   return value;
 }
 
-template <class Rule>
+template <PlaneRule Rule>
 typename PlaneBuilder<Rule>::Piece PlaneBuilder<Rule>::piece_above(const Label& below,
                                                                    bool mark_below, SegmentId curve,
                                                                    const Value& value) const {
@@ -264,7 +278,7 @@ typename PlaneBuilder<Rule>::Piece PlaneBuilder<Rule>::piece_above(const Label& 
   return piece;
 }
 
-template <class Rule>
+template <PlaneRule Rule>
 void PlaneBuilder<Rule>::label_outgoing(const SweepEvent& event, const State& below) {
   pieces_.clear();
   kept_out_ = 0;
@@ -283,7 +297,7 @@ void PlaneBuilder<Rule>::label_outgoing(const SweepEvent& event, const State& be
 
 // ---------------------------------------------------------------- vertices
 
-template <class Rule>
+template <PlaneRule Rule>
 bool PlaneBuilder<Rule>::vertex_mark(const SweepEvent& event, const State& below) const {
   return rule_.vertex_mark(
       PlaneSurroundings<Rule>{below.above, event, values_in_, any_marked_, all_marked_});
@@ -291,24 +305,24 @@ bool PlaneBuilder<Rule>::vertex_mark(const SweepEvent& event, const State& below
 
 /// Whether the one kept piece to the left goes straight on in the one to the right, with its mark
 /// and that of the place.
-template <class Rule>
+template <PlaneRule Rule>
 bool PlaneBuilder<Rule>::passes(bool mark) const {
   if (Rule::kKeepsAll || kept_in_.size() != 1 || kept_out_ != 1) return false;
   const auto piece =
       std::find_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.is_kept; });
-  const bool in_mark = draft_.edge_mark[kept_in_.front().edge.value()] != 0;
+  const bool in_mark = draft_.edge_mark[kept_in_.front().edge] != 0;
   if (piece->state.mark != mark || in_mark != mark) return false;
   return curves_->direction_order(kept_in_.front().curve, piece->curve) == Sign::Zero;
 }
 
-template <class Rule>
+template <PlaneRule Rule>
 std::uint32_t PlaneBuilder<Rule>::point_of(const SweepEvent& event) {
   if (!event.points.empty()) return event.points.front();
   new_crossings_.push_back(*event.crossing);
   return static_cast<std::uint32_t>(scene_.points.size() + new_crossings_.size() - 1);
 }
 
-template <class Rule>
+template <PlaneRule Rule>
 VertexId PlaneBuilder<Rule>::new_vertex(const SweepEvent& event, bool mark) {
   if ((draft_.vertex_count() + 1) % kVerticesPerCharge == 0) {
     memory_.add(kVerticesPerCharge * kBytesPerVertex, kMemoryName);
@@ -316,7 +330,7 @@ VertexId PlaneBuilder<Rule>::new_vertex(const SweepEvent& event, bool mark) {
   return draft_.add_vertex(point_of(event), mark);
 }
 
-template <class Rule>
+template <PlaneRule Rule>
 void PlaneBuilder<Rule>::place_vertex(const SweepEvent& event, const State& below) {
   const bool mark = vertex_mark(event, below);
   if (kept_in_.empty() && kept_out_ == 0) {
@@ -334,7 +348,7 @@ void PlaneBuilder<Rule>::place_vertex(const SweepEvent& event, const State& belo
   }
 }
 
-template <class Rule>
+template <PlaneRule Rule>
 void PlaneBuilder<Rule>::place_isolated(const SweepEvent& event, bool mark, const State& below) {
   if (!Rule::kKeepsAll && mark == below.mark_above) return;
   const VertexId v = new_vertex(event, mark);
@@ -342,7 +356,7 @@ void PlaneBuilder<Rule>::place_isolated(const SweepEvent& event, bool mark, cons
   openings_.push_back({v, HalfedgeId(), below.support});
 }
 
-template <class Rule>
+template <PlaneRule Rule>
 void PlaneBuilder<Rule>::link_vertex(VertexId v, HalfedgeId support) {
   ring_.clear();
   for (const Piece& piece : pieces_) {
@@ -356,7 +370,7 @@ void PlaneBuilder<Rule>::link_vertex(VertexId v, HalfedgeId support) {
   draft_.link_ring(ring_);
 }
 
-template <class Rule>
+template <PlaneRule Rule>
 EdgeId PlaneBuilder<Rule>::new_edge(VertexId left, const Piece& piece) {
   const auto& curve = (*curves_)[piece.curve];
   const EdgeId e = draft_.add_edge(left, {curve.a, curve.b}, piece.state.mark,
@@ -371,7 +385,7 @@ EdgeId PlaneBuilder<Rule>::new_edge(VertexId left, const Piece& piece) {
 
 /// Sets the states of all outgoing pieces, and starts edges for those that are kept and do not
 /// continue one. Without a left vertex new edges come from infinity.
-template <class Rule>
+template <PlaneRule Rule>
 void PlaneBuilder<Rule>::start_edges(VertexId left, HalfedgeId support) {
   for (Piece& piece : pieces_) {
     if (piece.is_kept && !piece.state.edge.is_valid()) {
@@ -380,7 +394,7 @@ void PlaneBuilder<Rule>::start_edges(VertexId left, HalfedgeId support) {
     }
     if (piece.is_kept) support = first_half(piece.state.edge);
     piece.state.support = support;
-    states_[piece.curve.value()] = piece.state;
+    states_[piece.curve] = piece.state;
   }
 }
 
@@ -388,7 +402,7 @@ void PlaneBuilder<Rule>::start_edges(VertexId left, HalfedgeId support) {
 
 /// The face to the left of the vertical is the bottom so far; the one to its right is the new
 /// bottom.
-template <class Rule>
+template <PlaneRule Rule>
 void PlaneBuilder<Rule>::start_vertical(const SweepEvent& event) {
   const Value value = value_of(event, 0);
   const Label below = rule_.below(bottom_.above, value);
@@ -403,46 +417,46 @@ void PlaneBuilder<Rule>::start_vertical(const SweepEvent& event) {
     bottom_.support = twin(first_half(piece.state.edge));
     down_ends_.push_back(bottom_.support);
   }
-  states_[piece.curve.value()] = piece.state;
+  states_[piece.curve] = piece.state;
 }
 
-template <class Rule>
+template <PlaneRule Rule>
 void PlaneBuilder<Rule>::end_at_infinity(std::span<const SegmentId> incoming,
                                          std::vector<HalfedgeId>& ends) {
   for (const SegmentId bundle : incoming) {
-    const State& state = states_[bundle.value()];
+    const State& state = states_[bundle];
     if (state.edge.is_valid()) ends.push_back(first_half(state.edge));
   }
 }
 
 // ---------------------------------------------------------------- after the sweep
 
-template <class Rule>
+template <PlaneRule Rule>
 PlaneFaceClasses PlaneBuilder<Rule>::class_loops(const PlaneLoops& loops,
                                                  HalfedgeId bottom_frame) const {
   PlaneFaceClasses classes;
   classes.class_count = loops.count() + 1;
-  classes.bottom = bottom_frame.is_valid() ? loops.loop_of[bottom_frame.value()]
+  classes.bottom = bottom_frame.is_valid() ? loops.loop_of[bottom_frame]
                                            : static_cast<std::uint32_t>(loops.count());
   classes.of_loop.resize(loops.count());
   for (std::size_t l = 0; l < loops.count(); ++l)
     classes.of_loop[l] = static_cast<std::uint32_t>(l);
   const std::vector<VertexId> least = least_vertices(draft_, loops);
   const auto class_of = [&](HalfedgeId support) {
-    return support.is_valid() ? classes.of_loop[loops.loop_of[support.value()]] : classes.bottom;
+    return support.is_valid() ? classes.of_loop[loops.loop_of[support]] : classes.bottom;
   };
   for (const Opening& o : openings_) {
     if (!o.corner.is_valid()) {
       classes.of_isolated.push_back(class_of(o.support));
       continue;
     }
-    const std::uint32_t l = loops.loop_of[o.corner.value()];
+    const std::uint32_t l = loops.loop_of[o.corner];
     if (least[l] == o.vertex) classes.of_loop[l] = class_of(o.support);
   }
   return classes;
 }
 
-template <class Rule>
+template <PlaneRule Rule>
 void PlaneBuilder<Rule>::rename_points(std::span<const std::uint32_t> to) {
   for (std::uint32_t& p : draft_.vertex_point) {
     if (p < to.size()) p = to[p];
@@ -456,7 +470,7 @@ void PlaneBuilder<Rule>::rename_points(std::span<const std::uint32_t> to) {
   }
 }
 
-template <class Rule>
+template <PlaneRule Rule>
 PlaneComplex PlaneBuilder<Rule>::build(PlanePoints points, std::vector<Label>* labels) {
   draft_.ends = std::move(down_ends_);
   draft_.ends.insert(draft_.ends.end(), right_ends_.begin(), right_ends_.end());
@@ -470,7 +484,7 @@ PlaneComplex PlaneBuilder<Rule>::build(PlanePoints points, std::vector<Label>* l
   if (labels != nullptr) {
     labels->clear();
     for (const HalfedgeId h : finished.first_of_face) {
-      labels->push_back(h.is_valid() ? labels_[h.value()] : first_bottom_);
+      labels->push_back(h.is_valid() ? labels_[h] : first_bottom_);
     }
   }
   return std::move(finished.complex);

@@ -114,7 +114,7 @@ PlaneMarks marks_of(const PlaneDraft& draft, const std::vector<HalfedgeId>& firs
   PlaneMarks marks{draft.vertex_mark, draft.edge_mark, {}};
   marks.face.reserve(first_of_face.size());
   for (const HalfedgeId h : first_of_face) {
-    marks.face.push_back(h.is_valid() ? draft.left_mark[h.value()] : draft.bottom_mark);
+    marks.face.push_back(h.is_valid() ? draft.left_mark[h] : draft.bottom_mark);
   }
   return marks;
 }
@@ -147,7 +147,7 @@ EdgeId PlaneDraft::add_edge(VertexId left, PlaneLine edge_line, bool mark, bool 
 void PlaneDraft::link_ring(std::span<const HalfedgeId> leaving) {
   for (std::size_t i = 0; i < leaving.size(); ++i) {
     const HalfedgeId after = leaving[i + 1 < leaving.size() ? i + 1 : 0];
-    next[twin(after).value()] = leaving[i];
+    next[twin(after)] = leaving[i];
   }
 }
 
@@ -166,13 +166,13 @@ HalfedgeId close_frame(PlaneDraft& draft) {
     const std::size_t after = i + 1 < n ? i + 1 : 0;
     const HalfedgeId end = draft.ends[i];
     const HalfedgeId along = frame_edge(i);
-    draft.origin[twin(end).value()] = VertexId(vertices + i);
-    draft.origin[along.value()] = VertexId(vertices + i);
-    draft.origin[twin(along).value()] = VertexId(vertices + after);
-    draft.next[end.value()] = along;
-    draft.next[along.value()] = twin(draft.ends[after]);
-    draft.next[twin(frame_edge(after)).value()] = twin(along);
-    draft.left_mark[along.value()] = draft.left_mark[end.value()];
+    draft.origin[twin(end)] = VertexId(vertices + i);
+    draft.origin[along] = VertexId(vertices + i);
+    draft.origin[twin(along)] = VertexId(vertices + after);
+    draft.next[end] = along;
+    draft.next[along] = twin(draft.ends[after]);
+    draft.next[twin(frame_edge(after))] = twin(along);
+    draft.left_mark[along] = draft.left_mark[end];
   }
   return frame_edge(n - 1);
 }
@@ -184,8 +184,8 @@ PlaneLoops trace_loops(const PlaneDraft& draft) {
     if (loops.loop_of[start] != LoopId::kInvalid) continue;
     HalfedgeId h(start);
     do {
-      loops.loop_of[h.value()] = static_cast<std::uint32_t>(loops.first.size());
-      h = draft.next[h.value()];
+      loops.loop_of[h] = static_cast<std::uint32_t>(loops.first.size());
+      h = draft.next[h];
     } while (h.value() != start);
     loops.first.emplace_back(start);
   }
@@ -287,7 +287,7 @@ class Simplifier {
   FaceId left(EdgeId e) const { return dcel_.face(first_half(e)); }
   FaceId right(EdgeId e) const { return dcel_.face(twin(first_half(e))); }
   bool goes_through(VertexId v) const {
-    return !complex_.is_at_infinity(v) && !vertex_[v.value()].is_valid();
+    return !complex_.is_at_infinity(v) && !vertex_[v].is_valid();
   }
   FaceId any_face(VertexId v) const {
     return dcel_.is_isolated(v) ? dcel_.face(dcel_.isolated_loop(v))
@@ -298,13 +298,14 @@ class Simplifier {
   const Dcel& dcel_;
   MergedFaces faces_;
   PlaneDraft draft_;
-  std::vector<std::uint8_t> is_kept_;     // Whether each old edge stays.
-  std::vector<EdgeId> continues_;         // The edge with which each old edge goes on to the right.
-  std::vector<VertexId> vertex_;          // The new vertex of each old one; not valid if dropped.
-  std::vector<HalfedgeId> halfedge_;      // The new half-edge of old ones at the ends of chains.
-  std::vector<HalfedgeId> old_halfedge_;  // An old half-edge of each new one.
-  std::vector<FaceId> isolated_face_;     // The old face of each entry of draft_.isolated.
-  std::vector<HalfedgeId> kept_here_;     // Kept half-edges that leave a vertex, counter-clockwise.
+  IdVector<EdgeId, std::uint8_t> is_kept_;  // Whether each old edge stays.
+  IdVector<EdgeId, EdgeId> continues_;   // The edge with which each old edge goes on to the right.
+  IdVector<VertexId, VertexId> vertex_;  // The new vertex of each old one; not valid if dropped.
+  IdVector<HalfedgeId, HalfedgeId>
+      halfedge_;  // The new half-edge of old ones at the ends of chains.
+  IdVector<HalfedgeId, HalfedgeId> old_halfedge_;  // An old half-edge of each new one.
+  std::vector<FaceId> isolated_face_;              // The old face of each entry of draft_.isolated.
+  std::vector<HalfedgeId> kept_here_;  // Kept half-edges that leave a vertex, counter-clockwise.
 };
 
 void Simplifier::drop_edges() {
@@ -320,15 +321,15 @@ void Simplifier::collect_kept(VertexId v) {
   kept_here_.clear();
   if (dcel_.is_isolated(v)) return;
   for (const HalfedgeId h : dcel_.around(v)) {
-    if (is_kept_[edge_of(h).value()] != 0) kept_here_.push_back(h);
+    if (is_kept_[edge_of(h)] != 0) kept_here_.push_back(h);
   }
 }
 
 // Whether the two kept edges at a vertex lie on one line. Pieces of one curve have the same two
 // points, so arithmetic is rarely needed.
 bool Simplifier::is_straight() const {
-  const PlaneLine& k = complex_.line[edge_of(kept_here_[0]).value()];
-  const PlaneLine& l = complex_.line[edge_of(kept_here_[1]).value()];
+  const PlaneLine& k = complex_.line[edge_of(kept_here_[0])];
+  const PlaneLine& l = complex_.line[edge_of(kept_here_[1])];
   return k == l || cross_sign(complex_.points.inputs, k.a, k.b, l.a, l.b) == Sign::Zero;
 }
 
@@ -346,13 +347,13 @@ void Simplifier::place_vertex(VertexId v) {
     if (complex_.mark(e) == mark && complex_.mark(f) == mark && is_straight()) {
       // The even half-edge is the one that leaves to the right.
       const bool first_leaves = (kept_here_[0].value() & 1U) == 0;
-      continues_[(first_leaves ? f : e).value()] = first_leaves ? e : f;
+      continues_[(first_leaves ? f : e)] = first_leaves ? e : f;
       return;
     }
   }
-  vertex_[v.value()] = draft_.add_vertex(complex_.vertex_point[v.value()], mark);
+  vertex_[v] = draft_.add_vertex(complex_.vertex_point[v], mark);
   if (kept_here_.empty()) {
-    draft_.isolated.push_back(vertex_[v.value()]);
+    draft_.isolated.push_back(vertex_[v]);
     isolated_face_.push_back(any_face(v));
   }
 }
@@ -366,16 +367,15 @@ void Simplifier::place_vertices() {
 // vertices.
 void Simplifier::add_chain(EdgeId first) {
   const VertexId from = dcel_.origin(first_half(first));
-  const EdgeId e =
-      draft_.add_edge(complex_.is_at_infinity(from) ? VertexId() : vertex_[from.value()],
-                      complex_.line[first.value()], complex_.mark(first),
-                      complex_.mark(left(first)), complex_.mark(right(first)));
+  const EdgeId e = draft_.add_edge(complex_.is_at_infinity(from) ? VertexId() : vertex_[from],
+                                   complex_.line[first], complex_.mark(first),
+                                   complex_.mark(left(first)), complex_.mark(right(first)));
   EdgeId last = first;
-  while (continues_[last.value()].is_valid()) last = continues_[last.value()];
+  while (continues_[last].is_valid()) last = continues_[last];
   const VertexId to = dcel_.target(first_half(last));
-  if (!complex_.is_at_infinity(to)) draft_.end_edge(e, vertex_[to.value()]);
-  halfedge_[first_half(first).value()] = first_half(e);
-  halfedge_[twin(first_half(last)).value()] = twin(first_half(e));
+  if (!complex_.is_at_infinity(to)) draft_.end_edge(e, vertex_[to]);
+  halfedge_[first_half(first)] = first_half(e);
+  halfedge_[twin(first_half(last))] = twin(first_half(e));
   old_halfedge_.push_back(first_half(first));
   old_halfedge_.push_back(twin(first_half(first)));
 }
@@ -392,7 +392,7 @@ void Simplifier::link_vertices() {
   for (std::size_t i = 0; i < complex_.vertex_count(); ++i) {
     if (!vertex_[i].is_valid()) continue;
     collect_kept(VertexId(i));
-    for (HalfedgeId& h : kept_here_) h = halfedge_[h.value()];
+    for (HalfedgeId& h : kept_here_) h = halfedge_[h];
     draft_.link_ring(kept_here_);
   }
 }
@@ -401,8 +401,8 @@ void Simplifier::link_vertices() {
 void Simplifier::collect_ends() {
   for (std::size_t v = complex_.vertex_count(); v < dcel_.vertex_count(); ++v) {
     for (const HalfedgeId h : dcel_.around(VertexId(v))) {
-      if (complex_.is_frame(h) || is_kept_[edge_of(h).value()] == 0) continue;
-      draft_.ends.push_back(twin(halfedge_[h.value()]));
+      if (complex_.is_frame(h) || is_kept_[edge_of(h)] == 0) continue;
+      draft_.ends.push_back(twin(halfedge_[h]));
     }
   }
 }
@@ -416,8 +416,7 @@ PlaneFaceClasses Simplifier::class_loops(const PlaneLoops& loops) {
   classes.bottom = faces_.find(FaceId(0));
   for (const HalfedgeId h : loops.first) {
     const bool is_ordinary = h.value() < old_halfedge_.size();
-    classes.of_loop.push_back(is_ordinary ? faces_.find(dcel_.face(old_halfedge_[h.value()]))
-                                          : beyond);
+    classes.of_loop.push_back(is_ordinary ? faces_.find(dcel_.face(old_halfedge_[h])) : beyond);
   }
   for (const FaceId f : isolated_face_) classes.of_isolated.push_back(faces_.find(f));
   return classes;
@@ -456,7 +455,7 @@ PlaneMarks neighbourhood_marks(const PlaneComplex& complex, Combine boolean_op) 
     } else {
       // The new marks of the edges already include those of the faces beside them.
       for (const HalfedgeId h : complex.dcel.around(v)) {
-        mark = boolean_op(mark, marks.edge[edge_of(h).value()] != 0);
+        mark = boolean_op(mark, marks.edge[edge_of(h)] != 0);
       }
     }
     marks.vertex[i] = mark ? 1 : 0;

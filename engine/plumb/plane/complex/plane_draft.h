@@ -21,17 +21,18 @@ namespace plumb {
 
 /// The arrays of a complex under construction.
 struct PlaneDraft {
-  std::vector<std::uint32_t> vertex_point;  ///< The point of each vertex (dense index).
-  std::vector<std::uint8_t> vertex_mark;    ///< The mark of each vertex.
-  std::vector<VertexId> isolated;           ///< The vertices without edges, ascending.
+  IdVector<VertexId, std::uint32_t> vertex_point;  ///< The point of each vertex (dense index).
+  IdVector<VertexId, std::uint8_t> vertex_mark;    ///< The mark of each vertex.
+  std::vector<VertexId> isolated;                  ///< The vertices without edges, ascending.
 
-  std::vector<PlaneLine> line;          ///< The line of each edge.
-  std::vector<std::uint8_t> edge_mark;  ///< The mark of each edge.
+  IdVector<EdgeId, PlaneLine> line;          ///< The line of each edge.
+  IdVector<EdgeId, std::uint8_t> edge_mark;  ///< The mark of each edge.
 
-  std::vector<VertexId> origin;         ///< The origin of each half-edge; not valid at infinity.
-  std::vector<HalfedgeId> next;         ///< The half-edge that follows each one.
-  std::vector<std::uint8_t> left_mark;  ///< The mark of the face to the left of each half-edge.
-  std::uint8_t bottom_mark = 0;         ///< The mark of face 0.
+  IdVector<HalfedgeId, VertexId> origin;  ///< The origin of each half-edge; not valid at infinity.
+  IdVector<HalfedgeId, HalfedgeId> next;  ///< The half-edge that follows each one.
+  IdVector<HalfedgeId, std::uint8_t>
+      left_mark;                 ///< The mark of the face to the left of each half-edge.
+  std::uint8_t bottom_mark = 0;  ///< The mark of face 0.
 
   /// The half-edges that lead to infinity, counter-clockwise from face 0: down, right, up, left.
   std::vector<HalfedgeId> ends;
@@ -52,8 +53,8 @@ struct PlaneDraft {
 
 /// The boundary loops, numbered by their least half-edges.
 struct PlaneLoops {
-  std::vector<std::uint32_t> loop_of;  ///< The loop of each half-edge.
-  std::vector<HalfedgeId> first;       ///< The least half-edge of each loop.
+  IdVector<HalfedgeId, std::uint32_t> loop_of;  ///< The loop of each half-edge.
+  std::vector<HalfedgeId> first;                ///< The least half-edge of each loop.
 
   std::size_t count() const { return first.size(); }
 };

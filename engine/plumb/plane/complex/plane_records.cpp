@@ -185,7 +185,7 @@ RecordError::RecordError(Kind kind, std::size_t index, const std::string& why)
       index_(index) {}
 
 PlaneRecords::Vertex record_of(const PlaneComplex& complex, VertexId v) {
-  return {complex.vertex_point[v.value()], complex.mark(v)};
+  return {complex.vertex_point[v], complex.mark(v)};
 }
 
 PlaneRecords::Edge record_of(const PlaneComplex& complex, EdgeId e) {
@@ -195,7 +195,7 @@ PlaneRecords::Edge record_of(const PlaneComplex& complex, EdgeId e) {
   const HalfedgeId h = first_half(e);
   return {vertex(complex.dcel.origin(h)),
           vertex(complex.dcel.target(h)),
-          complex.line[e.value()],
+          complex.line[e],
           complex.mark(e),
           complex.mark(complex.dcel.face(h)),
           complex.mark(complex.dcel.face(twin(h)))};

@@ -45,8 +45,8 @@ class WindingNumberRule {
   void start(const SweepCurves& curves);
   Label bottom() const { return bottom_; }
   void begin_change() const {}
-  void join(Value& value, SegmentId s) const { change(value, jump_[s.value()], 1); }
-  void leave(Value& value, SegmentId s) const { change(value, jump_[s.value()], -1); }
+  void join(Value& value, SegmentId s) const { change(value, jump_[s], 1); }
+  void leave(Value& value, SegmentId s) const { change(value, jump_[s], -1); }
   Label above(Label below, Value value) const { return below + value.up + value.down; }
   Label below(Label above, Value value) const { return above - value.up - value.down; }
   bool face_mark(Label winding) const { return is_inside(winding); }
@@ -71,7 +71,7 @@ class WindingNumberRule {
   }
 
   std::span<const SweepCurve> curves_;
-  std::vector<std::int8_t> jump_;  // After start() the jump on the way upward.
+  IdVector<SegmentId, std::int8_t> jump_;  // After start() the jump on the way upward.
   std::vector<std::uint8_t> is_point_;
   WindingRule rule_;
   Boundary boundary_;
@@ -137,11 +137,11 @@ class OverlayLabels {
   }
 
  protected:
-  const OverlayCurve& side(SegmentId s) const { return sides_[s.value()]; }
+  const OverlayCurve& side(SegmentId s) const { return sides_[s]; }
 
  private:
   std::span<const SweepCurve> curves_;
-  std::vector<OverlayCurve> sides_;
+  IdVector<SegmentId, OverlayCurve> sides_;
   Label bottom_;
 };
 
@@ -226,7 +226,7 @@ class OriginsRule {
   std::vector<SegmentSets::Set> origins;  ///< The set of curves of each edge.
 
  private:
-  SegmentId name(SegmentId s) const { return name_.empty() ? s : name_[s.value()]; }
+  SegmentId name(SegmentId s) const { return name_.empty() ? s : name_[s]; }
   Value charged(Value value) {
     if (sets.node_count() >= charged_ + kNodesPerCharge) {
       memory_.add((sets.node_count() - charged_) * SegmentSets::kBytesPerNode, "overlaps");
@@ -236,13 +236,16 @@ class OriginsRule {
   }
 
   static constexpr std::size_t kNodesPerCharge = 4096;
-  std::vector<SegmentId> name_;
+  IdVector<SegmentId, SegmentId> name_;
   MemoryCharge memory_;
   std::size_t charged_ = 0;
 };
 
+static_assert(PlaneRule<WindingNumberRule> && PlaneRule<BooleanRule> && PlaneRule<MapOverlayRule> &&
+              PlaneRule<OriginsRule>);
+
 /// Sweeps the scene and returns the complex, into which `scene.points` is moved.
-template <class Rule>
+template <PlaneRule Rule>
 PlaneComplex build_complex(SweepInput& scene, Rule& rule, Context& context,
                            std::vector<typename Rule::Label>* labels = nullptr) {
   PlaneBuilder<Rule> builder(scene, rule, context);

@@ -22,7 +22,7 @@ PlaneLocator::PlaneLocator(const PlaneComplex& complex)
 }
 
 bool PlaneLocator::is_vertical(EdgeId e) const {
-  const PlaneLine& l = complex_.line[e.value()];
+  const PlaneLine& l = complex_.line[e];
   return compare_x(points_, l.a, l.b) == Sign::Zero;
 }
 
@@ -43,7 +43,7 @@ void PlaneLocator::make_columns() {
   std::size_t l = 0;
   while (v < vertices || l < lines.size()) {
     const std::uint32_t line_point =
-        l < lines.size() ? complex_.line[lines[l].value()].a : SweepCurve::kUnbounded;
+        l < lines.size() ? complex_.line[lines[l]].a : SweepCurve::kUnbounded;
     const bool takes_line =
         l < lines.size() &&
         (v == vertices ||
@@ -107,8 +107,8 @@ void PlaneLocator::spread(EdgeId e, std::size_t node, std::size_t begin, std::si
 // above or below the other edge, or on it, and then the directions decide.
 bool PlaneLocator::is_below(EdgeId e, EdgeId f) const {
   if (e == f) return false;
-  const PlaneLine& k = complex_.line[e.value()];
-  const PlaneLine& l = complex_.line[f.value()];
+  const PlaneLine& k = complex_.line[e];
+  const PlaneLine& l = complex_.line[f];
   const VertexId left_e = complex_.dcel.origin(first_half(e));
   const VertexId left_f = complex_.dcel.origin(first_half(f));
   const bool e_from_infinity = complex_.is_at_infinity(left_e);
@@ -121,9 +121,9 @@ bool PlaneLocator::is_below(EdgeId e, EdgeId f) const {
   }
   const bool e_starts_later = f_from_infinity || (!e_from_infinity && left_f < left_e);
   if (e_starts_later) {
-    f_above = -orient2d(points_, l.a, l.b, complex_.vertex_point[left_e.value()]);
+    f_above = -orient2d(points_, l.a, l.b, complex_.vertex_point[left_e]);
   } else {
-    f_above = orient2d(points_, k.a, k.b, complex_.vertex_point[left_f.value()]);
+    f_above = orient2d(points_, k.a, k.b, complex_.vertex_point[left_f]);
   }
   if (f_above == Sign::Zero) f_above = cross_sign(points_.inputs(), k.a, k.b, l.a, l.b);
   return f_above == Sign::Positive;
@@ -132,7 +132,7 @@ bool PlaneLocator::is_below(EdgeId e, EdgeId f) const {
 // ---------------------------------------------------------------- queries
 
 Sign PlaneLocator::side(EdgeId e, const QueryPoint2& q) const {
-  const PlaneLine& l = complex_.line[e.value()];
+  const PlaneLine& l = complex_.line[e];
   return orient2d(points_, l.a, l.b, q);
 }
 
@@ -213,9 +213,9 @@ EdgeId PlaneLocator::edge_below(const QueryPoint2& q) const {
 }
 
 EdgeId PlaneLocator::edge_below(VertexId v) const {
-  const std::uint32_t p = complex_.vertex_point[v.value()];
+  const std::uint32_t p = complex_.vertex_point[v];
   return highest_below(column_of(v) + 1, [&](EdgeId e) {
-    const PlaneLine& l = complex_.line[e.value()];
+    const PlaneLine& l = complex_.line[e];
     return orient2d(points_, l.a, l.b, p) == Sign::Positive;
   });
 }

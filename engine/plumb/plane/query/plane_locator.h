@@ -54,7 +54,7 @@ class PlaneLocator {
   };
 
   void make_columns();
-  std::size_t column_of(VertexId v) const { return column_of_vertex_[v.value()]; }
+  std::size_t column_of(VertexId v) const { return column_of_vertex_[v]; }
   void fill_lists();
   void spread(EdgeId e, std::size_t node, std::size_t begin, std::size_t end, std::size_t from,
               std::size_t to);
@@ -75,7 +75,7 @@ class PlaneLocator {
   const PlaneComplex& complex_;
   PlanePointsView points_;
   std::vector<Column> columns_;
-  std::vector<std::uint32_t> column_of_vertex_;
+  IdVector<VertexId, std::uint32_t> column_of_vertex_;
   std::vector<std::uint32_t> column_of_line_;  // The column of vertical edges without vertices.
   std::vector<std::vector<EdgeId>> lists_;     // The list of each node, bottom to top.
   struct Down {

@@ -42,10 +42,10 @@ class PlaneTrapezoids::Builder {
   VertexId left(EdgeId e) const { return c_.dcel.origin(first_half(e)); }
   VertexId right(EdgeId e) const { return c_.dcel.target(first_half(e)); }
   bool is_vertical(EdgeId e) const {
-    const PlaneLine& l = c_.line[e.value()];
+    const PlaneLine& l = c_.line[e];
     return compare_x(points_, l.a, l.b) == Sign::Zero;
   }
-  std::uint32_t point_on(EdgeId e) const { return c_.line[e.value()].a; }
+  std::uint32_t point_on(EdgeId e) const { return c_.line[e].a; }
 
   PlaneTrapezoids& r_;
   const PlaneComplex& c_;
@@ -175,10 +175,10 @@ TrapezoidId PlaneTrapezoids::Builder::trapezoid_at(VertexId v) const {
 /// Ends the trapezoids left of a wall and returns the highest of them.
 TrapezoidId PlaneTrapezoids::Builder::end_incoming(VertexId v, std::span<const EdgeId> incoming) {
   TrapezoidId highest = incoming.empty() ? trapezoid_at(v) : below_[incoming.front().value()];
-  r_.trapezoids_[highest.value()].right = v;
+  r_.trapezoids_[highest].right = v;
   for (const EdgeId e : incoming) {
     highest = above_[e.value()];
-    r_.trapezoids_[highest.value()].right = v;
+    r_.trapezoids_[highest].right = v;
   }
   return highest;
 }
@@ -196,16 +196,16 @@ void PlaneTrapezoids::Builder::add_wall(VertexId v, std::span<const EdgeId> inco
     right_upper = begin(outgoing[i], i + 1 < outgoing.size() ? outgoing[i + 1] : top, v);
   }
   if (is_ordinary || !outgoing.empty()) {
-    r_.trapezoids_[left_upper.value()].right_upper = right_upper;
-    r_.trapezoids_[right_upper.value()].left_upper = left_upper;
+    r_.trapezoids_[left_upper].right_upper = right_upper;
+    r_.trapezoids_[right_upper].left_upper = left_upper;
   }
   if (is_ordinary || !incoming.empty()) {
-    r_.trapezoids_[left_lower.value()].right_lower = right_lower;
-    r_.trapezoids_[right_lower.value()].left_lower = left_lower;
+    r_.trapezoids_[left_lower].right_lower = right_lower;
+    r_.trapezoids_[right_lower].left_lower = left_lower;
   }
   if (!is_ordinary) return;
-  r_.first_left_[v.value()] = left_lower;
-  r_.first_right_[v.value()] = right_lower;
+  r_.first_left_[v] = left_lower;
+  r_.first_right_[v] = right_lower;
 }
 
 // Trapezoids are numbered from left to right along every edge.
@@ -235,11 +235,11 @@ PlaneTrapezoids::PlaneTrapezoids(const PlaneComplex& complex, const PlaneLocator
 // ---------------------------------------------------------------- questions
 
 TrapezoidId PlaneTrapezoids::right_of(VertexId v, std::size_t edges_below) const {
-  return TrapezoidId(first_right_[v.value()].value() + edges_below);
+  return TrapezoidId(first_right_[v].value() + edges_below);
 }
 
 TrapezoidId PlaneTrapezoids::left_of(VertexId v, std::size_t edges_below) const {
-  if (edges_below == 0) return first_left_[v.value()];
+  if (edges_below == 0) return first_left_[v];
   return above(incoming(v)[edges_below - 1]).back();
 }
 

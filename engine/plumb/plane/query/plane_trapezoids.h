@@ -48,7 +48,7 @@ class PlaneTrapezoids {
   /// Cuts all faces. Keeps a reference to the complex.
   PlaneTrapezoids(const PlaneComplex& complex, const PlaneLocator& locator);
 
-  const PlaneTrapezoid& operator[](TrapezoidId t) const { return trapezoids_[t.value()]; }
+  const PlaneTrapezoid& operator[](TrapezoidId t) const { return trapezoids_[t]; }
 
   // The trapezoids above `bottom` and below `top`, left to right. Without a valid edge they are
   // those that reach down to infinity, or up.
@@ -71,7 +71,7 @@ class PlaneTrapezoids {
   /// Lists by id, one after the other. The last is that of the id that is not valid.
   template <class Key, class Item>
   struct Lists {
-    std::vector<std::uint32_t> begin;
+    IdVector<Key, std::uint32_t> begin;
     std::vector<Item> items;
     std::span<const Item> of(Key k) const {
       const std::size_t i = k.is_valid() ? k.value() : begin.size() - 2;
@@ -81,13 +81,13 @@ class PlaneTrapezoids {
   class Builder;
 
   const PlaneComplex& complex_;
-  std::vector<PlaneTrapezoid> trapezoids_;
+  IdVector<TrapezoidId, PlaneTrapezoid> trapezoids_;
   Lists<EdgeId, TrapezoidId> above_;
   Lists<EdgeId, TrapezoidId> below_;
   Lists<VertexId, EdgeId> outgoing_;
   Lists<VertexId, EdgeId> incoming_;
-  std::vector<TrapezoidId> first_right_;  // The lowest trapezoid right of each vertex.
-  std::vector<TrapezoidId> first_left_;   // The lowest trapezoid left of each vertex.
+  IdVector<VertexId, TrapezoidId> first_right_;  // The lowest trapezoid right of each vertex.
+  IdVector<VertexId, TrapezoidId> first_left_;   // The lowest trapezoid left of each vertex.
 };
 
 }  // namespace plumb

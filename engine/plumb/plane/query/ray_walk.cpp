@@ -28,9 +28,9 @@ RayWalk::RayWalk(const PlaneComplex& complex, const PlaneLocator& locator,
 }
 
 RationalPoint2 RayWalk::point() const {
-  if (at_vertex_.is_valid()) return exact(points_, complex_.vertex_point[at_vertex_.value()]);
+  if (at_vertex_.is_valid()) return exact(points_, complex_.vertex_point[at_vertex_]);
   if (!at_edge_.is_valid()) return ray_.origin().exact();
-  const PlaneLine& l = complex_.line[at_edge_.value()];
+  const PlaneLine& l = complex_.line[at_edge_];
   return crossing(points_, ray_, l.a, l.b);
 }
 
@@ -165,7 +165,7 @@ bool RayWalk::meets_before_wall(EdgeId e, bool is_top, VertexId wall) const {
 /// trapezoid beside a wall that starts below (above) everything, is at infinity itself.
 Sign RayWalk::side_of(VertexId wall) const {
   if (!complex_.is_at_infinity(wall)) {
-    return side(points_, ray_, complex_.vertex_point[wall.value()]);
+    return side(points_, ray_, complex_.vertex_point[wall]);
   }
   return trapezoids_.is_low(wall) ? Sign::Negative : Sign::Positive;
 }
@@ -173,28 +173,28 @@ Sign RayWalk::side_of(VertexId wall) const {
 /// Whether the ray crosses the line of an edge left of the wall. It never crosses exactly at the
 /// vertex of the wall, as the walk would then be at that vertex.
 bool RayWalk::is_left_of(EdgeId crossed, VertexId wall) const {
-  const PlaneLine& l = complex_.line[crossed.value()];
+  const PlaneLine& l = complex_.line[crossed];
   if (!complex_.is_at_infinity(wall)) {
-    const std::uint32_t p = complex_.vertex_point[wall.value()];
+    const std::uint32_t p = complex_.vertex_point[wall];
     return compare_crossing_xy(points_, ray_, l.a, l.b, p) == Sign::Negative;
   }
-  const std::uint32_t p = complex_.line[trapezoids_.vertical_edge(wall).value()].a;
+  const std::uint32_t p = complex_.line[trapezoids_.vertical_edge(wall)].a;
   const Sign order = compare_crossing_x(points_, ray_, l.a, l.b, p);
   return order == Sign::Negative || (order == Sign::Zero && !trapezoids_.is_low(wall));
 }
 
 bool RayWalk::is_start_left_of(VertexId wall) const {
   if (!complex_.is_at_infinity(wall)) {
-    const std::uint32_t p = complex_.vertex_point[wall.value()];
+    const std::uint32_t p = complex_.vertex_point[wall];
     return compare_xy(points_, p, ray_.origin()) == Sign::Positive;
   }
-  const std::uint32_t p = complex_.line[trapezoids_.vertical_edge(wall).value()].a;
+  const std::uint32_t p = complex_.line[trapezoids_.vertical_edge(wall)].a;
   const Sign order = compare_x(points_, p, ray_.origin());
   return order == Sign::Positive || (order == Sign::Zero && !trapezoids_.is_low(wall));
 }
 
 Sign RayWalk::turn_from(EdgeId e) const {
-  const PlaneLine& l = complex_.line[e.value()];
+  const PlaneLine& l = complex_.line[e];
   return turn(points_, l.a, l.b, ray_);
 }
 

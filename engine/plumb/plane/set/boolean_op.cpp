@@ -39,7 +39,7 @@ void append_complex(const PlaneComplex& complex, const std::vector<std::uint32_t
                     std::uint32_t operand, JoinedInput& joined) {
   const std::uint32_t flag = operand == 0 ? 0 : BooleanRule::kSecondOperand;
   const auto point = [&](VertexId v) {
-    return complex.is_at_infinity(v) ? SweepCurve::kUnbounded : to[complex.vertex_point[v.value()]];
+    return complex.is_at_infinity(v) ? SweepCurve::kUnbounded : to[complex.vertex_point[v]];
   };
   for (std::uint32_t i = 0; i < complex.vertex_count(); ++i) {
     const VertexId v(i);
@@ -182,7 +182,7 @@ class BottomFace {
       }
     }
     if (!best.is_valid()) return 0;
-    const OverlayCurve& side = sides_[best.value()];
+    const OverlayCurve& side = sides_[best];
     return best_kind % 2 == 0 ? side.right : side.left;
   }
 
@@ -203,7 +203,7 @@ class BottomFace {
     return (steeper != Sign::Zero ? steeper : left) == Sign::Positive;
   }
 
-  std::vector<OverlayCurve> sides_;
+  IdVector<SegmentId, OverlayCurve> sides_;
   SweepCurves curves_;
 };
 

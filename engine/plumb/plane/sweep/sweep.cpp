@@ -73,7 +73,7 @@ class Sweep {
   void test_neighbours(StatusNode below, StatusNode above);
   bool report(SweepPlace kind, bool plain);
 
-  StatusNode node(SegmentId s) const { return active_[active_[s.value()].key.value()].node; }
+  StatusNode node(SegmentId s) const { return active_[active_[s].key].node; }
   bool contains_event(SegmentId s) const;
   Sign side_of_event(SegmentId s) const;
   const SweepQueue::Place& place() const { return queue_.place(); }
@@ -105,7 +105,7 @@ class Sweep {
   std::vector<std::uint32_t> ender_begin_;  // Where the curves of each point begin in enders_.
   std::vector<SegmentId> enders_;           // Curves by right end, without those of zero length.
   std::vector<char> is_marked_;             // Whether something else touches each point.
-  std::vector<Active> active_;              // One entry for each curve.
+  IdVector<SegmentId, Active> active_;      // One entry for each curve.
 
   SweepStatus status_;
 
@@ -361,7 +361,7 @@ void Sweep::group_ends() {
   ends_end_.assign(incoming_.size() + 1, 0);
   if (!place().is_point() || incoming_.empty()) return;
   const auto arrival = [&](SegmentId s) -> std::uint32_t& {
-    return active_[active_[s.value()].key.value()].arrival;
+    return active_[active_[s].key].arrival;
   };
   for (std::uint32_t i = 0; i < incoming_.size(); ++i) arrival(incoming_[i]) = i;
   for (const std::uint32_t v : place().points) {
@@ -403,7 +403,7 @@ void Sweep::start_bundle(std::size_t starter) {
 /// Adds a starting curve to the last outgoing bundle, which it names if it ends later.
 void Sweep::join_bundle(std::size_t starter) {
   const SegmentId s = starters_[starter];
-  active_[s.value()].key = active_[outgoing_.back().value()].key;
+  active_[s].key = active_[outgoing_.back()].key;
   if (curves_.reaches_further(s, outgoing_.back())) outgoing_.back() = s;
   ++starts_end_.back();
 }
@@ -459,7 +459,7 @@ void Sweep::replace_in_status() {
 
 void Sweep::bind_bundle(SegmentId bundle, StatusNode n) {
   status_.set_segment(n, bundle);
-  active_[active_[bundle.value()].key.value()].node = n;
+  active_[active_[bundle].key].node = n;
 }
 
 /// Keeps Invariant S for two new neighbours.

@@ -116,19 +116,19 @@ SweepCurves::Curve SweepCurves::left_to_right(const SweepCurve& c) const {
 }
 
 bool SweepCurves::is_zero_length(SegmentId s) const {
-  const Curve& c = curves_[s.value()];
+  const Curve& c = curves_[s];
   return c.has_left() && c.has_right() && rank(c.left) == rank(c.right);
 }
 
 bool SweepCurves::is_vertical(SegmentId s) const {
-  const Curve& c = curves_[s.value()];
+  const Curve& c = curves_[s];
   return compare_x(points_, c.a, c.b) == Sign::Zero;
 }
 
 Sign SweepCurves::direction_order(SegmentId s, SegmentId t) const {
   if (s == t) return Sign::Zero;
-  const Curve& c = curves_[s.value()];
-  const Curve& d = curves_[t.value()];
+  const Curve& c = curves_[s];
+  const Curve& d = curves_[t];
   if (c.a == d.a) return orient2d(points_.inputs(), c.a, c.b, d.b);
   return cross_sign(points_.inputs(), c.a, c.b, d.a, d.b);
 }
@@ -143,8 +143,8 @@ Sign SweepCurves::order_at_left_infinity(SegmentId s, SegmentId t) const {
 // too: what lies to the right of an infinite vertical lower curve lies below it. Two infinite
 // curves meet if the lower one is steeper.
 SweepCurves::NextMeeting SweepCurves::next_meeting(SegmentId lower, SegmentId upper) const {
-  const Curve& l = curves_[lower.value()];
-  const Curve& u = curves_[upper.value()];
+  const Curve& l = curves_[lower];
+  const Curve& u = curves_[upper];
   if (!l.has_right() && !u.has_right()) {
     const bool steeper = direction_order(lower, upper) == Sign::Negative;
     return {steeper ? Meeting::Crossing : Meeting::None, 0};
@@ -159,8 +159,8 @@ SweepCurves::NextMeeting SweepCurves::next_meeting(SegmentId lower, SegmentId up
 }
 
 Crossing2 SweepCurves::crossing(SegmentId lower, SegmentId upper) const {
-  const Curve& l = curves_[lower.value()];
-  const Curve& u = curves_[upper.value()];
+  const Curve& l = curves_[lower];
+  const Curve& u = curves_[upper];
   return make_crossing(points_.inputs(), l.a, l.b, u.a, u.b);
 }
 
@@ -176,13 +176,12 @@ void SweepMembers::list_incoming(const SweepEvent& event) {
   begin_.assign(1, 0);
   for (std::size_t i = 0; i < event.incoming.size(); ++i) {
     const SegmentId head = head_[event.incoming[i].value()];
-    for (SegmentId s = head.is_valid() ? head : event.incoming[i]; s.is_valid();
-         s = next_[s.value()]) {
+    for (SegmentId s = head.is_valid() ? head : event.incoming[i]; s.is_valid(); s = next_[s]) {
       incoming_.push_back({s, static_cast<std::uint32_t>(i)});
     }
     begin_.push_back(incoming_.size());
   }
-  for (const SegmentId s : event.ends) is_ended_[s.value()] = 1;
+  for (const SegmentId s : event.ends) is_ended_[s] = 1;
 }
 
 // The members of an outgoing bundle are those of the incoming one that do not end, then those that
@@ -195,14 +194,14 @@ void SweepMembers::list_outgoing(const SweepEvent& event) {
     if (const std::uint32_t in = event.came_from(i); in != SweepEvent::kNew) {
       for (std::size_t k = begin_[in]; k < begin_[in + 1]; ++k) {
         const SegmentId s = incoming_[k].segment;
-        if (is_ended_[s.value()] == 0) outgoing_.push_back({s, bundle});
+        if (is_ended_[s] == 0) outgoing_.push_back({s, bundle});
       }
     }
     for (const SegmentId s : event.starting_in(i)) outgoing_.push_back({s, bundle});
     head_[event.outgoing[i].value()] = outgoing_[first].segment;
     for (std::size_t k = first; k < outgoing_.size(); ++k) {
       const bool is_last = k + 1 == outgoing_.size();
-      next_[outgoing_[k].segment.value()] = is_last ? SegmentId() : outgoing_[k + 1].segment;
+      next_[outgoing_[k].segment] = is_last ? SegmentId() : outgoing_[k + 1].segment;
     }
   }
 }

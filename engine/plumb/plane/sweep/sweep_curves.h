@@ -43,7 +43,7 @@ class SweepCurves {
   const PlanePointsView& points() const { return points_; }
   const PointRanks& ranks() const { return ranks_; }
   std::size_t size() const { return curves_.size(); }
-  const Curve& operator[](SegmentId s) const { return curves_[s.value()]; }
+  const Curve& operator[](SegmentId s) const { return curves_[s]; }
   std::uint32_t rank(std::uint32_t point) const { return ranks_.rank[point]; }
 
   /// Whether both ends have the same coordinates.
@@ -52,24 +52,24 @@ class SweepCurves {
   bool is_vertical(SegmentId s) const;
   /// Whether the right end has the given rank.
   bool ends_at(SegmentId s, std::uint32_t rank_of_place) const {
-    const Curve& c = curves_[s.value()];
+    const Curve& c = curves_[s];
     return c.has_right() && rank(c.right) == rank_of_place;
   }
   /// Whether s ends later than t. Requires curves on one line.
   bool reaches_further(SegmentId s, SegmentId t) const {
-    const Curve& c = curves_[s.value()];
-    const Curve& d = curves_[t.value()];
+    const Curve& c = curves_[s];
+    const Curve& d = curves_[t];
     if (!d.has_right()) return false;
     return !c.has_right() || rank(c.right) > rank(d.right);
   }
 
   /// Returns the side of the line of s on which a point lies; Positive is above.
   Sign side(SegmentId s, std::uint32_t point) const {
-    const Curve& c = curves_[s.value()];
+    const Curve& c = curves_[s];
     return orient2d(points_, c.a, c.b, point);
   }
   Sign side(SegmentId s, const Crossing2& point) const {
-    const Curve& c = curves_[s.value()];
+    const Curve& c = curves_[s];
     return orient2d(points_.inputs(), c.a, c.b, point);
   }
   /// Returns Positive if t is steeper than s, Zero if they are parallel.
@@ -99,7 +99,7 @@ class SweepCurves {
 
   PlanePointsView points_;
   PointRanks ranks_;
-  std::vector<Curve> curves_;
+  IdVector<SegmentId, Curve> curves_;
 };
 
 // All curves of the bundles at an event, for visitors that have to look at every one of them.
@@ -133,10 +133,11 @@ class SweepMembers {
   void list_incoming(const SweepEvent& event);
   void list_outgoing(const SweepEvent& event);
 
-  std::vector<SegmentId> next_;  // The next curve in the bundle of each curve.
-  std::vector<SegmentId> head_;  // The first curve of the bundle that a curve names; not valid if
-                                 // the bundle has that curve alone.
-  std::vector<char> is_ended_;   // Whether each curve has ended.
+  IdVector<SegmentId, SegmentId> next_;  // The next curve in the bundle of each curve.
+  IdVector<SegmentId, SegmentId>
+      head_;  // The first curve of the bundle that a curve names; not valid if
+              // the bundle has that curve alone.
+  IdVector<SegmentId, char> is_ended_;  // Whether each curve has ended.
   std::vector<SweepIncidence> incoming_;
   std::vector<SweepIncidence> outgoing_;
   std::vector<std::size_t> begin_;  // Where each incoming bundle begins in incoming_; and the end.

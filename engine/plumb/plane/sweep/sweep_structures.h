@@ -88,12 +88,12 @@ using StatusNode = StrongId<struct StatusNodeTag>;
 class SweepStatus {
  public:
   StatusNode first() const { return first_; }
-  StatusNode next(StatusNode n) const { return nodes_[n.value()].next; }
-  StatusNode prev(StatusNode n) const { return nodes_[n.value()].prev; }
+  StatusNode next(StatusNode n) const { return nodes_[n].next; }
+  StatusNode prev(StatusNode n) const { return nodes_[n].prev; }
 
   /// Returns the curve that names the node's bundle.
-  SegmentId segment(StatusNode n) const { return nodes_[n.value()].segment; }
-  void set_segment(StatusNode n, SegmentId s) { nodes_[n.value()].segment = s; }
+  SegmentId segment(StatusNode n) const { return nodes_[n].segment; }
+  void set_segment(StatusNode n, SegmentId s) { nodes_[n].segment = s; }
 
   /// Inserts a node directly above `below`, or at the very bottom if `below` is not valid.
   StatusNode insert_above(StatusNode below, SegmentId s);
@@ -111,7 +111,7 @@ class SweepStatus {
   Location locate(const Side& side) const {
     Location found;
     for (StatusNode n = root_; n.is_valid();) {
-      const Node& node = nodes_[n.value()];
+      const Node& node = nodes_[n];
       const Sign s = side(node.segment);
       if (s == Sign::Zero) return {StatusNode(), n};
       if (s == Sign::Positive) found.below = n;
@@ -134,9 +134,9 @@ class SweepStatus {
   void rotate_up(StatusNode n);
   void replace_child(StatusNode parent, StatusNode old_child, StatusNode new_child);
 
-  Node& at(StatusNode n) { return nodes_[n.value()]; }
+  Node& at(StatusNode n) { return nodes_[n]; }
 
-  std::vector<Node> nodes_;
+  IdVector<StatusNode, Node> nodes_;
   std::vector<StatusNode> free_;
   StatusNode root_;
   StatusNode first_;

@@ -73,7 +73,8 @@ class LinkAudit : SpaceAuditPart {
   }
 
   bool has_marks() {
-    for (const auto* marks : {&c_.vertex_mark, &c_.edge_mark, &c_.facet_mark, &c_.volume_mark}) {
+    for (const std::vector<Mark>* marks : std::initializer_list<const std::vector<Mark>*>{
+             &c_.vertex_mark, &c_.edge_mark, &c_.facet_mark, &c_.volume_mark}) {
       const bool known =
           std::all_of(marks->begin(), marks->end(), [](Mark m) { return m <= kBeyond; });
       if (!require(known, "marks are 0, 1 or beyond")) return false;
@@ -96,7 +97,7 @@ class LinkAudit : SpaceAuditPart {
                             }) &&
            all_of<EdgeId>(c_.edge_count(),
                           [&](EdgeId e) {
-                            const auto& [p, q] = c_.edge_planes[e.value()];
+                            const auto& [p, q] = c_.edge_planes[e];
                             return require(is_plane(p) && is_plane(q), "an edge has two planes", e);
                           }) &&
            all_of<FacetId>(c_.facet_count(), [&](FacetId f) {
@@ -147,11 +148,11 @@ class LinkAudit : SpaceAuditPart {
 
   /// Whether every half-edge is in the star of its origin, once.
   bool has_stars() {
-    std::vector<std::uint8_t> is_listed(c_.origin.size());
+    IdVector<HalfedgeId, std::uint8_t> is_listed(c_.origin.size());
     const auto has_star = [&](VertexId v) {
       for (const HalfedgeId h : c_.star_of(v)) {
-        if (!require(c_.origin[h.value()] == v, "a star holds what leaves its vertex", v, h) ||
-            !require(is_listed[h.value()]++ == 0, "a star lists a half-edge once", v, h)) {
+        if (!require(c_.origin[h] == v, "a star holds what leaves its vertex", v, h) ||
+            !require(is_listed[h]++ == 0, "a star lists a half-edge once", v, h)) {
           return false;
         }
       }
@@ -164,8 +165,8 @@ class LinkAudit : SpaceAuditPart {
   /// Whether next and prev are inverse, uses follow each other, and cycles stay in their facet.
   bool has_linked_uses() {
     return all_of<UseId>(c_.use_count(), [this](UseId u) {
-      const UseId next = c_.use_next[u.value()];
-      return require(c_.use_prev[next.value()] == u, "prev undoes next", u) &&
+      const UseId next = c_.use_next[u];
+      return require(c_.use_prev[next] == u, "prev undoes next", u) &&
              require(c_.use_origin(next) == c_.target(halfedge(u)),
                      "a use starts where the one before ends", u, next) &&
              require(facet(next) == facet(u), "a cycle stays with its facet", u, next);
@@ -174,24 +175,24 @@ class LinkAudit : SpaceAuditPart {
 
   /// Whether the uses of each edge make one radial cycle.
   bool has_radial_cycles() {
-    std::vector<std::uint8_t> is_reached(c_.use_count());
+    IdVector<UseId, std::uint8_t> is_reached(c_.use_count());
     return all_of<EdgeId>(c_.edge_count(),
                           [&](EdgeId e) {
-                            const UseId first = c_.edge_use[e.value()];
+                            const UseId first = c_.edge_use[e];
                             return !first.is_valid() || has_radial_cycle(e, first, is_reached);
                           }) &&
            are_all_reached(is_reached, "the radial cycle of an edge has all its uses");
   }
-  bool has_radial_cycle(EdgeId e, UseId first, std::vector<std::uint8_t>& is_reached) {
+  bool has_radial_cycle(EdgeId e, UseId first, IdVector<UseId, std::uint8_t>& is_reached) {
     UseId u = first;
     do {
       step_();
       if (!require(SpaceComplex::edge_of(halfedge(u)) == e, "a radial cycle stays at its edge", e,
                    u) ||
-          !require(is_reached[u.value()]++ == 0, "a radial cycle returns to its start", e, u)) {
+          !require(is_reached[u]++ == 0, "a radial cycle returns to its start", e, u)) {
         return false;
       }
-      u = c_.use_radial[u.value()];
+      u = c_.use_radial[u];
     } while (u != first);
     return true;
   }
@@ -204,15 +205,15 @@ class LinkAudit : SpaceAuditPart {
 
   /// Whether every use is on one listed cycle of its facet.
   bool has_boundary_cycles() {
-    std::vector<std::uint8_t> is_reached(c_.use_count());
+    IdVector<UseId, std::uint8_t> is_reached(c_.use_count());
     const auto has_cycles = [&](FacetId f) {
       if (!require(!c_.cycles_of(f).empty(), "a facet has a boundary", f)) return false;
       for (const UseId first : c_.cycles_of(f)) {
         if (!require(facet(first) == f, "a facet lists its own cycles", f, first) ||
-            !require(is_reached[first.value()] == 0, "a facet lists a cycle once", f, first)) {
+            !require(is_reached[first] == 0, "a facet lists a cycle once", f, first)) {
           return false;
         }
-        all_of_cycle(first, [&](UseId u) { return is_reached[u.value()] = 1; });
+        all_of_cycle(first, [&](UseId u) { return is_reached[u] = 1; });
       }
       return true;
     };
@@ -226,12 +227,11 @@ class LinkAudit : SpaceAuditPart {
   bool has_inner_vertices() {
     std::size_t inside = 0;
     for (const FacetId f : c_.vertex_facet) inside += f.is_valid() ? 1U : 0U;
-    std::vector<std::uint8_t> is_listed(c_.vertex_count());
+    IdVector<VertexId, std::uint8_t> is_listed(c_.vertex_count());
     const auto has_own = [&](FacetId f) {
       for (const VertexId v : c_.inner_of(f)) {
-        if (!require(c_.vertex_facet[v.value()] == f, "a facet lists the vertices inside it", f,
-                     v) ||
-            !require(is_listed[v.value()]++ == 0, "a facet lists an inner vertex once", f, v)) {
+        if (!require(c_.vertex_facet[v] == f, "a facet lists the vertices inside it", f, v) ||
+            !require(is_listed[v]++ == 0, "a facet lists an inner vertex once", f, v)) {
           return false;
         }
       }
@@ -244,13 +244,13 @@ class LinkAudit : SpaceAuditPart {
   /// Whether free edges and isolated vertices, and no others, name a volume.
   bool has_volumes_where_needed() {
     const auto has_one = [this](EdgeId e) {
-      return require(c_.edge_use[e.value()].is_valid() != c_.edge_volume[e.value()].is_valid(),
+      return require(c_.edge_use[e].is_valid() != c_.edge_volume[e].is_valid(),
                      "an edge has uses or lies in a volume", e);
     };
     return all_of<EdgeId>(c_.edge_count(), has_one) &&
            all_of<VertexId>(c_.vertex_count(), [this](VertexId v) {
-             const bool is_alone = c_.star_of(v).empty() && !c_.vertex_facet[v.value()].is_valid();
-             return require(is_alone == c_.vertex_volume[v.value()].is_valid(),
+             const bool is_alone = c_.star_of(v).empty() && !c_.vertex_facet[v].is_valid();
+             return require(is_alone == c_.vertex_volume[v].is_valid(),
                             "a vertex alone lies in a volume", v);
            });
   }
@@ -298,7 +298,7 @@ class CycleAudit : SpaceAuditPart {
     for (const UseId cycle : c_.cycles_of(f)) {
       const bool apart = all_of_cycle(cycle, [&](UseId u) {
         // Facets are checked in turn, so an entry of another facet is out of date.
-        UseId& known = cycle_at_[c_.use_origin(u).value()];
+        UseId& known = cycle_at_[c_.use_origin(u)];
         const bool is_new = !known.is_valid() || facet(known) != f || known == cycle;
         known = cycle;
         return is_new;
@@ -328,9 +328,7 @@ class CycleAudit : SpaceAuditPart {
     return all_of_cycle(cycle, [&](UseId u) { return c_.use_origin(u) != least || is_convex(u); });
   }
   /// Whether the cycle of the use has three uses.
-  bool is_triangle(UseId u) const {
-    return c_.use_next[c_.use_next[c_.use_next[u.value()].value()].value()] == u;
-  }
+  bool is_triangle(UseId u) const { return c_.use_next[c_.use_next[c_.use_next[u]]] == u; }
   /// Whether the plane is defined as that of the triangle's corners in their order. Then they run
   /// counter-clockwise without a computed sign.
   bool defines_plane(UseId u) const {
@@ -341,7 +339,7 @@ class CycleAudit : SpaceAuditPart {
       const SpacePoint x = at(c_.use_origin(u));
       if (!x.is_input()) return false;
       p = x.input().value();
-      u = c_.use_next[u.value()];
+      u = c_.use_next[u];
     }
     const std::array<std::uint32_t, 3>& ccw = source.code;
     return input == ccw || input == std::array{ccw[1], ccw[2], ccw[0]} ||
@@ -416,7 +414,7 @@ class CycleAudit : SpaceAuditPart {
     return is_inside && is_apart;
   }
 
-  std::vector<UseId> cycle_at_;  ///< The last cycle seen at each vertex.
+  IdVector<VertexId, UseId> cycle_at_;  ///< The last cycle seen at each vertex.
 };
 
 /// Whether x, a point on the line of the half-edge, lies between its ends or on one of them.
@@ -426,9 +424,8 @@ bool is_along(const SpaceComplex& complex, HalfedgeId h, const Point3Table& poin
     return order_along_line(points, planes[0], planes[1], from, to);
   };
   const HalfedgeId forward(h.value() & ~1U);
-  return order(complex.vertex_point[complex.origin[forward.value()].value()], x) !=
-             Sign::Negative &&
-         order(x, complex.vertex_point[complex.target(forward).value()]) != Sign::Negative;
+  return order(complex.vertex_point[complex.origin[forward]], x) != Sign::Negative &&
+         order(x, complex.vertex_point[complex.target(forward)]) != Sign::Negative;
 }
 
 }  // namespace
@@ -438,17 +435,17 @@ bool is_along(const SpaceComplex& complex, HalfedgeId h, const Point3Table& poin
 // at that value count as below it, so that every passage counts once.
 FacetPlace place_in_cycle(const SpaceComplex& complex, UseId cycle, const Point3Table& points,
                           SpacePoint x, SpaceAuditSteps& step) {
-  const PlaneId n = complex.facet_plane[complex.use_facet[cycle.value()].value()];
+  const PlaneId n = complex.facet_plane[complex.use_facet[cycle]];
   const std::size_t axis = varying_axis(complex.planes(), n);
   const auto order = [&](VertexId v) {
-    return compare_axis(points, complex.vertex_point[v.value()], x, axis);
+    return compare_axis(points, complex.vertex_point[v], x, axis);
   };
   FacetPlace place;
   UseId u = cycle;
   Sign from = order(complex.use_origin(u));
   do {
     step();
-    const HalfedgeId h = complex.use_halfedge[u.value()];
+    const HalfedgeId h = complex.use_halfedge[u];
     const Sign to = order(complex.target(h));
     // An edge strictly on one side passes nothing; any other may hold x or pass the half-line.
     if (from == Sign::Zero || from != to) {
@@ -461,7 +458,7 @@ FacetPlace place_in_cycle(const SpaceComplex& complex, UseId cycle, const Point3
       }
     }
     from = to;
-    u = complex.use_next[u.value()];
+    u = complex.use_next[u];
   } while (u != cycle);
   return place;
 }

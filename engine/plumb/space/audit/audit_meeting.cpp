@@ -68,18 +68,16 @@ class MarkAudit : SpaceAuditPart {
     forth_[0] = back_[0] = VolumeId(0);
     return all_of<FacetId>(c_.facet_count(),
                            [&](FacetId f) {
-                             const auto& [above, below] = c_.facet_volume[f.value()];
-                             const auto& there = again.facet[f.value()];
+                             const auto& [above, below] = c_.facet_volume[f];
+                             const auto& there = again.facet[f];
                              return has_same_volume(above, there[0], f) &&
                                     has_same_volume(below, there[1], f);
                            }) &&
-           all_of<EdgeId>(c_.edge_count(),
-                          [&](EdgeId e) {
-                            return has_same_volume(c_.edge_volume[e.value()], again.edge[e.value()],
-                                                   e);
-                          }) &&
+           all_of<EdgeId>(
+               c_.edge_count(),
+               [&](EdgeId e) { return has_same_volume(c_.edge_volume[e], again.edge[e], e); }) &&
            all_of<VertexId>(c_.vertex_count(), [&](VertexId v) {
-             return has_same_volume(c_.vertex_volume[v.value()], again.vertex[v.value()], v);
+             return has_same_volume(c_.vertex_volume[v], again.vertex[v], v);
            });
   }
   /// Whether two volumes correspond, up to a renumbering that keeps volume 0.
@@ -88,8 +86,8 @@ class MarkAudit : SpaceAuditPart {
     if (!here.is_valid() && !there.is_valid()) return true;
     bool same = here.is_valid() && there.is_valid();
     if (same) {
-      VolumeId& to = forth_[here.value()];
-      VolumeId& from = back_[there.value()];
+      VolumeId& to = forth_[here];
+      VolumeId& from = back_[there];
       if (!to.is_valid() && !from.is_valid()) {
         to = there;
         from = here;
@@ -102,7 +100,7 @@ class MarkAudit : SpaceAuditPart {
   // ---- the frame
 
   static bool is_beyond(Mark m) { return m == kBeyond; }
-  bool is_beyond(FacetId f) const { return is_beyond(c_.facet_mark[f.value()]); }
+  bool is_beyond(FacetId f) const { return is_beyond(c_.facet_mark[f]); }
   bool has_frame() const { return is_beyond(c_.volume_mark[0]); }
 
   /// Whether the mark kBeyond is on volume 0, the facets beside it, and their edges and vertices
@@ -117,7 +115,7 @@ class MarkAudit : SpaceAuditPart {
            all_of<VertexId>(c_.vertex_count(), [this](VertexId v) { return is_sane(v); });
   }
   bool is_sane(FacetId f) {
-    const auto [above, below] = c_.facet_volume[f.value()];
+    const auto [above, below] = c_.facet_volume[f];
     const bool at_frame = has_frame() && (above == VolumeId(0)) != (below == VolumeId(0));
     const bool in_beyond = has_frame() && above == VolumeId(0) && below == VolumeId(0);
     return require(!in_beyond && at_frame == is_beyond(f),
@@ -126,13 +124,13 @@ class MarkAudit : SpaceAuditPart {
                    "facets of the frame, and no others, lie in its planes", f);
   }
   bool is_sane(EdgeId e) {
-    const bool in_beyond = has_frame() && c_.edge_volume[e.value()] == VolumeId(0);
+    const bool in_beyond = has_frame() && c_.edge_volume[e] == VolumeId(0);
     return require(!in_beyond, "nothing is in the beyond", e) &&
-           require(is_beyond(c_.edge_mark[e.value()]) == has_facet_of_frame(e),
+           require(is_beyond(c_.edge_mark[e]) == has_facet_of_frame(e),
                    "edges of the frame, and no others, bound its facets", e);
   }
   bool has_facet_of_frame(EdgeId e) const {
-    const UseId first = c_.edge_use[e.value()];
+    const UseId first = c_.edge_use[e];
     return first.is_valid() && !all_of_ring(first, [&](UseId u) { return !is_beyond(facet(u)); });
   }
   /// Whether `visit` is true for all uses around an edge.
@@ -141,7 +139,7 @@ class MarkAudit : SpaceAuditPart {
     UseId u = first;
     do {
       if (!visit(u)) return false;
-      u = c_.use_radial[u.value()];
+      u = c_.use_radial[u];
     } while (u != first);
     return true;
   }
@@ -150,10 +148,10 @@ class MarkAudit : SpaceAuditPart {
     const bool at_frame = std::any_of(star.begin(), star.end(), [&](HalfedgeId h) {
       return is_beyond(c_.edge_mark[h.value() / 2]);
     });
-    const FacetId inside = c_.vertex_facet[v.value()];
-    const bool in_beyond = has_frame() && c_.vertex_volume[v.value()] == VolumeId(0);
+    const FacetId inside = c_.vertex_facet[v];
+    const bool in_beyond = has_frame() && c_.vertex_volume[v] == VolumeId(0);
     return require(!in_beyond, "nothing is in the beyond", v) &&
-           require(is_beyond(c_.vertex_mark[v.value()]) ==
+           require(is_beyond(c_.vertex_mark[v]) ==
                        (at_frame || (inside.is_valid() && is_beyond(inside))),
                    "vertices of the frame, and no others, are ends of its edges", v);
   }
@@ -164,8 +162,8 @@ class MarkAudit : SpaceAuditPart {
       const UseId first = c_.edge_use[e];
       const bool at_frame = is_beyond(c_.edge_mark[e]);
       needed = at_frame ? !all_of_ring(first, [&](UseId u) { return is_beyond(facet(u)); })
-                        : is_beyond(c_.vertex_mark[c_.origin[2 * e].value()]) ||
-                              is_beyond(c_.vertex_mark[c_.origin[2 * e + 1].value()]);
+                        : is_beyond(c_.vertex_mark[c_.origin[2 * e]]) ||
+                              is_beyond(c_.vertex_mark[c_.origin[2 * e + 1]]);
     }
     return require(needed, "a frame is there only if something reaches it");
   }
@@ -174,13 +172,13 @@ class MarkAudit : SpaceAuditPart {
 
   /// Whether a facet is needed, as is clear without its sphere map: the volumes beside it differ.
   bool is_surely_needed(FacetId f) const {
-    const auto [above, below] = c_.facet_volume[f.value()];
-    return c_.volume_mark[above.value()] != c_.volume_mark[below.value()];
+    const auto [above, below] = c_.facet_volume[f];
+    return c_.volume_mark[above] != c_.volume_mark[below];
   }
   /// Whether an edge is surely needed: facets in different planes meet there.
   bool is_surely_needed(EdgeId e) const {
-    const UseId u = c_.edge_use[e.value()];
-    return u.is_valid() && plane(u) != plane(c_.use_radial[u.value()]);
+    const UseId u = c_.edge_use[e];
+    return u.is_valid() && plane(u) != plane(c_.use_radial[u]);
   }
   /// Whether a vertex is surely needed: it has other edges than the two directions of one line.
   bool is_surely_needed(VertexId v) const { return c_.star_of(v).size() > 2; }
@@ -206,8 +204,8 @@ class MarkAudit : SpaceAuditPart {
   std::span<const std::uint8_t> has_fan_;  ///< Whether each vertex has a fan.
   SphereOverlay overlay_;
   LocalMap local_;
-  std::vector<VolumeId> forth_;
-  std::vector<VolumeId> back_;
+  IdVector<VolumeId, VolumeId> forth_;
+  IdVector<VolumeId, VolumeId> back_;
 };
 
 }  // namespace
@@ -303,11 +301,11 @@ class MeetingAudit : SpaceAuditPart {
     std::uint32_t fans = 0;  ///< Bit i is 1 if corner i has a fan.
     bool is_valid() const { return corner[0].is_valid(); }
   };
-  void gather_corners(const MeetLeaf& leaf, std::span<const std::uint8_t> has_fan) {
+  void gather_corners(const ContactLeaf& leaf, std::span<const std::uint8_t> has_fan) {
     Triangle t;
     if (leaf.facet.is_valid()) {
       UseId u = leaf.first;
-      for (std::uint32_t i = 0; i < leaf.count; ++i, u = c_.use_next[u.value()]) {
+      for (std::uint32_t i = 0; i < leaf.count; ++i, u = c_.use_next[u]) {
         corner_.push_back(c_.use_origin(u));
       }
       if (leaf.count == 3 && c_.inner_of(leaf.facet).empty()) {
@@ -315,7 +313,7 @@ class MeetingAudit : SpaceAuditPart {
         for (std::size_t i = 0; i < 3; ++i) {
           t.fans |= std::uint32_t{has_fan[t.corner[i].value()]} << i;
         }
-        is_triangle_[leaf.facet.value()] = 1;
+        is_triangle_[leaf.facet] = 1;
       }
     }
     triangles_.push_back(t);
@@ -383,7 +381,7 @@ class MeetingAudit : SpaceAuditPart {
 
   /// Tests a vertex in the plane of a facet. It may be a listed inner vertex or on the boundary.
   void test(VertexId v, FacetId f) {
-    if (c_.vertex_facet[v.value()] == f || is_on_boundary(v, f)) return;
+    if (c_.vertex_facet[v] == f || is_on_boundary(v, f)) return;
     const FacetPlace place = place_in_facet(c_, f, points_, at(v), step_);
     if (place.on.is_valid()) return note(kVertexInEdge, v, SpaceComplex::edge_of(place.on));
     if (place.is_inside) note(kVertexInFacet, v, f);
@@ -400,7 +398,7 @@ class MeetingAudit : SpaceAuditPart {
     UseId u = first;
     do {
       if (facet(u) == f) return true;
-      u = c_.use_radial[u.value()];
+      u = c_.use_radial[u];
     } while (u != first);
     return false;
   }
@@ -438,7 +436,7 @@ class MeetingAudit : SpaceAuditPart {
   }
   /// Returns the point in which an edge passes a plane.
   SpacePoint crossing(EdgeId e, PlaneId p) {
-    const auto& [first, second] = c_.edge_planes[e.value()];
+    const auto& [first, second] = c_.edge_planes[e];
     return points_.add(first, second, p);
   }
 
@@ -460,16 +458,16 @@ class MeetingAudit : SpaceAuditPart {
     UseId u = first;
     do {
       if (!holds(u)) return false;
-      u = c_.use_radial[u.value()];
+      u = c_.use_radial[u];
     } while (u != first);
     return true;
   }
   /// Gathers the edges that facets do not test completely.
   void gather_edges() {
     all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) {
-      const UseId first = c_.edge_use[e.value()];
+      const UseId first = c_.edge_use[e];
       if (all_uses(first, [&](UseId u) { return plane(u) == plane(first); })) add(flat_, e);
-      if (all_uses(first, [this](UseId u) { return is_triangle_[facet(u).value()] == 0; })) {
+      if (all_uses(first, [this](UseId u) { return is_triangle_[facet(u)] == 0; })) {
         add(untried_, e);
       }
       return true;
@@ -490,13 +488,13 @@ class MeetingAudit : SpaceAuditPart {
   }
   /// Whether a vertex lies strictly inside an edge.
   bool lies_inside(VertexId v, EdgeId e) const {
-    const auto& [p, q] = c_.edge_planes[e.value()];
+    const auto& [p, q] = c_.edge_planes[e];
     if (v == end(e, 0) || v == end(e, 1)) return false;
     return side_of(v, p) == Sign::Zero && side_of(v, q) == Sign::Zero && is_between_ends(e, at(v));
   }
   /// Whether x, a point on the line of e, is strictly between its ends.
   bool is_between_ends(EdgeId e, SpacePoint x) const {
-    const auto& [p, q] = c_.edge_planes[e.value()];
+    const auto& [p, q] = c_.edge_planes[e];
     return order_along_line(points_, p, q, at(end(e, 0)), x) == Sign::Positive &&
            order_along_line(points_, p, q, x, at(end(e, 1))) == Sign::Positive;
   }
@@ -511,7 +509,7 @@ class MeetingAudit : SpaceAuditPart {
   /// Whether two edges cross in one point inside both: then one of them passes a plane of the
   /// other.
   bool cross(EdgeId e, EdgeId g) {
-    const auto& [p, q] = c_.edge_planes[e.value()];
+    const auto& [p, q] = c_.edge_planes[e];
     for (const auto& [first, second] : {std::pair{p, q}, std::pair{q, p}}) {
       if (side_of(end(g, 0), first) * side_of(end(g, 1), first) != Sign::Negative) continue;
       // g passes the plane `first` through e in x; both edges cross if x lies on the line of e,
@@ -523,14 +521,14 @@ class MeetingAudit : SpaceAuditPart {
   }
 
   Point3Table points_;  ///< The points of the complex, and crossings.
-  MeetLeaves leaves_;
+  ContactLeaves leaves_;
   LeafCache items_;
   std::vector<Triangle> triangles_;          ///< One entry for each leaf.
   std::vector<std::uint32_t> corner_begin_;  ///< Starts in corner_, one more than leaves.
   std::vector<VertexId> corner_;
-  std::vector<std::uint8_t> is_triangle_;  ///< Whether each facet is such a triangle.
-  Edges untried_;                          ///< Edges against which no triangle has tested vertices.
-  Edges flat_;                             ///< Edges whose facets all lie in one plane.
+  IdVector<FacetId, std::uint8_t> is_triangle_;  ///< Whether each facet is such a triangle.
+  Edges untried_;  ///< Edges against which no triangle has tested vertices.
+  Edges flat_;     ///< Edges whose facets all lie in one plane.
   Kind worst_ = kNothing;
 };
 

@@ -70,17 +70,15 @@ class SpaceAuditPart {
   }
 
   /// Returns the place of a vertex.
-  SpacePoint at(VertexId v) const { return c_.vertex_point[v.value()]; }
+  SpacePoint at(VertexId v) const { return c_.vertex_point[v]; }
   /// Returns the half-edge of an edge use (Weiler).
-  HalfedgeId halfedge(UseId u) const { return c_.use_halfedge[u.value()]; }
+  HalfedgeId halfedge(UseId u) const { return c_.use_halfedge[u]; }
   /// Returns the half-edge at which the corner of u ends: the reverse of the previous use.
-  HalfedgeId corner_end(UseId u) const {
-    return SpaceComplex::twin(halfedge(c_.use_prev[u.value()]));
-  }
+  HalfedgeId corner_end(UseId u) const { return SpaceComplex::twin(halfedge(c_.use_prev[u])); }
   /// Returns the facet of a use.
-  FacetId facet(UseId u) const { return c_.use_facet[u.value()]; }
+  FacetId facet(UseId u) const { return c_.use_facet[u]; }
   /// Returns the plane of a facet.
-  PlaneId plane(FacetId f) const { return c_.facet_plane[f.value()]; }
+  PlaneId plane(FacetId f) const { return c_.facet_plane[f]; }
   /// Returns the plane of a use's facet.
   PlaneId plane(UseId u) const { return plane(facet(u)); }
   /// Whether `holds` is true for the ids 0, ..., count - 1; stops at the first for which it is not.
@@ -100,7 +98,7 @@ class SpaceAuditPart {
     do {
       step_();
       if (!visit(u)) return false;
-      u = c_.use_next[u.value()];
+      u = c_.use_next[u];
     } while (u != first);
     return true;
   }

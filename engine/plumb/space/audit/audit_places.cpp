@@ -153,14 +153,14 @@ class PlaceAudit : SpaceAuditPart {
   bool has_true_edges() {
     are_uses_flat_ = have_uses_their_planes();
     return all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) {
-      const auto& [p, q] = c_.edge_planes[e.value()];
+      const auto& [p, q] = c_.edge_planes[e];
       const bool lies_in_both = are_uses_flat_ && has_facet_in(e, p) && has_facet_in(e, q);
       return (p != q && lies_in_both && runs_forward(e)) || is_true_edge(e);
     });
   }
   /// Checks one edge, and says what is wrong with it.
   bool is_true_edge(EdgeId e) {
-    const auto& [p, q] = c_.edge_planes[e.value()];
+    const auto& [p, q] = c_.edge_planes[e];
     if (!require(p != q && !are_parallel(p, q), "the planes of an edge cross", e)) return false;
     for (const std::uint32_t h : {2 * e.value(), 2 * e.value() + 1}) {
       const VertexId v = c_.origin[h];
@@ -173,7 +173,7 @@ class PlaceAudit : SpaceAuditPart {
   /// Whether half-edge 2e runs along n_p x n_q; never if the planes are parallel. Requires ends
   /// that lie on its planes.
   bool runs_forward(EdgeId e) const {
-    const auto& [p, q] = c_.edge_planes[e.value()];
+    const auto& [p, q] = c_.edge_planes[e];
     const SpacePoint from = at(c_.origin[2 * e.value()]), to = at(c_.origin[2 * e.value() + 1]);
     const PointBox start = c_.points().box(from), end = c_.points().box(to);
     std::size_t axis = 0;  // The axis along which the ends are farthest apart.
@@ -187,8 +187,8 @@ class PlaceAudit : SpaceAuditPart {
   }
   /// Whether one of the first two facets around the edge lies in a plane.
   bool has_facet_in(EdgeId e, PlaneId p) const {
-    const UseId u = c_.edge_use[e.value()];
-    return u.is_valid() && (plane(u) == p || plane(c_.use_radial[u.value()]) == p);
+    const UseId u = c_.edge_use[e];
+    return u.is_valid() && (plane(u) == p || plane(c_.use_radial[u]) == p);
   }
 
   /// Whether a use begins in its facet's plane. Where it ends, the next one of its cycle begins.
@@ -208,7 +208,7 @@ class PlaceAudit : SpaceAuditPart {
   /// Returns the turn from the facet of one use to that of another, about half-edge 2e. Facets turn
   /// as their normals do, pointing the other way at uses of 2e + 1.
   Sign turn_about_edge(EdgeId e, UseId u, UseId w) const {
-    const auto& [p, q] = c_.edge_planes[e.value()];
+    const auto& [p, q] = c_.edge_planes[e];
     const Sign turn = turn_about_line(c_.planes(), p, q, plane(u), plane(w));
     return is_reverse(u) == is_reverse(w) ? turn : -turn;
   }
@@ -222,17 +222,17 @@ class PlaceAudit : SpaceAuditPart {
 
   bool has_turning_rings() {
     return all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) {
-      return !c_.edge_use[e.value()].is_valid() || has_turning_ring(e);
+      return !c_.edge_use[e].is_valid() || has_turning_ring(e);
     });
   }
   /// Whether the radial cycle of an edge turns counter-clockwise, once. Two facets in different
   /// planes always do.
   bool has_turning_ring(EdgeId e) {
-    const UseId first = c_.edge_use[e.value()], second = c_.use_radial[first.value()];
-    if (c_.use_radial[second.value()] == first && plane(first) != plane(second)) return true;
+    const UseId first = c_.edge_use[e], second = c_.use_radial[first];
+    if (c_.use_radial[second] == first && plane(first) != plane(second)) return true;
     UseId before = first;
     int turned_before = 0;
-    for (UseId u = second; u != first; u = c_.use_radial[u.value()]) {
+    for (UseId u = second; u != first; u = c_.use_radial[u]) {
       step_();
       const int turned = turn_class(e, first, u);
       const bool is_after =
@@ -337,7 +337,7 @@ class PlaceAudit : SpaceAuditPart {
     UseId u = first;
     do {
       if (halfedge(u) == h) corners.push_back(u);
-      u = c_.use_radial[u.value()];
+      u = c_.use_radial[u];
     } while (u != first);
   }
 
@@ -422,7 +422,7 @@ class PlaceAudit : SpaceAuditPart {
 
   /// Whether nothing at a vertex inside a facet passes that facet: no edge and no corner.
   bool has_undivided_disk(VertexId v, const std::vector<UseId>& corners) {
-    const FacetId f = c_.vertex_facet[v.value()];
+    const FacetId f = c_.vertex_facet[v];
     if (!f.is_valid()) return true;
     if (!require(lies_on(v, plane(f)), "a vertex inside a facet lies in its plane", v, f)) {
       return false;

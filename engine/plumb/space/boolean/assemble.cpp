@@ -1,4 +1,4 @@
-// Joins vertices with sphere maps to a complex.
+// Assembles a complex from vertices with sphere maps.
 //
 // The maps at all vertices determine a complex (docs/design/boolean.md, "Correctness"): every cell
 // has a vertex in its closure. Points that face each other are the two ends of an edge. Around an
@@ -164,157 +164,146 @@ class ByPlane {
   /// Returns the items of a plane.
   std::span<const std::uint32_t> of(PlaneId p) const {
     if (item_.empty()) return {};
-    return std::span(item_).subspan(begin_[p.value()], begin_[p.value() + 1] - begin_[p.value()]);
+    return std::span(item_).subspan(begin_[p], begin_[p.value() + 1] - begin_[p]);
   }
 
  private:
-  std::vector<std::uint32_t> begin_;
+  IdVector<PlaneId, std::uint32_t> begin_;
   std::vector<std::uint32_t> item_;
 };
 
-/// The join in progress: steps in the order of assemble.h.
-class Joiner {
- public:
-  Joiner(SpaceDraft& draft, Context& context)
-      : draft_(draft), maps_(draft.maps), context_(context) {}
+/// Frees arrays that no later step reads: the peak of memory comes with the volumes.
+template <class... Arrays>
+void release(Arrays&... arrays) {
+  ((arrays = Arrays()), ...);
+}
 
-  SpaceComplex run() {
-    context_.checkpoint("join", 0, 5);
-    splice();
-    make_vertices();
-    make_edges();
-    find_connected();
-    release(draft_.vertex_point, draft_.vertex_mark, draft_.maps.direction);
-    context_.checkpoint("join", 1, 5);
-    run_jobs(context_, 2, [this](std::size_t i, Context&) { i == 0 ? make_stars() : link_uses(); });
-    release(draft_.maps.next, draft_.twin, use_of_arc_);
-    trace_cycles();
-    context_.checkpoint("join", 2, 5);
-    gather_facets();
-    release(draft_.maps.origin, draft_.maps.circle, draft_.arc_origin, parent_, first_use_);
-    context_.checkpoint("join", 3, 5);
-    label_volumes(out_, context_, connected_);
-    copy_volume_marks();
-    return std::move(out_);
+// ---- vertices and edges
+
+/// The points of a draft that belong to places inside edges.
+class PassedPoints {
+ public:
+  PassedPoints(const SpaceDraft& draft, bool has_any) : draft_(draft), has_any_(has_any) {}
+
+  /// Whether a point belongs to a place inside an edge.
+  bool contains(std::uint32_t point) const {
+    return has_any_ && draft_.is_passed[draft_.vertex_of_point[point]] != 0;
   }
 
  private:
-  /// Frees arrays that no later step reads: the peak of memory comes with the volumes.
-  template <class... Arrays>
-  static void release(Arrays&... arrays) {
-    ((arrays = Arrays()), ...);
+  const SpaceDraft& draft_;
+  bool has_any_;
+};
+
+/// Removes places inside edges, and returns their points. The neighbours of both points of such a
+/// place face each other; chains of places shrink one by one.
+PassedPoints splice(SpaceDraft& draft) {
+  bool has_passed = false;
+  for (std::size_t v = 0; v < draft.vertex_count(); ++v) {
+    if (draft.is_passed[v] == 0) continue;
+    has_passed = true;
+    // The map of a place inside an edge has exactly two opposite points.
+    const std::uint32_t x = draft.begin[v].point, y = x + 1;
+    const std::uint32_t a = draft.twin[x], b = draft.twin[y];
+    PLUMB_CHECK(a != kNone && b != kNone);
+    draft.twin[a] = b;
+    draft.twin[b] = a;
+  }
+  return {draft, has_passed};
+}
+
+/// The vertex of the complex that each vertex of the draft becomes. It is invalid for places inside
+/// edges.
+using VertexNumbers = IdVector<VertexId, VertexId>;
+
+/// Makes the vertices of the complex, in their order in the draft.
+VertexNumbers make_vertices(const SpaceDraft& draft, SpaceComplex& out) {
+  out.tables = draft.tables;
+  VertexNumbers vertex_number(draft.vertex_count());
+  for (std::size_t v = 0; v < draft.vertex_count(); ++v) {
+    if (draft.is_passed[v] != 0) continue;
+    vertex_number[v] = VertexId(out.vertex_count());
+    out.vertex_point.push_back(draft.vertex_point[v]);
+    out.vertex_mark.push_back(draft.vertex_mark[v]);
+  }
+  out.vertex_facet.resize(out.vertex_count());
+  return vertex_number;
+}
+
+/// Makes edge e of the pair (i, j) of facing points, i < j: half-edge 2e leaves point i, whose
+/// direction gives the edge its two planes in order. Returns the half-edge of each point.
+std::vector<HalfedgeId> make_edges(const SpaceDraft& draft, const PassedPoints& passed,
+                                   const VertexNumbers& vertex_number, SpaceComplex& out) {
+  const SphereMap& maps = draft.maps;
+  std::vector<HalfedgeId> halfedge_of_point(maps.point_count());
+  out.edge_planes.reserve(maps.point_count() / 2);
+  out.edge_mark.reserve(maps.point_count() / 2);
+  out.origin.reserve(maps.point_count());
+  for (std::uint32_t i = 0; i < maps.point_count(); ++i) {
+    const std::uint32_t j = draft.twin[i];
+    if (passed.contains(i) || j < i) continue;
+    PLUMB_CHECK(j != kNone && j != i && maps.point_mark[i] == maps.point_mark[j]);
+    const auto e = static_cast<std::uint32_t>(out.edge_count());
+    halfedge_of_point[i] = HalfedgeId(2 * e);
+    halfedge_of_point[j] = HalfedgeId(2 * e + 1);
+    out.edge_planes.push_back({maps.direction[i].p, maps.direction[i].q});
+    out.edge_mark.push_back(maps.point_mark[i]);
+    out.origin.push_back(vertex_number[draft.vertex_of_point[i]]);
+    out.origin.push_back(vertex_number[draft.vertex_of_point[j]]);
+  }
+  out.edge_use.resize(out.edge_count());
+  return halfedge_of_point;
+}
+
+/// Returns for each of the `count` vertices of the complex whether its sphere map is connected, for
+/// label_volumes(). A map without free points and loops is connected if and only if points - arcs +
+/// faces = 2 (Euler): with k components the sum is k + 1.
+IdVector<VertexId, std::uint8_t> find_connected(const SpaceDraft& draft, std::size_t count) {
+  IdVector<VertexId, std::uint8_t> connected;
+  connected.reserve(count);
+  for (std::size_t v = 0; v < draft.vertex_count(); ++v) {
+    if (draft.is_passed[v] != 0) continue;
+    const SpaceDraft::Offsets& at = draft.begin[v];
+    const SpaceDraft::Offsets end = v + 1 < draft.vertex_count() ? draft.begin[v + 1] : draft.end();
+    bool is_whole = end.point - at.point + (end.face - at.face) == end.arc - at.arc + 2;
+    for (std::uint32_t i = at.point; i < end.point; ++i) is_whole &= !draft.is_free(i);
+    for (std::uint32_t a = at.arc; a < end.arc; ++a) is_whole &= !draft.is_loop(a);
+    connected.push_back(is_whole ? 1 : 0);
+  }
+  return connected;
+}
+
+/// Sorts the half-edges by their origins.
+void make_stars(SpaceComplex& out) {
+  out.star_begin.assign(out.vertex_count() + 1, 0);
+  for (const VertexId v : out.origin) ++out.star_begin[v.value() + 1];
+  std::partial_sum(out.star_begin.begin(), out.star_begin.end(), out.star_begin.begin());
+  out.star.resize(out.origin.size());
+  IdVector<VertexId, std::uint32_t> at(out.star_begin.begin(), out.star_begin.end() - 1);
+  for (std::uint32_t h = 0; h < out.origin.size(); ++h) {
+    out.star[at[out.origin[h]]++] = HalfedgeId(h);
+  }
+}
+
+// ---- edge uses: one for each arc of a vertex that stays
+
+/// Links the corners of facets at both ends of an edge, one edge after the other. This is a class
+/// because all edges use the same memory for their rings.
+class CornerLinker {
+ public:
+  /// Links the uses of `out`, which come from the arcs of the draft by `use_of_arc`.
+  CornerLinker(const SpaceDraft& draft, const std::vector<UseId>& use_of_arc, SpaceComplex& out)
+      : draft_(draft), maps_(draft.maps), use_of_arc_(use_of_arc), out_(out) {}
+
+  /// Links the uses of edge e along facets and around the edge. Half-edge 2e leaves `point`.
+  void link_edge(std::uint32_t point, EdgeId e) {
+    if (!link_plain_edge(point, e)) link_rings(point, e);
   }
 
-  // ---- vertices and edges
-
-  /// Removes places inside edges. The neighbours of both points of such a place face each other;
-  /// chains of places shrink one by one.
-  void splice() {
-    for (std::size_t v = 0; v < draft_.vertex_count(); ++v) {
-      if (draft_.is_passed[v] == 0) continue;
-      has_passed_ = true;
-      // The map of a place inside an edge has exactly two opposite points.
-      const std::uint32_t x = draft_.begin[v].point, y = x + 1;
-      const std::uint32_t a = draft_.twin[x], b = draft_.twin[y];
-      PLUMB_CHECK(a != kNone && b != kNone);
-      draft_.twin[a] = b;
-      draft_.twin[b] = a;
-    }
-  }
-
-  /// Whether a point belongs to a place inside an edge.
-  bool is_passed(std::uint32_t point) const {
-    return has_passed_ && draft_.is_passed[draft_.vertex_of_point[point].value()] != 0;
-  }
-
-  void make_vertices() {
-    out_.tables = draft_.tables;
-    vertex_number_.resize(draft_.vertex_count());
-    for (std::size_t v = 0; v < draft_.vertex_count(); ++v) {
-      if (draft_.is_passed[v] != 0) continue;
-      vertex_number_[v] = VertexId(out_.vertex_count());
-      out_.vertex_point.push_back(draft_.vertex_point[v]);
-      out_.vertex_mark.push_back(draft_.vertex_mark[v]);
-    }
-    out_.vertex_facet.resize(out_.vertex_count());
-  }
-
-  /// Makes edge e of the pair (i, j) of facing points, i < j: half-edge 2e leaves point i, whose
-  /// direction gives the edge its two planes in order.
-  void make_edges() {
-    halfedge_of_point_.resize(maps_.point_count());
-    out_.edge_planes.reserve(maps_.point_count() / 2);
-    out_.edge_mark.reserve(maps_.point_count() / 2);
-    out_.origin.reserve(maps_.point_count());
-    for (std::uint32_t i = 0; i < maps_.point_count(); ++i) {
-      const std::uint32_t j = draft_.twin[i];
-      if (is_passed(i) || j < i) continue;
-      PLUMB_CHECK(j != kNone && j != i && maps_.point_mark[i] == maps_.point_mark[j]);
-      const auto e = static_cast<std::uint32_t>(out_.edge_count());
-      halfedge_of_point_[i] = HalfedgeId(2 * e);
-      halfedge_of_point_[j] = HalfedgeId(2 * e + 1);
-      out_.edge_planes.push_back({maps_.direction[i].p, maps_.direction[i].q});
-      out_.edge_mark.push_back(maps_.point_mark[i]);
-      out_.origin.push_back(vertex_number_[draft_.vertex_of_point[i].value()]);
-      out_.origin.push_back(vertex_number_[draft_.vertex_of_point[j].value()]);
-    }
-    out_.edge_use.resize(out_.edge_count());
-  }
-
-  /// Notes which sphere maps are connected, for label_volumes(). A map without free points and
-  /// loops is connected if and only if points - arcs + faces = 2 (Euler): with k components the sum
-  /// is k + 1.
-  void find_connected() {
-    connected_.reserve(out_.vertex_count());
-    for (std::size_t v = 0; v < draft_.vertex_count(); ++v) {
-      if (draft_.is_passed[v] != 0) continue;
-      const SpaceDraft::Offsets& at = draft_.begin[v];
-      const SpaceDraft::Offsets end =
-          v + 1 < draft_.vertex_count() ? draft_.begin[v + 1] : draft_.end();
-      bool is_whole = end.point - at.point + (end.face - at.face) == end.arc - at.arc + 2;
-      for (std::uint32_t i = at.point; i < end.point; ++i) is_whole &= !draft_.is_free(i);
-      for (std::uint32_t a = at.arc; a < end.arc; ++a) is_whole &= !draft_.is_loop(a);
-      connected_.push_back(is_whole ? 1 : 0);
-    }
-  }
-
-  /// Sorts the half-edges by their origins.
-  void make_stars() {
-    out_.star_begin.assign(out_.vertex_count() + 1, 0);
-    for (const VertexId v : out_.origin) ++out_.star_begin[v.value() + 1];
-    std::partial_sum(out_.star_begin.begin(), out_.star_begin.end(), out_.star_begin.begin());
-    out_.star.resize(out_.origin.size());
-    std::vector<std::uint32_t> at(out_.star_begin.begin(), out_.star_begin.end() - 1);
-    for (std::uint32_t h = 0; h < out_.origin.size(); ++h) {
-      out_.star[at[out_.origin[h].value()]++] = HalfedgeId(h);
-    }
-  }
-
-  // ---- edge uses: one for each arc of a vertex that stays
-
-  /// Numbers the edge uses and links them along facets and around edges, one edge at a time.
-  void link_uses() {
-    use_of_arc_.assign(maps_.arc_count(), UseId());
-    out_.use_halfedge.reserve(maps_.arc_count());
-    arc_of_use_.reserve(maps_.arc_count());
-    for (std::uint32_t a = 0; a < maps_.arc_count(); ++a) {
-      if (maps_.is_loop(a) || is_passed(maps_.origin[2 * a])) continue;
-      use_of_arc_[a] = UseId(out_.use_count());
-      out_.use_halfedge.push_back(halfedge_of_point_[maps_.origin[2 * a]]);
-      arc_of_use_.push_back(a);
-    }
-    out_.use_next.resize(out_.use_count());
-    out_.use_prev.resize(out_.use_count());
-    out_.use_radial.resize(out_.use_count());
-    for (std::uint32_t i = 0; i < halfedge_of_point_.size(); ++i) {
-      if (i > draft_.twin[i] || is_passed(i) || maps_.first_out[i] == kNone) continue;
-      if (!link_plain_edge(i)) link_edge(i);
-    }
-  }
-
-  /// Does the same as link_edge() for an edge of two uses: nearly all edges. Returns false if the
+ private:
+  /// Does the same as link_rings() for an edge of two uses: nearly all edges. Returns false if the
   /// edge has another number of uses.
-  bool link_plain_edge(std::uint32_t point) {
+  bool link_plain_edge(std::uint32_t point, EdgeId e) {
     const std::uint32_t x = maps_.first_out[point], after_x = maps_.clockwise(x);
     std::uint32_t y = maps_.first_out[draft_.twin[point]];
     if (y == kNone) return false;
@@ -323,17 +312,17 @@ class Joiner {
     if (after_y == y || maps_.clockwise(after_y) != y) return false;
     if (!is_mirror(x, after_y)) std::swap(y, after_y);
     PLUMB_CHECK(is_mirror(x, after_y) && is_mirror(after_x, y));
-    const UseId first = join_corners(x, after_y), second = join_corners(after_x, y);
-    out_.use_radial[first.value()] = second;
-    out_.use_radial[second.value()] = first;
-    out_.edge_use[halfedge_of_point_[point].value() / 2] = first;
+    const UseId first = link_corners(x, after_y), second = link_corners(after_x, y);
+    out_.use_radial[first] = second;
+    out_.use_radial[second] = first;
+    out_.edge_use[e] = first;
     return true;
   }
 
   /// Matches the rings of arcs at both ends of an edge: half-arcs of one plane, one going out and
   /// one coming in. A ring cannot match in two rotations with different results: two facets around
   /// one edge in the same plane leave it on opposite sides, so plane and sense name one half-arc.
-  void link_edge(std::uint32_t point) {
+  void link_rings(std::uint32_t point, EdgeId e) {
     // The ring at the far end, reversed, is the ring at the near end, rotated.
     near_.clear();
     far_.clear();
@@ -350,24 +339,22 @@ class Joiner {
     for (std::size_t i = 0; i < k; ++i) {
       const std::uint32_t x = near_[i], y = far_[(i + shift) % k];
       PLUMB_CHECK(is_mirror(x, y));
-      radial_.push_back(join_corners(x, y));
+      radial_.push_back(link_corners(x, y));
     }
     // `near_` runs clockwise around the half-edge that leaves `point`, which is half-edge 2e.
-    for (std::size_t i = 0; i < k; ++i) {
-      out_.use_radial[radial_[(i + 1) % k].value()] = radial_[i];
-    }
-    out_.edge_use[halfedge_of_point_[point].value() / 2] = radial_[0];
+    for (std::size_t i = 0; i < k; ++i) out_.use_radial[radial_[(i + 1) % k]] = radial_[i];
+    out_.edge_use[e] = radial_[0];
   }
 
   /// Lets the corners of one facet at both ends of an edge follow each other, and returns the use
   /// along the edge.
-  UseId join_corners(std::uint32_t x, std::uint32_t y) {
+  UseId link_corners(std::uint32_t x, std::uint32_t y) {
     // An even half-arc is a corner that starts here: its use leaves along this edge.
     if (x % 2 != 0) std::swap(x, y);
     // The corner at the other end of the edge follows this one along the facet.
     const UseId leaving = use_of_arc_[x / 2], arriving_at = use_of_arc_[y / 2];
-    out_.use_next[leaving.value()] = arriving_at;
-    out_.use_prev[arriving_at.value()] = leaving;
+    out_.use_next[leaving] = arriving_at;
+    out_.use_prev[arriving_at] = leaving;
     return leaving;
   }
 
@@ -377,51 +364,87 @@ class Joiner {
     return maps_.circle[x / 2] == maps_.circle[y / 2] && (x ^ y) % 2 == 1;
   }
 
-  // ---- facets
+  const SpaceDraft& draft_;
+  const SphereMap& maps_;
+  const std::vector<UseId>& use_of_arc_;
+  SpaceComplex& out_;
+  std::vector<std::uint32_t> near_, far_;  // The half-arcs around both ends of an edge.
+  std::vector<UseId> radial_;              // The uses of an edge.
+};
 
-  /// Walks the cycles and makes each, for now, a facet of its own.
-  void trace_cycles() {
-    out_.use_facet.assign(out_.use_count(), FacetId());
-    for (std::uint32_t u = 0; u < out_.use_count(); ++u) {
-      if (out_.use_facet[u].is_valid()) continue;
-      const FacetId f(first_use_.size());
-      first_use_.push_back(UseId(u));
-      out_.facet_plane.push_back(maps_.circle[arc_of_use_[u]]);
-      for (UseId w(u); !out_.use_facet[w.value()].is_valid(); w = out_.use_next[w.value()]) {
-        out_.use_facet[w.value()] = f;
-      }
-    }
+/// Numbers the edge uses and links them along facets and around edges, one edge at a time. Returns
+/// the arc of each use.
+IdVector<UseId, std::uint32_t> link_uses(const SpaceDraft& draft, const PassedPoints& passed,
+                                         const std::vector<HalfedgeId>& halfedge_of_point,
+                                         SpaceComplex& out) {
+  const SphereMap& maps = draft.maps;
+  std::vector<UseId> use_of_arc(maps.arc_count());
+  IdVector<UseId, std::uint32_t> arc_of_use;
+  out.use_halfedge.reserve(maps.arc_count());
+  arc_of_use.reserve(maps.arc_count());
+  for (std::uint32_t a = 0; a < maps.arc_count(); ++a) {
+    if (maps.is_loop(a) || passed.contains(maps.origin[2 * a])) continue;
+    use_of_arc[a] = UseId(out.use_count());
+    out.use_halfedge.push_back(halfedge_of_point[maps.origin[2 * a]]);
+    arc_of_use.push_back(a);
   }
-
-  /// The cycles of one plane, and the loops of vertices inside its facets.
-  struct PlaneGroup {
-    std::span<const std::uint32_t> cycles;
-    std::span<const std::uint32_t> loops;
-  };
-
-  /// Finds the outer cycle around every hole and inner vertex, plane by plane.
-  void gather_facets() {
-    const auto cycles = static_cast<std::uint32_t>(first_use_.size());
-    // Cycles and loops are sorted by their planes in linear time, then each plane is nested by
-    // itself.
-    parent_.assign(cycles, kNone);
-    std::vector<std::uint32_t> all_cycles(cycles), all_loops;
-    std::iota(all_cycles.begin(), all_cycles.end(), 0U);
-    for (std::uint32_t a = 0; a < maps_.arc_count(); ++a) {
-      if (maps_.is_loop(a)) all_loops.push_back(a);
-    }
-    const ByPlane by_cycle(all_cycles, out_.facet_plane, draft_.tables->planes.size());
-    const ByPlane by_loop(all_loops, maps_.circle, draft_.tables->planes.size());
-    for (std::uint32_t p = 0; p < draft_.tables->planes.size(); ++p) {
-      if (p % 1024 == 0) context_.checkpoint("join", 2, 5);
-      nest(PlaneId(p), {by_cycle.of(PlaneId(p)), by_loop.of(PlaneId(p))});
-    }
-    number_facets();
+  out.use_next.resize(out.use_count());
+  out.use_prev.resize(out.use_count());
+  out.use_radial.resize(out.use_count());
+  CornerLinker linker(draft, use_of_arc, out);
+  for (std::uint32_t i = 0; i < halfedge_of_point.size(); ++i) {
+    if (i > draft.twin[i] || passed.contains(i) || maps.first_out[i] == kNone) continue;
+    linker.link_edge(i, SpaceComplex::edge_of(halfedge_of_point[i]));
   }
+  return arc_of_use;
+}
 
-  /// Nests the cycles and inner vertices of one plane. A single cycle without inner vertices needs
-  /// no arithmetic.
-  void nest(PlaneId plane, const PlaneGroup& group) {
+// ---- facets
+
+/// Walks the cycles and makes each, for now, a facet of its own. Returns a use of each cycle.
+std::vector<UseId> trace_cycles(const SphereMap& maps,
+                                const IdVector<UseId, std::uint32_t>& arc_of_use,
+                                SpaceComplex& out) {
+  std::vector<UseId> first_use;
+  out.use_facet.assign(out.use_count(), FacetId());
+  for (std::uint32_t u = 0; u < out.use_count(); ++u) {
+    if (out.use_facet[u].is_valid()) continue;
+    const FacetId f(first_use.size());
+    first_use.push_back(UseId(u));
+    out.facet_plane.push_back(maps.circle[arc_of_use[u]]);
+    for (UseId w(u); !out.use_facet[w].is_valid(); w = out.use_next[w]) out.use_facet[w] = f;
+  }
+  return first_use;
+}
+
+/// The outer cycles around holes and inner vertices.
+struct FacetNesting {
+  std::vector<std::uint32_t> parent;  // The outer cycle around each hole, else kNone.
+  // Pairs of an outer cycle and a vertex inside it.
+  std::vector<std::pair<std::uint32_t, VertexId>> inner_of_cycle;
+};
+
+/// The cycles of one plane, and the loops of vertices inside its facets.
+struct PlaneGroup {
+  std::span<const std::uint32_t> cycles;
+  std::span<const std::uint32_t> loops;
+};
+
+/// Nests the cycles and inner vertices of one plane after the other. This is a class because all
+/// planes use the same memory for their lists.
+class PlaneNester {
+ public:
+  PlaneNester(const SpaceDraft& draft, const VertexNumbers& vertex_number,
+              const std::vector<UseId>& first_use, const SpaceComplex& out, Context& context)
+      : draft_(draft),
+        vertex_number_(vertex_number),
+        first_use_(first_use),
+        out_(out),
+        context_(context) {}
+
+  /// Adds the cycles and inner vertices of one plane to `all`. A single cycle without inner
+  /// vertices needs no arithmetic.
+  void nest(PlaneId plane, const PlaneGroup& group, FacetNesting& all) {
     if (group.cycles.size() <= 1 && group.loops.empty()) return;
     cycles_.clear();
     inner_.clear();
@@ -430,13 +453,16 @@ class Joiner {
     // nest_cycles() names the outer cycle of each cycle and point by its index in these lists.
     const CycleNesting nesting = nest_cycles(out_, plane, cycles_, inner_, context_);
     for (std::size_t i = 0; i < cycles_.size(); ++i) {
-      if (nesting.of_cycle[i] != i) parent_[group.cycles[i]] = group.cycles[nesting.of_cycle[i]];
+      if (nesting.of_cycle[i] != i) {
+        all.parent[group.cycles[i]] = group.cycles[nesting.of_cycle[i]];
+      }
     }
     for (std::size_t i = 0; i < inner_.size(); ++i) {
-      inner_of_cycle_.emplace_back(group.cycles[nesting.of_point[i]], inner_[i]);
+      all.inner_of_cycle.emplace_back(group.cycles[nesting.of_point[i]], inner_[i]);
     }
   }
 
+ private:
   /// Returns the vertex whose map has a loop: the last one whose arcs begin at or before it.
   VertexId vertex_of_loop(std::uint32_t arc) const {
     const auto next =
@@ -445,128 +471,196 @@ class Joiner {
     return vertex_number_[static_cast<std::size_t>(next - draft_.begin.begin()) - 1];
   }
 
-  /// Makes a facet of each outer cycle, in their order, with its holes and inner vertices. Its
-  /// facet_origin is the least of those of its corners.
-  void number_facets() {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> holes;
-    for (std::uint32_t c = 0; c < parent_.size(); ++c) {
-      if (parent_[c] != kNone) holes.emplace_back(parent_[c], c);
-    }
-    std::sort(holes.begin(), holes.end());
-    // Holes and inner vertices are sorted by their outer cycle, so one pass over cycles meets them
-    // in order.
-    std::stable_sort(inner_of_cycle_.begin(), inner_of_cycle_.end(),
-                     [](const auto& x, const auto& y) { return x.first < y.first; });
-    reserve_facets(first_use_.size() - holes.size());
-    std::vector<FacetId> facet_of_cycle(first_use_.size());
-    auto hole = holes.begin();
-    auto inner = inner_of_cycle_.begin();
-    for (std::uint32_t c = 0; c < first_use_.size(); ++c) {
-      if (parent_[c] != kNone) continue;
-      const FacetId f(facet_count_);
-      const std::uint32_t arc = arc_of_use_[first_use_[c].value()];
-      // This overwrites nothing that is still needed, as facet_count_ <= c.
-      out_.facet_plane[facet_count_++] = out_.facet_plane[c];
-      out_.facet_mark.push_back(maps_.arc_mark[arc]);
-      out_.facet_origin.push_back(draft_.arc_origin[arc]);
-      facet_of_cycle[c] = f;
-      out_.cycle.push_back(first_use_[c]);
-      for (; hole != holes.end() && hole->first == c; ++hole) {
-        facet_of_cycle[hole->second] = f;
-        out_.cycle.push_back(first_use_[hole->second]);
-      }
-      for (; inner != inner_of_cycle_.end() && inner->first == c; ++inner) {
-        out_.inner.push_back(inner->second);
-        out_.vertex_facet[inner->second.value()] = f;
-      }
-      out_.cycle_begin.push_back(static_cast<std::uint32_t>(out_.cycle.size()));
-      out_.inner_begin.push_back(static_cast<std::uint32_t>(out_.inner.size()));
-    }
-    out_.facet_plane.resize(facet_count_);
-    for (FacetId& f : out_.use_facet) f = facet_of_cycle[f.value()];
-    for (std::uint32_t u = 0; u < out_.use_count(); ++u) {
-      const FacetId f = out_.use_facet[u];
-      PLUMB_CHECK(maps_.arc_mark[arc_of_use_[u]] == out_.facet_mark[f.value()]);
-      std::uint32_t& origin = out_.facet_origin[f.value()];
-      origin = std::min(origin, draft_.arc_origin[arc_of_use_[u]]);
-    }
-  }
-
-  void reserve_facets(std::size_t n) {
-    out_.facet_mark.reserve(n);
-    out_.facet_origin.reserve(n);
-    out_.cycle.reserve(first_use_.size());
-    out_.cycle_begin.reserve(n + 1);
-    out_.inner_begin.reserve(n + 1);
-    out_.cycle_begin = {0};
-    out_.inner_begin = {0};
-  }
-
-  // ---- volumes
-
-  /// Sets the mark of a volume, or checks it if it is known already.
-  void set_volume_mark(VolumeId volume, Mark mark) {
-    Mark& known = out_.volume_mark[volume.value()];
-    std::uint8_t& is_known = is_marked_[volume.value()];
-    PLUMB_CHECK(is_known == 0 || known == mark);
-    known = mark;
-    is_known = 1;
-  }
-
-  /// Copies the marks of volumes from everything that borders on them: sides of facets, free edges,
-  /// isolated vertices.
-  void copy_volume_marks() {
-    is_marked_.assign(out_.volume_count(), 0);
-    for (std::uint32_t u = 0; u < out_.use_count(); ++u) {
-      const auto& volumes = out_.facet_volume[out_.use_facet[u].value()];
-      for (std::uint32_t side = 0; side < 2; ++side) {
-        set_volume_mark(volumes[side], maps_.face_mark[maps_.face[2 * arc_of_use_[u] + side]]);
-      }
-    }
-    for (std::uint32_t i = 0; i < halfedge_of_point_.size(); ++i) {
-      if (is_passed(i) || maps_.first_out[i] != kNone) continue;
-      set_volume_mark(out_.edge_volume[halfedge_of_point_[i].value() / 2],
-                      maps_.face_mark[maps_.point_face[i]]);
-    }
-    for (std::size_t v = 0; v < vertex_number_.size(); ++v) {
-      if (draft_.is_passed[v] != 0) continue;
-      const VolumeId volume = out_.vertex_volume[vertex_number_[v].value()];
-      if (volume.is_valid()) set_volume_mark(volume, maps_.face_mark[draft_.begin[v].face]);
-    }
-  }
-
-  SpaceDraft& draft_;
-  const SphereMap& maps_;
+  const SpaceDraft& draft_;
+  const VertexNumbers& vertex_number_;
+  const std::vector<UseId>& first_use_;
+  const SpaceComplex& out_;
   Context& context_;
-  SpaceComplex out_;
-
-  bool has_passed_ = false;              // Whether a vertex of the draft is a place inside an edge.
-  std::vector<VertexId> vertex_number_;  // The new number of each vertex of the draft.
-  std::vector<std::uint8_t> connected_;  // Whether the map of each vertex is connected.
-  std::vector<HalfedgeId> halfedge_of_point_;  // The half-edge of each point.
-  std::vector<UseId> use_of_arc_;              // The use of each arc.
-  std::vector<std::uint32_t> arc_of_use_;      // The arc of each use.
-  std::vector<UseId> first_use_;               // A use of each cycle.
-  std::vector<std::uint32_t> parent_;          // The outer cycle around each hole, else kNone.
-  std::vector<std::pair<std::uint32_t, VertexId>> inner_of_cycle_;
-  std::size_t facet_count_ = 0;
-  std::vector<std::uint8_t> is_marked_;  // Whether the mark of each volume is set.
-  std::vector<std::uint32_t> near_, far_;
-  std::vector<UseId> radial_, cycles_;
-  std::vector<VertexId> inner_;
+  std::vector<UseId> cycles_;    // The cycles of a plane, named by their first uses.
+  std::vector<VertexId> inner_;  // The inner vertices of a plane.
 };
+
+/// Finds the outer cycle around every hole and inner vertex, plane by plane. Cycles and loops are
+/// sorted by their planes in linear time, then each plane is nested by itself.
+FacetNesting nest_planes(const SpaceDraft& draft, const VertexNumbers& vertex_number,
+                         const std::vector<UseId>& first_use, const SpaceComplex& out,
+                         Context& context) {
+  const auto cycles = static_cast<std::uint32_t>(first_use.size());
+  FacetNesting nesting;
+  nesting.parent.assign(cycles, kNone);
+  std::vector<std::uint32_t> all_cycles(cycles), all_loops;
+  std::iota(all_cycles.begin(), all_cycles.end(), 0U);
+  for (std::uint32_t a = 0; a < draft.maps.arc_count(); ++a) {
+    if (draft.is_loop(a)) all_loops.push_back(a);
+  }
+  const ByPlane by_cycle(all_cycles, out.facet_plane, draft.tables->planes.size());
+  const ByPlane by_loop(all_loops, draft.maps.circle, draft.tables->planes.size());
+  PlaneNester nester(draft, vertex_number, first_use, out, context);
+  for (std::uint32_t p = 0; p < draft.tables->planes.size(); ++p) {
+    if (p % 1024 == 0) context.checkpoint("assemble", 2, 5);
+    nester.nest(PlaneId(p), {by_cycle.of(PlaneId(p)), by_loop.of(PlaneId(p))}, nesting);
+  }
+  return nesting;
+}
+
+void reserve_facets(std::size_t facets, std::size_t cycles, SpaceComplex& out) {
+  out.facet_mark.reserve(facets);
+  out.facet_origin.reserve(facets);
+  out.cycle.reserve(cycles);
+  out.cycle_begin.reserve(facets + 1);
+  out.inner_begin.reserve(facets + 1);
+  out.cycle_begin = {0};
+  out.inner_begin = {0};
+}
+
+/// Returns pairs of an outer cycle and a hole in it, sorted.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> sorted_holes(
+    const std::vector<std::uint32_t>& parent) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> holes;
+  for (std::uint32_t c = 0; c < parent.size(); ++c) {
+    if (parent[c] != kNone) holes.emplace_back(parent[c], c);
+  }
+  std::sort(holes.begin(), holes.end());
+  return holes;
+}
+
+/// Makes a facet of each outer cycle, in their order, with its holes and inner vertices. The facet
+/// has the mark and facet_origin of the first corner of its outer cycle. Returns the facet of each
+/// cycle.
+std::vector<FacetId> number_facets(const SpaceDraft& draft,
+                                   const IdVector<UseId, std::uint32_t>& arc_of_use,
+                                   const std::vector<UseId>& first_use, FacetNesting& nesting,
+                                   SpaceComplex& out) {
+  const auto holes = sorted_holes(nesting.parent);
+  // Holes and inner vertices are sorted by their outer cycle, so one pass over the cycles visits
+  // them in order.
+  std::stable_sort(nesting.inner_of_cycle.begin(), nesting.inner_of_cycle.end(),
+                   [](const auto& x, const auto& y) { return x.first < y.first; });
+  reserve_facets(first_use.size() - holes.size(), first_use.size(), out);
+  std::vector<FacetId> facet_of_cycle(first_use.size());
+  std::size_t facet_count = 0;
+  auto hole = holes.begin();
+  auto inner = nesting.inner_of_cycle.begin();
+  for (std::uint32_t c = 0; c < first_use.size(); ++c) {
+    if (nesting.parent[c] != kNone) continue;
+    const FacetId f(facet_count);
+    const std::uint32_t arc = arc_of_use[first_use[c]];
+    // This overwrites nothing that is still needed, as facet_count <= c.
+    out.facet_plane[facet_count++] = out.facet_plane[c];
+    out.facet_mark.push_back(draft.maps.arc_mark[arc]);
+    out.facet_origin.push_back(draft.arc_origin[arc]);
+    facet_of_cycle[c] = f;
+    out.cycle.push_back(first_use[c]);
+    for (; hole != holes.end() && hole->first == c; ++hole) {
+      facet_of_cycle[hole->second] = f;
+      out.cycle.push_back(first_use[hole->second]);
+    }
+    for (; inner != nesting.inner_of_cycle.end() && inner->first == c; ++inner) {
+      out.inner.push_back(inner->second);
+      out.vertex_facet[inner->second] = f;
+    }
+    out.cycle_begin.push_back(static_cast<std::uint32_t>(out.cycle.size()));
+    out.inner_begin.push_back(static_cast<std::uint32_t>(out.inner.size()));
+  }
+  out.facet_plane.resize(facet_count);
+  return facet_of_cycle;
+}
+
+/// Replaces the cycle of each use by its facet. The facet_origin of a facet becomes the least of
+/// those of its corners.
+void set_facets_of_uses(const SpaceDraft& draft, const IdVector<UseId, std::uint32_t>& arc_of_use,
+                        const std::vector<FacetId>& facet_of_cycle, SpaceComplex& out) {
+  for (FacetId& f : out.use_facet) f = facet_of_cycle[f.value()];
+  for (std::uint32_t u = 0; u < out.use_count(); ++u) {
+    const FacetId f = out.use_facet[u];
+    PLUMB_CHECK(draft.maps.arc_mark[arc_of_use[u]] == out.facet_mark[f]);
+    std::uint32_t& origin = out.facet_origin[f];
+    origin = std::min(origin, draft.arc_origin[arc_of_use[u]]);
+  }
+}
+
+/// Makes the facets from the cycles of uses and from the inner vertices.
+void gather_facets(const SpaceDraft& draft, const VertexNumbers& vertex_number,
+                   const IdVector<UseId, std::uint32_t>& arc_of_use, SpaceComplex& out,
+                   Context& context) {
+  const std::vector<UseId> first_use = trace_cycles(draft.maps, arc_of_use, out);
+  context.checkpoint("assemble", 2, 5);
+  FacetNesting nesting = nest_planes(draft, vertex_number, first_use, out, context);
+  const std::vector<FacetId> facet_of_cycle =
+      number_facets(draft, arc_of_use, first_use, nesting, out);
+  set_facets_of_uses(draft, arc_of_use, facet_of_cycle, out);
+}
+
+// ---- volumes
+
+/// Copies the marks of volumes from everything that borders on them: sides of facets, free edges,
+/// isolated vertices.
+void copy_volume_marks(const SpaceDraft& draft, const PassedPoints& passed,
+                       const VertexNumbers& vertex_number,
+                       const std::vector<HalfedgeId>& halfedge_of_point,
+                       const IdVector<UseId, std::uint32_t>& arc_of_use, SpaceComplex& out) {
+  const SphereMap& maps = draft.maps;
+  IdVector<VolumeId, std::uint8_t> is_marked(out.volume_count(), 0);
+  // Sets the mark of a volume, or checks it if it is known already.
+  const auto set_mark = [&](VolumeId volume, Mark mark) {
+    PLUMB_CHECK(is_marked[volume] == 0 || out.volume_mark[volume] == mark);
+    out.volume_mark[volume] = mark;
+    is_marked[volume] = 1;
+  };
+  for (std::uint32_t u = 0; u < out.use_count(); ++u) {
+    const auto& volumes = out.facet_volume[out.use_facet[u]];
+    for (std::uint32_t side = 0; side < 2; ++side) {
+      set_mark(volumes[side], maps.face_mark[maps.face[2 * arc_of_use[u] + side]]);
+    }
+  }
+  for (std::uint32_t i = 0; i < halfedge_of_point.size(); ++i) {
+    if (passed.contains(i) || maps.first_out[i] != kNone) continue;
+    set_mark(out.edge_volume[SpaceComplex::edge_of(halfedge_of_point[i])],
+             maps.face_mark[maps.point_face[i]]);
+  }
+  for (std::size_t v = 0; v < vertex_number.size(); ++v) {
+    if (draft.is_passed[v] != 0) continue;
+    const VolumeId volume = out.vertex_volume[vertex_number[v]];
+    if (volume.is_valid()) set_mark(volume, maps.face_mark[draft.begin[v].face]);
+  }
+}
+
+/// Returns the complex of a draft without vertices: one volume with mark 0.
+SpaceComplex whole_space(const SpaceDraft& draft) {
+  SpaceComplex whole;
+  whole.tables = draft.tables;
+  whole.star_begin = whole.cycle_begin = whole.inner_begin = {0};
+  whole.volume_mark = {0};
+  return whole;
+}
 
 }  // namespace
 
-SpaceComplex join(SpaceDraft draft, Context& context) {
-  SpaceComplex whole;
-  if (draft.vertex_count() == 0) {
-    whole.tables = draft.tables;
-    whole.star_begin = whole.cycle_begin = whole.inner_begin = {0};
-    whole.volume_mark = {0};
-    return whole;
-  }
-  return Joiner(draft, context).run();
+SpaceComplex assemble(SpaceDraft draft, Context& context) {
+  if (draft.vertex_count() == 0) return whole_space(draft);
+  SpaceComplex out;
+  context.checkpoint("assemble", 0, 5);
+  const PassedPoints passed = splice(draft);
+  const VertexNumbers vertex_number = make_vertices(draft, out);
+  const std::vector<HalfedgeId> halfedge_of_point = make_edges(draft, passed, vertex_number, out);
+  const IdVector<VertexId, std::uint8_t> connected = find_connected(draft, out.vertex_count());
+  release(draft.vertex_point, draft.vertex_mark, draft.maps.direction);
+  context.checkpoint("assemble", 1, 5);
+  IdVector<UseId, std::uint32_t> arc_of_use;
+  run_jobs(context, 2, [&](std::size_t i, Context&) {
+    if (i == 0) {
+      make_stars(out);
+    } else {
+      arc_of_use = link_uses(draft, passed, halfedge_of_point, out);
+    }
+  });
+  release(draft.maps.next, draft.twin);
+  gather_facets(draft, vertex_number, arc_of_use, out, context);
+  release(draft.maps.origin, draft.maps.circle, draft.arc_origin);
+  context.checkpoint("assemble", 3, 5);
+  label_volumes(out, context, connected);
+  copy_volume_marks(draft, passed, vertex_number, halfedge_of_point, arc_of_use, out);
+  return out;
 }
 
 }  // namespace plumb

@@ -1,16 +1,18 @@
 // A complex in the making: vertices with their sphere maps, before edges, facets and volumes are
 // known. Its maker adds the minimal map of each vertex and pairs the points of maps that face each
-// other; join() does the rest.
+// other; assemble() does the rest.
 //
-// Main flow of join():
-//  1. splice         removes vertices inside edges: what faced them faces each other
-//  2. make_edges     makes an edge of each pair of facing points
-//  3. link_uses      matches the rings of arcs at both ends of an edge, which are mirror images:
-//                    this links the corners of facets to cycles and gives the radial order
-//  4. gather_facets  walks the cycles; in each plane holes and inner vertices find the facet around
-//                    them (facet_site.h)
-//  5. label_volumes  finds the volumes (volumes.h)
-//  6. copy marks     copies the marks of volumes from the faces of the maps
+// Main flow of assemble():
+//  1. splice             removes vertices inside edges: what faced them faces each other
+//  2. make_vertices      copies the vertices that stay
+//  3. make_edges         makes an edge of each pair of facing points
+//  4. link_uses          matches the rings of arcs at both ends of an edge, which are mirror
+//                        images: this links the corners of facets to cycles and gives the radial
+//                        order
+//  5. gather_facets      walks the cycles; in each plane holes and inner vertices find the facet
+//                        around them (facet_site.h)
+//  6. label_volumes      finds the volumes (volumes.h)
+//  7. copy_volume_marks  copies the marks of volumes from the faces of the maps
 //
 // Every step is O(n), except the sweeps of planes with holes, O(n log n), and the rays of
 // label_volumes(). Proof: docs/design/boolean.md, steps 6 and 7 of "The algorithm".
@@ -69,10 +71,10 @@ struct SpaceDraft {
   SphereMap maps;  ///< All maps, one after the other, with running indices.
 
   // One entry for each vertex.
-  std::vector<SpacePoint> vertex_point;  ///< Its place.
-  std::vector<Mark> vertex_mark;         ///< Its mark.
-  std::vector<std::uint8_t> is_passed;   ///< 1 if it is a place inside an edge.
-  std::vector<Offsets> begin;            ///< Where its map begins.
+  IdVector<VertexId, SpacePoint> vertex_point;  ///< Its place.
+  IdVector<VertexId, Mark> vertex_mark;         ///< Its mark.
+  IdVector<VertexId, std::uint8_t> is_passed;   ///< 1 if it is a place inside an edge.
+  IdVector<VertexId, Offsets> begin;            ///< Where its map begins.
 
   std::vector<VertexId> vertex_of_point;  ///< The vertex of each point.
   std::vector<std::uint32_t> twin;        ///< The point at the other end of each point's edge.
@@ -82,6 +84,6 @@ struct SpaceDraft {
 /// Returns the complex of a draft. Requires that all points have twins and that the maps agree at
 /// both ends of every edge: a broken invariant stops the program. A draft without vertices gives
 /// one volume with mark 0. Throws what the context throws.
-SpaceComplex join(SpaceDraft draft, Context& context);
+SpaceComplex assemble(SpaceDraft draft, Context& context);
 
 }  // namespace plumb

@@ -40,8 +40,8 @@ constexpr const char* kMemoryName = "a Boolean of space";
 
 /// Returns the complex of a draft. A set without vertices is all of space or nothing: the draft's
 /// mark of the outside says which.
-SpaceComplex joined(CombinedDraft draft, Context& context) {
-  SpaceComplex result = join(std::move(draft.vertices), context);
+SpaceComplex assembled(CombinedDraft draft, Context& context) {
+  SpaceComplex result = assemble(std::move(draft.vertices), context);
   if (result.vertex_count() == 0) result.volume_mark[0] = draft.outside;
   return result;
 }
@@ -82,27 +82,28 @@ namespace {
 Context with_useful_threads(const SpaceComplex& a, const SpaceComplex& b, const Context& context) {
   constexpr std::size_t kLeastUses = 4000;
   const bool is_small = a.use_count() + b.use_count() < kLeastUses;
-  return Context(context, std::stop_token(), is_small ? 1U : context.threads(), true);
+  return Context(context, std::stop_token(), is_small ? 1U : context.threads(),
+                 JobProgress::Reported);
 }
 
-/// Returns an estimate of the bytes of the draft and of the joined complex: so many for each corner
-/// of a facet, and so many for all that a contact adds (two pairs of cells, a point of the tables,
-/// a vertex with its map).
+/// Returns an estimate of the bytes of the draft and of the assembled complex: so many for each
+/// corner of a facet, and so many for all that a contact adds (two pairs of cells, a point of the
+/// tables, a vertex with its map).
 std::uint64_t draft_bytes(std::size_t uses, std::size_t contacts) {
   constexpr std::uint64_t kBytesPerUse = 60, kBytesPerContact = 600;
   return kBytesPerUse * uses + kBytesPerContact * contacts;
 }
 
-/// Runs steps 2 to 6. The memory in use until the draft is joined is charged to `memory`.
+/// Runs steps 2 to 6. The memory in use until the draft is assembled is charged to `memory`.
 CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
                        const SpaceComplex& b, const MarkTable& f, const CommonOrigin& origin,
                        MemoryCharge& memory, Context& context) {
-  const std::vector<Contact> contacts = meet(a, b, *tables, context);
+  const std::vector<Contact> contacts = find_contacts(a, b, *tables, context);
   memory.add(draft_bytes(a.use_count() + b.use_count(), contacts.size()), kMemoryName);
   const std::array<const SpaceComplex*, 2> operands{&a, &b};
   // Both operands are labelled at once; neither changes the tables.
   std::array<std::optional<TouchedComplex>, 2> touched;
-  std::array<std::vector<VolumeId>, 2> labels;
+  std::array<IdVector<VertexId, VolumeId>, 2> labels;
   run_jobs(context, 2, [&](std::size_t i, Context& own) {
     touched[i].emplace(*operands[i], contacts, i);
     labels[i] = label_vertices(*touched[i], *operands[1 - i], contacts, i, *tables, own);
@@ -140,15 +141,15 @@ SpaceComplex boolean_op(SpaceComplex a, SpaceComplex b, MarkFunction f, Context&
   const std::shared_ptr<SpaceTables> tables = unite_tables(a, b);
   CombinedDraft draft = draft_of(tables, a, b, MarkTable(f), lesser_origin, memory, own);
   a = b = {};  // The peak of memory is yet to come: the draft and the result at once.
-  return joined(std::move(draft), own);
+  return assembled(std::move(draft), own);
 }
 
-SpaceComplex combine_on(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
-                        const SpaceComplex& b, const MarkTable& f, const CommonOrigin& origin,
-                        Context& context) {
+SpaceComplex boolean_op_on(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
+                           const SpaceComplex& b, const MarkTable& f, const CommonOrigin& origin,
+                           Context& context) {
   Context own = with_useful_threads(a, b, context);
   MemoryCharge memory(context);
-  return joined(draft_of(tables, a, b, f, origin, memory, own), own);
+  return assembled(draft_of(tables, a, b, f, origin, memory, own), own);
 }
 
 namespace {
@@ -193,9 +194,10 @@ SpaceComplex plane_operand(std::shared_ptr<const SpaceTables> tables, PlaneId pl
 /// Finds all contacts with the plane, and the volume (0 above, 1 below) of every vertex off it. An
 /// edge within the plane has its ends on it, and these are contacts. A facet of `a` shares a
 /// direction with the plane, so it is no contact.
-void meet_plane(const SpaceComplex& a, PlaneId plane, SpaceTables& tables,
-                std::vector<Contact>& contacts, std::vector<VolumeId>& labels) {
-  std::vector<Sign> sides(a.vertex_count());
+void find_contacts_with_plane(const SpaceComplex& a, PlaneId plane, SpaceTables& tables,
+                              std::vector<Contact>& contacts,
+                              IdVector<VertexId, VolumeId>& labels) {
+  IdVector<VertexId, Sign> sides(a.vertex_count());
   labels.resize(a.vertex_count());
   for (std::uint32_t v = 0; v < a.vertex_count(); ++v) {
     sides[v] = side(tables.points, a.vertex_point[v], plane);
@@ -206,7 +208,7 @@ void meet_plane(const SpaceComplex& a, PlaneId plane, SpaceTables& tables,
     }
   }
   for (std::uint32_t e = 0; e < a.edge_count(); ++e) {
-    const Sign from = sides[a.origin[2 * e].value()], to = sides[a.origin[2 * e + 1].value()];
+    const Sign from = sides[a.origin[2 * e]], to = sides[a.origin[2 * e + 1]];
     // The ends are strictly on both sides: the edge crosses the plane in one point.
     if (from * to != Sign::Negative) continue;
     const auto& [p, q] = a.edge_planes[e];
@@ -216,23 +218,24 @@ void meet_plane(const SpaceComplex& a, PlaneId plane, SpaceTables& tables,
 
 }  // namespace
 
-SpaceComplex combine_with_plane(SpaceComplex first, OrientedPlane plane, PlaneSet h, MarkFunction f,
-                                const std::shared_ptr<SpaceTables>& tables, Context& context) {
+SpaceComplex boolean_op_with_plane(SpaceComplex first, OrientedPlane plane, PlaneSet h,
+                                   MarkFunction f, const std::shared_ptr<SpaceTables>& tables,
+                                   Context& context) {
   MemoryCharge memory(context);
   memory.add(memory_bytes(first), kMemoryName);
   first.tables = tables;
   if (plane.is_opposite()) h = opposite(h);
   const SpaceComplex second = plane_operand(tables, plane.plane(), h);
   std::vector<Contact> contacts;
-  std::vector<VolumeId> labels;
-  meet_plane(first, plane.plane(), *tables, contacts, labels);
+  IdVector<VertexId, VolumeId> labels;
+  find_contacts_with_plane(first, plane.plane(), *tables, contacts, labels);
   memory.add(draft_bytes(first.use_count(), contacts.size()), kMemoryName);
   const TouchedComplex touched(first, contacts, 0);
   const CommonOrigin origin = lesser_origin;
   Combiner combiner({&first, &second}, tables, contacts, MarkTable(f), origin);
   combiner.overlay_contacts(context);
   combiner.keep_vertices(0, touched, labels, context);
-  return joined(combiner.finish(), context);
+  return assembled(combiner.finish(), context);
 }
 
 namespace {

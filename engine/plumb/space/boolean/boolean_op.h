@@ -2,7 +2,7 @@
 //
 // Main flow of boolean_op():
 //  1. unite tables    lets both operands refer to one table of planes and points
-//  2. meet            finds every contact: a place where a cell of one operand intersects a cell of
+//  2. find contacts   finds every contact: a place where a cell of one operand intersects a cell of
 //                     the other (find_contacts.h)
 //  3. locate          finds the volume of the other operand around every other vertex
 //                     (vertex_labels.h)
@@ -13,7 +13,7 @@
 //  6. pair            pairs half-edges that face each other: old twins where nothing touches them,
 //                     else those of one line in order along it; the pair of cells (of a, of b) in
 //                     which a half-edge runs names its line
-//  7. join            joins corners to facets and facets to volumes (assemble.h)
+//  7. assemble        links corners to facets, and facets to volumes (assemble.h)
 //
 // No plane is added and no two constructed points are compared for equality. Every step is proved
 // in docs/design/boolean.md, Lemmas 1 to 7.
@@ -54,9 +54,9 @@ using CommonOrigin = std::function<std::uint32_t(std::uint32_t of_a, std::uint32
 /// Returns the Boolean of operands that both refer to `tables`, to which new points are added. With
 /// MarkTable::walled() the first operand may have a frame while the second has none. Otherwise as
 /// boolean_op().
-SpaceComplex combine_on(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
-                        const SpaceComplex& b, const MarkTable& f, const CommonOrigin& origin,
-                        Context& context);
+SpaceComplex boolean_op_on(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
+                           const SpaceComplex& b, const MarkTable& f, const CommonOrigin& origin,
+                           Context& context);
 
 /// A half-space or a plane as the second operand. "Below" are the points with n.x + d < 0 for the
 /// oriented plane. For the two Beyond values, the plane and the points on that side have the mark
@@ -94,9 +94,9 @@ constexpr PlaneSet opposite(PlaneSet h) {
 
 /// Returns f(a, h) in minimal form. Requires that `tables` is the table of `a` or a copy of it, and
 /// holds the plane; and that `a` has a frame, or that f of the mark of volume 0 of `a` does not
-/// depend on h. O(n) for n cells of a, besides the join.
-SpaceComplex combine_with_plane(SpaceComplex a, OrientedPlane plane, PlaneSet h, MarkFunction f,
-                                const std::shared_ptr<SpaceTables>& tables, Context& context);
+/// depend on h. O(n) for n cells of a, besides the assembly.
+SpaceComplex boolean_op_with_plane(SpaceComplex a, OrientedPlane plane, PlaneSet h, MarkFunction f,
+                                   const std::shared_ptr<SpaceTables>& tables, Context& context);
 
 // Complexes that lie apart. Their union needs no contacts: the arrays are appended.
 

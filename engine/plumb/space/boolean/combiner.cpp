@@ -138,7 +138,7 @@ CombinedDraft Combiner::finish() {
 
 /// Returns what the marks 0, 1 and kBeyond of one operand become in a volume of the other.
 std::array<Mark, 3> Combiner::marks_in(std::size_t operand, VolumeId volume) const {
-  const Mark around = operands_[1 - operand]->volume_mark[volume.value()];
+  const Mark around = operands_[1 - operand]->volume_mark[volume];
   return {combined(operand, 0, around), combined(operand, 1, around), kBeyond};
 }
 
@@ -197,7 +197,7 @@ std::uint32_t Combiner::facet_origin(const SphereOrigins::Pair& cells) const {
     return cells[i].is_valid() && cells[i].kind() == SphereCell::Kind::Arc;
   };
   const auto origin_in = [&](std::size_t i) {
-    return operands_[i]->facet_origin[local_[i].facet[cells[i].index()].value()];
+    return operands_[i]->facet_origin[local_[i].facet[cells[i].index()]];
   };
   if (is_facet(0)) return is_facet(1) ? common_origin_(origin_in(0), origin_in(1)) : origin_in(0);
   PLUMB_CHECK(is_facet(1));
@@ -264,8 +264,8 @@ void Combiner::sort_along(std::span<LineEnd> line) {
   std::sort(line.begin(), line.end(), [&](const LineEnd& x, const LineEnd& y) {
     const VertexId v = draft_.vertex_of_point[x.point], w = draft_.vertex_of_point[y.point];
     if (v == w) return x.sign < y.sign;
-    return order_along_line(points_, planes[0], planes[1], draft_.vertex_point[v.value()],
-                            draft_.vertex_point[w.value()]) == Sign::Positive;
+    return order_along_line(points_, planes[0], planes[1], draft_.vertex_point[v],
+                            draft_.vertex_point[w]) == Sign::Positive;
   });
 }
 

@@ -26,7 +26,7 @@
 
 namespace plumb {
 
-/// The vertices of a result, before they are joined.
+/// The vertices of a result, before they are assembled.
 struct CombinedDraft {
   SpaceDraft vertices;  ///< The vertices with their sphere maps; points of maps are paired.
   Mark outside;         ///< The mark of all of space if no vertex is left.

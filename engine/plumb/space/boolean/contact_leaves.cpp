@@ -1,4 +1,4 @@
-// Location of points in large facets by slabs, and the leaves of the box trees of meet().
+// Location of points in large facets by slabs, and the leaves of the box trees of find_contacts().
 //
 // Slabs: between two neighbouring heights of vertices no edge of the facet begins or ends, so the
 // edges there have one order across, and a point is inside the facet if and only if an odd number
@@ -47,7 +47,7 @@ Sign PlacedPoint::compare(SpacePoint x, std::size_t axis) const {
 
 FacetSlabs::FacetSlabs(const SpaceComplex& complex, FacetId f, Context& context)
     : complex_(complex), facet_(f) {
-  const FlatView view = FlatView::of_plane(complex.planes(), complex.facet_plane[f.value()]);
+  const FlatView view = FlatView::of_plane(complex.planes(), complex.facet_plane[f]);
   across_ = view.coordinate(0);
   up_ = view.coordinate(1);
   make_columns(context);
@@ -56,7 +56,7 @@ FacetSlabs::FacetSlabs(const SpaceComplex& complex, FacetId f, Context& context)
     UseId u = first;
     do {
       add_use(u);
-      u = complex.use_next[u.value()];
+      u = complex.use_next[u];
     } while (u != first);
   }
   fill_lists(context);
@@ -73,14 +73,14 @@ void FacetSlabs::make_columns(Context& context) {
     UseId u = first;
     do {
       ascending_.push_back(complex_.use_origin(u));
-      u = complex_.use_next[u.value()];
+      u = complex_.use_next[u];
     } while (u != first);
   }
   std::sort(ascending_.begin(), ascending_.end());
   ascending_.erase(std::unique(ascending_.begin(), ascending_.end()), ascending_.end());
   const auto order = [this](VertexId v, VertexId w, std::size_t axis) {
-    return compare_axis(complex_.points(), complex_.vertex_point[v.value()],
-                        complex_.vertex_point[w.value()], axis);
+    return compare_axis(complex_.points(), complex_.vertex_point[v], complex_.vertex_point[w],
+                        axis);
   };
   vertex_ = ascending_;
   std::uint64_t compared = 0;
@@ -115,15 +115,15 @@ std::uint32_t FacetSlabs::column_of(std::uint32_t place) const {
 // what comes before it across. So the turn of the other plane about the use gives the side beyond
 // the edge, with the sign changed if the use runs down or along half-edge 2e + 1.
 void FacetSlabs::add_use(UseId u) {
-  const HalfedgeId h = complex_.use_halfedge[u.value()];
-  std::uint32_t from = place_of(complex_.origin[h.value()]), to = place_of(complex_.target(h));
+  const HalfedgeId h = complex_.use_halfedge[u];
+  std::uint32_t from = place_of(complex_.origin[h]), to = place_of(complex_.target(h));
   const EdgeId e = SpaceComplex::edge_of(h);
   if (column_of(from) == column_of(to)) {  // Edges hold no vertices, so these are neighbours.
     level_[std::min(from, to)] = e;
     return;
   }
   // The edge spans the slabs between the columns of its ends.
-  const OtherPlane other = other_plane(complex_, e, complex_.facet_plane[facet_.value()]);
+  const OtherPlane other = other_plane(complex_, e, complex_.facet_plane[facet_]);
   const bool runs_up = from < to;
   if (!runs_up) std::swap(from, to);
   const Sign right = SpaceComplex::is_reverse(h) == runs_up ? -other.turn : other.turn;
@@ -167,7 +167,7 @@ void FacetSlabs::fill_lists(Context& context) {
 /// Returns where a vertex of the facet lies from an edge: Positive if beyond it, across.
 Sign FacetSlabs::beyond(const Rise& e, VertexId v) const {
   if (v == e.low || v == e.high) return Sign::Zero;
-  return e.beyond * side(complex_.points(), complex_.vertex_point[v.value()], e.plane);
+  return e.beyond * side(complex_.points(), complex_.vertex_point[v], e.plane);
 }
 
 /// Whether e comes before f across. Requires two edges that span a common slab. The later one of
@@ -188,7 +188,7 @@ bool FacetSlabs::is_before(const Rise& e, const Rise& f) const {
 // just above it.
 SpaceItem FacetSlabs::site(const PlacedPoint& x) const {
   const auto below = [&](std::uint32_t place) {
-    return x.compare(complex_.vertex_point[vertex_[place].value()], up_);
+    return x.compare(complex_.vertex_point[vertex_[place]], up_);
   };
   const auto columns = std::span(column_begin_).first(column_begin_.size() - 1);
   const auto next = std::partition_point(columns.begin(), columns.end(), [&](std::uint32_t place) {
@@ -205,9 +205,7 @@ SpaceItem FacetSlabs::site(const PlacedPoint& x) const {
 
 /// Returns the vertex or level edge of a column on which the point lies, or an invalid item.
 SpaceItem FacetSlabs::on_column(std::size_t column, const PlacedPoint& x) const {
-  const auto before = [&](VertexId v) {
-    return x.compare(complex_.vertex_point[v.value()], across_);
-  };
+  const auto before = [&](VertexId v) { return x.compare(complex_.vertex_point[v], across_); };
   const auto begin = vertex_.begin() + column_begin_[column];
   const auto end = vertex_.begin() + column_begin_[column + 1];
   const auto at =
@@ -269,7 +267,7 @@ void FacetSites::make(FacetId f, Large& large, Context& own) const {
     UseId u = first;
     do {
       ++corners;
-      u = complex_.use_next[u.value()];
+      u = complex_.use_next[u];
     } while (u != first);
   }
   const auto levels = static_cast<std::uint64_t>(std::bit_width(corners));
@@ -290,13 +288,13 @@ SpaceItem FacetSites::site(FacetId f, PlaneId p, PlaneId q, Context& own) const 
   const FacetSlabs* slabs = large_.empty() ? nullptr : slabs_of(f, own);
   if (slabs == nullptr) return facet_site(complex_, f, p, q);
   Point3Table crossing(complex_.planes());
-  const SpacePoint x = crossing.add(p, q, complex_.facet_plane[f.value()]);
+  const SpacePoint x = crossing.add(p, q, complex_.facet_plane[f]);
   return slabs->site(PlacedPoint(complex_.points(), crossing, x));
 }
 
 // ---------------------------------------------------------------- leaves
 
-MeetLeaves::MeetLeaves(const SpaceComplex& complex, const Box3& reach)
+ContactLeaves::ContactLeaves(const SpaceComplex& complex, const Box3& reach)
     : complex_(complex), reach_(reach) {
   for (std::size_t f = 0; f < complex.facet_count(); ++f) add_facet(FacetId(f));
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
@@ -310,7 +308,7 @@ MeetLeaves::MeetLeaves(const SpaceComplex& complex, const Box3& reach)
 }
 
 // All of a facet lies within the box of its outer cycle.
-void MeetLeaves::add_facet(FacetId f) {
+void ContactLeaves::add_facet(FacetId f) {
   const std::span<const UseId> cycles = complex_.cycles_of(f);
   if (cycles.empty()) return;
   Box3 box;
@@ -319,7 +317,7 @@ void MeetLeaves::add_facet(FacetId f) {
   do {
     box.add(box_of(complex_, complex_.use_origin(u)));
     ++corners;
-    u = complex_.use_next[u.value()];
+    u = complex_.use_next[u];
   } while (u != cycles.front());
   if (!box.meets(reach_)) return;
   // Facets of few corners make one leaf; others one for the surface and some for their corners.
@@ -336,15 +334,15 @@ void MeetLeaves::add_facet(FacetId f) {
 
 /// Adds leaves for the corners of one cycle, eight at a time, and returns how many corners it has,
 /// whether they belong to these leaves or not.
-std::uint32_t MeetLeaves::add_corners(UseId first) {
+std::uint32_t ContactLeaves::add_corners(UseId first) {
   LeafItems items;
   std::uint32_t count = 0;
   UseId u = first;
   do {
-    MeetLeaf leaf{FacetId(), SpaceItem(), u, 0};
+    ContactLeaf leaf{FacetId(), SpaceItem(), u, 0};
     Box3 box = box_of(complex_, complex_.use_origin(u));
     do {
-      u = complex_.use_next[u.value()];
+      u = complex_.use_next[u];
       box.add(box_of(complex_, complex_.use_origin(u)));
       ++leaf.count;
     } while (u != first && leaf.count < LeafItems::kMostCorners);
@@ -355,7 +353,7 @@ std::uint32_t MeetLeaves::add_corners(UseId first) {
   return count;
 }
 
-void MeetLeaves::add(const MeetLeaf& leaf, const Box3& box) {
+void ContactLeaves::add(const ContactLeaf& leaf, const Box3& box) {
   if (!box.meets(reach_)) return;
   leaves_.push_back(leaf);
   boxes_.push_back(box);
@@ -367,9 +365,9 @@ namespace {
 
 /// Whether all facets around the edge of a use lie in one plane.
 bool is_flat(const SpaceComplex& complex, UseId u) {
-  const PlaneId plane = complex.facet_plane[complex.use_facet[u.value()].value()];
-  for (UseId v = complex.use_radial[u.value()]; v != u; v = complex.use_radial[v.value()]) {
-    if (complex.facet_plane[complex.use_facet[v.value()].value()] != plane) return false;
+  const PlaneId plane = complex.facet_plane[complex.use_facet[u]];
+  for (UseId v = complex.use_radial[u]; v != u; v = complex.use_radial[v]) {
+    if (complex.facet_plane[complex.use_facet[v]] != plane) return false;
   }
   return true;
 }
@@ -378,9 +376,9 @@ bool is_flat(const SpaceComplex& complex, UseId u) {
 /// has free edges only.
 UseId owner(const SpaceComplex& complex, VertexId v) {
   for (const HalfedgeId h : complex.star_of(v)) {
-    const UseId u = complex.edge_use[SpaceComplex::edge_of(h).value()];
+    const UseId u = complex.edge_use[SpaceComplex::edge_of(h)];
     if (!u.is_valid()) continue;
-    return complex.use_halfedge[u.value()] == h ? u : complex.use_next[u.value()];
+    return complex.use_halfedge[u] == h ? u : complex.use_next[u];
   }
   return UseId();
 }
@@ -388,19 +386,19 @@ UseId owner(const SpaceComplex& complex, VertexId v) {
 }  // namespace
 
 // Vertices come first, so that own_vertices() is a prefix of vertices().
-void LeafItems::fill(const SpaceComplex& complex, const MeetLeaf& leaf) {
+void LeafItems::fill(const SpaceComplex& complex, const ContactLeaf& leaf) {
   own_ = vertex_count_ = edge_count_ = 0;
   has_flat_edges_ = false;
   if (leaf.bare.is_valid()) return take_bare(complex, leaf.bare);
   UseId u = leaf.first;
-  for (std::uint32_t i = 0; i < leaf.count; ++i, u = complex.use_next[u.value()]) {
+  for (std::uint32_t i = 0; i < leaf.count; ++i, u = complex.use_next[u]) {
     const VertexId v = complex.use_origin(u);
     if (owner(complex, v) == u) take_vertex(v);
   }
   u = leaf.first;
-  for (std::uint32_t i = 0; i < leaf.count; ++i, u = complex.use_next[u.value()]) {
-    const EdgeId e = SpaceComplex::edge_of(complex.use_halfedge[u.value()]);
-    if (complex.edge_use[e.value()] == u) take_edge(complex, e, is_flat(complex, u));
+  for (std::uint32_t i = 0; i < leaf.count; ++i, u = complex.use_next[u]) {
+    const EdgeId e = SpaceComplex::edge_of(complex.use_halfedge[u]);
+    if (complex.edge_use[e] == u) take_edge(complex, e, is_flat(complex, u));
   }
 }
 

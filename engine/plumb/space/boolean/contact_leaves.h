@@ -148,8 +148,9 @@ class FacetSites {
   std::unique_ptr<Large[]> state_;  // One for each large facet.
 };
 
-// The leaves of the box trees of meet(). Every vertex and edge of a complex belongs to one leaf, so
-// that it is tested against a cell of the other complex once and not from every facet around it.
+// The leaves of the box trees of find_contacts(). Every vertex and edge of a complex belongs to one
+// leaf, so that it is tested against a cell of the other complex once and not from every facet
+// around it.
 //
 //   facet         one leaf: its surface, with those of its corners and edges that belong to it
 //   large facet   one leaf for the surface, and further ones for its corners, eight at a time,
@@ -172,7 +173,7 @@ struct LeafEdge {
 };
 
 /// A leaf of a box tree.
-struct MeetLeaf {
+struct ContactLeaf {
   FacetId facet;        ///< The facet whose surface belongs to it, or invalid.
   SpaceItem bare;       ///< A free edge or a vertex without edges, or invalid.
   UseId first;          ///< The use of the first corner that it covers.
@@ -186,7 +187,7 @@ class LeafItems {
   static constexpr std::size_t kMostVertices = 3 * kMostCorners;  ///< A bound of its vertices.
 
   /// Replaces the contents by those of a leaf. O(corners, and the degrees of their vertices).
-  void fill(const SpaceComplex& complex, const MeetLeaf& leaf);
+  void fill(const SpaceComplex& complex, const ContactLeaf& leaf);
 
   /// Returns the vertices that belong to the leaf, then the other ends of its edges.
   std::span<const VertexId> vertices() const { return std::span(vertices_).first(vertex_count_); }
@@ -212,26 +213,26 @@ class LeafItems {
 };
 
 /// The leaves of one complex with their boxes.
-class MeetLeaves {
+class ContactLeaves {
  public:
   /// Collects the leaves whose boxes meet the box `reach`. Keeps a reference to the complex.
-  MeetLeaves(const SpaceComplex& complex, const Box3& reach);
+  ContactLeaves(const SpaceComplex& complex, const Box3& reach);
 
   const SpaceComplex& complex() const { return complex_; }
   /// Returns the box of each leaf.
   std::span<const Box3> boxes() const { return boxes_; }
   /// Returns the facets of more than FacetSites::kFewCorners corners, ascending.
   std::span<const FacetId> large_facets() const { return large_facets_; }
-  const MeetLeaf& operator[](std::size_t i) const { return leaves_[i]; }
+  const ContactLeaf& operator[](std::size_t i) const { return leaves_[i]; }
 
  private:
   void add_facet(FacetId f);
   std::uint32_t add_corners(UseId first);
-  void add(const MeetLeaf& leaf, const Box3& box);
+  void add(const ContactLeaf& leaf, const Box3& box);
 
   const SpaceComplex& complex_;
   Box3 reach_;
-  std::vector<MeetLeaf> leaves_;
+  std::vector<ContactLeaf> leaves_;
   std::vector<Box3> boxes_;
   std::vector<FacetId> large_facets_;
 };
@@ -241,7 +242,7 @@ class MeetLeaves {
 class LeafCache {
  public:
   /// Starts empty. Keeps a reference to the leaves.
-  explicit LeafCache(const MeetLeaves& leaves) : leaves_(leaves) { known_.fill(kNone); }
+  explicit LeafCache(const ContactLeaves& leaves) : leaves_(leaves) { known_.fill(kNone); }
 
   /// Returns the items of a leaf, valid until the next call.
   const LeafItems& operator[](std::size_t leaf) {
@@ -257,7 +258,7 @@ class LeafCache {
   static constexpr std::size_t kPlaces = 64;
   static constexpr std::size_t kNone = ~std::size_t{0};
 
-  const MeetLeaves& leaves_;
+  const ContactLeaves& leaves_;
   std::array<std::size_t, kPlaces> known_;
   std::array<LeafItems, kPlaces> items_;
 };

@@ -43,7 +43,7 @@ class IncidentPlanes {
   IncidentPlanes(const SpaceComplex& complex, VertexId v) {
     for (const HalfedgeId h : complex.star_of(v)) {
       if (count_ == planes_.size()) return;
-      for (const PlaneId p : complex.edge_planes[SpaceComplex::edge_of(h).value()]) {
+      for (const PlaneId p : complex.edge_planes[SpaceComplex::edge_of(h)]) {
         planes_[count_++] = p;
       }
     }
@@ -59,7 +59,7 @@ class IncidentPlanes {
 /// exactly. Known planes are gathered only where the filter fails.
 Sign side_of(const SpaceComplex& complex, VertexId v, PlaneId plane) {
   const Point3Table& points = complex.points();
-  const SpacePoint x = complex.vertex_point[v.value()];
+  const SpacePoint x = complex.vertex_point[v];
   const FilteredSign s = rung::side_filter(points.box(x), points.planes().row(plane));
   if (is_decided(s)) return decide(Predicate::SideOfPlane, Rung::Filter, s);
   return rung::side_without_filter(points, x, plane, IncidentPlanes(complex, v).planes());
@@ -83,23 +83,23 @@ bool crosses_one_of(const SpaceComplex& complex, EdgeId e, std::span<const Plane
 /// the lines meet in a point, as an edge parallel to the other's line crosses no plane through it;
 /// and the point is inside both edges.
 bool edges_cross(const SpaceComplex& a, EdgeId e, const SpaceComplex& b, EdgeId f) {
-  const auto &p = a.edge_planes[e.value()], &q = b.edge_planes[f.value()];
+  const auto &p = a.edge_planes[e], &q = b.edge_planes[f];
   return crosses_one_of(b, f, p) && crosses_one_of(a, e, q) &&
          det4_sign(a.planes(), p[0], p[1], q[0], q[1]) == Sign::Zero;
 }
 
 /// Whether the vertex lies in the relative interior of an edge of another complex.
 bool is_on_edge(const SpaceComplex& of_vertex, VertexId v, const SpaceComplex& of_edge, EdgeId e) {
-  const std::array<PlaneId, 2>& planes = of_edge.edge_planes[e.value()];
+  const std::array<PlaneId, 2>& planes = of_edge.edge_planes[e];
   for (const PlaneId p : planes) {
     if (side_of(of_vertex, v, p) != Sign::Zero) return false;
   }
   const auto runs_to = [&](SpacePoint from, SpacePoint to) {
     return order_along_line(of_edge.points(), planes[0], planes[1], from, to) == Sign::Positive;
   };
-  const SpacePoint x = of_vertex.vertex_point[v.value()];
-  return runs_to(of_edge.vertex_point[end(of_edge, e, 0).value()], x) &&
-         runs_to(x, of_edge.vertex_point[end(of_edge, e, 1).value()]);
+  const SpacePoint x = of_vertex.vertex_point[v];
+  return runs_to(of_edge.vertex_point[end(of_edge, e, 0)], x) &&
+         runs_to(x, of_edge.vertex_point[end(of_edge, e, 1)]);
 }
 
 /// The corners of a facet that is a triangle of input points. Then no plane or constructed point is
@@ -109,8 +109,8 @@ class InputTriangle {
   InputTriangle(const SpaceComplex& complex, FacetId f) {
     if (complex.cycles_of(f).size() != 1 || !complex.inner_of(f).empty()) return;
     UseId u = complex.cycles_of(f).front();
-    for (std::size_t i = 0; i < 3; ++i, u = complex.use_next[u.value()]) {
-      const SpacePoint p = complex.vertex_point[complex.use_origin(u).value()];
+    for (std::size_t i = 0; i < 3; ++i, u = complex.use_next[u]) {
+      const SpacePoint p = complex.vertex_point[complex.use_origin(u)];
       if (!p.is_input()) return;
       uses_[i] = u;
       corners_[i] = &complex.planes().point(p.input());
@@ -133,7 +133,7 @@ class InputTriangle {
     };
     if (turn[0] != Sign::Zero && turn[0] == turn[1] && turn[1] == turn[2]) return f;
     for (std::size_t i = 0; i < 3; ++i) {
-      if (is_edge(i)) return SpaceComplex::edge_of(complex.use_halfedge[uses_[i].value()]);
+      if (is_edge(i)) return SpaceComplex::edge_of(complex.use_halfedge[uses_[i]]);
     }
     return {};
   }
@@ -149,8 +149,8 @@ class InputTriangle {
 /// edge.
 SpaceItem cut_of_edge(const SpaceComplex& of_edge, EdgeId e, const SpaceComplex& of_facet,
                       FacetId f, const FacetSites& sites, Context& context) {
-  const SpacePoint a = of_edge.vertex_point[end(of_edge, e, 0).value()];
-  const SpacePoint b = of_edge.vertex_point[end(of_edge, e, 1).value()];
+  const SpacePoint a = of_edge.vertex_point[end(of_edge, e, 0)];
+  const SpacePoint b = of_edge.vertex_point[end(of_edge, e, 1)];
   if (a.is_input() && b.is_input()) {
     const InputTriangle triangle(of_facet, f);
     const PlaneTable& planes = of_edge.planes();
@@ -158,16 +158,16 @@ SpaceItem cut_of_edge(const SpaceComplex& of_edge, EdgeId e, const SpaceComplex&
       return triangle.cut(of_facet, f, planes.point(a.input()), planes.point(b.input()));
     }
   }
-  const auto [p, q] = of_edge.edge_planes[e.value()];
+  const auto [p, q] = of_edge.edge_planes[e];
   return sites.site(f, p, q, context);
 }
 
 /// Collects the pairs of cells in contact, in any order and some more than once. There is one
 /// collector for each part of the pairs of leaves; parts may run at the same time.
-class Meeting {
+class ContactFinder {
  public:
-  Meeting(const MeetLeaves& a, const MeetLeaves& b, const std::array<FacetSites, 2>& sites,
-          Context& context)
+  ContactFinder(const ContactLeaves& a, const ContactLeaves& b,
+                const std::array<FacetSites, 2>& sites, Context& context)
       : a_(a),
         b_(b),
         items_of_a_(a),
@@ -196,14 +196,14 @@ class Meeting {
     return kForward ? a_.complex() : b_.complex();
   }
   template <bool kForward>
-  const MeetLeaves& others() const {
+  const ContactLeaves& others() const {
     return kForward ? b_ : a_;
   }
 
   /// Tests the vertices and edges of a leaf against the surface of leaf y of the other complex.
   /// Each vertex's side is computed once for all its edges in the leaf.
   template <bool kForward>
-  void items_in_facet(const MeetLeaf& leaf, const LeafItems& items, std::size_t y) {
+  void items_in_facet(const ContactLeaf& leaf, const LeafItems& items, std::size_t y) {
     const std::span<const VertexId> vertices = items.vertices();
     std::array<Sign, LeafItems::kMostVertices> sides;
     if (vertices.empty() || !find_sides<kForward>(vertices, y, sides)) return;
@@ -220,8 +220,8 @@ class Meeting {
   template <bool kForward>
   bool find_sides(std::span<const VertexId> vertices, std::size_t y,
                   std::array<Sign, LeafItems::kMostVertices>& sides) const {
-    const MeetLeaves& ys = others<kForward>();
-    const PlaneId plane = ys.complex().facet_plane[ys[y].facet.value()];
+    const ContactLeaves& ys = others<kForward>();
+    const PlaneId plane = ys.complex().facet_plane[ys[y].facet];
     bool has_both = false;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       sides[i] = side_of(tested_complex<kForward>(), vertices[i], plane);
@@ -234,11 +234,11 @@ class Meeting {
   /// vertices is added forward, and backward only if the tested vertex, of the second complex, has
   /// no facet: otherwise the pair is found forward from a facet around it.
   template <bool kForward>
-  void vertex_in_facet(const MeetLeaf& leaf, VertexId v, std::size_t y) {
+  void vertex_in_facet(const ContactLeaf& leaf, VertexId v, std::size_t y) {
     const SpaceComplex& complex = tested_complex<kForward>();
-    const MeetLeaves& ys = others<kForward>();
+    const ContactLeaves& ys = others<kForward>();
     if (!ys.boxes()[y].meets(box_of(complex, v))) return;
-    const SpacePoint point = complex.vertex_point[v.value()];
+    const SpacePoint point = complex.vertex_point[v];
     const SpaceItem site = sites_of<!kForward>().site(ys[y].facet, point, context_);
     if (!site.is_valid()) return;
     if (kForward || site.kind() != SpaceItem::Kind::Vertex || leaf.bare.is_valid()) {
@@ -252,7 +252,7 @@ class Meeting {
   /// the pair is found forward.
   template <bool kForward>
   void edge_in_facet(const LeafEdge& e, std::size_t y) {
-    const MeetLeaves& ys = others<kForward>();
+    const ContactLeaves& ys = others<kForward>();
     const SpaceItem site = cut_of_edge(tested_complex<kForward>(), e.edge, ys.complex(),
                                        ys[y].facet, sites_of<!kForward>(), context_);
     if (!site.is_valid() || site.kind() == SpaceItem::Kind::Vertex) return;
@@ -292,7 +292,7 @@ class Meeting {
     const SpaceComplex &a = a_.complex(), &b = b_.complex();
     for (const VertexId v : in_a.own_vertices()) {
       for (const VertexId w : in_b.own_vertices()) {
-        if (equal(a.points(), a.vertex_point[v.value()], b.vertex_point[w.value()])) {
+        if (equal(a.points(), a.vertex_point[v], b.vertex_point[w])) {
           add<true>(v, w);
         }
       }
@@ -312,14 +312,14 @@ class Meeting {
 
   /// Calls the checkpoint and charges the memory by which the list has grown.
   void report() {
-    context_.checkpoint("meet", 0, 1);
+    context_.checkpoint("contacts", 0, 1);
     const std::size_t bytes = keys_.capacity() * sizeof(keys_[0]);
     if (bytes > charged_) memory_.add(bytes - charged_, "contacts");
     charged_ = std::max(charged_, bytes);
   }
 
-  const MeetLeaves& a_;
-  const MeetLeaves& b_;
+  const ContactLeaves& a_;
+  const ContactLeaves& b_;
   LeafCache items_of_a_;
   LeafCache items_of_b_;
   const std::array<FacetSites, 2>& sites_;
@@ -335,7 +335,7 @@ class Meeting {
 /// be on one line.
 SpacePoint cut_point(SpaceTables& tables, const SpaceComplex& of_edge, EdgeId e,
                      const SpaceComplex& of_other, SpaceItem other) {
-  const auto [p, q] = of_edge.edge_planes[e.value()];
+  const auto [p, q] = of_edge.edge_planes[e];
   if (other.kind() == SpaceItem::Kind::Facet) {
     return tables.points.add(p, q, of_other.facet_plane[other.index()]);
   }
@@ -359,7 +359,7 @@ SpacePoint contact_point(SpaceTables& tables, const SpaceComplex& a, SpaceItem x
 namespace {
 
 /// Returns boxes around the leaves along the axes of another frame.
-std::vector<Box3> turned_boxes(const MeetLeaves& leaves, const BoxFrame& frame) {
+std::vector<Box3> turned_boxes(const ContactLeaves& leaves, const BoxFrame& frame) {
   std::vector<Box3> boxes;
   boxes.reserve(leaves.boxes().size());
   LeafItems items;
@@ -381,7 +381,7 @@ struct LeafTrees {
 };
 
 /// Builds both trees, each as a job of its own.
-LeafTrees make_trees(const MeetLeaves& xs, const MeetLeaves& ys, Context& context) {
+LeafTrees make_trees(const ContactLeaves& xs, const ContactLeaves& ys, Context& context) {
   LeafTrees trees;
   std::array<std::span<const Box3>, 2> boxes{xs.boxes(), ys.boxes()};
   std::array<std::vector<Box3>, 2> turned;
@@ -403,7 +403,7 @@ LeafTrees make_trees(const MeetLeaves& xs, const MeetLeaves& ys, Context& contex
 /// Tests all pairs of leaves whose boxes meet and returns the contacts found, sorted, each once.
 /// The pairs are divided into parts that run at the same time; sorting makes the result independent
 /// of that.
-std::vector<std::uint64_t> contact_keys(const MeetLeaves& xs, const MeetLeaves& ys,
+std::vector<std::uint64_t> contact_keys(const ContactLeaves& xs, const ContactLeaves& ys,
                                         Context& context) {
   constexpr std::size_t kPartsAThread = 16;
   const LeafTrees trees = make_trees(xs, ys, context);
@@ -415,13 +415,13 @@ std::vector<std::uint64_t> contact_keys(const MeetLeaves& xs, const MeetLeaves& 
                                         FacetSites(ys.complex(), ys.large_facets(), context)};
   std::vector<std::vector<std::uint64_t>> found(parts.size());
   run_jobs(context, parts.size(), [&](std::size_t i, Context& own) {
-    Meeting meeting(xs, ys, sites, own);
+    ContactFinder finder(xs, ys, sites, own);
     BoxTree::for_each_pair(trees.of[0], trees.of[1], parts[i],
                            [&](std::uint32_t x, std::uint32_t y) {
                              if (trees.is_turned && !xs.boxes()[x].meets(ys.boxes()[y])) return;
-                             meeting.test(x, y);
+                             finder.test(x, y);
                            });
-    found[i] = meeting.take_keys();
+    found[i] = finder.take_keys();
   });
   std::vector<std::uint64_t> keys;
   for (const auto& part : found) keys.insert(keys.end(), part.begin(), part.end());
@@ -432,13 +432,13 @@ std::vector<std::uint64_t> contact_keys(const MeetLeaves& xs, const MeetLeaves& 
 
 }  // namespace
 
-std::vector<Contact> meet(const SpaceComplex& a, const SpaceComplex& b, SpaceTables& tables,
-                          Context& context) {
+std::vector<Contact> find_contacts(const SpaceComplex& a, const SpaceComplex& b,
+                                   SpaceTables& tables, Context& context) {
   // Each complex is searched only within the box of the other one.
   constexpr std::size_t kBytesAnItem = 100;
   MemoryCharge memory(context);
   memory.add((a.edge_count() + b.edge_count()) * kBytesAnItem, "box trees");
-  std::array<std::optional<MeetLeaves>, 2> leaves;
+  std::array<std::optional<ContactLeaves>, 2> leaves;
   run_jobs(context, 2, [&](std::size_t i, Context& own) {
     own.checkpoint("box trees", i, 2);
     i == 0 ? leaves[0].emplace(a, box_of(b)) : leaves[1].emplace(b, box_of(a));

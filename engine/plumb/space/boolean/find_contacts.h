@@ -44,7 +44,7 @@ struct Contact {
 
 /// Returns all contacts, sorted by (a, b), each once. Requires that both complexes refer to
 /// `tables`, to which constructed points are added. Throws what the context throws.
-std::vector<Contact> meet(const SpaceComplex& a, const SpaceComplex& b, SpaceTables& tables,
-                          Context& context);
+std::vector<Contact> find_contacts(const SpaceComplex& a, const SpaceComplex& b,
+                                   SpaceTables& tables, Context& context);
 
 }  // namespace plumb

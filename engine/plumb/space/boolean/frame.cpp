@@ -1,8 +1,8 @@
 // Adding the cube, dropping it, and cutting a complex to a far box.
 //
 // Adding the cube adds 8 vertices whose maps are known; the vertices of the set go into the draft
-// with their own maps and twins, so no predicate is needed before the complex is joined. Dropping
-// it copies all vertices but those of the cube.
+// with their own maps and twins, so no predicate is needed before the complex is assembled.
+// Dropping it copies all vertices but those of the cube.
 //
 // Far planes are made as pencils of planes of the frame and planes through the origin, so that R
 // occurs in the column of offsets only and every sign stays linear in R (docs/design/frame.md,
@@ -33,17 +33,18 @@ namespace {
 template <class IsKept>
 void copy_vertices(const SpaceComplex& complex, IsKept is_kept, SpaceDraft& draft,
                    Context& context) {
-  std::vector<std::uint32_t> point_of(complex.origin.size(), kNone), origin_ids;
+  IdVector<HalfedgeId, std::uint32_t> point_of(complex.origin.size(), kNone);
+  std::vector<std::uint32_t> origin_ids;
   LocalMap local;
   for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
     if (v % 4096 == 0) context.checkpoint("frame", v, complex.vertex_count());
     if (!is_kept(VertexId(v))) continue;
     local_map(complex, VertexId(v), local);
     origin_ids.clear();
-    for (const FacetId f : local.facet) origin_ids.push_back(complex.facet_origin[f.value()]);
+    for (const FacetId f : local.facet) origin_ids.push_back(complex.facet_origin[f]);
     const auto offsets = draft.add(complex.vertex_point[v], local.map, false, origin_ids);
     for (std::uint32_t i = 0; i < local.halfedge.size(); ++i) {
-      point_of[local.halfedge[i].value()] = offsets.point + i;
+      point_of[local.halfedge[i]] = offsets.point + i;
     }
   }
   // Both ends of an edge were added, so that they can face each other.
@@ -121,11 +122,11 @@ bool has_frame(const SpaceComplex& complex) {
 }
 
 std::vector<std::uint8_t> unbounded_volumes(const SpaceComplex& complex) {
-  std::vector<std::uint8_t> is_far(complex.volume_count(), 0);
+  IdVector<VolumeId, std::uint8_t> is_far(complex.volume_count(), 0);
   if (!is_far.empty()) is_far[0] = 1;
   for (std::size_t f = 0; f < complex.facet_count(); ++f) {
     if (complex.facet_mark[f] != kBeyond) continue;
-    for (const VolumeId v : complex.facet_volume[f]) is_far[v.value()] = 1;
+    for (const VolumeId v : complex.facet_volume[f]) is_far[v] = 1;
   }
   return is_far;
 }
@@ -136,21 +137,19 @@ SpaceComplex with_frame(const SpaceComplex& complex, const std::shared_ptr<Space
   copy_vertices(
       complex, [](VertexId) { return true; }, draft, context);
   add_cube(draft, *tables, complex.volume_mark[0]);
-  return join(std::move(draft), context);
+  return assemble(std::move(draft), context);
 }
 
 namespace {
 
 /// Whether an edge or facet of the set ends on the frame.
 bool is_reached(const SpaceComplex& c) {
-  const auto is_beyond = [&c](std::size_t h) {
-    return c.vertex_mark[c.origin[h].value()] == kBeyond;
-  };
+  const auto is_beyond = [&c](std::size_t h) { return c.vertex_mark[c.origin[h]] == kBeyond; };
   for (std::size_t h = 0; h < c.origin.size(); ++h) {
     if (c.edge_mark[h / 2] != kBeyond && is_beyond(h)) return true;
   }
   for (std::size_t u = 0; u < c.use_count(); ++u) {
-    if (c.facet_mark[c.use_facet[u].value()] != kBeyond && is_beyond(c.use_halfedge[u].value())) {
+    if (c.facet_mark[c.use_facet[u]] != kBeyond && is_beyond(c.use_halfedge[u].value())) {
       return true;
     }
   }
@@ -161,7 +160,7 @@ bool is_reached(const SpaceComplex& c) {
 
 SpaceComplex without_idle_frame(SpaceComplex complex, Context& context) {
   if (!has_frame(complex)) return complex;
-  const auto is_kept = [&complex](VertexId v) { return complex.vertex_mark[v.value()] != kBeyond; };
+  const auto is_kept = [&complex](VertexId v) { return complex.vertex_mark[v] != kBeyond; };
   if (is_reached(complex)) return complex;
   // Without cells inside, the result has no vertices, and the mark of all of space is that of the
   // volume within the cube.
@@ -169,13 +168,13 @@ SpaceComplex without_idle_frame(SpaceComplex complex, Context& context) {
   for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
     for (const VolumeId v : complex.facet_volume[f]) {
       if (complex.facet_mark[f] == kBeyond && v != VolumeId(0)) {
-        inside = complex.volume_mark[v.value()];
+        inside = complex.volume_mark[v];
       }
     }
   }
   SpaceDraft draft(complex.tables);
   copy_vertices(complex, is_kept, draft, context);
-  SpaceComplex result = join(std::move(draft), context);
+  SpaceComplex result = assemble(std::move(draft), context);
   if (result.vertex_count() == 0) result.volume_mark[0] = inside;
   return result;
 }
@@ -211,13 +210,13 @@ bool holds_diagonal(const RationalMatrix& dual, const RationalRow& m) {
 }
 
 /// Whether a vertex lies on the frame.
-bool is_beyond(const SpaceComplex& c, VertexId v) { return c.vertex_mark[v.value()] == kBeyond; }
+bool is_beyond(const SpaceComplex& c, VertexId v) { return c.vertex_mark[v] == kBeyond; }
 
 /// Returns the planes of all facets that reach the frame, ascending, each once.
 std::vector<PlaneId> far_planes(const SpaceComplex& c) {
   std::vector<PlaneId> planes;
   for (std::uint32_t u = 0; u < c.use_count(); ++u) {
-    const std::size_t f = c.use_facet[u].value();
+    const FacetId f = c.use_facet[u];
     if (c.facet_mark[f] != kBeyond && is_beyond(c, c.use_origin(UseId(u)))) {
       planes.push_back(c.facet_plane[f]);
     }
@@ -343,7 +342,7 @@ SpaceComplex inside(SpaceComplex complex, const FarBox& box,
     const OrientedPlane plane = far_plane(tables->planes, n, offset);
     if (is_framed_by(complex, plane.plane())) continue;
     const PlaneSet outside = i % 2 == 0 ? PlaneSet::BeyondAbove : PlaneSet::BeyondBelow;
-    complex = combine_with_plane(std::move(complex), plane, outside, kFirst, tables, context);
+    complex = boolean_op_with_plane(std::move(complex), plane, outside, kFirst, tables, context);
   }
   return complex;
 }

@@ -4,10 +4,10 @@
 // free edge or isolated vertex is, then volumes stay and only edges between two facets of one plane
 // and vertices inside edges or facets are removed (docs/design/meshes.md, Lemma 4): facets are
 // united over flat edges, edges over passed vertices, and every list is made anew by walking around
-// what was removed. Otherwise every map is simplified and all is joined again. Both ways give the
-// same complex, up to numbering.
+// what was removed. Otherwise every map is simplified and all is assembled again. Both ways give
+// the same complex, up to numbering.
 //
-// Invariant of the walks: from an edge use that stays, the next one along the joined facet is found
+// Invariant of the walks: from an edge use that stays, the next one along the united facet is found
 // by turning around its end across flat edges; all corners of the result are found so, and a flat
 // half-edge that no corner crosses belongs to a facet that lies all around its vertex.
 //
@@ -88,13 +88,12 @@ SpaceComplex CoplanarMerge::run(Context& context) {
 // ---------------------------------------------------------------- what is removed
 
 bool CoplanarMerge::is_flat_edge(EdgeId e) const {
-  const UseId first = in_.edge_use[e.value()];
+  const UseId first = in_.edge_use[e];
   if (!first.is_valid()) return false;
-  const UseId second = in_.use_radial[first.value()];
-  if (second == first || in_.use_radial[second.value()] != first) return false;
-  const std::uint32_t f = in_.use_facet[first.value()].value();
-  const std::uint32_t g = in_.use_facet[second.value()].value();
-  const Mark own = in_.edge_mark[e.value()];
+  const UseId second = in_.use_radial[first];
+  if (second == first || in_.use_radial[second] != first) return false;
+  const FacetId f = in_.use_facet[first], g = in_.use_facet[second];
+  const Mark own = in_.edge_mark[e];
   return in_.facet_plane[f] == in_.facet_plane[g] && in_.facet_mark[f] == own &&
          in_.facet_mark[g] == own;
 }
@@ -105,7 +104,7 @@ bool CoplanarMerge::is_flat_edge(EdgeId e) const {
 // each other.
 CoplanarMerge::Fate CoplanarMerge::fate_of(VertexId v) {
   const std::span<const HalfedgeId> star = in_.star_of(v);
-  if (star.empty() || in_.vertex_facet[v.value()].is_valid()) return Fate::Kept;
+  if (star.empty() || in_.vertex_facet[v].is_valid()) return Fate::Kept;
   std::array<HalfedgeId, 2> left;
   std::size_t flat = 0, count = 0;
   for (const HalfedgeId h : star) {
@@ -117,8 +116,7 @@ CoplanarMerge::Fate CoplanarMerge::fate_of(VertexId v) {
   }
   if (flat > 0 && cross_from_left(v) < flat) {
     const FacetId around = facet_around(v);
-    if (count == 0 && in_.vertex_mark[v.value()] == in_.facet_mark[around.value()])
-      return Fate::Gone;
+    if (count == 0 && in_.vertex_mark[v] == in_.facet_mark[around]) return Fate::Gone;
     inside_.emplace_back(v, around);
     return Fate::Kept;
   }
@@ -134,14 +132,14 @@ std::size_t CoplanarMerge::cross_from_left(VertexId v) {
     if (is_flat(h) || !first.is_valid()) continue;
     UseId u = first;
     do {
-      if (in_.use_halfedge[u.value()] == h) {
+      if (in_.use_halfedge[u] == h) {
         // The corner of u extends counter-clockwise across flat edges up to an edge that is left.
-        for (UseId w = in_.use_prev[u.value()]; is_flat(w); w = prev_around(w)) {
-          is_crossed_[SpaceComplex::twin(in_.use_halfedge[w.value()]).value()] = 1;
+        for (UseId w = in_.use_prev[u]; is_flat(w); w = prev_around(w)) {
+          is_crossed_[SpaceComplex::twin(in_.use_halfedge[w])] = 1;
           ++crossed;
         }
       }
-      u = in_.use_radial[u.value()];
+      u = in_.use_radial[u];
     } while (u != first);
   }
   return crossed;
@@ -152,8 +150,8 @@ std::size_t CoplanarMerge::cross_from_left(VertexId v) {
 FacetId CoplanarMerge::facet_around(VertexId v) const {
   const std::span<const HalfedgeId> star = in_.star_of(v);
   const HalfedgeId h = *std::ranges::find_if(
-      star, [this](HalfedgeId g) { return is_flat(g) && is_crossed_[g.value()] == 0; });
-  return in_.use_facet[in_.edge_use[h.value() / 2].value()];
+      star, [this](HalfedgeId g) { return is_flat(g) && is_crossed_[g] == 0; });
+  return in_.use_facet[in_.edge_use[h.value() / 2]];
 }
 
 /// Whether two half-edges, the only ones left at v, and the facets of both continue each other
@@ -162,7 +160,7 @@ FacetId CoplanarMerge::facet_around(VertexId v) const {
 /// `other` alone would lie all around v, so h would run into it: so it is enough to look at the
 /// facets of h.
 bool CoplanarMerge::is_passed(VertexId v, HalfedgeId h, HalfedgeId other) const {
-  const Mark mark = in_.vertex_mark[v.value()];
+  const Mark mark = in_.vertex_mark[v];
   if (in_.edge_mark[h.value() / 2] != mark || in_.edge_mark[other.value() / 2] != mark)
     return false;
   PlaneId plane;
@@ -170,13 +168,13 @@ bool CoplanarMerge::is_passed(VertexId v, HalfedgeId h, HalfedgeId other) const 
   const UseId first = in_.edge_use[h.value() / 2];
   // Each facet of h must go on, past v, along `other`: forward if its use leaves v, else backward.
   for (UseId u = first; u.is_valid();) {
-    const bool leaves = in_.use_halfedge[u.value()] == h;
+    const bool leaves = in_.use_halfedge[u] == h;
     const UseId w = leaves ? prev_left(u) : next_left(u);
-    if (in_.use_halfedge[w.value()] != (leaves ? SpaceComplex::twin(other) : other)) return false;
-    const PlaneId own = in_.facet_plane[in_.use_facet[u.value()].value()];
+    if (in_.use_halfedge[w] != (leaves ? SpaceComplex::twin(other) : other)) return false;
+    const PlaneId own = in_.facet_plane[in_.use_facet[u]];
     has_two_planes |= plane.is_valid() && own != plane;
     plane = own;
-    u = in_.use_radial[u.value()];
+    u = in_.use_radial[u];
     if (u == first) break;
   }
   return has_two_planes ||
@@ -191,24 +189,22 @@ HalfedgeId CoplanarMerge::other_left(VertexId v, HalfedgeId h) const {
   return *std::ranges::find_if(star, [&](HalfedgeId g) { return g != h && !is_flat(g); });
 }
 
-/// Returns the next use along the joined facet: across flat edges, around their ends.
+/// Returns the next use along the united facet: across flat edges, around their ends.
 UseId CoplanarMerge::next_left(UseId u) const {
-  UseId w = in_.use_next[u.value()];
-  while (is_flat(w)) w = in_.use_next[in_.use_radial[w.value()].value()];
+  UseId w = in_.use_next[u];
+  while (is_flat(w)) w = in_.use_next[in_.use_radial[w]];
   return w;
 }
 
-/// Returns the previous use along the joined facet.
+/// Returns the previous use along the united facet.
 UseId CoplanarMerge::prev_left(UseId u) const {
-  UseId w = in_.use_prev[u.value()];
+  UseId w = in_.use_prev[u];
   while (is_flat(w)) w = prev_around(w);
   return w;
 }
 
 /// Returns the use that arrives where a flat one does, in the facet across it.
-UseId CoplanarMerge::prev_around(UseId flat) const {
-  return in_.use_prev[in_.use_radial[flat.value()].value()];
-}
+UseId CoplanarMerge::prev_around(UseId flat) const { return in_.use_prev[in_.use_radial[flat]]; }
 
 // ---------------------------------------------------------------- what is left
 
@@ -237,8 +233,8 @@ void CoplanarMerge::make_edges() {
     // The chain is followed from its first edge to both ends, as that may lie in its midst.
     const VertexId to = end_of_chain(HalfedgeId(2 * e), number);
     const VertexId from = end_of_chain(HalfedgeId(2 * e + 1), number);
-    out_.origin.push_back(vertex_number_[from.value()]);
-    out_.origin.push_back(vertex_number_[to.value()]);
+    out_.origin.push_back(vertex_number_[from]);
+    out_.origin.push_back(vertex_number_[to]);
   }
 }
 
@@ -248,7 +244,7 @@ VertexId CoplanarMerge::end_of_chain(HalfedgeId h, EdgeId number) {
   for (;;) {
     number_[h.value() / 2] = number;
     const VertexId v = in_.target(h);
-    if (fate_[v.value()] != Fate::Passed) return v;
+    if (fate_[v] != Fate::Passed) return v;
     h = other_left(v, SpaceComplex::twin(h));
   }
 }
@@ -273,14 +269,14 @@ void CoplanarMerge::make_uses() {
     if (!own.is_valid()) continue;
     // Uses of later edges of the same chain have no number of their own and are stepped over.
     UseId next = next_left(UseId(u));
-    while (!use_number_[next.value()].is_valid()) next = next_left(next);
-    out_.use_next[own.value()] = use_number_[next.value()];
-    out_.use_prev[use_number_[next.value()].value()] = own;
-    out_.use_radial[own.value()] = use_number_[in_.use_radial[u].value()];
+    while (!use_number_[next].is_valid()) next = next_left(next);
+    out_.use_next[own] = use_number_[next];
+    out_.use_prev[use_number_[next]] = own;
+    out_.use_radial[own] = use_number_[in_.use_radial[u]];
   }
   for (const EdgeId e : first_) {
-    const UseId use = in_.edge_use[e.value()];
-    out_.edge_use.push_back(use.is_valid() ? use_number_[use.value()] : UseId());
+    const UseId use = in_.edge_use[e];
+    out_.edge_use.push_back(use.is_valid() ? use_number_[use] : UseId());
   }
 }
 
@@ -291,8 +287,7 @@ void CoplanarMerge::make_facets() {
   for (std::uint32_t e = 0; e < in_.edge_count(); ++e) {
     if (!is_flat(EdgeId(e))) continue;
     const UseId u = in_.edge_use[e];
-    classes.unite(in_.use_facet[u.value()].value(),
-                  in_.use_facet[in_.use_radial[u.value()].value()].value());
+    classes.unite(in_.use_facet[u].value(), in_.use_facet[in_.use_radial[u]].value());
   }
   facet_number_.resize(in_.facet_count());
   for (std::uint32_t f = 0; f < in_.facet_count(); ++f) {
@@ -312,18 +307,18 @@ void CoplanarMerge::make_facets() {
   out_.cycle_begin.assign(out_.facet_count() + 1, 0);
   for (std::uint32_t u = 0; u < in_.use_count(); ++u) {
     const UseId first = use_number_[u];
-    if (!first.is_valid() || out_.use_facet[first.value()].is_valid()) continue;
-    const FacetId f = facet_number_[in_.use_facet[u].value()];
+    if (!first.is_valid() || out_.use_facet[first].is_valid()) continue;
+    const FacetId f = facet_number_[in_.use_facet[u]];
     first_uses.push_back(first);
     ++out_.cycle_begin[f.value() + 1];
-    for (UseId w = first; !out_.use_facet[w.value()].is_valid(); w = out_.use_next[w.value()]) {
-      out_.use_facet[w.value()] = f;
+    for (UseId w = first; !out_.use_facet[w].is_valid(); w = out_.use_next[w]) {
+      out_.use_facet[w] = f;
     }
   }
   std::partial_sum(out_.cycle_begin.begin(), out_.cycle_begin.end(), out_.cycle_begin.begin());
   out_.cycle.resize(first_uses.size());
-  std::vector<std::uint32_t> at(out_.cycle_begin.begin(), out_.cycle_begin.end() - 1);
-  for (const UseId u : first_uses) out_.cycle[at[out_.use_facet[u.value()].value()]++] = u;
+  IdVector<FacetId, std::uint32_t> at(out_.cycle_begin.begin(), out_.cycle_begin.end() - 1);
+  for (const UseId u : first_uses) out_.cycle[at[out_.use_facet[u]]++] = u;
   for (std::uint32_t f = 0; f < out_.facet_count(); ++f) {
     const auto begin = out_.cycle.begin() + out_.cycle_begin[f];
     const auto end = out_.cycle.begin() + out_.cycle_begin[f + 1];
@@ -340,10 +335,10 @@ void CoplanarMerge::make_facets() {
 void CoplanarMerge::name_facets() {
   out_.facet_origin.assign(out_.facet_count(), ~std::uint32_t{0});
   for (std::uint32_t u = 0; u < in_.use_count(); ++u) {
-    if (is_flat(UseId(u)) || fate_[in_.use_origin(UseId(u)).value()] != Fate::Kept) continue;
+    if (is_flat(UseId(u)) || fate_[in_.use_origin(UseId(u))] != Fate::Kept) continue;
     const FacetId piece = in_.use_facet[u];
-    std::uint32_t& name = out_.facet_origin[facet_number_[piece.value()].value()];
-    name = std::min(name, in_.facet_origin[piece.value()]);
+    std::uint32_t& name = out_.facet_origin[facet_number_[piece]];
+    name = std::min(name, in_.facet_origin[piece]);
   }
 }
 
@@ -352,9 +347,9 @@ void CoplanarMerge::make_stars() {
   for (const VertexId v : out_.origin) ++out_.star_begin[v.value() + 1];
   std::partial_sum(out_.star_begin.begin(), out_.star_begin.end(), out_.star_begin.begin());
   out_.star.resize(out_.origin.size());
-  std::vector<std::uint32_t> at(out_.star_begin.begin(), out_.star_begin.end() - 1);
+  IdVector<VertexId, std::uint32_t> at(out_.star_begin.begin(), out_.star_begin.end() - 1);
   for (std::uint32_t h = 0; h < out_.origin.size(); ++h) {
-    out_.star[at[out_.origin[h].value()]++] = HalfedgeId(h);
+    out_.star[at[out_.origin[h]]++] = HalfedgeId(h);
   }
 }
 
@@ -365,10 +360,10 @@ void CoplanarMerge::gather_inner() {
   for (std::uint32_t v = 0; v < in_.vertex_count(); ++v) {
     const FacetId f = in_.vertex_facet[v];
     if (!f.is_valid()) continue;
-    out_.vertex_facet[vertex_number_[v].value()] = facet_number_[f.value()];
+    out_.vertex_facet[vertex_number_[v]] = facet_number_[f];
   }
   for (const auto& [v, f] : inside_) {
-    out_.vertex_facet[vertex_number_[v.value()].value()] = facet_number_[f.value()];
+    out_.vertex_facet[vertex_number_[v]] = facet_number_[f];
   }
   std::vector<std::pair<FacetId, VertexId>> inner;
   for (std::uint32_t v = 0; v < out_.vertex_count(); ++v) {
@@ -385,7 +380,7 @@ void CoplanarMerge::gather_inner() {
 
 namespace {
 
-constexpr std::uint64_t kBytesPerUse = 110;  // The draft and the joined complex.
+constexpr std::uint64_t kBytesPerUse = 110;  // The draft and the assembled complex.
 
 /// Whether a facet, a free edge or an isolated vertex is superfluous, so that sphere maps are
 /// needed.
@@ -411,11 +406,11 @@ class MapChanges {
 
  private:
   /// Whether the volume has this mark.
-  bool has_mark(VolumeId v, Mark mark) const { return c_.volume_mark[v.value()] == mark; }
+  bool has_mark(VolumeId v, Mark mark) const { return c_.volume_mark[v] == mark; }
   /// Whether a vertex without edges has the mark of what is around it.
   bool goes_alone(std::uint32_t v) const {
     const FacetId f = c_.vertex_facet[v];
-    if (f.is_valid()) return c_.facet_mark[f.value()] == c_.vertex_mark[v];
+    if (f.is_valid()) return c_.facet_mark[f] == c_.vertex_mark[v];
     return has_mark(c_.vertex_volume[v], c_.vertex_mark[v]);
   }
 
@@ -437,7 +432,7 @@ SpaceComplex simplified_by_maps(const SpaceComplex& complex, Context& context) {
     carrier.add_simplified(VertexId(v), local);
   }
   carrier.face_ends();
-  SpaceComplex result = join(std::move(draft), context);
+  SpaceComplex result = assemble(std::move(draft), context);
   if (result.vertex_count() == 0) result.volume_mark[0] = complex.volume_mark[0];
   return result;
 }

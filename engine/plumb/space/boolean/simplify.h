@@ -2,8 +2,8 @@
 // what is around them are removed. CoplanarMerge does so in the arrays where no facet, free edge or
 // isolated vertex is removed; simplified() takes every case, by sphere maps where it has to.
 //
-// CoplanarMerge joins facets of one plane over the edges between them, and edges over places inside
-// them. Volumes stay what they are.
+// CoplanarMerge unites facets of one plane over the edges between them, and edges over places
+// inside them. Volumes stay what they are.
 //
 // Notation
 //   flat edge   lies between two facets of one plane, all three with one mark: it is removed, and
@@ -11,7 +11,7 @@
 //   fate        of a vertex: it is gone if nothing is left but one facet all around it, of its
 //               mark; passed if two edges are left that are one, with the facets of both; else it
 //               is kept, and may then lie inside a facet, with edges or without
-//   chain       edges joined over passed vertices; the first of them represents it, with its edge
+//   chain       edges united over passed vertices; the first of them represents it, with its edge
 //               uses
 //
 // Main flow of CoplanarMerge::run():
@@ -52,7 +52,7 @@ class CoplanarMerge {
   /// is superfluous. Requires is_needed().
   SpaceComplex run(Context& context);
 
-  /// Returns, after run(), the new numbers of facets, the same for those that were joined. They
+  /// Returns, after run(), the new numbers of facets, the same for those that were united. They
   /// ascend where each comes first.
   std::span<const FacetId> facet_numbers() const { return facet_number_; }
   /// Returns, after run(), the new numbers of vertices, invalid for those that were removed.
@@ -81,42 +81,42 @@ class CoplanarMerge {
   void make_stars();
   void gather_inner();
 
-  bool is_flat(EdgeId e) const { return !is_flat_.empty() && is_flat_[e.value()] != 0; }
+  bool is_flat(EdgeId e) const { return !is_flat_.empty() && is_flat_[e] != 0; }
   bool is_flat(HalfedgeId h) const { return is_flat(SpaceComplex::edge_of(h)); }
   bool is_flat(UseId u) const { return is_flat(edge(u)); }
-  EdgeId edge(UseId u) const { return SpaceComplex::edge_of(in_.use_halfedge[u.value()]); }
-  bool stands_for_chain(EdgeId e) const { return first_[number_[e.value()].value()] == e; }
+  EdgeId edge(UseId u) const { return SpaceComplex::edge_of(in_.use_halfedge[u]); }
+  bool stands_for_chain(EdgeId e) const { return first_[number_[e]] == e; }
 
   MemoryCharge memory_;
   const SpaceComplex& in_;
   SpaceComplex out_;
   bool is_needed_ = false;
-  std::vector<std::uint8_t> is_flat_;  // One entry for each edge; empty if none is flat.
+  IdVector<EdgeId, std::uint8_t> is_flat_;  // One entry for each edge; empty if none is flat.
   // Whether a corner between edges that are left holds each half-edge.
-  std::vector<std::uint8_t> is_crossed_;
-  std::vector<Fate> fate_;  // One entry for each vertex.
+  IdVector<HalfedgeId, std::uint8_t> is_crossed_;
+  IdVector<VertexId, Fate> fate_;  // One entry for each vertex.
   // Vertices that now lie inside a facet, each with one of the facet's parts.
   std::vector<std::pair<VertexId, FacetId>> inside_;
 
-  std::vector<VertexId> vertex_number_;
-  std::vector<EdgeId> number_;  // The chain of each edge that is not flat.
-  std::vector<EdgeId> first_;   // The first edge of each chain.
-  std::vector<UseId> use_number_;
+  IdVector<VertexId, VertexId> vertex_number_;
+  IdVector<EdgeId, EdgeId> number_;  // The chain of each edge that is not flat.
+  IdVector<EdgeId, EdgeId> first_;   // The first edge of each chain.
+  IdVector<UseId, UseId> use_number_;
   std::optional<UnionFind> classes_;  // Classes of facets over flat edges.
-  std::vector<FacetId> facet_number_;
+  IdVector<FacetId, FacetId> facet_number_;
 };
 
 // Minimal form of any complex.
 //
 // Main flow of simplified():
-//  1. look   passes over facets, edges and vertices to see which kinds of cells are removed
-//  2. merge  runs CoplanarMerge if these are at most edges between facets of one plane and places
-//            inside edges
-//  3. carry  else simplifies the map of every vertex and puts it into a draft (vertex_labels.h)
-//  4. join   joins the draft (assemble.h)
+//  1. look      passes over facets, edges and vertices to see which kinds of cells are removed
+//  2. merge     runs CoplanarMerge if these are at most edges between facets of one plane and
+//               places inside edges
+//  3. carry     else simplifies the map of every vertex and puts it into a draft (vertex_labels.h)
+//  4. assemble  makes a complex of the draft (assemble.h)
 
 /// Returns the same set in minimal form. A minimal complex is returned unchanged. O(n), besides the
-/// join.
+/// assembly.
 SpaceComplex simplified(SpaceComplex complex, Context& context);
 
 /// Returns the same by steps 3 and 4 alone, whatever is removed. Takes several times as long where

@@ -46,7 +46,7 @@ class Labels {
         context_(context),
         label_(own.complex.vertex_count()) {}
 
-  std::vector<VolumeId> run() {
+  IdVector<VertexId, VolumeId> run() {
     for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
       if (own_.is_touched(VertexId(v))) seed_around(VertexId(v));
     }
@@ -59,9 +59,7 @@ class Labels {
 
  private:
   /// Whether the vertex has no contact and no label yet.
-  bool needs_label(VertexId v) const {
-    return !own_.is_touched(v) && !label_[v.value()].is_valid();
-  }
+  bool needs_label(VertexId v) const { return !own_.is_touched(v) && !label_[v].is_valid(); }
 
   /// Returns the volume of the other operand into which a half-edge leaves a contact. It leaves
   /// into a face of the map: along an arc or a point it would run in a facet or an edge of the
@@ -78,27 +76,27 @@ class Labels {
     for (const HalfedgeId h : complex_.star_of(touched)) {
       const VertexId v = complex_.target(h);
       if (own_.is_touched(SpaceComplex::edge_of(h)) || !needs_label(v)) continue;
-      flood(v, volume_along(contacts_[own_.contact_of_vertex[touched.value()]], h));
+      flood(v, volume_along(contacts_[own_.contact_of_vertex[touched]], h));
     }
   }
 
   /// Gives the whole group of `start` a label.
   void flood(VertexId start, VolumeId volume) {
     collect(start);
-    for (const VertexId v : group_) label_[v.value()] = volume;
+    for (const VertexId v : group_) label_[v] = volume;
   }
 
   /// Collects in group_ all vertices without a label that edges without contacts join to `start`.
   void collect(VertexId start) {
     group_.assign(1, start);
     if (in_group_.empty()) in_group_.assign(complex_.vertex_count(), 0);
-    in_group_[start.value()] = 1;
+    in_group_[start] = 1;
     for (std::size_t i = 0; i < group_.size(); ++i) {
       for (const HalfedgeId h : complex_.star_of(group_[i])) {
         const VertexId v = complex_.target(h);
         if (own_.is_touched(SpaceComplex::edge_of(h)) || !needs_label(v)) continue;
-        if (in_group_[v.value()] != 0) continue;
-        in_group_[v.value()] = 1;
+        if (in_group_[v] != 0) continue;
+        in_group_[v] = 1;
         group_.push_back(v);
       }
     }
@@ -114,7 +112,7 @@ class Labels {
       if (volume.is_valid()) break;
     }
     if (!volume.is_valid()) volume = volume_by_ray(start);
-    for (const VertexId v : group_) label_[v.value()] = volume;
+    for (const VertexId v : group_) label_[v] = volume;
   }
 
   /// Returns the volume before the nearest contact on an edge that leaves v; invalid if no such
@@ -130,12 +128,11 @@ class Labels {
   /// Returns the first contact on the edge of h, seen from the origin of h.
   const Contact& nearest_contact(HalfedgeId h) const {
     const EdgeId e = SpaceComplex::edge_of(h);
-    const auto& planes = complex_.edge_planes[e.value()];
+    const auto& planes = complex_.edge_planes[e];
     // A contact is nearer than the best one if it comes before it in the direction of h.
     const Sign along = SpaceComplex::is_reverse(h) ? Sign::Negative : Sign::Positive;
-    std::uint32_t best = own_.edge_contacts[own_.edge_begin[e.value()]];
-    for (std::uint32_t i = own_.edge_begin[e.value()] + 1; i < own_.edge_begin[e.value() + 1];
-         ++i) {
+    std::uint32_t best = own_.edge_contacts[own_.edge_begin[e]];
+    for (std::uint32_t i = own_.edge_begin[e] + 1; i < own_.edge_begin[e.value() + 1]; ++i) {
       const std::uint32_t c = own_.edge_contacts[i];
       const Sign after = order_along_line(tables_.points, planes[0], planes[1],
                                           contacts_[best].point, contacts_[c].point);
@@ -148,7 +145,7 @@ class Labels {
   VolumeId volume_by_ray(VertexId v) {
     if (other_.vertex_count() == 0) return VolumeId(0);
     if (!locator_) locator_.emplace(other_);
-    const SpaceItem hit = locator_->shoot_left(complex_.vertex_point[v.value()]);
+    const SpaceItem hit = locator_->shoot_left(complex_.vertex_point[v]);
     if (!hit.is_valid()) return VolumeId(0);
     local_map(other_, hit, local_);
     const SphereCell cell = locate(tables_.planes, local_.map, {kPlaneY, kPlaneZ});
@@ -163,8 +160,8 @@ class Labels {
   std::size_t operand_;
   const SpaceTables& tables_;
   Context& context_;
-  std::vector<VolumeId> label_;
-  std::vector<std::uint8_t> in_group_;
+  IdVector<VertexId, VolumeId> label_;
+  IdVector<VertexId, std::uint8_t> in_group_;
   std::vector<VertexId> group_;
   LocalMap local_;
   std::optional<SpaceLocator> locator_;
@@ -185,40 +182,40 @@ TouchedComplex::TouchedComplex(const SpaceComplex& touched, std::span<const Cont
   // Contacts are sorted by edges in two passes: counts, then places.
   std::partial_sum(edge_begin.begin(), edge_begin.end(), edge_begin.begin());
   edge_contacts.resize(edge_begin.back());
-  std::vector<std::uint32_t> at(edge_begin.begin(), edge_begin.end() - 1);
+  IdVector<EdgeId, std::uint32_t> at(edge_begin.begin(), edge_begin.end() - 1);
   for (std::uint32_t i = 0; i < contacts.size(); ++i) {
     const SpaceItem item = item_of(contacts[i], operand);
     if (item.kind() == SpaceItem::Kind::Edge) edge_contacts[at[item.index()]++] = i;
   }
 }
 
-std::vector<VolumeId> label_vertices(const TouchedComplex& own, const SpaceComplex& other,
-                                     std::span<const Contact> contacts, std::size_t operand,
-                                     const SpaceTables& tables, Context& context) {
+IdVector<VertexId, VolumeId> label_vertices(const TouchedComplex& own, const SpaceComplex& other,
+                                            std::span<const Contact> contacts, std::size_t operand,
+                                            const SpaceTables& tables, Context& context) {
   return Labels(own, other, contacts, operand, tables, context).run();
 }
 
 // ---------------------------------------------------------------- carrying vertices
 
 void VertexCarrier::start(SpaceDraft& draft) {
-  for (const HalfedgeId h : carried_) point_of_[h.value()] = kNone;
+  for (const HalfedgeId h : carried_) point_of_[h] = kNone;
   carried_.clear();
   draft_ = &draft;
 }
 
 void VertexCarrier::face_ends() {
   for (const HalfedgeId h : carried_) {
-    draft_->twin[point_of_[h.value()]] = point_of_[SpaceComplex::twin(h).value()];
+    draft_->twin[point_of_[h]] = point_of_[SpaceComplex::twin(h)];
   }
 }
 
 void VertexCarrier::add(VertexId v, const LocalMap& local) {
   origin_ids_.clear();
-  for (const FacetId f : local.facet) origin_ids_.push_back(complex_.facet_origin[f.value()]);
-  const auto offsets = draft_->add(complex_.vertex_point[v.value()], local.map, false, origin_ids_);
+  for (const FacetId f : local.facet) origin_ids_.push_back(complex_.facet_origin[f]);
+  const auto offsets = draft_->add(complex_.vertex_point[v], local.map, false, origin_ids_);
   for (std::uint32_t i = 0; i < local.halfedge.size(); ++i) {
     carried_.push_back(local.halfedge[i]);
-    point_of_[local.halfedge[i].value()] = offsets.point + i;
+    point_of_[local.halfedge[i]] = offsets.point + i;
   }
 }
 
@@ -229,13 +226,13 @@ void VertexCarrier::add_simplified(VertexId v, LocalMap& local) {
   if (kind != PyramidKind::Vertex && kind != PyramidKind::Edge) return;
   origin_ids_.clear();
   for (const auto& cells : kept_.arc) {
-    origin_ids_.push_back(complex_.facet_origin[local.facet[cells[0].index()].value()]);
+    origin_ids_.push_back(complex_.facet_origin[local.facet[cells[0].index()]]);
   }
-  const auto offsets = draft_->add(complex_.vertex_point[v.value()], local.map,
-                                   kind == PyramidKind::Edge, origin_ids_);
+  const auto offsets =
+      draft_->add(complex_.vertex_point[v], local.map, kind == PyramidKind::Edge, origin_ids_);
   for (std::uint32_t i = 0; i < local.map.point_count(); ++i) {
     carried_.push_back(local.halfedge[kept_.point[i][0].index()]);
-    point_of_[carried_.back().value()] = offsets.point + i;
+    point_of_[carried_.back()] = offsets.point + i;
   }
 }
 
@@ -243,12 +240,12 @@ void VertexCarrier::add_simplified(VertexId v, LocalMap& local) {
 
 bool VertexCarrier::may_have_ring(VertexId v) const {
   const std::span<const HalfedgeId> star = complex_.star_of(v);
-  if (star.empty() || complex_.vertex_facet[v.value()].is_valid()) return false;
+  if (star.empty() || complex_.vertex_facet[v].is_valid()) return false;
   return std::ranges::all_of(star, [this](HalfedgeId h) {
     const UseId first = complex_.edge_use[h.value() / 2];
     if (!first.is_valid()) return false;
-    const UseId second = complex_.use_radial[first.value()];
-    return second != first && complex_.use_radial[second.value()] == first;
+    const UseId second = complex_.use_radial[first];
+    return second != first && complex_.use_radial[second] == first;
   });
 }
 
@@ -282,8 +279,8 @@ bool VertexCarrier::write_ring(const Remarked& remarked, std::uint32_t vertex,
   const auto& [v, becomes] = remarked;
   const std::span<const HalfedgeId> star = complex_.star_of(v);
   SpaceDraft& draft = *draft_;
-  draft.vertex_point[vertex] = complex_.vertex_point[v.value()];
-  draft.vertex_mark[vertex] = becomes[complex_.vertex_mark[v.value()]];
+  draft.vertex_point[vertex] = complex_.vertex_point[v];
+  draft.vertex_mark[vertex] = becomes[complex_.vertex_mark[v]];
   draft.begin[vertex] = at;
   std::uint32_t point = at.point, arc = at.arc;
   for (const HalfedgeId h : star) {
@@ -293,19 +290,19 @@ bool VertexCarrier::write_ring(const Remarked& remarked, std::uint32_t vertex,
     ++point;
     // A corner belongs to the use that leaves along its first edge.
     for (const UseId u : two_uses(h)) {
-      if (complex_.use_halfedge[u.value()] != h) continue;
-      const std::uint32_t f = complex_.use_facet[u.value()].value();
+      if (complex_.use_halfedge[u] != h) continue;
+      const FacetId f = complex_.use_facet[u];
       draft.maps.circle[arc] = complex_.facet_plane[f];
       draft.maps.arc_mark[arc] = becomes[complex_.facet_mark[f]];
       draft.arc_origin[arc] = complex_.facet_origin[f];
-      if (arc == at.arc) write_face_marks(FacetId(f), becomes, at.face);
-      arc_of_use_[u.value()] = arc++;
+      if (arc == at.arc) write_face_marks(f, becomes, at.face);
+      arc_of_use_[u] = arc++;
     }
   }
   if (!link_ring(star, at)) return false;
   for (std::uint32_t i = 0; i < star.size(); ++i) {
     carried_.push_back(star[i]);
-    point_of_[star[i].value()] = at.point + i;
+    point_of_[star[i]] = at.point + i;
   }
   return true;
 }
@@ -314,9 +311,9 @@ bool VertexCarrier::write_ring(const Remarked& remarked, std::uint32_t vertex,
 /// facet.
 void VertexCarrier::write_face_marks(FacetId of_first_arc, const std::array<Mark, 3>& becomes,
                                      std::uint32_t face) {
-  const auto& [positive, negative] = complex_.facet_volume[of_first_arc.value()];
-  draft_->maps.face_mark[face] = becomes[complex_.volume_mark[positive.value()]];
-  draft_->maps.face_mark[face + 1] = becomes[complex_.volume_mark[negative.value()]];
+  const auto& [positive, negative] = complex_.facet_volume[of_first_arc];
+  draft_->maps.face_mark[face] = becomes[complex_.volume_mark[positive]];
+  draft_->maps.face_mark[face + 1] = becomes[complex_.volume_mark[negative]];
 }
 
 /// Links half-arcs around the points of a vertex. With two arcs at every point, after the one that
@@ -352,14 +349,14 @@ bool VertexCarrier::link_ring(std::span<const HalfedgeId> star, const SpaceDraft
 /// Returns the two uses of an edge between two facets.
 std::array<UseId, 2> VertexCarrier::two_uses(HalfedgeId h) const {
   const UseId first = complex_.edge_use[h.value() / 2];
-  return {first, complex_.use_radial[first.value()]};
+  return {first, complex_.use_radial[first]};
 }
 
 /// Returns the half-arc that leaves point h in the facet of u: that of the corner which begins
 /// along h, or the reverse of that which ends there.
 std::uint32_t VertexCarrier::half_arc(UseId u, HalfedgeId h) const {
-  if (complex_.use_halfedge[u.value()] == h) return 2 * arc_of_use_[u.value()];
-  return 2 * arc_of_use_[complex_.use_next[u.value()].value()] + 1;
+  if (complex_.use_halfedge[u] == h) return 2 * arc_of_use_[u];
+  return 2 * arc_of_use_[complex_.use_next[u]] + 1;
 }
 
 }  // namespace plumb

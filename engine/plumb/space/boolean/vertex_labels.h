@@ -27,10 +27,11 @@ namespace plumb {
 
 /// One operand of a Boolean with the contacts of each of its vertices and edges.
 struct TouchedComplex {
-  const SpaceComplex& complex;                   ///< The operand.
-  std::vector<std::uint32_t> contact_of_vertex;  ///< The contact of each vertex, or kUntouched.
-  std::vector<std::uint32_t> edge_begin;         ///< Starts in edge_contacts, edge_count() + 1.
-  std::vector<std::uint32_t> edge_contacts;      ///< Contacts inside each edge, in no order.
+  const SpaceComplex& complex;  ///< The operand.
+  IdVector<VertexId, std::uint32_t>
+      contact_of_vertex;                       ///< The contact of each vertex, or kUntouched.
+  IdVector<EdgeId, std::uint32_t> edge_begin;  ///< Starts in edge_contacts, edge_count() + 1.
+  std::vector<std::uint32_t> edge_contacts;    ///< Contacts inside each edge, in no order.
 
   static constexpr std::uint32_t kUntouched = ~std::uint32_t{0};  ///< Names no contact.
 
@@ -39,16 +40,16 @@ struct TouchedComplex {
   TouchedComplex(const SpaceComplex& touched, std::span<const Contact> contacts,
                  std::size_t operand);
   /// Whether the vertex takes part in a contact.
-  bool is_touched(VertexId v) const { return contact_of_vertex[v.value()] != kUntouched; }
+  bool is_touched(VertexId v) const { return contact_of_vertex[v] != kUntouched; }
   /// Whether there is a contact inside the edge.
-  bool is_touched(EdgeId e) const { return edge_begin[e.value()] != edge_begin[e.value() + 1]; }
+  bool is_touched(EdgeId e) const { return edge_begin[e] != edge_begin[e.value() + 1]; }
 };
 
 /// Returns for each vertex of `own`, which is operand 0 or 1, the volume of `other` in which it
 /// lies; invalid for vertices with a contact. `tables` has the points of both.
-std::vector<VolumeId> label_vertices(const TouchedComplex& own, const SpaceComplex& other,
-                                     std::span<const Contact> contacts, std::size_t operand,
-                                     const SpaceTables& tables, Context& context);
+IdVector<VertexId, VolumeId> label_vertices(const TouchedComplex& own, const SpaceComplex& other,
+                                            std::span<const Contact> contacts, std::size_t operand,
+                                            const SpaceTables& tables, Context& context);
 
 // Vertices of a complex that go into a draft as they are, but for their marks.
 //
@@ -92,7 +93,7 @@ class VertexCarrier {
   void face_ends();
 
   /// Returns for each half-edge the point of the draft that it became, or kNone.
-  const std::vector<std::uint32_t>& point_of() const { return point_of_; }
+  const IdVector<HalfedgeId, std::uint32_t>& point_of() const { return point_of_; }
 
  private:
   bool write_ring(const Remarked& remarked, std::uint32_t vertex, const SpaceDraft::Offsets& at);
@@ -105,9 +106,9 @@ class VertexCarrier {
   const SpaceComplex& complex_;
   SpaceDraft* draft_;
   SphereOverlay& overlay_;
-  std::vector<std::uint32_t> point_of_;
-  std::vector<HalfedgeId> carried_;        // Half-edges with an entry there.
-  std::vector<std::uint32_t> arc_of_use_;  // The arcs of the corners of the vertex at hand.
+  IdVector<HalfedgeId, std::uint32_t> point_of_;
+  std::vector<HalfedgeId> carried_;            // Half-edges with an entry there.
+  IdVector<UseId, std::uint32_t> arc_of_use_;  // The arcs of the corners of the vertex at hand.
   std::vector<std::uint32_t> origin_ids_;
   SphereOrigins kept_;
 };

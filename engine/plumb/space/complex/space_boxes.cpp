@@ -69,7 +69,7 @@ Box3 box_of(const SpaceComplex& complex, FacetId f) {
   UseId u = first;
   do {
     box.add(box_of(complex, complex.use_origin(u)));
-    u = complex.use_next[u.value()];
+    u = complex.use_next[u];
   } while (u != first);
   return box;
 }
@@ -197,7 +197,7 @@ Box3 BoxFrame::box_of(const SpaceComplex& complex, FacetId f) const {
   UseId u = first;
   do {
     box.add(box_of(complex, complex.use_origin(u)));
-    u = complex.use_next[u.value()];
+    u = complex.use_next[u];
   } while (u != first);
   return box;
 }

@@ -25,7 +25,7 @@ inline Box3 box_of(const Point3Table& points, SpacePoint p) {
 
 /// Returns a box around a vertex.
 inline Box3 box_of(const SpaceComplex& complex, VertexId v) {
-  return box_of(complex.points(), complex.vertex_point[v.value()]);
+  return box_of(complex.points(), complex.vertex_point[v]);
 }
 /// Returns a box around an edge.
 Box3 box_of(const SpaceComplex& complex, EdgeId e);

@@ -226,9 +226,7 @@ class EdgePlanes {
   }
 
  private:
-  SpacePoint end(std::uint32_t halfedge) const {
-    return c_.vertex_point[c_.origin[halfedge].value()];
-  }
+  SpacePoint end(std::uint32_t halfedge) const { return c_.vertex_point[c_.origin[halfedge]]; }
 
   /// Returns the point straight above an input point, which is added once.
   InputPointId above(InputPointId p, std::size_t axis) {
@@ -469,13 +467,13 @@ void turn_edge(SpaceComplex& complex, std::uint32_t e) {
   for (const HalfedgeId g : {h, twin}) {
     const VertexId v = complex.origin[g.value()];
     const auto begin = complex.star.begin();
-    *std::find(begin + complex.star_begin[v.value()], begin + complex.star_begin[v.value() + 1],
-               g) = turned(g);
+    *std::find(begin + complex.star_begin[v], begin + complex.star_begin[v.value() + 1], g) =
+        turned(g);
   }
   std::swap(complex.origin[h.value()], complex.origin[twin.value()]);
   const UseId first = complex.edge_use[e];
-  for (const UseId u : {first, complex.use_radial[first.value()]}) {
-    complex.use_halfedge[u.value()] = turned(complex.use_halfedge[u.value()]);
+  for (const UseId u : {first, complex.use_radial[first]}) {
+    complex.use_halfedge[u] = turned(complex.use_halfedge[u]);
   }
 }
 

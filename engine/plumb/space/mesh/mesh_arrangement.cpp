@@ -122,12 +122,12 @@ class Colouring {
       const UseId first = complex_.cycles_of(FacetId(queue_[i]))[0];
       UseId u = first;
       do {
-        const std::uint32_t g = complex_.use_facet[complex_.use_radial[u.value()].value()].value();
+        const std::uint32_t g = complex_.use_facet[complex_.use_radial[u]].value();
         if (layers_.of_facet[g] == kNone && component_[g] == component_[start]) {
           put_near(g, layers_.of_facet[queue_[i]]);
           queue_.push_back(g);
         }
-        u = complex_.use_next[u.value()];
+        u = complex_.use_next[u];
       } while (u != first);
     }
   }
@@ -177,10 +177,10 @@ std::vector<std::uint32_t> gather_corners(const SpaceComplex& complex,
     UseId u = first;
     do {
       out.corner.push_back(complex.use_origin(u).value());
-      u = complex.use_next[u.value()];
+      u = complex.use_next[u];
     } while (u != first);
     out.begin.push_back(static_cast<std::uint32_t>(out.corner.size()));
-    out.plane.push_back(complex.facet_plane[f.value()]);
+    out.plane.push_back(complex.facet_plane[f]);
     out.origin.push_back(f.value());
   }
   std::vector<std::uint32_t> vertices = out.corner;
@@ -298,7 +298,7 @@ class Arranger {
     const SpaceComplex a = overlay(first, middle), b = overlay(middle, last);
     // The union of facets with mark 1 in volumes with mark 0; a facet in both layers gets the
     // number of both bundles.
-    return combine_on(
+    return boolean_op_on(
         tables_, a, b, MarkTable(kUnion),
         [this](std::uint32_t i, std::uint32_t j) { return bundles_.of_both(i, j); }, context_);
   }

@@ -170,7 +170,7 @@ class CrossingSearch {
       if (!is_triangle(FacetId(f))) mark_diagonals(FacetId(f));
     }
   }
-  TriangleCorner corner(VertexId v) const { return {v, complex_.vertex_point[v.value()]}; }
+  TriangleCorner corner(VertexId v) const { return {v, complex_.vertex_point[v]}; }
   /// Whether the facet, the last one gathered, gave one triangle.
   bool is_triangle(FacetId f) const {
     return !triangles_.empty() && (triangles_.size() == 1 || triangles_.rbegin()[1].facet != f);
@@ -182,9 +182,8 @@ class CrossingSearch {
     for (const UseId first : complex_.cycles_of(f)) {
       UseId u = first;
       do {
-        boundary_.emplace_back(complex_.use_origin(u),
-                               complex_.use_origin(complex_.use_next[u.value()]));
-        u = complex_.use_next[u.value()];
+        boundary_.emplace_back(complex_.use_origin(u), complex_.use_origin(complex_.use_next[u]));
+        u = complex_.use_next[u];
       } while (u != first);
     }
     std::sort(boundary_.begin(), boundary_.end());

@@ -33,190 +33,271 @@ double largest(const Vector3& v) {
   return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
 }
 
+// ---------------------------------------------------------------- 1. corners
+
 /// A face by its vertices, trimmed.
 struct Loop {
   std::span<const std::uint32_t> corners;
   std::uint32_t face;
 };
 
-/// Makes the facets of one mesh, in four steps.
-class Flattener {
+/// What is left of the faces after trimming.
+struct Loops {
+  std::vector<std::uint32_t> corner;       ///< The vertices of all loops.
+  std::vector<std::uint32_t> begin = {0};  ///< Where each loop starts in `corner`, and the end.
+  std::vector<std::uint32_t> face;         ///< The face of each loop.
+
+  std::size_t size() const { return face.size(); }
+  Loop at(std::size_t i) const {
+    return {std::span(corner).subspan(begin[i], begin[i + 1] - begin[i]), face[i]};
+  }
+  /// Makes a loop of the corners since the last one.
+  void close(std::uint32_t f) {
+    face.push_back(f);
+    begin.push_back(static_cast<std::uint32_t>(corner.size()));
+  }
+};
+
+/// Takes a face of three different corners, of which nothing is to be trimmed: nearly all faces.
+/// Returns false for any other face.
+bool take_triangle(std::span<const std::uint32_t> face, std::uint32_t f,
+                   const MeshVertices& vertices, Loops& loops) {
+  if (face.size() != 3) return false;
+  const IndexTriangle t{vertices.of_point[face[0]], vertices.of_point[face[1]],
+                        vertices.of_point[face[2]]};
+  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return false;
+  for (const std::uint32_t v : t) loops.corner.push_back(v);
+  loops.close(f);
+  return true;
+}
+
+/// Appends a corner to the loop that starts at `first`, unless it repeats the last one; removes a
+/// corner between two equal ones, an edge that is run forth and back.
+void push_corner(std::vector<std::uint32_t>& corner, std::size_t first, std::uint32_t v) {
+  const std::size_t size = corner.size() - first;
+  if (size >= 1 && corner.back() == v) return;
+  if (size >= 2 && corner[corner.size() - 2] == v) {
+    corner.pop_back();
+    return;
+  }
+  corner.push_back(v);
+}
+
+/// Trims in the same way where the end meets the beginning.
+void trim_ends(std::vector<std::uint32_t>& corner, std::size_t first) {
+  std::size_t begin = first, end = corner.size();
+  const auto is_spike = [&](std::size_t before, std::size_t after) {
+    return end - begin >= 3 && corner[before] == corner[after];
+  };
+  while (end - begin >= 2) {
+    if (corner[end - 1] == corner[begin] || is_spike(end - 2, begin)) {
+      --end;
+    } else if (is_spike(end - 1, begin + 1)) {
+      ++begin;
+    } else {
+      break;
+    }
+  }
+  corner.resize(end);
+  corner.erase(corner.begin() + static_cast<std::ptrdiff_t>(first),
+               corner.begin() + static_cast<std::ptrdiff_t>(begin));
+}
+
+/// Returns all faces, trimmed. A face with fewer than three corners left has no area; its edges
+/// cancel.
+Loops trimmed_loops(const MeshView& mesh, const MeshVertices& vertices, MeshReport& report) {
+  Loops loops;
+  loops.corner.reserve(mesh.corners.size());
+  loops.begin.reserve(mesh.face_count() + 1);
+  loops.face.reserve(mesh.face_count());
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    if (take_triangle(face, f, vertices, loops)) continue;
+    const std::size_t first = loops.corner.size();
+    for (const std::uint32_t p : face) push_corner(loops.corner, first, vertices.of_point[p]);
+    trim_ends(loops.corner, first);
+    const std::size_t size = loops.corner.size() - first;
+    if (size < face.size()) report.trimmed.push_back(f);
+    if (size < 3) {
+      loops.corner.resize(first);
+      report.degenerate.push_back(f);
+    } else {
+      loops.close(f);
+    }
+  }
+  return loops;
+}
+
+// ---------------------------------------------------------------- 2. planes
+
+using Corners = std::span<const std::uint32_t>;
+
+/// The point of each vertex of the mesh, in the tables.
+struct VertexPoints {
+  std::span<const SpacePoint> point;
+  const Point3Table& table;
+
+  SpacePoint operator[](std::uint32_t v) const { return point[v]; }
+  /// Returns the middle of the box of the point.
+  Vector3 middle(std::uint32_t v) const { return table.box(point[v]).mid; }
+};
+
+/// Returns the largest coordinate, or 1 if that is so small that its inverse overflows.
+double reach(const VertexPoints& points, Corners corners) {
+  double reach = 0;
+  for (const std::uint32_t v : corners) reach = std::max(reach, largest(points.middle(v)));
+  return reach > 0x1p-1000 ? reach : 1;
+}
+
+/// Returns three corners far apart: the first, the farthest from it, and the farthest from their
+/// line. The choice is a matter of speed only: any three that are not on a line would do.
+IndexTriangle widest_triple(const VertexPoints& points, Corners corners) {
+  const double scale = 1 / reach(points, corners);
+  const auto from_first = [&](std::uint32_t v) {
+    const auto p = points.middle(v);
+    const auto o = points.middle(corners[0]);
+    return Vector3{p[0] * scale - o[0] * scale, p[1] * scale - o[1] * scale,
+                   p[2] * scale - o[2] * scale};
+  };
+  std::uint32_t far = corners[1], wide = corners[2];
+  double best = 0;
+  for (const std::uint32_t v : corners) {
+    const double d = largest(from_first(v));
+    if (d > best) best = d, far = v;
+  }
+  best = 0;
+  for (const std::uint32_t v : corners) {
+    const double area = largest(cross(from_first(far), from_first(v)));
+    if (area > best) best = area, wide = v;
+  }
+  return {corners[0], far, wide};
+}
+
+/// Returns the plane of each loop by three of its corners; invalid if these lie on one line. Planes
+/// through input points are interned all at once.
+std::vector<OrientedPlane> planes_of(const Loops& loops, std::span<const SpacePoint> point,
+                                     SpaceTables& tables) {
+  std::vector<std::array<InputPointId, 3>> triples;
+  std::vector<std::uint32_t> loop_of_triple;
+  std::vector<OrientedPlane> plane(loops.size());
+  const VertexPoints points{point, tables.points};
+  for (std::uint32_t i = 0; i < loops.size(); ++i) {
+    const Corners corners = loops.at(i).corners;
+    // Triangles have no choice; polygons take three corners far apart.
+    const IndexTriangle t = corners.size() == 3 ? IndexTriangle{corners[0], corners[1], corners[2]}
+                                                : widest_triple(points, corners);
+    const SpacePoint a = point[t[0]], b = point[t[1]], c = point[t[2]];
+    if (a.is_input() && b.is_input() && c.is_input()) {
+      triples.push_back({a.input(), b.input(), c.input()});
+      loop_of_triple.push_back(i);
+    } else {
+      plane[i] = plane_through(tables, a, b, c);
+    }
+  }
+  std::vector<OrientedPlane> found(triples.size());
+  tables.planes.intern_triangles(triples, found);
+  for (std::size_t k = 0; k < found.size(); ++k) plane[loop_of_triple[k]] = found[k];
+  return plane;
+}
+
+// ---------------------------------------------------------------- views of polygons
+
+/// Computes Newell's normal in doubles, with a bound for the error of each coordinate: sums of n
+/// products of differences from the first corner, each off by less than 8 roundings of their
+/// largest square, and each sum by n more. Returns false if rounding is not the only loss.
+bool approximate_newell(const VertexPoints& points, Corners corners, Vector3& sum, double& bound) {
+  const std::size_t n = corners.size();
+  double reach = 0;
+  Vector3 before{};
+  for (std::size_t i = 1; i < n; ++i) {
+    if (!points[corners[0]].is_input() || !points[corners[i]].is_input()) return false;
+    const auto p = points.middle(corners[i]);
+    const auto o = points.middle(corners[0]);
+    const Vector3 d{p[0] - o[0], p[1] - o[1], p[2] - o[2]};
+    const Vector3 term = cross(before, d);
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += term[k];
+    reach = std::max(reach, largest(d));
+    before = d;
+  }
+  const double count = static_cast<double>(n);
+  bound = count * (count + 8) * 0x1p-51 * reach * reach;
+  return reach > 0x1p-400 && reach < 0x1p400;
+}
+
+std::array<Rational, 3> coordinates(const VertexPoints& points, std::uint32_t v) {
+  const RationalPoint3 p = exact(points.table, points[v]);
+  return {p.x, p.y, p.z};
+}
+
+/// Returns the view of newell_view(), computed with rationals.
+FlatView exact_newell_view(const VertexPoints& points, Corners corners) {
+  std::array<Rational, 3> sum;
+  std::array<Rational, 3> before = coordinates(points, corners.back());
+  for (const std::uint32_t v : corners) {
+    std::array<Rational, 3> p = coordinates(points, v);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      sum[k] += before[i] * p[j] - before[j] * p[i];
+    }
+    before = std::move(p);
+  }
+  std::size_t axis = 0;
+  for (std::size_t k = 1; k < 3; ++k) {
+    if (abs(sum[k]) > abs(sum[axis])) axis = k;
+  }
+  return {axis, sum[axis] < 0};
+}
+
+/// Returns the view along the axis in which the polygon has the largest area, from the side on
+/// which it runs counter-clockwise. Of equal areas the first axis is taken.
+FlatView newell_view(const VertexPoints& points, Corners corners) {
+  Vector3 sum{};
+  double bound = 0;
+  const bool is_sure = approximate_newell(points, corners, sum, bound);
+  std::array<double, 3> size{std::fabs(sum[0]), std::fabs(sum[1]), std::fabs(sum[2])};
+  std::sort(size.begin(), size.end());
+  // Both areas are off by less than `bound`, so a larger gap orders them surely.
+  if (!is_sure || !(size[2] - size[1] > 2 * bound)) return exact_newell_view(points, corners);
+  std::size_t axis = 0;
+  while (std::fabs(sum[axis]) != size[2]) ++axis;
+  return {axis, sum[axis] < 0};
+}
+
+// ---------------------------------------------------------------- 3. facets
+
+/// Adds the facets of one loop after the other. It is a class because all loops share the buffers
+/// of the polygon being looked at.
+class FacetMaker {
  public:
-  Flattener(const MeshView& mesh, const MeshVertices& vertices, SpaceTables& tables,
-            MeshReport& report, Context& context)
-      : mesh_(mesh),
-        vertices_(vertices),
-        tables_(tables),
+  FacetMaker(const Loops& loops, std::span<const SpacePoint> point, SpaceTables& tables,
+             MeshReport& report, Context& context)
+      : tables_(tables),
+        points_{point, tables.points},
         report_(report),
         context_(context),
-        flat_(tables.points) {}
-
-  MeshFacets run() {
-    gather_loops();
-    intern_planes();
-    reserve();
-    for (std::size_t i = 0; i < loop_count(); ++i) {
-      if (i % 4096 == 0) context_.checkpoint("planes of faces", i, loop_count());
-      const Loop loop = loop_at(i);
-      if (loop.corners.size() == 3) {
-        add_triangle(loop, plane_[i]);
-      } else {
-        add_polygon(loop, plane_[i]);
-      }
-    }
-    return std::move(facets_);
+        flat_(tables.points) {
+    facets_.begin.reserve(loops.size() + 1);
+    facets_.plane.reserve(loops.size());
+    facets_.jump.reserve(loops.size());
+    facets_.origin.reserve(loops.size());
+    facets_.corner.reserve(loops.corner.size());
   }
+
+  /// Adds the facet or facets of a loop. `plane` is that of planes_of().
+  void add(const Loop& loop, OrientedPlane plane) {
+    if (loop.corners.size() == 3) {
+      add_triangle(loop, plane);
+    } else {
+      add_polygon(loop, plane);
+    }
+  }
+  /// Gives the facets away.
+  MeshFacets take() { return std::move(facets_); }
 
  private:
-  // ---------------------------------------------------------------- 1. corners
-
-  /// Trims all faces. Those with fewer than three corners left have no area; their edges cancel.
-  void gather_loops() {
-    corner_.reserve(mesh_.corners.size());
-    begin_.reserve(mesh_.face_count() + 1);
-    face_.reserve(mesh_.face_count());
-    for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
-      if (take_triangle(f)) continue;
-      const std::size_t first = corner_.size();
-      for (const std::uint32_t p : mesh_.face(f)) push_corner(first, vertices_.of_point[p]);
-      trim_ends(first);
-      const std::size_t size = corner_.size() - first;
-      if (size < mesh_.face(f).size()) report_.trimmed.push_back(f);
-      if (size < 3) {
-        corner_.resize(first);
-        report_.degenerate.push_back(f);
-      } else {
-        face_.push_back(f);
-        begin_.push_back(static_cast<std::uint32_t>(corner_.size()));
-      }
-    }
-  }
-
-  /// Takes a face of three different corners, of which nothing is to be trimmed: nearly all faces.
-  /// Returns false for any other face.
-  bool take_triangle(std::uint32_t f) {
-    const auto face = mesh_.face(f);
-    if (face.size() != 3) return false;
-    const IndexTriangle t{vertices_.of_point[face[0]], vertices_.of_point[face[1]],
-                          vertices_.of_point[face[2]]};
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return false;
-    for (const std::uint32_t v : t) corner_.push_back(v);
-    face_.push_back(f);
-    begin_.push_back(static_cast<std::uint32_t>(corner_.size()));
-    return true;
-  }
-
-  /// Appends a corner, unless it repeats the last one; removes a corner between two equal ones, an
-  /// edge that is run forth and back.
-  void push_corner(std::size_t first, std::uint32_t v) {
-    const std::size_t size = corner_.size() - first;
-    if (size >= 1 && corner_.back() == v) return;
-    if (size >= 2 && corner_[corner_.size() - 2] == v) {
-      corner_.pop_back();
-      return;
-    }
-    corner_.push_back(v);
-  }
-
-  /// Trims in the same way where the end meets the beginning.
-  void trim_ends(std::size_t first) {
-    std::size_t begin = first, end = corner_.size();
-    const auto is_spike = [&](std::size_t before, std::size_t after) {
-      return end - begin >= 3 && corner_[before] == corner_[after];
-    };
-    while (end - begin >= 2) {
-      if (corner_[end - 1] == corner_[begin] || is_spike(end - 2, begin)) {
-        --end;
-      } else if (is_spike(end - 1, begin + 1)) {
-        ++begin;
-      } else {
-        break;
-      }
-    }
-    corner_.resize(end);
-    corner_.erase(corner_.begin() + static_cast<std::ptrdiff_t>(first),
-                  corner_.begin() + static_cast<std::ptrdiff_t>(begin));
-  }
-
-  std::size_t loop_count() const { return face_.size(); }
-  Loop loop_at(std::size_t i) const {
-    return {std::span(corner_).subspan(begin_[i], begin_[i + 1] - begin_[i]), face_[i]};
-  }
-
-  // ---------------------------------------------------------------- 2. planes
-
-  /// Finds the planes of all loops by three corners. Planes through input points are interned all
-  /// at once.
-  void intern_planes() {
-    using Triple = std::array<InputPointId, 3>;
-    std::vector<Triple> triples;
-    std::vector<std::uint32_t> loops;
-    plane_.resize(loop_count());
-    for (std::uint32_t i = 0; i < loop_count(); ++i) {
-      const Loop loop = loop_at(i);
-      // Triangles have no choice; polygons take three corners far apart.
-      const IndexTriangle t = loop.corners.size() == 3
-                                  ? IndexTriangle{loop.corners[0], loop.corners[1], loop.corners[2]}
-                                  : widest_triple(loop.corners);
-      const SpacePoint a = point(t[0]), b = point(t[1]), c = point(t[2]);
-      if (a.is_input() && b.is_input() && c.is_input()) {
-        triples.push_back({a.input(), b.input(), c.input()});
-        loops.push_back(i);
-      } else {
-        plane_[i] = plane_through(tables_, a, b, c);
-      }
-    }
-    std::vector<OrientedPlane> found(triples.size());
-    tables_.planes.intern_triangles(triples, found);
-    for (std::size_t k = 0; k < loops.size(); ++k) plane_[loops[k]] = found[k];
-  }
-
-  /// Returns three corners far apart: the first, the farthest from it, and the farthest from their
-  /// line. The choice is a matter of speed only: any three that are not on a line would do.
-  IndexTriangle widest_triple(std::span<const std::uint32_t> corners) const {
-    const double scale = 1 / reach(corners);
-    const auto from_first = [&](std::uint32_t v) {
-      const auto p = tables_.points.box(point(v)).mid;
-      const auto o = tables_.points.box(point(corners[0])).mid;
-      return Vector3{p[0] * scale - o[0] * scale, p[1] * scale - o[1] * scale,
-                     p[2] * scale - o[2] * scale};
-    };
-    std::uint32_t far = corners[1], wide = corners[2];
-    double best = 0;
-    for (const std::uint32_t v : corners) {
-      const double d = largest(from_first(v));
-      if (d > best) best = d, far = v;
-    }
-    best = 0;
-    for (const std::uint32_t v : corners) {
-      const double area = largest(cross(from_first(far), from_first(v)));
-      if (area > best) best = area, wide = v;
-    }
-    return {corners[0], far, wide};
-  }
-
-  /// Returns the largest coordinate, or 1 if that is so small that its inverse overflows.
-  double reach(std::span<const std::uint32_t> corners) const {
-    double reach = 0;
-    for (const std::uint32_t v : corners) {
-      reach = std::max(reach, largest(tables_.points.box(point(v)).mid));
-    }
-    return reach > 0x1p-1000 ? reach : 1;
-  }
-
-  // ---------------------------------------------------------------- 3. facets
-
-  void reserve() {
-    facets_.begin.reserve(loop_count() + 1);
-    facets_.plane.reserve(loop_count());
-    facets_.jump.reserve(loop_count());
-    facets_.origin.reserve(loop_count());
-    facets_.corner.reserve(corner_.size());
-  }
-
   /// Adds a facet whose corners run counter-clockwise seen from the positive side of `plane`. It is
   /// listed counter-clockwise seen from the canonical side, the least corner first.
-  void add_facet(std::span<const std::uint32_t> corners, OrientedPlane plane, std::uint32_t face) {
+  void add_facet(Corners corners, OrientedPlane plane, std::uint32_t face) {
     const std::size_t last = corners.size() - 1;
     auto i = static_cast<std::size_t>(std::ranges::min_element(corners) - corners.begin());
     for (std::size_t k = 0; k <= last; ++k) {
@@ -234,20 +315,19 @@ class Flattener {
   }
 
   /// Adds the edges of a face without area.
-  void add_loose(std::span<const std::uint32_t> corners) {
+  void add_loose(Corners corners) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       facets_.loose.push_back({corners[i], corners[(i + 1) % corners.size()]});
     }
   }
 
-  bool add_triangle(const Loop& loop, OrientedPlane plane) {
+  void add_triangle(const Loop& loop, OrientedPlane plane) {
     if (plane.is_valid()) {
       add_facet(loop.corners, plane, loop.face);
     } else {
       add_loose(loop.corners);
       report_.degenerate.push_back(loop.face);
     }
-    return plane.is_valid();
   }
 
   /// Adds a face of four corners or more, as one facet if it is planar and simple, else as
@@ -270,14 +350,14 @@ class Flattener {
       }
     } else {
       report_.not_planar.push_back(loop.face);
-      view(loop.corners, newell_view(loop.corners));
+      view(loop.corners, newell_view(points_, loop.corners));
       add_pieces(loop, shape_of(flat_, local_, context_));
     }
   }
 
   /// Returns a plane of three corners that follow each other; invalid if all corners lie on one
   /// line: if every three neighbours are collinear, all are, as neighbours differ.
-  OrientedPlane any_plane(std::span<const std::uint32_t> corners) const {
+  OrientedPlane any_plane(Corners corners) const {
     OrientedPlane plane;
     for (std::size_t i = 2; i < corners.size() && !plane.is_valid(); ++i) {
       plane =
@@ -286,18 +366,17 @@ class Flattener {
     return plane;
   }
 
-  bool is_planar(std::span<const std::uint32_t> corners, PlaneId plane) const {
+  bool is_planar(Corners corners, PlaneId plane) const {
     return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
       return side(tables_.points, point(v), plane) == Sign::Zero;
     });
   }
 
-  // ---------------------------------------------------------------- 4. polygons that become
-  // triangles
+  // ---------------------------------------------------------------- polygons as triangles
 
   /// Shows the polygon in a plane: flat_ has its vertices in ascending order, local_ the index
   /// there of each corner.
-  void view(std::span<const std::uint32_t> corners, FlatView view) {
+  void view(Corners corners, FlatView view) {
     shown_.assign(corners.begin(), corners.end());
     std::sort(shown_.begin(), shown_.end());
     shown_.erase(std::unique(shown_.begin(), shown_.end()), shown_.end());
@@ -351,85 +430,14 @@ class Flattener {
     }
   }
 
-  // ---------------------------------------------------------------- Newell's normal
+  SpacePoint point(std::uint32_t v) const { return points_[v]; }
 
-  /// Returns the view along the axis in which the polygon has the largest area, from the side on
-  /// which it runs counter-clockwise. Of equal areas the first axis is taken.
-  FlatView newell_view(std::span<const std::uint32_t> corners) const {
-    Vector3 sum{};
-    double bound = 0;
-    const bool is_sure = approximate_newell(corners, sum, bound);
-    std::array<double, 3> size{std::fabs(sum[0]), std::fabs(sum[1]), std::fabs(sum[2])};
-    std::sort(size.begin(), size.end());
-    // Both areas are off by less than `bound`, so a larger gap orders them surely.
-    if (!is_sure || !(size[2] - size[1] > 2 * bound)) return exact_newell_view(corners);
-    std::size_t axis = 0;
-    while (std::fabs(sum[axis]) != size[2]) ++axis;
-    return {axis, sum[axis] < 0};
-  }
-
-  /// Computes Newell's normal in doubles, with a bound for the error of each coordinate: sums of n
-  /// products of differences from the first corner, each off by less than 8 roundings of their
-  /// largest square, and each sum by n more. Returns false if rounding is not the only loss.
-  bool approximate_newell(std::span<const std::uint32_t> corners, Vector3& sum,
-                          double& bound) const {
-    const std::size_t n = corners.size();
-    double reach = 0;
-    Vector3 before{};
-    for (std::size_t i = 1; i < n; ++i) {
-      if (!point(corners[0]).is_input() || !point(corners[i]).is_input()) return false;
-      const auto p = tables_.points.box(point(corners[i])).mid;
-      const auto o = tables_.points.box(point(corners[0])).mid;
-      const Vector3 d{p[0] - o[0], p[1] - o[1], p[2] - o[2]};
-      const Vector3 term = cross(before, d);
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += term[k];
-      reach = std::max(reach, largest(d));
-      before = d;
-    }
-    const double count = static_cast<double>(n);
-    bound = count * (count + 8) * 0x1p-51 * reach * reach;
-    return reach > 0x1p-400 && reach < 0x1p400;
-  }
-
-  /// Returns the same view, computed with rationals.
-  FlatView exact_newell_view(std::span<const std::uint32_t> corners) const {
-    std::array<Rational, 3> sum;
-    std::array<Rational, 3> before = coordinates(corners.back());
-    for (const std::uint32_t v : corners) {
-      std::array<Rational, 3> p = coordinates(v);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-        sum[k] += before[i] * p[j] - before[j] * p[i];
-      }
-      before = std::move(p);
-    }
-    std::size_t axis = 0;
-    for (std::size_t k = 1; k < 3; ++k) {
-      if (abs(sum[k]) > abs(sum[axis])) axis = k;
-    }
-    return {axis, sum[axis] < 0};
-  }
-
-  std::array<Rational, 3> coordinates(std::uint32_t v) const {
-    const RationalPoint3 p = exact(tables_.points, point(v));
-    return {p.x, p.y, p.z};
-  }
-
-  SpacePoint point(std::uint32_t v) const { return vertices_.point[v]; }
-
-  const MeshView& mesh_;
-  const MeshVertices& vertices_;
   SpaceTables& tables_;
+  VertexPoints points_;
   MeshReport& report_;
   Context& context_;
   MeshFacets facets_;
-  // The loops: what is left of faces after trimming.
-  std::vector<std::uint32_t> corner_;
-  std::vector<std::uint32_t> begin_ = {0};
-  std::vector<std::uint32_t> face_;
-  std::vector<OrientedPlane> plane_;
-  // The polygon being looked at.
-  FlatPoints flat_;
+  FlatPoints flat_;                   // The points of the polygon being looked at.
   std::vector<std::uint32_t> shown_;  // The vertex of each point of flat_.
   std::vector<std::uint32_t> local_;  // The point of flat_ of each corner.
   std::vector<IndexTriangle> pieces_;
@@ -454,9 +462,15 @@ OrientedPlane plane_through(SpaceTables& tables, SpacePoint a, SpacePoint b, Spa
 
 MeshFacets flatten_mesh(const MeshView& mesh, const MeshVertices& vertices, SpaceTables& tables,
                         MeshReport& report, Context& context) {
-  MeshFacets facets = Flattener(mesh, vertices, tables, report, context).run();
+  const Loops loops = trimmed_loops(mesh, vertices, report);
+  const std::vector<OrientedPlane> planes = planes_of(loops, vertices.point, tables);
+  FacetMaker maker(loops, vertices.point, tables, report, context);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (i % 4096 == 0) context.checkpoint("planes of faces", i, loops.size());
+    maker.add(loops.at(i), planes[i]);
+  }
   std::sort(report.degenerate.begin(), report.degenerate.end());
-  return facets;
+  return maker.take();
 }
 
 }  // namespace plumb

@@ -230,89 +230,93 @@ std::vector<std::vector<std::uint32_t>> trace_borders(const MeshFacets& facets,
 
 namespace {
 
-/// Joins facets to components.
-class Joiner {
- public:
-  Joiner(const SpaceComplex& complex, std::span<const std::int32_t> jump)
-      : complex_(complex), jump_(jump), classes_(complex.facet_count()) {}
+/// The sum of the jumps at an edge, for the component of each of its facets.
+using JumpSums = std::vector<std::pair<std::uint32_t, std::int32_t>>;
 
-  // Plain edges, with one facet or two, join their facets at once. Then edges with more facets join
-  // the components that do not balance there by themselves; last, whatever still does not balance
-  // becomes one open component.
-  std::vector<std::uint32_t> run(std::size_t& count) {
-    std::vector<UseId> rest;  // Uses of edges that are not plain and balanced.
-    for (const UseId u : complex_.edge_use) {
-      const UseId v = complex_.use_radial[u.value()];
-      const bool is_plain = complex_.use_radial[v.value()] == u;  // One facet or two.
-      const std::uint32_t f = facet(u), g = facet(v);
-      if (is_plain) classes_.unite(f, g);
-      if (!is_plain || !is_balanced(u, f, v, g)) rest.push_back(u);
-    }
-    for (const UseId u : rest) {
-      if (!is_plain(u)) unite_unbalanced(u);
-    }
-    std::uint32_t open = kNone;
-    for (const UseId u : rest) open = unite_unbalanced(u, open);
-    return numbers(count);
+/// Whether one facet or two lie at the edge of a use.
+bool is_plain(const SpaceComplex& complex, UseId u) {
+  return complex.use_radial[complex.use_radial[u]] == u;
+}
+
+/// Whether the two facets at a plain edge balance: winding numbers rise to the same side. They do
+/// at most edges of most meshes.
+bool is_balanced(const SpaceComplex& complex, std::span<const std::int32_t> jump, UseId u,
+                 UseId v) {
+  const std::int32_t at_u = jump[complex.use_facet[u].value()],
+                     at_v = jump[complex.use_facet[v].value()];
+  const bool is_one_way = complex.use_halfedge[u] == complex.use_halfedge[v];
+  return v != u && (is_one_way ? at_u == -at_v : at_u == at_v);
+}
+
+/// Unites the facets at each plain edge. Returns a use of each edge that is not plain and balanced.
+std::vector<UseId> unite_at_plain_edges(const SpaceComplex& complex,
+                                        std::span<const std::int32_t> jump, UnionFind& classes) {
+  std::vector<UseId> rest;
+  for (const UseId u : complex.edge_use) {
+    const UseId v = complex.use_radial[u];
+    const bool is_plain = complex.use_radial[v] == u;
+    if (is_plain) classes.unite(complex.use_facet[u].value(), complex.use_facet[v].value());
+    if (!is_plain || !is_balanced(complex, jump, u, v)) rest.push_back(u);
   }
+  return rest;
+}
 
- private:
-  std::uint32_t facet(UseId u) const { return complex_.use_facet[u.value()].value(); }
-
-  /// Whether one facet or two lie at the edge of a use.
-  bool is_plain(UseId u) const {
-    return complex_.use_radial[complex_.use_radial[u.value()].value()] == u;
+/// Unites the components that run through an edge more often one way than the other, and with them
+/// `one`. Returns a facet of the united component, or `one` if all balance. `sums` is scratch.
+std::uint32_t unite_unbalanced(const SpaceComplex& complex, std::span<const std::int32_t> jump,
+                               UseId first, UnionFind& classes, JumpSums& sums,
+                               std::uint32_t one = kNone) {
+  sums.clear();
+  UseId u = first;
+  do {
+    const std::uint32_t f = complex.use_facet[u].value();
+    const std::uint32_t root = classes.root(f);
+    auto sum = std::ranges::find(sums, root, [](const auto& s) { return s.first; });
+    if (sum == sums.end()) sum = sums.insert(sum, {root, 0});
+    sum->second += SpaceComplex::is_reverse(complex.use_halfedge[u]) ? -jump[f] : jump[f];
+    u = complex.use_radial[u];
+  } while (u != first);
+  for (const auto& [root, sum] : sums) {
+    if (sum == 0) continue;
+    if (one == kNone) one = root;
+    classes.unite(one, root);
   }
+  return one;
+}
 
-  /// Whether the two facets f and g at a plain edge balance: winding numbers rise to the same side.
-  /// They do at most edges of most meshes.
-  bool is_balanced(UseId u, std::uint32_t f, UseId v, std::uint32_t g) const {
-    const bool is_one_way = complex_.use_halfedge[u.value()] == complex_.use_halfedge[v.value()];
-    return v != u && (is_one_way ? jump_[f] == -jump_[g] : jump_[f] == jump_[g]);
-  }
-
-  /// Unites the components that run through the edge more often one way than the other, and with
-  /// them `one`. Returns a facet of the united component, or `one` if all balance.
-  std::uint32_t unite_unbalanced(UseId first, std::uint32_t one = kNone) {
-    sums_.clear();
-    UseId u = first;
-    do {
-      const std::int32_t jump = jump_[facet(u)];
-      const bool is_reverse = SpaceComplex::is_reverse(complex_.use_halfedge[u.value()]);
-      sum_of(classes_.root(facet(u))) += is_reverse ? -jump : jump;
-      u = complex_.use_radial[u.value()];
-    } while (u != first);
-    for (const auto& [root, sum] : sums_) {
-      if (sum == 0) continue;
-      if (one == kNone) one = root;
-      classes_.unite(one, root);
-    }
-    return one;
-  }
-  std::int32_t& sum_of(std::uint32_t root) {
-    for (auto& [r, sum] : sums_) {
-      if (r == root) return sum;
-    }
-    return sums_.emplace_back(root, 0).second;
-  }
-
-  /// Returns the component of each facet, numbered by least facets.
-  std::vector<std::uint32_t> numbers(std::size_t& count) {
-    std::vector<std::uint32_t> number(classes_.size(), kNone);
-    count = 0;
-    for (std::uint32_t f = 0; f < classes_.size(); ++f) {
-      const std::uint32_t root = classes_.root(f);
-      if (number[root] == kNone) number[root] = static_cast<std::uint32_t>(count++);
-      number[f] = number[root];
-    }
-    return number;
-  }
-
-  const SpaceComplex& complex_;
-  std::span<const std::int32_t> jump_;
-  UnionFind classes_;
-  std::vector<std::pair<std::uint32_t, std::int32_t>> sums_;
+/// The number of the component of each facet, and how many components there are.
+struct NumberedComponents {
+  std::vector<std::uint32_t> of_facet;
+  std::size_t count = 0;
 };
+
+/// Numbers classes of facets by their least facets.
+NumberedComponents numbered(UnionFind& classes) {
+  NumberedComponents result{std::vector<std::uint32_t>(classes.size(), kNone), 0};
+  std::vector<std::uint32_t>& number = result.of_facet;
+  for (std::uint32_t f = 0; f < classes.size(); ++f) {
+    const std::uint32_t root = classes.root(f);
+    if (number[root] == kNone) number[root] = static_cast<std::uint32_t>(result.count++);
+    number[f] = number[root];
+  }
+  return result;
+}
+
+/// Returns the components of facets. Plain edges, with one facet or two, join their facets at once.
+/// Then edges with more facets join the components that do not balance there by themselves. Last,
+/// whatever still does not balance becomes one open component.
+NumberedComponents components_of_facets(const SpaceComplex& complex,
+                                        std::span<const std::int32_t> jump) {
+  UnionFind classes(complex.facet_count());
+  JumpSums sums;
+  const std::vector<UseId> rest = unite_at_plain_edges(complex, jump, classes);
+  for (const UseId u : rest) {
+    if (!is_plain(complex, u)) unite_unbalanced(complex, jump, u, classes, sums);
+  }
+  std::uint32_t open = kNone;
+  for (const UseId u : rest) open = unite_unbalanced(complex, jump, u, classes, sums, open);
+  return numbered(classes);
+}
 
 // ---------------------------------------------------------------- volumes
 
@@ -321,8 +325,8 @@ class Joiner {
 class VolumeSigns {
  public:
   VolumeSigns(const SpaceComplex& complex, std::span<const std::int32_t> jump,
-              const MeshComponents& components, std::size_t count)
-      : complex_(complex), jump_(jump), component_(components.of_facet), apex_(count) {}
+              const NumberedComponents& components)
+      : complex_(complex), jump_(jump), component_(components.of_facet), apex_(components.count) {}
 
   std::vector<Sign> run() {
     // First all components in doubles, then once more with rationals those of which the sign is not
@@ -355,7 +359,7 @@ class VolumeSigns {
   };
 
   UseId first_use(std::uint32_t f) const { return complex_.cycles_of(FacetId(f))[0]; }
-  UseId next(UseId u) const { return complex_.use_next[u.value()]; }
+  UseId next(UseId u) const { return complex_.use_next[u]; }
 
   /// Calls visit(a, b, c) for the triangles of a fan of the facet, counter-clockwise seen from the
   /// canonical side.
@@ -366,7 +370,7 @@ class VolumeSigns {
       visit(point(first), point(u), point(next(u)));
     }
   }
-  SpacePoint point(UseId u) const { return complex_.vertex_point[complex_.use_origin(u).value()]; }
+  SpacePoint point(UseId u) const { return complex_.vertex_point[complex_.use_origin(u)]; }
 
   /// Returns the apex of the cones of the facet's component: its first corner, near which
   /// differences are short.
@@ -444,11 +448,9 @@ class VolumeSigns {
 }  // namespace
 
 MeshComponents find_components(const SpaceComplex& complex, std::span<const std::int32_t> jump) {
-  MeshComponents components;
-  std::size_t count = 0;
-  components.of_facet = Joiner(complex, jump).run(count);
-  components.volume = VolumeSigns(complex, jump, components, count).run();
-  return components;
+  NumberedComponents components = components_of_facets(complex, jump);
+  std::vector<Sign> volume = VolumeSigns(complex, jump, components).run();
+  return {std::move(components.of_facet), std::move(volume)};
 }
 
 namespace {
@@ -512,33 +514,33 @@ class FanSearch {
   /// uses run with the facet to their left, seen from the positive side: two that run oppositely
   /// need the same side in view, two that run alike different sides.
   void look_at_edge(EdgeId e) {
-    const UseId u = complex_.edge_use[e.value()];
-    const UseId v = u.is_valid() ? complex_.use_radial[u.value()] : u;
+    const UseId u = complex_.edge_use[e];
+    const UseId v = u.is_valid() ? complex_.use_radial[u] : u;
     Axes good = 0;
-    if (v != u && complex_.use_radial[v.value()] == u) {
+    if (v != u && complex_.use_radial[v] == u) {
       const Sides &s = sides_of(u), &t = sides_of(v);
-      const bool is_opposite = complex_.use_halfedge[u.value()] != complex_.use_halfedge[v.value()];
+      const bool is_opposite = complex_.use_halfedge[u] != complex_.use_halfedge[v];
       good = is_opposite ? (s.positive & t.positive) | (s.negative & t.negative)
                          : (s.positive & t.negative) | (s.negative & t.positive);
     }
     can_be_[complex_.origin[2 * e.value()].value()] &= good;
     can_be_[complex_.origin[2 * e.value() + 1].value()] &= good;
   }
-  const Sides& sides_of(UseId u) const { return sides_[complex_.use_facet[u.value()].value()]; }
+  const Sides& sides_of(UseId u) const { return sides_[complex_.use_facet[u].value()]; }
 
   /// Counts the corners of a facet. A triangle of input points costs three comparisons of points.
   void count_turns(FacetId f) {
     const UseId first = complex_.cycles_of(f)[0];
     std::array<UseId, 3> uses{first};
-    for (std::size_t i = 1; i < 3; ++i) uses[i] = complex_.use_next[uses[i - 1].value()];
+    for (std::size_t i = 1; i < 3; ++i) uses[i] = complex_.use_next[uses[i - 1]];
     const bool is_triangle =
-        complex_.cycles_of(f).size() == 1 && complex_.use_next[uses[2].value()] == first;
+        complex_.cycles_of(f).size() == 1 && complex_.use_next[uses[2]] == first;
     if (!is_triangle) return count_turns_of_any(f);
     std::array<std::uint32_t, 3> corner;
     std::array<const Point3*, 3> at;
     for (std::size_t i = 0; i < 3; ++i) {
       const VertexId v = complex_.use_origin(uses[i]);
-      const SpacePoint p = complex_.vertex_point[v.value()];
+      const SpacePoint p = complex_.vertex_point[v];
       if (!p.is_input()) return count_turns_of_any(f);
       corner[i] = v.value();
       at[i] = &complex_.planes().point(p.input());
@@ -582,7 +584,7 @@ class FanSearch {
       UseId u = first;
       do {
         count_turn(f, u);
-        u = complex_.use_next[u.value()];
+        u = complex_.use_next[u];
       } while (u != first);
     }
   }
@@ -591,9 +593,8 @@ class FanSearch {
   /// is not below half a turn.
   void count_turn(FacetId f, UseId u) {
     const VertexId v = complex_.use_origin(u);
-    const HalfedgeId next = complex_.use_halfedge[u.value()];
-    const HalfedgeId before =
-        SpaceComplex::twin(complex_.use_halfedge[complex_.use_prev[u.value()].value()]);
+    const HalfedgeId next = complex_.use_halfedge[u];
+    const HalfedgeId before = SpaceComplex::twin(complex_.use_halfedge[complex_.use_prev[u]]);
     const Rises ahead = rises_along(v, complex_.target(next)),
                 behind = rises_along(v, complex_.target(before));
     can_be_[v.value()] &= ahead.known & behind.known;
@@ -604,8 +605,8 @@ class FanSearch {
     const Axes is_level = ~(begins_up ^ ends_up) & can_be_[v.value()];
     const bool is_reflex =
         is_level != 0 &&
-        side_in_plane(complex_, complex_.facet_plane[f.value()], next, complex_.points(),
-                      complex_.vertex_point[complex_.target(before).value()]) != Sign::Positive;
+        side_in_plane(complex_, complex_.facet_plane[f], next, complex_.points(),
+                      complex_.vertex_point[complex_.target(before)]) != Sign::Positive;
     count(v.value(), (~begins_up & ends_up) | (is_reflex ? is_level : 0));
   }
 
@@ -615,7 +616,7 @@ class FanSearch {
     Axes known = 0;
   };
   Rises rises_along(VertexId v, VertexId w) const {
-    const SpacePoint p = complex_.vertex_point[v.value()], q = complex_.vertex_point[w.value()];
+    const SpacePoint p = complex_.vertex_point[v], q = complex_.vertex_point[w];
     const PlaneTable& planes = complex_.planes();
     if (p.is_input() && q.is_input()) {
       return {rises_along(planes.point(p.input()), planes.point(q.input())), kAllAxes};

@@ -26,7 +26,7 @@
 namespace plumb {
 
 OtherPlane other_plane(const SpaceComplex& complex, EdgeId e, PlaneId plane) {
-  const auto [p, q] = complex.edge_planes[e.value()];
+  const auto [p, q] = complex.edge_planes[e];
   if (p == plane) return {q, Sign::Positive};
   if (q == plane) return {p, Sign::Negative};
   return {p, turn_about_line(complex.planes(), p, q, plane, p)};
@@ -69,11 +69,11 @@ Sign same_direction(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, P
 }
 
 Sign corner_sign(const SpaceComplex& complex, UseId u) {
-  const PlaneId plane = complex.facet_plane[complex.use_facet[u.value()].value()];
-  const UseId before = complex.use_prev[u.value()];
-  const HalfedgeId back = SpaceComplex::twin(complex.use_halfedge[before.value()]);
+  const PlaneId plane = complex.facet_plane[complex.use_facet[u]];
+  const UseId before = complex.use_prev[u];
+  const HalfedgeId back = SpaceComplex::twin(complex.use_halfedge[before]);
   // For directions s (n x m) and t (n x k) the sine of the turn has the sign of s t det3(n, m, k).
-  const DirectionInPlane d1 = direction_in_plane(complex, plane, complex.use_halfedge[u.value()]);
+  const DirectionInPlane d1 = direction_in_plane(complex, plane, complex.use_halfedge[u]);
   const DirectionInPlane d2 = direction_in_plane(complex, plane, back);
   return d1.sign * d2.sign * det3_sign(complex.planes(), plane, d1.m, d2.m);
 }
@@ -81,17 +81,17 @@ Sign corner_sign(const SpaceComplex& complex, UseId u) {
 bool is_outer(const SpaceComplex& complex, UseId cycle) {
   const Point3Table& points = complex.points();
   VertexId least = complex.use_origin(cycle);
-  for (UseId u = complex.use_next[cycle.value()]; u != cycle; u = complex.use_next[u.value()]) {
+  for (UseId u = complex.use_next[cycle]; u != cycle; u = complex.use_next[u]) {
     const VertexId v = complex.use_origin(u);
-    if (v != least && compare_xyz(points, complex.vertex_point[v.value()],
-                                  complex.vertex_point[least.value()]) == Sign::Negative) {
+    if (v != least && compare_xyz(points, complex.vertex_point[v], complex.vertex_point[least]) ==
+                          Sign::Negative) {
       least = v;
     }
   }
   UseId u = cycle;
   do {
     if (complex.use_origin(u) == least && corner_sign(complex, u) != Sign::Positive) return false;
-    u = complex.use_next[u.value()];
+    u = complex.use_next[u];
   } while (u != cycle);
   return true;
 }
@@ -186,7 +186,7 @@ class Nesting {
     UseId u = first;
     do {
       visit(u);
-      u = complex_.use_next[u.value()];
+      u = complex_.use_next[u];
     } while (u != first);
   }
   /// Returns the point of flat_ that shows a vertex.
@@ -211,15 +211,15 @@ class Nesting {
     std::sort(shown_.begin(), shown_.end());
     shown_.erase(std::unique(shown_.begin(), shown_.end()), shown_.end());
     flat_.reset(FlatView::of_plane(complex_.planes(), plane_));
-    for (const VertexId v : shown_) flat_.push_back(complex_.vertex_point[v.value()]);
+    for (const VertexId v : shown_) flat_.push_back(complex_.vertex_point[v]);
     for (std::uint32_t c = 0; c < cycles_.size(); ++c) {
-      for_uses(cycles_[c], [&](UseId u) { add_edge(complex_.use_halfedge[u.value()], c); });
+      for_uses(cycles_[c], [&](UseId u) { add_edge(complex_.use_halfedge[u], c); });
     }
   }
   /// Adds a directed edge with the side of its other plane that lies to its left.
   void add_edge(HalfedgeId h, std::uint32_t cycle) {
     const OtherPlane other = other_plane(complex_, SpaceComplex::edge_of(h), plane_);
-    edges_.push_back({index(complex_.origin[h.value()]), index(complex_.target(h))});
+    edges_.push_back({index(complex_.origin[h]), index(complex_.target(h))});
     left_side_.push_back({other.plane, SpaceComplex::is_reverse(h) ? other.turn : -other.turn});
     cycle_of_edge_.push_back(cycle);
   }

@@ -59,8 +59,8 @@ class PointPlace {
   PointPlace(const SpaceComplex& complex, FacetId f, SpacePoint x)
       : complex_(complex),
         point_(x),
-        axis_(steepest(complex.planes().row(complex.facet_plane[f.value()]))) {
-    turn_ = sign_of(complex.planes().row(complex.facet_plane[f.value()]).n[axis_]);
+        axis_(steepest(complex.planes().row(complex.facet_plane[f]))) {
+    turn_ = sign_of(complex.planes().row(complex.facet_plane[f]).n[axis_]);
   }
   /// Returns the side of a vertex on the first section.
   Sign above(VertexId v) const { return compare(v, (axis_ + 2) % 3); }
@@ -81,7 +81,7 @@ class PointPlace {
     return best;
   }
   Sign compare(VertexId v, std::size_t axis) const {
-    return compare_axis(complex_.points(), complex_.vertex_point[v.value()], point_, axis);
+    return compare_axis(complex_.points(), complex_.vertex_point[v], point_, axis);
   }
 
   const SpaceComplex& complex_;
@@ -96,7 +96,7 @@ class CrossingPlace {
  public:
   CrossingPlace(const SpaceComplex& complex, FacetId f, PlaneId p, PlaneId q)
       : complex_(complex),
-        planes_{p, q, complex.facet_plane[f.value()]},
+        planes_{p, q, complex.facet_plane[f]},
         det3_(det3_sign(complex.planes(), p, q, planes_[2])) {}
   /// Returns the side of a vertex on the first section, which is p.
   Sign above(VertexId v) const { return side_of(v, planes_[0]); }
@@ -111,7 +111,7 @@ class CrossingPlace {
 
  private:
   Sign side_of(VertexId v, PlaneId q) const {
-    return plumb::side(complex_.points(), complex_.vertex_point[v.value()], q);
+    return plumb::side(complex_.points(), complex_.vertex_point[v], q);
   }
 
   const SpaceComplex& complex_;
@@ -144,7 +144,7 @@ template <class Place>
 class SiteWalk {
  public:
   SiteWalk(const SpaceComplex& complex, FacetId f, const Place& x)
-      : complex_(complex), facet_(f), plane_(complex.facet_plane[f.value()]), place_(x) {}
+      : complex_(complex), facet_(f), plane_(complex.facet_plane[f]), place_(x) {}
 
   SpaceItem run() {
     for (const UseId first : complex_.cycles_of(facet_)) {
@@ -170,7 +170,7 @@ class SiteWalk {
     if (is_at(complex_.use_origin(first), from)) return from.vertex;
     UseId u = first;
     do {
-      const UseId next = complex_.use_next[u.value()];
+      const UseId next = complex_.use_next[u];
       if (is_at(complex_.use_origin(next), to)) return to.vertex;
       if (from.above == to.above) {
         if (from.above == Sign::Zero && from.beside != to.beside) return edge_of(u);
@@ -196,7 +196,7 @@ class SiteWalk {
     const bool runs_up = to.above == Sign::Positive;
     // It touches the ray's line from below.
     if (!runs_up && from.above != Sign::Positive) return false;
-    const HalfedgeId h = complex_.use_halfedge[u.value()];
+    const HalfedgeId h = complex_.use_halfedge[u];
     const OtherPlane other = other_plane(complex_, SpaceComplex::edge_of(h), plane_);
     Sign left = -(place_.side(other.plane) * other.turn);
     if (left == Sign::Zero) return true;
@@ -205,7 +205,7 @@ class SiteWalk {
     return false;
   }
 
-  EdgeId edge_of(UseId u) const { return SpaceComplex::edge_of(complex_.use_halfedge[u.value()]); }
+  EdgeId edge_of(UseId u) const { return SpaceComplex::edge_of(complex_.use_halfedge[u]); }
 
   const SpaceComplex& complex_;
   FacetId facet_;

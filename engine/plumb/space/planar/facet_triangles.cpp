@@ -143,7 +143,7 @@ void FacetTriangles::show(FacetId f) {
   const auto walk = [&](UseId first, const auto& visit) {
     UseId u = first;
     do {
-      const UseId next = complex_.use_next[u.value()];
+      const UseId next = complex_.use_next[u];
       visit(complex_.use_origin(u), complex_.use_origin(next));
       u = next;
     } while (u != first);
@@ -161,9 +161,9 @@ void FacetTriangles::show(FacetId f) {
   for (const UseId first : complex_.cycles_of(f)) {
     walk(first, [&](VertexId v, VertexId w) { edges_.push_back({index(v), index(w)}); });
   }
-  flat_.reset(FlatView::of_plane(complex_.planes(), complex_.facet_plane[f.value()]));
+  flat_.reset(FlatView::of_plane(complex_.planes(), complex_.facet_plane[f]));
   for (const VertexId v : shown_) {
-    const SpacePoint p = complex_.vertex_point[v.value()];
+    const SpacePoint p = complex_.vertex_point[v];
     if (nearest_.empty()) {
       flat_.push_back(p);
     } else {

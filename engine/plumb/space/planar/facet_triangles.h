@@ -61,8 +61,8 @@ class FacetTriangles {
   template <class Visit>
   void for_each(FacetId f, const Visit& visit) {
     const UseId a = complex_.cycles_of(f)[0];
-    const UseId b = complex_.use_next[a.value()], c = complex_.use_next[b.value()];
-    if (complex_.use_next[c.value()] == a && is_single_cycle(f)) {
+    const UseId b = complex_.use_next[a], c = complex_.use_next[b];
+    if (complex_.use_next[c] == a && is_single_cycle(f)) {
       visit(complex_.use_origin(a), complex_.use_origin(b), complex_.use_origin(c));
       return;
     }

@@ -370,7 +370,7 @@ class RegionCut final : RegionSweep {
     if (!alternates || is_inside != high.is_there()) return false;
     // Without edges that leave, the parts below and above become one.
     if (top == kNone) {
-      if (low.is_there()) join(v, below, low, high);
+      if (low.is_there()) close_parts(v, below, low, high);
       return true;
     }
     if (low.is_there()) {
@@ -386,8 +386,8 @@ class RegionCut final : RegionSweep {
     return true;
   }
 
-  /// Joins both sides at v, from which no edge leaves.
-  void join(std::uint32_t v, std::uint32_t below, ChainPart low, ChainPart high) {
+  /// Links both sides at v, from which no edge leaves.
+  void close_parts(std::uint32_t v, std::uint32_t below, ChainPart low, ChainPart high) {
     const std::uint32_t node = add_node(v);
     link(low.inner, node);
     link(node, high.inner);
@@ -484,17 +484,17 @@ class DelaunayFlips {
     const std::uint32_t ca = other_[before(s)], db = other_[before(t)];
     set(s, d, c, a);
     set(t, c, d, b);
-    join(after(s), ca);
-    join(before(s), ad);
-    join(after(t), db);
-    join(before(t), bc);
+    pair_sides(after(s), ca);
+    pair_sides(before(s), ad);
+    pair_sides(after(t), db);
+    pair_sides(before(t), bc);
   }
   void set(std::uint32_t s, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     origin(s) = i;
     origin(after(s)) = j;
     origin(before(s)) = k;
   }
-  void join(std::uint32_t s, std::uint32_t t) {
+  void pair_sides(std::uint32_t s, std::uint32_t t) {
     other_[s] = t;
     if (t != kNone) other_[t] = s;
   }

@@ -56,37 +56,37 @@ class ConvexityTest {
   /// of half-edge 2e and -1 of 2e + 1, gives the direction from the edge, d along 2e, in which a
   /// facet with normal n lies; and (n1 x d) x (n2 x d) = d det(n1, n2, d).
   bool is_convex_at(EdgeId e) const {
-    const UseId any = c_.edge_use[e.value()];
+    const UseId any = c_.edge_use[e];
     if (!any.is_valid()) return false;
-    const UseId other = c_.use_radial[any.value()];
-    if (other == any || c_.use_radial[other.value()] != any) return false;
+    const UseId other = c_.use_radial[any];
+    if (other == any || c_.use_radial[other] != any) return false;
     const UseId first = c_.volume_after(any) == body_ ? any : other;
     const UseId second = first == any ? other : any;
     const PlaneId n1 = plane_of(first), n2 = plane_of(second);
     if (n1 == n2) return true;
-    const auto& [p, q] = c_.edge_planes[e.value()];
+    const auto& [p, q] = c_.edge_planes[e];
     const Sign turn = same_direction(c_.planes(), p, q, n1, n2);
     return sense(first) * sense(second) * turn == Sign::Positive;
   }
 
-  PlaneId plane_of(UseId u) const { return c_.facet_plane[c_.use_facet[u.value()].value()]; }
+  PlaneId plane_of(UseId u) const { return c_.facet_plane[c_.use_facet[u]]; }
   Sign sense(UseId u) const {
-    return SpaceComplex::is_reverse(c_.use_halfedge[u.value()]) ? Sign::Negative : Sign::Positive;
+    return SpaceComplex::is_reverse(c_.use_halfedge[u]) ? Sign::Negative : Sign::Positive;
   }
 
   /// Whether a vertex lies inside a facet without edges, or its corners lead around through all
   /// half-edges. Requires edges of two uses.
   bool is_on_one_cone(VertexId v) const {
     const std::size_t degree = c_.star_of(v).size();
-    if (c_.vertex_facet[v.value()].is_valid()) return degree == 0;
+    if (c_.vertex_facet[v].is_valid()) return degree == 0;
     if (degree == 0) return false;
     const UseId first = c_.edge_use[c_.star_of(v)[0].value() / 2];
     std::size_t passed = 0;
     UseId u = first;
     do {
       const bool leaves = c_.use_origin(u) == v;
-      const UseId across = leaves ? c_.use_prev[u.value()] : c_.use_next[u.value()];
-      u = c_.use_radial[across.value()];
+      const UseId across = leaves ? c_.use_prev[u] : c_.use_next[u];
+      u = c_.use_radial[across];
       ++passed;
     } while (u != first);
     return passed == degree;
@@ -100,11 +100,10 @@ class ConvexityTest {
     for (std::size_t f = 0; f < c_.facet_count(); ++f) {
       if (c_.facet_mark[f] != kBeyond) facets.push_back(FacetId(f));
     }
-    std::sort(facets.begin(), facets.end(), [this](FacetId f, FacetId g) {
-      return c_.facet_plane[f.value()] < c_.facet_plane[g.value()];
-    });
+    std::sort(facets.begin(), facets.end(),
+              [this](FacetId f, FacetId g) { return c_.facet_plane[f] < c_.facet_plane[g]; });
     const auto is_other_plane = [this](FacetId f, FacetId g) {
-      return c_.facet_plane[f.value()] != c_.facet_plane[g.value()];
+      return c_.facet_plane[f] != c_.facet_plane[g];
     };
     for (auto first = facets.begin(); first != facets.end();) {
       auto last = std::adjacent_find(first, facets.end(), is_other_plane);
@@ -118,7 +117,7 @@ class ConvexityTest {
   /// Tests one plane with all its facets. With a marked facet, all marked edges and vertices must
   /// be on its boundary.
   bool is_plane_convex(std::span<const FacetId> facets) {
-    const auto is_marked = [this](FacetId f) { return c_.facet_mark[f.value()] == 1; };
+    const auto is_marked = [this](FacetId f) { return c_.facet_mark[f] == 1; };
     const auto f = std::find_if(facets.begin(), facets.end(), is_marked);
     gather(facets);
     if (f == facets.end()) return is_one_edge_or_vertex();
@@ -144,20 +143,20 @@ class ConvexityTest {
     UseId u = cycle;
     do {
       const EdgeId e = edge_of(u);
-      if (c_.edge_mark[e.value()] == 1) edges_.push_back(e);
+      if (c_.edge_mark[e] == 1) edges_.push_back(e);
       gather_vertex(c_.use_origin(u));
-      u = c_.use_next[u.value()];
+      u = c_.use_next[u];
     } while (u != cycle);
   }
   void gather_vertex(VertexId v) {
-    if (c_.vertex_mark[v.value()] == 1) vertices_.push_back(v);
+    if (c_.vertex_mark[v] == 1) vertices_.push_back(v);
   }
   template <class Id>
   static void make_unique(std::vector<Id>& ids) {
     std::sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   }
-  EdgeId edge_of(UseId u) const { return SpaceComplex::edge_of(c_.use_halfedge[u.value()]); }
+  EdgeId edge_of(UseId u) const { return SpaceComplex::edge_of(c_.use_halfedge[u]); }
 
   /// Whether what was gathered is one edge with any of its ends, one vertex, or nothing.
   bool is_one_edge_or_vertex() const {
@@ -182,7 +181,7 @@ class ConvexityTest {
       } else if (!is_straight(u)) {
         return false;
       }
-      u = c_.use_next[u.value()];
+      u = c_.use_next[u];
     } while (u != cycle);
     u = start;
     do {
@@ -193,12 +192,11 @@ class ConvexityTest {
 
   /// Whether a side ends at the corner: it is less than half a turn, or on the frame.
   bool is_side_end(UseId u) const {
-    return c_.vertex_mark[c_.use_origin(u).value()] == kBeyond ||
-           corner_sign(c_, u) == Sign::Positive;
+    return c_.vertex_mark[c_.use_origin(u)] == kBeyond || corner_sign(c_, u) == Sign::Positive;
   }
   /// Whether the corner is half a turn, and not the end of a slit.
   bool is_straight(UseId u) const {
-    const UseId before = c_.use_prev[u.value()];
+    const UseId before = c_.use_prev[u];
     return edge_of(before) != edge_of(u) && corner_sign(c_, u) == Sign::Zero;
   }
 
@@ -211,11 +209,11 @@ class ConvexityTest {
       if (mark == 1 && !was_marked) ++runs;
       was_marked = mark == 1;
     };
-    pass(c_.vertex_mark[c_.use_origin(u).value()]);
+    pass(c_.vertex_mark[c_.use_origin(u)]);
     do {
-      pass(c_.edge_mark[edge_of(u).value()]);
-      u = c_.use_next[u.value()];
-      pass(c_.vertex_mark[c_.use_origin(u).value()]);
+      pass(c_.edge_mark[edge_of(u)]);
+      u = c_.use_next[u];
+      pass(c_.vertex_mark[c_.use_origin(u)]);
     } while (!is_side_end(u));
     return runs <= 1;
   }
@@ -228,13 +226,13 @@ class ConvexityTest {
   bool is_convex_when_flat() const {
     const std::size_t facets = standard(c_.facet_mark);
     if (facets > 1) return false;
-    std::vector<std::uint8_t> is_seen(c_.vertex_count(), 0);
+    IdVector<VertexId, std::uint8_t> is_seen(c_.vertex_count(), 0);
     const std::size_t edges = standard(c_.edge_mark);
     if (facets == 0 && edges > 1) return false;
     for (std::size_t e = 0; e < c_.edge_count(); ++e) {
       if (c_.edge_mark[e] == kBeyond) continue;
       if (facets == 1 && !c_.edge_use[e].is_valid()) return false;
-      is_seen[c_.origin[2 * e].value()] = is_seen[c_.origin[2 * e + 1].value()] = 1;
+      is_seen[c_.origin[2 * e]] = is_seen[c_.origin[2 * e + 1]] = 1;
     }
     std::size_t lone = 0;
     for (std::size_t v = 0; v < c_.vertex_count(); ++v) {

@@ -155,7 +155,7 @@ SpaceRayHit SpaceRay::hit_of(SpaceItem item, PlaneId plane) const {
 /// Returns the one of the edge's planes that the line surely crosses more steeply, which gives the
 /// smaller error. One of them is crossed, as the line does not run along the edge.
 PlaneId SpaceRay::crossing_plane(EdgeId e) const {
-  const auto& [p, q] = complex_.edge_planes[e.value()];
+  const auto& [p, q] = complex_.edge_planes[e];
   const Ball at_p = rough_climb(p), at_q = rough_climb(q);
   const auto margin = [](const Ball& b) { return std::fabs(b.mid) - b.error; };
   if (margin(at_p) > 0 || margin(at_q) > 0) return margin(at_p) < margin(at_q) ? q : p;
@@ -252,40 +252,41 @@ SpaceRay::Passing SpaceRay::passing(const End& a, const End& b) const {
   return crosses && (t == Sign::Positive) == rises ? Passing::OnRight : Passing::Aside;
 }
 
-void SpaceRay::meet(VertexId v, std::vector<SpaceRayHit>& hits) const {
+void SpaceRay::add_hits(VertexId v, std::vector<SpaceRayHit>& hits) const {
   if (end(v).place.is_origin()) hits.push_back(hit_of(v, PlaneId()));
 }
 
 /// Adds an edge that the line meets inside. Returns whether the edge passes on the right.
-bool SpaceRay::meet_edge(EdgeId e, const End& a, const End& b,
-                         std::vector<SpaceRayHit>& hits) const {
+bool SpaceRay::add_hit_inside_edge(EdgeId e, const End& a, const End& b,
+                                   std::vector<SpaceRayHit>& hits) const {
   if (a.place.is_origin() || b.place.is_origin()) return false;
   const Passing how = passing(a, b);
   if (how == Passing::Through) hits.push_back(hit_of(e, crossing_plane(e)));
   return how == Passing::OnRight;
 }
 
-void SpaceRay::meet(EdgeId e, std::vector<SpaceRayHit>& hits) const {
+void SpaceRay::add_hits(EdgeId e, std::vector<SpaceRayHit>& hits) const {
   const HalfedgeId h(2 * std::size_t{e.value()});
-  const VertexId a = complex_.origin[h.value()], b = complex_.target(h);
-  meet(a, hits);
-  meet(b, hits);
-  meet_edge(e, end(a), end(b), hits);
+  const VertexId a = complex_.origin[h], b = complex_.target(h);
+  add_hits(a, hits);
+  add_hits(b, hits);
+  add_hit_inside_edge(e, end(a), end(b), hits);
 }
 
 /// Adds what the line meets of a cycle and returns whether there is anything. Each edge on the
 /// right inverts is_inside.
-bool SpaceRay::meet_cycle(UseId first, bool& is_inside, std::vector<SpaceRayHit>& hits) const {
+bool SpaceRay::add_hits_of_cycle(UseId first, bool& is_inside,
+                                 std::vector<SpaceRayHit>& hits) const {
   const std::size_t before = hits.size();
   const End start = end(complex_.use_origin(first));
   End a = start;
   UseId u = first;
   do {
-    const UseId after = complex_.use_next[u.value()];
+    const UseId after = complex_.use_next[u];
     const End b = after == first ? start : end(complex_.use_origin(after));
-    if (a.place.is_origin()) meet(a.vertex, hits);
-    const EdgeId e = SpaceComplex::edge_of(complex_.use_halfedge[u.value()]);
-    if (meet_edge(e, a, b, hits)) is_inside = !is_inside;
+    if (a.place.is_origin()) add_hits(a.vertex, hits);
+    const EdgeId e = SpaceComplex::edge_of(complex_.use_halfedge[u]);
+    if (add_hit_inside_edge(e, a, b, hits)) is_inside = !is_inside;
     a = b;
     u = after;
   } while (u != first);
@@ -295,7 +296,7 @@ bool SpaceRay::meet_cycle(UseId first, bool& is_inside, std::vector<SpaceRayHit>
 // Seen against the axis, corners turn as the normal says; the facet is passed if the origin lies
 // beyond one of the sides.
 bool SpaceRay::passes_by(FacetId f) const {
-  const PlaneRow& row = complex_.planes().row(complex_.facet_plane[f.value()]);
+  const PlaneRow& row = complex_.planes().row(complex_.facet_plane[f]);
   // The facet is not seen edge-on.
   const bool is_seen = std::fabs(row.n[k_]) > static_cast<double>(row.normal_error);
   if (!is_seen || !is_axis_parallel_ || !origin_.is_double()) return false;
@@ -309,7 +310,7 @@ bool SpaceRay::passes_by(FacetId f) const {
     if (!p.is_input()) return false;
     const PointBox box = complex_.points().box(p);
     at = {box.mid[i], box.mid[j]};
-    u = complex_.use_next[u.value()];
+    u = complex_.use_next[u];
   }
   if (u != first) return false;
   const Point2 o{origin_.box().mid[i], origin_.box().mid[j]};
@@ -319,18 +320,18 @@ bool SpaceRay::passes_by(FacetId f) const {
          orient2d(corner[2], corner[0], o) == outside;
 }
 
-void SpaceRay::meet(FacetId f, std::vector<SpaceRayHit>& hits) const {
+void SpaceRay::add_hits(FacetId f, std::vector<SpaceRayHit>& hits) const {
   if (passes_by(f)) return;
   bool is_inside = false, meets_boundary = false;
   for (const UseId first : complex_.cycles_of(f)) {
-    if (meet_cycle(first, is_inside, hits)) meets_boundary = true;
+    if (add_hits_of_cycle(first, is_inside, hits)) meets_boundary = true;
   }
   // Inner vertices come before the facet itself: one of them may be what the line meets.
   if (!is_inside && !meets_boundary) return;
   const std::size_t before = hits.size();
-  for (const VertexId v : complex_.inner_of(f)) meet(v, hits);
+  for (const VertexId v : complex_.inner_of(f)) add_hits(v, hits);
   if (meets_boundary || hits.size() > before) return;
-  hits.push_back(hit_of(f, complex_.facet_plane[f.value()]));
+  hits.push_back(hit_of(f, complex_.facet_plane[f]));
 }
 
 }  // namespace plumb

@@ -114,9 +114,9 @@ class SpaceRay {
 
   // These append to `hits` what the whole line meets, in front of the origin or not. A facet
   // appends itself if the line crosses it inside, else what the line meets of its boundary.
-  void meet(FacetId f, std::vector<SpaceRayHit>& hits) const;
-  void meet(EdgeId e, std::vector<SpaceRayHit>& hits) const;
-  void meet(VertexId v, std::vector<SpaceRayHit>& hits) const;
+  void add_hits(FacetId f, std::vector<SpaceRayHit>& hits) const;
+  void add_hits(EdgeId e, std::vector<SpaceRayHit>& hits) const;
+  void add_hits(VertexId v, std::vector<SpaceRayHit>& hits) const;
   /// Whether the line surely meets nothing of the facet. Decides only for triangles of doubles and
   /// rays along an axis, by a few filters.
   bool passes_by(FacetId f) const;
@@ -152,14 +152,15 @@ class SpaceRay {
   enum class Passing { Aside, OnRight, Through };
 
   std::size_t side_axis(std::size_t c) const { return (k_ + 1 + c) % 3; }
-  SpacePoint point_of(VertexId v) const { return complex_.vertex_point[v.value()]; }
+  SpacePoint point_of(VertexId v) const { return complex_.vertex_point[v]; }
 
   Sign shadow_sign(VertexId v, std::size_t c) const;
   Sign turn(VertexId a, VertexId b) const;
   End end(VertexId v) const { return {v, {{shadow_sign(v, 0), shadow_sign(v, 1)}}}; }
   Passing passing(const End& a, const End& b) const;
-  bool meet_cycle(UseId first, bool& is_inside, std::vector<SpaceRayHit>& hits) const;
-  bool meet_edge(EdgeId e, const End& a, const End& b, std::vector<SpaceRayHit>& hits) const;
+  bool add_hits_of_cycle(UseId first, bool& is_inside, std::vector<SpaceRayHit>& hits) const;
+  bool add_hit_inside_edge(EdgeId e, const End& a, const End& b,
+                           std::vector<SpaceRayHit>& hits) const;
 
   SpaceRayHit hit_of(SpaceItem item, PlaneId plane) const;
   PlaneId crossing_plane(EdgeId e) const;

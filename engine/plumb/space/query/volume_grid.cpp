@@ -33,7 +33,7 @@ VolumeGrid::VolumeGrid(std::span<const Box3> boxes,
     part_.clear();
     return;
   }
-  const std::uint32_t parts = join_cells();
+  const std::uint32_t parts = flood_cells();
   ask(parts, kFreeQuestions + boxes.size() / kItemsPerQuestion, volume_of);
 }
 
@@ -136,7 +136,7 @@ bool VolumeGrid::mark(std::span<const Box3> boxes) {
 
 /// Numbers the connected parts of unmarked cells by their first cells, and returns how many there
 /// are.
-std::uint32_t VolumeGrid::join_cells() {
+std::uint32_t VolumeGrid::flood_cells() {
   std::uint32_t parts = 0;
   std::vector<std::uint32_t> open;
   const std::size_t row = count_[0], layer = row * count_[1];

@@ -5,7 +5,7 @@
 //  1. lay_out     makes cells of about one size, a few for each item; a layer of cells around them
 //                 all represents what is outside
 //  2. mark        marks every cell that the box of an item reaches
-//  3. join_cells  floods the others: between two neighbours without an item there is none
+//  3. flood_cells floods the others: between two neighbours without an item there is none
 //  4. ask         asks one exact question for each connected part
 //
 // Cells are distinguished by a function of each coordinate that never falls, rounding included. So
@@ -57,7 +57,7 @@ class VolumeGrid {
 
   bool lay_out(std::span<const Box3> boxes);
   bool mark(std::span<const Box3> boxes);
-  std::uint32_t join_cells();
+  std::uint32_t flood_cells();
   void ask(std::uint32_t parts, std::size_t questions,
            const std::function<VolumeId(const Point3&)>& volume_of);
 

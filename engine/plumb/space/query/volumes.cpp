@@ -1,14 +1,14 @@
 // Finds the volumes of a complex: classes of sides of facets, then one ray for each piece.
 //
 // Two sides bound the same volume near an edge if they follow each other in radial order, and near
-// a vertex if they bound one face of its sphere map. If the map is connected, the first joins all
-// that the second would, so maps are made only at irregular vertices: those whose map is not
+// a vertex if they bound one face of its sphere map. If the map is connected, the first unites
+// all that the second would, so maps are made only at irregular vertices: those whose map is not
 // connected, has a loop, or has points without arcs. A vertex whose corners make one ring through
 // all edges, as nearly all do, is recognized by walking around it.
 //
 // Invariant (docs/design/boolean.md, Lemmas 6 and 7): a class is one shell, the whole boundary of a
 // volume on one piece; at most one shell of a volume has it on an inner side of its piece. So
-// joining the outer shell of every piece to what its ray hits gives the volumes.
+// uniting the outer shell of every piece with what its ray hits gives the volumes.
 //
 // Tested by tests/space/mesh_arrangement_test.cpp, tests/space/space_locator_test.cpp and
 // tests/io/nef3_reader_test.cpp.
@@ -33,12 +33,12 @@ ShellNodes::ShellNodes(const SpaceComplex& complex, std::span<const std::uint8_t
     : complex_(complex),
       classes_(2 * complex.facet_count() + complex.vertex_count()),
       free_node_(complex.edge_count(), kNone) {
-  join_around_edges();
-  join_at_irregular_vertices(connected);
+  unite_around_edges();
+  unite_at_irregular_vertices(connected);
 }
 
-/// Joins the side after each use with the side before the next one.
-void ShellNodes::join_around_edges() {
+/// Unites the side after each use with the side before the next one.
+void ShellNodes::unite_around_edges() {
   for (std::uint32_t u = 0; u < complex_.use_count(); ++u) {
     classes_.unite(node_after(UseId(u)), node_before(complex_.use_radial[u]));
   }
@@ -53,19 +53,16 @@ std::size_t count_corners(const SpaceComplex& complex, UseId first, std::size_t 
   std::size_t count = 0;
   UseId corner = first;
   // The edge across which the walk leaves the corner: that of its use, or else the one before.
-  HalfedgeId over = complex.use_halfedge[corner.value()];
+  HalfedgeId over = complex.use_halfedge[corner];
   do {
-    const UseId own =
-        complex.use_halfedge[corner.value()] == over ? corner : complex.use_prev[corner.value()];
+    const UseId own = complex.use_halfedge[corner] == over ? corner : complex.use_prev[corner];
     // The edge must have exactly two uses; the walk crosses it into the other facet.
-    const UseId other = complex.use_radial[own.value()];
-    if (complex.use_radial[other.value()] != own || other == own || ++count > most) return most + 1;
-    const bool leaves = complex.use_halfedge[other.value()] == over;
-    corner = leaves ? other : complex.use_next[other.value()];
-    const HalfedgeId at_end = complex.use_halfedge[corner.value()];
-    over = leaves
-               ? SpaceComplex::twin(complex.use_halfedge[complex.use_prev[corner.value()].value()])
-               : at_end;
+    const UseId other = complex.use_radial[own];
+    if (complex.use_radial[other] != own || other == own || ++count > most) return most + 1;
+    const bool leaves = complex.use_halfedge[other] == over;
+    corner = leaves ? other : complex.use_next[other];
+    const HalfedgeId at_end = complex.use_halfedge[corner];
+    over = leaves ? SpaceComplex::twin(complex.use_halfedge[complex.use_prev[corner]]) : at_end;
   } while (corner != first);
   return count;
 }
@@ -74,11 +71,10 @@ std::size_t count_corners(const SpaceComplex& complex, UseId first, std::size_t 
 /// still be connected.
 bool has_one_ring(const SpaceComplex& complex, VertexId v) {
   const auto star = complex.star_of(v);
-  if (star.empty() || complex.vertex_facet[v.value()].is_valid()) return false;
+  if (star.empty() || complex.vertex_facet[v].is_valid()) return false;
   const UseId use = complex.edge_use[star[0].value() / 2];
   if (!use.is_valid()) return false;
-  const UseId corner =
-      complex.use_halfedge[use.value()] == star[0] ? use : complex.use_next[use.value()];
+  const UseId corner = complex.use_halfedge[use] == star[0] ? use : complex.use_next[use];
   return count_corners(complex, corner, star.size()) == star.size();
 }
 
@@ -96,12 +92,12 @@ std::vector<VertexId> ShellNodes::irregular_vertices(
   if (doubtful.empty()) return irregular;
   UnionFind link(complex_.origin.size());  // Half-edges of one vertex, joined by corners.
   for (std::uint32_t u = 0; u < complex_.use_count(); ++u) {
-    const HalfedgeId back = SpaceComplex::twin(complex_.use_halfedge[complex_.use_prev[u].value()]);
+    const HalfedgeId back = SpaceComplex::twin(complex_.use_halfedge[complex_.use_prev[u]]);
     link.unite(complex_.use_halfedge[u].value(), back.value());
   }
   for (const VertexId v : doubtful) {
     const auto star = complex_.star_of(v);
-    bool is_regular = !star.empty() && !complex_.vertex_facet[v.value()].is_valid() &&
+    bool is_regular = !star.empty() && !complex_.vertex_facet[v].is_valid() &&
                       complex_.edge_use[star[0].value() / 2].is_valid();
     for (std::size_t i = 1; i < star.size() && is_regular; ++i) {
       is_regular = link.root(star[i].value()) == link.root(star[0].value());
@@ -122,8 +118,8 @@ void ShellNodes::face_nodes(const LocalMap& local, SpaceItem item,
   }
 }
 
-/// Joins the nodes in every face of the map of an irregular vertex, free edges included.
-void ShellNodes::join_at_irregular_vertices(std::span<const std::uint8_t> connected) {
+/// Unites the nodes in every face of the map of an irregular vertex, free edges included.
+void ShellNodes::unite_at_irregular_vertices(std::span<const std::uint8_t> connected) {
   LocalMap local;
   std::vector<std::uint32_t> node;
   for (const VertexId v : irregular_vertices(connected)) {
@@ -148,126 +144,104 @@ namespace {
 constexpr SphereDirection kLeft{kPlaneZ, kPlaneY};   // The direction of -x.
 constexpr SphereDirection kRight{kPlaneY, kPlaneZ};  // The direction of x.
 
-/// Joins shells to volumes and numbers them.
-class Labeller {
- public:
-  Labeller(const SpaceComplex& complex, Context& context, std::span<const std::uint8_t> connected)
-      : complex_(complex),
-        context_(context),
-        connected_(connected),
-        pieces_(complex.vertex_count()) {}
+// ---- connected pieces
 
-  VolumeLabels run() {
-    run_jobs(context_, 2, [this](std::size_t i, Context&) {
-      if (i == 0) {
-        shells_.emplace(complex_, connected_);
-      } else {
-        find_pieces();
-      }
-    });
-    nest_pieces();
-    return numbered();
+/// Returns the least vertex of each connected piece. Edges and facets connect vertices. Pieces are
+/// in the order of their first vertices.
+std::vector<VertexId> find_least_vertices(const SpaceComplex& complex) {
+  UnionFind pieces(complex.vertex_count());
+  for (std::uint32_t h = 0; h < complex.origin.size(); h += 2) {
+    pieces.unite(complex.origin[h].value(), complex.origin[h + 1].value());
   }
-
- private:
-  // ---- connected pieces
-
-  /// Finds the connected pieces (vertices joined by edges and facets) and the least vertex of each.
-  void find_pieces() {
-    for (std::uint32_t h = 0; h < complex_.origin.size(); h += 2) {
-      pieces_.unite(complex_.origin[h].value(), complex_.origin[h + 1].value());
-    }
-    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
-      const auto cycles = complex_.cycles_of(FacetId(f));
-      const std::uint32_t first = complex_.use_origin(cycles[0]).value();
-      for (const UseId u : cycles.subspan(1)) pieces_.unite(first, complex_.use_origin(u).value());
-      for (const VertexId v : complex_.inner_of(FacetId(f))) pieces_.unite(first, v.value());
-    }
-    std::vector<std::uint32_t> number(complex_.vertex_count(), kNone);
-    for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
-      std::uint32_t& piece = number[pieces_.root(v)];
-      if (piece == kNone) {
-        piece = static_cast<std::uint32_t>(least_.size());
-        least_.push_back(VertexId(v));
-      } else if (compare_xyz(complex_.points(), complex_.vertex_point[v],
-                             complex_.vertex_point[least_[piece].value()]) == Sign::Negative) {
-        least_[piece] = VertexId(v);
-      }
+  for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
+    const auto cycles = complex.cycles_of(FacetId(f));
+    const std::uint32_t first = complex.use_origin(cycles[0]).value();
+    for (const UseId u : cycles.subspan(1)) pieces.unite(first, complex.use_origin(u).value());
+    for (const VertexId v : complex.inner_of(FacetId(f))) pieces.unite(first, v.value());
+  }
+  std::vector<VertexId> least;
+  std::vector<std::uint32_t> number(complex.vertex_count(), kNone);
+  for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
+    std::uint32_t& piece = number[pieces.root(v)];
+    if (piece == kNone) {
+      piece = static_cast<std::uint32_t>(least.size());
+      least.push_back(VertexId(v));
+    } else if (compare_xyz(complex.points(), complex.vertex_point[v],
+                           complex.vertex_point[least[piece]]) == Sign::Negative) {
+      least[piece] = VertexId(v);
     }
   }
+  return least;
+}
 
-  /// Returns the node that faces a direction at a cell.
-  std::uint32_t node_towards(SpaceItem item, SphereDirection direction) {
-    local_map(complex_, item, local_);
-    std::vector<std::uint32_t> node;
-    shells_->face_nodes(local_, item, node);
-    const SphereCell cell = locate(complex_.planes(), local_.map, direction);
-    PLUMB_CHECK(cell.kind() == SphereCell::Kind::Face && node[cell.index()] != kNone);
-    return node[cell.index()];
+/// Returns the node that faces a direction at a cell. `local` is memory that is reused.
+std::uint32_t node_towards(const SpaceComplex& complex, const ShellNodes& shells, SpaceItem item,
+                           SphereDirection direction, LocalMap& local) {
+  local_map(complex, item, local);
+  std::vector<std::uint32_t> node;
+  shells.face_nodes(local, item, node);
+  const SphereCell cell = locate(complex.planes(), local.map, direction);
+  PLUMB_CHECK(cell.kind() == SphereCell::Kind::Face && node[cell.index()] != kNone);
+  return node[cell.index()];
+}
+
+/// Unites the outer shell of every piece with the shell that its ray towards -x hits, or with the
+/// other shells of volume 0. Returns a node of volume 0: one piece holds the least vertex of all.
+std::uint32_t nest_pieces(const SpaceComplex& complex, std::span<const VertexId> least,
+                          ShellNodes& shells, Context& context) {
+  LocalMap local;
+  std::optional<SpaceLocator> locator;
+  std::vector<std::uint32_t> outermost;  // Nodes of volume 0.
+  for (const VertexId v : least) {
+    // Nothing of the piece is to the left of its least vertex, so it sees the outer shell there.
+    const std::uint32_t outer = node_towards(complex, shells, v, kLeft, local);
+    SpaceItem hit;
+    if (least.size() > 1) {
+      if (!locator) locator.emplace(complex);
+      hit = locator->shoot_left(complex.vertex_point[v]);
+    }
+    if (hit.is_valid()) {
+      shells.unite(outer, node_towards(complex, shells, hit, kRight, local));
+    } else {
+      outermost.push_back(outer);
+    }
+    context.checkpoint("volumes", v.value(), complex.vertex_count());
   }
+  for (const std::uint32_t node : outermost) shells.unite(outermost[0], node);
+  return outermost[0];
+}
 
-  /// Joins the outer shell of every piece to the shell that its ray towards -x hits, or to volume
-  /// 0. One piece holds the least vertex of all.
-  void nest_pieces() {
-    std::optional<SpaceLocator> locator;
-    for (const VertexId v : least_) {
-      // Nothing of the piece is to the left of its least vertex, so it sees the outer shell there.
-      const std::uint32_t outer = node_towards(v, kLeft);
-      SpaceItem hit;
-      if (least_.size() > 1) {
-        if (!locator) locator.emplace(complex_);
-        hit = locator->shoot_left(complex_.vertex_point[v.value()]);
-      }
-      if (hit.is_valid()) {
-        shells_->unite(outer, node_towards(hit, kRight));
-      } else {
-        outermost_.push_back(outer);
-      }
-      context_.checkpoint("volumes", v.value(), complex_.vertex_count());
-    }
-    for (const std::uint32_t node : outermost_) shells_->unite(outermost_[0], node);
+// ---- numbering
+
+/// Numbers the classes of nodes: first volume 0, that of the node `outermost`, then by facets,
+/// edges and vertices.
+VolumeLabels numbered(const SpaceComplex& complex, ShellNodes& shells, std::uint32_t outermost) {
+  VolumeLabels labels;
+  std::vector<VolumeId> number(shells.size());
+  const auto volume_of = [&](std::uint32_t node) {
+    VolumeId& volume = number[shells.root(node)];
+    if (!volume.is_valid()) volume = VolumeId(labels.count++);
+    return volume;
+  };
+  volume_of(outermost);
+  labels.facet.reserve(complex.facet_count());
+  for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
+    labels.facet.push_back({volume_of(2 * f), volume_of(2 * f + 1)});
   }
-
-  // ---- numbering
-
-  /// Numbers the classes: volume 0 first, then by facets, edges and vertices.
-  VolumeLabels numbered() {
-    VolumeLabels labels;
-    std::vector<VolumeId> number(shells_->size());
-    const auto volume_of = [&](std::uint32_t node) {
-      VolumeId& volume = number[shells_->root(node)];
-      if (!volume.is_valid()) volume = VolumeId(labels.count++);
-      return volume;
-    };
-    volume_of(outermost_[0]);
-    labels.facet.reserve(complex_.facet_count());
-    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
-      labels.facet.push_back({volume_of(2 * f), volume_of(2 * f + 1)});
-    }
-    labels.edge.resize(complex_.edge_count());
-    for (std::uint32_t e = 0; e < complex_.edge_count(); ++e) {
-      const std::uint32_t node = shells_->free_node(EdgeId(e));
-      if (node != kNone) labels.edge[e] = volume_of(node);
-    }
-    labels.vertex.resize(complex_.vertex_count());
-    for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
-      const bool is_alone = complex_.star_of(VertexId(v)).empty();
-      if (is_alone && !complex_.vertex_facet[v].is_valid()) {
-        labels.vertex[v] = volume_of(shells_->vertex_node(VertexId(v)));
-      }
-    }
-    return labels;
+  labels.edge.resize(complex.edge_count());
+  for (std::uint32_t e = 0; e < complex.edge_count(); ++e) {
+    const std::uint32_t node = shells.free_node(EdgeId(e));
+    if (node != kNone) labels.edge[e] = volume_of(node);
   }
-
-  const SpaceComplex& complex_;
-  Context& context_;
-  std::span<const std::uint8_t> connected_;
-  std::optional<ShellNodes> shells_;
-  UnionFind pieces_;
-  std::vector<VertexId> least_;           // The least vertex of each piece.
-  std::vector<std::uint32_t> outermost_;  // Nodes of volume 0.
-  LocalMap local_;
-};
+  labels.vertex.resize(complex.vertex_count());
+  for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
+    const bool is_alone = complex.star_of(VertexId(v)).empty();
+    if (is_alone && !complex.vertex_facet[v].is_valid()) {
+      labels.vertex[v] = volume_of(shells.vertex_node(VertexId(v)));
+    }
+  }
+  return labels;
+}
 
 }  // namespace
 
@@ -275,7 +249,17 @@ class Labeller {
 VolumeLabels find_volumes(const SpaceComplex& complex, Context& context,
                           std::span<const std::uint8_t> connected) {
   if (complex.vertex_count() == 0) return {{}, {}, {}, 1};
-  return Labeller(complex, context, connected).run();
+  std::optional<ShellNodes> shells;
+  std::vector<VertexId> least;
+  run_jobs(context, 2, [&](std::size_t i, Context&) {
+    if (i == 0) {
+      shells.emplace(complex, connected);
+    } else {
+      least = find_least_vertices(complex);
+    }
+  });
+  const std::uint32_t outermost = nest_pieces(complex, least, *shells, context);
+  return numbered(complex, *shells, outermost);
 }
 
 void label_volumes(SpaceComplex& complex, Context& context,
@@ -291,8 +275,8 @@ void label_volumes(SpaceComplex& complex, Context& context,
   complex.volume_mark.assign(labels.count, 0);
 }
 
-std::vector<std::int32_t> winding_numbers(const SpaceComplex& complex,
-                                          std::span<const std::int32_t> jump) {
+IdVector<VolumeId, std::int32_t> winding_numbers(const SpaceComplex& complex,
+                                                 std::span<const std::int32_t> jump) {
   // The graph of volumes, whose edges are the facets, in compressed rows.
   const std::size_t volumes = complex.volume_count();
   std::vector<std::uint32_t> begin(volumes + 1, 0);
@@ -300,11 +284,12 @@ std::vector<std::int32_t> winding_numbers(const SpaceComplex& complex,
     for (const VolumeId v : sides) ++begin[v.value() + 1];
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::uint32_t> facet(begin.back()), at(begin.begin(), begin.end() - 1);
+  std::vector<std::uint32_t> facet(begin.back());
+  IdVector<VolumeId, std::uint32_t> at(begin.begin(), begin.end() - 1);
   for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
-    for (const VolumeId v : complex.facet_volume[f]) facet[at[v.value()]++] = f;
+    for (const VolumeId v : complex.facet_volume[f]) facet[at[v]++] = f;
   }
-  std::vector<std::int32_t> winding(volumes, 0);
+  IdVector<VolumeId, std::int32_t> winding(volumes, 0);
   std::vector<std::uint8_t> is_reached(volumes, 0);
   std::vector<std::uint32_t> open{0};
   is_reached[0] = 1;
@@ -324,7 +309,7 @@ std::vector<std::int32_t> winding_numbers(const SpaceComplex& complex,
   }
   for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
     const auto& [above, below] = complex.facet_volume[f];
-    PLUMB_CHECK(winding[above.value()] - winding[below.value()] == jump[f]);
+    PLUMB_CHECK(winding[above] - winding[below] == jump[f]);
   }
   return winding;
 }

@@ -1,10 +1,10 @@
 // The volumes of a complex: connected parts of space between its facets.
 //
 // The first part makes classes of sides of facets, free edges and vertices that bound one volume
-// without a gap: shells. The second joins shells to volumes, the third computes winding numbers.
+// without a gap: shells. The second unites shells to volumes, the third computes winding numbers.
 //
 // Nodes: side s of facet f is 2f + s (0 is the positive one); the only face of the map of a vertex
-// v without facets around it is 2F + v for F facets. Two nodes are joined where they meet at an
+// v without facets around it is 2F + v for F facets. Two nodes are united where they meet at an
 // edge or in one face of a sphere map.
 #pragma once
 
@@ -24,7 +24,7 @@ namespace plumb {
 /// The classes of nodes.
 class ShellNodes {
  public:
-  /// Joins all nodes. Volumes of the complex are not read. `connected` is as for label_volumes().
+  /// Unites all nodes. Volumes of the complex are not read. `connected` is as for label_volumes().
   /// O(n alpha(n)), and a sphere map for each vertex whose map is not connected.
   explicit ShellNodes(const SpaceComplex& complex, std::span<const std::uint8_t> connected = {});
 
@@ -32,7 +32,7 @@ class ShellNodes {
   std::size_t size() const { return classes_.size(); }
   /// Returns the representative of a node's class.
   std::uint32_t root(std::uint32_t node) { return classes_.root(node); }
-  /// Joins two classes.
+  /// Unites two classes.
   void unite(std::uint32_t i, std::uint32_t j) { classes_.unite(i, j); }
 
   /// Returns the node of a side of a facet.
@@ -44,11 +44,11 @@ class ShellNodes {
     return static_cast<std::uint32_t>(2 * complex_.facet_count()) + v.value();
   }
   /// Returns the node around an edge without uses, or kNone for other edges.
-  std::uint32_t free_node(EdgeId e) const { return free_node_[e.value()]; }
+  std::uint32_t free_node(EdgeId e) const { return free_node_[e]; }
   /// Returns the node that follows an edge use (Weiler) in radial order.
   std::uint32_t node_after(UseId u) const {
-    const HalfedgeId h = complex_.use_halfedge[u.value()];
-    return facet_node(complex_.use_facet[u.value()], SpaceComplex::is_reverse(h));
+    const HalfedgeId h = complex_.use_halfedge[u];
+    return facet_node(complex_.use_facet[u], SpaceComplex::is_reverse(h));
   }
   /// Returns the node before an edge use in radial order.
   std::uint32_t node_before(UseId u) const { return node_after(u) ^ 1U; }
@@ -58,24 +58,26 @@ class ShellNodes {
   void face_nodes(const LocalMap& local, SpaceItem item, std::vector<std::uint32_t>& node) const;
 
  private:
-  void join_around_edges();
+  void unite_around_edges();
   std::vector<VertexId> irregular_vertices(std::span<const std::uint8_t> connected) const;
-  void join_at_irregular_vertices(std::span<const std::uint8_t> connected);
+  void unite_at_irregular_vertices(std::span<const std::uint8_t> connected);
 
   const SpaceComplex& complex_;
   UnionFind classes_;
-  std::vector<std::uint32_t> free_node_;
+  IdVector<EdgeId, std::uint32_t> free_node_;
 };
 
 // Volumes.
 //
 // Main flow of find_volumes():
-//  1. shells  joins the sides of facets around every edge and in every face of every sphere map:
-//             each class is a shell, the boundary of one volume on one connected piece
-//  2. outer   finds the outer shell of each piece: that which its lexicographically least vertex
-//             sees towards -x
-//  3. rays    shoots from there towards -x to the next piece and the shell that faces the ray: both
-//             bound the same volume. If nothing is hit it is volume 0
+//  1. ShellNodes           unites the sides of facets around every edge and in every face of every
+//                          sphere map: each class is a shell, the boundary of one volume on one
+//                          connected piece
+//  2. find_least_vertices  finds the lexicographically least vertex of each piece; what it sees
+//                          towards -x is the outer shell of the piece
+//  3. nest_pieces          shoots from there towards -x to the next piece and the shell that faces
+//                          the ray: both bound the same volume. If nothing is hit it is volume 0
+//  4. numbered             numbers the volumes
 //
 // Cost: O(n alpha(n)), and a ray for each piece if there are at least two. The ray of the least
 // piece cannot meet another one, but nest_pieces() shoots it all the same. Proof:
@@ -84,10 +86,11 @@ class ShellNodes {
 /// The volumes around cells, numbered by their least facet, then edge, then vertex; volume 0
 /// reaches to infinity.
 struct VolumeLabels {
-  std::vector<std::array<VolumeId, 2>> facet;  ///< The volumes on its positive and negative side.
-  std::vector<VolumeId> edge;                  ///< The volume around each free edge; else invalid.
-  std::vector<VolumeId> vertex;  ///< The volume around each isolated vertex; else invalid.
-  std::size_t count = 0;         ///< The number of volumes.
+  IdVector<FacetId, std::array<VolumeId, 2>>
+      facet;                            ///< The volumes on its positive and negative side.
+  IdVector<EdgeId, VolumeId> edge;      ///< The volume around each free edge; else invalid.
+  IdVector<VertexId, VolumeId> vertex;  ///< The volume around each isolated vertex; else invalid.
+  std::size_t count = 0;                ///< The number of volumes.
 };
 
 /// Returns the volumes of a complex; those that it names itself are not read. `connected` has for
@@ -97,14 +100,15 @@ VolumeLabels find_volumes(const SpaceComplex& complex, Context& context,
                           std::span<const std::uint8_t> connected = {});
 
 /// Fills facet_volume, edge_volume, vertex_volume and volume_mark (all 0) with the volumes.
-/// `connected` is as for find_volumes().
+/// `connected` is as for find_volumes(). A mesh whose facets cross has its volumes found once for
+/// each layer, because the Boolean of layers needs them, and once for the result (assemble.h).
 void label_volumes(SpaceComplex& complex, Context& context,
                    std::span<const std::uint8_t> connected = {});
 
 /// Returns the winding number of each volume: 0 in volume 0, rising by jump[f] from the negative to
 /// the positive side of facet f. Facets link all volumes. Jumps that are not those of a closed
 /// surface stop the program. O(facets). Proof: docs/design/meshes.md, Lemma 1.
-std::vector<std::int32_t> winding_numbers(const SpaceComplex& complex,
-                                          std::span<const std::int32_t> jump);
+IdVector<VolumeId, std::int32_t> winding_numbers(const SpaceComplex& complex,
+                                                 std::span<const std::int32_t> jump);
 
 }  // namespace plumb

@@ -75,7 +75,7 @@ class Comparison {
         const bool has_match =
             std::any_of(second.begin() + static_cast<std::ptrdiff_t>(i),
                         second.begin() + static_cast<std::ptrdiff_t>(end), [&](const auto& entry) {
-                          return equal(tables_->points, a_.vertex_point[v.value()],
+                          return equal(tables_->points, a_.vertex_point[v],
                                        points_of_b[entry.second.value()]) &&
                                  have_same_map(v, entry.second);
                         });
@@ -220,24 +220,23 @@ class Ordering {
     friend auto operator<=>(const Corner&, const Corner&) = default;
   };
   Corner corner(UseId u) const {
-    const UseId before = c_.use_prev[u.value()];
-    return {order_.vertices(c_.use_origin(u)),
-            order_.vertices(c_.target(c_.use_halfedge[u.value()])),
+    const UseId before = c_.use_prev[u];
+    return {order_.vertices(c_.use_origin(u)), order_.vertices(c_.target(c_.use_halfedge[u])),
             order_.vertices(c_.use_origin(before))};
   }
   Corner least_corner(FacetId f) const {
     const UseId first = c_.cycles_of(f).front();
     Corner least = corner(first);
-    for (UseId u = c_.use_next[first.value()]; u != first; u = c_.use_next[u.value()]) {
+    for (UseId u = c_.use_next[first]; u != first; u = c_.use_next[u]) {
       least = std::min(least, corner(u));
     }
     return least;
   }
   /// Returns the use of the cycle with the least half-edge.
   std::pair<HalfedgeId, UseId> start_of_cycle(UseId first) const {
-    std::pair least{order_.halfedge(c_, c_.use_halfedge[first.value()]), first};
-    for (UseId u = c_.use_next[first.value()]; u != first; u = c_.use_next[u.value()]) {
-      least = std::min(least, {order_.halfedge(c_, c_.use_halfedge[u.value()]), u});
+    std::pair least{order_.halfedge(c_, c_.use_halfedge[first]), first};
+    for (UseId u = c_.use_next[first]; u != first; u = c_.use_next[u]) {
+      least = std::min(least, {order_.halfedge(c_, c_.use_halfedge[u]), u});
     }
     return least;
   }
@@ -306,7 +305,7 @@ void Ordering::order_uses() {
       UseId u = start;
       do {
         order_.uses.append(u);
-        u = c_.use_next[u.value()];
+        u = c_.use_next[u];
       } while (u != start);
     }
   }
@@ -318,10 +317,10 @@ void Ordering::order_volumes() {
   order_.volumes = NewOrder<VolumeId>(c_.volume_count());
   append(VolumeId(0));
   for (const FacetId f : order_.facets.ids()) {
-    for (const VolumeId v : c_.facet_volume[f.value()]) append(v);
+    for (const VolumeId v : c_.facet_volume[f]) append(v);
   }
-  for (const EdgeId e : order_.edges.ids()) append(c_.edge_volume[e.value()]);
-  for (const VertexId v : order_.vertices.ids()) append(c_.vertex_volume[v.value()]);
+  for (const EdgeId e : order_.edges.ids()) append(c_.edge_volume[e]);
+  for (const VertexId v : order_.vertices.ids()) append(c_.vertex_volume[v]);
 }
 
 }  // namespace

@@ -65,17 +65,17 @@ void close_volumes(SpaceComplex& c) {
   c.vertex_mark.assign(c.vertex_count(), 0);
   for (std::size_t f = 0; f < c.facet_count(); ++f) {
     const auto& [above, below] = c.facet_volume[f];
-    c.facet_mark[f] = c.volume_mark[above.value()] | c.volume_mark[below.value()];
+    c.facet_mark[f] = c.volume_mark[above] | c.volume_mark[below];
   }
   for (std::size_t u = 0; u < c.use_count(); ++u) {
-    if (c.facet_mark[c.use_facet[u].value()] == 0) continue;
+    if (c.facet_mark[c.use_facet[u]] == 0) continue;
     const HalfedgeId h = c.use_halfedge[u];
     c.edge_mark[h.value() / 2] = 1;
-    c.vertex_mark[c.origin[h.value()].value()] = 1;
+    c.vertex_mark[c.origin[h.value()]] = 1;
   }
   for (std::size_t f = 0; f < c.facet_count(); ++f) {
     if (c.facet_mark[f] == 0) continue;
-    for (const VertexId v : c.inner_of(FacetId(f))) c.vertex_mark[v.value()] = 1;
+    for (const VertexId v : c.inner_of(FacetId(f))) c.vertex_mark[v] = 1;
   }
 }
 
@@ -261,7 +261,7 @@ Nef3 Nef3::segment(const RationalPoint3& a, const RationalPoint3& b) {
   draft.add(add_point(*tables, b), lone_map(&to_a), false, {});
   // The two points face each other.
   draft.twin = {1, 0};
-  return Nef3(join(std::move(draft), context));
+  return Nef3(assemble(std::move(draft), context));
 }
 
 Nef3 Nef3::polyline(std::span<const RationalPoint3> points, Context& context) {
@@ -291,7 +291,7 @@ Nef3 Nef3::point(const RationalPoint3& at) {
   const auto tables = std::make_shared<SpaceTables>();
   SpaceDraft draft(tables);
   draft.add(add_point(*tables, at), lone_map(nullptr), false, {});
-  return Nef3(join(std::move(draft), context));
+  return Nef3(assemble(std::move(draft), context));
 }
 
 Nef3 Nef3::points(std::span<const RationalPoint3> points, Context& context) {

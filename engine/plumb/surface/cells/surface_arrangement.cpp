@@ -1,7 +1,7 @@
 // Slicing: the subdivision of a surface by polygons, and its nodes.
 //
 // NodeMaker sorts the entries of all polygons by place and parameters, so equal points become one
-// node, and the nodes of an edge are consecutive and ascend by t. Slicer then splits the segments
+// node, and the nodes of an edge are consecutive and ascend by t. slice() then splits the segments
 // in two kinds. Those along a mesh edge are added up on the intervals between that edge's nodes;
 // the others are added up by face and end nodes, so equal segments become one with the sum of their
 // multiplicities, and those that cancel disappear before anything is intersected. Each touched face
@@ -41,7 +41,7 @@ bool SurfaceBundles::add_sum(std::span<SignedEntry> terms) {
 RationalPoint2 exact_crossing(const SurfaceArrangement& arrangement,
                               const SurfacePointTable& points, const SurfaceCrossing& c) {
   const auto at = [&](std::size_t i) {
-    return points.exact_in(arrangement.node_point[c.ends[i].value()], c.face);
+    return points.exact_in(arrangement.node_point[c.ends[i]], c.face);
   };
   return crossing_point(RationalSegment2{at(0), at(1)}, RationalSegment2{at(2), at(3)});
 }
@@ -123,37 +123,53 @@ std::vector<Strand> add_up(std::vector<Use>& uses, SurfaceBundles& bundles) {
   return strands;
 }
 
-class Slicer {
- public:
-  Slicer(const SurfacePolygons& polygons, Context& context)
-      : polygons_(polygons), mesh_(polygons.points.mesh()), context_(context), charge_(context) {}
+/// The parts of polygons along mesh edges and across faces.
+struct Uses {
+  std::vector<Use> runs;      ///< Uses of intervals between the nodes of mesh edges.
+  std::vector<Use> segments;  ///< Uses of segments that cross faces.
+  std::size_t count = 0;      ///< Number of segments of the polygons that have a length.
+};
 
-  SurfaceArrangement run() {
-    charge_.add(kEntryBytes * polygons_.point.size() + kFaceBytes * mesh_.face_count(),
-                "an arrangement on a surface");
-    nodes_ = make_nodes(polygons_, context_);
-    gather_uses();
+/// Makes the uses of all segments. A segment whose ends lie on a common side of its face runs along
+/// that mesh edge; any other crosses the face. This is a class because both lists grow at once and
+/// share one charge, which is raised in steps.
+class UseGatherer {
+ public:
+  UseGatherer(const SurfacePolygons& polygons, const SurfaceNodes& nodes, MemoryCharge& charge,
+              Context& context)
+      : polygons_(polygons),
+        mesh_(polygons.points.mesh()),
+        nodes_(nodes),
+        charge_(charge),
+        context_(context) {}
+
+  Uses run() {
+    for (std::uint32_t p = 0; p < polygons_.size(); ++p) {
+      for (std::uint32_t i = polygons_.begin[p]; i < polygons_.begin[p + 1]; ++i) {
+        const NodeId from = nodes_.of_entry[i], to = nodes_.of_entry[polygons_.next(p, i)];
+        if (from == to) continue;
+        if (++uses_.count % kStepsPerCheckpoint == 0) charge_uses();
+        const FaceId f = polygons_.face[i];
+        const unsigned common = sides(from, f) & sides(to, f);
+        if (common == 0) {
+          const auto [low, high] = std::minmax(from, to);
+          uses_.segments.push_back({f.value(), low.value(), high.value(), {p, from < to ? 1 : -1}});
+        } else {
+          const std::size_t side = (common & 1U) != 0 ? 0 : ((common & 2U) != 0 ? 1 : 2);
+          add_run(mesh_.edge(SurfaceMesh::halfedge(f, side)), p, from, to);
+        }
+      }
+    }
     charge_uses();
-    runs_ = add_up(run_uses_, out_.bundles);
-    segments_ = add_up(segment_uses_, out_.bundles);
-    find_touched_faces();
-    number_corners();
-    arrange_faces();
-    sew();
-    lay_runs();
-    out_.node_point = std::move(nodes_.point);
-    out_.node_of_entry = std::move(nodes_.of_entry);
-    return std::move(out_);
+    return std::move(uses_);
   }
 
  private:
-  // ---------------------------------------------------------------- segments
-
   bool is_on_edge(NodeId n) const { return n.value() < nodes_.vertices_begin; }
   bool is_vertex(NodeId n) const {
     return n.value() >= nodes_.vertices_begin && n.value() < nodes_.faces_begin;
   }
-  SurfacePointId point(NodeId n) const { return nodes_.point[n.value()]; }
+  SurfacePointId point(NodeId n) const { return nodes_.point[n]; }
 
   /// Returns the sides of a face that hold a node, as bits.
   unsigned sides(NodeId n, FaceId f) const {
@@ -173,30 +189,9 @@ class Slicer {
     return 0;
   }
 
-  /// A segment whose ends lie on a common side of its face runs along that mesh edge; any other
-  /// crosses the face.
-  void gather_uses() {
-    for (std::uint32_t p = 0; p < polygons_.size(); ++p) {
-      for (std::uint32_t i = polygons_.begin[p]; i < polygons_.begin[p + 1]; ++i) {
-        const NodeId from = nodes_.of_entry[i], to = nodes_.of_entry[polygons_.next(p, i)];
-        if (from == to) continue;
-        if (++out_.segments % kStepsPerCheckpoint == 0) charge_uses();
-        const FaceId f = polygons_.face[i];
-        const unsigned common = sides(from, f) & sides(to, f);
-        if (common == 0) {
-          const auto [low, high] = std::minmax(from, to);
-          segment_uses_.push_back({f.value(), low.value(), high.value(), {p, from < to ? 1 : -1}});
-        } else {
-          const std::size_t side = (common & 1U) != 0 ? 0 : ((common & 2U) != 0 ? 1 : 2);
-          add_run(mesh_.edge(SurfaceMesh::halfedge(f, side)), p, from, to);
-        }
-      }
-    }
-  }
-
   void charge_uses() {
     context_.checkpoint("slice", 0, 1);
-    const std::size_t uses = run_uses_.size() + segment_uses_.size();
+    const std::size_t uses = uses_.runs.size() + uses_.segments.size();
     charge_.add(kUseBytes * (uses - charged_uses_), "runs along edges");
     charged_uses_ = uses;
   }
@@ -210,54 +205,100 @@ class Slicer {
   void add_run(EdgeId e, std::uint32_t polygon, NodeId from, NodeId to) {
     const std::uint32_t i = place_on(e, from), j = place_on(e, to);
     for (std::uint32_t k = std::min(i, j); k < std::max(i, j); ++k) {
-      run_uses_.push_back({e.value(), k, 0, {polygon, i < j ? 1 : -1}});
-      if (run_uses_.size() % kStepsPerCheckpoint == 0) charge_uses();
+      uses_.runs.push_back({e.value(), k, 0, {polygon, i < j ? 1 : -1}});
+      if (uses_.runs.size() % kStepsPerCheckpoint == 0) charge_uses();
     }
   }
 
-  // ---------------------------------------------------------------- faces
+  const SurfacePolygons& polygons_;
+  const SurfaceMesh& mesh_;
+  const SurfaceNodes& nodes_;
+  MemoryCharge& charge_;
+  Context& context_;
+  std::size_t charged_uses_ = 0;
+  Uses uses_;
+};
 
-  // Marks the faces at edges and vertices with nodes, and those with segments; they get slots in
-  // ascending order.
-  void find_touched_faces() {
-    std::vector<std::uint8_t> is_touched(mesh_.face_count());
-    for (const EdgeId e : nodes_.edges) {
-      const HalfedgeId h = mesh_.halfedge(e);
-      is_touched[SurfaceMesh::face(h).value()] = 1;
-      if (!mesh_.is_border(h)) is_touched[SurfaceMesh::face(mesh_.twin(h)).value()] = 1;
-    }
-    for (std::uint32_t n = nodes_.vertices_begin; n < nodes_.faces_begin; ++n) {
-      const HalfedgeId first = mesh_.halfedge(polygons_.points.vertex(nodes_.point[n]));
-      for (HalfedgeId h = first; h.is_valid();) {
-        is_touched[SurfaceMesh::face(h).value()] = 1;
-        h = mesh_.twin(SurfaceMesh::prev(h));
-        if (h == first) break;
-      }
-    }
-    for (const Strand& s : segments_) is_touched[s.item] = 1;
-    out_.slot_of_face.assign(mesh_.face_count(), kNone);
-    for (std::size_t f = 0; f < is_touched.size(); ++f) {
-      if (is_touched[f] == 0) continue;
-      out_.slot_of_face[f] = static_cast<std::uint32_t>(out_.slot_face.size());
-      out_.slot_face.push_back(FaceId(f));
+/// Returns the faces at edges and vertices with nodes, and those with segments, ascending.
+std::vector<FaceId> touched_faces(const SurfacePolygons& polygons, const SurfaceNodes& nodes,
+                                  const std::vector<Strand>& segments) {
+  const SurfaceMesh& mesh = polygons.points.mesh();
+  IdVector<FaceId, std::uint8_t> is_touched(mesh.face_count());
+  for (const EdgeId e : nodes.edges) {
+    const HalfedgeId h = mesh.halfedge(e);
+    is_touched[SurfaceMesh::face(h)] = 1;
+    if (!mesh.is_border(h)) is_touched[SurfaceMesh::face(mesh.twin(h))] = 1;
+  }
+  for (std::uint32_t n = nodes.vertices_begin; n < nodes.faces_begin; ++n) {
+    const HalfedgeId first = mesh.halfedge(polygons.points.vertex(nodes.point[n]));
+    for (HalfedgeId h = first; h.is_valid();) {
+      is_touched[SurfaceMesh::face(h)] = 1;
+      h = mesh.twin(SurfaceMesh::prev(h));
+      if (h == first) break;
     }
   }
+  for (const Strand& s : segments) is_touched[s.item] = 1;
+  std::vector<FaceId> faces;
+  for (std::size_t f = 0; f < is_touched.size(); ++f) {
+    if (is_touched[f] != 0) faces.push_back(FaceId(f));
+  }
+  return faces;
+}
 
-  void number_corners() {
-    for (const FaceId f : out_.slot_face) {
-      for (const std::uint32_t v : mesh_.corners(f)) {
-        if (nodes_.of_vertex[v].is_valid()) continue;
-        nodes_.of_vertex[v] = NodeId(nodes_.point.size() + out_.corner_vertex.size());
-        out_.corner_vertex.push_back(VertexId(v));
-      }
+/// Returns the slot of each face of the mesh, or kNone.
+IdVector<FaceId, std::uint32_t> slots_of_faces(const SurfaceMesh& mesh,
+                                               const std::vector<FaceId>& slot_face) {
+  IdVector<FaceId, std::uint32_t> slot_of_face(mesh.face_count(), kNone);
+  for (std::uint32_t slot = 0; slot < slot_face.size(); ++slot) {
+    slot_of_face[slot_face[slot]] = slot;
+  }
+  return slot_of_face;
+}
+
+/// Makes nodes of the corners of touched faces that are not input points, and returns their
+/// vertices. Enters these nodes in `nodes.of_vertex`.
+std::vector<VertexId> number_corners(const SurfaceMesh& mesh, const std::vector<FaceId>& faces,
+                                     SurfaceNodes& nodes) {
+  std::vector<VertexId> corners;
+  for (const FaceId f : faces) {
+    for (const std::uint32_t v : mesh.corners(f)) {
+      if (nodes.of_vertex[v].is_valid()) continue;
+      nodes.of_vertex[v] = NodeId(nodes.point.size() + corners.size());
+      corners.push_back(VertexId(v));
     }
   }
+  return corners;
+}
+
+/// Appends an arc along a half-edge, and names it at the half-edge and its twin.
+void add_arc(HalfedgeId h, std::uint32_t bundle, SurfaceArrangement& out) {
+  const ArcId a(out.arc_halfedge.size());
+  out.arc_halfedge.push_back(h);
+  out.arc_bundle.push_back(bundle);
+  out.arc[h] = a;
+  if (const HalfedgeId t = out.twin[h]; t.is_valid()) out.arc[t] = a;
+}
+
+/// Arranges touched faces and appends them to the flat arrays. This is a class because all faces
+/// share one FaceArrangement and the tables between its local ids and nodes. Their memory is
+/// reused.
+class FaceWriter {
+ public:
+  /// Requires that the slots and corners of `out` are complete.
+  FaceWriter(const SurfacePolygons& polygons, const SurfaceNodes& nodes, MemoryCharge& charge,
+             Context& context, SurfaceArrangement& out)
+      : polygons_(polygons),
+        mesh_(polygons.points.mesh()),
+        nodes_(nodes),
+        charge_(charge),
+        context_(context),
+        crossings_begin_(nodes.point.size() + out.corner_vertex.size()),
+        out_(out) {}
 
   /// Faces are arranged one after the other with one FaceArrangement, in the order of their slots,
   /// which is also that of the segments.
-  void arrange_faces() {
-    local_of_node_.resize(nodes_.point.size() + out_.corner_vertex.size());
-    crossings_begin_ = local_of_node_.size();
+  void run(const std::vector<Strand>& segments) {
+    local_of_node_.resize(crossings_begin_);
     std::size_t at = 0;
     out_.loop_begin.push_back(0);
     for (std::uint32_t slot = 0; slot < out_.slot_face.size(); ++slot) {
@@ -266,8 +307,8 @@ class Slicer {
       face_.clear();
       node_of_local_.clear();
       add_ring(f);
-      for (; at < segments_.size() && segments_[at].item == f.value(); ++at) {
-        const Strand& s = segments_[at];
+      for (; at < segments.size() && segments[at].item == f.value(); ++at) {
+        const Strand& s = segments[at];
         face_.segments.push_back(
             {add_point(NodeId(s.low), f), add_point(NodeId(s.high), f), s.bundle, 1});
       }
@@ -278,8 +319,9 @@ class Slicer {
     out_.piece_begin.push_back(PieceId(out_.piece_slot.size()));
   }
 
+ private:
   void add_local(NodeId n) {
-    local_of_node_[n.value()] = static_cast<std::uint32_t>(node_of_local_.size());
+    local_of_node_[n] = static_cast<std::uint32_t>(node_of_local_.size());
     node_of_local_.push_back(n);
   }
   /// Lists the nodes along the boundary of a face, counter-clockwise from corner 0. Nodes of an
@@ -291,14 +333,14 @@ class Slicer {
       out_.side_begin.push_back(
           static_cast<std::uint32_t>(out_.origin.size() + node_of_local_.size()));
       if (i == 1) face_.corner_1 = static_cast<std::uint32_t>(node_of_local_.size());
-      add_local(nodes_.of_vertex[mesh_.origin(h).value()]);
+      add_local(nodes_.of_vertex[mesh_.origin(h)]);
       face_.points.inputs.push_back(kCorners[i]);
       const EdgeId e = mesh_.edge(h);
       const std::uint32_t count = nodes_.count_on(e);
       for (std::uint32_t j = 0; j < count; ++j) {
         const NodeId n(nodes_.first_on(e) + (mesh_.is_upward(h) ? j : count - 1 - j));
         add_local(n);
-        polygons_.points.append_local(point(n), f, face_.points.inputs);
+        polygons_.points.append_local(nodes_.point[n], f, face_.points.inputs);
       }
     }
     face_.ring_size = static_cast<std::uint32_t>(node_of_local_.size());
@@ -306,14 +348,12 @@ class Slicer {
   }
   /// Returns the local id of a node. Points inside the face are added when they are first seen.
   std::uint32_t add_point(NodeId n, FaceId f) {
-    const std::uint32_t known = local_of_node_[n.value()];
+    const std::uint32_t known = local_of_node_[n];
     if (known < node_of_local_.size() && node_of_local_[known] == n) return known;
     add_local(n);
-    polygons_.points.append_local(point(n), f, face_.points.inputs);
-    return local_of_node_[n.value()];
+    polygons_.points.append_local(nodes_.point[n], f, face_.points.inputs);
+    return local_of_node_[n];
   }
-
-  // ---------------------------------------------------------------- output of one face
 
   /// Appends half-edges, arcs and pieces of the face to the flat arrays. Half-edges keep their
   /// order, so those along the sides are found by position.
@@ -332,19 +372,11 @@ class Slicer {
     for (std::uint32_t a = 0; a < face_.arcs.size(); ++a) {
       const HalfedgeId h(std::size_t{base} + face_.ring_size + std::size_t{2} * a);
       const HalfedgeId g(h.value() + std::size_t{1});
-      out_.twin[h.value()] = g;
-      out_.twin[g.value()] = h;
-      add_arc(face_.arcs[a].sign > 0 ? h : g, face_.arcs[a].bundle);
+      out_.twin[h] = g;
+      out_.twin[g] = h;
+      add_arc(face_.arcs[a].sign > 0 ? h : g, face_.arcs[a].bundle, out_);
     }
     emit_pieces(slot, base);
-  }
-
-  void add_arc(HalfedgeId h, std::uint32_t bundle) {
-    const ArcId a(out_.arc_halfedge.size());
-    out_.arc_halfedge.push_back(h);
-    out_.arc_bundle.push_back(bundle);
-    out_.arc[h.value()] = a;
-    if (const HalfedgeId t = out_.twin[h.value()]; t.is_valid()) out_.arc[t.value()] = a;
   }
 
   /// Makes crossings in which arcs end nodes, in the order of arcs.
@@ -397,78 +429,92 @@ class Slicer {
     return sum;
   }
 
-  // ---------------------------------------------------------------- between faces
-
-  /// Returns the j-th half-edge along a side of a touched face, or an invalid id if the face is not
-  /// touched.
-  HalfedgeId on_side(HalfedgeId h, std::uint32_t j) const {
-    const std::uint32_t slot = out_.slot_of_face[SurfaceMesh::face(h).value()];
-    if (slot == kNone) return {};
-    return HalfedgeId(out_.side_begin[4 * slot + SurfaceMesh::side(h)] + j);
-  }
-
-  /// Both faces at a mesh edge have the same nodes along it, in opposite order, so the j-th
-  /// half-edge from one end is the twin of the j-th from the other.
-  void sew() {
-    for (const FaceId f : out_.slot_face) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const HalfedgeId h = SurfaceMesh::halfedge(f, i);
-        if (mesh_.is_border(h)) continue;
-        const std::uint32_t count = nodes_.count_on(mesh_.edge(h));
-        for (std::uint32_t j = 0; j <= count; ++j) {
-          out_.twin[on_side(h, j).value()] = on_side(mesh_.twin(h), count - j);
-        }
-      }
-    }
-  }
-
-  // Puts the runs along mesh edges on the half-edges there. At the border only one half-edge
-  // exists; if it runs downwards the run is negated.
-  void lay_runs() {
-    for (const Strand& run : runs_) {
-      const EdgeId e(run.item);
-      HalfedgeId h = mesh_.halfedge(e);
-      std::uint32_t bundle = run.bundle;
-      if (!mesh_.is_upward(h)) {
-        if (mesh_.is_border(h)) {
-          bundle = negated(bundle);
-        } else {
-          h = mesh_.twin(h);
-        }
-      }
-      const std::uint32_t j = mesh_.is_upward(h) ? run.low : nodes_.count_on(e) - run.low;
-      add_arc(on_side(h, j), bundle);
-    }
-  }
-  std::uint32_t negated(std::uint32_t bundle) {
-    const auto entries = out_.bundles[bundle];
-    std::vector<SignedEntry> terms(entries.begin(), entries.end());
-    for (SignedEntry& e : terms) e.value = -e.value;
-    out_.bundles.add_sum(terms);
-    return static_cast<std::uint32_t>(out_.bundles.size() - 1);
-  }
-
   const SurfacePolygons& polygons_;
   const SurfaceMesh& mesh_;
+  const SurfaceNodes& nodes_;
+  MemoryCharge& charge_;
   Context& context_;
-  MemoryCharge charge_;
-  SurfaceNodes nodes_;
-  std::vector<Use> run_uses_;
-  std::vector<Use> segment_uses_;
-  std::size_t charged_uses_ = 0;
-  std::vector<Strand> runs_;
-  std::vector<Strand> segments_;
+  std::size_t crossings_begin_;
+  SurfaceArrangement& out_;
   FaceArrangement face_;
   std::vector<NodeId> node_of_local_;
-  std::vector<std::uint32_t> local_of_node_;
-  std::size_t crossings_begin_ = 0;
-  SurfaceArrangement out_;
+  IdVector<NodeId, std::uint32_t> local_of_node_;
 };
+
+/// Returns the j-th half-edge along a side of a touched face, or an invalid id if the face is not
+/// touched.
+HalfedgeId on_side(const SurfaceArrangement& out, HalfedgeId h, std::uint32_t j) {
+  const std::uint32_t slot = out.slot_of_face[SurfaceMesh::face(h)];
+  if (slot == kNone) return {};
+  return HalfedgeId(out.side_begin[4 * slot + SurfaceMesh::side(h)] + j);
+}
+
+/// Both faces at a mesh edge have the same nodes along it, in opposite order, so the j-th
+/// half-edge from one end is the twin of the j-th from the other.
+void sew(const SurfaceMesh& mesh, const SurfaceNodes& nodes, SurfaceArrangement& out) {
+  for (const FaceId f : out.slot_face) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const HalfedgeId h = SurfaceMesh::halfedge(f, i);
+      if (mesh.is_border(h)) continue;
+      const std::uint32_t count = nodes.count_on(mesh.edge(h));
+      for (std::uint32_t j = 0; j <= count; ++j) {
+        out.twin[on_side(out, h, j)] = on_side(out, mesh.twin(h), count - j);
+      }
+    }
+  }
+}
+
+/// Appends the negative of a bundle and returns its index.
+std::uint32_t add_negated(std::uint32_t bundle, SurfaceBundles& bundles) {
+  const auto entries = bundles[bundle];
+  std::vector<SignedEntry> terms(entries.begin(), entries.end());
+  for (SignedEntry& e : terms) e.value = -e.value;
+  bundles.add_sum(terms);
+  return static_cast<std::uint32_t>(bundles.size() - 1);
+}
+
+/// Puts the runs along mesh edges on the half-edges there. At the border only one half-edge exists;
+/// if it runs downwards the run is negated.
+void lay_runs(const SurfaceMesh& mesh, const SurfaceNodes& nodes, const std::vector<Strand>& runs,
+              SurfaceArrangement& out) {
+  for (const Strand& run : runs) {
+    const EdgeId e(run.item);
+    HalfedgeId h = mesh.halfedge(e);
+    std::uint32_t bundle = run.bundle;
+    if (!mesh.is_upward(h)) {
+      if (mesh.is_border(h)) {
+        bundle = add_negated(bundle, out.bundles);
+      } else {
+        h = mesh.twin(h);
+      }
+    }
+    const std::uint32_t j = mesh.is_upward(h) ? run.low : nodes.count_on(e) - run.low;
+    add_arc(on_side(out, h, j), bundle, out);
+  }
+}
 
 }  // namespace
 
 SurfaceArrangement slice(const SurfacePolygons& polygons, Context& context) {
-  return Slicer(polygons, context).run();
+  const SurfaceMesh& mesh = polygons.points.mesh();
+  MemoryCharge charge(context);
+  charge.add(kEntryBytes * polygons.point.size() + kFaceBytes * mesh.face_count(),
+             "an arrangement on a surface");
+  SurfaceNodes nodes = make_nodes(polygons, context);
+  Uses uses = UseGatherer(polygons, nodes, charge, context).run();
+  SurfaceArrangement out;
+  out.segments = uses.count;
+  const std::vector<Strand> runs = add_up(uses.runs, out.bundles);
+  const std::vector<Strand> segments = add_up(uses.segments, out.bundles);
+  out.slot_face = touched_faces(polygons, nodes, segments);
+  out.slot_of_face = slots_of_faces(mesh, out.slot_face);
+  out.corner_vertex = number_corners(mesh, out.slot_face, nodes);
+  FaceWriter(polygons, nodes, charge, context, out).run(segments);
+  sew(mesh, nodes, out);
+  lay_runs(mesh, nodes, runs, out);
+  out.node_point = std::move(nodes.point);
+  out.node_of_entry = std::move(nodes.of_entry);
+  return out;
 }
 
 namespace {
@@ -561,7 +607,7 @@ class NodeMaker {
     for (std::uint32_t n = 0; n < nodes_.vertices_begin; ++n) {
       const EdgeId e = points_.edge(nodes_.point[n]);
       if (!nodes_.edges.empty() && nodes_.edges.back() == e) continue;
-      nodes_.slot_of_edge[e.value()] = static_cast<std::uint32_t>(nodes_.edges.size());
+      nodes_.slot_of_edge[e] = static_cast<std::uint32_t>(nodes_.edges.size());
       nodes_.edges.push_back(e);
       nodes_.edge_begin.push_back(n);
     }
@@ -571,7 +617,7 @@ class NodeMaker {
   void index_vertices() {
     nodes_.of_vertex.assign(points_.mesh().vertex_count(), NodeId{});
     for (std::uint32_t n = nodes_.vertices_begin; n < nodes_.faces_begin; ++n) {
-      nodes_.of_vertex[points_.vertex(nodes_.point[n]).value()] = NodeId(n);
+      nodes_.of_vertex[points_.vertex(nodes_.point[n])] = NodeId(n);
     }
   }
 

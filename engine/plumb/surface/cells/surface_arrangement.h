@@ -66,35 +66,38 @@ struct SurfaceArrangement {
 
   // The nodes are, in this order: input points, corners of touched faces that are not input points,
   // crossings.
-  std::vector<SurfacePointId> node_point;  ///< The input points, which are the first nodes.
-  std::vector<VertexId> corner_vertex;     ///< The corners, which are the next nodes.
-  std::vector<SurfaceCrossing> crossings;  ///< The crossings, which are the last nodes.
-  std::vector<NodeId> node_of_entry;       ///< Node of each entry of SurfacePolygons::point.
+  IdVector<NodeId, SurfacePointId> node_point;  ///< The input points, which are the first nodes.
+  std::vector<VertexId> corner_vertex;          ///< The corners, which are the next nodes.
+  std::vector<SurfaceCrossing> crossings;       ///< The crossings, which are the last nodes.
+  std::vector<NodeId> node_of_entry;            ///< Node of each entry of SurfacePolygons::point.
 
   // Each touched face has a slot. Slots are in ascending order of face ids.
   std::vector<FaceId> slot_face;
-  std::vector<std::uint32_t> slot_of_face;  ///< Slot of each face, or kNone.
+  IdVector<FaceId, std::uint32_t> slot_of_face;  ///< Slot of each face, or kNone.
   /// Four entries for each slot: the first half-edges of sides 0, 1 and 2, and the first half-edge
   /// of arcs.
   std::vector<std::uint32_t> side_begin;
   std::vector<PieceId> piece_begin;  ///< First piece of each slot, and one past the last.
 
-  std::vector<NodeId> origin;  ///< Origin of each half-edge.
+  IdVector<HalfedgeId, NodeId> origin;  ///< Origin of each half-edge.
   /// Twin of each half-edge. It is invalid at the mesh border, and where the adjacent face is not
   /// touched.
-  std::vector<HalfedgeId> twin;
-  std::vector<HalfedgeId> next;  ///< Next half-edge around the piece of each half-edge.
-  std::vector<PieceId> piece;    ///< Piece to the left of each half-edge.
-  std::vector<ArcId> arc;        ///< Arc of each half-edge; invalid if no polygon runs there.
+  IdVector<HalfedgeId, HalfedgeId> twin;
+  IdVector<HalfedgeId, HalfedgeId> next;  ///< Next half-edge around the piece of each half-edge.
+  IdVector<HalfedgeId, PieceId> piece;    ///< Piece to the left of each half-edge.
+  IdVector<HalfedgeId, ArcId> arc;  ///< Arc of each half-edge; invalid if no polygon runs there.
 
-  std::vector<std::uint32_t> piece_slot;
-  std::vector<double> piece_share;  ///< The area of each piece divided by the area of its face.
-  std::vector<std::uint32_t> loop_begin;  ///< First loop of each piece, and one past the last.
+  IdVector<PieceId, std::uint32_t> piece_slot;
+  IdVector<PieceId, double>
+      piece_share;  ///< The area of each piece divided by the area of its face.
+  IdVector<PieceId, std::uint32_t>
+      loop_begin;  ///< First loop of each piece, and one past the last.
   std::vector<HalfedgeId>
       loop;  ///< One half-edge of each boundary cycle of a piece, that of the outer cycle first.
 
-  std::vector<HalfedgeId> arc_halfedge;  ///< The half-edge that runs in the direction of each arc.
-  std::vector<std::uint32_t> arc_bundle;
+  IdVector<ArcId, HalfedgeId>
+      arc_halfedge;  ///< The half-edge that runs in the direction of each arc.
+  IdVector<ArcId, std::uint32_t> arc_bundle;
   SurfaceBundles bundles;  ///< The polygons along arcs, with their multiplicities.
 
   std::size_t crossings_begin() const { return node_point.size() + corner_vertex.size(); }
@@ -104,19 +107,17 @@ struct SurfaceArrangement {
   std::size_t arc_count() const { return arc_halfedge.size(); }
   bool is_input(NodeId n) const { return n.value() < node_point.size(); }
   bool is_crossing(NodeId n) const { return n.value() >= crossings_begin(); }
-  SurfacePointId input(NodeId n) const { return node_point[n.value()]; }
+  SurfacePointId input(NodeId n) const { return node_point[n]; }
   /// Returns the vertex of a node that is neither an input point nor a crossing.
   VertexId corner(NodeId n) const { return corner_vertex[n.value() - node_point.size()]; }
   const SurfaceCrossing& crossing(NodeId n) const {
     return crossings[n.value() - crossings_begin()];
   }
-  std::span<const SignedEntry> multiplicities(ArcId a) const {
-    return bundles[arc_bundle[a.value()]];
-  }
+  std::span<const SignedEntry> multiplicities(ArcId a) const { return bundles[arc_bundle[a]]; }
   /// Whether the half-edge runs in the direction of its arc. Requires that it has an arc.
-  bool is_with_arc(HalfedgeId h) const { return arc_halfedge[arc[h.value()].value()] == h; }
-  NodeId target(HalfedgeId h) const { return origin[next[h.value()].value()]; }
-  FaceId face_of(PieceId p) const { return slot_face[piece_slot[p.value()]]; }
+  bool is_with_arc(HalfedgeId h) const { return arc_halfedge[arc[h]] == h; }
+  NodeId target(HalfedgeId h) const { return origin[next[h]]; }
+  FaceId face_of(PieceId p) const { return slot_face[piece_slot[p]]; }
   std::uint32_t sides_begin(std::uint32_t slot) const { return side_begin[4 * slot]; }
   std::uint32_t arcs_begin(std::uint32_t slot) const { return side_begin[4 * slot + 3]; }
 };
@@ -130,18 +131,18 @@ inline constexpr std::uint8_t kCrossingEnds = 3;
 /// by kCrossingEnds. A closed arc has two ends at its node. If the number is kCrossingEnds, the
 /// node counts as a crossing. Only arcs for which `counts(arc)` returns true are counted.
 template <class Counts>
-std::vector<std::uint8_t> arc_ends(const SurfaceArrangement& a, const Counts& counts) {
-  std::vector<std::uint8_t> ends(a.node_count());
+IdVector<NodeId, std::uint8_t> arc_ends(const SurfaceArrangement& a, const Counts& counts) {
+  IdVector<NodeId, std::uint8_t> ends(a.node_count());
   for (std::size_t i = 0; i < a.arc_count(); ++i) {
     if (!counts(ArcId(i))) continue;
     const HalfedgeId h = a.arc_halfedge[i];
-    for (const NodeId n : {a.origin[h.value()], a.target(h)}) {
-      if (ends[n.value()] < kCrossingEnds) ++ends[n.value()];
+    for (const NodeId n : {a.origin[h], a.target(h)}) {
+      if (ends[n] < kCrossingEnds) ++ends[n];
     }
   }
   return ends;
 }
-inline std::vector<std::uint8_t> arc_ends(const SurfaceArrangement& a) {
+inline IdVector<NodeId, std::uint8_t> arc_ends(const SurfaceArrangement& a) {
   return arc_ends(a, [](ArcId) { return true; });
 }
 
@@ -163,24 +164,24 @@ SurfacePointId add_node_point(const SurfaceArrangement& arrangement,
 /// Nodes of input points. The nodes on edges come first, sorted by edge and then by t. Then come
 /// the nodes at vertices, then the nodes in faces.
 struct SurfaceNodes {
-  std::vector<SurfacePointId> point;  ///< Point of each node.
-  std::vector<NodeId> of_entry;       ///< Node of each entry of the polygons.
-  std::vector<EdgeId> edges;          ///< Edges with nodes inside, ascending.
+  IdVector<NodeId, SurfacePointId> point;  ///< Point of each node.
+  std::vector<NodeId> of_entry;            ///< Node of each entry of the polygons.
+  std::vector<EdgeId> edges;               ///< Edges with nodes inside, ascending.
   /// First node of each entry of `edges`. A final entry is one past the last node on edges. The
   /// nodes of an edge are in ascending order of t.
   std::vector<std::uint32_t> edge_begin;
-  std::vector<std::uint32_t> slot_of_edge;  ///< Index of each mesh edge in `edges`, or kNone.
+  IdVector<EdgeId, std::uint32_t> slot_of_edge;  ///< Index of each mesh edge in `edges`, or kNone.
   std::uint32_t vertices_begin = 0;
   std::uint32_t faces_begin = 0;
-  std::vector<NodeId> of_vertex;  ///< Node of each mesh vertex.
+  IdVector<VertexId, NodeId> of_vertex;  ///< Node of each mesh vertex.
 
   std::uint32_t count_on(EdgeId e) const {
-    const std::uint32_t slot = slot_of_edge[e.value()];
+    const std::uint32_t slot = slot_of_edge[e];
     return slot == kNone ? 0 : edge_begin[slot + 1] - edge_begin[slot];
   }
   /// Returns the first node inside an edge; the other nodes inside the edge follow it. Requires
   /// that count_on(e) > 0.
-  std::uint32_t first_on(EdgeId e) const { return edge_begin[slot_of_edge[e.value()]]; }
+  std::uint32_t first_on(EdgeId e) const { return edge_begin[slot_of_edge[e]]; }
 };
 
 /// Finds the distinct points of the polygons. Expected cost: O(n log n) for n entries, and O(mesh)

@@ -63,11 +63,11 @@ class CellMaker {
   }
 
  private:
-  bool is_touched(FaceId f) const { return a_.slot_of_face[f.value()] != kNone; }
+  bool is_touched(FaceId f) const { return a_.slot_of_face[f] != kNone; }
   std::uint32_t node_of(FaceId f) const {
     return static_cast<std::uint32_t>(a_.piece_count()) + f.value();
   }
-  PieceId piece_of(HalfedgeId h) const { return a_.piece[h.value()]; }
+  PieceId piece_of(HalfedgeId h) const { return a_.piece[h]; }
 
   void join_pieces() {
     for (std::uint32_t i = 0; i < a_.halfedge_count(); ++i) {
@@ -89,7 +89,7 @@ class CellMaker {
         if (f < g) joined_.unite(node_of(f), node_of(g));
         continue;
       }
-      const std::uint32_t slot = a_.slot_of_face[g.value()];
+      const std::uint32_t slot = a_.slot_of_face[g];
       const HalfedgeId side(a_.side_begin[4 * slot + SurfaceMesh::side(t)]);
       joined_.unite(node_of(f), piece_of(side).value());
     }
@@ -118,7 +118,7 @@ class CellMaker {
       }
       for (PieceId p = a_.piece_begin[slot]; p < a_.piece_begin[slot + 1];
            p = PieceId(p.value() + std::size_t{1})) {
-        cells_.of_piece[p.value()] = cell_of(p.value(), mesh_.component(f));
+        cells_.of_piece[p] = cell_of(p.value(), mesh_.component(f));
       }
     }
   }
@@ -131,11 +131,11 @@ class CellMaker {
       const double area = triangle_area(mesh_, f);
       const std::uint32_t slot = a_.slot_of_face[i];
       if (slot == kNone) {
-        add_area(area, cells_.area[cells_.of_face[i].value()]);
+        add_area(area, cells_.area[cells_.of_face[i]]);
       } else {
         for (std::uint32_t p = a_.piece_begin[slot].value(); p < a_.piece_begin[slot + 1].value();
              ++p) {
-          add_area(area * a_.piece_share[p], cells_.area[cells_.of_piece[p].value()]);
+          add_area(area * a_.piece_share[p], cells_.area[cells_.of_piece[p]]);
         }
       }
       for (std::size_t side = 0; side < 3; ++side) {
@@ -144,14 +144,14 @@ class CellMaker {
     }
   }
   void mark_border(FaceId f, std::size_t side) {
-    const std::uint32_t slot = a_.slot_of_face[f.value()];
+    const std::uint32_t slot = a_.slot_of_face[f];
     if (slot == kNone) {
-      cells_.is_at_border[cells_.of_face[f.value()].value()] = 1;
+      cells_.is_at_border[cells_.of_face[f]] = 1;
       return;
     }
     for (std::uint32_t h = a_.side_begin[4 * slot + side]; h < a_.side_begin[4 * slot + side + 1];
          ++h) {
-      cells_.is_at_border[cells_.of_piece[a_.piece[h].value()].value()] = 1;
+      cells_.is_at_border[cells_.of_piece[a_.piece[h]].value()] = 1;
     }
   }
 
@@ -162,10 +162,10 @@ class CellMaker {
   /// positive: it may prove that a shape has no label.
   void link() {
     for (std::uint32_t i = 0; i < a_.arc_count(); ++i) {
-      const HalfedgeId h = a_.arc_halfedge[i], t = a_.twin[h.value()];
+      const HalfedgeId h = a_.arc_halfedge[i], t = a_.twin[h];
       if (!t.is_valid()) continue;  // An arc along the mesh border.
-      const CellId left = cells_.of_piece[piece_of(h).value()];
-      const CellId right = cells_.of_piece[piece_of(t).value()];
+      const CellId left = cells_.of_piece[piece_of(h)];
+      const CellId right = cells_.of_piece[piece_of(t)];
       const std::uint32_t bundle = a_.arc_bundle[i];
       std::int32_t sign = right <= left ? 1 : -1;
       if (left == right && a_.bundles[bundle].front().value < 0) sign = -1;
@@ -209,10 +209,10 @@ SurfaceCells make_cells(const SurfaceMesh& mesh, const SurfaceArrangement& arran
 }
 
 CellId cell_at_corner(const SurfaceArrangement& arrangement, const SurfaceCells& cells, FaceId f) {
-  const std::uint32_t slot = arrangement.slot_of_face[f.value()];
-  if (slot == kNone) return cells.of_face[f.value()];
+  const std::uint32_t slot = arrangement.slot_of_face[f];
+  if (slot == kNone) return cells.of_face[f];
   const HalfedgeId h(arrangement.sides_begin(slot));
-  return cells.of_piece[arrangement.piece[h.value()].value()];
+  return cells.of_piece[arrangement.piece[h]];
 }
 
 namespace {
@@ -278,39 +278,39 @@ class BorderTracer {
   }
 
   bool is_inside(HalfedgeId h) const {
-    return is_selected_[cells_.of_piece[a_.piece[h.value()].value()].value()] != 0;
+    return is_selected_[cells_.of_piece[a_.piece[h]].value()] != 0;
   }
   bool is_border_arc(HalfedgeId h) const {
-    const HalfedgeId t = a_.twin[h.value()];
-    return a_.arc[h.value()].is_valid() && t.is_valid() && is_inside(h) && !is_inside(t);
+    const HalfedgeId t = a_.twin[h];
+    return a_.arc[h].is_valid() && t.is_valid() && is_inside(h) && !is_inside(t);
   }
 
   // ---------------------------------------------------------------- walking
 
   Dart next(Dart d) const {
-    return d.is_of_mesh ? Dart{true, SurfaceMesh::next(d.h)} : Dart{false, a_.next[d.h.value()]};
+    return d.is_of_mesh ? Dart{true, SurfaceMesh::next(d.h)} : Dart{false, a_.next[d.h]};
   }
   FaceId face(Dart d) const {
-    return d.is_of_mesh ? SurfaceMesh::face(d.h) : a_.face_of(a_.piece[d.h.value()]);
+    return d.is_of_mesh ? SurfaceMesh::face(d.h) : a_.face_of(a_.piece[d.h]);
   }
 
   /// Returns the twin, invalid at the mesh border.
   Dart twin(Dart d) const {
     HalfedgeId side = d.h;
     if (!d.is_of_mesh) {
-      if (const HalfedgeId t = a_.twin[d.h.value()]; t.is_valid()) return {false, t};
+      if (const HalfedgeId t = a_.twin[d.h]; t.is_valid()) return {false, t};
       side = mesh_halfedge(d.h);
     }
     // No node lies inside an edge of a face that is not touched.
     const HalfedgeId across = mesh_.twin(side);
     if (!across.is_valid()) return {true, across};
-    const std::uint32_t slot = a_.slot_of_face[SurfaceMesh::face(across).value()];
+    const std::uint32_t slot = a_.slot_of_face[SurfaceMesh::face(across)];
     if (slot == kNone) return {true, across};
     return {false, HalfedgeId(a_.side_begin[4 * slot + SurfaceMesh::side(across)])};
   }
   /// Returns the side of its face that a half-edge lies on.
   HalfedgeId mesh_halfedge(HalfedgeId h) const {
-    const std::uint32_t slot = a_.piece_slot[a_.piece[h.value()].value()];
+    const std::uint32_t slot = a_.piece_slot[a_.piece[h]];
     std::size_t side = 0;
     while (a_.side_begin[4 * slot + side + 1] <= h.value()) ++side;
     return SurfaceMesh::halfedge(a_.slot_face[slot], side);
@@ -342,16 +342,17 @@ class BorderTracer {
       context_.checkpoint("borders", 0, 1);
       charge_.add(kStepBytes * kBorderStepsPerCheckpoint, "borders");
     }
-    if (!d.is_of_mesh) is_used_[d.h.value()] = 1;
+    if (!d.is_of_mesh) is_used_[d.h] = 1;
     if (d.is_of_mesh) {
-      out_.add_segment(out_.points.add_vertex(mesh_.origin(d.h)), face(d), false);
+      out_.add_segment(out_.points.add_vertex(mesh_.origin(d.h)), face(d), SegmentStart::PathPoint);
       return;
     }
-    const NodeId n = a_.origin[d.h.value()];
-    const bool is_control = is_control_[n.value()] != 0;
+    const NodeId n = a_.origin[d.h];
+    const bool is_control = is_control_[n] != 0;
     const bool is_straight = a_.is_crossing(n) && !is_control && !last.is_of_mesh;
     if (is_straight) return;
-    out_.add_segment(add_node_point(a_, polygons_.points, n, out_.points), face(d), is_control);
+    out_.add_segment(add_node_point(a_, polygons_.points, n, out_.points), face(d),
+                     is_control ? SegmentStart::ControlPoint : SegmentStart::PathPoint);
   }
 
   const SurfacePolygons& polygons_;
@@ -363,9 +364,9 @@ class BorderTracer {
   MemoryCharge charge_;
   std::size_t steps_ = 0;
   SurfacePolygons out_;
-  std::vector<std::uint8_t> is_generator_;  // Per polygon.
-  std::vector<std::uint8_t> is_control_;    // Per node.
-  std::vector<std::uint8_t> is_used_;       // Per half-edge.
+  std::vector<std::uint8_t> is_generator_;      // Per polygon.
+  IdVector<NodeId, std::uint8_t> is_control_;   // Per node.
+  IdVector<HalfedgeId, std::uint8_t> is_used_;  // Per half-edge.
 };
 
 }  // namespace

@@ -30,13 +30,14 @@ struct CellEdge {
 
 /// The cells and their graph.
 struct SurfaceCells {
-  std::vector<CellId> of_piece;
-  std::vector<CellId>
+  IdVector<PieceId, CellId> of_piece;
+  IdVector<FaceId, CellId>
       of_face;  ///< The cell that contains each face; valid only for faces that are not touched.
-  std::vector<double>
+  IdVector<CellId, double>
       area;  ///< The area of each cell; if it exceeds the largest double, the largest double.
-  std::vector<std::uint32_t> component;  ///< The component of the mesh that contains each cell.
-  std::vector<std::uint8_t> is_at_border;
+  IdVector<CellId, std::uint32_t>
+      component;  ///< The component of the mesh that contains each cell.
+  IdVector<CellId, std::uint8_t> is_at_border;
   std::vector<CellEdge> edges;  ///< Distinct edges, sorted by (from, to).
 
   std::size_t size() const { return area.size(); }

@@ -18,6 +18,8 @@
 #include <iterator>
 #include <utility>
 
+#include "plumb/predicates/strong_id.h"
+
 namespace plumb {
 namespace {
 
@@ -66,319 +68,356 @@ void append_sum(std::span<const SignedEntry> a, std::span<const SignedEntry> b, 
   }
 }
 
-class Labeller {
- public:
-  Labeller(const SurfaceCells& cells, const CellJumps& jumps, std::size_t shapes, CellId outside,
-           std::span<const CellLevel> levels, Context& context)
-      : cells_(cells),
-        jumps_(jumps),
-        outside_(outside),
-        levels_(levels.begin(), levels.end()),
-        context_(context),
-        working_(context),
-        charge_(working_, kLabelBytes) {
-    context.charge_memory(shapes * sizeof(Separation), "labels");
-    labels_.separation.resize(shapes);
-    std::sort(levels_.begin(), levels_.end(), [&](const CellLevel& a, const CellLevel& b) {
-      return std::pair(component(a.cell), a.shape) < std::pair(component(b.cell), b.shape);
-    });
-  }
+std::uint32_t component_of(const SurfaceCells& cells, CellId c) { return cells.component[c]; }
 
-  CellLabels run() {
-    gather_edges();
-    grow_trees();
-    spread();
-    for (std::uint32_t e = 0; e < cells_.edges.size(); ++e) {
-      if (e % 4096 == 0) context_.checkpoint("labels", e, cells_.edges.size());
-      check(e);
-    }
-    drop_failed();
-    shift();
-    return std::move(labels_);
-  }
+/// Returns the cell on the other side of an edge.
+CellId across(const SurfaceCells& cells, std::uint32_t e, CellId c) {
+  const CellEdge& edge = cells.edges[e];
+  return edge.from == c ? edge.to : edge.from;
+}
 
- private:
+/// Returns the levels, sorted by component of the mesh and shape.
+std::vector<CellLevel> sorted_levels(const SurfaceCells& cells, std::span<const CellLevel> levels) {
+  std::vector<CellLevel> sorted(levels.begin(), levels.end());
+  std::sort(sorted.begin(), sorted.end(), [&](const CellLevel& a, const CellLevel& b) {
+    return std::pair(component_of(cells, a.cell), a.shape) <
+           std::pair(component_of(cells, b.cell), b.shape);
+  });
+  return sorted;
+}
+
+// ---------------------------------------------------------------- tree
+
+/// The edges at each cell.
+struct IncidentEdges {
+  IdVector<CellId, std::uint32_t> begin;  ///< First entry of each cell, and one past the last.
+  std::vector<std::uint32_t> edge;        ///< Edges at cells, cell by cell.
+
+  std::span<const std::uint32_t> operator[](CellId c) const {
+    return std::span(edge).subspan(begin[c], begin[c.value() + 1] - begin[c]);
+  }
+};
+
+IncidentEdges incident_edges(const SurfaceCells& cells) {
+  IncidentEdges at;
+  at.begin.assign(cells.size() + 2, 0);
+  for (const CellEdge& e : cells.edges) {
+    ++at.begin[e.from.value() + 2];
+    ++at.begin[e.to.value() + 2];
+  }
+  for (std::size_t c = 2; c < at.begin.size(); ++c) at.begin[c] += at.begin[c - 1];
+  at.edge.resize(2 * cells.edges.size());
+  for (std::uint32_t e = 0; e < cells.edges.size(); ++e) {
+    at.edge[at.begin[cells.edges[e].from.value() + 1]++] = e;
+    at.edge[at.begin[cells.edges[e].to.value() + 1]++] = e;
+  }
+  return at;
+}
+
+/// Whether the cell c is a better root than another cell. The given outside cell is the best root,
+/// then a cell at the border. Then the largest cell is preferred, because its label tends to be
+/// zero, which makes fewer entries.
+bool is_better_root(const SurfaceCells& cells, CellId outside, CellId c, CellId than) {
+  if (!than.is_valid()) return true;
+  if (c == outside || than == outside) return c == outside;
+  const auto rank = [&](CellId d) { return std::pair(cells.is_at_border[d], cells.area[d]); };
+  return rank(c) > rank(than);
+}
+
+/// Returns the root of each component. It is invalid if the component has no cell.
+std::vector<CellId> find_roots(const SurfaceCells& cells, CellId outside) {
+  std::vector<CellId> root;
+  for (std::uint32_t i = 0; i < cells.size(); ++i) {
+    const std::uint32_t component = cells.component[i];
+    if (component >= root.size()) root.resize(component + std::size_t{1});
+    if (is_better_root(cells, outside, CellId(i), root[component])) root[component] = CellId(i);
+  }
+  return root;
+}
+
+/// A spanning tree of each component.
+struct CellTrees {
   struct Step {
     CellId cell;
     std::uint32_t edge;  ///< Edge from its parent; kNone at roots.
   };
+  std::vector<Step> order;  ///< All cells, parents first, component by component.
+  IdVector<CellId, std::uint32_t> parent_edge;  ///< Edge from the parent of each cell, or kNone.
+};
+
+/// Searches breadth-first from the root of each component. The order in which cells are found puts
+/// parents first.
+CellTrees grow_trees(const SurfaceCells& cells, const IncidentEdges& incident, CellId outside) {
+  const std::vector<CellId> root = find_roots(cells, outside);
+  CellTrees trees;
+  trees.parent_edge.assign(cells.size(), kNone);
+  IdVector<CellId, std::uint8_t> is_seen(cells.size());
+  for (const CellId r : root) {
+    if (!r.is_valid()) continue;
+    std::size_t at = trees.order.size();
+    trees.order.push_back({r, kNone});
+    is_seen[r] = 1;
+    for (; at < trees.order.size(); ++at) {
+      const CellId c = trees.order[at].cell;
+      for (const std::uint32_t e : incident[c]) {
+        const CellId d = across(cells, e, c);
+        if (is_seen[d] != 0) continue;
+        is_seen[d] = 1;
+        trees.parent_edge[d] = e;
+        trees.order.push_back({d, e});
+      }
+    }
+  }
+  return trees;
+}
+
+// ---------------------------------------------------------------- potential
+
+/// Labels of cells in one list, in any order of cells.
+struct ScatteredLabels {
   struct Place {
     std::uint32_t begin;
     std::uint32_t end;
   };
+  IdVector<CellId, Place> place;  ///< Range of each cell in `entries`.
+  std::vector<SignedEntry> entries;
 
-  std::uint32_t component(CellId c) const { return cells_.component[c.value()]; }
-  CellId across(std::uint32_t e, CellId c) const {
-    const CellEdge& edge = cells_.edges[e];
-    return edge.from == c ? edge.to : edge.from;
+  std::span<const SignedEntry> operator[](CellId c) const {
+    const Place p = place[c];
+    return std::span(entries).subspan(p.begin, p.end - p.begin);
   }
+};
 
-  void gather_edges() {
-    edges_begin_.assign(cells_.size() + 2, 0);
-    for (const CellEdge& e : cells_.edges) {
-      ++edges_begin_[e.from.value() + 2];
-      ++edges_begin_[e.to.value() + 2];
+/// Returns the labels that are zero at the roots. The label of a cell is that of its parent plus
+/// the jump of the edge between them, with the sign of the direction in which the edge is crossed.
+ScatteredLabels spread(const SurfaceCells& cells, const CellJumps& jumps, const CellTrees& trees,
+                       ListCharge& charge, Context& context) {
+  ScatteredLabels raw;
+  raw.place.resize(cells.size());
+  std::vector<SignedEntry> parent;
+  for (const CellTrees::Step& s : trees.order) {
+    const auto begin = static_cast<std::uint32_t>(raw.entries.size());
+    if (s.edge != kNone) {
+      const ScatteredLabels::Place from = raw.place[across(cells, s.edge, s.cell)];
+      // The parent's entries are copied, because the list grows.
+      parent.assign(raw.entries.begin() + from.begin, raw.entries.begin() + from.end);
+      append_sum(parent, jumps[s.edge], cells.edges[s.edge].to == s.cell ? 1 : -1, raw.entries);
     }
-    for (std::size_t c = 2; c < edges_begin_.size(); ++c) edges_begin_[c] += edges_begin_[c - 1];
-    edges_of_.resize(2 * cells_.edges.size());
-    for (std::uint32_t e = 0; e < cells_.edges.size(); ++e) {
-      edges_of_[edges_begin_[cells_.edges[e].from.value() + 1]++] = e;
-      edges_of_[edges_begin_[cells_.edges[e].to.value() + 1]++] = e;
-    }
-  }
-
-  // ---------------------------------------------------------------- potential
-
-  // Prefers the given outside cell, then a cell at the border, then the largest cell, whose label
-  // tends to be zero: fewer entries.
-  bool is_better_root(CellId c, CellId than) const {
-    if (!than.is_valid()) return true;
-    if (c == outside_ || than == outside_) return c == outside_;
-    const auto rank = [&](CellId d) {
-      return std::pair(cells_.is_at_border[d.value()], cells_.area[d.value()]);
-    };
-    return rank(c) > rank(than);
-  }
-
-  /// Breadth-first from the root of each component. The order in which cells are found puts parents
-  /// first.
-  void grow_trees() {
-    std::vector<CellId> root;
-    for (std::uint32_t i = 0; i < cells_.size(); ++i) {
-      const std::uint32_t component = cells_.component[i];
-      if (component >= root.size()) root.resize(component + std::size_t{1});
-      if (is_better_root(CellId(i), root[component])) root[component] = CellId(i);
-    }
-    parent_edge_.assign(cells_.size(), kNone);
-    std::vector<std::uint8_t> is_seen(cells_.size());
-    for (const CellId r : root) {
-      if (!r.is_valid()) continue;
-      std::size_t at = order_.size();
-      order_.push_back({r, kNone});
-      is_seen[r.value()] = 1;
-      for (; at < order_.size(); ++at) {
-        const CellId c = order_[at].cell;
-        for (std::uint32_t i = edges_begin_[c.value()]; i < edges_begin_[c.value() + 1]; ++i) {
-          const std::uint32_t e = edges_of_[i];
-          const CellId d = across(e, c);
-          if (is_seen[d.value()] != 0) continue;
-          is_seen[d.value()] = 1;
-          parent_edge_[d.value()] = e;
-          order_.push_back({d, e});
-        }
-      }
+    raw.place[s.cell] = {begin, static_cast<std::uint32_t>(raw.entries.size())};
+    if (charge.grow_to(raw.entries.size())) {
+      context.checkpoint("labels", raw.entries.size(), raw.entries.size());
     }
   }
+  return raw;
+}
 
-  /// The label of a cell is that of its parent and the jump of the edge between them, with the sign
-  /// of the direction in which it is crossed.
-  void spread() {
-    place_.resize(cells_.size());
-    for (const Step& s : order_) {
-      const auto begin = static_cast<std::uint32_t>(raw_.size());
-      if (s.edge != kNone) {
-        const Place from = place_[across(s.edge, s.cell).value()];
-        // The parent's entries are copied, because raw_ grows.
-        scratch_.assign(raw_.begin() + from.begin, raw_.begin() + from.end);
-        append_sum(scratch_, jumps_[s.edge], cells_.edges[s.edge].to == s.cell ? 1 : -1, raw_);
-      }
-      place_[s.cell.value()] = {begin, static_cast<std::uint32_t>(raw_.size())};
-      if (charge_.grow_to(raw_.size())) {
-        context_.checkpoint("labels", raw_.size(), raw_.size());
-      }
-    }
+// ---------------------------------------------------------------- check
+
+std::vector<CellId> path_to_root(const SurfaceCells& cells, const CellTrees& trees, CellId c) {
+  std::vector<CellId> path = {c};
+  while (trees.parent_edge[c] != kNone) {
+    c = across(cells, trees.parent_edge[c], c);
+    path.push_back(c);
   }
-  std::span<const SignedEntry> raw(CellId c) const {
-    const Place p = place_[c.value()];
-    return std::span(raw_).subspan(p.begin, p.end - p.begin);
+  return path;
+}
+
+/// Returns the cells along the tree from one end of the edge to the other.
+std::vector<CellId> cycle_of(const SurfaceCells& cells, const CellTrees& trees, std::uint32_t e) {
+  std::vector<CellId> up = path_to_root(cells, trees, cells.edges[e].from);
+  std::vector<CellId> down = path_to_root(cells, trees, cells.edges[e].to);
+  while (up.size() > 1 && down.size() > 1 && up[up.size() - 2] == down[down.size() - 2]) {
+    up.pop_back();
+    down.pop_back();
   }
+  if (up.size() == 1 && down.size() == 1) return up;  // The edge leads back to its cell.
+  up.insert(up.end(), down.rbegin() + 1, down.rend());
+  return up;
+}
 
-  // ---------------------------------------------------------------- check
+/// Stores the cycle of an edge. It stays charged, because a division keeps its cycles.
+void give_cycle(const SurfaceCells& cells, const CellTrees& trees, std::uint32_t e, Separation& s,
+                Context& context) {
+  context.checkpoint("labels", e, cells.edges.size());
+  std::vector<CellId> cycle = cycle_of(cells, trees, e);
+  context.charge_memory(cycle.size() * sizeof(CellId), "cycles of cells");
+  s.cycle = std::move(cycle);
+}
 
-  // Checks an edge that is not in the tree: the difference of the labels at its ends must be its
-  // jump.
-  void check(std::uint32_t e) {
-    const CellEdge& edge = cells_.edges[e];
-    if (parent_edge_[edge.from.value()] == e || parent_edge_[edge.to.value()] == e) return;
-    scratch_.clear();
-    append_sum(raw(edge.to), raw(edge.from), -1, scratch_);
-    error_.clear();
-    append_sum(scratch_, jumps_[e], -1, error_);
-    for (const SignedEntry& wrong : error_) {
-      Separation& s = labels_.separation[wrong.id];
+/// Checks each edge that is not in a tree: the difference of the labels at its ends must be its
+/// jump. Where it is not, the shape has no label, and `separation` says so.
+void check_edges(const SurfaceCells& cells, const CellJumps& jumps, const CellTrees& trees,
+                 const ScatteredLabels& raw, std::vector<Separation>& separation,
+                 Context& context) {
+  std::vector<SignedEntry> difference, error;
+  for (std::uint32_t e = 0; e < cells.edges.size(); ++e) {
+    if (e % 4096 == 0) context.checkpoint("labels", e, cells.edges.size());
+    const CellEdge& edge = cells.edges[e];
+    if (trees.parent_edge[edge.from] == e || trees.parent_edge[edge.to] == e) continue;
+    difference.clear();
+    append_sum(raw[edge.to], raw[edge.from], -1, difference);
+    error.clear();
+    append_sum(difference, jumps[e], -1, error);
+    for (const SignedEntry& wrong : error) {
+      Separation& s = separation[wrong.id];
       const bool is_odd = wrong.value % 2 != 0;
-      if (s.over_z || (s.mod_2 && is_odd)) give_cycle(s, e);
+      if (s.over_z || (s.mod_2 && is_odd)) give_cycle(cells, trees, e, s, context);
       s.over_z = false;
       if (is_odd) s.mod_2 = false;
     }
   }
-  /// Stores the cycle of an edge. It stays charged, because a division keeps its cycles.
-  void give_cycle(Separation& s, std::uint32_t e) {
-    context_.checkpoint("labels", e, cells_.edges.size());
-    std::vector<CellId> cycle = cycle_of(e);
-    context_.charge_memory(cycle.size() * sizeof(CellId), "cycles of cells");
-    s.cycle = std::move(cycle);
-  }
+}
 
-  std::vector<CellId> to_root(CellId c) const {
-    std::vector<CellId> path = {c};
-    while (parent_edge_[c.value()] != kNone) {
-      c = across(parent_edge_[c.value()], c);
-      path.push_back(c);
+/// Reduces labels: shapes that separate modulo 2 only keep their parity, those that do not separate
+/// keep nothing.
+void drop_failed(const CellTrees& trees, std::span<const Separation> separation,
+                 ScatteredLabels& raw) {
+  std::uint32_t kept = 0;
+  for (const CellTrees::Step& s : trees.order) {
+    ScatteredLabels::Place& p = raw.place[s.cell];
+    const std::uint32_t begin = kept;
+    for (std::uint32_t i = p.begin; i < p.end; ++i) {
+      SignedEntry entry = raw.entries[i];
+      const Separation& how = separation[entry.id];
+      if (!how.over_z) entry.value = how.mod_2 ? entry.value & 1 : 0;
+      if (entry.value != 0) raw.entries[kept++] = entry;
     }
-    return path;
+    p = {begin, kept};
   }
-  /// Returns the cells along the tree from one end of the edge to the other.
-  std::vector<CellId> cycle_of(std::uint32_t e) const {
-    std::vector<CellId> up = to_root(cells_.edges[e].from), down = to_root(cells_.edges[e].to);
-    while (up.size() > 1 && down.size() > 1 && up[up.size() - 2] == down[down.size() - 2]) {
-      up.pop_back();
-      down.pop_back();
-    }
-    if (up.size() == 1 && down.size() == 1) return up;  // The edge leads back to its cell.
-    up.insert(up.end(), down.rbegin() + 1, down.rend());
-    return up;
-  }
+  raw.entries.resize(kept);
+}
 
-  /// Reduces labels: shapes that separate modulo 2 only keep their parity, those that do not
-  /// separate keep nothing.
-  void drop_failed() {
-    std::uint32_t kept = 0;
-    for (const Step& s : order_) {
-      Place& p = place_[s.cell.value()];
-      const std::uint32_t begin = kept;
-      for (std::uint32_t i = p.begin; i < p.end; ++i) {
-        SignedEntry entry = raw_[i];
-        const Separation& how = labels_.separation[entry.id];
-        if (!how.over_z) entry.value = how.mod_2 ? entry.value & 1 : 0;
-        if (entry.value != 0) raw_[kept++] = entry;
-      }
-      p = {begin, kept};
-    }
-    raw_.resize(kept);
-  }
+// ---------------------------------------------------------------- shift
 
-  // ---------------------------------------------------------------- zero
-
-  /// Cells of a component. If `has_border`, the least label is taken over those at the border.
-  struct Range {
-    std::size_t begin;
-    std::size_t end;  ///< Range of order_.
-    bool has_border;
-  };
-
-  /// Returns the shift without levels: the least label becomes zero.
-  std::vector<SignedEntry> usual_shift_of(const Range& r) const {
-    if (order_[r.begin].cell == outside_) return {};
-    // Labels below zero; a shape that is not listed in a cell has label zero there.
-    std::vector<SignedEntry> least;
-    for (std::size_t i = r.begin; i < r.end; ++i) {
-      const CellId c = order_[i].cell;
-      if (r.has_border && cells_.is_at_border[c.value()] == 0) continue;
-      for (const SignedEntry& e : raw(c)) {
-        if (e.value < 0 && labels_.separation[e.id].over_z) least.push_back(e);
-      }
-    }
-    std::sort(least.begin(), least.end());
-    std::vector<SignedEntry> shift;
-    for (const SignedEntry& e : least) {
-      if (shift.empty() || shift.back().id != e.id) shift.push_back({e.id, -e.value});
-    }
-    return shift;
-  }
-
-  std::int32_t raw_value(CellId c, std::uint32_t shape) const {
-    const auto list = raw(c);
-    const auto at = std::lower_bound(list.begin(), list.end(), SignedEntry{shape, 0},
-                                     [](const auto& a, const auto& b) { return a.id < b.id; });
-    return at != list.end() && at->id == shape ? at->value : 0;
-  }
-
-  /// Returns what to add to the labels of a component, ascending. They are zero at its root until
-  /// then.
-  std::vector<SignedEntry> shift_of(const Range& r) const {
-    std::vector<SignedEntry> usual = usual_shift_of(r), given;
-    const std::uint32_t here = component(order_[r.begin].cell);
-    const auto first = std::ranges::lower_bound(
-        levels_, here, {}, [&](const CellLevel& l) { return component(l.cell); });
-    for (auto l = first; l != levels_.end() && component(l->cell) == here; ++l) {
-      if (labels_.separation[l->shape].mod_2) {
-        const std::int64_t by = std::int64_t{l->label} - raw_value(l->cell, l->shape);
-        given.push_back({l->shape, entry_value(by)});
-      }
-    }
-    if (given.empty()) return usual;
-    const auto is_less = [](const SignedEntry& a, const SignedEntry& b) { return a.id < b.id; };
-    std::vector<SignedEntry> others, shift;
-    std::set_difference(usual.begin(), usual.end(), given.begin(), given.end(),
-                        std::back_inserter(others), is_less);
-    std::merge(others.begin(), others.end(), given.begin(), given.end(), std::back_inserter(shift),
-               is_less);
-    std::erase_if(shift, [](const SignedEntry& e) { return e.value == 0; });
-    return shift;
-  }
-
-  /// Reduces entries from `from` on to parities, for shapes that separate modulo 2 only.
-  void keep_parity(std::vector<SignedEntry>& list, std::size_t from) const {
-    std::size_t kept = from;
-    for (std::size_t i = from; i < list.size(); ++i) {
-      SignedEntry e = list[i];
-      if (!labels_.separation[e.id].over_z) e.value &= 1;
-      if (e.value != 0) list[kept++] = e;
-    }
-    list.resize(kept);
-  }
-
-  /// Adds the shift of each component to the labels of its cells, and lists them by cell.
-  void shift() {
-    labels_.begin.assign(cells_.size() + 1, 0);
-    std::vector<SignedEntry> shifted;
-    std::vector<Place> places(cells_.size());
-    for (std::size_t i = 0, j = 0; i < order_.size(); i = j) {
-      Range r{i, i + 1, false};
-      while (r.end < order_.size() && order_[r.end].edge != kNone) ++r.end;
-      j = r.end;
-      for (std::size_t k = i; k < j; ++k) {
-        if (cells_.is_at_border[order_[k].cell.value()] != 0) r.has_border = true;
-      }
-      const std::vector<SignedEntry> by = shift_of(r);
-      for (std::size_t k = i; k < j; ++k) {
-        const CellId c = order_[k].cell;
-        const auto begin = static_cast<std::uint32_t>(shifted.size());
-        append_sum(raw(c), by, 1, shifted);
-        if (!levels_.empty()) keep_parity(shifted, begin);
-        if (charge_.grow_to(shifted.size())) {
-          context_.checkpoint("labels", shifted.size(), shifted.size());
-        }
-        places[c.value()] = {begin, static_cast<std::uint32_t>(shifted.size())};
-      }
-    }
-    context_.charge_memory(shifted.size() * sizeof(SignedEntry), "labels");
-    labels_.entries.reserve(shifted.size());
-    for (std::size_t c = 0; c < cells_.size(); ++c) {
-      labels_.entries.insert(labels_.entries.end(), shifted.begin() + places[c].begin,
-                             shifted.begin() + places[c].end);
-      labels_.begin[c + 1] = static_cast<std::uint32_t>(labels_.entries.size());
-    }
-  }
-
-  const SurfaceCells& cells_;
-  const CellJumps& jumps_;
-  CellId outside_;
-  std::vector<CellLevel> levels_;  // Sorted by component of the mesh and shape.
-  Context& context_;
-  MemoryCharge working_;
-  ListCharge charge_;
-  std::vector<std::uint32_t> edges_begin_;  // Per cell.
-  std::vector<std::uint32_t> edges_of_;
-  std::vector<Step> order_;  // Cells, parents first, component by component.
-  std::vector<std::uint32_t> parent_edge_;
-  std::vector<Place> place_;      // Range in raw_ for each cell.
-  std::vector<SignedEntry> raw_;  // Labels with zero at the root.
-  std::vector<SignedEntry> scratch_;
-  std::vector<SignedEntry> error_;
-  CellLabels labels_;
+/// What determines the shifts: labels that are zero at the roots, and where they must be zero.
+struct ShiftInput {
+  const SurfaceCells& cells;
+  const ScatteredLabels& raw;
+  std::span<const Separation> separation;
+  CellId outside;
+  std::span<const CellLevel> levels;  ///< Sorted by component of the mesh and shape.
 };
+
+/// The cells of a component, the root first. If `has_border`, the least label is taken over those
+/// at the border.
+struct ComponentCells {
+  std::span<const CellTrees::Step> steps;
+  bool has_border;
+};
+
+/// Returns the shift without levels: the least label becomes zero.
+std::vector<SignedEntry> usual_shift(const ShiftInput& in, const ComponentCells& component) {
+  if (component.steps.front().cell == in.outside) return {};
+  // Labels below zero; a shape that is not listed in a cell has label zero there.
+  std::vector<SignedEntry> least;
+  for (const CellTrees::Step& s : component.steps) {
+    if (component.has_border && in.cells.is_at_border[s.cell] == 0) continue;
+    for (const SignedEntry& e : in.raw[s.cell]) {
+      if (e.value < 0 && in.separation[e.id].over_z) least.push_back(e);
+    }
+  }
+  std::sort(least.begin(), least.end());
+  std::vector<SignedEntry> shift;
+  for (const SignedEntry& e : least) {
+    if (shift.empty() || shift.back().id != e.id) shift.push_back({e.id, -e.value});
+  }
+  return shift;
+}
+
+std::int32_t value_of(std::span<const SignedEntry> list, std::uint32_t shape) {
+  const auto at = std::lower_bound(list.begin(), list.end(), SignedEntry{shape, 0},
+                                   [](const auto& a, const auto& b) { return a.id < b.id; });
+  return at != list.end() && at->id == shape ? at->value : 0;
+}
+
+/// Returns the shifts of the shapes that have a level in a component.
+std::vector<SignedEntry> given_shift(const ShiftInput& in, std::uint32_t component) {
+  std::vector<SignedEntry> given;
+  const auto component_of_level = [&](const CellLevel& l) {
+    return component_of(in.cells, l.cell);
+  };
+  const auto first = std::ranges::lower_bound(in.levels, component, {}, component_of_level);
+  for (auto l = first; l != in.levels.end() && component_of_level(*l) == component; ++l) {
+    if (in.separation[l->shape].mod_2) {
+      const std::int64_t by = std::int64_t{l->label} - value_of(in.raw[l->cell], l->shape);
+      given.push_back({l->shape, entry_value(by)});
+    }
+  }
+  return given;
+}
+
+/// Returns what to add to the labels of a component, ascending by shape. The labels are zero at its
+/// root until then.
+std::vector<SignedEntry> shift_of(const ShiftInput& in, const ComponentCells& component) {
+  std::vector<SignedEntry> usual = usual_shift(in, component);
+  const std::vector<SignedEntry> given =
+      given_shift(in, component_of(in.cells, component.steps.front().cell));
+  if (given.empty()) return usual;
+  const auto is_less = [](const SignedEntry& a, const SignedEntry& b) { return a.id < b.id; };
+  std::vector<SignedEntry> others, shift;
+  std::set_difference(usual.begin(), usual.end(), given.begin(), given.end(),
+                      std::back_inserter(others), is_less);
+  std::merge(others.begin(), others.end(), given.begin(), given.end(), std::back_inserter(shift),
+             is_less);
+  std::erase_if(shift, [](const SignedEntry& e) { return e.value == 0; });
+  return shift;
+}
+
+/// Reduces entries from `from` on to parities, for shapes that separate modulo 2 only.
+void keep_parity(std::span<const Separation> separation, std::vector<SignedEntry>& list,
+                 std::size_t from) {
+  std::size_t kept = from;
+  for (std::size_t i = from; i < list.size(); ++i) {
+    SignedEntry e = list[i];
+    if (!separation[e.id].over_z) e.value &= 1;
+    if (e.value != 0) list[kept++] = e;
+  }
+  list.resize(kept);
+}
+
+/// Returns the cells of the component whose root is at `begin` in the order of the trees.
+ComponentCells component_at(const SurfaceCells& cells, const CellTrees& trees, std::size_t begin) {
+  std::size_t end = begin + 1;
+  while (end < trees.order.size() && trees.order[end].edge != kNone) ++end;
+  const auto steps = std::span(trees.order).subspan(begin, end - begin);
+  const bool has_border = std::ranges::any_of(
+      steps, [&](const CellTrees::Step& s) { return cells.is_at_border[s.cell] != 0; });
+  return {steps, has_border};
+}
+
+/// Returns the sums of the labels of all cells and the shifts of their components.
+ScatteredLabels shifted_labels(const ShiftInput& in, const CellTrees& trees, ListCharge& charge,
+                               Context& context) {
+  ScatteredLabels shifted;
+  shifted.place.resize(in.cells.size());
+  for (std::size_t i = 0; i < trees.order.size();) {
+    const ComponentCells component = component_at(in.cells, trees, i);
+    const std::vector<SignedEntry> by = shift_of(in, component);
+    for (const CellTrees::Step& s : component.steps) {
+      const auto begin = static_cast<std::uint32_t>(shifted.entries.size());
+      append_sum(in.raw[s.cell], by, 1, shifted.entries);
+      if (!in.levels.empty()) keep_parity(in.separation, shifted.entries, begin);
+      if (charge.grow_to(shifted.entries.size())) {
+        context.checkpoint("labels", shifted.entries.size(), shifted.entries.size());
+      }
+      shifted.place[s.cell] = {begin, static_cast<std::uint32_t>(shifted.entries.size())};
+    }
+    i += component.steps.size();
+  }
+  return shifted;
+}
+
+/// Lists labels by cell in `labels`.
+void list_by_cell(const ScatteredLabels& shifted, CellLabels& labels, Context& context) {
+  const std::size_t cells = shifted.place.size();
+  context.charge_memory(shifted.entries.size() * sizeof(SignedEntry), "labels");
+  labels.entries.reserve(shifted.entries.size());
+  for (std::size_t c = 0; c < cells; ++c) {
+    const auto own = shifted[CellId(c)];
+    labels.entries.insert(labels.entries.end(), own.begin(), own.end());
+    labels.begin[c + 1] = static_cast<std::uint32_t>(labels.entries.size());
+  }
+}
 
 }  // namespace
 
@@ -439,7 +478,22 @@ CellJumps jumps_of_shapes(const CellJumps& polygons,
 
 CellLabels label_cells(const SurfaceCells& cells, const CellJumps& jumps, std::size_t shapes,
                        CellId outside, std::span<const CellLevel> levels, Context& context) {
-  return Labeller(cells, jumps, shapes, outside, levels, context).run();
+  MemoryCharge working(context);
+  ListCharge charge(working, kLabelBytes);
+  context.charge_memory(shapes * sizeof(Separation), "labels");
+  CellLabels labels;
+  labels.separation.resize(shapes);
+  const std::vector<CellLevel> sorted = sorted_levels(cells, levels);
+  const IncidentEdges incident = incident_edges(cells);
+  const CellTrees trees = grow_trees(cells, incident, outside);
+  ScatteredLabels raw = spread(cells, jumps, trees, charge, context);
+  check_edges(cells, jumps, trees, raw, labels.separation, context);
+  drop_failed(trees, labels.separation, raw);
+  labels.begin.assign(cells.size() + 1, 0);
+  const ShiftInput input{cells, raw, labels.separation, outside, sorted};
+  const ScatteredLabels shifted = shifted_labels(input, trees, charge, context);
+  list_by_cell(shifted, labels, context);
+  return labels;
 }
 
 }  // namespace plumb

@@ -62,11 +62,11 @@ struct CellLevel {
 /// The labels of all cells as sparse vectors, and for each shape whether it has a label.
 struct CellLabels {
   std::vector<Separation> separation;  ///< Whether the label of each shape exists.
-  std::vector<std::uint32_t>
+  IdVector<CellId, std::uint32_t>
       begin;  ///< First entry of each cell; a final value is one past the last entry.
   std::vector<SignedEntry> entries;
   std::span<const SignedEntry> operator[](CellId c) const {
-    return std::span(entries).subspan(begin[c.value()], begin[c.value() + 1] - begin[c.value()]);
+    return std::span(entries).subspan(begin[c], begin[c.value() + 1] - begin[c]);
   }
 };
 

@@ -184,7 +184,7 @@ std::optional<FaceStrip> StripFinder::find(const StripEnd& from, const StripEnd&
 FaceStrip StripFinder::collected(FaceId last) const {
   FaceStrip strip;
   FaceId f = last;
-  for (HalfedgeId door = visits_[f.value()].door; door.is_valid(); door = visits_[f.value()].door) {
+  for (HalfedgeId door = visits_[f].door; door.is_valid(); door = visits_[f].door) {
     strip.doors.push_back(door);
     f = SurfaceMesh::face(door);
   }

@@ -130,14 +130,14 @@ class StripFinder {
     return a.bound != b.bound ? a.bound > b.bound : a.face > b.face;
   }
 
-  Visit& visit(FaceId f) { return visits_[f.value()]; }
+  Visit& visit(FaceId f) { return visits_[f]; }
   void offer(FaceId f, double cost, HalfedgeId door);
   FaceStrip collected(FaceId last) const;
   Point3 centroid(FaceId f) const;
 
   const SurfaceMesh& mesh_;
   std::span<const Point3> positions_;
-  std::vector<Visit> visits_;
+  IdVector<FaceId, Visit> visits_;
   std::uint32_t round_ = 0;
   std::vector<Entry> heap_;
   Point3 goal_;
