@@ -1,8 +1,11 @@
-// The sets of plane, sphere and space, and the meshes and polygons that they come from and go to:
-// all that most programs include. Files are read and written by the headers of plumb/io, pictures
-// drawn by those of plumb/picture; maps are checked by plumb/plane/map_check.h, sets cut into
-// convex parts by plumb/convex/decompose.h, polygons on surfaces combined by
-// plumb/surface/surface.h.
+// This header includes all that most programs need: the sets of the plane, of the sphere and of
+// space, and the meshes and polygons that can be converted to sets and made from sets. Other tasks
+// need other headers:
+//   - The headers of plumb/io read and write files.
+//   - The headers of plumb/picture draw pictures.
+//   - The header plumb/plane/map_check.h checks maps.
+//   - The header plumb/convex/decompose.h cuts sets into convex parts.
+//   - The header plumb/surface/surface.h combines polygons on surfaces.
 #pragma once
 
 #include "plumb/base/context.h"

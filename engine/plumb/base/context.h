@@ -20,8 +20,9 @@ namespace plumb {
 struct Limits {
   std::uint64_t max_memory_bytes = std::uint64_t{16} << 30;  ///< Working memory, estimated.
   double max_seconds = 0;                                    ///< Wall time; 0 means no limit.
-  std::uint32_t max_number_digits = 4096;                    ///< Digits of one number in a file.
-  std::uint32_t max_decimal_exponent = 4096;                 ///< Largest exact |exponent|.
+  std::uint32_t max_number_digits = 4096;  ///< Largest number of digits of one number.
+  /// The largest absolute value of an exponent for which a number is read exactly.
+  std::uint32_t max_decimal_exponent = 4096;
 };
 
 /// Callback that receives the name of a phase, the number of steps done, and the total number of
@@ -42,18 +43,18 @@ class Context {
   /// operation may use; 0 means 1.
   explicit Context(Limits limits = {}, std::stop_token stop = {}, ProgressCallback progress = {},
                    unsigned threads = 1);
-  /// Constructs the context of a job within an operation whose context is `of`. The job shares the
-  /// limits, the start time and the charged memory of `of`. The job stops if a stop is requested
-  /// through `of` or through `stop`.
+  /// Constructs the context of a job within an operation. `of` is the context of the operation. The
+  /// job shares the limits, the start time and the charged memory of `of`. The job stops if a stop
+  /// is requested through `of` or through `stop`.
   Context(const Context& of, std::stop_token stop, unsigned threads, JobProgress progress);
 
   const Limits& limits() const { return limits_; }  ///< Returns the limits.
-  unsigned threads() const { return threads_; }     ///< Returns the number of threads, at least 1.
+  unsigned threads() const { return threads_; }     ///< Returns the number of threads (>= 1).
 
   /// Reports progress and checks for a stop request. An operation calls this function every few
   /// thousand steps. Throws Error{Cancelled} if a stop was requested, and Error{ResourceLimit} if
-  /// the time limit is exceeded. The callback is called at most 20 times a second. In addition, it
-  /// is called at the end of a phase (done == total > 0).
+  /// the time limit is exceeded. The callback is called at most 20 times a second. The callback is
+  /// also called at the end of a phase, that is, if total > 0 and done == total.
   void checkpoint(std::string_view phase, std::uint64_t done, std::uint64_t total);
 
   /// Charges memory that is about to be allocated. If `bytes` more bytes would exceed the memory
@@ -67,7 +68,8 @@ class Context {
   using Clock = std::chrono::steady_clock;
 
   Limits limits_;
-  std::vector<std::stop_token> stops_;  // Of the operation and of the jobs that contain this one.
+  // The stop tokens of the operation and of all jobs that contain this job.
+  std::vector<std::stop_token> stops_;
   ProgressCallback progress_;
   unsigned threads_;
   std::shared_ptr<std::atomic<std::uint64_t>> charged_bytes_;

@@ -1,6 +1,6 @@
-// Settings of malloc for programs that run several operations on large sets, one after another. The
-// functions below change the settings of the whole process. Therefore the library never calls them.
-// The program `plumb` calls them. Call each function at most once, before other threads start. The
+// Settings of malloc for programs that run several operations on large sets in turn. The functions
+// below change the settings of the whole process. Therefore the library never calls them. The
+// program `plumb` calls them. Call each function at most once, before other threads start. The
 // functions do nothing if the C library is not glibc.
 #pragma once
 
@@ -13,8 +13,8 @@ namespace plumb {
 void keep_freed_memory();
 
 /// Reserves 64 MB of memory for later calls of malloc. If the system grants huge pages on request,
-/// the function requests them for this memory. The first access to a page interrupts the program. A
-/// page of 2 MB interrupts it once, whereas 512 small pages interrupt it 512 times. With this
+/// the function requests them for this memory. The first access to a page interrupts the program.
+/// One page of 2 MB causes one interrupt, whereas 512 small pages cause 512 interrupts. With this
 /// setting, the first union of two fandisk meshes with 12,946 triangles takes 0.9 times as long as
 /// without this setting. Requires that keep_freed_memory() was called before. Otherwise malloc
 /// would release the reserved memory. The function reserves nothing if malloc still has more than 1

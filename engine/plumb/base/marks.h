@@ -14,9 +14,9 @@ namespace plumb {
 /// Whether a set contains its boundary (Closed) or not (Open).
 enum class Boundary : std::uint8_t { Open, Closed };
 
-/// The form that an audit requires of the representation of a set. Any accepts every valid
-/// representation. Minimal accepts only the representation from which no cell can be removed
-/// without changing the set.
+/// The form that an audit requires of the representation of a set. The form Any accepts every valid
+/// representation. The form Minimal accepts only the representation from which no cell can be
+/// removed without changing the set.
 enum class AuditForm : std::uint8_t { Any, Minimal };
 
 /// The winding numbers that count as inside: every number except 0 (NonZero), every odd number
@@ -31,7 +31,8 @@ struct MarkFunction {
   bool second_only = false;  ///< Value for points only in the second set.
   bool both = false;         ///< Value for points in both sets.
 
-  /// Returns whether a point belongs to the result, given its membership in both sets.
+  /// Returns whether a point belongs to the result. `first` and `second` state whether the point
+  /// belongs to the two sets.
   constexpr bool operator()(bool first, bool second) const {
     return first ? (second ? both : first_only) : (second ? second_only : neither);
   }
@@ -54,8 +55,8 @@ class MarkTable {
       : table_{f.neither, f.second_only, kBeyond, f.first_only, f.both,
                kBeyond,   kBeyond,       kBeyond, kBeyond} {}
 
-  /// Returns the table whose value is 1 if the marks differ, and 0 if they are equal. This also
-  /// holds if one or both of the marks are kBeyond.
+  /// Returns the table whose value is 1 if the marks differ, and 0 if they are equal. The mark
+  /// kBeyond is compared in the same way as 0 and 1.
   static constexpr MarkTable unequal() {
     MarkTable table(kSymmetricDifference);
     table.table_ = {0, 1, 1, 1, 0, 1, 1, 1, 0};
@@ -63,8 +64,8 @@ class MarkTable {
   }
 
   /// Returns the table that combines a set (the first mark) with walls (the second mark). The value
-  /// is kBeyond for a cell that belongs to the set and to a wall. It is also kBeyond if at least
-  /// one of the marks is kBeyond. Otherwise the value is the mark of the set.
+  /// is kBeyond for a cell that belongs to the set and to a wall. The value is also kBeyond if at
+  /// least one of the marks is kBeyond. Otherwise the value is the mark of the set.
   static constexpr MarkTable walled() {
     MarkTable table(kDifference);
     table.table_ = {0, 0, kBeyond, 1, kBeyond, kBeyond, kBeyond, kBeyond, kBeyond};

@@ -1,4 +1,4 @@
-// The common interface of the sets of the plane, the sphere and space, stated as concepts.
+// Concepts that state the common interface of the sets of the plane, of the sphere and of space.
 //
 // Functions of Nef2, NefSphere and Nef3 that serve the same purpose have the same name, the same
 // order of arguments, and the same form of results. Code written for the concept NefSet works for
@@ -65,7 +65,7 @@ concept NefSet = std::regular<Set> &&
   { a.regularization(context) } -> std::same_as<Set>;
   { !a } -> std::same_as<Set>;
 
-  // Operations of two and more sets.
+  // Operations of two or more sets.
   { a + b } -> std::same_as<Set>;
   { a* b } -> std::same_as<Set>;
   { a - b } -> std::same_as<Set>;
@@ -98,8 +98,8 @@ template <NefSet Set>
                                            Context& context = unlimited_context()) {
   return boolean_op(a, b, kIntersection, context).regularization(context);
 }
-/// Returns the closure of the interior of a - b. The result is closed. It contains its whole
-/// boundary, including the part that lies on the boundary of b.
+/// Returns the closure of the interior of a - b. The result is closed. The result contains its
+/// whole boundary, including the part that lies on the boundary of b.
 template <NefSet Set>
 [[nodiscard]] Set regularized_difference(const Set& a, const Set& b,
                                          Context& context = unlimited_context()) {

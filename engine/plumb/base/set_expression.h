@@ -31,7 +31,7 @@ struct SetExpression {
   /// One operand or operator.
   struct Step {
     SetOperator op;      ///< The kind of the step.
-    std::uint32_t name;  ///< For an operand the index into `names`, otherwise 0.
+    std::uint32_t name;  ///< The index into `names` for an operand; 0 for an operator.
     friend bool operator==(const Step&, const Step&) = default;
   };
   std::vector<Step> steps;         ///< The steps in postfix order.
@@ -39,8 +39,8 @@ struct SetExpression {
 };
 
 /// Parses an expression. Throws Error{Syntax}, with the column, if `text` is not an expression. The
-/// parser does not recurse, so any depth of parentheses is allowed. Cost: O(length) steps, plus one
-/// search among the distinct names for each operand.
+/// parser does not recurse, so any depth of parentheses is allowed. Cost: O(length) steps. In
+/// addition, each operand needs one search among the distinct names.
 SetExpression parse_set_expression(std::string_view text);
 
 /// Returns the value of an expression. The caller passes three functions: `operand(i)` returns the

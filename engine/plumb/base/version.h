@@ -2,9 +2,10 @@
 // Before version 1.0, a new minor version may be incompatible with the previous one.
 #pragma once
 
-/// Major version. A new major version may be incompatible.
+/// Major version. A new major version may be incompatible with the previous one.
 #define PLUMB_VERSION_MAJOR 0
-/// Minor version. A new minor version adds features. Before version 1.0, it may be incompatible.
+/// Minor version. A new minor version adds features. Before version 1.0, a new minor version may
+/// also be incompatible with the previous one.
 #define PLUMB_VERSION_MINOR 1
 /// Patch version. A new patch version corrects errors.
 #define PLUMB_VERSION_PATCH 0

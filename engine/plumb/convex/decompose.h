@@ -1,38 +1,39 @@
 // Decomposition of sets of space into convex parts.
 //
 // Main flow of decompose():
-//  1. parts_of    (set_parts.h) splits the set by dimension. Each marked volume is one part, with
-//                 the boundary cells assigned to it. The dangling facets, edges and points are
-//                 further parts
+//  1. parts_of    (set_parts.h) splits the set by dimension. Each marked volume, together with the
+//                 boundary cells assigned to this volume, is one part. Each dangling facet, edge or
+//                 point is a further part
 //  2. cut_set     (cut_set.h) cuts by planes through reflex edges until no edge is reflex. With
-//                 method Best, then merges neighbours whose union is convex (merge_parts.h)
-//  3. walls       (walls.h) with method Best, cuts a bounded volume by vertical walls, too, if this
-//                 is expected to give fewer convex parts. Then keeps the decomposition with fewer
-//                 parts
+//                 method Best, this step then merges neighbouring parts whose union is convex
+//                 (merge_parts.h)
+//  3. walls       (walls.h) is done only with method Best. If vertical walls are expected to cut a
+//                 bounded volume into fewer convex parts, the step also cuts this volume by walls.
+//                 The decomposition with fewer parts is kept
 //
-// The set is arbitrary. It may be open, closed, half-open or unbounded, and need not be a manifold.
-// It may have voids, several components, and dangling facets, edges and points.
+// The set is arbitrary. The set may be open, closed, half-open or unbounded, and need not be a
+// manifold. The set may have voids, several components, and dangling facets, edges and points.
 //
-// The interface calls a convex part a piece. Every piece has a dimension, and its relative interior
-// is convex. Only points of its boundary may be missing, so a piece need not be convex itself.
-// Every point of the set belongs to exactly one piece. A point on a cut keeps its mark and is
-// assigned to the piece on one side of the cut. The union of the pieces is the set; the union of
-// closed pieces is the closure of the set.
+// In the names of functions and types, a convex part is a piece. Every piece has a dimension, and
+// its relative interior is convex. Points of the boundary of a piece may be missing, so the piece
+// itself need not be convex. Every point of the set belongs to exactly one piece. A point on a cut
+// keeps its mark and is assigned to the piece on one side of the cut. The union of the pieces is
+// the set. The union of the closures of the pieces is the closure of the set.
 //
 // Numbers. The plane of each cut contains an edge of the set. In addition, either the plane passes
 // through a vertex of the set, or its equation is an integer combination of the equations of the
 // two facet planes at the edge. No plane is defined by a point that an earlier cut constructed. So
 // the lengths of the numbers in cuts do not grow with the depth of the recursion. The lengths of
-// the numbers in walls grow with the count of rounds. More than one round is needed only if some
+// the numbers in walls grow with the number of rounds. More than one round is needed only if some
 // vertical line meets one cell in several segments. The planes of later rounds are combinations of
 // the planes of two walls (walls.h).
 //
 // Origins distinguish walls from facets of the set. If a facet of a piece lies in a facet of the
-// set, it has the facet_origin of the set's facet. Otherwise it has kWallOrigin. A wall can
-// continue a facet of the set in the same plane. Because pieces are minimal complexes, the wall and
-// the facet are then one facet of the piece. Such a facet counts as a facet of the set. Facets of
-// the set without an id, such as the facets of half-spaces, keep kNoOrigin. A wall of a piece gets
-// kNoOrigin when the piece is decomposed again.
+// set, both facets have the same facet_origin. Any other facet of a piece has kWallOrigin. A wall
+// can continue a facet of the set in the same plane. Because pieces are minimal complexes, the wall
+// and the facet are then one facet of the piece. This combined facet counts as a facet of the set.
+// Facets of the set without an id, such as the facets of half-spaces, keep kNoOrigin. A wall of a
+// piece gets kNoOrigin when the piece is decomposed again.
 //
 // Cost and bounds: docs/convex.md; proofs: docs/design/walls.md. Sources: B. Chazelle, Convex
 // partitions of polyhedra, SIAM Journal on Computing 13 (1984); P. Hachenberger, Exact Minkowski
@@ -54,15 +55,17 @@ enum class DecomposeMethod : std::uint8_t {
   /// Cuts by planes through reflex edges. Each cut follows one connected component of the
   /// intersection of the plane with the set.
   Cuts,
-  /// Cuts by vertical walls through reflex edges (walls.h): O(r^2) pieces for r reflex edges.
+  /// Cuts by vertical walls through reflex edges (walls.h). A set with r reflex edges is cut into
+  /// O(r^2) pieces.
   Walls,
-  Best,  ///< Takes the result of Cuts or Walls that has fewer pieces, with neighbours merged.
+  Best,  ///< Tries Cuts and Walls, merges neighbours, and takes the result with fewer pieces.
 };
 
 /// Options of decompose().
 struct DecomposeOptions {
   DecomposeMethod method = DecomposeMethod::Best;  ///< The method that makes the pieces.
-  /// Whether to return the closures of the pieces, which share the points on cuts.
+  /// Whether to return the closures of the pieces. The closures of two neighbouring pieces share
+  /// the points on the cut between these pieces.
   bool closed = false;
 };
 
@@ -76,17 +79,17 @@ inline constexpr std::uint32_t kWallOrigin = kNoOrigin - 1;
 struct ConvexPieces {
   std::vector<Nef3> pieces;        ///< The convex parts, in an order that depends on the set alone.
   std::uint64_t reflex_edges = 0;  ///< The number of reflex edges of the set (convexity.h).
-  /// Is Walls if walls made the pieces of at least one volume, else Cuts.
+  /// The method used: Walls if walls made the pieces of at least one volume, and Cuts otherwise.
   DecomposeMethod method = DecomposeMethod::Cuts;
 };
 
 /// Returns the convex parts of `set` and the method that made them. The empty set has no parts.
-/// Throws what the context throws, and Error{ResourceLimit} if method Walls leaves reflex edges
-/// after 64 rounds.
+/// Throws Error{ResourceLimit} if method Walls leaves reflex edges after 64 rounds. Also throws
+/// what the context throws.
 ConvexPieces decompose(const Nef3& set, const DecomposeOptions& options = {},
                        Context& context = unlimited_context());
 
-/// Whether the facet lies on a cut and in no facet of the set. O(1).
+/// Whether the facet lies on a cut but not in a facet of the set. O(1).
 inline bool is_wall(const SpaceComplex& piece, FacetId f) {
   return piece.facet_origin[f] == kWallOrigin;
 }

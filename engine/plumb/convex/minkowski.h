@@ -1,5 +1,5 @@
 // Minkowski sums of sets of space. The Minkowski sum of A and B is the set of all points a + b with
-// a in A and b in B. Sums are exact, and so is the mark of every cell.
+// a in A and b in B. The sums are exact, and the marks of all cells are exact, too.
 //
 // Main flow of minkowski_sum():
 //  1. parts          decomposes both operands into convex parts. Each part is closed or relatively
@@ -9,30 +9,31 @@
 //                    cannot change the result
 //  3. union_of       unites the sums
 //
-// Marks. Let S and T be convex sets. R(S) denotes the relative interior of S, and K(S) the closure
-// of S. Then R(S) + R(T) = R(K(S) + K(T)), and K(S) + K(T) is closed if S or T is bounded.
+// Marks. Let S and T be convex sets. R(S) denotes the relative interior of S, and K(S) denotes the
+// closure of S. Then R(S) + R(T) = R(K(S) + K(T)), and K(S) + K(T) is closed if S or T is bounded.
 //   both closed         Each operand is the union of its closed convex parts. So the sum is a
 //                       finite union of closed sets, and is closed, too.
-//   otherwise           Each operand is the union of its relatively open parts, the cells of its
-//                       convex parts. The sum of any set and an open body is open. This sum does
-//                       not change if the other set is replaced by a dense subset of the set. So an
-//                       open body needs to be added only to some parts of the other operand: those
-//                       that do not lie in the boundary of another part. All pairs of parts without
-//                       a body are needed.
-// So open + anything is open, and closed + closed is closed. Consider two half-open boxes and one
-// facet, edge or vertex of the boundary of their sum. The sum contains this cell if each box
-// contains its own facet, edge or vertex in the same direction. Suppose that the facets of both
-// operands in one direction are unmarked. The sum's facet in this direction can still have marked
-// parts, because marked edges and vertices of the two facets are added, too. For example, the sum
-// of two marked edges that are not parallel is a marked parallelogram in the sum's facet.
+//   otherwise           Each operand is the union of its relatively open parts. These parts are the
+//                       cells of its convex parts. The sum of any set and an open body is open.
+//                       The sum of an open body and a set X does not change if X is replaced by a
+//                       dense subset of X. So an open body is added only to those parts of the
+//                       other operand that do not lie in the boundary of another part. If neither
+//                       part of a pair is a body, the sum of this pair is always needed.
+// So the sum is open if at least one operand is open, and the sum is closed if both operands are
+// closed. Consider two half-open boxes and one facet, edge or vertex of the boundary of their sum.
+// The sum contains this cell if each of the two boxes contains its facet, edge or vertex in the
+// direction of this cell. Suppose that, in one direction, the facets of both operands are unmarked.
+// The sum's facet in this direction can still have marked parts, because marked edges and vertices
+// of the two facets are added, too. For example, the sum of two marked edges that are not parallel
+// is a marked parallelogram in the sum's facet.
 //
 // Cost: let the operands have sizes n and m, and let the sum have k facets. The sum of two convex
-// sets takes O((n + m + k) log(n + m + k)) if the degrees of vertices are bounded, and if both sets
-// are closed or at least one is open (convex_sum.h). For other operands, the number of sums is the
-// product of the numbers of parts of the two operands. The union of all these sums is computed,
-// too. Numbers: the normal of each plane of the sum is a normal of the input or a cross product of
-// two edges of the input. So numbers become longer with each sum of sums, but not with each Boolean
-// of sums.
+// sets takes O((n + m + k) log(n + m + k)) time under two conditions (convex_sum.h). The degrees of
+// vertices must be bounded. Both sets must be closed, or at least one set must be open. For other
+// operands, the number of sums is the product of the numbers of parts of the two operands. The
+// union of all these sums is computed, too. Numbers: the normal of each plane of the sum is a
+// normal of the input or a cross product of two edges of the input. So numbers become longer if a
+// sum is an operand of another sum, but not if a sum is an operand of a Boolean operation.
 //
 // Proofs: docs/design/walls.md. Sources: M. de Berg et al., Computational Geometry, chapter 13; P.
 // Hachenberger, Exact Minkowski sums of polyhedra and exact and efficient decomposition of
@@ -61,7 +62,8 @@ Nef3 minkowski_erosion(const Nef3& a, const Nef3& b, Context& context = unlimite
 /// from the octahedron |x| + |y| + |z| <= radius, whose faces are subdivided `rounds` times. New
 /// vertices are moved to the sphere with this radius around the origin, and rounded to doubles. The
 /// ball has 8 * 4^rounds triangles. Throws:
-/// - Error{BadArgument} if the radius is not positive, not finite, or below 2^-900 with rounds > 0,
+/// - Error{BadArgument} if the radius is not positive or not finite, or if rounds > 0 and the
+///   radius is below 2^-900,
 /// - Error{ResourceLimit} if rounds > 7.
 Nef3 polyhedral_ball(double radius, unsigned rounds, Context& context = unlimited_context());
 

@@ -7,35 +7,35 @@
 //  2. cut       adds edges between corners, by one of three methods:
 //       cuts       (region_cuts.h) prolongs one side of each reflex corner up to the first vertex
 //                  or edge that the line meets, or to infinity
-//       diagonals  (optimal_cuts.h) triangulates between the vertices, then removes every diagonal
-//                  that no reflex corner needs (Hertel and Mehlhorn)
+//       diagonals  (optimal_cuts.h) triangulates the face, then removes every diagonal that no
+//                  reflex corner needs (Hertel and Mehlhorn)
 //       optimal    (optimal_cuts.h) finds the fewest parts that diagonals between vertices can
 //                  make, by a dynamic program
-//  3. pieces    (region_cuts.h) makes a set of the region inside each remaining loop, with the
-//               boundary cells assigned to it
+//  3. pieces    (region_cuts.h) takes the region inside each remaining loop, and makes a set from
+//               this region and the boundary cells assigned to it
 // Then each marked edge or vertex that is not on the boundary of a marked face becomes a separate
 // part.
 //
 // Method Best tries several methods on each bounded face, and takes the result with the fewest
-// parts. First it runs optimal if optimal can cut the face, otherwise diagonals. Then it runs cuts,
-// too, except in two cases: the first method made only two parts, or the product r n is too large.
-// Here r is the number of reflex corners and n the number of corners. Only method cuts can cut an
-// unbounded face.
+// parts. First it runs method optimal if this method can cut the face; otherwise it runs method
+// diagonals. Then it also runs method cuts, except in two cases: the first method made only two
+// parts, or the product r n is too large. Here r is the number of reflex corners, and n is the
+// number of corners. Only method cuts can cut an unbounded face.
 //
 // As in space, the interface calls a convex part a piece. Every piece has a dimension, and its
-// relative interior is convex. Only points of its boundary may be missing, so a piece need not be
-// convex itself. Every point of the set belongs to exactly one piece. A point on a cut is assigned
-// to the piece on one side of the cut. The union of the pieces is the set; the union of closed
-// pieces is the closure of the set.
+// relative interior is convex. Points of the boundary of a piece may be missing, so the piece
+// itself need not be convex. Every point of the set belongs to exactly one piece. A point on a cut
+// is assigned to the piece on one side of the cut. The union of the pieces is the set. The union of
+// the closures of the pieces is the closure of the set.
 //
 // Bounds. Consider a face with r reflex corners and h holes of positive area. Method cuts makes at
-// most r + 1 - h parts. No partition has fewer than r / 2 + 1 - h parts, because each segment ends
-// at two corners at most. If 3 h <= r, the two bounds differ by a factor of at most 4. If there are
-// no holes, they differ by a factor of at most 2. Method diagonals makes at most 2 r + 1 - h parts.
-// The proofs are in docs/convex.md.
+// most r + 1 - h parts. No partition has fewer than r / 2 + 1 - h parts, because each segment of a
+// partition ends at two corners at most. If 3 h <= r, these two bounds differ by a factor of at
+// most 4. If there are no holes, the two bounds differ by a factor of at most 2. Method diagonals
+// makes at most 2 r + 1 - h parts. The proofs are in docs/convex.md.
 //
 // Cost: O(n log n) for diagonals, O(r n) for cuts, O(n^3) for optimal. Method diagonals constructs
-// no points. The points that method cuts constructs are intersections of two lines of the set.
+// no points. Method cuts constructs only points that are intersections of two lines of the set.
 // Sources: S. Hertel and K. Mehlhorn, Fast triangulation of simple polygons, FCT 1983; M. Keil and
 // J. Snoeyink, On the time bound for convex decomposition of simple polygons, International Journal
 // of Computational Geometry and Applications 12 (2002) 181-192.
@@ -69,7 +69,8 @@ inline constexpr std::size_t kMostCornersForOptimal = 500;
 /// Options of decompose().
 struct PartitionOptions {
   PartitionMethod method = PartitionMethod::Best;  ///< The method that cuts faces.
-  /// Whether to return the closures of the pieces, which share the points on cuts.
+  /// Whether to return the closures of the pieces. The closures of two neighbouring pieces share
+  /// the points on the cut between these pieces.
   bool closed = false;
 };
 
@@ -82,7 +83,7 @@ struct PlanePieces {
 };
 
 /// Returns the convex parts of `set`. Throws Error{BadArgument} if the method cannot cut one of the
-/// faces, and what the context throws.
+/// faces. Also throws what the context throws.
 PlanePieces decompose(const Nef2& set, const PartitionOptions& options = {},
                       Context& context = unlimited_context());
 

@@ -12,32 +12,33 @@
 //  4. with_walls        (wall_complex.h) overlays all walls with the set, once after step 2 and
 //                       once after step 3
 //
-// A wall is bounded. A wall of step 2 ends where it meets the boundary of the set. At its sides it
-// ends straight above and below the ends of its edge. Step 3 continues from there. Step 2 cuts a
-// set with r reflex edges into O(r^2) cells, because every wall meets O(r) other walls. Step 3 adds
-// at most one part for each vertical edge. O(r^2) parts are optimal in the worst case (Chazelle
-// 1984).
+// A wall is bounded. A wall of step 2 ends where it meets the boundary of the set. The sides of the
+// wall are vertical lines through the ends of its edge. Step 3 continues at these lines. Step 2
+// cuts a set with r reflex edges into O(r^2) cells, because every wall meets O(r) other walls. Step
+// 3 adds at most one part for each vertical edge. O(r^2) parts are optimal in the worst case
+// (Chazelle 1984).
 //
 // Numbers. In the first round, the plane of each wall is the plane of a facet, or passes through
-// the common line of the planes of two facets. For 53-bit tetrahedra, united or subtracted from a
-// block, and a vertical along an axis, the longest number of a wall had 262 bits (walls_test.cpp;
-// the aim is at most 800). The coordinates of the chosen vertical have at most 64 bits, and make
-// the numbers longer by as many bits. Later rounds are needed only if some vertical line meets one
-// cell in several segments. The plane of each wall of a later round passes through the common line
-// of the planes of two walls. So the lengths of numbers grow with the count of rounds, but not with
-// the count of walls. If a point was removed from a volume, a wall through that point is needed,
-// and the length of its numbers depends on the point.
+// the common line of the planes of two facets. A test unites tetrahedra with 53-bit coordinates, or
+// subtracts them from a block (walls_test.cpp). With a vertical direction along an axis, the
+// longest number of a wall had 262 bits; the aim is at most 800 bits. The coordinates of a chosen
+// vertical direction have at most 64 bits, and make the numbers longer by the same number of bits.
+// Later rounds are needed only if some vertical line meets one cell in several segments. The plane
+// of each wall of a later round passes through the common line of the planes of two walls. So the
+// lengths of numbers grow with the number of rounds, but not with the number of walls. If a point
+// was removed from a volume, a wall through that point is needed, and the length of its numbers
+// depends on the point.
 //
 // In an unbounded set only the bounded volumes are cut by walls, because in an unbounded volume a
-// wall could reach to infinity. Unbounded volumes are cut by planes, the first method of
-// decompose().
+// wall could reach to infinity. Unbounded volumes are cut by planes instead, as in the first method
+// of decompose().
 //
 // Cost: O((n + c) log(n + c)), where c is the number of intersections of walls with each other and
 // with the set. In addition, each reflex edge is tested against every facet whose vertical
-// projection is near that of the edge. Proofs: docs/design/walls.md. Sources: P. Hachenberger,
-// Exact Minkowski sums of polyhedra and exact and efficient decomposition of polyhedra into convex
-// pieces, Algorithmica 55 (2009) 329-345; B. Chazelle, Convex partitions of polyhedra, SIAM Journal
-// on Computing 13 (1984).
+// projection is near the projection of the edge. Proofs: docs/design/walls.md. Sources: P.
+// Hachenberger, Exact Minkowski sums of polyhedra and exact and efficient decomposition of
+// polyhedra into convex pieces, Algorithmica 55 (2009) 329-345; B. Chazelle, Convex partitions of
+// polyhedra, SIAM Journal on Computing 13 (1984).
 #pragma once
 
 #include <array>
@@ -56,15 +57,15 @@ namespace plumb {
 
 /// Returns the convex parts that decompose() with method Walls makes. The function uses the
 /// vertical direction for which it expects the fewest parts. Throws Error{ResourceLimit} if reflex
-/// edges are left after 64 rounds, and what the context throws.
+/// edges are left after 64 rounds. Also throws what the context throws.
 ConvexPieces decompose_by_walls(const Nef3& set, const DecomposeOptions& options = {},
                                 Context& context = unlimited_context());
 
 /// Cuts one bounded volume by walls and merges neighbours. Returns the convex parts if there are
-/// fewer than `most`; otherwise returns an empty list. If more than 32 edges are reflex, first
-/// estimates the number of parts by choose_vertical(). If the estimate is too large, returns an
-/// empty list without cutting. The estimate takes O(r^2) steps for r reflex edges. Throws what the
-/// context throws.
+/// fewer than `most` parts. Otherwise returns an empty list. If more than 32 edges are reflex,
+/// choose_vertical() first estimates the number of parts. If the estimate is too large, the
+/// function returns an empty list without cutting. The estimate takes O(r^2) steps for r reflex
+/// edges. Throws what the context throws.
 std::vector<Nef3> fewer_pieces_by_walls(const Nef3& volume, std::size_t most,
                                         Context& context = unlimited_context());
 
@@ -72,11 +73,11 @@ std::vector<Nef3> fewer_pieces_by_walls(const Nef3& volume, std::size_t most,
 using VerticalDirection = std::array<Integer, 3>;
 
 /// Returns the set subdivided by walls. The result is a complex that is not minimal. Every marked
-/// volume is convex. A facet that lies in a facet of the set has the facet_origin of that facet;
-/// any other facet has kWallOrigin. Walls are marked: their points belong to the set. `up` is the
-/// vertical direction. If `up` is empty, choose_vertical() chooses the direction. Throws
-/// Error{BadArgument} if the set is unbounded, Error{ResourceLimit} if reflex edges are left after
-/// 64 rounds, and what the context throws.
+/// volume is convex. If a facet of the result lies in a facet of the set, both facets have the same
+/// facet_origin. Any other facet of the result has kWallOrigin. Walls are marked: their points
+/// belong to the set. `up` is the vertical direction. If `up` is empty, choose_vertical() chooses
+/// the direction. Throws Error{BadArgument} if the set is unbounded. Throws Error{ResourceLimit} if
+/// reflex edges are left after 64 rounds. Also throws what the context throws.
 SpaceComplex wall_subdivision(const Nef3& set, const std::optional<VerticalDirection>& up,
                               Context& context = unlimited_context());
 

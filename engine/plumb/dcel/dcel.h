@@ -5,14 +5,14 @@
 // the half-edges 2 e and 2 e + 1. Therefore the ids of twins differ only in the lowest bit.
 //
 //   half-edge h : has origin(h), next(h), prev(h) and loop(h); its face lies to its left
-//   loop l      : one boundary cycle of a face, or an isolated vertex in a face; refers to its
-//                 first half-edge or to the isolated vertex, to the face, and to the next loop of
-//                 the face
+//   loop l      : is one boundary cycle of a face, or an isolated vertex in a face. A loop refers
+//                 to its first half-edge or to its isolated vertex. A loop also refers to its face,
+//                 and to the next loop of this face
 //   face f      : refers to its first loop; only the owner knows which loop is the outer loop,
 //                 because this depends on the geometry
 //   vertex v    : refers to one half-edge that leaves v; an isolated vertex refers to its loop
-//   corner      : a position at a vertex, inside a face, where an edge can be attached. A corner at
-//                 a half-edge h lies at origin(h), just before h on the loop of h. An isolated
+//   corner      : is a position at a vertex, inside a face, where an edge can be attached. A corner
+//                 at a half-edge h lies at origin(h), just before h on the loop of h. An isolated
 //                 vertex has only one corner.
 //
 // A half-edge refers to its loop, and a loop refers to its face. Therefore merging two faces
@@ -23,31 +23,30 @@
 //     Dcel::from_cycles      takes listed cycles of vertex ids; in all cycles together, every edge
 //                            occurs once in each direction
 //     Dcel::from_links       takes half-edges with known successors
-//  2. Editing by pairs of Euler operators, which undo each other
-//     add_face/remove_face       a face without loops (a whole plane or sphere)
-//     add_vertex/remove_vertex   an isolated vertex in a face
-//     add_edge/remove_edge       an edge between two corners; if both corners lie in the same loop,
-//                                the new edge splits this loop; otherwise it joins the two loops
-//     split_edge/join_edge       a vertex of degree 2 inside an edge
-//     split_face/join_faces      moves chosen loops into a new face, and moves them back
+//  2. Editing by Euler operators. The two operators of each pair undo each other
+//     add_face/remove_face       add and remove a face without loops (a whole plane or sphere)
+//     add_vertex/remove_vertex   add and remove an isolated vertex in a face
+//     add_edge/remove_edge       add and remove an edge between two corners. If both corners lie in
+//                                the same loop, the new edge splits this loop. Otherwise the new
+//                                edge joins the two loops
+//     split_edge/join_edge       insert and remove a vertex of degree 2 inside an edge
+//     split_face/join_faces      move chosen loops into a new face, and move them back
 //  3. audit                      checks every invariant from scratch
 //
-// Removed cells leave holes in the numbering until compact() is called. The ids of the other cells
-// stay valid. New cells get new ids at the end, so that parallel arrays only grow by push_back. All
-// operations take O(1) time unless stated otherwise. If an operator finds that a precondition is
-// violated, it reports a broken invariant (PLUMB_CHECK in error.h).
+// Removed cells leave holes in the numbering until compact() is called. The ids of all cells that
+// are not removed stay valid. New cells get new ids at the end, so that parallel arrays only grow
+// by push_back. All operations take O(1) time unless stated otherwise. If an operator finds that a
+// precondition is violated, the operator reports a broken invariant (PLUMB_CHECK in error.h).
 //
-// The half-edges that leave a vertex form a ring: each is followed by the next one
-// counter-clockwise. A pinch is a vertex whose half-edges form several rings. A pinch arises if
-// listed cycles touch at a vertex without passing through each other. from_cycles keeps pinches.
-// The operators require a structure without pinches, because a vertex refers to only one of its
-// rings.
+// The half-edges that leave a vertex form a ring in counter-clockwise order. A pinch is a vertex
+// whose half-edges form several rings. A pinch arises if listed cycles touch at a vertex without
+// passing through each other. from_cycles keeps pinches. The operators require a structure without
+// pinches, because a vertex refers to only one of its rings.
 //
-// Memory: 16 bytes per half-edge, 16 per loop, 4 per vertex, 4 per face. A structure has at most
-// 2^31 - 2 half-edges.
-// Sources: D. E. Muller and F. P. Preparata, Finding the intersection of two convex polyhedra,
-// Theoretical Computer Science 7 (1978); M. Mäntylä, An Introduction to Solid Modeling, Computer
-// Science Press (1988), for the Euler operators.
+// Memory: 16 bytes for each half-edge, 16 for each loop, 4 for each vertex, and 4 for each face. A
+// structure has at most 2^31 - 2 half-edges. Sources: D. E. Muller and F. P. Preparata, Finding the
+// intersection of two convex polyhedra, Theoretical Computer Science 7 (1978); M. Mäntylä, An
+// Introduction to Solid Modeling, Computer Science Press (1988), for the Euler operators.
 #pragma once
 
 #include <cstddef>
@@ -82,14 +81,14 @@ class HalfedgeOr {
 
   constexpr bool is_valid() const {
     return bits_ != HalfedgeId::kInvalid;
-  }  ///< Whether it holds an id.
-  /// Whether it holds a half-edge. Requires is_valid().
+  }  ///< Whether the object holds an id.
+  /// Whether the object holds a half-edge. Requires is_valid().
   constexpr bool is_halfedge() const { return (bits_ & kTopBit) == 0; }
-  /// Whether it holds an `Other`.
+  /// Whether the object holds an `Other`.
   constexpr bool is_other() const { return is_valid() && !is_halfedge(); }
-  /// Returns the half-edge, or an invalid id if it holds none.
+  /// Returns the half-edge, or an invalid id if the object holds no half-edge.
   constexpr HalfedgeId halfedge() const { return is_halfedge() ? HalfedgeId(bits_) : HalfedgeId(); }
-  /// Returns the `Other`, or an invalid id if it holds none.
+  /// Returns the `Other`, or an invalid id if the object holds no `Other`.
   constexpr Other other() const { return is_other() ? Other(bits_ & ~kTopBit) : Other(); }
   friend constexpr bool operator==(HalfedgeOr, HalfedgeOr) = default;
 
@@ -98,8 +97,8 @@ class HalfedgeOr {
   std::uint32_t bits_ = HalfedgeId::kInvalid;
 };
 
-/// A position where an edge can be attached. It is given by the half-edge that follows it, or by an
-/// isolated vertex.
+/// A position where an edge can be attached. A corner is given by the half-edge that follows the
+/// corner, or by an isolated vertex.
 using Corner = HalfedgeOr<VertexId>;
 
 /// A range that visits each id of a closed chain once, as in for (HalfedgeId h : dcel.along(l)).
@@ -110,8 +109,8 @@ class Ring {
   /// Iterator that stops when it reaches the first id again.
   class Iterator {
    public:
-    using value_type = Id;                   ///< Required of an iterator.
-    using difference_type = std::ptrdiff_t;  ///< Required of an iterator.
+    using value_type = Id;                   ///< Every iterator has this type.
+    using difference_type = std::ptrdiff_t;  ///< Every iterator has this type.
     Iterator() = default;
     Iterator(Id first, Step step)
         : at_(first), first_(first), step_(step) {}  ///< Starts at `first`.
@@ -122,7 +121,7 @@ class Ring {
       if (at_ == first_) at_ = Id();
       return *this;
     }
-    /// Advances to the next id and returns a copy of the iterator from before the step.
+    /// Advances to the next id, and returns the iterator as it was before this step.
     Iterator operator++(int) {
       Iterator old = *this;
       ++*this;
@@ -163,8 +162,8 @@ struct DcelCompaction {
 };
 
 /// Compacts `payload`, an array of the owner with one entry for each cell of one kind. `new_ids` is
-/// the member of DcelCompaction for this kind of cell. Requires that `payload` has one entry per
-/// old id. Cost: O(n).
+/// the member of DcelCompaction for this kind of cell. Requires that `payload` has one entry for
+/// each old id. Cost: O(n).
 template <class Id, class T>
 void follow(const std::vector<Id>& new_ids, std::vector<T>& payload) {
   std::size_t kept = 0;
@@ -207,9 +206,9 @@ class Dcel {
   ///                  this array is a hole of the numbering (contains() returns false)
   /// Cycle c becomes loop c. The loops of the isolated vertices have the ids after the loops of the
   /// cycles. The loops of a face are ordered by their ids. A vertex stores its half-edge with the
-  /// lowest corner position. Edges are numbered in the order of the lower of their two corner
-  /// positions. The half-edge at the lower position gets the even id. Requires the following, which
-  /// the function checks:
+  /// lowest corner position. Each edge has two corner positions, and edges are numbered in the
+  /// order of the lower position. The half-edge at the lower position gets the even id. The
+  /// function requires and checks the following conditions:
   ///   - twin is an involution without fixed points that pairs opposite directed edges;
   ///   - no cycle is empty;
   ///   - all ids are in range.
@@ -304,9 +303,9 @@ class Dcel {
     return counts_.faces;
   }  ///< Returns the number of present faces.
 
-  /// Returns the size that an array indexed by VertexId needs. This is the number of vertex ids,
-  /// including the ids of removed vertices. The functions below return the same number for the
-  /// other kinds of cells.
+  /// Returns the size that an array indexed by VertexId needs. This size is the number of vertex
+  /// ids, including the ids of removed vertices. The functions below return the corresponding sizes
+  /// for the other kinds of cells.
   std::size_t vertex_slots() const { return vertices_.size(); }
   std::size_t halfedge_slots() const { return halfedges_.size(); }  ///< Number of half-edge ids.
   std::size_t edge_slots() const { return halfedges_.size() / 2; }  ///< Number of edge ids.
@@ -334,25 +333,25 @@ class Dcel {
   // --- Euler operators (all require !has_pinches()) --------------------------------------------
 
   FaceId add_face();  ///< Adds a face without loops and returns it.
-  /// Removes a face. Requires that it has no loops.
+  /// Removes a face. Requires that the face has no loops.
   void remove_face(FaceId f);
 
   /// Adds an isolated vertex with a new loop of f, and returns the vertex.
   VertexId add_vertex(FaceId f);
-  /// Removes a vertex and its loop. Requires that it is isolated.
+  /// Removes a vertex and its loop. Requires that the vertex is isolated.
   void remove_vertex(VertexId v);
 
-  /// Adds an edge from vertex_at(a) to vertex_at(b). Returns the even half-edge h of the edge,
-  /// which leads from vertex_at(a) to vertex_at(b). Requires that both corners lie in the same
-  /// face.
+  /// Adds an edge from vertex_at(a) to vertex_at(b). Returns the half-edge h of this edge that has
+  /// the even id. h leads from vertex_at(a) to vertex_at(b). Requires that both corners lie in the
+  /// same face.
   ///   - If the corners lie in the same loop, this loop is split. h and the part of the loop from b
   ///     to a form a new loop of the same face. (If a == b, the new loop consists of h alone, a
   ///     self-loop.) twin(h) stays in the old loop. Cost: O(length of the new loop).
   ///   - If the corners lie in two loops, the loops are joined. The joined loop keeps the id of the
   ///     loop of a. Cost: O(length of the loop of b).
   HalfedgeId add_edge(Corner a, Corner b);
-  /// Removes the edge of h. Requires that both sides of h have the same face (call join_faces
-  /// first).
+  /// Removes the edge of h. Requires that both sides of h have the same face. If the faces differ,
+  /// call join_faces first.
   ///   - If h and twin(h) lie in two loops, the loops are joined. The joined loop keeps the id of
   ///     the loop of twin(h). Cost: O(length of the loop of h).
   ///   - If h and twin(h) lie in the same loop, the loop is split in two. The part at origin(h)
@@ -372,8 +371,8 @@ class Dcel {
   /// the face. Requires that the list is not empty and that its loops are distinct and belong to
   /// the same face. Cost: O(number of loops).
   FaceId split_face(std::span<const LoopId> loops);
-  /// Moves all loops of `gone` to `kept`, after the loops of `kept`, and removes `gone`. Requires
-  /// distinct faces. Cost: O(number of loops of `gone`).
+  /// Appends all loops of the face `gone` to the loops of the face `kept`, and removes `gone`.
+  /// Requires that the two faces are distinct. Cost: O(number of loops of `gone`).
   void join_faces(FaceId kept, FaceId gone);
 
   /// Gives all cells new ids without holes, in the same order, and returns the new ids. Owners
@@ -398,8 +397,9 @@ class Dcel {
   /// Checks that the structure is a map of the plane or sphere. Returns the first flaw, or no value
   /// if there is no flaw. A component is an isolated vertex, or a set of half-edges that are
   /// connected by next and twin. Half-edges that are connected only through a pinch belong to
-  /// different components. A ring is an isolated vertex, or a cycle of half-edges around a vertex,
-  /// each followed by its turn_left(). The function checks two conditions:
+  /// different components. A ring is an isolated vertex, or a cycle of half-edges around a vertex
+  /// in which turn_left() leads from each half-edge to the next. The function checks two
+  /// conditions:
   ///   - rings - edges + loops = 2 in each component;
   ///   - the graph whose nodes are the faces and the components, and whose arcs are the loops, is a
   ///     tree.
@@ -412,14 +412,14 @@ class Dcel {
   friend class DcelSurgeon;  // For tests, which damage the arrays on purpose.
 
   struct Halfedge {
-    VertexId origin;  ///< Invalid if removed.
+    VertexId origin;  ///< Invalid if the half-edge was removed.
     HalfedgeId next, prev;
     LoopId loop;
   };
   struct Loop {
-    Corner first;  ///< Invalid if removed.
+    Corner first;  ///< Invalid if the loop was removed.
     FaceId face;
-    LoopId next, prev;  ///< The ring of the loops of its face.
+    LoopId next, prev;  ///< The neighbours in the ring of the loops of the face.
   };
   struct Counts {
     std::size_t vertices = 0, edges = 0, loops = 0, faces = 0;
@@ -462,10 +462,10 @@ class Dcel {
   HalfedgeId other_leaving(HalfedgeId h) const;
 
   IdVector<HalfedgeId, Halfedge> halfedges_;
-  IdVector<VertexId, HalfedgeOr<LoopId>> vertices_;  ///< Invalid if removed.
+  IdVector<VertexId, HalfedgeOr<LoopId>> vertices_;  ///< Invalid for removed vertices.
   IdVector<LoopId, Loop> loops_;
   IdVector<FaceId, LoopId>
-      faces_;  ///< The first loop, invalid if there is none; kRemoved if removed.
+      faces_;  ///< The first loop, or an invalid id if the face has no loop; kRemoved if removed.
   Counts counts_;
   bool has_pinches_ = false;
 };

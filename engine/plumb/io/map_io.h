@@ -1,15 +1,16 @@
 // Reads and writes planar maps as text (docs/formats.md, "map"). The text has three parts:
-//   - a header `n f`, the number of vertices and the number of faces
+//   - a header `n f`, where n is the number of vertices and f is the number of faces
 //   - n lines `x y`, the coordinates of the vertices
 //   - f lines, each with the 1-based vertex ids of one face
 //
 // Main flow of read_map:
 //  1. read_counts    reads the header, and checks that the number of bytes after the header is
-//                    enough for its counts
+//                    enough for the counts in the header
 //  2. read_vertices  reads exactly two numbers from each line (record_reader.h)
-//  3. read_faces     reads the vertex ids of each face from its line. There must be at least three
-//                    ids, all in range. The same id must not occur twice in a row. The points of
-//                    these vertices must not all be collinear. This is decided exactly.
+//  3. read_faces     reads the vertex ids of each face from its line. A line must have at least
+//                    three ids, and all ids must be in range. The same id must not occur twice in a
+//                    row. The points of these vertices must not all be collinear. The step decides
+//                    this exactly.
 //  4. end            accepts only blank lines and comments after the faces
 //
 // Cost: O(bytes) time. The text and the map are in memory at the same time.

@@ -37,8 +37,8 @@ void write_map_report_text(std::ostream& out, const MapReport& report);
 void write_map_report_json(std::ostream& out, const MapReport& report);
 
 /// Writes the defects as a GeoJSON FeatureCollection. The collection has one feature for each
-/// described defect. The properties of a feature are the members of this defect in the JSON report.
-/// The geometry of a feature depends on the defect:
+/// described defect. The properties of a feature are the members that the JSON report has for this
+/// defect. The geometry of a feature depends on the defect:
 ///   - the point of the defect, if the defect has a point
 ///   - otherwise the edges of the defect as lines, if the defect has edges
 ///   - otherwise null

@@ -27,14 +27,15 @@ namespace plumb {
 /// A mesh read from a file.
 struct MeshFile {
   PolygonMesh mesh;  ///< The mesh as the file lists it.
-  /// Notes for a human reader, one sentence each. The notes report contents of the file that are
-  /// not in `mesh`.
+  /// Notes for a human reader. Each note is one sentence. The notes report contents of the file
+  /// that are not in `mesh`.
   std::vector<std::string> notes;
 };
 
 /// Formats of mesh files. For some formats there are several forms, such as text and binary STL. A
-/// writer writes exactly the form that the enumerator names. A reader accepts every form: text and
-/// binary STL for both Stl and StlBinary, and every form of PLY for both Ply and PlyText.
+/// writer writes exactly the form that the enumerator names. A reader accepts every form. For Stl
+/// and for StlBinary, a reader accepts text STL and binary STL. For Ply and for PlyText, a reader
+/// accepts every form of PLY.
 enum class MeshFormat : std::uint8_t {
   Off,        ///< OFF with doubles.
   ExactOff,   ///< OFF with fractions p/q as coordinates.
@@ -56,15 +57,16 @@ std::optional<MeshFormat> mesh_format_named(std::string_view name);
 /// Returns the format that a file with these bytes seems to have:
 ///   - glTF if the bytes begin with "glTF" or "{"
 ///   - PLY if the bytes begin with "ply"
-///   - STL if the bytes begin with "solid", or if the number of bytes is that of a binary STL file
-///     with the stated number of triangles
+///   - STL if the bytes begin with "solid"
+///   - STL if the bytes state a number of triangles as a binary STL file does, and the number of
+///     bytes agrees with this number of triangles
 ///   - OFF if the bytes begin with "OFF", with a variant of this word such as "COFF", or with a
 ///     number
 ///   - OBJ in all other cases
 MeshFormat guess_mesh_format(std::string_view bytes);
 
-/// Returns the mesh that `bytes` describe in the given format. Throws the errors that the header of
-/// the reader of this format states (off.h, obj.h, stl.h, ply.h, gltf.h).
+/// Returns the mesh that `bytes` describe in the given format. Throws the errors of the reader of
+/// this format, as its header states them (off.h, obj.h, stl.h, ply.h, gltf.h).
 MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions& options = {},
                    Context& context = unlimited_context());
 
@@ -93,17 +95,18 @@ void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format);
 /// after all bytes have been written. Throws:
 ///   - Error{UnknownFormat} if `format` is Gltf
 ///   - Error{UnknownFormat} if `format` is not given and the extension is none of these four
+///     extensions
 ///   - Error{CannotWrite} if the file cannot be written
 ///   - the errors of write_mesh()
 void write_mesh_file(const std::string& path, const PolygonMesh& mesh,
                      std::optional<MeshFormat> format = {});
-/// Writes a TriangleMesh to a file. The format is determined as in the function above. The file is
-/// replaced in the same way, and the errors are the same.
+/// Writes a TriangleMesh to a file. The format, the replacement of the file, and the errors are the
+/// same as for the function above.
 void write_mesh_file(const std::string& path, const TriangleMesh& mesh,
                      std::optional<MeshFormat> format = {});
 
-/// Returns the mesh with its coordinates rounded as write_mesh() rounds them. This is the mesh that
-/// a reader of the written file will get. Throws as write_mesh() does.
+/// Returns the mesh with its coordinates rounded as write_mesh() rounds them. A reader of the
+/// written file will get this mesh. Throws as write_mesh() does.
 PolygonMesh as_written(PolygonMesh mesh, MeshFormat format);
 
 }  // namespace plumb

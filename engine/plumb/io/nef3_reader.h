@@ -1,13 +1,13 @@
-// Reads `.nef` files (docs/formats.md, ".nef"). Such a file contains a SpaceComplex without loss.
+// Reads `.nef` files (docs/formats.md, ".nef"). Such a file represents a SpaceComplex without loss.
 //
 // Main flow of read_nef3:
 //  1. header       reads `plumb-nef3 1` and the counts, and checks that the file has enough bytes
 //                  for these counts
 //  2. records      reads planes, points, vertices, edges, edge uses, facets and volumes, and the
 //                  word `end`
-//  3. check_links  checks that every reference between records is in range. Some references state
-//                  the same fact twice; the step checks that they agree (solid_text.h). After this
-//                  step, code that follows references stays inside the arrays and always ends.
+//  3. check_links  checks that every reference between records is in range. If two references state
+//                  the same fact, the step checks that they agree (solid_text.h). After this step,
+//                  code that follows references never leaves the arrays and always terminates.
 //
 // The reader does not check all invariants of a complex. For example, it does not check that points
 // lie where they should, or that edges leave a vertex in the right order. The audit (space_audit.h)
@@ -20,8 +20,8 @@
 //   - BadShape if coefficients do not describe a plane, if a plane is listed twice, or if the
 //     planes of a point do not intersect in exactly one point
 //   - UnknownFormat if the file has another version of the format
-// Step 3 throws BadShape. This error names the file only. All steps throw Cancelled as the Context
-// demands.
+// Step 3 throws BadShape. This error names the file only. Every step throws Cancelled if the
+// Context demands it.
 #pragma once
 
 #include <string_view>

@@ -37,12 +37,14 @@ namespace plumb {
 struct PlaneShapes {
   PointTable2 points;                       ///< All corners, exact.
   std::vector<std::uint32_t> ring_corners;  ///< Corners of all rings, end to end.
-  /// Offsets of the first corners of the rings in ring_corners, and the size of ring_corners.
+  /// For each ring, the offset of its first corner in ring_corners. The last entry is the size of
+  /// ring_corners.
   std::vector<std::uint32_t> ring_begin = {0};
-  /// Indices of the first rings of the polygons, and the number of rings.
+  /// For each polygon, the index of its first ring. The last entry is the number of rings.
   std::vector<std::uint32_t> polygon_begin = {0};
   std::vector<std::uint32_t> line_corners;  ///< Points of all lines, end to end.
-  /// Offsets of the first points of the lines in line_corners, and the size of line_corners.
+  /// For each line, the offset of its first point in line_corners. The last entry is the size of
+  /// line_corners.
   std::vector<std::uint32_t> line_begin = {0};
   std::vector<std::uint32_t> single_points;  ///< Indices of the isolated points.
 
@@ -61,18 +63,21 @@ struct PlaneShapes {
   /// Whether there are no polygons, lines or isolated points.
   bool empty() const { return polygon_count() == 0 && line_count() == 0 && single_points.empty(); }
 
-  /// Ends a ring. Its corners are those appended to ring_corners after the previous ring ended.
+  /// Ends a ring. The ring consists of the corners that were appended to ring_corners after the
+  /// previous ring ended.
   void end_ring() { ring_begin.push_back(static_cast<std::uint32_t>(ring_corners.size())); }
-  /// Ends a polygon. Its rings are those that ended after the previous polygon ended.
+  /// Ends a polygon. The polygon consists of the rings that ended after the previous polygon ended.
   void end_polygon() { polygon_begin.push_back(static_cast<std::uint32_t>(ring_count())); }
-  /// Ends a line. Its points are those appended to line_corners after the previous line ended.
+  /// Ends a line. The line consists of the points that were appended to line_corners after the
+  /// previous line ended.
   void end_line() { line_begin.push_back(static_cast<std::uint32_t>(line_corners.size())); }
 };
 
-/// Returns the set for which the shapes stand. First, a separate sweep resolves each polygon whose
-/// rings meet elsewhere than at common corners. Then one sweep handles all polygons together. A
-/// polygon needs no sweep of its own if its rings meet only at common corners, for example if a
-/// hole touches the outer ring at a corner. Cost: O((n + k) log n) for n corners and k crossings.
+/// Returns the set for which the shapes stand. First, each polygon whose rings meet at points other
+/// than common corners is resolved by a sweep of its own. Then one sweep handles all polygons
+/// together. A polygon needs no sweep of its own if its rings meet only at common corners, for
+/// example if a hole touches the outer ring at a corner. Cost: O((n + k) log n) for n corners and k
+/// crossings.
 Nef2 to_set(const PlaneShapes& shapes, Context& context = unlimited_context());
 
 /// Returns the parts of a set as shapes, with exact coordinates.
@@ -93,12 +98,12 @@ std::optional<PlaneFormat> plane_format_of(const std::string& path);
 /// text that begins with "plumb-" is .nef2. Any other text is WKT.
 PlaneFormat guess_plane_format(std::string_view text);
 
-/// Returns the format that the extension of `path` names. If it names none, returns the format that
-/// the text seems to have.
+/// Returns the format that the extension of `path` names. If the extension names no format, returns
+/// the format that the text seems to have.
 PlaneFormat plane_format_of(const std::string& path, std::string_view text);
 
-/// Returns the set that `text` describes in the given format. Throws the errors that the header of
-/// the reader of this format states (wkt.h, geojson.h, nef2_format.h).
+/// Returns the set that `text` describes in the given format. Throws the errors of the reader of
+/// this format, as its header states them (wkt.h, geojson.h, nef2_format.h).
 Nef2 read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions& options = {},
                     Context& context = unlimited_context());
 
@@ -117,18 +122,18 @@ struct PlaneLosses {
   /// The written closure has points inside that do not belong to the set (PlaneParts::filled). If
   /// this is true, `open` is true, too.
   bool filled = false;
-  /// Set only if rounding the coordinates changed the counts of cells. The first entry has the
-  /// counts of the set before rounding. The second entry has the counts of the set that a reader of
-  /// the file will get.
+  /// Has a value only if the rounding of coordinates changed the counts of cells. The first entry
+  /// has the counts of the set before rounding. The second entry has the counts of the set that a
+  /// reader of the file will get.
   std::optional<std::array<PlaneCounts, 2>> reshaped;
 
   /// Whether anything is lost.
   bool any() const { return unbounded || open || reshaped.has_value(); }
   /// Returns a sentence for people which says that the closure was written, or an empty string if
-  /// the set is closed. This sentence is not one of sentences(): a difference of sets is seldom
-  /// closed, so the program prints the sentence only if the file must represent the set exactly.
+  /// the set is closed. This sentence is not one of sentences(). A difference of sets is seldom
+  /// closed, so the program prints this sentence only if the file must represent the set exactly.
   std::string closing() const;
-  /// Returns all other losses, each as one sentence for people.
+  /// Returns all losses except the one that closing() states. Each loss is one sentence for people.
   std::vector<std::string> sentences() const;
 };
 
@@ -137,9 +142,9 @@ struct PlaneLosses {
 class PlaneText {
  public:
   /// Prepares `set` for writing. If a coordinate must be rounded, the constructor also builds the
-  /// set that a reader of the file will get. It compares the counts of cells of that set with the
-  /// counts before rounding (PlaneLosses::reshaped). Throws Error{NumberOutOfRange} if the format
-  /// is not Nef2 and a coordinate lies beyond the largest double.
+  /// set that a reader of the file will get. The constructor compares the counts of cells of that
+  /// set with the counts before rounding (PlaneLosses::reshaped). Throws Error{NumberOutOfRange} if
+  /// the format is not Nef2 and a coordinate lies beyond the largest double.
   PlaneText(const Nef2& set, PlaneFormat format, Context& context = unlimited_context());
 
   /// Returns the properties of the set that the file will not represent.

@@ -6,32 +6,33 @@
 //    "svg"?: {"file": FILE, "center": [face, u, v], "scale": length, "angle"?: degrees,
 //    "tolerance"?: length}}
 //
-// Indices are 0-based. Faces are triangles, numbered in the order of the model. A polygon of the
-// model with more than three corners is cut into a fan of triangles. These triangles are numbered
-// one after the other. In a point, u and v are the barycentric weights of the second and the third
-// vertex of the face. A weight is a JSON number, or a string with a fraction such as "1/3". A
-// relative path FILE is relative to the folder of the scene file. Members with other names are
-// ignored.
+// Indices are 0-based. Faces are triangles, numbered in the order of the model. If a polygon of the
+// model has more than three corners, the polygon is cut into a fan of triangles. These triangles
+// are numbered one after the other. In a point, u and v are the barycentric weights of the second
+// and the third vertex of the face. A weight is a JSON number, or a string with a fraction such as
+// "1/3". A relative path FILE is relative to the folder of the scene file. Members with other names
+// are ignored.
 //
 // Main flow of read_scene_file:
-//  1. parse      reads the text, and records the position in the text of each index and each weight
+//  1. parse      reads the text, and records where each index and each weight stands in the text
 //  2. model      reads the mesh (mesh_io.h), cuts it into triangles, and makes a SurfaceMesh
 //  3. points     decides exactly for each point whether it is a vertex, lies on an edge, or lies in
 //                the interior of a face (see "Exact decisions")
-//  4. trace      joins consecutive points of each polygon by a path on the surface, the trace
-//                (trace.h). If both points are given with the same face, the trace is straight.
+//  4. trace      joins consecutive points of each polygon by a path on the surface. This path is
+//                called a trace (trace.h). If the two points are given with the same face, the
+//                trace is straight.
 //  5. draw       reads the drawings with svg_reader.h. The member "svg" is one drawing or a list of
 //                drawings. Each point of a drawing is put onto the surface along a straight line
 //                that starts at the member "center" (exponential_map.h). Traces join these points.
 //                Each element of a drawing becomes a shape. These shapes are numbered after the
 //                member "shapes".
 //
-// Exact decisions: the exact values of the written numbers decide where a point lies, even if they
-// are decimals. For example, [f, 0.3, 0.7] lies on an edge of face f, because 0.3 + 0.7 = 1. The
-// exact sum of the doubles nearest to 0.3 and 0.7 is not 1. The same point may also be given in the
-// face g on the other side of this edge, for example as [g, 0.7, 0]. After the decision, each
-// decimal is rounded once to the nearest double. A decimal is kept exactly if rounding it would
-// move the point off its edge, onto an edge, or out of its face.
+// Exact decisions: the exact values of the written numbers decide where a point lies, even if the
+// numbers are decimals. For example, [f, 0.3, 0.7] lies on an edge of face f, because
+// 0.3 + 0.7 = 1. The exact sum of the doubles nearest to 0.3 and 0.7 is not 1. The same point may
+// also be given in the face g on the other side of this edge, for example as [g, 0.7, 0]. After
+// the decision, each decimal is rounded once to the nearest double. A decimal keeps its exact value
+// if rounding it would move the point off its edge, onto an edge, or out of its face.
 //
 // Tolerance: if u or v is a decimal and u + v differs from 1 by at most 2^-52, the point is treated
 // as if u + v were 1. A point outside its face is accepted if u, v and 1 - u - v are all at least
@@ -62,8 +63,8 @@ namespace plumb {
 struct SceneFile {
   SurfaceScene scene;  ///< The input of SurfaceDivision.
   std::string model;   ///< The path of the mesh.
-  /// Notes of the readers of the mesh and the drawings, for a human reader. Each note names the
-  /// file that it is about.
+  /// Notes for a human. The readers of the mesh and of the drawings make these notes. Each note
+  /// names the file that it is about.
   std::vector<std::string> notes;
 };
 

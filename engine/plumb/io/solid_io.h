@@ -2,8 +2,8 @@
 // list of half-spaces.
 //
 // A mesh becomes a closed set: the facets of the mesh bound volumes, and the winding number of a
-// volume decides whether it belongs to the set. A .nef file represents any set exactly. If the
-// reader changes or leaves out something of the file, a note reports this.
+// volume decides whether the volume belongs to the set. A .nef file represents any set exactly. If
+// the reader changes or leaves out something of the file, a note reports this.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ namespace plumb {
 /// Options of the conversion of a file to a set.
 struct SolidReadOptions {
   /// The rule for winding numbers. A volume belongs to the set if the rule accepts its winding
-  /// number. If no rule is given, the rule is Positive, and some components of the mesh are flipped
-  /// first: those that have a negative volume and lie in no other component.
+  /// number. If no rule is given, the rule is Positive. In this case, the reader first flips each
+  /// component of the mesh that has a negative volume and lies in no other component.
   std::optional<WindingRule> rule;
   bool surface = false;  ///< Whether the set of an open mesh is the union of its facets.
   /// Whether a number with a decimal point or an exponent is read exactly. Otherwise such a number
@@ -35,7 +35,7 @@ struct SolidReadOptions {
 /// A set read from a file.
 struct SolidRead {
   Nef3 set;                        ///< The set that the file describes.
-  std::vector<std::string> notes;  ///< Notes of the reader for a human, one sentence each.
+  std::vector<std::string> notes;  ///< Notes for a human. Each note is one sentence.
 };
 
 /// Whether a file is a .nef file. The extension of `path` decides. If the extension names no
@@ -45,8 +45,8 @@ bool is_nef_file(const std::string& path, std::string_view bytes);
 /// Reads the file `path`, or standard input if `path` is "-", and returns its set. Throws:
 ///   - the errors of mesh_io.h and nef3_reader.h
 ///   - Error{BadShape} if the audit (space_audit.h) finds a flaw in a .nef file
-///   - Error{BadShape}, with the border of the mesh, if the mesh is open and `options.surface` is
-///     false
+///   - Error{BadShape} if the mesh is open and `options.surface` is false; the error lists the
+///     borders of the mesh
 SolidRead read_solid_file(const std::string& path, const SolidReadOptions& options = {},
                           Context& context = unlimited_context());
 /// Returns the set of the file `path`. The caller has already read the bytes of the file. Throws as

@@ -31,23 +31,24 @@ void write_surface_obj(std::ostream& out, const SurfaceTriangulation& triangles,
 void write_surface_ply(std::ostream& out, const SurfaceTriangulation& triangles, CellChoice chosen);
 
 /// A directed edge of the graph of cells. The edge joins two cells that share a part of their
-/// borders. The polygons that run along this part are listed in `polygons`. The edge is directed
-/// from the cell to the right of the first of these polygons to the cell to the left of this
-/// polygon. The label of `to` is the sum of the label of `from` and the entries of `polygons`.
+/// borders. The polygons that run along this part are listed in `polygons`. The first of these
+/// polygons determines the direction of the edge. The edge leads from the cell to the right of this
+/// polygon to the cell to the left of this polygon. The label of `to` is the sum of the label of
+/// `from` and the entries of `polygons`.
 struct CellStep {
   CellId from;  ///< The cell to the right of the first polygon.
   CellId to;    ///< The cell to the left of the first polygon.
-  /// The polygons between the two cells, in ascending order of their indices. The entry of a
-  /// polygon has its index, and the value by which its coefficient in the label grows from `from`
-  /// to `to`. The value of the first entry is positive.
+  /// The polygons between the two cells, in ascending order of their indices. Each entry has the
+  /// index of a polygon. Each entry also has the value by which the coefficient of this polygon in
+  /// the label grows from `from` to `to`. The value of the first entry is positive.
   std::vector<SignedEntry> polygons;
 };
 /// Returns an edge of the graph, directed so that the entry of its first polygon is positive.
 CellStep upward_step(const SurfaceDivision& division, const CellEdge& edge);
 
 /// Writes the graph of the chosen cells for Graphviz. The graph has one node for each chosen cell.
-/// The node shows the label and the area of the cell. The graph has one edge for each pair of
-/// chosen cells and each list of polygons between these cells. The edge has the direction that
+/// The node shows the label and the area of the cell. For each pair of chosen cells, the graph has
+/// one edge for each list of polygons between these cells. The edge has the direction that
 /// upward_step() returns. The text of an edge lists the indices of its polygons with their signs,
 /// as in "+0 -2*3".
 void write_cell_graph(std::ostream& out, const SurfaceDivision& division, CellChoice chosen);

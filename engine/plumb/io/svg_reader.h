@@ -18,8 +18,8 @@
 //
 // Skipped elements: elements that only define something are skipped with their contents, because
 // they draw nothing. These elements are defs, symbol, clipPath, mask, marker and pattern. Elements
-// with unknown names are skipped, too. A few elements that draw something are not supported: use,
-// text, image and nested drawings. These are skipped with a note.
+// with unknown names are skipped, too. A few elements that draw something are not supported: `use`,
+// `text`, `image`, and nested drawings. These elements are skipped with a note.
 //
 // Middle: the middle of the drawing is determined as follows:
 //   - If the drawing has a viewBox, the middle is the middle of this box.
@@ -44,14 +44,15 @@ namespace plumb {
 
 /// Closed polygons in flat arrays. A shape is a list of rings. A ring is a list of points.
 struct SvgDrawing {
-  /// All points. The x-axis points to the right and the y-axis upwards. The origin is the middle of
-  /// the drawing.
+  /// All points. The x-axis points to the right, and the y-axis points upwards. The origin is the
+  /// middle of the drawing.
   std::vector<Point2> points;
   /// For each point, the byte offset in the text at which its definition starts.
   std::vector<std::size_t> places;
-  /// Offsets of the first points of the rings in `points`, and the size of `points`.
+  /// For each ring, the offset of its first point in `points`. The last entry is the size of
+  /// `points`.
   std::vector<std::uint32_t> ring_begin = {0};
-  /// Indices of the first rings of the shapes, and the number of rings.
+  /// For each shape, the index of its first ring. The last entry is the number of rings.
   std::vector<std::uint32_t> shape_begin = {0};
   std::vector<std::string> notes;  ///< Notes for a human reader that report skipped elements.
 
@@ -69,7 +70,7 @@ struct SvgDrawing {
 /// without a viewBox, it is a thousandth of the larger of width and height. The memory of the
 /// drawing stays charged to `context`.
 ///
-/// Cost: O(bytes + points). Errors name their position in the text. They are:
+/// Cost: O(bytes + points). Errors name their position in the text. The errors are:
 ///   - the errors of the scanner (svg_syntax.h)
 ///   - Syntax and NumberOutOfRange
 ///   - BadShape for a negative size, and for a curve in a drawing without a size if `tolerance` is

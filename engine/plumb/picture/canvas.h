@@ -1,5 +1,5 @@
-// A software rasteriser. For each sample it stores a colour, a depth, and the patch that is visible
-// at the sample.
+// A software rasteriser. For each sample the rasteriser stores a colour, a depth, and the patch
+// that is visible at the sample.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,9 @@ struct Image {
   std::vector<std::uint8_t> rgb;  ///< Red, green, blue: 3 * width * height bytes.
 };
 
-/// A point of the canvas, in units of samples. The x-axis points to the right, the y-axis downwards
-/// and the z-axis towards the viewer. The middle of sample (i, j) has x = i + 1/2 and y = j + 1/2.
+/// A point of the canvas, in units of samples. The x-axis points to the right, the y-axis points
+/// downwards, and the z-axis points towards the viewer. The middle of sample (i, j) has x = i + 1/2
+/// and y = j + 1/2.
 struct Spot {
   double x = 0, y = 0, z = 0;  ///< Coordinates.
 };
@@ -37,15 +38,15 @@ class Canvas {
 
   /// Calls visit(sample, spot) for each sample whose middle `spot` lies in the triangle a b c. The
   /// triangle may have either orientation. If two triangles lie on different sides of a common
-  /// edge, each sample beside this edge is visited for exactly one of the two triangles. There can
-  /// be exceptions where rounding moves the edge. Cost: O(rows + samples visited).
+  /// edge, each sample beside this edge is visited for exactly one of the two triangles. Exceptions
+  /// are possible at places where rounding moves the edge. Cost: O(rows + samples visited).
   template <class Visit>
   void for_triangle(Spot a, Spot b, Spot c, const Visit& visit) const;
 
   /// Returns the depth of the nearest patch drawn at a sample.
   double depth(std::size_t sample) const { return depth_[sample]; }
-  /// Draws a patch at a sample. Does nothing if the patch that was drawn at this sample is nearer
-  /// or has the same depth.
+  /// Draws a patch at a sample. Does nothing if an earlier patch at this sample is nearer or has
+  /// the same depth.
   void put(std::size_t sample, double depth, std::uint32_t patch, Colour colour) {
     if (depth <= depth_[sample]) return;
     depth_[sample] = static_cast<float>(depth);
@@ -68,8 +69,8 @@ class Canvas {
 
   /// Draws a line with round ends. No patch hides this line.
   void stroke(Point2 a, Point2 b, double width, Colour colour);
-  /// Returns, for each sample, the patch that is visible at the sample, or Scene::kNoPatch if there
-  /// is none.
+  /// For each sample, returns the patch that is visible at the sample, or Scene::kNoPatch if no
+  /// patch is visible.
   const std::vector<std::uint32_t>& patches() const { return patch_; }
 
   /// Draws the lines and dots over the patches, and returns the image. The colour of a pixel is the

@@ -1,6 +1,6 @@
 // Draws a checked map as SVG. The picture shows the faces in different tints, and the defects on
-// top of the faces. It also has close-ups, a legend, and a list of the first defects. The file does
-// not load other files and has no scripts. The y-axis points upwards.
+// top of the faces. The picture also has close-ups, a legend, and a list of the first defects. The
+// file does not load other files and has no scripts. The y-axis points upwards.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct MapSvgOptions {
   std::size_t max_insets = 6;   ///< The largest number of close-ups, 0 to 6.
 };
 
-/// Writes the picture of a report. The map may be valid or defective. It may have any finite
+/// Writes the picture of a report. The map may be valid or defective. The map may have any finite
 /// coordinates and any number of faces. The file is always smaller than 20 MB. To stay below this
 /// size even for 10^6 faces, the picture shows small faces only as a grey tint. For a thousand
 /// faces of 10 corners, the file takes about 0.2 MB. The output is deterministic. Cost: O(n log n)

@@ -35,9 +35,10 @@ void write_overlay_svg(std::ostream& out, const MapOverlay& overlay,
 /// faces have different colours if the numbers of tints and shades are large enough for the
 /// overlay.
 struct OverlayColour {
-  /// From 0 to kTints - 1. For faces in the unbounded region of the first map, this is kTints.
+  /// The tint, from 0 to kTints - 1. The value kTints stands for faces in the unbounded region of
+  /// the first map.
   std::uint8_t tint;
-  std::uint8_t shade;  ///< From 0 to kShades - 1.
+  std::uint8_t shade;  ///< The shade, from 0 to kShades - 1.
   friend bool operator==(const OverlayColour&, const OverlayColour&) = default;
 };
 inline constexpr std::size_t kShades = 4;  ///< Number of shades of each tint.

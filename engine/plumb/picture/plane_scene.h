@@ -1,5 +1,5 @@
 // Makes flat scenes of maps and of sets of the plane. Such scenes are used for pictures without
-// text. They also provide triangles for other programs.
+// text. The triangles of such scenes can also be passed to other programs.
 #pragma once
 
 #include "plumb/picture/scene.h"

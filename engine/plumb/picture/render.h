@@ -21,15 +21,16 @@ struct PlacedText {
 };
 
 /// Returns the texts of the groups with their positions. The middle of a text is the sample that is
-/// farthest from the border of the visible part of its group. The height of a text is `most` if
-/// this fits into the visible part. Otherwise it is the largest height that fits, but not less than
-/// `least`. If not even half of `least` fits, the group gets no text. Cost: O(samples).
+/// farthest from the border of the visible part of its group. The height of a text is `most` if a
+/// text of this height fits into the visible part. Otherwise the height is the largest one that
+/// fits, but at least `least`. If a text of height `least / 2` does not fit, the group gets no
+/// text. Cost: O(samples).
 std::vector<PlacedText> place_texts(const Scene& scene, const Canvas& canvas, double least,
                                     double most);
 
-/// A parallel projection. Its scale is chosen so that the whole scene fits into the picture. The
-/// direction of view cannot be chosen: a flat scene is seen from above, and all other scenes are
-/// seen from the same direction.
+/// A parallel projection. The scale of the projection is chosen so that the whole scene fits into
+/// the picture. The direction of view cannot be chosen: a flat scene is seen from above, and all
+/// other scenes are seen from the same direction.
 class Camera {
  public:
   /// Makes the projection of the whole scene into a picture of the given size.

@@ -41,7 +41,7 @@ enum class Paint : std::uint8_t {
   Region4,      ///< A region of a map.
   Region5,      ///< A region of a map.
   Region6,      ///< A region of a map.
-  Surface,      ///< A mesh on which polygons lie, if no shown layer has tints.
+  Surface,      ///< The mesh on which polygons lie. Used if no shown layer has tints.
   Wire,         ///< A side of a triangle.
   Control,      ///< A control point of a polygon.
   Crossing,     ///< A point where polygons meet.
@@ -103,13 +103,13 @@ struct Scene {
     std::array<std::uint32_t, 2> ends;     ///< Indices into points.
     Paint paint;                           ///< The role of the line.
     std::array<std::uint32_t, 2> patches;  ///< The two patches beside the line, or kNoPatch.
-    std::uint8_t layers = kAllLayers;      ///< A bit for each layer that contains the line.
+    std::uint8_t layers = kAllLayers;      ///< Bit i is 1 if layer i contains the line.
   };
   /// A visible point.
   struct Dot {
     std::uint32_t at;                  ///< Index into points.
     Paint paint;                       ///< The role of the dot.
-    std::uint8_t layers = kAllLayers;  ///< A bit for each layer that contains the dot.
+    std::uint8_t layers = kAllLayers;  ///< Bit i is 1 if layer i contains the dot.
   };
   /// Patches that belong together.
   struct Group {
@@ -122,7 +122,7 @@ struct Scene {
   struct Layer {
     std::string name;           ///< The name of the switch that shows or hides the layer.
     std::vector<Colour> tints;  ///< One tint for each group. Empty if the layer has no tints.
-    bool has_text = false;      ///< Whether the texts of groups are written.
+    bool has_text = false;      ///< Whether the layer shows the texts of groups.
   };
   static constexpr std::uint32_t kNoPatch = ~std::uint32_t{0};  ///< The invalid index into patches.
 
@@ -131,9 +131,9 @@ struct Scene {
   std::vector<Triangle> triangles;  ///< Triangles of all patches.
   std::vector<Line> lines;          ///< Edges and curves.
   std::vector<Dot> dots;            ///< Vertices and points.
-  std::vector<Group> groups;        ///< Groups of patches. The scene of one set has none.
-  std::vector<Layer> layers;        ///< Layers. The scene of one set has none: all of it is shown.
-  std::uint8_t shown = kAllLayers;  ///< A bit for each layer that is shown.
+  std::vector<Group> groups;        ///< Groups of patches. The scene of one set has no groups.
+  std::vector<Layer> layers;        ///< Layers. The scene of one set has no layers.
+  std::uint8_t shown = kAllLayers;  ///< Bit i is 1 if layer i is shown.
 
   bool is_flat = false;  ///< Whether the scene lies in the plane z = 0 and is seen from above.
   bool fades = false;    ///< Whether the scene fades out towards the sides of its box.

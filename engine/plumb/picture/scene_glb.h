@@ -5,11 +5,11 @@
 //  1. vertices    writes a separate vertex for each corner of each facet. So the vertices of a
 //                 facet have the normal of this facet.
 //  2. primitives  writes one primitive for each paint of facets, with the triangles and the
-//                 material of this paint. If the scene has groups, writes one mesh for each group
-//                 instead. Then writes one primitive for each paint of lines.
-//  3. node        writes the rotation that makes the y-axis point upwards. Also writes the scale
-//                 and the translation from the coordinates of the scene to the coordinates of the
-//                 set, if floats can represent them.
+//                 material of this paint. If the scene has groups, the step writes one mesh for
+//                 each group instead. Then the step writes one primitive for each paint of lines.
+//  3. node        writes the rotation that makes the y-axis point upwards. A scale and a
+//                 translation map the coordinates of the scene to the coordinates of the set. The
+//                 step also writes this scale and this translation if floats can represent them.
 #pragma once
 
 #include <iosfwd>

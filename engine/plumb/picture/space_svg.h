@@ -38,8 +38,8 @@ std::string kind_of(const Nef3& set);
 void write_space_svg(std::ostream& out, const Nef3& set, const Scene& scene, std::string_view png,
                      const std::string& title, Context& context = unlimited_context());
 
-/// The contents of the page of a scene. In addition, the page has a legend, which write_scene_svg()
-/// makes from the scene.
+/// The contents of the page of a scene. The page also has a legend, which write_scene_svg() makes
+/// from the scene.
 struct ScenePage {
   SceneText text;                 ///< Title, kind and facts.
   std::string_view png;           ///< A PNG file of the size of kPageImage.

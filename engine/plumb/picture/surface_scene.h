@@ -1,12 +1,13 @@
 // Makes scenes of divided surfaces. A scene has up to five layers:
 //
-//   polygons   the surface with its polygons, the control points of the polygons, and the points
-//              where polygons meet
-//   slices     the triangles into which the polygons cut the surface
-//   cells      the cells, each in a colour of its own
-//   labels     the labels, written on the cells. Cells with equal labels have equal colours.
-//   result     the cells that an expression selects, the borders of these cells, and the control
-//              points on these borders
+//   polygons   shows the surface with its polygons, the control points of the polygons, and the
+//              points where polygons meet
+//   slices     shows the triangles into which the polygons cut the surface
+//   cells      shows the cells, each in a colour of its own
+//   labels     shows the labels, which are written on the cells. Cells with equal labels have equal
+//              colours.
+//   result     shows the cells that an expression selects, the borders of these cells, and the
+//              control points on these borders
 #pragma once
 
 #include <array>
@@ -36,8 +37,8 @@ inline constexpr std::array<std::string_view, 5> kSurfaceLayerNames{"polygons", 
 std::string layer_name(SurfaceLayer layer);
 
 /// Returns the scene of a division with all its layers. The layer SurfaceLayer::Result exists only
-/// if `result` is not null. The patches of a cell form a group. The caller selects the layers that
-/// are shown, by setting Scene::shown. Cost: O(n log n).
+/// if `result` is not null. The patches of a cell form a group. The caller sets Scene::shown to
+/// select the layers that are shown. Cost: O(n log n).
 Scene scene_of(const SurfaceDivision& division, const SurfaceTriangulation& triangles,
                const SurfaceResult* result);
 

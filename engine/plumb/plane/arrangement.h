@@ -1,6 +1,6 @@
 // The arrangement of curves. A curve is a segment, a ray or a line. The arrangement consists of the
-// vertices, edges and faces into which the curves divide the plane. It records for each edge which
-// curves contain the edge.
+// vertices, edges and faces into which the curves divide the plane. For each edge, the arrangement
+// records which curves contain the edge.
 //
 // Main flow of arrange():
 //  1. in_sweep_order  renumbers points and curves in the order of the sweep, so that memory is read
@@ -8,13 +8,13 @@
 //                     (arrangement.cpp).
 //  2. sweep           visits all events in one exact sweep (sweep.h, docs/design/sweep.md)
 //  3. PlaneBuilder    makes an edge for each part of a curve between two vertices, and replaces the
-//                     new indices of points and curves by those of the input
+//                     new indices of points and curves by their indices in the input
 //  4. PlaneAssembler  traces the boundaries of the faces, and finds the face that contains each
 //                     connected component
 //
-// Cost: O((n + k) log n) for n curves and k crossings. This bound also holds for curves that
-// overlap. For example, if n segments on one line are nested, the sets of curves of all edges have
-// n^2 members in all. The bound holds because these sets share memory (SegmentSets).
+// Cost: O((n + k) log n) for n curves and k crossings. This bound also holds if curves overlap. For
+// example, suppose that n nested segments lie on one line. Then the sets of curves of all edges
+// together have n^2 members. The bound holds because these sets share memory (SegmentSets).
 #pragma once
 
 #include <cstddef>
@@ -33,18 +33,18 @@ namespace plumb {
 
 // --- sets of curves ---------------------------------------------------------------------------
 
-/// Sets of curves that share memory. They record which curves contain each edge of an arrangement.
-/// The sets are persistent balanced trees (treaps: R. Seidel, C. R. Aragon, Randomized search
-/// trees, Algorithmica 16, 1996).
+/// Sets of curves that share memory. For each edge of an arrangement, one of these sets records
+/// which curves contain the edge. The sets are persistent balanced trees (treaps: R. Seidel, C. R.
+/// Aragon, Randomized search trees, Algorithmica 16, 1996).
 ///
 /// An id (Set) names a set. There are three forms of ids:
 ///   - An id less than the number of curves names the set that consists of this one curve.
 ///   - The invalid id names the empty set.
 ///   - Any other id names the root of a treap, whose nodes never change.
 /// A change makes a new set and leaves the old set as it is. The new set has new nodes on the path
-/// from the root to the change. It shares all other nodes with the old set. The priority of a curve
-/// in a treap is a hash of the index of the curve. So the shape of a treap depends only on its
-/// curves, and not on the order of the changes.
+/// from the root to the change. The new set shares all other nodes with the old set. The priority
+/// of a curve in a treap is a hash of the index of the curve. So the shape of a treap depends only
+/// on its curves, and not on the order of the changes.
 ///
 /// A change may consist of several steps (begin_change()). A step reuses the nodes that earlier
 /// steps of the same change made. This has two consequences: the intermediate sets of a change are
@@ -108,7 +108,7 @@ class SegmentSets {
 
   std::size_t curves_ = 0;
   std::vector<Node> nodes_;
-  // Nodes from this index on were made by the current change.
+  // The current change made the nodes with this index and with greater indices.
   std::size_t own_from_ = std::numeric_limits<std::size_t>::max();
   Set free_;  // First free node of the current change. `left` links the free nodes to a list.
 };
@@ -118,8 +118,8 @@ class SegmentSets {
 /// The subdivision of the plane by curves.
 struct Arrangement {
   /// The subdivision. No cell is marked. The subdivision need not be minimal: every end point of a
-  /// curve is a vertex. This includes an end point in the interior of another curve on the same
-  /// line.
+  /// curve is a vertex. For example, an end point in the interior of another curve on the same line
+  /// is a vertex.
   PlaneComplex complex;
   SegmentSets origin_sets;  ///< Sets of curves, shared by all edges.
   /// For each ordinary edge, the set of the curves that contain it. The set belongs to origin_sets.
@@ -137,13 +137,14 @@ struct Arrangement {
 /// Returns the arrangement of curves and points. `isolated` contains indices of points that become
 /// vertices even if no curve meets them. Curves of length zero become vertices, too. Requires that
 /// all indices of points are in range, and that the ends of each curve lie on the line of the curve
-/// (SweepCurve). Throws ResourceLimit and Cancelled as the Context demands.
+/// (SweepCurve). Throws ResourceLimit if a limit of the Context is exceeded, and Cancelled if a
+/// stop is requested.
 Arrangement arrange(const PlanePoints& points, std::span<const SweepCurve> curves,
                     std::span<const std::uint32_t> isolated,
                     Context& context = unlimited_context());
 
 /// Returns the arrangement of segments between input points. Segments of length zero become
-/// vertices. The function above states the requirements and errors.
+/// vertices. The requirements and errors are the same as for the function above.
 Arrangement arrange(PointTable2 points, std::span<const SweepSegment> segments,
                     Context& context = unlimited_context());
 

@@ -20,8 +20,8 @@ namespace plumb {
 struct Map {
   PointTable2 points;                  ///< Points of the vertices; equal points are allowed.
   std::vector<std::uint32_t> corners;  ///< Vertex indices of all cycles, end to end.
-  /// Offsets of the cycles in `corners`. There is one more offset than there are cycles. Cycle c
-  /// consists of corners[cycle_begin[c]], ..., corners[cycle_begin[c + 1] - 1].
+  /// For each cycle, the offset of its first corner in `corners`. The last entry is the size of
+  /// `corners`. Cycle c consists of corners[cycle_begin[c]], ..., corners[cycle_begin[c + 1] - 1].
   std::vector<std::uint32_t> cycle_begin = {0};
 
   /// Returns the number of listed points.

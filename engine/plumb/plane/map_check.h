@@ -1,5 +1,6 @@
 // Decides exactly whether a list of cycles is a planar subdivision. For a planar subdivision,
-// check_map() reports its regions. For any other list, it reports all defects with their positions.
+// check_map() reports its regions. For any other list, check_map() reports all defects with their
+// positions.
 //
 // Notation: a directed edge (half-edge) is a pair (u, v) of vertices. A listed cycle uses the
 // directed edges from each corner to the next. The twin of (u, v) is (v, u). An undirected edge is
@@ -12,15 +13,16 @@
 //  2. classify_open     follows chains of open edges. An edge is open if a cycle uses one of its
 //                       half-edges and no cycle uses the other. Each chain bounds a gap between the
 //                       listed faces, or is a missing outer boundary.
-//  3. find_contacts     makes one sweep over the undirected edges (docs/design/sweep.md). It finds:
+//  3. find_contacts     makes one sweep over the undirected edges (docs/design/sweep.md). The sweep
+//                         finds:
 //                         - every pair of edges with a common point that is not a common vertex
 //                         - the order of the edges around each vertex
 //                         - for each component, the edge below its first vertex
 //  4. trace_orbits      traces the boundaries of the faces of the induced graph, and finds the
 //                       mixed faces. The induced graph is the planar graph of all undirected edges.
-//                       At each vertex, the order of the edges around it determines the next
-//                       half-edge of a boundary. This step is taken only if steps 1 to 3 found no
-//                       duplicate, open or crossing defect.
+//                       At each vertex, the order of the edges around the vertex determines the
+//                       next half-edge of a boundary. This step is taken only if steps 1 to 3 found
+//                       no duplicate, open or crossing defect.
 //  5. nest_components   finds the face that contains each component. Step 3 found the edge below
 //                       the first vertex of the component. The component lies in the face above
 //                       this edge.
@@ -54,26 +56,26 @@ enum class OuterRule {
   Ignore,
 };
 
-/// The verdict on a list of cycles (docs/maps.md). If defects of several kinds exist, the verdict
-/// is the first one in this list whose defects exist.
+/// The verdict on a list of cycles (docs/maps.md). If there are several kinds of defects, the first
+/// kind of defect in this list determines the verdict.
 enum class MapVerdict {
   Valid,                  ///< There is no defect.
   NotAPlanarSubdivision,  ///< There are Duplicate defects.
   Open,                   ///< There are Open defects and no Duplicate defects.
-  Superposed              ///< There are defects, but none of the kinds Duplicate and Open.
+  Superposed              ///< There are defects, but no Duplicate defects and no Open defects.
 };
 
 /// The kinds of defects (definitions: docs/maps.md).
 enum class DefectKind {
   Duplicate,  ///< A directed edge is used more than once.
-  Open,       ///< A directed edge is used, but its twin is not.
+  Open,       ///< A cycle uses a directed edge, but no cycle uses its twin.
   Crossing,   ///< Two undirected edges have a common point that is not a common vertex.
   Twin,       ///< One cycle uses an edge in both directions.
-  /// A face of the induced graph does not have the required boundary of listed cycles. The outer
-  /// boundary of a bounded face must be one counter-clockwise listed cycle. The outer boundary of a
-  /// component must consist of clockwise listed cycles only.
+  /// The boundary of a face of the induced graph does not consist of the listed cycles as required.
+  /// The outer boundary of a bounded face must be one counter-clockwise listed cycle. The outer
+  /// boundary of a component must consist of clockwise listed cycles only.
   Mixed,
-  Nested  ///< A component lies in a listed face, and its outer boundary is not listed.
+  Nested  ///< A component lies in a listed face, but the component's outer boundary is not listed.
 };
 
 /// Options of check_map().
@@ -93,14 +95,15 @@ struct MapEdge {
   friend bool operator==(const MapEdge&, const MapEdge&) = default;
 };
 
-/// One defect, with everything a user needs to find and correct it.
+/// One defect, with everything that a user needs to find and correct the defect.
 struct MapDefect {
   DefectKind kind = DefectKind::Duplicate;  ///< The kind of defect.
   /// The ids of the listed cycles at which the defect occurs, in ascending order.
   std::vector<std::uint32_t> cycles;
-  /// The edges at which the defect occurs. The edges of a Crossing or Twin defect are undirected,
-  /// all other edges are directed. For a Mixed defect this is one edge of the boundary of the face.
-  /// For a Nested defect it is one edge of the boundary of the component.
+  /// The edges at which the defect occurs. The edges of Crossing and Twin defects are undirected;
+  /// the edges of all other defects are directed. A Mixed defect has one edge, which lies on the
+  /// boundary of the face. A Nested defect has one edge, which lies on the boundary of the
+  /// component.
   std::vector<MapEdge> edges;
   /// The exact position of the defect. For two edges that overlap, this is their first common
   /// point.
@@ -109,16 +112,16 @@ struct MapDefect {
   std::string hint;  ///< A sentence that explains the defect and how to correct it.
 };
 
-/// The counts of all defects, including those that are not described (definitions: docs/maps.md).
+/// The counts of all defects, whether they are described or not (definitions: docs/maps.md).
 struct MapDefectCounts {
   std::uint64_t duplicate = 0;  ///< Repeated uses of a directed edge.
   std::uint64_t open = 0;       ///< Directed edges without a twin; 0 under OuterRule::Ignore.
   /// Pairs of undirected edges with a common point that is not a common vertex.
   std::uint64_t crossing = 0;
   std::uint64_t twin = 0;  ///< Undirected edges with both half-edges in one cycle.
-  /// Mixed faces. This count is set only if `duplicate`, `open` and `crossing` are all 0.
+  /// Mixed faces. This count has a value only if `duplicate`, `open` and `crossing` are all 0.
   std::optional<std::uint64_t> mixed;
-  std::uint64_t nested = 0;  ///< Nested components. Only OuterRule::Ignore can make it positive.
+  std::uint64_t nested = 0;  ///< Nested components; always 0 except under OuterRule::Ignore.
 };
 
 /// The kinds of warnings. A warning reports something unusual that is not a defect.
@@ -136,10 +139,10 @@ struct MapWarning {
   std::string text;          ///< One sentence for the user.
 };
 
-/// A face of the subdivision. Its boundary consists of at most one outer cycle, and of the cycles
-/// of any number of holes.
+/// A face of the subdivision. The boundary of a face consists of at most one outer cycle, and of
+/// one cycle for each hole.
 struct MapRegion {
-  /// Id of the counter-clockwise cycle around the region. The unbounded region has none.
+  /// Id of the counter-clockwise cycle around the region. The unbounded region has no such cycle.
   std::optional<std::uint32_t> outer;
   /// Ids of the clockwise cycles that bound the holes of the region, in ascending order.
   std::vector<std::uint32_t> holes;
@@ -147,40 +150,40 @@ struct MapRegion {
 
 /// The result of check_map().
 struct MapReport {
-  MapVerdict verdict = MapVerdict::Valid;  ///< Whether the map is valid. If not, the reason.
+  MapVerdict verdict = MapVerdict::Valid;  ///< Whether the map is valid, or why not.
   std::size_t vertices = 0;                ///< Number of listed vertices.
   std::size_t edges = 0;                   ///< Number of undirected edges.
   std::size_t cycles = 0;                  ///< Number of cycles, including inferred cycles.
   std::size_t components = 0;              ///< Number of connected components of the edge graph.
   MapDefectCounts counts;                  ///< The counts of all defects.
-  /// The described defects, at most max_defects. They are sorted by kind, and within a kind by
-  /// their position in the input.
+  /// The described defects, at most max_defects. Defects are sorted by kind. Defects of the same
+  /// kind are sorted by their position in the input.
   std::vector<MapDefect> defects;
   /// The warnings, sorted by kind. At most max_defects warnings of each kind are listed. If there
-  /// are more warnings of a kind, one further warning states how many are not listed. The kind
-  /// InferredOuter has no such limit.
+  /// are more warnings of a kind, one further warning states how many warnings of this kind are not
+  /// listed. The kind InferredOuter has no such limit.
   std::vector<MapWarning> warnings;
-  /// The regions, the unbounded region first. Only a map with the verdict Valid has regions.
+  /// The regions. The unbounded region comes first. Only a map with the verdict Valid has regions.
   std::vector<MapRegion> regions;
-  Map map;  ///< The map that was checked, with vertices merged and outer cycles added.
+  Map map;  ///< The checked map, after vertices were merged and outer cycles were added.
 };
 
-/// Checks a map. Returns the verdict, with all regions if the map is valid, and with all defects if
-/// it is not. Throws:
+/// Checks a map. The returned report has the verdict. The report also has all regions of a valid
+/// map, or the defects of any other map. Throws:
 ///   - Error{DegenerateFace} if two consecutive corners of a listed cycle are the same vertex, or
-///     if a cycle has fewer than 3 corners. If vertices are merged, this is checked before and
-///     after merging.
+///     if a cycle has fewer than 3 corners. If vertices are merged, these conditions are checked
+///     before and after merging.
 ///   - Error{BadIndex} if a corner is not the index of a vertex
-///   - ResourceLimit and Cancelled as the Context demands
+///   - ResourceLimit if a limit of the Context is exceeded, and Cancelled if a stop is requested
 /// The cost is stated at the head of this file.
 MapReport check_map(Map map, const MapCheckOptions& options = {},
                     Context& context = unlimited_context());
 
 /// Returns the half-edge structure of a valid map. The structure has one loop for each cycle of
 /// report.map, and one face for each region, in the order of report.regions. Vertices that no cycle
-/// uses are left out. Throws Error{BadArgument} if the verdict is not Valid. Throws
-/// Error{BadArgument} also if a cycle uses a directed edge whose twin no cycle uses. A map that is
-/// valid under OuterRule::Ignore may have such edges.
+/// uses are left out. Throws Error{BadArgument} if the verdict is not Valid. Also throws
+/// Error{BadArgument} if a cycle uses a directed edge whose twin no cycle uses. A map that is valid
+/// under OuterRule::Ignore may have such edges.
 DcelFromCycles to_dcel(const MapReport& report);
 
 }  // namespace plumb

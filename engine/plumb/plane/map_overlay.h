@@ -1,12 +1,13 @@
 // The overlay of two checked subdivisions. The overlay is the subdivision of the plane by the edges
 // of both maps. Every face of the overlay lies in exactly one region of each map. measure() checks
-// with exact arithmetic that the area of each region is the sum of the areas of the faces in it.
+// with exact arithmetic that the area of each region is the sum of the areas of the faces in this
+// region.
 //
 // Main flow of overlay_maps(): one sweep visits the edges of both maps. Every face gets a label.
-// The label is the pair of the regions, one of each map, that contain the face. At every event, the
-// sweep visits the edges from bottom to top. It derives the label of the face above an edge from
-// the label of the face below this edge (plane_builder.h, docs/design/sweep.md). Cost: O((n + k)
-// log n) time for n edges and k crossings.
+// The label is a pair: the region of the first map and the region of the second map that contain
+// the face. At every event, the sweep visits the edges from bottom to top. The label of the face
+// above an edge is derived from the label of the face below this edge (plane_builder.h,
+// docs/design/sweep.md). Cost: O((n + k) log n) time for n edges and k crossings.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ namespace plumb {
 
 /// The overlay of two maps.
 struct MapOverlay {
-  /// A pair of regions, one of each map. Region 0 is the unbounded one.
+  /// A pair of regions, one of each map. Region 0 is the unbounded region.
   struct Origin {
     std::uint32_t first;   ///< Region of the first map, an index into its report.regions.
     std::uint32_t second;  ///< Region of the second map, an index into its report.regions.
@@ -33,8 +34,8 @@ struct MapOverlay {
 };
 
 /// Returns the overlay of two subdivisions. Throws Error{BadArgument} if the verdict of a report is
-/// not Valid, or if a cycle uses a directed edge whose twin no cycle uses. Throws ResourceLimit and
-/// Cancelled as the Context demands.
+/// not Valid, or if a cycle uses a directed edge whose twin no cycle uses. Throws ResourceLimit if
+/// a limit of the Context is exceeded, and Cancelled if a stop is requested.
 MapOverlay overlay_maps(const MapReport& first, const MapReport& second,
                         Context& context = unlimited_context());
 
@@ -51,18 +52,19 @@ struct OverlayAreas {
   /// computed from the listed cycles of the region; the areas of its holes are subtracted. The
   /// entry of region 0, which is unbounded, is 0.
   std::vector<Rational> first, second;
-  /// Bounded regions with a wrong area, in ascending order: those of the first map and those of the
-  /// second map. The area of a region is wrong if it differs from the sum of the areas of the faces
-  /// in it. A correct library never lists a region here.
+  /// The bounded regions of the first map and of the second map that have a wrong area, in
+  /// ascending order. The area of a region is wrong if it differs from the sum of the areas of the
+  /// faces in the region. A correct library never lists a region here.
   std::vector<std::uint32_t> wrong_first, wrong_second;
 
-  /// Whether the area of every bounded region equals the sum of the areas of the faces in it.
+  /// Whether the area of every bounded region equals the sum of the areas of the faces in this
+  /// region.
   bool add_up() const { return wrong_first.empty() && wrong_second.empty(); }
 };
 
 /// Returns the exact areas of the faces and of the regions. Requires that `overlay` is
-/// overlay_maps(first, second). Throws ResourceLimit and Cancelled as the Context demands. Cost:
-/// additions of O(n) rational terms.
+/// overlay_maps(first, second). Throws ResourceLimit if a limit of the Context is exceeded, and
+/// Cancelled if a stop is requested. Cost: O(n) additions of rational numbers.
 OverlayAreas measure(const MapOverlay& overlay, const MapReport& first, const MapReport& second,
                      Context& context = unlimited_context());
 

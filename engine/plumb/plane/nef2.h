@@ -1,6 +1,6 @@
 // Nef polyhedra in the plane. A Nef polyhedron in the plane is a set that can be made from finitely
 // many open and closed half-planes by unions, intersections and complements. Each edge and each
-// vertex of its boundary may belong to the set or not. The set may be unbounded. It may have
+// vertex of its boundary may belong to the set or not. The set may be unbounded. The set may have
 // isolated points, slits, rays and lines.
 //
 // A set is stored as its unique minimal complex (plane_complex.h). The complex consists of
@@ -12,12 +12,12 @@
 //                       common table of points.
 //  2. sweep             visits all events in one exact sweep (sweep.h), which handles rays and
 //                       lines like segments
-//  3. PlaneBuilder      labels each face of the arrangement with the faces of the operands that
-//                       contain it. At each event, labels are computed from bottom to top. A rule
-//                       computes the mark of each cell from the labels. An edge is kept only if its
-//                       mark differs from the mark of a face beside it. A vertex is dropped in two
-//                       cases: if it lies inside a straight edge with the same mark, or inside a
-//                       face with the same mark.
+//  3. PlaneBuilder      gives each face of the arrangement a label, which lists the faces of the
+//                       operands that contain this face. At each event, labels are computed from
+//                       bottom to top. A rule computes the mark of each cell from the labels. An
+//                       edge is kept only if its mark differs from the mark of a face beside it. A
+//                       vertex is dropped in two cases: if it lies inside a straight edge with the
+//                       same mark, or inside a face with the same mark.
 //  4. PlaneAssembler    joins the ends at infinity by the edges of the frame, and traces the
 //                       boundaries of faces. Then it finds the face that contains each connected
 //                       component, and removes points that are not used.
@@ -31,9 +31,9 @@
 // O(n). locate() takes O(log^2 n). The first call of locate() for a set also builds an index, in
 // O(n log^2 n). Memory is O(n).
 //
-// Errors: all functions throw Error{NotFinite} for coordinates that are not finite, and
-// ResourceLimit and Cancelled as the Context demands. A function throws Error{BadArgument} only if
-// its comment states this.
+// Errors: all functions throw Error{NotFinite} for coordinates that are not finite. All functions
+// throw ResourceLimit if a limit of the Context is exceeded, and Cancelled if a stop is requested.
+// A function throws Error{BadArgument} only if its comment states this.
 //
 // Source: W. Bieri and W. Nef, Elementary set operations with d-dimensional polyhedra, LNCS 333
 // (1988); M. Seel, Implementation of planar Nef polyhedra, MPI-I-2001-1-003 (2001). This library
@@ -58,7 +58,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// A directed line from a through b. Its left side consists of the points p with
+/// A directed line from a through b. The left side of the line consists of the points p with
 /// cross(b - a, p - a) > 0.
 struct Line2 {
   RationalPoint2 a;  ///< A point on the line.
@@ -80,17 +80,17 @@ struct AffineMap2 {
   Rational y0 = 0;  ///< Constant term of y'.
 };
 
-/// The first cell that a ray meets and that answers the query, and the first point of this cell on
-/// the ray. If the cell is a face that the ray enters through its boundary, the face has no first
-/// point on the ray, because the boundary is not a part of it. Then `point` is the point where the
-/// ray crosses this boundary.
+/// The first cell on a ray that answers the query, and the first point of this cell on the ray. If
+/// the ray enters a face through the boundary of the face, the face has no first point on the ray,
+/// because the boundary is not a part of the face. In this case, `point` is the point where the ray
+/// crosses the boundary.
 struct PlaneHit {
   PlaneLocation location;  ///< The cell that the ray meets.
   RationalPoint2 point;    ///< The point where the ray meets the cell.
 };
 
-/// A polygon with holes. Its boundary consists of rings. No ring visits a point twice. Different
-/// rings may touch each other at points.
+/// A polygon with holes. The boundary of the polygon consists of rings. No ring visits a point
+/// twice. Different rings may touch each other at points.
 struct PolygonWithHoles2 {
   std::vector<RationalPoint2> outer;               ///< The outer ring, counter-clockwise.
   std::vector<std::vector<RationalPoint2>> holes;  ///< The rings of the holes, clockwise.
@@ -100,8 +100,8 @@ struct PolygonWithHoles2 {
 /// with the highest possible dimension.
 struct PlaneParts {
   std::vector<PolygonWithHoles2> polygons;  ///< Closures of the bounded marked faces.
-  /// Chains of segments that are not on the boundary of a marked face. A closed chain repeats its
-  /// first point at its end.
+  /// Chains of segments. None of these segments lies on the boundary of a marked face. A closed
+  /// chain repeats its first point at its end.
   std::vector<std::vector<RationalPoint2>> lines;
   std::vector<RationalPoint2> points;  ///< Isolated points.
   bool dropped_unbounded = false;      ///< Whether unbounded faces, rays or lines were left out.
@@ -109,8 +109,8 @@ struct PlaneParts {
   bool dropped_open = false;
   /// Whether some of the additional points are not on the border of the closure. Such points fill a
   /// crack or a puncture in a face, or a gap of one point between two edges. The value is false if
-  /// every additional point is an end of an edge or lies on the border of a face. This is usual for
-  /// a difference of closed sets.
+  /// every additional point is an end of an edge or lies on the border of a face. For a difference
+  /// of closed sets, the value is usually false.
   bool filled = false;
 };
 
@@ -138,8 +138,8 @@ class Nef2;
 /// Returns the set of the points p for which f(p in a, p in b) is true.
 [[nodiscard]] Nef2 boolean_op(const Nef2& a, const Nef2& b, MarkFunction f,
                               Context& context = unlimited_context());
-/// Returns boolean_op(a', b', f). Here a' is the set a in which all cells that `select_a` does not
-/// accept are unmarked. The set b' is made in the same way from b and `select_b`.
+/// Returns boolean_op(a', b', f). The set a' is made from a: all cells that `select_a` does not
+/// accept become unmarked. The set b' is made in the same way from b and `select_b`.
 [[nodiscard]] Nef2 boolean_op(const Nef2& a, const PlaneSelector& select_a, const Nef2& b,
                               const PlaneSelector& select_b, MarkFunction f,
                               Context& context = unlimited_context());
@@ -161,7 +161,7 @@ class Nef2;
 [[nodiscard]] Nef2 operator^(const Nef2& a, const Nef2& b);
 [[nodiscard]] bool operator==(const Nef2& a, const Nef2& b);  ///< Whether both are the same set.
 
-/// A set of the plane. The head of this file describes it.
+/// A set of the plane. The head of this file describes such sets.
 class Nef2 {
  public:
   // --- types of the grammar of sets (nef_set.h) -------------------------------------------------
@@ -195,9 +195,9 @@ class Nef2 {
   [[nodiscard]] static Nef2 ray(const Line2& line, Boundary boundary);
 
   /// Returns the set that closed chains of points bound. Chain c has the points
-  /// corners[chain_begin[c]], ..., corners[chain_begin[c + 1] - 1]. Its last point is joined to its
-  /// first point. A face belongs to the set if `rule` accepts its winding number. `boundary`
-  /// decides which edges and vertices on the chains belong to the set:
+  /// corners[chain_begin[c]], ..., corners[chain_begin[c + 1] - 1]. The last point of a chain is
+  /// joined to its first point. A face belongs to the set if `rule` accepts its winding number.
+  /// `boundary` decides which edges and vertices on the chains belong to the set:
   ///   Closed  An edge belongs to the set in two cases: if a face beside it belongs to the set, or
   ///           if the chains run over the edge equally often in both directions (a spike). A vertex
   ///           belongs to the set if an edge or face around it belongs to the set, or if the vertex
@@ -225,7 +225,7 @@ class Nef2 {
   /// Returns the union of the closed segments between consecutive points.
   [[nodiscard]] static Nef2 polyline(std::span<const Point2> points,
                                      Context& context = unlimited_context());
-  /// Returns the set of these points. Equal points count once.
+  /// Returns the set that consists of the given points. Points may be equal.
   [[nodiscard]] static Nef2 points(const PointTable2& points,
                                    Context& context = unlimited_context());
   [[nodiscard]] static Nef2 point(const RationalPoint2& point);  ///< Returns the set of one point.
@@ -245,7 +245,7 @@ class Nef2 {
   [[nodiscard]] static Nef2 from_complex(PlaneComplex complex,
                                          Context& context = unlimited_context());
   /// Returns the set of a complex. Requires that the complex is sound and minimal. This function
-  /// does not check the requirement; audit() of the result does.
+  /// does not check this requirement. A call of audit() for the result checks it.
   [[nodiscard]] static Nef2 from_minimal_unchecked(PlaneComplex complex) {
     return Nef2(std::move(complex));
   }
@@ -272,11 +272,11 @@ class Nef2 {
   [[nodiscard]] bool is_bounded() const;  ///< Whether the set lies in some disk. O(n).
   [[nodiscard]] bool is_closed() const;   ///< Whether the set equals its closure. O(n).
   [[nodiscard]] bool is_open() const;     ///< Whether the set equals its interior. O(n).
-  /// Whether every point of this set belongs to `other`. This costs as much as the difference of
-  /// the two sets.
+  /// Whether every point of this set belongs to `other`. The test costs as much as the difference
+  /// of the two sets.
   [[nodiscard]] bool is_subset_of(const Nef2& other, Context& context = unlimited_context()) const;
 
-  /// Whether the point belongs to the set. This costs as much as locate().
+  /// Whether the point belongs to the set. The test costs as much as locate().
   [[nodiscard]] bool contains(const RationalPoint2& p,
                               Context& context = unlimited_context()) const {
     return locate(p, context).marked;
@@ -304,15 +304,15 @@ class Nef2 {
   [[nodiscard]] std::optional<PlaneHit> shoot(const RationalPoint2& origin,
                                               const RationalPoint2& direction,
                                               Context& context = unlimited_context()) const;
-  /// Returns the first vertex or edge that the ray meets, marked or not. Returns nullopt if the ray
-  /// meets no vertex and no edge. If `origin` lies on a vertex or edge, the function returns this
-  /// vertex or edge. Errors and cost are the same as for shoot().
+  /// Returns the first vertex or edge that the ray meets, whether it is marked or not. Returns
+  /// nullopt if the ray meets no vertex and no edge. If `origin` lies on a vertex or edge, the
+  /// function returns this vertex or edge. Errors and cost are the same as for shoot().
   [[nodiscard]] std::optional<PlaneHit> shoot_to_boundary(
       const RationalPoint2& origin, const RationalPoint2& direction,
       Context& context = unlimited_context()) const;
 
-  /// Returns the exact area, or nullopt if the area is infinite. Cost: additions of O(n) rational
-  /// terms.
+  /// Returns the exact area, or nullopt if the area is infinite. Cost: O(n) additions of rational
+  /// numbers.
   [[nodiscard]] std::optional<Rational> area(Context& context = unlimited_context()) const;
   /// Returns area(). Generic code can call measure() for sets of the plane and of space:
   /// Nef3::measure() returns the volume.
@@ -348,13 +348,13 @@ class Nef2 {
                                  Context& context = unlimited_context()) const;
 
   [[nodiscard]] Nef2 operator!() const { return complement(); }  ///< Returns complement().
-  /// Unites this set with another one.
+  /// Unites this set with another set.
   Nef2& operator+=(const Nef2& other) { return *this = *this + other; }
-  /// Intersects this set with another one.
+  /// Intersects this set with another set.
   Nef2& operator*=(const Nef2& other) { return *this = *this * other; }
-  /// Removes the points of another set.
+  /// Removes the points of another set from this set.
   Nef2& operator-=(const Nef2& other) { return *this = *this - other; }
-  /// Replaces this set by the symmetric difference with another one.
+  /// Replaces this set by its symmetric difference with another set.
   Nef2& operator^=(const Nef2& other) { return *this = *this ^ other; }
   friend bool operator==(const Nef2& a, const Nef2& b);
 

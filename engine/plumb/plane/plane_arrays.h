@@ -5,8 +5,8 @@
 //           ...) and arrange(points, ...) take such a table. map_of_cycles(xy, cycle_begin,
 //           corners) makes a map for check_map().
 //   output  coordinates_of(points) makes an array of coordinates. The indices in a Map, and in the
-//           shapes of a set (plumb/io/plane_shapes.h), count the points of this array. Point i has
-//           the entries 2 i and 2 i + 1.
+//           shapes of a set (plumb/io/plane_shapes.h), refer to the points of this array. Point i
+//           has the entries 2 i and 2 i + 1.
 //
 // All functions of the library that take indices, including Dcel::from_cycles(), take them as
 // spans. Each function copies the data once into its result. The result does not refer to the
@@ -30,8 +30,9 @@ PointTable2 points_of(std::span<const double> xy);
 
 /// Returns the map of these points and cycles. Cycle c consists of corners[cycle_begin[c]], ...,
 /// corners[cycle_begin[c + 1] - 1]. So cycle_begin has one entry more than there are cycles. Throws
-/// Error{BadArgument} if cycle_begin does not ascend from 0 to the number of corners. Throws the
-/// errors of points_of(), too. This function does not check the corners; check_map() does. O(n).
+/// Error{BadArgument} if cycle_begin does not ascend from 0 to the number of corners. Also throws
+/// the errors of points_of(). This function does not check the corners. check_map() checks them.
+/// O(n).
 Map map_of_cycles(std::span<const double> xy, std::span<const std::uint32_t> cycle_begin,
                   std::span<const std::uint32_t> corners);
 

@@ -23,8 +23,8 @@ namespace plumb {
 ///   - Edges intersect only at vertices. Each loop lies in the face that lists the loop. A separate
 ///     sweep checks these two invariants.
 /// If `form` is AuditForm::Minimal, one more invariant is checked: no cell can be removed without
-/// changing the set. The complex of a Nef2 is minimal in this sense. Throws ResourceLimit and
-/// Cancelled as the Context demands. O(n log n).
+/// changing the set. The complex of a Nef2 is minimal in this sense. Throws ResourceLimit if a
+/// limit of the Context is exceeded, and Cancelled if a stop is requested. O(n log n).
 std::optional<DcelFlaw> audit(const PlaneComplex& complex, AuditForm form,
                               Context& context = unlimited_context());
 

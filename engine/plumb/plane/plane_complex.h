@@ -2,11 +2,12 @@
 // such a subdivision. The edges of the subdivision may be unbounded.
 //
 // The frame: a subdivision with unbounded edges has a frame. The frame is a symbolic circle that
-// surrounds all bounded cells. Its vertices, the frame vertices, are the ends of rays and lines at
-// infinity. Its edges, the frame edges, join neighbouring frame vertices. One more face lies beyond
-// the frame. Cells of the frame have no coordinates (docs/design/frame.md). All other cells are
-// called ordinary. Vertices, edges and faces are numbered separately; in each numbering, the
-// ordinary cells come first. A subdivision without unbounded edges has no frame.
+// surrounds all bounded cells. The vertices of the frame are called frame vertices. The frame
+// vertices are the ends at infinity of rays and lines. The edges of the frame are called frame
+// edges. The frame edges join neighbouring frame vertices. One more face lies beyond the frame.
+// Cells of the frame have no coordinates (docs/design/frame.md). All other cells are called
+// ordinary. Vertices, edges and faces are numbered separately; in each numbering, the ordinary
+// cells come first. A subdivision without unbounded edges has no frame.
 //
 // Vertices: vertex v lies at points[vertex_point[v]]. Vertices are numbered in lexicographic order
 // of their points.
@@ -20,14 +21,14 @@
 //     unbounded below, its left end precedes all points with the same x.
 //   - Edges with the same left end are ordered from bottom to top.
 //
-// Faces: face 0 is the lowest face at the left infinity: if x is small enough, and y is small
-// enough for this x, the point (x, y) lies in face 0. The other faces are numbered in ascending
-// order of the least half-edge on their boundaries.
+// Faces: face 0 is the lowest face at the far left. Face 0 contains every point (x, y) for which x
+// is small enough and y is small enough for this x. The other faces are numbered in ascending order
+// of the least half-edge on their boundaries.
 //
 // Coordinates are implicit. Each vertex is an input point, or the crossing of two lines through
-// input points. This remains true after any number of operations, so the numbers in a complex do
-// not become longer from operation to operation. audit() (plane_audit.h) checks all invariants
-// above.
+// input points. After any number of operations, each vertex is still an input point or the crossing
+// of two lines through input points. So the numbers in a complex do not become longer from
+// operation to operation. audit() (plane_audit.h) checks all invariants above.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +46,7 @@ namespace plumb {
 /// A directed line through two different input points.
 struct PlaneLine {
   std::uint32_t a;  ///< Index of an input point on the line.
-  std::uint32_t b;  ///< Index of a lexicographically greater input point on the line.
+  std::uint32_t b;  ///< Index of an input point on the line, lexicographically greater than a.
   friend bool operator==(const PlaneLine&, const PlaneLine&) = default;
 };
 
@@ -84,7 +85,8 @@ struct PlaneComplex {
   /// Returns the number of ordinary faces.
   std::size_t face_count() const { return dcel.face_count() - (has_frame() ? 1 : 0); }
 
-  /// Whether the subdivision has a frame. It has a frame if and only if an edge is unbounded.
+  /// Whether the subdivision has a frame. A subdivision has a frame if and only if an edge is
+  /// unbounded.
   bool has_frame() const { return dcel.edge_count() != line.size(); }
   /// Whether v is a frame vertex, that is, an end of a ray or line at infinity.
   bool is_at_infinity(VertexId v) const { return v.value() >= vertex_count(); }

@@ -3,7 +3,7 @@
 //
 // The minimal complex of a set is unique up to names and orders. In general, the ids of the cells,
 // the planes that define edges and points, and the order of the tables depend on the history of the
-// set. In canonical form, the following rules derive them from the geometry:
+// set. In canonical form, the following rules derive all of these from the geometry:
 //
 //   vertices   are in lexicographic order of their coordinates. Vertices of the frame are included
 //              in this order; the half side R of the frame counts as greater than all numbers
@@ -11,8 +11,8 @@
 //              starts at the lesser vertex of edge e
 //   facets     are ordered by their least vertex, then by the vertex that follows it on the
 //              boundary, then by the vertex that precedes it
-//   uses       are listed facet by facet. Each cycle begins with its least half-edge, and holes are
-//              ordered by that half-edge
+//   uses       are listed facet by facet. Each cycle begins with its least half-edge, and the
+//              cycles of holes are ordered by their least half-edges
 //   volumes    are in the order of their first occurrence in the lists of facets (positive side
 //              before negative side), edges and vertices. Volume 0 stays volume 0
 //   lists      (stars, vertices inside facets) are ascending
@@ -46,8 +46,9 @@
 namespace plumb {
 
 /// Returns the same set in canonical form. The arrays and tables of canonical(a) and canonical(b)
-/// are equal if and only if a == b. If they are equal, write_nef3() writes the same bytes for both.
-/// The ids of facets (facet_origin) are dropped. Throws what the context throws.
+/// are equal if and only if a == b. If the arrays and tables are equal, write_nef3() writes the
+/// same bytes for both sets. The ids of facets (facet_origin) are dropped. Throws what the context
+/// throws.
 Nef3 canonical(const Nef3& set, Context& context = unlimited_context());
 /// Returns the canonical form of a complex. Requires that audit(minimal, AuditForm::Minimal) finds
 /// no flaw.

@@ -3,7 +3,7 @@
 //
 // Main flow of complex_of_mesh():
 //  1. ordered_in_space     sorts a mesh of 4,096 or more triangles so that neighbours are close
-//                          together in memory; does nothing if MeshOptions::surface is set
+//                          together in memory; the step does nothing if MeshOptions::surface is set
 //  2. merge_equal_points   makes one vertex of all points with equal coordinates, and drops points
 //                          that no face uses
 //  3. flatten_mesh         gives every face a plane. Faces that are not planar or not simple are
@@ -11,10 +11,11 @@
 //                          in the report
 //  4. merge_doubled        makes one facet of all facets with the same boundary. Its jump
 //                          (MeshComplex::jump) is the sum of the jumps of these facets
-//  5. trace_borders        cuts directed edges at the vertices that lie on them. Then checks that
-//                          each directed part occurs as often as its reverse. If not, lists the
-//                          borders, in the order of the input
-//  6. link_facets          makes edges, edge uses, their radial order, and stars
+//  5. trace_borders        cuts each directed edge at the vertices that lie on the edge. Then the
+//                          step checks that each directed part of an edge occurs as often as the
+//                          same part in the opposite direction. If this is not the case, the step
+//                          lists the borders in the order of the input
+//  6. link_facets          makes edges, edge uses, the radial order of the edge uses, and stars
 //  7. find_components      finds the connected components and the signs of their volumes
 //  8. find_mesh_crossings  finds where the mesh meets itself outside common vertices and edges
 //  9. CoplanarMerge        if MeshOptions::joins_coplanar is set, joins neighbouring facets in the
@@ -51,13 +52,13 @@ namespace plumb {
 /// How complex_of_mesh() reads a mesh.
 struct MeshOptions {
   /// Whether the mesh is read as the set of its facets. In this case the mesh may be open, and
-  /// vertices and facets keep the order of the input. If this option is false, only a report with
-  /// the borders is made from an open mesh, and no complex.
+  /// vertices and facets keep the order of the input. If this option is false, an open mesh gives
+  /// only a report with the borders, but no complex.
   bool surface = false;
-  /// Whether neighbouring facets in the same plane become one facet, as in minimal sets. If so,
-  /// consecutive edges on one line also become one edge, and no second plane is stored for an edge
-  /// between two triangles in the same plane. This option has no effect if `surface` is set or the
-  /// mesh crosses itself.
+  /// Whether neighbouring facets in the same plane become one facet, as in minimal sets. In this
+  /// case, consecutive edges on one line also become one edge, and no second plane is stored for an
+  /// edge between two triangles in the same plane. This option has no effect if `surface` is set or
+  /// the mesh crosses itself.
   bool joins_coplanar = false;
   /// The greatest number of crossing pairs that are listed. The count of pairs is complete.
   std::uint64_t max_listed = 1000;
@@ -68,20 +69,19 @@ struct MeshReport;
 /// How Nef3::from_mesh() makes a set from a mesh.
 struct FromMeshOptions {
   /// The rule that determines which winding numbers are inside. If there is no value, the rule is
-  /// Positive, and some components are flipped first. These are the components of negative volume
-  /// that do not lie inside another component. So a mesh whose faces look inwards also becomes a
-  /// solid.
+  /// Positive. In this case, each component of negative volume that does not lie inside another
+  /// component is flipped first. So a mesh whose faces look inwards also becomes a solid.
   std::optional<WindingRule> rule;
-  /// Whether the set consists of the facets of the mesh instead of the volumes that they bound. The
-  /// mesh may then be open.
+  /// Whether the set consists of the facets of the mesh instead of the volumes that the facets
+  /// bound. The mesh may then be open.
   bool surface = false;
   /// The greatest number of crossing pairs that are listed. The count of pairs is complete.
   std::uint64_t max_listed = 1000;
   MeshReport* report = nullptr;  ///< If not null, receives what was found in the mesh.
 };
 
-/// What was found in a mesh. Faces and vertices are 0-based indices of the input. Lists are
-/// ascending.
+/// What was found in a mesh. Faces and vertices are 0-based indices of the input. All lists are in
+/// ascending order.
 struct MeshReport {
   using FacePair =
       std::pair<std::uint32_t,
@@ -94,33 +94,34 @@ struct MeshReport {
   std::vector<std::uint32_t> trimmed;  ///< Faces that lost repeated corners or spikes (a b a).
   std::vector<std::uint32_t> not_planar;  ///< Faces that are not planar; they were triangulated.
   /// Faces that are not simple polygons. A face whose edges meet only in common vertices was
-  /// triangulated. Any other such face was replaced by a fan of triangles with the same winding
-  /// numbers.
+  /// triangulated. Any other face in this list was replaced by a fan of triangles with the same
+  /// winding numbers.
   std::vector<std::uint32_t> not_simple;
-  /// Pairs of a face and an earlier face with the same boundary. Both became the same facet.
+  /// Pairs of a face and an earlier face with the same boundary. The two faces of a pair became the
+  /// same facet.
   std::vector<FacePair> doubled;
-  /// Closed chains of vertices along which faces are missing. Each chain runs in the direction of
-  /// the boundary of a face that would close the mesh there.
+  /// Closed chains of vertices along which faces are missing. Each chain has the direction that the
+  /// boundary of a missing face would have.
   std::vector<std::vector<std::uint32_t>> borders;
   /// Number of pairs of facets that meet outside common vertices and edges.
   std::uint64_t crossing_count = 0;
   std::vector<FacePair> crossings;  ///< The first pairs of faces that cross; each pair occurs once.
-  /// The face of least index of each component of negative volume.
+  /// For each component of negative volume, its face with the least index.
   std::vector<std::uint32_t> inside_out;
-  /// The face of least index of each component that was flipped.
+  /// For each component that was flipped, its face with the least index.
   std::vector<std::uint32_t> turned;
 
-  /// Whether every directed edge occurs as often as its reverse.
+  /// Whether every directed edge occurs as often as the edge in the opposite direction.
   bool is_closed() const { return borders.empty(); }
   /// Whether the mesh meets itself outside common vertices and edges.
   bool crosses_itself() const { return crossing_count > 0; }
 };
 
-/// The error that is thrown if a mesh must be closed but is open. Its report lists the places where
-/// faces are missing.
+/// The error that is thrown if a mesh must be closed but is open. The report of the error lists the
+/// places where faces are missing.
 class OpenMesh : public Error {
  public:
-  /// Makes the error from the report and the position in a file, if there is one.
+  /// Constructs the error from the report and an optional position in a file.
   explicit OpenMesh(MeshReport report, TextPlace place = {});
   /// Returns what was found in the mesh; borders is not empty.
   [[nodiscard]] const MeshReport& report() const { return *report_; }
@@ -130,15 +131,17 @@ class OpenMesh : public Error {
 };
 
 /// A complex made from a mesh, and the origins of its facets. The complex has no volumes, and all
-/// its marks are 0. It is not minimal in general, even if neighbours were joined. A sheet is a
-/// facet before arrange() cuts it: a sheet can consist of several facets afterwards.
+/// its marks are 0. The complex is not minimal in general, even if neighbours were joined. A sheet
+/// is a facet of the mesh before arrange() cuts the facets. After arrange(), a sheet can consist of
+/// several facets.
 struct MeshComplex {
-  /// The complex. The facet_origin of each facet is the index of the input face that it comes from.
-  /// If several faces became one facet, it is the least of their indices.
+  /// The complex. The facet_origin of each facet is the index of the input face from which the
+  /// facet was made. If several faces became one facet, facet_origin is the least of their indices.
   SpaceComplex complex;
   /// For each sheet, the winding number on its positive side minus the winding number on its
   /// negative side. The front of an input face is the side from which its corners appear
-  /// counter-clockwise. The winding number behind the face is 1 more than in front of it.
+  /// counter-clockwise. The winding number behind an input face is 1 more than the winding number
+  /// in front of the face.
   std::vector<std::int32_t> jump;
   /// The index of the component of each sheet. Sheets that share an edge are in the same component.
   /// Components are in the order of their least sheets.
@@ -151,9 +154,10 @@ struct MeshComplex {
   /// volumes have been found.
   std::vector<std::uint8_t> has_fan;
   // arrange() fills the next two fields.
-  /// Where each facet starts in `sheet`; facet_count() + 1 entries.
+  /// For each facet, the index in `sheet` at which its sheets start. The last entry is the size of
+  /// `sheet`.
   std::vector<std::uint32_t> sheet_begin;
-  std::vector<std::uint32_t> sheet;  ///< The sheets that contain each facet, ascending.
+  std::vector<std::uint32_t> sheet;  ///< For each facet, the sheets that contain it, ascending.
   MeshReport report;                 ///< What was found in the mesh.
 
   /// Whether arrange() has cut the facets along each other.
@@ -165,14 +169,14 @@ struct MeshComplex {
   }
 };
 
-/// Returns the complex of a mesh and a report. The arrays of the mesh are not needed afterwards. If
-/// the mesh is open and options.surface is false, only the report is filled. Throws Error{BadIndex}
-/// if a corner is not the index of a point, Error{NotFinite} if a coordinate is not finite, and
-/// what the context throws.
+/// Returns a report on a mesh, and the complex of the mesh. The arrays of the mesh are not needed
+/// afterwards. If the mesh is open and options.surface is false, only the report is filled. Throws
+/// Error{BadIndex} if a corner is not the index of a point. Throws Error{NotFinite} if a coordinate
+/// is not finite. Also throws what the context throws.
 [[nodiscard]] MeshComplex complex_of_mesh(const MeshView& mesh, const MeshOptions& options = {},
                                           Context& context = unlimited_context());
 
-/// Returns the same for a mesh that owns its arrays.
+/// Calls the function above for a mesh that owns its arrays.
 [[nodiscard]] inline MeshComplex complex_of_mesh(const PolygonMesh& mesh,
                                                  const MeshOptions& options = {},
                                                  Context& context = unlimited_context()) {

@@ -38,12 +38,12 @@ class HalfSpaceList {
  private:
   Rational number(std::size_t k) const;
 
-  /// Four numbers for each half-space. A number that is not a double is stored in exact_ and is 0
-  /// here.
+  /// Four numbers for each half-space. A number that is not a double is stored in exact_, and its
+  /// entry in this array is 0.
   std::vector<double> numbers_;
   std::vector<std::uint8_t> is_open_;
   std::deque<std::pair<std::uint64_t, Rational>>
-      exact_;  ///< (Index in numbers_, value), ascending.
+      exact_;  ///< Pairs of an index in numbers_ and a value, in ascending order.
 };
 
 /// Returns the intersection of the half-spaces. Throws what Nef3::intersection() throws.

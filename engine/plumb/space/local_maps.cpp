@@ -292,7 +292,7 @@ void map_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
   const std::uint32_t orbits = add_orbits(complex, out);
   const auto points = static_cast<std::uint32_t>(map.point_count());
   // By Euler's formula V - E + F is 2 for a component with points and arcs, and each component has
-  // orbits of its own: so the sum is 2 exactly if there is one component.
+  // orbits of its own: so the sum is 2 if and only if there is one component.
   const bool has_lone_parts =
       complex.vertex_facet[v].is_valid() ||
       std::find(map.first_out.begin(), map.first_out.end(), kNone) != map.first_out.end();

@@ -1,10 +1,11 @@
 // The sphere map at a vertex, edge or facet of a complex: the intersection of the complex with a
 // small sphere around a point of that cell.
 //
-//   vertex   its half-edges are points of the map, the corners of facets are arcs, and the parts of
-//            volumes around the vertex are faces
-//   edge     its map has two opposite points, joined by one half-circle for each edge use
-//   facet    its map has one loop between two faces
+//   vertex   the half-edges at the vertex are points of the map, the corners of facets are arcs,
+//            and the parts of volumes around the vertex are faces
+//   edge     the map of an edge has two opposite points, which are joined by one half-circle for
+//            each edge use
+//   facet    the map of a facet has one loop between two faces
 //
 // If the map of a vertex is connected, no arithmetic is needed. Otherwise a face of the map can
 // have several boundary cycles. Walks along great circles determine which cycles bound the same
@@ -19,22 +20,23 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The sphere map of an item (a vertex, edge or facet of a complex), and the cell of the complex
-/// that each cell of the map belongs to.
+/// The sphere map of an item (a vertex, edge or facet of a complex), and, for each cell of the map,
+/// the cell of the complex to which it belongs.
 struct LocalMap {
   SphereMap map;  ///< The map, seen from the centre of the sphere.
-  /// The half-edge of each point of the map. At a vertex, it is the half-edge that leaves the
+  /// The half-edge of each point of the map. In the map of a vertex, this half-edge leaves the
   /// vertex in the direction of the point. In the map of an edge, the two points have the two
   /// half-edges of the edge.
   std::vector<HalfedgeId> halfedge;
   /// The edge use of each arc. In the map of a vertex, the arc is the corner of the use. In the map
-  /// of an edge, the arc is the half-circle of the use. A loop has no use, so its entry is invalid.
+  /// of an edge, the arc is the half-circle of the use. A loop belongs to no edge use, so its entry
+  /// is invalid.
   std::vector<UseId> use;
   std::vector<FacetId> facet;  ///< The facet of each arc.
   /// The volume of each face; invalid if the volumes of the complex have not been found yet.
   std::vector<VolumeId> volume;
 
-  /// Returns the item of the complex that a cell of the map belongs to.
+  /// Returns the item of the complex to which a cell of the map belongs.
   SpaceItem item(SphereCell cell) const {
     switch (cell.kind()) {
       case SphereCell::Kind::Point:

@@ -5,15 +5,16 @@
 // points (x y z x y z ...). Another array contains the corners of each face as indices of points,
 // counter-clockwise seen from outside:
 //
-//   in     mesh_of_triangles(xyz, corners), mesh_of_polygons(xyz, face_begin, corners): a MeshView
-//   out    coordinates_of(mesh), mesh.corners, mesh.face_begin
+//   in     mesh_of_triangles(xyz, corners) and mesh_of_polygons(xyz, face_begin, corners) return
+//          a MeshView
+//   out    coordinates_of(mesh), mesh.corners and mesh.face_begin are the arrays of a mesh
 //
 // A view is read in place, with one exception: a mesh of 4,096 or more triangles is copied in
 // sorted order, and the copy is released early. A set stores its vertices in tables of its own, so
 // the arrays may be released when the set has been made. The functions of this header do not check
 // that corners are indices of points, and do not check that coordinates are finite. The function
-// complex_of_mesh(), which reads the mesh, checks both, and throws Error{BadIndex} or
-// Error{NotFinite}.
+// complex_of_mesh() reads the mesh and checks both conditions. If a condition is violated,
+// complex_of_mesh() throws Error{BadIndex} or Error{NotFinite}.
 #pragma once
 
 #include <cstddef>
@@ -43,10 +44,11 @@ struct TriangleMesh {
 /// A mesh of polygons over shared points, in flat arrays.
 struct PolygonMesh {
   std::vector<Point3> points;  ///< The vertices, rounded to the nearest doubles.
-  /// Pairs (index, exact coordinates) of the vertices whose coordinates are not doubles, ascending
-  /// by index.
+  /// A pair (index, exact coordinates) for each vertex whose coordinates are not doubles. The pairs
+  /// are in ascending order of their indices.
   std::vector<std::pair<std::uint32_t, RationalPoint3>> exact;
-  /// Where each face starts in `corners`; face_count() + 1 entries.
+  /// For each face, the index in `corners` at which its corners start. The last entry is the size
+  /// of `corners`.
   std::vector<std::uint32_t> face_begin = {0};
   std::vector<std::uint32_t> corners;  ///< Point indices, counter-clockwise seen from outside.
 
@@ -72,7 +74,7 @@ struct MeshView {
   /// Pairs (index, exact coordinates), as in PolygonMesh::exact.
   std::span<const std::pair<std::uint32_t, RationalPoint3>> exact = {};
   std::span<const std::uint32_t> face_begin =
-      {};  ///< As in PolygonMesh. If empty, all faces are triangles.
+      {};  ///< As in PolygonMesh. If this span is empty, all faces are triangles.
   std::span<const std::uint32_t> corners = {};  ///< Point indices, as in PolygonMesh.
 
   MeshView() = default;  ///< Makes a view without points and faces.
@@ -91,7 +93,8 @@ struct MeshView {
   std::size_t face_count() const {
     return face_begin.empty() ? corners.size() / 3 : face_begin.size() - 1;
   }
-  /// Returns where the corners of face f begin. The last face ends at begin_of(face_count()).
+  /// Returns the index in `corners` at which the corners of face f begin. The corners of the last
+  /// face end before begin_of(face_count()).
   std::uint32_t begin_of(std::size_t f) const {
     return face_begin.empty() ? static_cast<std::uint32_t>(3 * f) : face_begin[f];
   }
@@ -109,7 +112,7 @@ MeshView mesh_of_triangles(std::span<const double> coordinates,
 
 /// Returns a view of polygons. Face f has the corners corners[face_begin[f]], ...,
 /// corners[face_begin[f + 1] - 1]. The function checks face_begin in O(F) time for F faces. Throws
-/// Error{BadArgument} unless:
+/// Error{BadArgument} unless all of these conditions hold:
 /// - face_begin ascends from 0 to the number of corners,
 /// - the number of coordinates is a multiple of three,
 /// - there are fewer than 2^32 points, and the other arrays have fewer than 2^32 entries.

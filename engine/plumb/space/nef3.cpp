@@ -6,8 +6,8 @@
 // combined (boolean/boolean_op.h), and the result loses a frame that nothing reaches and tables
 // that are mostly unused.
 //
-// Invariants of a State: the complex is minimal, has a frame exactly if a facet or edge of the set
-// reaches infinity, and changes only while one set alone holds it. A use count of 1 is read
+// Invariants of a State: the complex is minimal, has a frame if and only if a facet or edge of the
+// set reaches infinity, and changes only while one set alone holds it. A use count of 1 is read
 // relaxed, so an acquire fence comes before memory is reused that other threads may have read.
 //
 // Unions of many sets are computed in a balanced tree, its halves in parallel.

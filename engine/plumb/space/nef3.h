@@ -9,11 +9,11 @@
 // sphere map (sphere_map.h). All operations work on sphere maps.
 //
 // Main flow of a Boolean (boolean_op.h):
-//  1. contacts  finds the points where cells of one operand meet cells of the other operand. Only
-//               cells whose boxes meet are tested; the tests are exact
-//  2. locate    finds, for each vertex without a contact, the volume of the other operand that
-//               contains it: by walking along edges from a vertex whose volume is known, or by
-//               shooting one ray
+//  1. contacts  finds the points where cells of one operand meet cells of the other operand. Two
+//               cells are tested only if their boxes meet. The tests are exact
+//  2. locate    looks at each vertex that has no contact, and finds the volume of the other operand
+//               that contains this vertex. For this, it walks along edges from a vertex whose
+//               volume is known, or shoots one ray
 //  3. overlay   overlays the two sphere maps at each contact, computes the marks of the result from
 //               the marks of both maps, and brings the result into minimal form
 //  4. assemble  pairs half-edges along lines, links corners into cycles, groups cycles into facets,
@@ -27,7 +27,7 @@
 // Booleans.
 //
 // Cost: a Boolean of two sets of sizes n and m takes O((n + m + c) log(n + m + c)), where c is the
-// number of pairs of boxes of cells that meet. Unary operations take O(n). Errors: functions throw
+// number of pairs of cells whose boxes meet. Unary operations take O(n). Errors: functions throw
 // Error{NotFinite} and Error{BadArgument} where their comments say so. Functions with a Context
 // also throw ResourceLimit and Cancelled when the Context demands it. Source: W. Bieri and W. Nef,
 // Elementary set operations with d-dimensional polyhedra, LNCS 333 (1988); P. Hachenberger, L.
@@ -83,15 +83,15 @@ struct SpaceLocation {
   bool marked = false;  ///< Whether the point belongs to the set.
 };
 
-/// The first cell that a ray meets, and the first point of that cell on the ray. If the ray passes
-/// through a volume, or runs inside a facet or along an edge, the point is the one where the ray
-/// enters this cell.
+/// The first cell that a ray meets, and the first point of this cell on the ray. If the cell is a
+/// volume, or if the ray runs inside a facet or along an edge, this point is where the ray enters
+/// the cell.
 struct SpaceHit {
   SpaceLocation location;  ///< The cell, and whether it is marked.
   RationalPoint3 point;    ///< The first point of the cell on the ray.
 };
 
-/// One mark for each cell of a complex. Marks of cells of the frame are not read.
+/// One mark for each cell of a complex. If a cell belongs to the frame, its mark is not read.
 struct SpaceMarks {
   std::vector<Mark> vertex;  ///< One mark for each vertex.
   std::vector<Mark> edge;    ///< One mark for each edge.
@@ -100,7 +100,7 @@ struct SpaceMarks {
   friend bool operator==(const SpaceMarks&, const SpaceMarks&) = default;
 };
 
-/// Counts of the cells of a set, without the cells of the frame.
+/// The number of cells of each kind in a set. Cells of the frame are not counted.
 struct SpaceCounts {
   std::size_t vertices = 0;        ///< Corners and isolated vertices.
   std::size_t edges = 0;           ///< Edges of facets and free edges.
@@ -120,7 +120,7 @@ struct SpaceSelector {
   std::function<bool(VolumeId)> volume;  ///< Accepts volumes.
 };
 
-/// The part of space with which a set is combined in a cut by a plane.
+/// The part of space with which a set is combined when a plane cuts the set.
 enum class Section : std::uint8_t {
   ClosedHalfSpace,  ///< The points below the plane and on it.
   OpenHalfSpace,    ///< The points below the plane.
@@ -130,8 +130,8 @@ enum class Section : std::uint8_t {
 class SpaceLocator;
 class Nef3;
 
-/// Returns the points p for which f(p in a, p in b) holds. The result reuses the memory of sets
-/// that are moved in.
+/// Returns the points p for which f(p in a, p in b) holds. If an operand is moved into the call,
+/// the result reuses its memory.
 [[nodiscard]] Nef3 boolean_op(Nef3 a, Nef3 b, MarkFunction f,
                               Context& context = unlimited_context());
 /// Returns boolean_op(a, b, f), with one difference: cells that the selectors do not select count
@@ -139,8 +139,8 @@ class Nef3;
 [[nodiscard]] Nef3 boolean_op(const Nef3& a, const SpaceSelector& select_a, const Nef3& b,
                               const SpaceSelector& select_b, MarkFunction f,
                               Context& context = unlimited_context());
-/// Returns the points p for which f(p in a, p in section) holds. Only the cells near the plane cost
-/// time.
+/// Returns the points p for which f(p in a, p in section) holds. The function spends time only on
+/// the cells near the plane.
 [[nodiscard]] Nef3 boolean_op(const Nef3& a, const Plane3& plane, Section section, MarkFunction f,
                               Context& context = unlimited_context());
 /// Returns the union of any number of sets, computed pairwise in a balanced tree. If there are no
@@ -159,9 +159,9 @@ class Nef3;
 /// Returns the symmetric difference: the points that belong to exactly one of the two sets. (In the
 /// library Manifold, `^` is the intersection.)
 [[nodiscard]] Nef3 operator^(const Nef3& a, const Nef3& b);
-[[nodiscard]] bool operator==(const Nef3& a, const Nef3& b);  ///< Whether both are the same set.
+[[nodiscard]] bool operator==(const Nef3& a, const Nef3& b);  ///< Whether both sets are equal.
 
-/// A set of space. The head of this file describes it.
+/// A set of points in space. The head of this file describes how the set is stored.
 class Nef3 {
  public:
   // --- types of the grammar of sets (nef_set.h) -------------------------------------------------
@@ -177,11 +177,12 @@ class Nef3 {
 
   // --- meshes, the way in and the way out -------------------------------------------------------
 
-  /// Returns the set that triangles bound: the volumes that are inside by options.rule, with their
-  /// boundary. Triangle t has the corners triangles[3 t], ..., triangles[3 t + 2],
-  /// counter-clockwise seen from outside. Point i is (xyz[3 i], xyz[3 i + 1], xyz[3 i + 2]). The
-  /// mesh must be closed, unless options.surface is set. It may cross itself, overlap, be doubled
-  /// or inside out. Throws:
+  /// Returns the set that triangles bound. The set consists of the volumes that are inside
+  /// according to options.rule, and of the boundaries of these volumes. Triangle t has the corners
+  /// triangles[3 t], ..., triangles[3 t + 2], counter-clockwise seen from outside. Point i is
+  /// (xyz[3 i], xyz[3 i + 1], xyz[3 i + 2]). The mesh must be closed, unless options.surface is
+  /// set. The mesh may cross or overlap itself, it may contain a triangle twice, and it may be
+  /// inside out. Throws:
   /// - OpenMesh if the mesh is not closed,
   /// - Error{BadArgument} if the size of an array is not a multiple of three,
   /// - Error{BadIndex} if a corner is not the index of a point,
@@ -190,32 +191,33 @@ class Nef3 {
                                       std::span<const std::uint32_t> triangles,
                                       const FromMeshOptions& options = {},
                                       Context& context = unlimited_context());
-  /// Returns the same for polygons with any number of corners, in the arrays of a view.
+  /// Returns the set that polygons bound, like the function for triangles. The polygons may have
+  /// any number of corners. They are given by a view of arrays.
   [[nodiscard]] static Nef3 from_mesh(const MeshView& mesh, const FromMeshOptions& options = {},
                                       Context& context = unlimited_context());
-  /// Returns the same for a mesh that owns its arrays.
+  /// Returns the set that the polygons of a mesh bound. This mesh owns its arrays.
   [[nodiscard]] static Nef3 from_mesh(const PolygonMesh& mesh, const FromMeshOptions& options = {},
                                       Context& context = unlimited_context());
-  /// Returns from_mesh() of each mesh. If the context has threads, several meshes are read at the
-  /// same time.
+  /// Calls from_mesh() for each mesh, and returns the resulting sets. If the context has threads,
+  /// several meshes are read at the same time.
   [[nodiscard]] static std::vector<Nef3> from_meshes(std::span<const PolygonMesh> meshes,
                                                      const FromMeshOptions& options = {},
                                                      Context& context = unlimited_context());
   /// Makes a set from a mesh that complex_of_mesh() has read. The set consists of the volumes that
-  /// are inside by the rule, together with their boundary. Throws OpenMesh if the mesh is not
-  /// closed.
+  /// are inside according to `rule`, and of the boundaries of these volumes. Throws OpenMesh if the
+  /// mesh is not closed.
   [[nodiscard]] static Nef3 from_mesh_complex(MeshComplex mesh, WindingRule rule,
                                               Context& context = unlimited_context());
-  /// Makes a set from a mesh that complex_of_mesh() has read. The set consists of the facets
-  /// together with their boundary. The mesh may be open.
+  /// Makes a set from a mesh that complex_of_mesh() has read. The set consists of the facets of the
+  /// mesh and of the boundaries of these facets. The mesh may be open.
   [[nodiscard]] static Nef3 from_facets(MeshComplex mesh, Context& context = unlimited_context());
 
-  /// Returns the boundary of the closure of the interior as triangles in plain arrays, with
-  /// coordinates rounded to the nearest doubles. Throws Error{BadArgument} if the set is unbounded.
+  /// Returns the boundary of regularization() as triangles in plain arrays. The coordinates are
+  /// rounded to the nearest doubles. Throws Error{BadArgument} if the set is unbounded.
   [[nodiscard]] TriangleMesh to_mesh(Context& context = unlimited_context()) const;
-  /// Returns the same boundary as a mesh of polygons or triangles. For each face, the result has
-  /// the facet that the face comes from. The report counts the cells of the set that the mesh does
-  /// not represent.
+  /// Returns the boundary of regularization() as a mesh of polygons or triangles. The result also
+  /// has, for each face of the mesh, the facet from which the face was made. The report counts the
+  /// cells of the set that the mesh does not represent.
   [[nodiscard]] MeshOfComplex to_polygons(const ToMeshOptions& options = {},
                                           Context& context = unlimited_context()) const;
 
@@ -235,8 +237,8 @@ class Nef3 {
                                        Boundary boundary);
   /// Returns the points of a plane. Throws Error{BadArgument} if a, b and c are all 0.
   [[nodiscard]] static Nef3 plane(const Plane3& plane);
-  /// Returns the intersection of any number of half-spaces. If there are none, it is the whole
-  /// space.
+  /// Returns the intersection of any number of half-spaces. If there are no half-spaces, the result
+  /// is the whole space.
   [[nodiscard]] static Nef3 intersection(std::span<const HalfSpace3> half_spaces,
                                          Context& context = unlimited_context());
   /// Returns the closed polygon with these corners. Throws Error{BadShape} if the polygon is not
@@ -247,7 +249,7 @@ class Nef3 {
   /// planar or not simple.
   [[nodiscard]] static Nef3 facet(std::span<const RationalPoint3> corners,
                                   Context& context = unlimited_context());
-  /// Returns the closed segment from a to b. If a equals b, it is one point.
+  /// Returns the closed segment from a to b. If a equals b, the result is the set of one point.
   [[nodiscard]] static Nef3 segment(const RationalPoint3& a, const RationalPoint3& b);
   /// Returns the union of the closed segments from each point to the next point in the list.
   [[nodiscard]] static Nef3 polyline(std::span<const RationalPoint3> points,
@@ -263,8 +265,8 @@ class Nef3 {
   [[nodiscard]] static Nef3 points(std::span<const RationalPoint3> points,
                                    Context& context = unlimited_context());
 
-  /// Returns the set that a complex and its marks describe. The complex is brought into minimal
-  /// form. Requires that audit(complex, AuditForm::Any) finds no flaw.
+  /// Returns the set that a complex and its marks describe. This function brings the complex into
+  /// minimal form. Requires that audit(complex, AuditForm::Any) finds no flaw.
   [[nodiscard]] static Nef3 from_complex(SpaceComplex complex,
                                          Context& context = unlimited_context());
   /// Returns the set of a complex. Requires that the complex is in minimal form. This function
@@ -272,18 +274,19 @@ class Nef3 {
   [[nodiscard]] static Nef3 from_minimal_unchecked(SpaceComplex complex) {
     return Nef3(std::move(complex));
   }
-  /// Replaces the marks of the complex of this set, and returns the set that the complex then
-  /// describes. Marks of cells of the frame do not change. Throws Error{BadArgument} if the number
-  /// of marks is not the number of cells. O(n).
+  /// Returns the set that the complex of this set describes after its marks are replaced by
+  /// `marks`. The marks of cells of the frame are not replaced. Throws Error{BadArgument} if the
+  /// number of marks is not the number of cells. O(n).
   [[nodiscard]] Nef3 with_marks(const SpaceMarks& marks,
                                 Context& context = unlimited_context()) const;
   /// Returns this set with other facet_origin ids, one for each facet of complex(). The results of
-  /// operations keep these ids. If several facets become one facet, for instance neighbours in the
-  /// same plane, the new facet has the least of their ids. The operator == does not compare ids.
-  /// Throws Error{BadArgument} if the number of ids is not the number of facets.
+  /// operations keep these ids. Several facets can become one facet, for instance if they are
+  /// neighbours in the same plane. The new facet then gets the least id of these facets. The
+  /// operator == does not compare ids. Throws Error{BadArgument} if the number of ids is not the
+  /// number of facets.
   [[nodiscard]] Nef3 with_origins(std::span<const std::uint32_t> facet_origin) const;
-  /// Returns the union of this set and all bounded volumes of its complex. These are the volumes
-  /// that the boundary of the set encloses. O(n).
+  /// Returns the union of this set and all bounded volumes of its complex. The bounded volumes are
+  /// the volumes that the boundary of the set encloses. O(n).
   [[nodiscard]] Nef3 with_bounded_volumes(Context& context = unlimited_context()) const;
 
   // --- reading ----------------------------------------------------------------------------------
@@ -306,12 +309,13 @@ class Nef3 {
   [[nodiscard]] bool is_open() const;     ///< Whether the set is its own interior. O(n).
   /// Whether the boundary is a 2-manifold with the set on one side. This means that there are no
   /// dangling parts, that every edge has exactly two facets, and that the set forms a single cone
-  /// at every vertex. Whether cells of the boundary belong to the set does not matter. O(n).
+  /// at every vertex. It does not matter which cells of the boundary belong to the set. O(n).
   [[nodiscard]] bool is_simple() const;
   /// Whether the set contains the segment between any two of its points. The set may be open,
   /// unbounded or flat. The empty set is convex. Takes O(n) expected time.
   [[nodiscard]] bool is_convex() const;
-  /// Whether every point of this set belongs to `other`. Costs as much as a difference.
+  /// Whether every point of this set belongs to `other`. This costs as much as the difference of
+  /// the two sets.
   [[nodiscard]] bool is_subset_of(const Nef3& other, Context& context = unlimited_context()) const;
 
   /// Whether the point belongs to the set. Costs as much as locate().
@@ -324,12 +328,12 @@ class Nef3 {
     return locate(p, context).marked;
   }
   /// Sets marked[i] to contains(points[i]). To use several threads, give each thread a part of the
-  /// points. Throws Error{BadArgument} unless the sizes agree, and Error{NotFinite} if a coordinate
-  /// is not finite.
+  /// points. Throws Error{BadArgument} if the two spans differ in size, and Error{NotFinite} if a
+  /// coordinate is not finite.
   void contains(std::span<const Point3> points, std::span<Mark> marked,
                 Context& context = unlimited_context()) const;
-  /// Returns the cell on which a point lies. The first call builds an index in O(n log n). Then a
-  /// call takes O(log n) expected.
+  /// Returns the cell on which a point lies. The first call builds an index in O(n log n). Every
+  /// later call takes O(log n) expected time.
   [[nodiscard]] SpaceLocation locate(const RationalPoint3& p,
                                      Context& context = unlimited_context()) const;
   /// Returns the cell on which a point lies. Throws Error{NotFinite} if a coordinate is not finite.
@@ -361,7 +365,8 @@ class Nef3 {
                                                  const std::function<bool(SpaceItem)>& accepts,
                                                  Context& context = unlimited_context()) const;
 
-  /// Returns the exact volume, or nothing if the volume is infinite. Adds O(n) rational terms.
+  /// Returns the exact volume, or nothing if the volume is infinite. Computes a sum of O(n)
+  /// rationals.
   [[nodiscard]] std::optional<Rational> volume(Context& context = unlimited_context()) const;
   /// Returns volume(). Nef2 has a function of the same name, so that generic code can handle both
   /// dimensions.
@@ -369,8 +374,8 @@ class Nef3 {
     return volume(context);
   }
 
-  /// Checks every invariant from scratch. Returns the first broken invariant and the cells
-  /// concerned, or nothing if all hold. Costs as much as audit() of space_audit.h.
+  /// Checks every invariant from scratch. Returns the first broken invariant and the cells that
+  /// violate it, or nothing if all invariants hold. Costs as much as audit() of space_audit.h.
   [[nodiscard]] std::optional<SpaceFlaw> audit(Context& context = unlimited_context()) const;
 
   // --- operations -------------------------------------------------------------------------------
@@ -381,8 +386,8 @@ class Nef3 {
   [[nodiscard]] Nef3 interior(Context& context = unlimited_context()) const;
   /// Returns the closure: the union of the set and its boundary. O(n).
   [[nodiscard]] Nef3 closure(Context& context = unlimited_context()) const;
-  /// Returns the boundary: the points whose every neighbourhood contains both points of the set and
-  /// points outside it. O(n).
+  /// Returns the boundary. A point belongs to the boundary if each neighbourhood of the point
+  /// contains points of the set and also points outside the set. O(n).
   [[nodiscard]] Nef3 boundary(Context& context = unlimited_context()) const;
   /// Returns the interior of the complement. O(n).
   [[nodiscard]] Nef3 exterior(Context& context = unlimited_context()) const;
@@ -398,13 +403,13 @@ class Nef3 {
                                 Context& context = unlimited_context()) const;
 
   [[nodiscard]] Nef3 operator!() const { return complement(); }  ///< Returns complement().
-  /// Unites this set with another one.
+  /// Replaces this set by the union of this set and another set.
   Nef3& operator+=(const Nef3& other) { return *this = *this + other; }
-  /// Intersects this set with another one.
+  /// Replaces this set by the intersection of this set and another set.
   Nef3& operator*=(const Nef3& other) { return *this = *this * other; }
   /// Removes the points of another set from this set.
   Nef3& operator-=(const Nef3& other) { return *this = *this - other; }
-  /// Replaces this set by the symmetric difference with another one.
+  /// Replaces this set by the symmetric difference of this set and another set.
   Nef3& operator^=(const Nef3& other) { return *this = *this ^ other; }
   friend bool operator==(const Nef3& a, const Nef3& b);
 

@@ -1,14 +1,14 @@
 // Checks whether rounding the vertices of a mesh to doubles has broken the mesh.
 //
 // Main flow of check_rounding():
-//  1. select_faces  selects the faces with a rounded vertex, and the faces whose boxes meet the box
-//                   of such a face. Rounding cannot break other faces
-//  2. judge         calls complex_of_mesh() for these faces with rounded coordinates, and reads the
-//                   defects from its report
+//  1. select_faces  selects each face that has a rounded vertex, and each face whose box meets the
+//                   box of a face with a rounded vertex. Rounding cannot break other faces
+//  2. judge         calls complex_of_mesh() for the selected faces with rounded coordinates. The
+//                   defects are read from the report of this call
 //  3. is_flipped    compares the normal of each face before rounding with its normal after rounding
 //
-// Cost: O(V) for V vertices if all their coordinates are doubles. Otherwise the cost is that of
-// building a tree of O(n) boxes, and that of complex_of_mesh() for the faces of step 1.
+// Cost: O(V) for V vertices if all their coordinates are doubles. Otherwise, the check builds a
+// tree of O(n) boxes, and calls complex_of_mesh() for the faces of step 1.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,9 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The effects of rounding on a mesh. Faces and vertices are indices in the mesh, and lists are
-/// ascending. If beyond_doubles is not empty, only beyond_doubles and rounded_vertices are filled.
+/// The effects of rounding on a mesh. Faces and vertices are given by their indices in the mesh.
+/// Every list is in ascending order. If the list beyond_doubles is not empty, all other members
+/// except rounded_vertices are left empty or 0.
 struct RoundingReport {
   using FacePair = std::pair<std::uint32_t, std::uint32_t>;  ///< Two faces of the mesh.
 
@@ -37,15 +38,15 @@ struct RoundingReport {
   std::vector<std::uint32_t> not_simple;  ///< Faces that cross themselves after rounding.
   std::vector<FacePair> doubled;          ///< Pairs of faces that coincide after rounding.
   std::uint64_t crossing_count = 0;       ///< Number of pairs of facets that cross after rounding.
-  std::vector<FacePair> crossings;  ///< The first of these pairs, as indices of faces of the mesh.
+  std::vector<FacePair> crossings;        ///< The first crossings, each as a pair of faces.
   /// Polygons that are not planar after rounding. Neighbouring faces still fit together, but a
-  /// program that reads the mesh must triangulate these polygons. To find crossings,
-  /// complex_of_mesh() splits each of these polygons into constrained Delaunay triangles, and tests
-  /// these triangles.
+  /// program that reads the mesh must triangulate these polygons. complex_of_mesh() splits
+  /// each of these polygons into constrained Delaunay triangles, and tests the triangles for
+  /// crossings.
   std::vector<std::uint32_t> not_planar;
 
-  /// Whether the mesh is intact after rounding. Polygons that are no longer planar do not make the
-  /// mesh unsound.
+  /// Whether the mesh is intact after rounding. A mesh counts as intact even if some of its
+  /// polygons are no longer planar.
   bool is_sound() const {
     return beyond_doubles.empty() && vertices_merged == 0 && degenerate.empty() &&
            flipped.empty() && not_simple.empty() && doubled.empty() && crossing_count == 0;
@@ -53,8 +54,8 @@ struct RoundingReport {
 };
 
 /// Returns the effects of rounding on the mesh. At most `max_listed` crossings are listed, but
-/// crossing_count counts all. Requires that no two faces of the mesh cross or coincide before
-/// rounding. Throws what the context throws.
+/// crossing_count counts all crossings. Requires that no two faces of the mesh cross or coincide
+/// before rounding. Throws what the context throws.
 RoundingReport check_rounding(const PolygonMesh& mesh, std::uint64_t max_listed,
                               Context& context = unlimited_context());
 

@@ -2,16 +2,17 @@
 // space_complex.h.
 //
 // Main flow of audit(), in which each step relies on the steps before it:
-//  1. links     sizes of arrays, ids, stars, uses, radial cycles, boundary cycles and free cells
-//               are consistent
-//  2. places    planes are distinct, and so are vertices; edges have the direction that their
-//               planes define; facets around each edge are in counter-clockwise order; arcs of
-//               sphere maps do not cross
-//  3. cycles    boundary cycles are simple; the outer cycle of each facet is first and
-//               counter-clockwise; holes lie inside the outer cycle and outside each other
-//  4. meeting   cells meet only in common vertices and edges
-//  5. marks     volumes are the same as those that find_volumes() finds; the frame is valid; if the
-//               AuditForm is Minimal, the complex is minimal
+//  1. links     checks that the sizes of arrays, ids, stars, uses, radial cycles, boundary cycles
+//               and free cells are consistent
+//  2. places    checks that no two planes and no two vertices are equal. Each edge must have the
+//               direction that its planes define. The facets around an edge must be in
+//               counter-clockwise order. The arcs of a sphere map must not cross
+//  3. cycles    checks that boundary cycles are simple. The outer cycle of a facet must be its
+//               first cycle and run counter-clockwise. Holes must lie inside the outer cycle, and
+//               no hole may lie inside another hole
+//  4. meeting   checks that cells meet only in common vertices and edges
+//  5. marks     compares the volumes with the volumes that find_volumes() finds, and checks that
+//               the frame is valid. If the AuditForm is Minimal, the complex must be minimal, too
 #pragma once
 
 #include <optional>
@@ -23,25 +24,26 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// A broken invariant and the cells concerned.
+/// An invariant that does not hold, and the cells that violate it.
 struct SpaceFlaw {
   std::string invariant;  ///< The condition that does not hold.
-  std::string place;      ///< The cells concerned, such as "edge 3, facet 5".
+  std::string place;      ///< The cells that violate it, such as "edge 3, facet 5".
 };
 
-/// Returns the first flaw found, or nothing. Every id is checked before it is used. So the id of a
-/// plane or point that does not exist is reported as a flaw, and is never used. For
-/// AuditForm::Minimal, a cell that could be removed without changing the set is a flaw, too. The
-/// complex of every Nef3 is minimal. Throws what the context throws.
+/// Returns the first flaw found, or nothing. Every id is checked before it is used. So if no plane
+/// or point has a given id, the id is reported as a flaw and is never used. For AuditForm::Minimal,
+/// a cell that could be removed without changing the set is a flaw, too. The complex of every Nef3
+/// is minimal. Throws what the context throws.
 ///
-/// Cost: O(n log n + c), where c is the number of pairs of boxes of cells that meet. Two kinds of
+/// Cost: O(n log n + c), where c is the number of pairs of cells whose boxes meet. Two kinds of
 /// cells cost more:
-/// - Consider a facet, and the k vertices, edges and holes that lie inside the facet or in its box.
-///   The facet costs O(k) times the number of cycles in whose boxes these items lie.
+/// - Let k be the number of vertices, edges and holes that lie inside a facet or in its box. The
+///   facet costs O(k) times the number of cycles whose boxes contain these vertices, edges and
+///   holes.
 /// - A vertex of degree d costs O(d^2) if the corners around it do not form a fan
 ///   (mesh_topology.h).
 ///
-/// Memory: about as much as the complex.
+/// The audit takes about as much memory as the complex.
 std::optional<SpaceFlaw> audit(const SpaceComplex& complex, AuditForm form,
                                Context& context = unlimited_context());
 

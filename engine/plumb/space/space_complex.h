@@ -3,9 +3,9 @@
 // its points belong to the set.
 //
 // Notation
-//   edge e       lies on the line of edge_planes[e] = {p, q}. Half-edge 2 e has the direction of
-//                the cross product of n_p and n_q, the normals of the planes p and q. The other
-//                half-edge, 2 e + 1, has the opposite direction
+//   edge e       lies on the line where two planes p and q intersect; edge_planes[e] = {p, q}.
+//                Half-edge 2 e has the direction of the cross product of n_p and n_q, the normals
+//                of these planes. The other half-edge, 2 e + 1, has the opposite direction
 //   use u        is an edge use: one occurrence of an edge on the boundary of a facet (K. Weiler,
 //                The radial edge structure, in: Geometric Modeling for CAD Applications, 1988). The
 //                use runs along use_halfedge[u]. Seen from the positive side of the (canonical)
@@ -13,10 +13,9 @@
 //                the corner of its facet at the origin of the use. The corner sweeps
 //                counter-clockwise from use_halfedge[u] to the reverse of use_halfedge[use_prev[u]]
 //   radial       is the cyclic order of all uses of edge e. The order is counter-clockwise for a
-//                viewer at whom half-edge 2 e points. Between each use and the next one lies a
-//                volume. After a use of half-edge 2 e, this is the volume on the positive side of
-//                the use's facet. After a use of half-edge 2 e + 1, it is the volume on the
-//                negative side
+//                viewer at whom half-edge 2 e points. A volume lies between each use and the next
+//                use. After a use of half-edge 2 e, this volume is on the positive side of the
+//                use's facet. After a use of half-edge 2 e + 1, this volume is on the negative side
 //   facet f      has a plane, a mark, boundary cycles (the outer cycle first, then the holes), and
 //                vertices inside it. It also has one volume on its positive side [0], and one
 //                volume on its negative side [1]
@@ -24,8 +23,9 @@
 //                unbounded, volume 0 is the volume outside the frame
 //
 // The sphere map of a vertex (local_maps.h) is a view of these arrays. The points of the map are
-// the half-edges that leave the vertex. The arcs are the corners of uses at the vertex. The faces
-// are the parts of volumes around the vertex, found from the sides of facets.
+// the half-edges that leave the vertex. The arcs of the map are the corners of uses at the vertex.
+// The faces of the map are the parts of volumes around the vertex. These parts are found from the
+// sides of facets.
 //
 // Free cells:
 // - For an edge without uses, edge_volume holds the volume that contains the edge, and edge_use
@@ -73,12 +73,12 @@ struct SpaceComplex {
   IdVector<VertexId, std::uint32_t> star_begin;
   std::vector<HalfedgeId> star;  ///< The half-edges that leave each vertex.
 
-  // One entry for each edge, except `origin`, which has one entry for each half-edge.
+  // These arrays have one entry for each edge. Only `origin` has one entry for each half-edge.
   /// Two planes whose intersection is the line of the edge.
   IdVector<EdgeId, std::array<PlaneId, 2>> edge_planes;
   IdVector<EdgeId, Mark> edge_mark;        ///< Whether the edge belongs to the set.
   IdVector<EdgeId, UseId> edge_use;        ///< One use of the edge; invalid if the edge is free.
-  IdVector<EdgeId, VolumeId> edge_volume;  ///< The volume of a free edge.
+  IdVector<EdgeId, VolumeId> edge_volume;  ///< The volume that contains a free edge.
   IdVector<HalfedgeId, VertexId> origin;   ///< The vertex at which each half-edge begins.
 
   // One entry for each edge use.

@@ -3,32 +3,33 @@
 // Main flow:
 //  1. build        makes a tree of the bounding boxes of facets, free edges and isolated vertices.
 //                  This is done once
-//  2. on_item      tests the items whose boxes contain the point. The point is first compared with
-//                  the plane of the facet. If it lies on the plane, it is compared with the
-//                  vertices, edges and interior of the facet, in a projection along an axis
-//                  (space_ray.h)
+//  2. on_item      tests the items whose boxes contain the point. For a facet, the point is first
+//                  compared with the plane of the facet. If the point lies on this plane, it is
+//                  compared with the vertices, edges and interior of the facet, in a projection
+//                  along an axis (space_ray.h)
 //  3. shoot        finds the intersection of the ray with each candidate. Intersections are
 //                  computed in doubles first, and exactly if doubles do not decide. If the ray is
-//                  parallel to an axis, find_near tests the candidates whose boxes meet a short
-//                  part of the ray, then those at a longer part, and so on, as long as there are
-//                  few candidates. In all other cases, the boxes that the ray enters are visited in
-//                  order of distance, the nearest first
-//  4. volume_of    shoots towards -x. The volume in front of the first item that the ray meets is
-//                  the result. If the item is a facet, the volume is that of the facet's side. If
-//                  it is an edge or vertex, its sphere map gives the volume
-//  5. locate       for points with double coordinates, uses a grid (volume_grid.h), which is made
-//                  at the first query. For every grid cell that no box of an item meets, the grid
-//                  stores the volume that contains the grid cell. If such a box meets the grid cell
-//                  of the point, the locator searches from the point to the left, but only up to a
-//                  point whose volume is stored in the grid
+//                  parallel to an axis, find_near first tests the candidates whose boxes meet a
+//                  short part of the ray. It then tests longer and longer parts of the ray, as long
+//                  as there are few candidates. In all other cases, the boxes that the ray enters
+//                  are visited in order of distance, the nearest first
+//  4. volume_of    shoots a ray towards -x. The result is the volume just in front of the first
+//                  item that the ray meets. If this item is a facet, the result is the volume on
+//                  the side of the facet that the ray meets. If the item is an edge or vertex, the
+//                  sphere map of the edge or vertex gives the volume
+//  5. locate       uses a grid (volume_grid.h) if the point has double coordinates. The grid is
+//                  made at the first query. For every grid cell that no box of an item meets, the
+//                  grid stores the volume that contains the grid cell. If the box of an item meets
+//                  the grid cell of the point, the locator searches from the point to the left. The
+//                  search ends at the latest at a point whose volume is stored in the grid
 //
 // All functions require vertices, edges, uses, and facets with their cycles. The functions
 // volume_of and locate require volumes, too. Marks are used only to recognize the frame. Several
 // threads may call const members at the same time.
 //
-// Cost: building takes O(n log n) time. The tree needs 76 bytes for each item, and the grid another
-// 16 bytes for each item. If the boxes of facets are small and few of the boxes overlap, a query
-// visits O(log n) nodes and a few facets.
+// Cost: building takes O(n log n) time. For each item, the tree needs 76 bytes and the grid needs
+// 16 bytes. If the boxes of facets are small and few of the boxes overlap, a query visits O(log n)
+// nodes and a few facets.
 #pragma once
 
 #include <memory>
@@ -67,23 +68,24 @@ class SpaceLocator {
   VolumeId volume_of(const RationalPoint3& p) const;
   VolumeId volume_of(const Point3& p) const;
 
-  /// Returns the cell that contains the point. This is the result of on_item() if that is valid,
-  /// otherwise the result of volume_of(). Requires volumes.
+  /// Returns the cell that contains the point. If the result of on_item() is valid, locate()
+  /// returns it. Otherwise locate() returns the result of volume_of(). Requires volumes.
   SpaceItem locate(const RationalPoint3& p) const;
   SpaceItem locate(const Point3& p) const;
   /// Sets items[i] to locate(points[i]). To use several threads, give each thread a part of the
-  /// points. Requires that the sizes agree.
+  /// points. Requires that the two spans have the same size.
   void locate(std::span<const Point3> points, std::span<SpaceItem> items) const;
 
   /// Returns the first vertex, edge or facet that the ray meets strictly after `origin`, or
-  /// nothing. An item in which the ray starts or along which it runs does not count. The vertex or
-  /// edge at which the ray leaves such an item counts. Items of the frame do not count. Requires
+  /// nothing. An item does not count if the ray starts in it or runs along it. However, the vertex
+  /// or edge at which the ray leaves such an item counts. Items of the frame do not count. Requires
   /// that `direction` is not zero.
   std::optional<SpaceItemHit> shoot(const RationalPoint3& origin,
                                     const RationalPoint3& direction) const;
   std::optional<SpaceItemHit> shoot(const Point3& origin, const Point3& direction) const;
-  /// Returns the first item that a ray towards -x meets strictly after a point of the complex's
-  /// tables, or an invalid item. The result may be an item of the frame.
+  /// Shoots a ray towards -x from a point of the complex's tables. Returns the first item that the
+  /// ray meets strictly after this point, or an invalid item. The result may be an item of the
+  /// frame.
   SpaceItem shoot_left(SpacePoint origin) const;
 
  private:

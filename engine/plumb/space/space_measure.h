@@ -8,7 +8,7 @@
 // the denominators of all terms are powers of two.
 //
 // All functions require that the complex has volumes and marks. They throw what the context throws.
-// Cost: a few rational terms for each edge of a facet, about 10 us.
+// Cost: each edge of a facet adds a few rational terms, which takes about 10 us.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,8 @@
 namespace plumb {
 
 /// Returns the sum of the exact volumes of all marked volumes, or nothing if the sum is infinite.
-/// If there is no marked volume, the result is 0, because facets, edges and vertices do not count.
+/// If there is no marked volume, the result is 0, because facets, edges and vertices have no
+/// volume.
 std::optional<Rational> marked_volume(const SpaceComplex& complex,
                                       Context& context = unlimited_context());
 

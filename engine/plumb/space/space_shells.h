@@ -31,27 +31,27 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-using ShellId = StrongId<struct ShellTag>;  ///< The id of a component of the boundary of a volume.
+using ShellId = StrongId<struct ShellTag>;  ///< The id of a shell.
 
 /// The shells of all volumes of a complex.
 class SpaceShells {
  public:
-  /// Finds the shells. Requires volumes. The complex must outlive the shells. O(n alpha(n)).
+  /// Finds the shells. Requires volumes. The complex must outlive this object. O(n alpha(n)).
   explicit SpaceShells(const SpaceComplex& complex);
 
-  /// Returns the number of shells. Shells are ordered by volume, then by their lexicographically
-  /// least vertex. So the outer shell of a bounded volume is the first of its shells. If all
-  /// vertices of a shell belong to the frame, the shell has no listed vertices, and is the last
-  /// shell of its volume.
+  /// Returns the number of shells. Shells are ordered by volume. The shells of one volume are
+  /// ordered by their lexicographically least vertex. So the outer shell of a bounded volume is the
+  /// first shell of this volume. If all vertices of a shell belong to the frame, the shell has no
+  /// listed vertices, and is the last shell of its volume.
   std::size_t size() const { return volume_.size(); }
   /// Returns the shells of a volume, in ascending order.
   std::span<const ShellId> shells_of(VolumeId v) const;
   /// Returns the volume that a shell bounds.
   VolumeId volume(ShellId s) const { return volume_[s.value()]; }
 
-  /// Returns the sides of facets that make up the shell. The sides are those of a solid that fills
-  /// the volume, seen from outside the solid. So is_reversed is set if the volume is on the
-  /// positive side of the facet.
+  /// Returns the sides of facets that make up the shell. Each side is seen from outside a solid
+  /// that fills the volume. So is_reversed is set if the volume is on the positive side of the
+  /// facet.
   std::span<const FacetSide> sides(ShellId s) const { return part(sides_, side_begin_, s); }
   /// Returns the edges of the shell: the edges of its facets, and its free edges. Each edge occurs
   /// once.
@@ -60,9 +60,9 @@ class SpaceShells {
   /// vertices. Each vertex occurs once.
   std::span<const VertexId> vertices(ShellId s) const { return part(vertices_, vertex_begin_, s); }
 
-  /// Calls the visitor with every FacetSide of a shell, then with every EdgeId, then with every
-  /// VertexId. If the visitor does not accept one of these types, the cells of this type are
-  /// skipped.
+  /// Calls the visitor first with every FacetSide of a shell, then with every EdgeId, and finally
+  /// with every VertexId. If the visitor does not accept one of these types, the cells of this type
+  /// are skipped.
   template <class Visitor>
   void visit(ShellId s, Visitor&& visitor) const {
     visit_all(sides(s), visitor);
@@ -95,12 +95,12 @@ class SpaceShells {
   std::vector<VertexId> vertices_;
 };
 
-/// The solid that is bounded by a mesh made from a shell.
+/// A mesh made from a shell is the boundary of one of these solids.
 enum class ShellSolid : std::uint8_t {
-  /// The volume of the shell: faces of the mesh look out of this volume.
+  /// The solid is the volume of the shell. The faces of the mesh look out of this volume.
   Volume,
-  /// The solid on the other side of the shell. For example, the shell around a void gives a solid
-  /// in the shape of the void.
+  /// The solid lies on the other side of the shell. For example, the shell around a void gives a
+  /// solid in the shape of the void.
   Other,
 };
 
@@ -113,7 +113,7 @@ MeshOfComplex mesh_of_shell(const SpaceShells& shells, ShellId s, ShellSolid sol
 /// The cells of a shell that belong to the set returned by set_of_shell().
 enum class ShellMarks : std::uint8_t {
   Own,  ///< The cells that belong to the original set.
-  All,  ///< All cells: the shell as a closed set.
+  All,  ///< All cells; the set is then closed.
 };
 
 /// Returns the facets, edges and vertices of a shell as a set without volumes.

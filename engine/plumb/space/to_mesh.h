@@ -2,10 +2,10 @@
 // the closure of the interior of the set.
 //
 // Main flow of mesh_of_complex():
-//  1. boundary_sides   finds the facets between a marked and an unmarked volume. Each of them is
-//                      seen from the side of the unmarked volume
+//  1. boundary_sides   finds the facets between a marked and an unmarked volume. Each of these
+//                      facets is seen from the side of the unmarked volume
 //  2. mesh_of_sides    groups the corners around each vertex into cones. Then makes the vertices of
-//                      the mesh, and then its polygons or triangles
+//                      the mesh, and finally its polygons or triangles
 //  3. ClosureCount     counts the marked cells outside the closure of the interior, and the
 //                      unmarked cells inside the closure of the interior
 //
@@ -41,23 +41,23 @@ enum class MeshFaces : std::uint8_t {
 /// Options of the conversion to a mesh.
 struct ToMeshOptions {
   MeshFaces faces = MeshFaces::PlanarPolygons;  ///< How facets become faces.
-  /// Whether the mesh has a separate vertex for each cone of the solid at a vertex of the set.
-  /// These mesh vertices have equal coordinates. If so, edges with more than two faces are split,
-  /// too.
+  /// Whether the mesh has a separate vertex for each cone of the solid at a vertex of the set. The
+  /// separate vertices have equal coordinates. If this option is set, edges with more than two
+  /// faces are split, too.
   bool split_vertices = false;
   /// Whether mesh.exact is filled. check_rounding() and exact file formats need mesh.exact. Filling
   /// it triples the time for a mesh with many constructed vertices.
   bool keeps_exact = false;
 };
 
-/// A facet seen from one of its two sides. This side is the outside of a solid.
+/// A facet seen from one of its two sides. On the other side of the facet lies a solid.
 struct FacetSide {
   FacetId facet;     ///< The facet.
   bool is_reversed;  ///< Whether the facet is seen from its negative side.
   friend bool operator==(const FacetSide&, const FacetSide&) = default;
 };
 
-/// Counts of cells.
+/// The numbers of facets, edges and vertices.
 struct ItemCounts {
   std::uint64_t facets = 0;    ///< Number of facets.
   std::uint64_t edges = 0;     ///< Number of edges.
@@ -66,11 +66,11 @@ struct ItemCounts {
   std::uint64_t total() const { return facets + edges + vertices; }
 };
 
-/// Counts of the cells of a set that its mesh does not represent, and of the edges and vertices
-/// where the mesh is not a manifold.
+/// How many cells of a set are missing from its mesh, and at how many edges and vertices the mesh
+/// is not a manifold.
 struct ToMeshReport {
-  /// For mesh_of_complex(), whether a marked volume reaches to infinity. If so, the mesh is empty.
-  /// For soup_of_complex(), whether a facet reaches to infinity. The mesh does not contain such
+  /// mesh_of_complex() sets this if a marked volume reaches to infinity. The mesh is then empty.
+  /// soup_of_complex() sets this if a facet reaches to infinity. The mesh does not contain such
   /// facets.
   bool is_unbounded = false;
   ItemCounts
@@ -80,7 +80,7 @@ struct ToMeshReport {
   ItemCounts closed;
   std::uint64_t non_manifold_edges = 0;     ///< Edges with more than two faces.
   std::uint64_t non_manifold_vertices = 0;  ///< Vertices with more than one cone.
-  /// Whether an edge has more than two faces, or a vertex more than one cone.
+  /// Whether an edge has more than two faces, or a vertex has more than one cone.
   bool is_soup() const { return non_manifold_edges + non_manifold_vertices > 0; }
 };
 
@@ -93,7 +93,7 @@ struct MeshOfComplex {
   ToMeshReport report;         ///< The cells that the mesh does not represent.
 };
 
-/// Returns the boundary of the closure of the interior as a mesh. If a marked volume is unbounded,
+/// Returns a mesh of the boundary of the closure of the interior. If a marked volume is unbounded,
 /// the mesh is empty and report.is_unbounded is set. Requires volumes and marks. Cells of the frame
 /// and cells outside the frame do not count.
 MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& options = {},
@@ -112,15 +112,15 @@ MeshOfComplex soup_of_complex(const SpaceComplex& complex, const ToMeshOptions& 
 /// frame.
 bool is_unbounded(const SpaceComplex& complex, FacetId f);
 
-/// Returns the boundary of the closure of the interior, as sides in ascending order of facets.
-/// Requires volumes and marks. O(facets).
+/// Returns the boundary of the closure of the interior as a list of sides of facets. The list is in
+/// ascending order of facets. Requires volumes and marks. O(facets).
 std::vector<FacetSide> boundary_sides(const SpaceComplex& complex);
 
-/// Returns the given sides, for instance the sides of a shell, as a mesh. In the report, only the
+/// Makes a mesh of the given sides, for instance of the sides of a shell. In the report, only the
 /// counts of non-manifold edges and vertices are filled. Requires that each side occurs at most
-/// once. Around every edge, in counter-clockwise order, some sides have the solid just before them,
-/// and the other sides have the solid just after them. Requires that there are as many sides of the
-/// first kind as of the second kind.
+/// once. On a counter-clockwise walk around an edge, some sides have the solid just before them,
+/// and all other sides have the solid just after them. Requires that at every edge there are as
+/// many sides of the first kind as of the second kind.
 MeshOfComplex mesh_of_sides(const SpaceComplex& complex, std::span<const FacetSide> sides,
                             const ToMeshOptions& options = {},
                             Context& context = unlimited_context());

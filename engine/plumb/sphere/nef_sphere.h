@@ -16,7 +16,7 @@
 // left of this walk.
 //
 // Main flow of every Boolean operation:
-//  1. one table   puts the planes of the circles of both operands into one table
+//  1. one table   collects the planes of all circles of both operands in one table
 //  2. boolean_op  overlays the maps with a SphereOverlay. The overlay finds the intersections of
 //                 arcs, links half-arcs, labels cells, computes the marks of cells, and removes
 //                 redundant cells.
@@ -30,8 +30,9 @@
 // queries in the same set, use a SphereLocator.
 //
 // Errors: all functions throw Error{NotFinite} for coordinates that are not finite,
-// Error{BadArgument} for the zero vector, and ResourceLimit and Cancelled as the Context demands.
-// Further reasons for Error{BadArgument} are stated at the functions.
+// Error{BadArgument} for the zero vector, and ResourceLimit if a limit of the Context is exceeded,
+// and Cancelled if a stop is requested. Further reasons for Error{BadArgument} are stated at the
+// functions.
 //
 // Source: P. Hachenberger, L. Kettner, K. Mehlhorn, Boolean operations on 3D selective Nef
 // complexes, Computational Geometry 38 (2007), section 4; docs/design/sphere.md.
@@ -70,7 +71,7 @@ struct SphereVector {
 
   /// Whether all coordinates are 0. The zero vector is not a direction.
   [[nodiscard]] bool is_zero() const { return x == 0 && y == 0 && z == 0; }
-  /// Returns the antipode.
+  /// Returns the vector in the opposite direction.
   [[nodiscard]] SphereVector opposite() const { return {Rational(-x), Rational(-y), Rational(-z)}; }
   friend bool operator==(const SphereVector&, const SphereVector&) = default;
 };
@@ -85,7 +86,7 @@ struct SphereVector {
 /// `normal`, and ends at the `from` of the next side.
 struct SphereSide {
   SphereVector from;    ///< The start of the arc.
-  SphereVector normal;  ///< The normal of the circle of the arc. The set lies to the left.
+  SphereVector normal;  ///< The normal of the arc's circle. The set lies to the left of the arc.
 };
 
 /// The cell that contains a direction.
@@ -95,10 +96,10 @@ struct SphereLocation {
   friend bool operator==(const SphereLocation&, const SphereLocation&) = default;
 };
 
-/// The first cell that a walk along a great circle meets and that answers the query, and the first
-/// direction of this cell on the walk. If the cell is a face that the walk enters through its
-/// boundary, the face has no first direction on the walk, because the boundary is not a part of it.
-/// Then `point` is the direction where the walk crosses this boundary.
+/// The result of a walk along a great circle: the first cell on the walk that answers the query,
+/// and the first direction of this cell on the walk. If the walk enters a face through the boundary
+/// of the face, the face has no first direction on the walk, because the boundary is not a part of
+/// the face. Then `point` is the direction where the walk crosses this boundary.
 struct SphereHit {
   SphereLocation location;  ///< The cell that the walk meets.
   SphereVector point;       ///< The direction where the walk meets the cell.
@@ -112,7 +113,7 @@ struct SphereMarks {
   friend bool operator==(const SphereMarks&, const SphereMarks&) = default;
 };
 
-/// The counts of cells.
+/// The number of cells of each kind.
 struct SphereCounts {
   std::size_t points = 0;        ///< Ends of arcs and isolated points.
   std::size_t arcs = 0;          ///< Arcs and whole circles.
@@ -150,8 +151,8 @@ class NefSphere;
 /// Returns the set of the directions u for which f(u in a, u in b) is true.
 [[nodiscard]] NefSphere boolean_op(const NefSphere& a, const NefSphere& b, MarkFunction f,
                                    Context& context = unlimited_context());
-/// Returns boolean_op(a', b', f). Here a' is the set a in which all cells that `select_a` does not
-/// accept are unmarked. The set b' is made in the same way from b and `select_b`.
+/// Returns boolean_op(a', b', f). Here a' is the set a after all cells that `select_a` does not
+/// accept have been unmarked. The set b' is made in the same way from b and `select_b`.
 [[nodiscard]] NefSphere boolean_op(const NefSphere& a, const SphereSelector& select_a,
                                    const NefSphere& b, const SphereSelector& select_b,
                                    MarkFunction f, Context& context = unlimited_context());
@@ -159,8 +160,8 @@ class NefSphere;
 /// unions of two sets. The union of zero sets is empty.
 [[nodiscard]] NefSphere union_of(std::span<const NefSphere> sets,
                                  Context& context = unlimited_context());
-/// Returns the intersection of any number of sets, computed in the same way as union_of(). The
-/// intersection of zero sets is the whole sphere.
+/// Returns the intersection of any number of sets. It is computed in the same way as the union in
+/// union_of(). The intersection of zero sets is the whole sphere.
 [[nodiscard]] NefSphere intersection_of(std::span<const NefSphere> sets,
                                         Context& context = unlimited_context());
 
@@ -173,10 +174,10 @@ class NefSphere;
 [[nodiscard]] NefSphere operator-(const NefSphere& a, const NefSphere& b);
 /// Returns the symmetric difference: the directions that belong to exactly one of the two sets.
 [[nodiscard]] NefSphere operator^(const NefSphere& a, const NefSphere& b);
-/// Whether both are the same set.
+/// Whether a and b are the same set.
 [[nodiscard]] bool operator==(const NefSphere& a, const NefSphere& b);
 
-/// A set of the sphere. The head of this file describes it.
+/// A set of directions. The head of this file describes how the set is stored.
 class NefSphere {
  public:
   // --- types of the grammar of sets (nef_set.h) -------------------------------------------------
@@ -196,8 +197,9 @@ class NefSphere {
   [[nodiscard]] static NefSphere empty();  ///< Returns the set without directions.
   [[nodiscard]] static NefSphere whole();  ///< Returns the sphere.
 
-  /// Returns the set of the directions u with dot(normal, u) > 0 if `boundary` is Open, and with
-  /// dot(normal, u) >= 0 if it is Closed.
+  /// Returns the half-sphere around `normal`. If `boundary` is Open, it consists of the directions
+  /// u with dot(normal, u) > 0. If `boundary` is Closed, it consists of the directions u with
+  /// dot(normal, u) >= 0.
   [[nodiscard]] static NefSphere half_sphere(const SphereVector& normal, Boundary boundary);
   /// Returns the great circle of the directions u with dot(normal, u) = 0.
   [[nodiscard]] static NefSphere circle(const SphereVector& normal);
@@ -206,16 +208,16 @@ class NefSphere {
   [[nodiscard]] static NefSphere convex(std::span<const SphereVector> normals, Boundary boundary,
                                         Context& context = unlimited_context());
 
-  /// Returns the region to the left of a closed chain of arcs. Each side runs from its own `from`
-  /// counter-clockwise about its normal to the `from` of the next side, at most once around the
-  /// circle. The side of a chain with one side is a whole circle. A chain without sides gives the
-  /// empty set. Throws Error{BadArgument} if the chain meets itself. The `from` of each side must
-  /// lie both on the circle of this side and on the circle of the previous side. Otherwise,
-  /// Error{BadArgument} is thrown.
+  /// Returns the region to the left of a closed chain of arcs. Each side runs counter-clockwise
+  /// about its normal, from its own `from` to the `from` of the next side. It runs at most once
+  /// around its circle. If a chain has only one side, this side is a whole circle. A chain without
+  /// sides gives the empty set. Throws Error{BadArgument} if the chain meets itself. The `from` of
+  /// each side must lie both on the circle of this side and on the circle of the previous side.
+  /// Otherwise, Error{BadArgument} is thrown.
   [[nodiscard]] static NefSphere region(std::span<const SphereSide> sides, Boundary boundary);
-  /// Returns the region to the left of a closed chain of arcs. Each arc is the shorter one of the
-  /// two arcs of a great circle between two consecutive corners. Throws Error{BadArgument} if two
-  /// consecutive corners are equal or opposite directions, or if the chain meets itself.
+  /// Returns the region to the left of a closed chain of arcs. Each arc is the shortest arc between
+  /// two consecutive corners. Throws Error{BadArgument} if two consecutive corners are equal or
+  /// opposite directions, or if the chain meets itself.
   [[nodiscard]] static NefSphere polygon(std::span<const SphereVector> corners, Boundary boundary);
 
   /// Returns the arc that starts at `from`, runs counter-clockwise about `normal`, and ends at
@@ -225,9 +227,9 @@ class NefSphere {
   [[nodiscard]] static NefSphere arc(const SphereVector& from, const SphereVector& to,
                                      const SphereVector& normal,
                                      Boundary boundary = Boundary::Closed);
-  /// Returns the shorter one of the two arcs of a great circle between two directions. The ends of
-  /// the arc belong to the set if `boundary` is Closed. Throws Error{BadArgument} if `from` and
-  /// `to` are equal or opposite directions.
+  /// Returns the shortest arc between two directions. The ends of the arc belong to the set if
+  /// `boundary` is Closed. Throws Error{BadArgument} if `from` and `to` are equal or opposite
+  /// directions.
   [[nodiscard]] static NefSphere arc(const SphereVector& from, const SphereVector& to,
                                      Boundary boundary = Boundary::Closed);
   /// Returns the set of one direction.
@@ -247,7 +249,7 @@ class NefSphere {
   /// checks whether the map is sound and minimal.
   [[nodiscard]] static NefSphere from_minimal_unchecked(SphereComplex complex);
   /// Returns the set that the map of this set represents after its marks are replaced by `marks`.
-  /// Throws Error{BadArgument} if `marks` does not have exactly one mark for each cell. O(n).
+  /// Throws Error{BadArgument} if the number of marks differs from the number of cells. O(n).
   [[nodiscard]] NefSphere with_marks(SphereMarks marks,
                                      Context& context = unlimited_context()) const;
 
@@ -255,8 +257,8 @@ class NefSphere {
 
   /// Returns the minimal map with its planes.
   [[nodiscard]] const SphereComplex& complex() const&;
-  /// Returns the map of a temporary or moved set, with its planes. The map is moved out of the set.
-  /// If other sets share the map, it is copied.
+  /// Returns the map, with its planes, of a set that is temporary or is moved from. The map is
+  /// moved out of the set. If other sets share the map, it is copied.
   [[nodiscard]] SphereComplex complex() &&;
   /// Returns complex().map.
   [[nodiscard]] const SphereMap& map() const { return complex().map; }
@@ -290,9 +292,9 @@ class NefSphere {
   /// O(n).
   [[nodiscard]] SphereLocation locate(const SphereVector& direction,
                                       Context& context = unlimited_context()) const;
-  /// Returns, for each direction, the cell that contains it. For up to 16 directions, the function
-  /// makes one copy of the planes and locates each direction in O(n). For more directions, it
-  /// builds one SphereLocator in O(n log n) and uses it for all directions.
+  /// Returns one cell for each direction: the cell that contains the direction. For up to 16
+  /// directions, the function makes one copy of the planes and locates each direction in O(n). For
+  /// more directions, it builds one SphereLocator in O(n log n) and uses it for all directions.
   [[nodiscard]] std::vector<SphereLocation> locate(std::span<const SphereVector> directions,
                                                    Context& context = unlimited_context()) const;
   /// Whether the direction lies on the boundary of the set. Isolated points and slits belong to the
@@ -308,15 +310,15 @@ class NefSphere {
   [[nodiscard]] std::optional<SphereHit> shoot(const SphereVector& origin,
                                                const SphereVector& towards,
                                                Context& context = unlimited_context()) const;
-  /// Returns the first point or arc of the map on the walk of shoot(), marked or not. Returns
-  /// nullopt if the walk meets no point and no arc. If `origin` lies on a point or arc, the
+  /// Returns the first point or arc of the map on the walk of shoot(), whether or not it is marked.
+  /// Returns nullopt if the walk meets no point and no arc. If `origin` lies on a point or arc, the
   /// function returns this point or arc. Errors and cost are the same as for shoot().
   [[nodiscard]] std::optional<SphereHit> shoot_to_boundary(
       const SphereVector& origin, const SphereVector& towards,
       Context& context = unlimited_context()) const;
 
-  /// Checks every invariant from scratch. Returns the first broken invariant and its location, or
-  /// nullopt if all invariants hold.
+  /// Checks every invariant from scratch. Returns the first broken invariant and the place where it
+  /// is broken, or nullopt if all invariants hold.
   [[nodiscard]] std::optional<DcelFlaw> audit(Context& context = unlimited_context()) const;
 
   // --- operations -------------------------------------------------------------------------------
@@ -335,13 +337,13 @@ class NefSphere {
   [[nodiscard]] NefSphere regularization(Context& context = unlimited_context()) const;
 
   [[nodiscard]] NefSphere operator!() const { return complement(); }  ///< Returns complement().
-  /// Unites this set with another one.
+  /// Replaces this set by the union of this set and another set.
   NefSphere& operator+=(const NefSphere& other) { return *this = *this + other; }
-  /// Intersects this set with another one.
+  /// Replaces this set by the intersection of this set and another set.
   NefSphere& operator*=(const NefSphere& other) { return *this = *this * other; }
-  /// Removes the directions of another set.
+  /// Removes the directions of another set from this set.
   NefSphere& operator-=(const NefSphere& other) { return *this = *this - other; }
-  /// Replaces this set by the symmetric difference with another one.
+  /// Replaces this set by the symmetric difference of this set and another set.
   NefSphere& operator^=(const NefSphere& other) { return *this = *this ^ other; }
   friend bool operator==(const NefSphere& a, const NefSphere& b);
 

@@ -71,8 +71,8 @@ class SphereLocator {
   /// continues along the great circle until it returns to `origin`. Throws Error{BadArgument} if
   /// `origin` and `towards` are equal or opposite directions.
   std::optional<SphereHit> shoot(const SphereVector& origin, const SphereVector& towards);
-  /// Returns the first point or arc of the map on the walk of shoot(), marked or not. Returns
-  /// nullopt if the walk meets no point and no arc. The result equals that of
+  /// Returns the first point or arc of the map on the walk of shoot(), whether or not it is marked.
+  /// Returns nullopt if the walk meets no point and no arc. The result equals that of
   /// NefSphere::shoot_to_boundary(). Throws as shoot() does.
   std::optional<SphereHit> shoot_to_boundary(const SphereVector& origin,
                                              const SphereVector& towards);

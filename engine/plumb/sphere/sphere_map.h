@@ -2,8 +2,8 @@
 // centre, every cell of the subdivision is a cone with its apex at the centre. So the intersections
 // of the cells with a small sphere around the centre determine the cells near the centre. These
 // intersections form a subdivision of the sphere by arcs of great circles. A sphere map consists of
-// this subdivision, with a mark for each cell of the subdivision, and of one more mark for the
-// centre.
+// this subdivision and of marks. It has one mark for each cell of the subdivision of the sphere,
+// and one mark for the centre.
 //
 //   cell of the map   cell of space that contains it            mark of the cell
 //   point             an edge that leaves the centre            mark of the edge
@@ -81,11 +81,11 @@ class SphereCell {
 };
 
 /// A marked subdivision of the sphere, in flat arrays. The head of this file explains the terms. A
-/// mark is 0, 1 or kBeyond (marks.h). The index kNone means that there is no point, no half-arc or
-/// no face.
+/// mark is 0, 1 or kBeyond (marks.h). The index kNone means that there is no such point, half-arc
+/// or face.
 struct SphereMap {
   // For each point:
-  std::vector<SphereDirection> direction;  ///< The direction of the point. No two are equal.
+  std::vector<SphereDirection> direction;  ///< The direction. No two points have equal directions.
   std::vector<Mark> point_mark;            ///< Whether the point belongs to the set.
   /// A half-arc that leaves the point; kNone if the point is isolated.
   std::vector<std::uint32_t> first_out;
@@ -98,7 +98,7 @@ struct SphereMap {
 
   // For each half-arc:
   std::vector<std::uint32_t> origin;  ///< The point where the half-arc starts; kNone for a loop.
-  std::vector<std::uint32_t> next;    ///< The next half-arc along the face to the left.
+  std::vector<std::uint32_t> next;    ///< The next half-arc around the face to the left.
   std::vector<std::uint32_t> face;    ///< The face to the left of the half-arc.
 
   std::vector<Mark> face_mark;  ///< For each face, whether it belongs to the set.
@@ -124,8 +124,8 @@ struct SphereMap {
   void clear();
 };
 
-/// The kind of the cell of space that contains the centre of a minimal map. If the cell is not a
-/// vertex, the set near the centre is invariant under small translations along the cell. The kind
+/// The kind of the cell of space that contains the centre of a minimal map. If this cell is not a
+/// vertex, a small translation along the cell does not change the set near the centre. The kind
 /// follows from the shape of the map.
 enum class PyramidKind : std::uint8_t {
   Volume,  ///< The map consists of one face, which has the mark of the centre.

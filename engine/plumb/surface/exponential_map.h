@@ -1,6 +1,6 @@
-// The exponential map of a mesh at a point of the mesh, the centre. The map sends an offset to the
-// end of a straight line on the mesh that starts at the centre. With this map, plane drawings are
-// placed on surfaces.
+// The exponential map of a mesh at a point of the mesh, the centre. The map takes an offset. It
+// follows a straight line on the mesh from the centre, and returns the end of this line. With this
+// map, plane drawings are placed on surfaces.
 //
 // An offset (x, y) is a vector in a plane. Its line leaves the centre in the direction of this
 // vector, and has the length of this vector. The caller names a face that contains the centre; the
@@ -9,15 +9,16 @@
 // turn this direction counter-clockwise by a given angle. The y axis is a quarter turn further
 // counter-clockwise. Where the surroundings of the centre are flat, the map is a similarity.
 //
-// A centre may be a vertex inside the mesh whose full angle is not a whole turn. In this case,
-// angles between directions are multiplied by the full angle divided by a whole turn, so that all
-// directions are spread evenly around the vertex. The direction of the half-edge of the named face
-// that leaves the vertex does not change. At a vertex of the border, directions are not spread, and
-// some of the lines leave the mesh.
+// Suppose that the centre is a vertex inside the mesh, and that the full angle around this vertex
+// is not a whole turn. In this case, angles between directions are multiplied by the full angle
+// divided by a whole turn, so that all directions are spread evenly around the vertex. The named
+// face has one half-edge that leaves the vertex, and the direction of this half-edge does not
+// change. If the centre is a vertex of the border, directions are not spread, and some of the lines
+// leave the mesh.
 //
 // Main flow of ExponentialMap::add:
-//  1. aim     chooses the face at the centre into which the line leads, and lays this face and the
-//             line out in the plane
+//  1. aim     chooses the face at the centre that the line enters. It unfolds this face and the
+//             line into the plane
 //  2. cross   follows the line across side after side, and lays out each new face beside the face
 //             before it. The third corner of the new face decides which side the line crosses next.
 //             If the line runs along a side, rounding decides which of the two faces at this side
@@ -60,9 +61,10 @@ class ExponentialMap {
   /// Appends the point at an offset to `points` and returns its row. Returns no value if the line
   /// leaves the mesh at its border. The offset is in units of the mesh. Requires that the offset is
   /// finite and that `points` is a table over the same mesh. The cost is linear in the number of
-  /// faces crossed plus the degrees of the vertices passed. If the centre is a vertex, O(log
-  /// degree) is added. Throws Error{ResourceLimit} if the number of faces crossed exceeds a limit
-  /// of several times the number of faces of the mesh. Throws what the context throws.
+  /// faces that the line crosses, plus the degrees of the vertices that it passes. If the centre is
+  /// a vertex, O(log degree) is added. Throws Error{ResourceLimit} if the line crosses too many
+  /// faces. The limit is several times the number of faces of the mesh. Throws what the context
+  /// throws.
   std::optional<SurfacePointId> add(Point2 offset, SurfacePointTable& points,
                                     Context& context = unlimited_context()) const;
 
@@ -99,7 +101,7 @@ class ExponentialMap {
   std::array<double, 3> weights_;
   std::size_t corner_ = kInside;  // The corner of face_ that is the centre, or kInside.
   Fan fan_;                       // The corners around the centre if it is a vertex.
-  double angle_before_ = 0;       // The angle of that corner in fan_.
+  double angle_before_ = 0;       // The angle of the corner `corner_` in fan_.
   Point2 x_axis_;                 // The x axis in the layout of face_.
 
   static constexpr std::size_t kInside = 3;

@@ -1,11 +1,11 @@
 // Exact Boolean operations between polygons drawn on a triangle mesh.
 //
-// A shape is a sum of closed polygons: an integer 1-cycle. A cell is a connected component of the
-// surface after the polygons are removed. The label of a shape is a function that assigns an
+// A shape is a sum of closed polygons, that is, an integer 1-cycle. A cell is a connected component
+// of the surface after the polygons are removed. The label of a shape is a function that assigns an
 // integer to each cell. Just to the left of a polygon of the shape, the label is greater by 1 than
 // just to the right of the polygon. The label exists if and only if the shape is zero in the
-// homology of the surface relative to the border of the surface. If there is no label, a cycle of
-// cells proves this.
+// homology of the surface relative to the border of the surface. If a shape has no label, a cycle
+// of cells proves that there is none.
 //
 // Main flow of SurfaceDivision:
 //  1. slice       computes the intersections of the polygons in every face that they touch
@@ -28,15 +28,15 @@
 // Cost of a division is the sum of:
 // - O(n) for n faces,
 // - O((s + k) log(s + k)) for s segments and k crossings,
-// - the number of pairs of segments of one face whose boxes meet,
+// - the number of pairs of segments that lie in the same face and whose boxes meet,
 // - for each piece of a mesh edge, the number of polygons that run along this piece,
-// - for labels, the number of their entries plus the number of multiplicities of arcs between
-//   cells.
+// - the number of entries of all labels,
+// - the number of multiplicities of all arcs between cells.
 //
 // Errors:
 // - Error{BadArgument} and Error{BadIndex} for an invalid scene,
 // - Error{NumberOutOfRange} for a label whose absolute value is 2^31 or more,
-// - ResourceLimit and Cancelled as the Context demands.
+// - ResourceLimit if a limit of the Context is exceeded, and Cancelled if a stop is requested.
 //
 // Proofs: docs/design/surface.md.
 #pragma once
@@ -64,30 +64,30 @@ struct SurfaceLevel {
   std::int32_t label;   ///< The value of the shape's label at the face's first corner.
 };
 
-/// Polygons on a mesh, and the shapes that are sums of them. In each component of the mesh, the
-/// label of a shape is unique up to a constant. If neither `levels` nor `outside` determines the
-/// constant, it is chosen as follows. In a component with border, the least integer label of the
-/// cells at the border is zero. In a component without border, the least integer label of all cells
-/// is zero.
+/// Polygons on a mesh, and the shapes that are sums of these polygons. In each component of the
+/// mesh, the label of a shape is unique up to a constant. If neither `levels` nor `outside`
+/// determines the constant, it is chosen as follows. In a component with border, the least integer
+/// label of the cells at the border is zero. In a component without border, the least integer label
+/// of all cells is zero.
 struct SurfaceScene {
   std::shared_ptr<const SurfaceMesh> mesh;  ///< The mesh; several scenes may share it.
   SurfacePolygons polygons;                 ///< Polygons over that mesh.
-  /// For each shape, the indices of the polygons whose sum is the shape. If there is no value, each
-  /// polygon is a shape.
+  /// For each shape, the indices of the polygons whose sum is the shape. If this member has no
+  /// value, each polygon is a shape.
   std::optional<std::vector<std::vector<std::uint32_t>>> shapes;
-  FaceId outside;  ///< A face, or invalid. Labels are zero in the cell at its first corner.
+  FaceId outside;  ///< Labels are zero at the first corner of this face; may be invalid.
   /// Known labels, which take precedence over `outside`. For each shape, there may be at most one
-  /// level in each component of the mesh. If a shape has no integer label but a label modulo 2, its
+  /// level in each component of the mesh. If a shape has a label modulo 2 but no integer label, its
   /// levels are read modulo 2.
   std::vector<SurfaceLevel> levels = {};
 };
 
 /// Statistics of a divided surface.
 struct SurfaceCounts {
-  std::size_t triangles = 0;  ///< The number of faces of the mesh.
-  std::size_t segments = 0;   ///< The number of segments of polygons, without those of length zero.
-  std::size_t crossings = 0;  ///< The number of nodes where more than two arcs end (arc_ends()).
-  std::size_t cells = 0;      ///< The number of cells.
+  std::size_t triangles = 0;   ///< The number of faces of the mesh.
+  std::size_t segments = 0;    ///< The number of segments of nonzero length.
+  std::size_t crossings = 0;   ///< The number of nodes where more than two arcs end (arc_ends()).
+  std::size_t cells = 0;       ///< The number of cells.
   std::size_t cell_edges = 0;  ///< The number of edges of the graph of cells (SurfaceCells::edges).
 };
 
@@ -95,10 +95,10 @@ struct SurfaceCounts {
 struct Separation {
   bool over_z = true;  ///< Whether an integer label exists.
   bool mod_2 = true;   ///< Whether a label modulo 2 exists.
-  /// If over_z is false, a cycle of cells that proves this; otherwise empty. Each cell of the cycle
-  /// is adjacent to the next cell, and the last cell is adjacent to the first. The changes of the
-  /// label from each cell to the next would have a sum other than zero. If mod_2 is false, this sum
-  /// is odd.
+  /// A cycle of cells that proves that no integer label exists. It is empty if over_z is true. Each
+  /// cell of the cycle is adjacent to the next cell, and the last cell is adjacent to the first. If
+  /// there were an integer label, its changes from cell to cell along the cycle would not add up to
+  /// zero. If mod_2 is false, the sum of these changes is odd.
   std::vector<CellId> cycle;
 };
 
@@ -145,8 +145,9 @@ class SurfaceDivision {
   const Separation& polygon_separation(std::uint32_t polygon) const;
   /// Returns whether this shape has a label.
   const Separation& shape_separation(std::uint32_t shape) const;
-  /// Returns the labels of the cell as pairs (shape, value), ascending, without zeros. If a shape
-  /// has only a label modulo 2, its values are 0 and 1. A shape without a label has no entries.
+  /// Returns the labels of the cell as pairs (shape, value). The pairs are in ascending order of
+  /// shapes, and pairs with the value 0 are omitted. If a shape has only a label modulo 2, its
+  /// values are 0 and 1. A shape without a label has no entries.
   std::span<const SignedEntry> labels(CellId c) const;
   double area(CellId c) const;  ///< Returns the rounded area of the cell.
 
@@ -155,10 +156,11 @@ class SurfaceDivision {
   const SurfaceCells& cells() const;  ///< Returns the cells and their graph.
 
   /// Returns the cells whose labels satisfy the expression. The names of shapes in the expression
-  /// are A, B, C, ... or s0, s1, ..., in the order of their indices. The value of a shape in a cell
-  /// is true if, by `rule`, the label of the cell is inside. Throws Error{BadArgument} for any
-  /// other name, and for a shape without an integer label. For the rule EvenOdd, a label modulo 2
-  /// is sufficient. Throws what the context throws. O(cells + length of labels).
+  /// are A, B, C, ... or s0, s1, ..., in the order of their indices. In a cell, the value of a
+  /// shape is true if `rule` counts the label of the shape in this cell as inside. Throws
+  /// Error{BadArgument} for any other name, and for a shape without an integer label. For the rule
+  /// EvenOdd, a label modulo 2 is sufficient. Throws what the context throws. O(cells + length of
+  /// labels).
   SurfaceRegion select(const SetExpression& expression, WindingRule rule,
                        Context& context = unlimited_context()) const;
   /// Returns the borders of a region as polygons with the region to their left.
@@ -179,10 +181,11 @@ class SurfaceDivision {
 /// selected cells and 0 in all other cells. So the shape describes the same set under every rule.
 /// The borders determine the label only up to a constant for each component of the mesh. The
 /// default constant (SurfaceScene) is wrong for a component if all its cells are selected, or if
-/// all its cells at the border are selected. For each such component the scene stores what
-/// determines the constant: for the first such component a face in `outside`, for all others an
-/// entry of `levels`. If no face of the first such component has its first corner outside the
-/// region, this component has an entry of `levels`, too. O(mesh).
+/// all its cells at the border are selected. The scene stores the right constant for each component
+/// where the default is wrong. For the first such component, the scene stores a face in `outside`.
+/// For each later component of this kind, the scene stores an entry of `levels`. If no face of the
+/// first of these components has its first corner outside the region, the scene stores an entry of
+/// `levels` for the first component, too. O(mesh).
 SurfaceScene result_scene(const SurfaceDivision& division, const SurfaceResult& result);
 
 }  // namespace plumb

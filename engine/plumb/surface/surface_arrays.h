@@ -1,8 +1,8 @@
 // Conversions between surfaces and plain arrays. The arrays are passed as the views of
 // plumb/space/mesh_arrays.h.
 //
-//   in     surface_of(mesh_of_triangles(xyz, corners)): a SurfaceMesh
-//   out    view_of(mesh), view_of(triangulation): spans of coordinates and of corners
+//   in     surface_of(mesh_of_triangles(xyz, corners)) returns a SurfaceMesh
+//   out    view_of(mesh) and view_of(triangulation) return spans of coordinates and of corners
 //
 // Input is copied once, into the arrays of the surface. Output is read in place. Sets of space are
 // made from the same views: Nef3::from_mesh(view_of(surface), {.rule = rule}, context).

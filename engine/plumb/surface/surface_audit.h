@@ -23,9 +23,9 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the first broken invariant and the cells concerned, or no value if all invariants hold.
-/// The cost is linear in the sizes of the mesh, the arrangement and the labels. In addition, each
-/// crossing needs rational arithmetic.
+/// Returns the first broken invariant and the cells that violate it, or no value if all invariants
+/// hold. The cost is linear in the sizes of the mesh, the arrangement and the labels. In addition,
+/// each crossing needs rational arithmetic.
 std::optional<std::string> audit(const SurfaceDivision& division);
 
 }  // namespace plumb

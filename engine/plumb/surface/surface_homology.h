@@ -1,8 +1,8 @@
-// The homology of a surface, and the loops that must be added to a polygon so that it separates the
-// surface.
+// The homology of a surface. If a polygon does not separate the surface, loops can be added so that
+// the polygon and the loops together separate the surface.
 //
-// Homology is computed as if each boundary loop of the mesh were closed by a disk. So a cycle that,
-// together with parts of the border, bounds a region separates the surface, too.
+// Homology is computed as if each boundary loop of the mesh were closed by a disk. So a cycle also
+// separates the surface if the cycle and parts of the border together bound a region.
 //
 // Main flow of the constructor (tree and cotree; D. Eppstein, Dynamic generators of topologically
 // embedded graphs, SODA 2003):
@@ -21,15 +21,15 @@
 // This is correct for the following reason. Adding boundaries of faces to the polygon changes
 // neither its class nor its signed crossings with dual loops. By such additions, all edges that the
 // cotree crosses can be removed from the polygon. The remaining polygon runs along edges of the
-// tree and along edges of generators. Each dual loop crosses exactly one of these edges, that of
-// its generator. So the polygon contains each generator as often as it crosses the dual loop of the
-// generator.
+// tree and along edges of generators. Each dual loop crosses exactly one of these edges, which is
+// the edge of its generator. So the number of times that the polygon contains a generator equals
+// the number of times that the polygon crosses the dual loop of this generator.
 //
 // Cost: the constructor takes O(n + total length of the dual loops) for a mesh of n faces.
-// Breadth-first search keeps dual loops short. A class takes O(2 g) time plus, for each edge of the
-// polygon, the number of dual loops that cross this edge. Appending a loop takes time linear in the
-// length of the loop. Errors: ResourceLimit and Cancelled when the Context demands it. Proofs:
-// docs/design/surface.md.
+// Breadth-first search keeps dual loops short. Computing a class takes O(2 g) time. In addition,
+// each edge of the polygon takes O(1) time for each dual loop that crosses the edge. Appending a
+// loop takes time linear in the length of the loop. Errors: ResourceLimit and Cancelled when the
+// Context demands it. Proofs: docs/design/surface.md.
 #pragma once
 
 #include <cstdint>
@@ -79,7 +79,7 @@ class SurfaceHomology {
                                         Context& context = unlimited_context()) const;
 
  private:
-  /// A step of a spanning tree towards the root: the parent and the edge to it.
+  /// A step of a spanning tree towards the root: the parent, and the edge to the parent.
   struct Step {
     std::uint32_t node;
     EdgeId edge;  ///< Invalid at roots.
@@ -99,13 +99,13 @@ class SurfaceHomology {
 
   const SurfaceMesh& mesh_;
   IdVector<VertexId, EdgeId> parent_;            // The edge to the parent of each vertex.
-  IdVector<EdgeId, std::uint8_t> is_in_tree_;    // For each edge: 1 tree, 2 cotree.
-  IdVector<HalfedgeId, std::uint32_t> disk_of_;  // For each half-edge at the border.
-  std::vector<std::uint32_t> disk_begin_;  // For each disk and one more, into disk_halfedges_.
+  IdVector<EdgeId, std::uint8_t> is_in_tree_;    // For each edge: 1 in the tree, 2 in the cotree.
+  IdVector<HalfedgeId, std::uint32_t> disk_of_;  // The disk at each half-edge of the border.
+  std::vector<std::uint32_t> disk_begin_;        // Where each disk starts in the next list.
   std::vector<HalfedgeId> disk_halfedges_;
-  std::vector<Step> cotree_;  // Faces, then disks by number; parents first.
+  std::vector<Step> cotree_;  // Nodes are faces, then disks. Parents come first.
   std::vector<EdgeId> generators_;
-  // For each edge, the dual loops across it, as (generator, +1 or -1).
+  // For each edge, the dual loops that cross it, as pairs (generator, +1 or -1).
   IdVector<EdgeId, std::uint32_t> crossed_begin_;
   std::vector<SignedEntry> crossed_;
 };

@@ -53,8 +53,8 @@ inline std::int32_t entry_value(std::int64_t sum) {
 //  1. check     checks that corners are indices of points, and that each face has three different
 //               corners
 //  2. pair      pairs the half-edges of each edge by counting sort, and checks that no edge has
-//               more than two
-//  3. orient    visits faces from neighbour to neighbour, and flips them so that twins run in
+//               more than two half-edges
+//  3. orient    visits faces from neighbour to neighbour, and flips faces so that twins run in
 //               opposite directions
 //  4. fans      checks that the faces around each vertex are one fan or one closed ring
 //
@@ -75,7 +75,7 @@ class SurfaceMesh {
   /// - Error{BadIndex} if a corner is not the index of a point,
   /// - Error{DegenerateFace} if a face has a repeated corner,
   /// - Error{BadShape} if the triangles are not an orientable manifold; the error lists up to ten
-  ///   places where this is so,
+  ///   places where the triangles violate this condition,
   /// - Error{ResourceLimit} if there are more faces or points than ids can number.
   SurfaceMesh(std::vector<Point3> points, std::vector<SurfaceTriangle> triangles);
 
@@ -92,9 +92,8 @@ class SurfaceMesh {
   const SurfaceTriangle& corners(FaceId f) const { return corners_[f]; }
   /// Returns corner i of the face. Requires that i < 3.
   VertexId corner(FaceId f, std::size_t i) const { return VertexId(corners_[f][i]); }
-  /// Whether the face was flipped. If so, its second corner in the input is its third corner here,
-  /// and its third corner in the input is its second corner here. The weights of the corners are
-  /// exchanged in the same way.
+  /// Whether the face was flipped. If so, this mesh has the second and the third corner of the face
+  /// exchanged, compared with the input. The weights of the corners are exchanged in the same way.
   bool is_flipped(FaceId f) const { return is_flipped_[f] != 0; }
   /// Returns the index of the face's component. Components are in the order of the lowest face
   /// index in each component.
@@ -132,8 +131,8 @@ class SurfaceMesh {
   VertexId lower(EdgeId e) const;  ///< Returns the end with the lower index.
   VertexId upper(EdgeId e) const;  ///< Returns the end with the higher index.
   /// Returns a half-edge that starts in v, or an invalid id if v has no face. If v lies at the
-  /// border, the result is the first half-edge in counter-clockwise order around v. So in every
-  /// case, repeated steps from h to twin(prev(h)) visit all half-edges that start in v.
+  /// border, the result is the first half-edge in counter-clockwise order around v. So repeated
+  /// steps from h to twin(prev(h)) always visit all half-edges that start in v.
   HalfedgeId halfedge(VertexId v) const { return vertex_halfedge_[v]; }
 
  private:

@@ -1,9 +1,9 @@
 // Exact points and polylines on a surface.
 //
-// There are three kinds of points. A point can be a vertex. It can lie inside an edge; then it is
-// stored once for both faces of the edge. Or it can lie inside a face; then it is given by rational
-// weights. A tracer returns polylines through such points. A SurfaceDivision cuts the surface along
-// such polylines. The borders of a region are such polylines, too. Proofs: docs/design/surface.md.
+// There are three kinds of points. A point can be a vertex. A point inside an edge is stored once
+// for both faces of the edge. A point inside a face is given by rational weights. A tracer returns
+// polylines through such points. A SurfaceDivision cuts the surface along such polylines. The
+// borders of a region are such polylines, too. Proofs: docs/design/surface.md.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace plumb {
 
 using SurfacePointId = StrongId<struct SurfacePointTag>;  ///< A row of a SurfacePointTable.
 
-/// The cell of least dimension that contains a point.
+/// The kind of the cell of least dimension that contains a point.
 enum class SurfacePlace : std::uint32_t { Vertex, Edge, Face };
 
 /// An append-only table of points of a mesh. Each point is stored on the cell of least dimension
@@ -26,9 +26,9 @@ enum class SurfacePlace : std::uint32_t { Vertex, Edge, Face };
 /// may be stored more than once.
 ///
 /// A point in a face has the parameters (u, v). Here u is the weight of the second corner of the
-/// face and v the weight of the third, in the corner order of the mesh (SurfaceMesh::is_flipped()).
-/// A point on an edge has the parameter t, the weight of the end with the higher vertex index.
-/// Doubles are read as exact numbers.
+/// face, and v is the weight of its third corner. The corners are in the order of the mesh
+/// (SurfaceMesh::is_flipped()). A point on an edge has the parameter t, which is the weight of the
+/// end with the higher vertex index. Doubles are read as exact numbers.
 ///
 /// Functions that add a point return the row of the point. They throw Error{BadIndex} if the
 /// vertex, edge or face does not exist, and Error{BadArgument} if the point is not finite or lies
@@ -58,8 +58,9 @@ class SurfacePointTable {
   /// Returns the face that contains the point. Requires that place(p) is Face.
   FaceId face(SurfacePointId p) const { return FaceId(index(p)); }
 
-  /// Returns the parameters of all points: (0, 0) for a vertex, (t, 0) on an edge, (u, v) in a
-  /// face. PointTable2::approx() of the returned table gives the nearest doubles.
+  /// Returns the parameters of all points. They are (0, 0) for a vertex, (t, 0) for a point on an
+  /// edge, and (u, v) for a point in a face. PointTable2::approx() of the returned table gives the
+  /// nearest doubles.
   const PointTable2& parameters() const { return parameters_; }
   /// Returns the point's row of parameters(), rounded to the nearest doubles.
   Point2 approx(SurfacePointId p) const { return parameters_.approx(p.value()); }
@@ -87,11 +88,11 @@ class SurfacePointTable {
   std::uint32_t index(SurfacePointId p) const { return item_[p] & 0x3fffffffU; }
   SurfacePointId add(SurfacePlace place, std::uint32_t index);
   SurfacePointId add_on_side(FaceId f, std::size_t side, const Rational& weight);
-  /// Returns the side of the face on which a point of an edge lies; invalid if there is none.
+  /// Returns the side of the face that contains a point on an edge; invalid if no side contains it.
   HalfedgeId side_in(SurfacePointId p, FaceId f) const;
 
   const SurfaceMesh* mesh_;
-  // The SurfacePlace in the top two bits, the index of the cell below.
+  // The top two bits contain the SurfacePlace. The other bits contain the index of the cell.
   IdVector<SurfacePointId, std::uint32_t> item_;
   PointTable2 parameters_;
 };
@@ -106,8 +107,8 @@ struct SurfacePath {
   std::vector<FaceId> faces;  ///< The face of each segment. There is one face fewer than points.
 };
 
-/// The kind of the point at which a segment of a polygon starts: a control point, which was given,
-/// or a point where a traced path crosses an edge.
+/// The kind of the point at which a segment of a polygon starts. A control point was given by the
+/// caller. At a path point, a traced path crosses an edge.
 enum class SegmentStart : std::uint8_t { ControlPoint, PathPoint };
 
 /// Closed polygons over one table of points, in flat arrays. Polygon p has the entries begin[p] to
@@ -122,8 +123,8 @@ struct SurfacePolygons {
   std::vector<std::uint32_t> begin = {0};  ///< The first entry of each polygon; size() + 1 values.
   std::vector<SurfacePointId> point;       ///< The point at each entry.
   std::vector<FaceId> face;                ///< The face of the segment that starts at each entry.
-  /// For each entry, 1 if the point was given (a control point), 0 if a traced path crosses an edge
-  /// there.
+  /// For each entry, 1 if its point was given (a control point). The value is 0 if a traced path
+  /// crosses an edge at the point.
   std::vector<std::uint8_t> is_control;
 
   std::size_t size() const { return begin.size() - 1; }  ///< Returns the number of polygons.

@@ -1,24 +1,26 @@
 // Traces geodesics between points of a mesh. A geodesic is a locally shortest path.
 //
-// Notation: a strip is a sequence of faces in which each face shares a side with the next one.
-// These sides are the doors of the strip (face_strip.h). A bend is a vertex at which the shortest
+// Notation: a strip is a sequence of faces in which each face shares a side with the next one. The
+// shared sides are the doors of the strip (face_strip.h). A bend is a vertex at which the shortest
 // path in a strip turns.
 //
 // Main flow of Tracer::trace:
 //  1. order      puts the two end points in a fixed order, so that trace(a, b) and trace(b, a) find
-//                the same path. If they were exchanged, the path is reversed at the end
+//                the same path. If this exchanges the two end points, the path is reversed at the
+//                end
 //  2. find       finds a short strip by a search in the dual graph of the mesh (face_strip.h). The
 //                length of a strip is measured between the centroids of its faces
 //  3. tighten    lays the strip out in the plane, and finds the shortest path in the strip by the
 //                funnel algorithm (unfolded_strip.h)
-//  4. flip       looks at each bend. If the angle on the other side of the vertex is less than half
-//                a turn, changes the strip so that it passes the vertex on this other side. Repeats
-//                steps 3 and 4 until there are no such bends, or the path does not become shorter
+//  4. flip       looks at each bend. The path turns around the vertex of the bend on one side. If
+//                the angle on the other side of the vertex is less than half a turn, the strip is
+//                changed so that it passes the vertex on this other side. Repeats steps 3 and 4
+//                until there are no such bends, or the path does not become shorter
 //  5. read off   appends the points of the path. These are the vertices where the path bends, and
-//                the vertices that are within 2^-40 of a side's length from the path. For each
-//                other side that the path crosses, the crossing point is appended, given by its
-//                parameter t on the side. If the faces between two such vertices are coplanar, t is
-//                exact; otherwise t is a double (unfolded_strip.h)
+//                the vertices whose distance from the path is at most 2^-40 times the length of a
+//                side. Where the path crosses a side away from these vertices, the crossing point
+//                is appended. It is given by its parameter t on the side. If the faces between two
+//                such vertices are coplanar, t is exact; otherwise t is a double (unfolded_strip.h)
 //
 // Steps 1 to 4 are computed in doubles. Rounding can only affect the choice of the path. From step
 // 5 on, the chosen path is represented exactly, and is never traced again. If several paths are
@@ -50,10 +52,10 @@ class Tracer {
 
   /// Returns a path from a to b, and appends the inner points of the path to `points`. Both a and b
   /// are rows of `points`. Returns no value if a and b lie on different components. Requires that
-  /// `points` is a table over the same mesh. trace(b, a) is the same path reversed. Two points in
-  /// the same face are joined by a segment. The cost is that of finding the strip (StripFinder),
-  /// plus the length of the strip for each repetition of steps 3 and 4. Throws what the context
-  /// throws.
+  /// `points` is a table over the same mesh. trace(b, a) returns the same path in reverse. Two
+  /// points in the same face are joined by a segment. The cost is that of finding the strip
+  /// (StripFinder). Each repetition of steps 3 and 4 adds the length of the strip. Throws what the
+  /// context throws.
   std::optional<SurfacePath> trace(SurfacePointTable& points, SurfacePointId a, SurfacePointId b,
                                    Context& context = unlimited_context());
 
@@ -75,14 +77,16 @@ class Tracer {
 /// success. On failure, appends no polygon, and returns the index of the first control point from
 /// which no path leads to the next control point. For each control point, `named` contains a face
 /// in which the control point lies. If the next control point lies in this face, too, the two
-/// points are joined by a segment in this face. It matters which common face is named only in one
-/// case: in a component of two triangles that share all edges. Throws what the context throws.
+/// points are joined by a segment in this face. If two consecutive control points have several
+/// common faces, it seldom matters which of these faces is named. It matters only in a component of
+/// two triangles that share all edges. Throws what the context throws.
 std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
                                               std::span<const SurfacePointId> control,
                                               std::span<const FaceId> named,
                                               SurfacePolygons& polygons,
                                               Context& context = unlimited_context());
-/// Appends a polygon in the same way, but without named faces.
+/// Appends a closed polygon through control points, like the function above, but without named
+/// faces.
 std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
                                               std::span<const SurfacePointId> control,
                                               SurfacePolygons& polygons,

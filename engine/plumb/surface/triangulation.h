@@ -3,7 +3,7 @@
 // Main flow of triangulate_surface():
 //  1. cut       triangulates each piece of a touched face; the corners of triangles are nodes
 //               (plumb/space/planar/triangulate.h)
-//  2. flip      flips edges inside pieces until they are Delaunay, as measured by distances in the
+//  2. flip      flips edges inside pieces until they are Delaunay. Distances are measured in the
 //               face (triangulation.cpp). Arcs and sides of faces are never flipped. So the result
 //               is the constrained Delaunay triangulation of each face. A node on a side is a
 //               corner of triangles in both adjacent faces
@@ -27,7 +27,7 @@ struct SurfaceTriangulation {
   /// nodes.
   std::vector<Point3> points;
   std::vector<NodeId> node;  ///< The node at each point; invalid if no node lies there.
-  std::vector<SurfaceTriangle> triangles;  ///< The indices of each triangle's corners in points.
+  std::vector<SurfaceTriangle> triangles;  ///< The point indices of each triangle's corners.
   std::vector<CellId> cell;                ///< The cell that contains each triangle.
   std::vector<FaceId> face;                ///< The face of the mesh that contains each triangle.
   /// For each side, the same side in the adjacent triangle; kNone at the border.

@@ -17,12 +17,13 @@ struct SelfTestReport {
 };
 
 /// Tests the arithmetic of this build with the current settings of the calling thread, and runs
-/// predicates on difficult inputs with known signs. It does not change the environment.
+/// predicates on difficult inputs with known signs. The function does not change the environment.
 ///
-/// It reports as failures: reassociated arithmetic, extended-precision arithmetic, and wrong signs
-/// of predicates. It reports as notes: a rounding mode other than to nearest, flush-to-zero,
-/// denormals-are-zero, and contraction of a*b+c to a fused multiply-add. The bounds of the filters
-/// hold with all settings reported as notes, but other code of the caller may depend on them.
+/// Failures are reassociated arithmetic, extended-precision arithmetic, and wrong signs of
+/// predicates. Notes report a rounding mode other than to nearest, flush-to-zero,
+/// denormals-are-zero, and the contraction of a*b+c to a fused multiply-add. The bounds of the
+/// filters hold under every setting that a note reports, but other code of the caller may depend on
+/// such a setting.
 SelfTestReport self_test();
 
 }  // namespace plumb

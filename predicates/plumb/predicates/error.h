@@ -2,9 +2,9 @@
 //
 // Bad input, exceeded limits and cancellation throw Error. A negative answer ("open", "not convex",
 // "not equal") is a result, never an error. If the system refuses memory, std::bad_alloc reaches
-// the caller unchanged. A broken invariant is a bug in plumb. In that case PLUMB_CHECK calls the
-// handler that the program installed, and then throws BrokenInvariant. plumb never aborts the
-// program.
+// the caller unchanged. A broken invariant is a bug in plumb. If an invariant is broken,
+// PLUMB_CHECK calls the handler that the program installed, and then throws BrokenInvariant. plumb
+// never aborts the program.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ enum class ErrorCode {
   DegenerateFace = 107,
   UnknownFormat = 108,
   Usage = 109,
-  ClosedPipe = 110,  ///< The reader of plumb's output closed the pipe; end without a message.
+  ClosedPipe = 110,  ///< The reader of the output closed the pipe; no message is needed.
   BadShape = 111,    ///< A ring is not closed, or records contradict each other.
   ResourceLimit = 200,
   Cancelled = 201,
@@ -53,11 +53,11 @@ class Error : public std::runtime_error {
   /// Constructs an error. The text of what() is composed of the place and the message.
   Error(ErrorCode code, std::string message, TextPlace place = {});
 
-  ErrorCode code() const { return code_; }  ///< Returns the reason, for decisions of a program.
+  ErrorCode code() const { return code_; }  ///< Returns the reason as a code.
   /// Returns the message for people, without the position in the text input.
   const std::string& message() const { return message_; }
-  /// Returns the position in the text input. It is empty if the error does not concern a text
-  /// input.
+  /// Returns the position in the text input. The position is empty if the error does not concern a
+  /// text input.
   const TextPlace& place() const { return place_; }
 
  private:
@@ -66,15 +66,15 @@ class Error : public std::runtime_error {
   TextPlace place_;
 };
 
-/// Thrown if plumb finds that one of its own invariants does not hold. This is always a bug in
-/// plumb, even for bad input. what() names the condition, its source file and its line. Objects
-/// that took part in the failed operation may only be destroyed or assigned to.
+/// Thrown if plumb finds that one of its own invariants does not hold. A BrokenInvariant always
+/// shows a bug in plumb, even for bad input. what() names the condition, its source file and its
+/// line. Objects that took part in the failed operation may only be destroyed or assigned to.
 class BrokenInvariant : public std::logic_error {
  public:
   using std::logic_error::logic_error;
 };
 
-/// A function that is called before BrokenInvariant is thrown. It receives the text of the
+/// A function that is called before BrokenInvariant is thrown. The handler receives the text of the
 /// condition that does not hold, and the source file and the line of this condition. A handler may
 /// log, throw an exception of its own, or end the process.
 using InvariantHandler = void (*)(const char* condition, const char* file, int line);
@@ -91,7 +91,8 @@ namespace detail {
 }  // namespace plumb
 #pragma GCC visibility pop
 
-/// Calls the handler and throws BrokenInvariant if the condition is false, in every build type.
+/// If the condition is false, calls the handler and throws BrokenInvariant. Every build type checks
+/// the condition.
 #define PLUMB_CHECK(condition)        \
   ((condition) ? static_cast<void>(0) \
                : ::plumb::detail::report_broken_invariant(#condition, __FILE__, __LINE__))

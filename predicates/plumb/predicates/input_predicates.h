@@ -2,15 +2,15 @@
 //
 // A predicate returns the exact sign of a determinant that is computed from the coordinates of its
 // points. The sign is exact for all finite doubles, including subnormals, +-DBL_MAX and any spread
-// of exponents. It is exact in every rounding mode. It is exact whether flush-to-zero and
-// denormals-are-zero are on or off. Every function requires finite coordinates and does not check
-// them. A function can throw only one exception, std::bad_alloc, and only in the stage that uses
-// GMP. Several threads may call all functions at the same time.
+// of exponents. The sign is exact in every rounding mode. The sign is exact whether flush-to-zero
+// and denormals-are-zero are on or off. Every function requires finite coordinates, but does not
+// check that they are finite. A function can throw only one exception, std::bad_alloc, and only in
+// the stage that uses GMP. Several threads may call all functions at the same time.
 //
 // Main flow of every predicate: the predicate runs the following stages in turn until a stage
 // decides. Tests and benchmarks can also call each stage on its own, in namespace rung.
 //  1. Filter  X_filter  (input_filters.h)  evaluates in doubles; returns a sign or Unsure
-//  2. Small   X_small   (determinants.h)   evaluates in doubles again, exactly if the coordinates
+//  2. Small   X_small (determinants.h) evaluates in doubles again, and is exact if the coordinates
 //                       are small integers; returns a sign or Unsure
 //  3. Exact   X_exact   (determinants.h)   evaluates in integers of fixed width; returns a sign or
 //                       Unsure
@@ -32,8 +32,9 @@ namespace plumb {
 
 namespace rung {
 
-// The Small stage decides if all coordinates are integers below 2^51 in magnitude and the sum of
-// the magnitudes of the determinant's terms is at most 2^52. Otherwise it returns Unsure.
+// The Small stage decides under two conditions. All coordinates must be integers below 2^51 in
+// magnitude. The magnitudes of the determinant's terms must have a sum of at most 2^52. Otherwise
+// the stage returns Unsure.
 FilteredSign orient2d_small(const Point2& a, const Point2& b, const Point2& c);
 FilteredSign cross_sign_small(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 FilteredSign orient3d_small(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
@@ -42,8 +43,8 @@ FilteredSign insphere_small(const Point3& a, const Point3& b, const Point3& c, c
                             const Point3& e);
 
 // The Exact stage converts the coordinates to integers on a common grid. (orient2d, cross_sign and
-// orient3d use one grid per axis.) It returns Unsure if and only if one of these integers needs
-// more than kExactBits bits.
+// orient3d use one grid for each axis.) The stage returns Unsure if and only if one of these
+// integers needs more than kExactBits bits.
 
 /// Largest number of bits of a grid integer that the Exact stage accepts.
 inline constexpr int kExactBits = 125;
@@ -51,8 +52,9 @@ inline constexpr int kExactBits = 125;
 FilteredSign orient2d_exact(const Point2& a, const Point2& b, const Point2& c);
 FilteredSign cross_sign_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 FilteredSign orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
-/// Does the same for points on one common grid, which the caller passes as `grid`. If the grid
-/// integers have at most 61 bits, this function takes a third of the time of the function above.
+/// Does the same as the function above for points on one common grid, which the caller passes as
+/// `grid`. If the grid integers have at most 61 bits, this function takes a third of the time of
+/// the function above.
 FilteredSign orient3d_exact(const Grid& grid, const Point3& a, const Point3& b, const Point3& c,
                             const Point3& d);
 FilteredSign incircle_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
@@ -78,9 +80,10 @@ Sign insphere_beyond_filter(const Point3& a, const Point3& b, const Point3& c, c
 
 }  // namespace rung
 
-/// Returns the orientation of three points, which is the sign of det [a-c; b-c]. It is Positive if
-/// a, b, c make a left turn (are in counter-clockwise order), Negative if they make a right turn,
-/// and Zero if they are collinear. Swapping two points flips the sign; a cyclic shift keeps it.
+/// Returns the orientation of three points, which is the sign of det [a-c; b-c]. The orientation is
+/// Positive if a, b, c make a left turn (are in counter-clockwise order), Negative if they make a
+/// right turn, and Zero if they are collinear. Swapping two points flips the sign; a cyclic shift
+/// of the points does not change the sign.
 inline Sign orient2d(const Point2& a, const Point2& b, const Point2& c) {
   const FilteredSign s = rung::orient2d_filter(a, b, c);
   if (!is_decided(s)) [[unlikely]]
@@ -88,10 +91,10 @@ inline Sign orient2d(const Point2& a, const Point2& b, const Point2& c) {
   return decide(Predicate::Orient2d, Rung::Filter, s);
 }
 
-/// Returns the sign of the cross product (b - a) x (d - c). It is Positive if the vector from c to
-/// d points to the left of the vector from a to b. It is Zero if the vectors are parallel or one of
-/// them is zero. The sign flips if a and b are swapped, if c and d are swapped, or if the pair a, b
-/// is swapped with the pair c, d.
+/// Returns the sign of the cross product (b - a) x (d - c). The sign is Positive if the vector from
+/// c to d points to the left of the vector from a to b. The sign is Zero if the vectors are
+/// parallel or one of the vectors is zero. The sign flips if a and b are swapped, if c and d are
+/// swapped, or if the pair a, b is swapped with the pair c, d.
 inline Sign cross_sign(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const FilteredSign s = rung::cross_sign_filter(a, b, c, d);
   if (!is_decided(s)) [[unlikely]]
@@ -99,9 +102,10 @@ inline Sign cross_sign(const Point2& a, const Point2& b, const Point2& c, const 
   return decide(Predicate::CrossSign, Rung::Filter, s);
 }
 
-/// Returns the orientation of four points, which is the sign of det [a-d; b-d; c-d]. It is Positive
-/// if d lies below the plane of a, b, c. "Below" means on the side from which a, b, c appear
-/// clockwise. It is Zero if the points are coplanar. Swapping two points flips the sign.
+/// Returns the orientation of four points, which is the sign of det [a-d; b-d; c-d]. The
+/// orientation is Positive if d lies below the plane of a, b, c. "Below" means on the side from
+/// which a, b, c appear clockwise. The orientation is Zero if the points are coplanar. Swapping two
+/// points flips the sign.
 inline Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   const FilteredSign s = rung::orient3d_filter(a, b, c, d);
   if (!is_decided(s)) [[unlikely]]
@@ -109,10 +113,10 @@ inline Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Po
   return decide(Predicate::Orient3d, Rung::Filter, s);
 }
 
-/// Returns the sign of det [a-d, |a-d|^2; b-d, |b-d|^2; c-d, |c-d|^2]. For counter-clockwise a, b,
-/// c, the result is Positive if d lies inside their circle, and Zero if d lies on the circle. For
-/// clockwise a, b, c, Positive and Negative are exchanged. Collinear a, b, c are allowed. Swapping
-/// two points flips the sign.
+/// Returns the sign of det [a-d, |a-d|^2; b-d, |b-d|^2; c-d, |c-d|^2]. If a, b, c are in
+/// counter-clockwise order, the result is Positive for a point d inside their circle, and Zero for
+/// a point d on the circle. If a, b, c are in clockwise order, Positive and Negative are exchanged.
+/// Collinear a, b, c are allowed. Swapping two points flips the sign.
 inline Sign incircle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const FilteredSign s = rung::incircle_filter(a, b, c, d);
   if (!is_decided(s)) [[unlikely]]
@@ -120,10 +124,10 @@ inline Sign incircle(const Point2& a, const Point2& b, const Point2& c, const Po
   return decide(Predicate::Incircle, Rung::Filter, s);
 }
 
-/// Returns the sign of det [a-e, |a-e|^2; ...; d-e, |d-e|^2]. If orient3d(a, b, c, d) is Positive,
-/// the result is Positive if e lies inside the sphere of a, b, c, d, and Zero if e lies on the
-/// sphere. If orient3d(a, b, c, d) is Negative, Positive and Negative are exchanged. Coplanar a, b,
-/// c, d are allowed. Swapping two points flips the sign.
+/// Returns the sign of det [a-e, |a-e|^2; ...; d-e, |d-e|^2]. Suppose that orient3d(a, b, c, d) is
+/// Positive. Then the result is Positive if e lies inside the sphere of a, b, c, d, and Zero if e
+/// lies on the sphere. If orient3d(a, b, c, d) is Negative, the results Positive and Negative are
+/// exchanged. Coplanar a, b, c, d are allowed. Swapping two points flips the sign.
 inline Sign insphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                      const Point3& e) {
   const FilteredSign s = rung::insphere_filter(a, b, c, d, e);

@@ -15,7 +15,7 @@ namespace plumb {
 
 /// Whether `plane` contains the common line of p and q. Requires that p and q are not parallel. The
 /// degree in input coordinates is 7. The stages are:
-///   - identity: `plane` is p or q, or a wall of both;
+///   - identity: `plane` is p or q, or was made as a wall through the common line of p and q;
 ///   - the filter of det3;
 ///   - fixed-width integers;
 ///   - GMP integers.
@@ -26,15 +26,15 @@ bool holds_line(const PlaneTable& planes, PlaneId plane, PlaneId p, PlaneId q);
 bool is_same_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s);
 
 /// Returns the fingerprint of the line's Plücker coordinates (n_p x n_q, d_p n_q - d_q n_p). The
-/// fingerprint of a line does not depend on the planes that define it, nor on their order.
+/// fingerprint of a line does not depend on the choice or order of the planes that define the line.
 /// Different fingerprints prove that the lines differ. Lines with equal fingerprints may differ, so
 /// is_same_line must confirm that they are equal. Requires that p and q are not parallel. Cost:
-/// about 250 ns, mostly one modular inversion, and about 100 ns more for each plane with stored
-/// exact coefficients, such as a wall.
+/// about 250 ns, most of it for one modular inversion. Each plane with stored exact coefficients,
+/// such as a wall, adds about 100 ns.
 Fingerprint line_fingerprint(const PlaneTable& planes, PlaneId p, PlaneId q);
 
 // Predicates on planes. The canonical row of a plane is (n, d), where n is its normal vector and d
-// its offset. The result of each predicate is the sign of a determinant of canonical rows, or a
+// is its offset. The result of each predicate is the sign of a determinant of canonical rows, or a
 // product of such signs. The determinants are:
 //
 //   minor(p, q, i)      component i of n_p x n_q, the direction of the line of p and q
@@ -50,14 +50,15 @@ Fingerprint line_fingerprint(const PlaneTable& planes, PlaneId p, PlaneId q);
 // Cost: a filter takes 3 to 8 ns. A stage of fixed width takes 60 to 250 ns for coordinates with
 // full mantissas. GMP takes 2 to 6 us.
 
-/// Returns the sign of component `axis` (0, 1 or 2) of n_p x n_q. It is Zero if the line of p and q
-/// is orthogonal to that axis, or if p and q are parallel. Swapping p and q flips the sign. The
-/// degree in input coordinates is 4.
+/// Returns the sign of component `axis` (0, 1 or 2) of n_p x n_q. The sign is Zero if the line of p
+/// and q is orthogonal to the axis, or if p and q are parallel. Swapping p and q flips the sign.
+/// The degree in input coordinates is 4.
 Sign minor_sign(const PlaneTable& planes, PlaneId p, PlaneId q, std::size_t axis);
 
 /// Returns the sign of det3(p, q, r). The sign is Zero if the normals are linearly dependent. In
 /// this case there is a direction parallel to all three planes. The sign has two more meanings:
-///   - It is the side of the great circle of r on which the point n_p x n_q of the sphere lies.
+///   - The sign states on which side of the great circle of r the point n_p x n_q of the sphere
+///     lies.
 ///   - For normals n, m1 and m2, (n x m1) x (n x m2) = n det3(n, m1, m2). Therefore a Positive
 ///     det3_sign(n, m1, m2) means that the direction n x m2 is counter-clockwise of n x m1, seen
 ///     from the positive side of n.
@@ -66,37 +67,38 @@ Sign minor_sign(const PlaneTable& planes, PlaneId p, PlaneId q, std::size_t axis
 Sign det3_sign(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r);
 
 /// Returns the sign of det4(p, q, r, s). The sign is Zero if the rows are linearly dependent. In
-/// this case the four planes have a common point, or there is a direction parallel to all of them
-/// (a common point at infinity). Let X be the common point of p, q and r. The side of s on which X
-/// lies is det4_sign(p, q, r, s) * det3_sign(p, q, r). Swapping two planes flips the sign; the
-/// result is Zero if two planes are equal. The degree in input coordinates is 9.
+/// this case the four planes have a common point, or there is a direction parallel to all four
+/// planes (a common point at infinity). Let X be the common point of p, q and r. The side of s on
+/// which X lies is det4_sign(p, q, r, s) * det3_sign(p, q, r). Swapping two planes flips the sign;
+/// the result is Zero if two planes are equal. The degree in input coordinates is 9.
 Sign det4_sign(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s);
 
 /// Returns the order of two points on the line of p and q, in the direction n_p x n_q. Let X be the
-/// common point of p, q, r, and Y the common point of p, q, s. The result is the sign of Y - X:
-/// Positive if Y comes after X. Requires that det3(p, q, r) and det3(p, q, s) are not zero. The
-/// degree in input coordinates is 9.
+/// common point of p, q and r. Let Y be the common point of p, q and s. The result is the sign of
+/// Y - X: Positive if Y comes after X. Requires that det3(p, q, r) and det3(p, q, s) are not zero.
+/// The degree in input coordinates is 9.
 Sign order_along_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s);
 
-/// Returns the turn from n_m1 to n_m2 about the line of p and q. It is the sign of the number t
-/// with n_m1 x n_m2 = t (n_p x n_q). Requires that p and q are not parallel and that all four
-/// planes are parallel to the same line. The degree in input coordinates is 4. If m1 and m2 are the
-/// planes of two facets at an edge, Zero means that the facets lie in equal or in opposite
-/// half-planes of the edge. If the pairs (p, q) and (m1, m2) define the same line, Positive means
-/// that the directions n_p x n_q and n_m1 x n_m2 are the same.
+/// Returns the turn from n_m1 to n_m2 about the line of p and q. The result is the sign of the
+/// number t with n_m1 x n_m2 = t (n_p x n_q). Requires that p and q are not parallel and that all
+/// four planes are parallel to the same line. The degree in input coordinates is 4. If m1 and m2
+/// are the planes of two facets at an edge, Zero means that the facets lie in one plane, on the
+/// same side of the edge or on opposite sides. If the pairs (p, q) and (m1, m2) define the same
+/// line, Positive means that the directions n_p x n_q and n_m1 x n_m2 are the same.
 Sign turn_about_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId m1, PlaneId m2);
 
-/// The stages, which tests and benchmarks can call on their own. W is exact3::Narrow, Medium or
-/// Wide. A stage of fixed width returns Unsure if and only if the operands do not fit the width.
+/// The stages of the predicates. Tests and benchmarks can call each stage on its own. W is
+/// exact3::Narrow, Medium or Wide. A stage of fixed width returns Unsure if and only if the
+/// operands do not fit the width.
 namespace rung {
 
 FilteredSign minor_filter(const PlaneRow& p, const PlaneRow& q, std::size_t axis);
 FilteredSign det3_filter(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r);
 FilteredSign det4_filter(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r,
                          const PlaneRow& s);
-/// Filters for planes of the frame (filter_stages.h, docs/design/frame.md). With such a plane, det4
-/// has two parts: det4 = c0 + c1 R, where R is the half-width of the frame. far_det4_filter decides
-/// the sign of c1. near_det4_filter decides the sign of c0 and requires that c1 is zero.
+/// Filters for planes of the frame (filter_stages.h, docs/design/frame.md). If a plane of the frame
+/// occurs in det4, then det4 = c0 + c1 R, where R is the half-width of the frame. far_det4_filter
+/// decides the sign of c1. near_det4_filter decides the sign of c0 and requires that c1 is zero.
 FilteredSign far_det4_filter(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s);
 FilteredSign near_det4_filter(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId s);
 

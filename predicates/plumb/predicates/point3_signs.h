@@ -3,8 +3,8 @@
 //
 // The stages are identity, the filters in namespace rung on the cached boxes, fixed-width integers,
 // and GMP integers. docs/design/numbers.md proves the bounds and the degrees.
-// Cost: identity takes about 2 ns, and a filter 5 to 12 ns. A stage of fixed width takes 100 to 400
-// ns for coordinates with full mantissas. GMP takes 3 to 10 us.
+// Cost: identity takes about 2 ns, and a filter takes 5 to 12 ns. A stage of fixed width takes 100
+// to 400 ns for coordinates with full mantissas. GMP takes 3 to 10 us.
 #pragma once
 
 #include <cstddef>
@@ -19,12 +19,13 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the side of the canonical plane on which x lies, which is the sign of n.x + d. It is
-/// Positive on the side from which three input points that define the plane appear
+/// Returns the side of the canonical plane on which x lies, which is the sign of n.x + d. The sign
+/// is Positive if x lies on the side from which three input points that define the plane appear
 /// counter-clockwise. In `incident`, the caller can list further planes that are known to contain
-/// x. At a vertex, these are for example the planes of its facets. The result is Zero without
-/// arithmetic if `plane` is one of the planes that define x, one of `incident`, or a wall of two of
-/// these planes. The degree in input coordinates is 9, and 3 if x is an input point.
+/// x. For example, the caller can list the planes of the facets at a vertex. No arithmetic is
+/// needed, and the result is Zero, in three cases: `plane` is one of the planes that define x,
+/// `plane` is in `incident`, or `plane` is a wall of two of these planes. The degree in input
+/// coordinates is 3 if x is an input point, and 9 otherwise.
 ///
 /// The defining planes are compared with `plane` before the filter runs. The other identities are
 /// tested only after the filter has returned Unsure. This order misses no identity, because the
@@ -43,7 +44,7 @@ bool is_known_on(const Point3Table& points, SpacePoint x, PlaneId plane,
 Sign compare_axis(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis);
 
 /// Compares two points lexicographically (x, then y, then z). Swapping x and y flips the sign. The
-/// result is Zero if and only if equal(x, y).
+/// result is Zero if and only if equal(x, y) is true.
 Sign compare_xyz(const Point3Table& points, SpacePoint x, SpacePoint y);
 
 /// Whether x and y are the same point. Most pairs of different points are distinguished by their
@@ -54,8 +55,8 @@ bool equal(const Point3Table& points, SpacePoint x, SpacePoint y);
 
 /// Returns the sign of y - x in the direction n_p x n_q: Positive if y comes after x. The result is
 /// Zero if p and q are parallel. Requires that x and y lie on the line of p and q. If the boxes do
-/// not decide, the function chooses a plane that defines y and crosses the line, and computes on
-/// which side of that plane x lies. The degree in input coordinates is 9.
+/// not decide, the function chooses a plane that defines y and crosses the line. Then it computes
+/// on which side of this plane x lies. The degree in input coordinates is 9.
 Sign order_along_line(const Point3Table& points, PlaneId p, PlaneId q, SpacePoint x, SpacePoint y);
 
 /// Returns the fingerprint of a point. Equal points have equal fingerprints, even if their
@@ -68,7 +69,7 @@ std::vector<Fingerprint> fingerprints(const Point3Table& points, std::span<const
 
 /// Returns four integers (w X, w Y, w Z, w) with w > 0 for the point x = (X, Y, Z). The integers
 /// may have a common factor. Requires !points.depends_on_frame(x). Cost: about 0.5 us for a
-/// constructed point, a tenth of the cost of exact().
+/// constructed point, which is a tenth of the cost of exact().
 IntegerRow homogeneous(const Point3Table& points, SpacePoint x);
 
 /// Returns the exact coordinates, for output. Requires !points.depends_on_frame(x).
@@ -83,15 +84,17 @@ struct FramedPoint3 {
 /// Returns the exact coordinates of x, which may be a point of the frame.
 FramedPoint3 exact_parts(const Point3Table& points, SpacePoint x);
 
-/// The stages, which tests and benchmarks can call on their own. W is exact3::Narrow, Medium or
-/// Wide. A stage of fixed width returns Unsure if its operands do not fit the width.
+/// The stages of the predicates. Tests and benchmarks can call each stage on its own. W is
+/// exact3::Narrow, Medium or Wide. A stage of fixed width returns Unsure if its operands do not fit
+/// the width.
 namespace rung {
 
 /// Evaluates n.x + d at the midpoint of the box. Returns the sign of the value if its magnitude
-/// exceeds the error bound, otherwise Unsure. For an input point x, the error, including rounding
-/// errors, is at most normal_error * |x|_1 + offset_error (see PlaneRow). Here |x|_1 is the sum of
-/// the magnitudes of the coordinates. For a box, the error grows by at most 3 * radius, since each
-/// |n[i]| <= 1. The bound adds 4 * radius, which also covers the rounding of the bound itself.
+/// exceeds the error bound. Otherwise returns Unsure. For an input point x, the error, including
+/// rounding errors, is at most normal_error * |x|_1 + offset_error (see PlaneRow). Here |x|_1 is
+/// the sum of the magnitudes of the coordinates. For a box, the error grows by at most 3 * radius,
+/// since each |n[i]| <= 1. The bound adds 4 * radius, which also covers the rounding of the bound
+/// itself.
 inline FilteredSign side_filter(const PointBox& x, const PlaneRow& plane) {
   const auto& m = x.mid;
   const double value = plane.n[0] * m[0] + plane.n[1] * m[1] + plane.n[2] * m[2] + plane.d;
@@ -103,17 +106,18 @@ inline FilteredSign side_filter(const PointBox& x, const PlaneRow& plane) {
   return value < -error ? FilteredSign::Negative : FilteredSign::Unsure;
 }
 
-/// Returns the sign of x - y along `axis` if the boxes are disjoint along it, otherwise Unsure.
+/// Returns the sign of x - y along `axis` if the boxes are disjoint along this axis. Otherwise
+/// returns Unsure.
 FilteredSign compare_axis_filter(const PointBox& x, const PointBox& y, std::size_t axis);
 
-/// Filters for points that depend on the frame. They return Unsure if none of the given points
-/// depends on the frame. They compute with the factors of R, which are the directions of the points
-/// (filter_stages.h). If the factors of R of both points are zero along `axis`,
+/// Filters for points that depend on the frame. These filters return Unsure if none of the given
+/// points depends on the frame. The filters compute with the factors of R, which are the directions
+/// of the points (filter_stages.h). If the factors of R of both points are zero along `axis`,
 /// far_compare_axis_filter compares the parts without R.
 FilteredSign far_side_filter(const Point3Table& points, SpacePoint x, PlaneId plane);
 FilteredSign far_compare_axis_filter(const Point3Table& points, SpacePoint x, SpacePoint y,
                                      std::size_t axis);
-/// Filter for c0, where n.x + d = c0 + c1 R. Requires that c1 is zero.
+/// Filter for the sign of c0, where n.x + d = c0 + c1 R. Requires that c1 is zero.
 FilteredSign near_side_filter(const Point3Table& points, SpacePoint x, PlaneId plane);
 
 template <class W>

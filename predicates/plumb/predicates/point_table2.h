@@ -41,7 +41,7 @@ struct HomogeneousView2 {
 /// most 2^32 - 2 points.
 class PointTable2 {
  public:
-  /// Reserves memory for `points` points, including those that are in the table already.
+  /// Reserves memory for `points` points, including the points that are already in the table.
   void reserve(std::size_t points);
   /// Appends a point. Requires finite coordinates. Negative zero is stored as zero.
   void push_back(Point2 p);
@@ -53,7 +53,7 @@ class PointTable2 {
   /// O(size of other).
   void append(const PointTable2& other);
   /// Returns a table of the points whose entry in `keep` is not 0. The order of the points is kept.
-  /// Requires one entry per point. Cost: O(n).
+  /// Requires that `keep` has one entry for each point. Cost: O(n).
   PointTable2 subset(std::span<const std::uint8_t> keep) const;
 
   std::size_t size() const { return points_.size(); }  ///< Returns the number of points.
@@ -73,8 +73,8 @@ class PointTable2 {
 
  private:
   static constexpr std::uint32_t kNoSlot = 0xffffffff;
-  /// The three integers of a point, which lie one after another in limbs_ from `begin` on. The sign
-  /// of each size is the sign of the integer, as in mpz_t.
+  /// The three integers of a point. The integers lie one after another in limbs_, from index
+  /// `begin` on. The sign of each size is the sign of the integer, as in mpz_t.
   struct Entry {
     std::size_t begin;
     std::int32_t x_size;
@@ -85,7 +85,8 @@ class PointTable2 {
   void append_entry(const PointTable2& other, std::uint32_t i);
 
   std::vector<Point2> points_;
-  /// The index into entries_ of each point, or kNoSlot. Empty while all points are doubles.
+  /// For each point, its index into entries_, or kNoSlot. This array is empty while all points are
+  /// doubles.
   std::vector<std::uint32_t> slot_;
   std::vector<Entry> entries_;
   std::vector<mp_limb_t> limbs_;
@@ -95,33 +96,34 @@ class PointTable2 {
 /// points are equal. The order is transitive, and swapping i and j flips the sign.
 Sign compare_xy(const PointTable2& points, std::uint32_t i, std::uint32_t j);
 
-/// Returns the orientation of three points: Positive if i, j, k make a left turn
-/// (counter-clockwise), Zero if they are collinear. Swapping two points flips the sign; a cyclic
-/// shift keeps it.
+/// Returns the orientation of three points. The orientation is Positive if i, j, k make a left turn
+/// (are in counter-clockwise order), and Zero if they are collinear. Swapping two points flips the
+/// sign; a cyclic shift of the points does not change the sign.
 Sign orient2d(const PointTable2& points, std::uint32_t i, std::uint32_t j, std::uint32_t k);
 
-/// Returns the sign of the cross product (b - a) x (d - c). It is Positive if the vector d - c
-/// points to the left of the vector b - a. It is Zero if the vectors are parallel or one of them is
-/// zero. cross_sign(a, b, a, c) equals orient2d(a, b, c).
+/// Returns the sign of the cross product (b - a) x (d - c). The sign is Positive if the vector d -
+/// c points to the left of the vector b - a. The sign is Zero if the vectors are parallel or one of
+/// the vectors is zero. cross_sign(a, b, a, c) equals orient2d(a, b, c).
 Sign cross_sign(const PointTable2& points, std::uint32_t a, std::uint32_t b, std::uint32_t c,
                 std::uint32_t d);
 
-/// The intersection of the lines ab and cd. It is represented by four point indices and a cached
-/// box around the intersection. Requires that the lines are not parallel.
+/// The intersection of the lines ab and cd. The intersection is represented by four point indices
+/// and a cached box around the intersection. Requires that the lines are not parallel.
 struct Crossing2 {
   std::uint32_t a, b, c, d;  ///< Indices of the points that define the two lines.
   double x, y;               ///< Approximate coordinates.
-  double radius;             ///< Bound of the error of x and of the error of y; may be +inf.
+  double radius;             ///< Bound for the errors of x and of y; may be +inf.
 };
 
 /// Returns the intersection of the lines ab and cd. Requires that the lines are not parallel. The
-/// function uses no exact arithmetic. If doubles give no bound for the error, it sets the radius to
-/// +inf. Cost: about 20 ns.
+/// function uses no exact arithmetic. If doubles give no bound for the error, the function sets the
+/// radius to +inf. Cost: about 20 ns.
 Crossing2 make_crossing(const PointTable2& points, std::uint32_t a, std::uint32_t b,
                         std::uint32_t c, std::uint32_t d);
 
-/// Compares a crossing with point i, or two crossings, lexicographically (x, then y). Together with
-/// compare_xy(points, i, j), these functions define one total order of all points and crossings.
+/// Compares a crossing with point i, or compares two crossings. The order is lexicographic (x, then
+/// y). Together with compare_xy(points, i, j), these functions define one total order of all points
+/// and crossings.
 Sign compare_xy(const PointTable2& points, const Crossing2& p, std::uint32_t i);
 Sign compare_xy(const PointTable2& points, const Crossing2& p, const Crossing2& q);
 
@@ -133,7 +135,7 @@ Sign orient2d(const PointTable2& points, std::uint32_t i, std::uint32_t j, const
 /// Returns the exact coordinates of a crossing, for output.
 RationalPoint2 exact(const PointTable2& points, const Crossing2& p);
 
-/// The stages of the predicates above, each of which can be called on its own.
+/// The stages of the predicates above. Each stage can be called on its own.
 namespace rung {
 
 FilteredSign compare_xy_filter(const PointTable2& points, std::uint32_t i, std::uint32_t j);
@@ -171,11 +173,11 @@ Sign cross_sign_mixed(const PointTable2& points, std::uint32_t a, std::uint32_t 
 Sign compare_xy_unsure(const PointTable2& points, const Crossing2& p, std::uint32_t i);
 Sign compare_xy_unsure(const PointTable2& points, const Crossing2& p, const Crossing2& q);
 
-/// Returns the sign of p - q if p and q are more than `radius` apart, otherwise Unsure. Requires
-/// radius >= 2^-300. Also requires |p| < 2^303 or radius = +inf. In any rounding mode, the computed
-/// difference is wrong by a factor of at most 1 + 2^-52. Flush-to-zero or denormals-are-zero may
-/// add an error of at most 2^-1020. The factor 1.0001 covers both errors and the rounding of
-/// `radius`.
+/// Returns the sign of p - q if p and q are more than `radius` apart. Otherwise returns Unsure.
+/// Requires radius >= 2^-300. Also requires |p| < 2^303 or radius = +inf. In any rounding mode, the
+/// computed difference is wrong by a factor of at most 1 + 2^-52. Flush-to-zero or
+/// denormals-are-zero may add an error of at most 2^-1020. The factor 1.0001 covers both errors and
+/// the rounding of `radius`.
 inline FilteredSign compare_apart(double p, double q, double radius) {
   const double difference = p - q;
   if (!(std::fabs(difference) > 1.0001 * radius)) return FilteredSign::Unsure;

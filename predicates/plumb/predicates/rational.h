@@ -32,9 +32,10 @@ class Rational;
 
 namespace detail {
 
-/// The limb to which every number without allocated memory points. Such a number is 0 or a
-/// denominator of 1. A denominator of 1 has this limb as its only limb, so the value of the limb is
-/// 1. The number 0 has no limbs and never reads this limb.
+/// Every number without allocated memory points to this limb. A number without allocated memory is
+/// 0 or a denominator of 1. A denominator of 1 has this limb as its only limb, so the value of the
+/// limb is
+/// 1. The number 0 has no limbs, so this limb is never read for it.
 inline constexpr mp_limb_t kSharedLimb = 1;
 
 inline mp_ptr shared_limb() { return const_cast<mp_ptr>(&kSharedLimb); }
@@ -95,7 +96,7 @@ class BuiltInOperand {
   mpq_t value_;
 };
 
-/// A view of an existing GMP integer as a fraction. It copies no limbs.
+/// A view of an existing GMP integer as a fraction. The view copies no limbs.
 class WholeOperand {
  public:
   explicit WholeOperand(mpz_srcptr value) {
@@ -402,7 +403,7 @@ class Integer {
     mpz_gcd(result.value_, a.value_, b.value_);
     return result;
   }
-  /// Returns the least common multiple, which is never negative. It is 0 if a or b is 0.
+  /// Returns the least common multiple, which is never negative. The result is 0 if a or b is 0.
   friend Integer lcm(const Integer& a, const Integer& b) {
     Integer result;
     mpz_lcm(result.value_, a.value_, b.value_);

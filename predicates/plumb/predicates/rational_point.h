@@ -1,4 +1,5 @@
-// Points with exact rational coordinates, for output, readers and reference implementations.
+// Points with exact rational coordinates. Such points are used for output, in readers and in
+// reference implementations.
 #pragma once
 
 #include "plumb/predicates/rational.h"

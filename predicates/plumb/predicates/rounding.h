@@ -1,12 +1,13 @@
 // Correctly rounded conversions of exact numbers to doubles and to text. No other code turns a
 // rational number into a double.
 //
-// MPFR computes the doubles. Its exponent range is set to the range of double, and each result is
-// passed to mpfr_subnormalize. The doubles are assembled from their bits, so that the caller's
-// rounding mode and flush-to-zero setting have no influence. (mpq_get_d truncates, so it returns
-// the wrong double half the time. Casting a 53-bit MPFR number to double rounds subnormals twice.)
-// Decimal text is computed from the exact number by one integer division. It cannot be computed
-// from a double, because a decimal tie, such as 3/20 rounded to one digit, is not a binary tie.
+// MPFR computes the doubles. The exponent range of MPFR is set to the range of double, and each
+// result is passed to mpfr_subnormalize. The doubles are assembled from their bits, so that the
+// caller's rounding mode and flush-to-zero setting have no influence. (mpq_get_d truncates, so half
+// of its results are not the nearest double. Casting a 53-bit MPFR number to double rounds
+// subnormals twice.) Decimal text is computed from the exact number by one integer division. The
+// text cannot be computed from a double, because a decimal tie, such as 3/20 rounded to one digit,
+// is not a binary tie.
 #pragma once
 
 #include <string>
@@ -42,8 +43,9 @@ RoundedDouble round_to_double(const Rational& value, Rounding rounding = Roundin
 double nearest_double(const Rational& value);
 
 /// Returns `value` if it is finite, and otherwise the largest finite double of the same sign. For
-/// coordinates beyond the range of double, tables of points store this result. With it,
-/// approximations have the same order as the exact coordinates, or are equal.
+/// coordinates beyond the range of double, tables of points store this result. So the
+/// approximations of two coordinates have the same order as the exact coordinates, or they are
+/// equal.
 double clamped_to_finite(double value);
 
 /// Returns the exact value of a double. The result is also exact with flush-to-zero or

@@ -1,6 +1,6 @@
-// Predicates on segments of the plane. They compute the position of a point relative to a segment,
-// the way in which two segments intersect, and the position of a segment relative to a line. The
-// coordinates are doubles or exact rationals.
+// Predicates on segments of the plane. The predicates compute the position of a point relative to a
+// segment, the way in which two segments intersect, and the position of a segment relative to a
+// line. The coordinates are doubles or exact rationals.
 //
 // A segment contains its two ends, which are different points. The interior of a segment is the
 // segment without its ends. Every result is exact. All results follow from orient2d and compare_xy,
@@ -52,10 +52,10 @@ PlaceOnSegment place_on(const BasicSegment2<Point>& s, const Point& p);
 /// The way in which two segments intersect.
 enum class SegmentRelation : std::uint8_t {
   Disjoint,       ///< There is no common point.
-  Cross,          ///< The one common point is interior to both.
-  Touches,        ///< The one common point is an end of the first and interior to the second.
-  IsTouched,      ///< The one common point is an end of the second and interior to the first.
-  ShareEndpoint,  ///< The one common point is an end of both.
+  Cross,          ///< The one common point is interior to both segments.
+  Touches,        ///< The one common point is an end of the first segment and inside the second.
+  IsTouched,      ///< The one common point is an end of the second segment and inside the first.
+  ShareEndpoint,  ///< The one common point is an end of both segments.
   Overlap,        ///< The common part is a segment, and neither segment contains the other.
   Covers,         ///< The second segment is a proper part of the first.
   IsCovered,      ///< The first segment is a proper part of the second.
@@ -94,8 +94,8 @@ constexpr bool meet_in_a_point(SegmentRelation r) {
 enum class LineRelation : std::uint8_t {
   Left,              ///< The segment is strictly left of the line.
   Right,             ///< The segment is strictly right of the line.
-  TouchesFromLeft,   ///< One end is on the line; the rest of the segment is left of it.
-  TouchesFromRight,  ///< One end is on the line; the rest of the segment is right of it.
+  TouchesFromLeft,   ///< One end is on the line; the rest of the segment is left of the line.
+  TouchesFromRight,  ///< One end is on the line; the rest of the segment is right of the line.
   Crosses,           ///< The ends lie strictly on different sides.
   Inside,            ///< The segment is a part of the line.
 };
@@ -111,7 +111,7 @@ LineRelation relation_to_line(const BasicSegment2<Point>& line, const BasicSegme
 template <class Point>
 RationalPoint2 crossing_point(const BasicSegment2<Point>& s, const BasicSegment2<Point>& t);
 
-/// Returns the common point of s and t if there is exactly one, otherwise no value.
+/// Returns the common point of s and t if there is exactly one. Otherwise returns no value.
 template <class Point>
 std::optional<RationalPoint2> meeting_point(const BasicSegment2<Point>& s,
                                             const BasicSegment2<Point>& t);

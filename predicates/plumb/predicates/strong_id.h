@@ -16,9 +16,9 @@ namespace plumb {
 /// The value that means "no index" in arrays of 32-bit indices.
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// A 32-bit index of an object of one kind, such as a vertex. The type `Tag` names the kind. It may
-/// be any type, even an incomplete type. A default-constructed id is invalid. Ids are ordered by
-/// value, and the invalid id is the greatest id.
+/// A 32-bit index of an object of one kind, such as a vertex. The type `Tag` names the kind. `Tag`
+/// may be any type, even an incomplete type. A default-constructed id is invalid. Ids are ordered
+/// by value, and the invalid id is the greatest id.
 template <class Tag>
 class StrongId {
  public:
@@ -40,8 +40,8 @@ class StrongId {
 };
 
 /// A std::vector that ids index: element `id` belongs to the object with the index id.value().
-/// Integers index it, too. An id of another kind does not compile. The class adds no data, so a
-/// vector may be moved in and out.
+/// Integers index the vector, too. Code that indexes the vector with an id of another kind does not
+/// compile. The class adds no data, so a vector may be moved in and out.
 template <class Id, class T>
 class IdVector : public std::vector<T> {
  public:

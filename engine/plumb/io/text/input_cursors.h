@@ -1,6 +1,5 @@
 // Cursors over input. TextCursor reads the lines and tokens of a text. BinaryInput reads the binary
-// part of a file. Errors that a cursor throws have their position in the input.
-//
+// part of a file. Each error that a cursor throws contains a position in the input.
 // Rules for texts:
 //   - Lines end with LF or CRLF. Blanks are spaces and tabs.
 //   - Blank lines are skipped. A line is a comment if its first character other than a blank is
@@ -59,8 +58,8 @@ class TextCursor {
   std::string_view word(std::string_view marks);
 
   /// Moves to `where` and counts the line breaks on the way. Requires that `where` is at or after
-  /// the current position. Parsers that do not read tokens of lines use this function to give their
-  /// errors a position.
+  /// the current position. A parser that does not read line by line calls this function to add a
+  /// position to its errors.
   void move_to(const char* where);
 
   /// Reads a token of 1 to 9 digits into `value` and returns true. If the next token has any other

@@ -1,5 +1,6 @@
-// The undirected edges of a listed map, the cycles that list them, the connected components, and
-// the borders of the area that the cycles cover.
+// The undirected edges of a map that is given by a list of cycles. This header also finds, for each
+// edge, the cycles that list it. It finds the connected components, too, and the borders of the
+// area that the cycles cover.
 //
 // Edge e has the half-edges 2 e and 2 e + 1. Half-edge 2 e runs from ends[e].from to ends[e].to,
 // and half-edge 2 e + 1 runs in the opposite direction. Every edge has both half-edges, even if
@@ -57,10 +58,10 @@ struct MapEdges {
 
 /// Returns the edges of a map. The function sorts the directed edges into buckets by the lesser of
 /// their two vertex ids. In each bucket, it finds the directed edges of the same undirected edge.
-/// Cost: O(n), plus sorting the edges in each bucket. The order of MapEdges::ends depends only on
-/// the set of undirected edges. A MapReport does not keep the edges: to_dcel() and the writer of
-/// half-edges call this function again, a small part of the time of the check, and no report has to
-/// hold 12 bytes for each corner.
+/// Cost: O(n), plus sorting the edges in each bucket. A MapReport does not keep the edges, because
+/// they would take 12 bytes for each corner. Instead, to_dcel() and the writer of half-edges call
+/// this function again, which takes only a small part of the time of the check. The order of
+/// MapEdges::ends depends only on the set of undirected edges.
 MapEdges match_twins(const Map& map);
 
 /// The connected components of the edge graph.
@@ -88,9 +89,9 @@ struct OpenChain {
   Sign area;
 };
 
-/// Returns all chains, in the order of their least half-edges. At a vertex where several borders
-/// meet, each border continues along the faces at which it arrived. Requires that no half-edge is
-/// listed twice. This requirement ensures that every chain closes. O(n).
+/// Returns all chains, in the order of their least half-edges. Where several borders meet at a
+/// vertex, each border continues along the same faces along which it arrived. Requires that no
+/// half-edge is listed twice. This requirement ensures that every chain closes. O(n).
 std::vector<OpenChain> trace_open_chains(const Map& map, const MapEdges& edges);
 
 /// Returns the vertices of a chain in order, in the form of a cycle of a map.

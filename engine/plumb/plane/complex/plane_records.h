@@ -78,11 +78,11 @@ PlaneRecords::Edge record_of(const PlaneComplex& complex, EdgeId e);
 ///   - different marks for the same face
 ///   - a cell that is not needed, because the set is the same without the cell
 ///   - a vertex or edge that is out of order
-/// The cost is that of a sweep.
+/// The cost is the cost of a sweep.
 PlaneComplex from_records(const PlaneRecords& records, Context& context);
 
-/// Returns the complex of the records. The complex need not be minimal; for example, it can be that
-/// of an arrangement. Errors and cost are the same as for from_records().
+/// Returns the complex of the records. The complex need not be minimal; for example, it can be the
+/// complex of an arrangement. Errors and cost are the same as for from_records().
 PlaneComplex rebuild(const PlaneRecords& records, Context& context);
 
 }  // namespace plumb

@@ -31,22 +31,22 @@
 //  2. collect_starts      groups the curves by their left ends, and stores curves of length zero
 //                         separately
 //     start_unbounded     fills the status with the curves from the left infinity, in one event
-//  3. advance             takes the next point, which is an end point or a pending crossing, and
-//                         all end points and crossings that are equal to this point
+//  3. advance             takes the next point, which is an end point or a pending crossing. Also
+//                         takes all end points and crossings that are equal to this point
 //  4. take_enders         at a plain event, finds the curves that end at the event. These curves
 //                         are neighbours in the status. An event is plain if it has one end point,
 //                         no curve passes through it, and no curves overlap.
-//  5. take_all_through    at any other event, walks up and down in the status from the point as
-//                         long as the bundles contain the point
+//  5. take_all_through    at any other event, finds the bundles that contain the point. For this,
+//                         walks up and down in the status from the point
 //     group_ends          groups the curves that end at the event by bundle
 //  6. order_starters      sorts the curves that start at the event by direction. Curves with the
 //                         same direction form a bundle. If an incoming bundle continues in this
-//                         direction, they join it.
+//                         direction, the curves join this incoming bundle.
 //  7. replace_in_status   replaces the incoming bundles by the outgoing bundles
 //  8. test_neighbours     tests every pair of bundles that became neighbours in the status. If the
 //                         two bundles cross, their crossing becomes pending. If they touch in an
 //                         end point, the event of this point is marked as not plain.
-//  9. on_event            passes the finished event to the visitor
+//  9. on_event            passes the event with its curves to the visitor
 // 10. end_unbounded       ends all bundles that remain in the status. This is one event, at the
 //                         right infinity.
 //
@@ -57,10 +57,10 @@
 // passes through an event, the event does not visit the other curves of the bundle.
 // docs/design/sweep.md has the proofs.
 //
-// Cost: expected O((n + k) log n) time, where n is the number of curves and k the number of
-// incidences of events and bundles. For example, n nested segments on one line have 2 n incidences.
-// A plain event takes one orientation sign for each new pair of neighbours. Memory: O(n + pending
-// crossings).
+// Cost: expected O((n + k) log n) time. Here n is the number of curves, and k is the number of
+// incidences between events and bundles. For example, n nested segments on one line have 2 n
+// incidences. At a plain event, the sweep computes one orientation sign for each new pair of
+// neighbours. Memory: O(n + pending crossings).
 //
 // Sources: J. L. Bentley, T. A. Ottmann, Algorithms for reporting and counting geometric
 // intersections, IEEE Transactions on Computers C-28 (1979). Degeneracies are handled as in K.
@@ -86,11 +86,11 @@ struct SweepSegment {
 };
 
 /// A segment, ray or line. A curve is a part of the directed line through the input points a and b.
-/// The part starts at the point `from` and ends at the point `to`. Both points lie on the line, and
-/// `from` comes first in the direction from a to b. Each of the two is an input point or a
-/// crossing. If the curve is unbounded at an end, this end is kUnbounded. The points a and b have
-/// different coordinates. A segment of length zero is an exception: its a and b may be equal, and
-/// its `from` and `to` are equal points.
+/// The curve starts at the point `from` and ends at the point `to`. Both points lie on the line,
+/// and `from` comes before `to` in the direction from a to b. Each of the points `from` and `to` is
+/// an input point or a crossing. If the curve is unbounded at an end, this end is kUnbounded. The
+/// points a and b have different coordinates. A segment of length zero is an exception: its a and b
+/// may be equal, and its `from` and `to` are equal points.
 struct SweepCurve {
   static constexpr std::uint32_t kUnbounded = std::numeric_limits<std::uint32_t>::max();
 
@@ -111,13 +111,14 @@ enum class SweepPlace : std::uint8_t {
 
 /// An event at a point or at infinity (SweepPlace), with the curves that start, end or pass there.
 /// The spans are valid only during the call of on_event(). Each bundle is represented by one of its
-/// curves. This curve is chosen anew at each event from which the bundle continues to the right. It
-/// is the curve of the bundle that ends last.
+/// curves. If a bundle continues to the right of an event, its representative is chosen anew at
+/// this event. The representative is the curve of the bundle that ends last.
 struct SweepEvent {
   static constexpr std::uint32_t kNew = std::numeric_limits<std::uint32_t>::max();
 
   SweepPlace place = SweepPlace::Point;  ///< The kind of the event.
-  /// The end points and stops at the event. Empty if the event is only a crossing.
+  /// The end points of curves and the stops that lie at the event. Empty if the event is only a
+  /// crossing.
   std::span<const std::uint32_t> points;
   const Crossing2* crossing = nullptr;  ///< Set if `place` is Point and `points` is empty.
   std::span<const SegmentId> incoming;  ///< Bundles just left of the event, bottom to top.
@@ -133,10 +134,11 @@ struct SweepEvent {
 
   // These members are set only for events that are not plain. The functions below read these
   // members.
-  std::span<const std::uint32_t> arrived_as;  ///< The result of came_from() per outgoing bundle.
-  /// For each incoming bundle, the index in `ends` after the last curve that ends in it.
+  /// The result of came_from() for each outgoing bundle.
+  std::span<const std::uint32_t> arrived_as;
+  /// For each incoming bundle, the index just behind the curves of this bundle in `ends`.
   std::span<const std::uint32_t> ends_end;
-  /// For each outgoing bundle, the index in `starts` after the last curve that starts in it.
+  /// For each outgoing bundle, the index just behind the curves of this bundle in `starts`.
   std::span<const std::uint32_t> starts_end;
 
   /// Returns the index of the incoming bundle that continues in outgoing bundle `out`, or kNew if

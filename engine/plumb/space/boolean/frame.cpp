@@ -200,8 +200,8 @@ bool runs_towards_edge(const RationalMatrix& normal, const RationalRow& d) {
 }
 
 /// Whether a plane with normal m is parallel to a diagonal c of the box, n_i.c = +1 or -1, that is
-/// m.c = 0. Let m = sum of a_i n_i; then m.c = sum of +-a_i, which is 0 for some signs exactly if
-/// the largest |a_i| is the sum of the two others. The a_i are computed up to one common factor.
+/// m.c = 0. Let m = sum of a_i n_i; then m.c = sum of +-a_i, which is 0 for some signs if and only
+/// if the largest |a_i| is the sum of the two others. The a_i are computed up to one common factor.
 bool holds_diagonal(const RationalMatrix& dual, const RationalRow& m) {
   RationalRow share;
   for (std::size_t i = 0; i < 3; ++i) share[i] = abs(dot(dual[i], m));

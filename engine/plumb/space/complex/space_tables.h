@@ -62,8 +62,8 @@ struct TableMap {
 
 /// Adds the planes and points of `other` to `into`, and returns their new ids. Requires that `into`
 /// and `other` are different objects. A plane has the same canonical orientation in both tables, so
-/// signs with respect to planes do not change. Costs one hash look-up for each plane, and copies
-/// each point.
+/// signs with respect to planes do not change. The function looks up each plane once in a hash
+/// table, and copies each point.
 TableMap merge(SpaceTables& into, const SpaceTables& other);
 
 /// The result of compacted(): tables that contain only the needed planes and points, and the new

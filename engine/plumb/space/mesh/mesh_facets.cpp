@@ -339,8 +339,8 @@ class FacetMaker {
       report_.degenerate.push_back(loop.face);
     } else if (is_planar(loop.corners, plane.plane())) {
       view(loop.corners, FlatView::of_plane(tables_.planes, plane.plane()));
-      // Seen along an axis that crosses its plane, the polygon is simple exactly if it is so in the
-      // plane; its orientation there says which side is outside.
+      // Seen along an axis that crosses its plane, the polygon is simple if and only if it is so in
+      // the plane; its orientation there says which side is outside.
       const PolygonShape shape = shape_of(flat_, local_, context_);
       if (shape == PolygonShape::Simple) {
         const bool is_opposite = orientation_of(flat_, local_) == Sign::Negative;

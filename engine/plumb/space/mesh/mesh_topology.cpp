@@ -589,8 +589,8 @@ class FanSearch {
     }
   }
   /// Counts the corner of a use. Axes along which boxes do not decide how its edges run are
-  /// excluded. If both edges run up or both down, the corner passes the direction 0 exactly if it
-  /// is not below half a turn.
+  /// excluded. If both edges run up or both down, the corner passes the direction 0 if and only if
+  /// it is not below half a turn.
   void count_turn(FacetId f, UseId u) {
     const VertexId v = complex_.use_origin(u);
     const HalfedgeId next = complex_.use_halfedge[u];

@@ -50,9 +50,9 @@ MeshComponents find_components(const SpaceComplex& complex, std::span<const std:
 //  2. edges  checks that the two facets at an edge lie on different sides of it; else both its ends
 //            have no fan
 //  3. turns  counts turns: given 2, all corners around a vertex turn one way. A corner passes the
-//            direction 0 exactly if it begins in the lower half-plane and ends in the upper one, or
-//            is no less than half a turn and begins in the half-plane where it ends; the corners go
-//            around once exactly if one of them passes it.
+//            direction 0 if and only if it begins in the lower half-plane and ends in the upper
+//            one, or is no less than half a turn and begins in the half-plane where it ends; the
+//            corners go around once if and only if one of them passes it.
 //
 // For triangles of input points coordinates are compared and nothing is computed: O(n), about 10 ns
 // a triangle. For other facets the boxes of their corners are compared, which may leave it open,

@@ -47,7 +47,7 @@ struct OrderedMesh {
   std::vector<std::uint32_t> corners;  ///< Three point indices for each triangle.
   std::vector<std::uint32_t> face;     ///< The index that each triangle has in the original mesh.
 
-  /// Returns a view of the mesh. The view is valid as long as this object.
+  /// Returns a view of the mesh. The view is valid as long as this object exists.
   MeshView view() const { return mesh_of_triangles(coordinates, corners); }
   /// Whether this object is empty. ordered_in_space() then kept the order of the original mesh.
   bool is_empty() const { return face.empty(); }

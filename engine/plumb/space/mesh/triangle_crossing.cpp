@@ -59,8 +59,8 @@ class CornerSigns {
     return orient2d(flat(exact_at(a), view), flat(exact_at(b), view), flat(exact_at(c), view));
   }
 
-  /// Whether two triangles of one plane have a common point. Convex polygons are apart exactly if
-  /// one is strictly beyond a side of the other.
+  /// Whether two triangles of one plane have a common point. Convex polygons are apart if and only
+  /// if one is strictly beyond a side of the other.
   bool overlap_in_plane(const Triangle& s, const Triangle& t) const {
     const FlatView view = FlatView::of_plane(points_.planes(), s.plane);
     const auto seen = [&](const Triangle& u, auto at) {
@@ -163,7 +163,7 @@ class PairTest {
 
   // ---------------------------------------------------------------- one common corner
 
-  /// Tests triangles with one common corner v. In one plane their sectors overlap exactly if a
+  /// Tests triangles with one common corner v. In one plane their sectors overlap if and only if a
   /// bounding direction of one lies in the other. In two planes both sectors must have directions
   /// on both sides of the other's plane (or in it): then each meets the common line of the planes
   /// in a ray from v, and it remains to test whether these rays are one.
@@ -179,7 +179,8 @@ class PairTest {
     const Sign side_c = signs_.side_of(c, s), side_d = signs_.side_of(d, s);
     if (side_c == side_d) return false;
     // Both meet the common line of the planes in a piece that begins at v. They leave v the same
-    // way exactly if the segment a b, which crosses the plane of t, does so within the sector of t.
+    // way if and only if the segment a b, which crosses the plane of t, does so within the sector
+    // of t.
     if (side_a == Sign::Zero) return is_in_sector(t.plane, v, c, d, a);
     if (side_b == Sign::Zero) return is_in_sector(t.plane, v, c, d, b);
     return signs_.pass(a, b, v, c) * side_a != Sign::Negative &&

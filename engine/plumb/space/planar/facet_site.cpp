@@ -3,8 +3,8 @@
 // Directions in the plane n of a facet are sign (n x m) for another plane m of the line, so the
 // turn from one to another is the sign of a det3. Which way a cycle runs is decided at its
 // lexicographically least vertex: all edges leave it within half a turn, so its corner on the
-// inside is less than half a turn exactly if the cycle is outer. If the cycle passes that vertex
-// several times, all corners there have to be such.
+// inside is less than half a turn if and only if the cycle is outer. If the cycle passes that
+// vertex several times, all corners there have to be such.
 //
 // Nesting: the region of all facets of a plane lies to the left of their edges. Below the least
 // point of a hole is an edge of the outer cycle of its facet, or of another hole of the same facet,

@@ -1,6 +1,6 @@
-// Polygons in a view (FlatView). The first part of this header tests whether polygons are simple,
-// and computes their orientation and the region that they bound. The second part cuts the facets of
-// a complex into triangles.
+// Polygons in a view (FlatView). The first part of this header tests whether a polygon is simple,
+// and computes its orientation and the region that it bounds. The second part cuts the facets of a
+// complex into triangles.
 #pragma once
 
 #include <array>

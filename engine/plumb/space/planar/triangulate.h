@@ -28,7 +28,7 @@ class PlanarPoints {
   virtual std::uint32_t size() const = 0;  ///< Returns the number of points.
   /// Returns the direction of the turn i, j, k: Positive is left.
   virtual Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const = 0;
-  /// Returns the order of the points i and j by x; if their x are equal, by y.
+  /// Compares the points i and j by x. If their x are equal, compares them by y.
   virtual Sign compare(std::uint32_t i, std::uint32_t j) const = 0;
   /// Returns Positive if l lies inside the circle through i, j, k. Requires that i, j, k run
   /// counter-clockwise.
@@ -129,9 +129,9 @@ using IndexTriangle = std::array<std::uint32_t, 3>;  ///< Three points, counter-
 /// Appends triangles that together cover the region to the left of the edges. Corners of triangles
 /// are points of `points`, and each point inside the region is a corner. Requires that all points
 /// are different, that edges meet each other only at common ends, and that no point lies inside an
-/// edge. An edge that occurs in both directions is a slit. Returns false, and appends nothing, if
-/// the edges do not bound a region to their left. This is the case if the edges wind around some
-/// part of the plane more than once or a negative number of times. O(n log n).
+/// edge. An edge that occurs in both directions is a slit. If the edges do not bound a region to
+/// their left, the function appends nothing and returns false. This is the case if the edges wind
+/// around some part of the plane more than once or a negative number of times. O(n log n).
 bool triangulate(const PlanarPoints& points, std::span<const IndexEdge> edges,
                  std::vector<IndexTriangle>& triangles);
 
@@ -160,7 +160,7 @@ class RegionSweep {
   struct Probe {
     std::uint32_t rank;
   };
-  /// The order from bottom to top: of two edges on the sweep line, or of an edge and a point.
+  /// The order from bottom to top of two edges on the sweep line, or of an edge and a point.
   struct Below {
     using is_transparent = void;
     const RegionSweep* sweep;
@@ -195,16 +195,16 @@ class RegionSweep {
     return points_.orient(order_[i], order_[j], order_[k]);
   }
 
-  /// Returns the range of the edges in the status that end in the point of rank v. If no edge ends
-  /// there, the range is empty, and its position is that of the point among the edges.
+  /// Returns the range of those edges of the status whose end is the point of rank v. If no edge
+  /// ends in this point, the range is empty, and lies at the position of the point among the edges.
   std::pair<Place, Place> edges_ending(std::uint32_t v);
   /// Returns the edge just below a position in the status, or kNone.
   std::uint32_t edge_below(Place at) const {
     return at == status_.begin() ? kNone : *std::prev(at);
   }
-  /// Calls visit(edge) for each edge whose left end is the point of rank v, from bottom to top, and
-  /// then inserts the edge into the status. Stops and returns false as soon as visit() returns
-  /// false.
+  /// Goes through the edges whose left end is the point of rank v, from bottom to top. For each of
+  /// these edges, calls visit(edge) and then inserts the edge into the status. Stops and returns
+  /// false as soon as visit() returns false.
   template <class Visit>
   bool insert_leaving(std::uint32_t v, const Visit& visit) {
     for (; next_start_ < starts_.size() && edges_[starts_[next_start_]].left == v; ++next_start_) {
@@ -222,7 +222,7 @@ class RegionSweep {
   }
 
   const PlanarPoints& points_;
-  std::vector<std::uint32_t> order_;  // The index of each rank.
+  std::vector<std::uint32_t> order_;  // The point index of each rank.
   std::vector<SweepEdge> edges_;
   Status status_;
 
@@ -232,7 +232,7 @@ class RegionSweep {
 
   Context* context_;
   std::uint64_t steps_ = 0;
-  std::vector<std::uint32_t> rank_;  // The rank of each index.
+  std::vector<std::uint32_t> rank_;  // The rank of each point index.
   // Edges by left end; at the same left end, from bottom to top.
   std::vector<std::uint32_t> starts_;
   std::uint32_t next_start_ = 0;

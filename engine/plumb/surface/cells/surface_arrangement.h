@@ -10,8 +10,8 @@
 //                face (make_nodes())
 //  2. runs       for each part of a mesh edge between two nodes, adds up the multiplicities of the
 //                segments that run along this part
-//  3. segments   adds up the multiplicities of other segments with the same face and the same ends;
-//                drops sums that are zero
+//  3. segments   groups all other segments by face and ends, and adds up the multiplicities in each
+//                group. Sums that are zero are dropped
 //  4. faces      computes the arrangement of the segments in each touched face (face_arrangement.h)
 //  5. sew        finds the twins of half-edges along mesh edges
 //
@@ -59,10 +59,10 @@ class SurfaceBundles {
   std::vector<SignedEntry> entries_;
 };
 
-/// The subdivision in flat arrays. The half-edges of each touched face have consecutive ids, and so
-/// have its pieces.
+/// The subdivision in flat arrays. The half-edges of each touched face have consecutive ids. The
+/// pieces of each touched face also have consecutive ids.
 struct SurfaceArrangement {
-  std::size_t segments = 0;  ///< Number of segments of the input, without those of length zero.
+  std::size_t segments = 0;  ///< Number of input segments of nonzero length.
 
   // The nodes are, in this order: input points, corners of touched faces that are not input points,
   // crossings.
@@ -77,7 +77,7 @@ struct SurfaceArrangement {
   /// Four entries for each slot: the first half-edges of sides 0, 1 and 2, and the first half-edge
   /// of arcs.
   std::vector<std::uint32_t> side_begin;
-  std::vector<PieceId> piece_begin;  ///< First piece of each slot, and one past the last.
+  std::vector<PieceId> piece_begin;  ///< First piece of each slot, then one past the last piece.
 
   IdVector<HalfedgeId, NodeId> origin;  ///< Origin of each half-edge.
   /// Twin of each half-edge. It is invalid at the mesh border, and where the adjacent face is not
@@ -91,9 +91,9 @@ struct SurfaceArrangement {
   IdVector<PieceId, double>
       piece_share;  ///< The area of each piece divided by the area of its face.
   IdVector<PieceId, std::uint32_t>
-      loop_begin;  ///< First loop of each piece, and one past the last.
+      loop_begin;  ///< First loop of each piece, then one past the last loop.
   std::vector<HalfedgeId>
-      loop;  ///< One half-edge of each boundary cycle of a piece, that of the outer cycle first.
+      loop;  ///< One half-edge of each boundary cycle of a piece, outer cycle first.
 
   IdVector<ArcId, HalfedgeId>
       arc_halfedge;  ///< The half-edge that runs in the direction of each arc.
@@ -127,7 +127,7 @@ struct SurfaceArrangement {
 SurfaceArrangement slice(const SurfacePolygons& polygons, Context& context);
 
 inline constexpr std::uint8_t kCrossingEnds = 3;
-/// Returns the number of ends of arcs at each node. Numbers greater than kCrossingEnds are replaced
+/// Returns how many ends of arcs lie at each node. Numbers greater than kCrossingEnds are replaced
 /// by kCrossingEnds. A closed arc has two ends at its node. If the number is kCrossingEnds, the
 /// node counts as a crossing. Only arcs for which `counts(arc)` returns true are counted.
 template <class Counts>
@@ -161,8 +161,8 @@ SurfacePointId add_node_point(const SurfaceArrangement& arrangement,
 
 // The distinct points of polygons, and their order along edges.
 
-/// Nodes of input points. The nodes on edges come first, sorted by edge and then by t. Then come
-/// the nodes at vertices, then the nodes in faces.
+/// Nodes of input points. First come the nodes on edges, sorted by edge and then by t. They are
+/// followed by the nodes at vertices, and finally by the nodes in faces.
 struct SurfaceNodes {
   IdVector<NodeId, SurfacePointId> point;  ///< Point of each node.
   std::vector<NodeId> of_entry;            ///< Node of each entry of the polygons.

@@ -20,7 +20,7 @@
 namespace plumb {
 
 /// An edge of the graph of cells. The labels in cell `to` minus the labels in cell `from` are
-/// `sign` times the bundle with index `bundle` (SurfaceBundles). Always from <= to.
+/// `sign` times the bundle with index `bundle` (SurfaceBundles). `from` is never greater than `to`.
 struct CellEdge {
   CellId from;
   CellId to;
@@ -57,14 +57,14 @@ CellId cell_at_corner(const SurfaceArrangement& arrangement, const SurfaceCells&
 //  1. start     begins a loop at each half-edge of an arc that has a selected cell to its left and
 //               an unselected cell to its right. Half-edges that an earlier loop contains are
 //               skipped
-//  2. follow    follows the border of the selected cells, which are to the left. Where several
-//               borders meet in a point, the loop continues with the next border around the point
-//               that can be reached through selected cells. The angular order of half-edges around
-//               the point is exact. Where selected cells end at the mesh border, the loop follows
-//               the mesh border
-//  3. name      chooses the corners of the loop. These are control points of generators, and points
-//               where different parts of generators meet. Crossings with other polygons are not
-//               corners, because the border runs straight through them
+//  2. follow    follows the border of the selected cells, which are to the left. Several borders
+//               may meet in a point. Then the loop turns around the point through selected cells,
+//               and continues with the first border that it reaches. The angular order of
+//               half-edges around the point is exact. Where selected cells end at the mesh border,
+//               the loop follows the mesh border
+//  3. name      chooses the corners of the loop. The corners are control points of generators, and
+//               points where different parts of generators meet. Crossings with other polygons are
+//               not corners, because the border runs straight through them
 //
 // Cost: O(half-edges of the arrangement + half-edges of the mesh border that are followed).
 

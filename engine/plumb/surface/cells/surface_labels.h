@@ -4,15 +4,17 @@
 //
 // Main flow of label_cells():
 //  1. tree       grows a tree of cells in each component of the mesh. If the cell where labels must
-//                be zero is known, it is the root. Otherwise the root is the largest cell at the
-//                mesh border. In a component without border, it is the largest cell
+//                be zero is known, this cell is the root. Otherwise the root is the largest cell at
+//                the mesh border. In a component without border, the root is the largest cell
 //  2. potential  computes labels along the tree, starting with zero at the root. Labels are stored
 //                as sparse vectors
-//  3. check      checks, for each edge of the graph that is not in the tree, that the labels at its
-//                ends differ by the jump of the edge. If this does not hold for a shape, the shape
-//                has no label. The edge and the tree then contain a cycle that proves this
-//  4. shift      adds a constant to the labels of each shape in each component, so that the labels
-//                satisfy the rules of SurfaceScene or agree with the given level
+//  3. check      visits each edge of the graph that is not in the tree, and checks that the labels
+//                at its two ends differ by the jump of the edge. If this does not hold for a
+//                shape, the shape has no label. The edge and the tree then contain a cycle that
+//                proves that there is no label
+//  4. shift      adds one constant to all labels of a shape in a component of the mesh. If a level
+//                is given, the labels then agree with it. Otherwise they satisfy the rules of
+//                SurfaceScene
 //
 // Cost: O(E + L) for E edges of the graph, where L is the number of entries of all labels and
 // jumps. Proof: docs/design/surface.md, section Labels.
@@ -70,10 +72,10 @@ struct CellLabels {
   }
 };
 
-/// Returns the labels. For each shape without a label, the result has a cycle that proves this. In
-/// the component of the cell `outside`, labels are zero in this cell; `outside` may be invalid.
-/// `levels` take precedence over `outside`. There is at most one level for each pair of a shape and
-/// a component. Throws what the context throws.
+/// Returns the labels. For each shape without a label, the result has a cycle that proves that
+/// there is no label. In the component of the cell `outside`, labels are zero in this cell;
+/// `outside` may be invalid. `levels` take precedence over `outside`. There is at most one level
+/// for each pair of a shape and a component. Throws what the context throws.
 CellLabels label_cells(const SurfaceCells& cells, const CellJumps& jumps, std::size_t shapes,
                        CellId outside, std::span<const CellLevel> levels, Context& context);
 

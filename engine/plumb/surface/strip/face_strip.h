@@ -1,7 +1,8 @@
-// Strips of triangles of a mesh, for finding paths in doubles (trace.h, exponential_map.h). A strip
-// is a sequence of faces in which each face shares a side with the next face; this side is a door
-// of the strip. The first part of this header lays out the faces of a strip in the plane, each face
-// beside the face before it. The second part finds strips between two points.
+// Strips of triangles of a mesh. They are used for finding paths in doubles (trace.h,
+// exponential_map.h). A strip is a sequence of faces in which each face shares a side with the next
+// face; this side is a door of the strip. The first part of this header lays out the faces of a
+// strip in the plane, each face beside the face before it. The second part finds strips between two
+// points.
 #pragma once
 
 #include <array>
@@ -68,9 +69,10 @@ inline Point2 combined(const FaceCorners& p, const std::array<double, 3>& w) {
 }  // namespace layout
 
 // Strips of faces between two points of a mesh, for tracing (trace.h). A strip is found by a search
-// in the dual graph of the mesh. Where the strip can pass a vertex on the other side and become
-// shorter, it is rerouted. After that, detours are removed. All lengths are computed in doubles. A
-// rounding error can change which strip is chosen, but the result is always a valid strip.
+// in the dual graph of the mesh. If the strip can be made shorter by passing a vertex on its other
+// side, the strip is rerouted. After that, detours are removed. All lengths are computed in
+// doubles. A rounding error can change which strip is chosen, but the result is always a valid
+// strip.
 
 /// A sequence of faces in which each face shares a side with the next one. `doors` lists the shared
 /// sides. Each door is given as the half-edge in the first of the two faces that share the side.
@@ -150,7 +152,7 @@ class StripFinder {
 std::optional<std::vector<HalfedgeId>> doors_around(const SurfaceMesh& mesh, HalfedgeId from,
                                                     FaceId to, bool clockwise);
 
-/// Calls visit(h) for the half-edges that leave v.
+/// Calls visit(h) for each half-edge h that leaves v.
 template <class Visit>
 void for_halfedges_from(const SurfaceMesh& mesh, VertexId v, const Visit& visit) {
   const HalfedgeId first = mesh.halfedge(v);

@@ -1,7 +1,7 @@
 // Functions that split a double into an integer and a power of two, and functions that compare
 // doubles. All functions use integer operations only. Therefore their results are right in every
-// rounding mode, and also under flush-to-zero (FTZ) and denormals-are-zero (DAZ). Under DAZ, even
-// the result of `a < b` for two doubles can be wrong.
+// rounding mode, and also under flush-to-zero (FTZ) and denormals-are-zero (DAZ). In contrast, the
+// expression `a < b` for two doubles can be wrong under DAZ.
 #pragma once
 
 #include <algorithm>
@@ -64,9 +64,9 @@ constexpr Decomposed decompose(double value) {
 }
 
 /// Returns a key by which doubles can be compared. The keys are ordered like the doubles:
-/// ordered_key(a) < ordered_key(b) if and only if a < b, and the keys are equal if and only if a =
-/// b. Both zeros have the same key. Negative infinity has the least key, positive infinity the
-/// greatest. Requires that the value is not a NaN.
+/// ordered_key(a) < ordered_key(b) if and only if a < b. Two keys are equal if and only if the two
+/// doubles are equal. Both zeros have the same key. Negative infinity has the least key, and
+/// positive infinity has the greatest key. Requires that the value is not a NaN.
 constexpr std::uint64_t ordered_key(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   return (bits & detail::kSignBit) != 0 ? detail::kSignBit - (bits & ~detail::kSignBit)
@@ -93,9 +93,9 @@ constexpr bool is_finite(double value) {
   return ((std::bit_cast<std::uint64_t>(value) >> 52) & 0x7ff) != 0x7ff;
 }
 
-/// The common grid of a set of doubles: each double of the set is n * 2^low() for an integer n with
-/// |n| < 2^bits(). The number 0 is on every grid. If the set contains no nonzero doubles, its grid
-/// is empty and has bits() = 0.
+/// The common grid of a set of doubles. Each double of the set is n * 2^low() for an integer n, and
+/// |n| is less than 2^bits(). The number 0 is on every grid. If the set contains no nonzero
+/// doubles, its grid is empty and bits() is 0.
 class Grid {
  public:
   constexpr Grid() = default;
@@ -104,7 +104,7 @@ class Grid {
   }
 
   /// Extends this grid so that it also contains `value`. The code has no branches, because a stage
-  /// of fixed width spends most of its time here.
+  /// of fixed width spends most of its time in this function.
   constexpr void add(double value) {
     const detail::RawDouble r = detail::raw(value);
     const int unit = r.biased + std::countr_zero(r.magnitude);

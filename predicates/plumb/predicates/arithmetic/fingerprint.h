@@ -93,7 +93,7 @@ constexpr Residue Residue::of(double value) {
   const std::uint64_t m = fraction | (static_cast<std::uint64_t>(field != 0) << 52);
   // m 2^(max(field, 1) - 1075), and -1075 = 23 modulo 61.
   const unsigned turn = static_cast<unsigned>(field + static_cast<int>(field == 0) + 23) % kBits;
-  // m < 2^53: never all 61 bits, so the rotated word is reduced.
+  // Since m < 2^53, not all 61 bits are set, and the rotated word is less than q.
   const std::uint64_t r = ((m << turn) & kModulus) | (m >> (kBits - turn));
   return (bits >> 63) != 0 ? -raw(r) : raw(r);
 }

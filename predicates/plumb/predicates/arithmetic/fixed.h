@@ -5,23 +5,23 @@
 // checks for overflow. Every caller has a proof that its results fit (docs/design/numbers.md).
 // There are two implementations of this interface:
 //
-//   fixed_native.h     carry chains and 64x64->128 products; everything inlines and unrolls
-//   fixed_portable.h   Boost.Multiprecision cpp_int of fixed size (PLUMB_PORTABLE)
+//   fixed_native.h     uses carry chains and 64x64->128 products; everything inlines and unrolls
+//   fixed_portable.h   uses Boost.Multiprecision cpp_int of fixed size (PLUMB_PORTABLE)
 //
 // Members (both implementations; L, M, A, B, To are limb counts):
 //
-//   Fixed<L>()                       zero
-//   explicit Fixed<L>(std::int64_t)
-//   Fixed<L>::from_limbs(p)          two's complement, p[0] least significant, L limbs
-//   x.limb(i)                        two's complement limb i
-//   x.sign(), x.is_zero()
-//   x + y, x - y, -x, x += y, x -= y    the result must fit L limbs
-//   x << n                           0 <= n < 64 L, the result must fit
-//   x == y, x <=> y
-//   x.fits<M>()                      whether x lies in the range of Fixed<M>
-//   x.resized<M>()                   the same value in M limbs; requires fits<M>()
-//   multiply(Fixed<A>, Fixed<B>)     -> Fixed<A + B>, never overflows
-//   multiply_to<To>(Fixed<A>, Fixed<B>) -> Fixed<To>; the product must fit To limbs
+//   Fixed<L>()                       makes the number zero
+//   explicit Fixed<L>(std::int64_t)  makes the given number
+//   Fixed<L>::from_limbs(p)          reads L limbs in two's complement, p[0] is least significant
+//   x.limb(i)                        returns limb i in two's complement
+//   x.sign(), x.is_zero()            return the sign, and whether x is zero
+//   x + y, x - y, -x, x += y, x -= y    require that the result fits L limbs
+//   x << n                           requires 0 <= n < 64 L, and that the result fits
+//   x == y, x <=> y                  compare the values of x and y
+//   x.fits<M>()                      tells whether x lies in the range of Fixed<M>
+//   x.resized<M>()                   returns the same value in M limbs; requires fits<M>()
+//   multiply(Fixed<A>, Fixed<B>)     returns a Fixed<A + B>, and never overflows
+//   multiply_to<To>(Fixed<A>, Fixed<B>)    returns a Fixed<To>; the product must fit To limbs
 #pragma once
 
 #ifdef PLUMB_PORTABLE

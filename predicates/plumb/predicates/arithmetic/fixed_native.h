@@ -3,9 +3,9 @@
 // The carry chains use the compiler's built-in functions that implement _addcarry_u64 and
 // _subborrow_u64, because the header that declares these two functions has 45,000 lines.
 //
-// Notes on speed (g++ 12, clang 14): _addcarry_u64 in an unrolled loop becomes a clean add/adc
-// chain; the same chain written with __int128 costs four to five times the instructions under
-// g++ 12.
+// Notes on speed (g++ 12, clang 14): in an unrolled loop, _addcarry_u64 becomes a clean add/adc
+// chain. Under g++ 12, the same chain written with __int128 takes four to five times as many
+// instructions.
 #pragma once
 
 #include <array>
@@ -193,7 +193,7 @@ class Fixed {
 namespace detail {
 
 /// Adds x * y * 2^(64 offset) to r, modulo the size of r. This is one row of the schoolbook
-/// product. Requires that the limbs of r from offset + B on are zero.
+/// product. Requires that limb offset + B of r and all higher limbs of r are zero.
 template <std::size_t To, std::size_t B>
 void add_row(std::array<std::uint64_t, To>& r, std::uint64_t x,
              const std::array<std::uint64_t, B>& y, std::size_t offset) {

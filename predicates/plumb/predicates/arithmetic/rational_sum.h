@@ -1,4 +1,5 @@
-// Sums of many rationals, without the quadratic cost of adding them one by one.
+// Sums of many rationals. Adding the rationals one by one would have a quadratic cost, which the
+// functions of this header avoid.
 #pragma once
 
 #include <cstdint>

@@ -32,7 +32,7 @@ struct SeededHash {
 /// A hash set of ids. A table uses it to give equal objects the same id. The set does not store the
 /// objects themselves.
 ///
-/// The set uses open addressing with 8 bytes per entry, and at most two of three entries are
+/// The set uses open addressing with 8 bytes for each entry. At most two thirds of the entries are
 /// occupied. Unlike a hash set of the standard library, the set finds or adds an id in one search.
 /// It also offers a function that prefetches entries, because searches in large tables are limited
 /// by the latency of memory. Ids are never removed.

@@ -7,10 +7,11 @@
 //           if there is no underflow or overflow. (If only rounding to nearest were allowed, eps
 //           could be 2^-53.)
 //   M       2^m, the gate. All computed differences are <= M in magnitude, so nothing overflows.
-//   flush   2^-1021, a bound of the error of one operation by underflow. A result below 2^-1022 may
-//           become 0 when it is computed (FTZ) or when it is read (DAZ).
-//   Delta   2^-1020, the same bound for a difference of two inputs. Each input may be read as 0
-//           (DAZ), which is a change below 2^-1022, and the difference may be flushed.
+//   flush   2^-1021. This bounds the error that underflow causes in one operation. A result below
+//           2^-1022 may become 0 when it is computed (FTZ) or when it is read (DAZ).
+//   Delta   2^-1020. This bounds the error that underflow causes in a difference of two inputs.
+//           Each input may be read as 0 (DAZ), which is a change below 2^-1022, and the difference
+//           may be flushed.
 //
 // Each filter relies on this statement: the sign of the computed determinant det' is right if
 //
@@ -30,8 +31,8 @@
 // the counted roundings, so contraction does no harm.
 //
 // F. Let the determinant be a sum of T products of n differences. An error of Delta in a difference
-// is multiplied by the other n - 1 differences, which is a factor of at most M^(n-1). Together
-// these errors are at most T n Delta M^(n-1). A flush of an intermediate result of degree j >= 2 is
+// is multiplied by the other n - 1 differences, whose product is at most M^(n-1). Together these
+// errors are at most T n Delta M^(n-1). A flush of an intermediate result of degree j >= 2 is
 // multiplied by at most 3 M^(n-2). The factor 3 comes from the lift of a point, a sum of up to
 // three squares. All these flushes together are smaller than the bound T n Delta M^(n-1) by a
 // factor of 2^100. Twice this bound covers the flushes and the rounding:
@@ -39,8 +40,8 @@
 //     F >= 2 T n 2^-1020 M^(n-1)
 //
 // Flushes in P' are multiplied by C and are negligible compared with F. The exponent m is chosen so
-// that the filter decides for about the same range of exponents below 1 as above 1. For points of
-// size 2^-m, det' is about F.
+// that the range of exponents for which the filter decides is about symmetric around 0. For points
+// of size 2^-m, det' is about F.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// For each predicate, counters of the calls that each stage decided. Each thread has its own
-// counters. The counters exist only if PLUMB_COUNT_RUNGS is defined. Otherwise count_rung() does
-// nothing and the counts stay zero.
+// Counters that tell, for each predicate, how many calls each stage decided. Each thread has its
+// own counters. The counters exist only if PLUMB_COUNT_RUNGS is defined. Otherwise count_rung()
+// does nothing and the counts stay zero.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The predicates that are counted.
+/// The predicates whose calls are counted.
 enum class Predicate : std::uint8_t {
   Orient2d,
   CrossSign,

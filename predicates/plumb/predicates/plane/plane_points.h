@@ -63,8 +63,8 @@ Sign compare_x(const PlanePointsView& points, std::uint32_t i, std::uint32_t j);
 /// Compares a crossing p, which need not be in the table, with point i by x alone.
 Sign compare_x(const PlanePointsView& points, const Crossing2& p, std::uint32_t i);
 
-/// Returns the side of the directed line from input point a to input point b on which point i lies:
-/// Positive if point i lies to the left. Point i may be an input point or a crossing.
+/// Returns the side of a line on which point i lies: Positive if it lies to the left. The line is
+/// directed from input point a to input point b. Point i may be an input point or a crossing.
 inline Sign orient2d(const PlanePointsView& points, std::uint32_t a, std::uint32_t b,
                      std::uint32_t i) {
   return points.is_input(i) ? orient2d(points.inputs(), a, b, i)

@@ -1,4 +1,4 @@
-// Points and rays of queries in the plane, which are not in a table. The predicates compare a query
+// Query points and query rays in the plane. They are not in a table. The predicates compare a query
 // with the points of a table.
 #pragma once
 
@@ -38,9 +38,9 @@ Sign compare_xy(const PlanePointsView& points, std::uint32_t i, const QueryPoint
 /// Compares point i with the query point by x alone.
 Sign compare_x(const PlanePointsView& points, std::uint32_t i, const QueryPoint2& q);
 
-/// Returns the side of the directed line from input point a to input point b on which the query
-/// point lies: Positive if the query point lies to the left. If the coordinates of all three points
-/// are doubles, the function calls orient2d for three points. Otherwise it computes with exact
+/// Returns the side of a line on which the query point lies: Positive if it lies to the left. The
+/// line is directed from input point a to input point b. If the coordinates of all three points are
+/// doubles, the function calls orient2d for three points. Otherwise it computes with exact
 /// rationals.
 Sign orient2d(const PlanePointsView& points, std::uint32_t a, std::uint32_t b,
               const QueryPoint2& q);
@@ -69,9 +69,9 @@ class QueryRay2 {
 /// Returns the side of the ray's line on which point i lies; Positive is above.
 Sign side(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t i);
 
-/// Returns the turn from the line through a and b, directed from a to b, to the ray's line. The
-/// turn is Positive if the ray's line is steeper. Requires that the direction from a to b is to the
-/// right or upward.
+/// Returns the direction of the turn from the line through a and b to the ray's line. The line
+/// through a and b is directed from a to b. The turn is Positive if the ray's line is steeper.
+/// Requires that the direction from a to b is to the right or upward.
 Sign turn(const PlanePointsView& points, std::uint32_t a, std::uint32_t b, const QueryRay2& ray);
 
 /// Compares a crossing with point i lexicographically: Negative if the crossing is less. The
@@ -79,7 +79,7 @@ Sign turn(const PlanePointsView& points, std::uint32_t a, std::uint32_t b, const
 /// two lines are not parallel.
 Sign compare_crossing_xy(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t a,
                          std::uint32_t b, std::uint32_t i);
-/// Compares the crossing with point i by x alone.
+/// Compares the crossing with point i, like compare_crossing_xy(), but by x alone.
 Sign compare_crossing_x(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t a,
                         std::uint32_t b, std::uint32_t i);
 

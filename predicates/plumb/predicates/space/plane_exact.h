@@ -4,8 +4,8 @@
 //
 // Notation: a plane is written as n.x + d 2^scale = 0. Here n is a vector of three integers, and d
 // is an integer. A common positive factor of n and d does not matter. Let p, q, r be input points
-// on the grid of unit 2^g: p = P 2^g with an integer vector P, and in the same way Q and R for q
-// and r. The plane through p, q, r has n = (Q - P) x (R - P), d = -n.P and scale = g.
+// on the grid of unit 2^g. Then p = P 2^g, q = Q 2^g and r = R 2^g with integer vectors P, Q and R.
+// The plane through p, q, r has n = (Q - P) x (R - P), d = -n.P and scale = g.
 //
 // Bits (docs/design/numbers.md, Planes). If |P| < 2^b for all three points, then |Q - P| < 2^(b+1),
 // |n| < 2^(2b+3), |d| <= 3 |n| |P| < 2^(3b+5). A width W has C limbs for each coordinate, N limbs
@@ -19,13 +19,15 @@
 //   x      sum of 3 d (n x m)          3 2^(O-2) 2^(2M-5)            < 2^(O+2M-5) < 2^(O+2M-1)
 //   det4   sum of 4 d det3             4 2^(O-2) 2^(3M-6)            = 2^(O+3M-6) < 2^(O+3M-1)
 //          x.n + d det3                3 2^(O+3M-8) + 2^(O+3M-8)     = 2^(O+3M-6)
-// Limits on b from 2b+3 <= 64N-3 and 3b+5 <= 64D-2:  N,D = 1,2: 29;  2,3: 61;  4,6: 125.
+// From 2b+3 <= 64N-3 and 3b+5 <= 64D-2 follow these limits on b. The limit is 29 for N,D = 1,2. It
+// is 61 for N,D = 2,3, and 125 for N,D = 4,6.
 //
 // Parts (docs/design/frame.md, Lemma 2). The offset of a plane of the frame (plane_table.h) is d R,
 // and the stored offset is d. Each of the following forms is linear in the column of offsets, or
-// does not read that column:
-//   det4                  one offset in each of its terms
-//   common point          x = P0 + P1 R, as each component is a sum of d (n x m); w has no offset
+// does not read this column:
+//   det4                  has one offset in each of its terms
+//   common point          x = P0 + P1 R, because each component is a sum of d (n x m); w contains
+//                         no offset
 //   side of x on s        n.(P0 + P1 R) + (d0 + d1 R) w
 //   x / w against y / v   (P0 + P1 R) v - (Q0 + Q1 R) w, times the signs of w and v
 // So every form has a value c0 + c1 R. The Infinite part c1 is the form of the stored coefficients
@@ -280,10 +282,10 @@ struct Determinants {
   typename Types<Plane>::Det3 det3;
 };
 
-/// Returns both determinants. det4 is expanded along the column of offsets into four determinants
-/// of three normals each, which share two cross products. This takes a sixth fewer products of
-/// words than the other method, which computes the common point of p, q, r and its value in the
-/// equation of s. Requires aligned planes.
+/// Returns both determinants. det4 is expanded along the column of offsets. The expansion has four
+/// determinants of three normals each, and these determinants share two cross products. This takes
+/// a sixth fewer products of words than the method that computes the common point of p, q, r and
+/// its value in the equation of s. Requires aligned planes.
 template <class Plane>
 Determinants<Plane> expand(const Plane& p, const Plane& q, const Plane& r, const Plane& s) {
   using T = Types<Plane>;

@@ -1,10 +1,10 @@
-// The planes of space, each stored once: equal planes have equal ids.
+// The planes of space. Each plane is stored only once, so equal planes have equal ids.
 //
 // A plane is the set of all points x with n.x + d = 0. It has a positive and a negative side. The
 // table stores for every plane:
 //
 //   row          the normal and the offset in doubles, with error bounds; filters read the row
-//   fingerprint  a hash of the exact homogeneous row (n, d), by which interning finds equal planes
+//   fingerprint  a hash of the exact homogeneous row (n, d); interning uses it to find equal planes
 //   source       three input points, or a slot of exact limbs; the exact stages read the source
 //
 // A plane takes 60 bytes, and 12 to 24 more bytes in the index. A plane through three input points
@@ -133,9 +133,9 @@ struct PlaneSlot {
 };
 
 /// A wall of two planes, that is, a plane through their common line. The pencil of two planes
-/// consists of all such planes. Its row is c_second * first - c_first * second, where `first` and
-/// `second` stand for the rows PlaneTable::coefficients of the two planes. The multipliers are
-/// exact.
+/// consists of all such planes. The row of the wall is c_second * first - c_first * second. Here
+/// `first` and `second` stand for the rows that PlaneTable::coefficients() returns for the two
+/// planes. The multipliers c_second and c_first are exact.
 struct Pencil {
   PlaneId first;     ///< One plane of the pencil.
   PlaneId second;    ///< The other plane of the pencil.
@@ -183,9 +183,9 @@ class PlaneTable {
   // if and only if the arguments define a plane, that is, the normal is not zero. Requires at most
   // 2^31 - 2 planes.
 
-  /// Returns the plane through three input points. Its positive side is the one from which p, q, r
-  /// appear counter-clockwise. Cost: about 250 ns, mostly one modular inversion. For many planes,
-  /// intern_triangles() is faster.
+  /// Returns the plane through three input points. Seen from the positive side of this plane, p, q,
+  /// r appear counter-clockwise. Cost: about 250 ns, most of it for one modular inversion. For many
+  /// planes, intern_triangles() is faster.
   OrientedPlane intern(InputPointId p, InputPointId q, InputPointId r);
   /// Returns the plane a x + b y + c z + d = 0. Its positive side consists of the points at which
   /// the left side of this equation is positive. The exact values of the doubles are used. Requires
@@ -203,12 +203,12 @@ class PlaneTable {
   /// side of the planes at -R and on the negative side of the planes at R.
   std::array<PlaneId, 6> intern_frame();
   /// Sets result[i] to intern() of the corners of triangle i. Many triangles share one modular
-  /// inversion. Cost: about 90 ns per triangle if the data are in the cache, and about 200 ns per
-  /// triangle in a mesh of 2*10^5 triangles. Requires result.size() == triangles.size().
+  /// inversion. Each triangle takes about 90 ns if the data are in the cache, and about 200 ns in a
+  /// mesh of 2*10^5 triangles. Requires result.size() == triangles.size().
   void intern_triangles(std::span<const std::array<InputPointId, 3>> triangles,
                         std::span<OrientedPlane> result);
-  /// Adds the points and planes of another table. result[i] is the id in this table of plane i of
-  /// `other`. The points of `other` are appended to the points of this table in the same order.
+  /// Adds the points and planes of another table. Plane i of `other` has the id result[i] in this
+  /// table. The points of `other` are appended to the points of this table in the same order.
   /// Planes are found by their fingerprints, as in a hash join. The only exact computation confirms
   /// that two planes with the same fingerprint are equal. A plane has the same canonical
   /// orientation in both tables, so signs stay valid. Requires a table other than this one.

@@ -170,8 +170,8 @@ PointBox box_of(const exact3::Homogeneous<X, W>& p) {
   return box;
 }
 
-/// Whether each coordinate of the box is zero exactly if that of the point is. Coordinates below
-/// 2^-900 became 0 in box_of().
+/// Whether each coordinate of the box is zero if and only if that of the point is. Coordinates
+/// below 2^-900 became 0 in box_of().
 template <class X, class W>
 bool has_exact_signs(const exact3::Homogeneous<X, W>& p, const PointBox& box) {
   for (std::size_t i = 0; i < 3; ++i) {

@@ -45,18 +45,18 @@ class SpacePoint {
   std::uint32_t code_ = ~std::uint32_t{0};
 };
 
-/// A cube around a point: |coordinate - mid| <= radius for each of the three coordinates. The
-/// radius may be infinite. The radius is infinite for every point P0 + u R that depends on the
-/// frame. For such a point, mid approximates the direction u if u is known, and otherwise mid is 0.
-/// The error of each coordinate of mid is at most kDirectionError times the largest magnitude of
-/// the coordinates of u. Each coordinate of mid has the same sign as the corresponding coordinate
-/// of u.
+/// A cube around a point: each coordinate of the point differs from the same coordinate of mid by
+/// at most the radius. The radius may be infinite. It is infinite for every point P0 + u R that
+/// depends on the frame. For such a point, mid approximates the direction u if u is known, and
+/// otherwise mid is 0. The error of each coordinate of mid is at most kDirectionError times the
+/// largest magnitude of the coordinates of u. Each coordinate of mid has the same sign as the
+/// corresponding coordinate of u.
 struct PointBox {
   std::array<double, 3> mid;  ///< The centre of the cube, or the direction u.
   double radius;              ///< Half of the side length.
 };
-/// Bound of the error of a direction u in a PointBox, relative to the largest magnitude of the
-/// coordinates of u.
+/// A bound on the error of a direction u in a PointBox. The bound is relative to the largest
+/// magnitude of the coordinates of u.
 inline constexpr double kDirectionError = 0x1p-30;
 
 /// Whether `box` belongs to a point that depends on the frame and has a known direction u.
@@ -117,8 +117,8 @@ class Point3Table {
   /// table.
   void reserve(std::size_t points);
 
-  /// Adds the common point of three planes and returns it. Returns a point that is not valid, and
-  /// adds nothing, if the planes have no common point or more than one. Equal points are not
+  /// Adds the common point of three planes and returns it. If the planes have no common point or
+  /// more than one, adds nothing and returns a point that is not valid. Equal points are not
   /// merged; equal() recognizes them. Cost: about 25 ns if doubles give the box to 2^-34 of its
   /// coordinates. Otherwise the cost is 150 ns for a point on the line of an edge, and 500 ns for
   /// any other point.

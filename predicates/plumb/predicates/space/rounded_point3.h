@@ -1,5 +1,5 @@
-// The nearest doubles to points of space, computed without exact coordinates in lowest terms.
-// docs/design/numbers.md (Rounding to nearest) proves the bounds.
+// Computes the nearest doubles to points of space. The exact coordinates in lowest terms are not
+// needed for this. docs/design/numbers.md (Rounding to nearest) proves the bounds.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,11 @@ namespace plumb {
 
 /// A point rounded to the nearest doubles.
 struct RoundedPoint3 {
-  Point3 at;      ///< Each coordinate correctly rounded; infinite beyond all doubles.
+  Point3 at;      ///< The correctly rounded coordinates; infinite if beyond all doubles.
   bool is_exact;  ///< Whether the rounded coordinates equal the exact coordinates.
 };
 
-/// The stages of rounded(), which tests and benchmarks can call on their own.
+/// The stages of rounded(). Tests and benchmarks can call each stage on its own.
 namespace rung {
 
 /// Rounds the common point of three planes, or of a line and a plane, if the planes and the line
@@ -28,9 +28,8 @@ namespace rung {
 std::optional<RoundedPoint3> rounded_filter(const Point3Table& points, SpacePoint x);
 /// Computes exact coordinates in integers of fixed width and rounds by their leading bits. Unlike
 /// rounded_filter(), this function also rounds points whose planes are nearly parallel. Returns no
-/// value in the last two cases of rounded_filter(). Returns no value either if the point has too
-/// many bits for fixed widths. Requires a constructed point that does not depend on the frame.
-/// Cost: about 0.5 us.
+/// value in the last two cases of rounded_filter(), and if the point has too many bits for fixed
+/// widths. Requires a constructed point that does not depend on the frame. Cost: about 0.5 us.
 std::optional<RoundedPoint3> rounded_fixed(const Point3Table& points, SpacePoint x);
 /// Rounds by three divisions of exact integers. Requires a constructed point that does not depend
 /// on the frame. Cost: about 1.5 us, a third of exact(), as no gcd is computed.
