@@ -154,6 +154,8 @@ endfunction()
 # public-headers.txt declares. BRIEF: the check under sanitizers does not optimise it.
 function(plumb_library target name)
   plumb_compile_options(${target})
+  # Where the files of a folder are one unit, g++ is to inline as much as in each of them.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=large-unit-insns=1000000>)
   if(ARGN AND PLUMB_SANITIZE AND NOT PLUMB_LIBFUZZER)
     plumb_compile_briefly(${target} -O0)
     plumb_precompile(${target} brief_library)
