@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <numeric>
 
 #include "plumb/space/query/volumes.h"
 
@@ -37,7 +36,7 @@ class SceneBuilder {
       choose_planes(e);
       link_radial(e);
     }
-    make_stars();
+    out_.list_stars(out_.vertex_count());
     return std::move(out_);
   }
 
@@ -178,17 +177,6 @@ class SceneBuilder {
       out_.use_radial[spokes[i].use.value()] = spokes[(i + 1) % spokes.size()].use;
     }
     out_.edge_use[e] = spokes[0].use;
-  }
-
-  void make_stars() {
-    out_.star_begin.assign(out_.vertex_count() + 1, 0);
-    for (const VertexId v : out_.origin) ++out_.star_begin[v.value() + 1];
-    std::partial_sum(out_.star_begin.begin(), out_.star_begin.end(), out_.star_begin.begin());
-    std::vector<std::uint32_t> at(out_.star_begin.begin(), out_.star_begin.end() - 1);
-    out_.star.resize(out_.origin.size());
-    for (std::size_t h = 0; h < out_.origin.size(); ++h) {
-      out_.star[at[out_.origin[h].value()]++] = HalfedgeId(h);
-    }
   }
 
   const SpaceScene& scene_;

@@ -52,11 +52,11 @@ namespace plumb {
 
 /// The method that makes the pieces.
 enum class DecomposeMethod : std::uint8_t {
-  /// Cuts by planes through reflex edges. Each cut follows one connected component of the
-  /// intersection of the plane with the set.
+  /// Makes cuts along planes that contain reflex edges. Each cut follows one connected component of
+  /// the intersection of the plane with the set.
   Cuts,
-  /// Cuts by vertical walls through reflex edges (walls.h). A set with r reflex edges is cut into
-  /// O(r^2) pieces.
+  /// Makes cuts along vertical walls that contain reflex edges (walls.h). A set with r reflex edges
+  /// is cut into O(r^2) pieces.
   Walls,
   Best,  ///< Tries Cuts and Walls, merges neighbours, and takes the result with fewer pieces.
 };

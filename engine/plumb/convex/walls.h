@@ -21,8 +21,8 @@
 // Numbers. In the first round, the plane of each wall is the plane of a facet, or passes through
 // the common line of the planes of two facets. A test unites tetrahedra with 53-bit coordinates, or
 // subtracts them from a block (walls_test.cpp). With a vertical direction along an axis, the
-// longest number of a wall had 262 bits; the aim is at most 800 bits. The coordinates of a chosen
-// vertical direction have at most 64 bits, and make the numbers longer by the same number of bits.
+// longest number of a wall had 262 bits; the aim is at most 800 bits. Each coordinate of a chosen
+// vertical direction has at most 64 bits. A coordinate of k bits makes the numbers k bits longer.
 // Later rounds are needed only if some vertical line meets one cell in several segments. The plane
 // of each wall of a later round passes through the common line of the planes of two walls. So the
 // lengths of numbers grow with the number of rounds, but not with the number of walls. If a point

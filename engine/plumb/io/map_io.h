@@ -42,7 +42,7 @@ Map read_map_file(const std::string& path, ReadOptions options = {},
 
 /// Writes a map without loss. If ReadOptions::exact_decimals is false, read_map() returns the same
 /// points and cycles from the written text. When the function returns, all bytes have been passed
-/// to `out`, but `out` has not been flushed. Passes on exceptions of `out`.
+/// to `out`, but `out` has not been flushed. Exceptions of `out` reach the caller.
 void write_map(std::ostream& out, const Map& map);
 
 }  // namespace plumb

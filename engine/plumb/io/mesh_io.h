@@ -87,7 +87,7 @@ MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> forma
 /// Writes a mesh to a stream. Requires that `format` is not Gltf. Throws Error{NumberOutOfRange} if
 /// a coordinate is too large for the doubles or floats of the format. Throws Error{BadArgument} if
 /// the format is Stl or StlBinary and a face is not a triangle. Both errors are thrown before the
-/// first byte is written. Passes on exceptions of `out`.
+/// first byte is written. Exceptions of `out` reach the caller.
 void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format);
 
 /// Writes a mesh to the file `path`. If `format` is not given, the extension of `path` determines

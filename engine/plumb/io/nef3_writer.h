@@ -19,8 +19,8 @@ namespace plumb {
 ///   5. the constructed points
 /// Within each of these groups, planes or points keep the order of their ids. The output is
 /// deterministic: equal complexes whose tables of planes and points are equal give equal bytes. The
-/// writer calls Context::checkpoint() after each 64 kB. Passes on exceptions of `out`. Cost: O(n),
-/// plus the computation of one greatest common divisor for each plane.
+/// writer calls Context::checkpoint() after each 64 kB. Exceptions of `out` reach the caller. Cost:
+/// O(n), plus the computation of one greatest common divisor for each plane.
 void write_nef3(std::ostream& out, const SpaceComplex& complex,
                 Context& context = unlimited_context());
 

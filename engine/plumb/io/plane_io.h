@@ -149,7 +149,8 @@ class PlaneText {
 
   /// Returns the properties of the set that the file will not represent.
   const PlaneLosses& losses() const { return losses_; }
-  /// Writes the file. Calls Context::checkpoint() after each 64 kB. Passes on exceptions of `out`.
+  /// Writes the file. Calls Context::checkpoint() after each 64 kB. Exceptions of `out` reach the
+  /// caller.
   void write(std::ostream& out, Context& context = unlimited_context()) const;
 
  private:

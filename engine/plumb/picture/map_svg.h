@@ -23,7 +23,7 @@ struct MapSvgOptions {
 /// coordinates and any number of faces. The file is always smaller than 20 MB. To stay below this
 /// size even for 10^6 faces, the picture shows small faces only as a grey tint. For a thousand
 /// faces of 10 corners, the file takes about 0.2 MB. The output is deterministic. Cost: O(n log n)
-/// for n corners, plus O(n) for each close-up. Passes on exceptions of `out`.
+/// for n corners, plus O(n) for each close-up. Exceptions of `out` reach the caller.
 void write_map_svg(std::ostream& out, const MapReport& report, const MapSvgOptions& options = {});
 
 }  // namespace plumb

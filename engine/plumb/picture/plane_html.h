@@ -10,7 +10,7 @@
 namespace plumb {
 
 /// Writes the page. `svg` is a complete SVG file made by write_map_svg(), write_nef2_svg() or
-/// write_overlay_svg(). `title` may contain any bytes. Passes on exceptions of `out`.
+/// write_overlay_svg(). `title` may contain any bytes. Exceptions of `out` reach the caller.
 void write_plane_html(std::ostream& out, std::string_view svg, const std::string& title);
 
 }  // namespace plumb

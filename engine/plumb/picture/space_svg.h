@@ -34,7 +34,7 @@ std::string kind_of(const Nef3& set);
 
 /// Writes the page of a set. `scene` is the scene of the set. `png` contains the bytes of a PNG
 /// file with the image of this scene. Cost: O(size of the image), plus the cost of facts_of().
-/// Passes on exceptions of `out`.
+/// Exceptions of `out` reach the caller.
 void write_space_svg(std::ostream& out, const Nef3& set, const Scene& scene, std::string_view png,
                      const std::string& title, Context& context = unlimited_context());
 
@@ -47,7 +47,7 @@ struct ScenePage {
   std::string middle;             ///< The text that replaces the image if nothing is visible.
 };
 
-/// Writes the page of any scene. Passes on exceptions of `out`.
+/// Writes the page of any scene. Exceptions of `out` reach the caller.
 void write_scene_svg(std::ostream& out, const Scene& scene, const ScenePage& page);
 
 }  // namespace plumb

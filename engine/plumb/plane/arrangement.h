@@ -14,7 +14,8 @@
 //
 // Cost: O((n + k) log n) for n curves and k crossings. This bound also holds if curves overlap. For
 // example, suppose that n nested segments lie on one line. Then the sets of curves of all edges
-// together have n^2 members. The bound holds because these sets share memory (SegmentSets).
+// together have n^2 members. The bound holds because the class SegmentSets stores common members of
+// these sets once.
 #pragma once
 
 #include <cstddef>

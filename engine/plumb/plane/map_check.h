@@ -182,8 +182,8 @@ MapReport check_map(Map map, const MapCheckOptions& options = {},
 /// Returns the half-edge structure of a valid map. The structure has one loop for each cycle of
 /// report.map, and one face for each region, in the order of report.regions. Vertices that no cycle
 /// uses are left out. Throws Error{BadArgument} if the verdict is not Valid. Also throws
-/// Error{BadArgument} if a cycle uses a directed edge whose twin no cycle uses. A map that is valid
-/// under OuterRule::Ignore may have such edges.
+/// Error{BadArgument} if a cycle uses a directed edge, but no cycle uses the twin of this edge. A
+/// map that is valid under OuterRule::Ignore may have such edges.
 DcelFromCycles to_dcel(const MapReport& report);
 
 }  // namespace plumb

@@ -34,8 +34,9 @@ struct MapOverlay {
 };
 
 /// Returns the overlay of two subdivisions. Throws Error{BadArgument} if the verdict of a report is
-/// not Valid, or if a cycle uses a directed edge whose twin no cycle uses. Throws ResourceLimit if
-/// a limit of the Context is exceeded, and Cancelled if a stop is requested.
+/// not Valid. Also throws Error{BadArgument} if a cycle uses a directed edge, but no cycle uses the
+/// twin of this edge. Throws ResourceLimit if a limit of the Context is exceeded, and Cancelled if
+/// a stop is requested.
 MapOverlay overlay_maps(const MapReport& first, const MapReport& second,
                         Context& context = unlimited_context());
 

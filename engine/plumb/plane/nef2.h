@@ -19,8 +19,8 @@
 //                       vertex is dropped in two cases: if it lies inside a straight edge with the
 //                       same mark, or inside a face with the same mark.
 //  4. PlaneAssembler    joins the ends at infinity by the edges of the frame, and traces the
-//                       boundaries of faces. Then it finds the face that contains each connected
-//                       component, and removes points that are not used.
+//                       boundaries of faces. Then, for each connected component, it finds the face
+//                       that contains the component. Finally, it removes points that are not used.
 // Unary topological operators set new marks and remove redundant cells. These operators take O(n)
 // and need no sweep.
 //

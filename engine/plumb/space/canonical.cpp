@@ -291,7 +291,7 @@ class Writing {
   void run(SpaceComplex& out) const {
     write_vertices(out);
     write_edges(out);
-    write_stars(out);
+    out.list_stars(out.vertex_mark.size());
     write_uses(out);
     write_rings(out);
     write_facets(out);
@@ -311,20 +311,6 @@ class Writing {
     out.origin.resize(c_.origin.size());
     for (std::size_t h = 0; h < c_.origin.size(); ++h) {
       out.origin[o_.halfedge(c_, HalfedgeId(h)).value()] = o_.vertices(c_.origin[h]);
-    }
-  }
-
-  /// Lists half-edges at their origins, ascending.
-  static void write_stars(SpaceComplex& out) {
-    out.star_begin.assign(out.vertex_mark.size() + 1, 0);
-    for (const VertexId v : out.origin) ++out.star_begin[v.value() + 1];
-    for (std::size_t v = 1; v < out.star_begin.size(); ++v) {
-      out.star_begin[v] += out.star_begin[v - 1];
-    }
-    std::vector<std::uint32_t> next(out.star_begin.begin(), out.star_begin.end() - 1);
-    out.star.resize(out.origin.size());
-    for (std::size_t h = 0; h < out.origin.size(); ++h) {
-      out.star[next[out.origin[h].value()]++] = HalfedgeId(h);
     }
   }
 

@@ -47,6 +47,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -142,6 +143,16 @@ struct SpaceComplex {
   /// Returns the volume between the use and the next use in radial order.
   VolumeId volume_after(UseId u) const {
     return facet_volume[use_facet[u]][is_reverse(use_halfedge[u]) ? 1 : 0];
+  }
+  /// Fills star_begin and star from `origin`: lists the half-edges of each of `vertices` vertices
+  /// in ascending order. Takes linear time.
+  void list_stars(std::size_t vertices) {
+    star_begin.assign(vertices + 1, 0);
+    for (const VertexId v : origin) ++star_begin[v.value() + 1];
+    std::partial_sum(star_begin.begin(), star_begin.end(), star_begin.begin());
+    star.resize(origin.size());
+    IdVector<VertexId, std::uint32_t> next(star_begin.begin(), star_begin.end() - 1);
+    for (std::uint32_t h = 0; h < origin.size(); ++h) star[next[origin[h]]++] = HalfedgeId(h);
   }
   const PlaneTable& planes() const { return tables->planes; }   ///< Returns the planes.
   const Point3Table& points() const { return tables->points; }  ///< Returns the points.

@@ -133,7 +133,7 @@ enum class PyramidKind : std::uint8_t {
   /// The map has exactly two points. The two points are opposite directions, and both have the mark
   /// of the centre. Either both points are isolated, or each arc is a half-circle that joins them.
   Edge,
-  Vertex,  ///< The map has any other shape.
+  Vertex,  ///< The map has none of the shapes above.
 };
 
 }  // namespace plumb

@@ -221,7 +221,7 @@ class PieceWriter {
     write_edges();
     write_uses();
     write_facets();
-    write_stars();
+    c_.list_stars(vertices_.size());
     return std::move(c_);
   }
 
@@ -324,19 +324,6 @@ class PieceWriter {
       s_.for_each_half(f, [&](HalfedgeId h) { c_.use_facet[use_of(h)] = id; });
     }
     c_.inner_begin.assign(faces_.size() + 1, 0);
-  }
-
-  void write_stars() {
-    c_.star_begin.assign(vertices_.size() + 1, 0);
-    for (const VertexId v : c_.origin) ++c_.star_begin[v.value() + 1];
-    for (std::size_t v = 0; v < vertices_.size(); ++v) {
-      c_.star_begin[v + 1] += c_.star_begin[v];
-    }
-    c_.star.resize(c_.origin.size());
-    IdVector<VertexId, std::uint32_t> at(c_.star_begin.begin(), c_.star_begin.end() - 1);
-    for (std::size_t h = 0; h < c_.origin.size(); ++h) {
-      c_.star[at[c_.origin[h]]++] = HalfedgeId(h);
-    }
   }
 
   CutSurface& s_;

@@ -149,7 +149,7 @@ class ThinParts {
     if (owner.kind() == SpaceItem::Kind::Edge) add_edge(owner.edge());
     if (owner.kind() == SpaceItem::Kind::Vertex) add_vertex(owner.vertex());
     link_uses();
-    write_stars();
+    out_.list_stars(vertices_.size());
     for (const VertexId v : out_.inner) out_.vertex_facet[v] = FacetId(0);
     for (std::size_t v = 0; v < vertices_.size() && uses_.empty() && edges_.empty(); ++v) {
       out_.vertex_volume[v] = VolumeId(0);
@@ -227,19 +227,6 @@ class ThinParts {
       out_.use_radial.push_back(known.is_valid() ? known : UseId(i));
       if (known.is_valid()) out_.use_radial[known] = UseId(i);
       known = UseId(i);
-    }
-  }
-
-  void write_stars() {
-    out_.star_begin.assign(vertices_.size() + 1, 0);
-    for (const VertexId v : out_.origin) ++out_.star_begin[v.value() + 1];
-    for (std::size_t v = 0; v < vertices_.size(); ++v) {
-      out_.star_begin[v + 1] += out_.star_begin[v];
-    }
-    IdVector<VertexId, std::uint32_t> at(out_.star_begin.begin(), out_.star_begin.end() - 1);
-    out_.star.resize(out_.origin.size());
-    for (std::size_t h = 0; h < out_.origin.size(); ++h) {
-      out_.star[at[out_.origin[h]]++] = HalfedgeId(h);
     }
   }
 

@@ -273,18 +273,6 @@ IdVector<VertexId, std::uint8_t> find_connected(const SpaceDraft& draft, std::si
   return connected;
 }
 
-/// Sorts the half-edges by their origins.
-void make_stars(SpaceComplex& out) {
-  out.star_begin.assign(out.vertex_count() + 1, 0);
-  for (const VertexId v : out.origin) ++out.star_begin[v.value() + 1];
-  std::partial_sum(out.star_begin.begin(), out.star_begin.end(), out.star_begin.begin());
-  out.star.resize(out.origin.size());
-  IdVector<VertexId, std::uint32_t> at(out.star_begin.begin(), out.star_begin.end() - 1);
-  for (std::uint32_t h = 0; h < out.origin.size(); ++h) {
-    out.star[at[out.origin[h]]++] = HalfedgeId(h);
-  }
-}
-
 // ---- edge uses: one for each arc of a vertex that stays
 
 /// Links the corners of facets at both ends of an edge, one edge after the other. This is a class
@@ -649,7 +637,7 @@ SpaceComplex assemble(SpaceDraft draft, Context& context) {
   IdVector<UseId, std::uint32_t> arc_of_use;
   run_jobs(context, 2, [&](std::size_t i, Context&) {
     if (i == 0) {
-      make_stars(out);
+      out.list_stars(out.vertex_count());
     } else {
       arc_of_use = link_uses(draft, passed, halfedge_of_point, out);
     }

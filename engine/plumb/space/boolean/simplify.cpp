@@ -79,7 +79,7 @@ SpaceComplex CoplanarMerge::run(Context& context) {
   checkpoint(2);
   make_facets();
   checkpoint(3);
-  make_stars();
+  out_.list_stars(out_.vertex_count());
   gather_inner();
   out_.volume_mark = in_.volume_mark;
   return std::move(out_);
@@ -339,17 +339,6 @@ void CoplanarMerge::name_facets() {
     const FacetId piece = in_.use_facet[u];
     std::uint32_t& name = out_.facet_origin[facet_number_[piece]];
     name = std::min(name, in_.facet_origin[piece]);
-  }
-}
-
-void CoplanarMerge::make_stars() {
-  out_.star_begin.assign(out_.vertex_count() + 1, 0);
-  for (const VertexId v : out_.origin) ++out_.star_begin[v.value() + 1];
-  std::partial_sum(out_.star_begin.begin(), out_.star_begin.end(), out_.star_begin.begin());
-  out_.star.resize(out_.origin.size());
-  IdVector<VertexId, std::uint32_t> at(out_.star_begin.begin(), out_.star_begin.end() - 1);
-  for (std::uint32_t h = 0; h < out_.origin.size(); ++h) {
-    out_.star[at[out_.origin[h]]++] = HalfedgeId(h);
   }
 }
 

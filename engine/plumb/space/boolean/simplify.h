@@ -78,7 +78,6 @@ class CoplanarMerge {
   void make_uses();
   void make_facets();
   void name_facets();
-  void make_stars();
   void gather_inner();
 
   bool is_flat(EdgeId e) const { return !is_flat_.empty() && is_flat_[e] != 0; }

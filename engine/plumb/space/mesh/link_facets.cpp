@@ -293,7 +293,7 @@ class Linker {
     fill_edges();
     fill_uses();
     fill_facets();
-    fill_stars();
+    out_.list_stars(points_.size());
     return std::move(out_);
   }
 
@@ -438,18 +438,6 @@ class Linker {
       out_.cycle.emplace_back(facets_.begin[f]);
     }
     out_.cycle_begin.push_back(static_cast<std::uint32_t>(n));
-  }
-
-  void fill_stars() {
-    const std::size_t n = points_.size();
-    std::vector<std::uint32_t> next(n + 1, 0);
-    for (const VertexId v : out_.origin) ++next[v.value() + 1];
-    for (std::size_t v = 0; v < n; ++v) next[v + 1] += next[v];
-    out_.star_begin = next;
-    out_.star.resize(out_.origin.size());
-    for (std::uint32_t h = 0; h < out_.origin.size(); ++h) {
-      out_.star[next[out_.origin[h].value()]++] = HalfedgeId(h);
-    }
   }
 
   const MeshFacets& facets_;
