@@ -48,6 +48,44 @@ bool has_note(const SolidRead& read, const std::string& part) {
 const PolygonMesh kCube = box_mesh({0, 0, 0}, {2, 2, 2});
 const PolygonMesh kOther = box_mesh({1, 1, 1}, {3, 3, 3});
 
+/// A tetrahedron with a face of one corner, of two corners, with a repeated corner and with none,
+/// as real files have them. `first` is the number of the first vertex, `face` begins a face.
+std::string faces_without_area(int first, const std::string& face, bool has_counts) {
+  std::string text;
+  for (const std::vector<int>& corners : std::vector<std::vector<int>>{
+           {0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 3, 2}, {1}, {1, 2}, {3, 2, 2}, {}}) {
+    text += face;
+    if (has_counts) text += std::to_string(corners.size());
+    for (const int v : corners) text += ' ' + std::to_string(v + first);
+    text += '\n';
+  }
+  return text;
+}
+
+TEST(SolidSets, FacesWithoutAreaAreLeftOutAndNamed) {
+  const std::string points[] = {"0 0 0\n", "1 0 0\n", "0 1 0\n", "0 0 1\n"};
+  std::string plain, lettered;
+  for (const std::string& p : points) {
+    plain += p;
+    lettered += "v " + p;
+  }
+  const std::string counted = plain + faces_without_area(0, "", true);
+  const std::pair<std::string, std::string> files[] = {
+      {"a.off", "OFF\n4 8 0\n" + counted},
+      {"a.obj", lettered + faces_without_area(1, "f", false)},
+      {"a.ply",
+       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+       "property float z\nelement face 8\nproperty list uchar int vertex_indices\nend_header\n" +
+           counted}};
+  for (const auto& [name, text] : files) {
+    Context context;
+    const SolidRead read = read_solid(name, text, {}, context);
+    EXPECT_TRUE(read.set == solid(tetrahedron_mesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1})))
+        << name;
+    EXPECT_TRUE(has_note(read, "faces without area, left out: 4, 5, 6, 7")) << name;
+  }
+}
+
 TEST(SolidSets, TwoOverlappingSolidsInOneFileAreTheirUnion) {
   Context context;
   const SolidRead read = read_solid_file("corpus/solids/two-tetrahedra.off", {}, context);

@@ -192,7 +192,7 @@ void GltfTriangles::add(const GltfPrimitive& p, const GltfTransform& placed,
 
 void GltfTriangles::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool turns) {
   for (const std::uint32_t v : {a, turns ? c : b, turns ? b : c}) mesh_.add_corner(v);
-  if (!mesh_.end_face().empty()) ++dropped_;
+  mesh_.end_face();
 }
 
 /// Adds points and returns the number of the first.
@@ -219,9 +219,9 @@ std::uint64_t GltfTriangles::add_points(const GltfElements& positions, const Glt
 
 MeshFile GltfTriangles::take() {
   MeshFile file = mesh_.take();
-  dropped_ += weld_vertices(file.mesh, context_);
-  if (dropped_ > 0) {
-    file.notes.push_back(std::to_string(dropped_) + (dropped_ == 1 ? " triangle" : " triangles") +
+  const std::size_t dropped = weld_vertices(file.mesh, context_);
+  if (dropped > 0) {
+    file.notes.push_back(std::to_string(dropped) + (dropped == 1 ? " triangle" : " triangles") +
                          " with two equal corners left out");
   }
   return file;

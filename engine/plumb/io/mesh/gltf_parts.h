@@ -176,7 +176,6 @@ class GltfTriangles {
   std::string name_;
   Context& context_;
   MeshCollector mesh_;
-  std::size_t dropped_ = 0;
 };
 
 }  // namespace plumb

@@ -92,26 +92,7 @@ MeshFile MeshCollector::take() {
   return file;
 }
 
-std::string MeshCollector::flaw_of_face() const {
-  const std::size_t first = mesh_.face_begin.back();
-  const std::size_t count = mesh_.corners.size() - first;
-  const std::uint32_t* const corners = mesh_.corners.data() + first;
-  if (count < 3) {
-    return "has " + std::to_string(count) + (count == 1 ? " corner" : " corners") +
-           "; at least 3 are needed";
-  }
-  std::uint32_t before = corners[count - 1];
-  for (std::size_t i = 0; i < count; ++i) {
-    if (corners[i] == before) {
-      return "has the same vertex twice in a row: corner " + std::to_string(i == 0 ? count : i) +
-             " and the next";
-    }
-    before = corners[i];
-  }
-  return {};
-}
-
-void MeshCollector::keep_face() {
+void MeshCollector::end_face() {
   if (mesh_.face_count() == charged_faces_) {
     charge(kStep * kGrowth * sizeof(std::uint32_t));
     charged_faces_ += kStep;

@@ -49,17 +49,9 @@ class MeshCollector {
     if (mesh_.corners.size() == charged_corners_) charge_corners();
     mesh_.corners.push_back(vertex);
   }
-  /// Ends a face. Returns what is wrong with it, in which case it is not added; else an empty
-  /// string.
-  std::string end_face() {
-    const std::string flaw = flaw_of_face();
-    if (flaw.empty()) {
-      keep_face();
-    } else {
-      mesh_.corners.resize(mesh_.face_begin.back());
-    }
-    return flaw;
-  }
+  /// Ends a face. The mesh has it as the file lists it, even if it repeats a corner or has fewer
+  /// than three corners: real files have such faces, and complex_of_mesh() reports them.
+  void end_face();
 
   /// Notes something in the file that no mesh holds, named as in "normals of vertices". It is
   /// reported once.
@@ -72,8 +64,6 @@ class MeshCollector {
 
  private:
   void add_exact_point(const RationalPoint3& p);
-  std::string flaw_of_face() const;
-  void keep_face();
   void charge(std::uint64_t bytes) { context_.charge_memory(bytes, "the mesh"); }
   void charge_points();
   void charge_corners();

@@ -90,7 +90,7 @@ class ObjReader {
   bool at_end();
   bool take_continuation();
   void read_vertex();
-  void read_face(const char* start);
+  void read_face();
   void read_corner();
   std::uint32_t find_vertex(std::string_view number) const;
   std::string face_name() const { return "face " + std::to_string(mesh_.face_count() + 1); }
@@ -112,10 +112,9 @@ void ObjReader::checkpoint() {
 }
 
 void ObjReader::read_statement() {
-  const char* const start = cursor_.position();
   const std::string_view keyword = cursor_.token();
   if (keyword == "v") return read_vertex();
-  if (keyword == "f") return read_face(start);
+  if (keyword == "f") return read_face();
   pass_over(keyword);
 }
 
@@ -168,14 +167,9 @@ void ObjReader::read_vertex() {
   mesh_.add_point(x_, y_, z_);
 }
 
-void ObjReader::read_face(const char* start) {
-  const std::size_t line = cursor_.line();
+void ObjReader::read_face() {
   while (!at_end()) read_corner();
-  const std::string flaw = mesh_.end_face();
-  if (flaw.empty()) return;
-  // The face may have begun on an earlier line.
-  cursor_.fail(ErrorCode::DegenerateFace, face_name() + ' ' + flaw,
-               line == cursor_.line() ? start : nullptr);
+  mesh_.end_face();
 }
 
 /// Reads a corner, usually a short number and nothing else.

@@ -6,8 +6,7 @@
 // the format are skipped, with a note.
 //
 // Cost: O(bytes). Errors are thrown with the place (file, line, column): NotText, Syntax (also for
-// statements that are not in the format), NumberOutOfRange, BadIndex, DegenerateFace (fewer than
-// three corners, a vertex twice in a row), CountMismatch (a file of nothing but blanks),
+// statements that are not in the format), NumberOutOfRange, BadIndex, CountMismatch (a file of nothing but blanks),
 // ResourceLimit; Cancelled.
 #pragma once
 

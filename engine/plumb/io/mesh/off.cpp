@@ -154,13 +154,11 @@ void OffReader::read_faces() {
 
 /// A face is followed by nothing, or by up to four numbers of a colour.
 void OffReader::read_face() {
-  const char* const start = cursor().position();
   const std::uint32_t corners = in_.read_count("the number of corners");
   for (std::uint32_t i = 0; i < corners; ++i) {
     mesh_.add_corner(in_.read_index("vertex", vertices_));
   }
-  const std::string flaw = mesh_.end_face();
-  if (!flaw.empty()) fail(ErrorCode::DegenerateFace, in_.record_name() + ' ' + flaw, start);
+  mesh_.end_face();
   if (cursor().at_line_end_or_comment()) return;
   read_extra_numbers(0, kColourNumbers, "corners and colour");
   has_face_colour_ = true;

@@ -12,8 +12,7 @@
 //  5. require_end    requires that nothing but blank and comment lines follows
 //
 // A comment may also end a line. Cost: O(bytes). Errors are thrown with the place (file, line,
-// column): NotText, Syntax, NumberOutOfRange, CountMismatch, BadIndex, DegenerateFace (fewer than
-// three corners, a vertex twice in a row), UnknownFormat, ResourceLimit; Cancelled.
+// column): NotText, Syntax, NumberOutOfRange, CountMismatch, BadIndex, UnknownFormat, ResourceLimit; Cancelled.
 #pragma once
 
 #include <cstdint>

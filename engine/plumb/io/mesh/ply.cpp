@@ -279,13 +279,12 @@ class PlyTextReader {
     if (element.properties.empty()) return;
     for (std::uint32_t i = 0; i < element.count; ++i) {
       in_.next_record(name_of(element.kind), i, element.count);
-      start_ = in_.cursor().position();
       for (const PlyProperty& property : element.properties) read_property(property);
       if (!in_.cursor().at_line_end()) {
         in_.end_line("the end of the line after the properties of " + in_.record_name());
       }
       if (element.kind == Kind::Vertex) mesh_.add_point(at_[0], at_[1], at_[2]);
-      if (element.kind == Kind::Face) end_face();
+      if (element.kind == Kind::Face) mesh_.end_face();
     }
   }
 
@@ -297,12 +296,10 @@ class PlyTextReader {
  private:
   void read_property(const PlyProperty& property);
   void skip_value();
-  void end_face();
 
   RecordReader& in_;
   std::uint32_t vertices_;
   MeshCollector& mesh_;
-  const char* start_ = nullptr;  // Start of the record.
   std::array<ReadNumber, 3> at_;
 };
 
@@ -332,11 +329,6 @@ void PlyTextReader::skip_value() {
   in_.cursor().token();
 }
 
-void PlyTextReader::end_face() {
-  const std::string flaw = mesh_.end_face();
-  if (flaw.empty()) return;
-  in_.cursor().fail(ErrorCode::DegenerateFace, in_.record_name() + ' ' + flaw, start_);
-}
 
 // ---------------------------------------------------------------- binary
 
@@ -364,7 +356,6 @@ class PlyBinaryReader {
   double take(PlyType type);
   double take_coordinate(PlyType type);
   void add_corner(PlyType type);
-  void end_face(std::size_t start);
   std::string record_name() const {
     return std::string(name_of(kind_)) + ' ' + std::to_string(std::uint64_t{index_} + 1);
   }
@@ -389,8 +380,9 @@ void PlyBinaryReader::read(const PlyElement& element) {
   const std::uint64_t least = element.least_bytes(format_);
   kind_ = element.kind;
   for (index_ = 0; index_ < element.count; ++index_) {
-    const std::size_t start = in_.position();
-    if (index_ % kRecordsPerCheckpoint == 0) context_.checkpoint("read", start, total_bytes_);
+    if (index_ % kRecordsPerCheckpoint == 0) {
+      context_.checkpoint("read", in_.position(), total_bytes_);
+    }
     if (in_.bytes_left() < least) {
       in_.fail(ErrorCode::CountMismatch, "the file ends where " + record_name() + " of " +
                                              std::to_string(element.count) + " is expected");
@@ -398,7 +390,7 @@ void PlyBinaryReader::read(const PlyElement& element) {
     spare_ = in_.bytes_left() - least;
     for (const PlyProperty& property : element.properties) read_property(property);
     if (kind_ == Kind::Vertex) mesh_.add_point({at_[0], at_[1], at_[2]});
-    if (kind_ == Kind::Face) end_face(start);
+    if (kind_ == Kind::Face) mesh_.end_face();
   }
 }
 
@@ -470,10 +462,6 @@ void PlyBinaryReader::add_corner(PlyType type) {
   mesh_.add_corner(static_cast<std::uint32_t>(vertex));
 }
 
-void PlyBinaryReader::end_face(std::size_t start) {
-  const std::string flaw = mesh_.end_face();
-  if (!flaw.empty()) in_.fail(ErrorCode::DegenerateFace, record_name() + ' ' + flaw, start);
-}
 
 // ---------------------------------------------------------------- both
 

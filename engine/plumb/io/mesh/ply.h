@@ -10,7 +10,7 @@
 //
 // Cost: O(bytes). Errors in the header and in a text are thrown with the place (file, line,
 // column), in binary parts with the number of the byte: NotText, Syntax, NumberOutOfRange,
-// CountMismatch, BadIndex, DegenerateFace (fewer than three corners, a vertex twice in a row),
+// CountMismatch, BadIndex,
 // UnknownFormat, ResourceLimit; Cancelled.
 #pragma once
 
