@@ -433,14 +433,15 @@ TEST(Progress, goes_from_little_to_nearly_all) {
   // When it is drawn depends on the clock: on a busy machine the program may not run for a while,
   // at its end, too.
   int first = 100, last = 0;
-  for (int run = 0; run < 5 && (first >= 30 || last <= 70); ++run) {
+  for (int run = 0; run < 5 && (first >= 30 || (last <= 70 && kMeasures)); ++run) {
     const std::vector<Shown> lines = bar_lines(seen_on_terminal({"plane", "info", star}));
     ASSERT_GT(lines.size(), 5U);
     first = lines.front().percent;
     last = lines.back().percent;
   }
   EXPECT_LT(first, 30);
-  EXPECT_GT(last, 70);
+  // The stages are weighted as an optimised program takes time for them.
+  EXPECT_TRUE(last > 70 || !kMeasures) << last;
 }
 
 TEST(Progress, is_not_shown_if_unwanted) {

@@ -36,6 +36,7 @@
 #include "plumb/space/set/nef3_state.h"
 #include "plumb/space/set/transform.h"
 #include "plumb/space/space_measure.h"
+#include "plumb/space/valid_mesh.h"
 
 namespace plumb {
 namespace {
@@ -279,7 +280,8 @@ std::optional<SpaceFlaw> Nef3::audit(Context& context) const {
 }
 
 TriangleMesh Nef3::to_mesh(Context& context) const {
-  MeshOfComplex made = to_polygons({.faces = MeshFaces::Triangles}, context);
+  MeshOfComplex made =
+      valid_mesh(*this, {.faces = MeshFaces::Triangles}, CoordinateType::Double, context).made;
   if (made.report.is_unbounded) {
     throw Error(ErrorCode::BadArgument, "an unbounded set has no mesh");
   }
@@ -288,7 +290,8 @@ TriangleMesh Nef3::to_mesh(Context& context) const {
 }
 
 MeshOfComplex Nef3::to_polygons(const ToMeshOptions& options, Context& context) const {
-  return mesh_of_complex(complex(), options, context);
+  if (options.keeps_exact) return mesh_of_complex(complex(), options, context);
+  return valid_mesh(*this, options, CoordinateType::Double, context).made;
 }
 
 // ---------------------------------------------------------------- operations

@@ -212,12 +212,18 @@ class Nef3 {
   /// mesh and of the boundaries of these facets. The mesh may be open.
   [[nodiscard]] static Nef3 from_facets(MeshComplex mesh, Context& context = unlimited_context());
 
-  /// Returns the boundary of regularization() as triangles in plain arrays. The coordinates are
-  /// rounded to the nearest doubles. Throws Error{BadArgument} if the set is unbounded.
+  /// Returns the boundary of regularization() as triangles in plain arrays. The triangles meet only
+  /// in common corners and edges, even after their coordinates have been rounded to doubles.
+  /// valid_mesh() (valid_mesh.h) returns the same mesh with a report on rounding. mesh_of_complex()
+  /// (to_mesh.h) rounds to the nearest doubles, even if triangles then cross. Throws
+  /// Error{BadArgument} if the set is unbounded, and Error{NumberOutOfRange} if a coordinate is
+  /// larger than the largest double.
   [[nodiscard]] TriangleMesh to_mesh(Context& context = unlimited_context()) const;
   /// Returns the boundary of regularization() as a mesh of polygons or triangles. The result also
   /// has, for each face of the mesh, the facet from which the face was made. The report counts the
-  /// cells of the set that the mesh does not represent.
+  /// cells of the set that the mesh does not represent. The mesh is valid after rounding, as that of
+  /// to_mesh(). If options.keeps_exact is set, the mesh is exact, and its points are the nearest
+  /// doubles.
   [[nodiscard]] MeshOfComplex to_polygons(const ToMeshOptions& options = {},
                                           Context& context = unlimited_context()) const;
 

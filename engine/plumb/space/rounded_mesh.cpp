@@ -15,8 +15,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "plumb/base/internal/box_tree.h"
+#include "plumb/base/internal/round_to_nearest.h"
+#include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/space/from_mesh.h"
 #include "plumb/space/mesh/mesh_vertices.h"
@@ -204,6 +207,59 @@ class RoundingCheck {
 };
 
 }  // namespace
+
+double nearest_coordinate(double value, CoordinateType type) {
+  constexpr double kLargestDouble = std::numeric_limits<double>::max();
+  constexpr double kLargestFloat = std::numeric_limits<float>::max();
+  constexpr double kRoundsToInfinity = 0x1.ffffffp127;  // The middle of kLargestFloat and 2^128.
+  const double size = std::fabs(value);
+  if (type == CoordinateType::Double) {
+    if (size <= kLargestDouble) return value;
+    throw Error(ErrorCode::NumberOutOfRange, "a coordinate is larger than the largest double");
+  }
+  if (size < kRoundsToInfinity) {
+    return static_cast<float>(std::clamp(value, -kLargestFloat, kLargestFloat));
+  }
+  throw Error(ErrorCode::NumberOutOfRange, "a coordinate is larger than the largest float");
+}
+
+int last_digit_exponent(double value, CoordinateType type) {
+  constexpr int kDoubleDigits = 52, kFloatDigits = 23, kLeastDouble = -1074, kLeastFloat = -149;
+  const bool is_double = type == CoordinateType::Double;
+  const int least = is_double ? kLeastDouble : kLeastFloat;
+  if (value == 0) return least;
+  return std::max(std::ilogb(value) - (is_double ? kDoubleDigits : kFloatDigits), least);
+}
+
+double round_points(PolygonMesh& mesh, CoordinateType type) {
+  const RoundToNearest rounding;
+  constexpr double kRoundingOfTheSum = 1 + 0x1p-48;
+  double largest = 0;
+  std::vector<std::pair<std::uint32_t, RationalPoint3>> moved;
+  auto exact = mesh.exact.begin();
+  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+    const bool is_constructed = exact != mesh.exact.end() && exact->first == v;
+    const Vector3 before = coordinates(mesh.points[v]);
+    Vector3 after{}, move{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      after[k] = nearest_coordinate(before[k], type);
+      // The double nearest to a constructed coordinate is at most half a unit away from it.
+      const int digit = last_digit_exponent(before[k], CoordinateType::Double);
+      move[k] = (is_constructed ? std::ldexp(0.5, digit) : 0) + std::fabs(after[k] - before[k]);
+    }
+    if (is_constructed) {
+      moved.push_back(std::move(*exact++));
+    } else if (after != before) {
+      moved.emplace_back(v, RationalPoint3{before[0], before[1], before[2]});
+    } else {
+      continue;
+    }
+    mesh.points[v] = {after[0], after[1], after[2]};
+    largest = std::max(largest, std::hypot(move[0], move[1], move[2]));
+  }
+  mesh.exact = std::move(moved);
+  return largest * kRoundingOfTheSum;
+}
 
 RoundingReport check_rounding(const PolygonMesh& mesh, std::uint64_t max_listed, Context& context) {
   return RoundingCheck(mesh, max_listed, context).run();

@@ -21,6 +21,26 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
+/// The numbers to which coordinates are rounded.
+enum class CoordinateType : std::uint8_t {
+  Double,  ///< Doubles.
+  Float,   ///< Floats, as in binary STL. They are stored as doubles.
+};
+
+/// Returns the number of the given type that is nearest to `value`. Writers of files and the
+/// functions that check meshes both round by this function. Throws Error{NumberOutOfRange} if
+/// `value` rounds to an infinity. Requires that the rounding mode is to nearest.
+double nearest_coordinate(double value, CoordinateType type);
+
+/// Returns the exponent e for which the numbers of the type that lie near `value` are the multiples
+/// of 2^e. Requires a finite value.
+int last_digit_exponent(double value, CoordinateType type);
+
+/// Rounds all points of a mesh to the nearest numbers of the type. Afterwards, mesh.exact lists the
+/// points that moved, with the coordinates that they had before. Returns a bound of the distances
+/// by which points moved. Throws as nearest_coordinate() does. O(points).
+double round_points(PolygonMesh& mesh, CoordinateType type);
+
 /// The effects of rounding on a mesh. Faces and vertices are given by their indices in the mesh.
 /// Every list is in ascending order. If the list beyond_doubles is not empty, all other members
 /// except rounded_vertices are left empty or 0.

@@ -277,7 +277,7 @@ class Decomposition : public CommandBody {
       if (!files.is_wanted()) break;
       context.checkpoint("pieces", done++, found.pieces.size());
       const SolidFormat& format = solid_format(piece, session.options().format);
-      const SolidText text(piece, format, context);
+      const SolidText text(piece, format, OutputRounding::Valid, context);
       files.add(format.extension, text.losses(),
                 [&](std::ostream& out) { text.write(out, context); });
     }

@@ -93,8 +93,12 @@ ReadyFile ready_file(const Nef2& set, const SetOutput& output, Context& context)
   const PlaneFormat by_itself = set.is_bounded() ? PlaneFormat::Wkt : PlaneFormat::Nef2;
   const PlaneFormat format = index ? *kFormats[static_cast<std::size_t>(*index)].text : by_itself;
   const PlaneText text(set, format, context);
+  std::vector<std::string> changes;
+  if (const std::string closing = text.losses().closing(); !closing.empty()) {
+    changes.push_back(closing);
+  }
   return {[text, &context](std::ostream& out) { text.write(out, context); },
-          text.losses().sentences(), text.losses().closing()};
+          text.losses().sentences(), changes};
 }
 
 struct PlaneInput {
@@ -128,7 +132,8 @@ struct Plane {
     return *format == PlaneFormat::Nef2 ? writing_nef2() : writing_plane_text();
   }
   static const auto& formats() { return kFormats; }
-  static ReadyFile ready(const Nef2& set, const SetOutput& output, Context& context) {
+  static ReadyFile ready(const Nef2& set, const SetOutput& output, OutputRounding /*rounding*/,
+                         Context& context) {
     return ready_file(set, output, context);
   }
   static PlaneFacts facts(const Nef2& set, Context& context) { return {set, context}; }

@@ -16,6 +16,7 @@
 #include "plumb/cli/session/command.h"
 #include "plumb/cli/session/progress.h"
 #include "plumb/io/text/files.h"
+#include "plumb/io/text/text_output.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb::cli {
@@ -36,8 +37,8 @@ concept SetInput = std::default_initializable<Input> &&
 /// (--canonical).
 template <class Kind>
 concept SetKind = SetInput<typename Kind::Input> &&
-    requires(const typename Kind::Set& set, const SetOutput& output, Context& context,
-             const std::array<Rational, Kind::kAxes.size()>& point) {
+    requires(const typename Kind::Set& set, const SetOutput& output, OutputRounding rounding,
+             Context& context, const std::array<Rational, Kind::kAxes.size()>& point) {
   // The first operand in the help, and the names of the coordinates.
   { Kind::kHelp } -> std::convertible_to<const char*>;
   { Kind::kAxes[0] } -> std::convertible_to<const char*>;
@@ -51,7 +52,7 @@ concept SetKind = SetInput<typename Kind::Input> &&
   { Kind::locating() } -> std::same_as<ProgressStage>;
   { Kind::writing(output) } -> std::same_as<ProgressStages>;
   // The set as a file of the output's format.
-  { Kind::ready(set, output, context) } -> std::same_as<ReadyFile>;
+  { Kind::ready(set, output, rounding, context) } -> std::same_as<ReadyFile>;
   // What is known of the set.
   Kind::facts(set, context).json();
   // What the point lies on, and whether it belongs to the set.
@@ -112,6 +113,8 @@ class SetOperation : public CommandBody {
     app.add_flag("--strict", strict_,
                  "Exit 2 instead of writing a file that leaves something out or is reshaped by "
                  "rounding");
+    app.add_flag("--raw", raw_,
+                 "Write the nearest numbers as they are, even if faces or edges then cross");
     if constexpr (kHasCanonical) {
       app.add_flag("--canonical", canonical_,
                    "Number what is written by the set alone: equal sets give equal .nef files");
@@ -128,7 +131,8 @@ class SetOperation : public CommandBody {
     };
     const auto file = [&] {
       session.begin("result");
-      return Kind::ready(result, output_, session.context());
+      const OutputRounding rounding = raw_ ? OutputRounding::Nearest : OutputRounding::Valid;
+      return Kind::ready(result, output_, rounding, session.context());
     };
     output_.prepare(facts, file, strict_, session);
     output_.deliver(session);
@@ -173,6 +177,7 @@ class SetOperation : public CommandBody {
 
   typename Kind::Input input_;
   bool strict_ = false;
+  bool raw_ = false;
   bool canonical_ = false;
   SetOutput output_;
 };

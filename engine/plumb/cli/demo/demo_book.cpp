@@ -291,7 +291,7 @@ std::string written(const Nef3& set, std::string_view format, Context& context) 
   for (const SolidFormat& f : solid_formats()) {
     if (f.name != format) continue;
     std::ostringstream out;
-    SolidText(set, f, context).write(out, context);
+    SolidText(set, f, OutputRounding::Valid, context).write(out, context);
     return std::move(out).str();
   }
   throw std::logic_error("no such format");

@@ -57,8 +57,10 @@ void SetOutput::prepare(const std::function<nlohmann::ordered_json()>& info,
     throw Error(error.code(), error.message(), {name()});
   }
   if (!strict) return;
-  const std::string& first = file_.losses.empty() ? file_.closing : file_.losses.front();
-  if (!first.empty()) throw Error(ErrorCode::CannotWrite, "--strict: " + first, {name()});
+  for (const std::vector<std::string>* const told : {&file_.losses, &file_.changes}) {
+    if (told->empty()) continue;
+    throw Error(ErrorCode::CannotWrite, "--strict: " + told->front(), {name()});
+  }
 }
 
 void SetOutput::deliver(Session& session) {

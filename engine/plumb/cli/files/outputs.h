@@ -94,9 +94,9 @@ void add_outputs(const CommonOptions& options, const Table& formats, bool is_std
 struct ReadyFile {
   std::function<void(std::ostream&)> write;
   std::vector<std::string> losses;  ///< What the file will leave out; one sentence each.
-  /// Says that the closure of the set will be written; empty if the set is closed. Only --strict
-  /// minds.
-  std::string closing;
+  /// What the file will say otherwise, one sentence each, that only --strict minds: that the closure
+  /// of the set is written, and that rounding needed a repair.
+  std::vector<std::string> changes;
 };
 
 /// The file or stream for a set, opened before the work: a path that cannot be written costs

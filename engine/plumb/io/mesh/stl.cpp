@@ -22,6 +22,7 @@
 #include "plumb/io/text/record_reader.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/predicates/error.h"
+#include "plumb/space/rounded_mesh.h"
 
 namespace plumb {
 namespace {
@@ -254,15 +255,6 @@ void put_floats(TextOutput& out, const Point3& p) {
   for (const double value : {p.x, p.y, p.z}) put_little_endian(out, static_cast<float>(value));
 }
 
-double rounded_to_float(double value) {
-  constexpr double kMost = std::numeric_limits<float>::max();
-  if (std::fabs(value) > kMost) {
-    throw Error(ErrorCode::NumberOutOfRange,
-                "the coordinate " + format_double(value) + " is larger than the largest float");
-  }
-  return static_cast<double>(static_cast<float>(value));
-}
-
 }  // namespace
 
 void write_stl_text(std::ostream& stream, const PolygonMesh& mesh) {
@@ -290,7 +282,7 @@ PolygonMesh rounded_to_floats(PolygonMesh mesh) {
   const RoundToNearest rounding;
   require_doubles(mesh);
   for (Point3& p : mesh.points) {
-    p = {rounded_to_float(p.x), rounded_to_float(p.y), rounded_to_float(p.z)};
+    for (double* const c : {&p.x, &p.y, &p.z}) *c = nearest_coordinate(*c, CoordinateType::Float);
   }
   mesh.exact.clear();
   return mesh;

@@ -18,7 +18,9 @@
 
 #include "plumb/io/nef3_writer.h"
 #include "plumb/predicates/error.h"
+#include "plumb/predicates/rounding.h"
 #include "plumb/space/to_mesh.h"
+#include "plumb/space/valid_mesh.h"
 
 namespace plumb {
 namespace {
@@ -51,10 +53,11 @@ std::string to_text(const ItemCounts& items) {
   return text;
 }
 
+/// Describes what rounding does to a mesh that is not repaired.
 void describe(const RoundingReport& rounding, std::vector<std::string>& losses) {
   const auto add = [&losses](std::uint64_t count, const std::string& what) {
     if (count != 0) {
-      losses.push_back("rounding to doubles: " + std::to_string(count) + " " + what +
+      losses.push_back("rounding: " + std::to_string(count) + " " + what +
                        "; .nef keeps the exact set");
     }
   };
@@ -66,21 +69,46 @@ void describe(const RoundingReport& rounding, std::vector<std::string>& losses) 
   add(rounding.crossing_count, "pairs of faces cross");
 }
 
+/// Describes a repair: as a loss if the shape is another one, else as a change.
+void describe(const RoundingRepair& repair, std::vector<std::string>& losses,
+              std::vector<std::string>& changes) {
+  if (repair.rounds == 0) return;
+  const std::string distance =
+      decimal_text(exact_rational(repair.largest_move), 2) + "; .nef keeps the exact set";
+  if (repair.changes_topology) {
+    losses.push_back("rounding closed gaps or holes, or removed parts, that are narrower than " +
+                     distance);
+  } else {
+    changes.push_back("rounding damaged " + counted(repair.damaged_faces, "face") +
+                      ", and the repair moved the boundary by up to " + distance);
+  }
+}
+
 }  // namespace
 
 std::span<const SolidFormat> solid_formats() { return kFormats; }
 
-SolidText::SolidText(const Nef3& set, const SolidFormat& format, Context& context)
+SolidText::SolidText(const Nef3& set, const SolidFormat& format, OutputRounding rounding,
+                     Context& context)
     : set_(set), format_(format) {
-  if (format.mesh) make_mesh(*format.mesh, context);
+  if (format.mesh) make_mesh(*format.mesh, rounding, context);
 }
 
-void SolidText::make_mesh(MeshFormat format, Context& context) {
+void SolidText::make_mesh(MeshFormat format, OutputRounding rounding, Context& context) {
   const bool wants_triangles = format == MeshFormat::Stl || format == MeshFormat::StlBinary;
   ToMeshOptions options;
   options.faces = wants_triangles ? MeshFaces::Triangles : MeshFaces::PlanarPolygons;
-  options.keeps_exact = true;
-  MeshOfComplex made = mesh_of_complex(set_.complex(), options, context);
+  const CoordinateType type =
+      format == MeshFormat::StlBinary ? CoordinateType::Float : CoordinateType::Double;
+  MeshOfComplex made;
+  if (format == MeshFormat::ExactOff || rounding == OutputRounding::Nearest) {
+    options.keeps_exact = true;
+    made = mesh_of_complex(set_.complex(), options, context);
+  } else {
+    ValidMesh valid = valid_mesh(set_, options, type, context);
+    describe(valid.repair, losses_, changes_);
+    made = std::move(valid.made);
+  }
   if (made.report.is_unbounded) {
     throw Error(ErrorCode::CannotWrite,
                 "the set reaches to infinity: a mesh cannot hold it, .nef can");
@@ -90,13 +118,14 @@ void SolidText::make_mesh(MeshFormat format, Context& context) {
                       to_text(made.report.dropped));
   }
   if (made.report.closed.total() != 0) {
-    closing_ =
-        "the set is not closed; its closure was written, with " + to_text(made.report.closed);
+    changes_.push_back("the set is not closed; its closure was written, with " +
+                       to_text(made.report.closed));
   }
   if (made.report.filled.total() != 0) {
     losses_.push_back("filled what is missing inside the set: " + to_text(made.report.filled));
   }
-  if (format != MeshFormat::ExactOff) {
+  if (format != MeshFormat::ExactOff && rounding == OutputRounding::Nearest) {
+    round_points(made.mesh, type);
     constexpr std::uint64_t kListed = 1;
     describe(check_rounding(made.mesh, kListed, context), losses_);
   }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -11,8 +12,8 @@
 
 #include "plumb/base/context.h"
 #include "plumb/io/mesh_io.h"
+#include "plumb/io/text/text_output.h"
 #include "plumb/space/nef3.h"
-#include "plumb/space/rounded_mesh.h"
 #include "plumb/space/space_complex.h"
 
 namespace plumb {
@@ -35,25 +36,25 @@ class SolidText {
  public:
   /// Throws Error{CannotWrite} if a mesh is to hold a marked volume that reaches infinity, and
   /// Error{NumberOutOfRange} if a coordinate lies beyond the largest double.
-  SolidText(const Nef3& set, const SolidFormat& format, Context& context);
+  SolidText(const Nef3& set, const SolidFormat& format, OutputRounding rounding, Context& context);
 
   /// Returns what the file does not say of the set, or says otherwise after rounding; one sentence
   /// each.
   const std::vector<std::string>& losses() const { return losses_; }
-  /// Returns the sentence that says that the set is not closed and its closure was written, or an
-  /// empty string. It is no loss to users of meshes, to whom a difference is a closed solid.
-  const std::string& closing() const { return closing_; }
+  /// Returns what the file says otherwise without a loss to users of meshes, one sentence each: that
+  /// the closure of the set is written, and that rounding needed a repair.
+  const std::vector<std::string>& changes() const { return changes_; }
   /// Writes the set; `.nef` with checkpoints.
   void write(std::ostream& out, Context& context) const;
 
  private:
-  void make_mesh(MeshFormat format, Context& context);
+  void make_mesh(MeshFormat format, OutputRounding rounding, Context& context);
 
   Nef3 set_;
   SolidFormat format_;
   PolygonMesh mesh_;
   std::vector<std::string> losses_;
-  std::string closing_;
+  std::vector<std::string> changes_;
 };
 
 // The check that the links of a complex can be followed, which a reader makes before anything else

@@ -10,7 +10,6 @@
 #include "plumb/io/text/record_reader.h"
 
 #include <algorithm>
-#include <cfenv>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -144,9 +143,6 @@ double nearest_value(const Decimal& decimal, bool is_negative) {
 constexpr std::string_view kNumber = "a number";
 
 }  // namespace
-
-RoundToNearest::RoundToNearest() : before_(std::fegetround()) { std::fesetround(FE_TONEAREST); }
-RoundToNearest::~RoundToNearest() { std::fesetround(before_); }
 
 void ReadNumber::set(Rational value) {
   exact_ = std::move(value);

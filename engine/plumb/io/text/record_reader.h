@@ -16,24 +16,13 @@
 #include <string_view>
 
 #include "plumb/base/context.h"
+#include "plumb/base/internal/round_to_nearest.h"
 #include "plumb/io/read_options.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/predicates/point_table2.h"
 #include "plumb/predicates/rational.h"
 
 namespace plumb {
-
-/// Sets rounding to nearest while it exists, whatever mode the caller uses: readers hold one.
-class RoundToNearest {
- public:
-  RoundToNearest();
-  ~RoundToNearest();
-  RoundToNearest(const RoundToNearest&) = delete;
-  RoundToNearest& operator=(const RoundToNearest&) = delete;
-
- private:
-  int before_;
-};
 
 /// A number as read: a double if a double holds it exactly or was asked for, else a rational.
 class ReadNumber {

@@ -1,0 +1,311 @@
+// Makes parts of a closed mesh that nearly touch meet in common vertices.
+//
+// A vertex v near the middle of an edge a b is inserted into this edge in all its faces, so the edge
+// is replaced by the edges a v and v b everywhere, and the mesh stays closed. A triangle a b v then
+// runs from v to b and back, and vanishes. Other triangles become polygons, which are cut into
+// triangles again, so that the worst triangle is as good as can be. Both new edges are shorter than a b, so a
+// sequence of insertions among the same vertices ends. Faces with more than three corners get the
+// vertex as a further corner.
+//
+// Points of faces move by at most the distance of the vertex from the edge.
+//
+// Tested by tests/space/snap_near_test.cpp.
+#include "plumb/space/mesh/snap_near.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+
+#include "plumb/base/internal/union_find.h"
+
+namespace plumb {
+namespace {
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+using FacePair = std::pair<std::uint32_t, std::uint32_t>;
+using Vector3 = std::array<double, 3>;
+
+Vector3 difference(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double length(const Vector3& v) { return std::hypot(v[0], v[1], v[2]); }
+
+bool has_three_vertices(std::span<const std::uint32_t> t) {
+  return t.size() == 3 && t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
+bool contains(std::span<const std::uint32_t> face, std::uint32_t v) {
+  return std::ranges::find(face, v) != face.end();
+}
+
+/// A vertex that is inserted into an edge.
+struct EdgePoint {
+  Edge edge;  ///< The lesser vertex first.
+  double at;  ///< The place along the edge, from 0 to 1.
+  std::uint32_t vertex;
+};
+
+class Snapping {
+ public:
+  Snapping(const PolygonMesh& mesh, std::span<const std::uint8_t> is_damaged,
+           std::span<const FacePair> pairs, double width)
+      : input_(mesh), is_damaged_(is_damaged), pairs_(pairs), width_(width) {}
+
+  SnappedMesh run() {
+    merge_vertices();
+    find_edge_points();
+    find_face_points();
+    const bool is_near =
+        merged_.corners != input_.corners || !edge_points_.empty() || !face_points_.empty();
+    if (!is_near) return {};
+    result_.changed.assign(input_.face_count(), 0);
+    for (std::uint32_t f = 0; f < input_.face_count(); ++f) rebuild(f);
+    result_.mesh.points = std::move(merged_.points);
+    return std::move(result_);
+  }
+
+ private:
+  double distance(std::uint32_t a, std::uint32_t b) const {
+    return length(difference(input_.points[a], input_.points[b]));
+  }
+  void note_move(double move) { result_.largest_move = std::max(result_.largest_move, move); }
+
+  // ---- 1. vertices
+
+  void merge_vertices() {
+    UnionFind classes(input_.points.size());
+    const auto unite_if_near = [&](std::uint32_t a, std::uint32_t b) {
+      if (a != b && distance(a, b) <= width_) classes.unite(a, b);
+    };
+    for (std::uint32_t f = 0; f < input_.face_count(); ++f) {
+      const auto t = input_.face(f);
+      if (is_damaged_[f] == 0 || t.size() != 3) continue;
+      for (std::size_t i = 0; i < 3; ++i) unite_if_near(t[i], t[(i + 1) % 3]);
+    }
+    for (const auto& [f, g] : pairs_) {
+      for (const std::uint32_t v : input_.face(f)) {
+        for (const std::uint32_t w : input_.face(g)) unite_if_near(v, w);
+      }
+    }
+    merged_.points = input_.points;
+    merged_.face_begin = input_.face_begin;
+    merged_.corners = input_.corners;
+    for (std::uint32_t& v : merged_.corners) {
+      const std::uint32_t root = classes.root(v);
+      if (root != v) note_move(distance(root, v));
+      v = root;
+    }
+  }
+
+  // ---- 2. vertices at edges
+
+  /// Returns the place of v along the edge if v is near the middle of the edge.
+  std::optional<EdgePoint> near_edge(std::uint32_t a, std::uint32_t b, std::uint32_t v) {
+    const Edge edge = std::minmax(a, b);
+    const Vector3 along = difference(merged_.points[edge.second], merged_.points[edge.first]);
+    const Vector3 to = difference(merged_.points[v], merged_.points[edge.first]);
+    const double square = dot(along, along), at = dot(to, along) / square;
+    if (!(at > 0 && at < 1)) return {};
+    const double height = length(cross(along, to)) / std::sqrt(square);
+    const bool is_shorter =
+        distance(edge.first, v) < std::sqrt(square) && distance(edge.second, v) < std::sqrt(square);
+    if (!(height <= width_) || !is_shorter) return {};
+    note_move(height);
+    return EdgePoint{edge, at, v};
+  }
+
+  void find_edge_points() {
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t v) {
+      if (const auto point = near_edge(a, b, v)) edge_points_.push_back(*point);
+    };
+    for (std::uint32_t f = 0; f < merged_.face_count(); ++f) {
+      const auto t = merged_.face(f);
+      if (is_damaged_[f] == 0 || !has_three_vertices(t)) continue;
+      for (std::size_t i = 0; i < 3; ++i) add(t[i], t[(i + 1) % 3], t[(i + 2) % 3]);
+    }
+    for (const auto& pair : pairs_) {
+      for (const auto& [f, g] : {pair, FacePair(pair.second, pair.first)}) {
+        const auto face = merged_.face(f), other = merged_.face(g);
+        if (!has_three_vertices(face) || !has_three_vertices(other)) continue;
+        for (const std::uint32_t v : face) {
+          if (contains(other, v)) continue;
+          for (std::size_t i = 0; i < 3; ++i) add(other[i], other[(i + 1) % 3], v);
+        }
+      }
+    }
+    const auto order = [](const EdgePoint& p) { return std::tuple(p.edge, p.at, p.vertex); };
+    std::ranges::sort(edge_points_, {}, order);
+    const auto repeated = std::ranges::unique(edge_points_, {}, order);
+    edge_points_.erase(repeated.begin(), repeated.end());
+  }
+
+  /// Calls visit(vertex) for the vertices that are inserted between two corners.
+  template <class Visit>
+  void between(std::uint32_t from, std::uint32_t to, const Visit& visit) const {
+    const auto [begin, end] =
+        std::ranges::equal_range(edge_points_, Edge(std::minmax(from, to)), {}, &EdgePoint::edge);
+    if (from < to) {
+      for (auto p = begin; p != end; ++p) visit(p->vertex);
+    } else {
+      for (auto p = end; p != begin;) visit((--p)->vertex);
+    }
+  }
+
+  // ---- 3. vertices inside faces
+
+  void find_face_points() {
+    for (const auto& pair : pairs_) {
+      for (const auto& [f, g] : {pair, FacePair(pair.second, pair.first)}) {
+        const auto face = merged_.face(f), t = merged_.face(g);
+        if (!has_three_vertices(face) || !has_three_vertices(t)) continue;
+        for (const std::uint32_t v : face) {
+          if (!contains(t, v) && is_near_inside(t, v)) face_points_.emplace_back(g, v);
+        }
+      }
+    }
+    std::ranges::sort(face_points_);
+  }
+  bool is_near_inside(std::span<const std::uint32_t> t, std::uint32_t v) {
+    const Point3& o = merged_.points[t[0]];
+    const Vector3 u = difference(merged_.points[t[1]], o), w = difference(merged_.points[t[2]], o);
+    const Vector3 to = difference(merged_.points[v], o), normal = cross(u, w);
+    const double square = dot(normal, normal);
+    if (!(square > 0)) return false;
+    const double b = dot(cross(to, w), normal) / square, c = dot(cross(u, to), normal) / square;
+    const double height = std::fabs(dot(to, normal)) / std::sqrt(square);
+    if (!(b > 0 && c > 0 && b + c < 1) || !(height <= width_)) return false;
+    note_move(height);
+    return true;
+  }
+
+  // ---- faces
+
+  void rebuild(std::uint32_t f) {
+    const auto before = merged_.face(f);
+    corners_.clear();
+    std::uint32_t from = before.empty() ? 0 : before.back();
+    for (const std::uint32_t to : before) {
+      between(from, to, [&](std::uint32_t v) { push(v); });
+      push(to);
+      from = to;
+    }
+    while (corners_.size() > 1 && trim_end()) {
+    }
+    const bool is_same = std::ranges::equal(corners_, input_.face(f));
+    const auto inside = std::ranges::lower_bound(face_points_, f, {}, &FacePair::first);
+    const bool has_inside = inside != face_points_.end() && inside->first == f;
+    if (is_same && !has_inside) return add(corners_, f);
+    result_.changed[f] = 1;
+    if (corners_.size() < 3) return;
+    if (before.size() > 3) {
+      add(corners_, f);
+    } else if (corners_.size() == 3 && has_inside) {
+      const std::array<std::uint32_t, 3> t{corners_[0], corners_[1], corners_[2]};
+      for (std::size_t i = 0; i < 3; ++i) {
+        add(std::array{t[i], t[(i + 1) % 3], inside->second}, f);
+      }
+    } else {
+      cut(f);
+    }
+  }
+  /// Appends a corner; a corner that repeats or runs back is trimmed.
+  void push(std::uint32_t v) {
+    if (!corners_.empty() && corners_.back() == v) return;
+    if (corners_.size() > 1 && corners_[corners_.size() - 2] == v) {
+      corners_.pop_back();
+      return;
+    }
+    corners_.push_back(v);
+  }
+  /// Trims a repetition or a spike where the end meets the beginning.
+  bool trim_end() {
+    const std::size_t n = corners_.size();
+    if (corners_[n - 1] == corners_[0]) {
+      corners_.pop_back();
+    } else if (n > 2 && corners_[n - 2] == corners_[0]) {
+      corners_.resize(n - 2);
+      corners_.push_back(corners_[0]);
+      corners_.erase(corners_.begin());
+    } else if (n > 2 && corners_[n - 1] == corners_[1]) {
+      corners_.erase(corners_.begin());
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  void add(std::span<const std::uint32_t> corners, std::uint32_t f) {
+    result_.mesh.add_face(corners);
+    result_.origin.push_back(f);
+  }
+
+  /// Cuts corners_ into the triangles whose worst one is best. best_[i n + j] is the shape of the
+  /// worst triangle between corners i and j, and apex_[i n + j] the corner that their triangle has.
+  void cut(std::uint32_t f) {
+    const std::size_t n = corners_.size();
+    best_.assign(n * n, 1);
+    apex_.assign(n * n, 0);
+    for (std::size_t width = 2; width < n; ++width) {
+      for (std::size_t i = 0; i + width < n; ++i) {
+        const std::size_t j = i + width;
+        best_[i * n + j] = -1;
+        for (std::size_t k = i + 1; k < j; ++k) {
+          const double worst = std::min({best_[i * n + k], best_[k * n + j],
+                                         shape_of(corners_[i], corners_[k], corners_[j])});
+          if (worst <= best_[i * n + j]) continue;
+          best_[i * n + j] = worst;
+          apex_[i * n + j] = k;
+        }
+      }
+    }
+    parts_.assign(1, {0, n - 1});
+    while (!parts_.empty()) {
+      const auto [i, j] = parts_.back();
+      parts_.pop_back();
+      if (j < i + 2) continue;
+      const std::size_t k = apex_[i * n + j];
+      const std::array t{corners_[i], corners_[k], corners_[j]};
+      if (has_three_vertices(t)) add(t, f);
+      parts_.emplace_back(i, k);
+      parts_.emplace_back(k, j);
+    }
+  }
+  /// Returns the ratio of the height of a triangle to its longest edge.
+  double shape_of(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    const Vector3 u = difference(merged_.points[b], merged_.points[a]);
+    const Vector3 w = difference(merged_.points[c], merged_.points[a]);
+    const double longest = std::max({dot(u, u), dot(w, w), distance_squared(b, c)});
+    return longest > 0 ? length(cross(u, w)) / longest : 0;
+  }
+
+  double distance_squared(std::uint32_t a, std::uint32_t b) const {
+    const Vector3 d = difference(merged_.points[a], merged_.points[b]);
+    return dot(d, d);
+  }
+
+  const PolygonMesh& input_;
+  std::span<const std::uint8_t> is_damaged_;
+  std::span<const FacePair> pairs_;
+  double width_;
+  PolygonMesh merged_;  // The input after vertices became one.
+  std::vector<EdgePoint> edge_points_;
+  std::vector<FacePair> face_points_;  // A face, and the vertex inside it.
+  std::vector<std::uint32_t> corners_;
+  std::vector<double> best_;
+  std::vector<std::size_t> apex_;
+  std::vector<std::pair<std::size_t, std::size_t>> parts_;
+  SnappedMesh result_;
+};
+
+}  // namespace
+
+SnappedMesh snap_near(const PolygonMesh& mesh, std::span<const std::uint8_t> is_damaged,
+                      std::span<const FacePair> pairs, double width) {
+  return Snapping(mesh, is_damaged, pairs, width).run();
+}
+
+}  // namespace plumb
