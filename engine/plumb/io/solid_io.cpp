@@ -9,26 +9,12 @@
 #include "plumb/io/solid/half_space_reader.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/input_cursors.h"
+#include "plumb/io/text/text_output.h"
 #include "plumb/predicates/error.h"
 #include "plumb/space/space_audit.h"
 
 namespace plumb {
 namespace {
-
-std::string text_of(std::uint32_t number) { return std::to_string(number); }
-std::string text_of(const std::string& text) { return text; }
-
-/// Returns "3, 8, 11 and 5 more".
-template <class List>
-std::string listed(const List& list) {
-  constexpr std::size_t kMost = 5;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(list.size(), kMost); ++i) {
-    text += (i == 0 ? "" : ", ") + text_of(list[i]);
-  }
-  if (list.size() > kMost) text += " and " + std::to_string(list.size() - kMost) + " more";
-  return text;
-}
 
 void add_note(const std::string& what, const std::vector<std::uint32_t>& faces,
               std::vector<std::string>& notes) {

@@ -128,6 +128,8 @@ class JsonValues {
   bool is_object(Id value) const { return first_byte(value) == '{'; }
   bool is_list(Id value) const { return first_byte(value) == '['; }
   bool is_text(Id value) const { return first_byte(value) == '"'; }
+  bool is_true(Id value) const { return first_byte(value) == 't'; }
+  bool is_false(Id value) const { return first_byte(value) == 'f'; }
   bool is_number(Id value) const {
     const char c = first_byte(value);
     return c == '-' || ('0' <= c && c <= '9');

@@ -9,6 +9,7 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "plumb/base/context.h"
@@ -32,6 +33,24 @@ std::string format_double(double value);
 
 /// Returns the text "p/q" of a rational, or "p" if the denominator q is 1.
 std::string format_exact(const Rational& value);
+
+/// Returns the first five entries of a list of numbers or texts: "3, 8, 11, 12, 15 and 5 more".
+template <class List>
+std::string listed(const List& list) {
+  constexpr std::size_t kMost = 5;
+  std::string text;
+  std::size_t i = 0;
+  for (const auto& entry : list) {
+    if (i == kMost) return text + " and " + std::to_string(list.size() - kMost) + " more";
+    if (i++ > 0) text += ", ";
+    if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(entry)>>) {
+      text += std::to_string(entry);
+    } else {
+      text += entry;
+    }
+  }
+  return text;
+}
 
 /// A buffer for text that is written to a stream. The contents of the buffer are written to the
 /// stream when the buffer is full and when flush() is called. The caller must call flush() at the
